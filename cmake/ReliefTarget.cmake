@@ -1,0 +1,35 @@
+# relief_configure(TARGET): the compiler settings that every target of this tree shares.
+function(relief_configure target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+    -Wold-style-cast -Woverloaded-virtual -Wnull-dereference)
+  if(RELIEF_WERROR)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(RELIEF_SANITIZE)
+    # GCC 12 sees -Wnull-dereference and -Wmaybe-uninitialized where the sanitizers add their own branches.
+    target_compile_options(${target} PRIVATE -fsanitize=${RELIEF_SANITIZE} -fno-omit-frame-pointer
+      -Wno-null-dereference -Wno-maybe-uninitialized)
+    target_link_options(${target} PUBLIC -fsanitize=${RELIEF_SANITIZE})
+  endif()
+  if(RELIEF_NATIVE)
+    target_compile_options(${target} PRIVATE -march=native)
+  endif()
+  if(RELIEF_TIDY)
+    set_target_properties(${target} PROPERTIES CXX_CLANG_TIDY "${RELIEF_CLANG_TIDY}")
+  endif()
+endfunction()
+
+if(RELIEF_TIDY)
+  find_program(RELIEF_CLANG_TIDY clang-tidy REQUIRED)
+endif()
+
+# relief_test(NAME SOURCES... [LIBS ...]): one GoogleTest program, each of its tests known to ctest.
+function(relief_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LIBS} GTest::gtest_main)
+  relief_configure(${name})
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+endfunction()

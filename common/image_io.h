@@ -1,0 +1,24 @@
+// Pictures in files: EXR and PNG out, EXR and Radiance HDR in (environment maps, comparisons).
+#pragma once
+
+#include <filesystem>
+
+#include "common/error.h"
+#include "common/image.h"
+
+namespace relief {
+
+/// Writes every channel of `image` to an OpenEXR file (ZIP compression; the same image gives the
+/// same bytes whatever the number of threads). Atomic as write_file_atomically.
+Status write_exr(const std::filesystem::path& path, const Image& image);
+
+/// Writes R, G, B as 8-bit sRGB PNG, with A if `image` has it and it is below 1 anywhere. R, G, B
+/// are linear and premultiplied; PNG alpha is not premultiplied, so they are divided first. Values
+/// outside [0, 1] are clamped. Atomic as write_file_atomically.
+Status write_png(const std::filesystem::path& path, const Image& image);
+
+/// Reads an EXR, Radiance HDR or PNG picture (recognised by its first bytes, not its name) with all
+/// its channels; PNG colour is turned linear. Non-finite values are kept as they are.
+Result<Image> read_image(const std::filesystem::path& path);
+
+}  // namespace relief

@@ -1,0 +1,80 @@
+// The patch model: what the preprocessing makes, the patch file keeps and the renderer draws.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <vector>
+
+#include "common/points.h"
+
+namespace relief {
+
+/// The height value of a grid node without a sample (a hole).
+inline constexpr std::int32_t kHole = std::numeric_limits<std::int32_t>::min();
+
+/// The largest number of nodes along one side of a patch; bounds what a hostile file can ask for.
+inline constexpr std::uint32_t kMaxPatchSide = 16384;
+
+/// Heights are at most this many steps apart within a patch, so that 16 bits hold them with a value
+/// left over for holes.
+inline constexpr std::int32_t kMaxHeightRange = 65534;
+
+/// A rectangular attribute map of one patch: `scale` texels per grid cell along each side, texel
+/// (i, j) at grid coordinates (i / scale, j / scale). Thus its size is scale * (nodes - 1) + 1.
+/// Every texel has a value: those over holes continue their surroundings, so that a bilinear lookup
+/// near a hole never reads anything foreign.
+template <class Texel>
+struct AttributeMap {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  std::uint32_t scale = 1;
+  std::vector<Texel> texels;  ///< row-major, texels[j * width + i]
+
+  [[nodiscard]] bool empty() const { return texels.empty(); }
+};
+
+/// A patch: a regular grid of heights over its base plane, with holes, and attribute maps.
+///
+/// Frame: node (i, j) with height index h lies in the world at
+///   origin + axes * (i * spacing, j * spacing, h * height_step),
+/// where the columns of `axes` are the plane's two directions and its normal (right-handed,
+/// orthonormal). Everything else of a patch is relative to that, so that single precision is enough
+/// wherever in the world it stands (paper 001, section 3: plane parameters and a height array).
+struct Patch {
+  glm::dvec3 origin{0.0};
+  glm::dmat3 axes{1.0};
+  double spacing = 1.0;               ///< grid step, world units (the papers' mu)
+  double height_step = 1.0;           ///< world units per height index
+  std::uint32_t width = 0;            ///< nodes along axes[0]
+  std::uint32_t height = 0;           ///< nodes along axes[1]
+  std::vector<std::int32_t> heights;  ///< row-major height indices, 0..kMaxHeightRange, or kHole
+
+  AttributeMap<glm::i16vec2>
+      normals;  ///< octahedral unit normals in the patch frame, see common/octahedral.h
+  AttributeMap<glm::u8vec3> colours;  ///< 8-bit sRGB; empty if the scan has no colour
+
+  [[nodiscard]] std::int32_t at(std::uint32_t i, std::uint32_t j) const {
+    return heights[std::size_t{j} * width + i];
+  }
+};
+
+/// All patches of a model, with what a viewer must know before it reads the first of them.
+struct PatchModel {
+  std::vector<Patch> patches;
+  double spacing = 0.0;  ///< the spacing asked for or chosen; each patch has its own
+  Bounds bounds;         ///< of the scan's points
+  double bounding_radius =
+      0.0;  ///< of the sphere about the centre of `bounds` that holds all points
+  bool has_colours = false;
+};
+
+/// Number of samples (valid grid nodes) of a patch.
+[[nodiscard]] std::size_t count_samples(const Patch& patch);
+
+/// Number of samples of a model.
+[[nodiscard]] std::size_t count_samples(const PatchModel& model);
+
+}  // namespace relief

@@ -1,0 +1,36 @@
+// A point scan in memory, as the readers give it and the preprocessing uses it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+namespace relief {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// Points with the attributes that their file had. An attribute vector is empty or as long as
+/// `positions`. World frame, right-handed, in the file's own unit.
+struct Points {
+  std::vector<glm::dvec3> positions;
+  std::vector<glm::vec3> normals;    ///< any length, possibly zero or NaN as read; unit and outward
+                                     ///< after estimate_normals
+  std::vector<glm::u8vec3> colours;  ///< 8-bit sRGB
+  std::vector<glm::vec2> texcoords;  ///< (u, v), v upward
+  std::vector<Triangle> triangles;   ///< indices into `positions`; polygons are split into fans
+  std::optional<glm::dvec3> viewpoint;  ///< where the scanner stood, if the file says so
+
+  [[nodiscard]] std::size_t size() const { return positions.size(); }
+};
+
+/// An axis-aligned box; empty while min > max.
+struct Bounds {
+  glm::dvec3 min{1.0};
+  glm::dvec3 max{-1.0};
+  [[nodiscard]] bool empty() const { return min.x > max.x; }
+};
+
+}  // namespace relief

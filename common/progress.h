@@ -1,0 +1,28 @@
+// How a long job tells what it does, and how it is asked to stop.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <string_view>
+
+namespace relief {
+
+/// Receives the progress of a long job. The base class ignores it; the command line draws a bar.
+/// A job calls `begin_stage` from one thread, `advance` from any, and looks at `cancelled`
+/// at least every few hundred milliseconds of work; it then returns `interrupted_error()`.
+class Progress {
+ public:
+  Progress() = default;
+  virtual ~Progress() = default;
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// A new stage starts; `units` is how much work it has (0: not known).
+  virtual void begin_stage(std::string_view /*name*/, std::uint64_t /*units*/) {}
+  /// `units` more of the current stage are done. Thread-safe.
+  virtual void advance(std::uint64_t /*units*/) {}
+  /// True once the user asked to stop. Thread-safe.
+  [[nodiscard]] virtual bool cancelled() const { return false; }
+};
+
+}  // namespace relief

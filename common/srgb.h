@@ -1,0 +1,26 @@
+// The sRGB transfer function (IEC 61966-2-1).
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace relief {
+
+/// Linear light in [0, 1] of an sRGB value in [0, 1].
+[[nodiscard]] inline float linear_from_srgb(float s) {
+  return s <= 0.04045F ? s / 12.92F : std::pow((s + 0.055F) / 1.055F, 2.4F);
+}
+
+/// sRGB value in [0, 1] of linear light, clamped to [0, 1]; NaN becomes 0.
+[[nodiscard]] inline float srgb_from_linear(float l) {
+  if (!(l > 0.0F)) return 0.0F;
+  if (l >= 1.0F) return 1.0F;
+  return l <= 0.0031308F ? l * 12.92F : 1.055F * std::pow(l, 1.0F / 2.4F) - 0.055F;
+}
+
+/// The nearest 8-bit sRGB value of linear light.
+[[nodiscard]] inline std::uint8_t srgb8_from_linear(float l) {
+  return static_cast<std::uint8_t>(std::lround(srgb_from_linear(l) * 255.0F));
+}
+
+}  // namespace relief

@@ -1,0 +1,42 @@
+// From points to patches: the whole preprocessing of paper 001, section 3.1, in its order.
+#pragma once
+
+#include <cstdint>
+
+#include "common/error.h"
+#include "common/patch.h"
+#include "common/points.h"
+#include "common/progress.h"
+
+namespace relief {
+
+struct ConvertOptions {
+  double spacing = 0.0;  ///< grid step in world units; 0: about as many samples as points
+  double cone_degrees =
+      0.0;  ///< largest angle between a patch's normal and its points' normals; 0: default
+  int overlap_cells = 1;     ///< width of the overlap margin, in grid cells
+  double height_step = 0.0;  ///< world units per height index; 0: spacing / 20
+  int threads = 0;           ///< 0: all cores. The result does not depend on it.
+};
+
+/// How well the patches render the points they came from.
+struct ConvertReport {
+  std::uint64_t points = 0;            ///< points that were converted
+  std::uint64_t normals_repaired = 0;  ///< given normals that were zero, NaN or inconsistent
+  bool normals_estimated = false;      ///< the scan had none
+  double error_rms = 0.0;  ///< distance of the points to the patches' bilinear surface, world units
+  double error_max = 0.0;
+  double psnr_db = 0.0;                ///< 20 log10(bounding-box diagonal / error_rms)
+  std::uint64_t uncovered_points = 0;  ///< points farther than two spacings from every patch
+};
+
+struct ConvertResult {
+  PatchModel model;
+  ConvertReport report;
+};
+
+/// Converts cleaned points (see clean_points) to patches. Fails with one sentence if there are too
+/// few points or they span no surface (all equal, all on one line), or if the user interrupts.
+Result<ConvertResult> convert(Points points, const ConvertOptions& options, Progress& progress);
+
+}  // namespace relief
