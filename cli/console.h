@@ -1,0 +1,77 @@
+// What the command says and hears: results on standard output, everything else on standard error,
+// Ctrl-C as a wish that a long job can look at.
+#pragma once
+
+#include <chrono>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/error.h"
+#include "common/progress.h"
+
+namespace relief::cli {
+
+inline constexpr int kDone = 0;
+inline constexpr int kFailed = 1;
+inline constexpr int kWrongUsage = 2;
+
+/// From here on the first SIGINT or SIGTERM is remembered (see interrupted) and the second one ends
+/// the process; a write beyond the file size limit fails like a full disk instead of killing it.
+void handle_signals();
+
+/// True once the user asked to stop.
+[[nodiscard]] bool interrupted();
+
+/// Says `error` in one line on standard error and returns kFailed. After an interrupt it says that
+/// instead: whatever failed then, failed because of it.
+int fail(const Error& error);
+
+/// A remark on standard error that ends nothing.
+void note(std::string_view text);
+
+/// Prints a result on standard output and returns the exit code: kFailed, with a sentence, if
+/// standard output takes no more (full disk).
+int print_result(std::string_view text);
+int print_json(const nlohmann::ordered_json& result);
+
+/// The progress of a long job on standard error: one line with a bar and the time left, drawn only
+/// if standard error is a terminal. Also keeps how long each stage took.
+class ConsoleProgress final : public Progress {
+ public:
+  struct Stage {
+    std::string name;
+    double seconds = 0.0;
+  };
+
+  ConsoleProgress();
+  ~ConsoleProgress() override;
+
+  void begin_stage(std::string_view name, std::uint64_t units) override;
+  void advance(std::uint64_t units) override;
+  [[nodiscard]] bool cancelled() const override { return interrupted(); }
+
+  /// Ends the last stage, wipes the line and returns all stages in their order; stages with the
+  /// same name are added up.
+  const std::vector<Stage>& finish();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void end_stage(Clock::time_point now);
+  void draw(Clock::time_point now);
+
+  const bool on_terminal_;
+  std::mutex mutex_;  ///< guards all below except done_ and next_draw_
+  std::vector<Stage> stages_;
+  std::string stage_;
+  std::uint64_t units_ = 0;
+  Clock::time_point stage_start_;
+  bool line_drawn_ = false;
+  std::atomic<std::uint64_t> done_{0};
+  std::atomic<Clock::rep> next_draw_{0};
+};
+
+}  // namespace relief::cli

@@ -1,0 +1,172 @@
+// relief convert: a scan becomes a patch file.
+#include "preprocess/convert.h"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/load.h"
+#include "cli/paths.h"
+#include "common/patch_file.h"
+
+namespace relief::cli {
+namespace {
+
+constexpr const char* kExamples =
+    "Reads PLY, PCD, OBJ, OFF, STL and XYZ text, each also gzipped. Several files become one "
+    "model:\n"
+    "they are taken as parts of one scan, in the frame that their coordinates are in.\n"
+    "Without --spacing the patches have about as many samples as the scan has points.\n"
+    "\n"
+    "Examples:\n"
+    "  relief convert dragon.ply.gz -o dragon.relief\n"
+    "  relief convert scan1.pcd scan2.pcd -o room.relief --spacing 0.01\n"
+    "  relief convert dragon.ply.gz -o dragon.relief --json > dragon.json";
+
+struct Arguments {
+  std::vector<std::filesystem::path> inputs;
+  std::filesystem::path output;
+  ConvertOptions options;
+  bool json = false;
+};
+
+/// Everything that `relief convert` measured.
+struct Summary {
+  ReadResult read;  ///< its points are gone: they were converted
+  ConvertReport report;
+  PatchFileInfo file;
+  double seconds = 0.0;
+  std::vector<ConsoleProgress::Stage> stages;
+};
+
+nlohmann::ordered_json as_json(const Summary& s) {
+  nlohmann::ordered_json stages = nlohmann::ordered_json::object();
+  for (const auto& stage : s.stages) stages[stage.name] = stage.seconds;
+  // nlohmann writes numbers that are not finite (the PSNR of a perfect plane) as null.
+  return {{"points", s.report.points},
+          {"points_dropped", s.read.dropped_nonfinite},
+          {"duplicates_merged", s.read.merged_duplicates},
+          {"normals_estimated", s.report.normals_estimated},
+          {"normals_repaired", s.report.normals_repaired},
+          {"patches", s.file.patches},
+          {"samples", s.file.samples},
+          {"spacing", s.file.spacing},
+          {"file_bytes", s.file.file_bytes},
+          {"seconds", s.seconds},
+          {"error_rms", s.report.error_rms},
+          {"error_max", s.report.error_max},
+          {"psnr_db", s.report.psnr_db},
+          {"uncovered_points", s.report.uncovered_points},
+          {"stage_seconds", stages}};
+}
+
+std::string as_text(const Summary& s, const std::filesystem::path& output) {
+  const std::string normals = s.report.normals_estimated
+                                  ? "estimated"
+                                  : fmt::format("given, {} repaired", s.report.normals_repaired);
+  std::string text = fmt::format(
+      "{}\n"
+      "  points            {} ({} not finite dropped, {} duplicates merged)\n"
+      "  normals           {}\n"
+      "  patches           {}\n"
+      "  samples           {}\n"
+      "  spacing           {:.6g}\n"
+      "  error             {:.3g} rms, {:.3g} at most\n"
+      "  psnr              {:.2f} dB\n"
+      "  uncovered points  {}\n"
+      "  file              {} bytes, {:.2f} bits per sample\n"
+      "  time              {:.2f} s",
+      output.string(), s.report.points, s.read.dropped_nonfinite, s.read.merged_duplicates, normals,
+      s.file.patches, s.file.samples, s.file.spacing, s.report.error_rms, s.report.error_max,
+      s.report.psnr_db, s.report.uncovered_points, s.file.file_bytes,
+      8.0 * static_cast<double>(s.file.file_bytes) / static_cast<double>(s.file.samples),
+      s.seconds);
+  const char* separator = ": ";
+  for (const auto& stage : s.stages) {
+    text += fmt::format("{}{} {:.2f}", separator, stage.name, stage.seconds);
+    separator = ", ";
+  }
+  return text + "\n";
+}
+
+/// Reads, converts, writes and looks at what was written.
+Result<Summary> convert_files(const Arguments& arguments, Progress& progress) {
+  auto read = load_points(arguments.inputs, progress);
+  if (!read) return read.error();
+  auto converted = convert(std::move(read->points), arguments.options, progress);
+  if (!converted) {
+    return make_error("{}: {}", arguments.inputs.front().string(), converted.error().message);
+  }
+  // The last moment at which nothing is there yet; writing takes well under a second.
+  if (progress.cancelled()) return Error{"interrupted"};
+  progress.begin_stage("write", 0);
+  if (const Status written = write_patch_file(arguments.output, converted->model); !written) {
+    return written.error();
+  }
+  const auto file = PatchFile::open(arguments.output);
+  if (!file) return file.error();
+  Summary summary;
+  summary.read = std::move(*read);
+  summary.report = converted->report;
+  summary.file = file->info();
+  return summary;
+}
+
+int run(const Arguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
+  if (const Status writable = check_output(arguments.output, arguments.inputs); !writable) {
+    return fail(writable.error());
+  }
+  const tbb::global_control threads(
+      tbb::global_control::max_allowed_parallelism,
+      arguments.options.threads > 0 ? static_cast<std::size_t>(arguments.options.threads)
+                                    : static_cast<std::size_t>(tbb::info::default_concurrency()));
+  ConsoleProgress progress;
+  auto summary = convert_files(arguments, progress);
+  const auto& stages = progress.finish();
+  if (!summary) return fail(summary.error());
+  summary->stages = stages;
+  summary->seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return arguments.json ? print_json(as_json(*summary))
+                        : print_result(as_text(*summary, arguments.output));
+}
+
+}  // namespace
+
+void add_convert(CLI::App& app, Command& command) {
+  auto* sub = app.add_subcommand("convert", "Convert a scan to a patch file");
+  const auto arguments = std::make_shared<Arguments>();
+  sub->add_option("IN", arguments->inputs, "Scan or mesh files")->required();
+  sub->add_option("-o,--output", arguments->output, "The patch file to write (.relief)")
+      ->required();
+  sub->add_option("--spacing", arguments->options.spacing,
+                  "Grid step in the scan's unit; smaller is more exact and larger a file")
+      ->check(CLI::PositiveNumber);
+  sub->add_option("--cone-degrees", arguments->options.cone_degrees,
+                  "Largest angle between a patch's normal and its points' normals; larger makes "
+                  "fewer patches")
+      ->check(CLI::Range(1.0, 89.0));
+  sub->add_option("--overlap", arguments->options.overlap_cells,
+                  "Grid cells by which patches overlap")
+      ->check(CLI::Range(0, 16))
+      ->capture_default_str();
+  sub->add_option("--threads", arguments->options.threads,
+                  "Threads; the file is the same with any number (default: all cores)")
+      ->check(CLI::Range(1, 1024));
+  sub->add_flag("--json", arguments->json, "Print one JSON object on standard output");
+  sub->footer(kExamples);
+  sub->callback([arguments, &command] { command = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace relief::cli

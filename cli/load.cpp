@@ -1,0 +1,110 @@
+#include "cli/load.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <utility>
+
+#include "cli/console.h"
+#include "cli/paths.h"
+#include "common/patch_file.h"
+#include "preprocess/convert.h"
+
+namespace relief::cli {
+namespace {
+
+/// Appends an attribute if both sides have it for all their points; otherwise neither keeps it.
+/// Returns whether something was left out.
+template <class T>
+bool append_attribute(std::vector<T>& to, std::size_t to_points, const std::vector<T>& from) {
+  if (from.empty() != to.empty() && to_points > 0) {
+    to.clear();
+    return true;
+  }
+  to.insert(to.end(), from.begin(), from.end());
+  return false;
+}
+
+/// An attribute once left out stays out, whatever later files have.
+struct LeftOut {
+  bool normals = false;
+  bool colours = false;
+  bool texcoords = false;
+};
+
+void append(Points& to, Points from, LeftOut& left_out) {
+  const auto offset = static_cast<std::uint32_t>(to.size());
+  if (left_out.normals) from.normals.clear();
+  if (left_out.colours) from.colours.clear();
+  if (left_out.texcoords) from.texcoords.clear();
+  left_out.normals |= append_attribute(to.normals, offset, from.normals);
+  left_out.colours |= append_attribute(to.colours, offset, from.colours);
+  left_out.texcoords |= append_attribute(to.texcoords, offset, from.texcoords);
+  to.positions.insert(to.positions.end(), from.positions.begin(), from.positions.end());
+  to.triangles.reserve(to.triangles.size() + from.triangles.size());
+  for (const Triangle& t : from.triangles) {
+    to.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+  }
+  // Points seen from several places have no one viewpoint.
+  if (offset == 0) {
+    to.viewpoint = from.viewpoint;
+  } else if (to.viewpoint != from.viewpoint) {
+    to.viewpoint.reset();
+  }
+}
+
+void note_left_out(const LeftOut& left_out) {
+  const auto say = [](bool is_left_out, std::string_view name) {
+    if (is_left_out) note(fmt::format("only some of the scans have {}; they are left out", name));
+  };
+  say(left_out.normals, "normals");
+  say(left_out.colours, "colours");
+  say(left_out.texcoords, "texture coordinates");
+}
+
+}  // namespace
+
+Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
+                               Progress& progress) {
+  if (paths.size() == 1) return read_points(paths.front(), progress);
+  ReadResult all;
+  LeftOut left_out;
+  for (const auto& path : paths) {
+    auto scan = read_points(path, progress);
+    if (!scan) return scan.error();
+    all.points_in_file += scan->points_in_file;
+    all.dropped_nonfinite += scan->dropped_nonfinite;
+    all.merged_duplicates += scan->merged_duplicates;
+    if (all.points.size() + scan->points.size() > UINT32_MAX) {
+      return make_error("{}: with it the scans have more than {} points; convert fewer at a time",
+                        path.string(), UINT32_MAX);
+    }
+    append(all.points, std::move(scan->points), left_out);
+  }
+  note_left_out(left_out);
+  ReadResult cleaned = clean_points(std::move(all.points));
+  all.points = std::move(cleaned.points);
+  all.merged_duplicates += cleaned.merged_duplicates;
+  return all;
+}
+
+Result<PatchModel> load_model(const std::filesystem::path& path, Progress& progress) {
+  if (ending(path) == ".json") {
+    return make_error("{}: this version renders .relief files and scans, no .json scenes yet",
+                      path.string());
+  }
+  if (ending(path) == ".relief") {
+    const auto file = PatchFile::open(path);
+    if (!file) return file.error();
+    return file->read_all(progress);
+  }
+  auto scan = read_points(path, progress);
+  if (!scan) return scan.error();
+  auto converted = convert(std::move(scan->points), {}, progress);
+  if (!converted) {
+    return make_error("{}: {}", path.string(), converted.error().message);
+  }
+  return std::move(converted->model);
+}
+
+}  // namespace relief::cli

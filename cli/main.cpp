@@ -1,0 +1,56 @@
+// The `relief` command: parses, then runs the subcommand.
+#include <CLI/CLI.hpp>
+#include <exception>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "common/version.h"
+
+namespace {
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  relief convert dragon.ply.gz -o dragon.relief\n"
+    "  relief info dragon.relief --verify\n"
+    "  relief render dragon.relief -o dragon.png --orbit 30,20\n"
+    "  relief render dragon.relief -o dragon.exr --material mirror --env studio.hdr\n"
+    "\n"
+    "`relief SUBCOMMAND --help` tells all options of a subcommand.\n"
+    "Exit code: 0 done, 1 could not do it (one sentence says why), 2 wrong usage.";
+
+int run(int argc, char** argv) {
+  CLI::App app(
+      "Relief turns point scans into elevation-map patches and renders them in one pass.\n",
+      "relief");
+  app.set_version_flag("--version", std::string("relief ") + relief::kVersion);
+  app.require_subcommand(1);
+  app.footer(kExamples);
+
+  relief::cli::Command command;
+  relief::cli::add_convert(app, command);
+  relief::cli::add_info(app, command);
+  relief::cli::add_render(app, command);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help_or_version) {
+    return app.exit(help_or_version);
+  } catch (const CLI::ParseError& error) {
+    app.exit(error);  // prints; its own codes would be above 2
+    return relief::cli::kWrongUsage;
+  }
+  return command();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  relief::cli::handle_signals();
+  try {
+    return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    return relief::cli::fail(relief::Error{"not enough memory for this model"});
+  } catch (const std::exception& error) {
+    return relief::cli::fail(
+        relief::make_error("internal error: {}; please report it", error.what()));
+  }
+}

@@ -1,0 +1,20 @@
+// Paths that the user names, checked before any long work starts.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/error.h"
+
+namespace relief::cli {
+
+/// Whether a file can be written at `path`: its directory exists and is writable, `path` is none of
+/// the `inputs` and nothing but a regular file stands there.
+Status check_output(const std::filesystem::path& path,
+                    const std::vector<std::filesystem::path>& inputs);
+
+/// The ending of a path in lower case, with the dot; empty if there is none.
+[[nodiscard]] std::string ending(const std::filesystem::path& path);
+
+}  // namespace relief::cli

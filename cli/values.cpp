@@ -1,0 +1,111 @@
+#include "cli/values.h"
+
+#include <CLI/Error.hpp>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "common/srgb.h"
+
+namespace relief::cli {
+namespace {
+
+constexpr std::uint32_t kMaxSide = 32768;
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t at = text.find(separator); at != std::string_view::npos;
+       at = text.find(separator)) {
+    parts.push_back(text.substr(0, at));
+    text.remove_prefix(at + 1);
+  }
+  parts.push_back(text);
+  return parts;
+}
+
+template <class Number>
+std::optional<Number> parse_number(std::string_view text) {
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  Number value{};
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return value;
+}
+
+/// The numbers of a comma-separated list, or nothing if one is none or not finite.
+std::vector<double> parse_numbers(std::string_view text) {
+  std::vector<double> numbers;
+  for (const std::string_view part : split(text, ',')) {
+    const auto number = parse_number<double>(part);
+    if (!number || !std::isfinite(*number)) return {};
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+}  // namespace
+
+Size parse_size(const std::string& text) {
+  const auto parts = split(text, 'x');
+  if (parts.size() == 2) {
+    const auto width = parse_number<std::uint32_t>(parts[0]);
+    const auto height = parse_number<std::uint32_t>(parts[1]);
+    if (width && height && *width >= 1 && *width <= kMaxSide && *height >= 1 &&
+        *height <= kMaxSide) {
+      return {*width, *height};
+    }
+  }
+  throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, each 1 to 32768, as in 1280x1024");
+}
+
+Orbit parse_orbit(const std::string& text) {
+  const auto numbers = parse_numbers(text);
+  if (numbers.size() == 2) return {numbers[0], numbers[1], 0.0};
+  if (numbers.size() == 3 && numbers[2] > 0.0) return {numbers[0], numbers[1], numbers[2]};
+  throw CLI::ValidationError(
+      "--orbit", "expected AZIMUTH,ELEVATION[,DISTANCE] with DISTANCE above 0, as in 30,20,1.5");
+}
+
+glm::dvec3 parse_vector(const std::string& text) {
+  const auto numbers = parse_numbers(text);
+  if (numbers.size() != 3) throw CLI::ValidationError("expected X,Y,Z, as in 0,1,0; found " + text);
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+std::optional<glm::vec3> parse_background(const std::string& text) {
+  if (text == "none") return std::nullopt;
+  const auto numbers = parse_numbers(text);
+  const auto in_range = [](double n) { return n >= 0.0 && n <= 1.0; };
+  if (numbers.size() != 3 || !std::all_of(numbers.begin(), numbers.end(), in_range)) {
+    throw CLI::ValidationError("--background",
+                               "expected R,G,B, sRGB values from 0 to 1 as in 1,1,1, or none");
+  }
+  const auto linear = [](double n) { return linear_from_srgb(static_cast<float>(n)); };
+  return glm::vec3(linear(numbers[0]), linear(numbers[1]), linear(numbers[2]));
+}
+
+Outputs parse_outputs(const std::string& text) {
+  Outputs outputs;
+  for (const std::string_view name : split(text, ',')) {
+    if (name == "all") {
+      outputs = {true, true, true, true};
+    } else if (name == "normal") {
+      outputs.normal = true;
+    } else if (name == "depth") {
+      outputs.depth = true;
+    } else if (name == "uv") {
+      outputs.uv = true;
+    } else if (name == "patch") {
+      outputs.patch_id = true;
+    } else if (name != "colour" && name != "color") {
+      throw CLI::ValidationError(
+          "--outputs",
+          "expected all, colour, or some of normal,depth,uv,patch; found " + std::string(name));
+    }
+  }
+  return outputs;
+}
+
+}  // namespace relief::cli
