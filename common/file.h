@@ -3,9 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <ostream>
 #include <span>
 #include <vector>
 
@@ -21,5 +20,57 @@ Result<std::vector<std::byte>> read_file(const std::filesystem::path& path);
 /// failure (no such directory, `path` is a directory, disk full) the temporary file is removed, an
 /// older `path` stays as it was and one sentence says what happened.
 Status write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+/// The same in pieces, for what should not be held in memory as a whole: create, write, commit.
+/// Without a commit the destructor removes the temporary file, so that an early return leaves
+/// nothing behind. A symbolic link is followed; a device or a directory is refused.
+class AtomicFile {
+ public:
+  static Result<AtomicFile> create(const std::filesystem::path& path);
+
+  AtomicFile(AtomicFile&& other) noexcept;
+  AtomicFile& operator=(AtomicFile&& other) noexcept;
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+  ~AtomicFile();
+
+  /// Appends `bytes`.
+  Status write(std::span<const std::byte> bytes);
+  /// Puts the file in its place. Nothing may be written afterwards.
+  Status commit();
+
+ private:
+  AtomicFile(std::filesystem::path named, std::filesystem::path target,
+             std::filesystem::path temporary, int descriptor);
+  void discard() noexcept;
+
+  std::filesystem::path named_;      ///< as the caller named it, for messages
+  std::filesystem::path target_;     ///< where links lead
+  std::filesystem::path temporary_;  ///< beside target_; empty once committed or moved from
+  int descriptor_ = -1;
+};
+
+/// A file open for reading at any place, from any thread.
+class RandomAccessFile {
+ public:
+  static Result<RandomAccessFile> open(const std::filesystem::path& path);
+
+  RandomAccessFile(RandomAccessFile&& other) noexcept;
+  RandomAccessFile& operator=(RandomAccessFile&& other) noexcept;
+  RandomAccessFile(const RandomAccessFile&) = delete;
+  RandomAccessFile& operator=(const RandomAccessFile&) = delete;
+  ~RandomAccessFile();
+
+  [[nodiscard]] std::uint64_t size() const { return size_; }
+  /// Fills `bytes` from `offset`. Fails if the file ends before. Thread-safe.
+  Status read_at(std::uint64_t offset, std::span<std::byte> bytes) const;
+
+ private:
+  RandomAccessFile(std::filesystem::path path, int descriptor, std::uint64_t size);
+
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+  std::uint64_t size_ = 0;
+};
 
 }  // namespace relief

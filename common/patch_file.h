@@ -26,6 +26,24 @@ struct PatchFileInfo {
   std::vector<std::string> attributes;  ///< "normal", "colour"
 };
 
+/// What the index says of one patch: enough to place it and to cull it before it is read. Terms and
+/// frame as in Patch.
+struct PatchSummary {
+  glm::dvec3 origin{0.0};
+  glm::dmat3 axes{1.0};
+  double spacing = 1.0;
+  double height_step = 1.0;
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  std::uint32_t samples = 0;
+  std::uint16_t min_height = 0;  ///< of the samples' height indices; 0 without samples
+  std::uint16_t max_height = 0;
+  glm::i16vec2 cone_axis{0};  ///< of the normals over samples, octahedral, in the patch frame
+  float cone_cosine = -1.0F;  ///< of the cone's half angle; -1 if nothing is known
+
+  [[nodiscard]] bool operator==(const PatchSummary&) const = default;
+};
+
 /// Writes a model beside `path` and renames it there, so that `path` never holds half a file.
 /// The same model gives the same bytes. Fails with one sentence (no such directory, disk full,
 /// ...).
@@ -44,10 +62,13 @@ class PatchFile {
 
   [[nodiscard]] const PatchFileInfo& info() const;
 
+  /// One for each patch.
+  [[nodiscard]] const std::vector<PatchSummary>& patches() const;
+
   /// Reads, checks and decodes one patch; touches no other patch's bytes. Thread-safe.
   [[nodiscard]] Result<Patch> read_patch(std::uint64_t index) const;
 
-  /// Reads all patches (in parallel).
+  /// Reads all patches (in parallel). Refuses a model that does not fit into this machine's memory.
   [[nodiscard]] Result<PatchModel> read_all(Progress& progress) const;
 
  private:

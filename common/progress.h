@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "common/error.h"
+
 namespace relief {
 
 /// Receives the progress of a long job. The base class ignores it; the command line draws a bar.
@@ -24,5 +26,10 @@ class Progress {
   /// True once the user asked to stop. Thread-safe.
   [[nodiscard]] virtual bool cancelled() const { return false; }
 };
+
+/// What a job returns when it was asked to stop.
+[[nodiscard]] inline Error interrupted_error() {
+  return Error{"interrupted"};
+}
 
 }  // namespace relief

@@ -1,0 +1,286 @@
+#include "common/patch_file_layout.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "common/bytes.h"
+
+namespace relief {
+namespace {
+
+// As in PNG: a byte above 127 and both line endings show a transfer that changed them.
+constexpr std::array<std::uint8_t, 8> kMagic{0x89, 'R', 'L', 'F', '\r', '\n', 0x1A, '\n'};
+
+/// How far the axes may be from orthonormal: rounding of a double rotation is near 1e-16, a
+/// matrix that was ever kept as floats near 1e-7.
+constexpr double kAxesTolerance = 1e-6;
+
+void append_vector(std::vector<std::byte>& out, const glm::dvec3& v) {
+  for (glm::length_t c = 0; c < 3; ++c) append_number(out, v[c]);
+}
+
+glm::dvec3 take_vector(ByteReader& in) {
+  glm::dvec3 v;
+  for (glm::length_t c = 0; c < 3; ++c) v[c] = in.take<double>();
+  return v;
+}
+
+bool is_finite(const glm::dvec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+bool is_positive(double value) {
+  return std::isfinite(value) && value > 0.0;
+}
+
+bool is_rotation(const glm::dmat3& axes) {
+  const glm::dmat3 product = glm::transpose(axes) * axes;
+  for (glm::length_t c = 0; c < 3; ++c) {
+    for (glm::length_t r = 0; r < 3; ++r) {
+      // Negated so that NaN is found too.
+      if (!(std::abs(product[c][r] - (c == r ? 1.0 : 0.0)) <= kAxesTolerance)) return false;
+    }
+  }
+  return glm::determinant(axes) > 0.0;
+}
+
+void append_patch(std::vector<std::byte>& out, const PatchRecord& record) {
+  const PatchSummary& patch = record.summary;
+  append_vector(out, patch.origin);
+  for (glm::length_t c = 0; c < 3; ++c) append_vector(out, patch.axes[c]);
+  append_number(out, patch.spacing);
+  append_number(out, patch.height_step);
+  append_number(out, patch.width);
+  append_number(out, patch.height);
+  append_number(out, patch.samples);
+  append_number(out, patch.min_height);
+  append_number(out, patch.max_height);
+  append_number(out, patch.cone_axis.x);
+  append_number(out, patch.cone_axis.y);
+  append_number(out, patch.cone_cosine);
+  append_number(out, record.first_chunk);
+  append_number(out, record.chunk_count);
+}
+
+PatchRecord take_patch(ByteReader& in) {
+  PatchRecord record;
+  PatchSummary& patch = record.summary;
+  patch.origin = take_vector(in);
+  for (glm::length_t c = 0; c < 3; ++c) patch.axes[c] = take_vector(in);
+  patch.spacing = in.take<double>();
+  patch.height_step = in.take<double>();
+  patch.width = in.take<std::uint32_t>();
+  patch.height = in.take<std::uint32_t>();
+  patch.samples = in.take<std::uint32_t>();
+  patch.min_height = in.take<std::uint16_t>();
+  patch.max_height = in.take<std::uint16_t>();
+  patch.cone_axis.x = in.take<std::int16_t>();
+  patch.cone_axis.y = in.take<std::int16_t>();
+  patch.cone_cosine = in.take<float>();
+  record.first_chunk = in.take<std::uint32_t>();
+  record.chunk_count = in.take<std::uint32_t>();
+  return record;
+}
+
+void append_chunk(std::vector<std::byte>& out, const ChunkRecord& chunk) {
+  for (const char letter : chunk.type) append_number(out, static_cast<std::uint8_t>(letter));
+  append_number(out, chunk.codec);
+  append_number(out, chunk.scale);
+  append_number(out, chunk.offset);
+  append_number(out, chunk.size);
+  append_number(out, chunk.checksum);
+}
+
+ChunkRecord take_chunk(ByteReader& in) {
+  ChunkRecord chunk;
+  for (char& letter : chunk.type) letter = static_cast<char>(in.take<std::uint8_t>());
+  chunk.codec = in.take<std::uint16_t>();
+  chunk.scale = in.take<std::uint16_t>();
+  chunk.offset = in.take<std::uint64_t>();
+  chunk.size = in.take<std::uint32_t>();
+  chunk.checksum = in.take<std::uint32_t>();
+  return chunk;
+}
+
+}  // namespace
+
+std::uint32_t crc32(std::span<const std::byte> bytes) {
+  // In pieces, as zlib counts bytes in 32 bits.
+  constexpr std::size_t kPiece = std::size_t{1} << 30U;
+  uLong sum = 0;
+  for (; !bytes.empty(); bytes = bytes.subspan(std::min(bytes.size(), kPiece))) {
+    // zlib's Byte is unsigned char, as which any object may be read.
+    sum = ::crc32(sum, reinterpret_cast<const Bytef*>(bytes.data()),
+                  static_cast<uInt>(std::min(bytes.size(), kPiece)));
+  }
+  return static_cast<std::uint32_t>(sum);
+}
+
+std::string find_fault(const PatchSummary& patch) {
+  if (!is_finite(patch.origin)) return "its origin is not finite";
+  if (!is_rotation(patch.axes)) return "its axes are no rotation";
+  if (!is_positive(patch.spacing)) return "its spacing is not above 0";
+  if (!is_positive(patch.height_step)) return "its height step is not above 0";
+  if (patch.width == 0 || patch.height == 0 || patch.width > kMaxPatchSide ||
+      patch.height > kMaxPatchSide) {
+    return fmt::format("its size {}x{} is not within 1x1 to {}x{} nodes", patch.width, patch.height,
+                       kMaxPatchSide, kMaxPatchSide);
+  }
+  if (patch.samples > std::uint64_t{patch.width} * patch.height) {
+    return fmt::format("it has {} samples on {}x{} nodes", patch.samples, patch.width,
+                       patch.height);
+  }
+  if (patch.min_height > patch.max_height || patch.max_height > kMaxHeightRange) {
+    return fmt::format("its heights {} to {} are not within 0 to {}", patch.min_height,
+                       patch.max_height, kMaxHeightRange);
+  }
+  if (!(patch.cone_cosine >= -1.0F && patch.cone_cosine <= 1.0F)) {
+    return "its normal cone is none";
+  }
+  return {};
+}
+
+std::string find_fault(double spacing, const Bounds& bounds, double bounding_radius) {
+  if (!std::isfinite(spacing) || spacing < 0.0) return "its spacing is negative or not finite";
+  if (!std::isfinite(bounding_radius) || bounding_radius < 0.0) {
+    return "its bounding radius is negative or not finite";
+  }
+  if (!is_finite(bounds.min) || !is_finite(bounds.max)) return "its bounds are not finite";
+  if (!bounds.empty() && (bounds.min.y > bounds.max.y || bounds.min.z > bounds.max.z)) {
+    return "its bounds are inside out";
+  }
+  return {};
+}
+
+std::vector<std::byte> write_header(const FileHeader& header) {
+  std::vector<std::byte> out;
+  for (const std::uint8_t byte : kMagic) append_number(out, byte);
+  append_number(out, kPatchFileVersion);
+  append_number(out, static_cast<std::uint32_t>(kHeaderBytes));
+  append_number(out, header.file_bytes);
+  append_number(out, header.index_offset);
+  append_number(out, header.patches);
+  append_number(out, header.chunks);
+  append_number(out, header.samples);
+  append_number(out, header.spacing);
+  append_vector(out, header.bounds.min);
+  append_vector(out, header.bounds.max);
+  append_number(out, header.bounding_radius);
+  append_number(out, std::uint64_t{0});  // reserved
+  append_number(out, header.index_checksum);
+  append_number(out, crc32(out));
+  assert(out.size() == kHeaderBytes && "the header has the size that the format says");
+  return out;
+}
+
+std::vector<std::byte> write_index(const FileIndex& index) {
+  std::vector<std::byte> out;
+  out.reserve(index.patches.size() * kPatchRecordBytes + index.chunks.size() * kChunkRecordBytes);
+  for (const PatchRecord& patch : index.patches) append_patch(out, patch);
+  for (const ChunkRecord& chunk : index.chunks) append_chunk(out, chunk);
+  return out;
+}
+
+Result<FileHeader> parse_header(std::span<const std::byte> bytes, std::uint64_t file_bytes,
+                                const std::string& name) {
+  ByteReader in(bytes);
+  for (const std::uint8_t expected : kMagic) {
+    if (in.left() == 0 || in.take<std::uint8_t>() != expected) {
+      return make_error("{}: is no .relief patch file", name);
+    }
+  }
+  if (in.left() < 4) return make_error("{}: the file is truncated within its header", name);
+  const auto version = in.take<std::uint32_t>();
+  if (version > kPatchFileVersion) {
+    return make_error(
+        "{}: patch file version {}; this program reads version {}; get a newer relief", name,
+        version, kPatchFileVersion);
+  }
+  if (bytes.size() < kHeaderBytes) {
+    return make_error("{}: the file is truncated within its header", name);
+  }
+  const std::uint32_t checksum = crc32(bytes.first(kHeaderBytes - 4));
+  ByteReader last(bytes.subspan(kHeaderBytes - 4));
+  if (version == 0 || in.take<std::uint32_t>() != kHeaderBytes ||
+      last.take<std::uint32_t>() != checksum) {
+    return make_error("{}: the header's checksum is wrong; the file is damaged", name);
+  }
+
+  FileHeader header;
+  header.file_bytes = in.take<std::uint64_t>();
+  header.index_offset = in.take<std::uint64_t>();
+  header.patches = in.take<std::uint32_t>();
+  header.chunks = in.take<std::uint32_t>();
+  header.samples = in.take<std::uint64_t>();
+  header.spacing = in.take<double>();
+  header.bounds.min = take_vector(in);
+  header.bounds.max = take_vector(in);
+  header.bounding_radius = in.take<double>();
+  static_cast<void>(in.take<std::uint64_t>());  // reserved
+  header.index_checksum = in.take<std::uint32_t>();
+
+  if (file_bytes != header.file_bytes) {
+    return make_error("{}: the file has {} bytes where its header says {}; it is {}", name,
+                      file_bytes, header.file_bytes,
+                      file_bytes < header.file_bytes ? "truncated" : "damaged");
+  }
+  const std::uint64_t index_bytes = header.patches * std::uint64_t{kPatchRecordBytes} +
+                                    header.chunks * std::uint64_t{kChunkRecordBytes};
+  if (header.index_offset < kHeaderBytes || header.index_offset > file_bytes ||
+      file_bytes - header.index_offset != index_bytes) {
+    return make_error(
+        "{}: the index of {} patches and {} chunks does not fit at byte {}; the file "
+        "is damaged",
+        name, header.patches, header.chunks, header.index_offset);
+  }
+  if (const auto fault = find_fault(header.spacing, header.bounds, header.bounding_radius);
+      !fault.empty()) {
+    return make_error("{}: the model is wrong: {}; the file is damaged", name, fault);
+  }
+  return header;
+}
+
+Result<FileIndex> parse_index(std::span<const std::byte> bytes, const FileHeader& header,
+                              const std::string& name) {
+  if (crc32(bytes) != header.index_checksum) {
+    return make_error("{}: the index's checksum is wrong; the file is damaged", name);
+  }
+  ByteReader in(bytes);
+  FileIndex index;
+  index.patches.reserve(header.patches);
+  index.chunks.reserve(header.chunks);
+  std::uint64_t samples = 0;
+  for (std::uint32_t i = 0; i < header.patches; ++i) {
+    const PatchRecord patch = take_patch(in);
+    std::string fault = find_fault(patch.summary);
+    if (fault.empty() && std::uint64_t{patch.first_chunk} + patch.chunk_count > header.chunks) {
+      fault = "its chunks are not in the index";
+    }
+    if (!fault.empty()) {
+      return make_error("{}: patch {} is wrong: {}; the file is damaged", name, i, fault);
+    }
+    samples += patch.summary.samples;
+    index.patches.push_back(patch);
+  }
+  if (samples != header.samples) {
+    return make_error(
+        "{}: the patches have {} samples where the header says {}; the file is damaged", name,
+        samples, header.samples);
+  }
+  for (std::uint32_t i = 0; i < header.chunks; ++i) {
+    const ChunkRecord chunk = take_chunk(in);
+    if (chunk.offset < kHeaderBytes || chunk.offset > header.index_offset ||
+        chunk.size > header.index_offset - chunk.offset) {
+      return make_error("{}: chunk {} lies outside of the file's data; the file is damaged", name,
+                        i);
+    }
+    index.chunks.push_back(chunk);
+  }
+  return index;
+}
+
+}  // namespace relief

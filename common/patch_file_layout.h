@@ -1,0 +1,85 @@
+// Header and index of the patch file, byte by byte (docs/patch-file.md).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/error.h"
+#include "common/patch_file.h"
+
+namespace relief {
+
+inline constexpr std::uint32_t kPatchFileVersion = 1;
+inline constexpr std::size_t kHeaderBytes = 128;
+inline constexpr std::size_t kPatchRecordBytes = 144;
+inline constexpr std::size_t kChunkRecordBytes = 24;
+
+/// The only codec of version 1: predicted integers in zstd streams.
+inline constexpr std::uint16_t kCodecPredicted = 1;
+
+using ChunkType = std::array<char, 4>;
+inline constexpr ChunkType kHeightsChunk{'H', 'G', 'H', 'T'};
+inline constexpr ChunkType kNormalsChunk{'N', 'R', 'M', 'L'};
+inline constexpr ChunkType kColoursChunk{'C', 'O', 'L', 'R'};
+
+/// Where a chunk's bytes lie and how they are coded.
+struct ChunkRecord {
+  ChunkType type{};
+  std::uint16_t codec = kCodecPredicted;
+  std::uint16_t scale = 1;  ///< texels per cell of an attribute map
+  std::uint64_t offset = 0;
+  std::uint32_t size = 0;
+  std::uint32_t checksum = 0;  ///< see crc32
+};
+
+/// A patch's line of the index: its summary and which of the chunks are its own.
+struct PatchRecord {
+  PatchSummary summary;
+  std::uint32_t first_chunk = 0;
+  std::uint32_t chunk_count = 0;
+};
+
+struct FileHeader {
+  std::uint64_t file_bytes = 0;
+  std::uint64_t index_offset = 0;
+  std::uint32_t patches = 0;
+  std::uint32_t chunks = 0;
+  std::uint32_t index_checksum = 0;
+  std::uint64_t samples = 0;
+  double spacing = 0.0;
+  Bounds bounds;
+  double bounding_radius = 0.0;
+};
+
+struct FileIndex {
+  std::vector<PatchRecord> patches;
+  std::vector<ChunkRecord> chunks;
+};
+
+/// CRC-32 of ISO 3309, as in gzip and PNG.
+[[nodiscard]] std::uint32_t crc32(std::span<const std::byte> bytes);
+
+/// What speaks against a patch's placement or size, as a clause; empty if nothing does.
+[[nodiscard]] std::string find_fault(const PatchSummary& patch);
+
+/// What speaks against a model's spacing, bounds or radius, as a clause; empty if nothing does.
+/// `bounds` may be empty.
+[[nodiscard]] std::string find_fault(double spacing, const Bounds& bounds, double bounding_radius);
+
+[[nodiscard]] std::vector<std::byte> write_header(const FileHeader& header);
+[[nodiscard]] std::vector<std::byte> write_index(const FileIndex& index);
+
+/// Reads and checks the first kHeaderBytes bytes (or what there is) of a file of `file_bytes`
+/// bytes. Errors are whole sentences that start with `name`.
+Result<FileHeader> parse_header(std::span<const std::byte> bytes, std::uint64_t file_bytes,
+                                const std::string& name);
+
+/// Reads and checks the index, whose size was found right by parse_header.
+Result<FileIndex> parse_index(std::span<const std::byte> bytes, const FileHeader& header,
+                              const std::string& name);
+
+}  // namespace relief

@@ -1,0 +1,209 @@
+// Reading a patch file, all of it or patch by patch.
+#include <oneapi/tbb/parallel_for.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <new>
+#include <utility>
+
+#include "common/file.h"
+#include "common/patch_codec.h"
+#include "common/patch_file.h"
+#include "common/patch_file_layout.h"
+
+namespace relief {
+
+struct PatchFile::State {
+  std::string name;
+  RandomAccessFile file;
+  PatchFileInfo info;
+  std::vector<PatchSummary> summaries;
+  FileIndex index;
+
+  [[nodiscard]] const ChunkRecord* find_chunk(const PatchRecord& patch, ChunkType type) const {
+    const auto first = index.chunks.begin() + patch.first_chunk;
+    const auto found = std::find_if(first, first + patch.chunk_count,
+                                    [type](const ChunkRecord& c) { return c.type == type; });
+    return found == first + patch.chunk_count ? nullptr : &*found;
+  }
+
+  /// Reads one chunk and hands its bytes to `decode`, which answers with a clause on failure.
+  template <class Decode>
+  Status read_chunk(std::uint64_t patch, const char* what, const ChunkRecord& chunk,
+                    const Decode& decode) const {
+    if (chunk.codec != kCodecPredicted) {
+      return make_error(
+          "{}: patch {}: its {} are in codec {}, which this program does not know; get a newer "
+          "relief",
+          name, patch, what, chunk.codec);
+    }
+    std::vector<std::byte> bytes(chunk.size);
+    if (Status read = file.read_at(chunk.offset, bytes); !read) return read;
+    if (crc32(bytes) != chunk.checksum) {
+      return make_error(
+          "{}: patch {}: the checksum of its {} (byte {}) is wrong; the file is damaged", name,
+          patch, what, chunk.offset);
+    }
+    if (Status decoded = decode(bytes); !decoded) {
+      return make_error("{}: patch {}: its {} (byte {}) are wrong: {}; the file is damaged", name,
+                        patch, what, chunk.offset, decoded.error().message);
+    }
+    return {};
+  }
+};
+
+namespace {
+
+/// Whether a map of so many texels a cell stays within the limits.
+bool is_map_scale_valid(const PatchSummary& patch, std::uint32_t scale) {
+  const std::uint64_t cells = std::max(patch.width, patch.height) - 1;
+  return scale > 0 && scale * cells + 1 <= kMaxPatchSide;
+}
+
+/// Bytes of the decoded model, at least.
+std::uint64_t decoded_bytes(const FileIndex& index) {
+  std::uint64_t bytes = 0;
+  for (const PatchRecord& patch : index.patches) {
+    const std::uint64_t nodes = std::uint64_t{patch.summary.width} * patch.summary.height;
+    bytes += nodes * (sizeof(std::int32_t) + (patch.chunk_count > 1 ? sizeof(glm::i16vec2) : 0));
+  }
+  return bytes;
+}
+
+std::uint64_t memory_bytes() {
+  return static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
+         static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace
+
+PatchFile::PatchFile(std::unique_ptr<State> state) : state_(std::move(state)) {}
+PatchFile::PatchFile(PatchFile&&) noexcept = default;
+PatchFile& PatchFile::operator=(PatchFile&&) noexcept = default;
+PatchFile::~PatchFile() = default;
+
+Result<PatchFile> PatchFile::open(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  auto file = RandomAccessFile::open(path);
+  if (!file) return file.error();
+  if (file->size() == 0) return make_error("{}: the file is empty", name);
+  std::vector<std::byte> bytes(std::min<std::uint64_t>(file->size(), kHeaderBytes));
+  if (Status read = file->read_at(0, bytes); !read) return read.error();
+  const auto header = parse_header(bytes, file->size(), name);
+  if (!header) return header.error();
+  bytes.resize(header->file_bytes - header->index_offset);
+  if (Status read = file->read_at(header->index_offset, bytes); !read) return read.error();
+  auto index = parse_index(bytes, *header, name);
+  if (!index) return index.error();
+
+  PatchFileInfo info;
+  info.version = kPatchFileVersion;
+  info.codec = "predicted-zstd";
+  info.patches = header->patches;
+  info.samples = header->samples;
+  info.spacing = header->spacing;
+  info.file_bytes = header->file_bytes;
+  info.bounds = header->bounds;
+  info.bounding_radius = header->bounding_radius;
+  const auto has = [&](ChunkType type) {
+    return std::any_of(index->chunks.begin(), index->chunks.end(),
+                       [type](const ChunkRecord& c) { return c.type == type; });
+  };
+  if (has(kNormalsChunk)) info.attributes.emplace_back("normal");
+  if (has(kColoursChunk)) info.attributes.emplace_back("colour");
+  std::vector<PatchSummary> summaries;
+  summaries.reserve(index->patches.size());
+  for (const PatchRecord& patch : index->patches) summaries.push_back(patch.summary);
+  return PatchFile(std::make_unique<State>(
+      State{name, *std::move(file), std::move(info), std::move(summaries), *std::move(index)}));
+}
+
+const PatchFileInfo& PatchFile::info() const {
+  return state_->info;
+}
+
+const std::vector<PatchSummary>& PatchFile::patches() const {
+  return state_->summaries;
+}
+
+Result<Patch> PatchFile::read_patch(std::uint64_t index) const try {
+  const State& s = *state_;
+  assert(index < s.index.patches.size() && "the caller looks at info().patches");
+  const PatchRecord& record = s.index.patches[index];
+  const PatchSummary& summary = record.summary;
+  Patch patch;
+  patch.origin = summary.origin;
+  patch.axes = summary.axes;
+  patch.spacing = summary.spacing;
+  patch.height_step = summary.height_step;
+  patch.width = summary.width;
+  patch.height = summary.height;
+
+  const ChunkRecord* heights = s.find_chunk(record, kHeightsChunk);
+  if (heights == nullptr) {
+    return make_error("{}: patch {} has no heights; the file is damaged", s.name, index);
+  }
+  if (Status read = s.read_chunk(
+          index, "heights", *heights,
+          [&](const auto& bytes) { return decode_heights(bytes, summary.samples, patch); });
+      !read) {
+    return read.error();
+  }
+  const auto read_map = [&](ChunkType type, const char* what, const auto& decode) -> Status {
+    const ChunkRecord* chunk = s.find_chunk(record, type);
+    if (chunk == nullptr) return {};
+    if (!is_map_scale_valid(summary, chunk->scale)) {
+      return make_error("{}: patch {}: its {} have {} texels a cell; the file is damaged", s.name,
+                        index, what, chunk->scale);
+    }
+    return s.read_chunk(index, what, *chunk,
+                        [&](const auto& bytes) { return decode(bytes, chunk->scale, patch); });
+  };
+  if (Status read = read_map(kNormalsChunk, "normals", decode_normals); !read) return read.error();
+  if (Status read = read_map(kColoursChunk, "colours", decode_colours); !read) return read.error();
+  return patch;
+} catch (const std::bad_alloc&) {
+  return make_error("{}: there is not enough memory for patch {}", state_->name, index);
+}
+
+Result<PatchModel> PatchFile::read_all(Progress& progress) const {
+  const State& s = *state_;
+  if (const std::uint64_t needed = decoded_bytes(s.index); needed > memory_bytes()) {
+    return make_error("{}: the patches take {} MB of memory, but this machine has {} MB", s.name,
+                      needed >> 20U, memory_bytes() >> 20U);
+  }
+  PatchModel model;
+  model.spacing = s.info.spacing;
+  model.bounds = s.info.bounds;
+  model.bounding_radius = s.info.bounding_radius;
+  model.patches.resize(s.index.patches.size());
+
+  // Of several errors the first patch's is told, whatever the threads do.
+  std::mutex mutex;
+  std::size_t failed = model.patches.size();
+  Error error;
+  progress.begin_stage("reading patches", model.patches.size());
+  tbb::parallel_for(std::size_t{0}, model.patches.size(), [&](std::size_t i) {
+    if (progress.cancelled()) return;
+    auto patch = read_patch(i);
+    if (patch) {
+      model.patches[i] = *std::move(patch);
+    } else {
+      const std::scoped_lock lock(mutex);
+      if (i < failed) {
+        failed = i;
+        error = patch.error();
+      }
+    }
+    progress.advance(1);
+  });
+  if (progress.cancelled()) return interrupted_error();
+  if (failed < model.patches.size()) return error;
+  model.has_colours = std::any_of(model.patches.begin(), model.patches.end(),
+                                  [](const Patch& p) { return !p.colours.empty(); });
+  return model;
+}
+
+}  // namespace relief

@@ -1,0 +1,46 @@
+// Integers that were predicted from their neighbours, as zstd streams: the last stage of codec 1
+// of the patch file (docs/patch-file.md, "Residual streams").
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/bytes.h"
+#include "common/error.h"
+
+namespace relief {
+
+/// Appends `bytes` as a stream: its compressed size in 4 bytes, then a zstd frame; size 0 if all
+/// bytes are zero.
+void append_stream(std::vector<std::byte>& out, std::span<const std::uint8_t> bytes);
+
+/// Takes a stream whose decoded size is known. Safe on hostile bytes: allocates `decoded_size`
+/// bytes and no more. An error is a clause without the file's name ("the stream ...").
+Result<std::vector<std::uint8_t>> take_stream(ByteReader& in, std::size_t decoded_size);
+
+/// Takes a stream of at most `largest` decoded bytes that says its decoded size itself.
+Result<std::vector<std::uint8_t>> take_stream_up_to(ByteReader& in, std::size_t largest);
+
+/// Appends 16-bit residuals as two streams, low bytes and high bytes: the high ones are nearly
+/// always zero and then cost nothing.
+void append_residuals(std::vector<std::byte>& out, std::span<const std::uint16_t> residuals);
+
+/// The inverse of append_residuals, for `count` residuals.
+Result<std::vector<std::uint16_t>> take_residuals(ByteReader& in, std::size_t count);
+
+/// Small numbers of either sign as small unsigned ones: 0, -1, 1, -2 ... become 0, 1, 2, 3 ...
+/// All arithmetic is modulo 2^16, so every pair of value and prediction has a residual.
+[[nodiscard]] constexpr std::uint16_t zigzag(std::uint16_t difference) {
+  return static_cast<std::uint16_t>((difference << 1U) ^
+                                    ((difference & 0x8000U) != 0 ? 0xFFFFU : 0U));
+}
+
+/// The inverse of zigzag.
+[[nodiscard]] constexpr std::uint16_t unzigzag(std::uint16_t residual) {
+  return static_cast<std::uint16_t>((residual >> 1U) ^ ((residual & 1U) != 0 ? 0xFFFFU : 0U));
+}
+
+}  // namespace relief
