@@ -1,1 +1,212 @@
 #include "preprocess/convert.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "preprocess/measure.h"
+#include "preprocess/neighbours.h"
+#include "preprocess/normals.h"
+#include "preprocess/partition.h"
+#include "preprocess/resample.h"
+
+namespace relief {
+namespace {
+
+// Neighbours per point: 8 for the density, 16 for planes through noise.
+constexpr std::uint32_t kNeighbours = 16;
+// Fewer points give no neighbourhoods to speak of.
+constexpr std::size_t kLeastPoints = 16;
+// The widest cone that still resamples well: 75 degrees stretch samples by 1 / cos 75 = 3.9 at
+// most.
+constexpr double kDefaultConeDegrees = 75.0;
+// Heights are rounded to a twentieth of a spacing (DESIGN.md).
+constexpr double kDefaultStepsPerSpacing = 20.0;
+// Grids beyond this many nodes per point come from a mistaken spacing, not from a scan.
+constexpr double kMostNodesPerPoint = 4096.0;
+constexpr double kMostNodes = 4e9;
+// Patches of fewer points are looked at for being covered by others; smaller ones than the least
+// are no surface.
+constexpr std::size_t kSmallPatchPoints = 64;
+constexpr std::size_t kLeastPatchPoints = 4;
+
+Error interrupted() {
+  return make_error("interrupted; nothing was written");
+}
+
+Bounds bounds_of(const std::vector<glm::dvec3>& positions) {
+  Bounds bounds{positions.front(), positions.front()};
+  for (const glm::dvec3& p : positions) {
+    bounds.min = glm::min(bounds.min, p);
+    bounds.max = glm::max(bounds.max, p);
+  }
+  return bounds;
+}
+
+double bounding_radius(const std::vector<glm::dvec3>& positions, const Bounds& bounds) {
+  const glm::dvec3 centre = (bounds.min + bounds.max) / 2.0;
+  double squared = 0.0;
+  for (const glm::dvec3& p : positions)
+    squared = std::max(squared, glm::dot(p - centre, p - centre));
+  return std::sqrt(squared);
+}
+
+// Points on one line span no surface: the second principal variance vanishes beside the first.
+bool on_one_line(const std::vector<glm::dvec3>& positions, const Bounds& bounds) {
+  const glm::dvec3 base = (bounds.min + bounds.max) / 2.0;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  for (const glm::dvec3& p : positions) {
+    const Eigen::Vector3d d(p.x - base.x, p.y - base.y, p.z - base.z);
+    mean += d;
+    moments += d * d.transpose();
+  }
+  const auto count = static_cast<double>(positions.size());
+  mean /= count;
+  const Eigen::Matrix3d covariance = moments / count - mean * mean.transpose();
+  const Eigen::Vector3d values =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvalues();
+  return !(values[1] > 1e-12 * values[2]);
+}
+
+Status check_points(const std::vector<glm::dvec3>& positions) {
+  if (positions.size() < kLeastPoints) {
+    return make_error(
+        "the scan has {} distinct points; at least {} are needed to reconstruct a surface",
+        positions.size(), kLeastPoints);
+  }
+  if (on_one_line(positions, bounds_of(positions))) {
+    return make_error("all {} points lie on one line and span no surface", positions.size());
+  }
+  return {};
+}
+
+// The nodes that the regions' bounding rectangles will hold, roughly.
+Status check_spacing(const std::vector<Region>& regions, const SurfaceSamples& samples,
+                     double spacing) {
+  double nodes = 0.0;
+  for (const Region& region : regions) {
+    for (const std::uint32_t i : region.points) {
+      const double s = samples.spacing[i] / spacing;
+      nodes += s * s;
+    }
+  }
+  const auto points = static_cast<double>(samples.positions.size());
+  if (nodes > std::min(kMostNodes, kMostNodesPerPoint * points)) {
+    return make_error(
+        "a spacing of {} would give about {:.1e} samples for {} points; choose a larger --spacing",
+        spacing, nodes, samples.positions.size());
+  }
+  return {};
+}
+
+std::vector<Patch> resample_all(const SurfaceSamples& samples, const NeighbourGraph& graph,
+                                const std::vector<Region>& regions,
+                                const std::vector<glm::u8vec3>& colours,
+                                const ResampleOptions& options, Progress& progress) {
+  progress.begin_stage("resample", samples.positions.size());
+  std::vector<Patch> patches(regions.size());
+  tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t r) {
+    if (progress.cancelled()) return;
+    patches[r] = resample_region(samples, graph, regions[r], colours, options);
+    progress.advance(regions[r].points.size());
+  });
+  return patches;
+}
+
+std::vector<std::uint32_t> owners_of(const std::vector<Region>& regions, std::size_t points) {
+  std::vector<std::uint32_t> owner(points, static_cast<std::uint32_t>(regions.size()));
+  for (std::uint32_t r = 0; r < regions.size(); ++r) {
+    for (const std::uint32_t i : regions[r].points) owner[i] = r;
+  }
+  return owner;
+}
+
+// Drops small patches that others cover, and those without a sample.
+void drop_redundant(const SurfaceSamples& samples, const NeighbourGraph& graph,
+                    std::vector<Region>& regions, std::vector<Patch>& patches) {
+  std::vector<std::vector<std::uint32_t>> own_points;
+  own_points.reserve(regions.size());
+  for (const Region& region : regions) own_points.push_back(region.points);
+  const std::vector<std::uint8_t> redundant =
+      find_redundant(samples.positions, graph, owners_of(regions, samples.positions.size()),
+                     own_points, patches, kSmallPatchPoints);
+  std::vector<Region> kept_regions;
+  std::vector<Patch> kept_patches;
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    if (redundant[r] != 0 || patches[r].heights.empty()) continue;
+    kept_regions.push_back(std::move(regions[r]));
+    kept_patches.push_back(std::move(patches[r]));
+  }
+  regions = std::move(kept_regions);
+  patches = std::move(kept_patches);
+}
+
+Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& options,
+                                       Progress& progress) {
+  ConvertResult result;
+  result.report.points = points.size();
+
+  progress.begin_stage("neighbours", 0);
+  const NeighbourGraph graph = find_neighbours(points.positions, kNeighbours);
+  if (progress.cancelled()) return interrupted();
+
+  progress.begin_stage("normals", 0);
+  const LocalFrames frames = fit_local_frames(points.positions, graph);
+  const NormalsReport normals = complete_normals(points, graph, frames);
+  result.report.normals_estimated = normals.estimated;
+  result.report.normals_repaired = normals.repaired;
+  if (progress.cancelled()) return interrupted();
+
+  const std::vector<glm::vec3> smooth = smooth_normals(points.normals, graph);
+  const SurfaceSamples smooth_samples{points.positions, smooth, graph.spacing, frames.roughness};
+  const double cone = options.cone_degrees > 0.0 ? options.cone_degrees : kDefaultConeDegrees;
+  std::vector<Region> regions = partition(smooth_samples, graph, cone, progress);
+  std::erase_if(regions, [](const Region& r) { return r.points.size() < kLeastPatchPoints; });
+  if (progress.cancelled()) return interrupted();
+
+  const SurfaceSamples samples{points.positions, points.normals, graph.spacing, frames.roughness};
+  const double spacing =
+      options.spacing > 0.0 ? options.spacing : choose_spacing(samples, graph, regions);
+  if (const Status ok = check_spacing(regions, samples, spacing); !ok) return ok.error();
+  const double step =
+      options.height_step > 0.0 ? options.height_step : spacing / kDefaultStepsPerSpacing;
+  const ResampleOptions resample{spacing, step, options.overlap_cells,
+                                 static_cast<std::uint32_t>(options.colour_scale),
+                                 !normals.estimated};
+  std::vector<Patch> patches =
+      resample_all(samples, graph, regions, points.colours, resample, progress);
+  if (progress.cancelled()) return interrupted();
+  drop_redundant(samples, graph, regions, patches);
+  if (patches.empty()) return make_error("the points are too scattered to be a surface");
+
+  progress.begin_stage("measure", 0);
+  const Fidelity fidelity =
+      measure_fidelity(points.positions, graph, owners_of(regions, points.size()), patches);
+  PatchModel& model = result.model;
+  model.patches = std::move(patches);
+  model.spacing = spacing;
+  model.bounds = bounds_of(points.positions);
+  model.bounding_radius = bounding_radius(points.positions, model.bounds);
+  model.has_colours = !points.colours.empty();
+  result.report.error_rms = fidelity.rms;
+  result.report.error_max = fidelity.max;
+  result.report.uncovered_points = fidelity.uncovered;
+  const double diagonal = glm::distance(model.bounds.min, model.bounds.max);
+  result.report.psnr_db = 20.0 * std::log10(diagonal / fidelity.rms);
+  return result;
+}
+
+}  // namespace
+
+Result<ConvertResult> convert(Points points, const ConvertOptions& options, Progress& progress) {
+  if (const Status ok = check_points(points.positions); !ok) return ok.error();
+  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+  return arena.execute([&] { return convert_in_arena(points, options, progress); });
+}
+
+}  // namespace relief

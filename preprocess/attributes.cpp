@@ -1,0 +1,143 @@
+#include "preprocess/attributes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "common/octahedral.h"
+#include "common/srgb.h"
+
+namespace relief {
+namespace {
+
+// A colour counts at a texel with exp(-d^2 / s^2), s this many local scan spacings.
+constexpr double kColourScaleInSpacings = 0.5;
+
+// Gives every unknown texel the mean of its known neighbours, ring by ring outward from the known.
+template <class Value>
+void continue_outward(std::vector<Value>& values, std::vector<std::uint8_t>& known,
+                      std::uint32_t width, std::uint32_t height) {
+  const auto for_neighbours = [&](std::size_t m, auto&& fn) {
+    const auto i = static_cast<std::uint32_t>(m % width);
+    const auto j = static_cast<std::uint32_t>(m / width);
+    for (std::uint32_t b = j > 0 ? j - 1 : 0; b <= std::min(j + 1, height - 1); ++b) {
+      for (std::uint32_t a = i > 0 ? i - 1 : 0; a <= std::min(i + 1, width - 1); ++a) {
+        fn(std::size_t{b} * width + a);
+      }
+    }
+  };
+  constexpr std::uint8_t kQueued = 2;
+  std::vector<std::size_t> front;
+  const auto enqueue_around = [&](std::size_t m, std::vector<std::size_t>& queue) {
+    for_neighbours(m, [&](std::size_t o) {
+      if (known[o] != 0) return;
+      known[o] = kQueued;
+      queue.push_back(o);
+    });
+  };
+  for (std::size_t m = 0; m < values.size(); ++m) {
+    if (known[m] == 1) enqueue_around(m, front);
+  }
+  while (!front.empty()) {
+    for (const std::size_t m : front) {
+      Value sum(0.0F);
+      float count = 0.0F;
+      for_neighbours(m, [&](std::size_t o) {
+        if (known[o] != 1) return;
+        sum += values[o];
+        count += 1.0F;
+      });
+      values[m] = sum / count;
+    }
+    for (const std::size_t m : front) known[m] = 1;
+    std::vector<std::size_t> next;
+    for (const std::size_t m : front) enqueue_around(m, next);
+    front = std::move(next);
+  }
+}
+
+std::array<float, 256> linear_table() {
+  std::array<float, 256> table{};
+  for (std::size_t v = 0; v < table.size(); ++v) {
+    table[v] = linear_from_srgb(static_cast<float>(v) / 255.0F);
+  }
+  return table;
+}
+
+// A texel has a colour of its own if one of the nodes around it is a sample.
+bool beside_sample(const std::vector<NodeState>& states, const PatchGrid& grid, std::uint32_t a,
+                   std::uint32_t b, std::uint32_t scale) {
+  const std::uint32_t i0 = a / scale;
+  const std::uint32_t j0 = b / scale;
+  for (std::uint32_t j = j0; j <= std::min(j0 + 1, grid.height - 1); ++j) {
+    for (std::uint32_t i = i0; i <= std::min(i0 + 1, grid.width - 1); ++i) {
+      if (states[std::size_t{j} * grid.width + i] != NodeState::Hole) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+AttributeMap<glm::i16vec2> sample_normals(const std::vector<SurfacePoint>& surface,
+                                          const std::vector<NodeState>& states,
+                                          const PatchGrid& grid, bool from_points) {
+  std::vector<glm::vec3> normals(surface.size(), glm::vec3(0.0F));
+  std::vector<std::uint8_t> known(surface.size(), 0);
+  for (std::size_t m = 0; m < surface.size(); ++m) {
+    if (states[m] == NodeState::Hole) continue;
+    known[m] = 1;
+    normals[m] = from_points ? surface[m].given_normal : surface[m].fitted_normal;
+  }
+  continue_outward(normals, known, grid.width, grid.height);
+  AttributeMap<glm::i16vec2> map{grid.width, grid.height, 1, {}};
+  map.texels.reserve(normals.size());
+  for (const glm::vec3& n : normals) map.texels.push_back(snorm16_from_unit(n));
+  return map;
+}
+
+AttributeMap<glm::u8vec3> sample_colours(const PatchPoints& points, const PointGrid& lookup,
+                                         const std::vector<NodeState>& states,
+                                         const PatchGrid& grid,
+                                         const std::vector<glm::u8vec3>& colours,
+                                         std::uint32_t scale) {
+  static const std::array<float, 256> kLinear = linear_table();
+  AttributeMap<glm::u8vec3> map{
+      (grid.width - 1) * scale + 1, (grid.height - 1) * scale + 1, scale, {}};
+  const std::size_t size = std::size_t{map.width} * map.height;
+  std::vector<glm::vec3> values(size, glm::vec3(0.0F));
+  std::vector<std::uint8_t> known(size, 0);
+  const double step = grid.spacing / scale;
+  for (std::uint32_t b = 0; b < map.height; ++b) {
+    for (std::uint32_t a = 0; a < map.width; ++a) {
+      if (!beside_sample(states, grid, a, b, scale)) continue;
+      const double x = grid.x0 + a * step;
+      const double y = grid.y0 + b * step;
+      const std::uint32_t nearest = lookup.nearest(x, y, 4.0 * grid.spacing);
+      if (nearest == PointGrid::kNone) continue;
+      const glm::dvec2 to_nearest = glm::dvec2(points.positions[nearest]) - glm::dvec2(x, y);
+      // Never narrower than to the nearest point, so that weights do not all vanish; never narrower
+      // than the texels, so that a finer scan is averaged.
+      const double radius = std::max({kColourScaleInSpacings * points.spacing[nearest], 0.5 * step,
+                                      0.6 * glm::length(to_nearest)});
+      glm::vec3 sum(0.0F);
+      float weights = 0.0F;
+      lookup.for_each_within(x, y, 2.5 * radius, [&](std::uint32_t p, double squared) {
+        const auto w = static_cast<float>(std::exp(-squared / (radius * radius)));
+        const glm::u8vec3 c = colours[points.ids[p]];
+        sum += w * glm::vec3(kLinear[c.r], kLinear[c.g], kLinear[c.b]);
+        weights += w;
+      });
+      values[std::size_t{b} * map.width + a] = sum / weights;
+      known[std::size_t{b} * map.width + a] = 1;
+    }
+  }
+  continue_outward(values, known, map.width, map.height);
+  map.texels.reserve(size);
+  for (const glm::vec3& v : values) {
+    map.texels.emplace_back(srgb8_from_linear(v.r), srgb8_from_linear(v.g), srgb8_from_linear(v.b));
+  }
+  return map;
+}
+
+}  // namespace relief

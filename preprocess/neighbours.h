@@ -1,0 +1,31 @@
+// The one neighbour search that every stage shares.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/points.h"
+
+namespace relief {
+
+/// The k nearest neighbours of every point, and what follows from them.
+struct NeighbourGraph {
+  std::uint32_t k = 0;
+  std::vector<std::uint32_t> indices;  ///< k per point, nearest first, the point itself left out
+  /// Local spacing of the scan at each point, world units: the side of the square that holds one
+  /// point on average, sqrt(pi r^2 / 8) with r the distance to the 8th neighbour, averaged over the
+  /// neighbourhood.
+  std::vector<float> spacing;
+
+  [[nodiscard]] std::span<const std::uint32_t> of(std::size_t point) const {
+    return {indices.data() + point * k, k};
+  }
+};
+
+/// Finds min(k, n - 1) nearest neighbours of all n points (nanoflann kd-tree, exact, in parallel).
+/// The result does not depend on the number of threads.
+[[nodiscard]] NeighbourGraph find_neighbours(const std::vector<glm::dvec3>& positions,
+                                             std::uint32_t k);
+
+}  // namespace relief

@@ -1,0 +1,142 @@
+// Consistent orientation by a minimum spanning forest (Hoppe et al. 1992, section 3.3).
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+#include "preprocess/normals.h"
+
+namespace relief {
+namespace {
+
+struct Edge {
+  float cost;
+  std::uint32_t a;
+  std::uint32_t b;
+
+  bool operator<(const Edge& o) const {
+    if (cost != o.cost) return cost < o.cost;
+    return a != o.a ? a < o.a : b < o.b;
+  }
+};
+
+// Union-find whose links carry whether the child's normal is flipped relative to its parent's.
+class SignedForest {
+ public:
+  explicit SignedForest(std::size_t n) : parent_(n), flipped_(n, 0), size_(n, 1) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+  }
+
+  struct Root {
+    std::uint32_t root;
+    bool flipped;  // relative to the root
+  };
+
+  Root find(std::uint32_t i) {
+    // Two passes: find the root with the sign on the way, then hang every node below it.
+    std::uint32_t root = i;
+    bool flipped = false;
+    while (parent_[root] != root) {
+      flipped ^= flipped_[root] != 0;
+      root = parent_[root];
+    }
+    bool sign = flipped;
+    while (parent_[i] != root && parent_[i] != i) {
+      const std::uint32_t next = parent_[i];
+      const bool own = flipped_[i] != 0;
+      parent_[i] = root;
+      flipped_[i] = sign ? 1 : 0;
+      sign ^= own;
+      i = next;
+    }
+    return {root, flipped};
+  }
+
+  void join(Root a, Root b, bool flip_between) {
+    if (size_[a.root] < size_[b.root]) std::swap(a, b);
+    parent_[b.root] = a.root;
+    flipped_[b.root] = (a.flipped ^ b.flipped ^ flip_between) ? 1 : 0;
+    size_[a.root] += size_[b.root];
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+  std::vector<std::uint8_t> flipped_;
+  std::vector<std::uint32_t> size_;
+};
+
+// Hoppe's cost 1 - |n_a . n_b|, plus a term that keeps the tree on the surface: an edge that leaves
+// along the normals joins the two sides of a thin sheet, whose normals are parallel too.
+float edge_cost(const Points& points, const std::vector<glm::vec3>& normals, std::uint32_t a,
+                std::uint32_t b) {
+  const glm::vec3 along(glm::normalize(points.positions[b] - points.positions[a]));
+  return 1.0F - std::abs(glm::dot(normals[a], normals[b])) +
+         0.5F * (std::abs(glm::dot(along, normals[a])) + std::abs(glm::dot(along, normals[b])));
+}
+
+// Edges to this many neighbours connect any reasonable sampling; more only cost sorting.
+constexpr std::uint32_t kTreeNeighbours = 10;
+
+std::vector<Edge> collect_edges(const Points& points, const NeighbourGraph& graph,
+                                const std::vector<glm::vec3>& normals) {
+  const std::uint32_t k = std::min(kTreeNeighbours, graph.k);
+  std::vector<Edge> edges(points.size() * k);
+  tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
+    for (std::uint32_t m = 0; m < k; ++m) {
+      const auto a = static_cast<std::uint32_t>(i);
+      const std::uint32_t b = graph.of(i)[m];
+      edges[i * k + m] = {edge_cost(points, normals, a, b), std::min(a, b), std::max(a, b)};
+    }
+  });
+  tbb::parallel_sort(edges.begin(), edges.end());
+  return edges;
+}
+
+}  // namespace
+
+void orient_normals(const Points& points, const NeighbourGraph& graph,
+                    std::vector<glm::vec3>& normals) {
+  const std::size_t n = points.size();
+  SignedForest forest(n);
+  for (const Edge& edge : collect_edges(points, graph, normals)) {
+    const SignedForest::Root a = forest.find(edge.a);
+    const SignedForest::Root b = forest.find(edge.b);
+    if (a.root == b.root) continue;
+    forest.join(a, b, glm::dot(normals[edge.a], normals[edge.b]) < 0.0F);
+  }
+
+  // Components: sum up area, centroid and flux, each relative to its root's sign.
+  std::vector<SignedForest::Root> roots(n);
+  std::vector<double> area(n, 0.0);
+  std::vector<glm::dvec3> centroid(n, glm::dvec3(0.0));
+  for (std::uint32_t i = 0; i < n; ++i) {
+    roots[i] = forest.find(i);
+    const double a = double{graph.spacing[i]} * graph.spacing[i];
+    area[roots[i].root] += a;
+    centroid[roots[i].root] += a * points.positions[i];
+  }
+  std::vector<double> flux(n, 0.0);
+  std::vector<double> upward(n, 0.0);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t root = roots[i].root;
+    const double a = double{graph.spacing[i]} * graph.spacing[i];
+    const glm::dvec3 normal(roots[i].flipped ? -normals[i] : normals[i]);
+    const glm::dvec3 arm = points.viewpoint
+                               ? glm::normalize(*points.viewpoint - points.positions[i])
+                               : points.positions[i] - centroid[root] / area[root];
+    flux[root] += a * glm::dot(arm, normal);
+    upward[root] += a * (normal.z + 1e-3 * normal.y + 1e-6 * normal.x);
+  }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t root = roots[i].root;
+    // A flat sheet has no outside; there +Z decides so that the result is at least predictable.
+    const double scale = area[root] * std::sqrt(area[root]);
+    const bool decided = std::abs(flux[root]) > 1e-3 * scale;
+    const bool inward = decided ? flux[root] < 0.0 : upward[root] < 0.0;
+    if (roots[i].flipped != inward) normals[i] = -normals[i];
+  }
+}
+
+}  // namespace relief

@@ -1,0 +1,39 @@
+#include "preprocess/partition.h"
+
+#include <algorithm>
+
+namespace relief {
+namespace {
+
+// Pieces are split to a small share of the patches' cone: merging is quick and gives better shapes
+// than cutting does. On the Dragon 0.5, 0.25 and 0.15 give 546, 459 and 440 regions.
+constexpr double kSplitShare = 0.15;
+
+// Wider limits for what stayed small. At 84 degrees a patch still has one height everywhere; its
+// samples are sparse there, but these are spots of a few dozen points.
+constexpr double kWideConeDegrees = 84.0;
+constexpr double kWideSheetTolerance = 2.0;
+
+std::size_t small_points(std::size_t points) {
+  return std::clamp<std::size_t>(points / 1000, 16, 64);
+}
+
+}  // namespace
+
+std::vector<Region> partition(const SurfaceSamples& samples, const NeighbourGraph& graph,
+                              double cone_degrees, Progress& progress) {
+  progress.begin_stage("split", samples.positions.size());
+  std::vector<Region> regions = split(samples, graph, {kSplitShare * cone_degrees}, progress);
+  const RegionLimits limits{cone_degrees};
+  regions = merge(samples, graph, std::move(regions), {limits}, progress);
+  const RegionLimits wide{std::max(cone_degrees, kWideConeDegrees), kWideSheetTolerance};
+  const MergeRule wide_rule{wide, small_points(samples.positions.size())};
+  regions = merge(samples, graph, std::move(regions), wide_rule, progress);
+  std::sort(regions.begin(), regions.end(), [](const Region& a, const Region& b) {
+    if (a.points.size() != b.points.size()) return a.points.size() > b.points.size();
+    return a.points.front() < b.points.front();
+  });
+  return regions;
+}
+
+}  // namespace relief

@@ -1,0 +1,42 @@
+// From points to regions that each become one patch (paper 001, section 3.1).
+#pragma once
+
+#include <vector>
+
+#include "common/progress.h"
+#include "preprocess/region_test.h"
+
+namespace relief {
+
+/// Points that share a patch.
+struct Region {
+  std::vector<std::uint32_t> points;  ///< ascending
+  glm::vec3 normal{0.0F};             ///< of the base plane, unit
+};
+
+/// Splits (Pauly and Gross 2001): cuts a point set through its centroid, across its direction of
+/// greatest variance, again and again until each piece passes the test; pieces that are not
+/// connected over the neighbour graph are parted.
+[[nodiscard]] std::vector<Region> split(const SurfaceSamples& samples, const NeighbourGraph& graph,
+                                        const RegionLimits& limits, Progress& progress);
+
+/// What may be merged.
+struct MergeRule {
+  RegionLimits limits;  ///< that the union must keep
+  std::size_t small_points =
+      static_cast<std::size_t>(-1);  ///< one of a pair must have fewer points
+};
+
+/// Merges neighbouring regions, best pair first (Ochotta and Saupe 2004), while the rule allows. A
+/// pair is good if the union is flat, compact and small.
+[[nodiscard]] std::vector<Region> merge(const SurfaceSamples& samples, const NeighbourGraph& graph,
+                                        std::vector<Region> regions, const MergeRule& rule,
+                                        Progress& progress);
+
+/// Split, then merge, then merge once more under wider limits what stayed small: spots where the
+/// scan is rough are no reason for a patch each. Few, compact regions, largest first.
+[[nodiscard]] std::vector<Region> partition(const SurfaceSamples& samples,
+                                            const NeighbourGraph& graph, double cone_degrees,
+                                            Progress& progress);
+
+}  // namespace relief

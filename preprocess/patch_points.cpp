@@ -1,0 +1,113 @@
+#include "preprocess/patch_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+#include <unordered_map>
+
+namespace relief {
+namespace {
+
+// Margin points steeper than this over the base plane (about 84 degrees) fold away from the sheet.
+constexpr float kLeastCosine = 0.1F;
+// A margin point this many spacings off a region's point's tangent plane is on another sheet.
+constexpr double kSheetTolerance = 2.0;
+
+// Directions along the smallest rectangle around the projected points: 45 turns of 2 degrees come
+// within 1 % of the best area.
+void turn_to_smallest_rectangle(const SurfaceSamples& samples, const Region& region, glm::dvec3& u,
+                                glm::dvec3& v) {
+  constexpr int kTurns = 45;
+  double best_area = std::numeric_limits<double>::infinity();
+  glm::dvec3 best_u = u;
+  const glm::dvec3 base = samples.positions[region.points.front()];
+  std::vector<glm::dvec2> projected;
+  projected.reserve(region.points.size());
+  for (const std::uint32_t i : region.points) {
+    const glm::dvec3 d = samples.positions[i] - base;
+    projected.emplace_back(glm::dot(d, u), glm::dot(d, v));
+  }
+  for (int turn = 0; turn < kTurns; ++turn) {
+    const double angle = turn * (std::numbers::pi / 2.0) / kTurns;
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    glm::dvec2 low(std::numeric_limits<double>::infinity());
+    glm::dvec2 high(-std::numeric_limits<double>::infinity());
+    for (const glm::dvec2 p : projected) {
+      const glm::dvec2 q(c * p.x + s * p.y, c * p.y - s * p.x);
+      low = glm::min(low, q);
+      high = glm::max(high, q);
+    }
+    const double area = (high.x - low.x) * (high.y - low.y);
+    if (area < best_area) {
+      best_area = area;
+      best_u = c * u + s * v;
+    }
+  }
+  u = glm::normalize(best_u);
+}
+
+// Grows outward from the region over the neighbour graph. Each reached point remembers the region's
+// point it was reached from; the distance to that one is what `margin` limits.
+void grow_margin(const SurfaceSamples& samples, const NeighbourGraph& graph, const Region& region,
+                 double margin, std::vector<std::uint32_t>& ids) {
+  std::unordered_map<std::uint32_t, std::uint32_t> source;
+  source.reserve(region.points.size() * 2);
+  for (const std::uint32_t i : region.points) source.emplace(i, i);
+  std::vector<std::uint32_t> front = region.points;
+  while (!front.empty()) {
+    std::vector<std::uint32_t> next;
+    for (const std::uint32_t i : front) {
+      const std::uint32_t from = source[i];
+      for (const std::uint32_t j : graph.of(i)) {
+        const glm::dvec3 step = samples.positions[j] - samples.positions[from];
+        if (glm::dot(step, step) > margin * margin) continue;
+        const glm::vec3 normal = samples.normals[j];
+        if (glm::dot(normal, region.normal) < kLeastCosine) continue;
+        if (glm::dot(normal, samples.normals[i]) <= 0.0F) continue;
+        const glm::dvec3 hop = samples.positions[j] - samples.positions[i];
+        const glm::dvec3 mean(glm::normalize(normal + samples.normals[i]));
+        if (std::abs(glm::dot(mean, hop)) > kSheetTolerance * samples.spacing[i]) continue;
+        if (!source.emplace(j, from).second) continue;
+        next.push_back(j);
+        ids.push_back(j);
+      }
+    }
+    front = std::move(next);
+  }
+}
+
+}  // namespace
+
+PatchPoints collect_patch_points(const SurfaceSamples& samples, const NeighbourGraph& graph,
+                                 const Region& region, double margin) {
+  PatchPoints out;
+  const glm::dvec3 n = glm::normalize(glm::dvec3(region.normal));
+  glm::dvec3 u;
+  glm::dvec3 v;
+  complete_frame(n, u, v);
+  turn_to_smallest_rectangle(samples, region, u, v);
+  out.frame.axes = glm::dmat3(u, glm::cross(n, u), n);
+
+  out.ids = region.points;
+  out.own = region.points.size();
+  grow_margin(samples, graph, region, margin, out.ids);
+  std::sort(out.ids.begin() + static_cast<std::ptrdiff_t>(out.own), out.ids.end());
+
+  glm::dvec3 centroid(0.0);
+  const glm::dvec3 base = samples.positions[region.points.front()];
+  for (const std::uint32_t i : region.points) centroid += samples.positions[i] - base;
+  out.frame.origin = base + centroid / static_cast<double>(out.own);
+
+  const glm::mat3 to_local(glm::transpose(out.frame.axes));
+  for (const std::uint32_t i : out.ids) {
+    out.positions.push_back(out.frame.to_local(samples.positions[i]));
+    out.normals.push_back(to_local * samples.normals[i]);
+    out.spacing.push_back(samples.spacing[i]);
+  }
+  return out;
+}
+
+}  // namespace relief

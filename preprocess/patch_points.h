@@ -1,0 +1,42 @@
+// The points of one region, and of its surroundings, in the frame of the patch they become.
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <vector>
+
+#include "preprocess/partition.h"
+
+namespace relief {
+
+/// A base plane with its two directions: local = transpose(axes) * (world - origin).
+struct PatchFrame {
+  glm::dvec3 origin{0.0};
+  glm::dmat3 axes{1.0};
+
+  [[nodiscard]] glm::dvec3 to_local(glm::dvec3 world) const {
+    return glm::transpose(axes) * (world - origin);
+  }
+};
+
+/// Points in a patch frame (x, y on the base plane, z the height; world units), the region's own
+/// first, then those of the overlap margin.
+struct PatchPoints {
+  PatchFrame frame;
+  std::size_t own = 0;             ///< this many belong to the region
+  std::vector<std::uint32_t> ids;  ///< indices into the scan
+  std::vector<glm::dvec3> positions;
+  std::vector<glm::vec3> normals;  ///< unit, in the patch frame; all face +z
+  std::vector<float> spacing;      ///< local spacing of the scan
+
+  [[nodiscard]] std::size_t size() const { return ids.size(); }
+};
+
+/// Collects a region's points and those around it that lie on the same sheet, up to `margin` world
+/// units away over the neighbour graph (the papers' epsilon neighbourhood). The frame's first two
+/// axes run along the smallest rectangle around the region's own points.
+[[nodiscard]] PatchPoints collect_patch_points(const SurfaceSamples& samples,
+                                               const NeighbourGraph& graph, const Region& region,
+                                               double margin);
+
+}  // namespace relief

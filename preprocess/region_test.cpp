@@ -1,0 +1,117 @@
+#include "preprocess/region_test.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace relief {
+namespace {
+
+constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+
+// Cells of 1.5 spacings hold two points of a sheet on average, so that a second sheet is met.
+constexpr double kCellInSpacings = 1.5;
+// Noise of twice its rms does not make a second sheet.
+constexpr double kToleranceInRoughness = 2.0;
+// More points in one cell than this need not all be compared with each other.
+constexpr int kMaxCompared = 8;
+
+}  // namespace
+
+void complete_frame(glm::dvec3 n, glm::dvec3& u, glm::dvec3& v) {
+  const glm::dvec3 other = std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  u = glm::normalize(glm::cross(other, n));
+  v = glm::cross(n, u);
+}
+
+RegionTest::RegionTest(const SurfaceSamples& samples, const RegionLimits& limits)
+    : samples_(samples),
+      cos_cone_(static_cast<float>(std::cos(glm::radians(limits.cone_degrees)))),
+      sheet_tolerance_(limits.sheet_tolerance) {}
+
+std::optional<glm::vec3> RegionTest::fit_cone(std::span<const std::uint32_t> points) const {
+  glm::vec3 sum(0.0F);
+  for (const std::uint32_t i : points) {
+    sum += samples_.spacing[i] * samples_.spacing[i] * samples_.normals[i];
+  }
+  const float length = glm::length(sum);
+  if (!(length > 0.0F)) return std::nullopt;
+  glm::vec3 axis = sum / length;
+  // Badoiu and Clarkson: steps of 1/(m+1) towards the farthest normal converge on the centre of the
+  // smallest enclosing cap. 12 steps come within about a degree.
+  constexpr int kSteps = 12;
+  for (int step = 1; step <= kSteps; ++step) {
+    float least = 2.0F;
+    std::uint32_t worst = points.front();
+    for (const std::uint32_t i : points) {
+      const float c = glm::dot(axis, samples_.normals[i]);
+      if (c < least) {
+        least = c;
+        worst = i;
+      }
+    }
+    if (least >= cos_cone_) return axis;
+    // 25 degrees beyond the cone are not won back by moving the axis, as it starts near the middle.
+    if (step == 1 &&
+        std::acos(std::clamp(least, -1.0F, 1.0F)) > std::acos(cos_cone_) + glm::radians(25.0F)) {
+      return std::nullopt;
+    }
+    axis = glm::normalize(axis + (samples_.normals[worst] - axis) / static_cast<float>(step + 3));
+  }
+  return std::nullopt;
+}
+
+bool RegionTest::single_valued(std::span<const std::uint32_t> points, glm::vec3 normal) {
+  glm::dvec3 u;
+  glm::dvec3 v;
+  complete_frame(glm::dvec3(normal), u, v);
+  double area = 0.0;
+  double roughness = 0.0;
+  for (const std::uint32_t i : points) {
+    area += double{samples_.spacing[i]} * samples_.spacing[i];
+    roughness += samples_.roughness[i];
+  }
+  const auto count = static_cast<double>(points.size());
+  const double spacing = std::sqrt(area / count);
+  const double cell = kCellInSpacings * spacing;
+  const double tolerance =
+      std::max(sheet_tolerance_ * spacing, kToleranceInRoughness * roughness / count);
+
+  const std::size_t capacity = std::bit_ceil(points.size() * 2);
+  table_.assign(capacity, kNone);
+  keys_.resize(points.size());
+  next_.resize(points.size());
+  const glm::dvec3 base = samples_.positions[points.front()];
+  for (std::uint32_t m = 0; m < points.size(); ++m) {
+    const std::uint32_t i = points[m];
+    const glm::dvec3 d = samples_.positions[i] - base;
+    const auto x = static_cast<std::int32_t>(std::floor(glm::dot(d, u) / cell));
+    const auto y = static_cast<std::int32_t>(std::floor(glm::dot(d, v) / cell));
+    const std::uint64_t key =
+        std::uint64_t{static_cast<std::uint32_t>(x)} << 32 | static_cast<std::uint32_t>(y);
+    std::size_t slot = (key * 0x9E3779B97F4A7C15ULL >> 20) & (capacity - 1);
+    while (table_[slot] != kNone && keys_[table_[slot]] != key) slot = (slot + 1) & (capacity - 1);
+    keys_[m] = key;
+    next_[m] = table_[slot];
+    table_[slot] = m;
+    int compared = 0;
+    for (std::uint32_t o = next_[m]; o != kNone && compared < kMaxCompared;
+         o = next_[o], ++compared) {
+      const std::uint32_t j = points[o];
+      const glm::vec3 mean = glm::normalize(samples_.normals[i] + samples_.normals[j]);
+      const double off = glm::dot(glm::dvec3(mean), samples_.positions[i] - samples_.positions[j]);
+      if (std::abs(off) > tolerance) return false;
+    }
+  }
+  return true;
+}
+
+std::optional<glm::vec3> RegionTest::fit(std::span<const std::uint32_t> points) {
+  const std::optional<glm::vec3> axis = fit_cone(points);
+  if (!axis || !single_valued(points, *axis)) return std::nullopt;
+  return axis;
+}
+
+}  // namespace relief

@@ -1,0 +1,60 @@
+// Whether a set of points may share a patch: the normal cone, and one height over each spot.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "common/points.h"
+#include "preprocess/neighbours.h"
+#include "preprocess/normals.h"
+
+namespace relief {
+
+/// What the partition looks at; normals are unit.
+struct SurfaceSamples {
+  const std::vector<glm::dvec3>& positions;
+  const std::vector<glm::vec3>& normals;
+  const std::vector<float>& spacing;    ///< local spacing, world units
+  const std::vector<float>& roughness;  ///< noise about the local plane, world units
+};
+
+/// How far a region may go.
+struct RegionLimits {
+  double cone_degrees = 0.0;     ///< largest angle between base-plane normal and point normal
+  double sheet_tolerance = 1.1;  ///< points farther apart than this along the normal, in spacings
+                                 ///< of the region, are on two sheets
+};
+
+/// Tests point sets; keeps its scratch memory between calls. One object per thread.
+class RegionTest {
+ public:
+  RegionTest(const SurfaceSamples& samples, const RegionLimits& limits);
+
+  /// The base-plane normal under which the points pass both tests, or nothing.
+  /// 1. Normal cone (Pauly and Gross 2001, section 3): the mean normal, then, if that fails, the
+  ///    axis of the smallest enclosing cone, must have every point's normal within the cone.
+  /// 2. Single-valued: points that project into the same small cell must lie on one sheet, that is,
+  ///    on each other's tangent planes within the tolerance. A cone alone lets two parallel layers
+  ///    through.
+  [[nodiscard]] std::optional<glm::vec3> fit(std::span<const std::uint32_t> points);
+
+  /// Test 1 alone, over unit normals that stand for the points.
+  [[nodiscard]] std::optional<glm::vec3> fit_cone(std::span<const std::uint32_t> points) const;
+
+ private:
+  [[nodiscard]] bool single_valued(std::span<const std::uint32_t> points, glm::vec3 normal);
+
+  const SurfaceSamples& samples_;
+  float cos_cone_;
+  double sheet_tolerance_;
+  std::vector<std::uint32_t> table_;
+  std::vector<std::uint64_t> keys_;
+  std::vector<std::uint32_t> next_;
+};
+
+/// Two unit vectors that complete a unit normal to a right-handed frame (u, v, n).
+void complete_frame(glm::dvec3 n, glm::dvec3& u, glm::dvec3& v);
+
+}  // namespace relief

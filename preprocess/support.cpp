@@ -1,0 +1,108 @@
+#include "preprocess/support.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "common/patch.h"
+
+namespace relief {
+namespace {
+
+// Within this many grid spacings of a point a node is taken without further question: a border
+// moves outward by less than one spacing.
+constexpr double kReachInSpacings = 0.9;
+// Points within this many local scan spacings can surround a node. A random sampling has an empty
+// disc of radius 2.2 spacings about once in four million points (exp(-pi 2.2^2)).
+constexpr double kSurroundInSpacings = 2.2;
+// Surrounded: no empty sector wider than this.
+constexpr double kWidestSector = 160.0 / 180.0 * std::numbers::pi;
+
+bool surrounded(const PatchPoints& points, const PointGrid& lookup, double x, double y,
+                double radius) {
+  std::vector<double> angles;
+  lookup.for_each_within(x, y, radius, [&](std::uint32_t p, double /*squared*/) {
+    angles.push_back(std::atan2(points.positions[p].y - y, points.positions[p].x - x));
+  });
+  if (angles.size() < 3) return false;
+  std::sort(angles.begin(), angles.end());
+  double widest = angles.front() + 2.0 * std::numbers::pi - angles.back();
+  for (std::size_t m = 1; m < angles.size(); ++m) {
+    widest = std::max(widest, angles[m] - angles[m - 1]);
+  }
+  return widest <= kWidestSector;
+}
+
+}  // namespace
+
+PatchGrid lay_grid(const PatchPoints& points, double spacing, int overlap_cells) {
+  glm::dvec2 low(points.positions.front());
+  glm::dvec2 high = low;
+  for (std::size_t p = 0; p < points.own; ++p) {
+    low = glm::min(low, glm::dvec2(points.positions[p]));
+    high = glm::max(high, glm::dvec2(points.positions[p]));
+  }
+  const double border = overlap_cells + 1.0;
+  const double side = std::max(high.x - low.x, high.y - low.y);
+  spacing = std::max(spacing, side / (kMaxPatchSide - 2.0 * border - 2.0));
+  PatchGrid grid;
+  grid.spacing = spacing;
+  const auto nodes = [&](double extent) {
+    return static_cast<std::uint32_t>(std::ceil(extent / spacing + 2.0 * border)) + 1;
+  };
+  grid.width = nodes(high.x - low.x);
+  grid.height = nodes(high.y - low.y);
+  // The rounding up is shared between both sides.
+  grid.x0 = (low.x + high.x - (grid.width - 1) * spacing) / 2.0;
+  grid.y0 = (low.y + high.y - (grid.height - 1) * spacing) / 2.0;
+  return grid;
+}
+
+bool is_supported(const PatchPoints& points, const PointGrid& lookup, double x, double y,
+                  double spacing) {
+  const double reach = kReachInSpacings * spacing;
+  const std::uint32_t close = lookup.nearest(x, y, reach);
+  if (close != PointGrid::kNone) return true;
+  // Sparse spots: only where the scan's own spacing is wider than the grid's can that be.
+  const std::uint32_t nearest = lookup.nearest(x, y, 8.0 * spacing);
+  if (nearest == PointGrid::kNone) return false;
+  const double radius = kSurroundInSpacings * points.spacing[nearest];
+  return radius > reach && surrounded(points, lookup, x, y, radius);
+}
+
+std::vector<NodeState> find_support(const PatchPoints& points, const PointGrid& own,
+                                    const PointGrid& all, const PatchGrid& grid,
+                                    int overlap_cells) {
+  std::vector<NodeState> states(grid.size(), NodeState::Hole);
+  const auto x = [&](std::uint32_t i) { return grid.x0 + i * grid.spacing; };
+  const auto y = [&](std::uint32_t j) { return grid.y0 + j * grid.spacing; };
+  for (std::uint32_t j = 0; j < grid.height; ++j) {
+    for (std::uint32_t i = 0; i < grid.width; ++i) {
+      if (is_supported(points, own, x(i), y(j), grid.spacing)) {
+        states[std::size_t{j} * grid.width + i] = NodeState::Own;
+      }
+    }
+  }
+  const auto beside_a_sample = [&](const std::vector<NodeState>& before, std::uint32_t i,
+                                   std::uint32_t j) {
+    for (std::uint32_t b = j > 0 ? j - 1 : 0; b <= std::min(j + 1, grid.height - 1); ++b) {
+      for (std::uint32_t a = i > 0 ? i - 1 : 0; a <= std::min(i + 1, grid.width - 1); ++a) {
+        if (before[std::size_t{b} * grid.width + a] != NodeState::Hole) return true;
+      }
+    }
+    return false;
+  };
+  for (int ring = 0; ring < overlap_cells; ++ring) {
+    const std::vector<NodeState> before = states;
+    for (std::uint32_t j = 0; j < grid.height; ++j) {
+      for (std::uint32_t i = 0; i < grid.width; ++i) {
+        NodeState& state = states[std::size_t{j} * grid.width + i];
+        if (state != NodeState::Hole || !beside_a_sample(before, i, j)) continue;
+        if (is_supported(points, all, x(i), y(j), grid.spacing)) state = NodeState::Margin;
+      }
+    }
+  }
+  return states;
+}
+
+}  // namespace relief

@@ -1,0 +1,39 @@
+// Which grid nodes of a patch get a sample: where the scan has points, and nowhere else.
+#pragma once
+
+#include <vector>
+
+#include "preprocess/point_grid.h"
+
+namespace relief {
+
+/// The nodes of a patch grid; node (i, j) is at local (x0 + i spacing, y0 + j spacing).
+struct PatchGrid {
+  double x0 = 0.0;
+  double y0 = 0.0;
+  double spacing = 1.0;
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+
+  [[nodiscard]] std::size_t size() const { return std::size_t{width} * height; }
+};
+
+enum class NodeState : std::uint8_t { Hole, Own, Margin };
+
+/// A grid that holds a region's own points with `overlap_cells` + 1 cells around them; its side is
+/// limited to kMaxPatchSide by a coarser spacing if need be.
+[[nodiscard]] PatchGrid lay_grid(const PatchPoints& points, double spacing, int overlap_cells);
+
+/// True if the scan supports a sample at (x, y): a point lies within 0.9 spacings, or the points
+/// around it surround it closely enough to interpolate between them (sparse spots). So borders are
+/// extrapolated by less than one spacing and gaps wider than about three local spacings stay gaps.
+[[nodiscard]] bool is_supported(const PatchPoints& points, const PointGrid& lookup, double x,
+                                double y, double spacing);
+
+/// The state of every node: Own where the region's own points support it; Margin within
+/// `overlap_cells` of those, where any points do; Hole elsewhere.
+[[nodiscard]] std::vector<NodeState> find_support(const PatchPoints& points, const PointGrid& own,
+                                                  const PointGrid& all, const PatchGrid& grid,
+                                                  int overlap_cells);
+
+}  // namespace relief
