@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 
@@ -21,7 +22,7 @@ constexpr auto kDrawInterval = std::chrono::milliseconds(100);
 constexpr int kBarCells = 30;
 
 std::string time_left(double seconds) {
-  const auto whole = static_cast<long>(seconds + 0.5);
+  const long whole = std::lround(seconds);
   if (whole < 60) return fmt::format("{} s left", whole);
   return fmt::format("{} min {:02} s left", whole / 60, whole % 60);
 }
