@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/vector_relational.hpp>
+#include <utility>
+
+#include "preprocess/read_points.h"
+#include "preprocess/readers/source.h"
+
+namespace relief {
+namespace {
+
+bool is_finite(glm::dvec3 p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+bool is_finite(glm::vec3 v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// Mixes the bits of three doubles (the finaliser of SplitMix64 after each).
+std::uint64_t hash(glm::dvec3 p) {
+  std::uint64_t h = 0;
+  for (int i = 0; i < 3; ++i) {
+    // Adding zero makes -0 and +0, which are equal, the same bits.
+    h += std::bit_cast<std::uint64_t>(p[i] + 0.0) + 0x9E3779B97F4A7C15U;
+    h = (h ^ (h >> 30U)) * 0xBF58476D1CE4E5B9U;
+    h = (h ^ (h >> 27U)) * 0x94D049BB133111EBU;
+    h ^= h >> 31U;
+  }
+  return h;
+}
+
+/// Positions already seen: open addressing, at most half full.
+class SeenPositions {
+ public:
+  explicit SeenPositions(std::size_t count)
+      : slots_(std::bit_ceil(2 * count + 2), kNoPoint), mask_(slots_.size() - 1) {}
+
+  /// The index of an earlier point at the same position, or else `index`, which is then remembered.
+  std::uint32_t find_or_add(const std::vector<glm::dvec3>& positions, glm::dvec3 position,
+                            std::uint32_t index) {
+    for (std::uint64_t slot = hash(position) & mask_;; slot = (slot + 1) & mask_) {
+      if (slots_[slot] == kNoPoint) return slots_[slot] = index;
+      if (positions[slots_[slot]] == position) return slots_[slot];
+    }
+  }
+
+ private:
+  std::vector<std::uint32_t> slots_;
+  std::uint64_t mask_;
+};
+
+/// Closes the gaps that dropped points leave. `kept` lists the points to keep, ascending.
+template <class T>
+void compact(std::vector<T>& values, const std::vector<std::uint32_t>& kept) {
+  if (values.empty()) return;
+  for (std::size_t i = 0; i < kept.size(); ++i) values[i] = values[kept[i]];
+  values.resize(kept.size());
+}
+
+/// Renumbers triangles and drops those that have lost a corner, name a point that does not exist or
+/// have two corners in one point.
+void renumber(std::vector<Triangle>& triangles, const std::vector<std::uint32_t>& new_index) {
+  std::size_t left = 0;
+  for (Triangle t : triangles) {
+    for (std::uint32_t& corner : t) {
+      corner = corner < new_index.size() ? new_index[corner] : kNoPoint;
+    }
+    const bool whole = std::ranges::find(t, kNoPoint) == t.end();
+    if (whole && t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) triangles[left++] = t;
+  }
+  triangles.resize(left);
+}
+
+}  // namespace
+
+ReadResult clean_points(Points points) {
+  ReadResult result;
+  result.points_in_file = points.size();
+  const auto count = static_cast<std::uint32_t>(points.size());
+  std::vector<std::uint32_t> new_index(count, kNoPoint);
+  std::vector<std::uint32_t> kept;
+  kept.reserve(count);
+  SeenPositions seen(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (!is_finite(points.positions[i])) {
+      ++result.dropped_nonfinite;
+      continue;
+    }
+    const std::uint32_t first = seen.find_or_add(points.positions, points.positions[i], i);
+    if (first == i) {
+      new_index[i] = static_cast<std::uint32_t>(kept.size());
+      kept.push_back(i);
+      continue;
+    }
+    ++result.merged_duplicates;
+    new_index[i] = new_index[first];
+    // The sum points where the mean does; its length is of no use to anyone.
+    if (!points.normals.empty() && is_finite(points.normals[i])) {
+      glm::vec3& normal = points.normals[first];
+      normal = is_finite(normal) ? normal + points.normals[i] : points.normals[i];
+    }
+  }
+  renumber(points.triangles, new_index);
+  if (kept.size() < count) {
+    compact(points.positions, kept);
+    compact(points.normals, kept);
+    compact(points.colours, kept);
+    compact(points.texcoords, kept);
+  }
+  result.points = std::move(points);
+  return result;
+}
+
+}  // namespace relief

@@ -1,0 +1,84 @@
+#include "preprocess/readers/gunzip.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace relief {
+namespace {
+
+constexpr unsigned kMagic[] = {0x1F, 0x8B};
+/// zlib's own window is 32 KiB; it takes and gives at most 4 GiB a call.
+constexpr std::size_t kStep = std::size_t{1} << 20U;
+
+struct EndInflate {
+  void operator()(z_stream* stream) const { inflateEnd(stream); }
+};
+
+/// gzip pads with zeros on tapes and in blocks.
+bool only_zeros(std::span<const std::byte> bytes) {
+  return std::ranges::all_of(bytes, [](std::byte b) { return b == std::byte{0}; });
+}
+
+}  // namespace
+
+bool is_gzip(std::span<const std::byte> bytes) {
+  return bytes.size() >= 2 && std::to_integer<unsigned>(bytes[0]) == kMagic[0] &&
+         std::to_integer<unsigned>(bytes[1]) == kMagic[1];
+}
+
+Result<std::vector<std::byte>> gunzip(const std::string& name, std::span<const std::byte> bytes,
+                                      std::uint64_t limit, const Progress& progress) {
+  z_stream stream{};
+  constexpr int gzip_only = 16 + MAX_WBITS;
+  if (inflateInit2(&stream, gzip_only) != Z_OK) {
+    return make_error("{}: there is not enough memory to decompress it", name);
+  }
+  const std::unique_ptr<z_stream, EndInflate> end_inflate(&stream);
+
+  std::vector<std::byte> out;
+  std::size_t used = 0;  // of bytes
+  std::size_t made = 0;  // of out
+  for (;;) {
+    if (progress.cancelled()) return interrupted_error();
+    if (made == out.size())
+      out.resize(std::min<std::uint64_t>(std::max(kStep, 2 * made), limit + 1));
+    stream.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(bytes.data() + used));
+    stream.avail_in = static_cast<uInt>(std::min(kStep, bytes.size() - used));
+    stream.next_out = reinterpret_cast<Bytef*>(out.data() + made);
+    stream.avail_out = static_cast<uInt>(std::min(kStep, out.size() - made));
+    const uInt in_before = stream.avail_in;
+    const uInt out_before = stream.avail_out;
+    const int code = inflate(&stream, Z_NO_FLUSH);
+    used += in_before - stream.avail_in;
+    made += out_before - stream.avail_out;
+    if (made > limit) {
+      return make_error(
+          "{}: decompresses to more than {} MB, which this machine's memory cannot hold", name,
+          limit / 1'000'000);
+    }
+    if (code == Z_STREAM_END) {
+      const auto left = bytes.subspan(used);
+      if (only_zeros(left)) break;
+      if (!is_gzip(left)) {
+        return make_error(
+            "{}: byte {}: the compressed data is followed by something else; the file "
+            "is damaged",
+            name, used);
+      }
+      inflateReset(&stream);
+    } else if (code == Z_MEM_ERROR) {
+      return make_error("{}: there is not enough memory to decompress it", name);
+    } else if (code != Z_OK && code != Z_BUF_ERROR) {
+      return make_error("{}: byte {}: the compressed data is damaged ({})", name, used,
+                        stream.msg != nullptr ? stream.msg : "not as gzip defines it");
+    } else if (used == bytes.size() && stream.avail_out != 0) {
+      return make_error("{}: the compressed data ends early; the file is truncated", name);
+    }
+  }
+  out.resize(made);
+  return out;
+}
+
+}  // namespace relief

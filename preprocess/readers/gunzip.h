@@ -1,0 +1,22 @@
+// gzip, as scans are often packed.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "preprocess/readers/source.h"
+
+namespace relief {
+
+/// Whether `bytes` begin as a gzip file does.
+[[nodiscard]] bool is_gzip(std::span<const std::byte> bytes);
+
+/// Decompresses all members of a gzip file. The size that the file claims is not trusted: memory is
+/// taken as bytes come, and a file that grows beyond `limit` bytes is refused. `name` begins
+/// errors.
+Result<std::vector<std::byte>> gunzip(const std::string& name, std::span<const std::byte> bytes,
+                                      std::uint64_t limit, const Progress& progress);
+
+}  // namespace relief

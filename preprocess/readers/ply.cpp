@@ -1,0 +1,250 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "preprocess/readers/colours.h"
+#include "preprocess/readers/ply_header.h"
+#include "preprocess/readers/ply_values.h"
+#include "preprocess/readers/polygons.h"
+#include "preprocess/readers/readers.h"
+
+namespace relief {
+namespace {
+
+/// What a vertex property means to us.
+enum Role : std::uint8_t { X, Y, Z, Nx, Ny, Nz, Red, Green, Blue, U, V, Other };
+constexpr std::size_t kRoles = Other + 1;
+
+Role role_of(const PlyProperty& property) {
+  struct Name {
+    std::string_view name;
+    Role role;
+  };
+  constexpr Name names[] = {{"x", X},
+                            {"y", Y},
+                            {"z", Z},
+                            {"nx", Nx},
+                            {"ny", Ny},
+                            {"nz", Nz},
+                            {"normal_x", Nx},
+                            {"normal_y", Ny},
+                            {"normal_z", Nz},
+                            {"red", Red},
+                            {"green", Green},
+                            {"blue", Blue},
+                            {"r", Red},
+                            {"g", Green},
+                            {"b", Blue},
+                            {"diffuse_red", Red},
+                            {"diffuse_green", Green},
+                            {"diffuse_blue", Blue},
+                            {"s", U},
+                            {"t", V},
+                            {"u", U},
+                            {"v", V},
+                            {"texture_u", U},
+                            {"texture_v", V}};
+  if (property.count_type) return Other;
+  const auto* const found =
+      std::ranges::find_if(names, [&](const Name& n) { return n.name == property.name; });
+  return found != std::end(names) ? found->role : Other;
+}
+
+/// Which roles the vertex element fills, and from which of its properties.
+struct VertexLayout {
+  std::vector<Role> roles;  ///< per property
+  std::array<bool, kRoles> has{};
+  ColourNumbers colour_numbers = ColourNumbers::Integer;
+
+  explicit VertexLayout(const PlyElement& element) {
+    for (const PlyProperty& property : element.properties) {
+      Role role = role_of(property);
+      // Of two properties with the same meaning the first counts.
+      if (has[role]) role = Other;
+      has[role] = true;
+      roles.push_back(role);
+      if (role == Red && property.type >= PlyType::Float32) colour_numbers = ColourNumbers::Real;
+    }
+  }
+  [[nodiscard]] bool positions() const { return has[X] && has[Y] && has[Z]; }
+  [[nodiscard]] bool normals() const { return has[Nx] && has[Ny] && has[Nz]; }
+  [[nodiscard]] bool colours() const { return has[Red] && has[Green] && has[Blue]; }
+  [[nodiscard]] bool texcoords() const { return has[U] && has[V]; }
+};
+
+/// A value as an index; whatever is none becomes kNoPoint.
+std::uint32_t to_index(double value) {
+  return value >= 0.0 && value < static_cast<double>(kNoPoint) ? static_cast<std::uint32_t>(value)
+                                                               : kNoPoint;
+}
+
+/// Reads the body, element by element in the header's order.
+template <class Values>
+class PlyBody {
+ public:
+  PlyBody(const Source& source, const PlyHeader& header)
+      : source_(source), header_(header), meter_(source), values_(source.text, header.body) {}
+
+  Result<Points> read() {
+    for (const PlyElement& element : header_.elements) {
+      if (element.properties.empty()) continue;
+      if (Status fits = check_count(element); !fits) return fits.error();
+      const Status status = element.name == "vertex" ? read_vertices(element) : read_lists(element);
+      if (!status) return status.error();
+    }
+    return std::move(points_);
+  }
+
+ private:
+  /// A count that the rest of the file cannot hold is refused before memory is taken for it.
+  Status check_count(const PlyElement& element) {
+    std::uint64_t least = 0;
+    for (const PlyProperty& p : element.properties) {
+      least += Values::least_size(p.count_type.value_or(p.type));
+    }
+    if (element.count > values_.left() / least) {
+      return make_error(
+          "{}: the header states {} elements '{}', but the {} bytes after byte {} cannot hold "
+          "them; "
+          "the file is truncated or damaged",
+          source_.name, element.count, element.name, values_.left(), values_.offset());
+    }
+    return {};
+  }
+
+  Error failure(const PlyElement& element, std::uint64_t index) {
+    return make_error("{}: {} ({} {} of {}); the file is truncated or damaged", source_.name,
+                      values_.failure(), element.name, index + 1, element.count);
+  }
+
+  Status read_vertices(const PlyElement& element) {
+    const VertexLayout layout(element);
+    if (!layout.positions()) {
+      return make_error("{}: its vertices have no properties x, y and z", source_.name);
+    }
+    if (element.count >= kNoPoint) {
+      return make_error("{}: has {} points, more than the {} that can be indexed", source_.name,
+                        element.count, kNoPoint - 1);
+    }
+    const auto count = static_cast<std::size_t>(element.count);
+    points_.positions.reserve(count);
+    if (layout.normals()) points_.normals.reserve(count);
+    if (layout.texcoords()) points_.texcoords.reserve(count);
+    std::vector<glm::vec3> colours;
+    if (layout.colours()) colours.reserve(count);
+
+    std::array<double, kRoles> v{};
+    const auto vec3 = [&v](Role first) {
+      return glm::vec3(static_cast<float>(v[first]), static_cast<float>(v[first + 1U]),
+                       static_cast<float>(v[first + 2U]));
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!read_vertex(element, layout, v)) return failure(element, i);
+      if (!meter_.advance_to(values_.offset())) return interrupted_error();
+      points_.positions.emplace_back(v[X], v[Y], v[Z]);
+      if (layout.normals()) points_.normals.push_back(vec3(Nx));
+      if (layout.colours()) colours.push_back(vec3(Red));
+      if (layout.texcoords()) {
+        points_.texcoords.emplace_back(static_cast<float>(v[U]), static_cast<float>(v[V]));
+      }
+    }
+    points_.colours = to_colours(colours, layout.colour_numbers);
+    return {};
+  }
+
+  bool read_vertex(const PlyElement& element, const VertexLayout& layout,
+                   std::array<double, kRoles>& v) {
+    if (!values_.begin_element()) return false;
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+      const PlyProperty& property = element.properties[p];
+      if (property.count_type ? !skip_list(property)
+                              : !values_.value(property.type, v[layout.roles[p]])) {
+        return false;
+      }
+    }
+    return values_.end_element();
+  }
+
+  /// Any other element: faces and strips are kept, the rest is passed over.
+  Status read_lists(const PlyElement& element) {
+    const bool strips = element.name == "tristrips";
+    const bool faces = element.name == "face";
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      if (!values_.begin_element()) return failure(element, i);
+      for (const PlyProperty& property : element.properties) {
+        const bool wanted = (faces || strips) && property.count_type &&
+                            (property.name == "vertex_indices" || property.name == "vertex_index");
+        if (!(wanted ? read_list(property) : skip_property(property))) return failure(element, i);
+        if (wanted && strips) append_strips(list_, points_.triangles);
+        if (wanted && faces) append_polygon(list_, points_.triangles);
+      }
+      if (!values_.end_element()) return failure(element, i);
+      if (!meter_.advance_to(values_.offset())) return interrupted_error();
+    }
+    return {};
+  }
+
+  bool read_list(const PlyProperty& property) {
+    std::uint64_t count = 0;
+    if (!list_count(property, count)) return false;
+    list_.clear();
+    list_.reserve(count);
+    for (std::uint64_t i = 0; i < count; ++i) {
+      double value = 0.0;
+      if (!values_.value(property.type, value)) return false;
+      list_.push_back(to_index(value));
+    }
+    return true;
+  }
+
+  bool skip_property(const PlyProperty& property) {
+    return property.count_type ? skip_list(property) : values_.skip_values(property.type, 1);
+  }
+
+  bool skip_list(const PlyProperty& property) {
+    std::uint64_t count = 0;
+    return list_count(property, count) && values_.skip_values(property.type, count);
+  }
+
+  /// A list's length; false if the rest of the file is shorter.
+  bool list_count(const PlyProperty& property, std::uint64_t& count) {
+    double value = 0.0;
+    if (!values_.value(*property.count_type, value)) return false;
+    if (!(value >= 0.0) || value != std::floor(value)) return false;
+    if (value > static_cast<double>(values_.left() / Values::least_size(property.type)))
+      return false;
+    count = static_cast<std::uint64_t>(value);
+    return true;
+  }
+
+  const Source& source_;
+  const PlyHeader& header_;
+  ReadMeter meter_;
+  Values values_;
+  Points points_;
+  std::vector<std::uint32_t> list_;
+};
+
+}  // namespace
+
+Result<Points> read_ply(const Source& source) {
+  const auto header = read_ply_header(source);
+  if (!header) return header.error();
+  const auto vertices = std::ranges::count(header->elements, "vertex", &PlyElement::name);
+  if (vertices != 1) {
+    return make_error("{}: the header has {} elements 'vertex', but one is needed", source.name,
+                      vertices);
+  }
+  switch (header->encoding) {
+    case PlyEncoding::Ascii:
+      return PlyBody<PlyAsciiValues>(source, *header).read();
+    case PlyEncoding::LittleEndian:
+      return PlyBody<PlyBinaryValues<false>>(source, *header).read();
+    case PlyEncoding::BigEndian:
+      return PlyBody<PlyBinaryValues<true>>(source, *header).read();
+  }
+  return make_error("{}: unknown PLY encoding", source.name);
+}
+
+}  // namespace relief

@@ -1,0 +1,35 @@
+// Triangles from the ways in which files write faces.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/points.h"
+
+namespace relief {
+
+/// Appends a polygon as a fan about its first corner. Corners that are no points (kNoPoint) leave
+/// their triangles out. Fewer than three corners: nothing.
+inline void append_polygon(std::span<const std::uint32_t> corners,
+                           std::vector<Triangle>& triangles) {
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    triangles.push_back({corners[0], corners[i - 1], corners[i]});
+  }
+}
+
+/// Appends triangle strips as PLY's `tristrips` has them: each index makes a triangle with the two
+/// before it, every second one turned round; kNoPoint (written -1) starts a new strip.
+inline void append_strips(std::span<const std::uint32_t> indices,
+                          std::vector<Triangle>& triangles) {
+  std::size_t start = 0;
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    if (indices[i] == UINT32_MAX) start = i + 1;
+    if (i < start + 2 || start > i) continue;
+    const bool odd = (i - start) % 2 == 1;
+    triangles.push_back(odd ? Triangle{indices[i - 1], indices[i - 2], indices[i]}
+                            : Triangle{indices[i - 2], indices[i - 1], indices[i]});
+  }
+}
+
+}  // namespace relief

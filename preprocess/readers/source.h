@@ -1,0 +1,52 @@
+// What every reader gets and gives: the bytes of one file, and the points in them.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "common/error.h"
+#include "common/points.h"
+#include "common/progress.h"
+
+namespace relief {
+
+/// A scan's bytes, decompressed. They are not trusted.
+struct Source {
+  std::string name;       ///< path, with which each error begins
+  std::string_view text;  ///< the whole file, text or not
+  Progress& progress;
+};
+
+/// Tells the progress how far a reader is, and the reader whether it shall stop. Cheap enough to be
+/// asked for every line.
+class ReadMeter {
+ public:
+  explicit ReadMeter(const Source& source) : progress_(source.progress) {}
+
+  /// `offset`: bytes read so far. False: return interrupted_error().
+  [[nodiscard]] bool advance_to(std::size_t offset) {
+    return offset < told_ + kStep || report(offset);
+  }
+
+ private:
+  /// A megabyte of text takes about 10 ms.
+  static constexpr std::size_t kStep = std::size_t{1} << 20U;
+
+  [[nodiscard]] bool report(std::size_t offset) {
+    progress_.advance(offset - told_);
+    told_ = offset;
+    return !progress_.cancelled();
+  }
+
+  Progress& progress_;
+  std::size_t told_ = 0;
+};
+
+/// `text` in quotes for a message: at most 24 characters, nothing that a terminal would obey.
+[[nodiscard]] std::string quoted(std::string_view text);
+
+/// Points can be indexed with 32 bits; the largest index stands for "no such point".
+inline constexpr std::uint32_t kNoPoint = UINT32_MAX;
+
+}  // namespace relief
