@@ -1,0 +1,66 @@
+#include "common/image_io.h"
+
+#include "common/file.h"
+#include "common/image_formats.h"
+
+namespace relief {
+namespace {
+
+template <class Encode>
+Status write_image(const std::filesystem::path& path, const Image& image, const Encode& encode) {
+  const auto bytes = encode(image);
+  if (!bytes) {
+    return make_error("{}: the picture cannot be written: {}", path.string(),
+                      bytes.error().message);
+  }
+  return write_file_atomically(path, *bytes);
+}
+
+}  // namespace
+
+std::optional<Error> find_size_fault(std::int64_t width, std::int64_t height, std::size_t channels,
+                                     std::size_t file_bytes) {
+  if (width < 1 || height < 1 || width > kMaxImageSide || height > kMaxImageSide) {
+    return make_error("its size {}x{} is not within 1x1 to {}x{}", width, height, kMaxImageSide,
+                      kMaxImageSide);
+  }
+  // 2 GiB as floats: an environment map of 16384 x 8192 pixels in colour.
+  constexpr std::uint64_t kMaxValues = std::uint64_t{1} << 29U;
+  // The tightest coding in use, DWAB of a picture of one colour, stays below this.
+  constexpr std::uint64_t kMaxValuesPerByte = 65536;
+  const std::uint64_t pixels = static_cast<std::uint64_t>(width * height);
+  if (channels > 1024 || pixels * channels > kMaxValues) {
+    return make_error("{}x{} pixels of {} channels are too many", width, height, channels);
+  }
+  if (pixels * channels / kMaxValuesPerByte > file_bytes) {
+    return make_error("{}x{} pixels of {} channels cannot be in {} bytes", width, height, channels,
+                      file_bytes);
+  }
+  return std::nullopt;
+}
+
+Status write_exr(const std::filesystem::path& path, const Image& image) {
+  return write_image(path, image, encode_exr);
+}
+
+Status write_png(const std::filesystem::path& path, const Image& image) {
+  return write_image(path, image, encode_png);
+}
+
+Result<Image> read_image(const std::filesystem::path& path) {
+  const auto bytes = read_file(path);
+  if (!bytes) return bytes.error();
+  const auto decode = [&]() -> Result<Image> {
+    if (is_exr(*bytes)) return decode_exr(*bytes);
+    if (is_png(*bytes)) return decode_png(*bytes);
+    if (is_radiance(*bytes)) return decode_radiance(*bytes);
+    return make_error("it is no EXR, PNG or Radiance HDR file");
+  };
+  auto image = decode();
+  if (!image) {
+    return make_error("{}: the picture cannot be read: {}", path.string(), image.error().message);
+  }
+  return image;
+}
+
+}  // namespace relief
