@@ -1,5 +1,6 @@
 #include "preprocess/convert.h"
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -33,6 +34,11 @@ constexpr double kMostNodes = 4e9;
 // are no surface.
 constexpr std::size_t kSmallPatchPoints = 64;
 constexpr std::size_t kLeastPatchPoints = 4;
+// A cloud of outliers: the eighth neighbour is this much farther than the scan's median one, and
+// the plane through the neighbourhood is left by more than this share of that distance (a ball of
+// points has 0.2 to 0.3, a surface that bends by 60 degrees across its neighbourhood 0.08).
+constexpr float kSparseInMedians = 4.0F;
+constexpr float kRoughShare = 0.08F;
 
 Error interrupted() {
   return make_error("interrupted; nothing was written");
@@ -104,6 +110,27 @@ Status check_spacing(const std::vector<Region>& regions, const SurfaceSamples& s
   return {};
 }
 
+// The points that can be part of a surface: all but clouds of outliers, which are much sparser than
+// the scan and not flat either. (Single outliers have no mutual neighbours and make no region.)
+std::vector<std::uint32_t> surface_points(const std::vector<glm::dvec3>& positions,
+                                          const NeighbourGraph& graph, const LocalFrames& frames) {
+  std::vector<float> to_eighth(positions.size());
+  for (std::uint32_t i = 0; i < positions.size(); ++i) {
+    const std::uint32_t eighth = graph.of(i)[std::min(graph.k, 8U) - 1];
+    to_eighth[i] = static_cast<float>(glm::distance(positions[i], positions[eighth]));
+  }
+  std::vector<float> sorted = to_eighth;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  std::vector<std::uint32_t> points;
+  for (std::uint32_t i = 0; i < positions.size(); ++i) {
+    const bool scattered = to_eighth[i] > kSparseInMedians * *middle &&
+                           frames.roughness[i] > kRoughShare * to_eighth[i];
+    if (!scattered) points.push_back(i);
+  }
+  return points;
+}
+
 std::vector<Patch> resample_all(const SurfaceSamples& samples, const NeighbourGraph& graph,
                                 const std::vector<Region>& regions,
                                 const std::vector<glm::u8vec3>& colours,
@@ -165,7 +192,8 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   const std::vector<glm::vec3> smooth = smooth_normals(points.normals, graph);
   const SurfaceSamples smooth_samples{points.positions, smooth, graph.spacing, frames.roughness};
   const double cone = options.cone_degrees > 0.0 ? options.cone_degrees : kDefaultConeDegrees;
-  std::vector<Region> regions = partition(smooth_samples, graph, cone, progress);
+  std::vector<Region> regions = partition(
+      smooth_samples, graph, surface_points(points.positions, graph, frames), cone, progress);
   std::erase_if(regions, [](const Region& r) { return r.points.size() < kLeastPatchPoints; });
   if (progress.cancelled()) return interrupted();
 
@@ -205,7 +233,11 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
 
 Result<ConvertResult> convert(Points points, const ConvertOptions& options, Progress& progress) {
   if (const Status ok = check_points(points.positions); !ok) return ok.error();
-  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+  const int threads =
+      options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
   return arena.execute([&] { return convert_in_arena(points, options, progress); });
 }
 

@@ -93,6 +93,7 @@ class Merger {
       const std::uint32_t b = owner[j];
       if (b == a || b == kNoCluster) continue;
       if (glm::dot(samples_.normals[i], samples_.normals[j]) <= 0.0F) continue;
+      if (!are_mutual(graph, i, j)) continue;
       // A point beside a straight border has about 3 of its 8 neighbours beyond it; both sides
       // count.
       const double length = double{samples_.spacing[i]} / 6.0;

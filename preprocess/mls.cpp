@@ -22,8 +22,12 @@ constexpr double kMaxOvershoot = 0.5;
 // Steepest slope that a tangent plane is followed to (84 degrees).
 constexpr float kLeastCosine = 0.1F;
 
+// Fitted normals may leave the mean normal by up to 37 degrees; further is an overshoot.
+constexpr float kLeastAgreement = 0.8F;
+
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Right = Eigen::Matrix<double, 6, 4>;
 
 // The height above (x, y) of a point's tangent plane.
 double tangent_height(const PatchPoints& points, std::uint32_t p, double x, double y) {
@@ -35,7 +39,7 @@ double tangent_height(const PatchPoints& points, std::uint32_t p, double x, doub
 
 struct Sums {
   Matrix6 normal_matrix = Matrix6::Zero();
-  Vector6 right_side = Vector6::Zero();
+  Right right_side = Right::Zero();  // heights, then the three components of the points' normals
   double weight = 0.0;
   double tangent = 0.0;  // weighted heights of tangent planes: the cheap implicit surface
   glm::vec3 normal{0.0F};
@@ -55,7 +59,8 @@ Sums accumulate(const PatchPoints& points, const PointGrid& lookup, glm::dvec3 a
         Vector6 basis;
         basis << 1.0, dx, dy, dx * dx, dx * dy, dy * dy;
         sums.normal_matrix.selfadjointView<Eigen::Lower>().rankUpdate(basis, w);
-        sums.right_side += w * dz / scale * basis;
+        const glm::vec3 n = points.normals[p];
+        sums.right_side += w * basis * Eigen::RowVector4d(dz / scale, n.x, n.y, n.z);
         sums.weight += w;
         sums.tangent += w * (tangent_height(points, p, about.x, about.y) - about.z);
         sums.normal += static_cast<float>(w) * points.normals[p];
@@ -83,16 +88,19 @@ SurfacePoint evaluate_mls(const PatchPoints& points, const PointGrid& lookup, do
   if (!(sums.weight > 0.0)) return {about.z, points.normals[nearest], points.normals[nearest]};
   for (int d = 3; d < 6; ++d) sums.normal_matrix(d, d) += kRidge * sums.weight;
   for (int d = 1; d < 3; ++d) sums.normal_matrix(d, d) += 1e-6 * sums.weight;
-  const Vector6 fit =
+  const Right fit =
       sums.normal_matrix.selfadjointView<Eigen::Lower>().ldlt().solve(sums.right_side);
 
   SurfacePoint out;
   const double implicit = sums.tangent / sums.weight;
-  out.given_normal = unit_or_up(sums.normal);
+  const glm::vec3 mean = unit_or_up(sums.normal);
   const bool sound =
-      fit.allFinite() && std::abs(fit[0] * scale - implicit) <= kMaxOvershoot * scale;
-  out.height = about.z + (sound ? fit[0] * scale : implicit);
-  out.fitted_normal = sound ? unit_or_up(glm::vec3(-fit[1], -fit[2], 1.0)) : out.given_normal;
+      fit.allFinite() && std::abs(fit(0, 0) * scale - implicit) <= kMaxOvershoot * scale;
+  out.height = about.z + (sound ? fit(0, 0) * scale : implicit);
+  out.fitted_normal = sound ? unit_or_up(glm::vec3(-fit(1, 0), -fit(2, 0), 1.0)) : mean;
+  // A mean alone leans towards where the points are; the fitted value does not.
+  const glm::vec3 fitted_mean = unit_or_up(glm::vec3(fit(0, 1), fit(0, 2), fit(0, 3)));
+  out.given_normal = sound && glm::dot(fitted_mean, mean) > kLeastAgreement ? fitted_mean : mean;
   return out;
 }
 

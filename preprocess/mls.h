@@ -9,7 +9,7 @@ namespace relief {
 struct SurfacePoint {
   double height = 0.0;            ///< world units along the plane's normal
   glm::vec3 fitted_normal{0.0F};  ///< of the fitted surface, unit, patch frame
-  glm::vec3 given_normal{0.0F};   ///< weighted mean of the points' normals, unit, patch frame
+  glm::vec3 given_normal{0.0F};   ///< the points' normals, fitted likewise, unit, patch frame
 };
 
 /// Evaluates the surface above (x, y): a polynomial of order 2 in the plane's coordinates, fitted

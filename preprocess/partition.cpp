@@ -21,13 +21,16 @@ std::size_t small_points(std::size_t points) {
 }  // namespace
 
 std::vector<Region> partition(const SurfaceSamples& samples, const NeighbourGraph& graph,
-                              double cone_degrees, Progress& progress) {
-  progress.begin_stage("split", samples.positions.size());
-  std::vector<Region> regions = split(samples, graph, {kSplitShare * cone_degrees}, progress);
+                              std::vector<std::uint32_t> points, double cone_degrees,
+                              Progress& progress) {
+  const std::size_t small = small_points(points.size());
+  progress.begin_stage("split", points.size());
+  std::vector<Region> regions =
+      split(samples, graph, std::move(points), {kSplitShare * cone_degrees}, progress);
   const RegionLimits limits{cone_degrees};
   regions = merge(samples, graph, std::move(regions), {limits}, progress);
   const RegionLimits wide{std::max(cone_degrees, kWideConeDegrees), kWideSheetTolerance};
-  const MergeRule wide_rule{wide, small_points(samples.positions.size())};
+  const MergeRule wide_rule{wide, small};
   regions = merge(samples, graph, std::move(regions), wide_rule, progress);
   std::sort(regions.begin(), regions.end(), [](const Region& a, const Region& b) {
     if (a.points.size() != b.points.size()) return a.points.size() > b.points.size();

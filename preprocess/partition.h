@@ -18,6 +18,7 @@ struct Region {
 /// greatest variance, again and again until each piece passes the test; pieces that are not
 /// connected over the neighbour graph are parted.
 [[nodiscard]] std::vector<Region> split(const SurfaceSamples& samples, const NeighbourGraph& graph,
+                                        std::vector<std::uint32_t> points,
                                         const RegionLimits& limits, Progress& progress);
 
 /// What may be merged.
@@ -35,8 +36,10 @@ struct MergeRule {
 
 /// Split, then merge, then merge once more under wider limits what stayed small: spots where the
 /// scan is rough are no reason for a patch each. Few, compact regions, largest first.
+/// Only `points` are partitioned.
 [[nodiscard]] std::vector<Region> partition(const SurfaceSamples& samples,
-                                            const NeighbourGraph& graph, double cone_degrees,
+                                            const NeighbourGraph& graph,
+                                            std::vector<std::uint32_t> points, double cone_degrees,
                                             Progress& progress);
 
 }  // namespace relief

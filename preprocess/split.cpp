@@ -3,7 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <mutex>
-#include <numeric>
 
 #include "preprocess/partition.h"
 
@@ -42,11 +41,9 @@ class Splitter {
   Splitter(const SurfaceSamples& samples, const RegionLimits& limits, Progress& progress)
       : samples_(samples), limits_(limits), progress_(progress) {}
 
-  std::vector<Region> run() {
-    std::vector<std::uint32_t> all(samples_.positions.size());
-    std::iota(all.begin(), all.end(), 0U);
+  std::vector<Region> run(std::span<std::uint32_t> points) {
     RegionTest test(samples_, limits_);
-    split(all, test);
+    if (!points.empty()) split(points, test);
     tasks_.wait();
     return std::move(leaves_);
   }
@@ -93,7 +90,7 @@ class Splitter {
   std::vector<Region> leaves_;
 };
 
-// Parts a leaf into the pieces that are connected by neighbours with like normals.
+// Parts a leaf into the pieces that are connected by mutual neighbours with like normals.
 void part_components(const SurfaceSamples& samples, const NeighbourGraph& graph, const Region& leaf,
                      std::vector<std::uint32_t>& mark, std::uint32_t leaf_id,
                      std::vector<Region>& out) {
@@ -110,7 +107,7 @@ void part_components(const SurfaceSamples& samples, const NeighbourGraph& graph,
       stack.pop_back();
       piece.points.push_back(i);
       for (const std::uint32_t j : graph.of(i)) {
-        if (mark[j] != leaf_id) continue;
+        if (mark[j] != leaf_id || !are_mutual(graph, i, j)) continue;
         const glm::vec3 a = samples.normals[i];
         const glm::vec3 b = samples.normals[j];
         if (a.x * b.x + a.y * b.y + a.z * b.z <= 0.0F) continue;
@@ -126,8 +123,9 @@ void part_components(const SurfaceSamples& samples, const NeighbourGraph& graph,
 }  // namespace
 
 std::vector<Region> split(const SurfaceSamples& samples, const NeighbourGraph& graph,
-                          const RegionLimits& limits, Progress& progress) {
-  std::vector<Region> leaves = Splitter(samples, limits, progress).run();
+                          std::vector<std::uint32_t> points, const RegionLimits& limits,
+                          Progress& progress) {
+  std::vector<Region> leaves = Splitter(samples, limits, progress).run(points);
   // Tasks finish in any order; the result must not show it.
   std::sort(leaves.begin(), leaves.end(),
             [](const Region& a, const Region& b) { return a.points.front() < b.points.front(); });

@@ -1,0 +1,54 @@
+#include "preprocess/neighbours.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+#include <numeric>
+
+#include "tests/preprocess/surfaces.h"
+
+namespace relief {
+namespace {
+
+TEST(Neighbours, AgreeWithBruteForce) {
+  const Points points = test::sample_sphere(400);
+  const NeighbourGraph graph = find_neighbours(points.positions, 10);
+  ASSERT_EQ(graph.k, 10U);
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    std::vector<std::uint32_t> all(points.size());
+    std::iota(all.begin(), all.end(), 0U);
+    std::erase(all, i);
+    std::sort(all.begin(), all.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return glm::distance(points.positions[a], points.positions[i]) <
+             glm::distance(points.positions[b], points.positions[i]);
+    });
+    all.resize(10);
+    EXPECT_EQ(std::vector<std::uint32_t>(graph.of(i).begin(), graph.of(i).end()), all);
+  }
+}
+
+TEST(Neighbours, FewerPointsThanNeighboursGiveAllOthers) {
+  const Points points = test::sample_sphere(5);
+  const NeighbourGraph graph = find_neighbours(points.positions, 16);
+  EXPECT_EQ(graph.k, 4U);
+  EXPECT_EQ(graph.indices.size(), 20U);
+}
+
+TEST(Neighbours, SpacingIsTheDistanceBetweenSamples) {
+  constexpr double kStep = 0.02;
+  const Points points = test::sample_height_field(0.5, kStep, [](double, double) { return 0.0; });
+  const NeighbourGraph graph = find_neighbours(points.positions, 16);
+  double sum = 0.0;
+  std::size_t inner = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (std::abs(points.positions[i].x) > 0.4 || std::abs(points.positions[i].y) > 0.4) continue;
+    sum += graph.spacing[i];
+    ++inner;
+  }
+  // The 8th neighbour of a square grid is at sqrt(2) steps, which gives 0.89; jitter moves it
+  // outward.
+  EXPECT_NEAR(sum / static_cast<double>(inner), kStep, 0.12 * kStep);
+}
+
+}  // namespace
+}  // namespace relief
