@@ -11,11 +11,7 @@ namespace {
 /// The ending of the name in lower case, that of the packed file if it ends with ".gz".
 std::string ending(std::filesystem::path path) {
   const auto lower = [](const std::filesystem::path& p) {
-    std::string text = p.extension().string();
-    std::ranges::transform(text, text.begin(), [](char c) {
-      return (c >= 'A' && c <= 'Z') ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    return text;
+    return lower_case(p.extension().string());
   };
   if (lower(path) == ".gz") path = path.stem();
   return lower(path);

@@ -1,77 +1,15 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
+#include <utility>
 
-#include "preprocess/readers/colours.h"
 #include "preprocess/readers/ply_header.h"
 #include "preprocess/readers/ply_values.h"
+#include "preprocess/readers/point_record.h"
 #include "preprocess/readers/polygons.h"
 #include "preprocess/readers/readers.h"
 
 namespace relief {
 namespace {
-
-/// What a vertex property means to us.
-enum Role : std::uint8_t { X, Y, Z, Nx, Ny, Nz, Red, Green, Blue, U, V, Other };
-constexpr std::size_t kRoles = Other + 1;
-
-Role role_of(const PlyProperty& property) {
-  struct Name {
-    std::string_view name;
-    Role role;
-  };
-  constexpr Name names[] = {{"x", X},
-                            {"y", Y},
-                            {"z", Z},
-                            {"nx", Nx},
-                            {"ny", Ny},
-                            {"nz", Nz},
-                            {"normal_x", Nx},
-                            {"normal_y", Ny},
-                            {"normal_z", Nz},
-                            {"red", Red},
-                            {"green", Green},
-                            {"blue", Blue},
-                            {"r", Red},
-                            {"g", Green},
-                            {"b", Blue},
-                            {"diffuse_red", Red},
-                            {"diffuse_green", Green},
-                            {"diffuse_blue", Blue},
-                            {"s", U},
-                            {"t", V},
-                            {"u", U},
-                            {"v", V},
-                            {"texture_u", U},
-                            {"texture_v", V}};
-  if (property.count_type) return Other;
-  const auto* const found =
-      std::ranges::find_if(names, [&](const Name& n) { return n.name == property.name; });
-  return found != std::end(names) ? found->role : Other;
-}
-
-/// Which roles the vertex element fills, and from which of its properties.
-struct VertexLayout {
-  std::vector<Role> roles;  ///< per property
-  std::array<bool, kRoles> has{};
-  ColourNumbers colour_numbers = ColourNumbers::Integer;
-
-  explicit VertexLayout(const PlyElement& element) {
-    for (const PlyProperty& property : element.properties) {
-      Role role = role_of(property);
-      // Of two properties with the same meaning the first counts.
-      if (has[role]) role = Other;
-      has[role] = true;
-      roles.push_back(role);
-      if (role == Red && property.type >= PlyType::Float32) colour_numbers = ColourNumbers::Real;
-    }
-  }
-  [[nodiscard]] bool positions() const { return has[X] && has[Y] && has[Z]; }
-  [[nodiscard]] bool normals() const { return has[Nx] && has[Ny] && has[Nz]; }
-  [[nodiscard]] bool colours() const { return has[Red] && has[Green] && has[Blue]; }
-  [[nodiscard]] bool texcoords() const { return has[U] && has[V]; }
-};
 
 /// A value as an index; whatever is none becomes kNoPoint.
 std::uint32_t to_index(double value) {
@@ -119,47 +57,39 @@ class PlyBody {
   }
 
   Status read_vertices(const PlyElement& element) {
-    const VertexLayout layout(element);
+    RecordLayout layout;
+    std::vector<Role> roles;  // per property
+    ColourNumbers colour_numbers = ColourNumbers::Integer;
+    for (const PlyProperty& property : element.properties) {
+      const Role role = layout.add(property.count_type ? Other : role_of(property.name));
+      roles.push_back(role);
+      if (role == Red && is_real(property.type)) colour_numbers = ColourNumbers::Real;
+    }
     if (!layout.positions()) {
       return make_error("{}: its vertices have no properties x, y and z", source_.name);
     }
-    if (element.count >= kNoPoint) {
-      return make_error("{}: has {} points, more than the {} that can be indexed", source_.name,
-                        element.count, kNoPoint - 1);
-    }
-    const auto count = static_cast<std::size_t>(element.count);
-    points_.positions.reserve(count);
-    if (layout.normals()) points_.normals.reserve(count);
-    if (layout.texcoords()) points_.texcoords.reserve(count);
-    std::vector<glm::vec3> colours;
-    if (layout.colours()) colours.reserve(count);
+    if (element.count >= kNoPoint) return too_many_points(source_, element.count);
 
-    std::array<double, kRoles> v{};
-    const auto vec3 = [&v](Role first) {
-      return glm::vec3(static_cast<float>(v[first]), static_cast<float>(v[first + 1U]),
-                       static_cast<float>(v[first + 2U]));
-    };
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!read_vertex(element, layout, v)) return failure(element, i);
+    PointCollector points(layout, colour_numbers, element.count);
+    PointRecord record{};
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      if (!read_vertex(element, roles, record)) return failure(element, i);
       if (!meter_.advance_to(values_.offset())) return interrupted_error();
-      points_.positions.emplace_back(v[X], v[Y], v[Z]);
-      if (layout.normals()) points_.normals.push_back(vec3(Nx));
-      if (layout.colours()) colours.push_back(vec3(Red));
-      if (layout.texcoords()) {
-        points_.texcoords.emplace_back(static_cast<float>(v[U]), static_cast<float>(v[V]));
-      }
+      points.add(record);
     }
-    points_.colours = to_colours(colours, layout.colour_numbers);
+    // Faces may have come before the vertices.
+    std::vector<Triangle> triangles = std::move(points_.triangles);
+    points_ = points.finish();
+    points_.triangles = std::move(triangles);
     return {};
   }
 
-  bool read_vertex(const PlyElement& element, const VertexLayout& layout,
-                   std::array<double, kRoles>& v) {
+  bool read_vertex(const PlyElement& element, const std::vector<Role>& roles, PointRecord& record) {
     if (!values_.begin_element()) return false;
     for (std::size_t p = 0; p < element.properties.size(); ++p) {
       const PlyProperty& property = element.properties[p];
       if (property.count_type ? !skip_list(property)
-                              : !values_.value(property.type, v[layout.roles[p]])) {
+                              : !values_.value(property.type, record[roles[p]])) {
         return false;
       }
     }

@@ -8,22 +8,16 @@
 namespace relief {
 namespace {
 
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  std::ranges::transform(lower, lower.begin(), [](char c) {
-    return (c >= 'A' && c <= 'Z') ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return lower;
-}
-
-std::optional<PlyType> type_of(std::string_view word) {
-  constexpr std::pair<std::string_view, PlyType> types[] = {
-      {"char", PlyType::Int8},      {"int8", PlyType::Int8},       {"uchar", PlyType::Uint8},
-      {"uint8", PlyType::Uint8},    {"short", PlyType::Int16},     {"int16", PlyType::Int16},
-      {"ushort", PlyType::Uint16},  {"uint16", PlyType::Uint16},   {"int", PlyType::Int32},
-      {"int32", PlyType::Int32},    {"uint", PlyType::Uint32},     {"uint32", PlyType::Uint32},
-      {"float", PlyType::Float32},  {"float32", PlyType::Float32}, {"double", PlyType::Float64},
-      {"float64", PlyType::Float64}};
+std::optional<NumberType> type_of(std::string_view word) {
+  constexpr std::pair<std::string_view, NumberType> types[] = {
+      {"char", NumberType::Int8},      {"int8", NumberType::Int8},
+      {"uchar", NumberType::Uint8},    {"uint8", NumberType::Uint8},
+      {"short", NumberType::Int16},    {"int16", NumberType::Int16},
+      {"ushort", NumberType::Uint16},  {"uint16", NumberType::Uint16},
+      {"int", NumberType::Int32},      {"int32", NumberType::Int32},
+      {"uint", NumberType::Uint32},    {"uint32", NumberType::Uint32},
+      {"float", NumberType::Float32},  {"float32", NumberType::Float32},
+      {"double", NumberType::Float64}, {"float64", NumberType::Float64}};
   for (const auto& [name, type] : types) {
     if (name == word) return type;
   }

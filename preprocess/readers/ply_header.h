@@ -6,22 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "preprocess/readers/number_type.h"
 #include "preprocess/readers/source.h"
 
 namespace relief {
 
-enum class PlyType : std::uint8_t { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
-
-/// Bytes of one value in the binary encodings.
-[[nodiscard]] constexpr std::size_t size_of(PlyType type) {
-  constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
-  return sizes[static_cast<std::size_t>(type)];
-}
-
 struct PlyProperty {
   std::string name;  ///< in lower case
-  PlyType type = PlyType::Float32;
-  std::optional<PlyType> count_type;  ///< of a list
+  NumberType type = NumberType::Float32;
+  std::optional<NumberType> count_type;  ///< of a list
 };
 
 struct PlyElement {

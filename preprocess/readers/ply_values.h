@@ -1,10 +1,8 @@
 // The numbers of a PLY body, one by one, in each of its encodings. Nothing is read beyond the end.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -19,9 +17,9 @@ class PlyAsciiValues {
   PlyAsciiValues(std::string_view text, std::size_t body) : text_(text) { text_.skip_to(body); }
 
   [[nodiscard]] bool begin_element() { return text_.next_line(); }
-  [[nodiscard]] bool value(PlyType /*type*/, double& value) { return text_.number(value); }
+  [[nodiscard]] bool value(NumberType /*type*/, double& value) { return text_.number(value); }
   [[nodiscard]] bool end_element() { return text_.at_line_end(); }
-  [[nodiscard]] bool skip_values(PlyType /*type*/, std::uint64_t count) {
+  [[nodiscard]] bool skip_values(NumberType /*type*/, std::uint64_t count) {
     for (std::uint64_t i = 0; i < count; ++i) {
       if (text_.word().empty()) return false;
     }
@@ -29,7 +27,7 @@ class PlyAsciiValues {
   }
 
   /// The least number of bytes that one value takes: a digit and what separates it from the next.
-  [[nodiscard]] static std::uint64_t least_size(PlyType /*type*/) { return 2; }
+  [[nodiscard]] static std::uint64_t least_size(NumberType /*type*/) { return 2; }
   /// One more than there are: the last number of a text needs no separator.
   [[nodiscard]] std::uint64_t left() const { return text_.left() + 1; }
   [[nodiscard]] std::size_t offset() const { return text_.offset(); }
@@ -50,43 +48,19 @@ class PlyBinaryValues {
 
   [[nodiscard]] bool begin_element() { return true; }
   [[nodiscard]] bool end_element() { return true; }
-  [[nodiscard]] bool value(PlyType type, double& value) {
+  [[nodiscard]] bool value(NumberType type, double& value) {
     if (left() < size_of(type)) return false;
-    switch (type) {
-      case PlyType::Int8:
-        value = take<std::int8_t, std::uint8_t>();
-        break;
-      case PlyType::Uint8:
-        value = take<std::uint8_t, std::uint8_t>();
-        break;
-      case PlyType::Int16:
-        value = take<std::int16_t, std::uint16_t>();
-        break;
-      case PlyType::Uint16:
-        value = take<std::uint16_t, std::uint16_t>();
-        break;
-      case PlyType::Int32:
-        value = take<std::int32_t, std::uint32_t>();
-        break;
-      case PlyType::Uint32:
-        value = take<std::uint32_t, std::uint32_t>();
-        break;
-      case PlyType::Float32:
-        value = static_cast<double>(take<float, std::uint32_t>());
-        break;
-      case PlyType::Float64:
-        value = take<double, std::uint64_t>();
-        break;
-    }
+    value = load_number<BigEndian>(type, text_.data() + offset_);
+    offset_ += size_of(type);
     return true;
   }
-  [[nodiscard]] bool skip_values(PlyType type, std::uint64_t count) {
+  [[nodiscard]] bool skip_values(NumberType type, std::uint64_t count) {
     if (count > left() / size_of(type)) return false;
     offset_ += count * size_of(type);
     return true;
   }
 
-  [[nodiscard]] static std::uint64_t least_size(PlyType type) { return size_of(type); }
+  [[nodiscard]] static std::uint64_t least_size(NumberType type) { return size_of(type); }
   [[nodiscard]] std::uint64_t left() const { return text_.size() - offset_; }
   [[nodiscard]] std::size_t offset() const { return offset_; }
   [[nodiscard]] std::string failure() const {
@@ -94,18 +68,6 @@ class PlyBinaryValues {
   }
 
  private:
-  template <class Number, class Bits>
-  Number take() {
-    Bits bits = 0;
-    for (std::size_t i = 0; i < sizeof(Bits); ++i) {
-      const std::size_t shift = 8 * (BigEndian ? sizeof(Bits) - 1 - i : i);
-      const auto byte = static_cast<unsigned char>(text_[offset_ + i]);
-      bits = static_cast<Bits>(bits | (static_cast<Bits>(byte) << shift));
-    }
-    offset_ += sizeof(Bits);
-    return std::bit_cast<Number>(bits);
-  }
-
   std::string_view text_;
   std::size_t offset_;
 };

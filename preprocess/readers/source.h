@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -46,7 +47,13 @@ class ReadMeter {
 /// `text` in quotes for a message: at most 24 characters, nothing that a terminal would obey.
 [[nodiscard]] std::string quoted(std::string_view text);
 
+/// `text` with ASCII letters in lower case.
+[[nodiscard]] std::string lower_case(std::string_view text);
+
 /// Points can be indexed with 32 bits; the largest index stands for "no such point".
 inline constexpr std::uint32_t kNoPoint = UINT32_MAX;
+
+/// For a file with `count` >= kNoPoint points.
+[[nodiscard]] Error too_many_points(const Source& source, std::uint64_t count);
 
 }  // namespace relief

@@ -9,13 +9,6 @@
 
 namespace relief {
 
-std::string quoted(std::string_view text) {
-  constexpr std::size_t longest = 24;
-  std::string out = "'";
-  for (const char c : text.substr(0, longest)) out += (c >= ' ' && c <= '~') ? c : '?';
-  return out + (text.size() > longest ? "...'" : "'");
-}
-
 bool parse_number(std::string_view word, double& value) {
   const char* const end = word.data() + word.size();
   const char* p = word.data();
@@ -39,8 +32,8 @@ bool parse_number(std::string_view word, double& value) {
   return false;
 }
 
-TextCursor::TextCursor(std::string_view text, std::string_view separators)
-    : begin_(text.data()), at_(text.data()), end_(text.data() + text.size()) {
+TextCursor::TextCursor(std::string_view text, std::string_view separators, char comment)
+    : begin_(text.data()), at_(text.data()), end_(text.data() + text.size()), comment_(comment) {
   for (const char c : separators) separator_[static_cast<unsigned char>(c)] = true;
 }
 
@@ -49,6 +42,8 @@ bool TextCursor::next_line() {
   in_line_ = true;
   for (;;) {
     skip_separators();
+    if (at_ == end_) return false;
+    if (*at_ == comment_ && comment_ != '\0') skip_line();
     if (at_ == end_) return false;
     if (!is_line_end(*at_)) return true;
     ++at_;
@@ -100,13 +95,13 @@ std::string_view TextCursor::word() {
 std::string_view TextCursor::peek() {
   skip_separators();
   const char* p = at_;
+  if (p != end_ && *p == comment_ && comment_ != '\0') return {p, 0};
   while (!ends_word(p)) ++p;
   return {at_, static_cast<std::size_t>(p - at_)};
 }
 
 bool TextCursor::at_line_end() {
-  skip_separators();
-  return at_ == end_ || is_line_end(*at_);
+  return peek().empty();
 }
 
 std::string_view TextCursor::rest_of_line() {
@@ -114,6 +109,15 @@ std::string_view TextCursor::rest_of_line() {
   const char* const from = at_;
   skip_line();
   return {from, static_cast<std::size_t>(at_ - from)};
+}
+
+void TextCursor::skip_separators() {
+  while (at_ != end_ && is_separator(*at_)) {
+    const bool continues = *at_++ == '\\';
+    if (!continues) continue;
+    if (at_ != end_ && *at_ == '\r') ++at_;
+    if (at_ != end_ && *at_ == '\n') ++at_;
+  }
 }
 
 std::size_t TextCursor::line_number() const {

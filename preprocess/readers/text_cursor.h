@@ -13,7 +13,10 @@ namespace relief {
 /// line numbers are counted only when an error needs one.
 class TextCursor {
  public:
-  explicit TextCursor(std::string_view text, std::string_view separators = " \t\f\v");
+  static constexpr std::string_view kBlanks = " \t\f\v";
+
+  explicit TextCursor(std::string_view text, std::string_view separators = kBlanks,
+                      char comment = '\0');
 
   /// Goes to the next line that has a word in it; false at the end of the text.
   [[nodiscard]] bool next_line();
@@ -52,13 +55,12 @@ class TextCursor {
   [[nodiscard]] bool ends_word(const char* p) const {
     return p == end_ || is_separator(*p) || is_line_end(*p);
   }
-  void skip_separators() {
-    while (at_ != end_ && is_separator(*at_)) ++at_;
-  }
+  void skip_separators();
 
   const char* begin_;
   const char* at_;
   const char* end_;
+  char comment_;
   bool in_line_ = false;
   bool separator_[256] = {};
 };

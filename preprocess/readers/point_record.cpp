@@ -1,0 +1,72 @@
+#include "preprocess/readers/point_record.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace relief {
+
+Role role_of(std::string_view name) {
+  constexpr std::pair<std::string_view, Role> names[] = {{"x", X},
+                                                         {"y", Y},
+                                                         {"z", Z},
+                                                         {"nx", Nx},
+                                                         {"ny", Ny},
+                                                         {"nz", Nz},
+                                                         {"normal_x", Nx},
+                                                         {"normal_y", Ny},
+                                                         {"normal_z", Nz},
+                                                         {"red", Red},
+                                                         {"green", Green},
+                                                         {"blue", Blue},
+                                                         {"r", Red},
+                                                         {"g", Green},
+                                                         {"b", Blue},
+                                                         {"diffuse_red", Red},
+                                                         {"diffuse_green", Green},
+                                                         {"diffuse_blue", Blue},
+                                                         {"s", U},
+                                                         {"t", V},
+                                                         {"u", U},
+                                                         {"v", V},
+                                                         {"texture_u", U},
+                                                         {"texture_v", V}};
+  const auto* const found =
+      std::ranges::find(names, name, [](const auto& entry) { return entry.first; });
+  return found != std::end(names) ? found->second : Other;
+}
+
+Role RecordLayout::add(Role role) {
+  if (has_[role]) return Other;
+  has_[role] = true;
+  return role;
+}
+
+PointCollector::PointCollector(const RecordLayout& layout, ColourNumbers colour_numbers,
+                               std::size_t count)
+    : layout_(layout), colour_numbers_(colour_numbers) {
+  points_.positions.reserve(count);
+  if (layout.normals()) points_.normals.reserve(count);
+  if (layout.colours()) colours_.reserve(count);
+  if (layout.texcoords()) points_.texcoords.reserve(count);
+}
+
+void PointCollector::add(const PointRecord& record) {
+  const auto vec3 = [&record](Role first) {
+    return glm::vec3(static_cast<float>(record[first]), static_cast<float>(record[first + 1U]),
+                     static_cast<float>(record[first + 2U]));
+  };
+  points_.positions.emplace_back(record[X], record[Y], record[Z]);
+  if (layout_.normals()) points_.normals.push_back(vec3(Nx));
+  if (layout_.colours()) colours_.push_back(vec3(Red));
+  if (layout_.texcoords()) {
+    points_.texcoords.emplace_back(static_cast<float>(record[U]), static_cast<float>(record[V]));
+  }
+}
+
+Points PointCollector::finish() {
+  points_.colours = to_colours(colours_, colour_numbers_);
+  return std::move(points_);
+}
+
+}  // namespace relief

@@ -1,0 +1,27 @@
+#include "preprocess/readers/source.h"
+
+#include <algorithm>
+
+namespace relief {
+
+std::string quoted(std::string_view text) {
+  constexpr std::size_t longest = 24;
+  std::string out = "'";
+  for (const char c : text.substr(0, longest)) out += (c >= ' ' && c <= '~') ? c : '?';
+  return out + (text.size() > longest ? "...'" : "'");
+}
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  std::ranges::transform(lower, lower.begin(), [](char c) {
+    return (c >= 'A' && c <= 'Z') ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return lower;
+}
+
+Error too_many_points(const Source& source, std::uint64_t count) {
+  return make_error("{}: has {} points, more than the {} that can be indexed; split it",
+                    source.name, count, kNoPoint - 1);
+}
+
+}  // namespace relief
