@@ -26,7 +26,7 @@ constexpr const char* kExamples =
     "Reads PLY, PCD, OBJ, OFF, STL and XYZ text, each also gzipped. Several files become one "
     "model:\n"
     "they are taken as parts of one scan, in the frame that their coordinates are in.\n"
-    "Without --spacing the patches have about as many samples as the scan has points.\n"
+    "In brackets: what is taken where an option is not given.\n"
     "\n"
     "Examples:\n"
     "  relief convert dragon.ply.gz -o dragon.relief\n"
@@ -147,23 +147,32 @@ int run(const Arguments& arguments) {
 void add_convert(CLI::App& app, Command& command) {
   auto* sub = app.add_subcommand("convert", "Convert a scan to a patch file");
   const auto arguments = std::make_shared<Arguments>();
-  sub->add_option("IN", arguments->inputs, "Scan or mesh files")->required();
+  sub->add_option("IN", arguments->inputs, "Scan or mesh files")
+      ->required()
+      ->option_text("FILE...");
   sub->add_option("-o,--output", arguments->output, "The patch file to write (.relief)")
-      ->required();
-  sub->add_option("--spacing", arguments->options.spacing,
-                  "Grid step in the scan's unit; smaller is more exact and larger a file")
-      ->check(CLI::PositiveNumber);
+      ->required()
+      ->option_text("FILE (required)");
+  sub->add_option(
+         "--spacing", arguments->options.spacing,
+         "Grid step in the scan's unit: smaller is more exact and makes a larger file (about as "
+         "many samples as points)")
+      ->check(CLI::PositiveNumber)
+      ->option_text("S");
   sub->add_option("--cone-degrees", arguments->options.cone_degrees,
                   "Largest angle between a patch's normal and its points' normals; larger makes "
                   "fewer patches")
-      ->check(CLI::Range(1.0, 89.0));
-  sub->add_option("--overlap", arguments->options.overlap_cells,
-                  "Grid cells by which patches overlap")
+      ->check(CLI::Range(1.0, 89.0))
+      ->option_text("DEG");
+  sub->add_option(
+         "--overlap", arguments->options.overlap_cells,
+         fmt::format("Grid cells by which patches overlap ({})", arguments->options.overlap_cells))
       ->check(CLI::Range(0, 16))
-      ->capture_default_str();
+      ->option_text("CELLS");
   sub->add_option("--threads", arguments->options.threads,
-                  "Threads; the file is the same with any number (default: all cores)")
-      ->check(CLI::Range(1, 1024));
+                  "Threads; the file is the same with any number (all cores)")
+      ->check(CLI::Range(1, 1024))
+      ->option_text("N");
   sub->add_flag("--json", arguments->json, "Print one JSON object on standard output");
   sub->footer(kExamples);
   sub->callback([arguments, &command] { command = [arguments] { return run(*arguments); }; });

@@ -101,7 +101,9 @@ int run(const Arguments& arguments) {
 void add_info(CLI::App& app, Command& command) {
   auto* sub = app.add_subcommand("info", "Tell what a patch file holds");
   const auto arguments = std::make_shared<Arguments>();
-  sub->add_option("FILE", arguments->input, "A patch file (.relief)")->required();
+  sub->add_option("PATCHES", arguments->input, "A patch file (.relief)")
+      ->required()
+      ->option_text("FILE");
   sub->add_flag("--verify", arguments->verify,
                 "Decode everything; exit code 1 if any byte is wrong");
   sub->add_flag("--json", arguments->json, "Print one JSON object on standard output");

@@ -24,6 +24,7 @@ namespace relief::cli {
 namespace {
 
 constexpr const char* kExamples =
+    "In brackets: what is taken where an option is not given.\n"
     "SCENE is a .relief file, or a scan or mesh that is converted in memory with the default\n"
     "options. The camera looks at the middle of the model unless --eye says otherwise.\n"
     "No display is needed.\n"
@@ -182,55 +183,58 @@ std::string check_engine(const std::string& name) {
 void add_camera_options(CLI::App& sub, Arguments& arguments) {
   sub.add_option_function<std::string>(
          "--size", [&](const std::string& s) { arguments.size = parse_size(s); },
-         "Picture size in pixels (default 1280x1024)")
-      ->type_name("WxH");
+         "Picture size in pixels (1280x1024)")
+      ->option_text("WxH");
   auto* const orbit =
       sub.add_option_function<std::string>(
              "--orbit", [&](const std::string& s) { arguments.orbit = parse_orbit(s); },
-             "Azimuth (0 is +Z, turning to +X) and elevation in degrees, distance in "
-             "bounding-sphere radii (default 0,0 and the whole model in view)")
-          ->type_name("AZ,EL[,DIST]");
+             "Camera on an orbit: azimuth (0 is +Z, turning to +X) and elevation in degrees, "
+             "distance in bounding-sphere radii (0,0 and the whole model in view)")
+          ->option_text("AZ,EL[,DIST]");
   auto* const eye = sub.add_option_function<std::string>(
                            "--eye", [&](const std::string& s) { arguments.eye = parse_vector(s); },
-                           "Where the camera stands, in the model's coordinates")
-                        ->type_name("X,Y,Z")
+                           "Camera at a place instead, in the model's coordinates")
+                        ->option_text("X,Y,Z")
                         ->excludes(orbit);
   sub.add_option_function<std::string>(
          "--target", [&](const std::string& s) { arguments.target = parse_vector(s); },
-         "What it looks at (default: the middle of the model)")
-      ->type_name("X,Y,Z")
+         "What --eye looks at (the middle of the model)")
+      ->option_text("X,Y,Z")
       ->needs(eye);
   sub.add_option_function<std::string>(
          "--up", [&](const std::string& s) { arguments.up = parse_vector(s); },
-         "What is up in the picture (default 0,1,0)")
-      ->type_name("X,Y,Z")
+         "What is up for --eye (0,1,0)")
+      ->option_text("X,Y,Z")
       ->needs(eye);
-  sub.add_option("--fov", arguments.fov_degrees, "Vertical field of view in degrees")
+  sub.add_option("--fov", arguments.fov_degrees, "Vertical field of view in degrees (45)")
       ->check(CLI::Range(0.1, 170.0))
-      ->capture_default_str();
+      ->option_text("DEG");
 }
 
 void add_look_options(CLI::App& sub, Arguments& arguments) {
-  sub.add_option("--engine", arguments.engine, "What draws: onepass")
+  sub.add_option("--engine", arguments.engine, "What turns the model into pixels")
       ->check(check_engine)
-      ->capture_default_str();
-  sub.add_option("--primitive", arguments.primitive, "What is rasterised for a sample")
+      ->option_text("onepass");
+  sub.add_option("--primitive", arguments.primitive, "What is rasterised for a sample (quad)")
       ->check(CLI::IsMember(kPrimitives))
-      ->capture_default_str();
+      ->option_text("sprite|quad");
   sub.add_option("--interpolation", arguments.interpolation,
-                 "How a fragment finds its place on the patch: direct is faster, corrected exact")
+                 "How a fragment finds its place on the patch: direct is faster, corrected more "
+                 "exact (corrected)")
       ->check(CLI::IsMember(kInterpolations))
-      ->capture_default_str();
-  sub.add_option("--material", arguments.material, "unlit is the stored colour and nothing else")
+      ->option_text("direct|corrected");
+  sub.add_option("--material", arguments.material,
+                 "unlit is the stored colour and nothing else; mirror reflects --env (lit)")
       ->check(CLI::IsMember(kMaterials))
-      ->capture_default_str();
+      ->option_text("unlit|lit|mirror");
   sub.add_option("--env", arguments.settings.environment,
-                 "Environment map, equirectangular EXR or HDR (default: a built-in sky)");
+                 "Environment map, equirectangular EXR or HDR (a built-in sky)")
+      ->option_text("FILE");
   sub.add_option_function<std::string>(
          "--background",
          [&](const std::string& s) { arguments.settings.background = parse_background(s); },
-         "sRGB values from 0 to 1, or none: transparent (default 0,0,0)")
-      ->type_name("R,G,B|none");
+         "sRGB values from 0 to 1, or none: transparent (0,0,0)")
+      ->option_text("R,G,B|none");
 }
 
 }  // namespace
@@ -238,23 +242,27 @@ void add_look_options(CLI::App& sub, Arguments& arguments) {
 void add_render(CLI::App& app, Command& command) {
   auto* sub = app.add_subcommand("render", "Render a patch file or a scan to a picture");
   const auto arguments = std::make_shared<Arguments>();
-  sub->add_option("SCENE", arguments->scene, "A .relief file, a scan or a mesh")->required();
-  sub->add_option("-o,--output", arguments->output, "The picture to write (.png or .exr)")
-      ->required();
+  sub->add_option("SCENE", arguments->scene, "A .relief file, a scan or a mesh")
+      ->required()
+      ->option_text("FILE");
+  sub->add_option("-o,--output", arguments->output, "The picture to write: .png or .exr")
+      ->required()
+      ->option_text("FILE (required)");
   add_camera_options(*sub, *arguments);
   add_look_options(*sub, *arguments);
   sub->add_option_function<std::string>(
          "--outputs", [arguments](const std::string& s) { arguments->outputs = parse_outputs(s); },
          "What an .exr holds: all, colour, or some of normal,depth,uv,patch beside the colour "
-         "(default all)")
-      ->type_name("LIST");
+         "(all)")
+      ->option_text("LIST");
   sub->add_option("--frames", arguments->settings.frames,
-                  "Frames to time after a first one; the median is reported")
+                  "Frames to time after a first one; the median is reported (3)")
       ->check(CLI::Range(1, 100000))
-      ->capture_default_str();
-  sub->add_option("--gl", arguments->platform, "Where OpenGL comes from")
+      ->option_text("N");
+  sub->add_option("--gl", arguments->platform,
+                  "Where OpenGL comes from; auto tries EGL, then OSMesa (auto)")
       ->check(CLI::IsMember(kPlatforms))
-      ->capture_default_str();
+      ->option_text("auto|egl|osmesa");
   sub->add_flag("--json", arguments->json, "Print one JSON object on standard output");
   sub->footer(kExamples);
   sub->callback([arguments, &command] {

@@ -1,0 +1,251 @@
+// The main job from a scan to a picture, through the command alone.
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "common/image_io.h"
+#include "common/srgb.h"
+#include "tests/cli/run_relief.h"
+
+namespace relief::test {
+namespace {
+
+using nlohmann::json;
+
+class EndToEnd : public CliTest {
+ protected:
+  /// Runs a command that must succeed with JSON on standard output and nothing on standard error.
+  json run_json(std::vector<std::string> arguments, const RunOptions& options = {}) {
+    arguments.emplace_back("--json");
+    const Outcome run = run_relief(arguments, options);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+    json parsed = json::parse(run.out, nullptr, false);
+    EXPECT_TRUE(parsed.is_object()) << run.out;
+    return parsed.is_object() ? parsed : json::object();
+  }
+};
+
+void expect_keys(const json& object, const std::set<std::string>& keys) {
+  for (const std::string& key : keys) EXPECT_TRUE(object.contains(key)) << key;
+}
+
+/// A flat square of n x n points of one colour, in XY.
+std::string square_ply(int n, const std::string& colour) {
+  std::string ply = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(n * n) +
+                    "\nproperty float x\nproperty float y\nproperty float z\n"
+                    "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n";
+  for (int i = 0; i < n * n; ++i) {
+    ply += std::to_string(i % n) + " " + std::to_string(i / n) + " 0 " + colour + "\n";
+  }
+  return ply;
+}
+
+TEST_F(EndToEnd, ConvertMeasuresWhatItDid) {
+  const std::string scan = write_knot(20000);
+  json result = run_json({"convert", scan, "-o", path("knot.relief")});
+  expect_keys(result, {"points", "points_dropped", "duplicates_merged", "normals_repaired",
+                       "patches", "samples", "spacing", "file_bytes", "seconds", "error_rms",
+                       "error_max", "psnr_db", "uncovered_points"});
+  EXPECT_GE(result["points"], 20000);
+  EXPECT_EQ(result["points_dropped"], 0);
+  EXPECT_EQ(result["duplicates_merged"], 0);
+  EXPECT_EQ(result["file_bytes"], std::filesystem::file_size(path("knot.relief")));
+  EXPECT_EQ(result["uncovered_points"], 0);  // a closed surface without noise
+  // 71.5 dB when written; a bump is 0.04 high in a diagonal of 9.7, so that losing the bumps alone
+  // would leave 54 dB.
+  EXPECT_GT(result["psnr_db"], 65.0);
+  // About as many samples as points; the overlap margin of small patches adds a third.
+  EXPECT_GT(result["samples"], 18000);
+  EXPECT_LT(result["samples"], 34000);
+}
+
+TEST_F(EndToEnd, ConvertTellsAPersonToo) {
+  const Outcome run = run_relief({"convert", write_knot(3000), "-o", path("knot.relief")});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.err, "");  // no progress bar where there is no terminal
+  EXPECT_NE(run.out.find("patches"), std::string::npos) << run.out;
+}
+
+TEST_F(EndToEnd, ProgressIsDrawnOnATerminalAndWiped) {
+  RunOptions options;
+  options.terminal = true;
+  const Outcome run = run_relief({"convert", write_knot(3000), "-o", path("knot.relief")}, options);
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_NE(run.err.find("resample"), std::string::npos) << run.err;
+  const std::string wipe = "\r\x1b[K";
+  ASSERT_GE(run.err.size(), wipe.size());
+  EXPECT_EQ(run.err.substr(run.err.size() - wipe.size()), wipe);
+}
+
+TEST_F(EndToEnd, InfoTellsWhatConvertWrote) {
+  const std::string file = path("knot.relief");
+  json converted = run_json({"convert", write_knot(5000), "-o", file});
+  json info = run_json({"info", file, "--verify"});
+  expect_keys(info, {"version", "codec", "patches", "samples", "levels", "spacing", "file_bytes",
+                     "bounds_min", "bounds_max", "attributes"});
+  for (const char* key : {"patches", "samples", "spacing", "file_bytes"}) {
+    EXPECT_EQ(info[key], converted[key]) << key;
+  }
+  EXPECT_EQ(info["version"], 1);
+  EXPECT_EQ(info["attributes"], json({"normal", "colour"}));
+  EXPECT_NEAR(info["bounds_max"][0], 3.5, 0.1);  // ring 3 and tube 0.5, plus bumps and sampling
+}
+
+TEST_F(EndToEnd, TheFileDoesNotDependOnTheThreads) {
+  const std::string scan = write_knot(30000);
+  std::vector<std::string> files;
+  for (const char* threads : {"1", "2", "4"}) {
+    const std::string file = path(std::string("knot") + threads + ".relief");
+    run_json({"convert", scan, "-o", file, "--threads", threads});
+    files.push_back(bytes_of(file));
+  }
+  ASSERT_FALSE(files[0].empty());
+  EXPECT_EQ(files[0], files[1]);
+  EXPECT_EQ(files[0], files[2]);
+}
+
+TEST_F(EndToEnd, SeveralScansAreOne) {
+  const std::string scan = write_knot(5000);
+  json once = run_json({"convert", scan, "-o", path("once.relief")});
+  json twice = run_json({"convert", scan, scan, "-o", path("twice.relief")});
+  EXPECT_EQ(twice["points"], once["points"]);
+  EXPECT_EQ(twice["duplicates_merged"], once["points"]);
+  EXPECT_EQ(bytes_of(path("once.relief")), bytes_of(path("twice.relief")));
+}
+
+TEST_F(EndToEnd, PointsThatAreNoneAreCounted) {
+  std::string scan;
+  for (int i = 0; i < 900; ++i) {
+    scan += std::to_string(i % 30) + " " + std::to_string(i / 30) + " 0\n";
+  }
+  json result = run_json({"convert", write("square.xyz", scan + "nan 1 2\n0 0 0\n1 inf 0\n"), "-o",
+                          path("square.relief")});
+  EXPECT_EQ(result["points"], 900);
+  EXPECT_EQ(result["points_dropped"], 2);
+  EXPECT_EQ(result["duplicates_merged"], 1);
+}
+
+TEST_F(EndToEnd, TheSmallDragon) {
+  const std::string scan =
+      std::string(RELIEF_SOURCE_DIR) + "/../shared/data/scans/dragon/dragon_vrip_res4.ply.gz";
+  if (!std::filesystem::exists(scan)) GTEST_SKIP() << "no scan data beside this checkout";
+  json result = run_json({"convert", scan, "-o", path("dragon.relief")});
+  EXPECT_EQ(result["points"], 5205);
+  EXPECT_LE(result["uncovered_points"], 2);  // 0.05 % of the points
+  json picture =
+      run_json({"render", path("dragon.relief"), "-o", path("dragon.png"), "--size", "320x256"});
+  // The Dragon fills a good part of its bounding sphere's disc, which is 51,000 pixels here.
+  EXPECT_GT(picture["covered_pixels"], 10000);
+  EXPECT_LT(picture["covered_pixels"], 40000);
+}
+
+TEST_F(EndToEnd, RenderWritesEveryChannel) {
+  json result = run_json(
+      {"render", write_knot(5000), "-o", path("knot.exr"), "--size", "160x128", "--frames", "1"});
+  expect_keys(result, {"engine", "primitive", "interpolation", "renderer", "width", "height",
+                       "frame_ms", "covered_pixels", "fragments"});
+  EXPECT_EQ(result["engine"], "onepass");
+  EXPECT_EQ(result["width"], 160);
+  EXPECT_GT(result["covered_pixels"], 3000);
+  const auto image = read_image(path("knot.exr"));
+  ASSERT_TRUE(image) << image.error().message;
+  for (const char* name : {"R", "G", "B", "A", "N.X", "N.Y", "N.Z", "Z", "UV.U", "UV.V", "patch"}) {
+    EXPECT_NE(image->find(name), nullptr) << name;
+  }
+}
+
+TEST_F(EndToEnd, OutputsChooseTheChannels) {
+  run_json({"render", write_knot(5000), "-o", path("knot.exr"), "--size", "64x64", "--outputs",
+            "depth"});
+  const auto image = read_image(path("knot.exr"));
+  ASSERT_TRUE(image) << image.error().message;
+  EXPECT_EQ(image->channels.size(), 5U);
+  EXPECT_NE(image->find("Z"), nullptr);
+}
+
+TEST_F(EndToEnd, EveryMaterialAndPrimitiveDraws) {
+  const std::string model = path("knot.relief");
+  run_json({"convert", write_knot(5000), "-o", model});
+  std::set<std::string> pictures;
+  for (const std::string material : {"unlit", "lit", "mirror"}) {
+    for (const std::string primitive : {"quad", "sprite"}) {
+      for (const std::string interpolation : {"direct", "corrected"}) {
+        const std::string picture = path("knot.png");
+        json result =
+            run_json({"render", model, "-o", picture, "--size", "160x128", "--material", material,
+                      "--primitive", primitive, "--interpolation", interpolation});
+        EXPECT_GT(result["covered_pixels"], 3000) << material << primitive << interpolation;
+        pictures.insert(bytes_of(picture));
+      }
+    }
+  }
+  // Materials and interpolations differ for certain; primitives may agree to the last bit.
+  EXPECT_GE(pictures.size(), 6U);
+}
+
+TEST_F(EndToEnd, UnlitIsTheStoredColourExactly) {
+  const std::string scan = write("square.ply", square_ply(40, "200 100 50"));
+  run_json({"render", scan, "-o", path("square.png"), "--material", "unlit", "--size", "64x64",
+            "--background", "none"});
+  const auto image = read_image(path("square.png"));
+  ASSERT_TRUE(image) << image.error().message;
+  const std::size_t middle = 32U * 64U + 32U;
+  const auto value = [&](const char* name, std::size_t at) {
+    return srgb8_from_linear(image->find(name)->values[at]);
+  };
+  EXPECT_EQ(value("R", middle), 200);
+  EXPECT_EQ(value("G", middle), 100);
+  EXPECT_EQ(value("B", middle), 50);
+  ASSERT_NE(image->find("A"), nullptr);
+  EXPECT_EQ(image->find("A")->values[middle], 1.0F);
+  EXPECT_EQ(image->find("A")->values[0], 0.0F);
+}
+
+TEST_F(EndToEnd, BackgroundIsAnSrgbColour) {
+  const std::string scan = write("square.ply", square_ply(20, "200 100 50"));
+  run_json(
+      {"render", scan, "-o", path("square.png"), "--size", "64x64", "--background", "0.2,0.4,1"});
+  const auto image = read_image(path("square.png"));
+  ASSERT_TRUE(image) << image.error().message;
+  EXPECT_EQ(srgb8_from_linear(image->find("R")->values[0]), 51);
+  EXPECT_EQ(srgb8_from_linear(image->find("G")->values[0]), 102);
+  EXPECT_EQ(srgb8_from_linear(image->find("B")->values[0]), 255);
+}
+
+TEST_F(EndToEnd, ThePictureDoesNotDependOnLlvmpipesThreads) {
+  const std::string model = path("knot.relief");
+  run_json({"convert", write_knot(20000), "-o", model});
+  std::vector<std::string> pictures;
+  for (const char* threads : {"1", "4"}) {
+    const std::string picture = path(std::string("knot") + threads + ".exr");
+    RunOptions options;
+    options.environment = {{"LP_NUM_THREADS", threads}};
+    run_json({"render", model, "-o", picture, "--size", "320x256", "--orbit", "-20,15"}, options);
+    pictures.push_back(bytes_of(picture));
+  }
+  ASSERT_FALSE(pictures[0].empty());
+  EXPECT_EQ(pictures[0], pictures[1]);
+}
+
+TEST_F(EndToEnd, EyeTargetAndOrbitAgree) {
+  const std::string model = path("square.relief");
+  run_json({"convert", write("square.ply", square_ply(41, "90 90 90")), "-o", model});
+  // The square's middle is (20, 20, 0), its bounding radius 20 sqrt(2).
+  const double distance = 3.0 * 20.0 * std::sqrt(2.0);
+  run_json({"render", model, "-o", path("orbit.png"), "--size", "64x64", "--orbit", "0,0,3"});
+  run_json({"render", model, "-o", path("eye.png"), "--size", "64x64", "--eye",
+            "20,20," + std::to_string(distance), "--target", "20,20,0"});
+  const auto orbit = read_image(path("orbit.png"));
+  const auto eye = read_image(path("eye.png"));
+  ASSERT_TRUE(orbit && eye);
+  // std::to_string cuts the distance after six digits: only pixels at a border may differ.
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < orbit->find("R")->values.size(); ++i) {
+    if (orbit->find("R")->values[i] != eye->find("R")->values[i]) ++different;
+  }
+  EXPECT_LE(different, 8U);
+}
+
+}  // namespace
+}  // namespace relief::test

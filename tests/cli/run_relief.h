@@ -1,0 +1,58 @@
+// Runs the built `relief` command as a user's shell would, and looks at all it leaves.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace relief::test {
+
+/// What a run left behind.
+struct Outcome {
+  int exit_code = 0;  ///< minus the signal's number if one ended it
+  std::string out;
+  std::string err;
+};
+
+struct RunOptions {
+  std::vector<std::pair<std::string, std::string>> environment;  ///< added to the test's own
+  std::optional<std::uint64_t> largest_file;  ///< bytes; a write beyond them fails (RLIMIT_FSIZE)
+  bool terminal = false;                      ///< standard error is a terminal
+  std::string interrupt_at;  ///< with `terminal`: SIGINT once standard error shows this text
+};
+
+Outcome run_relief(const std::vector<std::string>& arguments, const RunOptions& options = {});
+
+/// A test with a directory of its own, gone afterwards.
+class CliTest : public testing::Test {
+ protected:
+  void SetUp() override;
+  void TearDown() override;
+
+  /// A path in the directory.
+  [[nodiscard]] std::string path(const std::string& name) const { return directory_ / name; }
+  /// Writes a file into the directory and returns its path.
+  std::string write(const std::string& name, const std::string& bytes) const;
+  /// Writes the generated knot (models/knot_scan.h) and returns its path.
+  std::string write_knot(std::size_t points) const;
+  /// Names of all files in the directory, sorted.
+  [[nodiscard]] std::vector<std::string> files() const;
+
+  /// Runs `arguments`, which must fail as every failure should: exit code 1, one line on standard
+  /// error that names `about`, nothing on standard output, and no file made or left.
+  void expect_refused(const std::vector<std::string>& arguments, const std::string& about,
+                      const RunOptions& options = {}) const;
+
+ private:
+  std::filesystem::path directory_;
+};
+
+/// The bytes of a file; empty if there is none.
+std::string bytes_of(const std::string& path);
+
+}  // namespace relief::test

@@ -1,0 +1,71 @@
+// Wrong usage is told before any work and ends with exit code 2; help and version with 0.
+#include "tests/cli/run_relief.h"
+
+namespace relief::test {
+namespace {
+
+TEST(Usage, WrongUsageIsExitCodeTwo) {
+  const std::vector<std::vector<std::string>> wrong = {
+      {},
+      {"shine"},
+      {"convert"},
+      {"convert", "scan.ply"},
+      {"convert", "scan.ply", "-o"},
+      {"convert", "scan.ply", "-o", "x.relief", "--spacing", "0"},
+      {"convert", "scan.ply", "-o", "x.relief", "--spacing", "wide"},
+      {"convert", "scan.ply", "-o", "x.relief", "--cone-degrees", "90"},
+      {"convert", "scan.ply", "-o", "x.relief", "--overlap", "-1"},
+      {"convert", "scan.ply", "-o", "x.relief", "--threads", "0"},
+      {"convert", "scan.ply", "-o", "x.relief", "--sparkle"},
+      {"info"},
+      {"info", "x.relief", "y.relief"},
+      {"render", "x.relief"},
+      {"render", "x.relief", "-o", "x.jpg"},
+      {"render", "x.relief", "-o", "x"},
+      {"render", "x.relief", "-o", "x.png", "--size", "640"},
+      {"render", "x.relief", "-o", "x.png", "--size", "0x480"},
+      {"render", "x.relief", "-o", "x.png", "--size", "99999x480"},
+      {"render", "x.relief", "-o", "x.png", "--orbit", "10"},
+      {"render", "x.relief", "-o", "x.png", "--orbit", "10,20,-1"},
+      {"render", "x.relief", "-o", "x.png", "--orbit", "10,nan"},
+      {"render", "x.relief", "-o", "x.png", "--eye", "1,2"},
+      {"render", "x.relief", "-o", "x.png", "--eye", "1,2,3", "--orbit", "0,0"},
+      {"render", "x.relief", "-o", "x.png", "--eye", "1,2,3", "--target", "1,2,3"},
+      {"render", "x.relief", "-o", "x.png", "--target", "1,2,3"},
+      {"render", "x.relief", "-o", "x.png", "--eye", "1,2,3", "--up", "0,0,0"},
+      {"render", "x.relief", "-o", "x.png", "--fov", "180"},
+      {"render", "x.relief", "-o", "x.png", "--engine", "ewa"},
+      {"render", "x.relief", "-o", "x.png", "--primitive", "cell"},
+      {"render", "x.relief", "-o", "x.png", "--material", "gold"},
+      {"render", "x.relief", "-o", "x.png", "--background", "255,0,0"},
+      {"render", "x.relief", "-o", "x.png", "--background", "black"},
+      {"render", "x.relief", "-o", "x.png", "--outputs", "normal"},
+      {"render", "x.relief", "-o", "x.exr", "--outputs", "smell"},
+      {"render", "x.relief", "-o", "x.png", "--frames", "0"},
+  };
+  for (const auto& arguments : wrong) {
+    const Outcome run = run_relief(arguments);
+    std::string line;
+    for (const auto& argument : arguments) line += argument + " ";
+    EXPECT_EQ(run.exit_code, 2) << line << run.err;
+    EXPECT_EQ(run.out, "") << line;
+    EXPECT_NE(run.err, "") << line;
+  }
+}
+
+TEST(Usage, HelpAndVersionAreResults) {
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"--help"},
+                                             {"--version"},
+                                             {"convert", "--help"},
+                                             {"info", "--help"},
+                                             {"render", "--help"}}) {
+    const Outcome run = run_relief(arguments);
+    EXPECT_EQ(run.exit_code, 0);
+    EXPECT_EQ(run.err, "");
+    EXPECT_NE(run.out.find("elief"), std::string::npos) << run.out;
+  }
+}
+
+}  // namespace
+}  // namespace relief::test
