@@ -125,6 +125,12 @@ std::string find_fault(const PatchSummary& patch) {
   if (!is_rotation(patch.axes)) return "its axes are no rotation";
   if (!is_positive(patch.spacing)) return "its spacing is not above 0";
   if (!is_positive(patch.height_step)) return "its height step is not above 0";
+  // Heights are 65534 steps at most: beyond these ratios a patch is a plane or a needle, and sums
+  // of its slopes leave double precision.
+  const double steps_per_cell = patch.spacing / patch.height_step;
+  if (!(steps_per_cell >= 1e-6 && steps_per_cell <= 1e9)) {
+    return "its height step does not go with its spacing";
+  }
   if (patch.width == 0 || patch.height == 0 || patch.width > kMaxPatchSide ||
       patch.height > kMaxPatchSide) {
     return fmt::format("its size {}x{} is not within 1x1 to {}x{} nodes", patch.width, patch.height,

@@ -1,28 +1,98 @@
-// Predicting an integer on a grid with holes from the neighbours that a decoder already has.
+// Predicting integers on a grid with holes from the neighbours that a decoder already has.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
+
+#include "common/residuals.h"
 
 namespace relief {
 
-/// Predicts the value at node (i, j) of a row-major grid from its western and northern neighbours,
-/// as far as `kept` marks them: the plane W + N - NW through three of them, otherwise the nearest
-/// one; `last` (the value kept last in scan order) where there is none.
-template <class Value>
-[[nodiscard]] std::int32_t predict(const Value* values, const std::uint8_t* kept, std::size_t width,
-                                   std::size_t i, std::size_t j, std::int32_t last) {
-  const std::size_t k = j * width + i;
-  const bool west = i > 0 && kept[k - 1] != 0;
-  const bool north = j > 0 && kept[k - width] != 0;
-  const bool north_west = i > 0 && j > 0 && kept[k - width - 1] != 0;
-  if (west && north && north_west) return values[k - 1] + values[k - width] - values[k - width - 1];
-  if (west) return values[k - 1];
-  if (north) return values[k - width];
-  if (north_west) return values[k - width - 1];
-  if (j > 0 && i + 1 < width && kept[k - width + 1] != 0) return values[k - width + 1];
-  return last;
+/// A row-major grid of integers of which some are kept (1) and the others are holes (0).
+struct KeptGrid {
+  std::size_t width = 0;
+  std::size_t height = 0;
+  std::span<const std::uint8_t> kept;
+};
+
+/// The neighbours of a node that come before it in scan order. A value without its flag is 0.
+struct Neighbours {
+  bool west = false;
+  bool north = false;
+  bool north_west = false;
+  bool north_east = false;
+  std::int32_t w = 0;
+  std::int32_t n = 0;
+  std::int32_t nw = 0;
+  std::int32_t ne = 0;
+};
+
+/// The plane through three neighbours, or the nearest neighbour, or `last` (the value kept last).
+[[nodiscard]] inline std::int32_t predict_plane(const Neighbours& at, std::int32_t last) {
+  if (at.west && at.north && at.north_west) return at.w + at.n - at.nw;
+  if (at.west) return at.w;
+  if (at.north) return at.n;
+  if (at.north_west) return at.nw;
+  return at.north_east ? at.ne : last;
+}
+
+/// The mean of the western and the northern neighbour, rounded toward zero; for what varies little
+/// about zero and has no slope to continue.
+[[nodiscard]] inline std::int32_t predict_mean(const Neighbours& at, std::int32_t /*last*/) {
+  if (at.west && at.north) return (at.w + at.n) / 2;
+  return at.w + at.n;
+}
+
+/// Calls `visit(k, prediction)` for each kept node k in scan order; it returns the value there.
+/// Reads `values` only at kept nodes that were visited before.
+template <class Predict, class Visit>
+void visit_predicted(const KeptGrid& grid, std::span<const std::int32_t> values,
+                     const Predict& predict, const Visit& visit) {
+  const std::size_t width = grid.width;
+  std::int32_t last = 0;
+  std::size_t k = 0;
+  for (std::size_t j = 0; j < grid.height; ++j) {
+    for (std::size_t i = 0; i < width; ++i, ++k) {
+      if (grid.kept[k] == 0) continue;
+      Neighbours at;
+      at.west = i > 0 && grid.kept[k - 1] != 0;
+      if (at.west) at.w = values[k - 1];
+      if (j > 0) {
+        at.north = grid.kept[k - width] != 0;
+        at.north_west = i > 0 && grid.kept[k - width - 1] != 0;
+        at.north_east = i + 1 < width && grid.kept[k - width + 1] != 0;
+        if (at.north) at.n = values[k - width];
+        if (at.north_west) at.nw = values[k - width - 1];
+        if (at.north_east) at.ne = values[k - width + 1];
+      }
+      last = visit(k, predict(at, last));
+    }
+  }
+}
+
+/// Appends the residual of each kept value, modulo 2^16.
+template <class Predict>
+void append_predicted(const KeptGrid& grid, std::span<const std::int32_t> values,
+                      const Predict& predict, std::vector<std::uint16_t>& residuals) {
+  visit_predicted(grid, values, predict, [&](std::size_t k, std::int32_t prediction) {
+    residuals.push_back(zigzag(static_cast<std::uint16_t>(values[k] - prediction)));
+    return values[k];
+  });
+}
+
+/// The inverse of append_predicted: sets each kept value to what `from_bits` makes of its 16 bits.
+/// `residuals` are as many as there are kept nodes.
+template <class Predict, class FromBits>
+void undo_predicted(const KeptGrid& grid, std::span<const std::uint16_t> residuals,
+                    const Predict& predict, const FromBits& from_bits,
+                    std::span<std::int32_t> values) {
+  auto residual = residuals.begin();
+  visit_predicted(grid, values, predict, [&](std::size_t k, std::int32_t prediction) {
+    values[k] = from_bits(static_cast<std::uint16_t>(prediction + unzigzag(*residual++)));
+    return values[k];
+  });
 }
 
 }  // namespace relief

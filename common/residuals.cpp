@@ -90,4 +90,9 @@ Result<std::vector<std::uint16_t>> take_residuals(ByteReader& in, std::size_t co
   return residuals;
 }
 
+Status check_end(const ByteReader& in) {
+  if (in.left() > 0) return make_error("{} bytes are left after the last stream", in.left());
+  return {};
+}
+
 }  // namespace relief

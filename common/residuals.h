@@ -31,6 +31,9 @@ void append_residuals(std::vector<std::byte>& out, std::span<const std::uint16_t
 /// The inverse of append_residuals, for `count` residuals.
 Result<std::vector<std::uint16_t>> take_residuals(ByteReader& in, std::size_t count);
 
+/// Fails if anything is left when everything should be decoded: writer and reader disagree.
+Status check_end(const ByteReader& in);
+
 /// Small numbers of either sign as small unsigned ones: 0, -1, 1, -2 ... become 0, 1, 2, 3 ...
 /// All arithmetic is modulo 2^16, so every pair of value and prediction has a residual.
 [[nodiscard]] constexpr std::uint16_t zigzag(std::uint16_t difference) {
