@@ -15,8 +15,8 @@ constexpr std::uint32_t kNoCluster = 0xFFFFFFFFU;
 // The neighbours that make a border between two regions.
 constexpr std::uint32_t kBorderNeighbours = 8;
 
-constexpr double kCompactnessWeight = 0.02;
-constexpr double kSizeWeight = 3.0;
+constexpr double kCompactnessWeight = 0.01;
+constexpr double kSizeWeight = 2.0;
 
 // A region while it grows.
 struct Cluster {
