@@ -16,7 +16,7 @@ struct ConvertOptions {
       0.0;  ///< largest angle between a patch's normal and its points' normals; 0: default
   int overlap_cells = 1;     ///< width of the overlap margin, in grid cells
   double height_step = 0.0;  ///< world units per height index; 0: spacing / 20
-  int colour_scale = 1;      ///< colour texels per grid cell along each side
+  int colour_scale = 2;      ///< colour texels per grid cell along each side
   int threads = 0;           ///< 0: all cores. The result does not depend on it.
 };
 
