@@ -158,6 +158,10 @@ class PlyBody {
 
 }  // namespace
 
+bool is_ply(std::string_view text) {
+  return text.starts_with("ply") && text.substr(3, 1).find_first_of("\n\r ") == 0;
+}
+
 Result<Points> read_ply(const Source& source) {
   const auto header = read_ply_header(source);
   if (!header) return header.error();

@@ -89,7 +89,7 @@ Result<PlyHeader> read_ply_header(const Source& source) {
       PlyElement element;
       element.name = lower_case(line.word());
       std::int64_t count = 0;
-      if (!line.integer(count) || count < 0) return wrong("the number of elements");
+      if (!line.integer(count, 0)) return wrong("the number of elements");
       element.count = static_cast<std::uint64_t>(count);
       header.elements.push_back(std::move(element));
     } else if (keyword == "property" && !header.elements.empty()) {

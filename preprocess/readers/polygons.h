@@ -9,8 +9,7 @@
 
 namespace relief {
 
-/// Appends a polygon as a fan about its first corner. Corners that are no points (kNoPoint) leave
-/// their triangles out. Fewer than three corners: nothing.
+/// Appends a polygon as a fan about its first corner; nothing if it has fewer than three corners.
 inline void append_polygon(std::span<const std::uint32_t> corners,
                            std::vector<Triangle>& triangles) {
   for (std::size_t i = 2; i < corners.size(); ++i) {
@@ -19,7 +18,8 @@ inline void append_polygon(std::span<const std::uint32_t> corners,
 }
 
 /// Appends triangle strips as PLY's `tristrips` has them: each index makes a triangle with the two
-/// before it, every second one turned round; kNoPoint (written -1) starts a new strip.
+/// before it, every second one turned round; kNoPoint (written -1) starts a new strip,
+/// and with it the turning.
 inline void append_strips(std::span<const std::uint32_t> indices,
                           std::vector<Triangle>& triangles) {
   std::size_t start = 0;

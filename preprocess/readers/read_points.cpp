@@ -29,7 +29,9 @@ Result<ReadResult> read_and_clean(const std::filesystem::path& path, Progress& p
     bytes = gunzip(name, *bytes, largest_text(), progress);
     if (!bytes) return bytes.error();
   }
-  const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+  std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+  // Editors on Windows put this mark before text.
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   const auto reader = find_reader(path, text);
   if (!reader) return reader.error();
   progress.begin_stage("read", text.size());

@@ -17,4 +17,34 @@ namespace relief {
 /// different surfaces.
 Result<Points> read_ply(const Source& source);
 
+/// PCD 0.7 and earlier: ascii, binary, binary_compressed. Fields x y z of any number type, normal_x
+/// normal_y normal_z, rgb or rgba packed in a float or an integer, r g b. A viewpoint that is not
+/// the default is kept.
+Result<Points> read_pcd(const Source& source);
+
+/// Wavefront OBJ: v (also with colours), vn, vt, f with polygons and negative indices, lines
+/// continued with a backslash. A vertex gets the mean of its corners' normals and its first
+/// corner's texture coordinates: a seam of the texture is lost.
+Result<Points> read_obj(const Source& source);
+
+/// OFF as text, with the prefixes ST, C and N, with or without the keyword.
+Result<Points> read_off(const Source& source);
+
+/// STL, ASCII or binary. Each facet brings its own three points; clean_points merges them. Facet
+/// normals are not read: the triangles have them.
+Result<Points> read_stl(const Source& source);
+
+/// A point per line, numbers separated by blanks, commas or semicolons; what the columns mean is
+/// found by find_column_roles. Lines above the numbers and comments (#, //, %) are passed over.
+Result<Points> read_xyz(const Source& source);
+
+/// Whether the first bytes, or the length, are as the format demands.
+[[nodiscard]] bool is_ply(std::string_view text);
+[[nodiscard]] bool is_pcd(std::string_view text);
+[[nodiscard]] bool is_off(std::string_view text);
+/// The size of the file is just what a binary STL file with its number of facets has. Text never
+/// passes: its 81st to 84th characters, taken as a number, ask for 25 GB or more.
+[[nodiscard]] bool is_binary_stl(std::string_view text);
+[[nodiscard]] bool is_ascii_stl(std::string_view text);
+
 }  // namespace relief

@@ -28,8 +28,8 @@ class TextCursor {
   /// Takes a number from the line: decimal, with or without exponent, nan, inf. False, and nothing
   /// taken, if there is none. Values beyond double become infinite or zero.
   [[nodiscard]] bool number(double& value);
-  /// Takes an integer, if the next word is one that 64 bits hold.
-  [[nodiscard]] bool integer(std::int64_t& value);
+  /// Takes an integer, if the next word is one from `least` to what 64 bits hold.
+  [[nodiscard]] bool integer(std::int64_t& value, std::int64_t least = INT64_MIN);
   /// Takes a word; empty at the end of the line.
   [[nodiscard]] std::string_view word();
   /// The next word, not taken.

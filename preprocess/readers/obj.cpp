@@ -1,0 +1,170 @@
+#include <charconv>
+#include <utility>
+
+#include "preprocess/readers/colours.h"
+#include "preprocess/readers/polygons.h"
+#include "preprocess/readers/readers.h"
+#include "preprocess/readers/text_cursor.h"
+
+namespace relief {
+namespace {
+
+/// What a face says about one of its corners: indices from 0; kNoPoint where there is none.
+struct Corner {
+  std::uint32_t position = kNoPoint;
+  std::uint32_t texcoord = kNoPoint;
+  std::uint32_t normal = kNoPoint;
+};
+
+/// OBJ counts from 1, or backwards from the last one so far: -1.
+std::uint32_t resolve(std::int64_t index, std::size_t so_far) {
+  if (index < 0) index += static_cast<std::int64_t>(so_far) + 1;
+  return index >= 1 && index < std::int64_t{kNoPoint} ? static_cast<std::uint32_t>(index - 1)
+                                                      : kNoPoint;
+}
+
+class ObjReader {
+ public:
+  explicit ObjReader(const Source& source)
+      : source_(source), line_(source.text, " \t\f\v\\", '#') {}
+
+  Result<Points> read() {
+    ReadMeter meter(source_);
+    while (line_.next_line()) {
+      if (!meter.advance_to(line_.offset())) return interrupted_error();
+      if (Status status = read_line(); !status) return status.error();
+    }
+    if (points_.size() >= kNoPoint) return too_many_points(source_, points_.size());
+    give_normals();
+    give_texcoords();
+    // Colours that only some vertices have are of no use.
+    if (colours_.size() == points_.size()) {
+      points_.colours = to_colours(colours_, ColourNumbers::Real);
+    }
+    return std::move(points_);
+  }
+
+ private:
+  Error wrong(std::string_view what) {
+    return make_error("{}: {}; the file is truncated or damaged", source_.name,
+                      line_.expected(what));
+  }
+
+  /// Statements that say nothing about points and faces (groups, materials, curves) are passed
+  /// over.
+  Status read_line() {
+    const std::string_view keyword = line_.word();
+    if (keyword == "v") return read_vertex();
+    if (keyword == "vn") {
+      if (!read_numbers(3)) return wrong("three numbers of a normal");
+      normals_.emplace_back(numbers_[0], numbers_[1], numbers_[2]);
+    } else if (keyword == "vt") {
+      // One number is legal: v is then 0.
+      if (!read_numbers(1)) return wrong("a texture coordinate");
+      texcoords_.emplace_back(numbers_[0], numbers_[1]);
+    } else if (keyword == "f" || keyword == "fo") {
+      return read_face();
+    }
+    return {};
+  }
+
+  /// Reads up to eight numbers, `least` or more, to the line's end; those not there are 0.
+  bool read_numbers(std::size_t least) {
+    std::fill(std::begin(numbers_), std::end(numbers_), 0.0);
+    for (count_ = 0; count_ < std::size(numbers_) && !line_.at_line_end(); ++count_) {
+      if (!line_.number(numbers_[count_])) return false;
+    }
+    return count_ >= least && line_.at_line_end();
+  }
+
+  /// v x y z [w] [r g b]
+  Status read_vertex() {
+    if (!read_numbers(3)) return wrong("three coordinates, and a colour at most");
+    points_.positions.emplace_back(numbers_[0], numbers_[1], numbers_[2]);
+    if (count_ >= 6) {
+      const std::size_t red = count_ == 6 ? 3 : 4;
+      colours_.emplace_back(numbers_[red], numbers_[red + 1], numbers_[red + 2]);
+    }
+    return {};
+  }
+
+  Status read_face() {
+    polygon_.clear();
+    while (!line_.at_line_end()) {
+      Corner corner;
+      if (!parse_corner(line_.peek(), corner))
+        return wrong("a corner such as 1, 1/2, 1//3 or 1/2/3");
+      (void)line_.word();
+      polygon_.push_back(corner.position);
+      corners_.push_back(corner);
+    }
+    append_polygon(polygon_, points_.triangles);
+    return {};
+  }
+
+  bool parse_corner(std::string_view word, Corner& corner) const {
+    std::uint32_t* const fields[] = {&corner.position, &corner.texcoord, &corner.normal};
+    const std::size_t so_far[] = {points_.size(), texcoords_.size(), normals_.size()};
+    const char* p = word.data();
+    const char* const end = p + word.size();
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::int64_t index = 0;
+      const auto [stop, code] = std::from_chars(p, end, index);
+      if (code == std::errc{}) *fields[i] = resolve(index, so_far[i]);
+      // Only the position is a must: 1//3, 1/2/ and 1/ are met.
+      if (code != std::errc{} && (i == 0 || stop != p)) return false;
+      if (stop == end) return true;
+      if (*stop != '/') return false;
+      p = stop + 1;
+    }
+    return false;
+  }
+
+  /// A vertex gets the mean direction of its corners' normals; without faces, the normals are the
+  /// vertices', one by one, if there are as many.
+  void give_normals() {
+    if (corners_.empty() && normals_.size() == points_.size())
+      points_.normals = std::move(normals_);
+    for (const Corner& corner : corners_) {
+      if (corner.normal >= normals_.size() || corner.position >= points_.size()) continue;
+      if (points_.normals.empty()) points_.normals.assign(points_.size(), glm::vec3(0.0F));
+      points_.normals[corner.position] += normals_[corner.normal];
+    }
+  }
+
+  /// A vertex gets the texture coordinates of its first corner that has some.
+  void give_texcoords() {
+    if (corners_.empty() && texcoords_.size() == points_.size()) {
+      points_.texcoords = std::move(texcoords_);
+    }
+    std::vector<bool> given;
+    for (const Corner& corner : corners_) {
+      if (corner.texcoord >= texcoords_.size() || corner.position >= points_.size()) continue;
+      if (given.empty()) {
+        points_.texcoords.assign(points_.size(), glm::vec2(0.0F));
+        given.assign(points_.size(), false);
+      }
+      if (!given[corner.position]) points_.texcoords[corner.position] = texcoords_[corner.texcoord];
+      given[corner.position] = true;
+    }
+  }
+
+  const Source& source_;
+  TextCursor line_;
+  Points points_;
+  std::vector<glm::vec3> normals_;
+  std::vector<glm::vec2> texcoords_;
+  std::vector<glm::vec3> colours_;
+  std::vector<Corner> corners_;
+  std::vector<std::uint32_t> polygon_;
+  double numbers_[8] = {};
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+Result<Points> read_obj(const Source& source) {
+  return ObjReader(source).read();
+}
+
+}  // namespace relief
