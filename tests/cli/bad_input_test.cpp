@@ -1,4 +1,5 @@
 // What can't be done is said in one sentence, with exit code 1 and no file made or left.
+#include <fmt/format.h>
 #include <sys/mount.h>
 #include <unistd.h>
 
@@ -74,9 +75,9 @@ TEST_F(BadInput, ScenesAreNotThereYet) {
 TEST_F(BadInput, CountsLargerThanTheFile) {
   for (const std::string format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
     for (const std::string count : {"4000000000", "18446744073709551615", "1000", "-1"}) {
-      expect_no_conversion(write("hostile.ply", "ply\nformat " + format + " 1.0\nelement vertex " +
-                                                    count + "\n" + kPlyHeaderEnd + "0 0 0\n"),
-                           "hostile.ply");
+      const std::string header =
+          fmt::format("ply\nformat {} 1.0\nelement vertex {}\n{}", format, count, kPlyHeaderEnd);
+      expect_no_conversion(write("hostile.ply", header + "0 0 0\n"), "hostile.ply");
     }
   }
   expect_no_conversion(
