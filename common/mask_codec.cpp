@@ -27,13 +27,13 @@ void append_mask(std::vector<std::byte>& out, std::span<const std::uint8_t> mask
     state = change;
     start = k;
   }
-  append_stream(out, runs);
+  append_sized_stream(out, runs);
 }
 
 Result<std::vector<std::uint8_t>> take_mask(ByteReader& in, std::size_t width, std::size_t height) {
   const std::size_t nodes = width * height;
   // Each run but the first is at least one node long and one of n nodes takes at most n bytes.
-  const auto runs = take_stream_up_to(in, nodes + 1);
+  const auto runs = take_sized_stream(in, nodes + 1);
   if (!runs) return runs.error();
 
   std::vector<std::uint8_t> mask(nodes, 0);

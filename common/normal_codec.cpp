@@ -47,7 +47,8 @@ double slope(const std::int32_t* node, std::size_t at, std::size_t count, std::p
   return 0.0;
 }
 
-/// The normals of the decoded heights at the samples, in units of `step`. No product here is followed by a sum, so that compilers that fuse the two get the same.
+/// The normals of the decoded heights at the samples, in units of `step`. No product here is
+/// followed by a sum, so that compilers that fuse the two get the same.
 std::vector<glm::i16vec2> normals_of_heights(const Patch& patch, std::int32_t step) {
   const auto width = static_cast<std::ptrdiff_t>(patch.width);
   const double steps_per_cell = patch.spacing / patch.height_step;

@@ -62,6 +62,23 @@ bool is_map_scale_valid(const PatchSummary& patch, std::uint32_t scale) {
   return scale > 0 && scale * cells + 1 <= kMaxPatchSide;
 }
 
+/// Viewers cull by the index's heights, so that they must be the decoded ones.
+Status check_height_range(const Patch& patch, const PatchSummary& summary) {
+  std::int32_t lowest = kMaxHeightRange;
+  std::int32_t highest = 0;
+  for (const std::int32_t h : patch.heights) {
+    if (h == kHole) continue;
+    lowest = std::min(lowest, h);
+    highest = std::max(highest, h);
+  }
+  if (summary.samples == 0) lowest = 0;
+  if (lowest != summary.min_height || highest != summary.max_height) {
+    return make_error("they are {} to {} where the index says {} to {}", lowest, highest,
+                      summary.min_height, summary.max_height);
+  }
+  return {};
+}
+
 /// Bytes of the decoded model, at least.
 std::uint64_t decoded_bytes(const FileIndex& index) {
   std::uint64_t bytes = 0;
@@ -145,9 +162,11 @@ Result<Patch> PatchFile::read_patch(std::uint64_t index) const try {
   if (heights == nullptr) {
     return make_error("{}: patch {} has no heights; the file is damaged", s.name, index);
   }
-  if (Status read = s.read_chunk(
-          index, "heights", *heights,
-          [&](const auto& bytes) { return decode_heights(bytes, summary.samples, patch); });
+  if (Status read = s.read_chunk(index, "heights", *heights,
+                                 [&](const auto& bytes) {
+                                   Status decoded = decode_heights(bytes, summary.samples, patch);
+                                   return decoded ? check_height_range(patch, summary) : decoded;
+                                 });
       !read) {
     return read.error();
   }

@@ -34,7 +34,11 @@ Result<std::span<const std::byte>> take_frame(ByteReader& in) {
 
 void append_stream(std::vector<std::byte>& out, std::span<const std::uint8_t> bytes) {
   const bool zero = std::all_of(bytes.begin(), bytes.end(), [](std::uint8_t b) { return b == 0; });
-  if (zero) {
+  append_sized_stream(out, zero ? std::span<const std::uint8_t>() : bytes);
+}
+
+void append_sized_stream(std::vector<std::byte>& out, std::span<const std::uint8_t> bytes) {
+  if (bytes.empty()) {
     append_number(out, std::uint32_t{0});
     return;
   }
@@ -57,7 +61,7 @@ Result<std::vector<std::uint8_t>> take_stream(ByteReader& in, std::size_t decode
   return decompress(*frame, decoded_size);
 }
 
-Result<std::vector<std::uint8_t>> take_stream_up_to(ByteReader& in, std::size_t largest) {
+Result<std::vector<std::uint8_t>> take_sized_stream(ByteReader& in, std::size_t largest) {
   const auto frame = take_frame(in);
   if (!frame) return frame.error();
   if (frame->empty()) return std::vector<std::uint8_t>();

@@ -21,8 +21,12 @@ void append_stream(std::vector<std::byte>& out, std::span<const std::uint8_t> by
 /// bytes and no more. An error is a clause without the file's name ("the stream ...").
 Result<std::vector<std::uint8_t>> take_stream(ByteReader& in, std::size_t decoded_size);
 
-/// Takes a stream of at most `largest` decoded bytes that says its decoded size itself.
-Result<std::vector<std::uint8_t>> take_stream_up_to(ByteReader& in, std::size_t largest);
+/// Appends `bytes` as a stream that tells its decoded size: as append_stream, but size 0 only if
+/// there are no bytes at all.
+void append_sized_stream(std::vector<std::byte>& out, std::span<const std::uint8_t> bytes);
+
+/// Takes what append_sized_stream appended, refusing more than `largest` bytes.
+Result<std::vector<std::uint8_t>> take_sized_stream(ByteReader& in, std::size_t largest);
 
 /// Appends 16-bit residuals as two streams, low bytes and high bytes: the high ones are nearly
 /// always zero and then cost nothing.

@@ -50,6 +50,9 @@ inline std::string slurp(const std::filesystem::path& path) {
 }
 
 inline void spill(const std::filesystem::path& path, const std::string& bytes) {
+  // Removed first: ext4 writes a file that is truncated and filled again to the disk at once, which
+  // makes thousands of small ones slow.
+  std::filesystem::remove(path);
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
