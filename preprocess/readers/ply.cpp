@@ -53,7 +53,10 @@ class PlyBody {
 
   Error failure(const PlyElement& element, std::uint64_t index) {
     return make_error("{}: {} ({} {} of {}); the file is truncated or damaged", source_.name,
-                      values_.failure(), element.name, index + 1, element.count);
+                      impossible_list_
+                          ? values_.place() + ": a list is longer than the file or less than 0"
+                          : values_.failure(),
+                      element.name, index + 1, element.count);
   }
 
   Status read_vertices(const PlyElement& element) {
@@ -137,13 +140,13 @@ class PlyBody {
     return list_count(property, count) && values_.skip_values(property.type, count);
   }
 
-  /// A list's length; false if the rest of the file is shorter.
+  /// A list's length; false if there is none or the rest of the file is shorter.
   bool list_count(const PlyProperty& property, std::uint64_t& count) {
     double value = 0.0;
     if (!values_.value(*property.count_type, value)) return false;
-    if (!(value >= 0.0) || value != std::floor(value)) return false;
-    if (value > static_cast<double>(values_.left() / Values::least_size(property.type)))
-      return false;
+    const auto most = static_cast<double>(values_.left() / Values::least_size(property.type));
+    impossible_list_ = !(value >= 0.0 && value <= most && value == std::floor(value));
+    if (impossible_list_) return false;
     count = static_cast<std::uint64_t>(value);
     return true;
   }
@@ -154,6 +157,7 @@ class PlyBody {
   Values values_;
   Points points_;
   std::vector<std::uint32_t> list_;
+  bool impossible_list_ = false;
 };
 
 }  // namespace

@@ -16,9 +16,15 @@ class PlyAsciiValues {
  public:
   PlyAsciiValues(std::string_view text, std::size_t body) : text_(text) { text_.skip_to(body); }
 
-  [[nodiscard]] bool begin_element() { return text_.next_line(); }
+  [[nodiscard]] bool begin_element() {
+    ended_ = false;
+    return text_.next_line();
+  }
   [[nodiscard]] bool value(NumberType /*type*/, double& value) { return text_.number(value); }
-  [[nodiscard]] bool end_element() { return text_.at_line_end(); }
+  [[nodiscard]] bool end_element() {
+    ended_ = true;
+    return text_.at_line_end();
+  }
   [[nodiscard]] bool skip_values(NumberType /*type*/, std::uint64_t count) {
     for (std::uint64_t i = 0; i < count; ++i) {
       if (text_.word().empty()) return false;
@@ -33,11 +39,13 @@ class PlyAsciiValues {
   [[nodiscard]] std::size_t offset() const { return text_.offset(); }
   /// Where and why the last call returned false.
   [[nodiscard]] std::string failure() {
-    return text_.expected(text_.at_line_end() ? "a number" : "a number or the line's end");
+    return text_.expected(ended_ ? "the line's end" : "a number");
   }
+  [[nodiscard]] std::string place() const { return fmt::format("line {}", text_.line_number()); }
 
  private:
   TextCursor text_;
+  bool ended_ = false;  ///< whether all numbers of the element were there
 };
 
 /// A binary body.
@@ -63,9 +71,8 @@ class PlyBinaryValues {
   [[nodiscard]] static std::uint64_t least_size(NumberType type) { return size_of(type); }
   [[nodiscard]] std::uint64_t left() const { return text_.size() - offset_; }
   [[nodiscard]] std::size_t offset() const { return offset_; }
-  [[nodiscard]] std::string failure() const {
-    return fmt::format("byte {}: the data ends early", offset_);
-  }
+  [[nodiscard]] std::string failure() const { return place() + ": the data end early"; }
+  [[nodiscard]] std::string place() const { return fmt::format("byte {}", offset_); }
 
  private:
   std::string_view text_;

@@ -3,13 +3,13 @@
 #include <unistd.h>
 
 #include <new>
-#include <span>
 #include <stdexcept>
 #include <utility>
 
 #include "common/file.h"
 #include "preprocess/readers/format.h"
 #include "preprocess/readers/gunzip.h"
+#include "preprocess/readers/readers.h"
 
 namespace relief {
 namespace {
@@ -21,23 +21,24 @@ std::uint64_t largest_text() {
   return pages * page_size / 2;
 }
 
-Result<ReadResult> read_and_clean(const std::filesystem::path& path, Progress& progress) {
-  auto bytes = read_file(path);
-  if (!bytes) return bytes.error();
+Result<ReadResult> read_and_clean(const std::filesystem::path& path, std::vector<std::byte> bytes,
+                                  Progress& progress) {
   const std::string name = path.string();
-  if (is_gzip(*bytes)) {
-    bytes = gunzip(name, *bytes, largest_text(), progress);
-    if (!bytes) return bytes.error();
+  if (is_gzip(bytes)) {
+    auto unpacked = gunzip(name, bytes, largest_text(), progress);
+    if (!unpacked) return unpacked.error();
+    bytes = std::move(*unpacked);
   }
-  std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+  std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   // Editors on Windows put this mark before text.
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  if (text.empty()) return make_error("{}: the file is empty", name);
   const auto reader = find_reader(path, text);
   if (!reader) return reader.error();
   progress.begin_stage("read", text.size());
   auto points = (*reader)({name, text, progress});
   if (!points) return points.error();
-  *bytes = std::vector<std::byte>();  // frees; = {} would keep the memory
+  bytes = std::vector<std::byte>();  // frees; = {} would keep the memory
 
   ReadResult result = clean_points(std::move(*points));
   if (result.points.positions.empty()) {
@@ -51,12 +52,23 @@ Result<ReadResult> read_and_clean(const std::filesystem::path& path, Progress& p
 
 }  // namespace
 
-Result<ReadResult> read_points(const std::filesystem::path& path, Progress& progress) {
+Result<ReadResult> read_bytes(const std::filesystem::path& path, std::vector<std::byte> bytes,
+                              Progress& progress) {
   try {
-    return read_and_clean(path, progress);
+    return read_and_clean(path, std::move(bytes), progress);
   } catch (const std::bad_alloc&) {
     return make_error("{}: there is not enough memory to read it", path.string());
   } catch (const std::length_error&) {
+    return make_error("{}: there is not enough memory to read it", path.string());
+  }
+}
+
+Result<ReadResult> read_points(const std::filesystem::path& path, Progress& progress) {
+  try {
+    auto bytes = read_file(path);
+    if (!bytes) return bytes.error();
+    return read_bytes(path, std::move(*bytes), progress);
+  } catch (const std::bad_alloc&) {
     return make_error("{}: there is not enough memory to read it", path.string());
   }
 }

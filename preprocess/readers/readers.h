@@ -1,9 +1,19 @@
 // One reader per format: bytes in, points as the file has them out.
 #pragma once
 
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+#include "preprocess/read_points.h"
 #include "preprocess/readers/source.h"
 
 namespace relief {
+
+/// read_points for bytes that are already in memory: decompresses them, finds the format, reads and
+/// cleans. `path` tells the format where the bytes do not, and begins errors.
+Result<ReadResult> read_bytes(const std::filesystem::path& path, std::vector<std::byte> bytes,
+                              Progress& progress);
 
 /// Each reader returns every point of the file, NaN and duplicates included, with the attributes
 /// that all points have. Triangles may name points that do not exist; clean_points drops them. A

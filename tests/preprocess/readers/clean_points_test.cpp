@@ -1,0 +1,75 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "preprocess/read_points.h"
+
+namespace relief::test {
+namespace {
+
+using glm::dvec3;
+using glm::vec3;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+TEST(CleanPointsTest, LeavesCleanPointsAsTheyAre) {
+  Points points;
+  points.positions = {{3, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  points.triangles = {{2, 0, 1}};
+  points.viewpoint = dvec3(7, 8, 9);
+  const ReadResult result = clean_points(points);
+  EXPECT_EQ(result.points.positions, points.positions);
+  EXPECT_EQ(result.points.triangles, points.triangles);
+  EXPECT_EQ(result.points.viewpoint, points.viewpoint);
+  EXPECT_EQ(result.points_in_file, 3U);
+  EXPECT_EQ(result.dropped_nonfinite + result.merged_duplicates, 0U);
+}
+
+TEST(CleanPointsTest, DropsNonFiniteMergesEqualAndKeepsTheOrderOfFirstAppearance) {
+  Points points;
+  points.positions = {{kNan, 0, 0}, {2, 0, 0}, {0, kInfinite, 0}, {1, 0, 0},
+                      {2, 0, 0},    {0, 0, 0}, {-0.0, 0, -0.0}};
+  points.normals = {vec3(9), {0, 0, 1}, vec3(9), {1, 0, 0}, {0, 1, 0}, vec3(NAN), {0, 0, 1}};
+  points.colours = {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {4, 4, 4}, {5, 5, 5}, {6, 6, 6}};
+  points.texcoords = {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}, {6, 0}};
+  const ReadResult result = clean_points(points);
+  EXPECT_EQ(result.points_in_file, 7U);
+  EXPECT_EQ(result.dropped_nonfinite, 2U);
+  EXPECT_EQ(result.merged_duplicates, 2U);
+  EXPECT_EQ(result.points.positions, (std::vector<dvec3>{{2, 0, 0}, {1, 0, 0}, {0, 0, 0}}));
+  EXPECT_EQ(result.points.normals, (std::vector<vec3>{{0, 1, 1}, {1, 0, 0}, {0, 0, 1}}));
+  EXPECT_EQ(result.points.colours, (std::vector<glm::u8vec3>{{1, 1, 1}, {3, 3, 3}, {5, 5, 5}}));
+  EXPECT_EQ(result.points.texcoords, (std::vector<glm::vec2>{{1, 0}, {3, 0}, {5, 0}}));
+}
+
+TEST(CleanPointsTest, RenumbersTrianglesAndDropsTheDegenerate) {
+  Points points;
+  points.positions = {{0, 0, 0}, {kNan, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 1, 0}};
+  points.triangles = {{0, 2, 4}, {3, 2, 4}, {0, 1, 2}, {0, 3, 4}, {0, 2, 5}, {0, 2, UINT32_MAX}};
+  const ReadResult result = clean_points(points);
+  EXPECT_EQ(result.points.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 1, 2}}));
+}
+
+TEST(CleanPointsTest, NothingIsLeftOfNothing) {
+  EXPECT_EQ(clean_points({}).points.size(), 0U);
+  Points points;
+  points.positions.assign(5, dvec3(kNan));
+  points.triangles = {{0, 1, 2}};
+  const ReadResult result = clean_points(points);
+  EXPECT_EQ(result.points.size() + result.points.triangles.size(), 0U);
+  EXPECT_EQ(result.dropped_nonfinite, 5U);
+}
+
+TEST(CleanPointsTest, AMillionEqualPointsTakeNoLongerThanDifferentOnes) {
+  // One second is 50 times what it takes; quadratic work would take an hour.
+  Points points;
+  points.positions.assign(1'000'000, dvec3(1, 2, 3));
+  const ReadResult result = clean_points(std::move(points));
+  EXPECT_EQ(result.points.size(), 1U);
+  EXPECT_EQ(result.merged_duplicates, 999'999U);
+}
+
+}  // namespace
+}  // namespace relief::test
