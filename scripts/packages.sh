@@ -10,8 +10,8 @@ group() {
   case $1 in
     build) echo cmake ninja-build g++ pkg-config libeigen3-dev libnanoflann-dev libtbb-dev libglm-dev \
       libfmt-dev libcli11-dev nlohmann-json3-dev libzstd-dev zlib1g-dev libopenexr-dev libpng-dev \
-      libepoxy-dev libegl-dev libgl-dev ;;
-    run) echo libegl1 libgl1-mesa-dri libosmesa6 ;;  # OpenGL in software where there is no GPU
+      libegl-dev libgl-dev ;;
+    run) echo libegl1 libgl1-mesa-dri libosmesa6 ;;  # opened while running; Mesa draws without a GPU
     test) echo libgtest-dev clang-tidy clang-format ;;
     demo) echo npm ca-certificates ;;                # the Dragon comes in an npm package
     *) echo "packages.sh: no group '$1'; there are build, run, test and demo" >&2; return 2 ;;
@@ -27,7 +27,11 @@ installed() {
 list_only=false
 if [ "${1:-}" = --list ]; then list_only=true; shift; fi
 names=()
-for name in "$@"; do read -ra more <<<"$(group "$name")"; names+=("${more[@]}"); done
+for name in "$@"; do
+  found=$(group "$name")
+  read -ra more <<<"$found"
+  names+=("${more[@]}")
+done
 if $list_only; then printf '%s\n' "${names[@]}"; exit; fi
 
 if ! command -v apt-get >/dev/null; then
@@ -38,14 +42,14 @@ missing=()
 for name in "${names[@]}"; do installed "$name" || missing+=("$name"); done
 [ ${#missing[@]} -eq 0 ] && exit 0
 
-as_root=()
+as_root=(env)
 if [ "$(id -u)" -ne 0 ]; then
   command -v sudo >/dev/null || {
     echo "packages.sh: not root and no sudo; as root run: apt-get install ${missing[*]}" >&2; exit 1; }
-  as_root=(sudo)
+  as_root=(sudo env)
 fi
+as_root+=(DEBIAN_FRONTEND=noninteractive DEBCONF_NOWARNINGS=yes)
 echo "Installing: ${missing[*]}"
-export DEBIAN_FRONTEND=noninteractive
 # A list that can't be refreshed (some other source of this machine) may still hold what we need.
 "${as_root[@]}" apt-get update -qq || true
 "${as_root[@]}" apt-get install -y -qq --no-install-recommends -o Acquire::Retries=3 \
