@@ -1,0 +1,63 @@
+#include "renderer/atlas.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace relief {
+namespace {
+
+/// Layers need not be larger than this unless a map is: 16 MiB at four bytes a texel.
+constexpr std::uint32_t kUsualSide = 2048;
+
+std::uint32_t layer_side(const std::vector<glm::uvec2>& sizes) {
+  std::uint64_t area = 0;
+  std::uint32_t side = 1;
+  for (const glm::uvec2 size : sizes) {
+    area += std::uint64_t{size.x} * size.y;
+    side = std::max({side, size.x, size.y});
+  }
+  // About a tenth of a layer is lost to the shelves.
+  while (side < kUsualSide && std::uint64_t{side} * side < area + area / 8) {
+    side = std::min(side + side / 4 + 1, kUsualSide);
+  }
+  return side;
+}
+
+}  // namespace
+
+std::optional<Atlas> pack_atlas(const std::vector<glm::uvec2>& sizes, std::uint32_t largest_side,
+                                std::uint32_t most_layers) {
+  const std::uint32_t side = layer_side(sizes);
+  if (side > largest_side) return std::nullopt;
+  std::vector<std::size_t> order(sizes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&sizes](std::size_t a, std::size_t b) { return sizes[a].y > sizes[b].y; });
+
+  Atlas atlas;
+  atlas.spots.resize(sizes.size());
+  AtlasSpot next;  // on the current shelf
+  std::uint32_t shelf_top = 0;
+  std::uint32_t used_rows = 1;
+  for (const std::size_t m : order) {
+    const glm::uvec2 size = sizes[m];
+    if (next.x + size.x > side) {
+      next.x = 0;
+      next.y = shelf_top;
+    }
+    if (next.y + size.y > side) {
+      next = {0, 0, next.layer + 1};
+      shelf_top = 0;
+    }
+    atlas.spots[m] = next;
+    next.x += size.x;
+    shelf_top = std::max(shelf_top, next.y + size.y);
+    used_rows = std::max(used_rows, shelf_top);
+  }
+  atlas.layers = next.layer + 1;
+  atlas.size = {side, used_rows};
+  if (atlas.layers > most_layers) return std::nullopt;
+  return atlas;
+}
+
+}  // namespace relief

@@ -1,0 +1,66 @@
+#include "renderer/engines/onepass/draw_list.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace relief::onepass {
+namespace {
+
+/// Distance of a patch's sphere from the eye along the view axis.
+double nearest_depth(const StoredPatch& patch, const View& view) {
+  const glm::dvec3 c = view.rotation * (patch.centre - view.eye);
+  return -c.z - patch.radius;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> find_visible(const PatchStore& store, const View& view) {
+  std::vector<std::uint32_t> visible;
+  std::vector<double> distance(store.patches.size());
+  for (std::uint32_t p = 0; p < store.patches.size(); ++p) {
+    const StoredPatch& patch = store.patches[p];
+    if (patch.records == 0 || !sees_sphere(view, patch.centre, patch.radius)) continue;
+    distance[p] = glm::distance(patch.centre, view.eye) - patch.radius;
+    visible.push_back(p);
+  }
+  std::stable_sort(visible.begin(), visible.end(), [&distance](std::uint32_t a, std::uint32_t b) {
+    return distance[a] < distance[b];
+  });
+  return visible;
+}
+
+std::vector<std::uint32_t> find_near(const PatchStore& store, const View& view,
+                                     const std::vector<std::uint32_t>& visible, double depth) {
+  std::vector<std::uint32_t> near;
+  std::copy_if(visible.begin(), visible.end(), std::back_inserter(near),
+               [&](std::uint32_t p) { return nearest_depth(store.patches[p], view) < depth; });
+  return near;
+}
+
+std::vector<ArraysCommand> point_commands(const PatchStore& store,
+                                          const std::vector<std::uint32_t>& patches,
+                                          std::uint32_t page) {
+  std::vector<ArraysCommand> commands;
+  for (const std::uint32_t p : patches) {
+    const StoredPatch& patch = store.patches[p];
+    if (patch.page == page) commands.push_back({patch.records, 1, patch.first_record, p});
+  }
+  return commands;
+}
+
+std::vector<ElementsCommand> quad_commands(const PatchStore& store,
+                                           const std::vector<std::uint32_t>& patches,
+                                           std::uint32_t page) {
+  std::vector<ElementsCommand> commands;
+  for (const std::uint32_t p : patches) {
+    const StoredPatch& patch = store.patches[p];
+    if (patch.page != page) continue;
+    for (std::uint32_t k = 0; k < patch.records; k += kQuadsPerCommand) {
+      const std::uint32_t quads = std::min(kQuadsPerCommand, patch.records - k);
+      commands.push_back({6 * quads, 1, 0, static_cast<GLint>(4 * (patch.first_record + k)), p});
+    }
+  }
+  return commands;
+}
+
+}  // namespace relief::onepass

@@ -1,0 +1,49 @@
+// The engine `onepass` (paper 001): every sample is a splat, every fragment finds its attributes on
+// the patch, and one pass is all.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "common/error.h"
+#include "renderer/gl/functions.h"
+#include "renderer/gl/object.h"
+#include "renderer/gl/pass.h"
+#include "renderer/patch_store.h"
+#include "renderer/view.h"
+
+namespace relief::onepass {
+
+/// Draws a stored model. The model, its store and `gl` must outlive the engine.
+class Engine {
+ public:
+  /// `features` from features.h.
+  static Result<Engine> create(const Gl& gl, const PatchStore& store, std::uint32_t features);
+
+  /// Draws one frame into the bound framebuffer, whose depth was cleared to 0; the frame uniforms
+  /// must be bound. `environment` is needed by the material mirror.
+  void draw(const View& view, PassTimer& timer, const Texture* environment) const;
+
+  /// The largest sprite in pixels, for make_frame.
+  [[nodiscard]] double largest_sprite() const { return largest_sprite_; }
+
+ private:
+  Engine(const Gl& gl, const PatchStore& store, std::uint32_t features, Program program,
+         std::optional<Program> large_sprites);
+  void draw_points(const std::vector<std::uint32_t>& patches) const;
+  void draw_quads(const std::vector<std::uint32_t>& patches) const;
+  void bind_model(const Texture* environment) const;
+  void unbind_model() const;
+
+  const Gl* gl_;
+  const PatchStore* store_;
+  std::uint32_t features_;
+  Program program_;
+  std::optional<Program> large_sprites_;
+  VertexArray vertices_;
+  Buffer quad_corners_;  ///< two triangles per quad, for kQuadsPerCommand quads
+  Buffer patch_views_;   ///< shared::PatchView per patch, rewritten each frame
+  double largest_sprite_ = 0.0;
+};
+
+}  // namespace relief::onepass

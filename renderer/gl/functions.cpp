@@ -1,0 +1,51 @@
+#include "renderer/gl/functions.h"
+
+#include <string_view>
+
+#include "renderer/gl/context.h"
+
+namespace relief {
+
+Result<Gl> load_functions(const GlContext& context) {
+  Gl gl;
+  const char* missing = nullptr;
+#define RELIEF_GL_LOAD(type, name)                                        \
+  gl.name = reinterpret_cast<type>(context.get_proc_address("gl" #name)); \
+  if (gl.name == nullptr) missing = "gl" #name;
+  RELIEF_GL_FUNCTIONS(RELIEF_GL_LOAD)
+#undef RELIEF_GL_LOAD
+  if (missing != nullptr) {
+    return make_error("OpenGL from {} has no {}; Relief needs OpenGL 4.5", context.name(), missing);
+  }
+  const GLint version = 10 * get_limit(gl, GL_MAJOR_VERSION) + get_limit(gl, GL_MINOR_VERSION);
+  if (version < 45) {
+    return make_error("OpenGL from {} has version {}.{}; Relief needs 4.5", context.name(),
+                      version / 10, version % 10);
+  }
+  return gl;
+}
+
+bool has_extension(const Gl& gl, const char* name) {
+  const GLint count = get_limit(gl, GL_NUM_EXTENSIONS);
+  for (GLint i = 0; i < count; ++i) {
+    const GLubyte* extension = gl.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
+    if (extension != nullptr && reinterpret_cast<const char*>(extension) == std::string_view(name))
+      return true;
+  }
+  return false;
+}
+
+GLint get_limit(const Gl& gl, GLenum name) {
+  GLint value = 0;
+  gl.GetIntegerv(name, &value);
+  return value;
+}
+
+Status check_errors(const Gl& gl, const char* job) {
+  const GLenum code = gl.GetError();
+  if (code == GL_NO_ERROR) return {};
+  if (code == GL_OUT_OF_MEMORY) return make_error("OpenGL has not enough memory for {}", job);
+  return make_error("OpenGL reports error {:#x} at {}; this is a mistake in Relief", code, job);
+}
+
+}  // namespace relief

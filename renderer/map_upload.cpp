@@ -1,0 +1,170 @@
+#include "renderer/map_upload.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <glm/vec4.hpp>
+#include <utility>
+
+#include "common/continuation.h"
+#include "common/octahedral.h"
+#include "common/srgb.h"
+#include "renderer/samples.h"
+#include "shaders/include/shared.h"
+
+namespace relief {
+namespace {
+
+/// How a kind of map is kept by OpenGL.
+struct Format {
+  const char* label;
+  GLenum internal;
+  GLenum format;
+  GLenum type;
+  GLint filter;
+};
+
+/// A map with what surrounds it, as it is uploaded.
+template <class Texel>
+struct PaddedMap {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  std::vector<Texel> texels;
+};
+
+/// Makes the array and uploads the padded maps that `pad` gives for each patch; `sizes` are theirs.
+template <class Pad>
+Result<MapArray> upload(const Gl& gl, const PatchModel& model, const Format& format,
+                        const std::vector<glm::uvec2>& sizes, std::uint32_t ring, const Pad& pad) {
+  const auto largest = static_cast<std::uint32_t>(get_limit(gl, GL_MAX_TEXTURE_SIZE));
+  const auto most = static_cast<std::uint32_t>(get_limit(gl, GL_MAX_ARRAY_TEXTURE_LAYERS));
+  std::optional<Atlas> atlas = pack_atlas(sizes, largest, most);
+  if (!atlas) {
+    return make_error(
+        "the {} are larger than this OpenGL allows ({} texels a side, {} layers); "
+        "convert again with a larger spacing",
+        format.label, largest, most);
+  }
+  MapArray array{Texture(gl, format.label, GLenum{GL_TEXTURE_2D_ARRAY}), std::move(atlas->spots)};
+  const GLuint id = array.texture.id();
+  gl.TextureStorage3D(id, 1, format.internal, static_cast<GLsizei>(atlas->size.x),
+                      static_cast<GLsizei>(atlas->size.y), static_cast<GLsizei>(atlas->layers));
+  gl.TextureParameteri(id, GL_TEXTURE_MIN_FILTER, format.filter);
+  gl.TextureParameteri(id, GL_TEXTURE_MAG_FILTER, format.filter);
+  gl.TextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl.TextureParameteri(id, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  const Status made = check_errors(gl, format.label);
+  if (!made) return made.error();
+
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  for (std::size_t p = 0; p < model.patches.size(); ++p) {
+    const auto map = pad(model.patches[p]);
+    AtlasSpot& spot = array.spots[p];
+    gl.TextureSubImage3D(id, 0, static_cast<GLint>(spot.x), static_cast<GLint>(spot.y),
+                         static_cast<GLint>(spot.layer), static_cast<GLsizei>(map.width),
+                         static_cast<GLsizei>(map.height), 1, format.format, format.type,
+                         map.texels.data());
+    spot.x += ring;
+    spot.y += ring;
+  }
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  return array;
+}
+
+/// A ring of texels around a map that repeats its edge, so that no bilinear lookup sees the map
+/// beside it.
+template <class Out, class In>
+PaddedMap<Out> with_ring(const AttributeMap<In>& map) {
+  PaddedMap<Out> padded{map.width + 2, map.height + 2, {}};
+  padded.texels.reserve(std::size_t{padded.width} * padded.height);
+  for (std::uint32_t y = 0; y < padded.height; ++y) {
+    const std::uint32_t j = std::clamp(y, 1U, map.height) - 1;
+    for (std::uint32_t x = 0; x < padded.width; ++x) {
+      const std::uint32_t i = std::clamp(x, 1U, map.width) - 1;
+      const In& texel = map.texels[std::size_t{j} * map.width + i];
+      if constexpr (Out::length() == In::length()) {
+        padded.texels.push_back(texel);
+      } else {
+        padded.texels.push_back(Out(texel, 255));
+      }
+    }
+  }
+  return padded;
+}
+
+/// One normal per node, from the slopes of the heights.
+AttributeMap<glm::i16vec2> normals_of_heights(const Patch& patch) {
+  AttributeMap<glm::i16vec2> map{patch.width, patch.height, 1, {}};
+  map.texels.resize(patch.heights.size(), glm::i16vec2(0));
+  std::vector<std::uint8_t> kept(patch.heights.size(), 0);
+  const PatchSamples samples = make_samples(patch);
+  for (const SampleRecord& record : samples.records) {
+    const std::uint32_t i = record.place & shared::kNodeMask;
+    const std::uint32_t j = (record.place >> shared::kRowShift) & shared::kNodeMask;
+    const glm::i8vec2 steps(glm::u8vec2(record.shape >> 16U, record.shape >> 24U));
+    const glm::vec2 slope = samples.slope_step * glm::vec2(steps);
+    const std::size_t k = std::size_t{j} * patch.width + i;
+    map.texels[k] = snorm16_from_unit(glm::normalize(glm::vec3(-slope, 1.0F)));
+    kept[k] = 1;
+  }
+  continue_over_holes(map, kept);
+  return map;
+}
+
+}  // namespace
+
+std::int32_t normal_scale(const Patch& patch) {
+  return patch.normals.empty() ? 1 : static_cast<std::int32_t>(patch.normals.scale);
+}
+
+std::int32_t colour_scale(const Patch& patch) {
+  return patch.colours.empty() ? 0 : static_cast<std::int32_t>(patch.colours.scale);
+}
+
+Result<MapArray> upload_heights(const Gl& gl, const PatchModel& model) {
+  std::vector<glm::uvec2> sizes;
+  for (const Patch& patch : model.patches) sizes.emplace_back(patch.width + 1, patch.height + 1);
+  const Format format{"height maps", GL_R16UI, GL_RED_INTEGER, GL_UNSIGNED_SHORT, GL_NEAREST};
+  return upload(gl, model, format, sizes, 0, [](const Patch& patch) {
+    PaddedMap<std::uint16_t> map{patch.width + 1, patch.height + 1, {}};
+    map.texels.resize(std::size_t{map.width} * map.height,
+                      static_cast<std::uint16_t>(shared::kHoleTexel));
+    for (std::uint32_t j = 0; j < patch.height; ++j) {
+      for (std::uint32_t i = 0; i < patch.width; ++i) {
+        const std::int32_t h = patch.at(i, j);
+        if (h != kHole) map.texels[std::size_t{j} * map.width + i] = static_cast<std::uint16_t>(h);
+      }
+    }
+    return map;
+  });
+}
+
+Result<MapArray> upload_normals(const Gl& gl, const PatchModel& model) {
+  std::vector<glm::uvec2> sizes;
+  for (const Patch& patch : model.patches) {
+    const bool own = !patch.normals.empty();
+    sizes.emplace_back((own ? patch.normals.width : patch.width) + 2,
+                       (own ? patch.normals.height : patch.height) + 2);
+  }
+  const Format format{"normal maps", GL_RG16_SNORM, GL_RG, GL_SHORT, GL_LINEAR};
+  return upload(gl, model, format, sizes, 1, [](const Patch& patch) {
+    return with_ring<glm::i16vec2>(patch.normals.empty() ? normals_of_heights(patch)
+                                                         : patch.normals);
+  });
+}
+
+Result<MapArray> upload_colours(const Gl& gl, const PatchModel& model) {
+  std::vector<glm::uvec2> sizes;
+  for (const Patch& patch : model.patches) {
+    sizes.emplace_back(std::max(patch.colours.width, 1U) + 2,
+                       std::max(patch.colours.height, 1U) + 2);
+  }
+  const Format format{"colour maps", GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE, GL_LINEAR};
+  return upload(gl, model, format, sizes, 1, [](const Patch& patch) {
+    if (!patch.colours.empty()) return with_ring<glm::u8vec4>(patch.colours);
+    const AttributeMap<glm::u8vec3> grey{
+        1, 1, 1, {glm::u8vec3(srgb8_from_linear(shared::kNeutralGrey))}};
+    return with_ring<glm::u8vec4>(grey);
+  });
+}
+
+}  // namespace relief

@@ -1,0 +1,35 @@
+// The maps of all patches, as array textures.
+#pragma once
+
+#include <vector>
+
+#include "common/error.h"
+#include "common/patch.h"
+#include "renderer/atlas.h"
+#include "renderer/gl/functions.h"
+#include "renderer/gl/object.h"
+
+namespace relief {
+
+/// An array texture and where each patch's map begins in it (its texel (0, 0)).
+struct MapArray {
+  Texture texture;
+  std::vector<AtlasSpot> spots;
+};
+
+/// Heights as 16-bit unsigned integers; holes, and a column and a row beyond the last, are
+/// shared::kHoleTexel.
+Result<MapArray> upload_heights(const Gl& gl, const PatchModel& model);
+
+/// Octahedral normals, signed normalised, for bilinear lookups: a ring of texels around each map
+/// repeats its edge. A patch without a normal map gets the normals of its heights.
+Result<MapArray> upload_normals(const Gl& gl, const PatchModel& model);
+
+/// Colours as sRGB, with the same ring. A patch without colours gets one neutral grey texel.
+Result<MapArray> upload_colours(const Gl& gl, const PatchModel& model);
+
+/// Texels per cell of a patch's map on the GPU (0 for the one texel of a patch without colours).
+[[nodiscard]] std::int32_t normal_scale(const Patch& patch);
+[[nodiscard]] std::int32_t colour_scale(const Patch& patch);
+
+}  // namespace relief

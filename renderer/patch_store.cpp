@@ -1,0 +1,137 @@
+#include "renderer/patch_store.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "renderer/map_upload.h"
+#include "renderer/samples.h"
+#include "shaders/include/shared.h"
+
+namespace relief {
+namespace {
+
+shared::PatchInfo info_of(const Patch& patch, const PatchSamples& samples, std::size_t id) {
+  shared::PatchInfo info{};
+  info.axis_u = {glm::vec3(patch.axes[0]), static_cast<float>(patch.spacing)};
+  info.axis_v = {glm::vec3(patch.axes[1]), samples.height_step};
+  info.axis_n = {glm::vec3(patch.axes[2]), samples.slope_step};
+  info.nodes = {patch.width, patch.height, static_cast<int>(id), 0};
+  return info;
+}
+
+StoredPatch stored(const Patch& patch, const PatchSamples& samples) {
+  StoredPatch kept;
+  kept.origin = patch.origin;
+  kept.axes = patch.axes;
+  kept.spacing = patch.spacing;
+  kept.centre = patch.origin + patch.axes * (patch.spacing * samples.centre);
+  kept.radius = patch.spacing * samples.radius;
+  kept.widest_disc = patch.spacing * samples.widest_disc;
+  kept.records = static_cast<std::uint32_t>(samples.records.size());
+  return kept;
+}
+
+glm::ivec4 place_of(const AtlasSpot& spot, std::int32_t scale) {
+  return {spot.x, spot.y, spot.layer, scale};
+}
+
+/// The records of patches in the order of the model, cut into pages that shaders can see whole.
+class Pages {
+ public:
+  explicit Pages(const Gl& gl) : gl_(gl) {
+    GLint64 bytes = 0;
+    gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
+    // Quads count four vertices a record in signed 32-bit numbers.
+    const GLint64 most = std::min<GLint64>(bytes / static_cast<GLint64>(sizeof(SampleRecord)),
+                                           std::numeric_limits<std::int32_t>::max() / 4);
+    most_records_ = static_cast<std::size_t>(most);
+  }
+
+  Status add(StoredPatch& patch, const std::vector<SampleRecord>& records) {
+    if (records.size() > most_records_) {
+      return make_error(
+          "a patch has {} samples, more than this OpenGL can draw ({}); convert again "
+          "with a larger spacing",
+          records.size(), most_records_);
+    }
+    if (current_.size() + records.size() > most_records_) flush();
+    patch.page = static_cast<std::uint32_t>(pages_.size());
+    patch.first_record = static_cast<std::uint32_t>(current_.size());
+    current_.insert(current_.end(), records.begin(), records.end());
+    return {};
+  }
+
+  std::vector<Buffer> take() {
+    if (!current_.empty()) flush();
+    return std::move(pages_);
+  }
+
+ private:
+  void flush() {
+    pages_.push_back(make_buffer(gl_, "sample records", std::span<const SampleRecord>(current_)));
+    current_.clear();
+  }
+
+  const Gl& gl_;
+  std::size_t most_records_ = 0;
+  std::vector<SampleRecord> current_;
+  std::vector<Buffer> pages_;
+};
+
+}  // namespace
+
+Result<PatchStore> upload_model(const Gl& gl, const PatchModel& model, const StoreNeeds& needs) {
+  std::vector<shared::PatchInfo> table;
+  std::vector<StoredPatch> patches;
+  Pages pages(gl);
+  for (std::size_t p = 0; p < model.patches.size(); ++p) {
+    const Patch& patch = model.patches[p];
+    const PatchSamples samples = make_samples(patch);
+    table.push_back(info_of(patch, samples, p));
+    patches.push_back(stored(patch, samples));
+    const Status added = pages.add(patches.back(), samples.records);
+    if (!added) return added.error();
+  }
+
+  std::optional<Texture> heights;
+  std::optional<Texture> normals;
+  std::optional<Texture> colours;
+  if (needs.heights) {
+    Result<MapArray> maps = upload_heights(gl, model);
+    if (!maps) return maps.error();
+    for (std::size_t p = 0; p < table.size(); ++p) table[p].heights = place_of(maps->spots[p], 0);
+    heights = std::move(maps->texture);
+  }
+  if (needs.normals) {
+    Result<MapArray> maps = upload_normals(gl, model);
+    if (!maps) return maps.error();
+    for (std::size_t p = 0; p < table.size(); ++p)
+      table[p].normals = place_of(maps->spots[p], normal_scale(model.patches[p]));
+    normals = std::move(maps->texture);
+  }
+  if (needs.colours) {
+    Result<MapArray> maps = upload_colours(gl, model);
+    if (!maps) return maps.error();
+    for (std::size_t p = 0; p < table.size(); ++p)
+      table[p].colours = place_of(maps->spots[p], colour_scale(model.patches[p]));
+    colours = std::move(maps->texture);
+  }
+
+  std::vector<std::uint32_t> indices(model.patches.size());
+  std::iota(indices.begin(), indices.end(), 0U);
+  PatchStore store{std::move(patches),
+                   pages.take(),
+                   make_buffer(gl, "patch table", std::span<const shared::PatchInfo>(table)),
+                   make_buffer(gl, "patch indices", std::span<const std::uint32_t>(indices)),
+                   std::move(heights),
+                   std::move(normals),
+                   std::move(colours)};
+  const Status uploaded = check_errors(gl, "the model");
+  if (!uploaded) return uploaded.error();
+  return store;
+}
+
+}  // namespace relief

@@ -1,0 +1,52 @@
+// A model on the GPU: the patch table, the sample records, the maps in array textures.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "common/error.h"
+#include "common/patch.h"
+#include "renderer/gl/functions.h"
+#include "renderer/gl/object.h"
+
+namespace relief {
+
+/// Which maps a store holds; those that no feature reads are not uploaded.
+struct StoreNeeds {
+  bool heights = false;
+  bool normals = false;
+  bool colours = false;
+};
+
+/// What the CPU keeps of a patch on the GPU. World frame, in double precision.
+struct StoredPatch {
+  glm::dvec3 origin{0.0};
+  glm::dmat3 axes{1.0};
+  double spacing = 1.0;
+  glm::dvec3 centre{0.0};  ///< of a sphere about all of its splats
+  double radius = 0.0;
+  double widest_disc = 0.0;        ///< radius no disc of the patch exceeds, world units
+  std::uint32_t page = 0;          ///< the buffer of its records
+  std::uint32_t first_record = 0;  ///< in that page
+  std::uint32_t records = 0;
+};
+
+/// The model on the GPU. `patches` runs parallel to PatchModel::patches.
+struct PatchStore {
+  std::vector<StoredPatch> patches;
+  std::vector<Buffer> pages;  ///< sample records; more than one only for a model that is larger
+                              ///< than what OpenGL lets a shader see of one buffer
+  Buffer table;    ///< shared::PatchInfo per patch
+  Buffer indices;  ///< 0, 1, 2 ...: the per-instance attribute that names the patch
+  std::optional<Texture> heights;
+  std::optional<Texture> normals;
+  std::optional<Texture> colours;
+};
+
+/// Uploads a model. Fails if OpenGL lacks memory or a map is larger than it allows.
+Result<PatchStore> upload_model(const Gl& gl, const PatchModel& model, const StoreNeeds& needs);
+
+}  // namespace relief

@@ -1,0 +1,148 @@
+#include "renderer/targets.h"
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "shaders/include/shared.h"
+
+namespace relief {
+namespace {
+
+Texture make_attachment(const Gl& gl, const char* label, GLenum format, std::uint32_t width,
+                        std::uint32_t height) {
+  Texture texture(gl, label, GLenum{GL_TEXTURE_2D});
+  gl.TextureStorage2D(texture.id(), 1, format, static_cast<GLsizei>(width),
+                      static_cast<GLsizei>(height));
+  return texture;
+}
+
+constexpr GLenum attachment(GLuint location) {
+  return GL_COLOR_ATTACHMENT0 + location;
+}
+
+/// A channel of an attachment: its name and how EXR keeps it.
+struct ChannelName {
+  const char* name;
+  ChannelType type;
+};
+
+/// Reads an attachment of `names.size()` interleaved components, bottom row first, into channels.
+template <class Number>
+void read_channels(const Gl& gl, const Targets& targets, const Texture& texture, GLenum format,
+                   GLenum type, std::initializer_list<ChannelName> names, Image& image) {
+  const std::size_t components = names.size();
+  const std::size_t pixels = std::size_t{targets.width} * targets.height;
+  std::vector<Number> values(pixels * components);
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl.GetTextureImage(texture.id(), 0, format, type,
+                     static_cast<GLsizei>(std::min<std::size_t>(
+                         values.size() * sizeof(Number), std::numeric_limits<GLsizei>::max())),
+                     values.data());
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  std::size_t component = 0;
+  for (const ChannelName& name : names) {
+    Channel channel{name.name, name.type, std::vector<float>(pixels)};
+    for (std::size_t y = 0; y < targets.height; ++y) {
+      const Number* row = values.data() + (targets.height - 1 - y) * targets.width * components;
+      float* out = channel.values.data() + y * targets.width;
+      for (std::size_t x = 0; x < targets.width; ++x)
+        out[x] = static_cast<float>(row[x * components + component]);
+    }
+    image.channels.push_back(std::move(channel));
+    ++component;
+  }
+}
+
+}  // namespace
+
+Result<Targets> make_targets(const Gl& gl, std::uint32_t width, std::uint32_t height,
+                             const Outputs& outputs) {
+  const auto largest = static_cast<std::uint32_t>(
+      std::min(get_limit(gl, GL_MAX_TEXTURE_SIZE), get_limit(gl, GL_MAX_FRAMEBUFFER_WIDTH)));
+  if (width == 0 || height == 0 || width > largest || height > largest) {
+    return make_error("a picture of {}x{} pixels can't be drawn: this OpenGL allows 1 to {} a side",
+                      width, height, largest);
+  }
+  Targets targets{width,
+                  height,
+                  Framebuffer(gl, "picture"),
+                  make_attachment(gl, "colour", GL_RGBA16F, width, height),
+                  make_attachment(gl, "depth buffer", GL_DEPTH_COMPONENT32F, width, height),
+                  std::nullopt,
+                  std::nullopt,
+                  std::nullopt,
+                  std::nullopt};
+  const GLuint id = targets.framebuffer.id();
+  gl.NamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT, targets.z_buffer.id(), 0);
+  std::array<GLenum, 5> draw{};
+  const auto attach = [&](GLuint location, const Texture& texture) {
+    draw[location] = attachment(location);
+    gl.NamedFramebufferTexture(id, attachment(location), texture.id(), 0);
+  };
+  attach(RELIEF_OUT_COLOUR, targets.colour);
+  if (outputs.normal) {
+    targets.normal = make_attachment(gl, "normal", GL_RGBA16F, width, height);
+    attach(RELIEF_OUT_NORMAL, *targets.normal);
+  }
+  if (outputs.depth) {
+    targets.depth = make_attachment(gl, "depth", GL_R32F, width, height);
+    attach(RELIEF_OUT_DEPTH, *targets.depth);
+  }
+  if (outputs.uv) {
+    targets.uv = make_attachment(gl, "uv", GL_RG32F, width, height);
+    attach(RELIEF_OUT_UV, *targets.uv);
+  }
+  if (outputs.patch_id) {
+    targets.patch_id = make_attachment(gl, "patch id", GL_R32UI, width, height);
+    attach(RELIEF_OUT_PATCH, *targets.patch_id);
+  }
+  gl.NamedFramebufferDrawBuffers(id, static_cast<GLsizei>(draw.size()), draw.data());
+  const Status made = check_errors(gl, "the picture");
+  if (!made) return made.error();
+  if (gl.CheckNamedFramebufferStatus(id, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    return make_error("this OpenGL can't draw a picture of {}x{} pixels with these outputs", width,
+                      height);
+  return targets;
+}
+
+void clear_targets(const Gl& gl, const Targets& targets, const glm::vec3& background) {
+  const GLuint id = targets.framebuffer.id();
+  const std::array<GLfloat, 4> colour{background.x, background.y, background.z, 0.0F};
+  const std::array<GLfloat, 4> zero{};
+  const std::array<GLuint, 4> no_patch{};
+  const std::array<GLfloat, 4> infinite{std::numeric_limits<GLfloat>::infinity()};
+  gl.ClearNamedFramebufferfv(id, GL_COLOR, RELIEF_OUT_COLOUR, colour.data());
+  gl.ClearNamedFramebufferfv(id, GL_DEPTH, 0, zero.data());
+  if (targets.normal) gl.ClearNamedFramebufferfv(id, GL_COLOR, RELIEF_OUT_NORMAL, zero.data());
+  if (targets.depth) gl.ClearNamedFramebufferfv(id, GL_COLOR, RELIEF_OUT_DEPTH, infinite.data());
+  if (targets.uv) gl.ClearNamedFramebufferfv(id, GL_COLOR, RELIEF_OUT_UV, zero.data());
+  if (targets.patch_id)
+    gl.ClearNamedFramebufferuiv(id, GL_COLOR, RELIEF_OUT_PATCH, no_patch.data());
+}
+
+Image read_targets(const Gl& gl, const Targets& targets) {
+  Image image{targets.width, targets.height, {}};
+  constexpr ChannelType kHalf = ChannelType::Half;
+  constexpr ChannelType kFloat = ChannelType::Float;
+  read_channels<float>(gl, targets, targets.colour, GL_RGBA, GL_FLOAT,
+                       {{"R", kHalf}, {"G", kHalf}, {"B", kHalf}, {"A", kHalf}}, image);
+  if (targets.normal)
+    read_channels<float>(gl, targets, *targets.normal, GL_RGB, GL_FLOAT,
+                         {{"N.X", kHalf}, {"N.Y", kHalf}, {"N.Z", kHalf}}, image);
+  if (targets.depth)
+    read_channels<float>(gl, targets, *targets.depth, GL_RED, GL_FLOAT, {{"Z", kFloat}}, image);
+  if (targets.uv)
+    read_channels<float>(gl, targets, *targets.uv, GL_RG, GL_FLOAT,
+                         {{"UV.U", kFloat}, {"UV.V", kFloat}}, image);
+  if (targets.patch_id)
+    read_channels<std::uint32_t>(gl, targets, *targets.patch_id, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                                 {{"patch", ChannelType::Uint}}, image);
+  return image;
+}
+
+}  // namespace relief

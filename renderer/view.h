@@ -1,0 +1,41 @@
+// The camera as the renderer uses it: double precision until a patch is relative to the eye.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "common/camera.h"
+#include "renderer/patch_store.h"
+#include "shaders/include/shared.h"
+
+namespace relief {
+
+/// A camera with a picture size. World units, pixels.
+struct View {
+  glm::dvec3 eye{0.0};
+  glm::dmat3 rotation{1.0};  ///< world to eye directions (x right, y up, z backward)
+  glm::dmat4 projection{1.0};
+  double near = 0.0;
+  double slope_x = 1.0;  ///< half the picture's width and height at distance 1
+  double slope_y = 1.0;
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+};
+
+/// `near` only bounds what may be in front of the eye: with reversed floating-point depth a small
+/// one costs no precision.
+[[nodiscard]] View make_view(const Camera& camera, std::uint32_t width, std::uint32_t height,
+                             double near);
+
+/// The camera relative to a patch.
+[[nodiscard]] shared::PatchView view_patch(const View& view, const StoredPatch& patch);
+
+/// Whether a sphere (world) can reach into the picture.
+[[nodiscard]] bool sees_sphere(const View& view, glm::dvec3 centre, double radius);
+
+/// What all patches of a frame share. `largest_sprite` in pixels.
+[[nodiscard]] shared::Frame make_frame(const View& view, double largest_sprite);
+
+}  // namespace relief

@@ -1,0 +1,139 @@
+// What C++ and GLSL must agree on: feature bits, binding points, constants, memory layouts.
+// C++ includes it as "shaders/include/shared.h"; shaders as "include/shared.h".
+#pragma once
+
+#ifdef __cplusplus
+#include <cstddef>
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+#define RELIEF_CONST inline constexpr
+namespace relief::shared {
+using uint = std::uint32_t;
+using glm::ivec4;
+using glm::mat4;
+using glm::vec4;
+#else
+#define RELIEF_CONST const
+#endif
+
+// Feature bits: the key of a shader variant. They come from the scene and the settings alone; each
+// says what it costs a frame that has it.
+
+// Sprites, ray-cast in the fragment stage; writes gl_FragDepth, so that no fragment is rejected
+// before it is shaded. Without it: quads with their own depth.
+#define RELIEF_FEATURE_SPRITE 1u
+// The sprites that would be too large for OpenGL, as quads clipped to the disc: one more draw over
+// the patches that are near enough.
+#define RELIEF_FEATURE_LARGE_SPRITES 2u
+// Corrected interpolation: three heights and one plane intersection per fragment.
+#define RELIEF_FEATURE_CORRECTED 4u
+// A colour map: one lookup per fragment.
+#define RELIEF_FEATURE_COLOURS 8u
+// Material: at most one bit; none is unlit. Both need the normal map: one lookup per fragment.
+#define RELIEF_FEATURE_LIT 16u
+#define RELIEF_FEATURE_MIRROR 32u
+// Outputs beside the colour: an attachment of 8, 4, 8 and 4 bytes a pixel each.
+#define RELIEF_FEATURE_OUT_NORMAL 64u
+#define RELIEF_FEATURE_OUT_DEPTH 128u
+#define RELIEF_FEATURE_OUT_UV 256u
+#define RELIEF_FEATURE_OUT_PATCH 512u
+
+// Locations of the colour attachments.
+#define RELIEF_OUT_COLOUR 0
+#define RELIEF_OUT_NORMAL 1
+#define RELIEF_OUT_DEPTH 2
+#define RELIEF_OUT_UV 3
+#define RELIEF_OUT_PATCH 4
+
+// Binding points.
+#define RELIEF_BIND_SAMPLES 0
+#define RELIEF_BIND_PATCHES 1
+#define RELIEF_BIND_PATCH_VIEWS 2
+#define RELIEF_BIND_FRAME 0
+#define RELIEF_TEXTURE_HEIGHTS 0
+#define RELIEF_TEXTURE_NORMALS 1
+#define RELIEF_TEXTURE_COLOURS 2
+#define RELIEF_TEXTURE_ENVIRONMENT 3
+
+/// Vertex attribute: the patch that a draw command draws, through its base instance.
+#define RELIEF_ATTRIBUTE_PATCH 0
+
+/// The height texel of a hole.
+RELIEF_CONST uint kHoleTexel = 65535u;
+
+/// A sample record is two words. First word: column, row, width class, border flag; second word:
+/// height index, then the slope along both axes as signed bytes.
+RELIEF_CONST uint kRowShift = 14u;
+RELIEF_CONST uint kNodeMask = 0x3FFFu;
+RELIEF_CONST uint kClassShift = 28u;
+RELIEF_CONST uint kClassMask = 7u;
+RELIEF_CONST uint kBorderBit = 0x80000000u;
+
+/// Slopes (height per cell, both in cells) are clamped to this: 79 degrees.
+RELIEF_CONST float kSteepest = 5.0f;
+
+/// What the square of the base plane over which a splat extends has beyond the half cell to its
+/// neighbours, in cells, for each of the eight width classes. Squares of one half cell tile a
+/// plane, whatever its tilt; where the surface bends, the tangent planes of neighbours part, and
+/// more is needed to close the slit as seen from the side (see renderer/samples.h).
+#ifdef __cplusplus
+RELIEF_CONST float kMargins[8] = {0.02F, 0.05F, 0.09F, 0.15F, 0.22F, 0.32F, 0.5F, 0.8F};
+#else
+const float kMargins[8] = float[8](0.02, 0.05, 0.09, 0.15, 0.22, 0.32, 0.5, 0.8);
+#endif
+
+/// The same in pixels: OpenGL snaps corners to 1/256 pixel, which parts the quads of a model that
+/// is far away.
+RELIEF_CONST float kMarginPixels = 0.02f;
+
+/// How far the depth of a border splat is set back, in cells: what sticks out of a patch must not
+/// cover the surface of the next.
+RELIEF_CONST float kBorderSetBack = 0.5f;
+
+/// The largest step, in cells, from the direct to the corrected place. Beyond it the view ray runs
+/// along the triangle, and their intersection says nothing.
+RELIEF_CONST float kLargestCorrection = 1.0f;
+
+/// Linear reflectance of a model without colours: a neutral grey.
+RELIEF_CONST float kNeutralGrey = 0.5f;
+
+/// Three lights, fixed to the camera: whatever side of a scan is looked at is lit.
+RELIEF_CONST int kLights = 3;
+
+/// What does not change from frame to frame about a patch.
+struct PatchInfo {
+  vec4 axis_u;    ///< world direction of grid axis u; w: spacing (world units)
+  vec4 axis_v;    ///< of v; w: height of one height index, in cells
+  vec4 axis_n;    ///< of the height; w: slope of one slope step
+  ivec4 nodes;    ///< columns, rows, patch id, 0
+  ivec4 heights;  ///< where its height map lies: texel x, y, layer; w: 0
+  ivec4 normals;  ///< the same for the normal map; w: texels per cell
+  ivec4 colours;  ///< the same for the colour map
+};
+
+/// What the camera makes of a patch. Grid frame: (column, row, height) in cells.
+struct PatchView {
+  mat4 clip_from_grid;
+  vec4 eye;  ///< the eye in the grid frame; w: 0
+};
+
+/// What all patches of a frame share.
+struct Frame {
+  vec4 ray_origin;  ///< world direction of unit depth through window position (0, 0); w: near
+  vec4 ray_x;       ///< its change per pixel to the right; w: pixels per unit at depth 1
+  vec4 ray_y;       ///< its change per pixel upward; w: largest sprite (pixels)
+  vec4 viewport;    ///< width, height, 1/width, 1/height (pixels)
+  vec4 light_direction[kLights];  ///< world, toward the light
+  vec4 light_colour[kLights];
+  vec4 light_ambient;
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(PatchInfo) == 112 && alignof(PatchInfo) <= 16);
+static_assert(offsetof(PatchInfo, nodes) == 48 && offsetof(PatchInfo, colours) == 96);
+static_assert(sizeof(PatchView) == 80 && offsetof(PatchView, eye) == 64);
+static_assert(sizeof(Frame) == 176 && offsetof(Frame, light_direction) == 64 &&
+              offsetof(Frame, light_ambient) == 160);
+}  // namespace relief::shared
+#endif

@@ -1,0 +1,76 @@
+// Fragment stage: from a place on a patch to the outputs.
+#include "include/materials.glsl"
+
+#define RELIEF_NEEDS_NORMAL \
+  ((RELIEF_FEATURES & (RELIEF_FEATURE_LIT | RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_OUT_NORMAL)) != 0u)
+
+layout(location = RELIEF_OUT_COLOUR) out vec4 out_colour;  // linear; alpha: coverage
+#if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_NORMAL) != 0u
+layout(location = RELIEF_OUT_NORMAL) out vec4 out_normal;  // world, as the map has it
+#endif
+#if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_DEPTH) != 0u
+layout(location = RELIEF_OUT_DEPTH) out float out_depth;  // along the view axis
+#endif
+#if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_UV) != 0u
+layout(location = RELIEF_OUT_UV) out vec2 out_uv;  // grid coordinates
+#endif
+#if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_PATCH) != 0u
+layout(location = RELIEF_OUT_PATCH) out uint out_patch;  // id + 1
+#endif
+
+#if RELIEF_NEEDS_NORMAL
+layout(binding = RELIEF_TEXTURE_NORMALS) uniform sampler2DArray normal_maps;
+#endif
+#if (RELIEF_FEATURES & RELIEF_FEATURE_COLOURS) != 0u
+layout(binding = RELIEF_TEXTURE_COLOURS) uniform sampler2DArray colour_maps;
+#endif
+
+// Bilinear lookup at grid coordinates `uv`; `map` says where the patch's map lies in the array.
+vec4 look_up(sampler2DArray maps, ivec4 map, vec2 uv) {
+  vec2 texel = vec2(map.xy) + uv * float(map.w) + 0.5;
+  return textureLod(maps, vec3(texel / vec2(textureSize(maps, 0).xy), float(map.z)), 0.0);
+}
+
+vec3 unit_from_octahedral(vec2 p) {
+  vec3 n = vec3(p, 1.0 - abs(p.x) - abs(p.y));
+  float fold = max(-n.z, 0.0);
+  n.xy += vec2(n.x >= 0.0 ? -fold : fold, n.y >= 0.0 ? -fold : fold);
+  return normalize(n);
+}
+
+vec3 to_world(PatchInfo info, vec3 v) {
+  return info.axis_u.xyz * v.x + info.axis_v.xyz * v.y + info.axis_n.xyz * v.z;
+}
+
+// Shades the place `hit` of the patch, seen along `ray` (grid frame) at `depth` along the view axis.
+void shade(PatchInfo info, vec3 hit, vec3 ray, float depth) {
+  vec2 uv = clamp(hit.xy, vec2(0.0), vec2(info.nodes.xy - 1));
+#if (RELIEF_FEATURES & RELIEF_FEATURE_COLOURS) != 0u
+  vec3 albedo = look_up(colour_maps, info.colours, uv).rgb;
+#else
+  vec3 albedo = vec3(kNeutralGrey);
+#endif
+#if RELIEF_NEEDS_NORMAL
+  vec3 normal = to_world(info, unit_from_octahedral(look_up(normal_maps, info.normals, uv).xy));
+  vec3 view = normalize(to_world(info, ray));
+#endif
+#if (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u
+  out_colour = vec4(lit(albedo, facing_normal(normal, view), view), 1.0);
+#elif (RELIEF_FEATURES & RELIEF_FEATURE_MIRROR) != 0u
+  out_colour = vec4(mirror(facing_normal(normal, view), view), 1.0);
+#else
+  out_colour = vec4(albedo, 1.0);
+#endif
+#if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_NORMAL) != 0u
+  out_normal = vec4(normal, 0.0);
+#endif
+#if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_DEPTH) != 0u
+  out_depth = depth;
+#endif
+#if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_UV) != 0u
+  out_uv = uv;
+#endif
+#if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_PATCH) != 0u
+  out_patch = uint(info.nodes.z) + 1u;
+#endif
+}

@@ -1,0 +1,25 @@
+// The quad itself is the splat's plane: rasterising it has intersected the view ray with it.
+#include "include/surface.glsl"
+#if (RELIEF_FEATURES & RELIEF_FEATURE_CORRECTED) != 0u
+#include "include/interpolation.glsl"
+#endif
+
+layout(location = 0) flat in uint hit_patch;
+layout(location = 1) in vec3 hit;
+#if (RELIEF_FEATURES & RELIEF_FEATURE_LARGE_SPRITES) != 0u
+layout(location = 2) flat in vec4 disc;  // centre in the grid frame, radius
+#endif
+
+void main() {
+#if (RELIEF_FEATURES & RELIEF_FEATURE_LARGE_SPRITES) != 0u
+  if (distance(hit, disc.xyz) > disc.w) discard;
+#endif
+  PatchInfo info = patches[hit_patch];
+  vec3 place = hit;
+  vec3 ray = hit - patch_views[hit_patch].eye.xyz;
+  float depth = 1.0 / gl_FragCoord.w;
+#if (RELIEF_FEATURES & RELIEF_FEATURE_CORRECTED) != 0u
+  depth *= 1.0 + correct(place, ray, info);
+#endif
+  shade(info, place, ray, depth);
+}

@@ -1,0 +1,34 @@
+// Casts the view ray at the splat's disc.
+#include "include/surface.glsl"
+#if (RELIEF_FEATURES & RELIEF_FEATURE_CORRECTED) != 0u
+#include "include/interpolation.glsl"
+#endif
+
+layout(location = 0) flat in uint hit_patch;
+layout(location = 1) flat in vec4 disc;
+layout(location = 2) flat in vec3 plane;
+
+// The vertex stage gives the nearest point of the disc, so that a GPU can still reject early.
+layout(depth_less) out float gl_FragDepth;
+
+void main() {
+  PatchInfo info = patches[hit_patch];
+  vec3 world_ray = frame.ray_origin.xyz + gl_FragCoord.x * frame.ray_x.xyz +
+                   gl_FragCoord.y * frame.ray_y.xyz;
+  vec3 ray = vec3(dot(world_ray, info.axis_u.xyz), dot(world_ray, info.axis_v.xyz),
+                  dot(world_ray, info.axis_n.xyz)) / info.axis_u.w;  // of unit depth
+  vec3 normal = vec3(-plane.xy, 1.0);
+  float depth = dot(normal, disc.xyz) / dot(normal, ray);
+  vec3 offset = depth * ray - disc.xyz;
+  // In this form an undefined depth (a ray within the plane) is discarded too.
+  if (!(depth > 0.0 && dot(offset, offset) <= disc.w * disc.w)) discard;
+
+  gl_FragDepth = frame.ray_origin.w / depth * plane.z;
+  vec3 place = patch_views[hit_patch].eye.xyz + depth * ray;
+#if (RELIEF_FEATURES & RELIEF_FEATURE_CORRECTED) != 0u
+  float along = correct(place, depth * ray, info);
+#else
+  float along = 0.0;
+#endif
+  shade(info, place, ray, depth * (1.0 + along));
+}
