@@ -130,13 +130,14 @@ Result<std::vector<Channel>> list_channels(const Imf::Header& header) {
 
 /// OpenEXR allocates by what the header says, so the header is looked at alone first.
 std::optional<Error> check_header(std::span<const std::byte> bytes) {
-  MemoryInput stream(bytes);
-  char start[8];
-  stream.read(start, 8);
-  int version = start[4];
-  if ((static_cast<unsigned char>(start[5]) & 0x08U) != 0) {
+  // A magic number and a version of 4 bytes each come before the header.
+  if (bytes.size() < 8) return make_error("it ends too early");
+  int version = std::to_integer<int>(bytes[4]);
+  if (std::to_integer<unsigned>(bytes[5] & std::byte{0x08}) != 0) {
     return make_error("it holds deep pixels; flatten it first");
   }
+  MemoryInput stream(bytes);
+  stream.seekg(8);
   Imf::Header header;
   header.readFrom(stream, version);
   const auto channels = list_channels(header);

@@ -17,7 +17,7 @@ std::vector<std::uint8_t> sample_mask(const Patch& patch) {
 }
 
 std::vector<std::uint8_t> kept_texels(const Patch& patch, std::uint32_t scale) {
-  const std::vector<std::uint8_t> mask = sample_mask(patch);
+  std::vector<std::uint8_t> mask = sample_mask(patch);
   if (scale == 1) return mask;
   const std::size_t width = std::size_t{scale} * (patch.width - 1) + 1;
   const std::size_t height = std::size_t{scale} * (patch.height - 1) + 1;

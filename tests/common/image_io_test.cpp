@@ -115,7 +115,8 @@ void write_foreign_exr(const std::filesystem::path& path, Imf::Compression compr
 TEST(Exr, ReadsEveryCompressionScannedAndTiled) {
   const ScratchFolder folder;
   std::vector<float> values;
-  for (int k = 0; k < 64 * 32; ++k)
+  values.reserve(2048);
+  for (int k = 0; k < 2048; ++k)
     values.push_back(1.0F + 0.5F * std::sin(0.1F * static_cast<float>(k % 64)));
   for (const auto compression :
        {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION, Imf::ZIP_COMPRESSION,
@@ -197,9 +198,9 @@ TEST(Png, KeepsEvery8BitValueExactly) {
   png.version = PNG_IMAGE_VERSION;
   ASSERT_NE(png_image_begin_read_from_file(&png, (folder / "a.png").c_str()), 0);
   EXPECT_EQ(png.format, static_cast<png_uint_32>(PNG_FORMAT_RGB));
-  std::vector<std::uint8_t> samples(256 * 3);
+  std::vector<std::uint8_t> samples(std::size_t{256} * 3);
   ASSERT_NE(png_image_finish_read(&png, nullptr, samples.data(), 0, nullptr), 0);
-  for (int v = 0; v < 256; ++v) {
+  for (std::size_t v = 0; v < 256; ++v) {
     EXPECT_EQ(samples[3 * v], v);
     EXPECT_EQ(samples[3 * v + 1], 255 - v);
   }
@@ -265,7 +266,7 @@ void write_foreign_png(const std::filesystem::path& path, int bits, int colour_t
   for (int k = 0; k < 16; ++k) palette[k] = {static_cast<png_byte>(16 * k), 0, 255};
   if (colour_type == PNG_COLOR_TYPE_PALETTE) png_set_PLTE(png, info, palette, 16);
   png_write_info(png, info);
-  std::vector<png_byte> row(4 * 4 * 2);
+  std::vector<png_byte> row(32);  // 4 pixels of 4 samples of 2 bytes at most
   for (std::size_t k = 0; k < row.size(); ++k) row[k] = static_cast<png_byte>(0x21 + 8 * k);
   png_bytep rows[2] = {row.data(), row.data()};
   png_write_image(png, rows);

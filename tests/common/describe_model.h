@@ -1,0 +1,56 @@
+// A model as text, in which two readers of the patch file can be compared.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "common/patch.h"
+
+namespace relief::test {
+
+template <class Texel>
+std::string describe_map(const char* name, const AttributeMap<Texel>& map) {
+  if (map.empty()) return fmt::format("{} none\n", name);
+  std::string text = fmt::format("{} scale {} size {} {}\n", name, map.scale, map.width, map.height);
+  for (std::uint32_t j = 0; j < map.height; ++j) {
+    for (std::uint32_t i = 0; i < map.width; ++i) {
+      const Texel texel = map.texels[std::size_t{j} * map.width + i];
+      for (glm::length_t c = 0; c < Texel::length(); ++c) {
+        text += fmt::format("{}{}", c > 0 ? "," : (i > 0 ? " " : ""), texel[c]);
+      }
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+inline std::string describe(const glm::dvec3& v) {
+  return fmt::format("{:.17g} {:.17g} {:.17g}", v.x, v.y, v.z);
+}
+
+/// Everything of a model: the header's values, then each patch with a row of heights or texels a
+/// line; '.' is a hole.
+inline std::string describe(const PatchModel& model) {
+  std::string text = fmt::format("spacing {:.17g}\nbounds {} {}\nradius {:.17g}\n", model.spacing,
+                                 describe(model.bounds.min), describe(model.bounds.max),
+                                 model.bounding_radius);
+  for (const Patch& patch : model.patches) {
+    text += fmt::format("patch {} {} spacing {:.17g} step {:.17g}\norigin {}\naxes {} {} {}\n",
+                        patch.width, patch.height, patch.spacing, patch.height_step,
+                        describe(patch.origin), describe(patch.axes[0]), describe(patch.axes[1]),
+                        describe(patch.axes[2]));
+    for (std::uint32_t j = 0; j < patch.height; ++j) {
+      for (std::uint32_t i = 0; i < patch.width; ++i) {
+        if (i > 0) text += ' ';
+        text += patch.at(i, j) == kHole ? "." : fmt::format("{}", patch.at(i, j));
+      }
+      text += '\n';
+    }
+    text += describe_map("normals", patch.normals);
+    text += describe_map("colours", patch.colours);
+  }
+  return text;
+}
+
+}  // namespace relief::test
