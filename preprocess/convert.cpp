@@ -111,7 +111,7 @@ Status check_spacing(const std::vector<Region>& regions, const SurfaceSamples& s
 }
 
 // The points that can be part of a surface: all but clouds of outliers, which are much sparser than
-// the scan and not flat either. (Single outliers have no mutual neighbours and make no region.)
+// the scan and not flat either. (Single outliers are connected to nothing and make no region.)
 std::vector<std::uint32_t> surface_points(const std::vector<glm::dvec3>& positions,
                                           const NeighbourGraph& graph, const LocalFrames& frames) {
   std::vector<float> to_eighth(positions.size());

@@ -92,8 +92,7 @@ class Merger {
     for (const std::uint32_t j : graph.of(i).first(near)) {
       const std::uint32_t b = owner[j];
       if (b == a || b == kNoCluster) continue;
-      if (glm::dot(samples_.normals[i], samples_.normals[j]) <= 0.0F) continue;
-      if (!are_mutual(graph, i, j)) continue;
+      if (!on_one_sheet(samples_, i, j)) continue;
       // A point beside a straight border has about 3 of its 8 neighbours beyond it; both sides
       // count.
       const double length = double{samples_.spacing[i]} / 6.0;
@@ -158,7 +157,7 @@ class Merger {
     return true;
   }
 
-  const SurfaceSamples& samples_;
+  SurfaceSamples samples_;
   RegionTest test_;
   std::size_t small_points_;
   std::vector<Cluster> clusters_;

@@ -19,8 +19,6 @@ constexpr double kCutoff = 2.5;
 constexpr double kRidge = 2e-3;
 // The fit may leave the points' own tangent planes by this many scales; further is an overshoot.
 constexpr double kMaxOvershoot = 0.5;
-// Steepest slope that a tangent plane is followed to (84 degrees).
-constexpr float kLeastCosine = 0.1F;
 
 // Fitted normals may leave the mean normal by up to 37 degrees; further is an overshoot.
 constexpr float kLeastAgreement = 0.8F;
@@ -28,14 +26,6 @@ constexpr float kLeastAgreement = 0.8F;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Right = Eigen::Matrix<double, 6, 4>;
-
-// The height above (x, y) of a point's tangent plane.
-double tangent_height(const PatchPoints& points, std::uint32_t p, double x, double y) {
-  const glm::dvec3 q = points.positions[p];
-  const glm::vec3 n = points.normals[p];
-  const double steep = std::max(n.z, kLeastCosine);
-  return q.z - (n.x * (x - q.x) + n.y * (y - q.y)) / steep;
-}
 
 struct Sums {
   Matrix6 normal_matrix = Matrix6::Zero();

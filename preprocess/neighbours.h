@@ -1,7 +1,6 @@
 // The one neighbour search that every stage shares.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,16 +22,6 @@ struct NeighbourGraph {
     return {indices.data() + point * k, k};
   }
 };
-
-/// True if each of two points is among the other's neighbours. Points of one surface are where its
-/// density changes gently; an outlier's neighbours do not know it.
-[[nodiscard]] inline bool are_mutual(const NeighbourGraph& graph, std::uint32_t i,
-                                     std::uint32_t j) {
-  const auto of_i = graph.of(i);
-  const auto of_j = graph.of(j);
-  return std::find(of_i.begin(), of_i.end(), j) != of_i.end() &&
-         std::find(of_j.begin(), of_j.end(), i) != of_j.end();
-}
 
 /// Finds min(k, n - 1) nearest neighbours of all n points (nanoflann kd-tree, exact, in parallel).
 /// The result does not depend on the number of threads.

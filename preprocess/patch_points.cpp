@@ -10,10 +10,11 @@
 namespace relief {
 namespace {
 
-// Margin points steeper than this over the base plane (about 84 degrees) fold away from the sheet.
+// A margin is not followed beyond this slope (80 degrees): from there on a grid says little about
+// it.
+constexpr float kLeastMarginCosine = 0.17F;
+// Steepest slope that a tangent plane is followed to (84 degrees, the limit of all regions).
 constexpr float kLeastCosine = 0.1F;
-// A margin point this many spacings off a region's point's tangent plane is on another sheet.
-constexpr double kSheetTolerance = 2.0;
 
 // Directions along the smallest rectangle around the projected points: 45 turns of 2 degrees come
 // within 1 % of the best area.
@@ -50,7 +51,7 @@ void turn_to_smallest_rectangle(const SurfaceSamples& samples, const Region& reg
 }
 
 // Grows outward from the region over the neighbour graph. Each reached point remembers the region's
-// point it was reached from; the distance to that one is what `margin` limits.
+// point it was reached from; the distance to that one on the base plane is what `margin` limits.
 void grow_margin(const SurfaceSamples& samples, const NeighbourGraph& graph, const Region& region,
                  double margin, std::vector<std::uint32_t>& ids) {
   std::unordered_map<std::uint32_t, std::uint32_t> source;
@@ -63,13 +64,10 @@ void grow_margin(const SurfaceSamples& samples, const NeighbourGraph& graph, con
       const std::uint32_t from = source[i];
       for (const std::uint32_t j : graph.of(i)) {
         const glm::dvec3 step = samples.positions[j] - samples.positions[from];
-        if (glm::dot(step, step) > margin * margin) continue;
-        const glm::vec3 normal = samples.normals[j];
-        if (glm::dot(normal, region.normal) < kLeastCosine) continue;
-        if (glm::dot(normal, samples.normals[i]) <= 0.0F) continue;
-        const glm::dvec3 hop = samples.positions[j] - samples.positions[i];
-        const glm::dvec3 mean(glm::normalize(normal + samples.normals[i]));
-        if (std::abs(glm::dot(mean, hop)) > kSheetTolerance * samples.spacing[i]) continue;
+        const double rise = glm::dot(step, glm::dvec3(region.normal));
+        if (glm::dot(step, step) - rise * rise > margin * margin) continue;
+        if (glm::dot(samples.normals[j], region.normal) < kLeastMarginCosine) continue;
+        if (!on_one_sheet(samples, i, j)) continue;
         if (!source.emplace(j, from).second) continue;
         next.push_back(j);
         ids.push_back(j);
@@ -80,6 +78,13 @@ void grow_margin(const SurfaceSamples& samples, const NeighbourGraph& graph, con
 }
 
 }  // namespace
+
+double tangent_height(const PatchPoints& points, std::uint32_t point, double x, double y) {
+  const glm::dvec3 p = points.positions[point];
+  const glm::vec3 n = points.normals[point];
+  const double steep = std::max(n.z, kLeastCosine);
+  return p.z - (n.x * (x - p.x) + n.y * (y - p.y)) / steep;
+}
 
 PatchPoints collect_patch_points(const SurfaceSamples& samples, const NeighbourGraph& graph,
                                  const Region& region, double margin) {

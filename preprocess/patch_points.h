@@ -32,9 +32,13 @@ struct PatchPoints {
   [[nodiscard]] std::size_t size() const { return ids.size(); }
 };
 
+/// The height above (x, y) of a point's tangent plane, followed to slopes of 84 degrees at most.
+[[nodiscard]] double tangent_height(const PatchPoints& points, std::uint32_t point, double x,
+                                    double y);
+
 /// Collects a region's points and those around it that lie on the same sheet, up to `margin` world
-/// units away over the neighbour graph (the papers' epsilon neighbourhood). The frame's first two
-/// axes run along the smallest rectangle around the region's own points.
+/// units away on the base plane, over the neighbour graph (the papers' epsilon neighbourhood). The
+/// frame's first two axes run along the smallest rectangle around the region's own points.
 [[nodiscard]] PatchPoints collect_patch_points(const SurfaceSamples& samples,
                                                const NeighbourGraph& graph, const Region& region,
                                                double margin);

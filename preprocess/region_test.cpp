@@ -15,6 +15,9 @@ constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 constexpr double kCellInSpacings = 1.5;
 // Noise of twice its rms does not make a second sheet.
 constexpr double kToleranceInRoughness = 2.0;
+// Neighbours farther apart than this many spacings are not connected. A scan whose density changes
+// by a factor of four from one point to the next still is.
+constexpr double kLongestHop = 6.0;
 // More points in one cell than this need not all be compared with each other.
 constexpr int kMaxCompared = 8;
 
@@ -24,6 +27,18 @@ void complete_frame(glm::dvec3 n, glm::dvec3& u, glm::dvec3& v) {
   const glm::dvec3 other = std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   u = glm::normalize(glm::cross(other, n));
   v = glm::cross(n, u);
+}
+
+bool on_one_sheet(const SurfaceSamples& samples, std::uint32_t i, std::uint32_t j) {
+  if (!(glm::dot(samples.normals[i], samples.normals[j]) > 0.0F)) return false;
+  // The finer of both densities judges: an outlier's own would excuse any distance.
+  const double rough = std::min(samples.roughness[i], samples.roughness[j]);
+  const double spacing = std::min(samples.spacing[i], samples.spacing[j]);
+  const glm::dvec3 hop = samples.positions[j] - samples.positions[i];
+  const glm::dvec3 mean(glm::normalize(samples.normals[i] + samples.normals[j]));
+  return glm::length(hop) <= kLongestHop * spacing &&
+         std::abs(glm::dot(mean, hop)) <=
+             std::max(kSheetTolerance * spacing, kToleranceInRoughness * rough);
 }
 
 RegionTest::RegionTest(const SurfaceSamples& samples, const RegionLimits& limits)

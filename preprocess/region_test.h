@@ -20,11 +20,20 @@ struct SurfaceSamples {
   const std::vector<float>& roughness;  ///< noise about the local plane, world units
 };
 
+/// Points farther apart along their normal than this many local spacings are on two sheets. Points
+/// of a smooth sheet leave each other's mean tangent plane by far less, even where it bends
+/// strongly; this leaves room for noise.
+inline constexpr double kSheetTolerance = 1.1;
+
+/// True if two neighbouring points are on one sheet: like normals, and neither off the other's
+/// tangent plane. What connects regions, and what separates sheets that lie close.
+[[nodiscard]] bool on_one_sheet(const SurfaceSamples& samples, std::uint32_t i, std::uint32_t j);
+
 /// How far a region may go.
 struct RegionLimits {
-  double cone_degrees = 0.0;     ///< largest angle between base-plane normal and point normal
-  double sheet_tolerance = 1.1;  ///< points farther apart than this along the normal, in spacings
-                                 ///< of the region, are on two sheets
+  double cone_degrees = 0.0;  ///< largest angle between base-plane normal and point normal
+  double sheet_tolerance = kSheetTolerance;  ///< points farther apart than this along the normal,
+                                             ///< in spacings of the region, are on two sheets
 };
 
 /// Tests point sets; keeps its scratch memory between calls. One object per thread.
@@ -46,7 +55,7 @@ class RegionTest {
  private:
   [[nodiscard]] bool single_valued(std::span<const std::uint32_t> points, glm::vec3 normal);
 
-  const SurfaceSamples& samples_;
+  SurfaceSamples samples_;
   float cos_cone_;
   double sheet_tolerance_;
   std::vector<std::uint32_t> table_;

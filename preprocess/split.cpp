@@ -82,7 +82,7 @@ class Splitter {
     progress_.advance(points.size());
   }
 
-  const SurfaceSamples& samples_;
+  SurfaceSamples samples_;
   RegionLimits limits_;
   Progress& progress_;
   tbb::task_group tasks_;
@@ -90,7 +90,7 @@ class Splitter {
   std::vector<Region> leaves_;
 };
 
-// Parts a leaf into the pieces that are connected by mutual neighbours with like normals.
+// Parts a leaf into the pieces that are connected by neighbours on one sheet.
 void part_components(const SurfaceSamples& samples, const NeighbourGraph& graph, const Region& leaf,
                      std::vector<std::uint32_t>& mark, std::uint32_t leaf_id,
                      std::vector<Region>& out) {
@@ -107,10 +107,8 @@ void part_components(const SurfaceSamples& samples, const NeighbourGraph& graph,
       stack.pop_back();
       piece.points.push_back(i);
       for (const std::uint32_t j : graph.of(i)) {
-        if (mark[j] != leaf_id || !are_mutual(graph, i, j)) continue;
-        const glm::vec3 a = samples.normals[i];
-        const glm::vec3 b = samples.normals[j];
-        if (a.x * b.x + a.y * b.y + a.z * b.z <= 0.0F) continue;
+        if (mark[j] != leaf_id) continue;
+        if (!on_one_sheet(samples, i, j)) continue;
         mark[j] = kDone;
         stack.push_back(j);
       }

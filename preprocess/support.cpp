@@ -12,18 +12,27 @@ namespace {
 // Within this many grid spacings of a point a node is taken without further question: a border
 // moves outward by less than one spacing.
 constexpr double kReachInSpacings = 0.9;
-// Points within this many local scan spacings can surround a node. A random sampling has an empty
-// disc of radius 2.2 spacings about once in four million points (exp(-pi 2.2^2)).
-constexpr double kSurroundInSpacings = 2.2;
+// That is on the base plane; on a slope the surface is longer. Along the point's tangent plane the
+// node may be this many spacings away. (A tighter limit makes pinholes where normals are noisy.)
+constexpr double kSlopeReachInSpacings = 1.5;
+// A point takes part in surrounding nodes up to this many of its own local scan spacings away. A
+// random sampling has an empty disc of radius 2.2 spacings about once in four million points
+// (exp(-pi 2.2^2)); the rest is for densities that change within the neighbourhood.
+constexpr double kSurroundInSpacings = 2.5;
+// Such points are looked for within this many grid spacings.
+constexpr double kWidestSparseInSpacings = 8.0;
 // Surrounded: no empty sector wider than this.
 constexpr double kWidestSector = 160.0 / 180.0 * std::numbers::pi;
 
 bool surrounded(const PatchPoints& points, const PointGrid& lookup, double x, double y,
-                double radius) {
+                double spacing) {
   std::vector<double> angles;
-  lookup.for_each_within(x, y, radius, [&](std::uint32_t p, double /*squared*/) {
-    angles.push_back(std::atan2(points.positions[p].y - y, points.positions[p].x - x));
-  });
+  lookup.for_each_within(
+      x, y, kWidestSparseInSpacings * spacing, [&](std::uint32_t p, double squared) {
+        const double reach = kSurroundInSpacings * points.spacing[p];
+        if (squared > reach * reach) return;
+        angles.push_back(std::atan2(points.positions[p].y - y, points.positions[p].x - x));
+      });
   if (angles.size() < 3) return false;
   std::sort(angles.begin(), angles.end());
   double widest = angles.front() + 2.0 * std::numbers::pi - angles.back();
@@ -61,13 +70,13 @@ PatchGrid lay_grid(const PatchPoints& points, double spacing, int overlap_cells)
 bool is_supported(const PatchPoints& points, const PointGrid& lookup, double x, double y,
                   double spacing) {
   const double reach = kReachInSpacings * spacing;
-  const std::uint32_t close = lookup.nearest(x, y, reach);
-  if (close != PointGrid::kNone) return true;
-  // Sparse spots: only where the scan's own spacing is wider than the grid's can that be.
-  const std::uint32_t nearest = lookup.nearest(x, y, 8.0 * spacing);
-  if (nearest == PointGrid::kNone) return false;
-  const double radius = kSurroundInSpacings * points.spacing[nearest];
-  return radius > reach && surrounded(points, lookup, x, y, radius);
+  const double slope_reach = kSlopeReachInSpacings * spacing;
+  bool close = false;
+  lookup.for_each_within(x, y, reach, [&](std::uint32_t p, double plane_squared) {
+    const double rise = points.positions[p].z - tangent_height(points, p, x, y);
+    close |= plane_squared + rise * rise <= slope_reach * slope_reach;
+  });
+  return close || surrounded(points, lookup, x, y, spacing);
 }
 
 std::vector<NodeState> find_support(const PatchPoints& points, const PointGrid& own,

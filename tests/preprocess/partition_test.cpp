@@ -81,7 +81,7 @@ TEST(RegionTest, FindsTheConesAxisWhereTheMeanIsNot) {
   for (std::uint32_t i = 0; i < sphere.points.size(); ++i) {
     const glm::dvec3 p = sphere.points.positions[i];
     const double angle = std::acos(p.z) * 180.0 / std::numbers::pi;
-    const bool rim = std::abs(p.y) < 0.02 && p.x > 0.0 && angle < 125.0;
+    const bool rim = std::abs(p.y) < 0.02 && p.x > 0.0 && angle < 115.0;
     if (angle < 12.0 || rim) points.push_back(i);
   }
   const SurfaceSamples samples = sphere.samples();
