@@ -66,13 +66,14 @@ NeighbourGraph find_neighbours(const std::vector<glm::dvec3>& positions, std::ui
     }
   });
 
-  // One averaging over the neighbourhood: a single r_8 scatters by about 20 % on random samples.
+  // Half its own, half its neighbours' mean: a single r_8 scatters by about 20 % on random samples, a
+  // mean alone takes a sparse border for as dense as what it borders on.
   graph.spacing.resize(n);
   tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, n, 4096), [&](const auto& range) {
     for (std::uint32_t i = range.begin(); i != range.end(); ++i) {
-      float sum = raw_spacing[i];
+      float sum = 0.0F;
       for (const std::uint32_t j : graph.of(i)) sum += raw_spacing[j];
-      graph.spacing[i] = sum / static_cast<float>(graph.k + 1);
+      graph.spacing[i] = 0.5F * (raw_spacing[i] + sum / static_cast<float>(graph.k));
     }
   });
   return graph;

@@ -12,7 +12,8 @@ namespace relief::test {
 template <class Texel>
 std::string describe_map(const char* name, const AttributeMap<Texel>& map) {
   if (map.empty()) return fmt::format("{} none\n", name);
-  std::string text = fmt::format("{} scale {} size {} {}\n", name, map.scale, map.width, map.height);
+  std::string text =
+      fmt::format("{} scale {} size {} {}\n", name, map.scale, map.width, map.height);
   for (std::uint32_t j = 0; j < map.height; ++j) {
     for (std::uint32_t i = 0; i < map.width; ++i) {
       const Texel texel = map.texels[std::size_t{j} * map.width + i];
@@ -32,9 +33,9 @@ inline std::string describe(const glm::dvec3& v) {
 /// Everything of a model: the header's values, then each patch with a row of heights or texels a
 /// line; '.' is a hole.
 inline std::string describe(const PatchModel& model) {
-  std::string text = fmt::format("spacing {:.17g}\nbounds {} {}\nradius {:.17g}\n", model.spacing,
-                                 describe(model.bounds.min), describe(model.bounds.max),
-                                 model.bounding_radius);
+  std::string text =
+      fmt::format("spacing {:.17g}\nbounds {} {}\nradius {:.17g}\n", model.spacing,
+                  describe(model.bounds.min), describe(model.bounds.max), model.bounding_radius);
   for (const Patch& patch : model.patches) {
     text += fmt::format("patch {} {} spacing {:.17g} step {:.17g}\norigin {}\naxes {} {} {}\n",
                         patch.width, patch.height, patch.spacing, patch.height_step,
