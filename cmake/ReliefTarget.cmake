@@ -43,5 +43,10 @@ function(relief_test name)
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LIBS} GTest::gtest_main)
   relief_configure(${name})
+  if(RELIEF_TIDY)
+    # In tests the static analyzer walks through GoogleTest's macros: two thirds of clang-tidy's time there (20 of
+    # 28 s for patch_file_test.cpp), and it found nothing.
+    set_target_properties(${name} PROPERTIES CXX_CLANG_TIDY "${RELIEF_CLANG_TIDY};--checks=-clang-analyzer-*")
+  endif()
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
 endfunction()
