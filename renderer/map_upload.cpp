@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 #include <utility>
 
@@ -110,6 +112,14 @@ AttributeMap<glm::i16vec2> normals_of_heights(const Patch& patch) {
   return map;
 }
 
+/// Half the stereographic coordinates, which reach 1 where a normal points down by 37 degrees.
+glm::i16vec2 stereographic_from_octahedral(glm::i16vec2 octahedral) {
+  const glm::vec3 n = unit_from_snorm16(octahedral);
+  glm::vec2 half = 0.5F * glm::vec2(n) / std::max(1.0F + n.z, 1e-6F);
+  half /= std::max(glm::length(half), 1.0F);
+  return glm::i16vec2(glm::round(32767.0F * half));
+}
+
 }  // namespace
 
 std::int32_t normal_scale(const Patch& patch) {
@@ -147,8 +157,10 @@ Result<MapArray> upload_normals(const Gl& gl, const PatchModel& model) {
   }
   const Format format{"normal maps", GL_RG16_SNORM, GL_RG, GL_SHORT, GL_LINEAR};
   return upload(gl, model, format, sizes, 1, [](const Patch& patch) {
-    return with_ring<glm::i16vec2>(patch.normals.empty() ? normals_of_heights(patch)
-                                                         : patch.normals);
+    AttributeMap<glm::i16vec2> map =
+        patch.normals.empty() ? normals_of_heights(patch) : patch.normals;
+    for (glm::i16vec2& texel : map.texels) texel = stereographic_from_octahedral(texel);
+    return with_ring<glm::i16vec2>(map);
   });
 }
 

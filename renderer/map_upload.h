@@ -21,8 +21,12 @@ struct MapArray {
 /// shared::kHoleTexel.
 Result<MapArray> upload_heights(const Gl& gl, const PatchModel& model);
 
-/// Octahedral normals, signed normalised, for bilinear lookups: a ring of texels around each map
-/// repeats its edge. A patch without a normal map gets the normals of its heights.
+/// Normals for bilinear lookups, signed normalised: half their stereographic coordinates seen from
+/// the pole below, smooth wherever a patch's normals are. (Octahedral coordinates, as patches keep
+/// them, have creases along both axes; interpolated across those a normal is off by up to a fifth
+/// of the turn between two texels.) Normals that point steeper down than 37 degrees are bent up to
+/// that. A ring of texels around each map repeats its edge. A patch without a normal map gets the
+/// normals of its heights.
 Result<MapArray> upload_normals(const Gl& gl, const PatchModel& model);
 
 /// Colours as sRGB, with the same ring. A patch without colours gets one neutral grey texel.

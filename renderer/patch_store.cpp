@@ -42,12 +42,9 @@ glm::ivec4 place_of(const AtlasSpot& spot, std::int32_t scale) {
 class Pages {
  public:
   explicit Pages(const Gl& gl) : gl_(gl) {
-    GLint64 bytes = 0;
-    gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
     // Quads count four vertices a record in signed 32-bit numbers.
-    const GLint64 most = std::min<GLint64>(bytes / static_cast<GLint64>(sizeof(SampleRecord)),
-                                           std::numeric_limits<std::int32_t>::max() / 4);
-    most_records_ = static_cast<std::size_t>(most);
+    most_records_ = static_cast<std::size_t>(std::min(
+        get_limit(gl, GL_MAX_TEXTURE_BUFFER_SIZE), std::numeric_limits<std::int32_t>::max() / 4));
   }
 
   Status add(StoredPatch& patch, const std::vector<SampleRecord>& records) {
@@ -64,21 +61,21 @@ class Pages {
     return {};
   }
 
-  std::vector<Buffer> take() {
+  std::vector<Table> take() {
     if (!current_.empty()) flush();
     return std::move(pages_);
   }
 
  private:
   void flush() {
-    pages_.push_back(make_buffer(gl_, "sample records", std::span<const SampleRecord>(current_)));
+    pages_.push_back(make_table(gl_, "sample records", GL_RG32UI, std::span<const SampleRecord>(current_)));
     current_.clear();
   }
 
   const Gl& gl_;
   std::size_t most_records_ = 0;
   std::vector<SampleRecord> current_;
-  std::vector<Buffer> pages_;
+  std::vector<Table> pages_;
 };
 
 }  // namespace
@@ -124,7 +121,7 @@ Result<PatchStore> upload_model(const Gl& gl, const PatchModel& model, const Sto
   std::iota(indices.begin(), indices.end(), 0U);
   PatchStore store{std::move(patches),
                    pages.take(),
-                   make_buffer(gl, "patch table", std::span<const shared::PatchInfo>(table)),
+                   make_table(gl, "patch table", GL_RGBA32I, std::span<const shared::PatchInfo>(table)),
                    make_buffer(gl, "patch indices", std::span<const std::uint32_t>(indices)),
                    std::move(heights),
                    std::move(normals),

@@ -37,9 +37,9 @@ struct StoredPatch {
 /// The model on the GPU. `patches` runs parallel to PatchModel::patches.
 struct PatchStore {
   std::vector<StoredPatch> patches;
-  std::vector<Buffer> pages;  ///< sample records; more than one only for a model that is larger
+  std::vector<Table> pages;   ///< sample records; more than one only for a model that is larger
                               ///< than what OpenGL lets a shader see of one buffer
-  Buffer table;    ///< shared::PatchInfo per patch
+  Table table;     ///< shared::PatchInfo per patch
   Buffer indices;  ///< 0, 1, 2 ...: the per-instance attribute that names the patch
   std::optional<Texture> heights;
   std::optional<Texture> normals;

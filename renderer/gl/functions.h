@@ -51,7 +51,6 @@ class GlContext;
   F(PFNGLGENQUERIESPROC, GenQueries)                                     \
   F(PFNGLGETERRORPROC, GetError)                                         \
   F(PFNGLGETFLOATVPROC, GetFloatv)                                       \
-  F(PFNGLGETINTEGER64VPROC, GetInteger64v)                               \
   F(PFNGLGETINTEGERVPROC, GetIntegerv)                                   \
   F(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                       \
   F(PFNGLGETPROGRAMIVPROC, GetProgramiv)                                 \
@@ -77,6 +76,7 @@ class GlContext;
   F(PFNGLPROGRAMUNIFORM1IPROC, ProgramUniform1i)                         \
   F(PFNGLPUSHDEBUGGROUPPROC, PushDebugGroup)                             \
   F(PFNGLSHADERSOURCEPROC, ShaderSource)                                 \
+  F(PFNGLTEXTUREBUFFERPROC, TextureBuffer)                               \
   F(PFNGLTEXTUREPARAMETERIPROC, TextureParameteri)                       \
   F(PFNGLTEXTURESTORAGE2DPROC, TextureStorage2D)                         \
   F(PFNGLTEXTURESTORAGE3DPROC, TextureStorage3D)                         \

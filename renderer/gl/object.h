@@ -122,4 +122,19 @@ Buffer make_buffer(const Gl& gl, std::string_view label, std::span<const T> cont
   return buffer;
 }
 
+/// A buffer that shaders read as a texture of one row.
+struct Table {
+  Buffer buffer;
+  Texture texture;
+};
+
+/// A table with these contents, its texels of format `texel` (GL_RGBA32F and the like).
+template <class T>
+Table make_table(const Gl& gl, std::string_view label, GLenum texel, std::span<const T> contents,
+                 GLbitfield flags = 0) {
+  Table table{make_buffer(gl, label, contents, flags), Texture(gl, label, GLenum{GL_TEXTURE_BUFFER})};
+  gl.TextureBuffer(table.texture.id(), texel, table.buffer.id());
+  return table;
+}
+
 }  // namespace relief

@@ -1,12 +1,33 @@
 // The tables that the vertex and the fragment stage read.
 #include "include/shared.h"
 
-layout(std430, binding = RELIEF_BIND_PATCHES) readonly buffer PatchTable {
-  PatchInfo patches[];
-};
-layout(std430, binding = RELIEF_BIND_PATCH_VIEWS) readonly buffer PatchViews {
-  PatchView patch_views[];
-};
+layout(binding = RELIEF_TEXTURE_PATCHES) uniform isamplerBuffer patch_table;
+layout(binding = RELIEF_TEXTURE_PATCH_VIEWS) uniform samplerBuffer patch_views;
 layout(std140, binding = RELIEF_BIND_FRAME) uniform FrameBlock {
   Frame frame;
 };
+
+// What a shader does not use of it is never read.
+PatchInfo fetch_patch(uint patch_index) {
+  int row = int(patch_index) * kPatchInfoRows;
+  PatchInfo info;
+  info.axis_u = intBitsToFloat(texelFetch(patch_table, row));
+  info.axis_v = intBitsToFloat(texelFetch(patch_table, row + 1));
+  info.axis_n = intBitsToFloat(texelFetch(patch_table, row + 2));
+  info.nodes = texelFetch(patch_table, row + 3);
+  info.heights = texelFetch(patch_table, row + 4);
+  info.normals = texelFetch(patch_table, row + 5);
+  info.colours = texelFetch(patch_table, row + 6);
+  return info;
+}
+
+mat4 fetch_clip_from_grid(uint patch_index) {
+  int row = int(patch_index) * kPatchViewRows;
+  return mat4(texelFetch(patch_views, row), texelFetch(patch_views, row + 1),
+              texelFetch(patch_views, row + 2), texelFetch(patch_views, row + 3));
+}
+
+// The eye in the grid frame.
+vec3 fetch_eye(uint patch_index) {
+  return texelFetch(patch_views, int(patch_index) * kPatchViewRows + 4).xyz;
+}

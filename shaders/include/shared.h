@@ -46,15 +46,17 @@ using glm::vec4;
 #define RELIEF_OUT_UV 3
 #define RELIEF_OUT_PATCH 4
 
-// Binding points.
-#define RELIEF_BIND_SAMPLES 0
-#define RELIEF_BIND_PATCHES 1
-#define RELIEF_BIND_PATCH_VIEWS 2
+// Binding points: one uniform block, else texture units. The tables are buffer textures, not storage
+// buffers: llvmpipe reads a storage buffer lane by lane, and not at all in helper invocations, which
+// spoils derivatives (measured: docs/decisions.md).
 #define RELIEF_BIND_FRAME 0
 #define RELIEF_TEXTURE_HEIGHTS 0
 #define RELIEF_TEXTURE_NORMALS 1
 #define RELIEF_TEXTURE_COLOURS 2
 #define RELIEF_TEXTURE_ENVIRONMENT 3
+#define RELIEF_TEXTURE_SAMPLES 4
+#define RELIEF_TEXTURE_PATCHES 5
+#define RELIEF_TEXTURE_PATCH_VIEWS 6
 
 /// Vertex attribute: the patch that a draw command draws, through its base instance.
 #define RELIEF_ATTRIBUTE_PATCH 0
@@ -101,7 +103,7 @@ RELIEF_CONST float kNeutralGrey = 0.5f;
 /// Three lights, fixed to the camera: whatever side of a scan is looked at is lit.
 RELIEF_CONST int kLights = 3;
 
-/// What does not change from frame to frame about a patch.
+/// What does not change from frame to frame about a patch; kPatchInfoRows texels of four integers.
 struct PatchInfo {
   vec4 axis_u;    ///< world direction of grid axis u; w: spacing (world units)
   vec4 axis_v;    ///< of v; w: height of one height index, in cells
@@ -112,7 +114,7 @@ struct PatchInfo {
   ivec4 colours;  ///< the same for the colour map
 };
 
-/// What the camera makes of a patch. Grid frame: (column, row, height) in cells.
+/// What the camera makes of a patch; kPatchViewRows texels of four floats. Grid frame: (column, row, height) in cells.
 struct PatchView {
   mat4 clip_from_grid;
   vec4 eye;  ///< the eye in the grid frame; w: 0
@@ -129,10 +131,13 @@ struct Frame {
   vec4 light_ambient;
 };
 
+RELIEF_CONST int kPatchInfoRows = 7;
+RELIEF_CONST int kPatchViewRows = 5;
+
 #ifdef __cplusplus
-static_assert(sizeof(PatchInfo) == 112 && alignof(PatchInfo) <= 16);
+static_assert(sizeof(PatchInfo) == 16 * kPatchInfoRows);
 static_assert(offsetof(PatchInfo, nodes) == 48 && offsetof(PatchInfo, colours) == 96);
-static_assert(sizeof(PatchView) == 80 && offsetof(PatchView, eye) == 64);
+static_assert(sizeof(PatchView) == 16 * kPatchViewRows && offsetof(PatchView, eye) == 64);
 static_assert(sizeof(Frame) == 176 && offsetof(Frame, light_direction) == 64 &&
               offsetof(Frame, light_ambient) == 160);
 }  // namespace relief::shared

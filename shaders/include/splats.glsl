@@ -1,9 +1,7 @@
 // Vertex stage: from a sample record to its splat.
 #include "include/patches.glsl"
 
-layout(std430, binding = RELIEF_BIND_SAMPLES) readonly buffer SampleRecords {
-  uvec2 records[];
-};
+layout(binding = RELIEF_TEXTURE_SAMPLES) uniform usamplerBuffer sample_records;
 
 // A splat in the grid frame of its patch.
 struct Splat {
@@ -14,12 +12,11 @@ struct Splat {
   float set_back;    // factor on its depth value: below 1 for border splats
 };
 
-Splat fetch_splat(uint record, uint patch_index) {
-  uvec2 bits = records[record];
-  float height_step = patches[patch_index].axis_v.w;
-  float slope_step = patches[patch_index].axis_n.w;
-  float spacing = patches[patch_index].axis_u.w;
-  mat4 clip_from_grid = patch_views[patch_index].clip_from_grid;
+Splat fetch_splat(int record, PatchInfo info, mat4 clip_from_grid) {
+  uvec2 bits = texelFetch(sample_records, record).xy;
+  float spacing = info.axis_u.w;
+  float height_step = info.axis_v.w;
+  float slope_step = info.axis_n.w;
 
   Splat splat;
   splat.centre = vec3(bits.x & kNodeMask, (bits.x >> kRowShift) & kNodeMask,

@@ -31,11 +31,11 @@ vec4 look_up(sampler2DArray maps, ivec4 map, vec2 uv) {
   return textureLod(maps, vec3(texel / vec2(textureSize(maps, 0).xy), float(map.z)), 0.0);
 }
 
-vec3 unit_from_octahedral(vec2 p) {
-  vec3 n = vec3(p, 1.0 - abs(p.x) - abs(p.y));
-  float fold = max(-n.z, 0.0);
-  n.xy += vec2(n.x >= 0.0 ? -fold : fold, n.y >= 0.0 ? -fold : fold);
-  return normalize(n);
+// From half its stereographic coordinates, which bilinear lookups interpolate smoothly; octahedral
+// ones have creases along the axes, where a mirror would show them.
+vec3 unit_from_stereographic(vec2 half_place) {
+  vec2 p = 2.0 * half_place;
+  return vec3(2.0 * p, 1.0 - dot(p, p)) / (1.0 + dot(p, p));
 }
 
 vec3 to_world(PatchInfo info, vec3 v) {
@@ -51,7 +51,7 @@ void shade(PatchInfo info, vec3 hit, vec3 ray, float depth) {
   vec3 albedo = vec3(kNeutralGrey);
 #endif
 #if RELIEF_NEEDS_NORMAL
-  vec3 normal = to_world(info, unit_from_octahedral(look_up(normal_maps, info.normals, uv).xy));
+  vec3 normal = to_world(info, unit_from_stereographic(look_up(normal_maps, info.normals, uv).xy));
   vec3 view = normalize(to_world(info, ray));
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u

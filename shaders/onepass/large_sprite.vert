@@ -10,9 +10,9 @@ layout(location = 1) out vec3 hit;  // in the grid frame
 layout(location = 2) flat out vec4 disc;
 
 void main() {
-  Splat splat = fetch_splat(uint(gl_VertexID) >> 2, patch_index);
+  mat4 clip_from_grid = fetch_clip_from_grid(patch_index);
+  Splat splat = fetch_splat(gl_VertexID >> 2, fetch_patch(patch_index), clip_from_grid);
   float radius = splat_radius(splat);
-  mat4 clip_from_grid = patch_views[patch_index].clip_from_grid;
   SpriteBox box = bound_disc(splat, radius, clip_from_grid);
   hit_patch = patch_index;
   disc = vec4(splat.centre, radius);

@@ -14,9 +14,9 @@ void main() {
 #if (RELIEF_FEATURES & RELIEF_FEATURE_LARGE_SPRITES) != 0u
   if (distance(hit, disc.xyz) > disc.w) discard;
 #endif
-  PatchInfo info = patches[hit_patch];
+  PatchInfo info = fetch_patch(hit_patch);
   vec3 place = hit;
-  vec3 ray = hit - patch_views[hit_patch].eye.xyz;
+  vec3 ray = hit - fetch_eye(hit_patch);
   float depth = 1.0 / gl_FragCoord.w;
 #if (RELIEF_FEATURES & RELIEF_FEATURE_CORRECTED) != 0u
   depth *= 1.0 + correct(place, ray, info);

@@ -7,9 +7,10 @@ layout(location = 0) flat out uint hit_patch;
 layout(location = 1) out vec3 hit;  // in the grid frame
 
 void main() {
-  Splat splat = fetch_splat(uint(gl_VertexID) >> 2, patch_index);
+  mat4 clip_from_grid = fetch_clip_from_grid(patch_index);
+  Splat splat = fetch_splat(gl_VertexID >> 2, fetch_patch(patch_index), clip_from_grid);
   hit_patch = patch_index;
   hit = splat_corner(splat, gl_VertexID & 3);
-  gl_Position = patch_views[patch_index].clip_from_grid * vec4(hit, 1.0);
+  gl_Position = clip_from_grid * vec4(hit, 1.0);
   gl_Position.z *= splat.set_back;
 }

@@ -12,7 +12,7 @@ layout(location = 2) flat in vec3 plane;
 layout(depth_less) out float gl_FragDepth;
 
 void main() {
-  PatchInfo info = patches[hit_patch];
+  PatchInfo info = fetch_patch(hit_patch);
   vec3 world_ray = frame.ray_origin.xyz + gl_FragCoord.x * frame.ray_x.xyz +
                    gl_FragCoord.y * frame.ray_y.xyz;
   vec3 ray = vec3(dot(world_ray, info.axis_u.xyz), dot(world_ray, info.axis_v.xyz),
@@ -24,7 +24,7 @@ void main() {
   if (!(depth > 0.0 && dot(offset, offset) <= disc.w * disc.w)) discard;
 
   gl_FragDepth = frame.ray_origin.w / depth * plane.z;
-  vec3 place = patch_views[hit_patch].eye.xyz + depth * ray;
+  vec3 place = fetch_eye(hit_patch) + depth * ray;
 #if (RELIEF_FEATURES & RELIEF_FEATURE_CORRECTED) != 0u
   float along = correct(place, depth * ray, info);
 #else

@@ -9,13 +9,14 @@ layout(location = 1) flat out vec4 disc;   // centre relative to the eye, in the
 layout(location = 2) flat out vec3 plane;  // slope, set-back
 
 void main() {
-  Splat splat = fetch_splat(uint(gl_VertexID), patch_index);
+  mat4 clip_from_grid = fetch_clip_from_grid(patch_index);
+  Splat splat = fetch_splat(gl_VertexID, fetch_patch(patch_index), clip_from_grid);
   float radius = splat_radius(splat);
   hit_patch = patch_index;
-  disc = vec4(splat.centre - patch_views[patch_index].eye.xyz, radius);
+  disc = vec4(splat.centre - fetch_eye(patch_index), radius);
   plane = vec3(splat.slope, splat.set_back);
 
-  SpriteBox box = bound_disc(splat, radius, patch_views[patch_index].clip_from_grid);
+  SpriteBox box = bound_disc(splat, radius, clip_from_grid);
   // What is not drawn here goes behind the near plane.
   gl_Position = box.drawable ? vec4(box.centre, box.nearest, 1.0) : vec4(0.0, 0.0, 2.0, 1.0);
   gl_PointSize = box.size;

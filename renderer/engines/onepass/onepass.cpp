@@ -57,8 +57,8 @@ Engine::Engine(const Gl& gl, const PatchStore& store, std::uint32_t features, Pr
       large_sprites_(std::move(large_sprites)),
       vertices_(gl, ""),
       quad_corners_(make_quad_corners(gl)),
-      patch_views_(make_buffer(
-          gl, "patch views",
+      patch_views_(make_table(
+          gl, "patch views", GL_RGBA32F,
           std::span<const shared::PatchView>(std::vector<shared::PatchView>(store.patches.size())),
           GL_DYNAMIC_STORAGE_BIT)) {
   vertices_ = make_vertices(gl, store, quad_corners_);
@@ -91,8 +91,8 @@ void Engine::bind_model(const Texture* environment) const {
   gl_->Enable(GL_PROGRAM_POINT_SIZE);
   gl_->Enable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   gl_->BindVertexArray(vertices_.id());
-  gl_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, RELIEF_BIND_PATCHES, store_->table.id());
-  gl_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, RELIEF_BIND_PATCH_VIEWS, patch_views_.id());
+  gl_->BindTextureUnit(RELIEF_TEXTURE_PATCHES, store_->table.texture.id());
+  gl_->BindTextureUnit(RELIEF_TEXTURE_PATCH_VIEWS, patch_views_.texture.id());
   const auto bind = [this](GLuint unit, const Texture* texture) {
     if (texture != nullptr) gl_->BindTextureUnit(unit, texture->id());
   };
@@ -103,11 +103,11 @@ void Engine::bind_model(const Texture* environment) const {
 }
 
 void Engine::unbind_model() const {
-  for (const GLuint unit : {RELIEF_TEXTURE_HEIGHTS, RELIEF_TEXTURE_NORMALS, RELIEF_TEXTURE_COLOURS,
-                            RELIEF_TEXTURE_ENVIRONMENT})
+  for (const GLuint unit :
+       {RELIEF_TEXTURE_HEIGHTS, RELIEF_TEXTURE_NORMALS, RELIEF_TEXTURE_COLOURS,
+        RELIEF_TEXTURE_ENVIRONMENT, RELIEF_TEXTURE_SAMPLES, RELIEF_TEXTURE_PATCHES,
+        RELIEF_TEXTURE_PATCH_VIEWS})
     gl_->BindTextureUnit(unit, 0);
-  for (const GLuint binding : {RELIEF_BIND_SAMPLES, RELIEF_BIND_PATCHES, RELIEF_BIND_PATCH_VIEWS})
-    gl_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, 0);
   gl_->BindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
   gl_->BindVertexArray(0);
   gl_->UseProgram(0);
@@ -123,7 +123,7 @@ void Engine::draw_points(const std::vector<std::uint32_t>& patches) const {
     const std::vector<ArraysCommand> commands = point_commands(*store_, patches, page);
     const Buffer buffer =
         make_buffer(*gl_, "draw commands", std::span<const ArraysCommand>(commands));
-    gl_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, RELIEF_BIND_SAMPLES, store_->pages[page].id());
+    gl_->BindTextureUnit(RELIEF_TEXTURE_SAMPLES, store_->pages[page].texture.id());
     gl_->BindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer.id());
     gl_->MultiDrawArraysIndirect(GL_POINTS, nullptr, static_cast<GLsizei>(commands.size()), 0);
   }
@@ -134,7 +134,7 @@ void Engine::draw_quads(const std::vector<std::uint32_t>& patches) const {
     const std::vector<ElementsCommand> commands = quad_commands(*store_, patches, page);
     const Buffer buffer =
         make_buffer(*gl_, "draw commands", std::span<const ElementsCommand>(commands));
-    gl_->BindBufferBase(GL_SHADER_STORAGE_BUFFER, RELIEF_BIND_SAMPLES, store_->pages[page].id());
+    gl_->BindTextureUnit(RELIEF_TEXTURE_SAMPLES, store_->pages[page].texture.id());
     gl_->BindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer.id());
     gl_->MultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, nullptr,
                                    static_cast<GLsizei>(commands.size()), 0);
@@ -148,7 +148,7 @@ void Engine::draw(const View& view, PassTimer& timer, const Texture* environment
 
   const ScopedPass pass(*gl_, timer, "onepass");
   if (!views.empty()) {
-    gl_->NamedBufferSubData(patch_views_.id(), 0,
+    gl_->NamedBufferSubData(patch_views_.buffer.id(), 0,
                             static_cast<GLsizeiptr>(views.size() * sizeof(shared::PatchView)),
                             views.data());
   }

@@ -42,7 +42,7 @@ class Engine {
   std::optional<Program> large_sprites_;
   VertexArray vertices_;
   Buffer quad_corners_;  ///< two triangles per quad, for kQuadsPerCommand quads
-  Buffer patch_views_;   ///< shared::PatchView per patch, rewritten each frame
+  Table patch_views_;    ///< shared::PatchView per patch, rewritten each frame
   double largest_sprite_ = 0.0;
 };
 
