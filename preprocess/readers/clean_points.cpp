@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <glm/vector_relational.hpp>
 #include <utility>
@@ -76,6 +77,8 @@ void renumber(std::vector<Triangle>& triangles, const std::vector<std::uint32_t>
 }  // namespace
 
 ReadResult clean_points(Points points) {
+  assert(points.size() < kNoPoint &&
+         "readers and callers refuse more points than 32 bits can index");
   ReadResult result;
   result.points_in_file = points.size();
   const auto count = static_cast<std::uint32_t>(points.size());

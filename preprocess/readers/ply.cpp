@@ -144,7 +144,8 @@ class PlyBody {
   bool list_count(const PlyProperty& property, std::uint64_t& count) {
     double value = 0.0;
     if (!values_.value(*property.count_type, value)) return false;
-    const auto most = static_cast<double>(values_.left() / Values::least_size(property.type));
+    const std::uint64_t longest = values_.left() / Values::least_size(property.type);
+    const auto most = static_cast<double>(longest);
     impossible_list_ = !(value >= 0.0 && value <= most && value == std::floor(value));
     if (impossible_list_) return false;
     count = static_cast<std::uint64_t>(value);

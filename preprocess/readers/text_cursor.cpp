@@ -95,7 +95,7 @@ std::string_view TextCursor::word() {
 std::string_view TextCursor::peek() {
   skip_separators();
   const char* p = at_;
-  if (p != end_ && *p == comment_ && comment_ != '\0') return {p, 0};
+  if (p != end_ && *p == comment_ && comment_ != '\0') return {};
   while (!ends_word(p)) ++p;
   return {at_, static_cast<std::size_t>(p - at_)};
 }

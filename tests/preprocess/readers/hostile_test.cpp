@@ -10,7 +10,7 @@ namespace {
 /// The length of a file without what follows the last separator: in a text that ends without a line
 /// end, "12" cut to "1" cannot be told from "1".
 std::size_t without_last_number(const SampleFile& file) {
-  const std::size_t last = file.bytes.find_last_not_of("\n");
+  const std::size_t last = file.bytes.find_last_not_of('\n');
   return file.bytes.find_last_of(" \n", last) + 2;
 }
 
