@@ -68,7 +68,8 @@ class Pages {
 
  private:
   void flush() {
-    pages_.push_back(make_table(gl_, "sample records", GL_RG32UI, std::span<const SampleRecord>(current_)));
+    pages_.push_back(
+        make_table(gl_, "sample records", GL_RG32UI, std::span<const SampleRecord>(current_)));
     current_.clear();
   }
 
@@ -119,13 +120,14 @@ Result<PatchStore> upload_model(const Gl& gl, const PatchModel& model, const Sto
 
   std::vector<std::uint32_t> indices(model.patches.size());
   std::iota(indices.begin(), indices.end(), 0U);
-  PatchStore store{std::move(patches),
-                   pages.take(),
-                   make_table(gl, "patch table", GL_RGBA32I, std::span<const shared::PatchInfo>(table)),
-                   make_buffer(gl, "patch indices", std::span<const std::uint32_t>(indices)),
-                   std::move(heights),
-                   std::move(normals),
-                   std::move(colours)};
+  PatchStore store{
+      std::move(patches),
+      pages.take(),
+      make_table(gl, "patch table", GL_RGBA32I, std::span<const shared::PatchInfo>(table)),
+      make_buffer(gl, "patch indices", std::span<const std::uint32_t>(indices)),
+      std::move(heights),
+      std::move(normals),
+      std::move(colours)};
   const Status uploaded = check_errors(gl, "the model");
   if (!uploaded) return uploaded.error();
   return store;

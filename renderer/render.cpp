@@ -77,13 +77,13 @@ Result<Scene> make_scene(const Gl& gl, const PatchModel& model, const PatchStore
 }
 
 /// Draws one frame, without waiting for it.
-void draw_frame(const Gl& gl, const Scene& scene, PassTimer& timer) {
+void draw_frame(const Gl& gl, const Scene& scene, const onepass::Engine& engine, PassTimer& timer) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, scene.targets.framebuffer.id());
   gl.Viewport(0, 0, static_cast<GLsizei>(scene.targets.width),
               static_cast<GLsizei>(scene.targets.height));
   gl.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_FRAME, scene.frame.id());
   clear_targets(gl, scene.targets, scene.background);
-  scene.engine.draw(scene.view, timer, scene.environment ? &*scene.environment : nullptr);
+  engine.draw(scene.view, timer, scene.environment ? &*scene.environment : nullptr);
   if (scene.backdrop) scene.backdrop->draw(timer, *scene.environment);
   gl.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_FRAME, 0);
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -92,14 +92,14 @@ void draw_frame(const Gl& gl, const Scene& scene, PassTimer& timer) {
 /// Times frames after one that warms caches up and compiles what OpenGL compiles late.
 void time_frames(const Gl& gl, const Scene& scene, int frames, RenderResult& result) {
   PassTimer timer(gl);
-  draw_frame(gl, scene, timer);
+  draw_frame(gl, scene, scene.engine, timer);
   gl.Finish();
   (void)timer.take();
   std::vector<double> frame_ms;
   std::vector<double> gpu_ms;
   for (int i = 0; i < std::max(frames, 1); ++i) {
     const auto start = std::chrono::steady_clock::now();
-    draw_frame(gl, scene, timer);
+    draw_frame(gl, scene, scene.engine, timer);
     gl.Finish();
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - start;
@@ -110,21 +110,22 @@ void time_frames(const Gl& gl, const Scene& scene, int frames, RenderResult& res
   if (!gpu_ms.empty()) result.gpu_ms = median(gpu_ms);
 }
 
-/// Counts the fragments of the model's pass, in a frame that is not timed.
-std::optional<std::uint64_t> count_fragments(const Gl& gl, const Scene& scene) {
-  if (!has_extension(gl, "GL_ARB_pipeline_statistics_query")) return std::nullopt;
-  const Query query(gl, "fragments", GLenum{GL_FRAGMENT_SHADER_INVOCATIONS_ARB});
+/// Counts the fragments of the model's pass, in a frame of its own that is not timed.
+Result<std::uint64_t> count_fragments(const Gl& gl, const Scene& scene, const PatchStore& store,
+                                      std::uint32_t features) {
+  Result<onepass::Engine> counting =
+      onepass::Engine::create(gl, store, features | RELIEF_FEATURE_COUNT_FRAGMENTS);
+  if (!counting) return counting.error();
+  std::uint32_t count = 0;
+  const Buffer buffer =
+      make_buffer(gl, "fragment count", std::span<const std::uint32_t>(&count, 1));
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, RELIEF_BIND_FRAGMENT_COUNT, buffer.id());
   PassTimer timer(gl);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, scene.targets.framebuffer.id());
-  gl.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_FRAME, scene.frame.id());
-  clear_targets(gl, scene.targets, scene.background);
-  gl.BeginQuery(GL_FRAGMENT_SHADER_INVOCATIONS_ARB, query.id());
-  scene.engine.draw(scene.view, timer, scene.environment ? &*scene.environment : nullptr);
-  gl.EndQuery(GL_FRAGMENT_SHADER_INVOCATIONS_ARB);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
-  GLuint64 fragments = 0;
-  gl.GetQueryObjectui64v(query.id(), GL_QUERY_RESULT, &fragments);
-  return fragments;
+  draw_frame(gl, scene, *counting, timer);
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, RELIEF_BIND_FRAGMENT_COUNT, 0);
+  gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  gl.GetNamedBufferSubData(buffer.id(), 0, sizeof(count), &count);
+  return std::uint64_t{count};
 }
 
 /// Reads the picture, counts what the model covers and puts an opaque background under it.
@@ -157,7 +158,9 @@ Result<RenderResult> render(const PatchModel& model, const RenderSettings& setti
 
   RenderResult result;
   result.renderer = reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
-  result.fragments = count_fragments(gl, *scene);
+  const auto fragments = count_fragments(gl, *scene, *store, features);
+  if (!fragments) return fragments.error();
+  result.fragments = *fragments;
   time_frames(gl, *scene, settings.frames, result);
   read_picture(gl, *scene, settings.background.has_value(), result);
   if (log && !log->status()) return log->status().error();

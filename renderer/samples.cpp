@@ -16,19 +16,19 @@ namespace {
 
 constexpr float kLowestView = 0.176F;  // tan 10 degrees
 
-/// Heights of a patch with a ring of holes around, so that nothing asks for the edge.
+/// Heights of a patch with two rings of holes around, so that nothing asks for the edge.
 class PaddedHeights {
  public:
   explicit PaddedHeights(const Patch& patch)
-      : stride_(std::size_t{patch.width} + 2),
-        heights_(stride_ * (std::size_t{patch.height} + 2), kHole) {
+      : stride_(std::size_t{patch.width} + 2 * kRings),
+        heights_(stride_ * (std::size_t{patch.height} + 2 * kRings), kHole) {
     for (std::uint32_t j = 0; j < patch.height; ++j) {
       std::copy_n(patch.heights.begin() + static_cast<std::ptrdiff_t>(j) * patch.width, patch.width,
-                  heights_.begin() + static_cast<std::ptrdiff_t>((j + 1) * stride_ + 1));
+                  heights_.begin() + static_cast<std::ptrdiff_t>(index(0, j)));
     }
   }
   [[nodiscard]] std::size_t index(std::uint32_t i, std::uint32_t j) const {
-    return (std::size_t{j} + 1) * stride_ + i + 1;
+    return (std::size_t{j} + kRings) * stride_ + i + kRings;
   }
   [[nodiscard]] std::size_t stride() const { return stride_; }
   [[nodiscard]] std::size_t size() const { return heights_.size(); }
@@ -36,18 +36,42 @@ class PaddedHeights {
   [[nodiscard]] bool valid(std::size_t k) const { return heights_[k] != kHole; }
 
  private:
+  static constexpr std::size_t kRings = 2;
   std::size_t stride_;
   std::vector<std::int32_t> heights_;
 };
 
-/// Height indices per cell along one axis at a sample.
-float difference(const PaddedHeights& heights, std::size_t k, std::size_t step) {
+/// Sum of the differences of heights along one axis over the cells beside node k, and how many of
+/// those cells have both ends.
+struct Difference {
+  float sum = 0.0F;
+  float cells = 0.0F;
+};
+
+Difference difference(const PaddedHeights& heights, std::size_t k, std::size_t step) {
+  if (!heights.valid(k)) return {};
   const bool before = heights.valid(k - step);
   const bool after = heights.valid(k + step);
   const std::int32_t high = after ? heights[k + step] : heights[k];
   const std::int32_t low = before ? heights[k - step] : heights[k];
-  const int cells = static_cast<int>(before) + static_cast<int>(after);
-  return cells == 0 ? 0.0F : static_cast<float>(high - low) / static_cast<float>(cells);
+  return {static_cast<float>(high - low), static_cast<float>(before) + static_cast<float>(after)};
+}
+
+/// Height indices per cell along one axis at a sample. A sample alone in its row (the tip of a
+/// ragged border) takes the slope of the rows beside it: a level plane would stick out there.
+float slope_along(const PaddedHeights& heights, std::size_t k, std::size_t step,
+                  std::size_t across) {
+  const Difference own = difference(heights, k, step);
+  if (own.cells > 0.0F) return own.sum / own.cells;
+  Difference beside;
+  for (const std::size_t row : {k - across, k + across}) {
+    for (const std::size_t node : {row - step, row, row + step}) {
+      const Difference other = difference(heights, node, step);
+      beside.sum += other.sum;
+      beside.cells += other.cells;
+    }
+  }
+  return beside.cells > 0.0F ? beside.sum / beside.cells : 0.0F;
 }
 
 struct Slopes {
@@ -63,8 +87,8 @@ Slopes find_slopes(const PaddedHeights& heights, const Patch& patch, float heigh
     for (std::uint32_t i = 0; i < patch.width; ++i) {
       const std::size_t k = heights.index(i, j);
       if (!heights.valid(k)) continue;
-      const glm::vec2 slope = height_step * glm::vec2(difference(heights, k, 1),
-                                                      difference(heights, k, heights.stride()));
+      const glm::vec2 slope = height_step * glm::vec2(slope_along(heights, k, 1, heights.stride()),
+                                                      slope_along(heights, k, heights.stride(), 1));
       slopes[k] = glm::clamp(slope, -shared::kSteepest, shared::kSteepest);
       steepest = std::max({steepest, std::abs(slopes[k].x), std::abs(slopes[k].y)});
     }

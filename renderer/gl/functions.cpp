@@ -1,7 +1,5 @@
 #include "renderer/gl/functions.h"
 
-#include <string_view>
-
 #include "renderer/gl/context.h"
 
 namespace relief {
@@ -23,16 +21,6 @@ Result<Gl> load_functions(const GlContext& context) {
                       version / 10, version % 10);
   }
   return gl;
-}
-
-bool has_extension(const Gl& gl, const char* name) {
-  const GLint count = get_limit(gl, GL_NUM_EXTENSIONS);
-  for (GLint i = 0; i < count; ++i) {
-    const GLubyte* extension = gl.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
-    if (extension != nullptr && reinterpret_cast<const char*>(extension) == std::string_view(name))
-      return true;
-  }
-  return false;
 }
 
 GLint get_limit(const Gl& gl, GLenum name) {

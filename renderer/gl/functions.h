@@ -52,6 +52,7 @@ class GlContext;
   F(PFNGLGETERRORPROC, GetError)                                         \
   F(PFNGLGETFLOATVPROC, GetFloatv)                                       \
   F(PFNGLGETINTEGERVPROC, GetIntegerv)                                   \
+  F(PFNGLGETNAMEDBUFFERSUBDATAPROC, GetNamedBufferSubData)               \
   F(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                       \
   F(PFNGLGETPROGRAMIVPROC, GetProgramiv)                                 \
   F(PFNGLGETQUERYOBJECTUI64VPROC, GetQueryObjectui64v)                   \
@@ -59,9 +60,9 @@ class GlContext;
   F(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)                         \
   F(PFNGLGETSHADERIVPROC, GetShaderiv)                                   \
   F(PFNGLGETSTRINGPROC, GetString)                                       \
-  F(PFNGLGETSTRINGIPROC, GetStringi)                                     \
   F(PFNGLGETTEXTUREIMAGEPROC, GetTextureImage)                           \
   F(PFNGLLINKPROGRAMPROC, LinkProgram)                                   \
+  F(PFNGLMEMORYBARRIERPROC, MemoryBarrier)                               \
   F(PFNGLMULTIDRAWARRAYSINDIRECTPROC, MultiDrawArraysIndirect)           \
   F(PFNGLMULTIDRAWELEMENTSINDIRECTPROC, MultiDrawElementsIndirect)       \
   F(PFNGLNAMEDBUFFERSTORAGEPROC, NamedBufferStorage)                     \
@@ -99,9 +100,6 @@ struct Gl {
 
 /// Loads the functions of the current context. Fails if it is older than OpenGL 4.5.
 Result<Gl> load_functions(const GlContext& context);
-
-/// Whether the context has an extension.
-[[nodiscard]] bool has_extension(const Gl& gl, const char* name);
 
 /// One integer limit of the context.
 [[nodiscard]] GLint get_limit(const Gl& gl, GLenum name);

@@ -132,7 +132,8 @@ struct Table {
 template <class T>
 Table make_table(const Gl& gl, std::string_view label, GLenum texel, std::span<const T> contents,
                  GLbitfield flags = 0) {
-  Table table{make_buffer(gl, label, contents, flags), Texture(gl, label, GLenum{GL_TEXTURE_BUFFER})};
+  Table table{make_buffer(gl, label, contents, flags),
+              Texture(gl, label, GLenum{GL_TEXTURE_BUFFER})};
   gl.TextureBuffer(table.texture.id(), texel, table.buffer.id());
   return table;
 }

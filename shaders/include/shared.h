@@ -39,6 +39,10 @@ using glm::vec4;
 #define RELIEF_FEATURE_OUT_UV 256u
 #define RELIEF_FEATURE_OUT_PATCH 512u
 
+// Counts the fragments that are shaded: an atomic per fragment. Only in the one frame that counts;
+// OpenGL's own statistics are wrong on llvmpipe (Mesa 22.3 says 0 or eight times too many).
+#define RELIEF_FEATURE_COUNT_FRAGMENTS 1024u
+
 // Locations of the colour attachments.
 #define RELIEF_OUT_COLOUR 0
 #define RELIEF_OUT_NORMAL 1
@@ -46,10 +50,11 @@ using glm::vec4;
 #define RELIEF_OUT_UV 3
 #define RELIEF_OUT_PATCH 4
 
-// Binding points: one uniform block, else texture units. The tables are buffer textures, not storage
+// Binding points: one uniform block, one storage buffer, else texture units. The tables are buffer textures, not storage
 // buffers: llvmpipe reads a storage buffer lane by lane, and not at all in helper invocations, which
 // spoils derivatives (measured: docs/decisions.md).
 #define RELIEF_BIND_FRAME 0
+#define RELIEF_BIND_FRAGMENT_COUNT 0
 #define RELIEF_TEXTURE_HEIGHTS 0
 #define RELIEF_TEXTURE_NORMALS 1
 #define RELIEF_TEXTURE_COLOURS 2

@@ -1,4 +1,5 @@
 // The quad itself is the splat's plane: rasterising it has intersected the view ray with it.
+#include "include/counting.glsl"
 #include "include/surface.glsl"
 #if (RELIEF_FEATURES & RELIEF_FEATURE_CORRECTED) != 0u
 #include "include/interpolation.glsl"
@@ -11,6 +12,7 @@ layout(location = 2) flat in vec4 disc;  // centre in the grid frame, radius
 #endif
 
 void main() {
+  count_fragment();
 #if (RELIEF_FEATURES & RELIEF_FEATURE_LARGE_SPRITES) != 0u
   if (distance(hit, disc.xyz) > disc.w) discard;
 #endif

@@ -1,4 +1,5 @@
 // Casts the view ray at the splat's disc.
+#include "include/counting.glsl"
 #include "include/surface.glsl"
 #if (RELIEF_FEATURES & RELIEF_FEATURE_CORRECTED) != 0u
 #include "include/interpolation.glsl"
@@ -12,6 +13,7 @@ layout(location = 2) flat in vec3 plane;
 layout(depth_less) out float gl_FragDepth;
 
 void main() {
+  count_fragment();
   PatchInfo info = fetch_patch(hit_patch);
   vec3 world_ray = frame.ray_origin.xyz + gl_FragCoord.x * frame.ray_x.xyz +
                    gl_FragCoord.y * frame.ray_y.xyz;
