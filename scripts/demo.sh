@@ -10,7 +10,7 @@ stage() { echo "== $1 (at ${SECONDS} s)"; }
 stage "packages"
 scripts/packages.sh build run demo
 stage "build"
-cmake --preset release >build/release-configure.log || { cat build/release-configure.log; exit 1; }
+cmake --preset release
 cmake --build --preset release
 mkdir -p "$out"
 
