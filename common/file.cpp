@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <new>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -110,9 +111,13 @@ Result<std::vector<std::byte>> read_file(const fs::path& path) {
   auto file = RandomAccessFile::open(path);
   if (!file) return file.error();
   if (file->size() == 0) return make_error("{}: the file is empty", path.string());
-  std::vector<std::byte> bytes(file->size());
-  if (Status read = file->read_at(0, bytes); !read) return read.error();
-  return bytes;
+  try {
+    std::vector<std::byte> bytes(file->size());
+    if (Status read = file->read_at(0, bytes); !read) return read.error();
+    return bytes;
+  } catch (const std::bad_alloc&) {
+    return make_error("{}: its {} MB do not fit into memory", path.string(), file->size() >> 20U);
+  }
 }
 
 Result<AtomicFile> AtomicFile::create(const fs::path& path) {

@@ -203,7 +203,7 @@ Result<Image> decode_exr(std::span<const std::byte> bytes) try {
   if (const auto fault = check_header(bytes)) return *fault;
   return read_pixels(bytes);
 } catch (const std::bad_alloc&) {
-  return make_error("there is not enough memory for it");
+  throw;  // read_image's to tell
 } catch (const std::exception& failure) {
   return make_error("it is damaged ({})", failure.what());
 }

@@ -1,5 +1,7 @@
 #include "common/image_io.h"
 
+#include <new>
+
 #include "common/file.h"
 #include "common/image_formats.h"
 
@@ -56,11 +58,13 @@ Result<Image> read_image(const std::filesystem::path& path) {
     if (is_radiance(*bytes)) return decode_radiance(*bytes);
     return make_error("it is no EXR, PNG or Radiance HDR file");
   };
-  auto image = decode();
-  if (!image) {
+  try {
+    auto image = decode();
+    if (image) return image;
     return make_error("{}: the picture cannot be read: {}", path.string(), image.error().message);
+  } catch (const std::bad_alloc&) {
+    return make_error("{}: the picture does not fit into memory", path.string());
   }
-  return image;
 }
 
 }  // namespace relief
