@@ -228,7 +228,8 @@ void add_look_options(CLI::App& sub, Arguments& arguments) {
       ->check(CLI::IsMember(kMaterials))
       ->option_text("unlit|lit|mirror");
   sub.add_option("--env", arguments.settings.environment,
-                 "Environment map, equirectangular EXR or HDR (a built-in sky)")
+                 "Environment map, equirectangular EXR or HDR (built in: a colour for each "
+                 "direction, with a grid)")
       ->option_text("FILE");
   sub.add_option_function<std::string>(
          "--background",

@@ -32,8 +32,16 @@ for material in lit mirror; do
     --json >"$out/$material.json"
 done
 
-# One value of a JSON object as the command prints it: a key a line.
-value() { sed -n "s/^  \"$2\": \(.*[^,]\),*\$/\1/p" "$out/$1.json"; }
+# One value of a JSON object as the command prints it, a key a line; fractions rounded.
+value() {
+  local text
+  text=$(sed -n "s/^  \"$2\": \(.*[^,]\),*\$/\1/p" "$out/$1.json")
+  case $text in
+    *[!0-9.]*) echo "$text" ;;
+    *.*) LC_ALL=C printf '%.5g\n' "$text" ;;
+    *) echo "$text" ;;
+  esac
+}
 row() { printf '  %-18s %s\n' "$1" "$2"; }
 
 echo
