@@ -138,6 +138,7 @@ Result<Backdrop> Backdrop::create(const Gl& gl) {
 void Backdrop::draw(PassTimer& timer, const Texture& environment) const {
   const ScopedPass pass(*gl_, timer, "backdrop");
   gl_->Enable(GL_DEPTH_TEST);
+  gl_->ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   gl_->DepthFunc(GL_EQUAL);  // where the depth is still the 0 it was cleared to
   gl_->DepthMask(GL_FALSE);
   gl_->Enable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
@@ -151,6 +152,7 @@ void Backdrop::draw(PassTimer& timer, const Texture& environment) const {
   gl_->Disable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   gl_->DepthMask(GL_TRUE);
   gl_->DepthFunc(GL_LESS);
+  gl_->ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
   gl_->Disable(GL_DEPTH_TEST);
 }
 

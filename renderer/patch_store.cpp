@@ -94,15 +94,11 @@ Result<PatchStore> upload_model(const Gl& gl, const PatchModel& model, const Sto
     if (!added) return added.error();
   }
 
-  std::optional<Texture> heights;
   std::optional<Texture> normals;
   std::optional<Texture> colours;
-  if (needs.heights) {
-    Result<MapArray> maps = upload_heights(gl, model);
-    if (!maps) return maps.error();
-    for (std::size_t p = 0; p < table.size(); ++p) table[p].heights = place_of(maps->spots[p], 0);
-    heights = std::move(maps->texture);
-  }
+  Result<MapArray> heights = upload_heights(gl, model);
+  if (!heights) return heights.error();
+  for (std::size_t p = 0; p < table.size(); ++p) table[p].heights = place_of(heights->spots[p], 0);
   if (needs.normals) {
     Result<MapArray> maps = upload_normals(gl, model);
     if (!maps) return maps.error();
@@ -125,7 +121,7 @@ Result<PatchStore> upload_model(const Gl& gl, const PatchModel& model, const Sto
       pages.take(),
       make_table(gl, "patch table", GL_RGBA32I, std::span<const shared::PatchInfo>(table)),
       make_buffer(gl, "patch indices", std::span<const std::uint32_t>(indices)),
-      std::move(heights),
+      std::move(heights->texture),
       std::move(normals),
       std::move(colours)};
   const Status uploaded = check_errors(gl, "the model");

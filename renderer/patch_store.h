@@ -16,7 +16,6 @@ namespace relief {
 
 /// Which maps a store holds; those that no feature reads are not uploaded.
 struct StoreNeeds {
-  bool heights = false;
   bool normals = false;
   bool colours = false;
 };
@@ -28,7 +27,7 @@ struct StoredPatch {
   double spacing = 1.0;
   glm::dvec3 centre{0.0};  ///< of a sphere about all of its splats
   double radius = 0.0;
-  double widest_disc = 0.0;        ///< radius no disc of the patch exceeds, world units
+  double widest_disc = 0.0;        ///< radius that no splat of it exceeds, world units
   std::uint32_t page = 0;          ///< the buffer of its records
   std::uint32_t first_record = 0;  ///< in that page
   std::uint32_t records = 0;
@@ -37,11 +36,11 @@ struct StoredPatch {
 /// The model on the GPU. `patches` runs parallel to PatchModel::patches.
 struct PatchStore {
   std::vector<StoredPatch> patches;
-  std::vector<Table> pages;   ///< sample records; more than one only for a model that is larger
-                              ///< than what OpenGL lets a shader see of one buffer
-  Table table;     ///< shared::PatchInfo per patch
-  Buffer indices;  ///< 0, 1, 2 ...: the per-instance attribute that names the patch
-  std::optional<Texture> heights;
+  std::vector<Table> pages;  ///< sample records; more than one only for a model that is larger
+                             ///< than what OpenGL lets a shader see of one buffer
+  Table table;               ///< shared::PatchInfo per patch
+  Buffer indices;            ///< 0, 1, 2 ...: the per-instance attribute that names the patch
+  Texture heights;
   std::optional<Texture> normals;
   std::optional<Texture> colours;
 };

@@ -14,7 +14,7 @@
 namespace relief {
 namespace {
 
-constexpr float kLowestView = 0.176F;  // tan 10 degrees
+constexpr float kLowestView = 0.58F;  // tan 30 degrees
 
 /// Heights of a patch with two rings of holes around, so that nothing asks for the edge.
 class PaddedHeights {
@@ -177,7 +177,7 @@ void bound(PatchSamples& samples, const Patch& patch) {
   }
   const double half = 0.5 + shared::kMargins[std::size(shared::kMargins) - 1];
   const double steepest = 127.0 * samples.slope_step;
-  // sqrt(2) half / cos, at a slope that is steepest along both axes.
+  // The disc that holds the splat's parallelogram, at a slope that is steepest along both axes.
   samples.widest_disc = std::sqrt(2.0 + 4.0 * steepest * steepest) * half;
   samples.centre = 0.5 * (low + high);
   samples.radius = 0.5 * glm::length(high - low) + samples.widest_disc;

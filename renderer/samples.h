@@ -23,7 +23,7 @@ struct PatchSamples {
   float slope_step = 0.0F;   ///< height in cells per cell, per slope step
   glm::dvec3 centre{0.0};    ///< of a sphere about all splats, in the grid frame (cells)
   double radius = 0.0;       ///< of that sphere, cells
-  double widest_disc = 0.0;  ///< radius that no disc exceeds, cells
+  double widest_disc = 0.0;  ///< radius that no disc or parallelogram exceeds, cells
 };
 
 /// Makes the records of a patch.
@@ -34,7 +34,9 @@ struct PatchSamples {
 /// The width class says how far the splat reaches beyond its own cell. At the middle of an edge or
 /// corner that it shares with its neighbours their planes part by some height g; a view ray that
 /// rises by an angle of at least a over the surface can't pass between two planes that both reach
-/// m >= g / (2 tan a) beyond it. The class is the least with such an m for a = 10 degrees.
+/// m >= g / (2 tan a) beyond it. The class is the least with such an m for a = 30 degrees: larger
+/// margins close no more holes on curved or noisy fields, but stick out of their crests (measured:
+/// docs/decisions.md).
 ///
 /// Samples with a hole or the patch's edge among their eight neighbours carry the border flag.
 [[nodiscard]] PatchSamples make_samples(const Patch& patch);

@@ -27,8 +27,7 @@ namespace relief::onepass {
 [[nodiscard]] inline StoreNeeds needs_of(std::uint32_t features) {
   constexpr std::uint32_t kWithNormals =
       RELIEF_FEATURE_LIT | RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_OUT_NORMAL;
-  return {(features & RELIEF_FEATURE_CORRECTED) != 0, (features & kWithNormals) != 0,
-          (features & RELIEF_FEATURE_COLOURS) != 0};
+  return {(features & kWithNormals) != 0, (features & RELIEF_FEATURE_COLOURS) != 0};
 }
 
 }  // namespace relief::onepass

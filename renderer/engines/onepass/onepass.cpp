@@ -96,7 +96,7 @@ void Engine::bind_model(const Texture* environment) const {
   const auto bind = [this](GLuint unit, const Texture* texture) {
     if (texture != nullptr) gl_->BindTextureUnit(unit, texture->id());
   };
-  bind(RELIEF_TEXTURE_HEIGHTS, store_->heights ? &*store_->heights : nullptr);
+  bind(RELIEF_TEXTURE_HEIGHTS, &store_->heights);
   bind(RELIEF_TEXTURE_NORMALS, store_->normals ? &*store_->normals : nullptr);
   bind(RELIEF_TEXTURE_COLOURS, store_->colours ? &*store_->colours : nullptr);
   bind(RELIEF_TEXTURE_ENVIRONMENT, environment);

@@ -1,0 +1,89 @@
+// Rendering and comparing for the renderer's tests.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "common/srgb.h"
+#include "renderer/render.h"
+#include "tests/renderer/scenes.h"
+
+namespace relief::test {
+
+/// Settings for a small picture of the whole model; debug contexts and one timed frame.
+inline RenderSettings small_picture(const PatchModel& model, Orbit orbit = {20.0, 15.0},
+                                    std::uint32_t side = 96) {
+  RenderSettings settings;
+  settings.width = side + side / 4;
+  settings.height = side;
+  settings.camera = orbit_camera(0.5 * (model.bounds.min + model.bounds.max), model.bounding_radius,
+                                 orbit, 45.0, 1.25);
+  settings.frames = 1;
+  settings.debug = true;
+  return settings;
+}
+
+inline Outputs all_outputs() {
+  return {true, true, true, true};
+}
+
+/// Renders; a failure fails the test and gives an empty picture.
+inline RenderResult must_render(const PatchModel& model, const RenderSettings& settings) {
+  auto result = render(model, settings);
+  if (result) return *result;
+  ADD_FAILURE() << result.error().message;
+  return {};
+}
+
+inline const std::vector<float>& values(const Image& image, const char* name) {
+  static const std::vector<float> nothing;
+  const Channel* channel = image.find(name);
+  EXPECT_NE(channel, nullptr) << name;
+  return channel == nullptr ? nothing : channel->values;
+}
+
+/// The world ray through pixel (x, y), of unit depth.
+inline glm::dvec3 pixel_ray(const RenderSettings& settings, std::size_t x, std::size_t y) {
+  const double slope = std::tan(settings.camera.vertical_fov_degrees * std::acos(-1.0) / 360.0);
+  const double aspect = static_cast<double>(settings.width) / settings.height;
+  const double u = 2.0 * (static_cast<double>(x) + 0.5) / settings.width - 1.0;
+  const double v = 1.0 - 2.0 * (static_cast<double>(y) + 0.5) / settings.height;
+  return glm::transpose(view_rotation(settings.camera)) *
+         glm::dvec3(u * slope * aspect, v * slope, -1.0);
+}
+
+/// Pixels whose 8-bit sRGB colour or coverage differs by more than `threshold` in any channel.
+inline std::size_t count_different(const Image& a, const Image& b, int threshold) {
+  std::size_t different = 0;
+  const std::size_t pixels = std::size_t{a.width} * a.height;
+  for (std::size_t k = 0; k < pixels; ++k) {
+    bool differs = std::abs(values(a, "A")[k] - values(b, "A")[k]) > 0.5F;
+    for (const char* channel : {"R", "G", "B"}) {
+      const int x = srgb8_from_linear(values(a, channel)[k]);
+      const int y = srgb8_from_linear(values(b, channel)[k]);
+      differs = differs || std::abs(x - y) > threshold;
+    }
+    different += differs ? 1 : 0;
+  }
+  return different;
+}
+
+/// Every way to draw, for tests that run over all of them.
+struct Way {
+  Primitive primitive;
+  Interpolation interpolation;
+  const char* name;
+};
+inline const std::vector<Way>& all_ways() {
+  static const std::vector<Way> ways{
+      {Primitive::Quad, Interpolation::Direct, "quad_direct"},
+      {Primitive::Quad, Interpolation::Corrected, "quad_corrected"},
+      {Primitive::Sprite, Interpolation::Direct, "sprite_direct"},
+      {Primitive::Sprite, Interpolation::Corrected, "sprite_corrected"}};
+  return ways;
+}
+
+}  // namespace relief::test
