@@ -14,8 +14,8 @@ struct NeighbourGraph {
   std::uint32_t k = 0;
   std::vector<std::uint32_t> indices;  ///< k per point, nearest first, the point itself left out
   /// Local spacing of the scan at each point, world units: the side of the square that holds one
-  /// point on average, sqrt(pi r^2 / 8) with r the distance to the 8th neighbour; half its own, half
-  /// the mean of its neighbours'.
+  /// point on average, sqrt(pi r^2 / 8) with r the distance to the 8th neighbour; half its own,
+  /// half the mean of its neighbours'.
   std::vector<float> spacing;
 
   [[nodiscard]] std::span<const std::uint32_t> of(std::size_t point) const {

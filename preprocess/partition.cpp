@@ -11,7 +11,7 @@ constexpr double kSplitShare = 0.15;
 
 // Wider limits for what stayed small. At 84 degrees a patch still has one height everywhere; its
 // samples are sparse there, but these are spots of a few dozen points.
-constexpr double kWideConeDegrees = 84.0;
+constexpr double kWideConeDegrees = 78.0;
 constexpr double kWideSheetTolerance = 2.0;
 
 std::size_t small_points(std::size_t points) {

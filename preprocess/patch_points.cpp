@@ -10,9 +10,9 @@
 namespace relief {
 namespace {
 
-// A margin is not followed beyond this slope (80 degrees): from there on a grid says little about
-// it.
-constexpr float kLeastMarginCosine = 0.17F;
+// A margin is not followed beyond this slope (60 degrees): a cell there is more than two spacings
+// long, and what sticks out beyond a crest is a spike (docs/decisions.md has the figures).
+constexpr float kLeastMarginCosine = 0.5F;
 // Steepest slope that a tangent plane is followed to (84 degrees, the limit of all regions).
 constexpr float kLeastCosine = 0.1F;
 

@@ -19,6 +19,9 @@ constexpr double kSlopeReachInSpacings = 1.5;
 // random sampling has an empty disc of radius 2.2 spacings about once in four million points
 // (exp(-pi 2.2^2)); the rest is for densities that change within the neighbourhood.
 constexpr double kSurroundInSpacings = 2.5;
+// ... or up to this many grid spacings, where the scan is finer than the grid: less is no gap that
+// a grid can keep.
+constexpr double kSurroundInGridSpacings = 1.5;
 // Such points are looked for within this many grid spacings.
 constexpr double kWidestSparseInSpacings = 8.0;
 // Surrounded: no empty sector wider than this.
@@ -29,7 +32,8 @@ bool surrounded(const PatchPoints& points, const PointGrid& lookup, double x, do
   std::vector<double> angles;
   lookup.for_each_within(
       x, y, kWidestSparseInSpacings * spacing, [&](std::uint32_t p, double squared) {
-        const double reach = kSurroundInSpacings * points.spacing[p];
+        const double reach =
+            std::max(kSurroundInSpacings * points.spacing[p], kSurroundInGridSpacings * spacing);
         if (squared > reach * reach) return;
         angles.push_back(std::atan2(points.positions[p].y - y, points.positions[p].x - x));
       });
@@ -79,37 +83,63 @@ bool is_supported(const PatchPoints& points, const PointGrid& lookup, double x, 
   return close || surrounded(points, lookup, x, y, spacing);
 }
 
+namespace {
+
+// Visits the up to eight neighbours of a node.
+template <class Fn>
+void for_neighbours(const PatchGrid& grid, std::uint32_t i, std::uint32_t j, Fn&& fn) {
+  for (std::uint32_t b = j > 0 ? j - 1 : 0; b <= std::min(j + 1, grid.height - 1); ++b) {
+    for (std::uint32_t a = i > 0 ? i - 1 : 0; a <= std::min(i + 1, grid.width - 1); ++a) {
+      if (a != i || b != j) fn(std::size_t{b} * grid.width + a);
+    }
+  }
+}
+
+// Turns holes that `rule` accepts into `state`; rule(i, j, neighbours that are samples).
+template <class Rule>
+void fill_holes(const PatchGrid& grid, std::vector<NodeState>& states, NodeState state,
+                Rule&& rule) {
+  const std::vector<NodeState> before = states;
+  for (std::uint32_t j = 0; j < grid.height; ++j) {
+    for (std::uint32_t i = 0; i < grid.width; ++i) {
+      const std::size_t node = std::size_t{j} * grid.width + i;
+      if (before[node] != NodeState::Hole) continue;
+      int samples = 0;
+      for_neighbours(grid, i, j, [&](std::size_t m) {
+        if (before[m] != NodeState::Hole) ++samples;
+      });
+      if (rule(i, j, samples)) states[node] = state;
+    }
+  }
+}
+
+}  // namespace
+
 std::vector<NodeState> find_support(const PatchPoints& points, const PointGrid& own,
                                     const PointGrid& all, const PatchGrid& grid,
                                     int overlap_cells) {
   std::vector<NodeState> states(grid.size(), NodeState::Hole);
-  const auto x = [&](std::uint32_t i) { return grid.x0 + i * grid.spacing; };
-  const auto y = [&](std::uint32_t j) { return grid.y0 + j * grid.spacing; };
-  for (std::uint32_t j = 0; j < grid.height; ++j) {
-    for (std::uint32_t i = 0; i < grid.width; ++i) {
-      if (is_supported(points, own, x(i), y(j), grid.spacing)) {
-        states[std::size_t{j} * grid.width + i] = NodeState::Own;
-      }
-    }
-  }
-  const auto beside_a_sample = [&](const std::vector<NodeState>& before, std::uint32_t i,
-                                   std::uint32_t j) {
-    for (std::uint32_t b = j > 0 ? j - 1 : 0; b <= std::min(j + 1, grid.height - 1); ++b) {
-      for (std::uint32_t a = i > 0 ? i - 1 : 0; a <= std::min(i + 1, grid.width - 1); ++a) {
-        if (before[std::size_t{b} * grid.width + a] != NodeState::Hole) return true;
-      }
-    }
-    return false;
+  const auto supported = [&](const PointGrid& lookup, std::uint32_t i, std::uint32_t j) {
+    return is_supported(points, lookup, grid.x0 + i * grid.spacing, grid.y0 + j * grid.spacing,
+                        grid.spacing);
   };
+  fill_holes(grid, states, NodeState::Own, [&](std::uint32_t i, std::uint32_t j, int /*samples*/) {
+    return supported(own, i, j);
+  });
+  // A slit of one node, with samples on opposite sides, is narrower than a grid can tell from a
+  // gap.
+  const std::vector<NodeState> before = states;
+  const auto sample = [&](std::uint32_t i, std::uint32_t j) {
+    return i < grid.width && j < grid.height &&  // -1 wraps around to more than either
+           before[std::size_t{j} * grid.width + i] != NodeState::Hole;
+  };
+  fill_holes(grid, states, NodeState::Own, [&](std::uint32_t i, std::uint32_t j, int /*samples*/) {
+    return (sample(i - 1, j) && sample(i + 1, j)) || (sample(i, j - 1) && sample(i, j + 1));
+  });
   for (int ring = 0; ring < overlap_cells; ++ring) {
-    const std::vector<NodeState> before = states;
-    for (std::uint32_t j = 0; j < grid.height; ++j) {
-      for (std::uint32_t i = 0; i < grid.width; ++i) {
-        NodeState& state = states[std::size_t{j} * grid.width + i];
-        if (state != NodeState::Hole || !beside_a_sample(before, i, j)) continue;
-        if (is_supported(points, all, x(i), y(j), grid.spacing)) state = NodeState::Margin;
-      }
-    }
+    fill_holes(grid, states, NodeState::Margin, [&](std::uint32_t i, std::uint32_t j, int samples) {
+      return samples > 0 && supported(all, i, j);
+    });
   }
   return states;
 }

@@ -31,8 +31,8 @@ enum class NodeState : std::uint8_t { Hole, Own, Margin };
 [[nodiscard]] bool is_supported(const PatchPoints& points, const PointGrid& lookup, double x,
                                 double y, double spacing);
 
-/// The state of every node: Own where the region's own points support it; Margin within
-/// `overlap_cells` of those, where any points do; Hole elsewhere.
+/// The state of every node: Own where the region's own points support it, and in slits of one node;
+/// Margin within `overlap_cells` of those, where any points do; Hole elsewhere.
 [[nodiscard]] std::vector<NodeState> find_support(const PatchPoints& points, const PointGrid& own,
                                                   const PointGrid& all, const PatchGrid& grid,
                                                   int overlap_cells);
