@@ -8,13 +8,22 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <limits>
+#include <optional>
 
+#include "common/octahedral.h"
 #include "shaders/include/shared.h"
 
 namespace relief {
 namespace {
 
 constexpr float kLowestView = 0.58F;  // tan 30 degrees
+
+/// How far a splat may reach beyond its cell within its own plane, in cells. More would stick out
+/// of the silhouette as hairs wherever a steep slope was resampled badly, and at borders, where
+/// slopes are least certain.
+constexpr float kLargestReach = 0.5F;
+constexpr float kLargestReachOfBorder = 0.25F;
 
 /// Heights of a patch with two rings of holes around, so that nothing asks for the edge.
 class PaddedHeights {
@@ -40,6 +49,15 @@ class PaddedHeights {
   std::size_t stride_;
   std::vector<std::int32_t> heights_;
 };
+
+bool is_border(const PaddedHeights& heights, std::size_t k) {
+  const std::size_t above = k - heights.stride();
+  const std::size_t below = k + heights.stride();
+  for (const std::size_t row : {above, k, below}) {
+    if (!heights.valid(row - 1) || !heights.valid(row) || !heights.valid(row + 1)) return true;
+  }
+  return false;
+}
 
 /// Sum of the differences of heights along one axis over the cells beside node k, and how many of
 /// those cells have both ends.
@@ -79,6 +97,16 @@ struct Slopes {
   float slope_step = 0.0F;
 };
 
+/// The slope that the normal map has at a node; nothing without a map or where it is too steep.
+std::optional<glm::vec2> slope_of_normal(const Patch& patch, std::uint32_t i, std::uint32_t j) {
+  const AttributeMap<glm::i16vec2>& map = patch.normals;
+  if (map.empty()) return std::nullopt;
+  const std::size_t texel = std::size_t{j} * map.scale * map.width + std::size_t{i} * map.scale;
+  const glm::vec3 n = unit_from_snorm16(map.texels[texel]);
+  if (n.z * shared::kSteepest < 1.0F) return std::nullopt;
+  return glm::vec2(-n.x, -n.y) / n.z;
+}
+
 /// Slopes as signed bytes, in steps that the steepest of the patch fills.
 Slopes find_slopes(const PaddedHeights& heights, const Patch& patch, float height_step) {
   std::vector<glm::vec2> slopes(heights.size(), glm::vec2(0.0F));
@@ -87,8 +115,12 @@ Slopes find_slopes(const PaddedHeights& heights, const Patch& patch, float heigh
     for (std::uint32_t i = 0; i < patch.width; ++i) {
       const std::size_t k = heights.index(i, j);
       if (!heights.valid(k)) continue;
-      const glm::vec2 slope = height_step * glm::vec2(slope_along(heights, k, 1, heights.stride()),
-                                                      slope_along(heights, k, heights.stride(), 1));
+      // Beside a hole the normal map knows more than a one-sided difference does.
+      const auto painted = is_border(heights, k) ? slope_of_normal(patch, i, j) : std::nullopt;
+      const glm::vec2 slope =
+          painted ? *painted
+                  : height_step * glm::vec2(slope_along(heights, k, 1, heights.stride()),
+                                            slope_along(heights, k, heights.stride(), 1));
       slopes[k] = glm::clamp(slope, -shared::kSteepest, shared::kSteepest);
       steepest = std::max({steepest, std::abs(slopes[k].x), std::abs(slopes[k].y)});
     }
@@ -109,7 +141,7 @@ class SlitFinder {
   SlitFinder(const PaddedHeights& heights, const Slopes& slopes, float height_step)
       : heights_(heights), slopes_(slopes), height_step_(height_step) {}
 
-  [[nodiscard]] std::uint32_t width_class(std::size_t k) const {
+  [[nodiscard]] std::uint32_t width_class(std::size_t k, bool border) const {
     float widest = 0.0F;
     for (const int dj : {-1, 1}) {
       widest = std::max(widest, slit(k, std::array{glm::ivec2(0, 0), glm::ivec2(0, dj)}));
@@ -121,7 +153,8 @@ class SlitFinder {
     }
     const glm::vec2 slope = slopes_.slope_step * glm::vec2(slopes_.steps[k]);
     const float cosine = 1.0F / std::sqrt(1.0F + glm::dot(slope, slope));
-    const float margin = widest * cosine / (2.0F * kLowestView);
+    const float margin = std::min(widest * cosine / (2.0F * kLowestView),
+                                  (border ? kLargestReachOfBorder : kLargestReach) * cosine);
     std::uint32_t c = 0;
     while (c + 1 < std::size(shared::kMargins) && shared::kMargins[c] < margin) ++c;
     return c;
@@ -152,15 +185,6 @@ class SlitFinder {
   const Slopes& slopes_;
   float height_step_;
 };
-
-bool is_border(const PaddedHeights& heights, std::size_t k) {
-  const std::size_t above = k - heights.stride();
-  const std::size_t below = k + heights.stride();
-  for (const std::size_t row : {above, k, below}) {
-    if (!heights.valid(row - 1) || !heights.valid(row) || !heights.valid(row + 1)) return true;
-  }
-  return false;
-}
 
 /// A sphere about the box of all samples, wide enough for the corners of their splats.
 void bound(PatchSamples& samples, const Patch& patch) {
@@ -199,11 +223,12 @@ PatchSamples make_samples(const Patch& patch) {
     for (std::uint32_t i = 0; i < patch.width; ++i) {
       const std::size_t k = heights.index(i, j);
       if (!heights.valid(k)) continue;
-      const std::uint32_t width_class = slits.width_class(k);
+      const bool border = is_border(heights, k);
+      const std::uint32_t width_class = slits.width_class(k, border);
       const glm::u8vec2 slope(slopes.steps[k]);
       samples.records.push_back(
           {i | (j << shared::kRowShift) | (width_class << shared::kClassShift) |
-               (is_border(heights, k) ? shared::kBorderBit : 0U),
+               (border ? shared::kBorderBit : 0U),
            static_cast<std::uint32_t>(heights[k]) | (std::uint32_t{slope.x} << 16U) |
                (std::uint32_t{slope.y} << 24U)});
     }

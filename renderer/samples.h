@@ -28,17 +28,18 @@ struct PatchSamples {
 
 /// Makes the records of a patch.
 ///
-/// A splat's plane has the slope of the heights (central differences; one-sided beside a hole), not
-/// the slope of the normal map: the planes must meet, whatever is painted on them.
+/// A splat's plane has the slope of the heights (central differences), not that of the normal map:
+/// the planes must meet, whatever is painted on them. Only border samples take the normal map's,
+/// which is smoother than a one-sided difference.
 ///
 /// The width class says how far the splat reaches beyond its own cell. At the middle of an edge or
 /// corner that it shares with its neighbours their planes part by some height g; a view ray that
 /// rises by an angle of at least a over the surface can't pass between two planes that both reach
-/// m >= g / (2 tan a) beyond it. The class is the least with such an m for a = 30 degrees: larger
-/// margins close no more holes on curved or noisy fields, but stick out of their crests (measured:
-/// docs/decisions.md).
+/// m >= g / (2 tan a) beyond it. The class is the least with such an m for a = 30 degrees, but no
+/// more than half a cell within the plane: larger margins close no more holes on curved or noisy
+/// fields, and stick out of crests and silhouettes (measured: docs/decisions.md).
 ///
-/// Samples with a hole or the patch's edge among their eight neighbours carry the border flag.
+/// Border samples, those with a hole or the patch's edge among their eight neighbours, are flagged.
 [[nodiscard]] PatchSamples make_samples(const Patch& patch);
 
 }  // namespace relief

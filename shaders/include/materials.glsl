@@ -9,7 +9,7 @@
 // is seen; reversing those would put dark specks on a bright rim, so they are bent to grazing.
 vec3 facing_normal(vec3 normal, vec3 ray) {
   float away = dot(normal, ray);
-  if (away > 0.4) return -normal;
+  if (away > 0.6) return -normal;
   return away > 0.0 ? normalize(normal - away * ray) : normal;
 }
 

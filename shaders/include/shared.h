@@ -85,9 +85,9 @@ RELIEF_CONST float kSteepest = 5.0f;
 /// plane, whatever its tilt; where the surface bends, the tangent planes of neighbours part, and
 /// more is needed to close the slit as seen from the side (see renderer/samples.h).
 #ifdef __cplusplus
-RELIEF_CONST float kMargins[8] = {0.02F, 0.05F, 0.09F, 0.15F, 0.22F, 0.32F, 0.5F, 0.8F};
+RELIEF_CONST float kMargins[8] = {0.02F, 0.04F, 0.07F, 0.11F, 0.17F, 0.25F, 0.36F, 0.5F};
 #else
-const float kMargins[8] = float[8](0.02, 0.05, 0.09, 0.15, 0.22, 0.32, 0.5, 0.8);
+const float kMargins[8] = float[8](0.02, 0.04, 0.07, 0.11, 0.17, 0.25, 0.36, 0.5);
 #endif
 
 /// The same in pixels: OpenGL snaps corners to 1/256 pixel, which parts the quads of a model that

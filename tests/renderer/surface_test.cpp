@@ -81,8 +81,8 @@ TEST_P(Surfaces, SphereOfManyPatchesHasNoHolesAndItsOwnNormals) {
     EXPECT_EQ(errors.holes, 0U) << distance;
     // A splat's plane is off the sphere by 0.0125 cells at its corner, a triangle by as much in its
     // middle. At 20 degrees that moves the place by 0.035 cells, over which the normal turns by 0.1
-    // degrees; the maps' bilinear normals and half floats add little.
-    EXPECT_LT(errors.normal_degrees, 0.15) << distance;
+    // degrees (a disc reaches further than a quad); the maps' bilinear normals and half floats add little.
+    EXPECT_LT(errors.normal_degrees, 0.2) << distance;
     EXPECT_LT(errors.depth_cells, 0.04) << distance;
   }
 }
@@ -93,9 +93,10 @@ TEST_P(Surfaces, NoiseHasNoHoles) {
   // picture is full of surface, so that every pixel of background is a hole.
   std::mt19937 random(3);
   std::uniform_real_distribution<double> noise(-0.3, 0.3);
-  const PatchModel model = test::height_field(90, [&](double x, double y) {
+  PatchModel model = test::height_field(90, [&](double x, double y) {
     return 2.0 * std::sin(0.5 * x) * std::cos(0.4 * y) + noise(random);
   });
+  model.patches[0].normals = {};  // those of the heights, not of noise that never stood anywhere
   for (const double elevation : {88.0, 60.0, 40.0}) {
     RenderSettings settings = small_picture(model);
     const double e = elevation * std::acos(-1.0) / 180.0;
@@ -194,9 +195,10 @@ std::optional<glm::dvec2> meet_triangles(const Patch& patch, glm::dvec3 eye, glm
 TEST(Corrected, FollowsTheVirtualTrianglesAndDirectDoesNot) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> noise(-0.1, 0.1);
-  const PatchModel model = test::height_field(20, [&](double x, double y) {
+  PatchModel model = test::height_field(20, [&](double x, double y) {
     return 1.5 * std::sin(0.5 * x) * std::cos(0.6 * y) + noise(random);
   });
+  model.patches[0].normals = {};  // as above
   RenderSettings settings = small_picture(model);
   settings.camera = {{12.0, -9.0, 22.0}, {0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, 30.0};
   settings.outputs.uv = true;
