@@ -20,6 +20,9 @@ constexpr double kRidge = 2e-3;
 // The fit may leave the points' own tangent planes by this many scales; further is an overshoot.
 constexpr double kMaxOvershoot = 0.5;
 
+// Points whose normals differ from the nearest one's by more (60 degrees) lie beyond a crest: seen
+// from the base plane they are near, on the surface they are not.
+constexpr float kLeastLikeness = 0.5F;
 // Fitted normals may leave the mean normal by up to 37 degrees; further is an overshoot.
 constexpr float kLeastAgreement = 0.8F;
 
@@ -35,14 +38,15 @@ struct Sums {
   glm::vec3 normal{0.0F};
 };
 
-Sums accumulate(const PatchPoints& points, const PointGrid& lookup, glm::dvec3 about,
-                double scale) {
+Sums accumulate(const PatchPoints& points, const PointGrid& lookup, glm::dvec3 about, double scale,
+                glm::vec3 normal) {
   Sums sums;
   lookup.for_each_within(
       about.x, about.y, kCutoff * scale, [&](std::uint32_t p, double plane_squared) {
         const double dz = points.positions[p].z - about.z;
         const double squared = (plane_squared + dz * dz) / (scale * scale);
         if (squared > kCutoff * kCutoff) return;
+        if (glm::dot(normal, points.normals[p]) < kLeastLikeness) return;
         const double w = std::exp(-squared);
         const double dx = (points.positions[p].x - about.x) / scale;
         const double dy = (points.positions[p].y - about.y) / scale;
@@ -74,7 +78,7 @@ SurfacePoint evaluate_mls(const PatchPoints& points, const PointGrid& lookup, do
   const double scale = std::max({kScaleInSpacings * points.spacing[nearest],
                                  kScaleInGridSpacings * spacing, 0.6 * to_nearest});
 
-  Sums sums = accumulate(points, lookup, about, scale);
+  Sums sums = accumulate(points, lookup, about, scale, points.normals[nearest]);
   if (!(sums.weight > 0.0)) return {about.z, points.normals[nearest], points.normals[nearest]};
   for (int d = 3; d < 6; ++d) sums.normal_matrix(d, d) += kRidge * sums.weight;
   for (int d = 1; d < 3; ++d) sums.normal_matrix(d, d) += 1e-6 * sums.weight;

@@ -10,9 +10,11 @@
 namespace relief {
 namespace {
 
-// A margin is not followed beyond this slope (60 degrees): a cell there is more than two spacings
-// long, and what sticks out beyond a crest is a spike (docs/decisions.md has the figures).
-constexpr float kLeastMarginCosine = 0.5F;
+// Margin points steeper than this (60 degrees) support no samples: a cell there is more than two
+// spacings long, and what sticks out beyond a crest is a spike (docs/decisions.md has the figures).
+constexpr float kLeastSupportCosine = 0.5F;
+// Nor is the margin followed beyond this slope (80 degrees).
+constexpr float kLeastMarginCosine = 0.17F;
 // Steepest slope that a tangent plane is followed to (84 degrees, the limit of all regions).
 constexpr float kLeastCosine = 0.1F;
 
@@ -99,7 +101,12 @@ PatchPoints collect_patch_points(const SurfaceSamples& samples, const NeighbourG
   out.ids = region.points;
   out.own = region.points.size();
   grow_margin(samples, graph, region, margin, out.ids);
-  std::sort(out.ids.begin() + static_cast<std::ptrdiff_t>(out.own), out.ids.end());
+  const auto margin_begin = out.ids.begin() + static_cast<std::ptrdiff_t>(out.own);
+  std::sort(margin_begin, out.ids.end());
+  const auto steep = std::stable_partition(margin_begin, out.ids.end(), [&](std::uint32_t i) {
+    return glm::dot(samples.normals[i], region.normal) >= kLeastSupportCosine;
+  });
+  out.supporting = static_cast<std::size_t>(steep - out.ids.begin());
 
   glm::dvec3 centroid(0.0);
   const glm::dvec3 base = samples.positions[region.points.front()];

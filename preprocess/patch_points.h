@@ -20,10 +20,12 @@ struct PatchFrame {
 };
 
 /// Points in a patch frame (x, y on the base plane, z the height; world units), the region's own
-/// first, then those of the overlap margin.
+/// first, then those of the overlap margin that support samples, then those too steep for that,
+/// which only steady the fits.
 struct PatchPoints {
   PatchFrame frame;
   std::size_t own = 0;             ///< this many belong to the region
+  std::size_t supporting = 0;      ///< this many, own ones among them, support samples
   std::vector<std::uint32_t> ids;  ///< indices into the scan
   std::vector<glm::dvec3> positions;
   std::vector<glm::vec3> normals;  ///< unit, in the patch frame; all face +z

@@ -93,10 +93,12 @@ Patch resample_region(const SurfaceSamples& samples, const NeighbourGraph& graph
   const PatchPoints points = collect_patch_points(samples, graph, region, margin);
   const double bucket = bucket_side(points, options.spacing);
   const PointGrid own(points, points.own, bucket);
+  const PointGrid supporting(points, points.supporting, bucket);
   const PointGrid all(points, points.size(), bucket);
 
   PatchGrid grid = lay_grid(points, options.spacing, options.overlap_cells);
-  std::vector<NodeState> states = find_support(points, own, all, grid, options.overlap_cells);
+  std::vector<NodeState> states =
+      find_support(points, own, supporting, grid, options.overlap_cells);
   crop_grid(find_crop(states, grid), states, grid);
 
   Patch patch;

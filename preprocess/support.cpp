@@ -116,7 +116,7 @@ void fill_holes(const PatchGrid& grid, std::vector<NodeState>& states, NodeState
 }  // namespace
 
 std::vector<NodeState> find_support(const PatchPoints& points, const PointGrid& own,
-                                    const PointGrid& all, const PatchGrid& grid,
+                                    const PointGrid& supporting, const PatchGrid& grid,
                                     int overlap_cells) {
   std::vector<NodeState> states(grid.size(), NodeState::Hole);
   const auto supported = [&](const PointGrid& lookup, std::uint32_t i, std::uint32_t j) {
@@ -138,7 +138,7 @@ std::vector<NodeState> find_support(const PatchPoints& points, const PointGrid& 
   });
   for (int ring = 0; ring < overlap_cells; ++ring) {
     fill_holes(grid, states, NodeState::Margin, [&](std::uint32_t i, std::uint32_t j, int samples) {
-      return samples > 0 && supported(all, i, j);
+      return samples > 0 && supported(supporting, i, j);
     });
   }
   return states;

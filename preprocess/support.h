@@ -32,9 +32,9 @@ enum class NodeState : std::uint8_t { Hole, Own, Margin };
                                 double y, double spacing);
 
 /// The state of every node: Own where the region's own points support it, and in slits of one node;
-/// Margin within `overlap_cells` of those, where any points do; Hole elsewhere.
+/// Margin within `overlap_cells` of those, where all that may do; Hole elsewhere.
 [[nodiscard]] std::vector<NodeState> find_support(const PatchPoints& points, const PointGrid& own,
-                                                  const PointGrid& all, const PatchGrid& grid,
-                                                  int overlap_cells);
+                                                  const PointGrid& supporting,
+                                                  const PatchGrid& grid, int overlap_cells);
 
 }  // namespace relief
