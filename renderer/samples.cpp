@@ -19,11 +19,10 @@ namespace {
 
 constexpr float kLowestView = 0.58F;  // tan 30 degrees
 
-/// How far a splat may reach beyond its cell within its own plane, in cells. More would stick out
-/// of the silhouette as hairs wherever a steep slope was resampled badly, and at borders, where
-/// slopes are least certain.
+/// How far a splat may reach beyond its cell within its own plane, in cells; more would stick out
+/// of the silhouette as hairs wherever a steep slope was resampled badly. Border splats reach as
+/// far as that, over the notches between the ragged borders of two patches.
 constexpr float kLargestReach = 0.5F;
-constexpr float kLargestReachOfBorder = 0.25F;
 
 /// Heights of a patch with two rings of holes around, so that nothing asks for the edge.
 class PaddedHeights {
@@ -153,10 +152,11 @@ class SlitFinder {
     }
     const glm::vec2 slope = slopes_.slope_step * glm::vec2(slopes_.steps[k]);
     const float cosine = 1.0F / std::sqrt(1.0F + glm::dot(slope, slope));
-    const float margin = std::min(widest * cosine / (2.0F * kLowestView),
-                                  (border ? kLargestReachOfBorder : kLargestReach) * cosine);
+    const float closing = widest * cosine / (2.0F * kLowestView);
+    const float largest = kLargestReach * cosine;
+    const float margin = border ? largest : std::min(closing, largest);
     std::uint32_t c = 0;
-    while (c + 1 < std::size(shared::kMargins) && shared::kMargins[c] < margin) ++c;
+    while (c + 1 < std::size(shared::kMargins) && shared::kMargins[c] < margin - 1e-6F) ++c;
     return c;
   }
 

@@ -94,8 +94,9 @@ const float kMargins[8] = float[8](0.02, 0.04, 0.07, 0.11, 0.17, 0.25, 0.36, 0.5
 /// is far away.
 RELIEF_CONST float kMarginPixels = 0.02f;
 
-/// How far the depth of a border splat is set back, in cells: what sticks out of a patch must not
-/// cover the surface of the next.
+/// How far the depth of a border splat is set back, in cells, over the cosine of its tilt: what
+/// sticks out of a patch must not cover the surface of the next, and sticks out more where it is
+/// steep.
 RELIEF_CONST float kBorderSetBack = 0.5f;
 
 /// The largest step, in cells, from the direct to the corrected place. Beyond it the view ray runs

@@ -51,7 +51,8 @@ Splat fetch_splat(int record, PatchInfo info, mat4 clip_from_grid) {
   splat.reach = (bits.x & kBorderBit) != 0u
                     ? trim(ivec2(splat.centre.xy), splat.slope, splat.half_width, info)
                     : vec4(splat.half_width);
-  splat.set_back = border ? splat.depth / (splat.depth + kBorderSetBack * spacing) : 1.0;
+  float behind = kBorderSetBack * spacing * sqrt(1.0 + dot(splat.slope, splat.slope));
+  splat.set_back = border ? splat.depth / (splat.depth + behind) : 1.0;
   return splat;
 }
 

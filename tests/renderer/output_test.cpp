@@ -151,7 +151,7 @@ class Environments : public testing::Test {
             ("relief-environment-" + std::to_string(::getpid()) + ".exr");
     Image image{64, 32, {}};
     for (const char* name : {"R", "G", "B"})
-      image.channels.push_back({name, ChannelType::Float, std::vector<float>(64 * 32)});
+      image.channels.push_back({name, ChannelType::Float, std::vector<float>(2048)});
     for (std::size_t y = 0; y < 32; ++y) {
       for (std::size_t x = 0; x < 64; ++x) {
         const glm::vec3 colour =

@@ -81,7 +81,8 @@ TEST_P(Surfaces, SphereOfManyPatchesHasNoHolesAndItsOwnNormals) {
     EXPECT_EQ(errors.holes, 0U) << distance;
     // A splat's plane is off the sphere by 0.0125 cells at its corner, a triangle by as much in its
     // middle. At 20 degrees that moves the place by 0.035 cells, over which the normal turns by 0.1
-    // degrees (a disc reaches further than a quad); the maps' bilinear normals and half floats add little.
+    // degrees (a disc reaches further than a quad); the maps' bilinear normals and half floats add
+    // little.
     EXPECT_LT(errors.normal_degrees, 0.2) << distance;
     EXPECT_LT(errors.depth_cells, 0.04) << distance;
   }
