@@ -14,7 +14,7 @@ namespace {
 constexpr double kReachInSpacings = 0.9;
 // That is on the base plane; on a slope the surface is longer. Along the point's tangent plane the
 // node may be this many spacings away. (A tighter limit makes pinholes where normals are noisy.)
-constexpr double kSlopeReachInSpacings = 1.5;
+constexpr double kSlopeReachInSpacings = 3.0;
 // A point takes part in surrounding nodes up to this many of its own local scan spacings away. A
 // random sampling has an empty disc of radius 2.2 spacings about once in four million points
 // (exp(-pi 2.2^2)); the rest is for densities that change within the neighbourhood.
