@@ -39,8 +39,8 @@ struct PatchSamples {
 /// more than half a cell within the plane: larger margins close no more holes on curved or noisy
 /// fields, and stick out of crests and silhouettes (measured: docs/decisions.md).
 ///
-/// Border splats reach that far anyway, over the notches between the ragged borders of two patches.
 /// Border samples, those with a hole or the patch's edge among their eight neighbours, are flagged.
+/// Their splats reach that far anyway, over the notches between the ragged borders of two patches.
 [[nodiscard]] PatchSamples make_samples(const Patch& patch);
 
 }  // namespace relief
