@@ -57,6 +57,7 @@ nlohmann::ordered_json as_json(const Summary& s) {
           {"points_dropped", s.read.dropped_nonfinite},
           {"duplicates_merged", s.read.merged_duplicates},
           {"normals_estimated", s.report.normals_estimated},
+          {"points_added", s.report.points_added},
           {"normals_repaired", s.report.normals_repaired},
           {"patches", s.file.patches},
           {"samples", s.file.samples},

@@ -17,6 +17,7 @@ constexpr double kColourScaleInSpacings = 0.5;
 template <class Value>
 void continue_outward(std::vector<Value>& values, std::vector<std::uint8_t>& known,
                       std::uint32_t width, std::uint32_t height) {
+  if (width == 0 || height == 0) return;
   const auto for_neighbours = [&](std::size_t m, auto&& fn) {
     const auto i = static_cast<std::uint32_t>(m % width);
     const auto j = static_cast<std::uint32_t>(m / width);
@@ -101,7 +102,7 @@ AttributeMap<glm::u8vec3> sample_colours(const PatchPoints& points, const PointG
                                          const PatchGrid& grid,
                                          const std::vector<glm::u8vec3>& colours,
                                          std::uint32_t scale) {
-  static const std::array<float, 256> kLinear = linear_table();
+  static const std::array<float, 256> linear = linear_table();
   AttributeMap<glm::u8vec3> map{
       (grid.width - 1) * scale + 1, (grid.height - 1) * scale + 1, scale, {}};
   const std::size_t size = std::size_t{map.width} * map.height;
@@ -125,7 +126,7 @@ AttributeMap<glm::u8vec3> sample_colours(const PatchPoints& points, const PointG
       lookup.for_each_within(x, y, 2.5 * radius, [&](std::uint32_t p, double squared) {
         const auto w = static_cast<float>(std::exp(-squared / (radius * radius)));
         const glm::u8vec3 c = colours[points.ids[p]];
-        sum += w * glm::vec3(kLinear[c.r], kLinear[c.g], kLinear[c.b]);
+        sum += w * glm::vec3(linear[c.r], linear[c.g], linear[c.b]);
         weights += w;
       });
       values[std::size_t{b} * map.width + a] = sum / weights;

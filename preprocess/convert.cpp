@@ -9,6 +9,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "preprocess/densify.h"
 #include "preprocess/measure.h"
 #include "preprocess/neighbours.h"
 #include "preprocess/normals.h"
@@ -177,6 +178,7 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
                                        Progress& progress) {
   ConvertResult result;
   result.report.points = points.size();
+  result.report.points_added = densify_triangles(points);
 
   progress.begin_stage("neighbours", 0);
   const NeighbourGraph graph = find_neighbours(points.positions, kNeighbours);
@@ -198,8 +200,9 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   if (progress.cancelled()) return interrupted();
 
   const SurfaceSamples samples{points.positions, points.normals, graph.spacing, frames.roughness};
-  const double spacing =
-      options.spacing > 0.0 ? options.spacing : choose_spacing(samples, graph, regions);
+  const double spacing = options.spacing > 0.0
+                             ? options.spacing
+                             : choose_spacing(samples, graph, regions, result.report.points);
   if (const Status ok = check_spacing(regions, samples, spacing); !ok) return ok.error();
   const double step =
       options.height_step > 0.0 ? options.height_step : spacing / kDefaultStepsPerSpacing;
@@ -213,8 +216,8 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   if (patches.empty()) return make_error("the points are too scattered to be a surface");
 
   progress.begin_stage("measure", 0);
-  const Fidelity fidelity =
-      measure_fidelity(points.positions, graph, owners_of(regions, points.size()), patches);
+  const Fidelity fidelity = measure_fidelity(points.positions, result.report.points, graph,
+                                             owners_of(regions, points.size()), patches);
   PatchModel& model = result.model;
   model.patches = std::move(patches);
   model.spacing = spacing;

@@ -23,6 +23,7 @@ struct ConvertOptions {
 /// How well the patches render the points they came from.
 struct ConvertReport {
   std::uint64_t points = 0;            ///< points that were converted
+  std::uint64_t points_added = 0;      ///< on triangles larger than the spacing; not in `points`
   std::uint64_t normals_repaired = 0;  ///< given normals that were zero, NaN or inconsistent
   bool normals_estimated = false;      ///< the scan had none
   double error_rms = 0.0;  ///< distance of the points to the patches' bilinear surface, world units

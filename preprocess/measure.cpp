@@ -122,8 +122,8 @@ std::optional<double> distance_to_patch(const Patch& patch, glm::dvec3 point) {
   return to_sample * patch.spacing;
 }
 
-Fidelity measure_fidelity(const std::vector<glm::dvec3>& positions, const NeighbourGraph& graph,
-                          const std::vector<std::uint32_t>& owner,
+Fidelity measure_fidelity(const std::vector<glm::dvec3>& positions, std::size_t count,
+                          const NeighbourGraph& graph, const std::vector<std::uint32_t>& owner,
                           const std::vector<Patch>& patches) {
   constexpr auto kNoPatch = std::numeric_limits<std::uint32_t>::max();
   double largest_spacing = 0.0;
@@ -131,7 +131,7 @@ Fidelity measure_fidelity(const std::vector<glm::dvec3>& positions, const Neighb
   const double limit = kUncoveredInSpacings * largest_spacing;
   // Fixed chunks joined in order: floating-point sums do not depend on the number of threads.
   const Sums total = tbb::parallel_deterministic_reduce(
-      tbb::blocked_range<std::size_t>(0, positions.size(), 4096), Sums{},
+      tbb::blocked_range<std::size_t>(0, count, 4096), Sums{},
       [&](const tbb::blocked_range<std::size_t>& range, Sums sums) {
         for (std::size_t i = range.begin(); i != range.end(); ++i) {
           double d = neighbourhood_distance(positions, graph, owner, patches, i, kNoPatch);
@@ -149,8 +149,7 @@ Fidelity measure_fidelity(const std::vector<glm::dvec3>& positions, const Neighb
       [](const Sums& a, const Sums& b) {
         return Sums{a.squared + b.squared, std::max(a.max, b.max), a.uncovered + b.uncovered};
       });
-  return {std::sqrt(total.squared / static_cast<double>(positions.size())), total.max,
-          total.uncovered};
+  return {std::sqrt(total.squared / static_cast<double>(count)), total.max, total.uncovered};
 }
 
 std::vector<std::uint8_t> find_redundant(const std::vector<glm::dvec3>& positions,

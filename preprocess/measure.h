@@ -20,11 +20,11 @@ struct Fidelity {
   std::uint64_t uncovered = 0;  ///< points farther than two spacings from every patch
 };
 
-/// Measures all points against the patches of their neighbourhood; `owner` is each point's patch
-/// (index into `patches`, or patches.size() if it has none). Points farther than two spacings from
-/// those are tried against every patch; what no patch is near counts in `max` and `rms` with the
-/// distance of two spacings, the least it can be.
-[[nodiscard]] Fidelity measure_fidelity(const std::vector<glm::dvec3>& positions,
+/// Measures the first `count` points against the patches of their neighbourhood; `owner` is each
+/// point's patch (index into `patches`, or patches.size() if it has none). Points farther than two
+/// spacings from those are tried against every patch; what no patch is near counts in `max` and
+/// `rms` with the distance of two spacings, the least it can be.
+[[nodiscard]] Fidelity measure_fidelity(const std::vector<glm::dvec3>& positions, std::size_t count,
                                         const NeighbourGraph& graph,
                                         const std::vector<std::uint32_t>& owner,
                                         const std::vector<Patch>& patches);

@@ -100,10 +100,9 @@ double misoriented_edges(const Points& points) {
 // Passes until nothing changes, as neighbours may lack normals too.
 void fill_missing(const Points& points, const NeighbourGraph& graph, const LocalFrames& frames,
                   std::vector<glm::vec3>& normals, std::vector<std::uint8_t>& missing) {
-  bool any = true;
-  while (any) {
-    any = false;
-    std::vector<std::uint32_t> filled;
+  std::vector<std::uint32_t> filled;
+  do {
+    filled.clear();
     for (std::uint32_t i = 0; i < points.size(); ++i) {
       if (missing[i] == 0) continue;
       float side = 0.0F;
@@ -118,8 +117,7 @@ void fill_missing(const Points& points, const NeighbourGraph& graph, const Local
       filled.push_back(i);
     }
     for (const std::uint32_t i : filled) missing[i] = 0;
-    any = !filled.empty();
-  }
+  } while (!filled.empty());
 }
 
 // The mean of the usable normals around a point; short where the neighbours disagree (thin sheets).

@@ -104,14 +104,15 @@ Patch resample_region(const SurfaceSamples& samples, const NeighbourGraph& graph
   Patch patch;
   patch.width = grid.width;
   patch.height = grid.height;
-  if (states.empty()) return patch;
+  if (grid.width == 0 || grid.height == 0) return patch;
 
   std::vector<SurfacePoint> surface(grid.size());
   for (std::size_t m = 0; m < states.size(); ++m) {
     if (states[m] == NodeState::Hole) continue;
-    surface[m] =
-        evaluate_mls(points, all, grid.x0 + static_cast<double>(m % grid.width) * grid.spacing,
-                     grid.y0 + static_cast<double>(m / grid.width) * grid.spacing, grid.spacing);
+    const auto i = static_cast<std::uint32_t>(m % grid.width);
+    const auto j = static_cast<std::uint32_t>(m / grid.width);
+    surface[m] = evaluate_mls(points, all, grid.x0 + i * grid.spacing, grid.y0 + j * grid.spacing,
+                              grid.spacing);
   }
 
   double lowest = 0.0;
@@ -127,19 +128,18 @@ Patch resample_region(const SurfaceSamples& samples, const NeighbourGraph& graph
 }
 
 double choose_spacing(const SurfaceSamples& samples, const NeighbourGraph& graph,
-                      const std::vector<Region>& regions) {
+                      const std::vector<Region>& regions, std::size_t target) {
   double area = 0.0;
-  std::size_t count = 0;
+  const auto count = static_cast<double>(target);
   std::vector<PatchPoints> points(regions.size());
   for (std::size_t r = 0; r < regions.size(); ++r) {
     points[r] = collect_patch_points(samples, graph, regions[r], 0.0);
-    count += points[r].own;
     for (std::size_t p = 0; p < points[r].own; ++p) {
       area +=
           double{points[r].spacing[p]} * points[r].spacing[p] * std::abs(points[r].normals[p].z);
     }
   }
-  double spacing = std::sqrt(area / static_cast<double>(count));
+  double spacing = std::sqrt(area / count);
   // The area counts no borders and trusts estimated densities; counting nodes corrects for both.
   // Two corrections come within about 1 %.
   for (int round = 0; round < 2; ++round) {
@@ -153,7 +153,7 @@ double choose_spacing(const SurfaceSamples& samples, const NeighbourGraph& graph
     });
     const double total =
         static_cast<double>(std::accumulate(nodes.begin(), nodes.end(), std::size_t{0}));
-    spacing *= std::sqrt(total / static_cast<double>(count));
+    spacing *= std::sqrt(total / count);
   }
   return spacing;
 }

@@ -21,9 +21,9 @@ struct ResampleOptions {
                                     const Region& region, const std::vector<glm::u8vec3>& colours,
                                     const ResampleOptions& options);
 
-/// The grid spacing at which the regions have about as many samples of their own (margins apart) as
-/// the scan has points, world units.
+/// The grid spacing at which the regions have about `target` samples of their own (margins apart),
+/// world units.
 [[nodiscard]] double choose_spacing(const SurfaceSamples& samples, const NeighbourGraph& graph,
-                                    const std::vector<Region>& regions);
+                                    const std::vector<Region>& regions, std::size_t target);
 
 }  // namespace relief

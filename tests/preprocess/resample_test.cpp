@@ -228,7 +228,8 @@ TEST(Resample, WidensTheStepWhere16BitsDoNotHoldTheHeights) {
 
 TEST(Resample, DefaultSpacingGivesAboutOneSampleAPoint) {
   const Prepared scan(test::sample_torus({}, kStep));
-  const double spacing = choose_spacing(scan.samples(), scan.graph, scan.regions);
+  const double spacing =
+      choose_spacing(scan.samples(), scan.graph, scan.regions, scan.points.size());
   ResampleOptions options = options_for(spacing);
   options.overlap_cells = 0;
   std::size_t samples = 0;

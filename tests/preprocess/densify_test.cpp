@@ -1,0 +1,86 @@
+#include "preprocess/densify.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/preprocess/surfaces.h"
+
+namespace relief {
+namespace {
+
+// A mesh of the unit square's grid whose cells `big` by `big` in the middle are two triangles.
+Points mesh_with_big_triangles(std::uint32_t side, std::uint32_t big) {
+  Points points;
+  for (std::uint32_t j = 0; j <= side; ++j) {
+    for (std::uint32_t i = 0; i <= side; ++i) points.positions.emplace_back(i, j, 0.0);
+  }
+  const auto node = [&](std::uint32_t i, std::uint32_t j) { return j * (side + 1) + i; };
+  const std::uint32_t low = (side - big) / 2;
+  for (std::uint32_t j = 0; j < side; ++j) {
+    for (std::uint32_t i = 0; i < side; ++i) {
+      if (i >= low && i < low + big && j >= low && j < low + big) continue;
+      points.triangles.push_back({node(i, j), node(i + 1, j), node(i + 1, j + 1)});
+      points.triangles.push_back({node(i, j), node(i + 1, j + 1), node(i, j + 1)});
+    }
+  }
+  const std::uint32_t high = low + big;
+  points.triangles.push_back({node(low, low), node(high, low), node(high, high)});
+  points.triangles.push_back({node(low, low), node(high, high), node(low, high)});
+  // The vertices within the big cell are not there.
+  for (std::uint32_t j = low + 1; j < high; ++j) {
+    for (std::uint32_t i = low + 1; i < high; ++i) {
+      points.positions[node(i, j)] = glm::dvec3(node(i, j), -1000.0, 0.0);
+    }
+  }
+  return points;
+}
+
+TEST(Densify, FillsTrianglesThatAreLargerThanTheSpacing) {
+  Points points = mesh_with_big_triangles(20, 6);
+  const std::size_t given = points.size();
+  const std::size_t added = densify_triangles(points);
+  EXPECT_EQ(points.size(), given + added);
+  // Every spot of the big cell is within a spacing or so of a point.
+  for (double y = 7.5; y < 13.0; y += 0.5) {
+    for (double x = 7.5; x < 13.0; x += 0.5) {
+      double nearest = 1e9;
+      for (const glm::dvec3& p : points.positions) {
+        nearest = std::min(nearest, glm::distance(p, glm::dvec3(x, y, 0.0)));
+      }
+      EXPECT_LT(nearest, 1.2) << x << ", " << y;
+    }
+  }
+}
+
+TEST(Densify, LeavesEvenMeshesAndScansAlone) {
+  Points even = mesh_with_big_triangles(20, 1);
+  EXPECT_EQ(densify_triangles(even), 0U);
+  Points scan = test::sample_sphere(1000);
+  EXPECT_EQ(densify_triangles(scan), 0U);
+}
+
+TEST(Densify, InterpolatesAttributes) {
+  Points points = mesh_with_big_triangles(20, 6);
+  for (const glm::dvec3& p : points.positions) {
+    points.normals.emplace_back(0, 0, 1);
+    points.colours.emplace_back(static_cast<std::uint8_t>(std::clamp(p.x, 0.0, 20.0) * 10.0), 7, 9);
+  }
+  const std::size_t given = points.size();
+  densify_triangles(points);
+  ASSERT_EQ(points.normals.size(), points.size());
+  ASSERT_EQ(points.colours.size(), points.size());
+  for (std::size_t i = given; i < points.size(); ++i) {
+    EXPECT_NEAR(points.colours[i].r, points.positions[i].x * 10.0, 1.0);
+    EXPECT_EQ(points.colours[i].g, 7);
+  }
+}
+
+TEST(Densify, NeverMoreThanDoublesTheScan) {
+  Points points;  // a cube's corner and a far sliver
+  points.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1e6, 1e6, 1}};
+  points.triangles = {{0, 1, 2}, {1, 2, 3}};
+  densify_triangles(points);
+  EXPECT_LE(points.size(), 8U);
+}
+
+}  // namespace
+}  // namespace relief
