@@ -103,10 +103,9 @@ void Engine::bind_model(const Texture* environment) const {
 }
 
 void Engine::unbind_model() const {
-  for (const GLuint unit :
-       {RELIEF_TEXTURE_HEIGHTS, RELIEF_TEXTURE_NORMALS, RELIEF_TEXTURE_COLOURS,
-        RELIEF_TEXTURE_ENVIRONMENT, RELIEF_TEXTURE_SAMPLES, RELIEF_TEXTURE_PATCHES,
-        RELIEF_TEXTURE_PATCH_VIEWS})
+  for (const GLuint unit : {RELIEF_TEXTURE_HEIGHTS, RELIEF_TEXTURE_NORMALS, RELIEF_TEXTURE_COLOURS,
+                            RELIEF_TEXTURE_ENVIRONMENT, RELIEF_TEXTURE_SAMPLES,
+                            RELIEF_TEXTURE_PATCHES, RELIEF_TEXTURE_PATCH_VIEWS})
     gl_->BindTextureUnit(unit, 0);
   gl_->BindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
   gl_->BindVertexArray(0);
