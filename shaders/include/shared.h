@@ -50,9 +50,9 @@ using glm::vec4;
 #define RELIEF_OUT_UV 3
 #define RELIEF_OUT_PATCH 4
 
-// Binding points: one uniform block, one storage buffer, else texture units. The tables are buffer textures, not storage
-// buffers: llvmpipe reads a storage buffer lane by lane, and not at all in helper invocations, which
-// spoils derivatives (measured: docs/decisions.md).
+// Binding points: one uniform block, one storage buffer, else texture units. The tables are buffer
+// textures, not storage buffers: llvmpipe reads a storage buffer lane by lane, and not at all in
+// helper invocations, which spoils derivatives (measured: docs/decisions.md).
 #define RELIEF_BIND_FRAME 0
 #define RELIEF_BIND_FRAGMENT_COUNT 0
 #define RELIEF_TEXTURE_HEIGHTS 0
@@ -120,7 +120,8 @@ struct PatchInfo {
   ivec4 colours;  ///< the same for the colour map
 };
 
-/// What the camera makes of a patch; kPatchViewRows texels of four floats. Grid frame: (column, row, height) in cells.
+/// What the camera makes of a patch; kPatchViewRows texels of four floats. Grid frame: (column,
+/// row, height) in cells.
 struct PatchView {
   mat4 clip_from_grid;
   vec4 eye;  ///< the eye in the grid frame; w: 0
