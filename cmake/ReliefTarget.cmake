@@ -44,6 +44,8 @@ function(relief_test name)
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LIBS} GTest::gtest_main)
   relief_configure(${name})
+  # GCC 12 sees null pointers in std::vector<nlohmann::json> behind GoogleTest's macros; there are none.
+  target_compile_options(${name} PRIVATE -Wno-null-dereference)
   if(RELIEF_TIDY)
     # In tests the static analyzer walks through GoogleTest's macros: two thirds of clang-tidy's time there (20 of
     # 28 s for patch_file_test.cpp), and it found nothing.
