@@ -41,10 +41,6 @@ constexpr std::size_t kLeastPatchPoints = 4;
 constexpr float kSparseInMedians = 4.0F;
 constexpr float kRoughShare = 0.08F;
 
-Error interrupted() {
-  return make_error("interrupted; nothing was written");
-}
-
 Bounds bounds_of(const std::vector<glm::dvec3>& positions) {
   Bounds bounds{positions.front(), positions.front()};
   for (const glm::dvec3& p : positions) {
@@ -182,14 +178,14 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
 
   progress.begin_stage("neighbours", 0);
   const NeighbourGraph graph = find_neighbours(points.positions, kNeighbours);
-  if (progress.cancelled()) return interrupted();
+  if (progress.cancelled()) return interrupted_error();
 
   progress.begin_stage("normals", 0);
   const LocalFrames frames = fit_local_frames(points.positions, graph);
   const NormalsReport normals = complete_normals(points, graph, frames);
   result.report.normals_estimated = normals.estimated;
   result.report.normals_repaired = normals.repaired;
-  if (progress.cancelled()) return interrupted();
+  if (progress.cancelled()) return interrupted_error();
 
   const std::vector<glm::vec3> smooth = smooth_normals(points.normals, graph);
   const SurfaceSamples smooth_samples{points.positions, smooth, graph.spacing, frames.roughness};
@@ -197,7 +193,7 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   std::vector<Region> regions = partition(
       smooth_samples, graph, surface_points(points.positions, graph, frames), cone, progress);
   std::erase_if(regions, [](const Region& r) { return r.points.size() < kLeastPatchPoints; });
-  if (progress.cancelled()) return interrupted();
+  if (progress.cancelled()) return interrupted_error();
 
   const SurfaceSamples samples{points.positions, points.normals, graph.spacing, frames.roughness};
   const double spacing = options.spacing > 0.0
@@ -211,7 +207,7 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
                                  !normals.estimated};
   std::vector<Patch> patches =
       resample_all(samples, graph, regions, points.colours, resample, progress);
-  if (progress.cancelled()) return interrupted();
+  if (progress.cancelled()) return interrupted_error();
   drop_redundant(samples, graph, regions, patches);
   if (patches.empty()) return make_error("the points are too scattered to be a surface");
 

@@ -4,6 +4,7 @@
 
 #include <numeric>
 
+#include "tests/preprocess/prepared.h"
 #include "tests/preprocess/surfaces.h"
 
 namespace relief {
@@ -11,30 +12,7 @@ namespace {
 
 constexpr double kCone = 70.0;
 
-// A scan ready for the partition.
-struct Prepared {
-  explicit Prepared(Points scan) : points(std::move(scan)) {
-    graph = find_neighbours(points.positions, 16);
-    frames = fit_local_frames(points.positions, graph);
-    complete_normals(points, graph, frames);
-  }
-  [[nodiscard]] std::vector<std::uint32_t> all_points() const {
-    std::vector<std::uint32_t> all(points.size());
-    std::iota(all.begin(), all.end(), 0U);
-    return all;
-  }
-  [[nodiscard]] SurfaceSamples samples() const {
-    return {points.positions, points.normals, graph.spacing, frames.roughness};
-  }
-  [[nodiscard]] std::vector<Region> regions() const {
-    Progress progress;
-    return partition(samples(), graph, all_points(), kCone, progress);
-  }
-
-  Points points;
-  NeighbourGraph graph;
-  LocalFrames frames;
-};
+using test::Prepared;
 
 Points two_sheets(double gap) {
   Points points = test::sample_height_field(
@@ -99,7 +77,7 @@ TEST(RegionTest, RefusesTwoSheetsWithOneNormal) {
 
 TEST(Partition, GivesAPlaneOnePatch) {
   const Prepared plane(test::sample_height_field(0.5, 0.02, [](double, double) { return 0.0; }));
-  const std::vector<Region> regions = plane.regions();
+  const std::vector<Region> regions = plane.regions(kCone);
   ASSERT_EQ(regions.size(), 1U);
   expect_every_point_once(regions, plane.points.size());
   EXPECT_GT(std::abs(regions[0].normal.z), 0.999F);
@@ -107,7 +85,7 @@ TEST(Partition, GivesAPlaneOnePatch) {
 
 TEST(Partition, NeedsFewPatchesForASphere) {
   const Prepared sphere(test::sample_sphere(10000));
-  const std::vector<Region> regions = sphere.regions();
+  const std::vector<Region> regions = sphere.regions(kCone);
   expect_every_point_once(regions, sphere.points.size());
   // Four caps of 70.5 degrees cover a sphere at best; growing regions come within twice that.
   EXPECT_GE(regions.size(), 4U);
@@ -116,7 +94,7 @@ TEST(Partition, NeedsFewPatchesForASphere) {
 
 TEST(Partition, KeepsEveryRegionWithinItsCone) {
   const Prepared torus(test::sample_torus({}, 0.025));
-  const std::vector<Region> regions = torus.regions();
+  const std::vector<Region> regions = torus.regions(kCone);
   expect_every_point_once(regions, torus.points.size());
   for (const Region& region : regions) {
     for (const std::uint32_t i : region.points) {
@@ -130,7 +108,7 @@ TEST(Partition, PartsSheetsThatShareANormal) {
   for (const double gap_in_spacings : {2.0, 3.0, 6.0}) {
     const Prepared sheets(two_sheets(gap_in_spacings * 0.02));
     const auto lower = static_cast<std::uint32_t>(sheets.points.size() / 2);
-    const std::vector<Region> regions = sheets.regions();
+    const std::vector<Region> regions = sheets.regions(kCone);
     expect_every_point_once(regions, sheets.points.size());
     for (const Region& region : regions) {
       const auto below = std::count_if(region.points.begin(), region.points.end(),

@@ -8,6 +8,7 @@
 #include "preprocess/attributes.h"
 #include "preprocess/measure.h"
 #include "preprocess/mls.h"
+#include "tests/preprocess/prepared.h"
 #include "tests/preprocess/surfaces.h"
 
 namespace relief {
@@ -15,22 +16,10 @@ namespace {
 
 constexpr double kStep = 0.02;
 
-struct Prepared {
-  explicit Prepared(Points scan) : points(std::move(scan)) {
-    graph = find_neighbours(points.positions, 16);
-    frames = fit_local_frames(points.positions, graph);
-    complete_normals(points, graph, frames);
-    Progress progress;
-    regions = partition(samples(), graph, all_points(), 70.0, progress);
-  }
-  [[nodiscard]] std::vector<std::uint32_t> all_points() const {
-    std::vector<std::uint32_t> all(points.size());
-    std::iota(all.begin(), all.end(), 0U);
-    return all;
-  }
-  [[nodiscard]] SurfaceSamples samples() const {
-    return {points.positions, points.normals, graph.spacing, frames.roughness};
-  }
+// A scan with its regions under a cone of 70 degrees.
+struct Partitioned : test::Prepared {
+  explicit Partitioned(Points scan) : Prepared(std::move(scan)), regions(Prepared::regions(70.0)) {}
+
   [[nodiscard]] std::vector<Patch> patches(const ResampleOptions& options) const {
     std::vector<Patch> out;
     for (const Region& region : regions) {
@@ -39,9 +28,6 @@ struct Prepared {
     return out;
   }
 
-  Points points;
-  NeighbourGraph graph;
-  LocalFrames frames;
   std::vector<Region> regions;
 };
 
@@ -90,7 +76,7 @@ TEST(Mls, ReproducesAQuadricExactly) {
   const auto height = [](double x, double y) {
     return 0.3 + 0.2 * x - 0.1 * y + 0.5 * x * x - 0.4 * x * y + 0.3 * y * y;
   };
-  const Prepared scan(test::sample_height_field(0.5, kStep, height));
+  const Partitioned scan(test::sample_height_field(0.5, kStep, height));
   Region all;
   all.normal = {0, 0, scan.points.normals[0].z > 0.0F ? 1 : -1};
   for (std::uint32_t i = 0; i < scan.points.size(); ++i) all.points.push_back(i);
@@ -107,7 +93,7 @@ TEST(Mls, ReproducesAQuadricExactly) {
 }
 
 TEST(Resample, PutsSamplesOnTheSphere) {
-  const Prepared scan(test::sample_sphere(8000));
+  const Partitioned scan(test::sample_sphere(8000));
   const double spacing = std::sqrt(4.0 * std::numbers::pi / 8000.0);
   const Deviation worst = worst_deviation(scan.patches(options_for(spacing)), test::Sphere{});
   // Rounding alone is spacing / 40; the fits may add as much again at one-sided borders.
@@ -117,7 +103,7 @@ TEST(Resample, PutsSamplesOnTheSphere) {
 
 TEST(Resample, PutsSamplesOnTheTorus) {
   const test::Torus torus;
-  const Prepared scan(test::sample_torus(torus, kStep));
+  const Partitioned scan(test::sample_torus(torus, kStep));
   const Deviation worst = worst_deviation(scan.patches(options_for(kStep)), torus);
   EXPECT_LT(worst.distance, kStep / 10.0);
   // Points are 3 degrees apart around the tube; at the steep rims of patches a cell spans three
@@ -127,7 +113,7 @@ TEST(Resample, PutsSamplesOnTheTorus) {
 
 TEST(Resample, PutsSamplesOnTheSaddle) {
   const test::Saddle saddle;
-  const Prepared scan(test::sample_height_field(
+  const Partitioned scan(test::sample_height_field(
       0.5, kStep, [&](double x, double y) { return saddle.height(x, y); }));
   const Deviation worst = worst_deviation(scan.patches(options_for(kStep)), saddle);
   EXPECT_LT(worst.distance, kStep / 10.0);
@@ -135,7 +121,7 @@ TEST(Resample, PutsSamplesOnTheSaddle) {
 }
 
 TEST(Resample, KeepsToTheBorderOfAnOpenScan) {
-  const Prepared scan(test::sample_height_field(0.5, kStep, [](double, double) { return 0.0; }));
+  const Partitioned scan(test::sample_height_field(0.5, kStep, [](double, double) { return 0.0; }));
   glm::dvec2 low(1.0);
   glm::dvec2 high(-1.0);
   for (const glm::dvec3& p : scan.points.positions) {
@@ -160,7 +146,7 @@ TEST(Resample, LeavesGapsOfTheScanOpen) {
   Points points = test::sample_height_field(0.5, kStep, [](double, double) { return 0.0; });
   constexpr double kGap = 0.12;  // six spacings across
   std::erase_if(points.positions, [](glm::dvec3 p) { return std::hypot(p.x, p.y) < kGap / 2.0; });
-  const Prepared scan(std::move(points));
+  const Partitioned scan(std::move(points));
   std::size_t samples = 0;
   for (const Patch& patch : scan.patches(options_for(kStep))) {
     samples += count_samples(patch);
@@ -184,7 +170,7 @@ TEST(Resample, ClosesSparseSpotsOfAnUnevenScan) {
        test::sample_height_field(0.5, 3.0 * kStep, [](double, double) { return 0.0; }).positions) {
     if (p.x > 0.0) points.positions.push_back(p);
   }
-  const Prepared scan(std::move(points));
+  const Partitioned scan(std::move(points));
   const std::vector<Patch> patches = scan.patches(options_for(kStep));
   for (double y = -0.4; y <= 0.4; y += 0.01) {
     for (double x = -0.4; x <= 0.4; x += 0.01) {
@@ -201,7 +187,7 @@ TEST(Resample, ClosesSparseSpotsOfAnUnevenScan) {
 }
 
 TEST(Resample, OverlapsNeighbouringPatches) {
-  const Prepared scan(test::sample_sphere(8000));
+  const Partitioned scan(test::sample_sphere(8000));
   const double spacing = std::sqrt(4.0 * std::numbers::pi / 8000.0);
   const auto total = [&](int overlap) {
     ResampleOptions options = options_for(spacing);
@@ -215,7 +201,7 @@ TEST(Resample, OverlapsNeighbouringPatches) {
 }
 
 TEST(Resample, WidensTheStepWhere16BitsDoNotHoldTheHeights) {
-  const Prepared scan(
+  const Partitioned scan(
       test::sample_height_field(0.5, kStep, [](double x, double) { return 0.5 * x; }));
   ResampleOptions options = options_for(kStep);
   options.height_step = 1e-9;
@@ -227,7 +213,7 @@ TEST(Resample, WidensTheStepWhere16BitsDoNotHoldTheHeights) {
 }
 
 TEST(Resample, DefaultSpacingGivesAboutOneSampleAPoint) {
-  const Prepared scan(test::sample_torus({}, kStep));
+  const Partitioned scan(test::sample_torus({}, kStep));
   const double spacing =
       choose_spacing(scan.samples(), scan.graph, scan.regions, scan.points.size());
   ResampleOptions options = options_for(spacing);
@@ -241,7 +227,7 @@ TEST(Resample, DefaultSpacingGivesAboutOneSampleAPoint) {
 TEST(Colours, OfOneColouredScanStayExactlyThat) {
   Points points = test::sample_sphere(3000);
   points.colours.assign(points.size(), glm::u8vec3(17, 130, 251));
-  const Prepared scan(std::move(points));
+  const Partitioned scan(std::move(points));
   ResampleOptions options = options_for(0.065);
   options.colour_scale = 2;
   for (const Patch& patch : scan.patches(options)) {
@@ -256,7 +242,7 @@ TEST(Colours, LieWhereThePointsHaveThem) {
   for (const glm::dvec3& p : points.positions) {
     points.colours.push_back(p.x < 0.0 ? glm::u8vec3(255, 0, 0) : glm::u8vec3(0, 0, 255));
   }
-  const Prepared scan(std::move(points));
+  const Partitioned scan(std::move(points));
   ResampleOptions options = options_for(kStep);
   options.colour_scale = 2;
   for (const Patch& patch : scan.patches(options)) {
@@ -277,7 +263,7 @@ TEST(Colours, LieWhereThePointsHaveThem) {
 TEST(Normals, OfThePointsAreInterpolated) {
   Points points = test::sample_sphere(8000);
   for (const glm::dvec3& p : points.positions) points.normals.emplace_back(p);
-  const Prepared scan(std::move(points));
+  const Partitioned scan(std::move(points));
   ResampleOptions options = options_for(0.04);
   options.normals_from_points = true;
   // Points are 2 degrees apart. The worst nodes are those of the steep rim, beyond the last point
