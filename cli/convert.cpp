@@ -109,7 +109,7 @@ Result<Summary> convert_files(const Arguments& arguments, Progress& progress) {
     return make_error("{}: {}", arguments.inputs.front().string(), converted.error().message);
   }
   // The last moment at which nothing is there yet; writing takes well under a second.
-  if (progress.cancelled()) return Error{"interrupted"};
+  if (progress.cancelled()) return interrupted_error();
   progress.begin_stage("write", 0);
   if (const Status written = write_patch_file(arguments.output, converted->model); !written) {
     return written.error();

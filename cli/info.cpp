@@ -70,7 +70,7 @@ Status verify(const PatchFile& file, const std::string& name) {
   progress.begin_stage("verify", file.info().patches);
   std::uint64_t samples = 0;
   for (std::uint64_t i = 0; i < file.info().patches; ++i) {
-    if (progress.cancelled()) return Error{"interrupted"};
+    if (progress.cancelled()) return interrupted_error();
     const auto patch = file.read_patch(i);
     if (!patch) return patch.error();
     samples += count_samples(*patch);

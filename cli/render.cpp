@@ -130,11 +130,11 @@ Result<RenderResult> render_file(const Arguments& arguments) {
   ConsoleProgress progress;
   const auto model = load_model(arguments.scene, progress);
   if (!model) return model.error();
-  if (progress.cancelled()) return Error{"interrupted"};
+  if (progress.cancelled()) return interrupted_error();
   progress.begin_stage("render", 0);
   auto result = render(*model, settings_for(*model, arguments));
   if (!result) return result.error();
-  if (progress.cancelled()) return Error{"interrupted"};
+  if (progress.cancelled()) return interrupted_error();
   const Status written = writes_exr(arguments) ? write_exr(arguments.output, result->image)
                                                : write_png(arguments.output, result->image);
   if (!written) return written.error();

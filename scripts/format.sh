@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Formats every C++ file of the tree in place; with --check it only tells which are not formatted.
+# Formats every C++ file of the tree, and the header that GLSL shares, in place; with --check it only
+# tells which are not formatted.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 mode=(-i)
 if [ "${1:-}" = --check ]; then mode=(--dry-run -Werror); fi
-find cli common models preprocess renderer tests \( -name '*.h' -o -name '*.cpp' \) -print0 |
+find cli common models preprocess renderer shaders tests \( -name '*.h' -o -name '*.cpp' \) -print0 |
   xargs -0 clang-format "${mode[@]}"

@@ -41,14 +41,16 @@ class GlObject {
 
 namespace detail {
 
-struct BufferKind {
-  static constexpr GLenum kIdentifier = GL_BUFFER;
+/// Objects that glCreate...s and glDelete...s make and delete several at a time.
+template <GLenum Identifier, auto Create, auto Delete>
+struct PluralKind {
+  static constexpr GLenum kIdentifier = Identifier;
   static GLuint create(const Gl& gl) {
     GLuint id = 0;
-    gl.CreateBuffers(1, &id);
+    (gl.*Create)(1, &id);
     return id;
   }
-  static void destroy(const Gl& gl, GLuint id) { gl.DeleteBuffers(1, &id); }
+  static void destroy(const Gl& gl, GLuint id) { (gl.*Delete)(1, &id); }
 };
 
 struct TextureKind {
@@ -59,26 +61,6 @@ struct TextureKind {
     return id;
   }
   static void destroy(const Gl& gl, GLuint id) { gl.DeleteTextures(1, &id); }
-};
-
-struct FramebufferKind {
-  static constexpr GLenum kIdentifier = GL_FRAMEBUFFER;
-  static GLuint create(const Gl& gl) {
-    GLuint id = 0;
-    gl.CreateFramebuffers(1, &id);
-    return id;
-  }
-  static void destroy(const Gl& gl, GLuint id) { gl.DeleteFramebuffers(1, &id); }
-};
-
-struct VertexArrayKind {
-  static constexpr GLenum kIdentifier = GL_VERTEX_ARRAY;
-  static GLuint create(const Gl& gl) {
-    GLuint id = 0;
-    gl.CreateVertexArrays(1, &id);
-    return id;
-  }
-  static void destroy(const Gl& gl, GLuint id) { gl.DeleteVertexArrays(1, &id); }
 };
 
 struct QueryKind {
@@ -102,10 +84,12 @@ struct ProgramKind {
 
 }  // namespace detail
 
-using Buffer = GlObject<detail::BufferKind>;
+using Buffer = GlObject<detail::PluralKind<GL_BUFFER, &Gl::CreateBuffers, &Gl::DeleteBuffers>>;
 using Texture = GlObject<detail::TextureKind>;
-using Framebuffer = GlObject<detail::FramebufferKind>;
-using VertexArray = GlObject<detail::VertexArrayKind>;
+using Framebuffer =
+    GlObject<detail::PluralKind<GL_FRAMEBUFFER, &Gl::CreateFramebuffers, &Gl::DeleteFramebuffers>>;
+using VertexArray =
+    GlObject<detail::PluralKind<GL_VERTEX_ARRAY, &Gl::CreateVertexArrays, &Gl::DeleteVertexArrays>>;
 using Query = GlObject<detail::QueryKind>;
 using Program = GlObject<detail::ProgramKind>;
 

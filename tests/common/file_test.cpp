@@ -15,15 +15,10 @@
 namespace relief {
 namespace {
 
+using test::bytes_of;
 using test::ScratchFolder;
 using test::slurp;
 using test::spill;
-
-std::vector<std::byte> bytes_of(const std::string& text) {
-  std::vector<std::byte> bytes(text.size());
-  std::memcpy(bytes.data(), text.data(), text.size());
-  return bytes;
-}
 
 /// No file of this process grows beyond `bytes` while it lives: what a full disk is like, without
 /// one. The kernel answers EFBIG where a full disk answers ENOSPC.

@@ -13,15 +13,10 @@ namespace relief {
 namespace {
 
 using test::bumpy_model;
+using test::bytes_of;
 using test::ScratchFolder;
 using test::slurp;
 using test::spill;
-
-std::vector<std::byte> bytes_of(const std::string& text) {
-  std::vector<std::byte> bytes(text.size());
-  std::memcpy(bytes.data(), text.data(), text.size());
-  return bytes;
-}
 
 std::string text_of(const std::vector<std::byte>& bytes) {
   std::string text(bytes.size(), '\0');
