@@ -132,7 +132,7 @@ Result<RenderResult> render_file(const Arguments& arguments) {
   if (!model) return model.error();
   if (progress.cancelled()) return interrupted_error();
   progress.begin_stage("render", 0);
-  auto result = render(*model, settings_for(*model, arguments));
+  auto result = render(*model, settings_for(*model, arguments), progress);
   if (!result) return result.error();
   if (progress.cancelled()) return interrupted_error();
   const Status written = writes_exr(arguments) ? write_exr(arguments.output, result->image)

@@ -33,4 +33,11 @@ struct Bounds {
   [[nodiscard]] bool empty() const { return min.x > max.x; }
 };
 
+/// The box about some points; empty if there are none.
+[[nodiscard]] Bounds bounds_of(const std::vector<glm::dvec3>& positions);
+
+/// The radius of the sphere about the centre of `bounds` that holds all the points.
+[[nodiscard]] double bounding_radius(const std::vector<glm::dvec3>& positions,
+                                     const Bounds& bounds);
+
 }  // namespace relief

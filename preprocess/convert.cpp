@@ -41,23 +41,6 @@ constexpr std::size_t kLeastPatchPoints = 4;
 constexpr float kSparseInMedians = 4.0F;
 constexpr float kRoughShare = 0.08F;
 
-Bounds bounds_of(const std::vector<glm::dvec3>& positions) {
-  Bounds bounds{positions.front(), positions.front()};
-  for (const glm::dvec3& p : positions) {
-    bounds.min = glm::min(bounds.min, p);
-    bounds.max = glm::max(bounds.max, p);
-  }
-  return bounds;
-}
-
-double bounding_radius(const std::vector<glm::dvec3>& positions, const Bounds& bounds) {
-  const glm::dvec3 centre = (bounds.min + bounds.max) / 2.0;
-  double squared = 0.0;
-  for (const glm::dvec3& p : positions)
-    squared = std::max(squared, glm::dot(p - centre, p - centre));
-  return std::sqrt(squared);
-}
-
 // Points on one line span no surface: the second principal variance vanishes beside the first.
 bool on_one_line(const std::vector<glm::dvec3>& positions, const Bounds& bounds) {
   const glm::dvec3 base = (bounds.min + bounds.max) / 2.0;

@@ -12,9 +12,17 @@
 #include "common/error.h"
 #include "common/image.h"
 #include "common/patch.h"
+#include "common/progress.h"
+#include "renderer/engines/ewa/settings.h"
+#include "renderer/engines/raytrace/settings.h"
+#include "renderer/splat_cloud.h"
+#include "renderer/triangle_mesh.h"
 
 namespace relief {
 
+/// A way to turn a model into pixels. Onepass: paper 001, on OpenGL. Ewa: paper 000, the reference.
+/// Raytrace: the truth.
+enum class EngineKind : std::uint8_t { Onepass, Ewa, Raytrace };
 enum class Primitive : std::uint8_t { Sprite, Quad };
 enum class Interpolation : std::uint8_t { Direct, Corrected };
 enum class Material : std::uint8_t { Unlit, Lit, Mirror };
@@ -31,6 +39,7 @@ struct Outputs {
 };
 
 struct RenderSettings {
+  EngineKind engine = EngineKind::Onepass;
   std::uint32_t width = 1280;
   std::uint32_t height = 1024;
   Camera camera;
@@ -41,6 +50,8 @@ struct RenderSettings {
   std::optional<glm::vec3> background{
       {0, 0, 0}};  ///< linear RGB; none: alpha 0 where nothing is seen
   Outputs outputs;
+  EwaSettings ewa;
+  RaytraceSettings raytrace;
   GlPlatform platform = GlPlatform::Automatic;
   int frames = 3;      ///< timed frames after one warm-up; the median counts
   bool debug = false;  ///< OpenGL debug context; a high-severity message is an error
@@ -48,7 +59,7 @@ struct RenderSettings {
 
 struct RenderResult {
   Image image;
-  std::string renderer;          ///< OpenGL's own name
+  std::string renderer;          ///< OpenGL's own name, or the ray tracer's; "CPU" for ewa
   double frame_ms = 0.0;         ///< median of wall-clock frame times, finished, without readback
   std::optional<double> gpu_ms;  ///< median of OpenGL's timer, if it has one
   std::uint64_t covered_pixels = 0;        ///< pixels with coverage above 0
@@ -56,9 +67,19 @@ struct RenderResult {
                                            ///< cost), if OpenGL counts them
 };
 
-/// Renders a model with the engine `onepass` (paper 001, sections 3.2 to 3.6).
-/// Fails with one sentence: no OpenGL, an unreadable environment, a picture larger than OpenGL
-/// allows.
-Result<RenderResult> render(const PatchModel& model, const RenderSettings& settings);
+/// Renders patches with any engine: `onepass` draws them (paper 001, sections 3.2 to 3.6), `ewa`
+/// splats their samples, `raytrace` hits their triangulation (each cell halved along the same
+/// diagonal). Fails with one sentence: no OpenGL, an unreadable environment, a picture larger than
+/// OpenGL allows, an interruption by the user.
+Result<RenderResult> render(const PatchModel& model, const RenderSettings& settings,
+                            Progress& progress);
+
+/// Renders a mesh with the engine `raytrace`, whatever `settings.engine` says.
+Result<RenderResult> render(const TriangleMesh& mesh, const RenderSettings& settings,
+                            Progress& progress);
+
+/// Renders points with the engine `ewa`, whatever `settings.engine` says.
+Result<RenderResult> render(const SplatCloud& splats, const RenderSettings& settings,
+                            Progress& progress);
 
 }  // namespace relief

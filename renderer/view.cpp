@@ -39,6 +39,12 @@ View make_view(const Camera& camera, std::uint32_t width, std::uint32_t height, 
   return view;
 }
 
+glm::dvec3 ray_through(const View& view, glm::dvec2 window) {
+  const glm::dvec2 ndc = 2.0 * window / glm::dvec2(view.width, view.height) - 1.0;
+  return glm::transpose(view.rotation) *
+         glm::dvec3(ndc.x * view.slope_x, ndc.y * view.slope_y, -1.0);
+}
+
 shared::PatchView view_patch(const View& view, const StoredPatch& patch) {
   const glm::dmat3 turn = view.rotation * patch.axes * patch.spacing;
   const glm::dvec3 origin = view.rotation * (patch.origin - view.eye);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "common/camera.h"
@@ -28,6 +29,10 @@ struct View {
 /// one costs no precision.
 [[nodiscard]] View make_view(const Camera& camera, std::uint32_t width, std::uint32_t height,
                              double near);
+
+/// The direction through a window position (pixels from the lower left corner), world, of length 1
+/// along the view axis: the point at depth z is eye + z * ray_through.
+[[nodiscard]] glm::dvec3 ray_through(const View& view, glm::dvec2 window);
 
 /// The camera relative to a patch.
 [[nodiscard]] shared::PatchView view_patch(const View& view, const StoredPatch& patch);

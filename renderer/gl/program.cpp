@@ -33,7 +33,8 @@ void append_file(std::string& out, std::vector<std::string_view>& files, std::st
     const std::string_view row = text.substr(0, text.find('\n'));
     text.remove_prefix(std::min(row.size() + 1, text.size()));
     constexpr std::string_view kInclude = "#include ";
-    if (row.starts_with("#pragma once") || row.starts_with("#include <")) {
+    if (row.starts_with("#pragma once") || row.starts_with("#include <") ||
+        row.starts_with("#include \"shaders/")) {
       out += '\n';  // for the C++ side of a shared header
     } else if (row.starts_with(kInclude)) {
       const std::string_view quoted = row.substr(kInclude.size());

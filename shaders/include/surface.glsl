@@ -55,7 +55,7 @@ void shade(PatchInfo info, vec3 hit, vec3 ray, float depth) {
   vec3 view = normalize(to_world(info, ray));
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u
-  out_colour = vec4(lit(albedo, facing_normal(normal, view), view), 1.0);
+  out_colour = vec4(lit(frame, albedo, facing_normal(normal, view), view), 1.0);
 #elif (RELIEF_FEATURES & RELIEF_FEATURE_MIRROR) != 0u
   out_colour = vec4(mirror(facing_normal(normal, view), view), 1.0);
 #else

@@ -229,7 +229,8 @@ TEST(Failures, AreOneSentence) {
   const PatchModel model = test::sphere_model({{}, 1.0, 0.2});
   RenderSettings settings = small_picture(model);
   settings.width = 1U << 30U;
-  auto result = render(model, settings);
+  Progress silent;
+  auto result = render(model, settings, silent);
   ASSERT_FALSE(result);
   EXPECT_NE(result.error().message.find("can't be drawn: this OpenGL allows 1 to"),
             std::string::npos)
@@ -237,7 +238,7 @@ TEST(Failures, AreOneSentence) {
 
   settings = small_picture(model);
   settings.environment = "/nonexistent/sky.exr";
-  result = render(model, settings);
+  result = render(model, settings, silent);
   ASSERT_FALSE(result);
   EXPECT_TRUE(result.error().message.starts_with("/nonexistent/sky.exr")) << result.error().message;
 }

@@ -32,7 +32,8 @@ inline Outputs all_outputs() {
 
 /// Renders; a failure fails the test and gives an empty picture.
 inline RenderResult must_render(const PatchModel& model, const RenderSettings& settings) {
-  auto result = render(model, settings);
+  Progress silent;
+  auto result = render(model, settings, silent);
   if (result) return *result;
   ADD_FAILURE() << result.error().message;
   return {};

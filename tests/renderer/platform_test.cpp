@@ -30,7 +30,8 @@ PatchModel bumpy_sphere() {
 /// Without exit handlers, where Mesa's own leaks would count.
 [[noreturn]] void render_and_exit(const RenderSettings& settings, const PatchModel& model,
                                   const std::filesystem::path& path) {
-  const auto result = render(model, settings);
+  Progress silent;
+  const auto result = render(model, settings, silent);
   if (!result) {
     std::fprintf(stderr, "%s\n", result.error().message.c_str());
     std::_Exit(1);

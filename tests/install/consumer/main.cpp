@@ -11,5 +11,6 @@ int main(int argc, char** argv) {
   const auto converted = relief::convert(std::move(points), {}, silent);
   if (!converted || !relief::write_patch_file(argv[1], converted->model)) return 1;
   // Linked, not run: a picture needs OpenGL, and other tests make pictures.
-  return argc > 99 ? static_cast<int>(relief::render(converted->model, {})->covered_pixels) : 0;
+  return argc > 99 ? static_cast<int>(relief::render(converted->model, {}, silent)->covered_pixels)
+                   : 0;
 }

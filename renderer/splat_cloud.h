@@ -1,0 +1,25 @@
+// Points as the EWA engine takes them.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <vector>
+
+namespace relief {
+
+/// Points with Gaussian basis functions over their tangent planes (paper 000, section 3.1). Every
+/// vector is empty or as long as `positions`. World frame.
+struct SplatCloud {
+  std::vector<glm::dvec3> positions;
+  std::vector<glm::vec3> normals;  ///< unit, outward; always there
+  std::vector<double> radii;       ///< h of section 5, world units: variance h^2 I; always there
+  std::vector<glm::vec4>
+      colours;                 ///< linear, not premultiplied; alpha: opacity; empty: neutral grey
+  std::vector<glm::vec2> uvs;  ///< grid coordinates on the patch; empty for points of a scan
+  std::vector<std::uint32_t> patches;   ///< patch id + 1; empty for points of a scan
+  std::vector<std::uint8_t> materials;  ///< index into the table of materials; empty: all 0
+};
+
+}  // namespace relief

@@ -1,0 +1,25 @@
+// A mesh as the ray tracer takes it.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <vector>
+
+#include "common/points.h"
+
+namespace relief {
+
+/// Triangles with attributes at their corners. Every vector but `triangles` is empty or as long as
+/// `positions`. World frame.
+struct TriangleMesh {
+  std::vector<glm::dvec3> positions;
+  std::vector<glm::vec3> normals;  ///< unit, outward; always there
+  std::vector<glm::vec4>
+      colours;                 ///< linear, not premultiplied; alpha: opacity; empty: neutral grey
+  std::vector<glm::vec2> uvs;  ///< grid coordinates on the patch; empty for an input mesh
+  std::vector<std::uint32_t> patches;  ///< patch id + 1 of each vertex; empty for an input mesh
+  std::vector<Triangle> triangles;
+};
+
+}  // namespace relief
