@@ -1,6 +1,7 @@
 #include "preprocess/densify.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <unordered_set>
@@ -10,6 +11,9 @@ namespace {
 
 // An edge longer than this many mean spacings gets points of its own.
 constexpr double kLongEdge = 2.5;
+// Points added per point given, at most: a closed mesh of equal small triangles beside large ones
+// needs up to 2; needles, whose edges are long and whose area is small, could ask for any number.
+constexpr std::size_t kMostAddedPerPoint = 4;
 
 double total_area(const Points& points) {
   double area = 0.0;
@@ -18,6 +22,11 @@ double total_area(const Points& points) {
     area += 0.5 * glm::length(glm::cross(points.positions[t[1]] - a, points.positions[t[2]] - a));
   }
   return area;
+}
+
+// Pieces of about `step` that a length is cut into; hostile lengths are cut into no more than 4096.
+int count_pieces(double length, double step) {
+  return static_cast<int>(std::min(length / step, 4095.0)) + 1;
 }
 
 // Appends the point with barycentric weights `w` in triangle `t`.
@@ -37,39 +46,61 @@ void append(Points& points, const Triangle& t, glm::dvec3 w) {
   if (!points.texcoords.empty()) points.texcoords.push_back(mix(points.texcoords, glm::vec2(0.0F)));
 }
 
+/// Calls `add(triangle, weights)` for the points on large triangles, about `step` apart: first
+/// those of edges that no earlier triangle had, then rows parallel to the longest edge.
+template <class Add>
+void for_each_added(const Points& points, double longest_left_alone, double step, const Add& add) {
+  std::unordered_set<std::uint64_t> edges_done;
+  for (const Triangle& t : points.triangles) {
+    std::size_t longest = 0;
+    std::array<double, 3> lengths{};  // of the edge from corner c to the next
+    for (std::size_t c = 0; c < 3; ++c) {
+      lengths[c] = glm::distance(points.positions[t[c]], points.positions[t[(c + 1) % 3]]);
+      if (lengths[c] > lengths[longest]) longest = c;
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::uint32_t a = std::min(t[c], t[(c + 1) % 3]);
+      const std::uint32_t b = std::max(t[c], t[(c + 1) % 3]);
+      if (lengths[c] <= longest_left_alone || !edges_done.insert(std::uint64_t{a} << 32 | b).second)
+        continue;
+      const int pieces = count_pieces(lengths[c], step);
+      for (int i = 1; i < pieces; ++i) {
+        const double s = static_cast<double>(i) / pieces;
+        add({a, b, b}, {1.0 - s, s, 0.0});
+      }
+    }
+    if (lengths[longest] <= longest_left_alone) continue;
+    const Triangle turned{t[longest], t[(longest + 1) % 3], t[(longest + 2) % 3]};
+    const glm::dvec3 base = points.positions[turned[1]] - points.positions[turned[0]];
+    const glm::dvec3 side = points.positions[turned[2]] - points.positions[turned[0]];
+    const int rows = count_pieces(glm::length(glm::cross(base, side)) / lengths[longest], step);
+    for (int row = 1; row < rows; ++row) {
+      const double up = static_cast<double>(row) / rows;
+      const int pieces = count_pieces(lengths[longest] * (1.0 - up), step);
+      for (int i = 1; i < pieces; ++i) {
+        const double s = (1.0 - up) * i / pieces;
+        add(turned, {1.0 - up - s, s, up});
+      }
+    }
+  }
+}
+
 }  // namespace
 
 std::size_t densify_triangles(Points& points) {
   const std::size_t given = points.size();
   if (points.triangles.empty() || given == 0) return 0;
   const double spacing = std::sqrt(total_area(points) / static_cast<double>(given));
-  const auto room = [&] { return points.size() < 2 * given; };
-  const auto pieces = [&](std::uint32_t a, std::uint32_t b) {
-    const double length = glm::distance(points.positions[a], points.positions[b]);
-    return length > kLongEdge * spacing ? static_cast<int>(std::min(length / spacing, 4096.0)) + 1
-                                        : 1;
+  double step = spacing;
+  const auto demand = [&] {
+    std::size_t count = 0;
+    for_each_added(points, kLongEdge * step, step, [&](const Triangle&, glm::dvec3) { ++count; });
+    return count;
   };
-  std::unordered_set<std::uint64_t> edges_done;
-  for (const Triangle& t : points.triangles) {
-    int most = 1;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::uint32_t a = std::min(t[c], t[(c + 1) % 3]);
-      const std::uint32_t b = std::max(t[c], t[(c + 1) % 3]);
-      const int n = pieces(a, b);
-      most = std::max(most, n);
-      if (n == 1 || !edges_done.insert(std::uint64_t{a} << 32 | b).second) continue;
-      for (int i = 1; i < n && room(); ++i) {
-        const double s = static_cast<double>(i) / n;
-        append(points, {a, b, b}, {1.0 - s, s, 0.0});
-      }
-    }
-    for (int i = 1; i < most; ++i) {
-      for (int j = 1; i + j < most && room(); ++j) {
-        const glm::dvec2 w = glm::dvec2(i, j) / static_cast<double>(most);
-        append(points, t, {1.0 - w.x - w.y, w.x, w.y});
-      }
-    }
-  }
+  // Too many: coarser everywhere, instead of leaving some triangles empty.
+  while (demand() > kMostAddedPerPoint * given) step *= 1.5;
+  for_each_added(points, kLongEdge * step, step,
+                 [&](const Triangle& t, glm::dvec3 w) { append(points, t, w); });
   return points.size() - given;
 }
 

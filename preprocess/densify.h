@@ -9,8 +9,9 @@ namespace relief {
 
 /// Adds points on edges and triangles that span more than 2.5 mean spacings, about one apart, so
 /// that what a mesh says is surface does not become a gap. Attributes are interpolated. The mean
-/// spacing is sqrt(area / points); at most as many points are added as there were. They stand
-/// behind the given ones, without triangles. Returns how many were added.
+/// spacing is sqrt(area / points). At most four points are added per point given: where that is not
+/// enough (meshes of needles) all of them are farther apart. They stand behind the given ones,
+/// without triangles. Returns how many were added.
 std::size_t densify_triangles(Points& points);
 
 }  // namespace relief
