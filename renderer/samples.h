@@ -1,4 +1,4 @@
-// Sample records: what the vertex stage reads of a patch, eight bytes a sample.
+// Sample records: what the vertex stage reads of a patch, twelve bytes a sample.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,9 @@ namespace relief {
 /// One sample, packed as shaders/include/shared.h says. It holds all that the vertex stage needs,
 /// which thus reads no map: llvmpipe runs it on one thread.
 struct SampleRecord {
-  std::uint32_t place = 0;  ///< column, row, width class, border flag
+  std::uint32_t place = 0;  ///< column, row, border flag
   std::uint32_t shape = 0;  ///< height index, slopes
+  std::uint32_t reach = 0;  ///< toward -x, +x, -y, +y: a byte each, in steps of kReachStep
 };
 
 /// The samples of a patch, row by row, and what holds for all of them.
@@ -26,21 +27,9 @@ struct PatchSamples {
   double widest_disc = 0.0;  ///< radius that no disc or parallelogram exceeds, cells
 };
 
-/// Makes the records of a patch.
-///
-/// A splat's plane has the slope of the heights (central differences), not that of the normal map:
-/// the planes must meet, whatever is painted on them. Only border samples take the normal map's,
-/// which is smoother than a one-sided difference.
-///
-/// The width class says how far the splat reaches beyond its own cell. At the middle of an edge or
-/// corner that it shares with its neighbours their planes part by some height g; a view ray that
-/// rises by an angle of at least a over the surface can't pass between two planes that both reach
-/// m >= g / (2 tan a) beyond it. The class is the least with such an m for a = 30 degrees, but no
-/// more than half a cell within the plane: larger margins close no more holes on curved or noisy
-/// fields, and stick out of crests and silhouettes (measured: docs/decisions.md).
-///
-/// Border samples, those with a hole or the patch's edge among their eight neighbours, are flagged.
-/// Their splats reach that far anyway, over the notches between the ragged borders of two patches.
+/// Makes the records of a patch: splat_slopes.h says how the splats lean, splat_reach.h how far
+/// they extend. Border samples, those with a hole or the patch's edge among their eight neighbours,
+/// are flagged.
 [[nodiscard]] PatchSamples make_samples(const Patch& patch);
 
 }  // namespace relief

@@ -73,22 +73,17 @@ RELIEF_CONST uint kHoleTexel = 65535u;
 /// height index, then the slope along both axes as signed bytes.
 RELIEF_CONST uint kRowShift = 14u;
 RELIEF_CONST uint kNodeMask = 0x3FFFu;
-RELIEF_CONST uint kClassShift = 28u;
-RELIEF_CONST uint kClassMask = 7u;
 RELIEF_CONST uint kBorderBit = 0x80000000u;
 
 /// Slopes (height per cell, both in cells) are clamped to this: 79 degrees.
 RELIEF_CONST float kSteepest = 5.0f;
 
-/// What the square of the base plane over which a splat extends has beyond the half cell to its
-/// neighbours, in cells, for each of the eight width classes. Squares of one half cell tile a
-/// plane, whatever its tilt; where the surface bends, the tangent planes of neighbours part, and
-/// more is needed to close the slit as seen from the side (see renderer/samples.h).
-#ifdef __cplusplus
-RELIEF_CONST float kMargins[8] = {0.02F, 0.04F, 0.07F, 0.11F, 0.17F, 0.25F, 0.36F, 0.5F};
-#else
-const float kMargins[8] = float[8](0.02, 0.04, 0.07, 0.11, 0.17, 0.25, 0.36, 0.5);
-#endif
+/// How far a splat extends over the base plane, in cells, per step of a record's bytes.
+RELIEF_CONST float kReachStep = 1.0f / 160.0f;
+
+/// What every splat extends beyond where it meets the next, in cells: slopes and heights are
+/// rounded.
+RELIEF_CONST float kLeastMargin = 0.02f;
 
 /// The same in pixels: OpenGL snaps corners to 1/256 pixel, which parts the quads of a model that
 /// is far away.

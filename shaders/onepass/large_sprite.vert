@@ -8,6 +8,7 @@ layout(location = RELIEF_ATTRIBUTE_PATCH) in uint patch_index;
 layout(location = 0) flat out uint hit_patch;
 layout(location = 1) out vec3 hit;  // in the grid frame
 layout(location = 2) flat out vec4 disc;
+layout(location = 3) flat out vec4 limits;
 
 void main() {
   mat4 clip_from_grid = fetch_clip_from_grid(patch_index);
@@ -16,7 +17,8 @@ void main() {
   SpriteBox box = bound_disc(splat, radius, clip_from_grid);
   hit_patch = patch_index;
   disc = vec4(splat.centre, radius);
-  splat.half_width = radius;  // the square over the disc's shadow holds the disc
+  limits = disc_limits(splat);
+  splat.reach = vec4(radius);  // the square over the disc's shadow holds the disc
   hit = splat_corner(splat, gl_VertexID & 3);
   gl_Position = clip_from_grid * vec4(hit, 1.0);
   gl_Position.z *= splat.set_back;

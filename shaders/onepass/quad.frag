@@ -1,5 +1,6 @@
 // The quad itself is the splat's plane: rasterising it has intersected the view ray with it.
 #include "include/counting.glsl"
+#include "include/limits.glsl"
 #include "include/surface.glsl"
 #if (RELIEF_FEATURES & RELIEF_FEATURE_CORRECTED) != 0u
 #include "include/interpolation.glsl"
@@ -9,12 +10,13 @@ layout(location = 0) flat in uint hit_patch;
 layout(location = 1) in vec3 hit;
 #if (RELIEF_FEATURES & RELIEF_FEATURE_LARGE_SPRITES) != 0u
 layout(location = 2) flat in vec4 disc;  // centre in the grid frame, radius
+layout(location = 3) flat in vec4 limits;
 #endif
 
 void main() {
   count_fragment();
 #if (RELIEF_FEATURES & RELIEF_FEATURE_LARGE_SPRITES) != 0u
-  if (distance(hit, disc.xyz) > disc.w) discard;
+  if (distance(hit, disc.xyz) > disc.w || !within_limits(hit.xy - disc.xy, limits)) discard;
 #endif
   PatchInfo info = fetch_patch(hit_patch);
   vec3 place = hit;

@@ -1,5 +1,6 @@
 // Casts the view ray at the splat's disc.
 #include "include/counting.glsl"
+#include "include/limits.glsl"
 #include "include/surface.glsl"
 #if (RELIEF_FEATURES & RELIEF_FEATURE_CORRECTED) != 0u
 #include "include/interpolation.glsl"
@@ -8,6 +9,7 @@
 layout(location = 0) flat in uint hit_patch;
 layout(location = 1) flat in vec4 disc;
 layout(location = 2) flat in vec3 plane;
+layout(location = 3) flat in vec4 limits;
 
 // The vertex stage gives the nearest point of the disc, so that a GPU can still reject early.
 layout(depth_less) out float gl_FragDepth;
@@ -23,7 +25,9 @@ void main() {
   float depth = dot(normal, disc.xyz) / dot(normal, ray);
   vec3 offset = depth * ray - disc.xyz;
   // In this form an undefined depth (a ray within the plane) is discarded too.
-  if (!(depth > 0.0 && dot(offset, offset) <= disc.w * disc.w)) discard;
+  if (!(depth > 0.0 && dot(offset, offset) <= disc.w * disc.w &&
+        within_limits(offset.xy, limits)))
+    discard;
 
   gl_FragDepth = frame.ray_origin.w / depth * plane.z;
   vec3 place = fetch_eye(hit_patch) + depth * ray;
