@@ -49,7 +49,7 @@ PatchSamples make_samples(const Patch& patch) {
   const PaddedHeights heights(patch);
   const SplatSlopes slopes = find_slopes(heights, patch, samples.height_step);
   samples.slope_step = slopes.slope_step;
-  const SplatReach reaches(heights, slopes, samples.height_step);
+  const std::vector<glm::vec4> reaches = find_reaches(heights, slopes, samples.height_step);
   glm::dvec3 low(std::numeric_limits<double>::max());
   glm::dvec3 high(std::numeric_limits<double>::lowest());
   for (std::uint32_t j = 0; j < patch.height; ++j) {
@@ -57,7 +57,7 @@ PatchSamples make_samples(const Patch& patch) {
       const std::size_t k = heights.index(i, j);
       if (!heights.valid(k)) continue;
       const glm::u8vec2 slope(slopes.steps[k]);
-      const std::uint32_t reach = pack_reach(reaches.of(k));
+      const std::uint32_t reach = pack_reach(reaches[k]);
       samples.records.push_back(
           {i | (j << shared::kRowShift) | (is_border(heights, k) ? shared::kBorderBit : 0U),
            static_cast<std::uint32_t>(heights[k]) | (std::uint32_t{slope.x} << 16U) |

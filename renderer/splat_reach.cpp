@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <limits>
+#include <utility>
 
 namespace relief {
 namespace {
@@ -15,101 +18,170 @@ constexpr float kLowestView = 0.58F;  // tan 30 degrees
 // the spike would be as small, and a place found from smaller steps would be that of the noise.
 constexpr float kLeastStep = 0.1F;
 
-// How much farther than to its own neighbour a splat goes for the sake of the rows beside it, and
-// the largest margin, both in spacings along its plane. Spikes (pixels more than a spacing in front
-// of the truth) and what shines through (smooth pixels more than two behind it), six views each of
-// fandisk, Lucy and the Dragon: 0.3 and 0.5: 22,778, 143; 0.3 and 0.2: 19,227, 153; 0.1 and 0.2:
-// 18,001, 175; 0 and 0.1: 16,297, 298.
-constexpr float kLargestExtra = 0.3F;
-constexpr float kLargestMargin = 0.2F;
+// The largest margin, in spacings along the splat's plane. Spikes (pixels more than a spacing in
+// front of the truth) in six views of fandisk, Lucy and the Dragon, and holes of 34,560 pixels of a
+// noisy field (tests/renderer/surface_test.cpp): 0.5: 17,673 and 0; 0.3: 15,018 and 5.
+constexpr float kLargestMargin = 0.5F;
+
+/// Where the planes of two neighbours meet, from the first (0) to the second (1), and by how much
+/// they part there, in cells.
+struct Meeting {
+  float place = 0.5F;
+  float gap = 0.0F;
+  bool exists = false;  ///< both are samples
+};
+
+/// A side of a splat, as an index of its reach.
+glm::length_t side(glm::length_t axis, bool forward) {
+  return 2 * axis + (forward ? 1 : 0);
+}
+
+class ReachFinder {
+ public:
+  ReachFinder(const PaddedHeights& heights, const SplatSlopes& slopes, float height_step)
+      : heights_(heights),
+        slopes_(slopes),
+        height_step_(height_step),
+        stride_(heights.stride()),
+        meetings_{std::vector<Meeting>(heights.size()), std::vector<Meeting>(heights.size())},
+        reaches_(heights.size(), glm::vec4(0.0F)) {}
+
+  std::vector<glm::vec4> find() {
+    const std::size_t end = heights_.size() - stride_;
+    for (std::size_t k = 0; k < end; ++k) {
+      if (!heights_.valid(k)) continue;
+      for (const glm::length_t axis : {0, 1}) meetings_[axis][k] = meet(k, axis);
+    }
+    for (std::size_t k = stride_; k < end; ++k) {
+      if (heights_.valid(k)) reaches_[k] = reach_to_meetings(k);
+    }
+    for (std::size_t k = 0; k + 1 < end; ++k) close_pinhole(k);
+    for (std::size_t k = stride_ + 1; k < end; ++k) {
+      if (heights_.valid(k)) add_margins(k);
+    }
+    return std::move(reaches_);
+  }
+
+ private:
+  [[nodiscard]] std::size_t step(glm::length_t axis) const { return axis == 0 ? 1 : stride_; }
+
+  [[nodiscard]] Meeting meet(std::size_t k, glm::length_t axis) const {
+    const std::size_t next = k + step(axis);
+    if (!heights_.valid(next)) return {};
+    const float rise = height_step_ * static_cast<float>(heights_[next] - heights_[k]);
+    const float second = slopes_.at(next)[axis];
+    // The first plane is above the second by turn * t - lead at t from the first to the second.
+    const float turn = slopes_.at(k)[axis] - second;
+    const float lead = rise - second;
+    const float half_way = 0.5F * turn - lead;
+    float place = 0.5F;
+    if (std::abs(half_way) > kLeastStep && turn != 0.0F) {
+      // The place nearest to the middle where they part by no more, if there is one between the
+      // two.
+      const float meeting = (std::copysign(kLeastStep, half_way) + lead) / turn;
+      if (meeting >= 0.0F && meeting <= 1.0F) place = meeting;
+    }
+    return {place, std::abs(turn * place - lead), true};
+  }
+
+  [[nodiscard]] glm::vec4 reach_to_meetings(std::size_t k) const {
+    glm::vec4 reach(0.0F);
+    for (const glm::length_t axis : {0, 1}) {
+      const float slope = slopes_.at(k)[axis];
+      const float to_hole = 0.5F / std::sqrt(1.0F + slope * slope);
+      const Meeting& before = meetings_[axis][k - step(axis)];
+      const Meeting& after = meetings_[axis][k];
+      reach[side(axis, false)] = before.exists ? 1.0F - before.place : to_hole;
+      reach[side(axis, true)] = after.exists ? after.place : to_hole;
+    }
+    return reach;
+  }
+
+  /// The four rectangles of a cell with places b, t of its bottom and top edge and l, r of its left
+  /// and right one leave (b, t) x (l, r) open if they turn about it like a pinwheel.
+  void close_pinhole(std::size_t cell) {
+    const std::array<std::size_t, 4> nodes{cell, cell + 1, cell + stride_, cell + stride_ + 1};
+    for (const std::size_t node : nodes) {
+      if (!heights_.valid(node)) return;
+    }
+    const float b = meetings_[0][cell].place;
+    const float t = meetings_[0][cell + stride_].place;
+    const float l = meetings_[1][cell].place;
+    const float r = meetings_[1][cell + 1].place;
+    if ((t - b) * (l - r) <= 0.0F) return;
+    // Going on along x, nodes 0 and 3 close it if b < t, nodes 1 and 2 otherwise; along y the other
+    // two.
+    std::size_t least = 0;
+    glm::length_t least_axis = 0;
+    float least_rise = std::numeric_limits<float>::max();
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      const glm::length_t axis = (b < t) == (n == 0 || n == 3) ? 0 : 1;
+      const float rise = std::abs(slopes_.at(nodes[n])[axis]) * std::abs(axis == 0 ? t - b : l - r);
+      if (rise >= least_rise) continue;
+      least = n;
+      least_axis = axis;
+      least_rise = rise;
+    }
+    const bool forward = least_axis == 0 ? least % 2 == 0 : least < 2;
+    const float far = least_axis == 0 ? (forward ? std::max(b, t) : 1.0F - std::min(b, t))
+                                      : (forward ? std::max(l, r) : 1.0F - std::min(l, r));
+    float& reach = reaches_[nodes[least]][side(least_axis, forward)];
+    reach = std::max(reach, far);
+  }
+
+  /// Spread of the planes of a cell's samples where its edges' meetings say that they meet (cells).
+  [[nodiscard]] float corner_gap(std::size_t cell) const {
+    const auto mean = [](const Meeting& a, const Meeting& b) {
+      if (!a.exists) return b.place;
+      return b.exists ? 0.5F * (a.place + b.place) : a.place;
+    };
+    const glm::vec2 middle(mean(meetings_[0][cell], meetings_[0][cell + stride_]),
+                           mean(meetings_[1][cell], meetings_[1][cell + 1]));
+    float low = std::numeric_limits<float>::max();
+    float high = std::numeric_limits<float>::lowest();
+    std::size_t base = cell;
+    for (const glm::length_t n : {0, 1, 2, 3}) {
+      const glm::vec2 corner(n % 2, n / 2);
+      const std::size_t node =
+          cell + static_cast<std::size_t>(n % 2) + stride_ * static_cast<std::size_t>(n / 2);
+      if (!heights_.valid(node)) continue;
+      if (!heights_.valid(base)) base = node;
+      const float height = height_step_ * static_cast<float>(heights_[node] - heights_[base]) +
+                           glm::dot(slopes_.at(node), middle - corner);
+      low = std::min(low, height);
+      high = std::max(high, height);
+    }
+    return high > low ? high - low : 0.0F;
+  }
+
+  void add_margins(std::size_t k) {
+    const glm::vec2 slope = slopes_.at(k);
+    const float cosine = 1.0F / std::sqrt(1.0F + glm::dot(slope, slope));
+    for (const glm::length_t axis : {0, 1}) {
+      for (const bool forward : {false, true}) {
+        const std::size_t edge = forward ? k : k - step(axis);
+        if (!meetings_[axis][edge].exists) continue;
+        const float gap = std::max(
+            {meetings_[axis][edge].gap, corner_gap(edge), corner_gap(edge - step(1 - axis))});
+        reaches_[k][side(axis, forward)] +=
+            cosine * std::min(gap / (2.0F * kLowestView), kLargestMargin);
+      }
+    }
+  }
+
+  const PaddedHeights& heights_;
+  const SplatSlopes& slopes_;
+  float height_step_;
+  std::size_t stride_;
+  std::array<std::vector<Meeting>, 2> meetings_;  ///< of a node and the next along x and along y
+  std::vector<glm::vec4> reaches_;
+};
 
 }  // namespace
 
-SplatReach::SplatReach(const PaddedHeights& heights, const SplatSlopes& slopes, float height_step)
-    : heights_(heights),
-      slopes_(slopes),
-      height_step_(height_step),
-      along_x_(heights.size()),
-      along_y_(heights.size()) {
-  const std::size_t stride = heights.stride();
-  for (std::size_t k = 0; k + stride < heights.size(); ++k) {
-    if (!heights.valid(k)) continue;
-    along_x_[k] = meet(k, 1, 0);
-    along_y_[k] = meet(k, stride, 1);
-  }
-}
-
-SplatReach::Meeting SplatReach::meet(std::size_t k, std::size_t step, glm::length_t axis) const {
-  if (!heights_.valid(k + step)) return {};
-  const float rise = height_step_ * static_cast<float>(heights_[k + step] - heights_[k]);
-  const float first = slopes_.at(k)[axis];
-  const float second = slopes_.at(k + step)[axis];
-  // The first plane is above the second by turn * t - lead at t from the first to the second.
-  const float turn = first - second;
-  const float lead = rise - second;
-  const auto gap = [&](float t) { return turn * t - lead; };
-  float place = 0.5F;
-  if (std::abs(gap(0.5F)) > kLeastStep) {
-    // The place nearest to the middle where they part by no more.
-    const float target = std::copysign(kLeastStep, gap(0.5F));
-    const float meeting = turn == 0.0F ? 0.5F : (target + lead) / turn;
-    place = std::clamp(meeting, 0.0F, 1.0F);
-    if (std::abs(gap(place)) >= std::abs(gap(0.5F))) place = 0.5F;
-  }
-  return {place, std::abs(gap(place)), true};
-}
-
-/// Spread of the planes of a cell's samples where its edges' meetings say that they meet (cells).
-float SplatReach::corner_gap(std::size_t cell) const {
-  const std::size_t stride = heights_.stride();
-  const auto mean = [](const Meeting& a, const Meeting& b) {
-    if (!a.exists) return b.place;
-    return b.exists ? 0.5F * (a.place + b.place) : a.place;
-  };
-  const glm::vec2 middle(mean(along_x_[cell], along_x_[cell + stride]),
-                         mean(along_y_[cell], along_y_[cell + 1]));
-  float low = std::numeric_limits<float>::max();
-  float high = std::numeric_limits<float>::lowest();
-  std::size_t base = cell;
-  for (const auto& [offset, corner] :
-       {std::pair{std::size_t{0}, glm::vec2(0, 0)}, std::pair{std::size_t{1}, glm::vec2(1, 0)},
-        std::pair{stride, glm::vec2(0, 1)}, std::pair{stride + 1, glm::vec2(1, 1)}}) {
-    const std::size_t n = cell + offset;
-    if (!heights_.valid(n)) continue;
-    if (!heights_.valid(base)) base = n;
-    const float height = height_step_ * static_cast<float>(heights_[n] - heights_[base]) +
-                         glm::dot(slopes_.at(n), middle - corner);
-    low = std::min(low, height);
-    high = std::max(high, height);
-  }
-  return high > low ? high - low : 0.0F;
-}
-
-float SplatReach::toward(std::size_t k, glm::length_t axis, bool forward) const {
-  const std::size_t stride = heights_.stride();
-  const std::size_t step = axis == 0 ? 1 : stride;
-  const std::size_t across = axis == 0 ? stride : 1;
-  const std::vector<Meeting>& meetings = axis == 0 ? along_x_ : along_y_;
-  const std::size_t edge = forward ? k : k - step;
-  const glm::vec2 slope = slopes_.at(k);
-  const float uphill = 1.0F / std::sqrt(1.0F + slope[axis] * slope[axis]);  // spacings to cells
-  const float cosine = 1.0F / std::sqrt(1.0F + glm::dot(slope, slope));
-  if (!meetings[edge].exists) return 0.5F * uphill;
-
-  float farthest = 0.0F;
-  for (const std::size_t e : {edge - across, edge, edge + across}) {
-    if (meetings[e].exists)
-      farthest = std::max(farthest, forward ? meetings[e].place : 1.0F - meetings[e].place);
-  }
-  const float own = forward ? meetings[edge].place : 1.0F - meetings[edge].place;
-  farthest = std::min(farthest, own + kLargestExtra * uphill);
-  const std::size_t cell = forward ? k : k - step;
-  const float gap = std::max({meetings[edge].gap, corner_gap(cell), corner_gap(cell - across)});
-  return farthest + std::min(gap * cosine / (2.0F * kLowestView), kLargestMargin * cosine);
-}
-
-glm::vec4 SplatReach::of(std::size_t k) const {
-  return {toward(k, 0, false), toward(k, 0, true), toward(k, 1, false), toward(k, 1, true)};
+std::vector<glm::vec4> find_reaches(const PaddedHeights& heights, const SplatSlopes& slopes,
+                                    float height_step) {
+  return ReachFinder(heights, slopes, height_step).find();
 }
 
 }  // namespace relief

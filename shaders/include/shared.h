@@ -95,8 +95,9 @@ RELIEF_CONST float kMarginPixels = 0.02f;
 RELIEF_CONST float kBorderSetBack = 0.5f;
 
 /// The largest step, in cells, from the direct to the corrected place. Beyond it the view ray runs
-/// along the triangle, and their intersection says nothing.
-RELIEF_CONST float kLargestCorrection = 1.0f;
+/// along the triangle, and their intersection says nothing: at 1.0, 172 pixels of six views of the
+/// Dragon lay more than a spacing behind the truth, at 0.5, 106 (direct: 90).
+RELIEF_CONST float kLargestCorrection = 0.5f;
 
 /// Linear reflectance of a model without colours: a neutral grey.
 RELIEF_CONST float kNeutralGrey = 0.5f;

@@ -74,12 +74,41 @@ TEST(Densify, InterpolatesAttributes) {
   }
 }
 
-TEST(Densify, NeverMoreThanDoublesTheScan) {
+TEST(Densify, FillsEveryTriangleOfAnUnevenMesh) {
+  // Most vertices lie in one corner: filling the big triangles at the mean spacing takes more
+  // points than were given. None of them may stay empty.
+  Points points = mesh_with_big_triangles(20, 1);
+  for (glm::dvec3& p : points.positions) p *= 0.05;
+  const auto first = static_cast<std::uint32_t>(points.size());
+  for (int j = 0; j <= 3; ++j) {
+    for (int i = 0; i <= 3; ++i) points.positions.emplace_back(10.0 + 8.0 * i, 8.0 * j, 0.0);
+  }
+  for (std::uint32_t j = 0; j < 3; ++j) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const std::uint32_t k = first + 4 * j + i;
+      points.triangles.push_back({k, k + 1, k + 5});
+      points.triangles.push_back({k, k + 5, k + 4});
+    }
+  }
+  densify_triangles(points);
+  // sqrt(area / points): 577 of area, 457 points.
+  for (double y = 1.0; y < 24.0; y += 1.0) {
+    for (double x = 11.0; x < 34.0; x += 1.0) {
+      double nearest = 1e9;
+      for (const glm::dvec3& p : points.positions) {
+        nearest = std::min(nearest, glm::distance(p, glm::dvec3(x, y, 0.0)));
+      }
+      EXPECT_LT(nearest, 1.3) << x << ", " << y;
+    }
+  }
+}
+
+TEST(Densify, NeedlesAreNoBomb) {
   Points points;  // a cube's corner and a far sliver
   points.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1e6, 1e6, 1}};
   points.triangles = {{0, 1, 2}, {1, 2, 3}};
   densify_triangles(points);
-  EXPECT_LE(points.size(), 8U);
+  EXPECT_LE(points.size(), 20U);  // four per point given
 }
 
 }  // namespace

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
 #include "shaders/include/shared.h"
 #include "tests/renderer/scenes.h"
@@ -17,15 +20,23 @@ glm::vec2 slope_of(const PatchSamples& samples, std::size_t k) {
   return samples.slope_step * glm::vec2(steps);
 }
 
-std::uint32_t width_class(const SampleRecord& record) {
-  return (record.place >> shared::kClassShift) & shared::kClassMask;
+/// How far a splat extends toward -x, +x, -y, +y, in cells.
+glm::vec4 reach_of(const SampleRecord& record) {
+  glm::vec4 reach(0.0F);
+  for (glm::length_t c = 0; c < 4; ++c)
+    reach[c] = shared::kReachStep * static_cast<float>((record.reach >> (8 * c)) & 0xFFU);
+  return reach;
 }
+
+/// What rounding may add to a reach: it is rounded up to steps, and slopes and heights are rounded,
+/// which moves meetings of equal planes by their margin at most.
+constexpr float kRounding = shared::kReachStep + 0.01F;
 
 bool is_border(const SampleRecord& record) {
   return (record.place & shared::kBorderBit) != 0;
 }
 
-TEST(Samples, PlaneHasItsSlopeAndTheLeastWidthEverywhere) {
+TEST(Samples, SplatsOfAPlaneMeetHalfWay) {
   const PatchModel model = test::height_field(9, [](double x, double y) { return 0.8 * x - y; });
   const PatchSamples samples = make_samples(model.patches[0]);
   ASSERT_EQ(samples.records.size(), 81U);
@@ -33,9 +44,11 @@ TEST(Samples, PlaneHasItsSlopeAndTheLeastWidthEverywhere) {
     // Heights are in steps of 1/1000 cell, slopes in steps of 1/127 of the steepest.
     EXPECT_NEAR(slope_of(samples, k).x, 0.8F, 0.5F / 127.0F + 0.001F);
     EXPECT_NEAR(slope_of(samples, k).y, -1.0F, 0.5F / 127.0F + 0.001F);
-    // Rounded slopes part the planes by some thousandths of a cell, within the least margin.
     if (!is_border(samples.records[k])) {
-      EXPECT_EQ(width_class(samples.records[k]), 0U);
+      for (glm::length_t c = 0; c < 4; ++c) {
+        EXPECT_GE(reach_of(samples.records[k])[c], 0.5F);
+        EXPECT_LE(reach_of(samples.records[k])[c], 0.5F + shared::kLeastMargin + kRounding);
+      }
     }
     const std::size_t i = k % 9;
     const std::size_t j = k / 9;
@@ -73,7 +86,38 @@ TEST(Samples, SaddleNeedsWiderSplatsThanAPlane) {
   // The planes of four neighbours on z = a x y part by a in the middle between them.
   const PatchModel model = test::height_field(9, [](double x, double y) { return 0.1 * x * y; });
   const PatchSamples samples = make_samples(model.patches[0]);
-  EXPECT_GT(width_class(samples.records[40]), 0U);
+  EXPECT_GT(reach_of(samples.records[40]).x, 0.5F + shared::kLeastMargin + kRounding);
+}
+
+TEST(Samples, SplatsEndAtACrease) {
+  // Flat up to x = 0 (column 4), then down by 3 a cell. At the crease itself the central difference
+  // leans by 1.5, which half a cell to the flat side would be a spike of 0.75 cells.
+  const PatchModel model =
+      test::height_field(9, [](double x, double) { return -3.0 * std::max(x, 0.0); });
+  const PatchSamples samples = make_samples(model.patches[0]);
+  const auto at = [&](std::size_t column) { return reach_of(samples.records[4 * 9 + column]); };
+  EXPECT_NEAR(slope_of(samples, 4 * 9 + 4).x, -1.5F, 0.02F);
+  // Planes may part by 0.1 where they meet, which the crease's plane does after 0.1 / 1.5 of a
+  // cell; the rest is the margin that closes those 0.1 for a view from 30 degrees, 0.1 cos / (2 tan
+  // 30), and rounding.
+  const float meeting = 0.1F / 1.5F;
+  const auto end = [](float place, float slope) {
+    return place + 0.1F / std::sqrt(1.0F + slope * slope) / 1.16F + shared::kLeastMargin +
+           kRounding;
+  };
+  EXPECT_LE(at(4).x, end(meeting, 1.5F));
+  EXPECT_LE(at(4).y, end(meeting, 1.5F));
+  // Its neighbours close what it leaves open.
+  EXPECT_GE(at(3).y, 1.0F - meeting);
+  EXPECT_GE(at(5).x, 1.0F - meeting);
+}
+
+TEST(Samples, SplatsEndHalfASpacingBeyondTheBorder) {
+  const PatchModel model = test::height_field(9, [](double x, double) { return 2.0 * x; });
+  const PatchSamples samples = make_samples(model.patches[0]);
+  const glm::vec4 reach = reach_of(samples.records[4 * 9]);
+  EXPECT_NEAR(reach.x * std::sqrt(5.0F), 0.5F,
+              (shared::kLeastMargin + kRounding) * std::sqrt(5.0F));
 }
 
 TEST(Samples, SphereHoldsEverySplat) {
@@ -82,13 +126,13 @@ TEST(Samples, SphereHoldsEverySplat) {
   const PatchSamples samples = make_samples(model.patches[0]);
   for (std::size_t k = 0; k < samples.records.size(); ++k) {
     const SampleRecord& record = samples.records[k];
-    const double half = 0.5 + shared::kMargins[width_class(record)];
+    const glm::dvec4 reach(reach_of(record));
     const glm::dvec3 centre(record.place & shared::kNodeMask,
                             (record.place >> shared::kRowShift) & shared::kNodeMask,
                             (record.shape & 0xFFFFU) * samples.height_step);
     const glm::dvec2 slope(slope_of(samples, k));
-    for (const double x : {-half, half}) {
-      for (const double y : {-half, half}) {
+    for (const double x : {-reach.x, reach.y}) {
+      for (const double y : {-reach.z, reach.w}) {
         const glm::dvec3 corner = centre + glm::dvec3(x, y, x * slope.x + y * slope.y);
         EXPECT_LE(glm::distance(corner, samples.centre), samples.radius);
         EXPECT_LE(glm::distance(corner, centre), samples.widest_disc + 1e-9);
