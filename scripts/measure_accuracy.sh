@@ -1,0 +1,76 @@
+#!/usr/bin/env bash
+# Renders models with every engine from twelve views and compares the pictures with ray-traced ones:
+# prints the Markdown tables of docs/accuracy.md. Needs jq, and the scans of shared/data.
+# usage: scripts/measure_accuracy.sh RELIEF_BINARY DATA_FOLDER [WIDTHxHEIGHT [MODEL...]]
+set -euo pipefail
+relief=$1
+data=$2
+size=${3:-1280x1024}
+shift $(($# < 3 ? $# : 3))
+models=("$@")
+if [ ${#models[@]} -eq 0 ]; then
+  models=(scans/dragon/dragon_vrip.ply.gz scans/bunny/bun_zipper.ply.gz scans/igea.ply scans/lucy_50k.ply
+    scans/happy_buddha_50k.obj.gz sharp/fandisk_large.off.gz sharp/iron_scan.ply
+    colour/lion_takanawa_rgb_normals.ply.gz)
+fi
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# Eight views around, two from above, two from below.
+views=$(for azimuth in 0 45 90 135 180 225 270 315; do echo "[$azimuth, 15]"; done
+  printf '%s\n' '[20, 60]' '[200, 75]' '[110, -35]' '[290, -60]')
+# scene FILE MODEL: a scene of one model with those views.
+scene() {
+  jq -n --arg model "$2" --argjson views "$(jq -s . <<<"$views")" --arg size "$size" \
+    '{models: [{file: $model}], size: ($size | split("x") | map(tonumber)), background: "none",
+      views: [$views | to_entries[] | {name: "\(.key)", orbit: .value}]}' >"$1"
+}
+# pictures NAME SCENE OPTION...: twelve pictures NAME/VIEW.exr.
+pictures() {
+  local name=$1 scene=$2
+  shift 2
+  mkdir -p "$work/$name"
+  "$relief" render "$scene" -o "$work/$name/{view}.exr" --frames 1 --json "$@" >"$work/$name.json"
+}
+# errors NAME TRUTH: one JSON object a view.
+errors() {
+  local view
+  for view in "$work/$1"/*.exr; do
+    "$relief" compare "$view" "$work/$2/$(basename "$view")" --flip none --json
+  done
+}
+
+echo "| model | engine | holes | border missing | border extra | normal rms | normal p99 | depth rms | PSNR lit | PSNR mirror | PSNR mirror, 16 samples |"
+echo "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |"
+for model in "${models[@]}"; do
+  rm -rf "${work:?}"/*
+  "$relief" convert "$data/$model" -o "$work/model.relief" --json >"$work/convert.json"
+  scene "$work/patches.json" model.relief
+  scene "$work/mesh.json" "$(realpath "$data/$model")"
+  pictures truth.lit "$work/mesh.json" --engine raytrace --samples 1 --material lit
+  pictures truth.mirror "$work/mesh.json" --engine raytrace --samples 1 --material mirror --outputs colour
+  pictures truth.mirror16 "$work/mesh.json" --engine raytrace --samples 16 --material mirror --outputs colour
+  for way in "onepass quad corrected" "onepass quad direct" "onepass sprite corrected" \
+    "onepass sprite direct" ewa; do
+    read -ra words <<<"$way"
+    options=(--engine "${words[0]}")
+    if [ "${words[0]}" = onepass ]; then
+      options+=(--primitive "${words[1]}" --interpolation "${words[2]}")
+    fi
+    pictures lit "$work/patches.json" "${options[@]}" --material lit
+    pictures mirror "$work/patches.json" "${options[@]}" --material mirror --outputs colour
+    errors lit truth.lit >"$work/lit.errors"
+    errors mirror truth.mirror >"$work/mirror.errors"
+    errors mirror truth.mirror16 >"$work/mirror16.errors"
+    jq -rn --arg row "| $(basename "$model") | $way" --slurpfile lit "$work/lit.errors" \
+      --slurpfile mirror "$work/mirror.errors" --slurpfile mirror16 "$work/mirror16.errors" '
+      def mean(f): (map(f) | add / length);
+      def total(f): (map(f) | add);
+      def rounded(digits): . * pow(10; digits) | round / pow(10; digits);
+      "\($row) | \($lit | total(.holes)) | \($lit | total(.border_missing)) | \($lit | total(.border_extra))"
+      + " | \($lit | mean(.normal_rms_deg) | rounded(2)) | \($lit | mean(.normal_p99_deg) | rounded(1))"
+      + " | \($lit | mean(.depth_rms_relative) | . * 1e4 | rounded(2))e-4"
+      + " | \($lit | mean(.psnr_covered_db) | rounded(2)) | \($mirror | mean(.psnr_covered_db) | rounded(2))"
+      + " | \($mirror16 | mean(.psnr_covered_db) | rounded(2)) |"'
+  done
+done
