@@ -64,7 +64,7 @@ Result<RenderResult> render(const PatchModel& model, const RenderSettings& setti
                             Progress& progress);
 
 /// Takes a picture as soon as it is done; `view` is its place in the list. An error ends the
-/// rendering and comes out of it.
+/// rendering and comes out of it. Must not render itself: OpenGL has one context at a time.
 using PictureSink = std::function<Status(std::size_t view, RenderResult picture)>;
 
 /// Renders several views of one model, one engine after the other and within each in the list's
