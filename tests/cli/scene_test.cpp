@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/image_io.h"
-#include "models/knot_scan.h"
+#include "common/scene.h"
 #include "tests/cli/run_relief.h"
 
 namespace relief::test {
@@ -84,6 +84,24 @@ TEST_F(SceneCommand, AModelOfASceneIsDrawnAsTheModelAlone) {
   EXPECT_TRUE(run_json(alone).contains("engine"));
   ASSERT_FALSE(bytes_of(path("alone.exr")).empty());
   EXPECT_EQ(bytes_of(path("scene.exr")), bytes_of(path("alone.exr")));
+}
+
+TEST_F(SceneCommand, TheSampleSceneIsDrawn) {
+  write("suite.json", bytes_of(std::string(RELIEF_SOURCE_DIR) + "/models/dragon_views.json"));
+  std::filesystem::rename(path("knot.relief"), path("dragon.relief"));
+  const json result =
+      run_json({"render", path("suite.json"), "-o", path("{view}.png"), "--size", "32x32"});
+  EXPECT_EQ(result["views"].size(), 6U);
+}
+
+TEST_F(SceneCommand, ThePageOfTheFormatHasAGoodExample) {
+  const std::string page = bytes_of(std::string(RELIEF_SOURCE_DIR) + "/docs/scene.md");
+  const std::size_t begin = page.find("```json\n") + 8;
+  const auto scene =
+      read_scene(write("page.json", page.substr(begin, page.find("```", begin) - begin)));
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_EQ(scene->models.size(), 2U);
+  EXPECT_EQ(scene->views.size(), 3U);
 }
 
 TEST_F(SceneCommand, OptionsOverrideEveryView) {

@@ -159,8 +159,8 @@ TEST(MovedModels, AMovedModelIsTheModelSeenByACameraMovedBack) {
     settings.camera.up = transform.rotation * settings.camera.up;
     const RenderResult other = must_render(moved, settings);
     // Single precision rounds the turned axes otherwise: ties between splats and at the rim may
-    // fall the other way, a few of 9,000 pixels.
-    EXPECT_LE(test::count_different(one.image, other.image, 1), 8U) << way.name;
+    // fall the other way (measured: one of 6,000 pixels, in one of the four).
+    EXPECT_LE(test::count_different(one.image, other.image, 1), 4U) << way.name;
     std::size_t wrong = 0;
     for (std::size_t k = 0; k < values(one.image, "Z").size(); ++k) {
       const auto normal = [k](const RenderResult& r) {
@@ -179,7 +179,7 @@ TEST(MovedModels, AMovedModelIsTheModelSeenByACameraMovedBack) {
                         glm::distance(transform.rotation * normal(one), normal(other)) < 2e-3;
       wrong += same ? 0 : 1;
     }
-    EXPECT_LE(wrong, 8U) << way.name;
+    EXPECT_LE(wrong, 4U) << way.name;
   }
 }
 
