@@ -86,6 +86,22 @@ TEST_F(SceneCommand, AModelOfASceneIsDrawnAsTheModelAlone) {
   EXPECT_EQ(bytes_of(path("scene.exr")), bytes_of(path("alone.exr")));
 }
 
+TEST_F(SceneCommand, ModelsStandWhereTheirTransformsPutThem) {
+  // Of two knots of radius 4, one is moved by 100 and one twice as large and moved by -100.
+  const std::string scene = write("far.json", R"({
+    "models": [{"file": "knot.relief", "transform": {"translation": [100, 0, 0]}},
+               {"file": "knot.relief", "transform": {"translation": [-100, 0, 0], "scale": 2}}],
+    "size": [64, 64],
+    "views": [{"name": "old", "eye": [0, 0, 12], "target": [0, 0, 0]},
+              {"name": "new", "eye": [100, 0, 12], "target": [100, 0, 0]},
+              {"name": "large", "eye": [-100, 0, 24], "target": [-100, 0, 0]}]})");
+  const json views = run_json({"render", scene, "-o", path("{view}.png")})["views"];
+  EXPECT_EQ(views[0]["covered_pixels"], 0);
+  EXPECT_GT(views[1]["covered_pixels"], 500);
+  // The same picture but for pixels at the rim.
+  EXPECT_NEAR(views[2]["covered_pixels"], views[1]["covered_pixels"], 5);
+}
+
 TEST_F(SceneCommand, TheSampleSceneIsDrawn) {
   write("suite.json", bytes_of(std::string(RELIEF_SOURCE_DIR) + "/models/dragon_views.json"));
   std::filesystem::rename(path("knot.relief"), path("dragon.relief"));

@@ -69,6 +69,27 @@ TEST(Views, EachIsTheSameAsIfItWereTheOnlyOne) {
   }
 }
 
+TEST(Views, WhatOneOfThemReadsIsThereForIt) {
+  // Unlit reads colours and no normals, a mirror normals and no colours.
+  const PatchModel model = bumpy_sphere(true);
+  for (const bool mirror_first : {false, true}) {
+    std::vector<RenderSettings> views(2, small_picture(model));
+    views[0].material = mirror_first ? Material::Mirror : Material::Unlit;
+    views[1].material = mirror_first ? Material::Unlit : Material::Mirror;
+    Progress silent;
+    std::vector<RenderResult> pictures;
+    ASSERT_TRUE(render_views(
+        model, views,
+        [&pictures](std::size_t, RenderResult picture) {
+          pictures.push_back(std::move(picture));
+          return Status();
+        },
+        silent));
+    for (std::size_t i = 0; i < views.size(); ++i)
+      expect_same(pictures[i].image, must_render(model, views[i]).image);
+  }
+}
+
 TEST(Views, WhatTheSinkSaysEndsTheRendering) {
   const PatchModel model = bumpy_sphere(false);
   const std::vector<RenderSettings> views(3, small_picture(model));
