@@ -44,11 +44,11 @@ bool interrupted() {
   return g_interrupted != 0;
 }
 
-int fail(const Error& error) {
+int fail(const Error& error, std::string_view kept) {
   if (interrupted()) {
-    fmt::print(stderr, "relief: interrupted; nothing was written\n");
+    fmt::print(stderr, "relief: interrupted; {}\n", kept.empty() ? "nothing was written" : kept);
   } else {
-    fmt::print(stderr, "relief: {}\n", error.message);
+    fmt::print(stderr, "relief: {}{}{}\n", error.message, kept.empty() ? "" : "; ", kept);
   }
   return kFailed;
 }

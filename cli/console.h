@@ -26,8 +26,9 @@ void handle_signals();
 [[nodiscard]] bool interrupted();
 
 /// Says `error` in one line on standard error and returns kFailed. After an interrupt it says that
-/// instead: whatever failed then, failed because of it.
-int fail(const Error& error);
+/// instead: whatever failed then, failed because of it. `kept`: what was written before, if
+/// anything was ("2 of 12 pictures were written").
+int fail(const Error& error, std::string_view kept = {});
 
 /// A remark on standard error that ends nothing.
 void note(std::string_view text);

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <string_view>
 #include <utility>
 
 #include "cli/console.h"
 #include "cli/paths.h"
 #include "common/patch_file.h"
+#include "common/transform.h"
 #include "preprocess/convert.h"
 
 namespace relief::cli {
@@ -89,10 +91,6 @@ Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
 }
 
 Result<PatchModel> load_model(const std::filesystem::path& path, Progress& progress) {
-  if (ending(path) == ".json") {
-    return make_error("{}: this version renders .relief files and scans, no .json scenes yet",
-                      path.string());
-  }
   if (ending(path) == ".relief") {
     const auto file = PatchFile::open(path);
     if (!file) return file.error();
@@ -105,6 +103,27 @@ Result<PatchModel> load_model(const std::filesystem::path& path, Progress& progr
     return make_error("{}: {}", path.string(), converted.error().message);
   }
   return std::move(converted->model);
+}
+
+Result<PatchModel> load_models(const std::vector<SceneModel>& models, Progress& progress) {
+  std::map<std::filesystem::path, std::size_t> uses;
+  for (const SceneModel& model : models) ++uses[model.file];
+  std::map<std::filesystem::path, PatchModel> loaded;
+  PatchModel all;
+  for (const SceneModel& placed : models) {
+    if (loaded.find(placed.file) == loaded.end()) {
+      auto model = load_model(placed.file, progress);
+      if (!model) return model.error();
+      loaded.emplace(placed.file, std::move(*model));
+    }
+    const bool last_use = --uses[placed.file] == 0;
+    PatchModel model =
+        last_use ? std::move(loaded.at(placed.file)) : PatchModel(loaded.at(placed.file));
+    const Status moved = transform_model(model, placed.transform);
+    if (!moved) return make_error("{}: {}", placed.file.string(), moved.error().message);
+    append_model(all, std::move(model));
+  }
+  return all;
 }
 
 }  // namespace relief::cli

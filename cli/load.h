@@ -8,6 +8,7 @@
 #include "common/error.h"
 #include "common/patch.h"
 #include "common/progress.h"
+#include "common/scene.h"
 #include "preprocess/read_points.h"
 
 namespace relief::cli {
@@ -19,5 +20,8 @@ Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths, 
 
 /// A model from a .relief file, or from a scan or mesh that is converted with the default options.
 Result<PatchModel> load_model(const std::filesystem::path& path, Progress& progress);
+
+/// The models of a scene in their places, as one. A file that several of them name is read once.
+Result<PatchModel> load_models(const std::vector<SceneModel>& models, Progress& progress);
 
 }  // namespace relief::cli

@@ -3,6 +3,8 @@
 #include <CLI/Error.hpp>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -10,8 +12,6 @@
 
 namespace relief::cli {
 namespace {
-
-constexpr std::uint32_t kMaxSide = 32768;
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
@@ -47,13 +47,13 @@ std::vector<double> parse_numbers(std::string_view text) {
 
 }  // namespace
 
-Size parse_size(const std::string& text) {
+PictureSize parse_size(const std::string& text) {
   const auto parts = split(text, 'x');
   if (parts.size() == 2) {
     const auto width = parse_number<std::uint32_t>(parts[0]);
     const auto height = parse_number<std::uint32_t>(parts[1]);
-    if (width && height && *width >= 1 && *width <= kMaxSide && *height >= 1 &&
-        *height <= kMaxSide) {
+    if (width && height && *width >= 1 && *width <= kMaxPictureSide && *height >= 1 &&
+        *height <= kMaxPictureSide) {
       return {*width, *height};
     }
   }
@@ -74,8 +74,8 @@ glm::dvec3 parse_vector(const std::string& text) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-std::optional<glm::vec3> parse_background(const std::string& text) {
-  if (text == "none") return std::nullopt;
+Background parse_background(const std::string& text) {
+  if (text == "none") return {};
   const auto numbers = parse_numbers(text);
   const auto in_range = [](double n) { return n >= 0.0 && n <= 1.0; };
   if (numbers.size() != 3 || !std::all_of(numbers.begin(), numbers.end(), in_range)) {
@@ -83,7 +83,7 @@ std::optional<glm::vec3> parse_background(const std::string& text) {
                                "expected R,G,B, sRGB values from 0 to 1 as in 1,1,1, or none");
   }
   const auto linear = [](double n) { return linear_from_srgb(static_cast<float>(n)); };
-  return glm::vec3(linear(numbers[0]), linear(numbers[1]), linear(numbers[2]));
+  return {glm::vec3(linear(numbers[0]), linear(numbers[1]), linear(numbers[2]))};
 }
 
 Outputs parse_outputs(const std::string& text) {

@@ -2,23 +2,17 @@
 // value is thrown as CLI::ValidationError, which CLI11 turns into a message and exit code 2.
 #pragma once
 
-#include <cstdint>
 #include <glm/vec3.hpp>
-#include <optional>
 #include <string>
 
 #include "common/camera.h"
-#include "renderer/render.h"
+#include "common/choices.h"
+#include "common/scene.h"
 
 namespace relief::cli {
 
-struct Size {
-  std::uint32_t width = 1280;
-  std::uint32_t height = 1024;
-};
-
 /// "WxH", each 1 to 32768.
-[[nodiscard]] Size parse_size(const std::string& text);
+[[nodiscard]] PictureSize parse_size(const std::string& text);
 
 /// "AZ,EL" or "AZ,EL,DIST": degrees, and bounding-sphere radii above 0.
 [[nodiscard]] Orbit parse_orbit(const std::string& text);
@@ -27,7 +21,7 @@ struct Size {
 [[nodiscard]] glm::dvec3 parse_vector(const std::string& text);
 
 /// "R,G,B", sRGB values in [0, 1], as linear RGB; or "none".
-[[nodiscard]] std::optional<glm::vec3> parse_background(const std::string& text);
+[[nodiscard]] Background parse_background(const std::string& text);
 
 /// "all", "colour", or names of normal, depth, uv, patch, separated by commas.
 [[nodiscard]] Outputs parse_outputs(const std::string& text);

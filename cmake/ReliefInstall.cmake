@@ -3,8 +3,9 @@
 include(CMakePackageConfigHelpers)
 
 set(RELIEF_PUBLIC_HEADERS
-  common/camera.h common/error.h common/file.h common/image.h common/image_io.h common/octahedral.h
-  common/patch.h common/patch_file.h common/points.h common/progress.h common/srgb.h common/version.h
+  common/camera.h common/choices.h common/error.h common/file.h common/image.h common/image_io.h
+  common/octahedral.h common/patch.h common/patch_file.h common/points.h common/progress.h common/scene.h
+  common/srgb.h common/transform.h common/version.h
   preprocess/convert.h preprocess/read_points.h
   renderer/engines/ewa/settings.h renderer/engines/raytrace/settings.h
   renderer/render.h renderer/splat_cloud.h renderer/triangle_mesh.h)

@@ -9,7 +9,6 @@
 
 #include "common/continuation.h"
 #include "common/octahedral.h"
-#include "common/srgb.h"
 #include "renderer/samples.h"
 #include "shaders/include/shared.h"
 
@@ -173,9 +172,7 @@ Result<MapArray> upload_colours(const Gl& gl, const PatchModel& model) {
   const Format format{"colour maps", GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE, GL_LINEAR};
   return upload(gl, model, format, sizes, 1, [](const Patch& patch) {
     if (!patch.colours.empty()) return with_ring<glm::u8vec4>(patch.colours);
-    const AttributeMap<glm::u8vec3> grey{
-        1, 1, 1, {glm::u8vec3(srgb8_from_linear(shared::kNeutralGrey))}};
-    return with_ring<glm::u8vec4>(grey);
+    return with_ring<glm::u8vec4>(AttributeMap<glm::u8vec3>{1, 1, 1, {glm::u8vec3(0)}});
   });
 }
 

@@ -29,7 +29,8 @@ Result<MapArray> upload_heights(const Gl& gl, const PatchModel& model);
 /// normals of its heights.
 Result<MapArray> upload_normals(const Gl& gl, const PatchModel& model);
 
-/// Colours as sRGB, with the same ring. A patch without colours gets one neutral grey texel.
+/// Colours as sRGB, with the same ring. A patch without colours gets one texel that nobody reads:
+/// the neutral grey is the shader's, for 8-bit sRGB has no value for it.
 Result<MapArray> upload_colours(const Gl& gl, const PatchModel& model);
 
 /// Texels per cell of a patch's map on the GPU (0 for the one texel of a patch without colours).

@@ -1,12 +1,101 @@
 #include "renderer/render.h"
 
+#include <memory>
+#include <utility>
+#include <vector>
+
 #include "renderer/engines/onepass/render_onepass.h"
+#include "renderer/prepared.h"
 
 namespace relief {
+namespace {
+
+/// Passes on that the user wants to stop; where several views are drawn the bar counts those alone.
+class QuietProgress final : public Progress {
+ public:
+  explicit QuietProgress(const Progress& outer) : outer_(outer) {}
+  [[nodiscard]] bool cancelled() const override { return outer_.cancelled(); }
+
+ private:
+  const Progress& outer_;
+};
+
+/// The views of one engine.
+struct EngineViews {
+  EngineKind engine = EngineKind::Onepass;
+  std::vector<RenderSettings> settings;
+  std::vector<std::size_t> places;  ///< in the list of all views
+};
+
+std::vector<EngineViews> group_by_engine(std::span<const RenderSettings> views) {
+  std::vector<EngineViews> groups;
+  for (const EngineKind engine : {EngineKind::Onepass, EngineKind::Ewa, EngineKind::Raytrace}) {
+    EngineViews group{engine, {}, {}};
+    for (std::size_t place = 0; place < views.size(); ++place) {
+      if (views[place].engine != engine) continue;
+      group.settings.push_back(views[place]);
+      group.places.push_back(place);
+    }
+    if (!group.places.empty()) groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+Result<std::unique_ptr<PreparedModel>> prepare(const PatchModel& model, const EngineViews& views) {
+  switch (views.engine) {
+    case EngineKind::Onepass:
+      return onepass::prepare(model, views.settings);
+    case EngineKind::Ewa:
+    case EngineKind::Raytrace:
+      break;
+  }
+  return Error{"this version has the engine onepass alone"};
+}
+
+/// Draws the views of one engine after each other.
+Status render_group(PreparedModel& prepared, const EngineViews& views, const PictureSink& sink,
+                    Progress& outer, Progress& inner) {
+  for (std::size_t i = 0; i < views.settings.size(); ++i) {
+    if (outer.cancelled()) return interrupted_error();
+    auto picture = prepared.render(views.settings[i], inner);
+    if (!picture) return picture.error();
+    if (outer.cancelled()) return interrupted_error();
+    const Status taken = sink(views.places[i], std::move(*picture));
+    if (!taken) return taken;
+    outer.advance(1);
+  }
+  return {};
+}
+
+}  // namespace
+
+Status render_views(const PatchModel& model, std::span<const RenderSettings> views,
+                    const PictureSink& sink, Progress& progress) {
+  const bool several = views.size() > 1;
+  QuietProgress quiet(progress);
+  progress.begin_stage("render", several ? views.size() : 0);
+  for (const EngineViews& group : group_by_engine(views)) {
+    const auto prepared = prepare(model, group);
+    if (!prepared) return prepared.error();
+    const Status drawn =
+        render_group(**prepared, group, sink, progress, several ? quiet : progress);
+    if (!drawn) return drawn;
+  }
+  return {};
+}
 
 Result<RenderResult> render(const PatchModel& model, const RenderSettings& settings,
-                            Progress& /*progress*/) {
-  return onepass::render(model, settings);
+                            Progress& progress) {
+  RenderResult result;
+  const Status drawn = render_views(
+      model, {&settings, 1},
+      [&result](std::size_t /*view*/, RenderResult picture) {
+        result = std::move(picture);
+        return Status();
+      },
+      progress);
+  if (!drawn) return drawn.error();
+  return result;
 }
 
 }  // namespace relief

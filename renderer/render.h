@@ -1,14 +1,18 @@
 // From patches to a picture: one frame, headless.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "common/camera.h"
+#include "common/choices.h"
 #include "common/error.h"
 #include "common/image.h"
 #include "common/patch.h"
@@ -20,23 +24,8 @@
 
 namespace relief {
 
-/// A way to turn a model into pixels. Onepass: paper 001, on OpenGL. Ewa: paper 000, the reference.
-/// Raytrace: the truth.
-enum class EngineKind : std::uint8_t { Onepass, Ewa, Raytrace };
-enum class Primitive : std::uint8_t { Sprite, Quad };
-enum class Interpolation : std::uint8_t { Direct, Corrected };
-enum class Material : std::uint8_t { Unlit, Lit, Mirror };
 /// Where OpenGL comes from. Automatic: EGL, and OSMesa where EGL is missing or has no display.
 enum class GlPlatform : std::uint8_t { Automatic, Egl, Osmesa };
-
-/// Which outputs a picture has. Colour and coverage are always there; nothing is allocated, written
-/// or read back for an output that is off.
-struct Outputs {
-  bool normal = false;
-  bool depth = false;
-  bool uv = false;
-  bool patch_id = false;
-};
 
 struct RenderSettings {
   EngineKind engine = EngineKind::Onepass;
@@ -73,6 +62,17 @@ struct RenderResult {
 /// OpenGL allows, an interruption by the user.
 Result<RenderResult> render(const PatchModel& model, const RenderSettings& settings,
                             Progress& progress);
+
+/// Takes a picture as soon as it is done; `view` is its place in the list. An error ends the
+/// rendering and comes out of it. Must not render itself: OpenGL has one context at a time.
+using PictureSink = std::function<Status(std::size_t view, RenderResult picture)>;
+
+/// Renders several views of one model, one engine after the other and within each in the list's
+/// order. What does not depend on the view (an OpenGL context, the model on the GPU, a tree over
+/// its triangles) is made once for each engine; each picture is the same as if it were the only
+/// one. All views have the same `platform` and `debug`. Fails as render() does.
+Status render_views(const PatchModel& model, std::span<const RenderSettings> views,
+                    const PictureSink& sink, Progress& progress);
 
 /// Renders a mesh with the engine `raytrace`, whatever `settings.engine` says.
 Result<RenderResult> render(const TriangleMesh& mesh, const RenderSettings& settings,

@@ -46,7 +46,9 @@ vec3 to_world(PatchInfo info, vec3 v) {
 void shade(PatchInfo info, vec3 hit, vec3 ray, float depth) {
   vec2 uv = clamp(hit.xy, vec2(0.0), vec2(info.nodes.xy - 1));
 #if (RELIEF_FEATURES & RELIEF_FEATURE_COLOURS) != 0u
-  vec3 albedo = look_up(colour_maps, info.colours, uv).rgb;
+  // A patch without colours among coloured ones has no texel for that grey: sRGB in 8 bits lacks it.
+  vec3 albedo =
+      info.colours.w == 0 ? vec3(kNeutralGrey) : look_up(colour_maps, info.colours, uv).rgb;
 #else
   vec3 albedo = vec3(kNeutralGrey);
 #endif

@@ -68,10 +68,6 @@ TEST_F(BadInput, WrongFormat) {
                  "fake.relief");
 }
 
-TEST_F(BadInput, ScenesAreNotThereYet) {
-  expect_refused({"render", write("scene.json", "{}"), "-o", path("out.png")}, "scene.json");
-}
-
 TEST_F(BadInput, CountsLargerThanTheFile) {
   for (const std::string format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
     for (const std::string count : {"4000000000", "18446744073709551615", "1000", "-1"}) {

@@ -1,42 +1,23 @@
 #include "renderer/engines/onepass/render_onepass.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <memory>
-#include <span>
+#include <cassert>
+#include <filesystem>
+#include <map>
+#include <optional>
 #include <utility>
 
 #include "renderer/engines/onepass/features.h"
+#include "renderer/engines/onepass/frame.h"
 #include "renderer/engines/onepass/onepass.h"
 #include "renderer/environment.h"
 #include "renderer/gl/context.h"
 #include "renderer/gl/debug.h"
 #include "renderer/gl/functions.h"
-#include "renderer/gl/pass.h"
 #include "renderer/patch_store.h"
-#include "renderer/targets.h"
-#include "renderer/view.h"
 
 namespace relief::onepass {
 namespace {
-
-/// All that a frame needs, made once.
-struct Scene {
-  View view;
-  Targets targets;
-  Engine engine;
-  std::optional<Texture> environment;
-  std::optional<Backdrop> backdrop;
-  Buffer frame;  ///< shared::Frame
-  glm::vec3 background{0.0F};
-};
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
-}
 
 /// A near plane that no surface that can be told apart from the eye is in front of.
 double near_of(const PatchModel& model) {
@@ -45,129 +26,116 @@ double near_of(const PatchModel& model) {
   return 0.01 * spacing;
 }
 
-Result<Scene> make_scene(const Gl& gl, const PatchModel& model, const PatchStore& store,
-                         const RenderSettings& settings, std::uint32_t features) {
-  Result<Targets> targets = make_targets(gl, settings.width, settings.height, settings.outputs);
-  if (!targets) return targets.error();
-  Result<Engine> engine = Engine::create(gl, store, features);
-  if (!engine) return engine.error();
+/// A context with its functions, at an address that lasts: everything made with them keeps it.
+struct Device {
+  std::unique_ptr<GlContext> context;
+  Gl gl;
+  std::optional<DebugLog> log;
+};
 
-  const bool shows_environment = !settings.environment.empty() && settings.background.has_value();
-  std::optional<Texture> environment;
-  if (shows_environment || settings.material == Material::Mirror) {
-    const Result<CubeMap> cube = load_environment(settings.environment);
-    if (!cube) return cube.error();
-    Result<Texture> made = upload_environment(gl, *cube);
-    if (!made) return made.error();
-    environment = std::move(*made);
+Result<std::unique_ptr<Device>> make_device(GlPlatform platform, bool debug) {
+  auto device = std::make_unique<Device>();
+  auto context = make_context(platform, debug);
+  if (!context) return context.error();
+  device->context = std::move(*context);
+  const auto functions = load_functions(*device->context);
+  if (!functions) return functions.error();
+  device->gl = *functions;
+  if (debug) device->log.emplace(device->gl);
+  return device;
+}
+
+/// The model on the GPU, and what pictures have needed so far.
+class Prepared final : public PreparedModel {
+ public:
+  Prepared(std::unique_ptr<Device> device, PatchStore store, bool has_colours, double near)
+      : device_(std::move(device)),
+        store_(std::move(store)),
+        has_colours_(has_colours),
+        near_(near) {}
+
+  Result<RenderResult> render(const RenderSettings& settings, Progress& /*progress*/) override {
+    const std::uint32_t features = features_of(settings, has_colours_);
+    const auto engine = engine_for(features);
+    if (!engine) return engine.error();
+    const auto counting = engine_for(features | RELIEF_FEATURE_COUNT_FRAGMENTS);
+    if (!counting) return counting.error();
+    FrameParts parts{**engine, **counting, nullptr, nullptr};
+    const bool shown = !settings.environment.empty() && settings.background.has_value();
+    if (shown || settings.material == Material::Mirror) {
+      const auto environment = environment_for(settings.environment);
+      if (!environment) return environment.error();
+      parts.environment = *environment;
+    }
+    if (shown) {
+      const auto backdrop = backdrop_for();
+      if (!backdrop) return backdrop.error();
+      parts.backdrop = *backdrop;
+    }
+    auto result = draw_picture(device_->gl, parts, settings, near_);
+    if (result && device_->log && !device_->log->status()) return device_->log->status().error();
+    return result;
   }
-  std::optional<Backdrop> backdrop;
-  if (shows_environment) {
-    Result<Backdrop> made = Backdrop::create(gl);
-    if (!made) return made.error();
-    backdrop = std::move(*made);
+
+ private:
+  Result<const Engine*> engine_for(std::uint32_t features) {
+    auto found = engines_.find(features);
+    if (found == engines_.end()) {
+      Result<Engine> made = Engine::create(device_->gl, store_, features);
+      if (!made) return made.error();
+      found = engines_.emplace(features, std::move(*made)).first;
+    }
+    return &found->second;
   }
-  const View view = make_view(settings.camera, settings.width, settings.height, near_of(model));
-  const shared::Frame frame = make_frame(view, engine->largest_sprite());
-  return Scene{view,
-               std::move(*targets),
-               std::move(*engine),
-               std::move(environment),
-               std::move(backdrop),
-               make_buffer(gl, "frame", std::span<const shared::Frame>(&frame, 1)),
-               settings.background.value_or(glm::vec3(0.0F))};
-}
 
-/// Draws one frame, without waiting for it.
-void draw_frame(const Gl& gl, const Scene& scene, const Engine& engine, PassTimer& timer) {
-  gl.BindFramebuffer(GL_FRAMEBUFFER, scene.targets.framebuffer.id());
-  gl.Viewport(0, 0, static_cast<GLsizei>(scene.targets.width),
-              static_cast<GLsizei>(scene.targets.height));
-  gl.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_FRAME, scene.frame.id());
-  clear_targets(gl, scene.targets, scene.background);
-  engine.draw(scene.view, timer, scene.environment ? &*scene.environment : nullptr);
-  if (scene.backdrop) scene.backdrop->draw(timer, *scene.environment);
-  gl.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_FRAME, 0);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
-}
-
-/// Times frames after one that warms caches up and compiles what OpenGL compiles late.
-void time_frames(const Gl& gl, const Scene& scene, int frames, RenderResult& result) {
-  PassTimer timer(gl);
-  draw_frame(gl, scene, scene.engine, timer);
-  gl.Finish();
-  (void)timer.take();
-  std::vector<double> frame_ms;
-  std::vector<double> gpu_ms;
-  for (int i = 0; i < std::max(frames, 1); ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    draw_frame(gl, scene, scene.engine, timer);
-    gl.Finish();
-    const std::chrono::duration<double, std::milli> elapsed =
-        std::chrono::steady_clock::now() - start;
-    frame_ms.push_back(elapsed.count());
-    if (const auto time = timer.take()) gpu_ms.push_back(*time);
+  Result<const Texture*> environment_for(const std::filesystem::path& path) {
+    auto found = environments_.find(path);
+    if (found == environments_.end()) {
+      const Result<CubeMap> cube = load_environment(path);
+      if (!cube) return cube.error();
+      Result<Texture> made = upload_environment(device_->gl, *cube);
+      if (!made) return made.error();
+      found = environments_.emplace(path, std::move(*made)).first;
+    }
+    return &found->second;
   }
-  result.frame_ms = median(frame_ms);
-  if (!gpu_ms.empty()) result.gpu_ms = median(gpu_ms);
-}
 
-/// Counts the fragments of the model's pass, in a frame of its own that is not timed.
-Result<std::uint64_t> count_fragments(const Gl& gl, const Scene& scene, const PatchStore& store,
-                                      std::uint32_t features) {
-  Result<Engine> counting = Engine::create(gl, store, features | RELIEF_FEATURE_COUNT_FRAGMENTS);
-  if (!counting) return counting.error();
-  std::uint32_t count = 0;
-  const Buffer buffer =
-      make_buffer(gl, "fragment count", std::span<const std::uint32_t>(&count, 1));
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, RELIEF_BIND_FRAGMENT_COUNT, buffer.id());
-  PassTimer timer(gl);
-  draw_frame(gl, scene, *counting, timer);
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, RELIEF_BIND_FRAGMENT_COUNT, 0);
-  gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  gl.GetNamedBufferSubData(buffer.id(), 0, sizeof(count), &count);
-  return std::uint64_t{count};
-}
-
-/// Reads the picture, counts what the model covers and puts an opaque background under it.
-void read_picture(const Gl& gl, const Scene& scene, bool opaque, RenderResult& result) {
-  result.image = read_targets(gl, scene.targets);
-  for (Channel& channel : result.image.channels) {
-    if (channel.name != "A") continue;
-    result.covered_pixels = static_cast<std::uint64_t>(std::count_if(
-        channel.values.begin(), channel.values.end(), [](float alpha) { return alpha > 0.0F; }));
-    if (opaque) std::fill(channel.values.begin(), channel.values.end(), 1.0F);
+  Result<const Backdrop*> backdrop_for() {
+    if (!backdrop_) {
+      Result<Backdrop> made = Backdrop::create(device_->gl);
+      if (!made) return made.error();
+      backdrop_ = std::move(*made);
+    }
+    return &*backdrop_;
   }
-}
+
+  std::unique_ptr<Device> device_;  ///< first: the last to go
+  PatchStore store_;
+  bool has_colours_;
+  double near_;
+  std::map<std::uint32_t, Engine> engines_;  ///< by feature bits
+  std::map<std::filesystem::path, Texture> environments_;
+  std::optional<Backdrop> backdrop_;
+};
 
 }  // namespace
 
-Result<RenderResult> render(const PatchModel& model, const RenderSettings& settings) {
-  const auto context = make_context(settings.platform, settings.debug);
-  if (!context) return context.error();
-  const auto functions = load_functions(**context);
-  if (!functions) return functions.error();
-  const Gl& gl = *functions;
-  std::optional<DebugLog> log;
-  if (settings.debug) log.emplace(gl);
-
-  const std::uint32_t features = features_of(settings, model.has_colours);
-  const auto store = upload_model(gl, model, needs_of(features));
+Result<std::unique_ptr<PreparedModel>> prepare(const PatchModel& model,
+                                               std::span<const RenderSettings> views) {
+  assert(!views.empty() && "a model is prepared for at least one view");
+  StoreNeeds needs;
+  for (const RenderSettings& settings : views) {
+    assert(settings.platform == views.front().platform && settings.debug == views.front().debug);
+    const StoreNeeds more = needs_of(features_of(settings, model.has_colours));
+    needs.normals = needs.normals || more.normals;
+    needs.colours = needs.colours || more.colours;
+  }
+  auto device = make_device(views.front().platform, views.front().debug);
+  if (!device) return device.error();
+  auto store = upload_model((*device)->gl, model, needs);
   if (!store) return store.error();
-  const auto scene = make_scene(gl, model, *store, settings, features);
-  if (!scene) return scene.error();
-
-  RenderResult result;
-  result.renderer = reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
-  const auto fragments = count_fragments(gl, *scene, *store, features);
-  if (!fragments) return fragments.error();
-  result.fragments = *fragments;
-  time_frames(gl, *scene, settings.frames, result);
-  read_picture(gl, *scene, settings.background.has_value(), result);
-  if (log && !log->status()) return log->status().error();
-  const Status drawn = check_errors(gl, "the picture");
-  if (!drawn) return drawn.error();
-  return result;
+  return std::unique_ptr<PreparedModel>(std::make_unique<Prepared>(
+      std::move(*device), std::move(*store), model.has_colours, near_of(model)));
 }
 
 }  // namespace relief::onepass

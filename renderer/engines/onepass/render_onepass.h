@@ -1,13 +1,20 @@
-// A frame of the engine `onepass`, from its OpenGL context to its picture.
+// The engine `onepass`, from its OpenGL context to its pictures.
 #pragma once
+
+#include <memory>
+#include <span>
 
 #include "common/error.h"
 #include "common/patch.h"
+#include "renderer/prepared.h"
 #include "renderer/render.h"
 
 namespace relief::onepass {
 
-/// See render() in renderer/render.h.
-Result<RenderResult> render(const PatchModel& model, const RenderSettings& settings);
+/// Makes a context and uploads what at least one of the views reads of the model: its heights,
+/// normals, colours. Programs and environments are made by the first picture that needs them. All
+/// views have the same platform and debug flag.
+Result<std::unique_ptr<PreparedModel>> prepare(const PatchModel& model,
+                                               std::span<const RenderSettings> views);
 
 }  // namespace relief::onepass

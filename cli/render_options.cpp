@@ -1,0 +1,130 @@
+#include "cli/render_options.h"
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <string>
+
+#include "cli/paths.h"
+#include "cli/values.h"
+
+namespace relief::cli {
+namespace {
+
+const std::map<std::string, GlPlatform> kPlatforms{
+    {"auto", GlPlatform::Automatic}, {"egl", GlPlatform::Egl}, {"osmesa", GlPlatform::Osmesa}};
+
+/// An option whose values have names.
+template <class T, std::size_t N>
+CLI::Option* add_choice(CLI::App& sub, const std::string& name, std::optional<T>& to,
+                        const std::array<Named<T>, N>& table, const std::string& description) {
+  return sub
+      .add_option_function<std::string>(
+          name, [&to, &table](const std::string& text) { to = find_named(table, text); },
+          description)
+      ->check([&table](const std::string& text) {
+        return find_named(table, text) ? std::string()
+                                       : "expected " + list_names(table, ", ") + "; found " + text;
+      })
+      ->option_text(list_names(table, "|"));
+}
+
+void add_camera_options(CLI::App& sub, SceneSettings& settings) {
+  sub.add_option_function<std::string>(
+         "--size", [&](const std::string& s) { settings.size = parse_size(s); },
+         "Picture size in pixels (1280x1024)")
+      ->option_text("WxH");
+  auto* const orbit =
+      sub.add_option_function<std::string>(
+             "--orbit", [&](const std::string& s) { settings.orbit = parse_orbit(s); },
+             "Camera on an orbit: azimuth (0 is +Z, turning to +X) and elevation in degrees, "
+             "distance in bounding-sphere radii (0,0 and the whole model in view)")
+          ->option_text("AZ,EL[,DIST]");
+  auto* const eye = sub.add_option_function<std::string>(
+                           "--eye", [&](const std::string& s) { settings.eye = parse_vector(s); },
+                           "Camera at a place instead, in the model's coordinates")
+                        ->option_text("X,Y,Z")
+                        ->excludes(orbit);
+  sub.add_option_function<std::string>(
+         "--target", [&](const std::string& s) { settings.target = parse_vector(s); },
+         "What --eye looks at (the middle of the model)")
+      ->option_text("X,Y,Z")
+      ->needs(eye);
+  sub.add_option_function<std::string>(
+         "--up", [&](const std::string& s) { settings.up = parse_vector(s); },
+         "What is up for --eye (0,1,0)")
+      ->option_text("X,Y,Z")
+      ->needs(eye);
+  sub.add_option("--fov", settings.fov_degrees, "Vertical field of view in degrees (45)")
+      ->check(CLI::Range(kMinFieldOfView, kMaxFieldOfView))
+      ->option_text("DEG");
+}
+
+void add_look_options(CLI::App& sub, SceneSettings& settings) {
+  add_choice(sub, "--engine", settings.engine, kEngines,
+             "What turns the model into pixels (onepass)");
+  add_choice(sub, "--primitive", settings.primitive, kPrimitives,
+             "What is rasterised for a sample (quad)");
+  add_choice(sub, "--interpolation", settings.interpolation, kInterpolations,
+             "How a fragment finds its place on the patch: direct is faster, corrected more "
+             "exact (corrected)");
+  add_choice(sub, "--material", settings.material, kMaterials,
+             "unlit is the stored colour and nothing else; mirror reflects --env (lit)");
+  sub.add_option("--env", settings.environment,
+                 "Environment map, equirectangular EXR or HDR (built in: a colour for each "
+                 "direction, with a grid)")
+      ->option_text("FILE");
+  sub.add_option_function<std::string>(
+         "--background", [&](const std::string& s) { settings.background = parse_background(s); },
+         "sRGB values from 0 to 1, or none: transparent (0,0,0)")
+      ->option_text("R,G,B|none");
+  sub.add_option_function<std::string>(
+         "--outputs", [&](const std::string& s) { settings.outputs = parse_outputs(s); },
+         "What an .exr holds: all, colour, or some of normal,depth,uv,patch beside the colour "
+         "(all)")
+      ->option_text("LIST");
+}
+
+}  // namespace
+
+void add_render_options(CLI::App& sub, RenderArguments& arguments) {
+  sub.add_option("SCENE", arguments.input, "A .relief file, a scan, a mesh or a .json scene")
+      ->required()
+      ->option_text("FILE");
+  sub.add_option("-o,--output", arguments.output,
+                 "The picture to write: .png or .exr; {view} in it stands for the name of a "
+                 "scene's view")
+      ->required()
+      ->option_text("FILE (required)");
+  add_camera_options(sub, arguments.settings);
+  add_look_options(sub, arguments.settings);
+  sub.add_option("--frames", arguments.frames,
+                 "Frames to time after a first one; the median is reported (3)")
+      ->check(CLI::Range(1, 100000))
+      ->option_text("N");
+  sub.add_option_function<std::string>(
+         "--gl", [&](const std::string& s) { arguments.platform = kPlatforms.at(s); },
+         "Where OpenGL comes from; auto tries EGL, then OSMesa (auto)")
+      ->check(CLI::IsMember(kPlatforms))
+      ->option_text("auto|egl|osmesa");
+  sub.add_flag("--json", arguments.json, "Print one JSON object on standard output");
+}
+
+void check_together(const RenderArguments& arguments) {
+  const std::string format = ending(arguments.output);
+  if (format != ".png" && format != ".exr") {
+    throw CLI::ValidationError("--output", "expected a name that ends in .png or .exr");
+  }
+  const SceneSettings& settings = arguments.settings;
+  const Outputs outputs = settings.outputs.value_or(Outputs{});
+  if (format == ".png" && (outputs.normal || outputs.depth || outputs.uv || outputs.patch_id)) {
+    throw CLI::ValidationError("--outputs", "a PNG holds colour alone; write an .exr");
+  }
+  if (settings.eye && settings.eye == settings.target) {
+    throw CLI::ValidationError("--target", "must not be where --eye is");
+  }
+  if (settings.up == glm::dvec3(0.0)) {
+    throw CLI::ValidationError("--up", "must not be 0,0,0");
+  }
+}
+
+}  // namespace relief::cli

@@ -1,0 +1,27 @@
+// What `relief render` can be told.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <filesystem>
+
+#include "common/scene.h"
+#include "renderer/render.h"
+
+namespace relief::cli {
+
+struct RenderArguments {
+  std::filesystem::path input;   ///< a scene, a patch file, a scan or a mesh
+  std::filesystem::path output;  ///< with {view} in it for a scene of several views
+  SceneSettings settings;        ///< what the options say; a scene's settings yield to it
+  GlPlatform platform = GlPlatform::Automatic;
+  int frames = 3;
+  bool json = false;
+};
+
+/// Declares the arguments and options of `sub`, which fill `arguments`. It must outlive `sub`.
+void add_render_options(CLI::App& sub, RenderArguments& arguments);
+
+/// What no single option's check can see; throws CLI::ValidationError.
+void check_together(const RenderArguments& arguments);
+
+}  // namespace relief::cli

@@ -1,0 +1,98 @@
+#include "cli/render_plan.h"
+
+#include <set>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "cli/paths.h"
+
+namespace relief::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kViewMark = "{view}";
+
+fs::path output_of(const fs::path& pattern, const std::string& view) {
+  std::string name = pattern.string();
+  for (std::size_t at = name.find(kViewMark); at != std::string::npos;
+       at = name.find(kViewMark, at + view.size())) {
+    name.replace(at, kViewMark.size(), view);
+  }
+  return name;
+}
+
+}  // namespace
+
+Result<RenderPlan> make_plan(const RenderArguments& arguments) {
+  RenderPlan plan;
+  if (ending(arguments.input) != ".json") {
+    plan.models.push_back({arguments.input, {}});
+    plan.pictures.push_back({"", arguments.output, arguments.settings});
+    return plan;
+  }
+  auto scene = read_scene(arguments.input);
+  if (!scene) return scene.error();
+  plan.scene = arguments.input;
+  plan.models = std::move(scene->models);
+  for (const SceneView& view : scene->views) {
+    plan.pictures.push_back({view.name, output_of(arguments.output, view.name),
+                             overlay(overlay(scene->settings, view.settings), arguments.settings)});
+  }
+  return plan;
+}
+
+bool outputs_differ(const RenderPlan& plan, const RenderArguments& arguments) {
+  return plan.pictures.size() == 1 ||
+         arguments.output.string().find(kViewMark) != std::string::npos;
+}
+
+Status check_files(const RenderPlan& plan) {
+  std::set<fs::path> inputs;
+  for (const SceneModel& model : plan.models) inputs.insert(model.file);
+  for (const Picture& picture : plan.pictures) {
+    if (picture.settings.environment && !picture.settings.environment->empty())
+      inputs.insert(*picture.settings.environment);
+  }
+  for (const fs::path& input : inputs) {
+    std::error_code ignored;
+    if (!fs::exists(input, ignored)) return make_error("{}: there is no such file", input.string());
+  }
+  if (!plan.scene.empty()) inputs.insert(plan.scene);
+  const std::vector<fs::path> all(inputs.begin(), inputs.end());
+  for (const Picture& picture : plan.pictures) {
+    const Status writable = check_output(picture.output, all);
+    if (!writable) return writable;
+  }
+  return {};
+}
+
+Result<RenderSettings> render_settings_for(const Picture& picture, const PatchModel& model,
+                                           const RenderArguments& arguments) {
+  const SceneSettings& said = picture.settings;
+  const auto camera = camera_for(said, model);
+  if (!camera) {
+    return picture.view.empty() ? camera.error()
+                                : make_error("{}: view {}: {}", arguments.input.string(),
+                                             picture.view, camera.error().message);
+  }
+  RenderSettings settings;
+  const PictureSize size = said.size.value_or(PictureSize{});
+  settings.width = size.width;
+  settings.height = size.height;
+  settings.camera = *camera;
+  settings.engine = said.engine.value_or(settings.engine);
+  settings.primitive = said.primitive.value_or(settings.primitive);
+  settings.interpolation = said.interpolation.value_or(settings.interpolation);
+  settings.material = said.material.value_or(settings.material);
+  settings.environment = said.environment.value_or(fs::path());
+  if (said.background) settings.background = said.background->colour;
+  if (ending(picture.output) == ".exr")
+    settings.outputs = said.outputs.value_or(Outputs{true, true, true, true});
+  settings.platform = arguments.platform;
+  settings.frames = arguments.frames;
+  return settings;
+}
+
+}  // namespace relief::cli

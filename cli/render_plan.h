@@ -1,0 +1,43 @@
+// From what the user asked for to the pictures that are to be made.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/render_options.h"
+#include "common/error.h"
+#include "common/patch.h"
+#include "common/scene.h"
+#include "renderer/render.h"
+
+namespace relief::cli {
+
+/// One picture to be made.
+struct Picture {
+  std::string view;  ///< its name; empty without a scene file
+  std::filesystem::path output;
+  SceneSettings settings;  ///< the options, over the view's, over the scene's
+};
+
+struct RenderPlan {
+  std::filesystem::path scene;  ///< the scene file; empty without one
+  std::vector<SceneModel> models;
+  std::vector<Picture> pictures;
+};
+
+/// Reads the scene, if it is one; any other file is a scene of one model and one view.
+Result<RenderPlan> make_plan(const RenderArguments& arguments);
+
+/// Whether every picture has a file of its own.
+[[nodiscard]] bool outputs_differ(const RenderPlan& plan, const RenderArguments& arguments);
+
+/// Whether every file to be read is there, and every file to be written can be: known before the
+/// long work.
+Status check_files(const RenderPlan& plan);
+
+/// What the renderer is told about a picture of the model.
+Result<RenderSettings> render_settings_for(const Picture& picture, const PatchModel& model,
+                                           const RenderArguments& arguments);
+
+}  // namespace relief::cli

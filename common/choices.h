@@ -1,0 +1,88 @@
+// What can be chosen about a picture, with the names that the command line and scene files use.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace relief {
+
+/// A way to turn a model into pixels. Onepass: paper 001, on OpenGL. Ewa: paper 000, the reference.
+/// Raytrace: the truth.
+enum class EngineKind : std::uint8_t { Onepass, Ewa, Raytrace };
+enum class Primitive : std::uint8_t { Sprite, Quad };
+enum class Interpolation : std::uint8_t { Direct, Corrected };
+enum class Material : std::uint8_t { Unlit, Lit, Mirror };
+
+/// Which outputs a picture has. Colour and coverage are always there; nothing is allocated, written
+/// or read back for an output that is off.
+struct Outputs {
+  bool normal = false;
+  bool depth = false;
+  bool uv = false;
+  bool patch_id = false;
+};
+
+/// Pixels; each side 1 to kMaxPictureSide.
+struct PictureSize {
+  std::uint32_t width = 1280;
+  std::uint32_t height = 1024;
+};
+inline constexpr std::uint32_t kMaxPictureSide = 32768;
+
+/// Vertical fields of view, degrees: from a long telescope's to where a picture's rim is drawn out
+/// beyond use.
+inline constexpr double kMinFieldOfView = 0.1;
+inline constexpr double kMaxFieldOfView = 170.0;
+
+/// A value of an enumeration and its name.
+template <class T>
+struct Named {
+  std::string_view name;
+  T value;
+};
+
+/// The engines that this version has.
+inline constexpr std::array<Named<EngineKind>, 1> kEngines{{{"onepass", EngineKind::Onepass}}};
+inline constexpr std::array<Named<Primitive>, 2> kPrimitives{
+    {{"sprite", Primitive::Sprite}, {"quad", Primitive::Quad}}};
+inline constexpr std::array<Named<Interpolation>, 2> kInterpolations{
+    {{"direct", Interpolation::Direct}, {"corrected", Interpolation::Corrected}}};
+inline constexpr std::array<Named<Material>, 3> kMaterials{
+    {{"unlit", Material::Unlit}, {"lit", Material::Lit}, {"mirror", Material::Mirror}}};
+
+/// The value of a name, if the table has it.
+template <class T, std::size_t N>
+[[nodiscard]] constexpr std::optional<T> find_named(const std::array<Named<T>, N>& table,
+                                                    std::string_view name) {
+  for (const Named<T>& named : table) {
+    if (named.name == name) return named.value;
+  }
+  return std::nullopt;
+}
+
+/// The name of a value; empty if the table lacks it.
+template <class T, std::size_t N>
+[[nodiscard]] constexpr std::string_view name_of(const std::array<Named<T>, N>& table, T value) {
+  for (const Named<T>& named : table) {
+    if (named.value == value) return named.name;
+  }
+  return {};
+}
+
+/// All names with `separator` between them.
+template <class T, std::size_t N>
+[[nodiscard]] std::string list_names(const std::array<Named<T>, N>& table,
+                                     std::string_view separator) {
+  std::string list;
+  for (const Named<T>& named : table) {
+    if (!list.empty()) list += separator;
+    list += named.name;
+  }
+  return list;
+}
+
+}  // namespace relief

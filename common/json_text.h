@@ -1,0 +1,20 @@
+// JSON from strangers: text to a tree, strictly. Not a public header: it needs nlohmann::json.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "common/error.h"
+
+namespace relief {
+
+/// Deeper nesting than this is refused; what Relief reads needs five levels.
+inline constexpr std::size_t kMaxJsonDepth = 16;
+
+/// Parses JSON (RFC 8259). Refuses, in one sentence that begins with `name`, what is no JSON (with
+/// line and column, both from 1, columns in bytes), numbers beyond double precision, objects that
+/// have a key twice, and nesting deeper than kMaxJsonDepth.
+Result<nlohmann::json> parse_json(std::string_view text, const std::string& name);
+
+}  // namespace relief

@@ -1,0 +1,52 @@
+#include "common/scene.h"
+
+namespace relief {
+namespace {
+
+template <class T>
+void take(std::optional<T>& to, const std::optional<T>& from) {
+  if (from) to = from;
+}
+
+constexpr double kDefaultFieldOfView = 45.0;
+
+}  // namespace
+
+SceneSettings overlay(SceneSettings base, const SceneSettings& over) {
+  if (over.orbit) base.eye.reset();
+  if (over.eye) base.orbit.reset();
+  take(base.size, over.size);
+  take(base.orbit, over.orbit);
+  take(base.eye, over.eye);
+  take(base.target, over.target);
+  take(base.up, over.up);
+  take(base.fov_degrees, over.fov_degrees);
+  take(base.engine, over.engine);
+  take(base.primitive, over.primitive);
+  take(base.interpolation, over.interpolation);
+  take(base.material, over.material);
+  take(base.environment, over.environment);
+  take(base.background, over.background);
+  take(base.outputs, over.outputs);
+  return base;
+}
+
+Result<Camera> camera_for(const SceneSettings& settings, const PatchModel& model) {
+  const glm::dvec3 centre = 0.5 * (model.bounds.min + model.bounds.max);
+  const double fov = settings.fov_degrees.value_or(kDefaultFieldOfView);
+  if (settings.eye) {
+    const Camera camera{*settings.eye, settings.target.value_or(centre),
+                        settings.up.value_or(glm::dvec3(0.0, 1.0, 0.0)), fov};
+    if (camera.eye != camera.target) return camera;
+    return Error{settings.target ? "the eye is where its target is"
+                                 : "the eye is in the middle of the model, which it looks at "
+                                   "unless a target is named"};
+  }
+  const PictureSize size = settings.size.value_or(PictureSize{});
+  // A model of no size, or of no patches, has no sphere to stand off from.
+  const double radius = model.bounding_radius > 0.0 ? model.bounding_radius : 1.0;
+  return orbit_camera(centre, radius, settings.orbit.value_or(Orbit{}), fov,
+                      static_cast<double>(size.width) / size.height);
+}
+
+}  // namespace relief

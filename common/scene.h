@@ -1,0 +1,80 @@
+// A scene: models in their places, and the views that pictures are made of. The file format:
+// docs/scene.md.
+#pragma once
+
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/camera.h"
+#include "common/choices.h"
+#include "common/error.h"
+#include "common/patch.h"
+#include "common/transform.h"
+
+namespace relief {
+
+/// What lies behind the model.
+struct Background {
+  std::optional<glm::vec3> colour;  ///< linear RGB; none: alpha 0 where nothing is seen
+};
+
+/// What someone (the command line, a scene, one of its views) says about a picture. Each member is
+/// an option of `relief render`; what is not said is empty.
+struct SceneSettings {
+  std::optional<PictureSize> size;
+  std::optional<Orbit> orbit;
+  std::optional<glm::dvec3> eye;  ///< world units, as target; not beside an orbit
+  std::optional<glm::dvec3> target;
+  std::optional<glm::dvec3> up;
+  std::optional<double> fov_degrees;
+  std::optional<EngineKind> engine;
+  std::optional<Primitive> primitive;
+  std::optional<Interpolation> interpolation;
+  std::optional<Material> material;
+  std::optional<std::filesystem::path> environment;
+  std::optional<Background> background;
+  std::optional<Outputs> outputs;
+};
+
+struct SceneModel {
+  std::filesystem::path file;
+  Transform transform;
+};
+
+struct SceneView {
+  std::string name;  ///< letters, digits, - _ . and no dot first: good in a file name
+  SceneSettings settings;
+};
+
+/// At least one model and one view; the views' names differ.
+struct Scene {
+  std::vector<SceneModel> models;
+  SceneSettings settings;  ///< of all views, unless a view says otherwise
+  std::vector<SceneView> views;
+};
+
+/// The most that a scene file may have: bounds what a hostile one can ask for.
+inline constexpr std::size_t kMaxSceneBytes = std::size_t{1} << 20U;
+inline constexpr std::size_t kMaxSceneModels = 1000;
+inline constexpr std::size_t kMaxSceneViews = 10000;
+/// Coordinates in a scene file, world units: beyond it doubles are farther apart than 1e-4.
+inline constexpr double kMaxSceneCoordinate = 1e12;
+
+/// Reads a scene file. Trusts nothing: unknown or repeated keys, wrong types, numbers out of range,
+/// and what is deeper or larger than a scene can be are told in one sentence with the place in the
+/// file. Paths in it are relative to its folder; no file but itself is opened.
+Result<Scene> read_scene(const std::filesystem::path& path);
+
+/// What `over` says, and where it says nothing, what `base` says. An orbit and an eye displace each
+/// other.
+[[nodiscard]] SceneSettings overlay(SceneSettings base, const SceneSettings& over);
+
+/// The camera of a picture of the model. An eye looks at the middle of the model's bounds unless a
+/// target is given; without an eye the camera is on an orbit about it. Fails, with a clause, if the
+/// eye is where it looks.
+Result<Camera> camera_for(const SceneSettings& settings, const PatchModel& model);
+
+}  // namespace relief

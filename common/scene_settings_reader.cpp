@@ -1,0 +1,135 @@
+#include "common/scene_settings_reader.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "common/srgb.h"
+
+namespace relief {
+namespace {
+
+constexpr NumberRange kCoordinates{-kMaxSceneCoordinate, kMaxSceneCoordinate};
+constexpr NumberRange kAngles{-1e6, 1e6};
+constexpr double kShortestDirection = 1e-12;
+constexpr double kNearestOrbit = 1e-6;  // bounding-sphere radii
+
+PictureSize read_size(JsonValues& values, const JsonPlace& place) {
+  constexpr std::string_view kExpected = "[width, height], whole numbers from 1 to 32768";
+  const auto n = values.numbers(place, {2, 2}, {1.0, kMaxPictureSide}, kExpected);
+  if (n.empty()) return {};
+  if (n[0] != std::floor(n[0]) || n[1] != std::floor(n[1])) values.refuse_value(place, kExpected);
+  return {static_cast<std::uint32_t>(n[0]), static_cast<std::uint32_t>(n[1])};
+}
+
+Orbit read_orbit(JsonValues& values, const JsonPlace& place) {
+  constexpr std::string_view kExpected =
+      "[azimuth, elevation] or [azimuth, elevation, distance], the distance above 0";
+  const auto n = values.numbers(place, {2, 3}, kAngles, kExpected);
+  if (n.empty()) return {};
+  if (n.size() == 3 && n[2] < kNearestOrbit) values.refuse_value(place, kExpected);
+  return {n[0], n[1], n.size() == 3 ? n[2] : 0.0};
+}
+
+Background read_background(JsonValues& values, const JsonPlace& place) {
+  constexpr std::string_view kExpected = "[r, g, b], sRGB values from 0 to 1, or \"none\"";
+  if (place.value == "none") return {};
+  const auto n = values.numbers(place, {3, 3}, {0.0, 1.0}, kExpected);
+  if (n.empty()) return {};
+  const auto linear = [](double s) { return linear_from_srgb(static_cast<float>(s)); };
+  return {glm::vec3(linear(n[0]), linear(n[1]), linear(n[2]))};
+}
+
+Outputs read_outputs(JsonValues& values, const JsonPlace& place) {
+  constexpr std::string_view kExpected =
+      "a list of some of colour, normal, depth, uv, patch, or \"all\"";
+  Outputs outputs;
+  if (place.value == "all") return {true, true, true, true};
+  if (!place.value.is_array() || place.value.empty()) {
+    values.refuse_value(place, kExpected);
+    return outputs;
+  }
+  for (const nlohmann::json& name : place.value) {
+    if (name == "normal") {
+      outputs.normal = true;
+    } else if (name == "depth") {
+      outputs.depth = true;
+    } else if (name == "uv") {
+      outputs.uv = true;
+    } else if (name == "patch") {
+      outputs.patch_id = true;
+    } else if (name != "colour") {
+      values.refuse_value({name, place.path}, kExpected);
+    }
+  }
+  return outputs;
+}
+
+}  // namespace
+
+std::vector<std::string_view> with_setting_keys(std::vector<std::string_view> keys) {
+  for (const char* key : {"size", "orbit", "eye", "target", "up", "fov", "engine", "primitive",
+                          "interpolation", "material", "env", "background", "outputs"})
+    keys.emplace_back(key);
+  return keys;
+}
+
+SceneSettings read_settings(JsonValues& values, const JsonPlace& object,
+                            const std::filesystem::path& folder) {
+  SceneSettings settings;
+  const auto read = [&object](std::string_view key, auto& to, const auto& value_at) {
+    if (const auto place = JsonValues::member(object, key)) to = value_at(*place);
+  };
+  const auto with = [&values](auto* read_value) {
+    return [&values, read_value](const JsonPlace& place) { return read_value(values, place); };
+  };
+  const auto named = [&values](const auto& table) {
+    return [&values, &table](const JsonPlace& place) { return values.choice(place, table); };
+  };
+  read("size", settings.size, with(read_size));
+  read("orbit", settings.orbit, with(read_orbit));
+  read("eye", settings.eye, with(read_vector));
+  read("target", settings.target, with(read_vector));
+  read("up", settings.up, with(read_direction));
+  read("fov", settings.fov_degrees, [&values](const JsonPlace& place) {
+    return values.number(place, {kMinFieldOfView, kMaxFieldOfView}, "degrees from 0.1 to 170");
+  });
+  read("engine", settings.engine, named(kEngines));
+  read("primitive", settings.primitive, named(kPrimitives));
+  read("interpolation", settings.interpolation, named(kInterpolations));
+  read("material", settings.material, named(kMaterials));
+  read("env", settings.environment, [&](const JsonPlace& place) {
+    return read_path(values, place, folder, "the name of an environment map, EXR or HDR");
+  });
+  read("background", settings.background, with(read_background));
+  read("outputs", settings.outputs, with(read_outputs));
+  if (settings.orbit && (settings.eye || settings.target || settings.up))
+    values.refuse(object.path, "expected either an orbit or eye, target and up; found both");
+  return settings;
+}
+
+std::filesystem::path read_path(JsonValues& values, const JsonPlace& place,
+                                const std::filesystem::path& folder, std::string_view expected) {
+  const std::string name = values.text(place, expected);
+  // With a zero byte it would be another file's name to the operating system.
+  if (name.find('\0') != std::string::npos) values.refuse_value(place, expected);
+  return folder / name;
+}
+
+glm::dvec3 read_vector(JsonValues& values, const JsonPlace& place) {
+  const auto n = values.numbers(place, {3, 3}, kCoordinates, "[x, y, z], three numbers");
+  return n.empty() ? glm::dvec3(0.0) : glm::dvec3(n[0], n[1], n[2]);
+}
+
+glm::dvec3 read_direction(JsonValues& values, const JsonPlace& place) {
+  const glm::dvec3 v = read_vector(values, place);
+  const double length = glm::length(v);
+  if (length > kShortestDirection) return v / length;
+  values.refuse_value(place, "[x, y, z] longer than 0");
+  return {0.0, 1.0, 0.0};
+}
+
+double read_angle(JsonValues& values, const JsonPlace& place) {
+  return values.number(place, kAngles, "degrees from -1e6 to 1e6");
+}
+
+}  // namespace relief

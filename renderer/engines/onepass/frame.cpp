@@ -1,0 +1,109 @@
+#include "renderer/engines/onepass/frame.h"
+
+#include <algorithm>
+#include <chrono>
+#include <span>
+#include <vector>
+
+#include "renderer/gl/pass.h"
+
+namespace relief::onepass {
+namespace {
+
+/// What belongs to this picture alone.
+struct Frame {
+  View view;
+  Targets targets;
+  Buffer uniforms;  ///< shared::Frame
+  glm::vec3 background{0.0F};
+};
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                   values.end());
+  return values[values.size() / 2];
+}
+
+/// Draws one frame, without waiting for it.
+void draw_frame(const Gl& gl, const Frame& frame, const Engine& engine, const FrameParts& parts,
+                PassTimer& timer) {
+  gl.BindFramebuffer(GL_FRAMEBUFFER, frame.targets.framebuffer.id());
+  gl.Viewport(0, 0, static_cast<GLsizei>(frame.targets.width),
+              static_cast<GLsizei>(frame.targets.height));
+  gl.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_FRAME, frame.uniforms.id());
+  clear_targets(gl, frame.targets, frame.background);
+  engine.draw(frame.view, timer, parts.environment);
+  if (parts.backdrop != nullptr) parts.backdrop->draw(timer, *parts.environment);
+  gl.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_FRAME, 0);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+/// Times frames after one that warms caches up and compiles what OpenGL compiles late.
+void time_frames(const Gl& gl, const Frame& frame, const FrameParts& parts, int frames,
+                 RenderResult& result) {
+  PassTimer timer(gl);
+  draw_frame(gl, frame, parts.engine, parts, timer);
+  gl.Finish();
+  (void)timer.take();
+  std::vector<double> frame_ms;
+  std::vector<double> gpu_ms;
+  for (int i = 0; i < std::max(frames, 1); ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    draw_frame(gl, frame, parts.engine, parts, timer);
+    gl.Finish();
+    const std::chrono::duration<double, std::milli> elapsed =
+        std::chrono::steady_clock::now() - start;
+    frame_ms.push_back(elapsed.count());
+    if (const auto time = timer.take()) gpu_ms.push_back(*time);
+  }
+  result.frame_ms = median(frame_ms);
+  if (!gpu_ms.empty()) result.gpu_ms = median(gpu_ms);
+}
+
+/// Counts the fragments of the model's pass, in a frame of its own that is not timed.
+std::uint64_t count_fragments(const Gl& gl, const Frame& frame, const FrameParts& parts) {
+  std::uint32_t count = 0;
+  const Buffer buffer =
+      make_buffer(gl, "fragment count", std::span<const std::uint32_t>(&count, 1));
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, RELIEF_BIND_FRAGMENT_COUNT, buffer.id());
+  PassTimer timer(gl);
+  draw_frame(gl, frame, parts.counting, parts, timer);
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, RELIEF_BIND_FRAGMENT_COUNT, 0);
+  gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  gl.GetNamedBufferSubData(buffer.id(), 0, sizeof(count), &count);
+  return count;
+}
+
+/// Reads the picture, counts what the model covers and puts an opaque background under it.
+void read_picture(const Gl& gl, const Frame& frame, bool opaque, RenderResult& result) {
+  result.image = read_targets(gl, frame.targets);
+  for (Channel& channel : result.image.channels) {
+    if (channel.name != "A") continue;
+    result.covered_pixels = static_cast<std::uint64_t>(std::count_if(
+        channel.values.begin(), channel.values.end(), [](float alpha) { return alpha > 0.0F; }));
+    if (opaque) std::fill(channel.values.begin(), channel.values.end(), 1.0F);
+  }
+}
+
+}  // namespace
+
+Result<RenderResult> draw_picture(const Gl& gl, const FrameParts& parts,
+                                  const RenderSettings& settings, double near) {
+  Result<Targets> targets = make_targets(gl, settings.width, settings.height, settings.outputs);
+  if (!targets) return targets.error();
+  const View view = make_view(settings.camera, settings.width, settings.height, near);
+  const shared::Frame uniforms = make_frame(view, parts.engine.largest_sprite());
+  const Frame frame{view, std::move(*targets),
+                    make_buffer(gl, "frame", std::span<const shared::Frame>(&uniforms, 1)),
+                    settings.background.value_or(glm::vec3(0.0F))};
+  RenderResult result;
+  result.renderer = reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
+  result.fragments = count_fragments(gl, frame, parts);
+  time_frames(gl, frame, parts, settings.frames, result);
+  read_picture(gl, frame, settings.background.has_value(), result);
+  const Status drawn = check_errors(gl, "the picture");
+  if (!drawn) return drawn.error();
+  return result;
+}
+
+}  // namespace relief::onepass
