@@ -9,6 +9,7 @@
 #include "cli/paths.h"
 #include "common/patch_file.h"
 #include "preprocess/convert.h"
+#include "renderer/mesh_of_points.h"
 
 namespace relief::cli {
 namespace {
@@ -62,6 +63,27 @@ void note_left_out(const LeftOut& left_out) {
   say(left_out.texcoords, "texture coordinates");
 }
 
+/// Whether this version can render such a file at all.
+Status check_kind(const std::filesystem::path& path) {
+  if (ending(path) != ".json") return {};
+  return make_error("{}: this version renders .relief files and scans, no .json scenes yet",
+                    path.string());
+}
+
+Result<PatchModel> load_patches(const std::filesystem::path& path, Progress& progress) {
+  const auto file = PatchFile::open(path);
+  if (!file) return file.error();
+  return file->read_all(progress);
+}
+
+/// Converts the points of a file with the default options.
+Result<PatchModel> convert_scan(const std::filesystem::path& path, Points points,
+                                Progress& progress) {
+  auto converted = convert(std::move(points), {}, progress);
+  if (!converted) return make_error("{}: {}", path.string(), converted.error().message);
+  return std::move(converted->model);
+}
+
 }  // namespace
 
 Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
@@ -89,22 +111,31 @@ Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
 }
 
 Result<PatchModel> load_model(const std::filesystem::path& path, Progress& progress) {
-  if (ending(path) == ".json") {
-    return make_error("{}: this version renders .relief files and scans, no .json scenes yet",
-                      path.string());
-  }
-  if (ending(path) == ".relief") {
-    const auto file = PatchFile::open(path);
-    if (!file) return file.error();
-    return file->read_all(progress);
-  }
+  const Status known = check_kind(path);
+  if (!known) return known.error();
+  if (ending(path) == ".relief") return load_patches(path, progress);
   auto scan = read_points(path, progress);
   if (!scan) return scan.error();
-  auto converted = convert(std::move(scan->points), {}, progress);
-  if (!converted) {
-    return make_error("{}: {}", path.string(), converted.error().message);
-  }
-  return std::move(converted->model);
+  return convert_scan(path, std::move(scan->points), progress);
+}
+
+Result<TraceableModel> load_traceable(const std::filesystem::path& path, Progress& progress) {
+  const auto of_patches = [](Result<PatchModel> model) -> Result<TraceableModel> {
+    if (!model) return model.error();
+    const Bounds bounds = model->bounds;
+    const double radius = model->bounding_radius;
+    return TraceableModel{std::move(*model), bounds, radius};
+  };
+  const Status known = check_kind(path);
+  if (!known) return known.error();
+  if (ending(path) == ".relief") return of_patches(load_patches(path, progress));
+  auto scan = read_points(path, progress);
+  if (!scan) return scan.error();
+  if (scan->points.triangles.empty())
+    return of_patches(convert_scan(path, std::move(scan->points), progress));
+  const std::vector<glm::dvec3>& positions = scan->points.positions;
+  const Bounds bounds = bounds_of(positions);
+  return TraceableModel{mesh_of_points(scan->points), bounds, bounding_radius(positions, bounds)};
 }
 
 }  // namespace relief::cli

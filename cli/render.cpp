@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <variant>
 
 #include "cli/commands.h"
 #include "cli/console.h"
@@ -35,6 +36,8 @@ constexpr const char* kExamples =
     "  relief render statue.ply -o statue.exr --material unlit --background none --size 4096x4096\n"
     "  relief render dragon.relief -o top.png --eye 0,1,0 --target 0,0,0 --up 0,0,-1";
 
+const std::map<std::string, EngineKind> kEngines{{"onepass", EngineKind::Onepass},
+                                                 {"raytrace", EngineKind::Raytrace}};
 const std::map<std::string, Primitive> kPrimitives{{"sprite", Primitive::Sprite},
                                                    {"quad", Primitive::Quad}};
 const std::map<std::string, Interpolation> kInterpolations{{"direct", Interpolation::Direct},
@@ -59,7 +62,9 @@ struct Arguments {
   std::optional<glm::dvec3> target;
   glm::dvec3 up{0.0, 1.0, 0.0};
   double fov_degrees = 45.0;
-  RenderSettings settings;  ///< environment, background and frames; the rest is filled in later
+  std::optional<int> samples;
+  std::optional<int> frames;
+  RenderSettings settings;  ///< environment and background; the rest is filled in later
   bool json = false;
 };
 
@@ -67,24 +72,32 @@ bool writes_exr(const Arguments& arguments) {
   return ending(arguments.output) == ".exr";
 }
 
-Camera camera_for(const PatchModel& model, const Arguments& arguments) {
-  const glm::dvec3 centre = 0.5 * (model.bounds.min + model.bounds.max);
+Camera camera_for(const Bounds& bounds, double bounding_radius, const Arguments& arguments) {
+  const glm::dvec3 centre = 0.5 * (bounds.min + bounds.max);
   if (arguments.eye) {
     return {*arguments.eye, arguments.target.value_or(centre), arguments.up, arguments.fov_degrees};
   }
-  return orbit_camera(centre, model.bounding_radius, arguments.orbit, arguments.fov_degrees,
+  return orbit_camera(centre, bounding_radius, arguments.orbit, arguments.fov_degrees,
                       static_cast<double>(arguments.size.width) / arguments.size.height);
 }
 
-RenderSettings settings_for(const PatchModel& model, const Arguments& arguments) {
+bool is_onepass(const Arguments& arguments) {
+  return kEngines.at(arguments.engine) == EngineKind::Onepass;
+}
+
+RenderSettings settings_for(const Bounds& bounds, double bounding_radius,
+                            const Arguments& arguments) {
   RenderSettings settings = arguments.settings;
+  settings.engine = kEngines.at(arguments.engine);
   settings.width = arguments.size.width;
   settings.height = arguments.size.height;
-  settings.camera = camera_for(model, arguments);
+  settings.camera = camera_for(bounds, bounding_radius, arguments);
   settings.primitive = kPrimitives.at(arguments.primitive);
   settings.interpolation = kInterpolations.at(arguments.interpolation);
   settings.material = kMaterials.at(arguments.material);
   settings.platform = kPlatforms.at(arguments.platform);
+  settings.raytrace.samples = arguments.samples.value_or(settings.raytrace.samples);
+  settings.frames = arguments.frames.value_or(is_onepass(arguments) ? settings.frames : 1);
   if (writes_exr(arguments))
     settings.outputs = arguments.outputs.value_or(Outputs{true, true, true, true});
   return settings;
@@ -96,9 +109,12 @@ nlohmann::ordered_json value_or_null(const std::optional<T>& value) {
 }
 
 nlohmann::ordered_json as_json(const RenderResult& result, const Arguments& arguments) {
+  const auto of_onepass = [&arguments](const std::string& value) {
+    return is_onepass(arguments) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+  };
   return {{"engine", arguments.engine},
-          {"primitive", arguments.primitive},
-          {"interpolation", arguments.interpolation},
+          {"primitive", of_onepass(arguments.primitive)},
+          {"interpolation", of_onepass(arguments.interpolation)},
           {"material", arguments.material},
           {"renderer", result.renderer},
           {"width", result.image.width},
@@ -112,27 +128,45 @@ nlohmann::ordered_json as_json(const RenderResult& result, const Arguments& argu
 std::string as_text(const RenderResult& result, const Arguments& arguments) {
   const std::string fragments =
       result.fragments ? fmt::format("{}", *result.fragments) : std::string("not counted");
+  const std::string engine = is_onepass(arguments)
+                                 ? fmt::format("{}, {}, {}", arguments.engine, arguments.primitive,
+                                               arguments.interpolation)
+                                 : arguments.engine;
   return fmt::format(
       "{}\n"
-      "  engine          {}, {}, {}, {}\n"
+      "  engine          {}, {}\n"
       "  renderer        {}\n"
       "  size            {}x{}\n"
       "  frame           {:.2f} ms\n"
       "  covered pixels  {}\n"
       "  fragments       {}\n",
-      arguments.output.string(), arguments.engine, arguments.primitive, arguments.interpolation,
-      arguments.material, result.renderer, result.image.width, result.image.height, result.frame_ms,
-      result.covered_pixels, fragments);
+      arguments.output.string(), engine, arguments.material, result.renderer, result.image.width,
+      result.image.height, result.frame_ms, result.covered_pixels, fragments);
+}
+
+Result<RenderResult> load_and_draw(const Arguments& arguments, Progress& progress) {
+  const auto model = load_model(arguments.scene, progress);
+  if (!model) return model.error();
+  if (progress.cancelled()) return interrupted_error();
+  progress.begin_stage("render", 0);
+  return render(*model, settings_for(model->bounds, model->bounding_radius, arguments), progress);
+}
+
+Result<RenderResult> load_and_trace(const Arguments& arguments, Progress& progress) {
+  const auto traceable = load_traceable(arguments.scene, progress);
+  if (!traceable) return traceable.error();
+  if (progress.cancelled()) return interrupted_error();
+  const RenderSettings settings =
+      settings_for(traceable->bounds, traceable->bounding_radius, arguments);
+  return std::visit([&](const auto& model) { return render(model, settings, progress); },
+                    traceable->model);
 }
 
 /// Loads, renders and writes.
 Result<RenderResult> render_file(const Arguments& arguments) {
   ConsoleProgress progress;
-  const auto model = load_model(arguments.scene, progress);
-  if (!model) return model.error();
-  if (progress.cancelled()) return interrupted_error();
-  progress.begin_stage("render", 0);
-  auto result = render(*model, settings_for(*model, arguments), progress);
+  auto result = is_onepass(arguments) ? load_and_draw(arguments, progress)
+                                      : load_and_trace(arguments, progress);
   if (!result) return result.error();
   if (progress.cancelled()) return interrupted_error();
   const Status written = writes_exr(arguments) ? write_exr(arguments.output, result->image)
@@ -170,14 +204,12 @@ void check_together(const Arguments& arguments) {
   if (arguments.eye && arguments.eye == arguments.target) {
     throw CLI::ValidationError("--target", "must not be where --eye is");
   }
+  if (arguments.samples && is_onepass(arguments)) {
+    throw CLI::ValidationError("--samples", "needs --engine raytrace");
+  }
   if (arguments.up == glm::dvec3(0.0)) {
     throw CLI::ValidationError("--up", "must not be 0,0,0");
   }
-}
-
-std::string check_engine(const std::string& name) {
-  if (name == "onepass") return {};
-  return "this version has the engine onepass; found " + name;
 }
 
 void add_camera_options(CLI::App& sub, Arguments& arguments) {
@@ -212,9 +244,16 @@ void add_camera_options(CLI::App& sub, Arguments& arguments) {
 }
 
 void add_look_options(CLI::App& sub, Arguments& arguments) {
-  sub.add_option("--engine", arguments.engine, "What turns the model into pixels")
-      ->check(check_engine)
-      ->option_text("onepass");
+  sub.add_option(
+         "--engine", arguments.engine,
+         "What turns the model into pixels: onepass draws patches, raytrace follows rays to "
+         "a mesh's own triangles or to those of the patches (onepass)")
+      ->check(CLI::IsMember(kEngines))
+      ->option_text("onepass|raytrace");
+  sub.add_option("--samples", arguments.samples,
+                 "Rays a pixel of raytrace; 1 is not antialiased (16)")
+      ->check(CLI::Range(1, 65536))
+      ->option_text("N");
   sub.add_option("--primitive", arguments.primitive, "What is rasterised for a sample (quad)")
       ->check(CLI::IsMember(kPrimitives))
       ->option_text("sprite|quad");
@@ -256,8 +295,9 @@ void add_render(CLI::App& app, Command& command) {
          "What an .exr holds: all, colour, or some of normal,depth,uv,patch beside the colour "
          "(all)")
       ->option_text("LIST");
-  sub->add_option("--frames", arguments->settings.frames,
-                  "Frames to time after a first one; the median is reported (3)")
+  sub->add_option("--frames", arguments->frames,
+                  "Frames to time; the median is reported (onepass: 3 after a first one, raytrace: "
+                  "1)")
       ->check(CLI::Range(1, 100000))
       ->option_text("N");
   sub->add_option("--gl", arguments->platform,

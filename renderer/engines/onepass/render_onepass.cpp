@@ -14,6 +14,7 @@
 #include "renderer/gl/debug.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/pass.h"
+#include "renderer/median.h"
 #include "renderer/patch_store.h"
 #include "renderer/targets.h"
 #include "renderer/view.h"
@@ -31,12 +32,6 @@ struct Scene {
   Buffer frame;  ///< shared::Frame
   glm::vec3 background{0.0F};
 };
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
-}
 
 /// A near plane that no surface that can be told apart from the eye is in front of.
 double near_of(const PatchModel& model) {

@@ -1,0 +1,78 @@
+#include "renderer/engines/raytrace/surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace relief::raytrace {
+namespace {
+
+/// The weighted sum of an attribute's values at the corners.
+template <class Value>
+auto blend(const std::vector<Value>& values, const Triangle& corners, glm::dvec3 weights) {
+  using Wide = glm::vec<Value::length(), double>;
+  return weights.x * Wide(values[corners[0]]) + weights.y * Wide(values[corners[1]]) +
+         weights.z * Wide(values[corners[2]]);
+}
+
+}  // namespace
+
+Surface meet(const TriangleMesh& mesh, const View& view, glm::dvec3 ray,
+             const Candidate& candidate) {
+  const Triangle& corners = mesh.triangles[candidate.triangle];
+  // Möller and Trumbore 1997, with the eye as the origin.
+  const glm::dvec3 a = mesh.positions[corners[0]] - view.eye;
+  const glm::dvec3 ab = mesh.positions[corners[1]] - view.eye - a;
+  const glm::dvec3 ac = mesh.positions[corners[2]] - view.eye - a;
+  const glm::dvec3 across = glm::cross(ray, ac);
+  const double determinant = glm::dot(ab, across);
+  double u = -glm::dot(a, across) / determinant;
+  double v = -glm::dot(ray, glm::cross(a, ab)) / determinant;
+  if (!std::isfinite(u) || !std::isfinite(v)) {
+    u = double{candidate.u};
+    v = double{candidate.v};
+  }
+  // In single precision the ray may have met a triangle that it misses by a hair.
+  const glm::dvec3 inside = glm::max(glm::dvec3(1.0 - u - v, u, v), glm::dvec3(0.0));
+  const glm::dvec3 place = inside / (inside.x + inside.y + inside.z);
+  const glm::dvec3 axis = -glm::transpose(view.rotation)[2];
+  const double depth = glm::dot(a + place.y * ab + place.z * ac, axis);
+  return {std::max(depth, 0.0), place, determinant > 0.0, candidate.triangle};
+}
+
+glm::vec4 colour_at(const TriangleMesh& mesh, const Surface& at) {
+  const glm::vec4 grey(glm::vec3(shared::kNeutralGrey), 1.0F);
+  if (mesh.colours.empty()) return grey;
+  glm::vec4 colour(blend(mesh.colours, mesh.triangles[at.triangle], at.place));
+  if (!std::isfinite(colour.r + colour.g + colour.b + colour.a)) return grey;
+  colour.a = std::clamp(colour.a, 0.0F, 1.0F);
+  return colour;
+}
+
+glm::vec3 normal_at(const TriangleMesh& mesh, const Surface& at) {
+  const Triangle& corners = mesh.triangles[at.triangle];
+  const auto is_direction = [](glm::dvec3 v, double least) {
+    const double length = glm::length(v);
+    return std::isfinite(length) && length > least;
+  };
+  const glm::dvec3 smooth = blend(mesh.normals, corners, at.place);
+  // Opposite normals cancel out; what is left of them below this is rounding.
+  if (is_direction(smooth, 1e-6)) return glm::vec3(glm::normalize(smooth));
+  const glm::dvec3 ab = mesh.positions[corners[1]] - mesh.positions[corners[0]];
+  const glm::dvec3 ac = mesh.positions[corners[2]] - mesh.positions[corners[0]];
+  const glm::dvec3 flat = glm::cross(ab, ac);
+  return is_direction(flat, 0.0) ? glm::vec3(glm::normalize(flat)) : glm::vec3(0.0F, 0.0F, 1.0F);
+}
+
+glm::vec2 uv_at(const TriangleMesh& mesh, const Surface& at) {
+  if (mesh.uvs.empty()) return glm::vec2(0.0F);
+  const glm::vec2 uv(blend(mesh.uvs, mesh.triangles[at.triangle], at.place));
+  return std::isfinite(uv.x + uv.y) ? uv : glm::vec2(0.0F);
+}
+
+std::uint32_t patch_at(const TriangleMesh& mesh, const Surface& at) {
+  return mesh.patches.empty() ? 0 : mesh.patches[mesh.triangles[at.triangle][0]];
+}
+
+}  // namespace relief::raytrace
