@@ -161,7 +161,7 @@ TEST(Background, LiesBehindWhatIsNotCovered) {
 
 TEST(Threads, DoNotChangeAByte) {
   // Sheets of different colours in one place: only the order in the mesh decides what is seen.
-  TriangleMesh mesh = test::sphere_mesh(60);
+  TriangleMesh mesh = test::sphere_mesh(200);
   mesh.colours.assign(mesh.positions.size(), glm::vec4(0.2F, 0.2F, 0.2F, 1.0F));
   const auto vertices = static_cast<std::uint32_t>(mesh.positions.size());
   const std::vector<Triangle> below = mesh.triangles;

@@ -1,6 +1,8 @@
 // What rays meet, against surfaces that are known.
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "tests/renderer/meshes.h"
 
 namespace relief {
@@ -118,6 +120,52 @@ TEST(RayTracedSphere, HasItsSilhouetteDepthAndNormals) {
     EXPECT_LT(test::degrees_between(test::normal_of(result.image, k), normal), turned);
   }
   EXPECT_GT(hit, 2500U);
+}
+
+TEST(RayTracedSphere, KeepsItsSilhouetteSeenFromAMillionRadii) {
+  const TriangleMesh mesh = test::sphere_mesh(128);
+  const RenderSettings settings =
+      test::traced_picture(orbit_camera({}, 1.0, {30.0, 20.0, 1e6}, 1.2e-4, 1.2));
+  const RenderResult result = must_trace(mesh, settings);
+  // As above. A direction's rounding, 1e-16 times the distance, is far below the sagitta.
+  const double sagitta = 1.0 - std::sqrt(1.0 - std::pow(std::acos(-1.0) / 128, 2.0) / 2.0);
+  std::size_t wrong = 0;
+  for (std::size_t k = 0; k < values(result.image, "A").size(); ++k) {
+    const glm::dvec3 ray = pixel_ray(settings, k % settings.width, k / settings.width);
+    const double passes = glm::length(glm::cross(settings.camera.eye, glm::normalize(ray)));
+    const bool covered = values(result.image, "A")[k] > 0.0F;
+    wrong += (covered && passes > 1.0) || (!covered && passes < 1.0 - sagitta) ? 1 : 0;
+  }
+  EXPECT_EQ(wrong, 0U);
+  EXPECT_GT(result.covered_pixels, 2000U);
+}
+
+TEST(RayTracedMesh, LetsNoRayThroughItsVertices) {
+  // Every ray aims at a vertex; those are at random distances, so that triangles are steep.
+  constexpr std::uint32_t kSide = 64;
+  const RenderSettings settings =
+      test::traced_picture({{1.7, 2.3, 3.1}, {0.4, 0.2, 0.1}, {0, 1, 0}, 50.0}, kSide, kSide);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> distance(1.0, 1.3);
+  TriangleMesh mesh;
+  for (std::uint32_t y = 0; y < kSide; ++y) {
+    for (std::uint32_t x = 0; x < kSide; ++x) {
+      mesh.positions.push_back(settings.camera.eye + distance(random) * pixel_ray(settings, x, y));
+      mesh.normals.emplace_back(0, 0, 1);
+    }
+  }
+  for (std::uint32_t y = 0; y + 1 < kSide; ++y) {
+    for (std::uint32_t x = 0; x + 1 < kSide; ++x) {
+      const std::uint32_t a = y * kSide + x;
+      mesh.triangles.push_back({a, a + 1, a + kSide + 1});
+      mesh.triangles.push_back({a, a + kSide + 1, a + kSide});
+    }
+  }
+  const RenderResult result = must_trace(mesh, settings);
+  for (std::uint32_t y = 1; y + 1 < kSide; ++y) {
+    for (std::uint32_t x = 1; x + 1 < kSide; ++x)
+      EXPECT_EQ(values(result.image, "A")[std::size_t{y} * kSide + x], 1.0F) << x << " " << y;
+  }
 }
 
 TEST(RayTracedSphere, GeoreferencedCoordinatesGiveTheSamePicture) {

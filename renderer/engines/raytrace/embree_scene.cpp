@@ -3,45 +3,20 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <tuple>
 
 namespace relief::raytrace {
 namespace {
 
-constexpr float kFar = std::numeric_limits<float>::infinity();
-
-/// What a ray has met so far.
-struct Query : EmbreeContext {
-  float distance = kFar;
-  std::uint32_t triangle = RTC_INVALID_GEOMETRY_ID;
-  std::vector<Candidate>* all = nullptr;  ///< takes all of them, instead of the nearest
-};
-
-/// Embree asks this about each triangle that is no farther than the nearest so far. Of two at the
-/// same distance it would take the one that its hierarchy has last, which depends on the number of
-/// threads that built it.
-void keep_or_reject(const RTCFilterFunctionNArguments* met) {
-  assert(met->N == 1 && "rays are traced one by one");
-  if (met->valid[0] == 0) return;
-  auto& query = *static_cast<Query*>(met->context);
-  const std::uint32_t triangle = RTCHitN_primID(met->hit, 1, 0);
-  if (query.all != nullptr) {
-    query.all->push_back({triangle, RTCHitN_u(met->hit, 1, 0), RTCHitN_v(met->hit, 1, 0)});
-    met->valid[0] = 0;
-    return;
-  }
-  const float distance = RTCRayN_tfar(met->ray, 1, 0);
-  if (distance == query.distance && triangle > query.triangle) {
-    met->valid[0] = 0;
-    return;
-  }
-  query.distance = distance;
-  query.triangle = triangle;
-}
+/// How far single precision may move a box or a ray within the mesh, in Embree's unit, of which the
+/// mesh is less than two large: eight roundings of 2^-24 each, twice.
+constexpr double kSlack = 1e-6;
 
 /// The box of the positions that are numbers, relative to the eye.
 Bounds box_about(const std::vector<glm::dvec3>& positions, glm::dvec3 eye) {
@@ -90,49 +65,139 @@ Status check_device(RTCDevice device, std::size_t triangles) {
 
 }  // namespace
 
-Status EmbreeScene::attach(const TriangleMesh& mesh, glm::dvec3 eye) {
-  const GeometryHandle geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
-  auto* const positions = static_cast<glm::vec3*>(
-      rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                              sizeof(glm::vec3), mesh.positions.size()));
-  auto* const corners = static_cast<Triangle*>(
-      rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                              sizeof(Triangle), mesh.triangles.size()));
-  if (positions == nullptr || corners == nullptr)
-    return check_device(device_.get(), mesh.triangles.size());
-  // Embree itself leaves out triangles with a corner that is no number.
-  tbb::parallel_for(std::size_t{0}, mesh.positions.size(), [&](std::size_t k) {
-    positions[k] = glm::vec3(scale_ * (mesh.positions[k] - eye - anchor_));
-  });
-  std::copy(mesh.triangles.begin(), mesh.triangles.end(), corners);
-  rtcSetGeometryIntersectFilterFunction(geometry.get(), keep_or_reject);
+/// The mesh as rays see it.
+struct EmbreeScene::Corners {
+  const TriangleMesh* mesh = nullptr;
+  std::vector<glm::dvec3> positions;  ///< relative to the eye, in Embree's unit
+  glm::dvec3 anchor{0.0};             ///< Embree's origin there
+  double scale = 1.0;                 ///< Embree's units per world unit, a power of two
+};
+
+/// A ray, and what it has met so far.
+struct EmbreeScene::Query : EmbreeContext {
+  explicit Query(glm::dvec3 towards) : direction(towards) { init_context(*this); }
+
+  glm::dvec3 direction;
+  double entry = 0.0;  ///< depth at which it enters the mesh's box, Embree's unit
+  std::optional<Hit> nearest;
+  std::vector<Hit>* all = nullptr;  ///< takes all of them, instead of the nearest
+};
+
+void EmbreeScene::bound(const RTCBoundsFunctionArguments* asked) {
+  const auto& corners = *static_cast<const Corners*>(asked->geometryUserPtr);
+  const Triangle& t = corners.mesh->triangles[asked->primID];
+  const glm::dvec3& a = corners.positions[t[0]];
+  const glm::dvec3& b = corners.positions[t[1]];
+  const glm::dvec3& c = corners.positions[t[2]];
+  // A box of NaN takes its triangle out of the hierarchy; glm::min alone would lose it.
+  const double poison = 0.0 * (a.x + a.y + a.z + b.x + b.y + b.z + c.x + c.y + c.z);
+  const glm::vec3 low(glm::min(glm::min(a, b), c) - corners.anchor - kSlack + poison);
+  const glm::vec3 high(glm::max(glm::max(a, b), c) - corners.anchor + kSlack + poison);
+  RTCBounds& box = *asked->bounds_o;
+  box.lower_x = low.x;
+  box.lower_y = low.y;
+  box.lower_z = low.z;
+  box.upper_x = high.x;
+  box.upper_y = high.y;
+  box.upper_z = high.z;
+}
+
+/// The test of Woop, Benthin and Wald 2013 (Watertight Ray/Triangle Intersection): in a frame in
+/// which the ray is the z axis, by the signs of three products' differences. Compared, not
+/// subtracted, these signs are right or 0, as rounding keeps the order of two products; and 0
+/// counts for either side.
+std::optional<Hit> meet_triangle(std::uint32_t number, const std::array<glm::dvec3, 3>& corners,
+                                 glm::dvec3 direction) {
+  const glm::dvec3 size = glm::abs(direction);
+  const glm::length_t z = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+  const glm::length_t x = (z + 1) % 3;
+  const glm::length_t y = (z + 2) % 3;
+  const double lean_x = direction[x] / direction[z];
+  const double lean_y = direction[y] / direction[z];
+  std::array<glm::dvec2, 3> flat;
+  for (std::size_t k = 0; k < 3; ++k) {
+    flat[k] = {corners[k][x] - lean_x * corners[k][z], corners[k][y] - lean_y * corners[k][z]};
+  }
+  glm::dvec3 areas;
+  bool left = true;
+  bool right = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const glm::dvec2& from = flat[(k + 1) % 3];
+    const glm::dvec2& to = flat[(k + 2) % 3];
+    const double one = from.x * to.y;
+    const double other = from.y * to.x;
+    left = left && one >= other;
+    right = right && one <= other;
+    areas[static_cast<glm::length_t>(k)] = std::abs(one - other);
+  }
+  if (!left && !right) return std::nullopt;
+  const double area = areas.x + areas.y + areas.z;
+  if (!(area > 0.0)) return std::nullopt;
+  const glm::dvec3 place = areas / area;
+  const double depth =
+      glm::dot(place, glm::dvec3(corners[0][z], corners[1][z], corners[2][z])) / direction[z];
+  if (!(depth > 0.0)) return std::nullopt;
+  return Hit{number, depth, place, left == (direction[z] > 0.0)};
+}
+
+void EmbreeScene::meet(const RTCIntersectFunctionNArguments* asked) {
+  assert(asked->N == 1 && "rays are traced one by one");
+  if (asked->valid[0] == 0) return;
+  const auto& corners = *static_cast<const Corners*>(asked->geometryUserPtr);
+  auto& query = *static_cast<Query*>(asked->context);
+  const Triangle& t = corners.mesh->triangles[asked->primID];
+  const std::optional<Hit> hit = meet_triangle(
+      asked->primID, {corners.positions[t[0]], corners.positions[t[1]], corners.positions[t[2]]},
+      query.direction);
+  if (!hit) return;
+  if (query.all != nullptr) {
+    query.all->push_back(*hit);
+    return;
+  }
+  if (query.nearest && std::tie(query.nearest->depth, query.nearest->triangle) <=
+                           std::tie(hit->depth, hit->triangle))
+    return;
+  query.nearest = hit;
+  // Embree need not look behind it; but what is as near must still be asked about.
+  auto* const ray = reinterpret_cast<RTCRayHit*>(asked->rayhit);
+  ray->ray.tfar = static_cast<float>(hit->depth - query.entry + kSlack);
+}
+
+void EmbreeScene::attach() {
+  const GeometryHandle geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER));
+  rtcSetGeometryUserPrimitiveCount(geometry.get(),
+                                   static_cast<unsigned>(corners_->mesh->triangles.size()));
+  rtcSetGeometryUserData(geometry.get(), corners_.get());
+  rtcSetGeometryBoundsFunction(geometry.get(), bound, nullptr);
+  rtcSetGeometryIntersectFunction(geometry.get(), meet);
   rtcCommitGeometry(geometry.get());
   rtcAttachGeometry(scene_.get(), geometry.get());
-  return {};
 }
 
 Result<EmbreeScene> EmbreeScene::build(const TriangleMesh& mesh, glm::dvec3 eye,
                                        const Progress& progress) {
+  assert(mesh.triangles.size() < RTC_INVALID_GEOMETRY_ID && "triangles have 32-bit numbers");
   EmbreeScene made;
-  made.box_ = box_about(mesh.positions, eye);
-  if (!made.box_.empty()) {
-    made.anchor_ = glm::clamp(glm::dvec3(0.0), made.box_.min, made.box_.max);
-    const glm::dvec3 size = made.box_.max - made.box_.min;
+  made.corners_ = std::make_shared<Corners>();
+  Corners& corners = *made.corners_;
+  corners.mesh = &mesh;
+  const Bounds box = box_about(mesh.positions, eye);
+  if (!box.empty()) {
+    const glm::dvec3 size = box.max - box.min;
     const double largest = std::max({size.x, size.y, size.z});
-    if (largest > 0.0) made.scale_ = std::exp2(-std::ilogb(largest));
-    // Rounding must not move what lies in the box's sides out of it.
-    made.box_.min -= 1e-6 * largest;
-    made.box_.max += 1e-6 * largest;
+    if (largest > 0.0) corners.scale = std::exp2(-std::ilogb(largest));
+    made.box_ = {corners.scale * box.min - kSlack, corners.scale * box.max + kSlack};
+    corners.anchor = glm::clamp(glm::dvec3(0.0), made.box_.min, made.box_.max);
   }
+  corners.positions.resize(mesh.positions.size());
+  tbb::parallel_for(std::size_t{0}, mesh.positions.size(), [&](std::size_t k) {
+    corners.positions[k] = corners.scale * (mesh.positions[k] - eye);
+  });
   made.device_.reset(rtcNewDevice(nullptr));
   if (made.device_ == nullptr) return check_device(nullptr, mesh.triangles.size()).error();
   made.scene_.reset(rtcNewScene(made.device_.get()));
-  // Robust: no ray slips through the edge that two triangles share.
-  rtcSetSceneFlags(made.scene_.get(), RTC_SCENE_FLAG_ROBUST);
-  if (!mesh.triangles.empty()) {
-    const Status attached = made.attach(mesh, eye);
-    if (!attached) return attached.error();
-  }
+  rtcSetSceneFlags(made.scene_.get(), RTC_SCENE_FLAG_ROBUST);  // rounds no box away
+  if (!mesh.triangles.empty()) made.attach();
   rtcSetSceneProgressMonitorFunction(
       made.scene_.get(),
       [](void* watched, double /*share*/) {
@@ -146,13 +211,14 @@ Result<EmbreeScene> EmbreeScene::build(const TriangleMesh& mesh, glm::dvec3 eye,
   return made;
 }
 
-std::optional<RTCRayHit> EmbreeScene::start_ray(glm::dvec3 direction) const {
-  if (box_.empty()) return std::nullopt;
+void EmbreeScene::follow(Query& query) const {
+  if (box_.empty()) return;
   // From where the ray enters the box: from a far eye single precision would miss by pixels.
-  const std::optional<double> entry = enter(box_, direction);
-  if (!entry) return std::nullopt;
-  const glm::vec3 origin(scale_ * (*entry * direction - anchor_));
-  const glm::vec3 along(glm::normalize(direction));
+  const std::optional<double> entry = enter(box_, query.direction);
+  if (!entry) return;
+  query.entry = *entry;
+  const glm::vec3 origin(*entry * query.direction - corners_->anchor);
+  const glm::vec3 along(query.direction);
   RTCRayHit ray{};
   ray.ray.org_x = origin.x;
   ray.ray.org_y = origin.y;
@@ -160,30 +226,27 @@ std::optional<RTCRayHit> EmbreeScene::start_ray(glm::dvec3 direction) const {
   ray.ray.dir_x = along.x;
   ray.ray.dir_y = along.y;
   ray.ray.dir_z = along.z;
-  ray.ray.tfar = kFar;
+  ray.ray.tfar = std::numeric_limits<float>::infinity();
   ray.ray.mask = ~0U;
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  return ray;
+  intersect(scene_.get(), query, ray);
 }
 
-std::optional<Candidate> EmbreeScene::find_nearest(glm::dvec3 direction) const {
-  std::optional<RTCRayHit> ray = start_ray(direction);
-  if (!ray) return std::nullopt;
-  Query query;
-  init_context(query);
-  intersect(scene_.get(), query, *ray);
-  if (ray->hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  return Candidate{ray->hit.primID, ray->hit.u, ray->hit.v};
+std::optional<Hit> EmbreeScene::find_nearest(glm::dvec3 direction) const {
+  const double length = glm::length(direction);
+  Query query(direction / length);
+  follow(query);
+  if (query.nearest) query.nearest->depth /= corners_->scale * length;
+  return query.nearest;
 }
 
-void EmbreeScene::find_all(glm::dvec3 direction, std::vector<Candidate>& candidates) const {
-  candidates.clear();
-  std::optional<RTCRayHit> ray = start_ray(direction);
-  if (!ray) return;
-  Query query;
-  query.all = &candidates;
-  init_context(query);
-  intersect(scene_.get(), query, *ray);
+void EmbreeScene::find_all(glm::dvec3 direction, std::vector<Hit>& hits) const {
+  hits.clear();
+  const double length = glm::length(direction);
+  Query query(direction / length);
+  query.all = &hits;
+  follow(query);
+  for (Hit& hit : hits) hit.depth /= corners_->scale * length;
 }
 
 std::string EmbreeScene::name() const {

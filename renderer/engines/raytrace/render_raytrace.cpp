@@ -33,7 +33,7 @@ bool has_geometry(const Outputs& outputs) {
 FilmPixel trace_pixel(const Tracer& tracer, glm::dvec2 corner,
                       const std::vector<glm::dvec2>& pattern, bool geometry) {
   FilmPixel pixel;
-  std::optional<Surface> middle;
+  std::optional<Hit> middle;
   glm::dvec4 sum(0.0);
   for (const glm::dvec2& place : pattern) {
     const Seen seen = tracer.look_through(corner + place);

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "shaders/include/shared.h"
 
 namespace relief::raytrace {
 namespace {
@@ -18,30 +19,7 @@ auto blend(const std::vector<Value>& values, const Triangle& corners, glm::dvec3
 
 }  // namespace
 
-Surface meet(const TriangleMesh& mesh, const View& view, glm::dvec3 ray,
-             const Candidate& candidate) {
-  const Triangle& corners = mesh.triangles[candidate.triangle];
-  // Möller and Trumbore 1997, with the eye as the origin.
-  const glm::dvec3 a = mesh.positions[corners[0]] - view.eye;
-  const glm::dvec3 ab = mesh.positions[corners[1]] - view.eye - a;
-  const glm::dvec3 ac = mesh.positions[corners[2]] - view.eye - a;
-  const glm::dvec3 across = glm::cross(ray, ac);
-  const double determinant = glm::dot(ab, across);
-  double u = -glm::dot(a, across) / determinant;
-  double v = -glm::dot(ray, glm::cross(a, ab)) / determinant;
-  if (!std::isfinite(u) || !std::isfinite(v)) {
-    u = double{candidate.u};
-    v = double{candidate.v};
-  }
-  // In single precision the ray may have met a triangle that it misses by a hair.
-  const glm::dvec3 inside = glm::max(glm::dvec3(1.0 - u - v, u, v), glm::dvec3(0.0));
-  const glm::dvec3 place = inside / (inside.x + inside.y + inside.z);
-  const glm::dvec3 axis = -glm::transpose(view.rotation)[2];
-  const double depth = glm::dot(a + place.y * ab + place.z * ac, axis);
-  return {std::max(depth, 0.0), place, determinant > 0.0, candidate.triangle};
-}
-
-glm::vec4 colour_at(const TriangleMesh& mesh, const Surface& at) {
+glm::vec4 colour_at(const TriangleMesh& mesh, const Hit& at) {
   const glm::vec4 grey(glm::vec3(shared::kNeutralGrey), 1.0F);
   if (mesh.colours.empty()) return grey;
   glm::vec4 colour(blend(mesh.colours, mesh.triangles[at.triangle], at.place));
@@ -50,7 +28,7 @@ glm::vec4 colour_at(const TriangleMesh& mesh, const Surface& at) {
   return colour;
 }
 
-glm::vec3 normal_at(const TriangleMesh& mesh, const Surface& at) {
+glm::vec3 normal_at(const TriangleMesh& mesh, const Hit& at) {
   const Triangle& corners = mesh.triangles[at.triangle];
   const auto is_direction = [](glm::dvec3 v, double least) {
     const double length = glm::length(v);
@@ -65,13 +43,13 @@ glm::vec3 normal_at(const TriangleMesh& mesh, const Surface& at) {
   return is_direction(flat, 0.0) ? glm::vec3(glm::normalize(flat)) : glm::vec3(0.0F, 0.0F, 1.0F);
 }
 
-glm::vec2 uv_at(const TriangleMesh& mesh, const Surface& at) {
+glm::vec2 uv_at(const TriangleMesh& mesh, const Hit& at) {
   if (mesh.uvs.empty()) return glm::vec2(0.0F);
   const glm::vec2 uv(blend(mesh.uvs, mesh.triangles[at.triangle], at.place));
   return std::isfinite(uv.x + uv.y) ? uv : glm::vec2(0.0F);
 }
 
-std::uint32_t patch_at(const TriangleMesh& mesh, const Surface& at) {
+std::uint32_t patch_at(const TriangleMesh& mesh, const Hit& at) {
   return mesh.patches.empty() ? 0 : mesh.patches[mesh.triangles[at.triangle][0]];
 }
 

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <tuple>
 
+#include "renderer/engines/raytrace/surface.h"
 #include "renderer/shading.h"
 
 namespace relief::raytrace {
@@ -13,7 +14,7 @@ namespace {
 /// What is behind this much of a surface can't be seen: a 16-bit picture has steps of 1.5e-5.
 constexpr float kOpaqueEnough = 1.0F - 1e-6F;
 
-bool touch(const TriangleMesh& mesh, const Surface& a, const Surface& b) {
+bool touch(const TriangleMesh& mesh, const Hit& a, const Hit& b) {
   for (const std::uint32_t k : mesh.triangles[a.triangle]) {
     for (const std::uint32_t l : mesh.triangles[b.triangle]) {
       if (mesh.positions[k] == mesh.positions[l]) return true;
@@ -23,9 +24,9 @@ bool touch(const TriangleMesh& mesh, const Surface& a, const Surface& b) {
 }
 
 /// Whether a ray crosses one surface here, through an edge or a corner that two triangles share:
-/// both are met, at one depth up to the rounding of single precision, and from the same side.
-bool is_same_crossing(const TriangleMesh& mesh, const Surface& a, const Surface& b) {
-  return a.front == b.front && b.depth - a.depth <= 1e-6 * b.depth && touch(mesh, a, b);
+/// both are met, at one depth up to rounding, and from the same side.
+bool is_same_crossing(const TriangleMesh& mesh, const Hit& a, const Hit& b) {
+  return a.side == b.side && b.depth - a.depth <= 1e-12 * b.depth && touch(mesh, a, b);
 }
 
 }  // namespace
@@ -41,7 +42,7 @@ Tracer::Tracer(const TriangleMesh& mesh, const EmbreeScene& scene, const View& v
       transparent_(std::any_of(mesh.colours.begin(), mesh.colours.end(),
                                [](const glm::vec4& colour) { return colour.a < 1.0F; })) {}
 
-glm::vec4 Tracer::shade_at(const Surface& at, glm::dvec3 ray) const {
+glm::vec4 Tracer::shade_at(const Hit& at, glm::dvec3 ray) const {
   const glm::vec4 colour = colour_at(*mesh_, at);
   const glm::vec3 light = shade(material_, glm::vec3(colour), normal_at(*mesh_, at),
                                 glm::vec3(glm::normalize(ray)), frame_, cube_);
@@ -49,17 +50,14 @@ glm::vec4 Tracer::shade_at(const Surface& at, glm::dvec3 ray) const {
 }
 
 Seen Tracer::blend_along(glm::dvec3 ray) const {
-  thread_local std::vector<Candidate> candidates;
-  thread_local std::vector<Surface> met;
-  scene_->find_all(ray, candidates);
-  met.clear();
-  for (const Candidate& candidate : candidates) met.push_back(meet(*mesh_, view_, ray, candidate));
-  std::sort(met.begin(), met.end(), [](const Surface& a, const Surface& b) {
+  thread_local std::vector<Hit> met;
+  scene_->find_all(ray, met);
+  std::sort(met.begin(), met.end(), [](const Hit& a, const Hit& b) {
     return std::tie(a.depth, a.triangle) < std::tie(b.depth, b.triangle);
   });
   Seen seen;
-  const Surface* before = nullptr;
-  for (const Surface& at : met) {
+  const Hit* before = nullptr;
+  for (const Hit& at : met) {
     if (before != nullptr && is_same_crossing(*mesh_, *before, at)) continue;
     if (before == nullptr) seen.nearest = at;
     before = &at;
@@ -70,24 +68,18 @@ Seen Tracer::blend_along(glm::dvec3 ray) const {
   return seen;
 }
 
-std::optional<Surface> Tracer::find_along(glm::dvec3 ray) const {
-  const std::optional<Candidate> nearest = scene_->find_nearest(ray);
-  if (!nearest) return std::nullopt;
-  return meet(*mesh_, view_, ray, *nearest);
-}
-
 Seen Tracer::look_through(glm::dvec2 window) const {
   const glm::dvec3 ray = ray_through(view_, window);
   if (transparent_) return blend_along(ray);
-  const std::optional<Surface> nearest = find_along(ray);
+  const std::optional<Hit> nearest = scene_->find_nearest(ray);
   return {nearest ? shade_at(*nearest, ray) : glm::vec4(0.0F), nearest};
 }
 
-std::optional<Surface> Tracer::find_through(glm::dvec2 window) const {
-  return find_along(ray_through(view_, window));
+std::optional<Hit> Tracer::find_through(glm::dvec2 window) const {
+  return scene_->find_nearest(ray_through(view_, window));
 }
 
-void Tracer::describe(const Surface& at, FilmPixel& pixel) const {
+void Tracer::describe(const Hit& at, FilmPixel& pixel) const {
   pixel.normal = normal_at(*mesh_, at);
   pixel.depth = static_cast<float>(at.depth);
   pixel.uv = uv_at(*mesh_, at);

@@ -7,7 +7,6 @@
 
 #include "renderer/cube_map.h"
 #include "renderer/engines/raytrace/embree_scene.h"
-#include "renderer/engines/raytrace/surface.h"
 #include "renderer/film.h"
 #include "renderer/render.h"
 #include "renderer/triangle_mesh.h"
@@ -17,8 +16,8 @@ namespace relief::raytrace {
 
 /// What a ray sees.
 struct Seen {
-  glm::vec4 colour{0.0F};          ///< premultiplied; alpha: how much of what is behind is covered
-  std::optional<Surface> nearest;  ///< whatever its opacity
+  glm::vec4 colour{0.0F};      ///< premultiplied; alpha: how much of what is behind is covered
+  std::optional<Hit> nearest;  ///< whatever its opacity
 };
 
 /// What rays are traced through, and how what they meet is shaded. Mesh, scene and cube map must
@@ -36,14 +35,13 @@ class Tracer {
   [[nodiscard]] Seen look_through(glm::dvec2 window) const;
 
   /// The nearest triangle alone, unshaded.
-  [[nodiscard]] std::optional<Surface> find_through(glm::dvec2 window) const;
+  [[nodiscard]] std::optional<Hit> find_through(glm::dvec2 window) const;
 
   /// Fills the outputs beside the colour.
-  void describe(const Surface& at, FilmPixel& pixel) const;
+  void describe(const Hit& at, FilmPixel& pixel) const;
 
  private:
-  [[nodiscard]] glm::vec4 shade_at(const Surface& at, glm::dvec3 ray) const;
-  [[nodiscard]] std::optional<Surface> find_along(glm::dvec3 ray) const;
+  [[nodiscard]] glm::vec4 shade_at(const Hit& at, glm::dvec3 ray) const;
   [[nodiscard]] Seen blend_along(glm::dvec3 ray) const;
 
   const TriangleMesh* mesh_;
