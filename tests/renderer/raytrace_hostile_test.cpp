@@ -107,7 +107,7 @@ TEST(HostileMesh, PositionsThatAreNoNumbersTakeTheirTrianglesAway) {
 }
 
 TEST(HostileMesh, ExtremeCoordinates) {
-  for (const double far : {1e20, 1e154, 1e300, std::numeric_limits<double>::max()}) {
+  for (const double far : {1e20, 1e154, std::numeric_limits<double>::max()}) {
     TriangleMesh mesh = test::sphere_mesh(12);
     mesh.positions[5] *= far;
     mesh.positions[40] *= -far;

@@ -14,9 +14,15 @@
 namespace relief::raytrace {
 namespace {
 
-/// How far single precision may move a box or a ray within the mesh, in Embree's unit, of which the
-/// mesh is less than two large: eight roundings of 2^-24 each, twice.
+/// How far single precision may move a box or a ray at a distance of 1 from Embree's origin: the
+/// box, the ray's start and its direction are rounded by 6e-8 of that each. Neither the start nor
+/// the path is longer than that distance (twice that along a diagonal), because the origin is the
+/// place of the mesh's box that is nearest to the eye.
 constexpr double kSlack = 1e-6;
+
+double largest(glm::dvec3 v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
 
 /// The box of the positions that are numbers, relative to the eye.
 Bounds box_about(const std::vector<glm::dvec3>& positions, glm::dvec3 eye) {
@@ -86,13 +92,12 @@ struct EmbreeScene::Query : EmbreeContext {
 void EmbreeScene::bound(const RTCBoundsFunctionArguments* asked) {
   const auto& corners = *static_cast<const Corners*>(asked->geometryUserPtr);
   const Triangle& t = corners.mesh->triangles[asked->primID];
-  const glm::dvec3& a = corners.positions[t[0]];
-  const glm::dvec3& b = corners.positions[t[1]];
-  const glm::dvec3& c = corners.positions[t[2]];
-  // A box of NaN takes its triangle out of the hierarchy; glm::min alone would lose it.
-  const double poison = 0.0 * (a.x + a.y + a.z + b.x + b.y + b.z + c.x + c.y + c.z);
-  const glm::vec3 low(glm::min(glm::min(a, b), c) - corners.anchor - kSlack + poison);
-  const glm::vec3 high(glm::max(glm::max(a, b), c) - corners.anchor + kSlack + poison);
+  const glm::dvec3 a = corners.positions[t[0]] - corners.anchor;
+  const glm::dvec3 b = corners.positions[t[1]] - corners.anchor;
+  const glm::dvec3 c = corners.positions[t[2]] - corners.anchor;
+  const double slack = kSlack * std::max({largest(a), largest(b), largest(c)});
+  const glm::vec3 low(glm::min(glm::min(a, b), c) - slack);
+  const glm::vec3 high(glm::max(glm::max(a, b), c) + slack);
   RTCBounds& box = *asked->bounds_o;
   box.lower_x = low.x;
   box.lower_y = low.y;
@@ -137,7 +142,7 @@ std::optional<Hit> meet_triangle(std::uint32_t number, const std::array<glm::dve
   const double depth =
       glm::dot(place, glm::dvec3(corners[0][z], corners[1][z], corners[2][z])) / direction[z];
   if (!(depth > 0.0)) return std::nullopt;
-  return Hit{number, depth, place, left == (direction[z] > 0.0)};
+  return Hit{number, depth, place};
 }
 
 void EmbreeScene::meet(const RTCIntersectFunctionNArguments* asked) {
@@ -160,7 +165,8 @@ void EmbreeScene::meet(const RTCIntersectFunctionNArguments* asked) {
   query.nearest = hit;
   // Embree need not look behind it; but what is as near must still be asked about.
   auto* const ray = reinterpret_cast<RTCRayHit*>(asked->rayhit);
-  ray->ray.tfar = static_cast<float>(hit->depth - query.entry + kSlack);
+  const double slack = kSlack * largest(hit->depth * query.direction - corners.anchor);
+  ray->ray.tfar = static_cast<float>(hit->depth - query.entry + slack);
 }
 
 void EmbreeScene::attach() {
@@ -184,8 +190,7 @@ Result<EmbreeScene> EmbreeScene::build(const TriangleMesh& mesh, glm::dvec3 eye,
   const Bounds box = box_about(mesh.positions, eye);
   if (!box.empty()) {
     const glm::dvec3 size = box.max - box.min;
-    const double largest = std::max({size.x, size.y, size.z});
-    if (largest > 0.0) corners.scale = std::exp2(-std::ilogb(largest));
+    if (largest(size) > 0.0) corners.scale = std::exp2(-std::ilogb(largest(size)));
     made.box_ = {corners.scale * box.min - kSlack, corners.scale * box.max + kSlack};
     corners.anchor = glm::clamp(glm::dvec3(0.0), made.box_.min, made.box_.max);
   }

@@ -21,7 +21,6 @@ struct Hit {
   std::uint32_t triangle = 0;
   double depth = 0.0;     ///< in lengths of the ray's direction
   glm::dvec3 place{0.0};  ///< barycentric weights of the triangle's corners
-  bool side = false;      ///< which of the triangle's sides is seen
 };
 
 /// A mesh for rays from one eye. Embree's hierarchy of boxes finds the triangles that a ray may

@@ -24,9 +24,9 @@ bool touch(const TriangleMesh& mesh, const Hit& a, const Hit& b) {
 }
 
 /// Whether a ray crosses one surface here, through an edge or a corner that two triangles share:
-/// both are met, at one depth up to rounding, and from the same side.
+/// both are met, at one depth up to rounding.
 bool is_same_crossing(const TriangleMesh& mesh, const Hit& a, const Hit& b) {
-  return a.side == b.side && b.depth - a.depth <= 1e-12 * b.depth && touch(mesh, a, b);
+  return b.depth - a.depth <= 1e-12 * b.depth && touch(mesh, a, b);
 }
 
 }  // namespace
