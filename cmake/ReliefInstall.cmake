@@ -8,7 +8,7 @@ set(RELIEF_PUBLIC_HEADERS
   common/srgb.h common/transform.h common/version.h
   preprocess/convert.h preprocess/read_points.h
   renderer/engines/ewa/settings.h renderer/engines/raytrace/settings.h
-  renderer/render.h renderer/splat_cloud.h renderer/triangle_mesh.h)
+  renderer/mesh_of_points.h renderer/render.h renderer/splat_cloud.h renderer/triangle_mesh.h)
 foreach(header IN LISTS RELIEF_PUBLIC_HEADERS)
   cmake_path(GET header PARENT_PATH folder)
   install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/relief/${folder})

@@ -3,12 +3,19 @@
 
 #include <cmath>
 #include <cstdint>
+#include <glm/vec3.hpp>
 
 namespace relief {
 
 /// Linear light in [0, 1] of an sRGB value in [0, 1].
 [[nodiscard]] inline float linear_from_srgb(float s) {
   return s <= 0.04045F ? s / 12.92F : std::pow((s + 0.055F) / 1.055F, 2.4F);
+}
+
+/// Linear light of an 8-bit sRGB colour.
+[[nodiscard]] inline glm::vec3 linear_from_srgb8(glm::u8vec3 colour) {
+  const glm::vec3 s = glm::vec3(colour) / 255.0F;
+  return {linear_from_srgb(s.r), linear_from_srgb(s.g), linear_from_srgb(s.b)};
 }
 
 /// sRGB value in [0, 1] of linear light, clamped to [0, 1]; NaN becomes 0.

@@ -42,7 +42,7 @@ struct RenderSettings {
   EwaSettings ewa;
   RaytraceSettings raytrace;
   GlPlatform platform = GlPlatform::Automatic;
-  int frames = 3;      ///< timed frames after one warm-up; the median counts
+  int frames = 3;      ///< timed frames; the median counts. onepass draws one more before them
   bool debug = false;  ///< OpenGL debug context; a high-severity message is an error
 };
 

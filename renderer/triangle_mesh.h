@@ -14,7 +14,7 @@ namespace relief {
 /// `positions`. World frame.
 struct TriangleMesh {
   std::vector<glm::dvec3> positions;
-  std::vector<glm::vec3> normals;  ///< unit, outward; always there
+  std::vector<glm::vec3> normals;  ///< unit, outward; always there; 0: take the triangle's own
   std::vector<glm::vec4>
       colours;                 ///< linear, not premultiplied; alpha: opacity; empty: neutral grey
   std::vector<glm::vec2> uvs;  ///< grid coordinates on the patch; empty for an input mesh

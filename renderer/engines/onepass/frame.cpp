@@ -18,12 +18,6 @@ struct Frame {
   glm::vec3 background{0.0F};
 };
 
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
-}
-
 /// Draws one frame, without waiting for it.
 void draw_frame(const Gl& gl, const Frame& frame, const Engine& engine, const FrameParts& parts,
                 PassTimer& timer) {

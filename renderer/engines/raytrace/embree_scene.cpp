@@ -1,0 +1,266 @@
+#include "renderer/engines/raytrace/embree_scene.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <tuple>
+
+namespace relief::raytrace {
+namespace {
+
+/// How far single precision may move a box or a ray at a distance of 1 from Embree's origin: the
+/// box, the ray's start and its direction are rounded by 6e-8 of that each. Neither the start nor
+/// the path is longer than that distance (twice that along a diagonal), because the origin is the
+/// place of the mesh's box that is nearest to the eye.
+constexpr double kSlack = 1e-6;
+
+double largest(glm::dvec3 v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+/// The box of the positions that are numbers, relative to the eye.
+Bounds box_about(const std::vector<glm::dvec3>& positions, glm::dvec3 eye) {
+  Bounds box{glm::dvec3(std::numeric_limits<double>::max()),
+             glm::dvec3(std::numeric_limits<double>::lowest())};
+  for (const glm::dvec3& p : positions) {
+    if (!std::isfinite(p.x + p.y + p.z)) continue;
+    box.min = glm::min(box.min, p - eye);
+    box.max = glm::max(box.max, p - eye);
+  }
+  return box;
+}
+
+/// How far along `direction` from 0 a box begins, in lengths of it; nothing if it is not there.
+std::optional<double> enter(const Bounds& box, glm::dvec3 direction) {
+  double first = 0.0;
+  double last = std::numeric_limits<double>::infinity();
+  for (glm::length_t k = 0; k < 3; ++k) {
+    if (direction[k] == 0.0) {
+      if (box.min[k] > 0.0 || box.max[k] < 0.0) return std::nullopt;
+      continue;
+    }
+    const double a = box.min[k] / direction[k];
+    const double b = box.max[k] / direction[k];
+    first = std::max(first, std::min(a, b));
+    last = std::min(last, std::max(a, b));
+  }
+  if (first > last) return std::nullopt;
+  return first;
+}
+
+Status check_device(RTCDevice device, std::size_t triangles) {
+  switch (const RTCError error = rtcGetDeviceError(device)) {
+    case RTC_ERROR_NONE:
+      return {};
+    case RTC_ERROR_CANCELLED:
+      return interrupted_error();
+    case RTC_ERROR_OUT_OF_MEMORY:
+      return make_error("the ray tracer has not enough memory for {} triangles; use a coarser mesh",
+                        triangles);
+    default:
+      return make_error("the ray tracer (Embree) can't work on this machine: its error {}",
+                        static_cast<int>(error));
+  }
+}
+
+}  // namespace
+
+/// The mesh as rays see it.
+struct EmbreeScene::Corners {
+  const TriangleMesh* mesh = nullptr;
+  std::vector<glm::dvec3> positions;  ///< relative to the eye, in Embree's unit
+  glm::dvec3 anchor{0.0};             ///< Embree's origin there
+  double scale = 1.0;                 ///< Embree's units per world unit, a power of two
+};
+
+/// A ray, and what it has met so far.
+struct EmbreeScene::Query : EmbreeContext {
+  explicit Query(glm::dvec3 towards) : direction(towards) { init_context(*this); }
+
+  glm::dvec3 direction;
+  double entry = 0.0;  ///< depth at which it enters the mesh's box, Embree's unit
+  std::optional<Hit> nearest;
+  std::vector<Hit>* all = nullptr;  ///< takes all of them, instead of the nearest
+};
+
+void EmbreeScene::bound(const RTCBoundsFunctionArguments* asked) {
+  const auto& corners = *static_cast<const Corners*>(asked->geometryUserPtr);
+  const Triangle& t = corners.mesh->triangles[asked->primID];
+  const glm::dvec3 a = corners.positions[t[0]] - corners.anchor;
+  const glm::dvec3 b = corners.positions[t[1]] - corners.anchor;
+  const glm::dvec3 c = corners.positions[t[2]] - corners.anchor;
+  const double slack = kSlack * std::max({largest(a), largest(b), largest(c)});
+  const glm::vec3 low(glm::min(glm::min(a, b), c) - slack);
+  const glm::vec3 high(glm::max(glm::max(a, b), c) + slack);
+  RTCBounds& box = *asked->bounds_o;
+  box.lower_x = low.x;
+  box.lower_y = low.y;
+  box.lower_z = low.z;
+  box.upper_x = high.x;
+  box.upper_y = high.y;
+  box.upper_z = high.z;
+}
+
+/// The test of Woop, Benthin and Wald 2013 (Watertight Ray/Triangle Intersection): in a frame in
+/// which the ray is the z axis, by the signs of three products' differences. Compared, not
+/// subtracted, these signs are right or 0, as rounding keeps the order of two products; and 0
+/// counts for either side.
+std::optional<Hit> meet_triangle(std::uint32_t number, const std::array<glm::dvec3, 3>& corners,
+                                 glm::dvec3 direction) {
+  const glm::dvec3 size = glm::abs(direction);
+  const glm::length_t z = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+  const glm::length_t x = (z + 1) % 3;
+  const glm::length_t y = (z + 2) % 3;
+  const double lean_x = direction[x] / direction[z];
+  const double lean_y = direction[y] / direction[z];
+  std::array<glm::dvec2, 3> flat;
+  for (std::size_t k = 0; k < 3; ++k) {
+    flat[k] = {corners[k][x] - lean_x * corners[k][z], corners[k][y] - lean_y * corners[k][z]};
+  }
+  glm::dvec3 areas;
+  bool left = true;
+  bool right = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const glm::dvec2& from = flat[(k + 1) % 3];
+    const glm::dvec2& to = flat[(k + 2) % 3];
+    const double one = from.x * to.y;
+    const double other = from.y * to.x;
+    left = left && one >= other;
+    right = right && one <= other;
+    areas[static_cast<glm::length_t>(k)] = std::abs(one - other);
+  }
+  if (!left && !right) return std::nullopt;
+  const double area = areas.x + areas.y + areas.z;
+  if (!(area > 0.0)) return std::nullopt;
+  const glm::dvec3 place = areas / area;
+  const double depth =
+      glm::dot(place, glm::dvec3(corners[0][z], corners[1][z], corners[2][z])) / direction[z];
+  if (!(depth > 0.0)) return std::nullopt;
+  return Hit{number, depth, place};
+}
+
+void EmbreeScene::meet(const RTCIntersectFunctionNArguments* asked) {
+  assert(asked->N == 1 && "rays are traced one by one");
+  if (asked->valid[0] == 0) return;
+  const auto& corners = *static_cast<const Corners*>(asked->geometryUserPtr);
+  auto& query = *static_cast<Query*>(asked->context);
+  const Triangle& t = corners.mesh->triangles[asked->primID];
+  const std::optional<Hit> hit = meet_triangle(
+      asked->primID, {corners.positions[t[0]], corners.positions[t[1]], corners.positions[t[2]]},
+      query.direction);
+  if (!hit) return;
+  if (query.all != nullptr) {
+    query.all->push_back(*hit);
+    return;
+  }
+  if (query.nearest && std::tie(query.nearest->depth, query.nearest->triangle) <=
+                           std::tie(hit->depth, hit->triangle))
+    return;
+  query.nearest = hit;
+  // Embree need not look behind it; but what is as near must still be asked about.
+  auto* const ray = reinterpret_cast<RTCRayHit*>(asked->rayhit);
+  const double slack = kSlack * largest(hit->depth * query.direction - corners.anchor);
+  ray->ray.tfar = static_cast<float>(hit->depth - query.entry + slack);
+}
+
+void EmbreeScene::attach() {
+  const GeometryHandle geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER));
+  rtcSetGeometryUserPrimitiveCount(geometry.get(),
+                                   static_cast<unsigned>(corners_->mesh->triangles.size()));
+  rtcSetGeometryUserData(geometry.get(), corners_.get());
+  rtcSetGeometryBoundsFunction(geometry.get(), bound, nullptr);
+  rtcSetGeometryIntersectFunction(geometry.get(), meet);
+  rtcCommitGeometry(geometry.get());
+  rtcAttachGeometry(scene_.get(), geometry.get());
+}
+
+Result<EmbreeScene> EmbreeScene::build(const TriangleMesh& mesh, glm::dvec3 eye,
+                                       const Progress& progress) {
+  assert(mesh.triangles.size() < RTC_INVALID_GEOMETRY_ID && "triangles have 32-bit numbers");
+  EmbreeScene made;
+  made.corners_ = std::make_shared<Corners>();
+  Corners& corners = *made.corners_;
+  corners.mesh = &mesh;
+  const Bounds box = box_about(mesh.positions, eye);
+  if (!box.empty()) {
+    const glm::dvec3 size = box.max - box.min;
+    if (largest(size) > 0.0) corners.scale = std::exp2(-std::ilogb(largest(size)));
+    made.box_ = {corners.scale * box.min - kSlack, corners.scale * box.max + kSlack};
+    corners.anchor = glm::clamp(glm::dvec3(0.0), made.box_.min, made.box_.max);
+  }
+  corners.positions.resize(mesh.positions.size());
+  tbb::parallel_for(std::size_t{0}, mesh.positions.size(), [&](std::size_t k) {
+    corners.positions[k] = corners.scale * (mesh.positions[k] - eye);
+  });
+  made.device_.reset(rtcNewDevice(nullptr));
+  if (made.device_ == nullptr) return check_device(nullptr, mesh.triangles.size()).error();
+  made.scene_.reset(rtcNewScene(made.device_.get()));
+  rtcSetSceneFlags(made.scene_.get(), RTC_SCENE_FLAG_ROBUST);  // rounds no box away
+  if (!mesh.triangles.empty()) made.attach();
+  rtcSetSceneProgressMonitorFunction(
+      made.scene_.get(),
+      [](void* watched, double /*share*/) {
+        return !static_cast<const Progress*>(watched)->cancelled();
+      },
+      const_cast<Progress*>(&progress));  // NOLINT: Embree hands it back as it got it
+  rtcCommitScene(made.scene_.get());
+  rtcSetSceneProgressMonitorFunction(made.scene_.get(), nullptr, nullptr);
+  const Status built = check_device(made.device_.get(), mesh.triangles.size());
+  if (!built) return built.error();
+  return made;
+}
+
+void EmbreeScene::follow(Query& query) const {
+  if (box_.empty()) return;
+  // From where the ray enters the box: from a far eye single precision would miss by pixels.
+  const std::optional<double> entry = enter(box_, query.direction);
+  if (!entry) return;
+  query.entry = *entry;
+  const glm::vec3 origin(*entry * query.direction - corners_->anchor);
+  const glm::vec3 along(query.direction);
+  RTCRayHit ray{};
+  ray.ray.org_x = origin.x;
+  ray.ray.org_y = origin.y;
+  ray.ray.org_z = origin.z;
+  ray.ray.dir_x = along.x;
+  ray.ray.dir_y = along.y;
+  ray.ray.dir_z = along.z;
+  ray.ray.tfar = std::numeric_limits<float>::infinity();
+  ray.ray.mask = ~0U;
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  intersect(scene_.get(), query, ray);
+}
+
+std::optional<Hit> EmbreeScene::find_nearest(glm::dvec3 direction) const {
+  const double length = glm::length(direction);
+  Query query(direction / length);
+  follow(query);
+  if (query.nearest) query.nearest->depth /= corners_->scale * length;
+  return query.nearest;
+}
+
+void EmbreeScene::find_all(glm::dvec3 direction, std::vector<Hit>& hits) const {
+  hits.clear();
+  const double length = glm::length(direction);
+  Query query(direction / length);
+  query.all = &hits;
+  follow(query);
+  for (Hit& hit : hits) hit.depth /= corners_->scale * length;
+}
+
+std::string EmbreeScene::name() const {
+  const auto part = [this](RTCDeviceProperty property) {
+    return rtcGetDeviceProperty(device_.get(), property);
+  };
+  return fmt::format("Embree {}.{}.{}", part(RTC_DEVICE_PROPERTY_VERSION_MAJOR),
+                     part(RTC_DEVICE_PROPERTY_VERSION_MINOR),
+                     part(RTC_DEVICE_PROPERTY_VERSION_PATCH));
+}
+
+}  // namespace relief::raytrace

@@ -1,0 +1,66 @@
+// The triangles of a mesh, found along rays by Embree.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/error.h"
+#include "common/points.h"
+#include "common/progress.h"
+#include "renderer/engines/raytrace/embree.h"
+#include "renderer/triangle_mesh.h"
+
+namespace relief::raytrace {
+
+/// Where a ray from the eye meets a triangle.
+struct Hit {
+  std::uint32_t triangle = 0;
+  double depth = 0.0;     ///< in lengths of the ray's direction
+  glm::dvec3 place{0.0};  ///< barycentric weights of the triangle's corners
+};
+
+/// A mesh for rays from one eye. Embree's hierarchy of boxes finds the triangles that a ray may
+/// meet; whether it does is decided here, in double precision and without a slit: a ray through an
+/// edge or a vertex meets all triangles around it. Embree's own test lets 1 % of the rays through
+/// that aim at a vertex.
+///
+/// The boxes are in single precision, with the place of the mesh's box that is nearest to the eye
+/// as origin and about the mesh's size as unit, so that neither UTM coordinates nor a scan's unit
+/// matters.
+class EmbreeScene {
+ public:
+  /// The mesh must outlive it. Triangles with a corner that is no number are left out. Fails if the
+  /// memory does not suffice or the user interrupts.
+  static Result<EmbreeScene> build(const TriangleMesh& mesh, glm::dvec3 eye,
+                                   const Progress& progress);
+
+  /// The nearest triangle in front of the eye along a direction; of several at the same depth the
+  /// mesh's first, however the hierarchy was built.
+  [[nodiscard]] std::optional<Hit> find_nearest(glm::dvec3 direction) const;
+
+  /// All triangles in front of the eye along a direction, in no order. Clears `hits` first.
+  void find_all(glm::dvec3 direction, std::vector<Hit>& hits) const;
+
+  /// "Embree 3.13.5"
+  [[nodiscard]] std::string name() const;
+
+ private:
+  struct Corners;
+  struct Query;
+  EmbreeScene() = default;
+  void attach();
+  void follow(Query& query) const;
+  static void bound(const RTCBoundsFunctionArguments* asked);
+  static void meet(const RTCIntersectFunctionNArguments* asked);
+
+  std::shared_ptr<Corners> corners_;  ///< what Embree asks about, at a place that does not move
+  DeviceHandle device_;
+  SceneHandle scene_;
+  Bounds box_;  ///< of the mesh, a little larger; relative to the eye, in Embree's unit
+};
+
+}  // namespace relief::raytrace

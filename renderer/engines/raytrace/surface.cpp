@@ -1,0 +1,56 @@
+#include "renderer/engines/raytrace/surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "shaders/include/shared.h"
+
+namespace relief::raytrace {
+namespace {
+
+/// The weighted sum of an attribute's values at the corners.
+template <class Value>
+auto blend(const std::vector<Value>& values, const Triangle& corners, glm::dvec3 weights) {
+  using Wide = glm::vec<Value::length(), double>;
+  return weights.x * Wide(values[corners[0]]) + weights.y * Wide(values[corners[1]]) +
+         weights.z * Wide(values[corners[2]]);
+}
+
+}  // namespace
+
+glm::vec4 colour_at(const TriangleMesh& mesh, const Hit& at) {
+  const glm::vec4 grey(glm::vec3(shared::kNeutralGrey), 1.0F);
+  if (mesh.colours.empty()) return grey;
+  glm::vec4 colour(blend(mesh.colours, mesh.triangles[at.triangle], at.place));
+  if (!std::isfinite(colour.r + colour.g + colour.b + colour.a)) return grey;
+  colour.a = std::clamp(colour.a, 0.0F, 1.0F);
+  return colour;
+}
+
+glm::vec3 normal_at(const TriangleMesh& mesh, const Hit& at) {
+  const Triangle& corners = mesh.triangles[at.triangle];
+  const auto is_direction = [](glm::dvec3 v, double least) {
+    const double length = glm::length(v);
+    return std::isfinite(length) && length > least;
+  };
+  const glm::dvec3 smooth = blend(mesh.normals, corners, at.place);
+  // Opposite normals cancel out; what is left of them below this is rounding.
+  if (is_direction(smooth, 1e-6)) return glm::vec3(glm::normalize(smooth));
+  const glm::dvec3 ab = mesh.positions[corners[1]] - mesh.positions[corners[0]];
+  const glm::dvec3 ac = mesh.positions[corners[2]] - mesh.positions[corners[0]];
+  const glm::dvec3 flat = glm::cross(ab, ac);
+  return is_direction(flat, 0.0) ? glm::vec3(glm::normalize(flat)) : glm::vec3(0.0F, 0.0F, 1.0F);
+}
+
+glm::vec2 uv_at(const TriangleMesh& mesh, const Hit& at) {
+  if (mesh.uvs.empty()) return glm::vec2(0.0F);
+  const glm::vec2 uv(blend(mesh.uvs, mesh.triangles[at.triangle], at.place));
+  return std::isfinite(uv.x + uv.y) ? uv : glm::vec2(0.0F);
+}
+
+std::uint32_t patch_at(const TriangleMesh& mesh, const Hit& at) {
+  return mesh.patches.empty() ? 0 : mesh.patches[mesh.triangles[at.triangle][0]];
+}
+
+}  // namespace relief::raytrace

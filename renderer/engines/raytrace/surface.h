@@ -1,0 +1,21 @@
+// What a mesh is at the place where a ray meets one of its triangles.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "renderer/engines/raytrace/embree_scene.h"
+#include "renderer/triangle_mesh.h"
+
+namespace relief::raytrace {
+
+/// Attributes there, linear over the triangle; normals are made unit vectors. What is no number or
+/// missing in the mesh becomes a neutral grey, opaque; the triangle's own normal; and 0.
+[[nodiscard]] glm::vec4 colour_at(const TriangleMesh& mesh, const Hit& at);
+[[nodiscard]] glm::vec3 normal_at(const TriangleMesh& mesh, const Hit& at);
+[[nodiscard]] glm::vec2 uv_at(const TriangleMesh& mesh, const Hit& at);
+[[nodiscard]] std::uint32_t patch_at(const TriangleMesh& mesh, const Hit& at);
+
+}  // namespace relief::raytrace

@@ -1,0 +1,89 @@
+#include "renderer/engines/raytrace/tracer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <tuple>
+
+#include "renderer/engines/raytrace/surface.h"
+#include "renderer/shading.h"
+
+namespace relief::raytrace {
+namespace {
+
+/// What is behind this much of a surface can't be seen: a 16-bit picture has steps of 1.5e-5.
+constexpr float kOpaqueEnough = 1.0F - 1e-6F;
+
+bool touch(const TriangleMesh& mesh, const Hit& a, const Hit& b) {
+  for (const std::uint32_t k : mesh.triangles[a.triangle]) {
+    for (const std::uint32_t l : mesh.triangles[b.triangle]) {
+      if (mesh.positions[k] == mesh.positions[l]) return true;
+    }
+  }
+  return false;
+}
+
+/// Whether a ray crosses one surface here, through an edge or a corner that two triangles share:
+/// both are met, at one depth up to rounding.
+bool is_same_crossing(const TriangleMesh& mesh, const Hit& a, const Hit& b) {
+  return b.depth - a.depth <= 1e-12 * b.depth && touch(mesh, a, b);
+}
+
+}  // namespace
+
+Tracer::Tracer(const TriangleMesh& mesh, const EmbreeScene& scene, const View& view,
+               Material material, const CubeMap* cube)
+    : mesh_(&mesh),
+      scene_(&scene),
+      cube_(cube),
+      view_(view),
+      frame_(make_frame(view, 0.0)),
+      material_(material),
+      transparent_(std::any_of(mesh.colours.begin(), mesh.colours.end(),
+                               [](const glm::vec4& colour) { return colour.a < 1.0F; })) {}
+
+glm::vec4 Tracer::shade_at(const Hit& at, glm::dvec3 ray) const {
+  const glm::vec4 colour = colour_at(*mesh_, at);
+  const glm::vec3 light = shade(material_, glm::vec3(colour), normal_at(*mesh_, at),
+                                glm::vec3(glm::normalize(ray)), frame_, cube_);
+  return {light, colour.a};
+}
+
+Seen Tracer::blend_along(glm::dvec3 ray) const {
+  thread_local std::vector<Hit> met;
+  scene_->find_all(ray, met);
+  std::sort(met.begin(), met.end(), [](const Hit& a, const Hit& b) {
+    return std::tie(a.depth, a.triangle) < std::tie(b.depth, b.triangle);
+  });
+  Seen seen;
+  const Hit* before = nullptr;
+  for (const Hit& at : met) {
+    if (before != nullptr && is_same_crossing(*mesh_, *before, at)) continue;
+    if (before == nullptr) seen.nearest = at;
+    before = &at;
+    const glm::vec4 surface = shade_at(at, ray);
+    seen.colour += (1.0F - seen.colour.a) * surface.a * glm::vec4(glm::vec3(surface), 1.0F);
+    if (seen.colour.a >= kOpaqueEnough) break;
+  }
+  return seen;
+}
+
+Seen Tracer::look_through(glm::dvec2 window) const {
+  const glm::dvec3 ray = ray_through(view_, window);
+  if (transparent_) return blend_along(ray);
+  const std::optional<Hit> nearest = scene_->find_nearest(ray);
+  return {nearest ? shade_at(*nearest, ray) : glm::vec4(0.0F), nearest};
+}
+
+std::optional<Hit> Tracer::find_through(glm::dvec2 window) const {
+  return scene_->find_nearest(ray_through(view_, window));
+}
+
+void Tracer::describe(const Hit& at, FilmPixel& pixel) const {
+  pixel.normal = normal_at(*mesh_, at);
+  pixel.depth = static_cast<float>(at.depth);
+  pixel.uv = uv_at(*mesh_, at);
+  pixel.patch = patch_at(*mesh_, at);
+}
+
+}  // namespace relief::raytrace

@@ -1,0 +1,56 @@
+// From a pixel to its outputs.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <optional>
+#include <vector>
+
+#include "renderer/cube_map.h"
+#include "renderer/engines/raytrace/embree_scene.h"
+#include "renderer/film.h"
+#include "renderer/render.h"
+#include "renderer/triangle_mesh.h"
+#include "renderer/view.h"
+
+namespace relief::raytrace {
+
+/// What a ray sees.
+struct Seen {
+  glm::vec4 colour{0.0F};      ///< premultiplied; alpha: how much of what is behind is covered
+  std::optional<Hit> nearest;  ///< whatever its opacity
+};
+
+/// What rays are traced through, and how what they meet is shaded. Mesh, scene and cube map must
+/// outlive it. Threads may share one.
+class Tracer {
+ public:
+  /// `cube` is needed by the material mirror alone.
+  Tracer(const TriangleMesh& mesh, const EmbreeScene& scene, const View& view, Material material,
+         const CubeMap* cube);
+
+  /// What is seen through a window position (pixels from the lower left corner). Opaque meshes show
+  /// the nearest triangle. Of others all triangles along the ray count, front to back, each
+  /// covering what is behind it by its opacity; none of them bends, tints or shadows. Reflections
+  /// are of the environment alone, as in the other engines.
+  [[nodiscard]] Seen look_through(glm::dvec2 window) const;
+
+  /// The nearest triangle alone, unshaded.
+  [[nodiscard]] std::optional<Hit> find_through(glm::dvec2 window) const;
+
+  /// Fills the outputs beside the colour.
+  void describe(const Hit& at, FilmPixel& pixel) const;
+
+ private:
+  [[nodiscard]] glm::vec4 shade_at(const Hit& at, glm::dvec3 ray) const;
+  [[nodiscard]] Seen blend_along(glm::dvec3 ray) const;
+
+  const TriangleMesh* mesh_;
+  const EmbreeScene* scene_;
+  const CubeMap* cube_;
+  View view_;
+  shared::Frame frame_;
+  Material material_;
+  bool transparent_;  ///< some vertex is not opaque
+};
+
+}  // namespace relief::raytrace

@@ -1,0 +1,89 @@
+#include "renderer/mesh_of_patches.h"
+
+#include <limits>
+
+#include "common/octahedral.h"
+#include "common/srgb.h"
+#include "renderer/patch_normals.h"
+#include "shaders/include/shared.h"
+
+namespace relief {
+namespace {
+
+constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
+
+/// The texel of a map at a node.
+template <class Texel>
+const Texel& texel_at(const AttributeMap<Texel>& map, std::uint32_t i, std::uint32_t j) {
+  return map.texels[std::size_t{j} * map.scale * map.width + std::size_t{i} * map.scale];
+}
+
+/// Adds a patch's samples and returns for each node which vertex it has become.
+std::vector<std::uint32_t> add_vertices(const Patch& patch, std::uint32_t id, bool coloured,
+                                        TriangleMesh& mesh) {
+  std::vector<std::uint32_t> vertices(patch.heights.size(), kNoVertex);
+  const AttributeMap<glm::i16vec2> normals = normal_map_of(patch);
+  const glm::mat3 axes(patch.axes);
+  for (std::uint32_t j = 0; j < patch.height; ++j) {
+    for (std::uint32_t i = 0; i < patch.width; ++i) {
+      const std::int32_t height = patch.at(i, j);
+      if (height == kHole) continue;
+      vertices[std::size_t{j} * patch.width + i] =
+          static_cast<std::uint32_t>(mesh.positions.size());
+      mesh.positions.push_back(patch.origin + patch.axes * glm::dvec3(i * patch.spacing,
+                                                                      j * patch.spacing,
+                                                                      height * patch.height_step));
+      mesh.normals.push_back(glm::normalize(axes * unit_from_snorm16(texel_at(normals, i, j))));
+      if (coloured) {
+        const glm::vec3 colour = patch.colours.empty()
+                                     ? glm::vec3(shared::kNeutralGrey)
+                                     : linear_from_srgb8(texel_at(patch.colours, i, j));
+        mesh.colours.emplace_back(colour, 1.0F);
+      }
+      mesh.uvs.emplace_back(i, j);
+      mesh.patches.push_back(id + 1);
+    }
+  }
+  return vertices;
+}
+
+void add_triangles(const Patch& patch, const std::vector<std::uint32_t>& vertices,
+                   TriangleMesh& mesh) {
+  const auto add = [&mesh](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    if (a != kNoVertex && b != kNoVertex && c != kNoVertex) mesh.triangles.push_back({a, b, c});
+  };
+  for (std::size_t j = 0; j + 1 < patch.height; ++j) {
+    for (std::size_t i = 0; i + 1 < patch.width; ++i) {
+      const std::size_t node = j * patch.width + i;
+      const std::size_t above = node + patch.width;
+      add(vertices[node], vertices[node + 1], vertices[above + 1]);
+      add(vertices[node], vertices[above + 1], vertices[above]);
+    }
+  }
+}
+
+}  // namespace
+
+Result<TriangleMesh> mesh_of_patches(const PatchModel& model) {
+  const std::size_t samples = count_samples(model);
+  if (samples >= kNoVertex) {
+    return make_error(
+        "the model has {} samples, but rays are traced through at most {}; convert "
+        "again with a larger spacing",
+        samples, kNoVertex - 1);
+  }
+  TriangleMesh mesh;
+  mesh.positions.reserve(samples);
+  mesh.normals.reserve(samples);
+  mesh.uvs.reserve(samples);
+  mesh.patches.reserve(samples);
+  if (model.has_colours) mesh.colours.reserve(samples);
+  mesh.triangles.reserve(2 * samples);
+  for (std::uint32_t p = 0; p < model.patches.size(); ++p) {
+    const Patch& patch = model.patches[p];
+    add_triangles(patch, add_vertices(patch, p, model.has_colours, mesh), mesh);
+  }
+  return mesh;
+}
+
+}  // namespace relief
