@@ -291,7 +291,7 @@ void add_ewa_options(CLI::App& sub, Arguments& arguments) {
       ->check(CLI::Range(0.1, 20.0))
       ->option_text("C");
   sub.add_option("--layers", ewa.layers,
-                 "ewa: surfaces behind one another that a pixel keeps apart (3)")
+                 "ewa: surfaces behind one another that a pixel keeps apart (4)")
       ->check(CLI::Range(1, 64))
       ->option_text("L");
   sub.add_option("--tau", ewa.coverage_threshold,

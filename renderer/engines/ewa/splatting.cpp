@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <span>
 
 #include "renderer/engines/ewa/layered_buffer.h"
 #include "renderer/engines/ewa/projected_splat.h"
@@ -51,6 +52,7 @@ template <class Kernel>
 Chunk<Kernel> project_chunk(const SplatCloud& cloud, std::size_t begin, std::size_t end,
                             const SplatCamera& camera, const Tiling& tiling) {
   Chunk<Kernel> chunk;
+  chunk.splats.reserve(end - begin);
   for (std::size_t k = begin; k < end; ++k) {
     auto splat = project_splat<Kernel>(camera, cloud.positions[k], glm::dvec3(cloud.normals[k]),
                                        cloud.radii[k]);
@@ -138,25 +140,35 @@ glm::dvec3 shade_surface(const Surface& surface, const PixelBox& tile, const Vie
                           glm::vec3(normal), glm::vec3(ray), lighting.frame, lighting.cube));
 }
 
+/// The entries of a tile.
+template <class Kernel>
+std::span<const TileEntry> entries_of(const Chunk<Kernel>& chunk, std::uint32_t tile) {
+  const auto [first, last] =
+      std::equal_range(chunk.entries.begin(), chunk.entries.end(), TileEntry{tile, 0},
+                       [](const TileEntry& a, const TileEntry& b) { return a.tile < b.tile; });
+  return {first, last};
+}
+
+/// Draws a tile into the film; returns the evaluations.
 template <class Kernel>
 std::uint64_t draw_tile(const SplatCloud& cloud, const std::vector<Chunk<Kernel>>& chunks,
                         std::uint32_t t, const PixelBox& tile, const View& view,
                         const EwaSettings& settings, const Lighting& lighting, Film& film) {
+  const bool empty = std::all_of(chunks.begin(), chunks.end(), [t](const Chunk<Kernel>& chunk) {
+    return entries_of(chunk, t).empty();
+  });
+  if (empty) return 0;
   LayeredBuffer buffer(
       static_cast<std::size_t>(kTile * kTile), settings.layers, settings.coverage_threshold,
       [&](const Surface& surface) { return shade_surface(surface, tile, view, lighting); });
   std::uint64_t evaluations = 0;
   for (const Chunk<Kernel>& chunk : chunks) {
-    const auto [first, last] =
-        std::equal_range(chunk.entries.begin(), chunk.entries.end(), TileEntry{t, 0},
-                         [](const TileEntry& a, const TileEntry& b) { return a.tile < b.tile; });
-    for (auto entry = first; entry != last; ++entry) {
-      const ProjectedSplat<Kernel>& splat = chunk.splats[entry->splat];
+    for (const TileEntry& entry : entries_of(chunk, t)) {
+      const ProjectedSplat<Kernel>& splat = chunk.splats[entry.splat];
       evaluations +=
           draw_splat(splat, settings.cutoff, attributes_of(cloud, splat.index), tile, buffer);
     }
   }
-  if (evaluations == 0) return 0;
   for (std::int64_t y = tile.top; y <= tile.bottom; ++y) {
     for (std::int64_t x = tile.left; x <= tile.right; ++x) {
       const auto pixel = static_cast<std::size_t>((y - tile.top) * kTile + (x - tile.left));
