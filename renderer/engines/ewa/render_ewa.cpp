@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <limits>
+#include <glm/geometric.hpp>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -27,13 +26,14 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// As for `onepass`: no surface that can be told apart from the eye is before this.
-double near_of(const SplatCloud& cloud) {
-  double least = std::numeric_limits<double>::infinity();
+/// As for `onepass`, no surface that can be told apart from the eye is before this; and where all
+/// radii are huge, nothing that the camera looks at.
+double near_of(const SplatCloud& cloud, const Camera& camera) {
+  double near = 1e-6 * glm::distance(camera.eye, camera.target);
   for (const double radius : cloud.radii) {
-    if (radius > 0.0) least = std::min(least, radius);
+    if (radius > 0.0) near = std::min(near, 0.01 * radius);
   }
-  return std::isfinite(least) ? 0.01 * least : 0.01;
+  return near;
 }
 
 std::vector<Material> materials_of(const RenderSettings& settings) {
@@ -51,7 +51,8 @@ struct Scene {
 
 Result<Scene> make_scene(const SplatCloud& finest, const RenderSettings& settings) {
   Scene scene;
-  scene.view = make_view(settings.camera, settings.width, settings.height, near_of(finest));
+  scene.view =
+      make_view(settings.camera, settings.width, settings.height, near_of(finest, settings.camera));
   scene.lighting = {make_frame(scene.view, 0.0), nullptr, materials_of(settings)};
   scene.surroundings.background = settings.background;
   const std::vector<Material>& materials = scene.lighting.materials;
