@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -200,6 +201,11 @@ int run(const Arguments& arguments) {
                         : print_result(as_text(*result, arguments));
 }
 
+/// CLI11's ranges let NaN pass.
+void refuse_nan(const char* option, double value) {
+  if (std::isnan(value)) throw CLI::ValidationError(option, "must be a number");
+}
+
 /// What no single option's check can see.
 void check_together(const Arguments& arguments) {
   const std::string format = ending(arguments.output);
@@ -216,6 +222,10 @@ void check_together(const Arguments& arguments) {
   if (arguments.up == glm::dvec3(0.0)) {
     throw CLI::ValidationError("--up", "must not be 0,0,0");
   }
+  refuse_nan("--fov", arguments.fov_degrees);
+  refuse_nan("--cutoff", arguments.settings.ewa.cutoff);
+  refuse_nan("--tau", arguments.settings.ewa.coverage_threshold);
+  refuse_nan("--time-budget", arguments.settings.ewa.time_budget_ms);
 }
 
 void add_camera_options(CLI::App& sub, Arguments& arguments) {
