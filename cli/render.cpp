@@ -27,7 +27,8 @@ namespace {
 constexpr const char* kExamples =
     "In brackets: what is taken where an option is not given.\n"
     "SCENE is a .relief file, or a scan or mesh that is converted in memory with the default\n"
-    "options. The camera looks at the middle of the model unless --eye says otherwise.\n"
+    "options; --engine ewa draws its points as they are. The camera looks at the middle of the\n"
+    "model unless --eye says otherwise.\n"
     "No display is needed.\n"
     "\n"
     "Examples:\n"
