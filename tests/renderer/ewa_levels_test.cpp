@@ -116,5 +116,16 @@ TEST(SplatLevels, PicturesAreRefinedWhileTimeRemains) {
   }
 }
 
+TEST(SplatLevels, RefinementEndsWithTheSufficientLevel) {
+  const SplatHierarchy hierarchy = build_hierarchy(test::plane_cloud(100, 100));
+  RenderSettings settings = ewa_picture({0.0, 0.0, test::distance_for(0.2)});
+  settings.ewa.time_budget_ms = 1e9;
+  Progress silent;
+  const auto last = render_progressive(
+      hierarchy, settings, [](const RenderResult&) {}, silent);
+  ASSERT_TRUE(last);
+  EXPECT_EQ(last->level, 1U);  // see above
+}
+
 }  // namespace
 }  // namespace relief::ewa
