@@ -2,15 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <map>
 #include <string_view>
 #include <utility>
 
 #include "cli/console.h"
 #include "cli/paths.h"
 #include "common/patch_file.h"
-#include "common/transform.h"
+#include "common/srgb.h"
 #include "preprocess/convert.h"
+#include "preprocess/neighbours.h"
+#include "preprocess/normals.h"
+#include "preprocess/point_radii.h"
 
 namespace relief::cli {
 namespace {
@@ -64,6 +66,10 @@ void note_left_out(const LeftOut& left_out) {
   say(left_out.texcoords, "texture coordinates");
 }
 
+// As many as a conversion looks at, and the fewest points that it takes.
+constexpr std::uint32_t kNeighbours = 16;
+constexpr std::size_t kLeastPoints = 16;
+
 }  // namespace
 
 Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
@@ -105,25 +111,25 @@ Result<PatchModel> load_model(const std::filesystem::path& path, Progress& progr
   return std::move(converted->model);
 }
 
-Result<PatchModel> load_models(const std::vector<SceneModel>& models, Progress& progress) {
-  std::map<std::filesystem::path, std::size_t> uses;
-  for (const SceneModel& model : models) ++uses[model.file];
-  std::map<std::filesystem::path, PatchModel> loaded;
-  PatchModel all;
-  for (const SceneModel& placed : models) {
-    if (loaded.find(placed.file) == loaded.end()) {
-      auto model = load_model(placed.file, progress);
-      if (!model) return model.error();
-      loaded.emplace(placed.file, std::move(*model));
-    }
-    const bool last_use = --uses[placed.file] == 0;
-    PatchModel model =
-        last_use ? std::move(loaded.at(placed.file)) : PatchModel(loaded.at(placed.file));
-    const Status moved = transform_model(model, placed.transform);
-    if (!moved) return make_error("{}: {}", placed.file.string(), moved.error().message);
-    append_model(all, std::move(model));
+Result<SplatCloud> splats_of_points(Points points, Progress& progress) {
+  if (points.size() < kLeastPoints) {
+    return make_error("the scan has {} distinct points; at least {} are needed to find a surface",
+                      points.size(), kLeastPoints);
   }
-  return all;
+  progress.begin_stage("neighbours", 0);
+  const NeighbourGraph graph = find_neighbours(points.positions, kNeighbours);
+  if (progress.cancelled()) return interrupted_error();
+  progress.begin_stage("normals", 0);
+  complete_normals(points, graph, fit_local_frames(points.positions, graph));
+  if (progress.cancelled()) return interrupted_error();
+  SplatCloud cloud;
+  cloud.radii = find_radii(graph);
+  cloud.colours.reserve(points.colours.size());
+  for (const glm::u8vec3 srgb : points.colours)
+    cloud.colours.emplace_back(linear_from_srgb8(srgb), 1.0F);
+  cloud.positions = std::move(points.positions);
+  cloud.normals = std::move(points.normals);
+  return cloud;
 }
 
 }  // namespace relief::cli

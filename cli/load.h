@@ -8,8 +8,8 @@
 #include "common/error.h"
 #include "common/patch.h"
 #include "common/progress.h"
-#include "common/scene.h"
 #include "preprocess/read_points.h"
+#include "renderer/splat_cloud.h"
 
 namespace relief::cli {
 
@@ -21,7 +21,9 @@ Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths, 
 /// A model from a .relief file, or from a scan or mesh that is converted with the default options.
 Result<PatchModel> load_model(const std::filesystem::path& path, Progress& progress);
 
-/// The models of a scene in their places, as one. A file that several of them name is read once.
-Result<PatchModel> load_models(const std::vector<SceneModel>& models, Progress& progress);
+/// Points as the engine `ewa` takes them: colours linear and opaque, normals estimated or repaired
+/// as for a conversion, radii from the distances to their neighbours. Faces only help to find
+/// normals. Fails, with a clause, if there are too few points or the user interrupts.
+Result<SplatCloud> splats_of_points(Points points, Progress& progress);
 
 }  // namespace relief::cli

@@ -11,7 +11,7 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "cli/load.h"
+#include "cli/load_scene.h"
 #include "cli/paths.h"
 #include "cli/render_options.h"
 #include "cli/render_plan.h"
@@ -39,23 +39,34 @@ Status write_picture(const std::filesystem::path& path, const Image& image) {
   return ending(path) == ".exr" ? write_exr(path, image) : write_png(path, image);
 }
 
+EngineNeeds needs_of(const RenderPlan& plan) {
+  EngineNeeds needs;
+  for (const Picture& picture : plan.pictures) {
+    const EngineKind engine = picture.settings.engine.value_or(RenderSettings{}.engine);
+    needs.onepass |= engine == EngineKind::Onepass;
+    needs.ewa |= engine == EngineKind::Ewa;
+    needs.raytrace |= engine == EngineKind::Raytrace;
+  }
+  return needs;
+}
+
 /// Loads, renders and writes. `count`: how many pictures are written, also after a failure.
 Result<std::vector<WrittenPicture>> make_pictures(const RenderPlan& plan,
                                                   const RenderArguments& arguments,
                                                   std::size_t& count) {
   ConsoleProgress progress;
-  const auto model = load_models(plan.models, progress);
-  if (!model) return model.error();
+  const auto scene = load_scene(plan.models, needs_of(plan), progress);
+  if (!scene) return scene.error();
   if (progress.cancelled()) return interrupted_error();
   std::vector<RenderSettings> views;
   for (const Picture& picture : plan.pictures) {
-    const auto settings = render_settings_for(picture, *model, arguments);
+    const auto settings = render_settings_for(picture, scene->patches, arguments);
     if (!settings) return settings.error();
     views.push_back(*settings);
   }
   std::vector<WrittenPicture> written(views.size());
   const Status done = render_views(
-      *model, views,
+      scene->forms(), views,
       [&](std::size_t view, RenderResult result) {
         const Status saved = write_picture(plan.pictures[view].output, result.image);
         if (!saved) return saved;

@@ -1,5 +1,7 @@
 #include "cli/render_options.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <map>
 #include <string>
@@ -28,6 +30,22 @@ CLI::Option* add_choice(CLI::App& sub, const std::string& name, std::optional<T>
       ->option_text(list_names(table, "|"));
 }
 
+/// A number from a range; CLI11's own ranges let NaN pass.
+template <class T>
+void add_number(CLI::App& sub, const std::string& name, std::optional<T>& to, NumberChoice range,
+                const std::string& letter, const std::string& description) {
+  sub.add_option(name, to, description)
+      ->check([range](const std::string& text) {
+        double value = 0.0;
+        const bool good =
+            CLI::detail::lexical_cast(text, value) && value >= range.least && value <= range.most;
+        return good ? std::string()
+                    : fmt::format("expected a number from {:g} to {:g}; found {}", range.least,
+                                  range.most, text);
+      })
+      ->option_text(letter);
+}
+
 void add_camera_options(CLI::App& sub, SceneSettings& settings) {
   sub.add_option_function<std::string>(
          "--size", [&](const std::string& s) { settings.size = parse_size(s); },
@@ -54,14 +72,15 @@ void add_camera_options(CLI::App& sub, SceneSettings& settings) {
          "What is up for --eye (0,1,0)")
       ->option_text("X,Y,Z")
       ->needs(eye);
-  sub.add_option("--fov", settings.fov_degrees, "Vertical field of view in degrees (45)")
-      ->check(CLI::Range(kMinFieldOfView, kMaxFieldOfView))
-      ->option_text("DEG");
+  add_number(sub, "--fov", settings.fov_degrees, {kMinFieldOfView, kMaxFieldOfView}, "DEG",
+             "Vertical field of view in degrees (45)");
 }
 
 void add_look_options(CLI::App& sub, SceneSettings& settings) {
-  add_choice(sub, "--engine", settings.engine, kEngines,
-             "What turns the model into pixels (onepass)");
+  add_choice(
+      sub, "--engine", settings.engine, kEngines,
+      "onepass draws patches; ewa splats points on the CPU, those of a scan or the samples of "
+      "patches; raytrace follows rays to a mesh's triangles or those of patches (onepass)");
   add_choice(sub, "--primitive", settings.primitive, kPrimitives,
              "What is rasterised for a sample (quad)");
   add_choice(sub, "--interpolation", settings.interpolation, kInterpolations,
@@ -84,6 +103,21 @@ void add_look_options(CLI::App& sub, SceneSettings& settings) {
       ->option_text("LIST");
 }
 
+void add_cpu_engine_options(CLI::App& sub, SceneSettings& settings) {
+  add_number(sub, "--samples", settings.samples, kSampleCounts, "N",
+             "raytrace: rays a pixel; 1 is not antialiased (16)");
+  add_choice(sub, "--filter", settings.filter, kFilters,
+             "ewa: the resampling filter; all but ewa are for comparison (ewa)");
+  add_number(sub, "--cutoff", settings.cutoff, kCutoffs, "C",
+             "ewa: where kernels end, as an exponent; larger is better and slower (1)");
+  add_number(sub, "--layers", settings.layers, kLayerCounts, "L",
+             "ewa: surfaces behind one another that a pixel keeps apart (4)");
+  add_number(sub, "--tau", settings.coverage_threshold, kCoverageThresholds, "T",
+             "ewa: sum of kernels from which on a pixel is covered (0.4)");
+  add_number(sub, "--time-budget", settings.time_budget_ms, kTimeBudgets, "MS",
+             "ewa: draw coarser sets of points first, and finer ones while this time lasts");
+}
+
 }  // namespace
 
 void add_render_options(CLI::App& sub, RenderArguments& arguments) {
@@ -97,6 +131,7 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments) {
       ->option_text("FILE (required)");
   add_camera_options(sub, arguments.settings);
   add_look_options(sub, arguments.settings);
+  add_cpu_engine_options(sub, arguments.settings);
   sub.add_option("--frames", arguments.frames,
                  "Frames to time after a first one; the median is reported (3)")
       ->check(CLI::Range(1, 100000))

@@ -90,6 +90,13 @@ Result<RenderSettings> render_settings_for(const Picture& picture, const PatchMo
   if (said.background) settings.background = said.background->colour;
   if (ending(picture.output) == ".exr")
     settings.outputs = said.outputs.value_or(Outputs{true, true, true, true});
+  settings.raytrace.samples = said.samples.value_or(settings.raytrace.samples);
+  settings.ewa.filter = said.filter.value_or(settings.ewa.filter);
+  settings.ewa.cutoff = said.cutoff.value_or(settings.ewa.cutoff);
+  settings.ewa.layers = said.layers.value_or(settings.ewa.layers);
+  settings.ewa.coverage_threshold =
+      said.coverage_threshold.value_or(settings.ewa.coverage_threshold);
+  settings.ewa.time_budget_ms = said.time_budget_ms.value_or(settings.ewa.time_budget_ms);
   settings.platform = arguments.platform;
   settings.frames = arguments.frames;
   return settings;

@@ -12,13 +12,31 @@ nlohmann::ordered_json value_or_null(const std::optional<T>& value) {
   return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
 }
 
+/// What was chosen about the engine.
+std::string way_of(const RenderSettings& settings) {
+  switch (settings.engine) {
+    case EngineKind::Onepass:
+      return fmt::format("{}, {}", name_of(kPrimitives, settings.primitive),
+                         name_of(kInterpolations, settings.interpolation));
+    case EngineKind::Ewa:
+      return std::string(name_of(kFilters, settings.ewa.filter));
+    case EngineKind::Raytrace:
+      return fmt::format("{} samples a pixel", settings.raytrace.samples);
+  }
+  return {};
+}
+
 }  // namespace
 
 nlohmann::ordered_json as_json(const WrittenPicture& written) {
   const auto& [settings, result] = written;
+  const auto of_onepass = [&settings = settings](std::string_view way) {
+    return settings.engine == EngineKind::Onepass ? nlohmann::ordered_json(way)
+                                                  : nlohmann::ordered_json(nullptr);
+  };
   return {{"engine", name_of(kEngines, settings.engine)},
-          {"primitive", name_of(kPrimitives, settings.primitive)},
-          {"interpolation", name_of(kInterpolations, settings.interpolation)},
+          {"primitive", of_onepass(name_of(kPrimitives, settings.primitive))},
+          {"interpolation", of_onepass(name_of(kInterpolations, settings.interpolation))},
           {"material", name_of(kMaterials, settings.material)},
           {"renderer", result.renderer},
           {"width", result.image.width},
@@ -26,7 +44,8 @@ nlohmann::ordered_json as_json(const WrittenPicture& written) {
           {"frame_ms", result.frame_ms},
           {"gpu_ms", value_or_null(result.gpu_ms)},
           {"covered_pixels", result.covered_pixels},
-          {"fragments", value_or_null(result.fragments)}};
+          {"fragments", value_or_null(result.fragments)},
+          {"level", value_or_null(result.level)}};
 }
 
 nlohmann::ordered_json scene_as_json(const RenderPlan& plan,
@@ -47,14 +66,13 @@ std::string as_text(const Picture& picture, const WrittenPicture& written) {
       result.fragments ? fmt::format("{}", *result.fragments) : std::string("not counted");
   return fmt::format(
       "{}\n"
-      "  engine          {}, {}, {}, {}\n"
+      "  engine          {}, {}, {}\n"
       "  renderer        {}\n"
       "  size            {}x{}\n"
       "  frame           {:.2f} ms\n"
       "  covered pixels  {}\n"
       "  fragments       {}\n",
-      picture.output.string(), name_of(kEngines, settings.engine),
-      name_of(kPrimitives, settings.primitive), name_of(kInterpolations, settings.interpolation),
+      picture.output.string(), name_of(kEngines, settings.engine), way_of(settings),
       name_of(kMaterials, settings.material), result.renderer, result.image.width,
       result.image.height, result.frame_ms, result.covered_pixels, fragments);
 }

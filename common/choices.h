@@ -16,6 +16,24 @@ enum class EngineKind : std::uint8_t { Onepass, Ewa, Raytrace };
 enum class Primitive : std::uint8_t { Sprite, Quad };
 enum class Interpolation : std::uint8_t { Direct, Corrected };
 enum class Material : std::uint8_t { Unlit, Lit, Mirror };
+/// The resampling filters that Figure 8 of paper 000 compares.
+enum class EwaFilter : std::uint8_t {
+  Ewa,          ///< screen space, Eq. (7)
+  SourceSpace,  ///< the same filter over the tangent plane, Eq. (8)
+  Circular,     ///< circles as wide as the screen-space ellipse's major axis
+  Unfiltered    ///< ellipses without the low-pass filter
+};
+
+/// What an engine's numbers may be; the same on the command line and in scene files.
+struct NumberChoice {
+  double least;
+  double most;
+};
+inline constexpr NumberChoice kSampleCounts{1, 65536};  ///< rays a pixel
+inline constexpr NumberChoice kCutoffs{0.1, 20.0};      ///< c of paper 000, an exponent
+inline constexpr NumberChoice kLayerCounts{1, 64};      ///< l of paper 000, fragments a pixel
+inline constexpr NumberChoice kCoverageThresholds{1e-6, 1.0};  ///< tau of paper 000
+inline constexpr NumberChoice kTimeBudgets{1e-3, 1e9};         ///< milliseconds
 
 /// Which outputs a picture has. Colour and coverage are always there; nothing is allocated, written
 /// or read back for an output that is off.
@@ -46,7 +64,13 @@ struct Named {
 };
 
 /// The engines that this version has.
-inline constexpr std::array<Named<EngineKind>, 1> kEngines{{{"onepass", EngineKind::Onepass}}};
+inline constexpr std::array<Named<EngineKind>, 3> kEngines{{{"onepass", EngineKind::Onepass},
+                                                            {"ewa", EngineKind::Ewa},
+                                                            {"raytrace", EngineKind::Raytrace}}};
+inline constexpr std::array<Named<EwaFilter>, 4> kFilters{{{"ewa", EwaFilter::Ewa},
+                                                           {"source-space", EwaFilter::SourceSpace},
+                                                           {"circular", EwaFilter::Circular},
+                                                           {"unfiltered", EwaFilter::Unfiltered}}};
 inline constexpr std::array<Named<Primitive>, 2> kPrimitives{
     {{"sprite", Primitive::Sprite}, {"quad", Primitive::Quad}}};
 inline constexpr std::array<Named<Interpolation>, 2> kInterpolations{

@@ -28,6 +28,12 @@ SceneSettings overlay(SceneSettings base, const SceneSettings& over) {
   take(base.environment, over.environment);
   take(base.background, over.background);
   take(base.outputs, over.outputs);
+  take(base.samples, over.samples);
+  take(base.filter, over.filter);
+  take(base.cutoff, over.cutoff);
+  take(base.layers, over.layers);
+  take(base.coverage_threshold, over.coverage_threshold);
+  take(base.time_budget_ms, over.time_budget_ms);
   return base;
 }
 

@@ -37,6 +37,12 @@ struct SceneSettings {
   std::optional<std::filesystem::path> environment;
   std::optional<Background> background;
   std::optional<Outputs> outputs;
+  std::optional<int> samples;  ///< raytrace
+  std::optional<EwaFilter> filter;
+  std::optional<double> cutoff;
+  std::optional<int> layers;
+  std::optional<double> coverage_threshold;
+  std::optional<double> time_budget_ms;
 };
 
 struct SceneModel {

@@ -68,7 +68,8 @@ Outputs read_outputs(JsonValues& values, const JsonPlace& place) {
 
 std::vector<std::string_view> with_setting_keys(std::vector<std::string_view> keys) {
   for (const char* key : {"size", "orbit", "eye", "target", "up", "fov", "engine", "primitive",
-                          "interpolation", "material", "env", "background", "outputs"})
+                          "interpolation", "material", "env", "background", "outputs", "samples",
+                          "filter", "cutoff", "layers", "tau", "time-budget"})
     keys.emplace_back(key);
   return keys;
 }
@@ -102,6 +103,24 @@ SceneSettings read_settings(JsonValues& values, const JsonPlace& object,
   });
   read("background", settings.background, with(read_background));
   read("outputs", settings.outputs, with(read_outputs));
+  const auto number = [&values](NumberChoice range, std::string_view expected) {
+    return [&values, range, expected](const JsonPlace& place) {
+      return values.number(place, {range.least, range.most}, expected);
+    };
+  };
+  const auto count = [&values](NumberChoice range, std::string_view expected) {
+    return [&values, range, expected](const JsonPlace& place) {
+      const double n = values.number(place, {range.least, range.most}, expected);
+      if (n != std::floor(n)) values.refuse_value(place, expected);
+      return static_cast<int>(n);
+    };
+  };
+  read("samples", settings.samples, count(kSampleCounts, "a whole number from 1 to 65536"));
+  read("filter", settings.filter, named(kFilters));
+  read("cutoff", settings.cutoff, number(kCutoffs, "a number from 0.1 to 20"));
+  read("layers", settings.layers, count(kLayerCounts, "a whole number from 1 to 64"));
+  read("tau", settings.coverage_threshold, number(kCoverageThresholds, "a number from 1e-6 to 1"));
+  read("time-budget", settings.time_budget_ms, number(kTimeBudgets, "milliseconds above 0"));
   if (settings.orbit && (settings.eye || settings.target || settings.up))
     values.refuse(object.path, "expected either an orbit or eye, target and up; found both");
   return settings;

@@ -1,10 +1,15 @@
 #include "renderer/render.h"
 
+#include <cassert>
 #include <memory>
 #include <utility>
 #include <vector>
 
+#include "renderer/engines/ewa/render_ewa.h"
+#include "renderer/engines/ewa/splats_of_samples.h"
 #include "renderer/engines/onepass/render_onepass.h"
+#include "renderer/engines/raytrace/render_raytrace.h"
+#include "renderer/mesh_of_patches.h"
 #include "renderer/prepared.h"
 
 namespace relief {
@@ -41,15 +46,23 @@ std::vector<EngineViews> group_by_engine(std::span<const RenderSettings> views) 
   return groups;
 }
 
-Result<std::unique_ptr<PreparedModel>> prepare(const PatchModel& model, const EngineViews& views) {
+Result<std::unique_ptr<PreparedModel>> prepare(const RenderModel& model, const EngineViews& views) {
   switch (views.engine) {
     case EngineKind::Onepass:
-      return onepass::prepare(model, views.settings);
+      assert(model.patches != nullptr && "onepass draws patches");
+      return onepass::prepare(*model.patches, views.settings);
     case EngineKind::Ewa:
+      if (model.splats != nullptr) return ewa::prepare(*model.splats);
+      assert(model.patches != nullptr && "there are points or patches");
+      return ewa::prepare(ewa::splats_of_samples(*model.patches));
     case EngineKind::Raytrace:
       break;
   }
-  return Error{"this version has the engine onepass alone"};
+  if (model.mesh != nullptr) return raytrace::prepare(*model.mesh);
+  assert(model.patches != nullptr && "there is a mesh or patches");
+  auto mesh = mesh_of_patches(*model.patches);
+  if (!mesh) return mesh.error();
+  return raytrace::prepare(std::move(*mesh));
 }
 
 /// Draws the views of one engine after each other.
@@ -67,9 +80,24 @@ Status render_group(PreparedModel& prepared, const EngineViews& views, const Pic
   return {};
 }
 
+/// A single view.
+Result<RenderResult> render_one(const RenderModel& model, const RenderSettings& settings,
+                                Progress& progress) {
+  RenderResult result;
+  const Status drawn = render_views(
+      model, {&settings, 1},
+      [&result](std::size_t /*view*/, RenderResult picture) {
+        result = std::move(picture);
+        return Status();
+      },
+      progress);
+  if (!drawn) return drawn.error();
+  return result;
+}
+
 }  // namespace
 
-Status render_views(const PatchModel& model, std::span<const RenderSettings> views,
+Status render_views(const RenderModel& model, std::span<const RenderSettings> views,
                     const PictureSink& sink, Progress& progress) {
   const bool several = views.size() > 1;
   QuietProgress quiet(progress);
@@ -86,16 +114,21 @@ Status render_views(const PatchModel& model, std::span<const RenderSettings> vie
 
 Result<RenderResult> render(const PatchModel& model, const RenderSettings& settings,
                             Progress& progress) {
-  RenderResult result;
-  const Status drawn = render_views(
-      model, {&settings, 1},
-      [&result](std::size_t /*view*/, RenderResult picture) {
-        result = std::move(picture);
-        return Status();
-      },
-      progress);
-  if (!drawn) return drawn.error();
-  return result;
+  return render_one({&model, nullptr, nullptr}, settings, progress);
+}
+
+Result<RenderResult> render(const TriangleMesh& mesh, const RenderSettings& settings,
+                            Progress& progress) {
+  RenderSettings traced = settings;
+  traced.engine = EngineKind::Raytrace;
+  return render_one({nullptr, &mesh, nullptr}, traced, progress);
+}
+
+Result<RenderResult> render(const SplatCloud& splats, const RenderSettings& settings,
+                            Progress& progress) {
+  RenderSettings splatted = settings;
+  splatted.engine = EngineKind::Ewa;
+  return render_one({nullptr, nullptr, &splats}, splatted, progress);
 }
 
 }  // namespace relief

@@ -35,6 +35,7 @@ struct RenderSettings {
   Primitive primitive = Primitive::Quad;
   Interpolation interpolation = Interpolation::Corrected;
   Material material = Material::Lit;
+  std::vector<Material> materials;    ///< by SplatCloud::materials; empty: `material` for all
   std::filesystem::path environment;  ///< equirectangular EXR or HDR; for Mirror and as backdrop
   std::optional<glm::vec3> background{
       {0, 0, 0}};  ///< linear RGB; none: alpha 0 where nothing is seen
@@ -53,13 +54,25 @@ struct RenderResult {
   std::optional<double> gpu_ms;  ///< median of OpenGL's timer, if it has one
   std::uint64_t covered_pixels = 0;        ///< pixels with coverage above 0
   std::optional<std::uint64_t> fragments;  ///< fragments shaded by the model's pass (paper 001's
-                                           ///< cost), if OpenGL counts them
+                                           ///< cost), if OpenGL counts them; for ewa contributions
+                                           ///< of kernels to pixels
+  std::optional<std::uint32_t> level;  ///< coarser set of points that was drawn, 0: all of them;
+                                       ///< nothing without EwaSettings::time_budget_ms
 };
 
-/// Renders patches with any engine: `onepass` draws them (paper 001, sections 3.2 to 3.6), `ewa`
-/// splats their samples, `raytrace` hits their triangulation (each cell halved along the same
-/// diagonal). Fails with one sentence: no OpenGL, an unreadable environment, a picture larger than
-/// OpenGL allows, an interruption by the user.
+/// A model in the forms that engines draw; they outlive the rendering. `onepass` needs the patches.
+/// `raytrace` follows rays to the mesh, or without one to the triangulation of the patches (each
+/// cell halved along the same diagonal). `ewa` splats the points, or without any the patches'
+/// samples.
+struct RenderModel {
+  const PatchModel* patches = nullptr;
+  const TriangleMesh* mesh = nullptr;
+  const SplatCloud* splats = nullptr;
+};
+
+/// Renders patches with any engine: `onepass` draws them (paper 001, sections 3.2 to 3.6). Fails
+/// with one sentence: no OpenGL, an unreadable environment, a picture larger than OpenGL allows, an
+/// interruption by the user.
 Result<RenderResult> render(const PatchModel& model, const RenderSettings& settings,
                             Progress& progress);
 
@@ -68,10 +81,10 @@ Result<RenderResult> render(const PatchModel& model, const RenderSettings& setti
 using PictureSink = std::function<Status(std::size_t view, RenderResult picture)>;
 
 /// Renders several views of one model, one engine after the other and within each in the list's
-/// order. What does not depend on the view (an OpenGL context, the model on the GPU, a tree over
-/// its triangles) is made once for each engine; each picture is the same as if it were the only
+/// order. What does not depend on the view (an OpenGL context, the model on the GPU, environments)
+/// is made once for each engine; each picture is the same as if it were the only
 /// one. All views have the same `platform` and `debug`. Fails as render() does.
-Status render_views(const PatchModel& model, std::span<const RenderSettings> views,
+Status render_views(const RenderModel& model, std::span<const RenderSettings> views,
                     const PictureSink& sink, Progress& progress);
 
 /// Renders a mesh with the engine `raytrace`, whatever `settings.engine` says.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/gl/pass.h"
+#include "renderer/median.h"
 
 namespace relief::onepass {
 namespace {

@@ -12,8 +12,10 @@
 #include "renderer/engines/raytrace/embree_scene.h"
 #include "renderer/engines/raytrace/sampling.h"
 #include "renderer/engines/raytrace/tracer.h"
+#include "renderer/environment_cache.h"
 #include "renderer/film.h"
 #include "renderer/median.h"
+#include "renderer/owned_or_borrowed.h"
 
 namespace relief::raytrace {
 namespace {
@@ -65,23 +67,22 @@ void trace_frame(const Tracer& tracer, const std::vector<glm::dvec2>& pattern, b
   });
 }
 
-}  // namespace
-
-Result<RenderResult> render(const TriangleMesh& mesh, const RenderSettings& settings,
-                            Progress& progress) {
+/// One picture; `environments` has those of earlier ones.
+Result<RenderResult> trace_picture(const TriangleMesh& mesh, EnvironmentCache& environments,
+                                   const RenderSettings& settings, Progress& progress) {
   assert(mesh.normals.size() == mesh.positions.size() && "a mesh has normals");
   const bool shows_environment = !settings.environment.empty() && settings.background.has_value();
-  std::optional<CubeMap> cube;
+  const CubeMap* cube = nullptr;
   if (shows_environment || settings.material == Material::Mirror) {
-    auto loaded = load_environment(settings.environment);
+    const auto loaded = environments.get(settings.environment);
     if (!loaded) return loaded.error();
-    cube = std::move(*loaded);
+    cube = *loaded;
   }
   const View view = make_view(settings.camera, settings.width, settings.height, kAnyNear);
   progress.begin_stage("sort triangles", 0);
   const auto scene = EmbreeScene::build(mesh, settings.camera.eye, progress);
   if (!scene) return scene.error();
-  const Tracer tracer(mesh, *scene, view, settings.material, cube ? &*cube : nullptr);
+  const Tracer tracer(mesh, *scene, view, settings.material, cube);
   const std::vector<glm::dvec2> pattern = sample_pattern(settings.raytrace.samples);
 
   Film film{settings.width, settings.height,
@@ -103,9 +104,33 @@ Result<RenderResult> render(const TriangleMesh& mesh, const RenderSettings& sett
   RenderResult result;
   result.renderer = scene->name();
   result.frame_ms = median(std::move(frame_ms));
-  const Surroundings surroundings{shows_environment ? &*cube : nullptr, settings.background};
+  const Surroundings surroundings{shows_environment ? cube : nullptr, settings.background};
   result.image = develop(film, surroundings, view, settings.outputs, result.covered_pixels);
   return result;
+}
+
+class Prepared final : public PreparedModel {
+ public:
+  template <class Mesh>
+  explicit Prepared(Mesh&& mesh) : mesh_(std::forward<Mesh>(mesh)) {}
+
+  Result<RenderResult> render(const RenderSettings& settings, Progress& progress) override {
+    return trace_picture(*mesh_, environments_, settings, progress);
+  }
+
+ private:
+  OwnedOrBorrowed<TriangleMesh> mesh_;
+  EnvironmentCache environments_;
+};
+
+}  // namespace
+
+std::unique_ptr<PreparedModel> prepare(const TriangleMesh& mesh) {
+  return std::make_unique<Prepared>(mesh);
+}
+
+std::unique_ptr<PreparedModel> prepare(TriangleMesh&& mesh) {
+  return std::make_unique<Prepared>(std::move(mesh));
 }
 
 }  // namespace relief::raytrace

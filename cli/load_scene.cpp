@@ -1,0 +1,117 @@
+#include "cli/load_scene.h"
+
+#include <map>
+#include <utility>
+
+#include "cli/load.h"
+#include "cli/paths.h"
+#include "preprocess/convert.h"
+#include "preprocess/read_points.h"
+#include "renderer/append.h"
+#include "renderer/engines/ewa/splats_of_samples.h"
+#include "renderer/mesh_of_patches.h"
+#include "renderer/mesh_of_points.h"
+
+namespace relief::cli {
+namespace {
+
+/// A file in the forms that are needed of it. The patches have the bounds in any case.
+struct LoadedFile {
+  PatchModel patches;
+  std::optional<TriangleMesh> mesh;
+  std::optional<SplatCloud> splats;
+};
+
+/// Whether engines draw something else of the scene than patches. If not, they make what they need
+/// of the patches themselves.
+struct Forms {
+  bool mesh = false;
+  bool splats = false;
+};
+
+Result<LoadedFile> load_patch_file(const std::filesystem::path& path, Forms forms,
+                                   Progress& progress) {
+  auto model = load_model(path, progress);
+  if (!model) return model.error();
+  LoadedFile file{std::move(*model), std::nullopt, std::nullopt};
+  if (forms.mesh) {
+    auto mesh = mesh_of_patches(file.patches);
+    if (!mesh) return make_error("{}: {}", path.string(), mesh.error().message);
+    file.mesh = std::move(*mesh);
+  }
+  if (forms.splats) file.splats = ewa::splats_of_samples(file.patches);
+  return file;
+}
+
+Result<LoadedFile> load_scan(const std::filesystem::path& path, EngineNeeds needs,
+                             Progress& progress) {
+  auto scan = read_points(path, progress);
+  if (!scan) return scan.error();
+  LoadedFile file;
+  file.patches.bounds = bounds_of(scan->points.positions);
+  file.patches.bounding_radius = bounding_radius(scan->points.positions, file.patches.bounds);
+  const bool has_triangles = !scan->points.triangles.empty();
+  if (needs.raytrace && has_triangles) file.mesh = mesh_of_points(scan->points);
+  if (needs.ewa) {
+    auto splats = splats_of_points(scan->points, progress);
+    if (!splats) return make_error("{}: {}", path.string(), splats.error().message);
+    file.splats = std::move(*splats);
+  }
+  if (!needs.onepass && (!needs.raytrace || has_triangles)) return file;
+  auto converted = convert(std::move(scan->points), {}, progress);
+  if (!converted) return make_error("{}: {}", path.string(), converted.error().message);
+  file.patches = std::move(converted->model);
+  if (!needs.raytrace || has_triangles) return file;
+  auto mesh = mesh_of_patches(file.patches);
+  if (!mesh) return make_error("{}: {}", path.string(), mesh.error().message);
+  file.mesh = std::move(*mesh);
+  return file;
+}
+
+/// Moves a file's model to its place and appends it.
+Status place(LoadedScene& scene, LoadedFile file, const Transform& where) {
+  const auto patches_before = static_cast<std::uint32_t>(scene.patches.patches.size());
+  const Status moved = transform_model(file.patches, where);
+  if (!moved) return moved;
+  append_model(scene.patches, std::move(file.patches));
+  if (file.splats) {
+    transform(*file.splats, where);
+    if (!scene.splats) scene.splats.emplace();
+    append(*scene.splats, std::move(*file.splats), patches_before);
+  }
+  if (!file.mesh) return {};
+  transform(*file.mesh, where);
+  if (!scene.mesh) scene.mesh.emplace();
+  return append(*scene.mesh, std::move(*file.mesh), patches_before);
+}
+
+}  // namespace
+
+Result<LoadedScene> load_scene(const std::vector<SceneModel>& models, EngineNeeds needs,
+                               Progress& progress) {
+  bool has_scans = false;
+  std::map<std::filesystem::path, std::size_t> uses;
+  for (const SceneModel& model : models) {
+    ++uses[model.file];
+    has_scans |= ending(model.file) != ".relief";
+  }
+  const Forms forms{needs.raytrace && has_scans, needs.ewa && has_scans};
+  std::map<std::filesystem::path, LoadedFile> loaded;
+  LoadedScene scene;
+  for (const SceneModel& model : models) {
+    if (loaded.find(model.file) == loaded.end()) {
+      auto file = ending(model.file) == ".relief" ? load_patch_file(model.file, forms, progress)
+                                                  : load_scan(model.file, needs, progress);
+      if (!file) return file.error();
+      loaded.emplace(model.file, std::move(*file));
+    }
+    const bool last_use = --uses[model.file] == 0;
+    LoadedFile file =
+        last_use ? std::move(loaded.at(model.file)) : LoadedFile(loaded.at(model.file));
+    const Status placed = place(scene, std::move(file), model.transform);
+    if (!placed) return make_error("{}: {}", model.file.string(), placed.error().message);
+  }
+  return scene;
+}
+
+}  // namespace relief::cli

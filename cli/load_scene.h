@@ -1,0 +1,41 @@
+// The models of a scene in memory, in the forms that its views' engines draw.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "common/error.h"
+#include "common/patch.h"
+#include "common/progress.h"
+#include "common/scene.h"
+#include "renderer/render.h"
+
+namespace relief::cli {
+
+/// Which engines draw the scene.
+struct EngineNeeds {
+  bool onepass = false;
+  bool ewa = false;
+  bool raytrace = false;
+};
+
+struct LoadedScene {
+  /// All models' patches, if an engine takes them; the bounds are there in any case, and the same
+  /// whatever the engines are, so that cameras stand at the same place.
+  PatchModel patches;
+  std::optional<TriangleMesh> mesh;
+  std::optional<SplatCloud> splats;
+
+  [[nodiscard]] RenderModel forms() const {
+    return {&patches, mesh ? &*mesh : nullptr, splats ? &*splats : nullptr};
+  }
+};
+
+/// Reads the models and puts them in their places. A file that several of them name is read once. A
+/// scan or mesh is converted with the default options where an engine draws its patches: `onepass`,
+/// and `raytrace` where it has no triangles; `raytrace` takes its triangles, `ewa` its points as
+/// they are.
+Result<LoadedScene> load_scene(const std::vector<SceneModel>& models, EngineNeeds needs,
+                               Progress& progress);
+
+}  // namespace relief::cli

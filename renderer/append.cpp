@@ -1,0 +1,84 @@
+#include "renderer/append.h"
+
+#include <cstddef>
+#include <limits>
+
+#include "shaders/include/shared.h"
+
+namespace relief {
+namespace {
+
+const glm::vec4 kGrey(glm::vec3(shared::kNeutralGrey), 1.0F);
+
+/// How many elements two things have that are put together.
+struct Counts {
+  std::size_t to = 0;
+  std::size_t from = 0;
+};
+
+/// Appends an attribute that either may lack; what one lacks is `missing`.
+template <class T>
+void append_attribute(std::vector<T>& to, const std::vector<T>& from, Counts counts,
+                      const T& missing) {
+  if (to.empty() && from.empty()) return;
+  to.resize(counts.to, missing);
+  to.insert(to.end(), from.begin(), from.end());
+  to.resize(counts.to + counts.from, missing);
+}
+
+void count_on(std::vector<std::uint32_t>& patches, std::uint32_t before) {
+  for (std::uint32_t& patch : patches) {
+    if (patch != 0) patch += before;
+  }
+}
+
+template <class Model>
+void turn(Model& model, const Transform& transform) {
+  for (glm::dvec3& p : model.positions)
+    p = transform.translation + transform.scale * (transform.rotation * p);
+  for (glm::vec3& n : model.normals) n = glm::vec3(transform.rotation * glm::dvec3(n));
+}
+
+/// Everything but what one of the kinds has alone.
+template <class Model>
+void append_shared(Model& to, Model& from, std::uint32_t patches_before) {
+  const Counts counts{to.positions.size(), from.positions.size()};
+  count_on(from.patches, patches_before);
+  to.positions.insert(to.positions.end(), from.positions.begin(), from.positions.end());
+  to.normals.insert(to.normals.end(), from.normals.begin(), from.normals.end());
+  append_attribute(to.colours, from.colours, counts, kGrey);
+  append_attribute(to.uvs, from.uvs, counts, glm::vec2(0.0F));
+  append_attribute(to.patches, from.patches, counts, std::uint32_t{0});
+}
+
+}  // namespace
+
+void transform(TriangleMesh& mesh, const Transform& transform) {
+  turn(mesh, transform);
+}
+
+void transform(SplatCloud& cloud, const Transform& transform) {
+  turn(cloud, transform);
+  for (double& radius : cloud.radii) radius *= transform.scale;
+}
+
+Status append(TriangleMesh& to, TriangleMesh from, std::uint32_t patches_before) {
+  const std::size_t before = to.positions.size();
+  if (before + from.positions.size() > std::numeric_limits<std::uint32_t>::max())
+    return Error{"the scene's meshes have more vertices together than 32 bits count"};
+  append_shared(to, from, patches_before);
+  const auto offset = static_cast<std::uint32_t>(before);
+  to.triangles.reserve(to.triangles.size() + from.triangles.size());
+  for (const Triangle& t : from.triangles)
+    to.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+  return {};
+}
+
+void append(SplatCloud& to, SplatCloud from, std::uint32_t patches_before) {
+  const Counts counts{to.positions.size(), from.positions.size()};
+  append_shared(to, from, patches_before);
+  to.radii.insert(to.radii.end(), from.radii.begin(), from.radii.end());
+  append_attribute(to.materials, from.materials, counts, std::uint8_t{0});
+}
+
+}  // namespace relief

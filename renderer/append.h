@@ -1,0 +1,21 @@
+// Meshes and points in their places in a scene, put together.
+#pragma once
+
+#include "common/transform.h"
+#include "renderer/splat_cloud.h"
+#include "renderer/triangle_mesh.h"
+
+namespace relief {
+
+/// Moves a mesh or points: p becomes translation + scale * (rotation * p), normals turn, radii
+/// scale.
+void transform(TriangleMesh& mesh, const Transform& transform);
+void transform(SplatCloud& cloud, const Transform& transform);
+
+/// Appends `from`. Where only one of them has colours the other's are the neutral grey, where only
+/// one has grid coordinates, patches or materials the other's are 0. Patch ids are `patches_before`
+/// higher. Fails, with a clause, if there are more vertices than 32 bits count.
+Status append(TriangleMesh& to, TriangleMesh from, std::uint32_t patches_before);
+void append(SplatCloud& to, SplatCloud from, std::uint32_t patches_before);
+
+}  // namespace relief
