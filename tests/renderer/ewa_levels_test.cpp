@@ -44,7 +44,7 @@ TEST(SplatLevels, NoLevelHasHoles) {
   const SplatHierarchy sphere = build_hierarchy(test::sphere_cloud(30000));
   for (const SplatCloud& level : sphere.levels) {
     const RenderResult result = must_splat(level, ewa_picture({0.0, 0.0, 3.7}));
-    for (std::size_t k = 0; k < 96U * 96U; ++k) {
+    for (std::size_t k = 0; k < std::size_t{96} * 96; ++k) {
       const double x = static_cast<double>(k % 96) - 47.5;
       const double y = static_cast<double>(k / 96) - 47.5;
       if (std::hypot(x, y) >= 25.0) continue;
@@ -61,7 +61,7 @@ TEST(SplatLevels, FinerLevelsComeCloserToTheFullPicture) {
   for (std::size_t level = 1; level < hierarchy.levels.size(); ++level) {
     const RenderResult result = must_splat(hierarchy.levels[level], settings);
     double difference = 0.0;
-    for (std::size_t k = 0; k < 96U * 96U; ++k)
+    for (std::size_t k = 0; k < std::size_t{96} * 96; ++k)
       difference += std::abs(values(result.image, "G")[k] - values(full.image, "G")[k]);
     EXPECT_GT(difference, last) << level;
     last = difference;
