@@ -62,7 +62,7 @@ TEST(EwaSurface, EdgeOfAHalfPlaneIsCoveredAsTheoryStates) {
   for (std::size_t x = 0; x < 96; ++x) {
     const double beyond = static_cast<double>(x) + 0.5 - 48.0 - 0.5;
     const double expected = 0.5 * std::erfc(beyond / 2.0);
-    EXPECT_NEAR(values(result.image, "A")[48 * 96 + x], expected, 0.006) << x;
+    EXPECT_NEAR(values(result.image, "A")[std::size_t{48} * 96 + x], expected, 0.006) << x;
   }
 }
 
