@@ -128,9 +128,10 @@ Result<RenderResult> render_progressive(const SplatHierarchy& hierarchy,
                                         Progress& progress) {
   const Result<Scene> scene = make_scene(hierarchy.levels.front(), environments, settings);
   if (!scene) return scene.error();
-  const std::size_t last = sufficient_level(hierarchy, scene->view);
+  const std::size_t first = level_of_size(hierarchy, scene->view, kCoarsestPixels);
+  const std::size_t last = level_of_size(hierarchy, scene->view, kFinestPixels);
   const auto start = Clock::now();
-  for (std::size_t level = hierarchy.levels.size() - 1;; --level) {
+  for (std::size_t level = first;; --level) {
     const SplatCloud& cloud = hierarchy.levels[level];
     const auto level_start = Clock::now();
     const Splatted splatted =
