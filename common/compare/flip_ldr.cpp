@@ -149,7 +149,16 @@ float feature_difference(const Row& a, const Row& b, std::size_t x) {
   return std::min(std::sqrt(std::max(edge, point) * std::sqrt(0.5F)), 1.0F);
 }
 
+bool are_equal(const Row& a, const Row& b, std::size_t x) {
+  for (std::size_t plane = 0; plane < kPlanes; ++plane) {
+    if (a.contrast[plane][x] != b.contrast[plane][x]) return false;
+  }
+  return true;
+}
+
 float flip_at(const Row& a, const Row& b, std::size_t x) {
+  // Backgrounds. It saves a fifth of the time for the Dragon on black.
+  if (are_equal(a, b, x)) return 0.0F;
   const float colour = std::min(colour_difference(seen_colour(a, x), seen_colour(b, x)), 1.0F);
   // Where no colour differs there is no error, also where 0^0 would make one.
   return colour > 0.0F ? std::pow(colour, 1.0F - feature_difference(a, b, x)) : 0.0F;
