@@ -15,6 +15,7 @@
 #include "cli/console.h"
 #include "cli/limits.h"
 #include "cli/paths.h"
+#include "cli/values.h"
 #include "common/compare/heatmap.h"
 #include "common/image_io.h"
 
@@ -135,7 +136,11 @@ void add_compare(CLI::App& app, Command& command) {
   sub->add_option("--pixels-per-degree", arguments->pixels_per_degree,
                   "How fine the observer of FLIP sees the pixels, 1 to 1000 (67.02: 0.7 m from a "
                   "display 0.7 m wide with 3840 pixels)")
-      ->check(CLI::Range(1.0, 1000.0))
+      ->check([](const std::string& text) {
+        const auto value = parse_number(text);
+        return value && *value >= 1.0 && *value <= 1000.0 ? std::string()
+                                                          : "expected a number from 1 to 1000";
+      })
       ->option_text("N");
   add_limit_option(*sub, *arguments, "--fail-below", Bound::Below,
                    "Exit code 1 if a quantity is below a value; may be repeated");

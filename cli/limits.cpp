@@ -5,11 +5,11 @@
 
 #include <CLI/Error.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 
 #include "cli/comparison_report.h"
+#include "cli/values.h"
 
 namespace relief::cli {
 namespace {
@@ -48,12 +48,11 @@ Limit parse_limit(const std::string& text, Bound fail) {
     throw CLI::ValidationError(option, fmt::format("there is no '{}' to compare; there are {}",
                                                    limit.key, names_of_all()));
   }
-  const char* const first = text.data() + std::min(equals + 1, text.size());
-  const char* const last = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(first, last, limit.value);
-  if (error != std::errc() || stop != last || !std::isfinite(limit.value)) {
+  const auto value = parse_number(std::string_view(text).substr(std::min(equals + 1, text.size())));
+  if (!value) {
     throw CLI::ValidationError(option, "expected KEY=NUMBER, as in psnr_db=40; found " + text);
   }
+  limit.value = *value;
   return limit;
 }
 

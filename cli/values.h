@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "common/camera.h"
 #include "renderer/render.h"
@@ -19,6 +20,9 @@ struct Size {
 
 /// "WxH", each 1 to 32768.
 [[nodiscard]] Size parse_size(const std::string& text);
+
+/// A finite number, or nothing.
+[[nodiscard]] std::optional<double> parse_number(std::string_view text);
 
 /// "AZ,EL" or "AZ,EL,DIST": degrees, and bounding-sphere radii above 0.
 [[nodiscard]] Orbit parse_orbit(const std::string& text);

@@ -16,20 +16,21 @@ namespace {
 /// 67 pixels per degree 20; fewer rows would repeat more, more would leave the cache.
 constexpr std::uint32_t kBandRows = 64;
 
-/// What is filtered: XYZ as luminance Y and the opponent colours X - Y and Y - Z. These are the
-/// papers' YCxCz without its factors and offset, which linear filters pass on.
-enum Plane : std::size_t { kLuminance, kRedGreen, kBlueYellow, kBlueYellowWide, kPlanes };
-enum FeaturePlane : std::size_t { kSmooth, kEdge, kPoint, kFeaturePlanes };
+/// What the eye resolves of XYZ as luminance Y and opponent colours X - Y and Y - Z: the papers'
+/// YCxCz without its factors and offset, which linear filters pass on.
+struct Contrast {
+  std::vector<float> luminance, red_green, blue_yellow, blue_yellow_wide;
+};
 
 /// Rows of one picture about a band, filtered along x.
 struct FilteredRows {
-  std::array<std::vector<float>, kPlanes> contrast;
-  std::array<std::vector<float>, kFeaturePlanes> features;
+  Contrast contrast;
+  std::vector<float> smooth, edge, point;
 };
 
 /// One row, filtered along both axes.
 struct Row {
-  std::array<std::vector<float>, kPlanes> contrast;
+  Contrast contrast;
   std::vector<float> edge_x, edge_y, point_x, point_y;
 };
 
@@ -78,28 +79,27 @@ FilteredRows filter_rows(const LinearColour& picture, std::optional<double> gain
   const std::size_t padding = std::max(filters.contrast_radius, filters.feature_radius);
   const std::size_t width = picture.width;
   FilteredRows out;
-  for (auto& plane : out.contrast) plane.resize(width * (rows + 2 * padding));
-  for (auto& plane : out.features) plane.resize(width * (rows + 2 * padding));
+  Contrast& contrast = out.contrast;
+  for (auto* plane : {&contrast.luminance, &contrast.red_green, &contrast.blue_yellow,
+                      &contrast.blue_yellow_wide, &out.smooth, &out.edge, &out.point}) {
+    plane->resize(width * (rows + 2 * padding));
+  }
   PaddedRow row(picture.width, padding);
   for (std::size_t i = 0; i < rows + 2 * padding; ++i) {
     const auto y = static_cast<std::int64_t>(first + i) - static_cast<std::int64_t>(padding);
     const auto inside = std::clamp<std::int64_t>(y, 0, std::int64_t{picture.height} - 1);
     row.load(picture, static_cast<std::uint32_t>(inside), gain);
-    const auto contrast = [&](Plane plane, std::size_t channel, const Taps& taps) {
-      filter_along_row(row.start(channel, filters.contrast_radius), taps, width,
-                       out.contrast[plane].data() + i * width);
+    const auto filter = [&](std::size_t channel, std::size_t radius, const Taps& taps,
+                            std::vector<float>& to) {
+      filter_along_row(row.start(channel, radius), taps, width, to.data() + i * width);
     };
-    contrast(kLuminance, 0, filters.luminance);
-    contrast(kRedGreen, 1, filters.red_green);
-    contrast(kBlueYellow, 2, filters.blue_yellow);
-    contrast(kBlueYellowWide, 2, filters.blue_yellow_wide);
-    const auto feature = [&](FeaturePlane plane, const Taps& taps) {
-      filter_along_row(row.start(0, filters.feature_radius), taps, width,
-                       out.features[plane].data() + i * width);
-    };
-    feature(kSmooth, filters.smooth);
-    feature(kEdge, filters.edge);
-    feature(kPoint, filters.point);
+    filter(0, filters.contrast_radius, filters.luminance, contrast.luminance);
+    filter(1, filters.contrast_radius, filters.red_green, contrast.red_green);
+    filter(2, filters.contrast_radius, filters.blue_yellow, contrast.blue_yellow);
+    filter(2, filters.contrast_radius, filters.blue_yellow_wide, contrast.blue_yellow_wide);
+    filter(0, filters.feature_radius, filters.smooth, out.smooth);
+    filter(0, filters.feature_radius, filters.edge, out.edge);
+    filter(0, filters.feature_radius, filters.point, out.point);
   }
   return out;
 }
@@ -114,24 +114,24 @@ void filter_columns(const FilteredRows& rows, const FlipFilters& filters, std::s
     filter_across_rows(plane.data() + (i + padding - radius) * width, width, taps, width,
                        to.data());
   };
+  const Contrast& in = rows.contrast;
+  Contrast& seen = out.contrast;
   const std::size_t contrast = filters.contrast_radius;
-  filter(rows.contrast[kLuminance], contrast, filters.luminance, out.contrast[kLuminance]);
-  filter(rows.contrast[kRedGreen], contrast, filters.red_green, out.contrast[kRedGreen]);
-  filter(rows.contrast[kBlueYellow], contrast, filters.blue_yellow, out.contrast[kBlueYellow]);
-  filter(rows.contrast[kBlueYellowWide], contrast, filters.blue_yellow_wide,
-         out.contrast[kBlueYellowWide]);
+  filter(in.luminance, contrast, filters.luminance, seen.luminance);
+  filter(in.red_green, contrast, filters.red_green, seen.red_green);
+  filter(in.blue_yellow, contrast, filters.blue_yellow, seen.blue_yellow);
+  filter(in.blue_yellow_wide, contrast, filters.blue_yellow_wide, seen.blue_yellow_wide);
   const std::size_t feature = filters.feature_radius;
-  filter(rows.features[kEdge], feature, filters.smooth, out.edge_x);
-  filter(rows.features[kSmooth], feature, filters.edge, out.edge_y);
-  filter(rows.features[kPoint], feature, filters.smooth, out.point_x);
-  filter(rows.features[kSmooth], feature, filters.point, out.point_y);
+  filter(rows.edge, feature, filters.smooth, out.edge_x);
+  filter(rows.smooth, feature, filters.edge, out.edge_y);
+  filter(rows.point, feature, filters.smooth, out.point_x);
+  filter(rows.smooth, feature, filters.point, out.point_y);
 }
 
 /// The colour that the eye makes of pixel x, within what a display can show.
-glm::vec3 seen_colour(const Row& row, std::size_t x) {
-  const float y = row.contrast[kLuminance][x];
-  const glm::vec3 xyz(y + row.contrast[kRedGreen][x], y,
-                      y - row.contrast[kBlueYellow][x] - row.contrast[kBlueYellowWide][x]);
+glm::vec3 seen_colour(const Contrast& c, std::size_t x) {
+  const float y = c.luminance[x];
+  const glm::vec3 xyz(y + c.red_green[x], y, y - c.blue_yellow[x] - c.blue_yellow_wide[x]);
   glm::vec3 rgb = rgb_from_xyz(xyz);
   for (int i = 0; i < 3; ++i) rgb[i] = std::clamp(rgb[i], 0.0F, 1.0F);
   return hunt_lab_from_xyz(xyz_from_rgb(rgb));
@@ -149,17 +149,16 @@ float feature_difference(const Row& a, const Row& b, std::size_t x) {
   return std::min(std::sqrt(std::max(edge, point) * std::sqrt(0.5F)), 1.0F);
 }
 
-bool are_equal(const Row& a, const Row& b, std::size_t x) {
-  for (std::size_t plane = 0; plane < kPlanes; ++plane) {
-    if (a.contrast[plane][x] != b.contrast[plane][x]) return false;
-  }
-  return true;
+bool are_equal(const Contrast& a, const Contrast& b, std::size_t x) {
+  return a.luminance[x] == b.luminance[x] && a.red_green[x] == b.red_green[x] &&
+         a.blue_yellow[x] == b.blue_yellow[x] && a.blue_yellow_wide[x] == b.blue_yellow_wide[x];
 }
 
 float flip_at(const Row& a, const Row& b, std::size_t x) {
   // Backgrounds. It saves a fifth of the time for the Dragon on black.
-  if (are_equal(a, b, x)) return 0.0F;
-  const float colour = std::min(colour_difference(seen_colour(a, x), seen_colour(b, x)), 1.0F);
+  if (are_equal(a.contrast, b.contrast, x)) return 0.0F;
+  const float colour =
+      std::min(colour_difference(seen_colour(a.contrast, x), seen_colour(b.contrast, x)), 1.0F);
   // Where no colour differs there is no error, also where 0^0 would make one.
   return colour > 0.0F ? std::pow(colour, 1.0F - feature_difference(a, b, x)) : 0.0F;
 }
