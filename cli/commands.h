@@ -11,6 +11,9 @@ namespace relief::cli {
 /// usage that only shows once all options are known).
 using Command = std::function<int()>;
 
+/// relief compare: how far one picture is from another.
+void add_compare(CLI::App& app, Command& command);
+
 /// relief convert: a scan becomes a patch file.
 void add_convert(CLI::App& app, Command& command);
 

@@ -25,7 +25,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 }
 
 template <class Number>
-std::optional<Number> parse_number(std::string_view text) {
+std::optional<Number> parse_as(std::string_view text) {
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
   Number value{};
   const char* const end = text.data() + text.size();
@@ -38,8 +38,8 @@ std::optional<Number> parse_number(std::string_view text) {
 std::vector<double> parse_numbers(std::string_view text) {
   std::vector<double> numbers;
   for (const std::string_view part : split(text, ',')) {
-    const auto number = parse_number<double>(part);
-    if (!number || !std::isfinite(*number)) return {};
+    const auto number = parse_number(part);
+    if (!number) return {};
     numbers.push_back(*number);
   }
   return numbers;
@@ -47,11 +47,16 @@ std::vector<double> parse_numbers(std::string_view text) {
 
 }  // namespace
 
+std::optional<double> parse_number(std::string_view text) {
+  const auto number = parse_as<double>(text);
+  return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
 PictureSize parse_size(const std::string& text) {
   const auto parts = split(text, 'x');
   if (parts.size() == 2) {
-    const auto width = parse_number<std::uint32_t>(parts[0]);
-    const auto height = parse_number<std::uint32_t>(parts[1]);
+    const auto width = parse_as<std::uint32_t>(parts[0]);
+    const auto height = parse_as<std::uint32_t>(parts[1]);
     if (width && height && *width >= 1 && *width <= kMaxPictureSide && *height >= 1 &&
         *height <= kMaxPictureSide) {
       return {*width, *height};

@@ -4,6 +4,7 @@
 
 #include <glm/vec3.hpp>
 #include <string>
+#include <string_view>
 
 #include "common/camera.h"
 #include "common/choices.h"
@@ -13,6 +14,9 @@ namespace relief::cli {
 
 /// "WxH", each 1 to 32768.
 [[nodiscard]] PictureSize parse_size(const std::string& text);
+
+/// A finite number, or nothing.
+[[nodiscard]] std::optional<double> parse_number(std::string_view text);
 
 /// "AZ,EL" or "AZ,EL,DIST": degrees, and bounding-sphere radii above 0.
 [[nodiscard]] Orbit parse_orbit(const std::string& text);

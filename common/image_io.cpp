@@ -1,5 +1,6 @@
 #include "common/image_io.h"
 
+#include <array>
 #include <new>
 
 #include "common/file.h"
@@ -65,6 +66,12 @@ Result<Image> read_image(const std::filesystem::path& path) {
   } catch (const std::bad_alloc&) {
     return make_error("{}: the picture does not fit into memory", path.string());
   }
+}
+
+bool is_png_file(const std::filesystem::path& path) {
+  const auto file = RandomAccessFile::open(path);
+  std::array<std::byte, 8> start{};
+  return file && file->read_at(0, start) && is_png(start);
 }
 
 }  // namespace relief

@@ -21,4 +21,8 @@ Status write_png(const std::filesystem::path& path, const Image& image);
 /// its channels; PNG colour is turned linear. Non-finite values are kept as they are.
 Result<Image> read_image(const std::filesystem::path& path);
 
+/// Whether the file starts as a PNG does, so that its colours are what a display shows and not
+/// light. False also where there is no file to read: read_image says what is wrong with it.
+[[nodiscard]] bool is_png_file(const std::filesystem::path& path);
+
 }  // namespace relief

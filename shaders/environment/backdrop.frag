@@ -3,9 +3,18 @@
 #include "include/environment.glsl"
 
 layout(location = RELIEF_OUT_COLOUR) out vec4 out_colour;
+// The other outputs as they were cleared: what a shader does not write is undefined.
+layout(location = RELIEF_OUT_NORMAL) out vec4 out_normal;
+layout(location = RELIEF_OUT_DEPTH) out float out_depth;
+layout(location = RELIEF_OUT_UV) out vec2 out_uv;
+layout(location = RELIEF_OUT_PATCH) out uint out_patch;
 
 void main() {
   vec3 ray = frame.ray_origin.xyz + gl_FragCoord.x * frame.ray_x.xyz +
              gl_FragCoord.y * frame.ray_y.xyz;
   out_colour = vec4(texture(environment, ray).rgb, 0.0);
+  out_normal = vec4(0.0);
+  out_depth = uintBitsToFloat(0x7F800000u);  // infinity
+  out_uv = vec2(0.0);
+  out_patch = 0u;
 }

@@ -48,6 +48,23 @@ TEST(Usage, WrongUsageIsExitCodeTwo) {
       {"render", "x.relief", "-o", "x.png", "--outputs", "normal"},
       {"render", "x.relief", "-o", "x.exr", "--outputs", "smell"},
       {"render", "x.relief", "-o", "x.png", "--frames", "0"},
+      {"compare"},
+      {"compare", "a.png"},
+      {"compare", "a.png", "b.png", "c.png"},
+      {"compare", "a.png", "b.png", "--heatmap", "c.jpg"},
+      {"compare", "a.png", "b.png", "--heatmap"},
+      {"compare", "a.png", "b.png", "--flip", "mdr"},
+      {"compare", "a.png", "b.png", "--pixels-per-degree", "0"},
+      {"compare", "a.png", "b.png", "--pixels-per-degree", "nan"},
+      {"compare", "a.png", "b.png", "--fail-below", "psnr_db"},
+      {"compare", "a.png", "b.png", "--fail-below", "psnr_db="},
+      {"compare", "a.png", "b.png", "--fail-below", "psnr_db=high"},
+      {"compare", "a.png", "b.png", "--fail-above", "holes=1e999"},
+      {"compare", "a.png", "b.png", "--fail-above", "holes=nan"},
+      {"compare", "a.png", "b.png", "--fail-above", "holes=1 "},
+      {"compare", "a.png", "b.png", "--fail-above", "beauty=3"},
+      {"compare", "a.png", "b.png", "--fail-above", "=3"},
+      {"compare", "a.png", "b.png", "--fail-above", "holes=0", "--fail-above", "identical=1"},
   };
   for (const auto& arguments : wrong) {
     const Outcome run = run_relief(arguments);
@@ -63,6 +80,7 @@ TEST(Usage, HelpAndVersionAreResults) {
   for (const std::vector<std::string>& arguments :
        std::vector<std::vector<std::string>>{{"--help"},
                                              {"--version"},
+                                             {"compare", "--help"},
                                              {"convert", "--help"},
                                              {"info", "--help"},
                                              {"render", "--help"}}) {

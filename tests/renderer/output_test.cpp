@@ -201,6 +201,19 @@ TEST_F(Environments, BackdropShowsWhatLiesInEachDirection) {
   }
 }
 
+TEST_F(Environments, BackdropIsInNoOtherChannel) {
+  const PatchModel model = test::sphere_model({});
+  RenderSettings settings = small_picture(model);
+  settings.outputs = test::all_outputs();
+  const Image without = must_render(model, settings).image;
+  settings.environment = path_;
+  const Image with = must_render(model, settings).image;
+  EXPECT_NE(values(with, "R"), values(without, "R"));
+  for (const char* channel : {"N.X", "N.Y", "N.Z", "Z", "UV.U", "UV.V", "patch"}) {
+    EXPECT_EQ(values(with, channel), values(without, channel)) << channel;
+  }
+}
+
 TEST_F(Environments, MirrorReflectsWhatLiesBehindTheEye) {
   const PatchModel model = test::height_field(16, [](double, double) { return 0.0; });
   RenderSettings settings = from_above(model, 8);

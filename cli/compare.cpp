@@ -1,0 +1,154 @@
+// relief compare: how far one picture is from another.
+#include "common/compare/compare.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/commands.h"
+#include "cli/comparison_report.h"
+#include "cli/console.h"
+#include "cli/limits.h"
+#include "cli/paths.h"
+#include "cli/values.h"
+#include "common/compare/heatmap.h"
+#include "common/image_io.h"
+
+namespace relief::cli {
+namespace {
+
+constexpr const char* kExamples =
+    "In brackets: what is taken where an option is not given.\n"
+    "What can be measured depends on the channels: a PNG has colour (and alpha), an EXR of\n"
+    "`relief render` has all. What could not be measured is null in JSON; so is the PSNR of what\n"
+    "does not differ. KEY is any number in the JSON object. A limit on what could not be\n"
+    "measured fails.\n"
+    "\n"
+    "Examples:\n"
+    "  relief compare onepass.exr raytrace.exr\n"
+    "  relief compare now.png golden.png --heatmap difference.png --fail-above flip_mean=0.001\n"
+    "  relief compare now.exr truth.exr --fail-above holes=0 --fail-below psnr_db=40 --json";
+
+struct Arguments {
+  std::filesystem::path test;
+  std::filesystem::path reference;
+  std::filesystem::path heatmap;
+  std::optional<FlipRange> range;
+  double pixels_per_degree = kFlipPixelsPerDegree;
+  std::vector<Limit> limits;
+  bool json = false;
+};
+
+/// A PNG holds what a display shows; only two pictures of light can be compared as light.
+FlipOptions flip_options(const Arguments& arguments) {
+  FlipOptions options;
+  options.pixels_per_degree = arguments.pixels_per_degree;
+  const bool png = is_png_file(arguments.test) || is_png_file(arguments.reference);
+  options.range = arguments.range.value_or(png ? FlipRange::Ldr : FlipRange::Hdr);
+  return options;
+}
+
+/// Reads, compares and writes the heatmap.
+Result<Comparison> compare_files(const Arguments& arguments, const FlipOptions& options) {
+  ConsoleProgress progress;
+  const auto test = read_image(arguments.test);
+  if (!test) return test.error();
+  const auto reference = read_image(arguments.reference);
+  if (!reference) return reference.error();
+  auto comparison = compare_images(*test, *reference, options, progress);
+  if (!comparison) {
+    return make_error("{} against {}: {}", arguments.test.string(), arguments.reference.string(),
+                      comparison.error().message);
+  }
+  if (!arguments.heatmap.empty()) {
+    const Status written =
+        write_png(arguments.heatmap,
+                  make_heatmap(comparison->flip.map, comparison->width, comparison->height));
+    if (!written) return written.error();
+  }
+  return comparison;
+}
+
+int run(const Arguments& arguments) {
+  if (!arguments.heatmap.empty()) {
+    const Status writable = check_output(arguments.heatmap, {arguments.test, arguments.reference});
+    if (!writable) return fail(writable.error());
+  }
+  const FlipOptions options = flip_options(arguments);
+  const auto comparison = compare_files(arguments, options);
+  if (!comparison) return fail(comparison.error());
+  const std::string title =
+      fmt::format("{} against {}", arguments.test.string(), arguments.reference.string());
+  const int printed = arguments.json ? print_json(as_json(*comparison, options))
+                                     : print_result(title + "\n" + as_text(*comparison, options));
+  if (printed != kDone) return printed;
+  if (const auto broken = find_broken_limits(arguments.limits, *comparison)) {
+    return fail(make_error("{}: {}", title, broken->message));
+  }
+  return kDone;
+}
+
+void add_limit_option(CLI::App& sub, Arguments& arguments, const char* name, Bound bound,
+                      const char* help) {
+  sub.add_option_function<std::vector<std::string>>(
+         name,
+         [&arguments, bound](const std::vector<std::string>& texts) {
+           for (const std::string& text : texts) {
+             arguments.limits.push_back(parse_limit(text, bound));
+           }
+         },
+         help)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->option_text("KEY=VALUE");
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Command& command) {
+  auto* sub = app.add_subcommand("compare", "Tell how far a picture is from another one");
+  const auto arguments = std::make_shared<Arguments>();
+  sub->add_option("A", arguments->test, "The picture under test: EXR, PNG or Radiance HDR")
+      ->required()
+      ->option_text("FILE");
+  sub->add_option("B", arguments->reference, "The reference, of the same size")
+      ->required()
+      ->option_text("FILE");
+  sub->add_option("--heatmap", arguments->heatmap,
+                  "Write the FLIP error of each pixel as colours from black to pale yellow")
+      ->check([](const std::string& name) {
+        return ending(name) == ".png" ? std::string() : "expected a name that ends in .png";
+      })
+      ->option_text("OUT.png");
+  sub->add_option_function<std::string>(
+         "--flip",
+         [arguments](const std::string& name) {
+           arguments->range = name == "hdr" ? FlipRange::Hdr : FlipRange::Ldr;
+         },
+         "ldr for what a display shows, hdr for light (ldr if one is a PNG, else hdr)")
+      ->check(CLI::IsMember({"ldr", "hdr"}))
+      ->option_text("ldr|hdr");
+  sub->add_option("--pixels-per-degree", arguments->pixels_per_degree,
+                  "How fine the observer of FLIP sees the pixels, 1 to 1000 (67.02: 0.7 m from a "
+                  "display 0.7 m wide with 3840 pixels)")
+      ->check([](const std::string& text) {
+        const auto value = parse_number(text);
+        return value && *value >= 1.0 && *value <= 1000.0 ? std::string()
+                                                          : "expected a number from 1 to 1000";
+      })
+      ->option_text("N");
+  add_limit_option(*sub, *arguments, "--fail-below", Bound::Below,
+                   "Exit code 1 if a quantity is below a value; may be repeated");
+  add_limit_option(*sub, *arguments, "--fail-above", Bound::Above,
+                   "Exit code 1 if a quantity is above a value; may be repeated");
+  sub->add_flag("--json", arguments->json, "Print one JSON object on standard output");
+  sub->footer(kExamples);
+  sub->callback([arguments, &command] { command = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace relief::cli
