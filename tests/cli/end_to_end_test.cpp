@@ -1,4 +1,5 @@
 // The main job from a scan to a picture, through the command alone.
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -180,6 +181,50 @@ TEST_F(EndToEnd, EwaSplatsPointsOfAScanAndSamplesOfPatches) {
     EXPECT_NEAR(covered(scan, {"--filter", filter}), points, 0.2 * points) << filter;
   // However little time there is, there is a picture; coarser points reach farther.
   EXPECT_GE(covered(scan, {"--time-budget", "0.001"}), 0.9 * points);
+}
+
+TEST_F(EndToEnd, RaysMeetAMeshsOwnTriangles) {
+  // An octahedron about (10, 0, 0) whose corners are 2 from its middle.
+  const std::string mesh = write("octahedron.obj",
+                                 "v 12 0 0\nv 8 0 0\nv 10 2 0\nv 10 -2 0\nv 10 0 2\nv 10 0 -2\n"
+                                 "f 1 3 5\nf 3 2 5\nf 2 4 5\nf 4 1 5\n"
+                                 "f 3 1 6\nf 2 3 6\nf 4 2 6\nf 1 4 6\n");
+  json traced = run_json({"render", mesh, "-o", path("traced.exr"), "--engine", "raytrace",
+                          "--samples", "1", "--size", "200x200", "--orbit", "0,0,10"});
+  EXPECT_EQ(traced["engine"], "raytrace");
+  for (const char* key : {"primitive", "interpolation", "gpu_ms", "fragments"})
+    EXPECT_TRUE(traced.contains(key) && traced[key].is_null()) << key;
+  EXPECT_EQ(traced["renderer"].get<std::string>().rfind("Embree", 0), 0U);
+  // From 20 units along +Z it is the square |x| + |y| <= 2 at that distance, from middle to
+  // corner 2 / 20 * 100 / tan(22.5 degrees) pixels. Half of its border of 137
+  // pixels may fall either way.
+  const double half = 10.0 / std::tan(std::acos(-1.0) / 8.0);
+  EXPECT_NEAR(traced["covered_pixels"].get<double>(), 2.0 * half * half, 69.0);
+  const auto image = read_image(path("traced.exr"));
+  ASSERT_TRUE(image) << image.error().message;
+  const auto& patches = image->find("patch")->values;
+  EXPECT_EQ(std::count(patches.begin(), patches.end(), 0.0F), 200 * 200);
+  // The ray of the pixel beside the middle leans by 0.05 / half to both sides, and the surface is
+  // z = 2 - |x| - |y|: t (1 - 2 * 0.05 / half) = 18.
+  const double depth = 18.0 / (1.0 - 2.0 * 0.05 / half);
+  EXPECT_NEAR(image->find("Z")->values[100 * 200 + 100], depth, 2e-6);  // a float at 18
+}
+
+TEST_F(EndToEnd, RaysMeetThePatchesOfAScanWithoutTriangles) {
+  const std::string scan = write("square.ply", square_ply(40, "200 100 50"));
+  const std::string model = path("square.relief");
+  run_json({"convert", scan, "-o", model});
+  json from_scan = run_json({"render", scan, "-o", path("a.exr"), "--engine", "raytrace",
+                             "--samples", "2", "--size", "64x48"});
+  json from_patches = run_json({"render", model, "-o", path("b.exr"), "--engine", "raytrace",
+                                "--samples", "2", "--size", "64x48"});
+  EXPECT_GT(from_scan["covered_pixels"], 500);
+  EXPECT_EQ(bytes_of(path("a.exr")), bytes_of(path("b.exr")));
+  const auto image = read_image(path("a.exr"));
+  ASSERT_TRUE(image) << image.error().message;
+  EXPECT_GT(
+      *std::max_element(image->find("patch")->values.begin(), image->find("patch")->values.end()),
+      0.0F);
 }
 
 TEST_F(EndToEnd, OutputsChooseTheChannels) {
