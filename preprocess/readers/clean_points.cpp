@@ -81,8 +81,8 @@ void renumber(Points& points, const std::vector<std::uint32_t>& new_index) {
   if (!points.corner_texcoords.empty()) points.corner_texcoords.resize(left);
 }
 
-/// Formats with one texture coordinate a point write the points of a seam once for each side. Merged
-/// they would keep one side's, so the triangles get their corners' own.
+/// Formats with one texture coordinate a point write the points of a seam once for each side.
+/// Merged they would keep one side's, so the triangles get their corners' own.
 void keep_seams(Points& points) {
   const auto count = points.size();
   points.corner_texcoords.reserve(points.triangles.size());
