@@ -110,7 +110,7 @@ Result<AcquireResult> acquire_texture(Points mesh, const Image& texture,
   }
   if (options.acquisition == Acquisition::Optimised) {
     result.splats.colours =
-        fit_texture(basis, truth, result.splats.colours, result.report.fit.emplace());
+        fit_texture(basis, truth, result.splats.colours, progress, result.report.fit.emplace());
   }
   result.report.rms_error = rms_error(basis, result.splats.colours, truth);
   if (progress.cancelled()) return interrupted_error();

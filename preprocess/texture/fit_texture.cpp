@@ -74,7 +74,8 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> inner_products(const BasisAtPlaces&
 
 std::vector<glm::vec3> fit_texture(const BasisAtPlaces& basis,
                                    const std::vector<glm::vec3>& texture,
-                                   const std::vector<glm::vec3>& start, FitReport& report) {
+                                   const std::vector<glm::vec3>& start, const Progress& progress,
+                                   FitReport& report) {
   const Eigen::SparseMatrix<double, Eigen::RowMajor> matrix = inner_products(basis);
   const double share = 1.0 / static_cast<double>(std::max<Eigen::Index>(basis.rows(), 1));
   std::array<SpdSolution, 4> solutions;  // red, green, blue, and one to estimate the condition with
@@ -86,7 +87,7 @@ std::vector<glm::vec3> fit_texture(const BasisAtPlaces& basis,
     const Eigen::VectorXd from =
         c < 3 ? channel_of(start, c) : Eigen::VectorXd(Eigen::VectorXd::Zero(unknowns));
     solutions[static_cast<std::size_t>(c)] =
-        solve_spd(matrix, right_side, from, kTolerance, kMostIterations);
+        solve_spd(matrix, right_side, from, kTolerance, kMostIterations, progress);
   });
   std::vector<glm::vec3> coefficients = start;
   for (glm::length_t c = 0; c < 3; ++c) {

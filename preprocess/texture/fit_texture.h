@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "common/progress.h"
+
 namespace relief {
 
 /// A basis at places that stand for equal shares of the surface: inner products over the surface
@@ -32,11 +34,11 @@ struct FitReport {
 
 /// The optimised coefficients (paper 000, section 5 and appendix A): R w = c, whose solution has
 /// the least L2 error against the texture. Starts from `start`, which stays where no place sees a
-/// splat.
+/// splat. Stops early, with what it has, when `progress` is cancelled.
 [[nodiscard]] std::vector<glm::vec3> fit_texture(const BasisAtPlaces& basis,
                                                  const std::vector<glm::vec3>& texture,
                                                  const std::vector<glm::vec3>& start,
-                                                 FitReport& report);
+                                                 const Progress& progress, FitReport& report);
 
 /// The L2 error of Eq. (10) as an rms over the surface and the three channels: texture units.
 [[nodiscard]] double rms_error(const BasisAtPlaces& basis,

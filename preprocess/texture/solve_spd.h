@@ -4,6 +4,8 @@
 #include <Eigen/SparseCore>
 #include <optional>
 
+#include "common/progress.h"
+
 namespace relief {
 
 struct SpdSolution {
@@ -19,8 +21,10 @@ struct SpdSolution {
 /// `tolerance` or after `most_iterations`; the residual tells which. Rows of zeros leave their
 /// unknown as it starts. The eigenvalues are those of Lanczos's tridiagonal matrix, which the
 /// iteration's own coefficients make (Golub and Van Loan, "Matrix Computations", 10.2). One thread.
+/// Stops early, with what it has, when `progress` is cancelled.
 [[nodiscard]] SpdSolution solve_spd(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix,
                                     const Eigen::VectorXd& right_side, const Eigen::VectorXd& start,
-                                    double tolerance, int most_iterations);
+                                    double tolerance, int most_iterations,
+                                    const Progress& progress);
 
 }  // namespace relief
