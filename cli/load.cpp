@@ -8,7 +8,11 @@
 #include "cli/console.h"
 #include "cli/paths.h"
 #include "common/patch_file.h"
+#include "common/srgb.h"
 #include "preprocess/convert.h"
+#include "preprocess/neighbours.h"
+#include "preprocess/normals.h"
+#include "preprocess/point_radii.h"
 
 namespace relief::cli {
 namespace {
@@ -63,6 +67,10 @@ void note_left_out(const LeftOut& left_out) {
   say(left_out.texcoords, "texture coordinates");
 }
 
+// As many as a conversion looks at, and the fewest points that it takes.
+constexpr std::uint32_t kNeighbours = 16;
+constexpr std::size_t kLeastPoints = 16;
+
 }  // namespace
 
 Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
@@ -106,6 +114,33 @@ Result<PatchModel> load_model(const std::filesystem::path& path, Progress& progr
     return make_error("{}: {}", path.string(), converted.error().message);
   }
   return std::move(converted->model);
+}
+
+Result<SplatCloud> load_splats(const std::filesystem::path& path, Progress& progress) {
+  auto scan = read_points(path, progress);
+  if (!scan) return scan.error();
+  Points& points = scan->points;
+  if (points.size() < kLeastPoints) {
+    return make_error(
+        "{}: the scan has {} distinct points; at least {} are needed to find a surface",
+        path.string(), points.size(), kLeastPoints);
+  }
+  progress.begin_stage("neighbours", 0);
+  const NeighbourGraph graph = find_neighbours(points.positions, kNeighbours);
+  if (progress.cancelled()) return interrupted_error();
+  progress.begin_stage("normals", 0);
+  complete_normals(points, graph, fit_local_frames(points.positions, graph));
+  if (progress.cancelled()) return interrupted_error();
+  SplatCloud cloud;
+  cloud.radii = find_radii(graph);
+  cloud.colours.reserve(points.colours.size());
+  for (const glm::u8vec3 srgb : points.colours) {
+    const auto light = [](std::uint8_t value) { return linear_from_srgb(value / 255.0F); };
+    cloud.colours.emplace_back(light(srgb.r), light(srgb.g), light(srgb.b), 1.0F);
+  }
+  cloud.positions = std::move(points.positions);
+  cloud.normals = std::move(points.normals);
+  return cloud;
 }
 
 }  // namespace relief::cli

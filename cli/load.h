@@ -9,6 +9,7 @@
 #include "common/patch.h"
 #include "common/progress.h"
 #include "preprocess/read_points.h"
+#include "renderer/splat_cloud.h"
 
 namespace relief::cli {
 
@@ -19,5 +20,10 @@ Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths, 
 
 /// A model from a .relief file, or from a scan or mesh that is converted with the default options.
 Result<PatchModel> load_model(const std::filesystem::path& path, Progress& progress);
+
+/// The points of a scan or mesh as the engine `ewa` takes them: colours linear and opaque, normals
+/// estimated or repaired as for a conversion, radii from the distances to their neighbours. Faces
+/// only help to find normals.
+Result<SplatCloud> load_splats(const std::filesystem::path& path, Progress& progress);
 
 }  // namespace relief::cli

@@ -35,6 +35,12 @@ constexpr const char* kExamples =
     "  relief render statue.ply -o statue.exr --material unlit --background none --size 4096x4096\n"
     "  relief render dragon.relief -o top.png --eye 0,1,0 --target 0,0,0 --up 0,0,-1";
 
+const std::map<std::string, EngineKind> kEngines{{"onepass", EngineKind::Onepass},
+                                                 {"ewa", EngineKind::Ewa}};
+const std::map<std::string, EwaFilter> kFilters{{"ewa", EwaFilter::Ewa},
+                                                {"source-space", EwaFilter::SourceSpace},
+                                                {"circular", EwaFilter::Circular},
+                                                {"unfiltered", EwaFilter::Unfiltered}};
 const std::map<std::string, Primitive> kPrimitives{{"sprite", Primitive::Sprite},
                                                    {"quad", Primitive::Quad}};
 const std::map<std::string, Interpolation> kInterpolations{{"direct", Interpolation::Direct},
@@ -48,6 +54,7 @@ struct Arguments {
   std::filesystem::path scene;
   std::filesystem::path output;
   std::string engine = "onepass";
+  std::string filter = "ewa";
   std::string primitive = "quad";
   std::string interpolation = "corrected";
   std::string material = "lit";
@@ -67,20 +74,28 @@ bool writes_exr(const Arguments& arguments) {
   return ending(arguments.output) == ".exr";
 }
 
-Camera camera_for(const PatchModel& model, const Arguments& arguments) {
+/// What the camera has to see.
+struct Extent {
+  Bounds bounds;
+  double radius = 0.0;
+};
+
+Camera camera_for(const Extent& model, const Arguments& arguments) {
   const glm::dvec3 centre = 0.5 * (model.bounds.min + model.bounds.max);
   if (arguments.eye) {
     return {*arguments.eye, arguments.target.value_or(centre), arguments.up, arguments.fov_degrees};
   }
-  return orbit_camera(centre, model.bounding_radius, arguments.orbit, arguments.fov_degrees,
+  return orbit_camera(centre, model.radius, arguments.orbit, arguments.fov_degrees,
                       static_cast<double>(arguments.size.width) / arguments.size.height);
 }
 
-RenderSettings settings_for(const PatchModel& model, const Arguments& arguments) {
+RenderSettings settings_for(const Extent& model, const Arguments& arguments) {
   RenderSettings settings = arguments.settings;
   settings.width = arguments.size.width;
   settings.height = arguments.size.height;
   settings.camera = camera_for(model, arguments);
+  settings.engine = kEngines.at(arguments.engine);
+  settings.ewa.filter = kFilters.at(arguments.filter);
   settings.primitive = kPrimitives.at(arguments.primitive);
   settings.interpolation = kInterpolations.at(arguments.interpolation);
   settings.material = kMaterials.at(arguments.material);
@@ -96,9 +111,13 @@ nlohmann::ordered_json value_or_null(const std::optional<T>& value) {
 }
 
 nlohmann::ordered_json as_json(const RenderResult& result, const Arguments& arguments) {
+  const bool patches = kEngines.at(arguments.engine) == EngineKind::Onepass;
+  const auto of_patches = [patches](const std::string& way) {
+    return patches ? nlohmann::ordered_json(way) : nlohmann::ordered_json(nullptr);
+  };
   return {{"engine", arguments.engine},
-          {"primitive", arguments.primitive},
-          {"interpolation", arguments.interpolation},
+          {"primitive", of_patches(arguments.primitive)},
+          {"interpolation", of_patches(arguments.interpolation)},
           {"material", arguments.material},
           {"renderer", result.renderer},
           {"width", result.image.width},
@@ -106,33 +125,57 @@ nlohmann::ordered_json as_json(const RenderResult& result, const Arguments& argu
           {"frame_ms", result.frame_ms},
           {"gpu_ms", value_or_null(result.gpu_ms)},
           {"covered_pixels", result.covered_pixels},
-          {"fragments", value_or_null(result.fragments)}};
+          {"fragments", value_or_null(result.fragments)},
+          {"level", value_or_null(result.level)}};
 }
 
 std::string as_text(const RenderResult& result, const Arguments& arguments) {
   const std::string fragments =
       result.fragments ? fmt::format("{}", *result.fragments) : std::string("not counted");
+  const std::string way = kEngines.at(arguments.engine) == EngineKind::Ewa
+                              ? arguments.filter
+                              : arguments.primitive + ", " + arguments.interpolation;
   return fmt::format(
       "{}\n"
-      "  engine          {}, {}, {}, {}\n"
+      "  engine          {}, {}, {}\n"
       "  renderer        {}\n"
       "  size            {}x{}\n"
       "  frame           {:.2f} ms\n"
       "  covered pixels  {}\n"
       "  fragments       {}\n",
-      arguments.output.string(), arguments.engine, arguments.primitive, arguments.interpolation,
-      arguments.material, result.renderer, result.image.width, result.image.height, result.frame_ms,
-      result.covered_pixels, fragments);
+      arguments.output.string(), arguments.engine, way, arguments.material, result.renderer,
+      result.image.width, result.image.height, result.frame_ms, result.covered_pixels, fragments);
+}
+
+/// Whether a scan's points are drawn, without conversion to patches.
+bool splats_points(const Arguments& arguments) {
+  return kEngines.at(arguments.engine) == EngineKind::Ewa && ending(arguments.scene) != ".relief";
+}
+
+Result<RenderResult> render_points(const Arguments& arguments, Progress& progress) {
+  const auto cloud = load_splats(arguments.scene, progress);
+  if (!cloud) return cloud.error();
+  if (progress.cancelled()) return interrupted_error();
+  progress.begin_stage("render", 0);
+  const Bounds bounds = bounds_of(cloud->positions);
+  const Extent extent{bounds, bounding_radius(cloud->positions, bounds)};
+  return render(*cloud, settings_for(extent, arguments), progress);
+}
+
+Result<RenderResult> render_patches(const Arguments& arguments, Progress& progress) {
+  const auto model = load_model(arguments.scene, progress);
+  if (!model) return model.error();
+  if (progress.cancelled()) return interrupted_error();
+  progress.begin_stage("render", 0);
+  const Extent extent{model->bounds, model->bounding_radius};
+  return render(*model, settings_for(extent, arguments), progress);
 }
 
 /// Loads, renders and writes.
 Result<RenderResult> render_file(const Arguments& arguments) {
   ConsoleProgress progress;
-  const auto model = load_model(arguments.scene, progress);
-  if (!model) return model.error();
-  if (progress.cancelled()) return interrupted_error();
-  progress.begin_stage("render", 0);
-  auto result = render(*model, settings_for(*model, arguments), progress);
+  auto result = splats_points(arguments) ? render_points(arguments, progress)
+                                         : render_patches(arguments, progress);
   if (!result) return result.error();
   if (progress.cancelled()) return interrupted_error();
   const Status written = writes_exr(arguments) ? write_exr(arguments.output, result->image)
@@ -175,11 +218,6 @@ void check_together(const Arguments& arguments) {
   }
 }
 
-std::string check_engine(const std::string& name) {
-  if (name == "onepass") return {};
-  return "this version has the engine onepass; found " + name;
-}
-
 void add_camera_options(CLI::App& sub, Arguments& arguments) {
   sub.add_option_function<std::string>(
          "--size", [&](const std::string& s) { arguments.size = parse_size(s); },
@@ -212,9 +250,12 @@ void add_camera_options(CLI::App& sub, Arguments& arguments) {
 }
 
 void add_look_options(CLI::App& sub, Arguments& arguments) {
-  sub.add_option("--engine", arguments.engine, "What turns the model into pixels")
-      ->check(check_engine)
-      ->option_text("onepass");
+  sub.add_option(
+         "--engine", arguments.engine,
+         "What turns the model into pixels: onepass draws patches, ewa splats points on the "
+         "CPU, those of a scan or the samples of a .relief file (onepass)")
+      ->check(CLI::IsMember(kEngines))
+      ->option_text("onepass|ewa");
   sub.add_option("--primitive", arguments.primitive, "What is rasterised for a sample (quad)")
       ->check(CLI::IsMember(kPrimitives))
       ->option_text("sprite|quad");
@@ -238,6 +279,31 @@ void add_look_options(CLI::App& sub, Arguments& arguments) {
       ->option_text("R,G,B|none");
 }
 
+/// For --engine ewa.
+void add_ewa_options(CLI::App& sub, Arguments& arguments) {
+  EwaSettings& ewa = arguments.settings.ewa;
+  sub.add_option("--filter", arguments.filter,
+                 "ewa: the resampling filter; all but ewa are for comparison (ewa)")
+      ->check(CLI::IsMember(kFilters))
+      ->option_text("ewa|source-space|circular|unfiltered");
+  sub.add_option("--cutoff", ewa.cutoff,
+                 "ewa: where kernels end, as an exponent; larger is better and slower (1)")
+      ->check(CLI::Range(0.1, 20.0))
+      ->option_text("C");
+  sub.add_option("--layers", ewa.layers,
+                 "ewa: surfaces behind one another that a pixel keeps apart (4)")
+      ->check(CLI::Range(1, 64))
+      ->option_text("L");
+  sub.add_option("--tau", ewa.coverage_threshold,
+                 "ewa: sum of kernels from which on a pixel is covered (0.4)")
+      ->check(CLI::Range(1e-6, 1.0))
+      ->option_text("T");
+  sub.add_option("--time-budget", ewa.time_budget_ms,
+                 "ewa: draw coarser sets of points first, and finer ones while this time lasts")
+      ->check(CLI::PositiveNumber)
+      ->option_text("MS");
+}
+
 }  // namespace
 
 void add_render(CLI::App& app, Command& command) {
@@ -251,6 +317,7 @@ void add_render(CLI::App& app, Command& command) {
       ->option_text("FILE (required)");
   add_camera_options(*sub, *arguments);
   add_look_options(*sub, *arguments);
+  add_ewa_options(*sub, *arguments);
   sub->add_option_function<std::string>(
          "--outputs", [arguments](const std::string& s) { arguments->outputs = parse_outputs(s); },
          "What an .exr holds: all, colour, or some of normal,depth,uv,patch beside the colour "

@@ -7,10 +7,9 @@
 #include <glm/vec4.hpp>
 #include <utility>
 
-#include "common/continuation.h"
 #include "common/octahedral.h"
 #include "common/srgb.h"
-#include "renderer/samples.h"
+#include "renderer/patch_normals.h"
 #include "shaders/include/shared.h"
 
 namespace relief {
@@ -91,25 +90,6 @@ PaddedMap<Out> with_ring(const AttributeMap<In>& map) {
     }
   }
   return padded;
-}
-
-/// One normal per node, from the slopes of the heights.
-AttributeMap<glm::i16vec2> normals_of_heights(const Patch& patch) {
-  AttributeMap<glm::i16vec2> map{patch.width, patch.height, 1, {}};
-  map.texels.resize(patch.heights.size(), glm::i16vec2(0));
-  std::vector<std::uint8_t> kept(patch.heights.size(), 0);
-  const PatchSamples samples = make_samples(patch);
-  for (const SampleRecord& record : samples.records) {
-    const std::uint32_t i = record.place & shared::kNodeMask;
-    const std::uint32_t j = (record.place >> shared::kRowShift) & shared::kNodeMask;
-    const glm::i8vec2 steps(glm::u8vec2(record.shape >> 16U, record.shape >> 24U));
-    const glm::vec2 slope = samples.slope_step * glm::vec2(steps);
-    const std::size_t k = std::size_t{j} * patch.width + i;
-    map.texels[k] = snorm16_from_unit(glm::normalize(glm::vec3(-slope, 1.0F)));
-    kept[k] = 1;
-  }
-  continue_over_holes(map, kept);
-  return map;
 }
 
 /// Half the stereographic coordinates, which reach 1 where a normal points down by 37 degrees.

@@ -46,6 +46,7 @@ struct RenderSettings {
   Primitive primitive = Primitive::Quad;
   Interpolation interpolation = Interpolation::Corrected;
   Material material = Material::Lit;
+  std::vector<Material> materials;    ///< by SplatCloud::materials; empty: `material` for all
   std::filesystem::path environment;  ///< equirectangular EXR or HDR; for Mirror and as backdrop
   std::optional<glm::vec3> background{
       {0, 0, 0}};  ///< linear RGB; none: alpha 0 where nothing is seen
@@ -64,7 +65,10 @@ struct RenderResult {
   std::optional<double> gpu_ms;  ///< median of OpenGL's timer, if it has one
   std::uint64_t covered_pixels = 0;        ///< pixels with coverage above 0
   std::optional<std::uint64_t> fragments;  ///< fragments shaded by the model's pass (paper 001's
-                                           ///< cost), if OpenGL counts them
+                                           ///< cost), if OpenGL counts them; for ewa contributions
+                                           ///< of kernels to pixels
+  std::optional<std::uint32_t> level;  ///< coarser set of points that was drawn, 0: all of them;
+                                       ///< nothing without EwaSettings::time_budget_ms
 };
 
 /// Renders patches with any engine: `onepass` draws them (paper 001, sections 3.2 to 3.6), `ewa`

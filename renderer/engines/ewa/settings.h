@@ -6,13 +6,22 @@
 namespace relief {
 
 /// The resampling filters that Figure 8 of paper 000 compares.
-enum class EwaFilter : std::uint8_t { Ewa, SourceSpace, Circular, Unfiltered };
+enum class EwaFilter : std::uint8_t {
+  Ewa,          ///< screen space, Eq. (7)
+  SourceSpace,  ///< the same filter over the tangent plane, Eq. (8)
+  Circular,     ///< circles as wide as the screen-space ellipse's major axis
+  Unfiltered    ///< ellipses without the low-pass filter
+};
 
 struct EwaSettings {
   EwaFilter filter = EwaFilter::Ewa;
-  double cutoff = 1.0;              ///< c of section 4: a kernel ends where its exponent reaches it
-  int layers = 3;                   ///< l of section 6: fragments per pixel
-  double coverage_threshold = 0.4;  ///< tau of section 7
+  double cutoff = 1.0;  ///< c of section 4: a kernel ends where its exponent reaches it
+  /// l of section 6: fragments per pixel. 1 is the frame buffer of section 4, which keeps the front
+  /// surface and knows no transparency.
+  int layers = 4;
+  double coverage_threshold = 0.4;  ///< tau of section 7: the sum of kernels that covers a pixel
+  /// Milliseconds that coarser point sets may be refined for (section 8); 0: all points at once.
+  double time_budget_ms = 0.0;
 };
 
 }  // namespace relief

@@ -1,0 +1,72 @@
+// What a pixel collects of one surface (paper 000, table 1).
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace relief::ewa {
+
+/// What a point brings to every pixel of its kernel.
+struct SplatAttributes {
+  glm::dvec4 colour{0.0};  ///< linear, not premultiplied; alpha: opacity
+  glm::dvec3 normal{0.0};  ///< world, unit
+  glm::dvec2 uv{0.0};
+  std::uint32_t patch = 0;  ///< patch id + 1
+  std::uint8_t material = 0;
+};
+
+/// What a kernel contributes to a pixel. Depths along the view axis.
+struct Contribution {
+  double weight = 0.0;     ///< the kernel's value, above 0
+  double depth = 0.0;      ///< of the point's tangent plane at the pixel
+  double threshold = 0.0;  ///< depths that differ by less are of one surface
+};
+
+/// The contributions of one surface: sums of weight times attribute, divided by the weight when
+/// they are looked at, Eq. (9).
+struct Fragment {
+  double weight = 0.0;  ///< sum of kernels: q of section 7
+  double depth_sum = 0.0;
+  /// Sums; once shaded the final colour: linear, premultiplied, alpha with the coverage in it.
+  glm::dvec4 colour{0.0};
+  glm::dvec3 normal_sum{0.0};
+  glm::dvec2 uv_sum{0.0};   ///< of contributions of `patch` alone: grids of two patches don't mix
+  double uv_weight = 0.0;   ///< their weight
+  double largest = 0.0;     ///< the largest contribution's weight
+  std::uint32_t patch = 0;  ///< of the largest contribution; so is `material`
+  std::uint8_t material = 0;
+  bool shaded = false;  ///< once: the paper marks it by a negative weight
+
+  [[nodiscard]] double depth() const { return depth_sum / weight; }
+  [[nodiscard]] double coverage(double coverage_threshold) const {
+    return std::min(weight / coverage_threshold, 1.0);
+  }
+  /// Whether nothing behind it can be seen. Equal sums of weight and weight * 1 are equal bits.
+  [[nodiscard]] bool hides(double coverage_threshold) const {
+    return shaded ? colour.a >= 1.0 : weight >= coverage_threshold && colour.a >= weight;
+  }
+
+  void add(const Contribution& c, const SplatAttributes& a) {
+    weight += c.weight;
+    depth_sum += c.weight * c.depth;
+    colour += c.weight * a.colour;
+    normal_sum += c.weight * a.normal;
+    if (c.weight > largest) {
+      largest = c.weight;
+      material = a.material;
+      if (patch != a.patch) {
+        patch = a.patch;
+        uv_sum = glm::dvec2(0.0);
+        uv_weight = 0.0;
+      }
+    }
+    if (a.patch != patch) return;
+    uv_sum += c.weight * a.uv;
+    uv_weight += c.weight;
+  }
+};
+
+}  // namespace relief::ewa

@@ -1,0 +1,72 @@
+// A point as the camera sees it: its resampling kernel, and the depth of its tangent plane.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "renderer/engines/ewa/resampling_filter.h"
+#include "renderer/view.h"
+
+namespace relief::ewa {
+
+/// What projecting needs to know about the camera and the settings.
+struct SplatCamera {
+  View view;
+  PixelMapping mapping;
+  EwaFilter filter = EwaFilter::Ewa;
+  double cutoff = 1.0;
+};
+
+[[nodiscard]] SplatCamera make_splat_camera(const View& view, const EwaSettings& settings);
+
+/// The depth of a tangent plane over the picture. The inverse depth of a plane is linear in pixels,
+/// so that forward differencing is exact.
+struct TangentDepth {
+  double inverse = 1.0;    ///< 1 / depth at the kernel's centre
+  glm::dvec2 change{0.0};  ///< of the inverse, per pixel
+  double threshold = 0.0;  ///< see Contribution::threshold
+
+  /// The depth at an offset (pixels) from the kernel's centre. A plane seen nearly edge-on runs off
+  /// to infinity or behind the eye within a pixel: it ends at half and twice the point's depth.
+  [[nodiscard]] double at(glm::dvec2 offset) const {
+    const double here = inverse + change.x * offset.x + change.y * offset.y;
+    return 1.0 / (here < 0.5 * inverse   ? 0.5 * inverse
+                  : here > 2.0 * inverse ? 2.0 * inverse
+                                         : here);
+  }
+};
+
+/// The pixels of a box, both ends included.
+struct PixelBox {
+  std::int64_t left = 0;
+  std::int64_t right = -1;
+  std::int64_t top = 0;
+  std::int64_t bottom = -1;
+  [[nodiscard]] bool empty() const { return left > right || top > bottom; }
+};
+
+template <class Kernel>
+struct ProjectedSplat {
+  Kernel kernel;
+  TangentDepth depth;
+  std::uint32_t index = 0;  ///< in the cloud
+};
+
+/// The pixels within `limits` whose middles the box about a kernel holds.
+template <class Kernel>
+[[nodiscard]] PixelBox pixels_of(const Kernel& kernel, const PixelBox& limits);
+
+/// Projects a point (world; `radius` is h). Nothing if it can't be seen:
+/// - not before the near plane, or outside the frustum by more than its kernel reaches (the affine
+///   approximation would smear what is beside the eye over the picture);
+/// - seen edge-on (see map_tangent_plane) or too small to matter (see screen_kernel);
+/// - no surface: position, normal or radius not finite, a zero normal, a radius not above 0.
+/// A radius above the point's depth, whose kernel fills the picture, is taken as the depth.
+template <class Kernel>
+[[nodiscard]] std::optional<ProjectedSplat<Kernel>> project_splat(const SplatCamera& camera,
+                                                                  glm::dvec3 position,
+                                                                  glm::dvec3 normal, double radius);
+
+}  // namespace relief::ewa

@@ -1,0 +1,136 @@
+#include "renderer/engines/ewa/render_ewa.h"
+
+#include <algorithm>
+#include <chrono>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "renderer/engines/ewa/splatting.h"
+#include "renderer/film.h"
+#include "renderer/view.h"
+
+namespace relief::ewa {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// As for `onepass`, no surface that can be told apart from the eye is before this; and where all
+/// radii are huge, nothing that the camera looks at.
+double near_of(const SplatCloud& cloud, const Camera& camera) {
+  double near = 1e-6 * glm::distance(camera.eye, camera.target);
+  for (const double radius : cloud.radii) {
+    if (radius > 0.0) near = std::min(near, 0.01 * radius);
+  }
+  return near;
+}
+
+std::vector<Material> materials_of(const RenderSettings& settings) {
+  return settings.materials.empty() ? std::vector<Material>(256, settings.material)
+                                    : settings.materials;
+}
+
+/// What does not change from frame to frame.
+struct Scene {
+  View view;
+  std::optional<CubeMap> cube;
+  Lighting lighting;
+  Surroundings surroundings;
+};
+
+Result<Scene> make_scene(const SplatCloud& finest, const RenderSettings& settings) {
+  Scene scene;
+  scene.view =
+      make_view(settings.camera, settings.width, settings.height, near_of(finest, settings.camera));
+  scene.lighting = {make_frame(scene.view, 0.0), nullptr, materials_of(settings)};
+  scene.surroundings.background = settings.background;
+  const std::vector<Material>& materials = scene.lighting.materials;
+  const bool mirrors =
+      std::find(materials.begin(), materials.end(), Material::Mirror) != materials.end();
+  const bool shows = !settings.environment.empty() && settings.background.has_value();
+  if (!mirrors && !shows) return scene;
+  Result<CubeMap> cube = load_environment(settings.environment);
+  if (!cube) return cube.error();
+  scene.cube = std::move(*cube);
+  return scene;
+}
+
+/// Pointers into the scene, set once it stays where it is.
+void connect(Scene& scene, const RenderSettings& settings) {
+  if (!scene.cube) return;
+  scene.lighting.cube = &*scene.cube;
+  if (!settings.environment.empty()) scene.surroundings.cube = &*scene.cube;
+}
+
+RenderResult picture_of(const Splatted& splatted, const Scene& scene,
+                        const RenderSettings& settings) {
+  RenderResult result;
+  result.renderer = "CPU";
+  result.fragments = splatted.evaluations;
+  result.image = develop(splatted.film, scene.surroundings, scene.view, settings.outputs,
+                         result.covered_pixels);
+  return result;
+}
+
+}  // namespace
+
+Result<RenderResult> render(const SplatCloud& cloud, const RenderSettings& settings,
+                            Progress& progress) {
+  if (settings.ewa.time_budget_ms > 0.0)
+    return render_progressive(
+        build_hierarchy(cloud), settings, [](const RenderResult&) {}, progress);
+  Result<Scene> scene = make_scene(cloud, settings);
+  if (!scene) return scene.error();
+  connect(*scene, settings);
+  Splatted splatted = splat_cloud(cloud, scene->view, settings.ewa, scene->lighting, progress);
+  std::vector<double> frame_ms;
+  for (int i = 0; i < std::max(settings.frames, 1); ++i) {
+    if (progress.cancelled()) return interrupted_error();
+    const auto start = Clock::now();
+    splatted = splat_cloud(cloud, scene->view, settings.ewa, scene->lighting, progress);
+    frame_ms.push_back(milliseconds_since(start));
+  }
+  if (progress.cancelled()) return interrupted_error();
+  RenderResult result = picture_of(splatted, *scene, settings);
+  result.frame_ms = median(std::move(frame_ms));
+  return result;
+}
+
+Result<RenderResult> render_progressive(const SplatHierarchy& hierarchy,
+                                        const RenderSettings& settings, const ShowPicture& show,
+                                        Progress& progress) {
+  Result<Scene> scene = make_scene(hierarchy.levels.front(), settings);
+  if (!scene) return scene.error();
+  connect(*scene, settings);
+  const std::size_t last = sufficient_level(hierarchy, scene->view);
+  const auto start = Clock::now();
+  for (std::size_t level = hierarchy.levels.size() - 1;; --level) {
+    const SplatCloud& cloud = hierarchy.levels[level];
+    const auto level_start = Clock::now();
+    const Splatted splatted =
+        splat_cloud(cloud, scene->view, settings.ewa, scene->lighting, progress);
+    const double took = milliseconds_since(level_start);
+    if (progress.cancelled()) return interrupted_error();
+    RenderResult result = picture_of(splatted, *scene, settings);
+    result.frame_ms = took;
+    result.level = static_cast<std::uint32_t>(level);
+    show(result);
+    if (level == last) return result;
+    const double growth = static_cast<double>(hierarchy.levels[level - 1].positions.size()) /
+                          static_cast<double>(std::max<std::size_t>(cloud.positions.size(), 1));
+    if (milliseconds_since(start) + growth * took > settings.ewa.time_budget_ms) return result;
+  }
+}
+
+}  // namespace relief::ewa

@@ -1,0 +1,29 @@
+// A frame of the engine `ewa`, from its points to its picture.
+#pragma once
+
+#include <functional>
+
+#include "common/error.h"
+#include "common/progress.h"
+#include "renderer/engines/ewa/splat_hierarchy.h"
+#include "renderer/render.h"
+
+namespace relief::ewa {
+
+/// See render() in renderer/render.h.
+Result<RenderResult> render(const SplatCloud& cloud, const RenderSettings& settings,
+                            Progress& progress);
+
+/// Receives a picture that a finer one may follow.
+using ShowPicture = std::function<void(const RenderResult&)>;
+
+/// Draws the coarsest level, whatever it takes, and then finer ones, each whole and once, while
+/// `settings.ewa.time_budget_ms` lasts: a level is not begun if, at the pace of the last one, it
+/// would not be done in time. Ends with the level that suffices for the picture's pixels. Each
+/// picture is shown, also the last, which is returned; `level` says which it is, frame_ms how long
+/// it took. Which level is reached depends on the machine; a level's picture does not.
+Result<RenderResult> render_progressive(const SplatHierarchy& hierarchy,
+                                        const RenderSettings& settings, const ShowPicture& show,
+                                        Progress& progress);
+
+}  // namespace relief::ewa

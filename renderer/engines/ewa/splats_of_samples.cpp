@@ -1,0 +1,66 @@
+#include "renderer/engines/ewa/splats_of_samples.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/octahedral.h"
+#include "common/srgb.h"
+#include "renderer/patch_normals.h"
+
+namespace relief::ewa {
+namespace {
+
+/// Beyond 80 degrees, which no patch that keeps its normal cone reaches, h stays what it is there.
+constexpr double kLeastTiltCosine = 0.17;
+
+template <class Texel>
+Texel at_node(const AttributeMap<Texel>& map, std::uint32_t i, std::uint32_t j) {
+  return map.texels[std::size_t{j} * map.scale * map.width + std::size_t{i} * map.scale];
+}
+
+glm::vec4 linear(glm::u8vec3 srgb) {
+  const auto light = [](std::uint8_t value) { return linear_from_srgb(value / 255.0F); };
+  return {light(srgb.r), light(srgb.g), light(srgb.b), 1.0F};
+}
+
+void append_samples(const Patch& patch, std::uint32_t id, bool coloured, SplatCloud& cloud) {
+  const AttributeMap<glm::i16vec2> own =
+      patch.normals.empty() ? normals_of_heights(patch) : AttributeMap<glm::i16vec2>{};
+  const AttributeMap<glm::i16vec2>& normals = patch.normals.empty() ? own : patch.normals;
+  for (std::uint32_t j = 0; j < patch.height; ++j) {
+    for (std::uint32_t i = 0; i < patch.width; ++i) {
+      const std::int32_t height = patch.at(i, j);
+      if (height == kHole) continue;
+      const glm::vec3 normal = unit_from_snorm16(at_node(normals, i, j));
+      const double cosine = std::max(double{normal.z}, kLeastTiltCosine);
+      cloud.positions.push_back(patch.origin + patch.axes * glm::dvec3(i * patch.spacing,
+                                                                       j * patch.spacing,
+                                                                       height * patch.height_step));
+      cloud.normals.emplace_back(patch.axes * glm::dvec3(normal));
+      cloud.radii.push_back(patch.spacing / std::sqrt(cosine));
+      cloud.uvs.emplace_back(i, j);
+      cloud.patches.push_back(id + 1);
+      if (!coloured) continue;
+      cloud.colours.push_back(patch.colours.empty() ? linear(glm::u8vec3(128))
+                                                    : linear(at_node(patch.colours, i, j)));
+    }
+  }
+}
+
+}  // namespace
+
+SplatCloud splats_of_samples(const PatchModel& model) {
+  SplatCloud cloud;
+  const std::size_t samples = count_samples(model);
+  cloud.positions.reserve(samples);
+  cloud.normals.reserve(samples);
+  cloud.radii.reserve(samples);
+  cloud.uvs.reserve(samples);
+  cloud.patches.reserve(samples);
+  if (model.has_colours) cloud.colours.reserve(samples);
+  for (std::size_t p = 0; p < model.patches.size(); ++p)
+    append_samples(model.patches[p], static_cast<std::uint32_t>(p), model.has_colours, cloud);
+  return cloud;
+}
+
+}  // namespace relief::ewa

@@ -1,0 +1,220 @@
+#include "renderer/engines/ewa/splatting.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <span>
+
+#include "renderer/engines/ewa/layered_buffer.h"
+#include "renderer/engines/ewa/projected_splat.h"
+#include "renderer/shading.h"
+
+namespace relief::ewa {
+namespace {
+
+/// Points that are projected as one piece of work; 2 MB of projected splats.
+constexpr std::size_t kChunk = 16384;
+/// A tile's fragments are to fit a core's second-level cache: 32 * 32 pixels of 4 are 600 KB.
+constexpr std::int64_t kTile = 32;
+
+/// That a splat touches a tile.
+struct TileEntry {
+  std::uint32_t tile = 0;
+  std::uint32_t splat = 0;  ///< in its chunk
+};
+
+/// A piece of the cloud, projected.
+template <class Kernel>
+struct Chunk {
+  std::vector<ProjectedSplat<Kernel>> splats;
+  std::vector<TileEntry> entries;  ///< by tile, and within a tile in the cloud's order
+};
+
+/// The tiles of a picture, row by row.
+struct Tiling {
+  std::int64_t width = 0;  ///< pixels
+  std::int64_t height = 0;
+
+  [[nodiscard]] std::int64_t columns() const { return (width + kTile - 1) / kTile; }
+  [[nodiscard]] std::int64_t rows() const { return (height + kTile - 1) / kTile; }
+  [[nodiscard]] PixelBox all() const { return {0, width - 1, 0, height - 1}; }
+  [[nodiscard]] PixelBox tile(std::int64_t t) const {
+    const std::int64_t left = t % columns() * kTile;
+    const std::int64_t top = t / columns() * kTile;
+    return {left, std::min(left + kTile, width) - 1, top, std::min(top + kTile, height) - 1};
+  }
+};
+
+template <class Kernel>
+Chunk<Kernel> project_chunk(const SplatCloud& cloud, std::size_t begin, std::size_t end,
+                            const SplatCamera& camera, const Tiling& tiling) {
+  Chunk<Kernel> chunk;
+  chunk.splats.reserve(end - begin);
+  for (std::size_t k = begin; k < end; ++k) {
+    auto splat = project_splat<Kernel>(camera, cloud.positions[k], glm::dvec3(cloud.normals[k]),
+                                       cloud.radii[k]);
+    if (!splat) continue;
+    const PixelBox box = pixels_of(splat->kernel, tiling.all());
+    if (box.empty()) continue;
+    splat->index = static_cast<std::uint32_t>(k);
+    const auto place = static_cast<std::uint32_t>(chunk.splats.size());
+    chunk.splats.push_back(*splat);
+    for (std::int64_t row = box.top / kTile; row <= box.bottom / kTile; ++row) {
+      for (std::int64_t column = box.left / kTile; column <= box.right / kTile; ++column)
+        chunk.entries.push_back(
+            {static_cast<std::uint32_t>(row * tiling.columns() + column), place});
+    }
+  }
+  std::stable_sort(chunk.entries.begin(), chunk.entries.end(),
+                   [](const TileEntry& a, const TileEntry& b) { return a.tile < b.tile; });
+  return chunk;
+}
+
+/// What a caller left undefined does not spread over the picture.
+template <class Vector>
+Vector finite_or_zero(Vector v) {
+  for (glm::length_t i = 0; i < Vector::length(); ++i) v[i] = std::isfinite(v[i]) ? v[i] : 0.0;
+  return v;
+}
+
+SplatAttributes attributes_of(const SplatCloud& cloud, std::size_t k) {
+  SplatAttributes attributes;
+  attributes.colour = cloud.colours.empty()
+                          ? glm::dvec4(glm::dvec3(double{shared::kNeutralGrey}), 1.0)
+                          : finite_or_zero(glm::dvec4(cloud.colours[k]));
+  attributes.colour.a = std::clamp(attributes.colour.a, 0.0, 1.0);
+  attributes.normal = glm::normalize(glm::dvec3(cloud.normals[k]));
+  if (!cloud.uvs.empty()) attributes.uv = finite_or_zero(glm::dvec2(cloud.uvs[k]));
+  if (!cloud.patches.empty()) attributes.patch = cloud.patches[k];
+  if (!cloud.materials.empty()) attributes.material = cloud.materials[k];
+  return attributes;
+}
+
+/// Adds a splat to the pixels of a tile; returns how many its kernel reaches.
+template <class Kernel>
+std::uint64_t draw_splat(const ProjectedSplat<Kernel>& splat, double cutoff,
+                         const SplatAttributes& attributes, const PixelBox& tile,
+                         LayeredBuffer& buffer) {
+  const Kernel& kernel = splat.kernel;
+  const PixelBox box = pixels_of(kernel, tile);
+  std::uint64_t reached = 0;
+  for (std::int64_t y = box.top; y <= box.bottom; ++y) {
+    for (std::int64_t x = box.left; x <= box.right; ++x) {
+      const glm::dvec2 middle(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5);
+      const double exponent = kernel.exponent(middle);
+      if (!(exponent < cutoff)) continue;
+      const Contribution contribution{kernel.peak * std::exp(-exponent),
+                                      splat.depth.at(middle - kernel.centre),
+                                      splat.depth.threshold};
+      const auto pixel = static_cast<std::size_t>((y - tile.top) * kTile + (x - tile.left));
+      buffer.add(pixel, contribution, attributes);
+      ++reached;
+    }
+  }
+  return reached;
+}
+
+FilmPixel film_pixel(const ResolvedPixel& resolved) {
+  FilmPixel pixel;
+  if (!(resolved.colour.a > 0.0)) return pixel;
+  pixel.colour = glm::vec4(resolved.colour);
+  pixel.normal = glm::vec3(resolved.normal);
+  pixel.depth = static_cast<float>(resolved.depth);
+  pixel.uv = glm::vec2(resolved.uv);
+  pixel.patch = resolved.patch;
+  return pixel;
+}
+
+/// The colour of a surface in a pixel of a tile. Where normals cancel out, it faces the eye.
+glm::dvec3 shade_surface(const Surface& surface, const PixelBox& tile, const View& view,
+                         const Lighting& lighting) {
+  const auto pixel = static_cast<std::int64_t>(surface.pixel);
+  const double x = static_cast<double>(tile.left + pixel % kTile) + 0.5;
+  const double y = static_cast<double>(tile.top + pixel / kTile) + 0.5;
+  const glm::dvec3 ray = glm::normalize(ray_through(view, {x, view.height - y}));
+  const glm::dvec3 normal = surface.normal == glm::dvec3(0.0) ? -ray : surface.normal;
+  return glm::dvec3(shade(lighting.materials[surface.material], glm::vec3(surface.albedo),
+                          glm::vec3(normal), glm::vec3(ray), lighting.frame, lighting.cube));
+}
+
+/// The entries of a tile.
+template <class Kernel>
+std::span<const TileEntry> entries_of(const Chunk<Kernel>& chunk, std::uint32_t tile) {
+  const auto [first, last] =
+      std::equal_range(chunk.entries.begin(), chunk.entries.end(), TileEntry{tile, 0},
+                       [](const TileEntry& a, const TileEntry& b) { return a.tile < b.tile; });
+  return {first, last};
+}
+
+/// Draws a tile into the film; returns the evaluations.
+template <class Kernel>
+std::uint64_t draw_tile(const SplatCloud& cloud, const std::vector<Chunk<Kernel>>& chunks,
+                        std::uint32_t t, const PixelBox& tile, const View& view,
+                        const EwaSettings& settings, const Lighting& lighting, Film& film) {
+  const bool empty = std::all_of(chunks.begin(), chunks.end(), [t](const Chunk<Kernel>& chunk) {
+    return entries_of(chunk, t).empty();
+  });
+  if (empty) return 0;
+  LayeredBuffer buffer(
+      static_cast<std::size_t>(kTile * kTile), settings.layers, settings.coverage_threshold,
+      [&](const Surface& surface) { return shade_surface(surface, tile, view, lighting); });
+  std::uint64_t evaluations = 0;
+  for (const Chunk<Kernel>& chunk : chunks) {
+    for (const TileEntry& entry : entries_of(chunk, t)) {
+      const ProjectedSplat<Kernel>& splat = chunk.splats[entry.splat];
+      evaluations +=
+          draw_splat(splat, settings.cutoff, attributes_of(cloud, splat.index), tile, buffer);
+    }
+  }
+  for (std::int64_t y = tile.top; y <= tile.bottom; ++y) {
+    for (std::int64_t x = tile.left; x <= tile.right; ++x) {
+      const auto pixel = static_cast<std::size_t>((y - tile.top) * kTile + (x - tile.left));
+      film.pixels[static_cast<std::size_t>(y * film.width + x)] = film_pixel(buffer.resolve(pixel));
+    }
+  }
+  return evaluations;
+}
+
+template <class Kernel>
+Splatted splat_with(const SplatCloud& cloud, const View& view, const EwaSettings& settings,
+                    const Lighting& lighting, const Progress& progress) {
+  const SplatCamera camera = make_splat_camera(view, settings);
+  const Tiling tiling{view.width, view.height};
+  const std::size_t points = cloud.positions.size();
+  std::vector<Chunk<Kernel>> chunks((points + kChunk - 1) / kChunk);
+  tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t c) {
+    if (progress.cancelled()) return;
+    chunks[c] = project_chunk<Kernel>(cloud, c * kChunk, std::min((c + 1) * kChunk, points), camera,
+                                      tiling);
+  });
+  Splatted splatted;
+  splatted.film = {view.width, view.height,
+                   std::vector<FilmPixel>(std::size_t{view.width} * view.height)};
+  std::vector<std::uint64_t> evaluations(static_cast<std::size_t>(tiling.columns() * tiling.rows()),
+                                         0);
+  tbb::parallel_for(std::size_t{0}, evaluations.size(), [&](std::size_t t) {
+    if (progress.cancelled()) return;
+    evaluations[t] = draw_tile(cloud, chunks, static_cast<std::uint32_t>(t),
+                               tiling.tile(static_cast<std::int64_t>(t)), view, settings, lighting,
+                               splatted.film);
+  });
+  for (const std::uint64_t count : evaluations) splatted.evaluations += count;
+  return splatted;
+}
+
+}  // namespace
+
+Splatted splat_cloud(const SplatCloud& cloud, const View& view, const EwaSettings& settings,
+                     const Lighting& lighting, const Progress& progress) {
+  assert(cloud.normals.size() == cloud.positions.size() &&
+         cloud.radii.size() == cloud.positions.size() && !lighting.materials.empty() &&
+         "a cloud as its type says");
+  return settings.filter == EwaFilter::SourceSpace
+             ? splat_with<SourceKernel>(cloud, view, settings, lighting, progress)
+             : splat_with<ScreenKernel>(cloud, view, settings, lighting, progress);
+}
+
+}  // namespace relief::ewa

@@ -1,0 +1,36 @@
+// Splats a cloud of points into a picture (paper 000, section 4), in parallel over tiles.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "common/progress.h"
+#include "renderer/cube_map.h"
+#include "renderer/engines/ewa/settings.h"
+#include "renderer/film.h"
+#include "renderer/splat_cloud.h"
+#include "renderer/view.h"
+#include "shaders/include/shared.h"
+
+namespace relief::ewa {
+
+/// What a surface needs to be shaded. Nothing is owned.
+struct Lighting {
+  shared::Frame frame;
+  const CubeMap* cube = nullptr;    ///< for mirrors
+  std::vector<Material> materials;  ///< by SplatCloud::materials; not empty
+};
+
+struct Splatted {
+  Film film;
+  std::uint64_t evaluations = 0;  ///< kernel values above the cutoff: contributions to pixels
+};
+
+/// Draws all points. Each tile takes its points in the cloud's order, so that the film does not
+/// depend on the number of threads. Stops early, with an unfinished film, if `progress` is
+/// cancelled.
+[[nodiscard]] Splatted splat_cloud(const SplatCloud& cloud, const View& view,
+                                   const EwaSettings& settings, const Lighting& lighting,
+                                   const Progress& progress);
+
+}  // namespace relief::ewa

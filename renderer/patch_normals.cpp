@@ -1,0 +1,31 @@
+#include "renderer/patch_normals.h"
+
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "common/continuation.h"
+#include "common/octahedral.h"
+#include "renderer/samples.h"
+#include "shaders/include/shared.h"
+
+namespace relief {
+
+AttributeMap<glm::i16vec2> normals_of_heights(const Patch& patch) {
+  AttributeMap<glm::i16vec2> map{patch.width, patch.height, 1, {}};
+  map.texels.resize(patch.heights.size(), glm::i16vec2(0));
+  std::vector<std::uint8_t> kept(patch.heights.size(), 0);
+  const PatchSamples samples = make_samples(patch);
+  for (const SampleRecord& record : samples.records) {
+    const std::uint32_t i = record.place & shared::kNodeMask;
+    const std::uint32_t j = (record.place >> shared::kRowShift) & shared::kNodeMask;
+    const glm::i8vec2 steps(glm::u8vec2(record.shape >> 16U, record.shape >> 24U));
+    const glm::vec2 slope = samples.slope_step * glm::vec2(steps);
+    const std::size_t k = std::size_t{j} * patch.width + i;
+    map.texels[k] = snorm16_from_unit(glm::normalize(glm::vec3(-slope, 1.0F)));
+    kept[k] = 1;
+  }
+  continue_over_holes(map, kept);
+  return map;
+}
+
+}  // namespace relief

@@ -1,0 +1,182 @@
+// The layered frame buffer of the engine `ewa`, against values computed by hand.
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "renderer/engines/ewa/layered_buffer.h"
+
+namespace relief::ewa {
+namespace {
+
+constexpr double kTau = 0.4;
+
+SplatAttributes coloured(glm::dvec3 colour, double alpha) {
+  SplatAttributes attributes;
+  attributes.colour = {colour, alpha};
+  attributes.normal = {0.0, 0.0, 1.0};
+  attributes.patch = 1;
+  return attributes;
+}
+
+/// A contribution that covers a pixel by itself.
+Contribution whole(double depth) {
+  return {1.0, depth, 0.1};
+}
+
+glm::dvec3 albedo_of(const Surface& surface) {
+  return surface.albedo;
+}
+
+const glm::dvec3 kRed(1.0, 0.0, 0.0);
+const glm::dvec3 kGreen(0.0, 1.0, 0.0);
+const glm::dvec3 kBlue(0.0, 0.0, 1.0);
+
+/// Sums of a few products of halves are exact in binary.
+void expect_colour(glm::dvec4 colour, glm::dvec4 expected) {
+  EXPECT_EQ(colour, expected) << colour.r << ' ' << colour.g << ' ' << colour.b << ' ' << colour.a;
+}
+
+TEST(LayeredBuffer, BlendsTwoFragmentsByEquation12) {
+  // co = cf af + cb ab (1 - af), ao = af + ab (1 - af).
+  expect_colour(blend_over({0.5, 0.0, 0.0, 0.5}, {0.0, 0.5, 0.0, 0.5}), {0.5, 0.25, 0.0, 0.75});
+  for (const bool front_first : {true, false}) {
+    LayeredBuffer buffer(1, 4, kTau, albedo_of);
+    if (front_first) buffer.add(0, whole(1.0), coloured(kRed, 0.5));
+    buffer.add(0, whole(2.0), coloured(kGreen, 0.5));
+    if (!front_first) buffer.add(0, whole(1.0), coloured(kRed, 0.5));
+    const ResolvedPixel pixel = buffer.resolve(0);
+    expect_colour(pixel.colour, {0.5, 0.25, 0.0, 0.75});
+    EXPECT_EQ(pixel.depth, 1.0);
+  }
+}
+
+TEST(LayeredBuffer, MergesTheTwoClosestInDepth) {
+  // Red at 1, green at 2, blue at 2.5, two layers: green and blue merge, and nothing is lost.
+  LayeredBuffer buffer(1, 2, kTau, albedo_of);
+  buffer.add(0, whole(2.0), coloured(kGreen, 0.5));
+  buffer.add(0, whole(1.0), coloured(kRed, 0.5));
+  buffer.add(0, whole(2.5), coloured(kBlue, 0.5));
+  expect_colour(buffer.resolve(0).colour, {0.5, 0.25, 0.125, 0.875});
+}
+
+TEST(LayeredBuffer, WhatComesBetweenTwoMergedSurfacesIsBehindBoth) {
+  // Red at 1 and green at 2 merge when blue at 5 comes; white at 1.5 comes too late to lie between.
+  // Then white (1.5) and the merged one (at red's depth) are the closest two.
+  LayeredBuffer buffer(1, 2, kTau, albedo_of);
+  buffer.add(0, whole(1.0), coloured(kRed, 0.5));
+  buffer.add(0, whole(2.0), coloured(kGreen, 0.5));
+  buffer.add(0, whole(5.0), coloured(kBlue, 1.0));
+  buffer.add(0, whole(1.5), coloured(glm::dvec3(1.0), 0.5));
+  // red 1/2 + green 1/4 + white 1/8 + blue 1/8.
+  expect_colour(buffer.resolve(0).colour, {0.625, 0.375, 0.25, 1.0});
+}
+
+TEST(LayeredBuffer, EachFragmentIsShadedOnce) {
+  int shaded = 0;
+  LayeredBuffer buffer(1, 2, kTau, [&shaded](const Surface& surface) {
+    ++shaded;
+    return surface.albedo;
+  });
+  for (int k = 0; k < 6; ++k) buffer.add(0, whole(1.0 + k), coloured(kRed, 0.5));
+  (void)buffer.resolve(0);
+  EXPECT_EQ(shaded, 6);
+}
+
+TEST(LayeredBuffer, OneLayerKeepsTheFrontSurface) {
+  for (const bool front_first : {true, false}) {
+    LayeredBuffer buffer(1, 1, kTau, albedo_of);
+    if (front_first) buffer.add(0, whole(1.0), coloured(kRed, 0.5));
+    buffer.add(0, whole(2.0), coloured(kGreen, 1.0));
+    if (!front_first) buffer.add(0, whole(1.0), coloured(kRed, 0.5));
+    expect_colour(buffer.resolve(0).colour, {0.5, 0.0, 0.0, 0.5});
+  }
+}
+
+TEST(LayeredBuffer, AccumulatesWithinTheThresholdAndSeparatesBeyond) {
+  LayeredBuffer buffer(2, 4, kTau, albedo_of);
+  for (const std::size_t pixel : {0, 1}) {
+    buffer.add(pixel, {0.25, 1.0, 0.1}, coloured(kRed, 0.5));
+    buffer.add(pixel, {0.25, pixel == 0 ? 1.05 : 1.15, 0.1}, coloured(kRed, 0.5));
+  }
+  // One surface: q = 0.5 covers the pixel. Two: each covers 0.25 / 0.4 = 5/8, alpha 5/16.
+  EXPECT_NEAR(buffer.resolve(0).colour.a, 0.5, 1e-15);
+  EXPECT_NEAR(buffer.resolve(1).colour.a, 1.0 - 121.0 / 256.0, 1e-15);
+}
+
+TEST(LayeredBuffer, HiddenSurfacesTakeNoLayer) {
+  // Behind an opaque surface that covers the pixel come and go five more; the one before it, seen
+  // through, keeps its layer.
+  LayeredBuffer buffer(1, 2, kTau, albedo_of);
+  buffer.add(0, whole(9.0), coloured(kBlue, 1.0));
+  buffer.add(0, whole(8.0), coloured(kBlue, 1.0));
+  buffer.add(0, whole(3.0), coloured(kGreen, 1.0));
+  buffer.add(0, whole(1.0), coloured(kRed, 0.5));
+  for (int k = 0; k < 5; ++k) buffer.add(0, whole(4.0 + k), coloured(kBlue, 1.0));
+  buffer.add(0, whole(3.05), coloured(kGreen, 1.0));
+  expect_colour(buffer.resolve(0).colour, {0.5, 0.5, 0.0, 1.0});
+}
+
+TEST(LayeredBuffer, ConstantTextureStaysConstant) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> weight(1e-6, 1.0);
+  LayeredBuffer buffer(1, 4, kTau, albedo_of);
+  const glm::dvec3 colour(0.1, 0.7, 1.0 / 3.0);
+  SplatAttributes attributes = coloured(colour, 1.0);
+  attributes.normal = glm::normalize(glm::dvec3(1.0, 2.0, 3.0));
+  attributes.uv = {12.5, 7.25};
+  for (int k = 0; k < 10000; ++k) buffer.add(0, {weight(random), 3.0, 0.1}, attributes);
+  const ResolvedPixel pixel = buffer.resolve(0);
+  // 10,000 additions may each round by 1.1e-16 of the sum; at random that is 1e-14.
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(pixel.colour[c], colour[c], 1e-12);
+    EXPECT_NEAR(pixel.normal[c], attributes.normal[c], 1e-12);
+  }
+  EXPECT_EQ(pixel.colour.a, 1.0);
+  EXPECT_NEAR(pixel.depth, 3.0, 1e-12);
+  EXPECT_NEAR(pixel.uv.x, 12.5, 1e-11);
+}
+
+TEST(LayeredBuffer, PatchAndCoordinatesAreOfTheLargestContribution) {
+  LayeredBuffer buffer(1, 4, kTau, albedo_of);
+  SplatAttributes left = coloured(kRed, 1.0);
+  left.uv = {10.0, 10.0};
+  SplatAttributes right = left;
+  right.patch = 2;
+  right.uv = {2.0, 4.0};
+  buffer.add(0, {0.2, 1.0, 0.1}, left);
+  buffer.add(0, {0.5, 1.0, 0.1}, right);
+  buffer.add(0, {0.1, 1.0, 0.1}, left);
+  right.uv = {5.0, 4.0};
+  buffer.add(0, {0.25, 1.0, 0.1}, right);
+  const ResolvedPixel pixel = buffer.resolve(0);
+  EXPECT_EQ(pixel.patch, 2U);
+  EXPECT_NEAR(pixel.uv.x, 3.0, 1e-15);
+  EXPECT_NEAR(pixel.uv.y, 4.0, 1e-15);
+}
+
+TEST(LayeredBuffer, AttributesAreOfTheSurfaceThatIsSeen) {
+  // A stray contribution that covers a hundredth of the pixel lies before the surface.
+  LayeredBuffer buffer(1, 4, kTau, albedo_of);
+  buffer.add(0, {0.004, 1.0, 0.1}, coloured(kRed, 1.0));
+  SplatAttributes surface = coloured(kGreen, 1.0);
+  surface.patch = 9;
+  buffer.add(0, whole(2.0), surface);
+  const ResolvedPixel pixel = buffer.resolve(0);
+  EXPECT_EQ(pixel.patch, 9U);
+  EXPECT_EQ(pixel.depth, 2.0);
+  EXPECT_NEAR(pixel.colour.r, 0.01, 1e-15);
+}
+
+TEST(LayeredBuffer, NormalsThatCancelOutAreZero) {
+  LayeredBuffer buffer(2, 4, kTau, albedo_of);
+  SplatAttributes a = coloured(kRed, 1.0);
+  buffer.add(0, whole(1.0), a);
+  a.normal = -a.normal;
+  buffer.add(0, whole(1.0), a);
+  EXPECT_EQ(buffer.resolve(0).normal, glm::dvec3(0.0));
+  expect_colour(buffer.resolve(1).colour, glm::dvec4(0.0));
+}
+
+}  // namespace
+}  // namespace relief::ewa
