@@ -12,6 +12,7 @@
 #include <string>
 #include <system_error>
 
+#include "cli/acquire.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/load.h"
@@ -66,6 +67,7 @@ struct Arguments {
   std::optional<glm::dvec3> target;
   glm::dvec3 up{0.0, 1.0, 0.0};
   double fov_degrees = 45.0;
+  TextureArguments texture;
   RenderSettings settings;  ///< environment, background and frames; the rest is filled in later
   bool json = false;
 };
@@ -153,7 +155,10 @@ bool splats_points(const Arguments& arguments) {
 }
 
 Result<RenderResult> render_points(const Arguments& arguments, Progress& progress) {
-  const auto cloud = load_splats(arguments.scene, progress);
+  const auto cloud = arguments.texture.file.empty()
+                         ? load_splats(arguments.scene, progress)
+                         : acquire_splats(arguments.scene, arguments.texture,
+                                          arguments.settings.ewa.cutoff, progress);
   if (!cloud) return cloud.error();
   if (progress.cancelled()) return interrupted_error();
   progress.begin_stage("render", 0);
@@ -185,8 +190,8 @@ Result<RenderResult> render_file(const Arguments& arguments) {
 }
 
 int run(const Arguments& arguments) {
-  const Status writable =
-      check_output(arguments.output, {arguments.scene, arguments.settings.environment});
+  const Status writable = check_output(
+      arguments.output, {arguments.scene, arguments.settings.environment, arguments.texture.file});
   if (!writable) return fail(writable.error());
   // Known to be missing before a long conversion; what is wrong with it otherwise, render() tells.
   const std::filesystem::path& environment = arguments.settings.environment;
@@ -209,6 +214,9 @@ void check_together(const Arguments& arguments) {
   const Outputs outputs = arguments.outputs.value_or(Outputs{});
   if (format == ".png" && (outputs.normal || outputs.depth || outputs.uv || outputs.patch_id)) {
     throw CLI::ValidationError("--outputs", "a PNG holds colour alone; write an .exr");
+  }
+  if (!arguments.texture.file.empty() && !splats_points(arguments)) {
+    throw CLI::ValidationError("--texture", "needs --engine ewa and a mesh");
   }
   if (arguments.eye && arguments.eye == arguments.target) {
     throw CLI::ValidationError("--target", "must not be where --eye is");
@@ -318,6 +326,7 @@ void add_render(CLI::App& app, Command& command) {
   add_camera_options(*sub, *arguments);
   add_look_options(*sub, *arguments);
   add_ewa_options(*sub, *arguments);
+  add_texture_options(*sub, arguments->texture);
   sub->add_option_function<std::string>(
          "--outputs", [arguments](const std::string& s) { arguments->outputs = parse_outputs(s); },
          "What an .exr holds: all, colour, or some of normal,depth,uv,patch beside the colour "

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "preprocess/neighbours.h"
 #include "preprocess/normals.h"
 #include "preprocess/texture/continuous_texture.h"
 #include "preprocess/texture/even_sample.h"
+#include "preprocess/texture/fit_texture.h"
+#include "preprocess/texture/splat_basis.h"
 #include "preprocess/texture/surface_points.h"
 
 namespace relief {
@@ -38,9 +41,10 @@ bool all_finite(const std::vector<T>& texcoords) {
 }
 
 Status check(const Points& mesh, const AcquireOptions& options) {
-  if (options.points < 1 || options.points > kMostTexturedPoints) {
-    return make_error("{} points cannot be spread; ask for 1 to {}", options.points,
-                      kMostTexturedPoints);
+  const std::size_t most = most_textured_points(options.deviation, options.cutoff);
+  if (options.points < 1 || options.points > most) {
+    return make_error("{} points cannot be spread; with a cutoff of {} ask for 1 to {}",
+                      options.points, options.cutoff, most);
   }
   if (mesh.triangles.empty()) {
     return make_error("there are no triangles to put a texture on; give a mesh");
@@ -73,6 +77,13 @@ std::vector<glm::vec3> evaluate(const ContinuousTexture& texture, const SurfaceP
 
 }  // namespace
 
+std::size_t most_textured_points(double deviation, double cutoff) {
+  constexpr double kMostEntries = 1e8;
+  const double splats_at_a_place = 2.0 * std::numbers::pi * cutoff * deviation * deviation;
+  return static_cast<std::size_t>(
+      std::max(1.0, kMostEntries / (kPlacesPerPoint * splats_at_a_place)));
+}
+
 Result<AcquireResult> acquire_texture(Points mesh, const Image& texture,
                                       const AcquireOptions& options, Progress& progress) {
   if (const Status sound = check(mesh, options); !sound) return sound.error();
@@ -92,7 +103,8 @@ Result<AcquireResult> acquire_texture(Points mesh, const Image& texture,
   const double texels = area.texture * image->width() * image->height();
   result.report.area = area.world;
   result.report.texels_per_point = texels / static_cast<double>(options.points);
-  result.splats.deviation = std::sqrt(area.world / static_cast<double>(options.points));
+  result.splats.deviation =
+      options.deviation * std::sqrt(area.world / static_cast<double>(options.points));
   result.splats.colours = evaluate(*image, splats, 1.0);
   // A Gaussian of half the distance between places lets nothing through that they would alias; it
   // adds 1/64 to the variance of a splat's own.

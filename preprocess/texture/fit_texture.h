@@ -3,23 +3,16 @@
 
 #include <Eigen/SparseCore>
 #include <glm/vec3.hpp>
-#include <optional>
 #include <vector>
 
 #include "common/progress.h"
+#include "preprocess/texture/acquisition.h"
 
 namespace relief {
 
 /// A basis at places that stand for equal shares of the surface: inner products over the surface
 /// are means over the places.
 using BasisAtPlaces = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-
-/// How the linear system went. What could not be measured is not there.
-struct FitReport {
-  int iterations = 0;               ///< the most that a channel took
-  double residual = 0.0;            ///< |c - R w| / |c|, the largest of the channels
-  std::optional<double> condition;  ///< of R scaled to a unit diagonal, estimated from below
-};
 
 /// View-independent EWA (paper 000, section 5): w_k = <r_k, texture> / <r_k, 1>, as if the basis
 /// were orthogonal. `texture`: its values at the places. A splat that no place sees gets its value

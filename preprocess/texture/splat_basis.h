@@ -2,24 +2,11 @@
 #pragma once
 
 #include <Eigen/SparseCore>
-#include <cstdint>
-#include <glm/vec3.hpp>
-#include <vector>
 
+#include "preprocess/texture/acquisition.h"
 #include "preprocess/texture/surface_points.h"
 
 namespace relief {
-
-/// How the Gaussians r_k of paper 000, section 3.1, become a function on the surface. Both kinds
-/// are scaled to sum to 1, so that a constant texture has that constant as its coefficients.
-enum class BasisKind : std::uint8_t {
-  /// r_k / sum_j r_j: what an engine shows that divides by the sum of the contributions, Eq. (9).
-  /// The sum is exactly 1.
-  Normalised,
-  /// h^2 r_k / (1 - exp(-cutoff)): r_k itself up to a factor, as in Eq. (1), (7) and (11). With one
-  /// point for each h^2 of the surface the sum is 1 on average only.
-  Plain,
-};
 
 struct SplatBasis {
   double deviation = 0.0;  ///< h of section 5, world units: variance h^2 I in the tangent plane

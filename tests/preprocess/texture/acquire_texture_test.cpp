@@ -28,7 +28,7 @@ AcquireResult acquire(const Points& mesh, const Image& texture, const AcquireOpt
 std::string failure(const Points& mesh, const Image& texture, std::size_t points = 100) {
   Progress progress;
   const auto result =
-      acquire_texture(mesh, texture, {Acquisition::Optimised, points, 1.0, {}}, progress);
+      acquire_texture(mesh, texture, {Acquisition::Optimised, points, 1.0, 1.0, {}}, progress);
   EXPECT_FALSE(result);
   return result ? std::string() : result.error().message;
 }
@@ -60,7 +60,7 @@ double error_on_square(const TexturedSplats& splats, Function&& value) {
 TEST(AcquireTexture, AConstantTextureGivesConstantCoefficients) {
   const Image texture = make_texture(16, [](double, double) { return 0.625; });
   for (const Acquisition acquisition : kAll) {
-    const AcquireResult result = acquire(unit_square(), texture, {acquisition, 500, 1.0, {}});
+    const AcquireResult result = acquire(unit_square(), texture, {acquisition, 500, 1.0, 1.0, {}});
     ASSERT_EQ(result.splats.colours.size(), 500U);
     for (const glm::vec3 colour : result.splats.colours) {
       // Roundings to float.
@@ -72,7 +72,7 @@ TEST(AcquireTexture, AConstantTextureGivesConstantCoefficients) {
 
 TEST(AcquireTexture, WithoutNormalisationAConstantStaysOneOnAverage) {
   const Image texture = make_texture(16, [](double, double) { return 1.0; });
-  AcquireOptions options{Acquisition::ViewIndependent, kPoints, 1.0, BasisKind::Plain};
+  AcquireOptions options{Acquisition::ViewIndependent, kPoints, 1.0, 1.0, BasisKind::Plain};
   const AcquireResult projected = acquire(unit_square(), texture, options);
   for (const glm::vec3 colour : projected.splats.colours) EXPECT_NEAR(colour.r, 1.0F, 1e-6F);
   options.acquisition = Acquisition::Optimised;
@@ -93,7 +93,7 @@ TEST(AcquireTexture, AWaveComesBackLessDampedThanByViewIndependentEwa) {
   const Image texture = make_texture(256, wave);
   double error[3];
   for (std::size_t i = 0; i < 3; ++i) {
-    const AcquireResult result = acquire(unit_square(), texture, {kAll[i], kPoints, 1.0, {}});
+    const AcquireResult result = acquire(unit_square(), texture, {kAll[i], kPoints, 1.0, 1.0, {}});
     error[i] = error_on_square(result.splats, wave);
     // The report's is over three channels, of which one is constant. The texture's own Gaussian
     // takes 0.5 % of the wave.
@@ -116,7 +116,7 @@ TEST(AcquireTexture, SmoothSplatsLoseWhatTheorySaysAndTheFitBringsItBack) {
   const Image texture = make_texture(256, wave);
   double error[3];
   for (std::size_t i = 0; i < 3; ++i) {
-    error[i] = acquire(unit_square(), texture, {kAll[i], kPoints, 3.0, {}}).report.rms_error /
+    error[i] = acquire(unit_square(), texture, {kAll[i], kPoints, 1.0, 3.0, {}}).report.rms_error /
                std::sqrt(2.0 / 3.0);
   }
   const double amplitude_rms = 0.5 / std::numbers::sqrt2;
@@ -136,7 +136,7 @@ TEST(AcquireTexture, ARampComesBackAsARamp) {
   const Image texture = make_texture(256, [](double u, double v) { return 0.5 * (u + v); });
   const auto ramp = [](double x, double y) { return 0.1 + 0.4 * (x + y); };
   const AcquireResult result =
-      acquire(mesh, texture, {Acquisition::Optimised, kPoints, 1.0, BasisKind::Normalised});
+      acquire(mesh, texture, {Acquisition::Optimised, kPoints, 1.0, 1.0, BasisKind::Normalised});
   // A tenth of what the ramp climbs from splat to splat, 0.8 / sqrt(2) / 40.
   EXPECT_LT(error_on_square(result.splats, ramp), 0.1 * 0.8 / std::numbers::sqrt2 / 40.0);
 }
@@ -148,7 +148,7 @@ TEST(AcquireTexture, SplatsStandOnTheMeshWithUnitNormalsOutward) {
   mesh.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
                     {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
   const AcquireResult result =
-      acquire(mesh, make_texture(64, Wave{2.0}), {Acquisition::Optimised, 2000, 1.0, {}});
+      acquire(mesh, make_texture(64, Wave{2.0}), {Acquisition::Optimised, 2000, 1.0, 1.0, {}});
   ASSERT_EQ(result.splats.positions.size(), 2000U);
   EXPECT_NEAR(result.report.area, 4.0 * std::sqrt(3.0), 1e-12);
   EXPECT_NEAR(result.splats.deviation, std::sqrt(4.0 * std::sqrt(3.0) / 2000.0), 1e-12);
@@ -169,7 +169,7 @@ TEST(AcquireTexture, DoesNotDependOnTheNumberOfThreads) {
   AcquireResult results[2];
   for (int i = 0; i < 2; ++i) {
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, i == 0 ? 1 : 4);
-    results[i] = acquire(unit_square(), texture, {Acquisition::Optimised, 3000, 1.0, {}});
+    results[i] = acquire(unit_square(), texture, {Acquisition::Optimised, 3000, 1.0, 1.0, {}});
   }
   EXPECT_EQ(results[0].splats.positions, results[1].splats.positions);
   EXPECT_EQ(results[0].splats.normals, results[1].splats.normals);
@@ -179,9 +179,9 @@ TEST(AcquireTexture, DoesNotDependOnTheNumberOfThreads) {
 TEST(AcquireTexture, TextureCoordinatesOutsideTheUnitSquareRepeatIt) {
   Points mesh = unit_square();
   const Image texture = make_texture(64, Wave{2.0});
-  const AcquireResult inside = acquire(mesh, texture, {Acquisition::Given, 300, 1.0, {}});
+  const AcquireResult inside = acquire(mesh, texture, {Acquisition::Given, 300, 1.0, 1.0, {}});
   for (glm::vec2& t : mesh.texcoords) t += glm::vec2(3.0F, -5.0F);
-  const AcquireResult outside = acquire(mesh, texture, {Acquisition::Given, 300, 1.0, {}});
+  const AcquireResult outside = acquire(mesh, texture, {Acquisition::Given, 300, 1.0, 1.0, {}});
   for (std::size_t i = 0; i < 300; ++i) {
     // Floats near 4 are 5e-7 apart; the wave climbs by 2 pi over the texture.
     EXPECT_NEAR(outside.splats.colours[i].r, inside.splats.colours[i].r, 1e-5F);
@@ -190,7 +190,7 @@ TEST(AcquireTexture, TextureCoordinatesOutsideTheUnitSquareRepeatIt) {
 
 TEST(AcquireTexture, OnePointIsEnough) {
   const AcquireResult result =
-      acquire(unit_square(), make_texture(8, Wave{1.0}), {Acquisition::Optimised, 1, 1.0, {}});
+      acquire(unit_square(), make_texture(8, Wave{1.0}), {Acquisition::Optimised, 1, 1.0, 1.0, {}});
   ASSERT_EQ(result.splats.colours.size(), 1U);
   // The mean of the wave is 0.5 under any support that is symmetric to its zero in the middle.
   EXPECT_NEAR(result.splats.colours[0].r, 0.5F, 0.25F);
@@ -199,9 +199,11 @@ TEST(AcquireTexture, OnePointIsEnough) {
 TEST(AcquireTexture, SaysWhatIsMissing) {
   const Image texture = make_texture(4, Wave{1.0});
   Points mesh = unit_square();
-  EXPECT_EQ(failure(mesh, texture, 0), "0 points cannot be spread; ask for 1 to 8000000");
-  EXPECT_EQ(failure(mesh, texture, 8'000'001),
-            "8000001 points cannot be spread; ask for 1 to 8000000");
+  // 100,000,000 entries / (16 places * 2 pi splats at each).
+  EXPECT_EQ(failure(mesh, texture, 0),
+            "0 points cannot be spread; with a cutoff of 1 ask for 1 to 994718");
+  EXPECT_EQ(failure(mesh, texture, SIZE_MAX),
+            "18446744073709551615 points cannot be spread; with a cutoff of 1 ask for 1 to 994718");
   EXPECT_EQ(failure(mesh, Image{}), "the texture has no pixels");
   mesh.texcoords[2].y = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(failure(mesh, texture),
