@@ -1,7 +1,8 @@
 // Measures paper 000, section 5: optimised against view-independent texture acquisition and the
 // texture's values as given, at three magnifications (Figure 6), through the engine `ewa`.
-// usage: texture_experiment OUT_DIR NAME MESH|- TEXTURE|- POINTS AZ,EL   (-: checkerboard plane)
-// Prints rows of a Markdown table and writes OUT_DIR/NAME_VIEW_WAY.png.
+// usage: texture_experiment OUT_DIR NAME MESH|- TEXTURE|- POINTS AZ,EL CUTOFF
+// -: checkerboard plane. Prints rows of a Markdown table (PSNR in dB against the Gaussian and the
+// box truth) and writes OUT_DIR/NAME_CUTOFF_VIEW_WAY.png.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,11 +11,14 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "common/image_io.h"
 #include "common/srgb.h"
 #include "preprocess/read_points.h"
 #include "preprocess/texture/acquire_texture.h"
+#include "preprocess/texture/surface_points.h"
 #include "renderer/render.h"
 #include "tests/experiments/textured_truth.h"
 
@@ -30,6 +34,7 @@ struct Subject {
   std::size_t points = 0;
   double azimuth = 0.0;
   double elevation = 0.0;
+  double cutoff = 1.0;  ///< of the fit and of the engine
 };
 
 /// Figure 6's plane: 16 x 16 squares of 16 x 16 texels.
@@ -84,13 +89,14 @@ double psnr(const Image& image, const Truth& truth) {
   constexpr const char* kNames[] = {"R", "G", "B"};
   double squared = 0.0;
   std::size_t count = 0;
-  for (std::size_t i = 0; i < truth.colours.size(); ++i) {
-    if (truth.coverage[i] < 0.9999) continue;
-    for (glm::length_t c = 0; c < 3; ++c) {
-      const double value = static_cast<double>(srgb_from_linear(image.find(kNames[c])->values[i]));
-      const double expected =
-          static_cast<double>(srgb_from_linear(static_cast<float>(truth.colours[i][c])));
-      squared += (value - expected) * (value - expected);
+  for (glm::length_t c = 0; c < 3; ++c) {
+    const Channel* const channel = image.find(kNames[c]);
+    if (channel == nullptr) continue;
+    for (std::size_t i = 0; i < truth.colours.size(); ++i) {
+      if (truth.coverage[i] < 0.9999) continue;
+      const auto expected = static_cast<float>(truth.colours[i][c]);
+      const float error = srgb_from_linear(channel->values[i]) - srgb_from_linear(expected);
+      squared += static_cast<double>(error * error);
       ++count;
     }
   }
@@ -119,42 +125,68 @@ struct Zoom {
 };
 constexpr Zoom kZooms[] = {{"minification", 0.5}, {"magnification", 4.0}, {"extreme", 16.0}};
 
+/// A view of the subject, and what it should show.
+struct View {
+  std::string name;
+  Camera camera;
+  Truth gaussian;
+  Truth box;
+};
+
+std::vector<View> make_views(const Subject& subject, const ContinuousTexture& texture) {
+  const double spacing =
+      std::sqrt(area_of(subject.mesh).world / static_cast<double>(subject.points));
+  std::vector<View> views;
+  for (const Zoom& zoom : kZooms) {
+    const Camera camera = close_camera(subject, spacing, zoom.pixels);
+    views.push_back({zoom.name, camera,
+                     render_truth(subject.mesh, texture, camera, kSide, PixelFilter::Gaussian),
+                     render_truth(subject.mesh, texture, camera, kSide, PixelFilter::Box)});
+  }
+  return views;
+}
+
+Result<Image> draw(const SplatCloud& cloud, const Camera& camera, double cutoff) {
+  Progress progress;
+  RenderSettings settings;
+  settings.engine = EngineKind::Ewa;
+  settings.width = settings.height = kSide;
+  settings.camera = camera;
+  settings.material = Material::Unlit;
+  settings.frames = 1;
+  settings.ewa.cutoff = cutoff;
+  auto result = render(cloud, settings, progress);
+  if (!result) return result.error();
+  return std::move(result->image);
+}
+
 Status measure(const Subject& subject, const std::string& out) {
   Progress progress;
   const auto texture = ContinuousTexture::from_image(subject.texture);
   if (!texture) return texture.error();
-  const double spacing =
-      std::sqrt(area_of(subject.mesh).world / static_cast<double>(subject.points));
+  const std::vector<View> views = make_views(subject, *texture);
+  const auto path = [&](const View& view, const char* way) {
+    return fmt::format("{}/{}_{:g}_{}_{}.png", out, subject.name, subject.cutoff, view.name, way);
+  };
+  for (const View& view : views) {
+    const Status written = write_png(path(view, "truth"), make_image(view.gaussian.colours));
+    if (!written) return written;
+  }
   for (const Way& way : kWays) {
     AcquireOptions options;
     options.acquisition = way.acquisition;
     options.points = subject.points;
+    options.cutoff = subject.cutoff;
     const auto acquired = acquire_texture(subject.mesh, subject.texture, options, progress);
     if (!acquired) return acquired.error();
     const SplatCloud cloud = as_cloud(acquired->splats);
-    std::string row =
-        fmt::format("| {} | {} | {:.4f} |", subject.name, way.name, acquired->report.rms_error);
-    for (const Zoom& zoom : kZooms) {
-      RenderSettings settings;
-      settings.engine = EngineKind::Ewa;
-      settings.width = settings.height = kSide;
-      settings.camera = close_camera(subject, spacing, zoom.pixels);
-      settings.material = Material::Unlit;
-      settings.frames = 1;
-      settings.ewa.cutoff = options.cutoff;
-      const auto picture = render(cloud, settings, progress);
-      if (!picture) return picture.error();
-      for (const PixelFilter filter : {PixelFilter::Gaussian, PixelFilter::Box}) {
-        const Truth truth = render_truth(subject.mesh, *texture, settings.camera, kSide, filter);
-        row += fmt::format(" {:.1f} |", psnr(picture->image, truth));
-        if (way.acquisition != Acquisition::Given || filter == PixelFilter::Box) continue;
-        const Status written =
-            write_png(fmt::format("{}/{}_{}_truth.png", out, subject.name, zoom.name),
-                      make_image(truth.colours));
-        if (!written) return written;
-      }
-      const Status written = write_png(
-          fmt::format("{}/{}_{}_{}.png", out, subject.name, zoom.name, way.name), picture->image);
+    std::string row = fmt::format("| {} | {:g} | {} | {:.4f} |", subject.name, subject.cutoff,
+                                  way.name, acquired->report.rms_error);
+    for (const View& view : views) {
+      const auto image = draw(cloud, view.camera, subject.cutoff);
+      if (!image) return image.error();
+      row += fmt::format(" {:.1f} / {:.1f} |", psnr(*image, view.gaussian), psnr(*image, view.box));
+      const Status written = write_png(path(view, way.name), *image);
       if (!written) return written;
     }
     if (const auto& fit = acquired->report.fit) {
@@ -169,8 +201,9 @@ Status measure(const Subject& subject, const std::string& out) {
 }
 
 int run(int count, char** arguments) {
-  if (count != 7) {
-    fmt::print(stderr, "usage: texture_experiment OUT_DIR NAME MESH|- TEXTURE|- POINTS AZ,EL\n");
+  if (count != 8) {
+    fmt::print(stderr,
+               "usage: texture_experiment OUT_DIR NAME MESH|- TEXTURE|- POINTS AZ,EL CUTOFF\n");
     return 2;
   }
   Subject subject;
@@ -179,6 +212,11 @@ int run(int count, char** arguments) {
   char* rest = nullptr;
   subject.azimuth = std::strtod(arguments[6], &rest);
   subject.elevation = *rest == ',' ? std::strtod(rest + 1, nullptr) : 0.0;
+  subject.cutoff = std::strtod(arguments[7], nullptr);
+  if (!(subject.cutoff > 0.0)) {
+    fmt::print(stderr, "CUTOFF: expected a number above 0, found {}\n", arguments[7]);
+    return 2;
+  }
   if (std::string(arguments[3]) == "-") {
     make_checkerboard(subject);
   } else {

@@ -26,13 +26,13 @@ glm::dvec3 to_screen(glm::dvec3 p, const Camera& camera, const glm::dmat3& rotat
   return {0.5 * side + focal * eye.x / -eye.z, 0.5 * side - focal * eye.y / -eye.z, -eye.z};
 }
 
-double cross(glm::dvec2 a, glm::dvec2 b) {
+double cross(glm::dvec2 a, glm::dvec2 b) {  // its length, with the sign of the turn
   return a.x * b.y - a.y * b.x;
 }
 
 void rasterise(const glm::dvec3 (&p)[3], const CornerTexcoords& texcoords, std::int64_t side,
                std::vector<Hit>& hits) {
-  const double area = cross(p[1] - p[0], p[2] - p[0]);
+  const double area = cross(glm::dvec2(p[1] - p[0]), glm::dvec2(p[2] - p[0]));
   if (area == 0.0) return;
   const auto clamp = [&](double v) {
     return static_cast<std::int64_t>(std::clamp(v, 0.0, static_cast<double>(side)));
