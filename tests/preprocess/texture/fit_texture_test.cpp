@@ -103,6 +103,14 @@ TEST(SplatBasis, ReachesOnlyPlacesThatFaceTheSameWay) {
   EXPECT_EQ(basis.col(1).sum(), 0.0);
 }
 
+TEST(SplatBasis, IsEvaluatedInTheTangentPlane) {
+  SurfacePoints place = splats_at({{0.55, 0.5, 0.08}});
+  const BasisAtPlaces basis =
+      evaluate_basis(splats_at({{0.5, 0.5, 0.0}}), {0.1, 1.0, BasisKind::Plain}, place);
+  const double expected = std::exp(-0.5 * 0.25) / (2.0 * std::numbers::pi * (1.0 - std::exp(-1.0)));
+  EXPECT_NEAR(basis.coeff(0, 0), expected, 1e-12) << "the height of 0.8 h plays no part";
+}
+
 TEST(FitTexture, TheMatrixIsSymmetricAndPositiveDefiniteAndItsConditionIsKnown) {
   for (const BasisKind kind : {BasisKind::Normalised, BasisKind::Plain}) {
     const EvenSquare square(200, kind);
