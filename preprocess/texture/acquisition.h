@@ -29,8 +29,8 @@ struct AcquireOptions {
   Acquisition acquisition = Acquisition::Optimised;
   std::size_t points = 100'000;  ///< 1 to most_textured_points()
   /// h of section 5 in distances of points, sqrt(area / points). The fit's error is least at 1.0 to
-  /// 1.1 (cutoff 1); at 1.1 the sum of kernels stays above 0.4 (tau of section 7) nearly
-  /// everywhere.
+  /// 1.1 (cutoff 1); at 1.1 the sum of kernels is below 0.4 (tau of section 7) at 1 place in
+  /// 100,000, at 1.0 at 1 in 600.
   double deviation = 1.1;
   double cutoff = 1.0;  ///< that of the engine that draws the splats
   BasisKind basis = BasisKind::Normalised;

@@ -169,7 +169,7 @@ Status measure(const Subject& subject, const std::string& out) {
     return fmt::format("{}/{}_{:g}_{}_{}.png", out, subject.name, subject.cutoff, view.name, way);
   };
   for (const View& view : views) {
-    const Status written = write_png(path(view, "truth"), make_image(view.gaussian.colours));
+    Status written = write_png(path(view, "truth"), make_image(view.gaussian.colours));
     if (!written) return written;
   }
   for (const Way& way : kWays) {
@@ -186,7 +186,7 @@ Status measure(const Subject& subject, const std::string& out) {
       const auto image = draw(cloud, view.camera, subject.cutoff);
       if (!image) return image.error();
       row += fmt::format(" {:.1f} / {:.1f} |", psnr(*image, view.gaussian), psnr(*image, view.box));
-      const Status written = write_png(path(view, way.name), *image);
+      Status written = write_png(path(view, way.name), *image);
       if (!written) return written;
     }
     if (const auto& fit = acquired->report.fit) {

@@ -84,7 +84,7 @@ double weight_at(double pixels, PixelFilter filter) {
 std::vector<glm::dvec4> filter_rows(const std::vector<glm::dvec4>& samples, std::size_t width,
                                     std::size_t height, PixelFilter filter) {
   const auto pixels = static_cast<std::int64_t>(width / kSamples);
-  constexpr std::int64_t kReach = 4 * kSamples;
+  constexpr std::int64_t kReach = 4 * std::int64_t{kSamples};
   std::vector<glm::dvec4> out(static_cast<std::size_t>(pixels) * height);
   tbb::parallel_for(std::size_t{0}, height, [&](std::size_t y) {
     for (std::int64_t i = 0; i < pixels; ++i) {
