@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -27,7 +28,8 @@ namespace {
 constexpr const char* kExamples =
     "In brackets: what is taken where an option is not given.\n"
     "SCENE is a .relief file, or a scan or mesh that is converted in memory with the default\n"
-    "options. The camera looks at the middle of the model unless --eye says otherwise.\n"
+    "options; --engine ewa draws its points as they are. The camera looks at the middle of the\n"
+    "model unless --eye says otherwise.\n"
     "No display is needed.\n"
     "\n"
     "Examples:\n"
@@ -205,6 +207,11 @@ int run(const Arguments& arguments) {
                         : print_result(as_text(*result, arguments));
 }
 
+/// CLI11's ranges let NaN pass.
+void refuse_nan(const char* option, double value) {
+  if (std::isnan(value)) throw CLI::ValidationError(option, "must be a number");
+}
+
 /// What no single option's check can see.
 void check_together(const Arguments& arguments) {
   const std::string format = ending(arguments.output);
@@ -224,6 +231,10 @@ void check_together(const Arguments& arguments) {
   if (arguments.up == glm::dvec3(0.0)) {
     throw CLI::ValidationError("--up", "must not be 0,0,0");
   }
+  refuse_nan("--fov", arguments.fov_degrees);
+  refuse_nan("--cutoff", arguments.settings.ewa.cutoff);
+  refuse_nan("--tau", arguments.settings.ewa.coverage_threshold);
+  refuse_nan("--time-budget", arguments.settings.ewa.time_budget_ms);
 }
 
 void add_camera_options(CLI::App& sub, Arguments& arguments) {

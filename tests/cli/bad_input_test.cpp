@@ -37,6 +37,8 @@ TEST_F(BadInput, MissingFile) {
   expect_refused({"info", path("missing.relief")}, "missing.relief");
   expect_refused({"render", path("missing.relief"), "-o", path("out.png")}, "missing.relief");
   expect_refused({"render", path("missing.ply"), "-o", path("out.png")}, "missing.ply");
+  expect_refused({"render", path("missing.ply"), "-o", path("out.png"), "--engine", "ewa"},
+                 "missing.ply");
 }
 
 TEST_F(BadInput, DirectoryAsInput) {
@@ -211,6 +213,13 @@ TEST_F(BadInput, EnvironmentThatIsNone) {
                  "missing.hdr");
   expect_refused({"render", scan, "-o", path("out.png"), "--env", write("bad.hdr", "no picture")},
                  "bad.hdr");
+}
+
+TEST_F(BadInput, TooFewPointsToSplat) {
+  for (const char* text : {"0 0 0\n", "0 0 0\n1 0 0\n0 1 0\n"}) {
+    expect_refused({"render", write("few.xyz", text), "-o", path("out.png"), "--engine", "ewa"},
+                   "few.xyz");
+  }
 }
 
 }  // namespace

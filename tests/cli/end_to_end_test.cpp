@@ -155,6 +155,33 @@ TEST_F(EndToEnd, RenderWritesEveryChannel) {
   }
 }
 
+TEST_F(EndToEnd, EwaSplatsPointsOfAScanAndSamplesOfPatches) {
+  const std::string scan = write_knot(20000);
+  const std::string model = path("knot.relief");
+  run_json({"convert", scan, "-o", model});
+  const std::vector<std::string> options{"--size", "160x128", "--frames", "1", "--engine", "ewa"};
+  const auto covered = [&](const std::string& scene, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"render", scene, "-o", path("knot.exr")};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    json result = run_json(arguments);
+    EXPECT_EQ(result["engine"], "ewa");
+    EXPECT_EQ(result["renderer"], "CPU");
+    EXPECT_TRUE(result["primitive"].is_null() && result["interpolation"].is_null());
+    EXPECT_GT(result["fragments"], result["covered_pixels"]);
+    EXPECT_EQ(result["level"].is_null(), more.empty() || more[0] != "--time-budget");
+    return result["covered_pixels"].get<double>();
+  };
+  const double points = covered(scan, {});
+  EXPECT_GT(points, 3000.0);
+  // The same surface, whose silhouette of some 500 pixels the kernels soften by one or two.
+  EXPECT_NEAR(covered(model, {}), points, 0.1 * points);
+  for (const char* filter : {"source-space", "circular", "unfiltered"})
+    EXPECT_NEAR(covered(scan, {"--filter", filter}), points, 0.2 * points) << filter;
+  // However little time there is, there is a picture; coarser points reach farther.
+  EXPECT_GE(covered(scan, {"--time-budget", "0.001"}), 0.9 * points);
+}
+
 TEST_F(EndToEnd, OutputsChooseTheChannels) {
   run_json({"render", write_knot(5000), "-o", path("knot.exr"), "--size", "64x64", "--outputs",
             "depth"});

@@ -24,7 +24,7 @@ class TextureCli : public CliTest {
       }
       image.channels.push_back(channel);
     }
-    const std::string file = path("texture.png");
+    std::string file = path("texture.png");
     EXPECT_TRUE(write_png(file, image));
     return file;
   }
@@ -45,7 +45,7 @@ TEST_F(TextureCli, SplatsShowTheTextureWhereItIs) {
     // A pixel left of the middle and one right of it, far from the edge between the colours, where
     // all coefficients are the texture's: what the fit's decaying overshoot leaves there is small.
     for (const std::size_t x : {24U, 40U}) {
-      const std::size_t pixel = 32 * 64 + x;
+      const std::size_t pixel = std::size_t{32} * 64 + x;
       EXPECT_NEAR(image->find("R")->values[pixel], x < 32 ? 1.0F : 0.0F, 0.02F) << way;
       EXPECT_NEAR(image->find("G")->values[pixel], 0.0F, 0.02F) << way;
       EXPECT_NEAR(image->find("B")->values[pixel], x < 32 ? 0.0F : 1.0F, 0.02F) << way;

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "preprocess/point_radii.h"
 #include "tests/preprocess/surfaces.h"
 
 namespace relief {
@@ -48,6 +49,26 @@ TEST(Neighbours, SpacingIsTheDistanceBetweenSamples) {
   // The 8th neighbour of a square grid is at sqrt(2) steps, which gives 0.89; jitter moves it
   // outward.
   EXPECT_NEAR(sum / static_cast<double>(inner), kStep, 0.12 * kStep);
+}
+
+TEST(PointRadii, FollowTheSpacingAndKeepOutliersSmall) {
+  constexpr double kStep = 0.02;
+  Points points = test::sample_height_field(0.5, kStep, [](double, double) { return 0.0; });
+  points.positions.emplace_back(0.0, 0.0, 5.0);
+  const NeighbourGraph graph = find_neighbours(points.positions, 16);
+  const std::vector<double> radii = find_radii(graph);
+  ASSERT_EQ(radii.size(), points.positions.size());
+  double sum = 0.0;
+  std::size_t inner = 0;
+  for (std::size_t i = 0; i + 1 < radii.size(); ++i) {
+    if (std::abs(points.positions[i].x) > 0.4 || std::abs(points.positions[i].y) > 0.4) continue;
+    sum += radii[i];
+    ++inner;
+  }
+  // 1.2 spacings, those with the tolerance above.
+  EXPECT_NEAR(sum / static_cast<double>(inner), 1.2 * kStep, 0.12 * 1.2 * kStep);
+  // Its 8th neighbour is 5 away; twice the spacing of its neighbours is 0.04, and 1.2 times that.
+  EXPECT_NEAR(radii.back(), 2.0 * 1.2 * kStep, 0.2 * kStep * 2.4);
 }
 
 }  // namespace

@@ -175,7 +175,7 @@ TEST(EwaInput, GeoreferencedCoordinatesDoNotShake) {
   settings.camera.target += offset;
   const RenderResult there = must_splat(far, settings);
   // Doubles keep 1e-9 at 5e6: a pixel, 0.03 units, is kept to 3e-8.
-  for (std::size_t k = 0; k < 64U * 64U; ++k) {
+  for (std::size_t k = 0; k < std::size_t{64} * 64; ++k) {
     EXPECT_NEAR(values(there.image, "G")[k], values(here.image, "G")[k], 1e-5);
     EXPECT_NEAR(values(there.image, "A")[k], values(here.image, "A")[k], 1e-5);
   }

@@ -1,8 +1,10 @@
 // The layered frame buffer of the engine `ewa`, against values computed by hand.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <random>
+#include <vector>
 
 #include "renderer/engines/ewa/layered_buffer.h"
 
@@ -41,7 +43,7 @@ TEST(LayeredBuffer, BlendsTwoFragmentsByEquation12) {
   // co = cf af + cb ab (1 - af), ao = af + ab (1 - af).
   expect_colour(blend_over({0.5, 0.0, 0.0, 0.5}, {0.0, 0.5, 0.0, 0.5}), {0.5, 0.25, 0.0, 0.75});
   for (const bool front_first : {true, false}) {
-    LayeredBuffer buffer(1, 4, kTau, albedo_of);
+    LayeredBuffer buffer(1, 1, 4, kTau, albedo_of);
     if (front_first) buffer.add(0, whole(1.0), coloured(kRed, 0.5));
     buffer.add(0, whole(2.0), coloured(kGreen, 0.5));
     if (!front_first) buffer.add(0, whole(1.0), coloured(kRed, 0.5));
@@ -53,7 +55,7 @@ TEST(LayeredBuffer, BlendsTwoFragmentsByEquation12) {
 
 TEST(LayeredBuffer, MergesTheTwoClosestInDepth) {
   // Red at 1, green at 2, blue at 2.5, two layers: green and blue merge, and nothing is lost.
-  LayeredBuffer buffer(1, 2, kTau, albedo_of);
+  LayeredBuffer buffer(1, 1, 2, kTau, albedo_of);
   buffer.add(0, whole(2.0), coloured(kGreen, 0.5));
   buffer.add(0, whole(1.0), coloured(kRed, 0.5));
   buffer.add(0, whole(2.5), coloured(kBlue, 0.5));
@@ -63,7 +65,7 @@ TEST(LayeredBuffer, MergesTheTwoClosestInDepth) {
 TEST(LayeredBuffer, WhatComesBetweenTwoMergedSurfacesIsBehindBoth) {
   // Red at 1 and green at 2 merge when blue at 5 comes; white at 1.5 comes too late to lie between.
   // Then white (1.5) and the merged one (at red's depth) are the closest two.
-  LayeredBuffer buffer(1, 2, kTau, albedo_of);
+  LayeredBuffer buffer(1, 1, 2, kTau, albedo_of);
   buffer.add(0, whole(1.0), coloured(kRed, 0.5));
   buffer.add(0, whole(2.0), coloured(kGreen, 0.5));
   buffer.add(0, whole(5.0), coloured(kBlue, 1.0));
@@ -74,7 +76,7 @@ TEST(LayeredBuffer, WhatComesBetweenTwoMergedSurfacesIsBehindBoth) {
 
 TEST(LayeredBuffer, EachFragmentIsShadedOnce) {
   int shaded = 0;
-  LayeredBuffer buffer(1, 2, kTau, [&shaded](const Surface& surface) {
+  LayeredBuffer buffer(1, 1, 2, kTau, [&shaded](const Surface& surface) {
     ++shaded;
     return surface.albedo;
   });
@@ -85,7 +87,7 @@ TEST(LayeredBuffer, EachFragmentIsShadedOnce) {
 
 TEST(LayeredBuffer, OneLayerKeepsTheFrontSurface) {
   for (const bool front_first : {true, false}) {
-    LayeredBuffer buffer(1, 1, kTau, albedo_of);
+    LayeredBuffer buffer(1, 1, 1, kTau, albedo_of);
     if (front_first) buffer.add(0, whole(1.0), coloured(kRed, 0.5));
     buffer.add(0, whole(2.0), coloured(kGreen, 1.0));
     if (!front_first) buffer.add(0, whole(1.0), coloured(kRed, 0.5));
@@ -94,7 +96,7 @@ TEST(LayeredBuffer, OneLayerKeepsTheFrontSurface) {
 }
 
 TEST(LayeredBuffer, AccumulatesWithinTheThresholdAndSeparatesBeyond) {
-  LayeredBuffer buffer(2, 4, kTau, albedo_of);
+  LayeredBuffer buffer(2, 1, 4, kTau, albedo_of);
   for (const std::size_t pixel : {0, 1}) {
     buffer.add(pixel, {0.25, 1.0, 0.1}, coloured(kRed, 0.5));
     buffer.add(pixel, {0.25, pixel == 0 ? 1.05 : 1.15, 0.1}, coloured(kRed, 0.5));
@@ -107,7 +109,7 @@ TEST(LayeredBuffer, AccumulatesWithinTheThresholdAndSeparatesBeyond) {
 TEST(LayeredBuffer, HiddenSurfacesTakeNoLayer) {
   // Behind an opaque surface that covers the pixel come and go five more; the one before it, seen
   // through, keeps its layer.
-  LayeredBuffer buffer(1, 2, kTau, albedo_of);
+  LayeredBuffer buffer(1, 1, 2, kTau, albedo_of);
   buffer.add(0, whole(9.0), coloured(kBlue, 1.0));
   buffer.add(0, whole(8.0), coloured(kBlue, 1.0));
   buffer.add(0, whole(3.0), coloured(kGreen, 1.0));
@@ -120,7 +122,7 @@ TEST(LayeredBuffer, HiddenSurfacesTakeNoLayer) {
 TEST(LayeredBuffer, ConstantTextureStaysConstant) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> weight(1e-6, 1.0);
-  LayeredBuffer buffer(1, 4, kTau, albedo_of);
+  LayeredBuffer buffer(1, 1, 4, kTau, albedo_of);
   const glm::dvec3 colour(0.1, 0.7, 1.0 / 3.0);
   SplatAttributes attributes = coloured(colour, 1.0);
   attributes.normal = glm::normalize(glm::dvec3(1.0, 2.0, 3.0));
@@ -138,7 +140,7 @@ TEST(LayeredBuffer, ConstantTextureStaysConstant) {
 }
 
 TEST(LayeredBuffer, PatchAndCoordinatesAreOfTheLargestContribution) {
-  LayeredBuffer buffer(1, 4, kTau, albedo_of);
+  LayeredBuffer buffer(1, 1, 4, kTau, albedo_of);
   SplatAttributes left = coloured(kRed, 1.0);
   left.uv = {10.0, 10.0};
   SplatAttributes right = left;
@@ -157,7 +159,7 @@ TEST(LayeredBuffer, PatchAndCoordinatesAreOfTheLargestContribution) {
 
 TEST(LayeredBuffer, AttributesAreOfTheSurfaceThatIsSeen) {
   // A stray contribution that covers a hundredth of the pixel lies before the surface.
-  LayeredBuffer buffer(1, 4, kTau, albedo_of);
+  LayeredBuffer buffer(1, 1, 4, kTau, albedo_of);
   buffer.add(0, {0.004, 1.0, 0.1}, coloured(kRed, 1.0));
   SplatAttributes surface = coloured(kGreen, 1.0);
   surface.patch = 9;
@@ -168,8 +170,39 @@ TEST(LayeredBuffer, AttributesAreOfTheSurfaceThatIsSeen) {
   EXPECT_NEAR(pixel.colour.r, 0.01, 1e-15);
 }
 
+TEST(LayeredBuffer, NormalsChangeToTheNeighbourOfTheSameSurface) {
+  // Three pixels: normals turn by 0.1 and 0.2 radians; the last has another surface before, which
+  // is nobody's neighbour.
+  std::vector<Surface> surfaces(3);
+  LayeredBuffer buffer(3, 1, 4, kTau, [&surfaces](const Surface& surface) {
+    if (surface.albedo == kGreen) surfaces[surface.pixel] = surface;
+    return surface.albedo;
+  });
+  const double angles[] = {0.0, 0.1, 0.3};
+  for (std::size_t k = 0; k < 3; ++k) {
+    SplatAttributes attributes = coloured(kGreen, 0.5);
+    attributes.normal = {std::sin(angles[k]), 0.0, std::cos(angles[k])};
+    buffer.add(k, whole(5.0), attributes);
+  }
+  SplatAttributes other = coloured(kRed, 0.5);
+  other.normal = {1.0, 0.0, 0.0};
+  buffer.add(2, whole(1.0), other);
+  for (std::size_t k = 0; k < 3; ++k) (void)buffer.resolve(k);
+  // The chord of an angle a is 2 sin(a / 2); doubles.
+  const double chords[3][2] = {{0.0, 2.0 * std::sin(0.05)},
+                               {2.0 * std::sin(0.05), 2.0 * std::sin(0.1)},
+                               {2.0 * std::sin(0.1), 0.0}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(glm::length(surfaces[k].changes[0]), chords[k][0], 1e-14);
+    EXPECT_NEAR(glm::length(surfaces[k].changes[1]), chords[k][1], 1e-14);
+    EXPECT_EQ(surfaces[k].changes[3], glm::dvec3(0.0));
+  }
+  EXPECT_LT(surfaces[1].changes[0].x, 0.0);
+  EXPECT_GT(surfaces[1].changes[1].x, 0.0);
+}
+
 TEST(LayeredBuffer, NormalsThatCancelOutAreZero) {
-  LayeredBuffer buffer(2, 4, kTau, albedo_of);
+  LayeredBuffer buffer(2, 1, 4, kTau, albedo_of);
   SplatAttributes a = coloured(kRed, 1.0);
   buffer.add(0, whole(1.0), a);
   a.normal = -a.normal;

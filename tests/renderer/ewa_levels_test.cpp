@@ -44,7 +44,7 @@ TEST(SplatLevels, NoLevelHasHoles) {
   const SplatHierarchy sphere = build_hierarchy(test::sphere_cloud(30000));
   for (const SplatCloud& level : sphere.levels) {
     const RenderResult result = must_splat(level, ewa_picture({0.0, 0.0, 3.7}));
-    for (std::size_t k = 0; k < 96U * 96U; ++k) {
+    for (std::size_t k = 0; k < std::size_t{96} * 96; ++k) {
       const double x = static_cast<double>(k % 96) - 47.5;
       const double y = static_cast<double>(k / 96) - 47.5;
       if (std::hypot(x, y) >= 25.0) continue;
@@ -61,7 +61,7 @@ TEST(SplatLevels, FinerLevelsComeCloserToTheFullPicture) {
   for (std::size_t level = 1; level < hierarchy.levels.size(); ++level) {
     const RenderResult result = must_splat(hierarchy.levels[level], settings);
     double difference = 0.0;
-    for (std::size_t k = 0; k < 96U * 96U; ++k)
+    for (std::size_t k = 0; k < std::size_t{96} * 96; ++k)
       difference += std::abs(values(result.image, "G")[k] - values(full.image, "G")[k]);
     EXPECT_GT(difference, last) << level;
     last = difference;
@@ -82,11 +82,11 @@ TEST(SplatLevels, TwoSidesOfASheetStayApart) {
   }
 }
 
-TEST(SplatLevels, SufficientLevelHasSplatsOfHalfAPixel) {
+TEST(SplatLevels, LevelsAreChosenByTheSizeOfTheirSplats) {
   const SplatHierarchy hierarchy = build_hierarchy(test::plane_cloud(100, 100));
   const auto level_at = [&](double pixels) {
     const RenderSettings s = ewa_picture({0.0, 0.0, test::distance_for(pixels)});
-    return sufficient_level(hierarchy, make_view(s.camera, s.width, s.height, 0.01));
+    return level_of_size(hierarchy, make_view(s.camera, s.width, s.height, 0.01), kFinestPixels);
   };
   // Clusters of 2 x 2 points have at least twice their radius, those of 4 x 4 four times.
   EXPECT_EQ(level_at(1.0), 0U);
@@ -105,7 +105,8 @@ TEST(SplatLevels, PicturesAreRefinedWhileTimeRemains) {
     const auto show = [&shown](const RenderResult& picture) { shown.push_back(*picture.level); };
     const auto last = render_progressive(hierarchy, settings, show, silent);
     ASSERT_TRUE(last);
-    const auto coarsest = static_cast<std::uint32_t>(hierarchy.levels.size() - 1);
+    // Radii of 0.6 pixels, or 1.2, 2.5 and 5.
+    const std::uint32_t coarsest = 2;
     ASSERT_FALSE(shown.empty());
     EXPECT_EQ(shown.front(), coarsest);
     EXPECT_EQ(shown.back(), budget < 1.0 ? coarsest : 0U);
@@ -114,6 +115,17 @@ TEST(SplatLevels, PicturesAreRefinedWhileTimeRemains) {
     const RenderResult plain = must_splat(hierarchy.levels[shown.back()], settings);
     EXPECT_EQ(values(last->image, "G"), values(plain.image, "G"));
   }
+}
+
+TEST(SplatLevels, RefinementEndsAtHalfAPixel) {
+  const SplatHierarchy hierarchy = build_hierarchy(test::plane_cloud(100, 100));
+  RenderSettings settings = ewa_picture({0.0, 0.0, test::distance_for(0.2)});
+  settings.ewa.time_budget_ms = 1e9;
+  Progress silent;
+  const auto last = render_progressive(
+      hierarchy, settings, [](const RenderResult&) {}, silent);
+  ASSERT_TRUE(last);
+  EXPECT_EQ(last->level, 1U);  // see above
 }
 
 }  // namespace

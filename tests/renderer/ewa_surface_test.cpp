@@ -33,7 +33,7 @@ TEST(EwaSurface, PlaneIsExactAndWhole) {
       settings.ewa.filter = filter;
       const RenderResult result = must_splat(cloud, settings);
       ASSERT_EQ(result.covered_pixels, 96U * 96U) << eye.z;
-      for (std::size_t k = 0; k < 96U * 96U; ++k) {
+      for (std::size_t k = 0; k < std::size_t{96} * 96; ++k) {
         ASSERT_EQ(values(result.image, "A")[k], 1.0F) << eye.z << ' ' << static_cast<int>(filter);
         const glm::dvec3 ray = pixel_ray(settings, k % 96, k / 96);
         const double depth = -eye.z / ray.z;
@@ -88,7 +88,7 @@ TEST(EwaSurface, SphereIsWholeAndRound) {
     const RenderResult result = must_splat(cloud, settings);
     const double pixel = 2.0 * std::tan(std::numbers::pi / 9.0) / settings.height;
     std::size_t looked_at = 0;
-    for (std::size_t k = 0; k < 96U * 96U; ++k) {
+    for (std::size_t k = 0; k < std::size_t{96} * 96; ++k) {
       const glm::dvec3 ray = pixel_ray(settings, k % 96, k / 96);
       const double a = glm::dot(ray, ray);
       const double b = glm::dot(ray, settings.camera.eye);
@@ -132,7 +132,7 @@ TEST(EwaSurface, TransparentLayersBlendByEquation12) {
   settings.ewa.layers = 3;
   for (const SplatCloud* cloud : {&front_first, &back_first}) {
     const RenderResult result = must_splat(*cloud, settings);
-    for (std::size_t k = 0; k < 32U * 32U; ++k) {
+    for (std::size_t k = 0; k < std::size_t{32} * 32; ++k) {
       // 1/2 red, 1/4 green, 1/4 blue; floats.
       ASSERT_NEAR(values(result.image, "R")[k], 0.5, 1e-6);
       ASSERT_NEAR(values(result.image, "G")[k], 0.25, 1e-6);
@@ -142,7 +142,7 @@ TEST(EwaSurface, TransparentLayersBlendByEquation12) {
   }
   settings.ewa.layers = 1;  // the front surface alone
   const RenderResult front = must_splat(back_first, settings);
-  for (std::size_t k = 0; k < 32U * 32U; ++k) {
+  for (std::size_t k = 0; k < std::size_t{32} * 32; ++k) {
     ASSERT_NEAR(values(front.image, "R")[k], 0.5, 1e-6);
     ASSERT_EQ(values(front.image, "G")[k], 0.0F);
     ASSERT_NEAR(values(front.image, "A")[k], 0.5, 1e-6);
@@ -159,7 +159,7 @@ TEST(EwaSurface, SamplesOfPatchesLieWhereOnepassDrawsThem) {
   const RenderResult patches = test::must_render(plane, settings);
   ASSERT_EQ(splats.covered_pixels, 48U * 48U);
   ASSERT_EQ(patches.covered_pixels, 48U * 48U);
-  for (std::size_t k = 0; k < 48U * 48U; ++k) {
+  for (std::size_t k = 0; k < std::size_t{48} * 48; ++k) {
     // Heights are in steps of spacing / 1000, normals in 16 bits; onepass keeps half-float normals.
     EXPECT_NEAR(values(splats.image, "Z")[k], values(patches.image, "Z")[k], 5e-3);
     EXPECT_NEAR(values(splats.image, "N.X")[k], values(patches.image, "N.X")[k], 2e-3);

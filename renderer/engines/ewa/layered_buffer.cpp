@@ -7,18 +7,31 @@
 #include <utility>
 
 namespace relief::ewa {
+namespace {
+
+/// Neighbouring pixels whose normals differ by more than 30 degrees show different surfaces, or a
+/// crease, over which there is nothing to interpolate.
+constexpr double kLargestChange = 0.52;
+
+glm::dvec3 unit_or_zero(glm::dvec3 v) {
+  const double length = glm::length(v);
+  return length > 0.0 ? v / length : glm::dvec3(0.0);
+}
+
+}  // namespace
 
 glm::dvec4 blend_over(glm::dvec4 front, glm::dvec4 back) {
   return front + (1.0 - front.a) * back;
 }
 
-LayeredBuffer::LayeredBuffer(std::size_t pixels, int layers, double coverage_threshold,
-                             ShadeSurface shade)
-    : slots_(static_cast<std::size_t>(layers) + 1),
+LayeredBuffer::LayeredBuffer(std::size_t width, std::size_t rows, int layers,
+                             double coverage_threshold, ShadeSurface shade)
+    : width_(width),
+      slots_(static_cast<std::size_t>(layers) + 1),
       coverage_threshold_(coverage_threshold),
       shade_(std::move(shade)),
-      fragments_(pixels * slots_),
-      counts_(pixels, 0) {
+      fragments_(width * rows * slots_),
+      counts_(width * rows, 0) {
   assert(layers >= 1 && coverage_threshold > 0.0 && "settings that were checked");
 }
 
@@ -99,12 +112,34 @@ void LayeredBuffer::merge_closest(std::size_t pixel) {
 void LayeredBuffer::shade_once(std::size_t pixel, Fragment& fragment) const {
   if (fragment.shaded) return;
   const glm::dvec4 colour = fragment.colour / fragment.weight;
-  const double length = glm::length(fragment.normal_sum);
-  const glm::dvec3 normal = length > 0.0 ? fragment.normal_sum / length : glm::dvec3(0.0);
-  const glm::dvec3 seen = shade_({pixel, glm::dvec3(colour), normal, fragment.material});
+  Surface surface{
+      pixel, glm::dvec3(colour), unit_or_zero(fragment.normal_sum), {}, fragment.material};
+  const std::size_t column = pixel % width_;
+  if (column > 0) surface.changes[0] = normal_change(fragment, pixel - 1);
+  if (column + 1 < width_) surface.changes[1] = normal_change(fragment, pixel + 1);
+  if (pixel >= width_) surface.changes[2] = normal_change(fragment, pixel - width_);
+  if (pixel + width_ < counts_.size()) surface.changes[3] = normal_change(fragment, pixel + width_);
+  const glm::dvec3 seen = shade_(surface);
   const double alpha = colour.a * fragment.coverage(coverage_threshold_);
   fragment.colour = glm::dvec4(alpha * seen, alpha);
   fragment.shaded = true;
+}
+
+/// To the neighbour's fragment that is nearest in depth. Fragments keep their normals when they are
+/// shaded.
+glm::dvec3 LayeredBuffer::normal_change(const Fragment& fragment, std::size_t neighbour) const {
+  const Fragment* nearest = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < counts_[neighbour]; ++i) {
+    const Fragment& other = fragments_[neighbour * slots_ + i];
+    const double distance = std::abs(other.depth() - fragment.depth());
+    if (distance >= least) continue;
+    least = distance;
+    nearest = &other;
+  }
+  if (nearest == nullptr) return glm::dvec3(0.0);
+  const glm::dvec3 change = unit_or_zero(nearest->normal_sum) - unit_or_zero(fragment.normal_sum);
+  return glm::length(change) < kLargestChange ? change : glm::dvec3(0.0);
 }
 
 ResolvedPixel LayeredBuffer::resolve(std::size_t pixel) {
@@ -127,8 +162,7 @@ ResolvedPixel LayeredBuffer::resolve(std::size_t pixel) {
     if (reached < half) continue;
     const Fragment& seen = fragments[i];
     resolved.depth = seen.depth();
-    const double length = glm::length(seen.normal_sum);
-    if (length > 0.0) resolved.normal = seen.normal_sum / length;
+    resolved.normal = unit_or_zero(seen.normal_sum);
     resolved.uv = seen.uv_sum / seen.uv_weight;
     resolved.patch = seen.patch;
     break;

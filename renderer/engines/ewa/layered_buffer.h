@@ -2,6 +2,7 @@
 // contributions of one surface. With one layer, the frame buffer of section 4.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -15,6 +16,9 @@ struct Surface {
   std::size_t pixel = 0;
   glm::dvec3 albedo{0.0};  ///< linear
   glm::dvec3 normal{0.0};  ///< world, unit; 0 where normals cancel out
+  /// What the normal changes by to the next pixel left, right, up and down; 0 where that shows
+  /// another surface.
+  std::array<glm::dvec3, 4> changes{};
   std::uint8_t material = 0;
 };
 
@@ -37,8 +41,10 @@ struct ResolvedPixel {
 
 class LayeredBuffer {
  public:
-  /// `layers` >= 1, `coverage_threshold` (tau) > 0. `shade` is called once per fragment.
-  LayeredBuffer(std::size_t pixels, int layers, double coverage_threshold, ShadeSurface shade);
+  /// For `rows` of `width` pixels. `layers` >= 1, `coverage_threshold` (tau) > 0. `shade` is called
+  /// once per fragment.
+  LayeredBuffer(std::size_t width, std::size_t rows, int layers, double coverage_threshold,
+                ShadeSurface shade);
 
   /// Adds a contribution to a pixel. One layer: to the fragment if it is the same surface,
   /// otherwise the nearer of both stays (section 4). More: to the fragment nearest in depth that is
@@ -57,7 +63,9 @@ class LayeredBuffer {
   void make_room(std::size_t pixel);
   void merge_closest(std::size_t pixel);
   void shade_once(std::size_t pixel, Fragment& fragment) const;
+  [[nodiscard]] glm::dvec3 normal_change(const Fragment& fragment, std::size_t neighbour) const;
 
+  std::size_t width_;
   std::size_t slots_;  ///< per pixel: layers, and one for the temporary fragment
   double coverage_threshold_;
   ShadeSurface shade_;

@@ -113,9 +113,10 @@ Result<RenderResult> render_progressive(const SplatHierarchy& hierarchy,
   Result<Scene> scene = make_scene(hierarchy.levels.front(), settings);
   if (!scene) return scene.error();
   connect(*scene, settings);
-  const std::size_t last = sufficient_level(hierarchy, scene->view);
+  const std::size_t first = level_of_size(hierarchy, scene->view, kCoarsestPixels);
+  const std::size_t last = level_of_size(hierarchy, scene->view, kFinestPixels);
   const auto start = Clock::now();
-  for (std::size_t level = hierarchy.levels.size() - 1;; --level) {
+  for (std::size_t level = first;; --level) {
     const SplatCloud& cloud = hierarchy.levels[level];
     const auto level_start = Clock::now();
     const Splatted splatted =

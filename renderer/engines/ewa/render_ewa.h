@@ -17,11 +17,17 @@ Result<RenderResult> render(const SplatCloud& cloud, const RenderSettings& setti
 /// Receives a picture that a finer one may follow.
 using ShowPicture = std::function<void(const RenderResult&)>;
 
-/// Draws the coarsest level, whatever it takes, and then finer ones, each whole and once, while
-/// `settings.ewa.time_budget_ms` lasts: a level is not begun if, at the pace of the last one, it
-/// would not be done in time. Ends with the level that suffices for the picture's pixels. Each
-/// picture is shown, also the last, which is returned; `level` says which it is, frame_ms how long
-/// it took. Which level is reached depends on the machine; a level's picture does not.
+/// A level of larger splats is no picture of the model, and takes longer: as many pixels are
+/// covered, by splats that agree less.
+inline constexpr double kCoarsestPixels = 4.0;
+/// The low-pass filter, of one pixel, hides what levels finer than this would add.
+inline constexpr double kFinestPixels = 0.5;
+
+/// Draws the level of kCoarsestPixels, whatever it takes, and then finer ones, each whole and once,
+/// while `settings.ewa.time_budget_ms` lasts: a level is not begun if, at the pace of the last one,
+/// it would not be done in time. Ends with the level of kFinestPixels. Each picture is shown, also
+/// the last, which is returned; `level` says which it is, frame_ms how long it took. Which level is
+/// reached depends on the machine; a level's picture does not.
 Result<RenderResult> render_progressive(const SplatHierarchy& hierarchy,
                                         const RenderSettings& settings, const ShowPicture& show,
                                         Progress& progress);

@@ -142,7 +142,7 @@ SplatHierarchy build_hierarchy(SplatCloud cloud) {
   return hierarchy;
 }
 
-std::size_t sufficient_level(const SplatHierarchy& hierarchy, const View& view) {
+std::size_t level_of_size(const SplatHierarchy& hierarchy, const View& view, double pixels) {
   const double scale = 0.5 * view.height / view.slope_y;
   for (std::size_t level = hierarchy.levels.size(); level-- > 1;) {
     const SplatCloud& cloud = hierarchy.levels[level];
@@ -154,7 +154,7 @@ std::size_t sufficient_level(const SplatHierarchy& hierarchy, const View& view) 
       sum += cloud.radii[k] * scale / depth;
       count += 1.0;
     }
-    if (count > 0.0 && sum <= 0.5 * count) return level;
+    if (count > 0.0 && sum <= pixels * count) return level;
   }
   return 0;
 }

@@ -22,8 +22,9 @@ struct SplatHierarchy {
 /// and reaches over all of its points. Ends when a level has few points or no longer shrinks.
 [[nodiscard]] SplatHierarchy build_hierarchy(SplatCloud cloud);
 
-/// The coarsest level whose points' radii are at most half a pixel in the mean over those before
-/// the eye: the low-pass filter, of one pixel, hides what finer levels would add. 0 if none is.
-[[nodiscard]] std::size_t sufficient_level(const SplatHierarchy& hierarchy, const View& view);
+/// The coarsest level whose points' radii are at most `pixels` in the mean over those before the
+/// eye; 0 if none is.
+[[nodiscard]] std::size_t level_of_size(const SplatHierarchy& hierarchy, const View& view,
+                                        double pixels);
 
 }  // namespace relief::ewa

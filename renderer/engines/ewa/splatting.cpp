@@ -10,7 +10,6 @@
 
 #include "renderer/engines/ewa/layered_buffer.h"
 #include "renderer/engines/ewa/projected_splat.h"
-#include "renderer/shading.h"
 
 namespace relief::ewa {
 namespace {
@@ -128,18 +127,6 @@ FilmPixel film_pixel(const ResolvedPixel& resolved) {
   return pixel;
 }
 
-/// The colour of a surface in a pixel of a tile. Where normals cancel out, it faces the eye.
-glm::dvec3 shade_surface(const Surface& surface, const PixelBox& tile, const View& view,
-                         const Lighting& lighting) {
-  const auto pixel = static_cast<std::int64_t>(surface.pixel);
-  const double x = static_cast<double>(tile.left + pixel % kTile) + 0.5;
-  const double y = static_cast<double>(tile.top + pixel / kTile) + 0.5;
-  const glm::dvec3 ray = glm::normalize(ray_through(view, {x, view.height - y}));
-  const glm::dvec3 normal = surface.normal == glm::dvec3(0.0) ? -ray : surface.normal;
-  return glm::dvec3(shade(lighting.materials[surface.material], glm::vec3(surface.albedo),
-                          glm::vec3(normal), glm::vec3(ray), lighting.frame, lighting.cube));
-}
-
 /// The entries of a tile.
 template <class Kernel>
 std::span<const TileEntry> entries_of(const Chunk<Kernel>& chunk, std::uint32_t tile) {
@@ -158,9 +145,13 @@ std::uint64_t draw_tile(const SplatCloud& cloud, const std::vector<Chunk<Kernel>
     return entries_of(chunk, t).empty();
   });
   if (empty) return 0;
-  LayeredBuffer buffer(
-      static_cast<std::size_t>(kTile * kTile), settings.layers, settings.coverage_threshold,
-      [&](const Surface& surface) { return shade_surface(surface, tile, view, lighting); });
+  const auto shade = [&](const Surface& surface) {
+    const auto pixel = static_cast<std::int64_t>(surface.pixel);
+    const glm::dvec2 place(tile.left + pixel % kTile, tile.top + pixel / kTile);
+    return shade_surface(surface, place + 0.5, view, lighting);
+  };
+  LayeredBuffer buffer(static_cast<std::size_t>(kTile), static_cast<std::size_t>(kTile),
+                       settings.layers, settings.coverage_threshold, shade);
   std::uint64_t evaluations = 0;
   for (const Chunk<Kernel>& chunk : chunks) {
     for (const TileEntry& entry : entries_of(chunk, t)) {

@@ -2,24 +2,15 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "common/progress.h"
-#include "renderer/cube_map.h"
+#include "renderer/engines/ewa/deferred_shading.h"
 #include "renderer/engines/ewa/settings.h"
 #include "renderer/film.h"
 #include "renderer/splat_cloud.h"
 #include "renderer/view.h"
-#include "shaders/include/shared.h"
 
 namespace relief::ewa {
-
-/// What a surface needs to be shaded. Nothing is owned.
-struct Lighting {
-  shared::Frame frame;
-  const CubeMap* cube = nullptr;    ///< for mirrors
-  std::vector<Material> materials;  ///< by SplatCloud::materials; not empty
-};
 
 struct Splatted {
   Film film;

@@ -1,0 +1,28 @@
+// Shading of the surfaces that splatting leaves in the pixels (paper 000, section 4).
+#pragma once
+
+#include <vector>
+
+#include "renderer/cube_map.h"
+#include "renderer/engines/ewa/layered_buffer.h"
+#include "renderer/render.h"
+#include "renderer/view.h"
+#include "shaders/include/shared.h"
+
+namespace relief::ewa {
+
+/// What a surface needs to be shaded. Nothing is owned.
+struct Lighting {
+  shared::Frame frame;
+  const CubeMap* cube = nullptr;    ///< for mirrors
+  std::vector<Material> materials;  ///< by SplatCloud::materials; not empty
+};
+
+/// The colour that a surface shows at a place in the picture (pixels from the upper left corner,
+/// the middle of a pixel). Where normals cancelled out, it faces the eye. A mirror's reflection is
+/// averaged over the pixel, in which the normal turns toward its neighbours', by up to 4 x 4
+/// lookups: a single one would alias however well the normals are filtered.
+[[nodiscard]] glm::dvec3 shade_surface(const Surface& surface, glm::dvec2 place, const View& view,
+                                       const Lighting& lighting);
+
+}  // namespace relief::ewa
