@@ -45,6 +45,7 @@ void append(Points& to, Points from, LeftOut& left_out) {
   left_out.colours |= append_attribute(to.colours, offset, from.colours);
   left_out.texcoords |= append_attribute(to.texcoords, offset, from.texcoords);
   to.positions.insert(to.positions.end(), from.positions.begin(), from.positions.end());
+  to.corner_texcoords.clear();  // several scans as one are only ever converted, without textures
   to.triangles.reserve(to.triangles.size() + from.triangles.size());
   for (const Triangle& t : from.triangles) {
     to.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});

@@ -50,12 +50,26 @@ EngineNeeds needs_of(const RenderPlan& plan) {
   return needs;
 }
 
+Result<LoadedScene> load(const RenderPlan& plan, const RenderArguments& arguments,
+                         Progress& progress) {
+  if (arguments.texture.file.empty()) return load_scene(plan.models, needs_of(plan), progress);
+  auto splats =
+      acquire_splats(arguments.input, arguments.texture,
+                     arguments.settings.cutoff.value_or(EwaSettings{}.cutoff), progress);
+  if (!splats) return splats.error();
+  LoadedScene scene;
+  scene.patches.bounds = bounds_of(splats->positions);
+  scene.patches.bounding_radius = bounding_radius(splats->positions, scene.patches.bounds);
+  scene.splats = std::move(*splats);
+  return scene;
+}
+
 /// Loads, renders and writes. `count`: how many pictures are written, also after a failure.
 Result<std::vector<WrittenPicture>> make_pictures(const RenderPlan& plan,
                                                   const RenderArguments& arguments,
                                                   std::size_t& count) {
   ConsoleProgress progress;
-  const auto scene = load_scene(plan.models, needs_of(plan), progress);
+  const auto scene = load(plan, arguments, progress);
   if (!scene) return scene.error();
   if (progress.cancelled()) return interrupted_error();
   std::vector<RenderSettings> views;
@@ -98,7 +112,7 @@ int run(const RenderArguments& arguments) {
                    arguments.input.string(), plan->pictures.size()));
     return kWrongUsage;
   }
-  if (const Status good = check_files(*plan); !good) return fail(good.error());
+  if (const Status good = check_files(*plan, arguments.texture.file); !good) return fail(good.error());
   std::size_t count = 0;
   const auto written = make_pictures(*plan, arguments, count);
   if (!written) {

@@ -30,15 +30,14 @@ CLI::Option* add_choice(CLI::App& sub, const std::string& name, std::optional<T>
       ->option_text(list_names(table, "|"));
 }
 
-/// A number from a range; CLI11's own ranges let NaN pass.
+/// A number from a range.
 template <class T>
 void add_number(CLI::App& sub, const std::string& name, std::optional<T>& to, NumberChoice range,
                 const std::string& letter, const std::string& description) {
   sub.add_option(name, to, description)
       ->check([range](const std::string& text) {
-        double value = 0.0;
-        const bool good =
-            CLI::detail::lexical_cast(text, value) && value >= range.least && value <= range.most;
+        const std::optional<double> value = parse_number(text);
+        const bool good = value && *value >= range.least && *value <= range.most;
         return good ? std::string()
                     : fmt::format("expected a number from {:g} to {:g}; found {}", range.least,
                                   range.most, text);
@@ -118,6 +117,26 @@ void add_cpu_engine_options(CLI::App& sub, SceneSettings& settings) {
              "ewa: draw coarser sets of points first, and finer ones while this time lasts");
 }
 
+/// An option of one engine says nothing to another. A scene's views may have several engines.
+void check_engine_options(const RenderArguments& arguments) {
+  const SceneSettings& settings = arguments.settings;
+  const EngineKind engine = settings.engine.value_or(EngineKind::Onepass);
+  const std::string kind = ending(arguments.input);
+  if (!arguments.texture.file.empty() &&
+      (engine != EngineKind::Ewa || kind == ".json" || kind == ".relief")) {
+    throw CLI::ValidationError("--texture", "needs --engine ewa and a mesh");
+  }
+  if (kind == ".json") return;
+  if (settings.samples && engine != EngineKind::Raytrace)
+    throw CLI::ValidationError("--samples", "is for --engine raytrace");
+  const bool for_ewa = settings.filter || settings.cutoff || settings.layers ||
+                       settings.coverage_threshold || settings.time_budget_ms;
+  if (for_ewa && engine != EngineKind::Ewa) {
+    throw CLI::ValidationError("--filter, --cutoff, --layers, --tau, --time-budget",
+                               "are for --engine ewa");
+  }
+}
+
 }  // namespace
 
 void add_render_options(CLI::App& sub, RenderArguments& arguments) {
@@ -132,6 +151,7 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments) {
   add_camera_options(sub, arguments.settings);
   add_look_options(sub, arguments.settings);
   add_cpu_engine_options(sub, arguments.settings);
+  add_texture_options(sub, arguments.texture);
   sub.add_option("--frames", arguments.frames,
                  "Frames to time after a first one; the median is reported (3)")
       ->check(CLI::Range(1, 100000))
@@ -154,6 +174,7 @@ void check_together(const RenderArguments& arguments) {
   if (format == ".png" && (outputs.normal || outputs.depth || outputs.uv || outputs.patch_id)) {
     throw CLI::ValidationError("--outputs", "a PNG holds colour alone; write an .exr");
   }
+  check_engine_options(arguments);
   if (settings.eye && settings.eye == settings.target) {
     throw CLI::ValidationError("--target", "must not be where --eye is");
   }

@@ -4,6 +4,7 @@
 #include <CLI/App.hpp>
 #include <filesystem>
 
+#include "cli/acquire.h"
 #include "common/scene.h"
 #include "renderer/render.h"
 
@@ -12,6 +13,7 @@ namespace relief::cli {
 struct RenderArguments {
   std::filesystem::path input;   ///< a scene, a patch file, a scan or a mesh
   std::filesystem::path output;  ///< with {view} in it for a scene of several views
+  TextureArguments texture;
   SceneSettings settings;        ///< what the options say; a scene's settings yield to it
   GlPlatform platform = GlPlatform::Automatic;
   int frames = 3;

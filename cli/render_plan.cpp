@@ -48,8 +48,9 @@ bool outputs_differ(const RenderPlan& plan, const RenderArguments& arguments) {
          arguments.output.string().find(kViewMark) != std::string::npos;
 }
 
-Status check_files(const RenderPlan& plan) {
+Status check_files(const RenderPlan& plan, const fs::path& texture) {
   std::set<fs::path> inputs;
+  if (!texture.empty()) inputs.insert(texture);
   for (const SceneModel& model : plan.models) inputs.insert(model.file);
   for (const Picture& picture : plan.pictures) {
     if (picture.settings.environment && !picture.settings.environment->empty())

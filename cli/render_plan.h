@@ -33,8 +33,8 @@ Result<RenderPlan> make_plan(const RenderArguments& arguments);
 [[nodiscard]] bool outputs_differ(const RenderPlan& plan, const RenderArguments& arguments);
 
 /// Whether every file to be read is there, and every file to be written can be: known before the
-/// long work.
-Status check_files(const RenderPlan& plan);
+/// long work. `texture`: one more file to be read, if not empty.
+Status check_files(const RenderPlan& plan, const std::filesystem::path& texture);
 
 /// What the renderer is told about a picture of the model.
 Result<RenderSettings> render_settings_for(const Picture& picture, const PatchModel& model,

@@ -11,6 +11,7 @@
 namespace relief {
 
 using Triangle = std::array<std::uint32_t, 3>;
+using CornerTexcoords = std::array<glm::vec2, 3>;  ///< of a triangle's three corners
 
 /// Points with the attributes that their file had. An attribute vector is empty or as long as
 /// `positions`. World frame, right-handed, in the file's own unit.
@@ -21,6 +22,9 @@ struct Points {
   std::vector<glm::u8vec3> colours;  ///< 8-bit sRGB
   std::vector<glm::vec2> texcoords;  ///< (u, v), v upward
   std::vector<Triangle> triangles;   ///< indices into `positions`; polygons are split into fans
+  /// Empty, or as long as `triangles` where points on the seam of a texture have several texture
+  /// coordinates, of which `texcoords` can hold only the first.
+  std::vector<CornerTexcoords> corner_texcoords;
   std::optional<glm::dvec3> viewpoint;  ///< where the scanner stood, if the file says so
 
   [[nodiscard]] std::size_t size() const { return positions.size(); }

@@ -6,28 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <nanoflann.hpp>
 #include <numbers>
+
+#include "preprocess/position_tree.h"
 
 namespace relief {
 namespace {
-
-struct PositionsAdaptor {
-  const std::vector<glm::dvec3>& positions;
-
-  [[nodiscard]] std::size_t kdtree_get_point_count() const { return positions.size(); }
-  [[nodiscard]] double kdtree_get_pt(std::size_t i, std::size_t axis) const {
-    return positions[i][static_cast<glm::length_t>(axis)];
-  }
-  template <class Box>
-  bool kdtree_get_bbox(Box& /*box*/) const {
-    return false;
-  }
-};
-
-using Tree =
-    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PositionsAdaptor>,
-                                        PositionsAdaptor, 3, std::uint32_t>;
 
 // Up to this many neighbours give the density: enough to average noise out, few enough to follow
 // it.
@@ -43,7 +27,7 @@ NeighbourGraph find_neighbours(const std::vector<glm::dvec3>& positions, std::ui
   graph.indices.resize(std::size_t{n} * graph.k);
 
   const PositionsAdaptor adaptor{positions};
-  const Tree tree(3, adaptor, nanoflann::KDTreeSingleIndexAdaptorParams(16));
+  const PositionTree tree(3, adaptor, nanoflann::KDTreeSingleIndexAdaptorParams(kTreeLeafSize));
   const std::uint32_t density_k = std::min(kDensityNeighbours, graph.k);
   std::vector<float> raw_spacing(n);
 

@@ -62,16 +62,37 @@ void compact(std::vector<T>& values, const std::vector<std::uint32_t>& kept) {
 
 /// Renumbers triangles and drops those that have lost a corner, name a point that does not exist or
 /// have two corners in one point.
-void renumber(std::vector<Triangle>& triangles, const std::vector<std::uint32_t>& new_index) {
+void renumber(Points& points, const std::vector<std::uint32_t>& new_index) {
+  std::vector<Triangle>& triangles = points.triangles;
   std::size_t left = 0;
-  for (Triangle t : triangles) {
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    Triangle t = triangles[i];
     for (std::uint32_t& corner : t) {
       corner = corner < new_index.size() ? new_index[corner] : kNoPoint;
     }
     const bool whole = std::ranges::find(t, kNoPoint) == t.end();
-    if (whole && t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) triangles[left++] = t;
+    if (!whole || t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
+    if (!points.corner_texcoords.empty()) {
+      points.corner_texcoords[left] = points.corner_texcoords[i];
+    }
+    triangles[left++] = t;
   }
   triangles.resize(left);
+  if (!points.corner_texcoords.empty()) points.corner_texcoords.resize(left);
+}
+
+/// Formats with one texture coordinate a point write the points of a seam once for each side.
+/// Merged they would keep one side's, so the triangles get their corners' own.
+void keep_seams(Points& points) {
+  const auto count = points.size();
+  points.corner_texcoords.reserve(points.triangles.size());
+  for (const Triangle& t : points.triangles) {
+    CornerTexcoords corners{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (t[c] < count) corners[c] = points.texcoords[t[c]];
+    }
+    points.corner_texcoords.push_back(corners);
+  }
 }
 
 }  // namespace
@@ -86,6 +107,7 @@ ReadResult clean_points(Points points) {
   std::vector<std::uint32_t> kept;
   kept.reserve(count);
   SeenPositions seen(count);
+  bool seam = false;
   for (std::uint32_t i = 0; i < count; ++i) {
     if (!is_finite(points.positions[i])) {
       ++result.dropped_nonfinite;
@@ -99,13 +121,15 @@ ReadResult clean_points(Points points) {
     }
     ++result.merged_duplicates;
     new_index[i] = new_index[first];
+    seam = seam || (!points.texcoords.empty() && points.texcoords[i] != points.texcoords[first]);
     // The sum points where the mean does; its length is of no use to anyone.
     if (!points.normals.empty() && is_finite(points.normals[i])) {
       glm::vec3& normal = points.normals[first];
       normal = is_finite(normal) ? normal + points.normals[i] : points.normals[i];
     }
   }
-  renumber(points.triangles, new_index);
+  if (seam && points.corner_texcoords.empty()) keep_seams(points);
+  renumber(points, new_index);
   if (kept.size() < count) {
     compact(points.positions, kept);
     compact(points.normals, kept);

@@ -90,15 +90,18 @@ class ObjReader {
 
   Status read_face() {
     polygon_.clear();
+    polygon_texcoords_.clear();
     while (!line_.at_line_end()) {
       Corner corner;
       if (!parse_corner(line_.peek(), corner))
         return wrong("a corner such as 1, 1/2, 1//3 or 1/2/3");
       (void)line_.word();
       polygon_.push_back(corner.position);
+      polygon_texcoords_.push_back(corner.texcoord);
       corners_.push_back(corner);
     }
     append_polygon(polygon_, points_.triangles);
+    append_polygon(polygon_texcoords_, triangle_texcoords_);
     return {};
   }
 
@@ -132,7 +135,8 @@ class ObjReader {
     }
   }
 
-  /// A vertex gets the texture coordinates of its first corner that has some.
+  /// A vertex gets the texture coordinates of its first corner that has some; where another corner
+  /// has others (a seam), the triangles keep their own.
   void give_texcoords() {
     if (corners_.empty() && texcoords_.size() == points_.size()) {
       points_.texcoords = std::move(texcoords_);
@@ -147,6 +151,24 @@ class ObjReader {
       if (!given[corner.position]) points_.texcoords[corner.position] = texcoords_[corner.texcoord];
       given[corner.position] = true;
     }
+    keep_seams();
+  }
+
+  void keep_seams() {
+    if (points_.texcoords.empty() || triangle_texcoords_.empty()) return;
+    std::vector<CornerTexcoords> of_corners(points_.triangles.size(), CornerTexcoords{});
+    bool seam = false;
+    for (std::size_t t = 0; t < of_corners.size(); ++t) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const std::uint32_t position = points_.triangles[t][c];
+        const std::uint32_t texcoord = triangle_texcoords_[t][c];
+        if (position >= points_.size()) continue;
+        const bool has_own = texcoord < texcoords_.size();
+        of_corners[t][c] = has_own ? texcoords_[texcoord] : points_.texcoords[position];
+        seam = seam || of_corners[t][c] != points_.texcoords[position];
+      }
+    }
+    if (seam) points_.corner_texcoords = std::move(of_corners);
   }
 
   const Source& source_;
@@ -157,6 +179,8 @@ class ObjReader {
   std::vector<glm::vec3> colours_;
   std::vector<Corner> corners_;
   std::vector<std::uint32_t> polygon_;
+  std::vector<std::uint32_t> polygon_texcoords_;
+  std::vector<Triangle> triangle_texcoords_;  ///< indices into texcoords_, beside the triangles
   double numbers_[8] = {};
   std::size_t count_ = 0;
 };

@@ -52,6 +52,20 @@ TEST(CleanPointsTest, RenumbersTrianglesAndDropsTheDegenerate) {
   EXPECT_EQ(result.points.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 1, 2}}));
 }
 
+TEST(CleanPointsTest, MergedPointsOfASeamLeaveEachTriangleItsOwnTextureCoordinates) {
+  Points points;  // two triangles at an edge whose ends are written twice; a third is dropped
+  points.positions = {{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 0}, {0, 1, 0}, {1, 0, 0}};
+  points.texcoords = {{1, 0}, {1, 1}, {0.5, 0}, {0, 0}, {0, 1}, {0.5, 0}};
+  points.triangles = {{0, 3, 1}, {0, 1, 2}, {4, 3, 5}};
+  const ReadResult result = clean_points(points);
+  ASSERT_EQ(result.points.triangles, (std::vector<Triangle>{{0, 1, 2}, {1, 0, 3}}));
+  ASSERT_EQ(result.points.corner_texcoords.size(), 2U);
+  EXPECT_EQ(result.points.corner_texcoords[0],
+            (CornerTexcoords{glm::vec2(1, 0), glm::vec2(1, 1), glm::vec2(0.5, 0)}));
+  EXPECT_EQ(result.points.corner_texcoords[1],
+            (CornerTexcoords{glm::vec2(0, 1), glm::vec2(0, 0), glm::vec2(0.5, 0)}));
+}
+
 TEST(CleanPointsTest, NothingIsLeftOfNothing) {
   EXPECT_EQ(clean_points({}).points.size(), 0U);
   Points points;

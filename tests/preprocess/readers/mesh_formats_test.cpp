@@ -41,6 +41,21 @@ TEST(ObjTest, GivesVerticesTheMeanNormalAndTheFirstTextureCoordinate) {
   EXPECT_EQ(points.texcoords[2], glm::vec2(0.1F, 0.2F)) << "its first corner has none";
 }
 
+TEST(ObjTest, TrianglesKeepTheSeamsOfTextures) {
+  const std::string texcoords = "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.5 0.5\n";
+  EXPECT_TRUE(read("a.obj", kSquare + texcoords + "f 1/1 2/2 3/3 4/4\n").corner_texcoords.empty())
+      << "no seam, nothing to keep";
+  // A dropped face before the seam must not shift the others; the last face has none for corner 4.
+  const Points points =
+      read("a.obj", kSquare + texcoords + "f 1/1 1/2 3/3\nf 1/1 2/2 3/3\nf 1/5 3/3 4\n");
+  ASSERT_EQ(points.triangles.size(), 2U);
+  ASSERT_EQ(points.corner_texcoords.size(), 2U);
+  EXPECT_EQ(points.corner_texcoords[0],
+            (CornerTexcoords{glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1)}));
+  EXPECT_EQ(points.corner_texcoords[1],
+            (CornerTexcoords{glm::vec2(0.5, 0.5), glm::vec2(1, 1), glm::vec2(0, 0)}));
+}
+
 TEST(ObjTest, PointsWithoutFacesHaveTheirNormalsOneByOne) {
   const Points points = read("a.obj", "v 0 0 0\nvn 0 0 1\nv 1 0 0\nvn 0 1 0\n");
   EXPECT_EQ(points.normals, (std::vector{glm::vec3(0, 0, 1), glm::vec3(0, 1, 0)}));

@@ -1,0 +1,30 @@
+// Splats of a textured mesh, for the engine `ewa`.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+#include "common/error.h"
+#include "common/progress.h"
+#include "renderer/splat_cloud.h"
+
+namespace relief::cli {
+
+struct TextureArguments {
+  std::filesystem::path file;  ///< empty: no texture
+  std::string acquisition = "optimised";
+  std::size_t points = 100'000;
+};
+
+/// Declares --texture, --acquisition and --points.
+void add_texture_options(CLI::App& sub, TextureArguments& arguments);
+
+/// Reads a mesh and its texture and makes splats of them (preprocess/texture/acquire_texture.h) for
+/// an engine with the given cutoff. Says on standard error how the fit went.
+Result<SplatCloud> acquire_splats(const std::filesystem::path& mesh,
+                                  const TextureArguments& arguments, double cutoff,
+                                  Progress& progress);
+
+}  // namespace relief::cli

@@ -1,0 +1,86 @@
+// relief render --texture: a textured mesh through the engine `ewa`.
+#include <cmath>
+
+#include "common/image_io.h"
+#include "tests/cli/run_relief.h"
+
+namespace relief::test {
+namespace {
+
+const std::string kSquare =
+    "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+    "f 1/1 2/2 3/3 4/4\n";
+
+class TextureCli : public CliTest {
+ protected:
+  /// 32 x 32 texels, the left half red and the right half blue.
+  [[nodiscard]] std::string write_texture() const {
+    Image image{32, 32, {}};
+    for (const char* name : {"R", "G", "B"}) {
+      Channel channel{name, ChannelType::Float, {}};
+      for (int i = 0; i < 32 * 32; ++i) {
+        const bool left = i % 32 < 16;
+        channel.values.push_back(name[0] == (left ? 'R' : 'B') ? 1.0F : 0.0F);
+      }
+      image.channels.push_back(channel);
+    }
+    std::string file = path("texture.png");
+    EXPECT_TRUE(write_png(file, image));
+    return file;
+  }
+};
+
+TEST_F(TextureCli, SplatsShowTheTextureWhereItIs) {
+  const std::string mesh = write("square.obj", kSquare);
+  const std::string texture = write_texture();
+  for (const char* way : {"given", "ewa", "optimised"}) {
+    const Outcome run = run_relief({"render", mesh, "-o", path("out.exr"), "--engine", "ewa",
+                                    "--texture", texture, "--acquisition", way, "--points", "2000",
+                                    "--material", "unlit", "--size", "64x64", "--json"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_NE(run.err.find("2000 splats"), std::string::npos) << run.err;
+    EXPECT_EQ(run.err.find("condition") != std::string::npos, std::string(way) == "optimised");
+    const auto image = read_image(path("out.exr"));
+    ASSERT_TRUE(image);
+    // A pixel left of the middle and one right of it, far from the edge between the colours, where
+    // all coefficients are the texture's: what the fit's decaying overshoot leaves there is small.
+    for (const std::size_t x : {24U, 40U}) {
+      const std::size_t pixel = std::size_t{32} * 64 + x;
+      EXPECT_NEAR(image->find("R")->values[pixel], x < 32 ? 1.0F : 0.0F, 0.02F) << way;
+      EXPECT_NEAR(image->find("G")->values[pixel], 0.0F, 0.02F) << way;
+      EXPECT_NEAR(image->find("B")->values[pixel], x < 32 ? 0.0F : 1.0F, 0.02F) << way;
+    }
+    for (const Channel& channel : image->channels) {
+      for (const float value : channel.values) EXPECT_FALSE(std::isnan(value)) << channel.name;
+    }
+  }
+}
+
+TEST_F(TextureCli, SaysWhatIsMissing) {
+  const std::string texture = write_texture();
+  const auto render = [&](const std::string& mesh, const std::string& file) {
+    return std::vector<std::string>{"render",   mesh,  "-o",        path("out.png"),
+                                    "--engine", "ewa", "--texture", file};
+  };
+  expect_refused(render(write("bare.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), texture),
+                 "texture coordinates");
+  expect_refused(render(write("points.xyz", "0 0 0\n1 0 0\n0 1 0\n"), texture), "triangles");
+  const std::string square = write("square.obj", kSquare);
+  expect_refused(render(square, path("none.png")), "none.png");
+  expect_refused(render(square, write("noise.png", "no picture")), "noise.png");
+  auto many = render(square, texture);
+  many.insert(many.end(), {"--points", "99999999"});
+  expect_refused(many, "99999999 points");
+}
+
+TEST_F(TextureCli, NeedsTheEngineThatSplats) {
+  const std::string square = write("square.obj", kSquare);
+  const std::string texture = write_texture();
+  EXPECT_EQ(run_relief({"render", square, "-o", path("o.png"), "--texture", texture}).exit_code, 2);
+  EXPECT_EQ(run_relief({"render", square, "-o", path("o.png"), "--engine", "ewa", "--points", "5"})
+                .exit_code,
+            2);
+}
+
+}  // namespace
+}  // namespace relief::test

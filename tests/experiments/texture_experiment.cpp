@@ -1,0 +1,245 @@
+// Measures paper 000, section 5: optimised against view-independent texture acquisition and the
+// texture's values as given, at three magnifications (Figure 6), through the engine `ewa`.
+// usage: texture_experiment OUT_DIR NAME MESH|- TEXTURE|- POINTS AZ,EL CUTOFF
+// -: checkerboard plane. Prints rows of a Markdown table (PSNR in dB against the Gaussian and the
+// box truth) and writes OUT_DIR/NAME_CUTOFF_VIEW_WAY.png.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/image_io.h"
+#include "common/srgb.h"
+#include "preprocess/read_points.h"
+#include "preprocess/texture/acquire_texture.h"
+#include "preprocess/texture/surface_points.h"
+#include "renderer/render.h"
+#include "tests/experiments/textured_truth.h"
+
+namespace relief::experiment {
+namespace {
+
+constexpr std::uint32_t kSide = 256;
+
+struct Subject {
+  std::string name;
+  Points mesh;
+  Image texture;
+  std::size_t points = 0;
+  double azimuth = 0.0;
+  double elevation = 0.0;
+  double cutoff = 1.0;  ///< of the fit and of the engine
+};
+
+/// Figure 6's plane: 16 x 16 squares of 16 x 16 texels.
+void make_checkerboard(Subject& subject) {
+  subject.mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+  subject.mesh.texcoords = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  subject.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  subject.texture = {256, 256, {}};
+  for (const char* name : {"R", "G", "B"}) {
+    Channel channel{name, ChannelType::Float, {}};
+    for (std::uint32_t i = 0; i < 256 * 256; ++i) {
+      const bool white = ((i % 256 / 16) + (i / 256 / 16)) % 2 == 1;
+      channel.values.push_back(white ? 1.0F : 0.0F);
+    }
+    subject.texture.channels.push_back(channel);
+  }
+}
+
+/// A camera that shows `h` (world) as `pixels`, at the mesh's place nearest to the viewer.
+Camera close_camera(const Subject& subject, double h, double pixels) {
+  const double azimuth = glm::radians(subject.azimuth);
+  const double elevation = glm::radians(subject.elevation);
+  const glm::dvec3 towards(std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
+                           std::cos(azimuth) * std::cos(elevation));
+  Camera camera;
+  camera.vertical_fov_degrees = 30.0;
+  camera.target = glm::dvec3(0.0);
+  if (subject.mesh.size() > 4) {
+    camera.target = *std::ranges::max_element(subject.mesh.positions, {},
+                                              [&](glm::dvec3 p) { return glm::dot(p, towards); });
+  }
+  const double focal = 0.5 * kSide / std::tan(glm::radians(camera.vertical_fov_degrees) / 2.0);
+  camera.eye = camera.target + towards * (h * focal / pixels);
+  return camera;
+}
+
+Image make_image(const std::vector<glm::dvec3>& colours) {
+  Image image{kSide, kSide, {}};
+  constexpr const char* kNames[] = {"R", "G", "B"};
+  for (glm::length_t c = 0; c < 3; ++c) {
+    Channel channel{kNames[c], ChannelType::Float, {}};
+    for (const glm::dvec3& colour : colours) {
+      channel.values.push_back(static_cast<float>(colour[c]));
+    }
+    image.channels.push_back(channel);
+  }
+  return image;
+}
+
+/// dB in sRGB values, over the pixels that the mesh covers with all of the filter.
+double psnr(const Image& image, const Truth& truth) {
+  constexpr const char* kNames[] = {"R", "G", "B"};
+  double squared = 0.0;
+  std::size_t count = 0;
+  for (glm::length_t c = 0; c < 3; ++c) {
+    const Channel* const channel = image.find(kNames[c]);
+    if (channel == nullptr) continue;
+    for (std::size_t i = 0; i < truth.colours.size(); ++i) {
+      if (truth.coverage[i] < 0.9999) continue;
+      const auto expected = static_cast<float>(truth.colours[i][c]);
+      const float error = srgb_from_linear(channel->values[i]) - srgb_from_linear(expected);
+      squared += static_cast<double>(error * error);
+      ++count;
+    }
+  }
+  return 10.0 * std::log10(static_cast<double>(count) / squared);
+}
+
+SplatCloud as_cloud(const TexturedSplats& splats) {
+  SplatCloud cloud;
+  cloud.positions = splats.positions;
+  cloud.normals = splats.normals;
+  cloud.radii.assign(splats.positions.size(), splats.deviation);
+  for (const glm::vec3 colour : splats.colours) cloud.colours.emplace_back(colour, 1.0F);
+  return cloud;
+}
+
+struct Way {
+  const char* name;
+  Acquisition acquisition;
+};
+constexpr Way kWays[] = {{"given", Acquisition::Given},
+                         {"ewa", Acquisition::ViewIndependent},
+                         {"optimised", Acquisition::Optimised}};
+struct Zoom {
+  const char* name;
+  double pixels;  ///< between two splats
+};
+constexpr Zoom kZooms[] = {{"minification", 0.5}, {"magnification", 4.0}, {"extreme", 16.0}};
+
+/// A view of the subject, and what it should show.
+struct View {
+  std::string name;
+  Camera camera;
+  Truth gaussian;
+  Truth box;
+};
+
+std::vector<View> make_views(const Subject& subject, const ContinuousTexture& texture) {
+  const double spacing =
+      std::sqrt(area_of(subject.mesh).world / static_cast<double>(subject.points));
+  std::vector<View> views;
+  for (const Zoom& zoom : kZooms) {
+    const Camera camera = close_camera(subject, spacing, zoom.pixels);
+    views.push_back({zoom.name, camera,
+                     render_truth(subject.mesh, texture, camera, kSide, PixelFilter::Gaussian),
+                     render_truth(subject.mesh, texture, camera, kSide, PixelFilter::Box)});
+  }
+  return views;
+}
+
+Result<Image> draw(const SplatCloud& cloud, const Camera& camera, double cutoff) {
+  Progress progress;
+  RenderSettings settings;
+  settings.engine = EngineKind::Ewa;
+  settings.width = settings.height = kSide;
+  settings.camera = camera;
+  settings.material = Material::Unlit;
+  settings.frames = 1;
+  settings.ewa.cutoff = cutoff;
+  auto result = render(cloud, settings, progress);
+  if (!result) return result.error();
+  return std::move(result->image);
+}
+
+Status measure(const Subject& subject, const std::string& out) {
+  Progress progress;
+  const auto texture = ContinuousTexture::from_image(subject.texture);
+  if (!texture) return texture.error();
+  const std::vector<View> views = make_views(subject, *texture);
+  const auto path = [&](const View& view, const char* way) {
+    return fmt::format("{}/{}_{:g}_{}_{}.png", out, subject.name, subject.cutoff, view.name, way);
+  };
+  for (const View& view : views) {
+    Status written = write_png(path(view, "truth"), make_image(view.gaussian.colours));
+    if (!written) return written;
+  }
+  for (const Way& way : kWays) {
+    AcquireOptions options;
+    options.acquisition = way.acquisition;
+    options.points = subject.points;
+    options.cutoff = subject.cutoff;
+    const auto acquired = acquire_texture(subject.mesh, subject.texture, options, progress);
+    if (!acquired) return acquired.error();
+    const SplatCloud cloud = as_cloud(acquired->splats);
+    std::string row = fmt::format("| {} | {:g} | {} | {:.4f} |", subject.name, subject.cutoff,
+                                  way.name, acquired->report.rms_error);
+    for (const View& view : views) {
+      const auto image = draw(cloud, view.camera, subject.cutoff);
+      if (!image) return image.error();
+      row += fmt::format(" {:.1f} / {:.1f} |", psnr(*image, view.gaussian), psnr(*image, view.box));
+      Status written = write_png(path(view, way.name), *image);
+      if (!written) return written;
+    }
+    if (const auto& fit = acquired->report.fit) {
+      row += fmt::format(" {} | {:.1e} | {:.0f} |", fit->iterations, fit->residual,
+                         fit->condition.value_or(std::nan("")));
+    } else {
+      row += " | | |";
+    }
+    fmt::print("{}\n", row);
+  }
+  return {};
+}
+
+int run(int count, char** arguments) {
+  if (count != 8) {
+    fmt::print(stderr,
+               "usage: texture_experiment OUT_DIR NAME MESH|- TEXTURE|- POINTS AZ,EL CUTOFF\n");
+    return 2;
+  }
+  Subject subject;
+  subject.name = arguments[2];
+  subject.points = std::strtoull(arguments[5], nullptr, 10);
+  char* rest = nullptr;
+  subject.azimuth = std::strtod(arguments[6], &rest);
+  subject.elevation = *rest == ',' ? std::strtod(rest + 1, nullptr) : 0.0;
+  subject.cutoff = std::strtod(arguments[7], nullptr);
+  if (!(subject.cutoff > 0.0)) {
+    fmt::print(stderr, "CUTOFF: expected a number above 0, found {}\n", arguments[7]);
+    return 2;
+  }
+  if (std::string(arguments[3]) == "-") {
+    make_checkerboard(subject);
+  } else {
+    Progress progress;
+    auto mesh = read_points(arguments[3], progress);
+    auto texture = read_image(arguments[4]);
+    if (!mesh || !texture) {
+      fmt::print(stderr, "{}\n", !mesh ? mesh.error().message : texture.error().message);
+      return 1;
+    }
+    subject.mesh = std::move(mesh->points);
+    subject.texture = *std::move(texture);
+  }
+  if (const Status done = measure(subject, arguments[1]); !done) {
+    fmt::print(stderr, "{}\n", done.error().message);
+    return 1;
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace relief::experiment
+
+int main(int count, char** arguments) {
+  return relief::experiment::run(count, arguments);
+}
