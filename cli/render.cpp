@@ -53,9 +53,8 @@ EngineNeeds needs_of(const RenderPlan& plan) {
 Result<LoadedScene> load(const RenderPlan& plan, const RenderArguments& arguments,
                          Progress& progress) {
   if (arguments.texture.file.empty()) return load_scene(plan.models, needs_of(plan), progress);
-  auto splats =
-      acquire_splats(arguments.input, arguments.texture,
-                     arguments.settings.cutoff.value_or(EwaSettings{}.cutoff), progress);
+  auto splats = acquire_splats(arguments.input, arguments.texture,
+                               arguments.settings.cutoff.value_or(EwaSettings{}.cutoff), progress);
   if (!splats) return splats.error();
   LoadedScene scene;
   scene.patches.bounds = bounds_of(splats->positions);
@@ -112,7 +111,8 @@ int run(const RenderArguments& arguments) {
                    arguments.input.string(), plan->pictures.size()));
     return kWrongUsage;
   }
-  if (const Status good = check_files(*plan, arguments.texture.file); !good) return fail(good.error());
+  if (const Status good = check_files(*plan, arguments.texture.file); !good)
+    return fail(good.error());
   std::size_t count = 0;
   const auto written = make_pictures(*plan, arguments, count);
   if (!written) {

@@ -14,7 +14,7 @@ struct RenderArguments {
   std::filesystem::path input;   ///< a scene, a patch file, a scan or a mesh
   std::filesystem::path output;  ///< with {view} in it for a scene of several views
   TextureArguments texture;
-  SceneSettings settings;        ///< what the options say; a scene's settings yield to it
+  SceneSettings settings;  ///< what the options say; a scene's settings yield to it
   GlPlatform platform = GlPlatform::Automatic;
   int frames = 3;
   bool json = false;
