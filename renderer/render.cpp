@@ -75,7 +75,7 @@ Status render_group(PreparedModel& prepared, const EngineViews& views, const Pic
     if (outer.cancelled()) return interrupted_error();
     const Status taken = sink(views.places[i], std::move(*picture));
     if (!taken) return taken;
-    outer.advance(1);
+    if (&outer != &inner) outer.advance(1);  // alone, the engine has told its own progress
   }
   return {};
 }
