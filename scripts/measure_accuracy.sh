@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Renders models with every engine from twelve views and compares the pictures with ray-traced ones:
-# prints the Markdown tables of docs/accuracy.md. Needs jq, and the scans of shared/data.
+# prints a Markdown table. Needs jq.
 # usage: scripts/measure_accuracy.sh RELIEF_BINARY DATA_FOLDER [WIDTHxHEIGHT [MODEL...]]
 set -euo pipefail
 relief=$1
@@ -36,7 +36,7 @@ pictures() {
 errors() {
   local view
   for view in "$work/$1"/*.exr; do
-    "$relief" compare "$view" "$work/$2/$(basename "$view")" --flip none --json
+    "$relief" compare "$view" "$work/$2/$(basename "$view")" --flip ldr --json
   done
 }
 
