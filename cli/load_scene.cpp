@@ -71,7 +71,7 @@ Result<LoadedFile> load_scan(const std::filesystem::path& path, EngineNeeds need
 /// Moves a file's model to its place and appends it.
 Status place(LoadedScene& scene, LoadedFile file, const Transform& where) {
   const auto patches_before = static_cast<std::uint32_t>(scene.patches.patches.size());
-  const Status moved = transform_model(file.patches, where);
+  Status moved = transform_model(file.patches, where);
   if (!moved) return moved;
   append_model(scene.patches, std::move(file.patches));
   if (file.splats) {

@@ -81,7 +81,7 @@ Result<std::vector<WrittenPicture>> make_pictures(const RenderPlan& plan,
   const Status done = render_views(
       scene->forms(), views,
       [&](std::size_t view, RenderResult result) {
-        const Status saved = write_picture(plan.pictures[view].output, result.image);
+        Status saved = write_picture(plan.pictures[view].output, result.image);
         if (!saved) return saved;
         result.image.channels.clear();
         written[view] = {views[view], std::move(result)};

@@ -63,7 +63,7 @@ Status check_files(const RenderPlan& plan, const fs::path& texture) {
   if (!plan.scene.empty()) inputs.insert(plan.scene);
   const std::vector<fs::path> all(inputs.begin(), inputs.end());
   for (const Picture& picture : plan.pictures) {
-    const Status writable = check_output(picture.output, all);
+    Status writable = check_output(picture.output, all);
     if (!writable) return writable;
   }
   return {};

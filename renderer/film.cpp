@@ -25,9 +25,11 @@ std::vector<glm::vec3> composite(const Film& film, const Surroundings& surroundi
     if (!surroundings.background || pixel.colour.a >= 1.0F) continue;
     glm::vec3 behind = *surroundings.background;
     if (surroundings.cube != nullptr) {
-      const auto x = static_cast<double>(k % film.width);
-      const auto y = static_cast<double>(film.height - 1 - k / film.width);
-      behind = look_up(*surroundings.cube, ray_through(view, {x + 0.5, y + 0.5}));
+      const std::size_t x = k % film.width;
+      const std::size_t row = k / film.width;  // from the top; the window's are from the bottom
+      const glm::dvec2 middle(static_cast<double>(x) + 0.5,
+                              static_cast<double>(film.height - row) - 0.5);
+      behind = look_up(*surroundings.cube, ray_through(view, middle));
     }
     colours[k] += (1.0F - pixel.colour.a) * behind;
   }

@@ -73,7 +73,7 @@ Status render_group(PreparedModel& prepared, const EngineViews& views, const Pic
     auto picture = prepared.render(views.settings[i], inner);
     if (!picture) return picture.error();
     if (outer.cancelled()) return interrupted_error();
-    const Status taken = sink(views.places[i], std::move(*picture));
+    Status taken = sink(views.places[i], std::move(*picture));
     if (!taken) return taken;
     if (&outer != &inner) outer.advance(1);  // alone, the engine has told its own progress
   }
@@ -105,8 +105,7 @@ Status render_views(const RenderModel& model, std::span<const RenderSettings> vi
   for (const EngineViews& group : group_by_engine(views)) {
     const auto prepared = prepare(model, group);
     if (!prepared) return prepared.error();
-    const Status drawn =
-        render_group(**prepared, group, sink, progress, several ? quiet : progress);
+    Status drawn = render_group(**prepared, group, sink, progress, several ? quiet : progress);
     if (!drawn) return drawn;
   }
   return {};
