@@ -95,8 +95,9 @@ TEST(Samples, SplatsEndAtACrease) {
   const PatchModel model =
       test::height_field(9, [](double x, double) { return -3.0 * std::max(x, 0.0); });
   const PatchSamples samples = make_samples(model.patches[0]);
-  const auto at = [&](std::size_t column) { return reach_of(samples.records[4 * 9 + column]); };
-  EXPECT_NEAR(slope_of(samples, 4 * 9 + 4).x, -1.5F, 0.02F);
+  const std::size_t row = std::size_t{4} * 9;
+  const auto at = [&](std::size_t column) { return reach_of(samples.records[row + column]); };
+  EXPECT_NEAR(slope_of(samples, row + 4).x, -1.5F, 0.02F);
   // Planes may part by 0.1 where they meet, which the crease's plane does after 0.1 / 1.5 of a
   // cell; the rest is the margin that closes those 0.1 for a view from 30 degrees, 0.1 cos / (2 tan
   // 30), and rounding.
@@ -115,7 +116,7 @@ TEST(Samples, SplatsEndAtACrease) {
 TEST(Samples, SplatsEndHalfASpacingBeyondTheBorder) {
   const PatchModel model = test::height_field(9, [](double x, double) { return 2.0 * x; });
   const PatchSamples samples = make_samples(model.patches[0]);
-  const glm::vec4 reach = reach_of(samples.records[4 * 9]);
+  const glm::vec4 reach = reach_of(samples.records[std::size_t{4} * 9]);
   EXPECT_NEAR(reach.x * std::sqrt(5.0F), 0.5F,
               (shared::kLeastMargin + kRounding) * std::sqrt(5.0F));
 }
