@@ -77,7 +77,7 @@ std::string flip_text(const Comparison& c, const FlipOptions& options) {
 }  // namespace
 
 const std::vector<Quantity>& quantities() {
-  static const std::vector<Quantity> kAll = {
+  static const std::vector<Quantity> all = {
       {"psnr_db", false, [](const Comparison& c) { return Value(c.psnr_db); }},
       {"flip_mean", false, [](const Comparison& c) { return Value(c.flip.mean); }},
       {"normal_rms_deg", false, normal<&NormalErrors::rms_deg>},
@@ -101,7 +101,7 @@ const std::vector<Quantity>& quantities() {
       {"non_finite_reference", true,
        [](const Comparison& c) { return Value(static_cast<double>(c.non_finite_reference)); }},
   };
-  return kAll;
+  return all;
 }
 
 nlohmann::ordered_json as_json(const Comparison& comparison, const FlipOptions& options) {
