@@ -97,9 +97,9 @@ void expect_published(const Flip& flip, const Published& published) {
   // Both compute in single precision. On pictures of 1.3 million pixels means differed by 3e-8,
   // pixels by up to 1.5e-4: a root magnifies the rounding of all but equal features.
   EXPECT_NEAR(flip.mean, published.mean, 1e-6);
-  const int places[6][2] = {{0, 0}, {9, 14}, {10, 14}, {20, 14}, {31, 14}, {39, 27}};
+  const std::size_t places[6][2] = {{0, 0}, {9, 14}, {10, 14}, {20, 14}, {31, 14}, {39, 27}};
   for (int i = 0; i < 6; ++i) {
-    const auto at = static_cast<std::size_t>(places[i][1] * 40 + places[i][0]);
+    const auto at = places[i][1] * 40 + places[i][0];
     EXPECT_NEAR(flip.map[at], published.pixels[i], 2e-4) << i;
   }
 }
@@ -164,7 +164,7 @@ TEST(Flip, DoesNotDependOnBandsAndThreads) {
   for (const int shift : {1, 31, 64, 90}) {
     const Flip lower =
         must_flip(tall_picture(60 + shift, 0.8F), tall_picture(60 + shift, 0.7F), FlipRange::Ldr);
-    for (std::size_t k = 0; k < 100U * 30U; ++k) {
+    for (std::size_t k = 0; k < std::size_t{100} * 30; ++k) {
       ASSERT_EQ(upper.map[k], lower.map[k + static_cast<std::size_t>(shift) * 30]) << shift;
     }
   }
