@@ -56,7 +56,8 @@ glm::dvec3 normal_at(const std::array<const std::vector<float>*, 3>& channels, s
   return {(*channels[0])[k], (*channels[1])[k], (*channels[2])[k]};
 }
 
-/// By arc tangent: an arc cosine loses angles below 1e-8 to rounding, and any beyond 1 to NaN.
+/// By arc tangent, for which lengths do not matter: an arc cosine loses angles below 1e-8 to
+/// rounding, and those whose cosine is rounded beyond 1 to NaN.
 double angle_deg(const glm::dvec3& a, const glm::dvec3& b) {
   return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
 }
@@ -88,10 +89,8 @@ Result<NormalErrors> measure_normals(const Image& test, const Image& reference,
     if (!channels->finite(k)) return;
     const glm::dvec3 a = normal_at(channels->test, k);
     const glm::dvec3 b = normal_at(channels->reference, k);
-    const double lengths[2] = {glm::length(a), glm::length(b)};
-    if (lengths[0] < kShortest || lengths[1] < kShortest) return;
-    // Divided first: the product of two lengths of 1e38 squared would not be finite.
-    const double angle = angle_deg(a / lengths[0], b / lengths[1]);
+    if (glm::length(a) < kShortest || glm::length(b) < kShortest) return;
+    const double angle = angle_deg(a, b);
     angles.add(angle);
     all.push_back(static_cast<float>(angle));
     for (int i = 0; i < 3; ++i) components.add(a[i] - b[i]);

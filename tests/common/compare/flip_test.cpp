@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -175,9 +176,29 @@ TEST(Flip, DoesNotDependOnBandsAndThreads) {
   }
 }
 
+TEST(Flip, TreatsBothEndsAlike) {
+  const auto reversed = [](Image image) {
+    for (Channel& channel : image.channels) {
+      std::reverse(channel.values.begin(), channel.values.end());
+    }
+    return image;
+  };
+  // The disc is cut by the lower rim, where the rows repeat for the filters.
+  const Image test = tall_picture(197, 0.8F);
+  const Image reference = tall_picture(195, 0.7F);
+  const Flip flip = must_flip(test, reference, FlipRange::Ldr);
+  const Flip turned = must_flip(reversed(test), reversed(reference), FlipRange::Ldr);
+  EXPECT_GT(flip.mean, 0.001);
+  for (std::size_t k = 0; k < flip.map.size(); ++k) {
+    // Sums are taken in another order; see expect_published.
+    ASSERT_NEAR(flip.map[k], turned.map[flip.map.size() - 1 - k], 2e-4) << k;
+  }
+}
+
 TEST(Flip, ExposuresReachFromTheBrightestToTheMedian) {
   const double light = light_shown_as(0.85);
   EXPECT_NEAR(tone_map(static_cast<float>(light), 1.0), 0.85F, 1e-6F);
+  EXPECT_EQ(tone_map(3e38F, 1e30), 1.0F);  // and not infinity over infinity
   const auto exposures_of = [](const std::function<float(int, int)>& value) {
     return find_exposures(
         *take_colour(picture(8, 8, [&](int x, int y) { return glm::vec3(value(x, y)); })));
