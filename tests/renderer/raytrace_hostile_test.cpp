@@ -68,7 +68,7 @@ TEST(HostileMesh, NormalsThatAreNoneAreTheTrianglesOwn) {
     const RenderResult result =
         must_trace(mesh, test::traced_picture({{1, 2, 3}, {}, {0, 1, 0}, 45.0}));
     EXPECT_EQ(result.covered_pixels, 96U * 80U);
-    EXPECT_EQ(values(result.image, "N.Z"), std::vector<float>(96 * 80, 1.0F));
+    EXPECT_EQ(values(result.image, "N.Z"), std::vector<float>(std::size_t{96} * 80, 1.0F));
   }
 }
 

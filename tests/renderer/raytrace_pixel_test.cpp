@@ -79,7 +79,8 @@ TEST(PixelSamples, CoverageOfAHalfPlaneIsItsAreaInThePixel) {
     std::size_t between = 0;
     double worst = 0.0;
     for (std::size_t k = 0; k < 256; ++k) {
-      const glm::dvec2 corner(static_cast<double>(k % 16) - 8.0, 7.0 - static_cast<double>(k / 16));
+      const glm::dvec2 corner(static_cast<double>(k % 16) - 8.0,
+                              7.0 - std::floor(static_cast<double>(k) / 16.0));
       double share = 0.0;
       for (const glm::dvec2& place : sample_pattern(samples))
         share += glm::dot(n, corner + place) < kOffset ? 1.0 / samples : 0.0;
@@ -106,7 +107,8 @@ TEST(Opacity, SheetsBlendFrontToBackWhateverTheirOrderInTheMesh) {
   const std::vector<Sheet> sheets{{2.0, {1.0F, 0.0F, 0.0F, 0.25F}},
                                   {1.0, {0.0F, 1.0F, 0.0F, 0.5F}},
                                   {0.0, {0.0F, 0.0F, 1.0F, 0.75F}}};
-  for (std::vector<std::size_t> order : {std::vector<std::size_t>{0, 1, 2}, {2, 1, 0}, {1, 2, 0}}) {
+  for (const std::vector<std::size_t>& order :
+       {std::vector<std::size_t>{0, 1, 2}, {2, 1, 0}, {1, 2, 0}}) {
     TriangleMesh mesh;
     for (const std::size_t s : order) {
       add_sheet(mesh, {-30.0, -30.0, sheets[s].z}, {60.0, 0.0, 0.0}, {0.0, 60.0, 0.0},
