@@ -79,8 +79,8 @@ TEST(PixelSamples, CoverageOfAHalfPlaneIsItsAreaInThePixel) {
     std::size_t between = 0;
     double worst = 0.0;
     for (std::size_t k = 0; k < 256; ++k) {
-      const glm::dvec2 corner(static_cast<double>(k % 16) - 8.0,
-                              7.0 - std::floor(static_cast<double>(k) / 16.0));
+      const std::size_t row = k / 16;
+      const glm::dvec2 corner(static_cast<double>(k % 16) - 8.0, 7.0 - static_cast<double>(row));
       double share = 0.0;
       for (const glm::dvec2& place : sample_pattern(samples))
         share += glm::dot(n, corner + place) < kOffset ? 1.0 / samples : 0.0;
