@@ -12,16 +12,10 @@
 #include "common/points.h"
 #include "common/progress.h"
 #include "renderer/engines/raytrace/embree.h"
+#include "renderer/engines/raytrace/meet_triangle.h"
 #include "renderer/triangle_mesh.h"
 
 namespace relief::raytrace {
-
-/// Where a ray from the eye meets a triangle.
-struct Hit {
-  std::uint32_t triangle = 0;
-  double depth = 0.0;     ///< in lengths of the ray's direction
-  glm::dvec3 place{0.0};  ///< barycentric weights of the triangle's corners
-};
 
 /// A mesh for rays from one eye. Embree's hierarchy of boxes finds the triangles that a ray may
 /// meet; whether it does is decided here, in double precision and without a slit: a ray through an
