@@ -47,9 +47,10 @@ void append(Points& points, const Triangle& t, glm::dvec3 w) {
 }
 
 /// Calls `add(triangle, weights)` for the points on large triangles, about `step` apart: first
-/// those of edges that no earlier triangle had, then rows parallel to the longest edge.
+/// those of edges that no earlier triangle had, then rows parallel to the longest edge. Ends when
+/// `add` returns false, and returns whether it never did.
 template <class Add>
-void for_each_added(const Points& points, double longest_left_alone, double step, const Add& add) {
+bool for_each_added(const Points& points, double longest_left_alone, double step, const Add& add) {
   std::unordered_set<std::uint64_t> edges_done;
   for (const Triangle& t : points.triangles) {
     std::size_t longest = 0;
@@ -66,7 +67,7 @@ void for_each_added(const Points& points, double longest_left_alone, double step
       const int pieces = count_pieces(lengths[c], step);
       for (int i = 1; i < pieces; ++i) {
         const double s = static_cast<double>(i) / pieces;
-        add({a, b, b}, {1.0 - s, s, 0.0});
+        if (!add({a, b, b}, {1.0 - s, s, 0.0})) return false;
       }
     }
     if (lengths[longest] <= longest_left_alone) continue;
@@ -79,10 +80,11 @@ void for_each_added(const Points& points, double longest_left_alone, double step
       const int pieces = count_pieces(lengths[longest] * (1.0 - up), step);
       for (int i = 1; i < pieces; ++i) {
         const double s = (1.0 - up) * i / pieces;
-        add(turned, {1.0 - up - s, s, up});
+        if (!add(turned, {1.0 - up - s, s, up})) return false;
       }
     }
   }
+  return true;
 }
 
 }  // namespace
@@ -91,16 +93,22 @@ std::size_t densify_triangles(Points& points) {
   const std::size_t given = points.size();
   if (points.triangles.empty() || given == 0) return 0;
   const double spacing = std::sqrt(total_area(points) / static_cast<double>(given));
-  double step = spacing;
-  const auto demand = [&] {
+  // No area, or more than doubles hold: there is no spacing to fill triangles at.
+  if (!(spacing > 0.0) || !std::isfinite(spacing)) return 0;
+  // Counted only as far as allowed: needles could ask for thousands of points each.
+  const auto fits = [&](double step) {
     std::size_t count = 0;
-    for_each_added(points, kLongEdge * step, step, [&](const Triangle&, glm::dvec3) { ++count; });
-    return count;
+    return for_each_added(points, kLongEdge * step, step, [&](const Triangle&, glm::dvec3) {
+      return ++count <= kMostAddedPerPoint * given;
+    });
   };
   // Too many: coarser everywhere, instead of leaving some triangles empty.
-  while (demand() > kMostAddedPerPoint * given) step *= 1.5;
-  for_each_added(points, kLongEdge * step, step,
-                 [&](const Triangle& t, glm::dvec3 w) { append(points, t, w); });
+  double step = spacing;
+  while (!fits(step)) step *= 1.5;
+  for_each_added(points, kLongEdge * step, step, [&](const Triangle& t, glm::dvec3 w) {
+    append(points, t, w);
+    return true;
+  });
   return points.size() - given;
 }
 

@@ -34,6 +34,12 @@ Points mesh_with_big_triangles(std::uint32_t side, std::uint32_t big) {
   return points;
 }
 
+double distance_to_nearest(const Points& points, glm::dvec3 place) {
+  double nearest = 1e9;
+  for (const glm::dvec3& p : points.positions) nearest = std::min(nearest, glm::distance(p, place));
+  return nearest;
+}
+
 TEST(Densify, FillsTrianglesThatAreLargerThanTheSpacing) {
   Points points = mesh_with_big_triangles(20, 6);
   const std::size_t given = points.size();
@@ -42,11 +48,7 @@ TEST(Densify, FillsTrianglesThatAreLargerThanTheSpacing) {
   // Every spot of the big cell is within a spacing or so of a point.
   for (double y = 7.5; y < 13.0; y += 0.5) {
     for (double x = 7.5; x < 13.0; x += 0.5) {
-      double nearest = 1e9;
-      for (const glm::dvec3& p : points.positions) {
-        nearest = std::min(nearest, glm::distance(p, glm::dvec3(x, y, 0.0)));
-      }
-      EXPECT_LT(nearest, 1.2) << x << ", " << y;
+      EXPECT_LT(distance_to_nearest(points, {x, y, 0.0}), 1.2) << x << ", " << y;
     }
   }
 }
@@ -94,11 +96,7 @@ TEST(Densify, FillsEveryTriangleOfAnUnevenMesh) {
   // sqrt(area / points): 577 of area, 457 points.
   for (double y = 1.0; y < 24.0; y += 1.0) {
     for (double x = 11.0; x < 34.0; x += 1.0) {
-      double nearest = 1e9;
-      for (const glm::dvec3& p : points.positions) {
-        nearest = std::min(nearest, glm::distance(p, glm::dvec3(x, y, 0.0)));
-      }
-      EXPECT_LT(nearest, 1.3) << x << ", " << y;
+      EXPECT_LT(distance_to_nearest(points, {x, y, 0.0}), 1.3) << x << ", " << y;
     }
   }
 }
@@ -109,6 +107,19 @@ TEST(Densify, NeedlesAreNoBomb) {
   points.triangles = {{0, 1, 2}, {1, 2, 3}};
   densify_triangles(points);
   EXPECT_LE(points.size(), 20U);  // four per point given
+}
+
+TEST(Densify, TrianglesWithoutAreaAreLeftAlone) {
+  // Long edges and no area: there is no spacing to fill them at.
+  Points points;
+  for (int i = 0; i < 30; ++i) points.positions.emplace_back(i, i % 2, 0.0);
+  points.triangles = {{0, 2, 28}, {1, 3, 29}};
+  EXPECT_EQ(densify_triangles(points), 0U);
+  // Nor is there one where the area is beyond what doubles hold.
+  points.triangles.push_back({0, 1, 2});
+  points.positions[1] = {1e200, -1e200, 0.0};
+  points.positions[2] = {-1e200, 1e200, 1e200};
+  EXPECT_EQ(densify_triangles(points), 0U);
 }
 
 }  // namespace
