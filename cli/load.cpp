@@ -67,10 +67,6 @@ void note_left_out(const LeftOut& left_out) {
   say(left_out.texcoords, "texture coordinates");
 }
 
-// As many as a conversion looks at, and the fewest points that it takes.
-constexpr std::uint32_t kNeighbours = 16;
-constexpr std::size_t kLeastPoints = 16;
-
 }  // namespace
 
 Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
@@ -113,12 +109,12 @@ Result<PatchModel> load_model(const std::filesystem::path& path, Progress& progr
 }
 
 Result<SplatCloud> splats_of_points(Points points, Progress& progress) {
-  if (points.size() < kLeastPoints) {
+  if (points.size() < kLeastSurfacePoints) {
     return make_error("the scan has {} distinct points; at least {} are needed to find a surface",
-                      points.size(), kLeastPoints);
+                      points.size(), kLeastSurfacePoints);
   }
   progress.begin_stage("neighbours", 0);
-  const NeighbourGraph graph = find_neighbours(points.positions, kNeighbours);
+  const NeighbourGraph graph = find_neighbours(points.positions, kSurfaceNeighbours);
   if (progress.cancelled()) return interrupted_error();
   progress.begin_stage("normals", 0);
   complete_normals(points, graph, fit_local_frames(points.positions, graph));

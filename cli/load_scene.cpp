@@ -29,15 +29,21 @@ struct Forms {
   bool splats = false;
 };
 
+Status add_mesh_of_patches(LoadedFile& file, const std::filesystem::path& path) {
+  auto mesh = mesh_of_patches(file.patches);
+  if (!mesh) return make_error("{}: {}", path.string(), mesh.error().message);
+  file.mesh = std::move(*mesh);
+  return {};
+}
+
 Result<LoadedFile> load_patch_file(const std::filesystem::path& path, Forms forms,
                                    Progress& progress) {
   auto model = load_model(path, progress);
   if (!model) return model.error();
   LoadedFile file{std::move(*model), std::nullopt, std::nullopt};
   if (forms.mesh) {
-    auto mesh = mesh_of_patches(file.patches);
-    if (!mesh) return make_error("{}: {}", path.string(), mesh.error().message);
-    file.mesh = std::move(*mesh);
+    const Status made = add_mesh_of_patches(file, path);
+    if (!made) return made.error();
   }
   if (forms.splats) file.splats = ewa::splats_of_samples(file.patches);
   return file;
@@ -57,14 +63,14 @@ Result<LoadedFile> load_scan(const std::filesystem::path& path, EngineNeeds need
     if (!splats) return make_error("{}: {}", path.string(), splats.error().message);
     file.splats = std::move(*splats);
   }
-  if (!needs.onepass && (!needs.raytrace || has_triangles)) return file;
+  const bool traces_patches = needs.raytrace && !has_triangles;
+  if (!needs.onepass && !traces_patches) return file;
   auto converted = convert(std::move(scan->points), {}, progress);
   if (!converted) return make_error("{}: {}", path.string(), converted.error().message);
   file.patches = std::move(converted->model);
-  if (!needs.raytrace || has_triangles) return file;
-  auto mesh = mesh_of_patches(file.patches);
-  if (!mesh) return make_error("{}: {}", path.string(), mesh.error().message);
-  file.mesh = std::move(*mesh);
+  if (!traces_patches) return file;
+  const Status made = add_mesh_of_patches(file, path);
+  if (!made) return made.error();
   return file;
 }
 

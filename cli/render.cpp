@@ -24,7 +24,8 @@ namespace {
 constexpr const char* kExamples =
     "In brackets: what is taken where an option is not given.\n"
     "SCENE is a .relief file, or a scan or mesh that is converted in memory with the default\n"
-    "options, or a .json scene (docs/scene.md): models in their places and views. Options given\n"
+    "options (ewa draws its points and raytrace its triangles as they are), or a .json scene\n"
+    "(docs/scene.md): models in their places and views. Options given\n"
     "here override a scene's. The camera looks at the middle of the model unless --eye says\n"
     "otherwise. No display is needed.\n"
     "\n"

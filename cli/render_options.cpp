@@ -152,8 +152,10 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments) {
   add_look_options(sub, arguments.settings);
   add_cpu_engine_options(sub, arguments.settings);
   add_texture_options(sub, arguments.texture);
-  sub.add_option("--frames", arguments.frames,
-                 "Frames to time after a first one; the median is reported (3)")
+  sub.add_option(
+         "--frames", arguments.frames,
+         "Frames to time, of onepass after a first one; the median is reported (3 of onepass, else "
+         "1)")
       ->check(CLI::Range(1, 100000))
       ->option_text("N");
   sub.add_option_function<std::string>(

@@ -96,15 +96,7 @@ Outputs parse_outputs(const std::string& text) {
   for (const std::string_view name : split(text, ',')) {
     if (name == "all") {
       outputs = {true, true, true, true};
-    } else if (name == "normal") {
-      outputs.normal = true;
-    } else if (name == "depth") {
-      outputs.depth = true;
-    } else if (name == "uv") {
-      outputs.uv = true;
-    } else if (name == "patch") {
-      outputs.patch_id = true;
-    } else if (name != "colour" && name != "color") {
+    } else if (name != "color" && !add_output(outputs, name)) {
       throw CLI::ValidationError(
           "--outputs",
           "expected all, colour, or some of normal,depth,uv,patch; found " + std::string(name));

@@ -44,6 +44,17 @@ struct Outputs {
   bool patch_id = false;
 };
 
+/// Turns on the output of a name: normal, depth, uv or patch; colour is always on. False if there
+/// is no such output.
+[[nodiscard]] inline bool add_output(Outputs& outputs, std::string_view name) {
+  if (name == "colour") return true;
+  if (name == "normal") return outputs.normal = true;
+  if (name == "depth") return outputs.depth = true;
+  if (name == "uv") return outputs.uv = true;
+  if (name == "patch") return outputs.patch_id = true;
+  return false;
+}
+
 /// Pixels; each side 1 to kMaxPictureSide.
 struct PictureSize {
   std::uint32_t width = 1280;

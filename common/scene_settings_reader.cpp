@@ -49,17 +49,8 @@ Outputs read_outputs(JsonValues& values, const JsonPlace& place) {
     return outputs;
   }
   for (const nlohmann::json& name : place.value) {
-    if (name == "normal") {
-      outputs.normal = true;
-    } else if (name == "depth") {
-      outputs.depth = true;
-    } else if (name == "uv") {
-      outputs.uv = true;
-    } else if (name == "patch") {
-      outputs.patch_id = true;
-    } else if (name != "colour") {
+    if (!name.is_string() || !add_output(outputs, name.get_ref<const std::string&>()))
       values.refuse_value({name, place.path}, kExpected);
-    }
   }
   return outputs;
 }

@@ -19,10 +19,6 @@
 namespace relief {
 namespace {
 
-// Neighbours per point: 8 for the density, 16 for planes through noise.
-constexpr std::uint32_t kNeighbours = 16;
-// Fewer points give no neighbourhoods to speak of.
-constexpr std::size_t kLeastPoints = 16;
 // The widest cone that still resamples well: 75 degrees stretch samples by 1 / cos 75 = 3.9 at
 // most.
 constexpr double kDefaultConeDegrees = 75.0;
@@ -60,10 +56,10 @@ bool on_one_line(const std::vector<glm::dvec3>& positions, const Bounds& bounds)
 }
 
 Status check_points(const std::vector<glm::dvec3>& positions) {
-  if (positions.size() < kLeastPoints) {
+  if (positions.size() < kLeastSurfacePoints) {
     return make_error(
         "the scan has {} distinct points; at least {} are needed to reconstruct a surface",
-        positions.size(), kLeastPoints);
+        positions.size(), kLeastSurfacePoints);
   }
   if (on_one_line(positions, bounds_of(positions))) {
     return make_error("all {} points lie on one line and span no surface", positions.size());
@@ -160,7 +156,7 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   result.report.points_added = densify_triangles(points);
 
   progress.begin_stage("neighbours", 0);
-  const NeighbourGraph graph = find_neighbours(points.positions, kNeighbours);
+  const NeighbourGraph graph = find_neighbours(points.positions, kSurfaceNeighbours);
   if (progress.cancelled()) return interrupted_error();
 
   progress.begin_stage("normals", 0);

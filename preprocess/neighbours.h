@@ -1,6 +1,7 @@
 // The one neighbour search that every stage shares.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -8,6 +9,12 @@
 #include "common/points.h"
 
 namespace relief {
+
+/// Neighbours per point that surfaces are found from: 8 for the density, 16 for planes through
+/// noise.
+inline constexpr std::uint32_t kSurfaceNeighbours = 16;
+/// Fewer points give no neighbourhoods to speak of.
+inline constexpr std::size_t kLeastSurfacePoints = 16;
 
 /// The k nearest neighbours of every point, and what follows from them.
 struct NeighbourGraph {

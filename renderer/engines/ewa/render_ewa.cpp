@@ -79,7 +79,7 @@ Result<RenderResult> render_whole(const SplatCloud& cloud, EnvironmentCache& env
                                   const RenderSettings& settings, Progress& progress) {
   const Result<Scene> scene = make_scene(cloud, environments, settings);
   if (!scene) return scene.error();
-  Splatted splatted = splat_cloud(cloud, scene->view, settings.ewa, scene->lighting, progress);
+  Splatted splatted;
   std::vector<double> frame_ms;
   for (int i = 0; i < std::max(settings.frames, 1); ++i) {
     if (progress.cancelled()) return interrupted_error();
