@@ -46,10 +46,5 @@ function(relief_test name)
   relief_configure(${name})
   # GCC 12 sees null pointers in std::vector<nlohmann::json> behind GoogleTest's macros; there are none.
   target_compile_options(${name} PRIVATE -Wno-null-dereference)
-  if(RELIEF_TIDY)
-    # In tests the static analyzer walks through GoogleTest's macros: two thirds of clang-tidy's time there (20 of
-    # 28 s for patch_file_test.cpp), and it found nothing.
-    set_target_properties(${name} PROPERTIES CXX_CLANG_TIDY "${RELIEF_CLANG_TIDY};--checks=-clang-analyzer-*")
-  endif()
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
 endfunction()
