@@ -1,8 +1,8 @@
 // Measures paper 000, section 5: optimised against view-independent texture acquisition and the
 // texture's values as given, at three magnifications (Figure 6), through the engine `ewa`.
 // usage: texture_experiment OUT_DIR NAME MESH|- TEXTURE|- POINTS AZ,EL CUTOFF
-// -: checkerboard plane. Prints rows of a Markdown table (PSNR in dB against the Gaussian and the
-// box truth) and writes OUT_DIR/NAME_CUTOFF_VIEW_WAY.png.
+// -: checkerboard plane. Prints rows of a Markdown table (PSNR in dB / FLIP against the Gaussian
+// and then the box truth, for each view) and writes OUT_DIR/NAME_CUTOFF_VIEW_WAY.png.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "common/image_io.h"
-#include "common/srgb.h"
 #include "preprocess/read_points.h"
 #include "preprocess/texture/acquire_texture.h"
 #include "preprocess/texture/surface_points.h"
@@ -71,38 +70,6 @@ Camera close_camera(const Subject& subject, double h, double pixels) {
   return camera;
 }
 
-Image make_image(const std::vector<glm::dvec3>& colours) {
-  Image image{kSide, kSide, {}};
-  constexpr const char* kNames[] = {"R", "G", "B"};
-  for (glm::length_t c = 0; c < 3; ++c) {
-    Channel channel{kNames[c], ChannelType::Float, {}};
-    for (const glm::dvec3& colour : colours) {
-      channel.values.push_back(static_cast<float>(colour[c]));
-    }
-    image.channels.push_back(channel);
-  }
-  return image;
-}
-
-/// dB in sRGB values, over the pixels that the mesh covers with all of the filter.
-double psnr(const Image& image, const Truth& truth) {
-  constexpr const char* kNames[] = {"R", "G", "B"};
-  double squared = 0.0;
-  std::size_t count = 0;
-  for (glm::length_t c = 0; c < 3; ++c) {
-    const Channel* const channel = image.find(kNames[c]);
-    if (channel == nullptr) continue;
-    for (std::size_t i = 0; i < truth.colours.size(); ++i) {
-      if (truth.coverage[i] < 0.9999) continue;
-      const auto expected = static_cast<float>(truth.colours[i][c]);
-      const float error = srgb_from_linear(channel->values[i]) - srgb_from_linear(expected);
-      squared += static_cast<double>(error * error);
-      ++count;
-    }
-  }
-  return 10.0 * std::log10(static_cast<double>(count) / squared);
-}
-
 SplatCloud as_cloud(const TexturedSplats& splats) {
   SplatCloud cloud;
   cloud.positions = splats.positions;
@@ -129,8 +96,7 @@ constexpr Zoom kZooms[] = {{"minification", 0.5}, {"magnification", 4.0}, {"extr
 struct View {
   std::string name;
   Camera camera;
-  Truth gaussian;
-  Truth box;
+  Truths truths;
 };
 
 std::vector<View> make_views(const Subject& subject, const ContinuousTexture& texture) {
@@ -139,9 +105,7 @@ std::vector<View> make_views(const Subject& subject, const ContinuousTexture& te
   std::vector<View> views;
   for (const Zoom& zoom : kZooms) {
     const Camera camera = close_camera(subject, spacing, zoom.pixels);
-    views.push_back({zoom.name, camera,
-                     render_truth(subject.mesh, texture, camera, kSide, PixelFilter::Gaussian),
-                     render_truth(subject.mesh, texture, camera, kSide, PixelFilter::Box)});
+    views.push_back({zoom.name, camera, render_truth(subject.mesh, texture, camera, kSide)});
   }
   return views;
 }
@@ -169,7 +133,7 @@ Status measure(const Subject& subject, const std::string& out) {
     return fmt::format("{}/{}_{:g}_{}_{}.png", out, subject.name, subject.cutoff, view.name, way);
   };
   for (const View& view : views) {
-    Status written = write_png(path(view, "truth"), make_image(view.gaussian.colours));
+    Status written = write_png(path(view, "truth"), view.truths.gaussian.image);
     if (!written) return written;
   }
   for (const Way& way : kWays) {
@@ -185,7 +149,8 @@ Status measure(const Subject& subject, const std::string& out) {
     for (const View& view : views) {
       const auto image = draw(cloud, view.camera, subject.cutoff);
       if (!image) return image.error();
-      row += fmt::format(" {:.1f} / {:.1f} |", psnr(*image, view.gaussian), psnr(*image, view.box));
+      for (const Truth* const truth : {&view.truths.gaussian, &view.truths.box})
+        row += fmt::format(" {} |", as_cell(measure_error(*image, truth->image, truth->covered())));
       Status written = write_png(path(view, way.name), *image);
       if (!written) return written;
     }
