@@ -166,12 +166,14 @@ void print_tables(const std::vector<Subject>& subjects) {
   const auto gaussian = [](const PlaneTruths& t) -> const Truth& {
     return t.checkerboard.gaussian;
   };
+  columns.push_back({"ewa, cutoff 8",
+                     [](const Subject& subject) -> const Image& { return subject.uncut.front(); }});
   columns.push_back({"Gaussian truth", [&](const Subject& subject) -> const Image& {
                        return gaussian(subject.truths).image;
                      }});
   print_table(subjects, "Checkerboard, box, cutoff 1", columns,
               [](const PlaneTruths& t) -> const Truth& { return t.checkerboard.box; });
-  columns.pop_back();
+  columns.resize(kFilters.size());
   print_table(subjects, "Checkerboard, Gaussian, cutoff 1", columns, gaussian);
   columns = columns_of(&Subject::uncut);
   columns.push_back({"ewa, cutoff 1",
