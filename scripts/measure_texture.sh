@@ -10,8 +10,8 @@ experiment=$build/tests/experiments/texture_experiment
 # Relief reads no JPEG.
 /usr/bin/convert "$data/textured/james/james.jpg" "$out/james.png"
 
-echo "| subject | cutoff | coefficients | rms error | minification | magnification | extreme | steps | residual | condition |"
-echo "| --- | ---: | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |"
+echo "| subject | cutoff | coefficients | rms error | minification | magnification | extreme | minified function | steps | residual | condition |"
+echo "| --- | ---: | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |"
 for cutoff in 1 2; do
   "$experiment" "$out" checkerboard - - 10000 0,30 "$cutoff"
   "$experiment" "$out" spot "$data/textured/spot/spot_triangulated.obj" \

@@ -1,8 +1,9 @@
 // Measures paper 000, section 5: optimised against view-independent texture acquisition and the
 // texture's values as given, at three magnifications (Figure 6), through the engine `ewa`.
 // usage: texture_experiment OUT_DIR NAME MESH|- TEXTURE|- POINTS AZ,EL CUTOFF
-// -: checkerboard plane. Prints rows of a Markdown table (PSNR in dB against the Gaussian and the
-// box truth) and writes OUT_DIR/NAME_CUTOFF_VIEW_WAY.png.
+// -: checkerboard plane. Prints rows of a Markdown table (for each view PSNR in dB against the
+// Gaussian truth / PSNR against the box truth / FLIP against it; then the minified view's PSNR by
+// measure_function) and writes OUT_DIR/NAME_CUTOFF_VIEW_WAY.png.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +16,6 @@
 #include <vector>
 
 #include "common/image_io.h"
-#include "common/srgb.h"
 #include "preprocess/read_points.h"
 #include "preprocess/texture/acquire_texture.h"
 #include "preprocess/texture/surface_points.h"
@@ -71,38 +71,6 @@ Camera close_camera(const Subject& subject, double h, double pixels) {
   return camera;
 }
 
-Image make_image(const std::vector<glm::dvec3>& colours) {
-  Image image{kSide, kSide, {}};
-  constexpr const char* kNames[] = {"R", "G", "B"};
-  for (glm::length_t c = 0; c < 3; ++c) {
-    Channel channel{kNames[c], ChannelType::Float, {}};
-    for (const glm::dvec3& colour : colours) {
-      channel.values.push_back(static_cast<float>(colour[c]));
-    }
-    image.channels.push_back(channel);
-  }
-  return image;
-}
-
-/// dB in sRGB values, over the pixels that the mesh covers with all of the filter.
-double psnr(const Image& image, const Truth& truth) {
-  constexpr const char* kNames[] = {"R", "G", "B"};
-  double squared = 0.0;
-  std::size_t count = 0;
-  for (glm::length_t c = 0; c < 3; ++c) {
-    const Channel* const channel = image.find(kNames[c]);
-    if (channel == nullptr) continue;
-    for (std::size_t i = 0; i < truth.colours.size(); ++i) {
-      if (truth.coverage[i] < 0.9999) continue;
-      const auto expected = static_cast<float>(truth.colours[i][c]);
-      const float error = srgb_from_linear(channel->values[i]) - srgb_from_linear(expected);
-      squared += static_cast<double>(error * error);
-      ++count;
-    }
-  }
-  return 10.0 * std::log10(static_cast<double>(count) / squared);
-}
-
 SplatCloud as_cloud(const TexturedSplats& splats) {
   SplatCloud cloud;
   cloud.positions = splats.positions;
@@ -129,8 +97,7 @@ constexpr Zoom kZooms[] = {{"minification", 0.5}, {"magnification", 4.0}, {"extr
 struct View {
   std::string name;
   Camera camera;
-  Truth gaussian;
-  Truth box;
+  Truths truths;
 };
 
 std::vector<View> make_views(const Subject& subject, const ContinuousTexture& texture) {
@@ -139,18 +106,17 @@ std::vector<View> make_views(const Subject& subject, const ContinuousTexture& te
   std::vector<View> views;
   for (const Zoom& zoom : kZooms) {
     const Camera camera = close_camera(subject, spacing, zoom.pixels);
-    views.push_back({zoom.name, camera,
-                     render_truth(subject.mesh, texture, camera, kSide, PixelFilter::Gaussian),
-                     render_truth(subject.mesh, texture, camera, kSide, PixelFilter::Box)});
+    views.push_back({zoom.name, camera, render_truth(subject.mesh, texture, camera, kSide)});
   }
   return views;
 }
 
-Result<Image> draw(const SplatCloud& cloud, const Camera& camera, double cutoff) {
+Result<Image> draw(const SplatCloud& cloud, const Camera& camera, double cutoff,
+                   std::uint32_t side = kSide) {
   Progress progress;
   RenderSettings settings;
   settings.engine = EngineKind::Ewa;
-  settings.width = settings.height = kSide;
+  settings.width = settings.height = side;
   settings.camera = camera;
   settings.material = Material::Unlit;
   settings.frames = 1;
@@ -158,6 +124,38 @@ Result<Image> draw(const SplatCloud& cloud, const Camera& camera, double cutoff)
   auto result = render(cloud, settings, progress);
   if (!result) return result.error();
   return std::move(result->image);
+}
+
+/// PSNR and FLIP of a view as a cell of the table.
+Result<std::string> as_cell(const Image& image, const Truths& truths) {
+  const auto gaussian = measure_error(image, truths.gaussian.image, truths.gaussian.covered());
+  if (!gaussian) return gaussian.error();
+  const auto box = measure_error(image, truths.box.image, truths.box.covered());
+  if (!box) return box.error();
+  return fmt::format(" {:.1f} / {:.1f} / {:.3f} |", gaussian->psnr_db, box->psnr_db,
+                     box->flip_mean);
+}
+
+/// PSNR of the function on the splats itself, against the Gaussian truth: drawn at eight times the
+/// size, where the engine's own low-pass is nothing, and then filtered by a whole Gaussian.
+Result<double> measure_function(const SplatCloud& cloud, const View& view, double cutoff) {
+  constexpr std::uint32_t kFiner = 8;
+  const auto fine = draw(cloud, view.camera, cutoff, kSide * kFiner);
+  if (!fine) return fine.error();
+  const Channel* const channels[] = {fine->find("R"), fine->find("G"), fine->find("B")};
+  const Truths filtered = filter_samples(kSide, kFiner, [&](glm::dvec2 place) {
+    glm::dvec4 sample(0.0);
+    const auto x = static_cast<std::int64_t>(std::floor(place.x * kFiner));
+    const auto y = static_cast<std::int64_t>(std::floor(place.y * kFiner));
+    if (x < 0 || y < 0 || x >= fine->width || y >= fine->height) return sample;
+    const auto pixel = static_cast<std::size_t>(y * fine->width + x);
+    for (glm::length_t c = 0; c < 3; ++c) sample[c] = double{channels[c]->values[pixel]};
+    return sample;
+  });
+  const auto error = measure_error(filtered.gaussian.image, view.truths.gaussian.image,
+                                   view.truths.gaussian.covered());
+  if (!error) return error.error();
+  return error->psnr_db;
 }
 
 Status measure(const Subject& subject, const std::string& out) {
@@ -169,7 +167,7 @@ Status measure(const Subject& subject, const std::string& out) {
     return fmt::format("{}/{}_{:g}_{}_{}.png", out, subject.name, subject.cutoff, view.name, way);
   };
   for (const View& view : views) {
-    Status written = write_png(path(view, "truth"), make_image(view.gaussian.colours));
+    Status written = write_png(path(view, "truth"), view.truths.gaussian.image);
     if (!written) return written;
   }
   for (const Way& way : kWays) {
@@ -185,10 +183,15 @@ Status measure(const Subject& subject, const std::string& out) {
     for (const View& view : views) {
       const auto image = draw(cloud, view.camera, subject.cutoff);
       if (!image) return image.error();
-      row += fmt::format(" {:.1f} / {:.1f} |", psnr(*image, view.gaussian), psnr(*image, view.box));
+      const auto cell = as_cell(*image, view.truths);
+      if (!cell) return cell.error();
+      row += *cell;
       Status written = write_png(path(view, way.name), *image);
       if (!written) return written;
     }
+    const auto function = measure_function(cloud, views.front(), subject.cutoff);
+    if (!function) return function.error();
+    row += fmt::format(" {:.1f} |", *function);
     if (const auto& fit = acquired->report.fit) {
       row += fmt::format(" {} | {:.1e} | {:.0f} |", fit->iterations, fit->residual,
                          fit->condition.value_or(std::nan("")));

@@ -1,7 +1,5 @@
 #include "tests/experiments/textured_truth.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -74,54 +72,20 @@ std::vector<Hit> find_hits(const Points& mesh, const Camera& camera, std::uint32
   return hits;
 }
 
-/// Weights of the samples at a distance of (i + 0.5) / kSamples pixels and so on from the middle.
-double weight_at(double pixels, PixelFilter filter) {
-  if (filter == PixelFilter::Box) return std::abs(pixels) < 0.5 ? 1.0 : 0.0;
-  return std::exp(-0.5 * pixels * pixels);
-}
-
-/// Filters along x and takes every pixel's middle; applied twice with the axes swapped.
-std::vector<glm::dvec4> filter_rows(const std::vector<glm::dvec4>& samples, std::size_t width,
-                                    std::size_t height, PixelFilter filter) {
-  const auto pixels = static_cast<std::int64_t>(width / kSamples);
-  constexpr std::int64_t kReach = 4 * std::int64_t{kSamples};
-  std::vector<glm::dvec4> out(static_cast<std::size_t>(pixels) * height);
-  tbb::parallel_for(std::size_t{0}, height, [&](std::size_t y) {
-    for (std::int64_t i = 0; i < pixels; ++i) {
-      const double middle = (static_cast<double>(i) + 0.5) * kSamples;
-      glm::dvec4 sum(0.0);
-      double weights = 0.0;
-      for (std::int64_t x = i * kSamples - kReach; x < (i + 1) * kSamples + kReach; ++x) {
-        const double w = weight_at((static_cast<double>(x) + 0.5 - middle) / kSamples, filter);
-        weights += w;
-        if (x < 0 || x >= static_cast<std::int64_t>(width)) continue;
-        sum += w * samples[y * width + static_cast<std::size_t>(x)];
-      }
-      out[static_cast<std::size_t>(i) * height + y] = sum / weights;
-    }
-  });
-  return out;
-}
-
 }  // namespace
 
-Truth render_truth(const Points& mesh, const ContinuousTexture& texture, const Camera& camera,
-                   std::uint32_t side, PixelFilter filter) {
-  const std::size_t fine = std::size_t{side} * kSamples;
-  const std::vector<Hit> hits = find_hits(mesh, camera, static_cast<std::uint32_t>(fine));
-  std::vector<glm::dvec4> samples(hits.size(), glm::dvec4(0.0));
-  tbb::parallel_for(std::size_t{0}, hits.size(), [&](std::size_t i) {
-    if (std::isfinite(hits[i].depth)) {
-      samples[i] = glm::dvec4(glm::dvec3(texture.at(hits[i].texcoord)), 1.0);
-    }
+Truths render_truth(const Points& mesh, const ContinuousTexture& texture, const Camera& camera,
+                    std::uint32_t side) {
+  const std::uint32_t fine = side * kSamples;
+  const std::vector<Hit> hits = find_hits(mesh, camera, fine);
+  return filter_samples(side, kSamples, [&](glm::dvec2 place) {
+    const auto x = static_cast<std::int64_t>(std::floor(place.x * kSamples));
+    const auto y = static_cast<std::int64_t>(std::floor(place.y * kSamples));
+    if (x < 0 || y < 0 || x >= fine || y >= fine) return glm::dvec4(0.0);
+    const Hit& hit = hits[static_cast<std::size_t>(y * fine + x)];
+    if (!std::isfinite(hit.depth)) return glm::dvec4(0.0);
+    return glm::dvec4(glm::dvec3(texture.at(hit.texcoord)), 1.0);
   });
-  const auto filtered = filter_rows(filter_rows(samples, fine, fine, filter), fine, side, filter);
-  Truth truth;
-  for (const glm::dvec4& pixel : filtered) {
-    truth.colours.emplace_back(pixel);
-    truth.coverage.push_back(pixel.a);
-  }
-  return truth;
 }
 
 }  // namespace relief::experiment
