@@ -69,7 +69,7 @@ class Pages {
  private:
   void flush() {
     pages_.push_back(
-        make_table(gl_, "sample records", GL_RGB32UI, std::span<const SampleRecord>(current_)));
+        make_table(gl_, "sample records", GL_RGBA32UI, std::span<const SampleRecord>(current_)));
     current_.clear();
   }
 

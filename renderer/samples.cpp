@@ -16,12 +16,12 @@
 namespace relief {
 namespace {
 
-/// Four reaches as bytes, rounded up so that nothing opens; the least margin is added.
-std::uint32_t pack_reach(glm::vec4 reach) {
+/// Four lengths as bytes, rounded up so that nothing opens.
+std::uint32_t pack_bytes(glm::vec4 lengths, float step) {
   std::uint32_t packed = 0;
   for (glm::length_t c = 0; c < 4; ++c) {
-    const float steps = std::ceil((reach[c] + shared::kLeastMargin) / shared::kReachStep);
-    packed |= static_cast<std::uint32_t>(std::clamp(steps, 0.0F, 255.0F)) << (8 * c);
+    const float steps = std::clamp(std::ceil(lengths[c] / step), 0.0F, 255.0F);
+    packed |= static_cast<std::uint32_t>(steps) << (8 * c);
   }
   return packed;
 }
@@ -29,8 +29,11 @@ std::uint32_t pack_reach(glm::vec4 reach) {
 /// The radius that a splat's disc may have in the shader (splats.glsl: splat_radius), in cells.
 double disc_radius(glm::dvec2 slope, std::uint32_t reach) {
   const double steepness = glm::dot(slope, slope);
+  const double margin = shared::kLargestMargin / std::sqrt(1.0 + steepness);
   double radius = std::sqrt(0.5) / (0.1 + 0.9 / std::sqrt(1.0 + steepness));
-  const auto side = [reach](int c) { return shared::kReachStep * ((reach >> (8 * c)) & 0xFFU); };
+  const auto side = [reach, margin](int c) {
+    return shared::kReachStep * ((reach >> (8 * c)) & 0xFFU) + margin;
+  };
   for (const double x : {-side(0), side(1)}) {
     for (const double y : {-side(2), side(3)})
       radius = std::max(radius, glm::length(glm::dvec3(x, y, x * slope.x + y * slope.y)));
@@ -49,7 +52,7 @@ PatchSamples make_samples(const Patch& patch) {
   const PaddedHeights heights(patch);
   const SplatSlopes slopes = find_slopes(heights, patch, samples.height_step);
   samples.slope_step = slopes.slope_step;
-  const std::vector<glm::vec4> reaches = find_reaches(heights, slopes, samples.height_step);
+  const std::vector<SplatReach> reaches = find_reaches(heights, slopes, samples.height_step);
   glm::dvec3 low(std::numeric_limits<double>::max());
   glm::dvec3 high(std::numeric_limits<double>::lowest());
   for (std::uint32_t j = 0; j < patch.height; ++j) {
@@ -57,12 +60,13 @@ PatchSamples make_samples(const Patch& patch) {
       const std::size_t k = heights.index(i, j);
       if (!heights.valid(k)) continue;
       const glm::u8vec2 slope(slopes.steps[k]);
-      const std::uint32_t reach = pack_reach(reaches[k]);
+      const std::uint32_t reach =
+          pack_bytes(reaches[k].reach + shared::kLeastMargin, shared::kReachStep);
       samples.records.push_back(
           {i | (j << shared::kRowShift) | (is_border(heights, k) ? shared::kBorderBit : 0U),
            static_cast<std::uint32_t>(heights[k]) | (std::uint32_t{slope.x} << 16U) |
                (std::uint32_t{slope.y} << 24U),
-           reach});
+           reach, pack_bytes(reaches[k].gap - 0.5F * shared::kGapStep, shared::kGapStep)});
       samples.widest_disc =
           std::max(samples.widest_disc, disc_radius(glm::dvec2(slopes.at(k)), reach));
       const glm::dvec3 p(i, j, heights[k] * static_cast<double>(samples.height_step));

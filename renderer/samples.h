@@ -1,4 +1,4 @@
-// Sample records: what the vertex stage reads of a patch, twelve bytes a sample.
+// Sample records: what the vertex stage reads of a patch, sixteen bytes a sample.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +15,7 @@ struct SampleRecord {
   std::uint32_t place = 0;  ///< column, row, border flag
   std::uint32_t shape = 0;  ///< height index, slopes
   std::uint32_t reach = 0;  ///< toward -x, +x, -y, +y: a byte each, in steps of kReachStep
+  std::uint32_t gap = 0;    ///< there, in steps of kGapStep
 };
 
 /// The samples of a patch, row by row, and what holds for all of them.

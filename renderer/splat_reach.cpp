@@ -12,16 +12,14 @@
 namespace relief {
 namespace {
 
-constexpr float kLowestView = 0.58F;  // tan 30 degrees
+// The margins of border splats are the same in all views, for rays that rise by 30 degrees over the
+// surface: wider ones are spikes beyond the patch. The largest is in spacings along the plane.
+constexpr float kBorderView = 0.58F;  // tan 30 degrees
+constexpr float kLargestBorderMargin = 0.5F;
 
 // Planes that part by less than this where neighbours are half-way, in cells, need no other place:
 // the spike would be as small, and a place found from smaller steps would be that of the noise.
 constexpr float kLeastStep = 0.1F;
-
-// The largest margin, in spacings along the splat's plane. Spikes (pixels more than a spacing in
-// front of the truth) in six views of fandisk, Lucy and the Dragon, and holes of 34,560 pixels of a
-// noisy field (tests/renderer/surface_test.cpp): 0.5: 17,673 and 0; 0.3: 15,018 and 5.
-constexpr float kLargestMargin = 0.5F;
 
 /// Where the planes of two neighbours meet, from the first (0) to the second (1), and by how much
 /// they part there, in cells.
@@ -44,20 +42,20 @@ class ReachFinder {
         height_step_(height_step),
         stride_(heights.stride()),
         meetings_{std::vector<Meeting>(heights.size()), std::vector<Meeting>(heights.size())},
-        reaches_(heights.size(), glm::vec4(0.0F)) {}
+        reaches_(heights.size()) {}
 
-  std::vector<glm::vec4> find() {
+  std::vector<SplatReach> find() {
     const std::size_t end = heights_.size() - stride_;
     for (std::size_t k = 0; k < end; ++k) {
       if (!heights_.valid(k)) continue;
       for (const glm::length_t axis : {0, 1}) meetings_[axis][k] = meet(k, axis);
     }
     for (std::size_t k = stride_; k < end; ++k) {
-      if (heights_.valid(k)) reaches_[k] = reach_to_meetings(k);
+      if (heights_.valid(k)) reaches_[k].reach = reach_to_meetings(k);
     }
     for (std::size_t k = 0; k + 1 < end; ++k) close_pinhole(k);
     for (std::size_t k = stride_ + 1; k < end; ++k) {
-      if (heights_.valid(k)) add_margins(k);
+      if (heights_.valid(k)) find_gaps(k);
     }
     return std::move(reaches_);
   }
@@ -125,7 +123,7 @@ class ReachFinder {
     const bool forward = least_axis == 0 ? least % 2 == 0 : least < 2;
     const float far = least_axis == 0 ? (forward ? std::max(b, t) : 1.0F - std::min(b, t))
                                       : (forward ? std::max(l, r) : 1.0F - std::min(l, r));
-    float& reach = reaches_[nodes[least]][side(least_axis, forward)];
+    float& reach = reaches_[nodes[least]].reach[side(least_axis, forward)];
     reach = std::max(reach, far);
   }
 
@@ -154,17 +152,22 @@ class ReachFinder {
     return high > low ? high - low : 0.0F;
   }
 
-  void add_margins(std::size_t k) {
+  void find_gaps(std::size_t k) {
     const glm::vec2 slope = slopes_.at(k);
     const float cosine = 1.0F / std::sqrt(1.0F + glm::dot(slope, slope));
+    const bool border = is_border(heights_, k);
     for (const glm::length_t axis : {0, 1}) {
       for (const bool forward : {false, true}) {
         const std::size_t edge = forward ? k : k - step(axis);
         if (!meetings_[axis][edge].exists) continue;
         const float gap = std::max(
             {meetings_[axis][edge].gap, corner_gap(edge), corner_gap(edge - step(1 - axis))});
-        reaches_[k][side(axis, forward)] +=
-            cosine * std::min(gap / (2.0F * kLowestView), kLargestMargin);
+        if (border) {
+          reaches_[k].reach[side(axis, forward)] +=
+              cosine * std::min(gap / (2.0F * kBorderView), kLargestBorderMargin);
+        } else {
+          reaches_[k].gap[side(axis, forward)] = gap;
+        }
       }
     }
   }
@@ -174,13 +177,13 @@ class ReachFinder {
   float height_step_;
   std::size_t stride_;
   std::array<std::vector<Meeting>, 2> meetings_;  ///< of a node and the next along x and along y
-  std::vector<glm::vec4> reaches_;
+  std::vector<SplatReach> reaches_;
 };
 
 }  // namespace
 
-std::vector<glm::vec4> find_reaches(const PaddedHeights& heights, const SplatSlopes& slopes,
-                                    float height_step) {
+std::vector<SplatReach> find_reaches(const PaddedHeights& heights, const SplatSlopes& slopes,
+                                     float height_step) {
   return ReachFinder(heights, slopes, height_step).find();
 }
 

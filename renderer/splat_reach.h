@@ -9,19 +9,25 @@
 
 namespace relief {
 
-/// How far splats extend over the base plane toward -x, +x, -y and +y, in cells, by padded index.
-/// `height_step`: cells per height index.
+/// How far a splat extends over the base plane toward -x, +x, -y and +y, in cells.
+struct SplatReach {
+  glm::vec4 reach{0.0F};
+  glm::vec4 gap{0.0F};  ///< height by which its plane and the next ones part there; 0 at a hole
+};
+
+/// The reaches of a patch's splats, by padded index. `height_step`: cells per height index.
 ///
 /// Between two neighbours each splat ends where their tangent planes meet: half-way on even ground,
 /// but at the crest itself where one side is flat and the other steep; a splat that went half-way
 /// there would stick out as a spike. Where the places in neighbouring rows leave a pinhole between
-/// the four rectangles of a cell, the one that rises least on the way closes it. What the planes
-/// still part by where they should meet, g, is closed by a margin: a view ray that rises by an
-/// angle of at least a over the surface can't pass between two planes that both reach m >= g / (2
-/// tan a) beyond that place. It is for a = 30 degrees and has a limit (docs/decisions.md).
+/// the four rectangles of a cell, the one that rises least on the way closes it.
+///
+/// What the planes still part by where they should meet, the gap, a margin must close: a view ray
+/// that approaches both planes by v per cell can't pass between two that both reach gap / (2 v)
+/// beyond that place. The vertex stage adds it for its view (splats.glsl: margins_of).
 ///
 /// Toward a hole a splat extends half a spacing along its slope.
-[[nodiscard]] std::vector<glm::vec4> find_reaches(const PaddedHeights& heights,
-                                                  const SplatSlopes& slopes, float height_step);
+[[nodiscard]] std::vector<SplatReach> find_reaches(const PaddedHeights& heights,
+                                                   const SplatSlopes& slopes, float height_step);
 
 }  // namespace relief

@@ -3,30 +3,96 @@
 
 layout(binding = RELIEF_TEXTURE_HEIGHTS) uniform usampler2DArray height_maps;
 
-// Moves `hit`, where the view ray along `ray` meets the splat (both in the grid frame), to where
-// the ray meets the plane through the elevated corners of the virtual triangle under it. Returns
-// how far along the ray that is, in lengths of `ray`; 0, and `hit` unchanged, where a corner is a
-// hole. All cells are halved along the diagonal from (0, 0) to (1, 1).
-float correct(inout vec3 hit, vec3 ray, PatchInfo info) {
-  ivec2 cell = clamp(ivec2(floor(hit.xy)), ivec2(0), max(info.nodes.xy - 2, ivec2(0)));
-  vec2 inside = hit.xy - vec2(cell);
-  bool lower = inside.x > inside.y;
+// A place against the virtual triangle under it (grid frame).
+struct OverTriangle {
+  bool exists;  // false: a corner is a hole
+  ivec3 which;  // column and row of its cell; 1: the half below the diagonal
+  float above;  // height of the place over the triangle's plane, in cells
+  vec2 slope;   // of that plane
+};
+
+// All cells are halved along the diagonal from (0, 0) to (1, 1).
+ivec3 triangle_under(vec2 place, PatchInfo info) {
+  ivec2 cell = clamp(ivec2(floor(place)), ivec2(0), max(info.nodes.xy - 2, ivec2(0)));
+  vec2 inside = place - vec2(cell);
+  return ivec3(cell, inside.x > inside.y ? 1 : 0);
+}
+
+OverTriangle over_triangle(vec3 place, PatchInfo info) {
+  OverTriangle over;
+  over.which = triangle_under(place.xy, info);
+  ivec2 cell = over.which.xy;
+  vec2 inside = place.xy - vec2(cell);
+  bool lower = over.which.z == 1;
   ivec3 at = ivec3(info.heights.xy + cell, info.heights.z);
   uint a = texelFetch(height_maps, at, 0).x;
   uint b = texelFetch(height_maps, at + (lower ? ivec3(1, 0, 0) : ivec3(0, 1, 0)), 0).x;
   uint c = texelFetch(height_maps, at + ivec3(1, 1, 0), 0).x;
-  if (a == kHoleTexel || b == kHoleTexel || c == kHoleTexel) return 0.0;
-
   float height_step = info.axis_v.w;
   float ab = (float(b) - float(a)) * height_step;
   float bc = (float(c) - float(b)) * height_step;
-  vec2 slope = lower ? vec2(ab, bc) : vec2(bc, ab);
-  float above = hit.z - (float(a) * height_step + dot(slope, inside));
-  float descent = dot(slope, ray.xy) - ray.z;  // toward the plane, per length of ray
-  float along = above / descent;
-  float limit = kLargestCorrection * inversesqrt(max(dot(ray.xy, ray.xy), 1e-30));
-  // A ray within the plane gives 0 / 0 or an infinity.
-  along = descent == 0.0 ? 0.0 : clamp(along, -limit, limit);
-  hit += along * ray;
-  return along;
+  over.slope = lower ? vec2(ab, bc) : vec2(bc, ab);
+  over.above = place.z - (float(a) * height_step + dot(over.slope, inside));
+  over.exists = a != kHoleTexel && b != kHoleTexel && c != kHoleTexel;
+  return over;
+}
+
+// Moves `hit`, where the view ray along `ray` meets the splat (both in the grid frame), to where
+// the ray meets the plane through the elevated corners of the virtual triangle under it. `along`:
+// how far along the ray that is, in lengths of `ray`; 0, and `hit` unchanged, where there is no
+// triangle. False if the ray passes the surface: the splat sticks out there.
+//
+// Beyond the paper: where that plane is met over another triangle, that one is tried, and else the
+// surface is searched for half a cell at a time. Behind a crest, one step alone was further from a
+// ray-traced truth than none. One loop looks at one triangle a pass, as llvmpipe leaves loops early
+// but goes through every branch.
+bool correct(inout vec3 hit, vec3 ray, PatchInfo info, out float along) {
+  float half_cell = 0.5 * inversesqrt(max(dot(ray.xy, ray.xy), 1e-30));
+  float eye_side = ray.z < 0.0 ? 1.0 : -1.0;
+  vec3 start = hit;
+  along = 0.0;
+  bool found = true;
+  int step = -kSearchSteps - 2;  // two before the search
+  float at = 0.0;
+  float before = -1.0;  // height of the place before on the eye's side; negative: unknown
+  float nearest = kLargestMiss;
+  while (step <= kSearchSteps) {
+    vec3 place = start + at * ray;
+    OverTriangle over = over_triangle(place, info);
+    if (step < -kSearchSteps) {
+      if (!over.exists) break;
+      float next = at + over.above / (dot(over.slope, ray.xy) - ray.z);
+      bool near = abs(next) <= half_cell;  // nor where the ray runs along the triangle: 0 / 0
+      bool same = near && triangle_under((start + next * ray).xy, info) == over.which;
+      bool there = step == -kSearchSteps - 1 && abs(over.above) < kOnSurface;
+      if (same || there) {
+        along = same ? next : at;
+        break;
+      }
+      bool again = near && step == -kSearchSteps - 2;
+      step = again ? step + 1 : -kSearchSteps;
+      at = again ? next : -float(kSearchSteps) * half_cell;
+      found = again;
+    } else {
+      bool within = all(greaterThan(place.xy, vec2(-0.5))) &&
+                    all(lessThan(place.xy, vec2(info.nodes.xy) - 0.5));
+      float outside = within && over.exists ? eye_side * over.above : 1e9;
+      if (before >= 0.0 && outside < 0.0) {
+        along = at - half_cell * outside / (outside - before);
+        found = true;
+        break;
+      }
+      float miss = abs(outside) * inversesqrt(1.0 + dot(over.slope, over.slope));
+      if (miss <= nearest) {
+        nearest = miss;
+        along = at;
+        found = true;
+      }
+      before = within && over.exists ? outside : -1.0;
+      ++step;
+      at += half_cell;
+    }
+  }
+  hit = start + along * ray;
+  return found;
 }

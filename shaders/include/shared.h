@@ -69,16 +69,29 @@ using glm::vec4;
 /// The height texel of a hole.
 RELIEF_CONST uint kHoleTexel = 65535u;
 
-/// A sample record is two words. First word: column, row, width class, border flag; second word:
-/// height index, then the slope along both axes as signed bytes.
+/// A sample record is four words. First word: column, row, border flag; second word: height index,
+/// then the slope along both axes as signed bytes; third and fourth word: reaches and gaps toward
+/// -x, +x, -y and +y, a byte each.
 RELIEF_CONST uint kRowShift = 14u;
 RELIEF_CONST uint kNodeMask = 0x3FFFu;
 RELIEF_CONST uint kBorderBit = 0x80000000u;
 
+/// Cells high, per step of a gap. Gaps below a step are those of rounded slopes and heights, which
+/// kLeastMargin closes.
+RELIEF_CONST float kGapStep = 0.01f;
+
+/// The largest margin that closes a gap, in spacings along the splat's plane. iron_scan, holes in
+/// twelve views of 1280x1024, and the Dragon, lit and direct, against a ray-traced truth: 0.6: 7,
+/// 37.9 dB; 0.75: 5, 37.7 dB; margins for 30 degrees in all views and 0.5 at most: 76, 38.4 dB.
+RELIEF_CONST float kLargestMargin = 0.75f;
+
+/// Rays that approach a splat's plane by less per cell have the margin for this.
+RELIEF_CONST float kLowestView = 0.1f;
+
 /// Slopes (height per cell, both in cells) are clamped to this: 79 degrees.
 RELIEF_CONST float kSteepest = 5.0f;
 
-/// How far a splat extends over the base plane, in cells, per step of a record's bytes.
+/// How far a splat extends over the base plane, in cells, per step of its reaches.
 RELIEF_CONST float kReachStep = 1.0f / 160.0f;
 
 /// What every splat extends beyond where it meets the next, in cells: slopes and heights are
@@ -94,10 +107,16 @@ RELIEF_CONST float kMarginPixels = 0.02f;
 /// steep.
 RELIEF_CONST float kBorderSetBack = 0.5f;
 
-/// The largest step, in cells, from the direct to the corrected place. Beyond it the view ray runs
-/// along the triangle, and their intersection says nothing: at 1.0, 172 pixels of six views of the
-/// Dragon lay more than a spacing behind the truth, at 0.5, 106 (direct: 90).
-RELIEF_CONST float kLargestCorrection = 0.5f;
+/// A place is on the surface if it is no higher or lower than this, in cells.
+RELIEF_CONST float kOnSurface = 0.03f;
+
+/// A view ray that passes the surface by more, in cells, has met what sticks out of it. Less than
+/// that is the edge of a crease, which no sample lies on: fandisk, pixels missing in twelve views
+/// of 1280x1024: at 0.15 19, at 0.2 2, at 0.25 none.
+RELIEF_CONST float kLargestMiss = 0.25f;
+
+/// Half cells by which the surface is searched for to both sides.
+RELIEF_CONST int kSearchSteps = 3;
 
 /// Linear reflectance of a model without colours: a neutral grey.
 RELIEF_CONST float kNeutralGrey = 0.5f;

@@ -8,12 +8,22 @@ struct Splat {
   vec3 centre;
   vec2 slope;        // of its tangent plane: height per cell
   vec4 reach;        // how far it extends over the base plane toward -x, +x, -y, +y, in cells
+  vec4 margin;       // and beyond that to close gaps
   float depth;       // of its centre, along the view axis, in world units
   float set_back;    // factor on its depth value: below 1 for border splats
 };
 
-Splat fetch_splat(int record, PatchInfo info, mat4 clip_from_grid) {
-  uvec3 bits = texelFetch(sample_records, record).xyz;
+// The margins beyond a splat's reaches that close its gaps (cells high) for the view ray to its
+// centre, in cells of the base plane (renderer/splat_reach.h).
+vec4 margins_of(vec4 gaps, vec2 slope, vec3 ray) {
+  float way = length(ray.xy);
+  float approach = max(abs(ray.z - dot(slope, ray.xy)), kLowestView * way);
+  float largest = kLargestMargin * inversesqrt(1.0 + dot(slope, slope));
+  return approach > 0.0 ? min(0.5 * gaps * way / approach, largest) : vec4(0.0);
+}
+
+Splat fetch_splat(int record, PatchInfo info, mat4 clip_from_grid, vec3 eye) {
+  uvec4 bits = texelFetch(sample_records, record);
   float spacing = info.axis_u.w;
   float height_step = info.axis_v.w;
   float slope_step = info.axis_n.w;
@@ -26,17 +36,20 @@ Splat fetch_splat(int record, PatchInfo info, mat4 clip_from_grid) {
   splat.depth = dot(vec4(clip_from_grid[0].w, clip_from_grid[1].w, clip_from_grid[2].w,
                          clip_from_grid[3].w), vec4(splat.centre, 1.0));
   float pixel = max(splat.depth, 0.0) / (frame.ray_x.w * spacing);  // in cells
+  vec4 gaps = kGapStep * 255.0 * unpackUnorm4x8(bits.w);
   splat.reach = kReachStep * 255.0 * unpackUnorm4x8(bits.z) + kMarginPixels * pixel;
+  splat.margin = margins_of(gaps, splat.slope, splat.centre - eye);
   bool border = (bits.x & kBorderBit) != 0u && splat.depth > 0.0;
   float behind = kBorderSetBack * spacing * sqrt(1.0 + dot(splat.slope, splat.slope));
   splat.set_back = border ? splat.depth / (splat.depth + behind) : 1.0;
   return splat;
 }
 
-// Corner 0 to 3 of the parallelogram in the splat's tangent plane over its part of the base plane.
-vec3 splat_corner(Splat splat, int corner) {
-  vec2 offset = vec2((corner & 1) == 0 ? -splat.reach.x : splat.reach.y,
-                     (corner & 2) == 0 ? -splat.reach.z : splat.reach.w);
+// Corner 0 to 3 of the parallelogram in the splat's tangent plane over what lies within `reach` of
+// its centre.
+vec3 splat_corner(Splat splat, vec4 reach, int corner) {
+  vec2 offset = vec2((corner & 1) == 0 ? -reach.x : reach.y,
+                     (corner & 2) == 0 ? -reach.z : reach.w);
   return splat.centre + vec3(offset, dot(offset, splat.slope));
 }
 
@@ -44,14 +57,17 @@ vec3 splat_corner(Splat splat, int corner) {
 // if that is more. Nodes of a plane that leans by an angle of cosine c along a grid axis form
 // rectangles of 1 by 1/c, whose corners a disc of half their diagonal, sqrt(1 + 1/c^2) / 2, just
 // reaches; leaning any other way needs less. Eq. (1) reaches that for c from 0.21 to 1, at both ends
-// with nothing to spare.
+// with nothing to spare. Margins count along one axis at a time.
 float splat_radius(Splat splat) {
   float steepness = dot(splat.slope, splat.slope);  // 1/c^2 - 1
   float of_paper = sqrt(0.5) / (0.1 + 0.9 * inversesqrt(1.0 + steepness));
   float squared = of_paper * of_paper;
+  vec4 along_x = splat.reach + vec4(splat.margin.xy, 0.0, 0.0);
+  vec4 along_y = splat.reach + vec4(0.0, 0.0, splat.margin.zw);
   for (int corner = 0; corner < 4; ++corner) {
-    vec3 to_corner = splat_corner(splat, corner) - splat.centre;
-    squared = max(squared, dot(to_corner, to_corner));
+    vec3 to_x = splat_corner(splat, along_x, corner) - splat.centre;
+    vec3 to_y = splat_corner(splat, along_y, corner) - splat.centre;
+    squared = max(squared, max(dot(to_x, to_x), dot(to_y, to_y)));
   }
   return sqrt(squared);
 }
@@ -59,5 +75,5 @@ float splat_radius(Splat splat) {
 // Where a disc ends over the base plane before its radius does, toward -x, +x, -y, +y: at the crest
 // where the next splat's plane, or a hole, is nearer than half a cell.
 vec4 disc_limits(Splat splat) {
-  return mix(splat.reach, vec4(1e9), greaterThanEqual(splat.reach, vec4(0.5)));
+  return mix(splat.reach + splat.margin, vec4(1e9), greaterThanEqual(splat.reach, vec4(0.5)));
 }

@@ -23,7 +23,9 @@ void main() {
   vec3 ray = hit - fetch_eye(hit_patch);
   float depth = 1.0 / gl_FragCoord.w;
 #if (RELIEF_FEATURES & RELIEF_FEATURE_CORRECTED) != 0u
-  depth *= 1.0 + correct(place, ray, info);
+  float along;
+  if (!correct(place, ray, info, along)) discard;
+  depth *= 1.0 + along;
 #endif
   shade(info, place, ray, depth);
 }

@@ -8,9 +8,10 @@ layout(location = 1) out vec3 hit;  // in the grid frame
 
 void main() {
   mat4 clip_from_grid = fetch_clip_from_grid(patch_index);
-  Splat splat = fetch_splat(gl_VertexID >> 2, fetch_patch(patch_index), clip_from_grid);
+  Splat splat = fetch_splat(gl_VertexID >> 2, fetch_patch(patch_index), clip_from_grid,
+                           fetch_eye(patch_index));
   hit_patch = patch_index;
-  hit = splat_corner(splat, gl_VertexID & 3);
+  hit = splat_corner(splat, splat.reach + splat.margin, gl_VertexID & 3);
   gl_Position = clip_from_grid * vec4(hit, 1.0);
   gl_Position.z *= splat.set_back;
 }

@@ -31,10 +31,9 @@ void main() {
 
   gl_FragDepth = frame.ray_origin.w / depth * plane.z;
   vec3 place = fetch_eye(hit_patch) + depth * ray;
-#if (RELIEF_FEATURES & RELIEF_FEATURE_CORRECTED) != 0u
-  float along = correct(place, depth * ray, info);
-#else
   float along = 0.0;
+#if (RELIEF_FEATURES & RELIEF_FEATURE_CORRECTED) != 0u
+  if (!correct(place, depth * ray, info, along)) discard;
 #endif
   shade(info, place, ray, depth * (1.0 + along));
 }

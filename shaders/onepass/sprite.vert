@@ -11,7 +11,8 @@ layout(location = 3) flat out vec4 limits;
 
 void main() {
   mat4 clip_from_grid = fetch_clip_from_grid(patch_index);
-  Splat splat = fetch_splat(gl_VertexID, fetch_patch(patch_index), clip_from_grid);
+  Splat splat = fetch_splat(gl_VertexID, fetch_patch(patch_index), clip_from_grid,
+                           fetch_eye(patch_index));
   float radius = splat_radius(splat);
   hit_patch = patch_index;
   disc = vec4(splat.centre - fetch_eye(patch_index), radius);

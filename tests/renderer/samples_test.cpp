@@ -20,12 +20,21 @@ glm::vec2 slope_of(const PatchSamples& samples, std::size_t k) {
   return samples.slope_step * glm::vec2(steps);
 }
 
+glm::vec4 lengths_of(std::uint32_t bytes, float step) {
+  glm::vec4 lengths(0.0F);
+  for (glm::length_t c = 0; c < 4; ++c)
+    lengths[c] = step * static_cast<float>((bytes >> (8 * c)) & 0xFFU);
+  return lengths;
+}
+
 /// How far a splat extends toward -x, +x, -y, +y, in cells.
 glm::vec4 reach_of(const SampleRecord& record) {
-  glm::vec4 reach(0.0F);
-  for (glm::length_t c = 0; c < 4; ++c)
-    reach[c] = shared::kReachStep * static_cast<float>((record.reach >> (8 * c)) & 0xFFU);
-  return reach;
+  return lengths_of(record.reach, shared::kReachStep);
+}
+
+/// By how much its plane and the next ones part there, in cells.
+glm::vec4 gap_of(const SampleRecord& record) {
+  return lengths_of(record.gap, shared::kGapStep);
 }
 
 /// What rounding may add to a reach: it is rounded up to steps, and slopes and heights are rounded,
@@ -82,11 +91,25 @@ TEST(Samples, TipOfARaggedBorderLeansLikeItsNeighbours) {
   EXPECT_NEAR(slope_of(samples, tip).y, 0.5F, 0.01F);
 }
 
-TEST(Samples, SaddleNeedsWiderSplatsThanAPlane) {
-  // The planes of four neighbours on z = a x y part by a in the middle between them.
-  const PatchModel model = test::height_field(9, [](double x, double y) { return 0.1 * x * y; });
+TEST(Samples, GapsAreWhatPlanesPartBy) {
+  // In the middle of a cell of z = a x y the planes of two of its corners are a / 2 above the other
+  // two.
+  const PatchModel model = test::height_field(9, [](double x, double y) { return 0.2 * x * y; });
   const PatchSamples samples = make_samples(model.patches[0]);
-  EXPECT_GT(reach_of(samples.records[40]).x, 0.5F + shared::kLeastMargin + kRounding);
+  const glm::vec4 gap = gap_of(samples.records[40]);
+  for (glm::length_t c = 0; c < 4; ++c) {
+    // Slopes are rounded to 0.8 / 127 / 2, half a cell away, along two axes, up and down.
+    EXPECT_NEAR(gap[c], 0.1F, shared::kGapStep + 0.0064F);
+  }
+}
+
+TEST(Samples, PlanesAndBordersHaveNoGaps) {
+  const PatchModel plane = test::height_field(9, [](double x, double y) { return 0.8 * x - y; });
+  for (const SampleRecord& record : make_samples(plane.patches[0]).records)
+    EXPECT_EQ(record.gap, 0U);
+  const PatchModel saddle = test::height_field(9, [](double x, double y) { return 0.2 * x * y; });
+  for (const SampleRecord& record : make_samples(saddle.patches[0]).records)
+    EXPECT_EQ(record.gap == 0U, is_border(record));
 }
 
 TEST(Samples, SplatsEndAtACrease) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <random>
 
+#include "shaders/include/shared.h"
 #include "tests/renderer/pictures.h"
 
 namespace relief {
@@ -225,6 +226,70 @@ TEST(Corrected, FollowsTheVirtualTrianglesAndDirectDoesNot) {
   const double direct = rms_cells(Interpolation::Direct);
   const double corrected = rms_cells(Interpolation::Corrected);
   EXPECT_LT(corrected, 0.4 * direct) << direct;
+}
+
+TEST_P(Surfaces, GrazingViewsHaveNoHoles) {
+  // Waves seen at 4 degrees over the base plane, at 0 to 40 over their flanks: where the planes of
+  // neighbours part by a twentieth of a cell, a ray can pass for most of a cell between them.
+  const PatchModel model = test::height_field(
+      60, [](double x, double y) { return 0.9 * std::sin(0.45 * x) * std::cos(0.4 * y); });
+  RenderSettings settings = small_picture(model);
+  const double e = 4.0 * std::acos(-1.0) / 180.0;
+  settings.camera = {60.0 * glm::dvec3(0.0, -std::cos(e), std::sin(e)), {}, {0.0, 0.0, 1.0}, 6.0};
+  settings.primitive = GetParam().primitive;
+  settings.interpolation = GetParam().interpolation;
+  settings.outputs = test::all_outputs();
+  const RenderResult result = must_render(model, settings);
+  std::size_t inside = 0;
+  std::size_t holes = 0;
+  for (std::size_t y = 0; y < settings.height; y += 2) {
+    for (std::size_t x = 0; x < settings.width; x += 2) {
+      const auto meets = [&](std::size_t row) {
+        return meet_triangles(model.patches[0], settings.camera.eye, pixel_ray(settings, x, row));
+      };
+      if (y == 0 || !meets(y) || !meets(y - 1) || !meets(y + 1)) continue;  // the rim may be off
+      ++inside;
+      holes += values(result.image, "patch")[y * settings.width + x] == 0.0F ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(inside, 1000U);
+  EXPECT_EQ(holes, 0U);
+}
+
+TEST(Corrected, SplatsDoNotStickOutOfASkyline) {
+  // A rough ridge along x in front of the sky. What passes the surface by kLargestMiss may show,
+  // which is twice as much upward where the slope is 1.7, the steepest here.
+  const auto ridge = [](double raised) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> noise(-0.4, 0.4);
+    return test::height_field(40, [&random, noise, raised](double, double y) mutable {
+      return raised + (6.0 + noise(random)) * std::exp(-y * y / 50.0);
+    });
+  };
+  const PatchModel model = ridge(0.0);
+  const PatchModel raised = ridge(2.0 * (shared::kLargestMiss + shared::kOnSurface));
+  RenderSettings settings = small_picture(model);
+  settings.camera = {{1.0, -60.0, 5.0}, {1.0, 0.0, 5.0}, {0.0, 0.0, 1.0}, 10.0};
+  settings.outputs = test::all_outputs();
+  const auto spikes = [&](Primitive primitive, Interpolation interpolation) {
+    settings.primitive = primitive;
+    settings.interpolation = interpolation;
+    const RenderResult result = must_render(model, settings);
+    EXPECT_GT(result.covered_pixels, 1000U);
+    std::size_t count = 0;
+    for (std::size_t y = 0; y < settings.height / 2; ++y) {
+      for (std::size_t x = 0; x < settings.width; x += 2) {
+        if (values(result.image, "patch")[y * settings.width + x] == 0.0F) continue;
+        const glm::dvec3 ray = pixel_ray(settings, x, y);
+        count += meet_triangles(raised.patches[0], settings.camera.eye, ray) ? 0U : 1U;
+      }
+    }
+    return count;
+  };
+  for (const Primitive primitive : {Primitive::Quad, Primitive::Sprite}) {
+    EXPECT_EQ(spikes(primitive, Interpolation::Corrected), 0U);
+    EXPECT_GT(spikes(primitive, Interpolation::Direct), 0U);
+  }
 }
 
 TEST(Sprites, CloserThanOpenGlsLargestPointKeepTheirPlace) {
