@@ -26,13 +26,16 @@ std::uint32_t pack_bytes(glm::vec4 lengths, float step) {
   return packed;
 }
 
-/// The radius that a splat's disc may have in the shader (splats.glsl: splat_radius), in cells.
-double disc_radius(glm::dvec2 slope, std::uint32_t reach) {
+/// The radius that a splat's disc (splats.glsl: splat_radius) or parallelogram may have in any
+/// view, in cells.
+double largest_radius(glm::dvec2 slope, const SampleRecord& record) {
   const double steepness = glm::dot(slope, slope);
-  const double margin = shared::kLargestMargin / std::sqrt(1.0 + steepness);
+  const double largest_margin = shared::kLargestMargin / std::sqrt(1.0 + steepness);
   double radius = std::sqrt(0.5) / (0.1 + 0.9 / std::sqrt(1.0 + steepness));
-  const auto side = [reach, margin](int c) {
-    return shared::kReachStep * ((reach >> (8 * c)) & 0xFFU) + margin;
+  const auto side = [&](int c) {
+    const double reach = shared::kReachStep * ((record.reach >> (8 * c)) & 0xFFU);
+    const double gap = shared::kGapStep * ((record.gap >> (8 * c)) & 0xFFU);
+    return reach + std::min(0.5 * gap / shared::kLowestView, largest_margin);
   };
   for (const double x : {-side(0), side(1)}) {
     for (const double y : {-side(2), side(3)})
@@ -60,15 +63,14 @@ PatchSamples make_samples(const Patch& patch) {
       const std::size_t k = heights.index(i, j);
       if (!heights.valid(k)) continue;
       const glm::u8vec2 slope(slopes.steps[k]);
-      const std::uint32_t reach =
-          pack_bytes(reaches[k].reach + shared::kLeastMargin, shared::kReachStep);
       samples.records.push_back(
           {i | (j << shared::kRowShift) | (is_border(heights, k) ? shared::kBorderBit : 0U),
            static_cast<std::uint32_t>(heights[k]) | (std::uint32_t{slope.x} << 16U) |
                (std::uint32_t{slope.y} << 24U),
-           reach, pack_bytes(reaches[k].gap - 0.5F * shared::kGapStep, shared::kGapStep)});
-      samples.widest_disc =
-          std::max(samples.widest_disc, disc_radius(glm::dvec2(slopes.at(k)), reach));
+           pack_bytes(reaches[k].reach + shared::kLeastMargin, shared::kReachStep),
+           pack_bytes(reaches[k].gap - 0.5F * shared::kGapStep, shared::kGapStep)});
+      samples.widest_disc = std::max(
+          samples.widest_disc, largest_radius(glm::dvec2(slopes.at(k)), samples.records.back()));
       const glm::dvec3 p(i, j, heights[k] * static_cast<double>(samples.height_step));
       low = glm::min(low, p);
       high = glm::max(high, p);

@@ -150,11 +150,15 @@ TEST(Samples, SphereHoldsEverySplat) {
   const PatchSamples samples = make_samples(model.patches[0]);
   for (std::size_t k = 0; k < samples.records.size(); ++k) {
     const SampleRecord& record = samples.records[k];
-    const glm::dvec4 reach(reach_of(record));
     const glm::dvec3 centre(record.place & shared::kNodeMask,
                             (record.place >> shared::kRowShift) & shared::kNodeMask,
                             (record.shape & 0xFFFFU) * samples.height_step);
     const glm::dvec2 slope(slope_of(samples, k));
+    // The margins of a view that is as low as any has margins for.
+    const double largest = shared::kLargestMargin / std::sqrt(1.0 + glm::dot(slope, slope));
+    const glm::dvec4 margin =
+        glm::min(0.5 * glm::dvec4(gap_of(record)) / double{shared::kLowestView}, largest);
+    const glm::dvec4 reach = glm::dvec4(reach_of(record)) + margin;
     for (const double x : {-reach.x, reach.y}) {
       for (const double y : {-reach.z, reach.w}) {
         const glm::dvec3 corner = centre + glm::dvec3(x, y, x * slope.x + y * slope.y);
