@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "common/image_io.h"
-#include "renderer/render.h"
 #include "tests/experiments/checkerboard_plane.h"
+#include "tests/experiments/draw_unlit.h"
 
 namespace relief::experiment {
 namespace {
@@ -48,18 +48,10 @@ struct Subject {
 };
 
 Result<Image> draw(const SplatCloud& cloud, const Camera& camera, EwaFilter filter, double cutoff) {
-  Progress progress;
-  RenderSettings settings;
-  settings.engine = EngineKind::Ewa;
-  settings.width = settings.height = kSide;
-  settings.camera = camera;
-  settings.material = Material::Unlit;
-  settings.frames = 1;
-  settings.ewa.filter = filter;
-  settings.ewa.cutoff = cutoff;
-  auto result = render(cloud, settings, progress);
-  if (!result) return result.error();
-  return std::move(result->image);
+  EwaSettings ewa;
+  ewa.filter = filter;
+  ewa.cutoff = cutoff;
+  return draw_unlit(cloud, camera, kSide, ewa);
 }
 
 Result<Subject> make_subject(const PlaneView& view, const std::string& out) {

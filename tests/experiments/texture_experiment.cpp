@@ -19,7 +19,7 @@
 #include "preprocess/read_points.h"
 #include "preprocess/texture/acquire_texture.h"
 #include "preprocess/texture/surface_points.h"
-#include "renderer/render.h"
+#include "tests/experiments/draw_unlit.h"
 #include "tests/experiments/textured_truth.h"
 
 namespace relief::experiment {
@@ -113,17 +113,9 @@ std::vector<View> make_views(const Subject& subject, const ContinuousTexture& te
 
 Result<Image> draw(const SplatCloud& cloud, const Camera& camera, double cutoff,
                    std::uint32_t side = kSide) {
-  Progress progress;
-  RenderSettings settings;
-  settings.engine = EngineKind::Ewa;
-  settings.width = settings.height = side;
-  settings.camera = camera;
-  settings.material = Material::Unlit;
-  settings.frames = 1;
-  settings.ewa.cutoff = cutoff;
-  auto result = render(cloud, settings, progress);
-  if (!result) return result.error();
-  return std::move(result->image);
+  EwaSettings ewa;
+  ewa.cutoff = cutoff;
+  return draw_unlit(cloud, camera, side, ewa);
 }
 
 /// PSNR and FLIP of a view as a cell of the table.
