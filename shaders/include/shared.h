@@ -76,7 +76,7 @@ RELIEF_CONST uint kRowShift = 14u;
 RELIEF_CONST uint kNodeMask = 0x3FFFu;
 RELIEF_CONST uint kBorderBit = 0x80000000u;
 
-/// Cells high, per step of a gap. Gaps below a step are those of rounded slopes and heights, which
+/// Cells high, per step of a gap. Half a step is what rounded slopes and heights make, which
 /// kLeastMargin closes.
 RELIEF_CONST float kGapStep = 0.01f;
 
