@@ -63,8 +63,8 @@ PatchSamples make_samples(const Patch& patch) {
       const std::size_t k = heights.index(i, j);
       if (!heights.valid(k)) continue;
       const glm::u8vec2 slope(slopes.steps[k]);
-      // Reaches are rounded up so that nothing opens; half a step of a gap is what rounded slopes and
-      // heights make.
+      // Reaches are rounded up so that nothing opens; half a step of a gap is what rounded slopes
+      // and heights make.
       samples.records.push_back(
           {i | (j << shared::kRowShift) | (is_border(heights, k) ? shared::kBorderBit : 0U),
            static_cast<std::uint32_t>(heights[k]) | (std::uint32_t{slope.x} << 16U) |
