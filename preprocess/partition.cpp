@@ -1,6 +1,7 @@
 #include "preprocess/partition.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 namespace relief {
 namespace {
@@ -9,7 +10,7 @@ namespace {
 // than cutting does. On the Dragon 0.5, 0.25 and 0.15 give 546, 459 and 440 regions.
 constexpr double kSplitShare = 0.15;
 
-// Wider limits for what stayed small. At 84 degrees a patch still has one height everywhere; its
+// Wider limits for what stayed small. At 78 degrees a patch still has one height everywhere; its
 // samples are sparse there, but these are spots of a few dozen points.
 constexpr double kWideConeDegrees = 78.0;
 constexpr double kWideSheetTolerance = 2.0;
@@ -19,6 +20,16 @@ std::size_t small_points(std::size_t points) {
 }
 
 }  // namespace
+
+std::vector<float> own_cosines(const SurfaceSamples& samples, const std::vector<Region>& regions) {
+  std::vector<float> cosines(samples.normals.size(), 1.0F);
+  for (const Region& region : regions) {
+    for (const std::uint32_t i : region.points) {
+      cosines[i] = glm::dot(samples.normals[i], region.normal);
+    }
+  }
+  return cosines;
+}
 
 std::vector<Region> partition(const SurfaceSamples& samples, const NeighbourGraph& graph,
                               std::vector<std::uint32_t> points, double cone_degrees,

@@ -14,6 +14,11 @@ struct Region {
   glm::vec3 normal{0.0F};             ///< of the base plane, unit
 };
 
+/// For each point the cosine of the angle between its normal and the base-plane normal of the
+/// region it belongs to; 1 where it belongs to none.
+[[nodiscard]] std::vector<float> own_cosines(const SurfaceSamples& samples,
+                                             const std::vector<Region>& regions);
+
 /// Splits (Pauly and Gross 2001): cuts a point set through its centroid, across its direction of
 /// greatest variance, again and again until each piece passes the test; pieces that are not
 /// connected over the neighbour graph are parted.

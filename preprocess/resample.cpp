@@ -87,10 +87,10 @@ double bucket_side(const PatchPoints& points, double spacing) {
 }  // namespace
 
 Patch resample_region(const SurfaceSamples& samples, const NeighbourGraph& graph,
-                      const Region& region, const std::vector<glm::u8vec3>& colours,
-                      const ResampleOptions& options) {
+                      const Region& region, const std::vector<float>& own_cosines,
+                      const std::vector<glm::u8vec3>& colours, const ResampleOptions& options) {
   const double margin = (options.overlap_cells + kFitReachInSpacings) * options.spacing;
-  const PatchPoints points = collect_patch_points(samples, graph, region, margin);
+  const PatchPoints points = collect_patch_points(samples, graph, region, own_cosines, margin);
   const double bucket = bucket_side(points, options.spacing);
   const PointGrid own(points, points.own, bucket);
   const PointGrid supporting(points, points.supporting, bucket);
@@ -98,7 +98,7 @@ Patch resample_region(const SurfaceSamples& samples, const NeighbourGraph& graph
 
   PatchGrid grid = lay_grid(points, options.spacing, options.overlap_cells);
   std::vector<NodeState> states =
-      find_support(points, own, supporting, grid, options.overlap_cells);
+      find_support(points, {own, supporting, all}, grid, options.overlap_cells);
   crop_grid(find_crop(states, grid), states, grid);
 
   Patch patch;
@@ -133,7 +133,7 @@ double choose_spacing(const SurfaceSamples& samples, const NeighbourGraph& graph
   const auto count = static_cast<double>(target);
   std::vector<PatchPoints> points(regions.size());
   for (std::size_t r = 0; r < regions.size(); ++r) {
-    points[r] = collect_patch_points(samples, graph, regions[r], 0.0);
+    points[r] = collect_patch_points(samples, graph, regions[r], {}, 0.0);
     for (std::size_t p = 0; p < points[r].own; ++p) {
       area +=
           double{points[r].spacing[p]} * points[r].spacing[p] * std::abs(points[r].normals[p].z);
@@ -147,7 +147,7 @@ double choose_spacing(const SurfaceSamples& samples, const NeighbourGraph& graph
     tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t r) {
       const PointGrid own(points[r], points[r].own, bucket_side(points[r], spacing));
       const PatchGrid grid = lay_grid(points[r], spacing, 0);
-      const std::vector<NodeState> states = find_support(points[r], own, own, grid, 0);
+      const std::vector<NodeState> states = find_support(points[r], {own, own, own}, grid, 0);
       nodes[r] = states.size() - static_cast<std::size_t>(
                                      std::count(states.begin(), states.end(), NodeState::Hole));
     });

@@ -115,31 +115,40 @@ void fill_holes(const PatchGrid& grid, std::vector<NodeState>& states, NodeState
 
 }  // namespace
 
-std::vector<NodeState> find_support(const PatchPoints& points, const PointGrid& own,
-                                    const PointGrid& supporting, const PatchGrid& grid,
-                                    int overlap_cells) {
+std::vector<NodeState> find_support(const PatchPoints& points, const PatchLookups& lookups,
+                                    const PatchGrid& grid, int overlap_cells) {
   std::vector<NodeState> states(grid.size(), NodeState::Hole);
   const auto supported = [&](const PointGrid& lookup, std::uint32_t i, std::uint32_t j) {
     return is_supported(points, lookup, grid.x0 + i * grid.spacing, grid.y0 + j * grid.spacing,
                         grid.spacing);
   };
   fill_holes(grid, states, NodeState::Own, [&](std::uint32_t i, std::uint32_t j, int /*samples*/) {
-    return supported(own, i, j);
+    return supported(lookups.own, i, j);
   });
-  // A slit of one node, with samples on opposite sides, is narrower than a grid can tell from a
-  // gap.
-  const std::vector<NodeState> before = states;
+  std::vector<NodeState> before = states;
   const auto sample = [&](std::uint32_t i, std::uint32_t j) {
     return i < grid.width && j < grid.height &&  // -1 wraps around to more than either
            before[std::size_t{j} * grid.width + i] != NodeState::Hole;
   };
-  fill_holes(grid, states, NodeState::Own, [&](std::uint32_t i, std::uint32_t j, int /*samples*/) {
+  // A slit of one node, with samples on opposite sides, is narrower than a grid can tell from a
+  // gap.
+  const auto in_slit = [&](std::uint32_t i, std::uint32_t j) {
     return (sample(i - 1, j) && sample(i + 1, j)) || (sample(i, j - 1) && sample(i, j + 1));
-  });
+  };
+  fill_holes(grid, states, NodeState::Own,
+             [&](std::uint32_t i, std::uint32_t j, int /*samples*/) { return in_slit(i, j); });
   for (int ring = 0; ring < overlap_cells; ++ring) {
     fill_holes(grid, states, NodeState::Margin, [&](std::uint32_t i, std::uint32_t j, int samples) {
-      return samples > 0 && supported(supporting, i, j);
+      return samples > 0 && supported(lookups.supporting, i, j);
     });
+  }
+  if (overlap_cells > 0) {
+    // What is too steep between two margins is still seen through.
+    before = states;
+    fill_holes(grid, states, NodeState::Margin,
+               [&](std::uint32_t i, std::uint32_t j, int /*samples*/) {
+                 return in_slit(i, j) && supported(lookups.all, i, j);
+               });
   }
   return states;
 }

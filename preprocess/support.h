@@ -31,10 +31,18 @@ enum class NodeState : std::uint8_t { Hole, Own, Margin };
 [[nodiscard]] bool is_supported(const PatchPoints& points, const PointGrid& lookup, double x,
                                 double y, double spacing);
 
+/// Lookups over the points of one patch: its own, those that support samples, and all.
+struct PatchLookups {
+  const PointGrid& own;
+  const PointGrid& supporting;
+  const PointGrid& all;
+};
+
 /// The state of every node: Own where the region's own points support it, and in slits of one node;
-/// Margin within `overlap_cells` of those, where all that may do; Hole elsewhere.
-[[nodiscard]] std::vector<NodeState> find_support(const PatchPoints& points, const PointGrid& own,
-                                                  const PointGrid& supporting,
+/// Margin within `overlap_cells` of those, where supporting points do, and in slits of one node
+/// that then are left, where any point does; Hole elsewhere.
+[[nodiscard]] std::vector<NodeState> find_support(const PatchPoints& points,
+                                                  const PatchLookups& lookups,
                                                   const PatchGrid& grid, int overlap_cells);
 
 }  // namespace relief

@@ -1,5 +1,6 @@
 #include "renderer/mesh_of_patches.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "common/octahedral.h"
@@ -49,15 +50,19 @@ std::vector<std::uint32_t> add_vertices(const Patch& patch, std::uint32_t id, bo
 
 void add_triangles(const Patch& patch, const std::vector<std::uint32_t>& vertices,
                    TriangleMesh& mesh) {
-  const auto add = [&mesh](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    if (a != kNoVertex && b != kNoVertex && c != kNoVertex) mesh.triangles.push_back({a, b, c});
+  const double largest_rise = shared::kSteepest * patch.spacing / patch.height_step;
+  const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+    if (vertices[a] == kNoVertex || vertices[b] == kNoVertex || vertices[c] == kNoVertex) return;
+    const auto [low, high] = std::minmax({patch.heights[a], patch.heights[b], patch.heights[c]});
+    if (high - low > largest_rise) return;
+    mesh.triangles.push_back({vertices[a], vertices[b], vertices[c]});
   };
   for (std::size_t j = 0; j + 1 < patch.height; ++j) {
     for (std::size_t i = 0; i + 1 < patch.width; ++i) {
       const std::size_t node = j * patch.width + i;
       const std::size_t above = node + patch.width;
-      add(vertices[node], vertices[node + 1], vertices[above + 1]);
-      add(vertices[node], vertices[above + 1], vertices[above]);
+      add(node, node + 1, above + 1);
+      add(node, above + 1, above);
     }
   }
 }

@@ -22,8 +22,9 @@ struct Partitioned : test::Prepared {
 
   [[nodiscard]] std::vector<Patch> patches(const ResampleOptions& options) const {
     std::vector<Patch> out;
+    const std::vector<float> cosines = own_cosines(samples(), regions);
     for (const Region& region : regions) {
-      out.push_back(resample_region(samples(), graph, region, points.colours, options));
+      out.push_back(resample_region(samples(), graph, region, cosines, points.colours, options));
     }
     return out;
   }
@@ -80,7 +81,7 @@ TEST(Mls, ReproducesAQuadricExactly) {
   Region all;
   all.normal = {0, 0, scan.points.normals[0].z > 0.0F ? 1 : -1};
   for (std::uint32_t i = 0; i < scan.points.size(); ++i) all.points.push_back(i);
-  const PatchPoints points = collect_patch_points(scan.samples(), scan.graph, all, 0.0);
+  const PatchPoints points = collect_patch_points(scan.samples(), scan.graph, all, {}, 0.0);
   const PointGrid lookup(points, points.size(), kStep);
   for (const glm::dvec2 at : {glm::dvec2(0, 0), glm::dvec2(0.13, -0.21), glm::dvec2(-0.3, 0.3)}) {
     const SurfacePoint surface = evaluate_mls(points, lookup, at.x, at.y, kStep);
@@ -198,6 +199,34 @@ TEST(Resample, OverlapsNeighbouringPatches) {
   };
   EXPECT_LT(total(0), total(1));
   EXPECT_LT(total(1), total(2));
+}
+
+TEST(Resample, OverlapsWhereABorderIsSteepForBothPatches) {
+  // A plane in two regions whose base planes lean by 64 degrees, to both sides of their border.
+  Partitioned scan(test::sample_height_field(0.5, kStep, [](double, double) { return 0.0; }));
+  constexpr float kLean = 64.0F / 180.0F * std::numbers::pi_v<float>;
+  const float up = scan.points.normals[0].z;
+  Region left{{}, {std::sin(kLean), 0.0F, up * std::cos(kLean)}};
+  Region right{{}, {-std::sin(kLean), 0.0F, up * std::cos(kLean)}};
+  for (std::uint32_t i = 0; i < scan.points.size(); ++i) {
+    (scan.points.positions[i].x < 0.0 ? left : right).points.push_back(i);
+  }
+  scan.regions = {left, right};
+  ResampleOptions options = options_for(kStep);
+  double inward = 0.0;  // how far the left patch reaches over the border
+  for (const int overlap : {0, 1}) {
+    options.overlap_cells = overlap;
+    double furthest = -1.0;
+    const Patch patch = scan.patches(options).front();
+    for (std::uint32_t j = 0; j < patch.height; ++j) {
+      for (std::uint32_t i = 0; i < patch.width; ++i) {
+        if (patch.at(i, j) != kHole) furthest = std::max(furthest, world_of(patch, i, j).x);
+      }
+    }
+    inward = furthest - inward;
+  }
+  // One cell more on its base plane, which on the plane is 1 / cos 64 degrees = 2.3 times as long.
+  EXPECT_NEAR(inward, 2.3 * kStep, 0.2 * kStep);
 }
 
 TEST(Resample, WidensTheStepWhere16BitsDoNotHoldTheHeights) {

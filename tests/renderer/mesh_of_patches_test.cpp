@@ -7,6 +7,7 @@
 #include <random>
 
 #include "common/octahedral.h"
+#include "shaders/include/shared.h"
 #include "tests/renderer/meshes.h"
 
 namespace relief {
@@ -38,6 +39,16 @@ TEST(MeshOfPatches, HalvesCellsAlongOneDiagonalAndLeavesHolesOut) {
   EXPECT_EQ(torn->triangles.size(), 2U);
   for (const Triangle& t : torn->triangles) {
     for (const std::uint32_t corner : t) EXPECT_NE(torn->uvs[corner], glm::vec2(1.0F));
+  }
+}
+
+TEST(MeshOfPatches, HasNothingWhereAPatchJumpsToAnotherSheet) {
+  // Two columns of cells, of which the second rises by just as much as splats lean, then by more.
+  for (const double rise : {0.99 * shared::kSteepest, 1.01 * shared::kSteepest}) {
+    const auto mesh = mesh_of_patches(
+        test::height_field(3, [&](double x, double) { return x > 0.5 ? rise : 0.0; }));
+    ASSERT_TRUE(mesh);
+    EXPECT_EQ(mesh->triangles.size(), rise < shared::kSteepest ? 8U : 4U);
   }
 }
 
