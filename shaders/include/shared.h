@@ -43,6 +43,10 @@ using glm::vec4;
 // OpenGL's own statistics are wrong on llvmpipe (Mesa 22.3 says 0 or eight times too many).
 #define RELIEF_FEATURE_COUNT_FRAGMENTS 1024u
 
+// Cells: two triangles each, and splats only at the borders of patches. Sprites and quads draw
+// nothing beside them.
+#define RELIEF_FEATURE_CELL 2048u
+
 // Locations of the colour attachments.
 #define RELIEF_OUT_COLOUR 0
 #define RELIEF_OUT_NORMAL 1
@@ -62,9 +66,15 @@ using glm::vec4;
 #define RELIEF_TEXTURE_SAMPLES 4
 #define RELIEF_TEXTURE_PATCHES 5
 #define RELIEF_TEXTURE_PATCH_VIEWS 6
+#define RELIEF_TEXTURE_CELL_HEIGHTS 7
+#define RELIEF_TEXTURE_CELL_ROWS 8
+#define RELIEF_TEXTURE_CELL_RUNS 9
+#define RELIEF_TEXTURE_RIMS 10
 
-/// Vertex attribute: the patch that a draw command draws, through its base instance.
+/// Vertex attributes: the patch that a draw command draws, through its base instance; with cells
+/// also the corner of the part that it draws (column, then row in the upper half).
 #define RELIEF_ATTRIBUTE_PATCH 0
+#define RELIEF_ATTRIBUTE_CORNER 1
 
 /// The height texel of a hole.
 RELIEF_CONST uint kHoleTexel = 65535u;
@@ -75,6 +85,19 @@ RELIEF_CONST uint kHoleTexel = 65535u;
 RELIEF_CONST uint kRowShift = 14u;
 RELIEF_CONST uint kNodeMask = 0x3FFFu;
 RELIEF_CONST uint kBorderBit = 0x80000000u;
+
+/// A run of cells is one word: its first node's column and row in the part, its cells. It is drawn
+/// as a strip of kRunVertices vertices, the first and the last of them twice so that strips of
+/// several runs hang together by empty triangles; what a run is shorter than kRunCells is empty
+/// too.
+RELIEF_CONST int kRunCells = 14;
+RELIEF_CONST int kRunVertices = 2 * kRunCells + 4;  // a power of two, which shaders divide by
+RELIEF_CONST uint kPlaceBits = 8u;
+RELIEF_CONST uint kPlaceMask = 0xFFu;
+
+/// Cells of a part of a patch, each way: as many as kPlaceBits reach with a whole number of runs.
+/// A patch of the Dragon has about 60 by 60 nodes.
+RELIEF_CONST uint kPartCells = 252u;
 
 /// Cells high, per step of a gap. Half a step is what rounded slopes and heights make, which
 /// kLeastMargin closes.
@@ -129,7 +152,7 @@ struct PatchInfo {
   vec4 axis_u;    ///< world direction of grid axis u; w: spacing (world units)
   vec4 axis_v;    ///< of v; w: height of one height index, in cells
   vec4 axis_n;    ///< of the height; w: slope of one slope step
-  ivec4 nodes;    ///< columns, rows, patch id, 0
+  ivec4 nodes;    ///< columns, rows, patch id, first of its rows for cells
   ivec4 heights;  ///< where its height map lies: texel x, y, layer; w: 0
   ivec4 normals;  ///< the same for the normal map; w: texels per cell
   ivec4 colours;  ///< the same for the colour map
