@@ -60,7 +60,7 @@ void CellUpload::flush() {
   pages_.push_back(
       {make_table(gl_, "cell heights", GL_R16UI, std::span<const std::uint16_t>(heights_)),
        make_table(gl_, "cell rows", GL_RG32UI, std::span<const CellRow>(rows_)),
-       make_table(gl_, "cell runs", GL_R32UI, std::span<const std::uint32_t>(runs_)),
+       make_table(gl_, "cell runs", GL_RG32UI, std::span<const CellRun>(runs_)),
        make_table(gl_, "rims", GL_RG32UI, std::span<const RimRecord>(rims_))});
   heights_.clear();
   rows_.clear();

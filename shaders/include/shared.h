@@ -86,14 +86,18 @@ RELIEF_CONST uint kRowShift = 14u;
 RELIEF_CONST uint kNodeMask = 0x3FFFu;
 RELIEF_CONST uint kBorderBit = 0x80000000u;
 
-/// A run of cells is one word: its first node's column and row in the part, its cells. It is drawn
-/// as a strip of kRunVertices vertices, the first and the last of them twice so that strips of
-/// several runs hang together by empty triangles; what a run is shorter than kRunCells is empty
-/// too.
+/// A run of cells is two words. First word: its first node's column and row in the part, its cells,
+/// and how far the depth of those of its nodes is set back that are border samples, in steps of
+/// kSetBackStep cells; second word: which those are, a bit each in the order of its strip. It is drawn as a strip of
+/// kRunVertices vertices, the first and the last of them twice so that strips of several runs hang
+/// together by empty triangles; what a run is shorter than kRunCells is empty too.
 RELIEF_CONST int kRunCells = 14;
 RELIEF_CONST int kRunVertices = 2 * kRunCells + 4;  // a power of two, which shaders divide by
 RELIEF_CONST uint kPlaceBits = 8u;
 RELIEF_CONST uint kPlaceMask = 0xFFu;
+RELIEF_CONST uint kRunCellsMask = 0xFu;
+RELIEF_CONST uint kSetBackShift = 20u;
+RELIEF_CONST float kSetBackStep = 1.0f / 32.0f;
 
 /// Cells of a part of a patch, each way: as many as kPlaceBits reach with a whole number of runs.
 /// A patch of the Dragon has about 60 by 60 nodes.
@@ -129,6 +133,10 @@ RELIEF_CONST float kMarginPixels = 0.02f;
 /// sticks out of a patch must not cover the surface of the next, and sticks out more where it is
 /// steep.
 RELIEF_CONST float kBorderSetBack = 0.5f;
+
+/// A sample whose splat's plane is off the cells by more where it ends, in cells along its normal,
+/// has a splat beside the cells: they cut corners off that the planes meet in.
+RELIEF_CONST float kCrease = 0.1f;
 
 /// A place is on the surface if it is no higher or lower than this, in cells.
 RELIEF_CONST float kOnSurface = 0.03f;
