@@ -19,7 +19,7 @@ CellUpload::CellUpload(const Gl& gl) : gl_(gl) {
 
 Result<std::int32_t> CellUpload::add(const Patch& patch, const PatchSamples& samples) {
   const PatchCells cells = make_cells(patch, samples);
-  if (cells.heights.size() + cells.rows.size() > most_texels_) {
+  if (cells.heights.size() + cells.rows.size() + 1 > most_texels_) {
     return make_error(
         "a patch has {} samples, more than this OpenGL can draw ({}); convert again "
         "with a larger spacing",
@@ -27,6 +27,7 @@ Result<std::int32_t> CellUpload::add(const Patch& patch, const PatchSamples& sam
   }
   if (heights_.size() + rows_.size() + cells.heights.size() + cells.rows.size() > most_texels_)
     flush();
+  if (rows_.empty()) rows_.push_back({});
   const auto first_row = static_cast<std::int32_t>(rows_.size());
   const auto first_height = static_cast<std::uint32_t>(heights_.size());
   heights_.insert(heights_.end(), cells.heights.begin(), cells.heights.end());
@@ -60,7 +61,7 @@ void CellUpload::flush() {
   pages_.push_back(
       {make_table(gl_, "cell heights", GL_R16UI, std::span<const std::uint16_t>(heights_)),
        make_table(gl_, "cell rows", GL_RG32UI, std::span<const CellRow>(rows_)),
-       make_table(gl_, "cell runs", GL_RG32UI, std::span<const CellRun>(runs_)),
+       make_table(gl_, "cell runs", GL_R32UI, std::span<const std::uint32_t>(runs_)),
        make_table(gl_, "rims", GL_RG32UI, std::span<const RimRecord>(rims_))});
   heights_.clear();
   rows_.clear();

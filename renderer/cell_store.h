@@ -30,8 +30,8 @@ struct StoredPart {
 /// lets a shader see of one buffer.
 struct CellPage {
   Table heights;  ///< 16 bits a node, as PatchCells has them
-  Table rows;     ///< CellRow
-  Table runs;     ///< CellRun
+  Table rows;     ///< CellRow; the first has no nodes, as has the one after each patch
+  Table runs;     ///< CellPart::runs
   Table rims;     ///< RimRecord
 };
 
@@ -60,7 +60,7 @@ class CellUpload {
   std::uint32_t patches_ = 0;
   std::vector<std::uint16_t> heights_;
   std::vector<CellRow> rows_;
-  std::vector<CellRun> runs_;
+  std::vector<std::uint32_t> runs_;
   std::vector<RimRecord> rims_;
   std::vector<StoredPart> parts_;
   std::vector<glm::uvec2> places_;

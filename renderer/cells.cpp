@@ -4,9 +4,9 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <glm/common.hpp>
 #include <glm/ext/vector_int2_sized.hpp>
 #include <glm/ext/vector_uint2_sized.hpp>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -21,8 +21,7 @@ class Nodes {
  public:
   Nodes(const Patch& patch, const PatchSamples& samples)
       : heights_(patch), samples_(samples), records_(heights_.size(), nullptr) {
-    for (const SampleRecord& record : samples.records)
-      records_[index(place_of(record))] = &record;
+    for (const SampleRecord& record : samples.records) records_[index(place_of(record))] = &record;
   }
 
   [[nodiscard]] static glm::uvec2 place_of(const SampleRecord& record) {
@@ -50,8 +49,8 @@ class Nodes {
     return std::sqrt(1.0F + glm::dot(slope, slope));
   }
 
-  /// How far a splat's plane is off the edges of the cells beside it where it ends (cells, along its
-  /// normal).
+  /// How far a splat's plane is off the edges of the cells beside it where it ends (cells, along
+  /// its normal).
   [[nodiscard]] float off_edges(const SampleRecord& record) const {
     const std::size_t k = index(place_of(record));
     const glm::vec2 slope = slope_of(record);
@@ -62,7 +61,8 @@ class Nodes {
       const std::size_t next = forward ? k + step : k - step;
       if (!heights_.valid(next)) continue;
       const float rise = samples_.height_step * static_cast<float>(heights_[next] - heights_[k]);
-      const float reach = shared::kReachStep * static_cast<float>((record.reach >> (8 * side)) & 0xFFU);
+      const float reach =
+          shared::kReachStep * static_cast<float>((record.reach >> (8 * side)) & 0xFFU);
       const float run = forward ? slope[side / 2] : -slope[side / 2];
       most = std::max(most, reach * std::abs(run - rise));
     }
@@ -87,8 +87,8 @@ void add_row(const Patch& patch, std::uint32_t j, PatchCells& cells) {
   std::uint32_t end = patch.width;
   while (end > first && patch.at(end - 1, j) == kHole) --end;
   // Before the first height this is below 0, which adding the column takes back.
-  cells.rows.push_back({static_cast<std::uint32_t>(cells.heights.size()) - first,
-                        first | (end << 16U)});
+  cells.rows.push_back(
+      {static_cast<std::uint32_t>(cells.heights.size()) - first, first | (end << 16U)});
   for (std::uint32_t i = first; i < end; ++i) {
     const std::int32_t height = patch.at(i, j);
     cells.heights.push_back(
@@ -97,26 +97,23 @@ void add_row(const Patch& patch, std::uint32_t j, PatchCells& cells) {
 }
 
 /// A run of cells of a part from a node on.
-CellRun make_run(const Nodes& nodes, glm::uvec2 corner, glm::uvec2 first, std::uint32_t cells) {
-  CellRun run;
+std::uint32_t make_run(const Nodes& nodes, glm::uvec2 corner, glm::uvec2 first,
+                       std::uint32_t cells) {
   float steepest = 0.0F;
   for (std::uint32_t v = 0; v < 2 * (cells + 1); ++v) {
-    const std::size_t k = nodes.index(first + glm::uvec2(v / 2, 1 - v % 2));
-    if (!nodes.is_border(k)) continue;
-    run.borders |= 1U << v;
-    steepest = std::max(steepest, nodes.steepness(k));
+    const std::size_t k = nodes.index(first + glm::uvec2(v / 2, v % 2));
+    if (nodes.is_border(k)) steepest = std::max(steepest, nodes.steepness(k));
   }
   const auto set_back = static_cast<std::uint32_t>(
       std::lround(shared::kBorderSetBack * steepest / shared::kSetBackStep));
   const glm::uvec2 place = first - corner;
-  run.place = place.x | (place.y << shared::kPlaceBits) | (cells << (2 * shared::kPlaceBits)) |
-              (set_back << shared::kSetBackShift);
-  return run;
+  return place.x | (place.y << shared::kPlaceBits) | (cells << (2 * shared::kPlaceBits)) |
+         (set_back << shared::kSetBackShift);
 }
 
 /// Appends the runs of a part's cells in row j, which end before column `end`.
 void add_runs(const Nodes& nodes, glm::uvec2 corner, std::uint32_t j, std::uint32_t end,
-              std::vector<CellRun>& runs) {
+              std::vector<std::uint32_t>& runs) {
   std::uint32_t i = corner.x;
   while (i < end) {
     const std::uint32_t first = i;
@@ -155,22 +152,21 @@ CellPart make_part(const Patch& patch, const Nodes& nodes, glm::uvec2 corner, do
 
 PatchCells make_cells(const Patch& patch, const PatchSamples& samples) {
   assert(patch.width <= kMaxPatchSide && patch.height <= kMaxPatchSide && "as its type says");
-  static_assert(2 * (shared::kRunCells + 1) <= 32 && shared::kRunCells <= shared::kRunCellsMask,
-                "a bit a node");
   static_assert(shared::kPartCells + 1 <= 1U << shared::kPlaceBits &&
-                    shared::kPartCells % shared::kRunCells == 0,
-                "places of a part fit their bits, and no run is cut but by holes");
+                    shared::kPartCells % shared::kRunCells == 0 &&
+                    shared::kRunCells <= shared::kRunCellsMask,
+                "a run's place and length fit their bits, and parts are whole runs wide");
   PatchCells cells;
   for (std::uint32_t j = 0; j < patch.height; ++j) add_row(patch, j, cells);
   cells.rows.push_back({});
 
   const Nodes nodes(patch, samples);
-  const glm::uvec2 counts = (glm::uvec2(patch.width, patch.height) + (shared::kPartCells - 1)) /
-                            shared::kPartCells;
+  const glm::uvec2 counts =
+      (glm::uvec2(patch.width, patch.height) + (shared::kPartCells - 1)) / shared::kPartCells;
   for (std::uint32_t y = 0; y < counts.y; ++y) {
     for (std::uint32_t x = 0; x < counts.x; ++x) {
-      cells.parts.push_back(make_part(patch, nodes, glm::uvec2(x, y) * shared::kPartCells,
-                                      samples.height_step));
+      cells.parts.push_back(
+          make_part(patch, nodes, glm::uvec2(x, y) * shared::kPartCells, samples.height_step));
     }
   }
   for (const SampleRecord& record : samples.records) {

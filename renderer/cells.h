@@ -19,12 +19,6 @@ struct CellRow {
   std::uint32_t span = 0;  ///< first node; in the upper half the one after the last
 };
 
-/// A run of cells, packed as shaders/include/shared.h says.
-struct CellRun {
-  std::uint32_t place = 0;
-  std::uint32_t borders = 0;
-};
-
 /// The splat of a border sample, or of one whose plane is off the cells by more than
 /// shared::kCrease: as in SampleRecord but that its place is in the part, its height is
 /// found by that, and it has no gaps.
@@ -36,10 +30,10 @@ struct RimRecord {
 /// A square of a patch, at most shared::kPartCells a side, that is culled and drawn as one.
 struct CellPart {
   glm::uvec2 corner{0};             ///< its first node
-  std::vector<CellRun> runs;    ///< row by row
-  std::vector<RimRecord> rims;  ///< row by row
-  glm::dvec3 centre{0.0};       ///< of a sphere about its cells and splats, grid frame (cells)
-  double radius = 0.0;          ///< of that sphere, cells
+  std::vector<std::uint32_t> runs;  ///< packed as shaders/include/shared.h says, row by row
+  std::vector<RimRecord> rims;      ///< row by row
+  glm::dvec3 centre{0.0};           ///< of a sphere about its cells and splats, grid frame (cells)
+  double radius = 0.0;              ///< of that sphere, cells
 };
 
 /// A patch as cells: about two bytes a sample of heights, and less than half as much of all else

@@ -86,9 +86,8 @@ RELIEF_CONST uint kRowShift = 14u;
 RELIEF_CONST uint kNodeMask = 0x3FFFu;
 RELIEF_CONST uint kBorderBit = 0x80000000u;
 
-/// A run of cells is two words. First word: its first node's column and row in the part, its cells,
-/// and how far the depth of those of its nodes is set back that are border samples, in steps of
-/// kSetBackStep cells; second word: which those are, a bit each in the order of its strip. It is drawn as a strip of
+/// A run of cells is a word: its first node's column and row in the part, its cells, and how far the
+/// depth of its nodes at the patch's border is set back, in steps of kSetBackStep cells. It is drawn as a strip of
 /// kRunVertices vertices, the first and the last of them twice so that strips of several runs hang
 /// together by empty triangles; what a run is shorter than kRunCells is empty too.
 RELIEF_CONST int kRunCells = 14;
@@ -135,8 +134,10 @@ RELIEF_CONST float kMarginPixels = 0.02f;
 RELIEF_CONST float kBorderSetBack = 0.5f;
 
 /// A sample whose splat's plane is off the cells by more where it ends, in cells along its normal,
-/// has a splat beside the cells: they cut corners off that the planes meet in.
-RELIEF_CONST float kCrease = 0.1f;
+/// has a splat beside the cells: they cut corners off that the planes meet in. fandisk, pixels missing
+/// in twelve views of 1280x1024, and the Dragon's bytes a sample: none 155, 3.87; 0.3 99, 3.90; 0.2 31,
+/// 3.93; 0.15 20, 3.99; 0.1 15, 4.15; 0.05 15, 4.98.
+RELIEF_CONST float kCrease = 0.15f;
 
 /// A place is on the surface if it is no higher or lower than this, in cells.
 RELIEF_CONST float kOnSurface = 0.03f;

@@ -1,5 +1,5 @@
-// The engine `onepass` (paper 001): every sample is a splat, or every four a cell, every fragment finds
-// its attributes on the patch, and one pass is all.
+// The engine `onepass` (paper 001): every sample is a splat, or every four a cell, every fragment
+// finds its attributes on the patch, and one pass is all.
 #pragma once
 
 #include <cstdint>
