@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "shaders/include/shared.h"
+
 namespace relief::onepass {
 
 std::vector<std::uint32_t> find_visible(const CellStore& store, const View& view) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/vec2.hpp>
 #include <span>
 #include <utility>
 #include <vector>
@@ -195,6 +196,7 @@ void Engine::draw_cells(const View& view) const {
   const CellStore& cells = *store_->cells;
   const std::vector<std::uint32_t> visible = find_visible(cells, view);
   std::vector<std::uint32_t> patches;
+  patches.reserve(visible.size());
   for (const std::uint32_t part : visible) patches.push_back(cells.parts[part].patch);
   upload_views(view, patches);
   const auto bind = [this](const CellPage& page) {
