@@ -86,10 +86,11 @@ RELIEF_CONST uint kRowShift = 14u;
 RELIEF_CONST uint kNodeMask = 0x3FFFu;
 RELIEF_CONST uint kBorderBit = 0x80000000u;
 
-/// A run of cells is a word: its first node's column and row in the part, its cells, and how far the
-/// depth of its nodes at the patch's border is set back, in steps of kSetBackStep cells. It is drawn as a strip of
-/// kRunVertices vertices, the first and the last of them twice so that strips of several runs hang
-/// together by empty triangles; what a run is shorter than kRunCells is empty too.
+/// A run of cells is a word: its first node's column and row in the part, its cells, and how far
+/// the depth of its nodes at the patch's border is set back, in steps of kSetBackStep cells. It is
+/// drawn as a strip of kRunVertices vertices, the first and the last of them twice so that strips
+/// of several runs hang together by empty triangles; what a run is shorter than kRunCells is empty
+/// too.
 RELIEF_CONST int kRunCells = 14;
 RELIEF_CONST int kRunVertices = 2 * kRunCells + 4;  // a power of two, which shaders divide by
 RELIEF_CONST uint kPlaceBits = 8u;
@@ -134,9 +135,9 @@ RELIEF_CONST float kMarginPixels = 0.02f;
 RELIEF_CONST float kBorderSetBack = 0.5f;
 
 /// A sample whose splat's plane is off the cells by more where it ends, in cells along its normal,
-/// has a splat beside the cells: they cut corners off that the planes meet in. fandisk, pixels missing
-/// in twelve views of 1280x1024, and the Dragon's bytes a sample: none 155, 3.87; 0.3 99, 3.90; 0.2 31,
-/// 3.93; 0.15 20, 3.99; 0.1 15, 4.15; 0.05 15, 4.98.
+/// has a splat beside the cells: they cut corners off that the planes meet in. fandisk, pixels
+/// missing in twelve views of 1280x1024, and the Dragon's bytes a sample: none 155, 3.87; 0.3
+/// 99, 3.90; 0.2 31, 3.93; 0.15 20, 3.99; 0.1 15, 4.15; 0.05 15, 4.98.
 RELIEF_CONST float kCrease = 0.15f;
 
 /// A place is on the surface if it is no higher or lower than this, in cells.
