@@ -80,8 +80,9 @@ void add_look_options(CLI::App& sub, SceneSettings& settings) {
       sub, "--engine", settings.engine, kEngines,
       "onepass draws patches; ewa splats points on the CPU, those of a scan or the samples of "
       "patches; raytrace follows rays to a mesh's triangles or those of patches (onepass)");
-  add_choice(sub, "--primitive", settings.primitive, kPrimitives,
-             "What is rasterised for a sample (quad)");
+  add_choice(
+      sub, "--primitive", settings.primitive, kPrimitives,
+      "What is rasterised: a sprite or a quad for each sample, or the cells between them (quad)");
   add_choice(sub, "--interpolation", settings.interpolation, kInterpolations,
              "How a fragment finds its place on the patch: direct is faster, corrected more "
              "exact (corrected)");

@@ -44,7 +44,7 @@ TEST(Usage, WrongUsageIsExitCodeTwo) {
       {"render", "x.relief", "-o", "x.png", "--samples", "4"},
       {"render", "x.relief", "-o", "x.png", "--engine", "raytrace", "--samples", "0"},
       {"render", "x.relief", "-o", "x.png", "--engine", "raytrace", "--tau", "0.5"},
-      {"render", "x.relief", "-o", "x.png", "--primitive", "cell"},
+      {"render", "x.relief", "-o", "x.png", "--primitive", "disc"},
       {"render", "x.relief", "-o", "x.png", "--material", "gold"},
       {"render", "x.relief", "-o", "x.png", "--background", "255,0,0"},
       {"render", "x.relief", "-o", "x.png", "--background", "black"},

@@ -13,6 +13,7 @@ namespace relief::onepass {
 [[nodiscard]] inline std::uint32_t features_of(const RenderSettings& settings, bool has_colours) {
   const bool coloured = has_colours && settings.material != Material::Mirror;
   return (settings.primitive == Primitive::Sprite ? RELIEF_FEATURE_SPRITE : 0U) |
+         (settings.primitive == Primitive::Cell ? RELIEF_FEATURE_CELL : 0U) |
          (settings.interpolation == Interpolation::Corrected ? RELIEF_FEATURE_CORRECTED : 0U) |
          (coloured ? RELIEF_FEATURE_COLOURS : 0U) |
          (settings.material == Material::Lit ? RELIEF_FEATURE_LIT : 0U) |
@@ -23,11 +24,18 @@ namespace relief::onepass {
          (settings.outputs.patch_id ? RELIEF_FEATURE_OUT_PATCH : 0U);
 }
 
-/// The maps that those features read.
+/// What those features read.
 [[nodiscard]] inline StoreNeeds needs_of(std::uint32_t features) {
   constexpr std::uint32_t kWithNormals =
       RELIEF_FEATURE_LIT | RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_OUT_NORMAL;
-  return {(features & kWithNormals) != 0, (features & RELIEF_FEATURE_COLOURS) != 0};
+  const bool cells = (features & RELIEF_FEATURE_CELL) != 0;
+  StoreNeeds needs;
+  needs.splats = !cells;
+  needs.heights = !cells && (features & RELIEF_FEATURE_CORRECTED) != 0;
+  needs.cells = cells;
+  needs.normals = (features & kWithNormals) != 0;
+  needs.colours = (features & RELIEF_FEATURE_COLOURS) != 0;
+  return needs;
 }
 
 }  // namespace relief::onepass

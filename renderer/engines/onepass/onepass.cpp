@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/vec2.hpp>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "renderer/engines/onepass/cell_list.h"
 #include "renderer/engines/onepass/draw_list.h"
 #include "renderer/gl/program.h"
 #include "shaders/include/shared.h"
@@ -25,15 +27,25 @@ Buffer make_quad_corners(const Gl& gl) {
   return make_buffer(gl, "quad corners", std::span<const std::uint16_t>(corners));
 }
 
-/// The vertex array: no vertex data but, per instance, the patch.
-VertexArray make_vertices(const Gl& gl, const PatchStore& store, const Buffer& quad_corners) {
+/// The vertex array: no vertex data but, per instance, the patch, and with `cells` its part's
+/// corner.
+VertexArray make_vertices(const Gl& gl, const PatchStore& store, bool cells,
+                          const Buffer& quad_corners) {
   VertexArray vertices(gl, "samples");
   const GLuint id = vertices.id();
-  gl.VertexArrayVertexBuffer(id, 0, store.indices.id(), 0, sizeof(std::uint32_t));
+  const auto add_attribute = [&gl, id](GLuint location, GLuint offset) {
+    gl.EnableVertexArrayAttrib(id, location);
+    gl.VertexArrayAttribIFormat(id, location, 1, GL_UNSIGNED_INT, offset);
+    gl.VertexArrayAttribBinding(id, location, 0);
+  };
   gl.VertexArrayBindingDivisor(id, 0, 1);
-  gl.EnableVertexArrayAttrib(id, RELIEF_ATTRIBUTE_PATCH);
-  gl.VertexArrayAttribIFormat(id, RELIEF_ATTRIBUTE_PATCH, 1, GL_UNSIGNED_INT, 0);
-  gl.VertexArrayAttribBinding(id, RELIEF_ATTRIBUTE_PATCH, 0);
+  add_attribute(RELIEF_ATTRIBUTE_PATCH, 0);
+  if (cells) {
+    add_attribute(RELIEF_ATTRIBUTE_CORNER, sizeof(glm::uvec2::value_type));
+    gl.VertexArrayVertexBuffer(id, 0, store.cells->places.id(), 0, sizeof(glm::uvec2));
+  } else {
+    gl.VertexArrayVertexBuffer(id, 0, store.indices.id(), 0, sizeof(std::uint32_t));
+  }
   gl.VertexArrayElementBuffer(id, quad_corners.id());
   return vertices;
 }
@@ -48,31 +60,39 @@ double widest_disc(const PatchStore& store) {
 
 }  // namespace
 
-Engine::Engine(const Gl& gl, const PatchStore& store, std::uint32_t features, Program program,
-               std::optional<Program> large_sprites)
+Engine::Engine(const Gl& gl, const PatchStore& store, std::uint32_t features, Programs programs)
     : gl_(&gl),
       store_(&store),
       features_(features),
-      program_(std::move(program)),
-      large_sprites_(std::move(large_sprites)),
+      programs_(std::move(programs)),
       vertices_(gl, ""),
       quad_corners_(make_quad_corners(gl)),
       patch_views_(make_table(
           gl, "patch views", GL_RGBA32F,
           std::span<const shared::PatchView>(std::vector<shared::PatchView>(store.patches.size())),
           GL_DYNAMIC_STORAGE_BIT)) {
-  vertices_ = make_vertices(gl, store, quad_corners_);
+  vertices_ = make_vertices(gl, store, (features & RELIEF_FEATURE_CELL) != 0, quad_corners_);
   std::array<GLfloat, 2> range{};
   gl.GetFloatv(GL_POINT_SIZE_RANGE, range.data());
   largest_sprite_ = range[1];
 }
 
 Result<Engine> Engine::create(const Gl& gl, const PatchStore& store, std::uint32_t features) {
+  if ((features & RELIEF_FEATURE_CELL) != 0) {
+    // A cell is the surface: there is nothing to correct.
+    Result<Program> cells = make_program(gl, "cells", "onepass/cell.vert", "onepass/quad.frag",
+                                         features & ~RELIEF_FEATURE_CORRECTED);
+    if (!cells) return cells.error();
+    Result<Program> rims =
+        make_program(gl, "rims", "onepass/quad.vert", "onepass/quad.frag", features);
+    if (!rims) return rims.error();
+    return Engine(gl, store, features, {std::move(*cells), std::nullopt, std::move(*rims)});
+  }
   if ((features & RELIEF_FEATURE_SPRITE) == 0) {
     Result<Program> quads =
         make_program(gl, "quads", "onepass/quad.vert", "onepass/quad.frag", features);
     if (!quads) return quads.error();
-    return Engine(gl, store, features, std::move(*quads), std::nullopt);
+    return Engine(gl, store, features, {std::move(*quads), std::nullopt, std::nullopt});
   }
   Result<Program> sprites =
       make_program(gl, "sprites", "onepass/sprite.vert", "onepass/sprite.frag", features);
@@ -81,7 +101,7 @@ Result<Engine> Engine::create(const Gl& gl, const PatchStore& store, std::uint32
       make_program(gl, "large sprites", "onepass/large_sprite.vert", "onepass/quad.frag",
                    (features & ~RELIEF_FEATURE_SPRITE) | RELIEF_FEATURE_LARGE_SPRITES);
   if (!large) return large.error();
-  return Engine(gl, store, features, std::move(*sprites), std::move(*large));
+  return Engine(gl, store, features, {std::move(*sprites), std::move(*large), std::nullopt});
 }
 
 void Engine::bind_model(const Texture* environment) const {
@@ -96,16 +116,18 @@ void Engine::bind_model(const Texture* environment) const {
   const auto bind = [this](GLuint unit, const Texture* texture) {
     if (texture != nullptr) gl_->BindTextureUnit(unit, texture->id());
   };
-  bind(RELIEF_TEXTURE_HEIGHTS, &store_->heights);
+  bind(RELIEF_TEXTURE_HEIGHTS, store_->heights ? &*store_->heights : nullptr);
   bind(RELIEF_TEXTURE_NORMALS, store_->normals ? &*store_->normals : nullptr);
   bind(RELIEF_TEXTURE_COLOURS, store_->colours ? &*store_->colours : nullptr);
   bind(RELIEF_TEXTURE_ENVIRONMENT, environment);
 }
 
 void Engine::unbind_model() const {
-  for (const GLuint unit : {RELIEF_TEXTURE_HEIGHTS, RELIEF_TEXTURE_NORMALS, RELIEF_TEXTURE_COLOURS,
-                            RELIEF_TEXTURE_ENVIRONMENT, RELIEF_TEXTURE_SAMPLES,
-                            RELIEF_TEXTURE_PATCHES, RELIEF_TEXTURE_PATCH_VIEWS})
+  for (const GLuint unit :
+       {RELIEF_TEXTURE_HEIGHTS, RELIEF_TEXTURE_NORMALS, RELIEF_TEXTURE_COLOURS,
+        RELIEF_TEXTURE_ENVIRONMENT, RELIEF_TEXTURE_SAMPLES, RELIEF_TEXTURE_PATCHES,
+        RELIEF_TEXTURE_PATCH_VIEWS, RELIEF_TEXTURE_CELL_HEIGHTS, RELIEF_TEXTURE_CELL_ROWS,
+        RELIEF_TEXTURE_CELL_RUNS, RELIEF_TEXTURE_RIMS})
     gl_->BindTextureUnit(unit, 0);
   gl_->BindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
   gl_->BindVertexArray(0);
@@ -140,34 +162,79 @@ void Engine::draw_quads(const std::vector<std::uint32_t>& patches) const {
   }
 }
 
-void Engine::draw(const View& view, PassTimer& timer, const Texture* environment) const {
-  const std::vector<std::uint32_t> visible = find_visible(*store_, view);
+void Engine::upload_views(const View& view, const std::vector<std::uint32_t>& patches) const {
   std::vector<shared::PatchView> views(store_->patches.size());
-  for (const std::uint32_t p : visible) views[p] = view_patch(view, store_->patches[p]);
+  for (const std::uint32_t p : patches) views[p] = view_patch(view, store_->patches[p]);
+  if (views.empty()) return;
+  gl_->NamedBufferSubData(patch_views_.buffer.id(), 0,
+                          static_cast<GLsizeiptr>(views.size() * sizeof(shared::PatchView)),
+                          views.data());
+}
 
-  const ScopedPass pass(*gl_, timer, "onepass");
-  if (!views.empty()) {
-    gl_->NamedBufferSubData(patch_views_.buffer.id(), 0,
-                            static_cast<GLsizeiptr>(views.size() * sizeof(shared::PatchView)),
-                            views.data());
-  }
-  bind_model(environment);
-  gl_->UseProgram(program_.id());
-  if (!large_sprites_) {
+void Engine::draw_splats(const View& view) const {
+  const std::vector<std::uint32_t> visible = find_visible(*store_, view);
+  upload_views(view, visible);
+  gl_->UseProgram(programs_.main.id());
+  if (!programs_.large_sprites) {
     draw_quads(visible);
+    return;
+  }
+  draw_points(visible);
+  // A disc at depth z is at most 2 r / (z - r) / pixel wide, times sqrt(1 + slope^2) toward the
+  // picture's corners.
+  const double pixel = 2.0 * view.slope_y / view.height;
+  const double lean = 1.0 + view.slope_x * view.slope_x + view.slope_y * view.slope_y;
+  const double radius = widest_disc(*store_);
+  const double reach = radius + 2.0 * radius * lean / (pixel * largest_sprite_);
+  const std::vector<std::uint32_t> near = find_near(*store_, view, visible, reach);
+  if (near.empty()) return;
+  gl_->UseProgram(programs_.large_sprites->id());
+  draw_quads(near);
+}
+
+void Engine::draw_cells(const View& view) const {
+  const CellStore& cells = *store_->cells;
+  const std::vector<std::uint32_t> visible = find_visible(cells, view);
+  std::vector<std::uint32_t> patches;
+  patches.reserve(visible.size());
+  for (const std::uint32_t part : visible) patches.push_back(cells.parts[part].patch);
+  upload_views(view, patches);
+  const auto bind = [this](const CellPage& page) {
+    gl_->BindTextureUnit(RELIEF_TEXTURE_CELL_HEIGHTS, page.heights.texture.id());
+    gl_->BindTextureUnit(RELIEF_TEXTURE_CELL_ROWS, page.rows.texture.id());
+    gl_->BindTextureUnit(RELIEF_TEXTURE_CELL_RUNS, page.runs.texture.id());
+    gl_->BindTextureUnit(RELIEF_TEXTURE_RIMS, page.rims.texture.id());
+  };
+  gl_->UseProgram(programs_.main.id());
+  for (std::uint32_t page = 0; page < cells.pages.size(); ++page) {
+    const std::vector<ArraysCommand> commands = cell_commands(cells, visible, page);
+    const Buffer buffer =
+        make_buffer(*gl_, "draw commands", std::span<const ArraysCommand>(commands));
+    bind(cells.pages[page]);
+    gl_->BindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer.id());
+    gl_->MultiDrawArraysIndirect(GL_TRIANGLE_STRIP, nullptr, static_cast<GLsizei>(commands.size()),
+                                 0);
+  }
+  // Set back in depth, the splats are mostly hidden by now.
+  gl_->UseProgram(programs_.rims->id());
+  for (std::uint32_t page = 0; page < cells.pages.size(); ++page) {
+    const std::vector<ElementsCommand> commands = rim_commands(cells, visible, page);
+    const Buffer buffer =
+        make_buffer(*gl_, "draw commands", std::span<const ElementsCommand>(commands));
+    bind(cells.pages[page]);
+    gl_->BindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer.id());
+    gl_->MultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, nullptr,
+                                   static_cast<GLsizei>(commands.size()), 0);
+  }
+}
+
+void Engine::draw(const View& view, PassTimer& timer, const Texture* environment) const {
+  const ScopedPass pass(*gl_, timer, "onepass");
+  bind_model(environment);
+  if (programs_.rims) {
+    draw_cells(view);
   } else {
-    draw_points(visible);
-    // A disc at depth z is at most 2 r / (z - r) / pixel wide, times sqrt(1 + slope^2) toward the
-    // picture's corners.
-    const double pixel = 2.0 * view.slope_y / view.height;
-    const double lean = 1.0 + view.slope_x * view.slope_x + view.slope_y * view.slope_y;
-    const double radius = widest_disc(*store_);
-    const double reach = radius + 2.0 * radius * lean / (pixel * largest_sprite_);
-    const std::vector<std::uint32_t> near = find_near(*store_, view, visible, reach);
-    if (!near.empty()) {
-      gl_->UseProgram(large_sprites_->id());
-      draw_quads(near);
-    }
+    draw_splats(view);
   }
   unbind_model();
 }

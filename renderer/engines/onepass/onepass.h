@@ -1,5 +1,5 @@
-// The engine `onepass` (paper 001): every sample is a splat, every fragment finds its attributes on
-// the patch, and one pass is all.
+// The engine `onepass` (paper 001): every sample is a splat, or every four a cell, every fragment
+// finds its attributes on the patch, and one pass is all.
 #pragma once
 
 #include <cstdint>
@@ -28,18 +28,26 @@ class Engine {
   [[nodiscard]] double largest_sprite() const { return largest_sprite_; }
 
  private:
-  Engine(const Gl& gl, const PatchStore& store, std::uint32_t features, Program program,
-         std::optional<Program> large_sprites);
+  /// What draws; at most one of the second two.
+  struct Programs {
+    Program main;
+    std::optional<Program> large_sprites;
+    std::optional<Program> rims;  ///< the border splats of cells
+  };
+
+  Engine(const Gl& gl, const PatchStore& store, std::uint32_t features, Programs programs);
+  void upload_views(const View& view, const std::vector<std::uint32_t>& patches) const;
   void draw_points(const std::vector<std::uint32_t>& patches) const;
   void draw_quads(const std::vector<std::uint32_t>& patches) const;
+  void draw_splats(const View& view) const;
+  void draw_cells(const View& view) const;
   void bind_model(const Texture* environment) const;
   void unbind_model() const;
 
   const Gl* gl_;
   const PatchStore* store_;
   std::uint32_t features_;
-  Program program_;
-  std::optional<Program> large_sprites_;
+  Programs programs_;
   VertexArray vertices_;
   Buffer quad_corners_;  ///< two triangles per quad, for kQuadsPerCommand quads
   Table patch_views_;    ///< shared::PatchView per patch, rewritten each frame

@@ -127,6 +127,9 @@ Result<std::unique_ptr<PreparedModel>> prepare(const PatchModel& model,
   for (const RenderSettings& settings : views) {
     assert(settings.platform == views.front().platform && settings.debug == views.front().debug);
     const StoreNeeds more = needs_of(features_of(settings, model.has_colours));
+    needs.splats = needs.splats || more.splats;
+    needs.heights = needs.heights || more.heights;
+    needs.cells = needs.cells || more.cells;
     needs.normals = needs.normals || more.normals;
     needs.colours = needs.colours || more.colours;
   }
