@@ -31,12 +31,16 @@ class Nodes {
 
   [[nodiscard]] std::size_t index(glm::uvec2 node) const { return heights_.index(node.x, node.y); }
 
-  /// Whether a node is the lower left of a cell with four samples.
+  /// Whether a node is the lower left of a cell with four samples that lie on one sheet.
   [[nodiscard]] bool is_cell(glm::uvec2 node) const {
     const std::size_t k = index(node);
     const std::size_t above = k + heights_.stride();
-    return heights_.valid(k) && heights_.valid(k + 1) && heights_.valid(above) &&
-           heights_.valid(above + 1);
+    if (!heights_.valid(k) || !heights_.valid(k + 1) || !heights_.valid(above) ||
+        !heights_.valid(above + 1)) {
+      return false;
+    }
+    return on_one_sheet(k, k + 1) && on_one_sheet(above, above + 1) && on_one_sheet(k, above) &&
+           on_one_sheet(k + 1, above + 1);
   }
 
   [[nodiscard]] bool is_border(std::size_t k) const {
@@ -70,6 +74,12 @@ class Nodes {
   }
 
  private:
+  /// Whether the rise from a node to one beside it is one that a splat may have.
+  [[nodiscard]] bool on_one_sheet(std::size_t k, std::size_t beside) const {
+    const auto rise = static_cast<float>(heights_[beside] - heights_[k]);
+    return samples_.height_step * std::abs(rise) <= shared::kSteepest;
+  }
+
   [[nodiscard]] glm::vec2 slope_of(const SampleRecord& record) const {
     const glm::i8vec2 steps(glm::u8vec2(record.shape >> 16U, record.shape >> 24U));
     return samples_.slope_step * glm::vec2(steps);

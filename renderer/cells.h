@@ -46,10 +46,10 @@ struct PatchCells {
 
 /// Makes the cells of a patch. `samples` are its own.
 ///
-/// A cell is drawn if all four samples are valid, whatever its slope: what mesh_of_patches.h makes
-/// for the ray tracer, halved along the same diagonal. (A fixed one: corrected interpolation,
-/// which the border splats follow, has it too, so that pictures of all three agree, and a run needs
-/// no bit a cell to say which.)
+/// A cell is drawn if all four samples are valid and no edge rises by more than kSteepest cells:
+/// what mesh_of_patches.h makes for the ray tracer, halved along the same diagonal. (A fixed one:
+/// corrected interpolation, which the border splats follow, has it too, so that pictures of all
+/// three agree, and a run needs no bit a cell to say which.)
 [[nodiscard]] PatchCells make_cells(const Patch& patch, const PatchSamples& samples);
 
 }  // namespace relief

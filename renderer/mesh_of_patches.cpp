@@ -1,6 +1,6 @@
 #include "renderer/mesh_of_patches.h"
 
-#include <algorithm>
+#include <cstdlib>
 #include <limits>
 
 #include "common/octahedral.h"
@@ -51,18 +51,20 @@ std::vector<std::uint32_t> add_vertices(const Patch& patch, std::uint32_t id, bo
 void add_triangles(const Patch& patch, const std::vector<std::uint32_t>& vertices,
                    TriangleMesh& mesh) {
   const double largest_rise = shared::kSteepest * patch.spacing / patch.height_step;
-  const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
-    if (vertices[a] == kNoVertex || vertices[b] == kNoVertex || vertices[c] == kNoVertex) return;
-    const auto [low, high] = std::minmax({patch.heights[a], patch.heights[b], patch.heights[c]});
-    if (high - low > largest_rise) return;
-    mesh.triangles.push_back({vertices[a], vertices[b], vertices[c]});
+  const auto joined = [&](std::size_t a, std::size_t b) {
+    return vertices[a] != kNoVertex && vertices[b] != kNoVertex &&
+           std::abs(patch.heights[b] - patch.heights[a]) <= largest_rise;
   };
   for (std::size_t j = 0; j + 1 < patch.height; ++j) {
     for (std::size_t i = 0; i + 1 < patch.width; ++i) {
       const std::size_t node = j * patch.width + i;
       const std::size_t above = node + patch.width;
-      add(node, node + 1, above + 1);
-      add(node, above + 1, above);
+      if (joined(node, node + 1) && joined(node + 1, above + 1)) {
+        mesh.triangles.push_back({vertices[node], vertices[node + 1], vertices[above + 1]});
+      }
+      if (joined(node, above) && joined(above, above + 1)) {
+        mesh.triangles.push_back({vertices[node], vertices[above + 1], vertices[above]});
+      }
     }
   }
 }

@@ -113,6 +113,21 @@ std::set<Place> rims_of(const PatchCells& cells) {
   return rims;
 }
 
+TEST(Cells, AreNotDrawnWhereThePatchJumpsToAnotherSheet) {
+  // Two columns of two cells, of which the second rises by almost what splats lean, then by more.
+  for (const double rise : {0.99 * shared::kSteepest, 1.01 * shared::kSteepest}) {
+    const PatchModel model =
+        test::height_field(3, [&](double x, double) { return x > 0.5 ? rise : 0.0; });
+    std::uint32_t drawn = 0;
+    for (const CellPart& part : cells_of(model.patches[0]).parts) {
+      for (const std::uint32_t run : part.runs) {
+        drawn += (run >> (2 * shared::kPlaceBits)) & shared::kRunCellsMask;
+      }
+    }
+    EXPECT_EQ(drawn, rise < shared::kSteepest ? 4U : 2U);
+  }
+}
+
 TEST(Cells, BorderSamplesHaveTheirSplat) {
   const Patch patch = tattered_patch(shared::kPartCells + 40, shared::kPartCells + 3);
   std::set<Place> borders;
