@@ -1,9 +1,9 @@
-#include "renderer/engines/onepass/draw_list.h"
+#include "renderer/draw_list.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-namespace relief::onepass {
+namespace relief {
 namespace {
 
 /// Distance of a patch's sphere from the eye along the view axis.
@@ -30,11 +30,24 @@ std::vector<std::uint32_t> find_visible(const PatchStore& store, const View& vie
 }
 
 std::vector<std::uint32_t> find_near(const PatchStore& store, const View& view,
-                                     const std::vector<std::uint32_t>& visible, double depth) {
+                                     const std::vector<std::uint32_t>& visible, double radius,
+                                     double largest_sprite) {
+  // A sprite is at most as large as a disc of this radius that faces the eye from its nearest
+  // point: 2 r / (z - r) / pixel wide at depth z, times sqrt(1 + slope^2) toward the picture's
+  // corners.
+  const double pixel = 2.0 * view.slope_y / view.height;
+  const double lean = 1.0 + view.slope_x * view.slope_x + view.slope_y * view.slope_y;
+  const double depth = radius + 2.0 * radius * lean / (pixel * largest_sprite);
   std::vector<std::uint32_t> near;
   std::copy_if(visible.begin(), visible.end(), std::back_inserter(near),
                [&](std::uint32_t p) { return nearest_depth(store.patches[p], view) < depth; });
   return near;
+}
+
+double widest_disc(const PatchStore& store) {
+  double widest = 0.0;
+  for (const StoredPatch& patch : store.patches) widest = std::max(widest, patch.widest_disc);
+  return widest;
 }
 
 std::vector<ArraysCommand> point_commands(const PatchStore& store,
@@ -63,4 +76,4 @@ std::vector<ElementsCommand> quad_commands(const PatchStore& store,
   return commands;
 }
 
-}  // namespace relief::onepass
+}  // namespace relief

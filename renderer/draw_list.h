@@ -8,7 +8,7 @@
 #include "renderer/patch_store.h"
 #include "renderer/view.h"
 
-namespace relief::onepass {
+namespace relief {
 
 /// As glMultiDrawArraysIndirect reads it.
 struct ArraysCommand {
@@ -33,10 +33,14 @@ inline constexpr std::uint32_t kQuadsPerCommand = 65536 / 4;
 /// The patches in view, nearest first.
 [[nodiscard]] std::vector<std::uint32_t> find_visible(const PatchStore& store, const View& view);
 
-/// Of those, the ones with a point nearer to the eye's plane than `depth` (world units).
+/// Of those, the ones near enough for sprites beyond OpenGL's largest point (pixels); `radius`: of
+/// the widest disc, world units.
 [[nodiscard]] std::vector<std::uint32_t> find_near(const PatchStore& store, const View& view,
                                                    const std::vector<std::uint32_t>& visible,
-                                                   double depth);
+                                                   double radius, double largest_sprite);
+
+/// The radius that no splat of the model exceeds, world units.
+[[nodiscard]] double widest_disc(const PatchStore& store);
 
 /// Commands that draw one page's share of `patches`, a point per sample.
 [[nodiscard]] std::vector<ArraysCommand> point_commands(const PatchStore& store,
@@ -48,4 +52,4 @@ inline constexpr std::uint32_t kQuadsPerCommand = 65536 / 4;
                                                          const std::vector<std::uint32_t>& patches,
                                                          std::uint32_t page);
 
-}  // namespace relief::onepass
+}  // namespace relief
