@@ -14,12 +14,14 @@ double nearest_depth(const StoredPatch& patch, const View& view) {
 
 }  // namespace
 
-std::vector<std::uint32_t> find_visible(const PatchStore& store, const View& view) {
+std::vector<std::uint32_t> find_visible(const PatchStore& store, const View& view,
+                                        double radius_factor) {
   std::vector<std::uint32_t> visible;
   std::vector<double> distance(store.patches.size());
   for (std::uint32_t p = 0; p < store.patches.size(); ++p) {
     const StoredPatch& patch = store.patches[p];
-    if (patch.records == 0 || !sees_sphere(view, patch.centre, patch.radius)) continue;
+    const double radius = patch.radius + (radius_factor - 1.0) * patch.widest_disc;
+    if (patch.records == 0 || !sees_sphere(view, patch.centre, radius)) continue;
     distance[p] = glm::distance(patch.centre, view.eye) - patch.radius;
     visible.push_back(p);
   }
@@ -50,13 +52,14 @@ double widest_disc(const PatchStore& store) {
   return widest;
 }
 
-std::vector<ArraysCommand> point_commands(const PatchStore& store,
+std::vector<ArraysCommand> array_commands(const PatchStore& store,
                                           const std::vector<std::uint32_t>& patches,
-                                          std::uint32_t page) {
+                                          std::uint32_t page, std::uint32_t vertices) {
   std::vector<ArraysCommand> commands;
   for (const std::uint32_t p : patches) {
     const StoredPatch& patch = store.patches[p];
-    if (patch.page == page) commands.push_back({patch.records, 1, patch.first_record, p});
+    if (patch.page == page)
+      commands.push_back({vertices * patch.records, 1, vertices * patch.first_record, p});
   }
   return commands;
 }

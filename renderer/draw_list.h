@@ -30,8 +30,9 @@ struct ElementsCommand {
 /// Quads per indirect command: as many as 16-bit vertex numbers reach.
 inline constexpr std::uint32_t kQuadsPerCommand = 65536 / 4;
 
-/// The patches in view, nearest first.
-[[nodiscard]] std::vector<std::uint32_t> find_visible(const PatchStore& store, const View& view);
+/// The patches in view, nearest first; `radius_factor`: of their discs, over what the store says.
+[[nodiscard]] std::vector<std::uint32_t> find_visible(const PatchStore& store, const View& view,
+                                                      double radius_factor = 1.0);
 
 /// Of those, the ones near enough for sprites beyond OpenGL's largest point (pixels); `radius`: of
 /// the widest disc, world units.
@@ -42,10 +43,11 @@ inline constexpr std::uint32_t kQuadsPerCommand = 65536 / 4;
 /// The radius that no splat of the model exceeds, world units.
 [[nodiscard]] double widest_disc(const PatchStore& store);
 
-/// Commands that draw one page's share of `patches`, a point per sample.
-[[nodiscard]] std::vector<ArraysCommand> point_commands(const PatchStore& store,
+/// Commands that draw one page's share of `patches`, `vertices` per sample without indices: 1 for
+/// points, 3 for triangles.
+[[nodiscard]] std::vector<ArraysCommand> array_commands(const PatchStore& store,
                                                         const std::vector<std::uint32_t>& patches,
-                                                        std::uint32_t page);
+                                                        std::uint32_t page, std::uint32_t vertices);
 
 /// The same with a quad per sample, at most kQuadsPerCommand each.
 [[nodiscard]] std::vector<ElementsCommand> quad_commands(const PatchStore& store,

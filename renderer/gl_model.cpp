@@ -68,6 +68,13 @@ Result<GlPicture> GlModel::make_picture(const RenderSettings& settings) {
                    shown};
 }
 
+Result<RenderResult> GlModel::draw(const GlPicture& picture, const DrawModel& draw,
+                                   const DrawModel& count, const RenderSettings& settings) const {
+  auto result = draw_picture(gl_, picture, draw, count, settings);
+  if (result && log_ && !log_->status()) return log_->status().error();
+  return result;
+}
+
 Result<const Texture*> GlModel::environment_for(const std::filesystem::path& path) {
   auto found = environments_.find(path);
   if (found == environments_.end()) {

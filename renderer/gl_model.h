@@ -38,8 +38,10 @@ class GlModel {
   /// OpenGL allows or an environment can't be read.
   Result<GlPicture> make_picture(const RenderSettings& settings);
 
-  /// What OpenGL has complained about in debug contexts.
-  [[nodiscard]] Status debug_status() const { return log_ ? log_->status() : Status(); }
+  /// Draws it (draw_picture). Fails, too, if OpenGL has complained in a debug context.
+  [[nodiscard]] Result<RenderResult> draw(const GlPicture& picture, const DrawModel& draw,
+                                          const DrawModel& count,
+                                          const RenderSettings& settings) const;
 
  private:
   GlModel() = default;

@@ -35,19 +35,13 @@ VertexArray make_vertices(const Gl& gl, const PatchStore& store, const Buffer& q
   return vertices;
 }
 
-template <class Command, class MakeCommands>
-SampleDraw make_draw(const Gl& gl, const PatchStore& store, bool quads,
-                     const std::vector<std::uint32_t>& patches, const MakeCommands& make_commands) {
-  SampleDraw draw{quads, {}};
-  for (std::uint32_t page = 0; page < store.pages.size(); ++page) {
-    const std::vector<Command> commands = make_commands(store, patches, page);
-    if (commands.empty()) continue;
-    draw.pages.push_back(
-        {store.pages[page].texture.id(),
-         make_buffer(gl, "draw commands", std::span<const Command>(commands)),
-         static_cast<GLsizei>(commands.size())});
-  }
-  return draw;
+/// One page's commands in a buffer.
+template <class Command>
+SampleDraw::Page make_page(const Gl& gl, const Table& records,
+                           const std::vector<Command>& commands) {
+  return {records.texture.id(),
+          make_buffer(gl, "draw commands", std::span<const Command>(commands)),
+          static_cast<GLsizei>(commands.size())};
 }
 
 }  // namespace
@@ -71,22 +65,30 @@ void SampleDraws::look(const View& view, const std::vector<std::uint32_t>& visib
                           views.data());
 }
 
-SampleDraw SampleDraws::points(const std::vector<std::uint32_t>& patches) const {
-  return make_draw<ArraysCommand>(*gl_, *store_, false, patches, point_commands);
-}
-
-SampleDraw SampleDraws::quads(const std::vector<std::uint32_t>& patches) const {
-  return make_draw<ElementsCommand>(*gl_, *store_, true, patches, quad_commands);
+SampleDraw SampleDraws::make_draw(SampleShape shape,
+                                  const std::vector<std::uint32_t>& patches) const {
+  SampleDraw draw{shape, {}};
+  for (std::uint32_t p = 0; p < store_->pages.size(); ++p) {
+    const Table& records = store_->pages[p];
+    if (shape == SampleShape::Quads) {
+      draw.pages.push_back(make_page(*gl_, records, quad_commands(*store_, patches, p)));
+    } else {
+      const std::uint32_t vertices = shape == SampleShape::Points ? 1 : 3;
+      draw.pages.push_back(make_page(*gl_, records, array_commands(*store_, patches, p, vertices)));
+    }
+  }
+  return draw;
 }
 
 void SampleDraws::draw(const SampleDraw& samples) const {
   for (const SampleDraw::Page& page : samples.pages) {
     gl_->BindTextureUnit(RELIEF_TEXTURE_SAMPLES, page.records);
     gl_->BindBuffer(GL_DRAW_INDIRECT_BUFFER, page.commands.id());
-    if (samples.quads) {
+    if (samples.shape == SampleShape::Quads) {
       gl_->MultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, nullptr, page.count, 0);
     } else {
-      gl_->MultiDrawArraysIndirect(GL_POINTS, nullptr, page.count, 0);
+      gl_->MultiDrawArraysIndirect(samples.shape == SampleShape::Points ? GL_POINTS : GL_TRIANGLES,
+                                   nullptr, page.count, 0);
     }
   }
 }

@@ -11,6 +11,9 @@
 
 namespace relief {
 
+/// What is rasterised for a sample: 1, 3 or 4 vertices. A vertex's sample is its number over that.
+enum class SampleShape : std::uint8_t { Points, Triangles, Quads };
+
 /// One multi-draw-indirect per page that has any of the patches; good for any number of passes.
 struct SampleDraw {
   struct Page {
@@ -18,7 +21,7 @@ struct SampleDraw {
     Buffer commands;
     GLsizei count = 0;
   };
-  bool quads = false;  ///< four vertices a sample, else one
+  SampleShape shape = SampleShape::Quads;
   std::vector<Page> pages;
 };
 
@@ -30,9 +33,9 @@ class SampleDraws {
   /// Relates the visible patches to the frame's camera.
   void look(const View& view, const std::vector<std::uint32_t>& visible) const;
 
-  /// Draws of these patches, in this order.
-  [[nodiscard]] SampleDraw points(const std::vector<std::uint32_t>& patches) const;
-  [[nodiscard]] SampleDraw quads(const std::vector<std::uint32_t>& patches) const;
+  /// Draws these patches, in this order.
+  [[nodiscard]] SampleDraw make_draw(SampleShape shape,
+                                     const std::vector<std::uint32_t>& patches) const;
 
   /// Runs the bound program over them. The model must be bound (BoundModel).
   void draw(const SampleDraw& samples) const;

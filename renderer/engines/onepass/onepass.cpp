@@ -41,15 +41,15 @@ void Engine::draw(const View& view, PassTimer& timer, const Texture* environment
   const BoundModel bound(*gl_, samples_, environment);
   gl_->UseProgram(program_.id());
   if (!large_sprites_) {
-    samples_.draw(samples_.quads(visible));
+    samples_.draw(samples_.make_draw(SampleShape::Quads, visible));
     return;
   }
-  samples_.draw(samples_.points(visible));
+  samples_.draw(samples_.make_draw(SampleShape::Points, visible));
   const std::vector<std::uint32_t> near =
       find_near(store, view, visible, widest_disc(store), largest_sprite(*gl_));
   if (near.empty()) return;
   gl_->UseProgram(large_sprites_->id());
-  samples_.draw(samples_.quads(near));
+  samples_.draw(samples_.make_draw(SampleShape::Quads, near));
 }
 
 }  // namespace relief::onepass

@@ -1,15 +1,20 @@
 #include "renderer/engines/onepass/render_onepass.h"
 
-#include <map>
 #include <utility>
 
-#include "renderer/engines/onepass/features.h"
+#include "renderer/engine_cache.h"
 #include "renderer/engines/onepass/onepass.h"
+#include "renderer/features.h"
 #include "renderer/gl_model.h"
 #include "renderer/gl_picture.h"
 
 namespace relief::onepass {
 namespace {
+
+std::uint32_t features_of(const RenderSettings& settings, bool has_colours) {
+  return scene_features(settings, has_colours) |
+         (settings.interpolation == Interpolation::Corrected ? RELIEF_FEATURE_CORRECTED : 0U);
+}
 
 /// The model on the GPU, and the programs that pictures have needed so far.
 class Prepared final : public PreparedModel {
@@ -18,9 +23,9 @@ class Prepared final : public PreparedModel {
 
   Result<RenderResult> render(const RenderSettings& settings, Progress& /*progress*/) override {
     const std::uint32_t features = features_of(settings, model_->has_colours());
-    const auto engine = engine_for(features);
+    const auto engine = engines_.get(*model_, features);
     if (!engine) return engine.error();
-    const auto counting = engine_for(features | RELIEF_FEATURE_COUNT_FRAGMENTS);
+    const auto counting = engines_.get(*model_, features | RELIEF_FEATURE_COUNT_FRAGMENTS);
     if (!counting) return counting.error();
     const auto picture = model_->make_picture(settings);
     if (!picture) return picture.error();
@@ -29,39 +34,19 @@ class Prepared final : public PreparedModel {
         drawing.draw(frame.view, timer, frame.environment);
       };
     };
-    auto result = draw_picture(model_->gl(), *picture, draw_with(**engine), draw_with(**counting),
-                               settings);
-    const Status quiet = model_->debug_status();
-    if (result && !quiet) return quiet.error();
-    return result;
+    return model_->draw(*picture, draw_with(**engine), draw_with(**counting), settings);
   }
 
  private:
-  Result<const Engine*> engine_for(std::uint32_t features) {
-    auto found = engines_.find(features);
-    if (found == engines_.end()) {
-      Result<Engine> made = Engine::create(model_->gl(), model_->store(), features);
-      if (!made) return made.error();
-      found = engines_.emplace(features, std::move(*made)).first;
-    }
-    return &found->second;
-  }
-
-  std::unique_ptr<GlModel> model_;           ///< first: the last to go
-  std::map<std::uint32_t, Engine> engines_;  ///< by feature bits
+  std::unique_ptr<GlModel> model_;  ///< first: the last to go
+  EngineCache<Engine> engines_;
 };
 
 }  // namespace
 
 Result<std::unique_ptr<PreparedModel>> prepare(const PatchModel& model,
                                                std::span<const RenderSettings> views) {
-  StoreNeeds needs;
-  for (const RenderSettings& settings : views) {
-    const StoreNeeds more = needs_of(features_of(settings, model.has_colours));
-    needs.normals = needs.normals || more.normals;
-    needs.colours = needs.colours || more.colours;
-  }
-  auto on_gpu = GlModel::create(model, views, needs);
+  auto on_gpu = GlModel::create(model, views, needs_of(views, model.has_colours));
   if (!on_gpu) return on_gpu.error();
   return std::unique_ptr<PreparedModel>(std::make_unique<Prepared>(std::move(*on_gpu)));
 }
