@@ -81,8 +81,9 @@ void add_look_options(CLI::App& sub, SceneSettings& settings) {
       "onepass draws patches in one pass, multipass in three (splats with deferred shading); ewa "
       "splats points on the CPU, those of a scan or the samples of "
       "patches; raytrace follows rays to a mesh's triangles or those of patches (onepass)");
-  add_choice(sub, "--primitive", settings.primitive, kPrimitives,
-             "What is rasterised for a sample (quad)");
+  add_choice(
+      sub, "--primitive", settings.primitive, kPrimitives,
+      "What is rasterised: a sprite or a quad for each sample, or the cells between them (quad)");
   add_choice(sub, "--interpolation", settings.interpolation, kInterpolations,
              "How a fragment finds its place on the patch: direct is faster, corrected more "
              "exact (corrected)");
@@ -132,6 +133,8 @@ void check_engine_options(const RenderArguments& arguments) {
   if (kind == ".json") return;
   if (settings.radius_factor && engine != EngineKind::Multipass)
     throw CLI::ValidationError("--radius-factor", "is for --engine multipass");
+  if (settings.primitive == Primitive::Cell && engine == EngineKind::Multipass)
+    throw CLI::ValidationError("--primitive", "cell is for --engine onepass");
   if (settings.samples && engine != EngineKind::Raytrace)
     throw CLI::ValidationError("--samples", "is for --engine raytrace");
   const bool for_ewa = settings.filter || settings.cutoff || settings.layers ||

@@ -13,7 +13,7 @@ namespace relief {
 /// A way to turn a model into pixels. Onepass: paper 001, on OpenGL. Multipass: what that paper
 /// calls standard. Ewa: paper 000, the reference. Raytrace: the truth.
 enum class EngineKind : std::uint8_t { Onepass, Multipass, Ewa, Raytrace };
-enum class Primitive : std::uint8_t { Sprite, Quad };
+enum class Primitive : std::uint8_t { Sprite, Quad, Cell };
 enum class Interpolation : std::uint8_t { Direct, Corrected };
 enum class Material : std::uint8_t { Unlit, Lit, Mirror };
 /// The engines that draw patches on OpenGL.
@@ -89,8 +89,8 @@ inline constexpr std::array<Named<EwaFilter>, 4> kFilters{{{"ewa", EwaFilter::Ew
                                                            {"source-space", EwaFilter::SourceSpace},
                                                            {"circular", EwaFilter::Circular},
                                                            {"unfiltered", EwaFilter::Unfiltered}}};
-inline constexpr std::array<Named<Primitive>, 2> kPrimitives{
-    {{"sprite", Primitive::Sprite}, {"quad", Primitive::Quad}}};
+inline constexpr std::array<Named<Primitive>, 3> kPrimitives{
+    {{"sprite", Primitive::Sprite}, {"quad", Primitive::Quad}, {"cell", Primitive::Cell}}};
 inline constexpr std::array<Named<Interpolation>, 2> kInterpolations{
     {{"direct", Interpolation::Direct}, {"corrected", Interpolation::Corrected}}};
 inline constexpr std::array<Named<Material>, 3> kMaterials{

@@ -14,6 +14,14 @@ double nearest_depth(const StoredPatch& patch, const View& view) {
 
 }  // namespace
 
+void add_quads(std::uint32_t first, std::uint32_t quads, std::uint32_t instance,
+               std::vector<ElementsCommand>& commands) {
+  for (std::uint32_t k = 0; k < quads; k += kQuadsPerCommand) {
+    const std::uint32_t count = std::min(kQuadsPerCommand, quads - k);
+    commands.push_back({6 * count, 1, 0, static_cast<GLint>(4 * (first + k)), instance});
+  }
+}
+
 std::vector<std::uint32_t> find_visible(const PatchStore& store, const View& view,
                                         double radius_factor) {
   std::vector<std::uint32_t> visible;
@@ -70,11 +78,7 @@ std::vector<ElementsCommand> quad_commands(const PatchStore& store,
   std::vector<ElementsCommand> commands;
   for (const std::uint32_t p : patches) {
     const StoredPatch& patch = store.patches[p];
-    if (patch.page != page) continue;
-    for (std::uint32_t k = 0; k < patch.records; k += kQuadsPerCommand) {
-      const std::uint32_t quads = std::min(kQuadsPerCommand, patch.records - k);
-      commands.push_back({6 * quads, 1, 0, static_cast<GLint>(4 * (patch.first_record + k)), p});
-    }
+    if (patch.page == page) add_quads(patch.first_record, patch.records, p, commands);
   }
   return commands;
 }

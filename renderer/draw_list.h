@@ -15,7 +15,7 @@ struct ArraysCommand {
   GLuint count = 0;
   GLuint instances = 1;
   GLuint first = 0;
-  GLuint base_instance = 0;  ///< the patch
+  GLuint base_instance = 0;  ///< the patch, or with cells its part
 };
 
 /// As glMultiDrawElementsIndirect reads it.
@@ -24,11 +24,15 @@ struct ElementsCommand {
   GLuint instances = 1;
   GLuint first_index = 0;
   GLint base_vertex = 0;
-  GLuint base_instance = 0;  ///< the patch
+  GLuint base_instance = 0;  ///< as above
 };
 
 /// Quads per indirect command: as many as 16-bit vertex numbers reach.
 inline constexpr std::uint32_t kQuadsPerCommand = 65536 / 4;
+
+/// Appends commands that draw `quads` quads from the record `first` on.
+void add_quads(std::uint32_t first, std::uint32_t quads, std::uint32_t instance,
+               std::vector<ElementsCommand>& commands);
 
 /// The patches in view, nearest first; `radius_factor`: of their discs, over what the store says.
 [[nodiscard]] std::vector<std::uint32_t> find_visible(const PatchStore& store, const View& view,

@@ -29,13 +29,30 @@ namespace relief {
   return (features & (RELIEF_FEATURE_LIT | RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_OUT_NORMAL)) != 0;
 }
 
-/// The maps that at least one of the views reads.
-[[nodiscard]] inline StoreNeeds needs_of(std::span<const RenderSettings> views, bool has_colours) {
+/// What those features read.
+[[nodiscard]] inline StoreNeeds needs_of(std::uint32_t features) {
+  const bool cells = (features & RELIEF_FEATURE_CELL) != 0;
+  StoreNeeds needs;
+  needs.splats = !cells;
+  needs.heights = !cells && (features & RELIEF_FEATURE_CORRECTED) != 0;
+  needs.cells = cells;
+  needs.normals = needs_normals(features);
+  needs.colours = (features & RELIEF_FEATURE_COLOURS) != 0;
+  return needs;
+}
+
+/// What the views read together; `features_of` gives an engine's feature bits of one of them.
+template <class FeaturesOf>
+[[nodiscard]] StoreNeeds needs_of(std::span<const RenderSettings> views, bool has_colours,
+                                  const FeaturesOf& features_of) {
   StoreNeeds needs;
   for (const RenderSettings& settings : views) {
-    const std::uint32_t features = scene_features(settings, has_colours);
-    needs.normals = needs.normals || needs_normals(features);
-    needs.colours = needs.colours || (features & RELIEF_FEATURE_COLOURS) != 0;
+    const StoreNeeds more = needs_of(features_of(settings, has_colours));
+    needs.splats = needs.splats || more.splats;
+    needs.heights = needs.heights || more.heights;
+    needs.cells = needs.cells || more.cells;
+    needs.normals = needs.normals || more.normals;
+    needs.colours = needs.colours || more.colours;
   }
   return needs;
 }

@@ -1,4 +1,4 @@
-// The triangles that corrected interpolation stands for.
+// The triangles that corrected interpolation stands for, and that the primitive `cell` draws.
 #pragma once
 
 #include "common/error.h"

@@ -13,12 +13,13 @@
 namespace relief {
 namespace {
 
-shared::PatchInfo info_of(const Patch& patch, const PatchSamples& samples, std::size_t id) {
+shared::PatchInfo info_of(const Patch& patch, const PatchSamples& samples, std::size_t id,
+                          std::int32_t first_row) {
   shared::PatchInfo info{};
   info.axis_u = {glm::vec3(patch.axes[0]), static_cast<float>(patch.spacing)};
   info.axis_v = {glm::vec3(patch.axes[1]), samples.height_step};
   info.axis_n = {glm::vec3(patch.axes[2]), samples.slope_step};
-  info.nodes = {patch.width, patch.height, static_cast<int>(id), 0};
+  info.nodes = {patch.width, patch.height, static_cast<int>(id), first_row};
   return info;
 }
 
@@ -30,7 +31,6 @@ StoredPatch stored(const Patch& patch, const PatchSamples& samples) {
   kept.centre = patch.origin + patch.axes * (patch.spacing * samples.centre);
   kept.radius = patch.spacing * samples.radius;
   kept.widest_disc = patch.spacing * samples.widest_disc;
-  kept.records = static_cast<std::uint32_t>(samples.records.size());
   return kept;
 }
 
@@ -57,6 +57,7 @@ class Pages {
     if (current_.size() + records.size() > most_records_) flush();
     patch.page = static_cast<std::uint32_t>(pages_.size());
     patch.first_record = static_cast<std::uint32_t>(current_.size());
+    patch.records = static_cast<std::uint32_t>(records.size());
     current_.insert(current_.end(), records.begin(), records.end());
     return {};
   }
@@ -85,20 +86,33 @@ Result<PatchStore> upload_model(const Gl& gl, const PatchModel& model, const Sto
   std::vector<shared::PatchInfo> table;
   std::vector<StoredPatch> patches;
   Pages pages(gl);
+  CellUpload cells(gl);
   for (std::size_t p = 0; p < model.patches.size(); ++p) {
     const Patch& patch = model.patches[p];
     const PatchSamples samples = make_samples(patch);
-    table.push_back(info_of(patch, samples, p));
     patches.push_back(stored(patch, samples));
-    const Status added = pages.add(patches.back(), samples.records);
-    if (!added) return added.error();
+    if (needs.splats) {
+      const Status added = pages.add(patches.back(), samples.records);
+      if (!added) return added.error();
+    }
+    std::int32_t first_row = 0;
+    if (needs.cells) {
+      const Result<std::int32_t> added = cells.add(patch, samples);
+      if (!added) return added.error();
+      first_row = *added;
+    }
+    table.push_back(info_of(patch, samples, p, first_row));
   }
 
+  std::optional<Texture> heights;
   std::optional<Texture> normals;
   std::optional<Texture> colours;
-  Result<MapArray> heights = upload_heights(gl, model);
-  if (!heights) return heights.error();
-  for (std::size_t p = 0; p < table.size(); ++p) table[p].heights = place_of(heights->spots[p], 0);
+  if (needs.heights) {
+    Result<MapArray> maps = upload_heights(gl, model);
+    if (!maps) return maps.error();
+    for (std::size_t p = 0; p < table.size(); ++p) table[p].heights = place_of(maps->spots[p], 0);
+    heights = std::move(maps->texture);
+  }
   if (needs.normals) {
     Result<MapArray> maps = upload_normals(gl, model);
     if (!maps) return maps.error();
@@ -121,9 +135,11 @@ Result<PatchStore> upload_model(const Gl& gl, const PatchModel& model, const Sto
       pages.take(),
       make_table(gl, "patch table", GL_RGBA32I, std::span<const shared::PatchInfo>(table)),
       make_buffer(gl, "patch indices", std::span<const std::uint32_t>(indices)),
-      std::move(heights->texture),
+      std::move(heights),
       std::move(normals),
-      std::move(colours)};
+      std::move(colours),
+      std::nullopt};
+  if (needs.cells) store.cells = cells.take();
   const Status uploaded = check_errors(gl, "the model");
   if (!uploaded) return uploaded.error();
   return store;

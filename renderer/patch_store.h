@@ -1,4 +1,4 @@
-// A model on the GPU: the patch table, the sample records, the maps in array textures.
+// A model on the GPU: the patch table, the sample records or the cells, the maps in array textures.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,17 @@
 
 #include "common/error.h"
 #include "common/patch.h"
+#include "renderer/cell_store.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 
 namespace relief {
 
-/// Which maps a store holds; those that no feature reads are not uploaded.
+/// What a store holds; what no feature reads is not uploaded.
 struct StoreNeeds {
+  bool splats = false;   ///< a record a sample
+  bool heights = false;  ///< height maps
+  bool cells = false;
   bool normals = false;
   bool colours = false;
 };
@@ -30,7 +34,7 @@ struct StoredPatch {
   double widest_disc = 0.0;        ///< radius that no splat of it exceeds, world units
   std::uint32_t page = 0;          ///< the buffer of its records
   std::uint32_t first_record = 0;  ///< in that page
-  std::uint32_t records = 0;
+  std::uint32_t records = 0;       ///< 0 without StoreNeeds::splats
 };
 
 /// The model on the GPU. `patches` runs parallel to PatchModel::patches.
@@ -40,9 +44,10 @@ struct PatchStore {
                              ///< than what OpenGL lets a shader see of one buffer
   Table table;               ///< shared::PatchInfo per patch
   Buffer indices;            ///< 0, 1, 2 ...: the per-instance attribute that names the patch
-  Texture heights;
+  std::optional<Texture> heights;
   std::optional<Texture> normals;
   std::optional<Texture> colours;
+  std::optional<CellStore> cells;
 };
 
 /// Uploads a model. Fails if OpenGL lacks memory or a map is larger than it allows.

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <glm/vec2.hpp>
 #include <span>
 #include <utility>
 
@@ -22,15 +23,25 @@ Buffer make_quad_corners(const Gl& gl) {
   return make_buffer(gl, "quad corners", std::span<const std::uint16_t>(corners));
 }
 
-/// The vertex array: no vertex data but, per instance, the patch.
-VertexArray make_vertices(const Gl& gl, const PatchStore& store, const Buffer& quad_corners) {
+/// The vertex array: no vertex data but, per instance, the patch, and with `cells` its part's
+/// corner.
+VertexArray make_vertices(const Gl& gl, const PatchStore& store, bool cells,
+                          const Buffer& quad_corners) {
   VertexArray vertices(gl, "samples");
   const GLuint id = vertices.id();
-  gl.VertexArrayVertexBuffer(id, 0, store.indices.id(), 0, sizeof(std::uint32_t));
+  const auto add_attribute = [&gl, id](GLuint location, GLuint offset) {
+    gl.EnableVertexArrayAttrib(id, location);
+    gl.VertexArrayAttribIFormat(id, location, 1, GL_UNSIGNED_INT, offset);
+    gl.VertexArrayAttribBinding(id, location, 0);
+  };
   gl.VertexArrayBindingDivisor(id, 0, 1);
-  gl.EnableVertexArrayAttrib(id, RELIEF_ATTRIBUTE_PATCH);
-  gl.VertexArrayAttribIFormat(id, RELIEF_ATTRIBUTE_PATCH, 1, GL_UNSIGNED_INT, 0);
-  gl.VertexArrayAttribBinding(id, RELIEF_ATTRIBUTE_PATCH, 0);
+  add_attribute(RELIEF_ATTRIBUTE_PATCH, 0);
+  if (cells) {
+    add_attribute(RELIEF_ATTRIBUTE_CORNER, sizeof(glm::uvec2::value_type));
+    gl.VertexArrayVertexBuffer(id, 0, store.cells->places.id(), 0, sizeof(glm::uvec2));
+  } else {
+    gl.VertexArrayVertexBuffer(id, 0, store.indices.id(), 0, sizeof(std::uint32_t));
+  }
   gl.VertexArrayElementBuffer(id, quad_corners.id());
   return vertices;
 }
@@ -46,11 +57,11 @@ SampleDraw::Page make_page(const Gl& gl, const Table& records,
 
 }  // namespace
 
-SampleDraws::SampleDraws(const Gl& gl, const PatchStore& store)
+SampleDraws::SampleDraws(const Gl& gl, const PatchStore& store, bool cells)
     : gl_(&gl),
       store_(&store),
       quad_corners_(make_quad_corners(gl)),
-      vertices_(make_vertices(gl, store, quad_corners_)),
+      vertices_(make_vertices(gl, store, cells, quad_corners_)),
       patch_views_(make_table(
           gl, "patch views", GL_RGBA32F,
           std::span<const shared::PatchView>(std::vector<shared::PatchView>(store.patches.size())),
@@ -113,16 +124,18 @@ BoundModel::BoundModel(const Gl& gl, const SampleDraws& samples, const Texture* 
   const auto bind = [this](GLuint unit, const Texture* texture) {
     if (texture != nullptr) gl_.BindTextureUnit(unit, texture->id());
   };
-  bind(RELIEF_TEXTURE_HEIGHTS, &store.heights);
+  bind(RELIEF_TEXTURE_HEIGHTS, store.heights ? &*store.heights : nullptr);
   bind(RELIEF_TEXTURE_NORMALS, store.normals ? &*store.normals : nullptr);
   bind(RELIEF_TEXTURE_COLOURS, store.colours ? &*store.colours : nullptr);
   bind(RELIEF_TEXTURE_ENVIRONMENT, environment);
 }
 
 BoundModel::~BoundModel() {
-  for (const GLuint unit : {RELIEF_TEXTURE_HEIGHTS, RELIEF_TEXTURE_NORMALS, RELIEF_TEXTURE_COLOURS,
-                            RELIEF_TEXTURE_ENVIRONMENT, RELIEF_TEXTURE_SAMPLES,
-                            RELIEF_TEXTURE_PATCHES, RELIEF_TEXTURE_PATCH_VIEWS})
+  for (const GLuint unit :
+       {RELIEF_TEXTURE_HEIGHTS, RELIEF_TEXTURE_NORMALS, RELIEF_TEXTURE_COLOURS,
+        RELIEF_TEXTURE_ENVIRONMENT, RELIEF_TEXTURE_SAMPLES, RELIEF_TEXTURE_PATCHES,
+        RELIEF_TEXTURE_PATCH_VIEWS, RELIEF_TEXTURE_CELL_HEIGHTS, RELIEF_TEXTURE_CELL_ROWS,
+        RELIEF_TEXTURE_CELL_RUNS, RELIEF_TEXTURE_RIMS})
     gl_.BindTextureUnit(unit, 0);
   gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
   gl_.BindVertexArray(0);

@@ -28,7 +28,8 @@ struct SampleDraw {
 /// The vertex arrays and per-frame tables of a stored model. The store and `gl` must outlive it.
 class SampleDraws {
  public:
-  SampleDraws(const Gl& gl, const PatchStore& store);
+  /// `cells`: for programs over the store's cells instead, whose instances are parts of patches.
+  SampleDraws(const Gl& gl, const PatchStore& store, bool cells = false);
 
   /// Relates the visible patches to the frame's camera.
   void look(const View& view, const std::vector<std::uint32_t>& visible) const;

@@ -9,7 +9,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 for round in $(seq "$rounds"); do
-  for primitive in quad sprite; do
+  for primitive in quad sprite cell; do
     for interpolation in corrected direct; do
       for material in lit mirror; do
         "$relief" render "$file" -o "$work/out.png" --size 1280x1024 --orbit 20,15 --frames 3 \
@@ -21,7 +21,7 @@ for round in $(seq "$rounds"); do
 done
 echo "| primitive | interpolation | material | frame_ms (median) | fragments | covered pixels |"
 echo "| --- | --- | --- | ---: | ---: | ---: |"
-for primitive in quad sprite; do
+for primitive in quad sprite cell; do
   for interpolation in corrected direct; do
     for material in lit mirror; do
       jq -rs --arg row "| $primitive | $interpolation | $material" \

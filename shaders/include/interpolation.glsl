@@ -1,7 +1,5 @@
 // Attribute interpolation, section 3.5 of paper 001.
-#include "include/patches.glsl"
-
-layout(binding = RELIEF_TEXTURE_HEIGHTS) uniform usampler2DArray height_maps;
+#include "include/heights.glsl"
 
 // A place against the virtual triangle under it (grid frame).
 struct OverTriangle {
@@ -24,10 +22,9 @@ OverTriangle over_triangle(vec3 place, PatchInfo info) {
   ivec2 cell = over.which.xy;
   vec2 inside = place.xy - vec2(cell);
   bool lower = over.which.z == 1;
-  ivec3 at = ivec3(info.heights.xy + cell, info.heights.z);
-  uint a = texelFetch(height_maps, at, 0).x;
-  uint b = texelFetch(height_maps, at + (lower ? ivec3(1, 0, 0) : ivec3(0, 1, 0)), 0).x;
-  uint c = texelFetch(height_maps, at + ivec3(1, 1, 0), 0).x;
+  uint a = fetch_height(info, cell);
+  uint b = fetch_height(info, cell + (lower ? ivec2(1, 0) : ivec2(0, 1)));
+  uint c = fetch_height(info, cell + ivec2(1, 1));
   float height_step = info.axis_v.w;
   float ab = (float(b) - float(a)) * height_step;
   float bc = (float(c) - float(b)) * height_step;

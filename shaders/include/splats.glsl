@@ -1,7 +1,13 @@
 // Vertex stage: from a sample record to its splat.
-#include "include/patches.glsl"
+#include "include/heights.glsl"
 
+#if (RELIEF_FEATURES & RELIEF_FEATURE_CELL) != 0u
+layout(binding = RELIEF_TEXTURE_RIMS) uniform usamplerBuffer rims;
+
+layout(location = RELIEF_ATTRIBUTE_CORNER) in uint part_corner;
+#else
 layout(binding = RELIEF_TEXTURE_SAMPLES) uniform usamplerBuffer sample_records;
+#endif
 
 // A splat in the grid frame of its patch.
 struct Splat {
@@ -22,8 +28,22 @@ vec4 margins_of(vec4 gaps, vec2 slope, vec3 ray) {
   return approach > 0.0 ? min(0.5 * gaps * way / approach, largest) : vec4(0.0);
 }
 
+// Four words as shared.h says; those of a rim, which has no gaps and whose height is kept with the
+// cells', from its two.
+uvec4 fetch_record(int record, PatchInfo info) {
+#if (RELIEF_FEATURES & RELIEF_FEATURE_CELL) != 0u
+  uvec2 rim = texelFetch(rims, record).xy;
+  uvec2 node = uvec2(part_corner & 0xFFFFu, part_corner >> 16) +
+               uvec2(rim.x & kPlaceMask, (rim.x >> kPlaceBits) & kPlaceMask);
+  uint shape = fetch_height(info, ivec2(node)) | (rim.x & 0xFFFF0000u);
+  return uvec4(node.x | node.y << kRowShift | kBorderBit, shape, rim.y, 0u);
+#else
+  return texelFetch(sample_records, record);
+#endif
+}
+
 Splat fetch_splat(int record, PatchInfo info, mat4 clip_from_grid, vec3 eye) {
-  uvec4 bits = texelFetch(sample_records, record);
+  uvec4 bits = fetch_record(record, info);
   float spacing = info.axis_u.w;
   float height_step = info.axis_v.w;
   float slope_step = info.axis_n.w;

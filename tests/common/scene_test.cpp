@@ -131,7 +131,7 @@ TEST_F(Scenes, SettingsThatAreWrong) {
       {R"("fov": 180)", "fov: expected degrees from 0.1 to 170; found 180"},
       {R"("fov": "45")", "fov: expected degrees from 0.1 to 170; found \"45\""},
       {R"("engine": "embree")", "engine: expected onepass"},
-      {R"("primitive": "cell")", "primitive: expected sprite, quad; found \"cell\""},
+      {R"("primitive": "disc")", "primitive: expected sprite, quad, cell; found \"disc\""},
       {R"("interpolation": 1)", "interpolation: expected direct, corrected; found 1"},
       {R"("radius-factor": 0.5)", "radius-factor: expected a number from 1 to 4; found 0.5"},
       {R"("material": "gold")", "material: expected unlit, lit, mirror; found \"gold\""},

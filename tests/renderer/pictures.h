@@ -83,7 +83,9 @@ inline const std::vector<Way>& all_ways() {
       {Primitive::Quad, Interpolation::Direct, "quad_direct"},
       {Primitive::Quad, Interpolation::Corrected, "quad_corrected"},
       {Primitive::Sprite, Interpolation::Direct, "sprite_direct"},
-      {Primitive::Sprite, Interpolation::Corrected, "sprite_corrected"}};
+      {Primitive::Sprite, Interpolation::Corrected, "sprite_corrected"},
+      {Primitive::Cell, Interpolation::Direct, "cell_direct"},
+      {Primitive::Cell, Interpolation::Corrected, "cell_corrected"}};
   return ways;
 }
 

@@ -290,6 +290,7 @@ TEST(Corrected, SplatsDoNotStickOutOfASkyline) {
     EXPECT_EQ(spikes(primitive, Interpolation::Corrected), 0U);
     EXPECT_GT(spikes(primitive, Interpolation::Direct), 0U);
   }
+  EXPECT_EQ(spikes(Primitive::Cell, Interpolation::Corrected), 0U);
 }
 
 TEST(Sprites, CloserThanOpenGlsLargestPointKeepTheirPlace) {

@@ -45,7 +45,7 @@ class Prepared final : public PreparedModel {
 
 Result<std::unique_ptr<PreparedModel>> prepare(const PatchModel& model,
                                                std::span<const RenderSettings> views) {
-  auto on_gpu = GlModel::create(model, views, needs_of(views, model.has_colours));
+  auto on_gpu = GlModel::create(model, views, needs_of(views, model.has_colours, scene_features));
   if (!on_gpu) return on_gpu.error();
   return std::unique_ptr<PreparedModel>(std::make_unique<Prepared>(std::move(*on_gpu)));
 }

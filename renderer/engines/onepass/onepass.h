@@ -1,5 +1,5 @@
-// The engine `onepass` (paper 001): every sample is a splat, every fragment finds its attributes on
-// the patch, and one pass is all.
+// The engine `onepass` (paper 001): every sample is a splat, or every four a cell, every fragment
+// finds its attributes on the patch, and one pass is all.
 #pragma once
 
 #include <cstdint>
@@ -26,13 +26,20 @@ class Engine {
   void draw(const View& view, PassTimer& timer, const Texture* environment) const;
 
  private:
-  Engine(const Gl& gl, const PatchStore& store, Program program,
-         std::optional<Program> large_sprites);
+  /// What draws; at most one of the second two.
+  struct Programs {
+    Program main;
+    std::optional<Program> large_sprites;
+    std::optional<Program> rims;  ///< the border splats of cells
+  };
+
+  Engine(const Gl& gl, const PatchStore& store, Programs programs);
+  void draw_splats(const View& view) const;
+  void draw_cells(const View& view) const;
 
   const Gl* gl_;
   SampleDraws samples_;
-  Program program_;
-  std::optional<Program> large_sprites_;
+  Programs programs_;
 };
 
 }  // namespace relief::onepass

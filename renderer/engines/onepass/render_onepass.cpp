@@ -3,18 +3,13 @@
 #include <utility>
 
 #include "renderer/engine_cache.h"
+#include "renderer/engines/onepass/features.h"
 #include "renderer/engines/onepass/onepass.h"
-#include "renderer/features.h"
 #include "renderer/gl_model.h"
 #include "renderer/gl_picture.h"
 
 namespace relief::onepass {
 namespace {
-
-std::uint32_t features_of(const RenderSettings& settings, bool has_colours) {
-  return scene_features(settings, has_colours) |
-         (settings.interpolation == Interpolation::Corrected ? RELIEF_FEATURE_CORRECTED : 0U);
-}
 
 /// The model on the GPU, and the programs that pictures have needed so far.
 class Prepared final : public PreparedModel {
@@ -46,7 +41,7 @@ class Prepared final : public PreparedModel {
 
 Result<std::unique_ptr<PreparedModel>> prepare(const PatchModel& model,
                                                std::span<const RenderSettings> views) {
-  auto on_gpu = GlModel::create(model, views, needs_of(views, model.has_colours));
+  auto on_gpu = GlModel::create(model, views, needs_of(views, model.has_colours, features_of));
   if (!on_gpu) return on_gpu.error();
   return std::unique_ptr<PreparedModel>(std::make_unique<Prepared>(std::move(*on_gpu)));
 }

@@ -1,0 +1,71 @@
+// The cells of a model on the GPU.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "common/error.h"
+#include "common/patch.h"
+#include "renderer/cells.h"
+#include "renderer/gl/functions.h"
+#include "renderer/gl/object.h"
+#include "renderer/samples.h"
+
+namespace relief {
+
+/// What the CPU keeps of a part of a patch on the GPU. World frame, in double precision.
+struct StoredPart {
+  std::uint32_t patch = 0;
+  glm::dvec3 centre{0.0};  ///< of a sphere about all that it draws
+  double radius = 0.0;
+  std::uint32_t page = 0;       ///< the buffers of its runs and rims
+  std::uint32_t first_run = 0;  ///< in that page
+  std::uint32_t runs = 0;
+  std::uint32_t first_rim = 0;
+  std::uint32_t rims = 0;
+};
+
+/// The buffers of some patches; more than one page only for a model that is larger than what OpenGL
+/// lets a shader see of one buffer.
+struct CellPage {
+  Table heights;  ///< 16 bits a node, as PatchCells has them
+  Table rows;     ///< CellRow; the first has no nodes, as has the one after each patch
+  Table runs;     ///< CellPart::runs
+  Table rims;     ///< RimRecord
+};
+
+struct CellStore {
+  std::vector<StoredPart> parts;
+  std::vector<CellPage> pages;
+  Buffer places;  ///< per part the two per-instance attributes, patch and corner
+};
+
+/// Collects the cells of patches in the order of the model and uploads them page by page.
+class CellUpload {
+ public:
+  explicit CellUpload(const Gl& gl);
+
+  /// Returns where the rows of the patch begin in its page. Fails if it is larger than a page.
+  Result<std::int32_t> add(const Patch& patch, const PatchSamples& samples);
+
+  /// Uploads what is left.
+  CellStore take();
+
+ private:
+  void flush();
+
+  const Gl& gl_;
+  std::size_t most_texels_ = 0;
+  std::uint32_t patches_ = 0;
+  std::vector<std::uint16_t> heights_;
+  std::vector<CellRow> rows_;
+  std::vector<std::uint32_t> runs_;
+  std::vector<RimRecord> rims_;
+  std::vector<StoredPart> parts_;
+  std::vector<glm::uvec2> places_;
+  std::vector<CellPage> pages_;
+};
+
+}  // namespace relief

@@ -1,0 +1,26 @@
+// Which parts of patches a frame draws as cells, in which order.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "renderer/cell_store.h"
+#include "renderer/draw_list.h"
+#include "renderer/view.h"
+
+namespace relief::onepass {
+
+/// The parts in view, nearest first.
+[[nodiscard]] std::vector<std::uint32_t> find_visible(const CellStore& store, const View& view);
+
+/// Commands that draw the cells of one page's share of `parts`, as strips.
+[[nodiscard]] std::vector<ArraysCommand> cell_commands(const CellStore& store,
+                                                       const std::vector<std::uint32_t>& parts,
+                                                       std::uint32_t page);
+
+/// Commands that draw their border splats, at most kQuadsPerCommand each.
+[[nodiscard]] std::vector<ElementsCommand> rim_commands(const CellStore& store,
+                                                        const std::vector<std::uint32_t>& parts,
+                                                        std::uint32_t page);
+
+}  // namespace relief::onepass

@@ -1,0 +1,16 @@
+// The shader variant that a picture of `onepass` needs.
+#pragma once
+
+#include <cstdint>
+
+#include "renderer/features.h"
+
+namespace relief::onepass {
+
+[[nodiscard]] inline std::uint32_t features_of(const RenderSettings& settings, bool has_colours) {
+  return scene_features(settings, has_colours) |
+         (settings.primitive == Primitive::Cell ? RELIEF_FEATURE_CELL : 0U) |
+         (settings.interpolation == Interpolation::Corrected ? RELIEF_FEATURE_CORRECTED : 0U);
+}
+
+}  // namespace relief::onepass

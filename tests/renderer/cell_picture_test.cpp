@@ -1,0 +1,142 @@
+// What cells draw, against the same surface drawn otherwise.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <random>
+
+#include "shaders/include/shared.h"
+#include "tests/renderer/pictures.h"
+
+namespace relief {
+namespace {
+
+using test::must_render;
+using test::small_picture;
+using test::values;
+
+/// Waves with a hole in them, rough by `roughness` cells, seen so that some hide some.
+PatchModel wavy_field(double roughness) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> noise(-roughness, roughness);
+  PatchModel model = test::height_field(40, [&](double x, double y) {
+    return 1.2 * std::sin(0.5 * x) * std::cos(0.6 * y) + noise(random);
+  });
+  Patch& patch = model.patches[0];
+  patch.normals = {};  // those of the heights, not of noise that never stood anywhere
+  for (const std::uint32_t j : {17U, 18U, 19U}) {
+    for (const std::uint32_t i : {21U, 22U})
+      patch.heights[std::size_t{j} * patch.width + i] = kHole;
+  }
+  return model;
+}
+
+RenderSettings seen_from_above(const PatchModel& model) {
+  RenderSettings settings = small_picture(model);
+  settings.camera = {{12.0, -9.0, 22.0}, {0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, 50.0};
+  settings.outputs = test::all_outputs();
+  settings.primitive = Primitive::Cell;
+  return settings;
+}
+
+TEST(CellPictures, AreTheTrianglesOfThePatch) {
+  const PatchModel model = wavy_field(0.1);
+  RenderSettings settings = seen_from_above(model);
+  const RenderResult cells = must_render(model, settings);
+  settings.engine = EngineKind::Raytrace;
+  settings.raytrace.samples = 1;
+  const RenderResult rays = must_render(model, settings);
+  std::size_t hit = 0;
+  std::size_t other = 0;
+  for (std::size_t k = 0; k < values(rays.image, "Z").size(); ++k) {
+    if (values(rays.image, "patch")[k] == 0.0F) continue;
+    ++hit;
+    // OpenGL moves corners by up to 1/512 pixel, which is 0.25 cells here, more along a slope that
+    // is seen at a low angle; the rest is rounding of single precision.
+    const double u = values(rays.image, "UV.U")[k] - values(cells.image, "UV.U")[k];
+    const double v = values(rays.image, "UV.V")[k] - values(cells.image, "UV.V")[k];
+    const double depth = values(rays.image, "Z")[k] - values(cells.image, "Z")[k];
+    other += std::hypot(u, v) < 0.004 && std::abs(depth) < 0.004 ? 0 : 1;
+  }
+  EXPECT_GT(hit, 5000U);
+  // Beyond that there are pixels in which a border splat, or the other side of an edge that hides
+  // something, is in front: the rims of the patch, of the hole and of the hills.
+  EXPECT_LT(other, hit / 50);
+}
+
+TEST(CellPictures, OfAPlaneAreThoseOfQuads) {
+  const PatchModel model =
+      test::height_field(50, [](double x, double y) { return 0.4 * x - 0.3 * y; });
+  RenderSettings settings = seen_from_above(model);
+  const RenderResult cells = must_render(model, settings);
+  settings.primitive = Primitive::Quad;
+  const RenderResult quads = must_render(model, settings);
+  std::size_t covered = 0;
+  for (std::size_t k = 0; k < values(cells.image, "Z").size(); ++k) {
+    ASSERT_EQ(values(cells.image, "patch")[k], values(quads.image, "patch")[k]) << k;
+    if (values(cells.image, "patch")[k] == 0.0F) continue;
+    ++covered;
+    // A cell's plane and a quad's differ by the rounding of slopes, half a step of 1/127 of the
+    // steepest, over half a cell.
+    EXPECT_NEAR(values(cells.image, "Z")[k], values(quads.image, "Z")[k], 0.004);
+    EXPECT_NEAR(values(cells.image, "UV.U")[k], values(quads.image, "UV.U")[k], 0.006);
+    EXPECT_NEAR(values(cells.image, "N.Z")[k], values(quads.image, "N.Z")[k], 0.001);
+  }
+  EXPECT_GT(covered, 5000U);
+}
+
+TEST(CellPictures, ShadeFewerFragmentsThanQuads) {
+  test::SphereShape shape;
+  shape.bumps = 0.08;
+  const PatchModel model = test::sphere_model(shape);
+  RenderSettings settings = small_picture(model);
+  const RenderResult quads = must_render(model, settings);
+  settings.primitive = Primitive::Cell;
+  const RenderResult cells = must_render(model, settings);
+  ASSERT_TRUE(cells.fragments && quads.fragments);
+  EXPECT_LT(*cells.fragments, *quads.fragments);
+}
+
+TEST(CellPictures, OfAPatchLargerThanAPartHaveNoSeam) {
+  // Four parts; the eye looks at where they meet, from so near that a culled one would be missed.
+  const PatchModel model = test::height_field(
+      300, [](double x, double y) { return 2.0 * std::sin(0.3 * x) * std::cos(0.25 * y); });
+  const double middle = shared::kPartCells - 149.5;
+  for (const double elevation : {90.0, 45.0}) {
+    RenderSettings settings = small_picture(model);
+    const double e = glm::radians(elevation);
+    const glm::dvec3 target(middle, middle, 0.0);
+    settings.camera = {
+        target + 25.0 * glm::dvec3(0.0, -std::cos(e), std::sin(e)), target, {0.0, 1.0, 0.1}, 40.0};
+    settings.primitive = Primitive::Cell;
+    const RenderResult result = must_render(model, settings);
+    EXPECT_EQ(result.covered_pixels, std::uint64_t{settings.width} * settings.height) << elevation;
+  }
+}
+
+TEST(CellPictures, InterpolationMattersForTheSplatsAlone) {
+  // So smooth that there are no creases.
+  const PatchModel model = wavy_field(0.0);
+  RenderSettings settings = seen_from_above(model);
+  const RenderResult corrected = must_render(model, settings);
+  settings.interpolation = Interpolation::Direct;
+  const RenderResult direct = must_render(model, settings);
+  const Patch& patch = model.patches[0];
+  std::size_t different = 0;
+  for (std::size_t k = 0; k < values(direct.image, "Z").size(); ++k) {
+    if (values(direct.image, "Z")[k] == values(corrected.image, "Z")[k]) continue;
+    ++different;
+    // A splat begins at a border sample and ends a cell and its margin from there.
+    const double u = values(direct.image, "UV.U")[k];
+    const double v = values(direct.image, "UV.V")[k];
+    const bool at_edge = std::min({u, v, patch.width - 1.0 - u, patch.height - 1.0 - v}) <= 1.5;
+    const bool at_hole = std::abs(u - 21.5) <= 2.5 && std::abs(v - 18.0) <= 3.0;
+    EXPECT_TRUE(at_edge || at_hole) << u << " " << v;
+  }
+  EXPECT_GT(different, 0U);
+}
+
+}  // namespace
+}  // namespace relief
