@@ -64,7 +64,7 @@ Result<LoadedFile> load_scan(const std::filesystem::path& path, EngineNeeds need
     file.splats = std::move(*splats);
   }
   const bool traces_patches = needs.raytrace && !has_triangles;
-  if (!needs.onepass && !traces_patches) return file;
+  if (!needs.patches && !traces_patches) return file;
   auto converted = convert(std::move(scan->points), {}, progress);
   if (!converted) return make_error("{}: {}", path.string(), converted.error().message);
   file.patches = std::move(converted->model);

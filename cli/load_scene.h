@@ -14,7 +14,7 @@ namespace relief::cli {
 
 /// Which engines draw the scene.
 struct EngineNeeds {
-  bool onepass = false;
+  bool patches = false;  ///< onepass, multipass
   bool ewa = false;
   bool raytrace = false;
 };
@@ -33,8 +33,8 @@ struct LoadedScene {
 
 /// Reads the models and puts them in their places. A file that several of them name is read once. A
 /// scan or mesh is converted with the default options where an engine draws its patches: `onepass`,
-/// and `raytrace` where it has no triangles; `raytrace` takes its triangles, `ewa` its points as
-/// they are.
+/// `multipass`, and `raytrace` where it has no triangles; `raytrace` takes its triangles, `ewa` its
+/// points as they are.
 Result<LoadedScene> load_scene(const std::vector<SceneModel>& models, EngineNeeds needs,
                                Progress& progress);
 

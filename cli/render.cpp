@@ -44,7 +44,7 @@ EngineNeeds needs_of(const RenderPlan& plan) {
   EngineNeeds needs;
   for (const Picture& picture : plan.pictures) {
     const EngineKind engine = picture.settings.engine.value_or(RenderSettings{}.engine);
-    needs.onepass |= engine == EngineKind::Onepass;
+    needs.patches |= is_on_opengl(engine);
     needs.ewa |= engine == EngineKind::Ewa;
     needs.raytrace |= engine == EngineKind::Raytrace;
   }

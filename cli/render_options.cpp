@@ -78,7 +78,8 @@ void add_camera_options(CLI::App& sub, SceneSettings& settings) {
 void add_look_options(CLI::App& sub, SceneSettings& settings) {
   add_choice(
       sub, "--engine", settings.engine, kEngines,
-      "onepass draws patches; ewa splats points on the CPU, those of a scan or the samples of "
+      "onepass draws patches in one pass, multipass in three (splats with deferred shading); ewa "
+      "splats points on the CPU, those of a scan or the samples of "
       "patches; raytrace follows rays to a mesh's triangles or those of patches (onepass)");
   add_choice(
       sub, "--primitive", settings.primitive, kPrimitives,
@@ -103,7 +104,9 @@ void add_look_options(CLI::App& sub, SceneSettings& settings) {
       ->option_text("LIST");
 }
 
-void add_cpu_engine_options(CLI::App& sub, SceneSettings& settings) {
+void add_engine_options(CLI::App& sub, SceneSettings& settings) {
+  add_number(sub, "--radius-factor", settings.radius_factor, kRadiusFactors, "F",
+             "multipass: radius of its splats, over that of onepass's sprites (2)");
   add_number(sub, "--samples", settings.samples, kSampleCounts, "N",
              "raytrace: rays a pixel; 1 is not antialiased (16)");
   add_choice(sub, "--filter", settings.filter, kFilters,
@@ -128,6 +131,10 @@ void check_engine_options(const RenderArguments& arguments) {
     throw CLI::ValidationError("--texture", "needs --engine ewa and a mesh");
   }
   if (kind == ".json") return;
+  if (settings.radius_factor && engine != EngineKind::Multipass)
+    throw CLI::ValidationError("--radius-factor", "is for --engine multipass");
+  if (settings.primitive == Primitive::Cell && engine == EngineKind::Multipass)
+    throw CLI::ValidationError("--primitive", "cell is for --engine onepass");
   if (settings.samples && engine != EngineKind::Raytrace)
     throw CLI::ValidationError("--samples", "is for --engine raytrace");
   const bool for_ewa = settings.filter || settings.cutoff || settings.layers ||
@@ -151,12 +158,12 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments) {
       ->option_text("FILE (required)");
   add_camera_options(sub, arguments.settings);
   add_look_options(sub, arguments.settings);
-  add_cpu_engine_options(sub, arguments.settings);
+  add_engine_options(sub, arguments.settings);
   add_texture_options(sub, arguments.texture);
   sub.add_option(
          "--frames", arguments.frames,
-         "Frames to time, of onepass after a first one; the median is reported (3 of onepass, else "
-         "1)")
+         "Frames to time, on OpenGL after a first one; the median is reported (3 of onepass and "
+         "multipass, else 1)")
       ->check(CLI::Range(1, 100000))
       ->option_text("N");
   sub.add_option_function<std::string>(

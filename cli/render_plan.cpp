@@ -91,6 +91,7 @@ Result<RenderSettings> render_settings_for(const Picture& picture, const PatchMo
   if (said.background) settings.background = said.background->colour;
   if (ending(picture.output) == ".exr")
     settings.outputs = said.outputs.value_or(Outputs{true, true, true, true});
+  settings.multipass.radius_factor = said.radius_factor.value_or(settings.multipass.radius_factor);
   settings.raytrace.samples = said.samples.value_or(settings.raytrace.samples);
   settings.ewa.filter = said.filter.value_or(settings.ewa.filter);
   settings.ewa.cutoff = said.cutoff.value_or(settings.ewa.cutoff);
@@ -100,8 +101,7 @@ Result<RenderSettings> render_settings_for(const Picture& picture, const PatchMo
   settings.ewa.time_budget_ms = said.time_budget_ms.value_or(settings.ewa.time_budget_ms);
   settings.platform = arguments.platform;
   // A slow engine is not run again for the sake of a timing that nobody asked for.
-  settings.frames =
-      arguments.frames.value_or(settings.engine == EngineKind::Onepass ? settings.frames : 1);
+  settings.frames = arguments.frames.value_or(is_on_opengl(settings.engine) ? settings.frames : 1);
   return settings;
 }
 

@@ -18,6 +18,9 @@ std::string way_of(const RenderSettings& settings) {
     case EngineKind::Onepass:
       return fmt::format("{}, {}", name_of(kPrimitives, settings.primitive),
                          name_of(kInterpolations, settings.interpolation));
+    case EngineKind::Multipass:
+      return fmt::format("{}, radius factor {:g}", name_of(kPrimitives, settings.primitive),
+                         settings.multipass.radius_factor);
     case EngineKind::Ewa:
       return std::string(name_of(kFilters, settings.ewa.filter));
     case EngineKind::Raytrace:
@@ -30,13 +33,16 @@ std::string way_of(const RenderSettings& settings) {
 
 nlohmann::ordered_json as_json(const WrittenPicture& written) {
   const auto& [settings, result] = written;
-  const auto of_onepass = [&settings = settings](std::string_view way) {
-    return settings.engine == EngineKind::Onepass ? nlohmann::ordered_json(way)
-                                                  : nlohmann::ordered_json(nullptr);
+  const auto said_by = [](bool has, const auto& way) {
+    return has ? nlohmann::ordered_json(way) : nlohmann::ordered_json(nullptr);
   };
   return {{"engine", name_of(kEngines, settings.engine)},
-          {"primitive", of_onepass(name_of(kPrimitives, settings.primitive))},
-          {"interpolation", of_onepass(name_of(kInterpolations, settings.interpolation))},
+          {"primitive",
+           said_by(is_on_opengl(settings.engine), name_of(kPrimitives, settings.primitive))},
+          {"interpolation", said_by(settings.engine == EngineKind::Onepass,
+                                    name_of(kInterpolations, settings.interpolation))},
+          {"radius_factor",
+           said_by(settings.engine == EngineKind::Multipass, settings.multipass.radius_factor)},
           {"material", name_of(kMaterials, settings.material)},
           {"renderer", result.renderer},
           {"width", result.image.width},

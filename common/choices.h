@@ -10,12 +10,17 @@
 
 namespace relief {
 
-/// A way to turn a model into pixels. Onepass: paper 001, on OpenGL. Ewa: paper 000, the reference.
-/// Raytrace: the truth.
-enum class EngineKind : std::uint8_t { Onepass, Ewa, Raytrace };
+/// A way to turn a model into pixels. Onepass: paper 001, on OpenGL. Multipass: what that paper
+/// calls standard. Ewa: paper 000, the reference. Raytrace: the truth.
+enum class EngineKind : std::uint8_t { Onepass, Multipass, Ewa, Raytrace };
 enum class Primitive : std::uint8_t { Sprite, Quad, Cell };
 enum class Interpolation : std::uint8_t { Direct, Corrected };
 enum class Material : std::uint8_t { Unlit, Lit, Mirror };
+/// The engines that draw patches on OpenGL.
+[[nodiscard]] constexpr bool is_on_opengl(EngineKind engine) {
+  return engine == EngineKind::Onepass || engine == EngineKind::Multipass;
+}
+
 /// The resampling filters that Figure 8 of paper 000 compares.
 enum class EwaFilter : std::uint8_t {
   Ewa,          ///< screen space, Eq. (7)
@@ -29,9 +34,10 @@ struct NumberChoice {
   double least;
   double most;
 };
-inline constexpr NumberChoice kSampleCounts{1, 65536};  ///< rays a pixel
-inline constexpr NumberChoice kCutoffs{0.1, 20.0};      ///< c of paper 000, an exponent
-inline constexpr NumberChoice kLayerCounts{1, 64};      ///< l of paper 000, fragments a pixel
+inline constexpr NumberChoice kSampleCounts{1, 65536};   ///< rays a pixel
+inline constexpr NumberChoice kRadiusFactors{1.0, 4.0};  ///< of multipass, 2 as in paper 001
+inline constexpr NumberChoice kCutoffs{0.1, 20.0};       ///< c of paper 000, an exponent
+inline constexpr NumberChoice kLayerCounts{1, 64};       ///< l of paper 000, fragments a pixel
 inline constexpr NumberChoice kCoverageThresholds{1e-6, 1.0};  ///< tau of paper 000
 inline constexpr NumberChoice kTimeBudgets{1e-3, 1e9};         ///< milliseconds
 
@@ -75,7 +81,8 @@ struct Named {
 };
 
 /// The engines that this version has.
-inline constexpr std::array<Named<EngineKind>, 3> kEngines{{{"onepass", EngineKind::Onepass},
+inline constexpr std::array<Named<EngineKind>, 4> kEngines{{{"onepass", EngineKind::Onepass},
+                                                            {"multipass", EngineKind::Multipass},
                                                             {"ewa", EngineKind::Ewa},
                                                             {"raytrace", EngineKind::Raytrace}}};
 inline constexpr std::array<Named<EwaFilter>, 4> kFilters{{{"ewa", EwaFilter::Ewa},

@@ -28,6 +28,7 @@ SceneSettings overlay(SceneSettings base, const SceneSettings& over) {
   take(base.environment, over.environment);
   take(base.background, over.background);
   take(base.outputs, over.outputs);
+  take(base.radius_factor, over.radius_factor);
   take(base.samples, over.samples);
   take(base.filter, over.filter);
   take(base.cutoff, over.cutoff);

@@ -58,9 +58,10 @@ Outputs read_outputs(JsonValues& values, const JsonPlace& place) {
 }  // namespace
 
 std::vector<std::string_view> with_setting_keys(std::vector<std::string_view> keys) {
-  for (const char* key : {"size", "orbit", "eye", "target", "up", "fov", "engine", "primitive",
-                          "interpolation", "material", "env", "background", "outputs", "samples",
-                          "filter", "cutoff", "layers", "tau", "time-budget"})
+  for (const char* key : {"size",   "orbit",      "eye",       "target",        "up",
+                          "fov",    "engine",     "primitive", "interpolation", "material",
+                          "env",    "background", "outputs",   "radius-factor", "samples",
+                          "filter", "cutoff",     "layers",    "tau",           "time-budget"})
     keys.emplace_back(key);
   return keys;
 }
@@ -106,6 +107,7 @@ SceneSettings read_settings(JsonValues& values, const JsonPlace& object,
       return static_cast<int>(n);
     };
   };
+  read("radius-factor", settings.radius_factor, number(kRadiusFactors, "a number from 1 to 4"));
   read("samples", settings.samples, count(kSampleCounts, "a whole number from 1 to 65536"));
   read("filter", settings.filter, named(kFilters));
   read("cutoff", settings.cutoff, number(kCutoffs, "a number from 0.1 to 20"));

@@ -7,6 +7,7 @@
 
 #include "renderer/engines/ewa/render_ewa.h"
 #include "renderer/engines/ewa/splats_of_samples.h"
+#include "renderer/engines/multipass/render_multipass.h"
 #include "renderer/engines/onepass/render_onepass.h"
 #include "renderer/engines/raytrace/render_raytrace.h"
 #include "renderer/mesh_of_patches.h"
@@ -34,7 +35,8 @@ struct EngineViews {
 
 std::vector<EngineViews> group_by_engine(std::span<const RenderSettings> views) {
   std::vector<EngineViews> groups;
-  for (const EngineKind engine : {EngineKind::Onepass, EngineKind::Ewa, EngineKind::Raytrace}) {
+  for (const EngineKind engine :
+       {EngineKind::Onepass, EngineKind::Multipass, EngineKind::Ewa, EngineKind::Raytrace}) {
     EngineViews group{engine, {}, {}};
     for (std::size_t place = 0; place < views.size(); ++place) {
       if (views[place].engine != engine) continue;
@@ -51,6 +53,9 @@ Result<std::unique_ptr<PreparedModel>> prepare(const RenderModel& model, const E
     case EngineKind::Onepass:
       assert(model.patches != nullptr && "onepass draws patches");
       return onepass::prepare(*model.patches, views.settings);
+    case EngineKind::Multipass:
+      assert(model.patches != nullptr && "multipass draws patches");
+      return multipass::prepare(*model.patches, views.settings);
     case EngineKind::Ewa:
       if (model.splats != nullptr) return ewa::prepare(*model.splats);
       assert(model.patches != nullptr && "there are points or patches");

@@ -18,6 +18,7 @@
 #include "common/patch.h"
 #include "common/progress.h"
 #include "renderer/engines/ewa/settings.h"
+#include "renderer/engines/multipass/settings.h"
 #include "renderer/engines/raytrace/settings.h"
 #include "renderer/splat_cloud.h"
 #include "renderer/triangle_mesh.h"
@@ -40,10 +41,11 @@ struct RenderSettings {
   std::optional<glm::vec3> background{
       {0, 0, 0}};  ///< linear RGB; none: alpha 0 where nothing is seen
   Outputs outputs;
+  MultipassSettings multipass;
   EwaSettings ewa;
   RaytraceSettings raytrace;
   GlPlatform platform = GlPlatform::Automatic;
-  int frames = 3;      ///< timed frames; the median counts. onepass draws one more before them
+  int frames = 3;      ///< timed frames; the median counts. on OpenGL one more is drawn before them
   bool debug = false;  ///< OpenGL debug context; a high-severity message is an error
 };
 
@@ -53,17 +55,17 @@ struct RenderResult {
   double frame_ms = 0.0;         ///< median of wall-clock frame times, finished, without readback
   std::optional<double> gpu_ms;  ///< median of OpenGL's timer, if it has one
   std::uint64_t covered_pixels = 0;        ///< pixels with coverage above 0
-  std::optional<std::uint64_t> fragments;  ///< fragments shaded by the model's pass (paper 001's
+  std::optional<std::uint64_t> fragments;  ///< fragments shaded by the model's passes (paper 001's
                                            ///< cost), if OpenGL counts them; for ewa contributions
                                            ///< of kernels to pixels
   std::optional<std::uint32_t> level;  ///< coarser set of points that was drawn, 0: all of them;
                                        ///< nothing without EwaSettings::time_budget_ms
 };
 
-/// A model in the forms that engines draw; they outlive the rendering. `onepass` needs the patches.
-/// `raytrace` follows rays to the mesh, or without one to the triangulation of the patches (each
-/// cell halved along the same diagonal). `ewa` splats the points, or without any the patches'
-/// samples.
+/// A model in the forms that engines draw; they outlive the rendering. `onepass` and `multipass`
+/// need the patches. `raytrace` follows rays to the mesh, or without one to the triangulation of
+/// the patches (each cell halved along the same diagonal). `ewa` splats the points, or without any
+/// the patches' samples.
 struct RenderModel {
   const PatchModel* patches = nullptr;
   const TriangleMesh* mesh = nullptr;

@@ -20,6 +20,7 @@ class GlContext;
   F(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                           \
   F(PFNGLBINDTEXTUREUNITPROC, BindTextureUnit)                           \
   F(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                           \
+  F(PFNGLBLENDFUNCPROC, BlendFunc)                                       \
   F(PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC, CheckNamedFramebufferStatus)   \
   F(PFNGLCLEARNAMEDFRAMEBUFFERFVPROC, ClearNamedFramebufferfv)           \
   F(PFNGLCLEARNAMEDFRAMEBUFFERUIVPROC, ClearNamedFramebufferuiv)         \
@@ -77,6 +78,7 @@ class GlContext;
   F(PFNGLPROGRAMUNIFORM1IPROC, ProgramUniform1i)                         \
   F(PFNGLPUSHDEBUGGROUPPROC, PushDebugGroup)                             \
   F(PFNGLSHADERSOURCEPROC, ShaderSource)                                 \
+  F(PFNGLTEXTUREBARRIERPROC, TextureBarrier)                             \
   F(PFNGLTEXTUREBUFFERPROC, TextureBuffer)                               \
   F(PFNGLTEXTUREPARAMETERIPROC, TextureParameteri)                       \
   F(PFNGLTEXTURESTORAGE2DPROC, TextureStorage2D)                         \

@@ -1,5 +1,20 @@
 // Vertex stage: the square on the screen that holds a splat's disc.
 
+// Unit vectors at right angles in a splat's plane, in the grid frame.
+struct DiscAxes {
+  vec3 u;
+  vec3 v;
+};
+
+DiscAxes disc_axes(vec2 slope) {
+  vec3 normal = vec3(-slope, 1.0);
+  DiscAxes axes;
+  axes.u = normalize(abs(slope.x) > abs(slope.y) ? cross(normal, vec3(0.0, 1.0, 0.0))
+                                                 : cross(normal, vec3(1.0, 0.0, 0.0)));
+  axes.v = normalize(cross(normal, axes.u));
+  return axes;
+}
+
 struct SpriteBox {
   vec2 centre;    // normalised device coordinates
   float size;     // pixels
@@ -12,13 +27,10 @@ struct SpriteBox {
 // relative to its projected centre so that a small disc far from the middle of the picture does not
 // cancel away. Clipped to the picture: OpenGL drops points whose centre lies outside.
 SpriteBox bound_disc(Splat splat, float radius, mat4 clip_from_grid) {
-  vec3 normal = vec3(-splat.slope, 1.0);
-  vec3 u = normalize(abs(splat.slope.x) > abs(splat.slope.y) ? cross(normal, vec3(0.0, 1.0, 0.0))
-                                                             : cross(normal, vec3(1.0, 0.0, 0.0)));
-  vec3 v = normalize(cross(normal, u));
+  DiscAxes axes = disc_axes(splat.slope);
   vec4 c = clip_from_grid * vec4(splat.centre, 1.0);
-  vec4 du = clip_from_grid * vec4(radius * u, 0.0);
-  vec4 dv = clip_from_grid * vec4(radius * v, 0.0);
+  vec4 du = clip_from_grid * vec4(radius * axes.u, 0.0);
+  vec4 dv = clip_from_grid * vec4(radius * axes.v, 0.0);
 
   SpriteBox box;
   float reach = du.w * du.w + dv.w * dv.w;  // squared change of depth toward the disc's rim

@@ -1,8 +1,6 @@
 // Fragment stage: from a place on a patch to the outputs.
+#include "include/maps.glsl"
 #include "include/materials.glsl"
-
-#define RELIEF_NEEDS_NORMAL \
-  ((RELIEF_FEATURES & (RELIEF_FEATURE_LIT | RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_OUT_NORMAL)) != 0u)
 
 layout(location = RELIEF_OUT_COLOUR) out vec4 out_colour;  // linear; alpha: coverage
 #if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_NORMAL) != 0u
@@ -18,28 +16,10 @@ layout(location = RELIEF_OUT_UV) out vec2 out_uv;  // grid coordinates
 layout(location = RELIEF_OUT_PATCH) out uint out_patch;  // id + 1
 #endif
 
-#if RELIEF_NEEDS_NORMAL
-layout(binding = RELIEF_TEXTURE_NORMALS) uniform sampler2DArray normal_maps;
-#endif
-#if (RELIEF_FEATURES & RELIEF_FEATURE_COLOURS) != 0u
-layout(binding = RELIEF_TEXTURE_COLOURS) uniform sampler2DArray colour_maps;
-#endif
-
 // Bilinear lookup at grid coordinates `uv`; `map` says where the patch's map lies in the array.
 vec4 look_up(sampler2DArray maps, ivec4 map, vec2 uv) {
   vec2 texel = vec2(map.xy) + uv * float(map.w) + 0.5;
   return textureLod(maps, vec3(texel / vec2(textureSize(maps, 0).xy), float(map.z)), 0.0);
-}
-
-// From half its stereographic coordinates, which bilinear lookups interpolate smoothly; octahedral
-// ones have creases along the axes, where a mirror would show them.
-vec3 unit_from_stereographic(vec2 half_place) {
-  vec2 p = 2.0 * half_place;
-  return vec3(2.0 * p, 1.0 - dot(p, p)) / (1.0 + dot(p, p));
-}
-
-vec3 to_world(PatchInfo info, vec3 v) {
-  return info.axis_u.xyz * v.x + info.axis_v.xyz * v.y + info.axis_n.xyz * v.z;
 }
 
 // Shades the place `hit` of the patch, seen along `ray` (grid frame) at `depth` along the view axis.
@@ -55,14 +35,11 @@ void shade(PatchInfo info, vec3 hit, vec3 ray, float depth) {
 #if RELIEF_NEEDS_NORMAL
   vec3 normal = to_world(info, unit_from_stereographic(look_up(normal_maps, info.normals, uv).xy));
   vec3 view = normalize(to_world(info, ray));
-#endif
-#if (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u
-  out_colour = vec4(lit(frame, albedo, facing_normal(normal, view), view), 1.0);
-#elif (RELIEF_FEATURES & RELIEF_FEATURE_MIRROR) != 0u
-  out_colour = vec4(mirror(facing_normal(normal, view), view), 1.0);
 #else
-  out_colour = vec4(albedo, 1.0);
+  vec3 normal = vec3(0.0);
+  vec3 view = vec3(0.0);
 #endif
+  out_colour = vec4(shade_material(albedo, normal, view), 1.0);
 #if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_NORMAL) != 0u
   out_normal = vec4(normal, 0.0);
 #endif

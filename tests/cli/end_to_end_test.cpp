@@ -147,6 +147,7 @@ TEST_F(EndToEnd, RenderWritesEveryChannel) {
   expect_keys(result, {"engine", "primitive", "interpolation", "renderer", "width", "height",
                        "frame_ms", "covered_pixels", "fragments"});
   EXPECT_EQ(result["engine"], "onepass");
+  EXPECT_TRUE(result.contains("radius_factor") && result["radius_factor"].is_null());
   EXPECT_EQ(result["width"], 160);
   EXPECT_GT(result["covered_pixels"], 3000);
   const auto image = read_image(path("knot.exr"));
@@ -181,6 +182,23 @@ TEST_F(EndToEnd, EwaSplatsPointsOfAScanAndSamplesOfPatches) {
     EXPECT_NEAR(covered(scan, {"--filter", filter}), points, 0.2 * points) << filter;
   // However little time there is, there is a picture; coarser points reach farther.
   EXPECT_GE(covered(scan, {"--time-budget", "0.001"}), 0.9 * points);
+}
+
+TEST_F(EndToEnd, MultipassDrawsPatchesWithAnyRadius) {
+  const std::string model = path("knot.relief");
+  run_json({"convert", write_knot(5000), "-o", model});
+  std::set<std::string> pictures;
+  for (const std::string factor : {"1", "2", "3.5"}) {
+    json result = run_json({"render", model, "-o", path("knot.png"), "--engine", "multipass",
+                            "--radius-factor", factor, "--size", "160x128"});
+    EXPECT_EQ(result["engine"], "multipass");
+    EXPECT_EQ(result["primitive"], "quad");
+    EXPECT_TRUE(result["interpolation"].is_null());
+    EXPECT_EQ(result["radius_factor"], std::stod(factor));
+    EXPECT_GT(result["covered_pixels"], 3000);
+    pictures.insert(bytes_of(path("knot.png")));
+  }
+  EXPECT_EQ(pictures.size(), 3U);
 }
 
 TEST_F(EndToEnd, RaysMeetAMeshsOwnTriangles) {

@@ -60,7 +60,7 @@ TEST_F(Scenes, EveryKeyIsRead) {
                                        "rotation": {"axis": [0, 0, 2], "degrees": 90}, "scale": 2}}
     ],
     "size": [640, 480], "fov": 30, "engine": "onepass", "primitive": "sprite",
-    "interpolation": "direct", "material": "mirror", "env": "sky.hdr",
+    "interpolation": "direct", "radius-factor": 1.5, "material": "mirror", "env": "sky.hdr",
     "background": [1, 0.5, 0], "outputs": ["normal", "patch", "colour"], "orbit": [30, -20],
     "views": [
       {"name": "front-1.0_A"},
@@ -84,6 +84,7 @@ TEST_F(Scenes, EveryKeyIsRead) {
   EXPECT_EQ(all.engine, EngineKind::Onepass);
   EXPECT_EQ(all.primitive, Primitive::Sprite);
   EXPECT_EQ(all.interpolation, Interpolation::Direct);
+  EXPECT_EQ(all.radius_factor, 1.5);
   EXPECT_EQ(all.material, Material::Mirror);
   EXPECT_EQ(all.environment, folder_ / "sky.hdr");
   EXPECT_EQ(*all.background->colour, glm::vec3(1, linear_from_srgb(0.5F), 0));
@@ -132,6 +133,7 @@ TEST_F(Scenes, SettingsThatAreWrong) {
       {R"("engine": "embree")", "engine: expected onepass"},
       {R"("primitive": "disc")", "primitive: expected sprite, quad, cell; found \"disc\""},
       {R"("interpolation": 1)", "interpolation: expected direct, corrected; found 1"},
+      {R"("radius-factor": 0.5)", "radius-factor: expected a number from 1 to 4; found 0.5"},
       {R"("material": "gold")", "material: expected unlit, lit, mirror; found \"gold\""},
       {R"("env": "")", "env: expected the name of an environment map"},
       {R"("env": "a\u0000b")", "env: expected the name of an environment map"},
@@ -265,14 +267,15 @@ TEST(SceneSettings, EveryMemberIsOverlaid) {
   over.engine = EngineKind::Onepass;
   over.primitive = Primitive::Quad;
   over.interpolation = Interpolation::Direct;
+  over.radius_factor = 1.0;
   over.material = Material::Lit;
   over.environment = "sky.hdr";
   over.background = Background{};
   over.outputs = Outputs{};
   const SceneSettings both = overlay({}, over);
   EXPECT_TRUE(both.size && both.eye && both.target && both.up && both.fov_degrees && both.engine &&
-              both.primitive && both.interpolation && both.material && both.environment &&
-              both.background && both.outputs);
+              both.primitive && both.interpolation && both.radius_factor && both.material &&
+              both.environment && both.background && both.outputs);
 }
 
 TEST(SceneSettings, TheCameraIsOnAnOrbitOrAtTheEye) {

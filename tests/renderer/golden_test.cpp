@@ -30,18 +30,16 @@ PatchModel model_for(const Golden& golden) {
   return test::sphere_model(shape);
 }
 
-class GoldenImages : public testing::TestWithParam<std::tuple<test::Way, Golden>> {};
-
-TEST_P(GoldenImages, AreAsTheyWere) {
-  const auto& [way, golden] = GetParam();
-  const PatchModel model = model_for(golden);
+/// The picture of a golden image, but for the engine.
+RenderSettings settings_for(const Golden& golden, const PatchModel& model) {
   RenderSettings settings = test::small_picture(model, {25.0, 20.0, golden.distance});
-  settings.primitive = way.primitive;
-  settings.interpolation = way.interpolation;
   settings.material = golden.material;
   settings.background.reset();
-  RenderResult result = test::must_render(model, settings);
-  const std::filesystem::path path = kFolder / (std::string(golden.name) + "_" + way.name + ".png");
+  return settings;
+}
+
+void expect_golden(const std::string& name, const RenderResult& result) {
+  const std::filesystem::path path = kFolder / (name + ".png");
   if (std::getenv("RELIEF_UPDATE_GOLDEN") != nullptr) {
     ASSERT_TRUE(write_png(path, result.image));
     std::ofstream(kFolder / "RENDERER") << result.renderer << "\n";
@@ -71,15 +69,45 @@ TEST_P(GoldenImages, AreAsTheyWere) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, GoldenImages,
-    testing::Combine(testing::ValuesIn(test::all_ways()),
-                     testing::Values(Golden{"lit", Material::Lit, 0.0},
-                                     Golden{"mirror_close", Material::Mirror, 1.3},
-                                     Golden{"unlit", Material::Unlit, 0.0})),
-    [](const auto& both) {
-      return std::string(std::get<1>(both.param).name) + "_" + std::get<0>(both.param).name;
-    });
+class GoldenImages : public testing::TestWithParam<std::tuple<test::Way, Golden>> {};
+
+TEST_P(GoldenImages, AreAsTheyWere) {
+  const auto& [way, golden] = GetParam();
+  const PatchModel model = model_for(golden);
+  RenderSettings settings = settings_for(golden, model);
+  settings.primitive = way.primitive;
+  settings.interpolation = way.interpolation;
+  expect_golden(std::string(golden.name) + "_" + way.name, test::must_render(model, settings));
+}
+
+class GoldenMultipass : public testing::TestWithParam<Golden> {};
+
+TEST_P(GoldenMultipass, AreAsTheyWere) {
+  const PatchModel model = model_for(GetParam());
+  RenderSettings settings = settings_for(GetParam(), model);
+  settings.engine = EngineKind::Multipass;
+  for (const Primitive primitive : {Primitive::Quad, Primitive::Sprite}) {
+    settings.primitive = primitive;
+    expect_golden(
+        std::string(GetParam().name) + "_multipass_" + std::string(name_of(kPrimitives, primitive)),
+        test::must_render(model, settings));
+  }
+}
+
+constexpr Golden kLit{"lit", Material::Lit, 0.0};
+constexpr Golden kMirrorClose{"mirror_close", Material::Mirror, 1.3};
+constexpr Golden kUnlit{"unlit", Material::Unlit, 0.0};
+
+INSTANTIATE_TEST_SUITE_P(All, GoldenImages,
+                         testing::Combine(testing::ValuesIn(test::all_ways()),
+                                          testing::Values(kLit, kMirrorClose, kUnlit)),
+                         [](const auto& both) {
+                           return std::string(std::get<1>(both.param).name) + "_" +
+                                  std::get<0>(both.param).name;
+                         });
+
+INSTANTIATE_TEST_SUITE_P(All, GoldenMultipass, testing::Values(kLit, kMirrorClose, kUnlit),
+                         [](const auto& golden) { return std::string(golden.param.name); });
 
 }  // namespace
 }  // namespace relief

@@ -105,6 +105,27 @@ TEST_F(Platforms, NumberOfThreadsChangesNoByte) {
   }
 }
 
+TEST_F(Platforms, NumberOfThreadsChangesNoByteOfSums) {
+  std::filesystem::create_directory(folder());
+  for (const Primitive primitive : {Primitive::Quad, Primitive::Sprite}) {
+    for (const char* threads : {"1", "4"}) {
+      EXPECT_EXIT(
+          {
+            ::setenv("LP_NUM_THREADS", threads, 1);
+            const PatchModel model = bumpy_sphere();
+            RenderSettings settings = small_picture(model, {20.0, 15.0, 1.4}, 128);
+            settings.engine = EngineKind::Multipass;
+            settings.primitive = primitive;
+            settings.outputs = test::all_outputs();
+            render_and_exit(settings, model, folder() / threads);
+          },
+          testing::ExitedWithCode(0), "");
+    }
+    EXPECT_GT(bytes("1").size(), 1000U);
+    EXPECT_TRUE(bytes("1") == bytes("4"));
+  }
+}
+
 TEST(Osmesa, DrawsWhatEglDraws) {
   const PatchModel model = bumpy_sphere();
   RenderSettings settings = small_picture(model);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "renderer/cell_store.h"
-#include "renderer/engines/onepass/draw_list.h"
+#include "renderer/draw_list.h"
 #include "renderer/view.h"
 
 namespace relief::onepass {

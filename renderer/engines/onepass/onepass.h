@@ -10,6 +10,7 @@
 #include "renderer/gl/object.h"
 #include "renderer/gl/pass.h"
 #include "renderer/patch_store.h"
+#include "renderer/sample_draws.h"
 #include "renderer/view.h"
 
 namespace relief::onepass {
@@ -24,9 +25,6 @@ class Engine {
   /// must be bound. `environment` is needed by the material mirror.
   void draw(const View& view, PassTimer& timer, const Texture* environment) const;
 
-  /// The largest sprite in pixels, for make_frame.
-  [[nodiscard]] double largest_sprite() const { return largest_sprite_; }
-
  private:
   /// What draws; at most one of the second two.
   struct Programs {
@@ -35,23 +33,13 @@ class Engine {
     std::optional<Program> rims;  ///< the border splats of cells
   };
 
-  Engine(const Gl& gl, const PatchStore& store, std::uint32_t features, Programs programs);
-  void upload_views(const View& view, const std::vector<std::uint32_t>& patches) const;
-  void draw_points(const std::vector<std::uint32_t>& patches) const;
-  void draw_quads(const std::vector<std::uint32_t>& patches) const;
+  Engine(const Gl& gl, const PatchStore& store, Programs programs);
   void draw_splats(const View& view) const;
   void draw_cells(const View& view) const;
-  void bind_model(const Texture* environment) const;
-  void unbind_model() const;
 
   const Gl* gl_;
-  const PatchStore* store_;
-  std::uint32_t features_;
+  SampleDraws samples_;
   Programs programs_;
-  VertexArray vertices_;
-  Buffer quad_corners_;  ///< two triangles per quad, for kQuadsPerCommand quads
-  Table patch_views_;    ///< shared::PatchView per patch, rewritten each frame
-  double largest_sprite_ = 0.0;
 };
 
 }  // namespace relief::onepass

@@ -8,7 +8,7 @@
 #include "renderer/patch_store.h"
 #include "renderer/view.h"
 
-namespace relief::onepass {
+namespace relief {
 
 /// As glMultiDrawArraysIndirect reads it.
 struct ArraysCommand {
@@ -34,22 +34,28 @@ inline constexpr std::uint32_t kQuadsPerCommand = 65536 / 4;
 void add_quads(std::uint32_t first, std::uint32_t quads, std::uint32_t instance,
                std::vector<ElementsCommand>& commands);
 
-/// The patches in view, nearest first.
-[[nodiscard]] std::vector<std::uint32_t> find_visible(const PatchStore& store, const View& view);
+/// The patches in view, nearest first; `radius_factor`: of their discs, over what the store says.
+[[nodiscard]] std::vector<std::uint32_t> find_visible(const PatchStore& store, const View& view,
+                                                      double radius_factor = 1.0);
 
-/// Of those, the ones with a point nearer to the eye's plane than `depth` (world units).
+/// Of those, the ones near enough for sprites beyond OpenGL's largest point (pixels); `radius`: of
+/// the widest disc, world units.
 [[nodiscard]] std::vector<std::uint32_t> find_near(const PatchStore& store, const View& view,
                                                    const std::vector<std::uint32_t>& visible,
-                                                   double depth);
+                                                   double radius, double largest_sprite);
 
-/// Commands that draw one page's share of `patches`, a point per sample.
-[[nodiscard]] std::vector<ArraysCommand> point_commands(const PatchStore& store,
+/// The radius that no splat of the model exceeds, world units.
+[[nodiscard]] double widest_disc(const PatchStore& store);
+
+/// Commands that draw one page's share of `patches`, `vertices` per sample without indices: 1 for
+/// points, 3 for triangles.
+[[nodiscard]] std::vector<ArraysCommand> array_commands(const PatchStore& store,
                                                         const std::vector<std::uint32_t>& patches,
-                                                        std::uint32_t page);
+                                                        std::uint32_t page, std::uint32_t vertices);
 
 /// The same with a quad per sample, at most kQuadsPerCommand each.
 [[nodiscard]] std::vector<ElementsCommand> quad_commands(const PatchStore& store,
                                                          const std::vector<std::uint32_t>& patches,
                                                          std::uint32_t page);
 
-}  // namespace relief::onepass
+}  // namespace relief

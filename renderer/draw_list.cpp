@@ -1,9 +1,9 @@
-#include "renderer/engines/onepass/draw_list.h"
+#include "renderer/draw_list.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-namespace relief::onepass {
+namespace relief {
 namespace {
 
 /// Distance of a patch's sphere from the eye along the view axis.
@@ -22,12 +22,14 @@ void add_quads(std::uint32_t first, std::uint32_t quads, std::uint32_t instance,
   }
 }
 
-std::vector<std::uint32_t> find_visible(const PatchStore& store, const View& view) {
+std::vector<std::uint32_t> find_visible(const PatchStore& store, const View& view,
+                                        double radius_factor) {
   std::vector<std::uint32_t> visible;
   std::vector<double> distance(store.patches.size());
   for (std::uint32_t p = 0; p < store.patches.size(); ++p) {
     const StoredPatch& patch = store.patches[p];
-    if (patch.records == 0 || !sees_sphere(view, patch.centre, patch.radius)) continue;
+    const double radius = patch.radius + (radius_factor - 1.0) * patch.widest_disc;
+    if (patch.records == 0 || !sees_sphere(view, patch.centre, radius)) continue;
     distance[p] = glm::distance(patch.centre, view.eye) - patch.radius;
     visible.push_back(p);
   }
@@ -38,20 +40,34 @@ std::vector<std::uint32_t> find_visible(const PatchStore& store, const View& vie
 }
 
 std::vector<std::uint32_t> find_near(const PatchStore& store, const View& view,
-                                     const std::vector<std::uint32_t>& visible, double depth) {
+                                     const std::vector<std::uint32_t>& visible, double radius,
+                                     double largest_sprite) {
+  // A sprite is at most as large as a disc of this radius that faces the eye from its nearest
+  // point: 2 r / (z - r) / pixel wide at depth z, times sqrt(1 + slope^2) toward the picture's
+  // corners.
+  const double pixel = 2.0 * view.slope_y / view.height;
+  const double lean = 1.0 + view.slope_x * view.slope_x + view.slope_y * view.slope_y;
+  const double depth = radius + 2.0 * radius * lean / (pixel * largest_sprite);
   std::vector<std::uint32_t> near;
   std::copy_if(visible.begin(), visible.end(), std::back_inserter(near),
                [&](std::uint32_t p) { return nearest_depth(store.patches[p], view) < depth; });
   return near;
 }
 
-std::vector<ArraysCommand> point_commands(const PatchStore& store,
+double widest_disc(const PatchStore& store) {
+  double widest = 0.0;
+  for (const StoredPatch& patch : store.patches) widest = std::max(widest, patch.widest_disc);
+  return widest;
+}
+
+std::vector<ArraysCommand> array_commands(const PatchStore& store,
                                           const std::vector<std::uint32_t>& patches,
-                                          std::uint32_t page) {
+                                          std::uint32_t page, std::uint32_t vertices) {
   std::vector<ArraysCommand> commands;
   for (const std::uint32_t p : patches) {
     const StoredPatch& patch = store.patches[p];
-    if (patch.page == page) commands.push_back({patch.records, 1, patch.first_record, p});
+    if (patch.page == page)
+      commands.push_back({vertices * patch.records, 1, vertices * patch.first_record, p});
   }
   return commands;
 }
@@ -67,4 +83,4 @@ std::vector<ElementsCommand> quad_commands(const PatchStore& store,
   return commands;
 }
 
-}  // namespace relief::onepass
+}  // namespace relief

@@ -1,0 +1,60 @@
+// The shader variant that a scene needs. The bits and their costs: shaders/include/shared.h.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "renderer/patch_store.h"
+#include "renderer/render.h"
+#include "shaders/include/shared.h"
+
+namespace relief {
+
+/// The feature bits of a picture that any engine on OpenGL can have.
+[[nodiscard]] inline std::uint32_t scene_features(const RenderSettings& settings,
+                                                  bool has_colours) {
+  const bool coloured = has_colours && settings.material != Material::Mirror;
+  return (settings.primitive == Primitive::Sprite ? RELIEF_FEATURE_SPRITE : 0U) |
+         (coloured ? RELIEF_FEATURE_COLOURS : 0U) |
+         (settings.material == Material::Lit ? RELIEF_FEATURE_LIT : 0U) |
+         (settings.material == Material::Mirror ? RELIEF_FEATURE_MIRROR : 0U) |
+         (settings.outputs.normal ? RELIEF_FEATURE_OUT_NORMAL : 0U) |
+         (settings.outputs.depth ? RELIEF_FEATURE_OUT_DEPTH : 0U) |
+         (settings.outputs.uv ? RELIEF_FEATURE_OUT_UV : 0U) |
+         (settings.outputs.patch_id ? RELIEF_FEATURE_OUT_PATCH : 0U);
+}
+
+/// Whether those features read normals.
+[[nodiscard]] inline bool needs_normals(std::uint32_t features) {
+  return (features & (RELIEF_FEATURE_LIT | RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_OUT_NORMAL)) != 0;
+}
+
+/// What those features read.
+[[nodiscard]] inline StoreNeeds needs_of(std::uint32_t features) {
+  const bool cells = (features & RELIEF_FEATURE_CELL) != 0;
+  StoreNeeds needs;
+  needs.splats = !cells;
+  needs.heights = !cells && (features & RELIEF_FEATURE_CORRECTED) != 0;
+  needs.cells = cells;
+  needs.normals = needs_normals(features);
+  needs.colours = (features & RELIEF_FEATURE_COLOURS) != 0;
+  return needs;
+}
+
+/// What the views read together; `features_of` gives an engine's feature bits of one of them.
+template <class FeaturesOf>
+[[nodiscard]] StoreNeeds needs_of(std::span<const RenderSettings> views, bool has_colours,
+                                  const FeaturesOf& features_of) {
+  StoreNeeds needs;
+  for (const RenderSettings& settings : views) {
+    const StoreNeeds more = needs_of(features_of(settings, has_colours));
+    needs.splats = needs.splats || more.splats;
+    needs.heights = needs.heights || more.heights;
+    needs.cells = needs.cells || more.cells;
+    needs.normals = needs.normals || more.normals;
+    needs.colours = needs.colours || more.colours;
+  }
+  return needs;
+}
+
+}  // namespace relief

@@ -1,0 +1,88 @@
+#include "renderer/gl_picture.h"
+
+#include <algorithm>
+#include <chrono>
+#include <span>
+#include <vector>
+
+#include "renderer/gl/pass.h"
+#include "renderer/median.h"
+
+namespace relief {
+namespace {
+
+/// Draws one frame, without waiting for it.
+void draw_frame(const Gl& gl, const GlPicture& picture, const DrawModel& draw, PassTimer& timer) {
+  gl.BindFramebuffer(GL_FRAMEBUFFER, picture.targets.framebuffer.id());
+  gl.Viewport(0, 0, static_cast<GLsizei>(picture.targets.width),
+              static_cast<GLsizei>(picture.targets.height));
+  gl.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_FRAME, picture.uniforms.id());
+  clear_targets(gl, picture.targets, picture.background);
+  draw(picture, timer);
+  if (picture.backdrop != nullptr) picture.backdrop->draw(timer, *picture.environment);
+  gl.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_FRAME, 0);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+/// Times frames after one that warms caches up and compiles what OpenGL compiles late.
+void time_frames(const Gl& gl, const GlPicture& picture, const DrawModel& draw, int frames,
+                 RenderResult& result) {
+  PassTimer timer(gl);
+  draw_frame(gl, picture, draw, timer);
+  gl.Finish();
+  (void)timer.take();
+  std::vector<double> frame_ms;
+  std::vector<double> gpu_ms;
+  for (int i = 0; i < std::max(frames, 1); ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    draw_frame(gl, picture, draw, timer);
+    gl.Finish();
+    const std::chrono::duration<double, std::milli> elapsed =
+        std::chrono::steady_clock::now() - start;
+    frame_ms.push_back(elapsed.count());
+    if (const auto time = timer.take()) gpu_ms.push_back(*time);
+  }
+  result.frame_ms = median(frame_ms);
+  if (!gpu_ms.empty()) result.gpu_ms = median(gpu_ms);
+}
+
+/// Counts the fragments of the model's passes, in a frame of its own that is not timed.
+std::uint64_t count_fragments(const Gl& gl, const GlPicture& picture, const DrawModel& count_draw) {
+  std::uint32_t count = 0;
+  const Buffer buffer =
+      make_buffer(gl, "fragment count", std::span<const std::uint32_t>(&count, 1));
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, RELIEF_BIND_FRAGMENT_COUNT, buffer.id());
+  PassTimer timer(gl);
+  draw_frame(gl, picture, count_draw, timer);
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, RELIEF_BIND_FRAGMENT_COUNT, 0);
+  gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  gl.GetNamedBufferSubData(buffer.id(), 0, sizeof(count), &count);
+  return count;
+}
+
+/// Reads the picture, counts what the model covers and puts an opaque background under it.
+void read_picture(const Gl& gl, const GlPicture& picture, bool opaque, RenderResult& result) {
+  result.image = read_targets(gl, picture.targets);
+  for (Channel& channel : result.image.channels) {
+    if (channel.name != "A") continue;
+    result.covered_pixels = static_cast<std::uint64_t>(std::count_if(
+        channel.values.begin(), channel.values.end(), [](float alpha) { return alpha > 0.0F; }));
+    if (opaque) std::fill(channel.values.begin(), channel.values.end(), 1.0F);
+  }
+}
+
+}  // namespace
+
+Result<RenderResult> draw_picture(const Gl& gl, const GlPicture& picture, const DrawModel& draw,
+                                  const DrawModel& count, const RenderSettings& settings) {
+  RenderResult result;
+  result.renderer = reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
+  result.fragments = count_fragments(gl, picture, count);
+  time_frames(gl, picture, draw, settings.frames, result);
+  read_picture(gl, picture, settings.background.has_value(), result);
+  const Status drawn = check_errors(gl, "the picture");
+  if (!drawn) return drawn.error();
+  return result;
+}
+
+}  // namespace relief

@@ -1,0 +1,15 @@
+// Pass 2: casts the view ray at the splat's disc. The depth test sees the disc's nearest point, so
+// that it can come first and reject what is hidden; here the disc's own depth is compared.
+#include "multipass/accumulation.glsl"
+#include "multipass/cast_ray.glsl"
+
+layout(binding = RELIEF_TEXTURE_VISIBLE_DEPTH) uniform sampler2D visible_depth;
+
+void main() {
+  count_fragment();
+  PlaceInPlane hit = cast_ray();
+  float visible = texelFetch(visible_depth, ivec2(gl_FragCoord.xy), 0).x;
+  // In this form an undefined place is discarded too.
+  if (!(dot(hit.place, hit.place) <= 1.0 && frame.ray_origin.w * hit.nearness > visible)) discard;
+  accumulate(hit.place, 1.0 / hit.nearness);
+}

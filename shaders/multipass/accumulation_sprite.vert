@@ -1,0 +1,27 @@
+// Pass 2: a point sprite that holds the splat's disc.
+#include "multipass/discs.glsl"
+#include "multipass/screen_frame.glsl"
+#include "multipass/splat_attributes.glsl"
+
+layout(location = RELIEF_ATTRIBUTE_PATCH) in uint patch_index;
+
+layout(location = 0) flat out vec4 frame_of_offset;
+layout(location = 1) flat out vec4 middle;
+layout(location = 2) flat out vec2 depths;
+
+void main() {
+  mat4 clip_from_grid = fetch_clip_from_grid(patch_index);
+  PatchInfo info = fetch_patch(patch_index);
+  Splat splat = fetch_splat(gl_VertexID, info, clip_from_grid, fetch_eye(patch_index));
+  write_attributes(info, splat.centre.xy);
+  float radius = blending_radius(splat, info);
+  DiscAxes axes = disc_axes(splat.slope);
+  ScreenFrame seen =
+      project_frame(splat.centre, radius * axes.u, radius * axes.v, clip_from_grid);
+  frame_of_offset = seen.frame_of_offset;
+  middle = seen.middle;
+  depths = vec2(seen.depth, 1.0);
+  SpriteBox box = bound_disc(splat, radius, clip_from_grid);
+  gl_Position = box.drawable ? vec4(box.centre, box.nearest, 1.0) : vec4(0.0, 0.0, 2.0, 1.0);
+  gl_PointSize = box.size;
+}

@@ -1,0 +1,25 @@
+// Pass 2: the triangle about a splat's disc, in its plane.
+#include "multipass/discs.glsl"
+#include "multipass/splat_attributes.glsl"
+
+layout(location = RELIEF_ATTRIBUTE_PATCH) in uint patch_index;
+
+layout(location = 0) out vec2 place;  // in the disc, of radius 1
+
+void main() {
+  mat4 clip_from_grid = fetch_clip_from_grid(patch_index);
+  PatchInfo info = fetch_patch(patch_index);
+  Splat splat = fetch_splat(gl_VertexID / 3, info, clip_from_grid, fetch_eye(patch_index));
+  write_attributes(info, splat.centre.xy);
+  float radius = blending_radius(splat, info);
+  DiscAxes axes = disc_axes(splat.slope);
+  int corner = gl_VertexID % 3;
+  place = corner == 2 ? vec2(0.0, 2.0) : vec2(corner == 0 ? -sqrt(3.0) : sqrt(3.0), -1.0);
+  gl_Position =
+      clip_from_grid *
+      vec4(splat.centre + radius * (place.x * axes.u + place.y * axes.v), 1.0);
+#if (RELIEF_FEATURES & RELIEF_FEATURE_LARGE_SPRITES) != 0u
+  SpriteBox box = bound_disc(splat, radius, clip_from_grid);
+  if (box.drawable || !box.visible) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+#endif
+}

@@ -1,0 +1,20 @@
+// Pass 1: casts the view ray at the splat's parallelogram.
+#define RELIEF_LATE_TESTS
+#include "include/counting.glsl"
+#include "multipass/cast_ray.glsl"
+#include "multipass/identity.glsl"
+
+layout(location = 3) flat in vec4 grid_place;
+layout(location = 4) flat in uint hit_patch;
+
+// The vertex stage gives the nearest point of the disc.
+layout(depth_less) out float gl_FragDepth;
+
+void main() {
+  count_fragment();
+  PlaceInPlane hit = cast_ray();
+  // In this form an undefined place is discarded too.
+  if (!(hit.nearness > 0.0 && max(abs(hit.place.x), abs(hit.place.y)) <= 1.0)) discard;
+  gl_FragDepth = frame.ray_origin.w * hit.nearness * depths.y;
+  write_identity(hit_patch, grid_place.xy + hit.place * grid_place.zw);
+}
