@@ -7,7 +7,8 @@ set(RELIEF_PUBLIC_HEADERS
   common/octahedral.h common/patch.h common/patch_file.h common/points.h common/progress.h common/scene.h
   common/srgb.h common/transform.h common/version.h
   preprocess/convert.h preprocess/read_points.h
-  renderer/engines/ewa/settings.h renderer/engines/raytrace/settings.h
+  renderer/engines/ewa/settings.h renderer/engines/multipass/settings.h
+  renderer/engines/raytrace/settings.h
   renderer/mesh_of_points.h renderer/render.h renderer/splat_cloud.h renderer/triangle_mesh.h)
 foreach(header IN LISTS RELIEF_PUBLIC_HEADERS)
   cmake_path(GET header PARENT_PATH folder)
