@@ -1,4 +1,5 @@
 // Fragment stage: from a place on a patch to the outputs.
+#include "include/identity.glsl"
 #include "include/maps.glsl"
 #include "include/materials.glsl"
 
@@ -8,12 +9,6 @@ layout(location = RELIEF_OUT_NORMAL) out vec4 out_normal;  // world, as the map 
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_DEPTH) != 0u
 layout(location = RELIEF_OUT_DEPTH) out float out_depth;  // along the view axis
-#endif
-#if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_UV) != 0u
-layout(location = RELIEF_OUT_UV) out vec2 out_uv;  // grid coordinates
-#endif
-#if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_PATCH) != 0u
-layout(location = RELIEF_OUT_PATCH) out uint out_patch;  // id + 1
 #endif
 
 // Bilinear lookup at grid coordinates `uv`; `map` says where the patch's map lies in the array.
@@ -46,10 +41,5 @@ void shade(PatchInfo info, vec3 hit, vec3 ray, float depth) {
 #if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_DEPTH) != 0u
   out_depth = depth;
 #endif
-#if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_UV) != 0u
-  out_uv = uv;
-#endif
-#if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_PATCH) != 0u
-  out_patch = uint(info.nodes.z) + 1u;
-#endif
+  write_identity(info, uv);
 }

@@ -2,7 +2,7 @@
 #define RELIEF_LATE_TESTS
 #include "include/counting.glsl"
 #include "multipass/cast_ray.glsl"
-#include "multipass/identity.glsl"
+#include "include/identity.glsl"
 
 layout(location = 3) flat in vec4 grid_place;
 layout(location = 4) flat in uint hit_patch;
@@ -16,5 +16,5 @@ void main() {
   // In this form an undefined place is discarded too.
   if (!(hit.nearness > 0.0 && max(abs(hit.place.x), abs(hit.place.y)) <= 1.0)) discard;
   gl_FragDepth = frame.ray_origin.w * hit.nearness * depths.y;
-  write_identity(hit_patch, grid_place.xy + hit.place * grid_place.zw);
+  write_identity(fetch_patch(hit_patch), grid_place.xy + hit.place * grid_place.zw);
 }

@@ -16,6 +16,7 @@
 namespace relief {
 namespace {
 
+using test::from_above;
 using test::must_render;
 using test::small_picture;
 using test::values;
@@ -36,17 +37,6 @@ class Multipass : public testing::TestWithParam<SplatWay> {
     return settings;
   }
 };
-
-/// Straight down on a field of `nodes` nodes a side, four pixels a cell.
-RenderSettings from_above(const PatchModel& model, std::uint32_t nodes) {
-  RenderSettings settings = small_picture(model);
-  settings.width = settings.height = 4 * nodes;
-  settings.camera = {{0.0, 0.0, 0.5 * nodes / std::tan(std::acos(-1.0) / 8.0)},
-                     {0.0, 0.0, 0.0},
-                     {0.0, 1.0, 0.0},
-                     45.0};
-  return settings;
-}
 
 void paint(Patch& patch, std::uint8_t grey) {
   patch.colours = {patch.width, patch.height, 1, {}};

@@ -12,20 +12,10 @@
 namespace relief {
 namespace {
 
+using test::from_above;
 using test::must_render;
 using test::small_picture;
 using test::values;
-
-/// A plane seen from straight above, `nodes` a side, one cell about 4 pixels.
-RenderSettings from_above(const PatchModel& model, std::uint32_t nodes) {
-  RenderSettings settings = small_picture(model);
-  settings.width = settings.height = 4 * nodes;
-  settings.camera = {{0.0, 0.0, 0.5 * nodes / std::tan(std::acos(-1.0) / 8.0)},
-                     {0.0, 0.0, 0.0},
-                     {0.0, 1.0, 0.0},
-                     45.0};
-  return settings;
-}
 
 TEST(Unlit, EveryGreyComesOutAsItWentIn) {
   // 16 x 16 fields of 3 x 3 nodes, each of one grey.

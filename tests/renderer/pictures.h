@@ -26,6 +26,17 @@ inline RenderSettings small_picture(const PatchModel& model, Orbit orbit = {20.0
   return settings;
 }
 
+/// Straight down on a height field of `nodes` nodes a side, four pixels a cell.
+inline RenderSettings from_above(const PatchModel& model, std::uint32_t nodes) {
+  RenderSettings settings = small_picture(model);
+  settings.width = settings.height = 4 * nodes;
+  settings.camera = {{0.0, 0.0, 0.5 * nodes / std::tan(std::acos(-1.0) / 8.0)},
+                     {0.0, 0.0, 0.0},
+                     {0.0, 1.0, 0.0},
+                     45.0};
+  return settings;
+}
+
 inline Outputs all_outputs() {
   return {true, true, true, true};
 }
