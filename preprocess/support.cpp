@@ -95,7 +95,14 @@ void for_neighbours(const PatchGrid& grid, std::uint32_t i, std::uint32_t j, Fn&
   }
 }
 
-// Turns holes that `rule` accepts into `state`; rule(i, j, neighbours that are samples).
+// What surrounds a hole.
+struct Surroundings {
+  int samples = 0;  // of its eight neighbours
+  // With samples on opposite sides it is narrower than a grid can tell from a gap.
+  bool in_slit = false;
+};
+
+// Turns holes that `rule` accepts into `state`; rule(i, j, surroundings).
 template <class Rule>
 void fill_holes(const PatchGrid& grid, std::vector<NodeState>& states, NodeState state,
                 Rule&& rule) {
@@ -104,11 +111,17 @@ void fill_holes(const PatchGrid& grid, std::vector<NodeState>& states, NodeState
     for (std::uint32_t i = 0; i < grid.width; ++i) {
       const std::size_t node = std::size_t{j} * grid.width + i;
       if (before[node] != NodeState::Hole) continue;
-      int samples = 0;
+      const auto sample = [&](std::uint32_t a, std::uint32_t b) {
+        return a < grid.width && b < grid.height &&  // -1 wraps around to more than either
+               before[std::size_t{b} * grid.width + a] != NodeState::Hole;
+      };
+      Surroundings around;
       for_neighbours(grid, i, j, [&](std::size_t m) {
-        if (before[m] != NodeState::Hole) ++samples;
+        if (before[m] != NodeState::Hole) ++around.samples;
       });
-      if (rule(i, j, samples)) states[node] = state;
+      around.in_slit =
+          (sample(i - 1, j) && sample(i + 1, j)) || (sample(i, j - 1) && sample(i, j + 1));
+      if (rule(i, j, around)) states[node] = state;
     }
   }
 }
@@ -122,33 +135,22 @@ std::vector<NodeState> find_support(const PatchPoints& points, const PatchLookup
     return is_supported(points, lookup, grid.x0 + i * grid.spacing, grid.y0 + j * grid.spacing,
                         grid.spacing);
   };
-  fill_holes(grid, states, NodeState::Own, [&](std::uint32_t i, std::uint32_t j, int /*samples*/) {
+  using Node = std::uint32_t;
+  fill_holes(grid, states, NodeState::Own, [&](Node i, Node j, const Surroundings& /*around*/) {
     return supported(lookups.own, i, j);
   });
-  std::vector<NodeState> before = states;
-  const auto sample = [&](std::uint32_t i, std::uint32_t j) {
-    return i < grid.width && j < grid.height &&  // -1 wraps around to more than either
-           before[std::size_t{j} * grid.width + i] != NodeState::Hole;
-  };
-  // A slit of one node, with samples on opposite sides, is narrower than a grid can tell from a
-  // gap.
-  const auto in_slit = [&](std::uint32_t i, std::uint32_t j) {
-    return (sample(i - 1, j) && sample(i + 1, j)) || (sample(i, j - 1) && sample(i, j + 1));
-  };
   fill_holes(grid, states, NodeState::Own,
-             [&](std::uint32_t i, std::uint32_t j, int /*samples*/) { return in_slit(i, j); });
+             [](Node, Node, const Surroundings& around) { return around.in_slit; });
   for (int ring = 0; ring < overlap_cells; ++ring) {
-    fill_holes(grid, states, NodeState::Margin, [&](std::uint32_t i, std::uint32_t j, int samples) {
-      return samples > 0 && supported(lookups.supporting, i, j);
+    fill_holes(grid, states, NodeState::Margin, [&](Node i, Node j, const Surroundings& around) {
+      return around.samples > 0 && supported(lookups.supporting, i, j);
     });
   }
   if (overlap_cells > 0) {
     // What is too steep between two margins is still seen through.
-    before = states;
-    fill_holes(grid, states, NodeState::Margin,
-               [&](std::uint32_t i, std::uint32_t j, int /*samples*/) {
-                 return in_slit(i, j) && supported(lookups.all, i, j);
-               });
+    fill_holes(grid, states, NodeState::Margin, [&](Node i, Node j, const Surroundings& around) {
+      return around.in_slit && supported(lookups.all, i, j);
+    });
   }
   return states;
 }

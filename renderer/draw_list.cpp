@@ -24,19 +24,10 @@ void add_quads(std::uint32_t first, std::uint32_t quads, std::uint32_t instance,
 
 std::vector<std::uint32_t> find_visible(const PatchStore& store, const View& view,
                                         double radius_factor) {
-  std::vector<std::uint32_t> visible;
-  std::vector<double> distance(store.patches.size());
-  for (std::uint32_t p = 0; p < store.patches.size(); ++p) {
-    const StoredPatch& patch = store.patches[p];
+  return nearest_first(store.patches, view, [&](const StoredPatch& patch) {
     const double radius = patch.radius + (radius_factor - 1.0) * patch.widest_disc;
-    if (patch.records == 0 || !sees_sphere(view, patch.centre, radius)) continue;
-    distance[p] = glm::distance(patch.centre, view.eye) - patch.radius;
-    visible.push_back(p);
-  }
-  std::stable_sort(visible.begin(), visible.end(), [&distance](std::uint32_t a, std::uint32_t b) {
-    return distance[a] < distance[b];
+    return patch.records > 0 && sees_sphere(view, patch.centre, radius);
   });
-  return visible;
 }
 
 std::vector<std::uint32_t> find_near(const PatchStore& store, const View& view,

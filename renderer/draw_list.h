@@ -1,7 +1,9 @@
 // Which patches a frame draws, in which order.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <vector>
 
 #include "renderer/gl/functions.h"
@@ -9,6 +11,24 @@
 #include "renderer/view.h"
 
 namespace relief {
+
+/// Indices of the things (with a sphere: `centre`, `radius`, world frame) that `sees` accepts,
+/// those whose spheres begin nearest to the eye first.
+template <class Thing, class Sees>
+[[nodiscard]] std::vector<std::uint32_t> nearest_first(const std::vector<Thing>& things,
+                                                       const View& view, const Sees& sees) {
+  std::vector<std::uint32_t> visible;
+  std::vector<double> distance(things.size());
+  for (std::uint32_t t = 0; t < things.size(); ++t) {
+    if (!sees(things[t])) continue;
+    distance[t] = glm::distance(things[t].centre, view.eye) - things[t].radius;
+    visible.push_back(t);
+  }
+  std::stable_sort(visible.begin(), visible.end(), [&distance](std::uint32_t a, std::uint32_t b) {
+    return distance[a] < distance[b];
+  });
+  return visible;
+}
 
 /// As glMultiDrawArraysIndirect reads it.
 struct ArraysCommand {

@@ -1,25 +1,13 @@
 #include "renderer/engines/onepass/cell_list.h"
 
-#include <algorithm>
-#include <glm/geometric.hpp>
-
 #include "shaders/include/shared.h"
 
 namespace relief::onepass {
 
 std::vector<std::uint32_t> find_visible(const CellStore& store, const View& view) {
-  std::vector<std::uint32_t> visible;
-  std::vector<double> distance(store.parts.size());
-  for (std::uint32_t p = 0; p < store.parts.size(); ++p) {
-    const StoredPart& part = store.parts[p];
-    if (!sees_sphere(view, part.centre, part.radius)) continue;
-    distance[p] = glm::distance(part.centre, view.eye) - part.radius;
-    visible.push_back(p);
-  }
-  std::stable_sort(visible.begin(), visible.end(), [&distance](std::uint32_t a, std::uint32_t b) {
-    return distance[a] < distance[b];
+  return nearest_first(store.parts, view, [&view](const StoredPart& part) {
+    return sees_sphere(view, part.centre, part.radius);
   });
-  return visible;
 }
 
 std::vector<ArraysCommand> cell_commands(const CellStore& store,
