@@ -105,6 +105,10 @@ void add_look_options(CLI::App& sub, SceneSettings& settings) {
 }
 
 void add_engine_options(CLI::App& sub, SceneSettings& settings) {
+  add_number(
+      sub, "--pixels-per-sample", settings.pixels_per_sample, kPixelsPerSample, "P",
+      "onepass and multipass: draws coarser levels of patches where samples are then seen at "
+      "most P pixels apart; 0 is always the finest (0)");
   add_number(sub, "--radius-factor", settings.radius_factor, kRadiusFactors, "F",
              "multipass: radius of its splats, over that of onepass's sprites (2)");
   add_number(sub, "--samples", settings.samples, kSampleCounts, "N",
@@ -131,6 +135,8 @@ void check_engine_options(const RenderArguments& arguments) {
     throw CLI::ValidationError("--texture", "needs --engine ewa and a mesh");
   }
   if (kind == ".json") return;
+  if (settings.pixels_per_sample && !is_on_opengl(engine))
+    throw CLI::ValidationError("--pixels-per-sample", "is for --engine onepass and multipass");
   if (settings.radius_factor && engine != EngineKind::Multipass)
     throw CLI::ValidationError("--radius-factor", "is for --engine multipass");
   if (settings.primitive == Primitive::Cell && engine == EngineKind::Multipass)

@@ -91,6 +91,7 @@ Result<RenderSettings> render_settings_for(const Picture& picture, const PatchMo
   if (said.background) settings.background = said.background->colour;
   if (ending(picture.output) == ".exr")
     settings.outputs = said.outputs.value_or(Outputs{true, true, true, true});
+  settings.pixels_per_sample = said.pixels_per_sample.value_or(settings.pixels_per_sample);
   settings.multipass.radius_factor = said.radius_factor.value_or(settings.multipass.radius_factor);
   settings.raytrace.samples = said.samples.value_or(settings.raytrace.samples);
   settings.ewa.filter = said.filter.value_or(settings.ewa.filter);

@@ -41,6 +41,7 @@ nlohmann::ordered_json as_json(const WrittenPicture& written) {
            said_by(is_on_opengl(settings.engine), name_of(kPrimitives, settings.primitive))},
           {"interpolation", said_by(settings.engine == EngineKind::Onepass,
                                     name_of(kInterpolations, settings.interpolation))},
+          {"pixels_per_sample", said_by(is_on_opengl(settings.engine), settings.pixels_per_sample)},
           {"radius_factor",
            said_by(settings.engine == EngineKind::Multipass, settings.multipass.radius_factor)},
           {"material", name_of(kMaterials, settings.material)},

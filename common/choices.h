@@ -34,10 +34,11 @@ struct NumberChoice {
   double least;
   double most;
 };
-inline constexpr NumberChoice kSampleCounts{1, 65536};   ///< rays a pixel
-inline constexpr NumberChoice kRadiusFactors{1.0, 4.0};  ///< of multipass, 2 as in paper 001
-inline constexpr NumberChoice kCutoffs{0.1, 20.0};       ///< c of paper 000, an exponent
-inline constexpr NumberChoice kLayerCounts{1, 64};       ///< l of paper 000, fragments a pixel
+inline constexpr NumberChoice kSampleCounts{1, 65536};      ///< rays a pixel
+inline constexpr NumberChoice kRadiusFactors{1.0, 4.0};     ///< of multipass, 2 as in paper 001
+inline constexpr NumberChoice kPixelsPerSample{0.0, 64.0};  ///< onepass and multipass; 0: no levels
+inline constexpr NumberChoice kCutoffs{0.1, 20.0};          ///< c of paper 000, an exponent
+inline constexpr NumberChoice kLayerCounts{1, 64};          ///< l of paper 000, fragments a pixel
 inline constexpr NumberChoice kCoverageThresholds{1e-6, 1.0};  ///< tau of paper 000
 inline constexpr NumberChoice kTimeBudgets{1e-3, 1e9};         ///< milliseconds
 

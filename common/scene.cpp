@@ -28,6 +28,7 @@ SceneSettings overlay(SceneSettings base, const SceneSettings& over) {
   take(base.environment, over.environment);
   take(base.background, over.background);
   take(base.outputs, over.outputs);
+  take(base.pixels_per_sample, over.pixels_per_sample);
   take(base.radius_factor, over.radius_factor);
   take(base.samples, over.samples);
   take(base.filter, over.filter);

@@ -37,8 +37,9 @@ struct SceneSettings {
   std::optional<std::filesystem::path> environment;
   std::optional<Background> background;
   std::optional<Outputs> outputs;
-  std::optional<double> radius_factor;  ///< multipass
-  std::optional<int> samples;           ///< raytrace
+  std::optional<double> pixels_per_sample;  ///< onepass and multipass
+  std::optional<double> radius_factor;      ///< multipass
+  std::optional<int> samples;               ///< raytrace
   std::optional<EwaFilter> filter;
   std::optional<double> cutoff;
   std::optional<int> layers;

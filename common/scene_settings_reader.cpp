@@ -107,6 +107,8 @@ SceneSettings read_settings(JsonValues& values, const JsonPlace& object,
       return static_cast<int>(n);
     };
   };
+  read("pixels-per-sample", settings.pixels_per_sample,
+       number(kPixelsPerSample, "a number from 0 to 64"));
   read("radius-factor", settings.radius_factor, number(kRadiusFactors, "a number from 1 to 4"));
   read("samples", settings.samples, count(kSampleCounts, "a whole number from 1 to 65536"));
   read("filter", settings.filter, named(kFilters));

@@ -17,8 +17,7 @@ CellUpload::CellUpload(const Gl& gl) : gl_(gl) {
                std::numeric_limits<std::int32_t>::max() / shared::kRunVertices));
 }
 
-Result<std::int32_t> CellUpload::add(const Patch& patch, const PatchSamples& samples) {
-  const PatchCells cells = make_cells(patch, samples);
+Result<std::int32_t> CellUpload::add(const Patch& patch, const PatchCells& cells) {
   if (cells.heights.size() + cells.rows.size() + 1 > most_texels_) {
     return make_error(
         "a patch has {} samples, more than this OpenGL can draw ({}); convert again "
@@ -40,11 +39,13 @@ Result<std::int32_t> CellUpload::add(const Patch& patch, const PatchSamples& sam
     kept.page = static_cast<std::uint32_t>(pages_.size());
     kept.first_run = static_cast<std::uint32_t>(runs_.size());
     kept.runs = static_cast<std::uint32_t>(part.runs.size());
+    kept.edge_runs = static_cast<std::uint32_t>(part.edge_runs.size());
     kept.first_rim = static_cast<std::uint32_t>(rims_.size());
     kept.rims = static_cast<std::uint32_t>(part.rims.size());
     parts_.push_back(kept);
     places_.emplace_back(patches_, part.corner.x | (part.corner.y << 16U));
     runs_.insert(runs_.end(), part.runs.begin(), part.runs.end());
+    runs_.insert(runs_.end(), part.edge_runs.begin(), part.edge_runs.end());
     rims_.insert(rims_.end(), part.rims.begin(), part.rims.end());
   }
   ++patches_;

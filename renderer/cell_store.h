@@ -23,6 +23,7 @@ struct StoredPart {
   std::uint32_t page = 0;       ///< the buffers of its runs and rims
   std::uint32_t first_run = 0;  ///< in that page
   std::uint32_t runs = 0;
+  std::uint32_t edge_runs = 0;  ///< follow them
   std::uint32_t first_rim = 0;
   std::uint32_t rims = 0;
 };
@@ -48,7 +49,7 @@ class CellUpload {
   explicit CellUpload(const Gl& gl);
 
   /// Returns where the rows of the patch begin in its page. Fails if it is larger than a page.
-  Result<std::int32_t> add(const Patch& patch, const PatchSamples& samples);
+  Result<std::int32_t> add(const Patch& patch, const PatchCells& cells);
 
   /// Uploads what is left.
   CellStore take();

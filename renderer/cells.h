@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/patch.h"
+#include "renderer/levels.h"
 #include "renderer/samples.h"
 
 namespace relief {
@@ -19,9 +20,9 @@ struct CellRow {
   std::uint32_t span = 0;  ///< first node; in the upper half the one after the last
 };
 
-/// The splat of a border sample, or of one whose plane is off the cells by more than
-/// shared::kCrease: as in SampleRecord but that its place is in the part, its height is
-/// found by that, and it has no gaps.
+/// The splat of a sample at a border or beside a jump to another sheet, or of one whose plane is
+/// off the cells by more than shared::kCrease: as in SampleRecord but that its place is in the
+/// part, its height is found by that, and the margins that close its gaps are in its reaches.
 struct RimRecord {
   std::uint32_t place = 0;  ///< column, row, slopes: a byte each
   std::uint32_t reach = 0;
@@ -29,11 +30,12 @@ struct RimRecord {
 
 /// A square of a patch, at most shared::kPartCells a side, that is culled and drawn as one.
 struct CellPart {
-  glm::uvec2 corner{0};             ///< its first node
-  std::vector<std::uint32_t> runs;  ///< packed as shaders/include/shared.h says, row by row
-  std::vector<RimRecord> rims;      ///< row by row
-  glm::dvec3 centre{0.0};           ///< of a sphere about its cells and splats, grid frame (cells)
-  double radius = 0.0;              ///< of that sphere, cells
+  glm::uvec2 corner{0};                  ///< its first node
+  std::vector<std::uint32_t> runs;       ///< packed as shaders/include/shared.h says, row by row
+  std::vector<std::uint32_t> edge_runs;  ///< the same of a level's cells that holes touch
+  std::vector<RimRecord> rims;           ///< row by row
+  glm::dvec3 centre{0.0};  ///< of a sphere about its cells and splats, grid frame (cells)
+  double radius = 0.0;     ///< of that sphere, cells
 };
 
 /// A patch as cells: about two bytes a sample of heights, and less than half as much of all else
@@ -51,5 +53,9 @@ struct PatchCells {
 /// corrected interpolation, which the border splats follow, has it too, so that pictures of all
 /// three agree, and a run needs no bit a cell to say which.)
 [[nodiscard]] PatchCells make_cells(const Patch& patch, const PatchSamples& samples);
+
+/// Makes those of a coarser level. It has splats only beside jumps: its cells reach beyond the
+/// patch and its mask, and are cut off there.
+[[nodiscard]] PatchCells make_cells(const PatchLevel& level, const PatchSamples& samples);
 
 }  // namespace relief

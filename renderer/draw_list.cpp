@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace relief {
 namespace {
@@ -24,10 +25,13 @@ void add_quads(std::uint32_t first, std::uint32_t quads, std::uint32_t instance,
 
 std::vector<std::uint32_t> find_visible(const PatchStore& store, const View& view,
                                         double radius_factor) {
-  return nearest_first(store.patches, view, [&](const StoredPatch& patch) {
+  std::vector<std::uint32_t> visible;
+  for (const std::uint32_t p : levels_for(store, view)) {
+    const StoredPatch& patch = store.patches[p];
     const double radius = patch.radius + (radius_factor - 1.0) * patch.widest_disc;
-    return patch.records > 0 && sees_sphere(view, patch.centre, radius);
-  });
+    if (patch.records > 0 && sees_sphere(view, patch.centre, radius)) visible.push_back(p);
+  }
+  return nearest_first(store.patches, view, std::move(visible));
 }
 
 std::vector<std::uint32_t> find_near(const PatchStore& store, const View& view,

@@ -12,18 +12,15 @@
 
 namespace relief {
 
-/// Indices of the things (with a sphere: `centre`, `radius`, world frame) that `sees` accepts,
-/// those whose spheres begin nearest to the eye first.
-template <class Thing, class Sees>
+/// Sorts indices of things (with a sphere: `centre`, `radius`, world frame): those whose spheres
+/// begin nearest to the eye first.
+template <class Thing>
 [[nodiscard]] std::vector<std::uint32_t> nearest_first(const std::vector<Thing>& things,
-                                                       const View& view, const Sees& sees) {
-  std::vector<std::uint32_t> visible;
+                                                       const View& view,
+                                                       std::vector<std::uint32_t> visible) {
   std::vector<double> distance(things.size());
-  for (std::uint32_t t = 0; t < things.size(); ++t) {
-    if (!sees(things[t])) continue;
+  for (const std::uint32_t t : visible)
     distance[t] = glm::distance(things[t].centre, view.eye) - things[t].radius;
-    visible.push_back(t);
-  }
   std::stable_sort(visible.begin(), visible.end(), [&distance](std::uint32_t a, std::uint32_t b) {
     return distance[a] < distance[b];
   });
@@ -54,7 +51,8 @@ inline constexpr std::uint32_t kQuadsPerCommand = 65536 / 4;
 void add_quads(std::uint32_t first, std::uint32_t quads, std::uint32_t instance,
                std::vector<ElementsCommand>& commands);
 
-/// The patches in view, nearest first; `radius_factor`: of their discs, over what the store says.
+/// The patches in view at the levels that it chooses, nearest first; `radius_factor`: of their
+/// discs, over what the store says.
 [[nodiscard]] std::vector<std::uint32_t> find_visible(const PatchStore& store, const View& view,
                                                       double radius_factor = 1.0);
 

@@ -38,6 +38,7 @@ namespace relief {
   needs.cells = cells;
   needs.normals = needs_normals(features);
   needs.colours = (features & RELIEF_FEATURE_COLOURS) != 0;
+  needs.masks = (features & RELIEF_FEATURE_MASKED) != 0;
   return needs;
 }
 
@@ -53,6 +54,7 @@ template <class FeaturesOf>
     needs.cells = needs.cells || more.cells;
     needs.normals = needs.normals || more.normals;
     needs.colours = needs.colours || more.colours;
+    needs.masks = needs.masks || more.masks;
   }
   return needs;
 }

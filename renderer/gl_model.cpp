@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <utility>
+#include <vector>
 
 #include "renderer/cube_map.h"
 #include "renderer/sample_draws.h"
@@ -24,7 +25,7 @@ Result<std::unique_ptr<GlModel>> GlModel::create(const PatchModel& model,
                                                  const StoreNeeds& needs) {
   assert(!views.empty() && "a model is prepared for at least one view");
   const RenderSettings& first = views.front();
-  for (const RenderSettings& settings : views)
+  for ([[maybe_unused]] const RenderSettings& settings : views)
     assert(settings.platform == first.platform && settings.debug == first.debug);
   std::unique_ptr<GlModel> made(new GlModel);
   auto context = make_context(first.platform, first.debug);
@@ -34,11 +35,14 @@ Result<std::unique_ptr<GlModel>> GlModel::create(const PatchModel& model,
   if (!functions) return functions.error();
   made->gl_ = *functions;
   if (first.debug) made->log_.emplace(made->gl_);
-  auto store = upload_model(made->gl_, model, needs);
-  if (!store) return store.error();
-  made->store_ = std::move(*store);
   made->has_colours_ = model.has_colours;
   made->near_ = near_of(model);
+  std::vector<View> looks;
+  looks.reserve(views.size());
+  for (const RenderSettings& settings : views) looks.push_back(made->view_of(settings));
+  auto store = upload_model(made->gl_, model, needs, looks);
+  if (!store) return store.error();
+  made->store_ = std::move(*store);
   return made;
 }
 
@@ -58,7 +62,7 @@ Result<GlPicture> GlModel::make_picture(const RenderSettings& settings) {
   }
   Result<Targets> targets = make_targets(gl_, settings.width, settings.height, settings.outputs);
   if (!targets) return targets.error();
-  const View view = make_view(settings.camera, settings.width, settings.height, near_);
+  const View view = view_of(settings);
   const shared::Frame uniforms = make_frame(view, largest_sprite(gl_));
   return GlPicture{view,
                    std::move(*targets),
@@ -66,6 +70,12 @@ Result<GlPicture> GlModel::make_picture(const RenderSettings& settings) {
                    settings.background.value_or(glm::vec3(0.0F)),
                    environment,
                    shown};
+}
+
+View GlModel::view_of(const RenderSettings& settings) const {
+  View view = make_view(settings.camera, settings.width, settings.height, near_);
+  view.pixels_per_sample = settings.pixels_per_sample;
+  return view;
 }
 
 Result<RenderResult> GlModel::draw(const GlPicture& picture, const DrawModel& draw,

@@ -24,8 +24,8 @@ namespace relief {
 /// address that lasts: what is made with its functions keeps it, and must go before it does.
 class GlModel {
  public:
-  /// Makes a context and uploads the model's heights and those maps that are needed. All views have
-  /// the platform and debug flag of the first.
+  /// Makes a context and uploads the levels that the views choose and those maps that are needed.
+  /// All views have the platform and debug flag of the first.
   static Result<std::unique_ptr<GlModel>> create(const PatchModel& model,
                                                  std::span<const RenderSettings> views,
                                                  const StoreNeeds& needs);
@@ -45,6 +45,7 @@ class GlModel {
 
  private:
   GlModel() = default;
+  [[nodiscard]] View view_of(const RenderSettings& settings) const;
   Result<const Texture*> environment_for(const std::filesystem::path& path);
   Result<const Backdrop*> backdrop();
 

@@ -34,7 +34,7 @@ struct PaddedMap {
 
 /// Makes the array and uploads the padded maps that `pad` gives for each patch; `sizes` are theirs.
 template <class Pad>
-Result<MapArray> upload(const Gl& gl, const PatchModel& model, const Format& format,
+Result<MapArray> upload(const Gl& gl, const PatchList& patches, const Format& format,
                         const std::vector<glm::uvec2>& sizes, std::uint32_t ring, const Pad& pad) {
   const auto largest = static_cast<std::uint32_t>(get_limit(gl, GL_MAX_TEXTURE_SIZE));
   const auto most = static_cast<std::uint32_t>(get_limit(gl, GL_MAX_ARRAY_TEXTURE_LAYERS));
@@ -57,8 +57,8 @@ Result<MapArray> upload(const Gl& gl, const PatchModel& model, const Format& for
   if (!made) return made.error();
 
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  for (std::size_t p = 0; p < model.patches.size(); ++p) {
-    const auto map = pad(model.patches[p]);
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    const auto map = pad(*patches[p]);
     AtlasSpot& spot = array.spots[p];
     gl.TextureSubImage3D(id, 0, static_cast<GLint>(spot.x), static_cast<GLint>(spot.y),
                          static_cast<GLint>(spot.layer), static_cast<GLsizei>(map.width),
@@ -110,11 +110,11 @@ std::int32_t colour_scale(const Patch& patch) {
   return patch.colours.empty() ? 0 : static_cast<std::int32_t>(patch.colours.scale);
 }
 
-Result<MapArray> upload_heights(const Gl& gl, const PatchModel& model) {
+Result<MapArray> upload_heights(const Gl& gl, const PatchList& patches) {
   std::vector<glm::uvec2> sizes;
-  for (const Patch& patch : model.patches) sizes.emplace_back(patch.width + 1, patch.height + 1);
+  for (const Patch* patch : patches) sizes.emplace_back(patch->width + 1, patch->height + 1);
   const Format format{"height maps", GL_R16UI, GL_RED_INTEGER, GL_UNSIGNED_SHORT, GL_NEAREST};
-  return upload(gl, model, format, sizes, 0, [](const Patch& patch) {
+  return upload(gl, patches, format, sizes, 0, [](const Patch& patch) {
     PaddedMap<std::uint16_t> map{patch.width + 1, patch.height + 1, {}};
     map.texels.resize(std::size_t{map.width} * map.height,
                       static_cast<std::uint16_t>(shared::kHoleTexel));
@@ -128,29 +128,45 @@ Result<MapArray> upload_heights(const Gl& gl, const PatchModel& model) {
   });
 }
 
-Result<MapArray> upload_normals(const Gl& gl, const PatchModel& model) {
+Result<MapArray> upload_masks(const Gl& gl, const PatchList& patches) {
   std::vector<glm::uvec2> sizes;
-  for (const Patch& patch : model.patches) {
-    const bool own = !patch.normals.empty();
-    sizes.emplace_back((own ? patch.normals.width : patch.width) + 2,
-                       (own ? patch.normals.height : patch.height) + 2);
+  for (const Patch* patch : patches) sizes.emplace_back(patch->width + 2, patch->height + 2);
+  const Format format{"masks", GL_R8, GL_RED, GL_UNSIGNED_BYTE, GL_LINEAR};
+  return upload(gl, patches, format, sizes, 1, [](const Patch& patch) {
+    PaddedMap<std::uint8_t> map{patch.width + 2, patch.height + 2, {}};
+    map.texels.resize(std::size_t{map.width} * map.height, 0);
+    for (std::uint32_t j = 0; j < patch.height; ++j) {
+      for (std::uint32_t i = 0; i < patch.width; ++i) {
+        if (patch.at(i, j) != kHole) map.texels[std::size_t{j + 1} * map.width + i + 1] = 255;
+      }
+    }
+    return map;
+  });
+}
+
+Result<MapArray> upload_normals(const Gl& gl, const PatchList& patches) {
+  std::vector<glm::uvec2> sizes;
+  for (const Patch* patch : patches) {
+    const bool own = !patch->normals.empty();
+    sizes.emplace_back((own ? patch->normals.width : patch->width) + 2,
+                       (own ? patch->normals.height : patch->height) + 2);
   }
   const Format format{"normal maps", GL_RG16_SNORM, GL_RG, GL_SHORT, GL_LINEAR};
-  return upload(gl, model, format, sizes, 1, [](const Patch& patch) {
+  return upload(gl, patches, format, sizes, 1, [](const Patch& patch) {
     AttributeMap<glm::i16vec2> map = normal_map_of(patch);
     for (glm::i16vec2& texel : map.texels) texel = stereographic_from_octahedral(texel);
     return with_ring<glm::i16vec2>(map);
   });
 }
 
-Result<MapArray> upload_colours(const Gl& gl, const PatchModel& model) {
+Result<MapArray> upload_colours(const Gl& gl, const PatchList& patches) {
   std::vector<glm::uvec2> sizes;
-  for (const Patch& patch : model.patches) {
-    sizes.emplace_back(std::max(patch.colours.width, 1U) + 2,
-                       std::max(patch.colours.height, 1U) + 2);
+  for (const Patch* patch : patches) {
+    sizes.emplace_back(std::max(patch->colours.width, 1U) + 2,
+                       std::max(patch->colours.height, 1U) + 2);
   }
   const Format format{"colour maps", GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE, GL_LINEAR};
-  return upload(gl, model, format, sizes, 1, [](const Patch& patch) {
+  return upload(gl, patches, format, sizes, 1, [](const Patch& patch) {
     if (!patch.colours.empty()) return with_ring<glm::u8vec4>(patch.colours);
     return with_ring<glm::u8vec4>(AttributeMap<glm::u8vec3>{1, 1, 1, {glm::u8vec3(0)}});
   });

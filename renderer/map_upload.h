@@ -17,9 +17,12 @@ struct MapArray {
   std::vector<AtlasSpot> spots;
 };
 
+/// The patches whose maps are uploaded.
+using PatchList = std::vector<const Patch*>;
+
 /// Heights as 16-bit unsigned integers; holes, and a column and a row beyond the last, are
 /// shared::kHoleTexel.
-Result<MapArray> upload_heights(const Gl& gl, const PatchModel& model);
+Result<MapArray> upload_heights(const Gl& gl, const PatchList& patches);
 
 /// Normals for bilinear lookups, signed normalised: half their stereographic coordinates seen from
 /// the pole below, smooth wherever a patch's normals are. (Octahedral coordinates, as patches keep
@@ -27,11 +30,14 @@ Result<MapArray> upload_heights(const Gl& gl, const PatchModel& model);
 /// of the turn between two texels.) Normals that point steeper down than 37 degrees are bent up to
 /// that. A ring of texels around each map repeats its edge. A patch without a normal map gets the
 /// normals of its heights.
-Result<MapArray> upload_normals(const Gl& gl, const PatchModel& model);
+Result<MapArray> upload_normals(const Gl& gl, const PatchList& patches);
 
 /// Colours as sRGB, with the same ring. A patch without colours gets one texel that nobody reads:
 /// the neutral grey is the shader's, for 8-bit sRGB has no value for it.
-Result<MapArray> upload_colours(const Gl& gl, const PatchModel& model);
+Result<MapArray> upload_colours(const Gl& gl, const PatchList& patches);
+
+/// Masks: 1 at samples, 0 at holes and in a ring around each mask.
+Result<MapArray> upload_masks(const Gl& gl, const PatchList& patches);
 
 /// Texels per cell of a patch's map on the GPU (0 for the one texel of a patch without colours).
 [[nodiscard]] std::int32_t normal_scale(const Patch& patch);

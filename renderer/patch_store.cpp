@@ -1,6 +1,7 @@
 #include "renderer/patch_store.h"
 
 #include <algorithm>
+#include <deque>
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <span>
@@ -13,18 +14,25 @@
 namespace relief {
 namespace {
 
-shared::PatchInfo info_of(const Patch& patch, const PatchSamples& samples, std::size_t id,
+/// What the shaders know of a level of a patch.
+shared::PatchInfo info_of(const Patch& patch, std::size_t id, std::uint32_t level,
+                          const Patch& coarse, const PatchSamples& samples,
                           std::int32_t first_row) {
+  const auto stride = static_cast<float>(1U << level);
   shared::PatchInfo info{};
-  info.axis_u = {glm::vec3(patch.axes[0]), static_cast<float>(patch.spacing)};
+  info.axis_u = {glm::vec3(patch.axes[0]), static_cast<float>(coarse.spacing)};
   info.axis_v = {glm::vec3(patch.axes[1]), samples.height_step};
   info.axis_n = {glm::vec3(patch.axes[2]), samples.slope_step};
-  info.nodes = {patch.width, patch.height, static_cast<int>(id), first_row};
+  info.nodes = {coarse.width, coarse.height, static_cast<int>(id), first_row};
+  const float begin = level > 0 ? 1.0F : 0.0F;
+  info.extent = {begin, begin + static_cast<float>(patch.width - 1) / stride,
+                 begin + static_cast<float>(patch.height - 1) / stride, stride};
   return info;
 }
 
-StoredPatch stored(const Patch& patch, const PatchSamples& samples) {
+StoredPatch stored(const Patch& patch, std::uint32_t level, const PatchSamples& samples) {
   StoredPatch kept;
+  kept.level = level;
   kept.origin = patch.origin;
   kept.axes = patch.axes;
   kept.spacing = patch.spacing;
@@ -80,69 +88,129 @@ class Pages {
   std::vector<Table> pages_;
 };
 
+/// Which patch and which of its levels each stored one is.
+struct Origin {
+  std::size_t patch = 0;
+  std::uint32_t level = 0;
+};
+
+/// Where the maps of patches are: `place` is the member for them, `scale` the texels per cell.
+template <class Scale>
+void note_places(const PatchModel& model, const std::vector<Origin>& origins,
+                 const std::vector<AtlasSpot>& spots, glm::ivec4 shared::PatchInfo::*place,
+                 const Scale& scale, std::vector<shared::PatchInfo>& table) {
+  for (std::size_t k = 0; k < table.size(); ++k) {
+    const auto [patch, level] = origins[k];
+    const std::int32_t texels = scale(model.patches[patch]) << level;
+    const std::int32_t before = level > 0 ? texels : 0;  // the patch begins at node (1, 1)
+    table[k].*place = place_of(spots[patch], texels) - glm::ivec4(before, before, 0, 0);
+  }
+}
+
 }  // namespace
 
-Result<PatchStore> upload_model(const Gl& gl, const PatchModel& model, const StoreNeeds& needs) {
+Result<PatchStore> upload_model(const Gl& gl, const PatchModel& model, const StoreNeeds& needs,
+                                std::span<const View> views) {
   std::vector<shared::PatchInfo> table;
   std::vector<StoredPatch> patches;
+  std::vector<StoredLevels> levels;
+  std::vector<Origin> origins;
+  std::deque<PatchLevel> coarser;
+  PatchList grids;
+  PatchList whole;
   Pages pages(gl);
   CellUpload cells(gl);
   for (std::size_t p = 0; p < model.patches.size(); ++p) {
     const Patch& patch = model.patches[p];
-    const PatchSamples samples = make_samples(patch);
-    patches.push_back(stored(patch, samples));
-    if (needs.splats) {
-      const Status added = pages.add(patches.back(), samples.records);
-      if (!added) return added.error();
+    const PatchExtent extent = extent_of(patch);
+    const std::vector<std::uint32_t> kept = levels_in(views, extent);
+    levels.push_back({extent, static_cast<std::uint32_t>(patches.size()),
+                      static_cast<std::uint32_t>(kept.size())});
+    for (const std::uint32_t level : kept) {
+      if (level > 0) coarser.push_back(coarsen(patch, level));
+      const Patch& grid = level > 0 ? coarser.back().grid : patch;
+      const PatchSamples samples = make_samples(grid);
+      patches.push_back(stored(grid, level, samples));
+      if (needs.splats) {
+        const Status added = pages.add(patches.back(), samples.records);
+        if (!added) return added.error();
+      }
+      std::int32_t first_row = 0;
+      if (needs.cells) {
+        const Result<std::int32_t> added = cells.add(
+            grid, level > 0 ? make_cells(coarser.back(), samples) : make_cells(patch, samples));
+        if (!added) return added.error();
+        first_row = *added;
+      }
+      table.push_back(info_of(patch, p, level, grid, samples, first_row));
+      origins.push_back({p, level});
+      grids.push_back(&grid);
     }
-    std::int32_t first_row = 0;
-    if (needs.cells) {
-      const Result<std::int32_t> added = cells.add(patch, samples);
-      if (!added) return added.error();
-      first_row = *added;
-    }
-    table.push_back(info_of(patch, samples, p, first_row));
+    whole.push_back(&patch);
   }
 
   std::optional<Texture> heights;
   std::optional<Texture> normals;
   std::optional<Texture> colours;
+  std::optional<Texture> masks;
   if (needs.heights) {
-    Result<MapArray> maps = upload_heights(gl, model);
+    Result<MapArray> maps = upload_heights(gl, grids);
     if (!maps) return maps.error();
-    for (std::size_t p = 0; p < table.size(); ++p) table[p].heights = place_of(maps->spots[p], 0);
+    for (std::size_t k = 0; k < table.size(); ++k) table[k].heights = place_of(maps->spots[k], 0);
     heights = std::move(maps->texture);
   }
   if (needs.normals) {
-    Result<MapArray> maps = upload_normals(gl, model);
+    Result<MapArray> maps = upload_normals(gl, whole);
     if (!maps) return maps.error();
-    for (std::size_t p = 0; p < table.size(); ++p)
-      table[p].normals = place_of(maps->spots[p], normal_scale(model.patches[p]));
+    note_places(model, origins, maps->spots, &shared::PatchInfo::normals, normal_scale, table);
     normals = std::move(maps->texture);
   }
   if (needs.colours) {
-    Result<MapArray> maps = upload_colours(gl, model);
+    Result<MapArray> maps = upload_colours(gl, whole);
     if (!maps) return maps.error();
-    for (std::size_t p = 0; p < table.size(); ++p)
-      table[p].colours = place_of(maps->spots[p], colour_scale(model.patches[p]));
+    note_places(model, origins, maps->spots, &shared::PatchInfo::colours, colour_scale, table);
     colours = std::move(maps->texture);
   }
+  if (needs.masks && !coarser.empty()) {
+    Result<MapArray> maps = upload_masks(gl, whole);
+    if (!maps) return maps.error();
+    note_places(
+        model, origins, maps->spots, &shared::PatchInfo::masks, [](const Patch&) { return 1; },
+        table);
+    masks = std::move(maps->texture);
+  }
 
-  std::vector<std::uint32_t> indices(model.patches.size());
+  std::vector<std::uint32_t> indices(patches.size());
   std::iota(indices.begin(), indices.end(), 0U);
   PatchStore store{
       std::move(patches),
+      std::move(levels),
       pages.take(),
       make_table(gl, "patch table", GL_RGBA32I, std::span<const shared::PatchInfo>(table)),
       make_buffer(gl, "patch indices", std::span<const std::uint32_t>(indices)),
       std::move(heights),
       std::move(normals),
       std::move(colours),
+      std::move(masks),
       std::nullopt};
   if (needs.cells) store.cells = cells.take();
   const Status uploaded = check_errors(gl, "the model");
   if (!uploaded) return uploaded.error();
   return store;
+}
+
+std::vector<std::uint32_t> levels_for(const PatchStore& store, const View& view) {
+  std::vector<std::uint32_t> chosen;
+  chosen.reserve(store.levels.size());
+  for (const StoredLevels& kept : store.levels) {
+    const std::uint32_t level = choose_level(view, kept.extent);
+    std::uint32_t best = kept.first;
+    for (std::uint32_t k = kept.first + 1; k < kept.first + kept.count; ++k) {
+      if (store.patches[k].level <= level) best = k;
+    }
+    chosen.push_back(best);
+  }
+  return chosen;
 }
 
 }  // namespace relief

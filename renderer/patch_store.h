@@ -1,10 +1,12 @@
-// A model on the GPU: the patch table, the sample records or the cells, the maps in array textures.
+// A model on the GPU: the patch table, the sample records or the cells of the patches' levels, the
+// maps in array textures.
 #pragma once
 
 #include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "common/error.h"
@@ -12,6 +14,8 @@
 #include "renderer/cell_store.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
+#include "renderer/levels.h"
+#include "renderer/view.h"
 
 namespace relief {
 
@@ -22,10 +26,12 @@ struct StoreNeeds {
   bool cells = false;
   bool normals = false;
   bool colours = false;
+  bool masks = false;  ///< for coarser levels
 };
 
-/// What the CPU keeps of a patch on the GPU. World frame, in double precision.
+/// What the CPU keeps of a level of a patch on the GPU. World frame, in double precision.
 struct StoredPatch {
+  std::uint32_t level = 0;
   glm::dvec3 origin{0.0};
   glm::dmat3 axes{1.0};
   double spacing = 1.0;
@@ -37,20 +43,35 @@ struct StoredPatch {
   std::uint32_t records = 0;       ///< 0 without StoreNeeds::splats
 };
 
-/// The model on the GPU. `patches` runs parallel to PatchModel::patches.
+/// What the CPU keeps of a patch whatever its level.
+struct StoredLevels {
+  PatchExtent extent;
+  std::uint32_t first = 0;  ///< in PatchStore::patches, finest first
+  std::uint32_t count = 0;
+};
+
+/// The model on the GPU.
 struct PatchStore {
-  std::vector<StoredPatch> patches;
+  std::vector<StoredPatch> patches;  ///< each level that is kept of each patch
+  std::vector<StoredLevels> levels;  ///< parallel to PatchModel::patches
   std::vector<Table> pages;  ///< sample records; more than one only for a model that is larger
                              ///< than what OpenGL lets a shader see of one buffer
-  Table table;               ///< shared::PatchInfo per patch
+  Table table;               ///< shared::PatchInfo, parallel to `patches`
   Buffer indices;            ///< 0, 1, 2 ...: the per-instance attribute that names the patch
   std::optional<Texture> heights;
   std::optional<Texture> normals;
   std::optional<Texture> colours;
+  std::optional<Texture> masks;
   std::optional<CellStore> cells;
 };
 
-/// Uploads a model. Fails if OpenGL lacks memory or a map is larger than it allows.
-Result<PatchStore> upload_model(const Gl& gl, const PatchModel& model, const StoreNeeds& needs);
+/// Uploads a model, of each patch the levels that the views choose; the patches themselves without
+/// views. Fails if OpenGL lacks memory or a map is larger than it allows.
+Result<PatchStore> upload_model(const Gl& gl, const PatchModel& model, const StoreNeeds& needs,
+                                std::span<const View> views = {});
+
+/// The level of each patch that the view chooses, as indices of `patches`. (The nearest one that is
+/// kept, for a view that the model was not uploaded for.)
+[[nodiscard]] std::vector<std::uint32_t> levels_for(const PatchStore& store, const View& view);
 
 }  // namespace relief

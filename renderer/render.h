@@ -41,6 +41,9 @@ struct RenderSettings {
   std::optional<glm::vec3> background{
       {0, 0, 0}};  ///< linear RGB; none: alpha 0 where nothing is seen
   Outputs outputs;
+  /// Of `onepass` and `multipass`: each patch is drawn at its coarsest level whose samples are seen
+  /// at most this far apart, in pixels; 0: the finest.
+  double pixels_per_sample = 0.0;
   MultipassSettings multipass;
   EwaSettings ewa;
   RaytraceSettings raytrace;

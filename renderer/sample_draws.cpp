@@ -127,6 +127,7 @@ BoundModel::BoundModel(const Gl& gl, const SampleDraws& samples, const Texture* 
   bind(RELIEF_TEXTURE_HEIGHTS, store.heights ? &*store.heights : nullptr);
   bind(RELIEF_TEXTURE_NORMALS, store.normals ? &*store.normals : nullptr);
   bind(RELIEF_TEXTURE_COLOURS, store.colours ? &*store.colours : nullptr);
+  bind(RELIEF_TEXTURE_MASKS, store.masks ? &*store.masks : nullptr);
   bind(RELIEF_TEXTURE_ENVIRONMENT, environment);
 }
 
@@ -135,7 +136,7 @@ BoundModel::~BoundModel() {
        {RELIEF_TEXTURE_HEIGHTS, RELIEF_TEXTURE_NORMALS, RELIEF_TEXTURE_COLOURS,
         RELIEF_TEXTURE_ENVIRONMENT, RELIEF_TEXTURE_SAMPLES, RELIEF_TEXTURE_PATCHES,
         RELIEF_TEXTURE_PATCH_VIEWS, RELIEF_TEXTURE_CELL_HEIGHTS, RELIEF_TEXTURE_CELL_ROWS,
-        RELIEF_TEXTURE_CELL_RUNS, RELIEF_TEXTURE_RIMS})
+        RELIEF_TEXTURE_CELL_RUNS, RELIEF_TEXTURE_RIMS, RELIEF_TEXTURE_MASKS})
     gl_.BindTextureUnit(unit, 0);
   gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
   gl_.BindVertexArray(0);

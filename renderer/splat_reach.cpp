@@ -14,8 +14,8 @@ namespace {
 
 // The margins of border splats are the same in all views, for rays that rise by 30 degrees over the
 // surface: wider ones are spikes beyond the patch. The largest is in spacings along the plane.
-constexpr float kBorderView = 0.58F;  // tan 30 degrees
-constexpr float kLargestBorderMargin = 0.5F;
+constexpr float kLowestRay = 0.58F;  // tan 30 degrees
+constexpr float kLargestFixedMargin = 0.5F;
 
 // Planes that part by less than this where neighbours are half-way, in cells, need no other place:
 // the spike would be as small, and a place found from smaller steps would be that of the noise.
@@ -163,8 +163,7 @@ class ReachFinder {
         const float gap = std::max(
             {meetings_[axis][edge].gap, corner_gap(edge), corner_gap(edge - step(1 - axis))});
         if (border) {
-          reaches_[k].reach[side(axis, forward)] +=
-              cosine * std::min(gap / (2.0F * kBorderView), kLargestBorderMargin);
+          reaches_[k].reach[side(axis, forward)] += fixed_margin(gap, cosine);
         } else {
           reaches_[k].gap[side(axis, forward)] = gap;
         }
@@ -185,6 +184,10 @@ class ReachFinder {
 std::vector<SplatReach> find_reaches(const PaddedHeights& heights, const SplatSlopes& slopes,
                                      float height_step) {
   return ReachFinder(heights, slopes, height_step).find();
+}
+
+float fixed_margin(float gap, float cosine) {
+  return cosine * std::min(gap / (2.0F * kLowestRay), kLargestFixedMargin);
 }
 
 }  // namespace relief

@@ -30,4 +30,8 @@ struct SplatReach {
 [[nodiscard]] std::vector<SplatReach> find_reaches(const PaddedHeights& heights,
                                                    const SplatSlopes& slopes, float height_step);
 
+/// The margin (cells) that closes a gap for rays that rise by 30 degrees or more over the surface:
+/// that of splats whose margins are the same in all views. `cosine`: of the splat's tilt.
+[[nodiscard]] float fixed_margin(float gap, float cosine);
+
 }  // namespace relief

@@ -6,6 +6,8 @@
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "renderer/patch_store.h"
+
 namespace relief {
 namespace {
 

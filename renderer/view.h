@@ -8,10 +8,11 @@
 #include <glm/vec3.hpp>
 
 #include "common/camera.h"
-#include "renderer/patch_store.h"
 #include "shaders/include/shared.h"
 
 namespace relief {
+
+struct StoredPatch;
 
 /// A camera with a picture size. World units, pixels.
 struct View {
@@ -23,6 +24,7 @@ struct View {
   double slope_y = 1.0;
   std::uint32_t width = 0;
   std::uint32_t height = 0;
+  double pixels_per_sample = 0.0;  ///< levels of detail: how far apart samples may be seen
 };
 
 /// `near` only bounds what may be in front of the eye: with reversed floating-point depth a small

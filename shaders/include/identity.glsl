@@ -11,7 +11,7 @@ layout(location = RELIEF_OUT_PATCH) out uint out_patch;  // id + 1
 // `place`: grid coordinates; those beyond the patch become its edge.
 void write_identity(PatchInfo info, vec2 place) {
 #if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_UV) != 0u
-  out_uv = clamp(place, vec2(0.0), vec2(info.nodes.xy - 1));
+  out_uv = info.extent.w * (clamp_to_patch(info, place) - info.extent.x);
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_PATCH) != 0u
   out_patch = uint(info.nodes.z) + 1u;

@@ -18,6 +18,8 @@ PatchInfo fetch_patch(uint patch_index) {
   info.heights = texelFetch(patch_table, row + 4);
   info.normals = texelFetch(patch_table, row + 5);
   info.colours = texelFetch(patch_table, row + 6);
+  info.masks = texelFetch(patch_table, row + 7);
+  info.extent = intBitsToFloat(texelFetch(patch_table, row + 8));
   return info;
 }
 
@@ -25,6 +27,11 @@ mat4 fetch_clip_from_grid(uint patch_index) {
   int row = int(patch_index) * kPatchViewRows;
   return mat4(texelFetch(patch_views, row), texelFetch(patch_views, row + 1),
               texelFetch(patch_views, row + 2), texelFetch(patch_views, row + 3));
+}
+
+// The place on the patch nearest to grid coordinates `place`.
+vec2 clamp_to_patch(PatchInfo info, vec2 place) {
+  return clamp(place, info.extent.xx, info.extent.yz);
 }
 
 // The eye in the grid frame.

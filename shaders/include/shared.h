@@ -47,6 +47,10 @@ using glm::vec4;
 // nothing beside them.
 #define RELIEF_FEATURE_CELL 2048u
 
+// Coarser levels: what lies beyond the samples of a patch is cut off by its mask, one lookup per
+// fragment; of cells only where a hole touches them, which is a second program.
+#define RELIEF_FEATURE_MASKED 4096u
+
 // Locations of the colour attachments.
 #define RELIEF_OUT_COLOUR 0
 #define RELIEF_OUT_NORMAL 1
@@ -80,6 +84,7 @@ using glm::vec4;
 #define RELIEF_TEXTURE_COLOUR_SUMS 12
 #define RELIEF_TEXTURE_DEPTH_SUMS 13
 #define RELIEF_TEXTURE_VISIBLE_DEPTH 14
+#define RELIEF_TEXTURE_MASKS 15
 
 /// Uniform of `multipass`: radius of its discs over that of Eq. (1) of paper 001.
 #define RELIEF_UNIFORM_RADIUS_FACTOR 0
@@ -106,6 +111,10 @@ RELIEF_CONST uint kBorderBit = 0x80000000u;
 /// too.
 RELIEF_CONST int kRunCells = 14;
 RELIEF_CONST int kRunVertices = 2 * kRunCells + 4;  // a power of two, which shaders divide by
+
+/// The same of the runs of a level's edge: what holes touch are mostly one or two cells in a row.
+RELIEF_CONST int kEdgeRunCells = 2;
+RELIEF_CONST int kEdgeRunVertices = 2 * kEdgeRunCells + 4;
 RELIEF_CONST uint kPlaceBits = 8u;
 RELIEF_CONST uint kPlaceMask = 0xFFu;
 RELIEF_CONST uint kRunCellsMask = 0xFu;
@@ -190,7 +199,8 @@ RELIEF_CONST float kNeutralGrey = 0.5f;
 /// Three lights, fixed to the camera: whatever side of a scan is looked at is lit.
 RELIEF_CONST int kLights = 3;
 
-/// What does not change from frame to frame about a patch; kPatchInfoRows texels of four integers.
+/// What does not change from frame to frame about a patch, or about one of its levels, whose cells
+/// and nodes these are then; kPatchInfoRows texels of four integers.
 struct PatchInfo {
   vec4 axis_u;    ///< world direction of grid axis u; w: spacing (world units)
   vec4 axis_v;    ///< of v; w: height of one height index, in cells
@@ -199,6 +209,9 @@ struct PatchInfo {
   ivec4 heights;  ///< where its height map lies: texel x, y, layer; w: 0
   ivec4 normals;  ///< the same for the normal map; w: texels per cell
   ivec4 colours;  ///< the same for the colour map
+  ivec4 masks;    ///< the same for the mask, where coarser levels are drawn
+  vec4 extent;    ///< grid coordinates where the patch begins (x, y alike) and ends; w: its cells
+                  ///< per cell
 };
 
 /// What the camera makes of a patch; kPatchViewRows texels of four floats. Grid frame: (column,
@@ -219,12 +232,13 @@ struct Frame {
   vec4 light_ambient;
 };
 
-RELIEF_CONST int kPatchInfoRows = 7;
+RELIEF_CONST int kPatchInfoRows = 9;
 RELIEF_CONST int kPatchViewRows = 5;
 
 #ifdef __cplusplus
 static_assert(sizeof(PatchInfo) == 16 * kPatchInfoRows);
-static_assert(offsetof(PatchInfo, nodes) == 48 && offsetof(PatchInfo, colours) == 96);
+static_assert(offsetof(PatchInfo, nodes) == 48 && offsetof(PatchInfo, colours) == 96 &&
+              offsetof(PatchInfo, extent) == 128);
 static_assert(sizeof(PatchView) == 16 * kPatchViewRows && offsetof(PatchView, eye) == 64);
 static_assert(sizeof(Frame) == 176 && offsetof(Frame, light_direction) == 64 &&
               offsetof(Frame, light_ambient) == 160);

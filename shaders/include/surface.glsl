@@ -19,7 +19,7 @@ vec4 look_up(sampler2DArray maps, ivec4 map, vec2 uv) {
 
 // Shades the place `hit` of the patch, seen along `ray` (grid frame) at `depth` along the view axis.
 void shade(PatchInfo info, vec3 hit, vec3 ray, float depth) {
-  vec2 uv = clamp(hit.xy, vec2(0.0), vec2(info.nodes.xy - 1));
+  vec2 uv = clamp_to_patch(info, hit.xy);
 #if (RELIEF_FEATURES & RELIEF_FEATURE_COLOURS) != 0u
   // A patch without colours among coloured ones has no texel for that grey: sRGB in 8 bits lacks it.
   vec3 albedo =

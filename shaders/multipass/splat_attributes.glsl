@@ -8,14 +8,19 @@ layout(location = 3) flat out vec3 splat_normal;  // world, unit
 layout(location = 4) flat out vec3 splat_colour;  // linear
 #endif
 
+// The texel of a map at a node; nodes of a level beyond the patch have its edge's.
+ivec3 texel_at(ivec4 map, PatchInfo info, vec2 node) {
+  return ivec3(map.xy + ivec2(clamp_to_patch(info, node) * float(map.w)), map.z);
+}
+
 void write_attributes(PatchInfo info, vec2 node) {
 #if RELIEF_NEEDS_NORMAL
-  ivec3 normal_texel = ivec3(info.normals.xy + ivec2(node) * info.normals.w, info.normals.z);
+  ivec3 normal_texel = texel_at(info.normals, info, node);
   splat_normal =
       to_world(info, unit_from_stereographic(texelFetch(normal_maps, normal_texel, 0).xy));
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_COLOURS) != 0u
-  ivec3 colour_texel = ivec3(info.colours.xy + ivec2(node) * info.colours.w, info.colours.z);
+  ivec3 colour_texel = texel_at(info.colours, info, node);
   splat_colour =
       info.colours.w == 0 ? vec3(kNeutralGrey) : texelFetch(colour_maps, colour_texel, 0).rgb;
 #endif

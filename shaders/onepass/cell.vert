@@ -1,4 +1,4 @@
-// Runs of cells as triangle strips: gl_VertexID / kRunVertices is the run. Each cell is halved along
+// Runs of cells as triangle strips: gl_VertexID / kVertices is the run. Each cell is halved along
 // the diagonal from (0, 0) to (1, 1), as for corrected interpolation.
 #include "include/heights.glsl"
 
@@ -22,11 +22,17 @@ bool beside_border(PatchInfo info, ivec2 node) {
   return beside;
 }
 
+#if (RELIEF_FEATURES & RELIEF_FEATURE_MASKED) != 0u
+const int kVertices = kEdgeRunVertices;
+#else
+const int kVertices = kRunVertices;
+#endif
+
 void main() {
   PatchInfo info = fetch_patch(patch_index);
-  uint run = texelFetch(cell_runs, gl_VertexID / kRunVertices).x;
+  uint run = texelFetch(cell_runs, gl_VertexID / kVertices).x;
   uint cells = (run >> (2u * kPlaceBits)) & kRunCellsMask;
-  int corner = clamp(gl_VertexID % kRunVertices - 1, 0, kRunVertices - 3);
+  int corner = clamp(gl_VertexID % kVertices - 1, 0, kVertices - 3);
   // The upper row first: 2, 0, 3, 1 of a cell.
   uvec2 within = uvec2(min(uint(corner) / 2u, cells), 1u - uint(corner) % 2u);
   uvec2 first = uvec2(part_corner & 0xFFFFu, part_corner >> 16) +

@@ -2,6 +2,9 @@
 #include "include/counting.glsl"
 #include "include/limits.glsl"
 #include "include/surface.glsl"
+#if (RELIEF_FEATURES & RELIEF_FEATURE_MASKED) != 0u
+#include "include/mask.glsl"
+#endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_CORRECTED) != 0u
 #include "include/interpolation.glsl"
 #endif
@@ -26,6 +29,9 @@ void main() {
   float along;
   if (!correct(place, ray, info, along)) discard;
   depth *= 1.0 + along;
+#endif
+#if (RELIEF_FEATURES & RELIEF_FEATURE_MASKED) != 0u
+  if (!within_mask(info, place.xy)) discard;
 #endif
   shade(info, place, ray, depth);
 }

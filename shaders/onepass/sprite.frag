@@ -2,6 +2,9 @@
 #include "include/counting.glsl"
 #include "include/limits.glsl"
 #include "include/surface.glsl"
+#if (RELIEF_FEATURES & RELIEF_FEATURE_MASKED) != 0u
+#include "include/mask.glsl"
+#endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_CORRECTED) != 0u
 #include "include/interpolation.glsl"
 #endif
@@ -34,6 +37,9 @@ void main() {
   float along = 0.0;
 #if (RELIEF_FEATURES & RELIEF_FEATURE_CORRECTED) != 0u
   if (!correct(place, depth * ray, info, along)) discard;
+#endif
+#if (RELIEF_FEATURES & RELIEF_FEATURE_MASKED) != 0u
+  if (!within_mask(info, place.xy)) discard;
 #endif
   shade(info, place, ray, depth * (1.0 + along));
 }

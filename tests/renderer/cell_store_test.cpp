@@ -71,7 +71,8 @@ TEST_F(Stores, RowsOfEachPatchFollowARowWithoutNodes) {
   const PatchModel model = test::height_field(5, [](double, double) { return 0.0; });
   std::vector<std::int32_t> first;
   for (int patch = 0; patch < 3; ++patch) {
-    const auto row = upload.add(model.patches[0], make_samples(model.patches[0]));
+    const auto row =
+        upload.add(model.patches[0], make_cells(model.patches[0], make_samples(model.patches[0])));
     ASSERT_TRUE(row);
     first.push_back(*row);
   }

@@ -1,13 +1,21 @@
 #include "renderer/engines/onepass/cell_list.h"
 
+#include <utility>
+
 #include "shaders/include/shared.h"
 
 namespace relief::onepass {
 
-std::vector<std::uint32_t> find_visible(const CellStore& store, const View& view) {
-  return nearest_first(store.parts, view, [&view](const StoredPart& part) {
-    return sees_sphere(view, part.centre, part.radius);
-  });
+std::vector<std::uint32_t> find_parts(const PatchStore& store, const View& view) {
+  std::vector<bool> chosen(store.patches.size(), false);
+  for (const std::uint32_t patch : levels_for(store, view)) chosen[patch] = true;
+  const std::vector<StoredPart>& parts = store.cells->parts;
+  std::vector<std::uint32_t> visible;
+  for (std::uint32_t p = 0; p < parts.size(); ++p) {
+    if (chosen[parts[p].patch] && sees_sphere(view, parts[p].centre, parts[p].radius))
+      visible.push_back(p);
+  }
+  return nearest_first(parts, view, std::move(visible));
 }
 
 std::vector<ArraysCommand> cell_commands(const CellStore& store,
@@ -19,6 +27,19 @@ std::vector<ArraysCommand> cell_commands(const CellStore& store,
     if (part.page != page || part.runs == 0) continue;
     commands.push_back(
         {shared::kRunVertices * part.runs, 1, shared::kRunVertices * part.first_run, p});
+  }
+  return commands;
+}
+
+std::vector<ArraysCommand> edge_commands(const CellStore& store,
+                                         const std::vector<std::uint32_t>& parts,
+                                         std::uint32_t page) {
+  std::vector<ArraysCommand> commands;
+  for (const std::uint32_t p : parts) {
+    const StoredPart& part = store.parts[p];
+    if (part.page != page || part.edge_runs == 0) continue;
+    commands.push_back({shared::kEdgeRunVertices * part.edge_runs, 1,
+                        shared::kEdgeRunVertices * (part.first_run + part.runs), p});
   }
   return commands;
 }

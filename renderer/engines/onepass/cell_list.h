@@ -10,11 +10,16 @@
 
 namespace relief::onepass {
 
-/// The parts in view, nearest first.
-[[nodiscard]] std::vector<std::uint32_t> find_visible(const CellStore& store, const View& view);
+/// The parts in view, of the levels that it chooses, nearest first.
+[[nodiscard]] std::vector<std::uint32_t> find_parts(const PatchStore& store, const View& view);
 
 /// Commands that draw the cells of one page's share of `parts`, as strips.
 [[nodiscard]] std::vector<ArraysCommand> cell_commands(const CellStore& store,
+                                                       const std::vector<std::uint32_t>& parts,
+                                                       std::uint32_t page);
+
+/// Commands that draw the cells of levels that holes touch, as strips.
+[[nodiscard]] std::vector<ArraysCommand> edge_commands(const CellStore& store,
                                                        const std::vector<std::uint32_t>& parts,
                                                        std::uint32_t page);
 

@@ -10,6 +10,16 @@
 #include "shaders/include/shared.h"
 
 namespace relief::onepass {
+namespace {
+
+void bind_page(const Gl& gl, const CellPage& page) {
+  gl.BindTextureUnit(RELIEF_TEXTURE_CELL_HEIGHTS, page.heights.texture.id());
+  gl.BindTextureUnit(RELIEF_TEXTURE_CELL_ROWS, page.rows.texture.id());
+  gl.BindTextureUnit(RELIEF_TEXTURE_CELL_RUNS, page.runs.texture.id());
+  gl.BindTextureUnit(RELIEF_TEXTURE_RIMS, page.rims.texture.id());
+}
+
+}  // namespace
 
 Engine::Engine(const Gl& gl, const PatchStore& store, Programs programs)
     : gl_(&gl), samples_(gl, store, programs.rims.has_value()), programs_(std::move(programs)) {}
@@ -17,19 +27,27 @@ Engine::Engine(const Gl& gl, const PatchStore& store, Programs programs)
 Result<Engine> Engine::create(const Gl& gl, const PatchStore& store, std::uint32_t features) {
   if ((features & RELIEF_FEATURE_CELL) != 0) {
     // A cell is the surface: there is nothing to correct.
-    Result<Program> cells = make_program(gl, "cells", "onepass/cell.vert", "onepass/quad.frag",
-                                         features & ~RELIEF_FEATURE_CORRECTED);
+    const std::uint32_t whole = features & ~RELIEF_FEATURE_MASKED;
+    const std::uint32_t direct = ~RELIEF_FEATURE_CORRECTED;
+    Result<Program> cells =
+        make_program(gl, "cells", "onepass/cell.vert", "onepass/quad.frag", whole & direct);
     if (!cells) return cells.error();
     Result<Program> rims =
-        make_program(gl, "rims", "onepass/quad.vert", "onepass/quad.frag", features);
+        make_program(gl, "rims", "onepass/quad.vert", "onepass/quad.frag", whole);
     if (!rims) return rims.error();
-    return Engine(gl, store, {std::move(*cells), std::nullopt, std::move(*rims)});
+    Engine engine(gl, store, {std::move(*cells), std::nullopt, std::move(*rims), std::nullopt});
+    if (features == whole) return engine;
+    Result<Program> edges =
+        make_program(gl, "edges", "onepass/cell.vert", "onepass/quad.frag", features & direct);
+    if (!edges) return edges.error();
+    engine.programs_.edges = std::move(*edges);
+    return engine;
   }
   if ((features & RELIEF_FEATURE_SPRITE) == 0) {
     Result<Program> quads =
         make_program(gl, "quads", "onepass/quad.vert", "onepass/quad.frag", features);
     if (!quads) return quads.error();
-    return Engine(gl, store, {std::move(*quads), std::nullopt, std::nullopt});
+    return Engine(gl, store, {std::move(*quads), std::nullopt, std::nullopt, std::nullopt});
   }
   Result<Program> sprites =
       make_program(gl, "sprites", "onepass/sprite.vert", "onepass/sprite.frag", features);
@@ -38,7 +56,7 @@ Result<Engine> Engine::create(const Gl& gl, const PatchStore& store, std::uint32
       make_program(gl, "large sprites", "onepass/large_sprite.vert", "onepass/quad.frag",
                    (features & ~RELIEF_FEATURE_SPRITE) | RELIEF_FEATURE_LARGE_SPRITES);
   if (!large) return large.error();
-  return Engine(gl, store, {std::move(*sprites), std::move(*large), std::nullopt});
+  return Engine(gl, store, {std::move(*sprites), std::move(*large), std::nullopt, std::nullopt});
 }
 
 void Engine::draw_splats(const View& view) const {
@@ -60,38 +78,39 @@ void Engine::draw_splats(const View& view) const {
 
 void Engine::draw_cells(const View& view) const {
   const CellStore& cells = *samples_.store().cells;
-  const std::vector<std::uint32_t> visible = find_visible(cells, view);
+  const std::vector<std::uint32_t> visible = find_parts(samples_.store(), view);
   std::vector<std::uint32_t> patches;
   patches.reserve(visible.size());
   for (const std::uint32_t part : visible) patches.push_back(cells.parts[part].patch);
   samples_.look(view, patches);
-  const auto bind = [this](const CellPage& page) {
-    gl_->BindTextureUnit(RELIEF_TEXTURE_CELL_HEIGHTS, page.heights.texture.id());
-    gl_->BindTextureUnit(RELIEF_TEXTURE_CELL_ROWS, page.rows.texture.id());
-    gl_->BindTextureUnit(RELIEF_TEXTURE_CELL_RUNS, page.runs.texture.id());
-    gl_->BindTextureUnit(RELIEF_TEXTURE_RIMS, page.rims.texture.id());
-  };
   gl_->UseProgram(programs_.main.id());
-  for (std::uint32_t page = 0; page < cells.pages.size(); ++page) {
-    const std::vector<ArraysCommand> commands = cell_commands(cells, visible, page);
-    const Buffer buffer =
-        make_buffer(*gl_, "draw commands", std::span<const ArraysCommand>(commands));
-    bind(cells.pages[page]);
-    gl_->BindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer.id());
-    gl_->MultiDrawArraysIndirect(GL_TRIANGLE_STRIP, nullptr, static_cast<GLsizei>(commands.size()),
-                                 0);
+  for (std::uint32_t page = 0; page < cells.pages.size(); ++page)
+    draw_strips(cells.pages[page], cell_commands(cells, visible, page));
+  // What reaches beyond patches is mostly hidden by now.
+  if (programs_.edges) {
+    gl_->UseProgram(programs_.edges->id());
+    for (std::uint32_t page = 0; page < cells.pages.size(); ++page)
+      draw_strips(cells.pages[page], edge_commands(cells, visible, page));
   }
-  // Set back in depth, the splats are mostly hidden by now.
   gl_->UseProgram(programs_.rims->id());
   for (std::uint32_t page = 0; page < cells.pages.size(); ++page) {
     const std::vector<ElementsCommand> commands = rim_commands(cells, visible, page);
     const Buffer buffer =
         make_buffer(*gl_, "draw commands", std::span<const ElementsCommand>(commands));
-    bind(cells.pages[page]);
+    bind_page(*gl_, cells.pages[page]);
     gl_->BindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer.id());
     gl_->MultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, nullptr,
                                    static_cast<GLsizei>(commands.size()), 0);
   }
+}
+
+void Engine::draw_strips(const CellPage& page, const std::vector<ArraysCommand>& commands) const {
+  const Buffer buffer =
+      make_buffer(*gl_, "draw commands", std::span<const ArraysCommand>(commands));
+  bind_page(*gl_, page);
+  gl_->BindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer.id());
+  gl_->MultiDrawArraysIndirect(GL_TRIANGLE_STRIP, nullptr, static_cast<GLsizei>(commands.size()),
+                               0);
 }
 
 void Engine::draw(const View& view, PassTimer& timer, const Texture* environment) const {

@@ -4,8 +4,10 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "common/error.h"
+#include "renderer/draw_list.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/gl/pass.h"
@@ -26,16 +28,18 @@ class Engine {
   void draw(const View& view, PassTimer& timer, const Texture* environment) const;
 
  private:
-  /// What draws; at most one of the second two.
+  /// What draws.
   struct Programs {
     Program main;
-    std::optional<Program> large_sprites;
-    std::optional<Program> rims;  ///< the border splats of cells
+    std::optional<Program> large_sprites;  ///< with sprites
+    std::optional<Program> rims;           ///< with cells: their border splats
+    std::optional<Program> edges;          ///< with cells: those of levels that holes touch
   };
 
   Engine(const Gl& gl, const PatchStore& store, Programs programs);
   void draw_splats(const View& view) const;
   void draw_cells(const View& view) const;
+  void draw_strips(const CellPage& page, const std::vector<ArraysCommand>& commands) const;
 
   const Gl* gl_;
   SampleDraws samples_;
