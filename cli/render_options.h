@@ -23,6 +23,15 @@ struct RenderArguments {
 /// Declares the arguments and options of `sub`, which fill `arguments`. It must outlive `sub`.
 void add_render_options(CLI::App& sub, RenderArguments& arguments);
 
+/// Parts of them, for other subcommands: the picture's size and camera; material and environment;
+/// where OpenGL comes from.
+void add_camera_options(CLI::App& sub, SceneSettings& settings);
+void add_material_options(CLI::App& sub, SceneSettings& settings);
+void add_platform_option(CLI::App& sub, GlPlatform& platform);
+
+/// What no single option's check can see about the camera; throws CLI::ValidationError.
+void check_camera(const SceneSettings& settings);
+
 /// What no single option's check can see; throws CLI::ValidationError.
 void check_together(const RenderArguments& arguments);
 

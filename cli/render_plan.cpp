@@ -48,7 +48,7 @@ bool outputs_differ(const RenderPlan& plan, const RenderArguments& arguments) {
          arguments.output.string().find(kViewMark) != std::string::npos;
 }
 
-Status check_files(const RenderPlan& plan, const fs::path& texture) {
+Result<std::vector<fs::path>> find_inputs(const RenderPlan& plan, const fs::path& texture) {
   std::set<fs::path> inputs;
   if (!texture.empty()) inputs.insert(texture);
   for (const SceneModel& model : plan.models) inputs.insert(model.file);
@@ -61,9 +61,14 @@ Status check_files(const RenderPlan& plan, const fs::path& texture) {
     if (!fs::exists(input, ignored)) return make_error("{}: there is no such file", input.string());
   }
   if (!plan.scene.empty()) inputs.insert(plan.scene);
-  const std::vector<fs::path> all(inputs.begin(), inputs.end());
+  return std::vector<fs::path>(inputs.begin(), inputs.end());
+}
+
+Status check_files(const RenderPlan& plan, const fs::path& texture) {
+  const auto inputs = find_inputs(plan, texture);
+  if (!inputs) return inputs.error();
   for (const Picture& picture : plan.pictures) {
-    Status writable = check_output(picture.output, all);
+    Status writable = check_output(picture.output, *inputs);
     if (!writable) return writable;
   }
   return {};

@@ -22,6 +22,8 @@ struct StoreNeeds {
   bool cells = false;
   bool normals = false;
   bool colours = false;
+
+  bool operator==(const StoreNeeds&) const = default;
 };
 
 /// What the CPU keeps of a patch on the GPU. World frame, in double precision.
