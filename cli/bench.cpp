@@ -2,17 +2,23 @@
 #include "renderer/bench/bench.h"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
+#include <span>
+#include <string>
 #include <utility>
 
 #include "cli/bench_accuracy.h"
+#include "cli/bench_plot.h"
 #include "cli/bench_report.h"
 #include "cli/bench_rows.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/load_scene.h"
+#include "cli/paths.h"
 #include "cli/render_options.h"
 #include "cli/render_plan.h"
+#include "common/file.h"
 
 namespace relief::cli {
 namespace {
@@ -28,10 +34,19 @@ constexpr const char* kExamples =
     "primitive), of the bound, of the mesh. Bytes are those of the model on the GPU.\n"
     "\n"
     "Examples:\n"
-    "  relief bench dragon.ply.gz\n"
+    "  relief bench dragon.ply.gz --plot bench.svg\n"
     "  relief bench dragon.relief --material mirror --env studio.hdr --frames 50 --json";
 
 constexpr int kFrames = 20;
+
+struct Arguments {
+  RenderArguments picture;
+  std::filesystem::path plot;  ///< empty: none
+};
+
+Status write_text(const std::filesystem::path& path, const std::string& text) {
+  return write_file_atomically(path, std::as_bytes(std::span<const char>(text)));
+}
 
 Result<BenchResult> measure(const RenderPlan& plan, const RenderArguments& arguments) {
   ConsoleProgress progress;
@@ -64,34 +79,49 @@ Result<BenchResult> measure(const RenderPlan& plan, const RenderArguments& argum
   return result;
 }
 
-int run(const RenderArguments& arguments) {
-  const auto plan = make_plan(arguments);
+int run(const Arguments& arguments) {
+  const auto plan = make_plan(arguments.picture);
   if (!plan) return fail(plan.error());
   const auto inputs = find_inputs(*plan, {});
   if (!inputs) return fail(inputs.error());
-  const auto result = measure(*plan, arguments);
+  if (!arguments.plot.empty()) {
+    const Status writable = check_output(arguments.plot, *inputs);
+    if (!writable) return fail(writable.error());
+  }
+  const auto result = measure(*plan, arguments.picture);
   if (!result) return fail(result.error());
-  return arguments.json ? print_json(as_json(*result)) : print_result(as_text(*result));
+  if (!arguments.plot.empty()) {
+    const Status written = write_text(arguments.plot, plot_as_svg(plot_of(*result)));
+    if (!written) return fail(written.error());
+  }
+  return arguments.picture.json ? print_json(as_json(*result)) : print_result(as_text(*result));
 }
 
 }  // namespace
 
 void add_bench(CLI::App& app, Command& command) {
   auto* sub = app.add_subcommand("bench", "Time every way to draw a scene against the truth");
-  const auto arguments = std::make_shared<RenderArguments>();
-  sub->add_option("SCENE", arguments->input, "A .relief file, a scan, a mesh or a .json scene")
+  const auto arguments = std::make_shared<Arguments>();
+  RenderArguments& picture = arguments->picture;
+  sub->add_option("SCENE", picture.input, "A .relief file, a scan, a mesh or a .json scene")
       ->required()
       ->option_text("FILE");
-  add_camera_options(*sub, arguments->settings);
-  add_material_options(*sub, arguments->settings);
-  sub->add_option("--frames", arguments->frames, "Timed frames of each row (20)")
+  add_camera_options(*sub, picture.settings);
+  add_material_options(*sub, picture.settings);
+  sub->add_option("--frames", picture.frames, "Timed frames of each row (20)")
       ->check(CLI::Range(1, 100000))
       ->option_text("N");
-  add_platform_option(*sub, arguments->platform);
-  sub->add_flag("--json", arguments->json, "Print one JSON object on standard output");
+  add_platform_option(*sub, picture.platform);
+  sub->add_option("--plot", arguments->plot,
+                  "Write accuracy against time, with the Pareto front marked")
+      ->check([](const std::string& name) {
+        return ending(name) == ".svg" ? std::string() : "expected a name that ends in .svg";
+      })
+      ->option_text("OUT.svg");
+  sub->add_flag("--json", picture.json, "Print one JSON object on standard output");
   sub->footer(kExamples);
   sub->callback([arguments, &command] {
-    check_camera(arguments->settings);
+    check_camera(arguments->picture.settings);
     command = [arguments] { return run(*arguments); };
   });
 }
