@@ -104,6 +104,8 @@ void check_engine_options(const RenderArguments& arguments) {
     throw CLI::ValidationError("--primitive", "cell is for --engine onepass");
   if (settings.samples && engine != EngineKind::Raytrace)
     throw CLI::ValidationError("--samples", "is for --engine raytrace");
+  if (arguments.explain && !is_on_opengl(engine))
+    throw CLI::ValidationError("--explain", "is for --engine onepass and multipass");
   const bool for_ewa = settings.filter || settings.cutoff || settings.layers ||
                        settings.coverage_threshold || settings.time_budget_ms;
   if (for_ewa && engine != EngineKind::Ewa) {
@@ -183,6 +185,9 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments) {
       ->check(CLI::Range(1, 100000))
       ->option_text("N");
   add_platform_option(sub, arguments.platform);
+  sub.add_flag("--explain", arguments.explain,
+               "onepass, multipass: also tell what the picture took: features, shader variants, "
+               "buffers, textures, passes and draws");
   sub.add_flag("--json", arguments.json, "Print one JSON object on standard output");
 }
 

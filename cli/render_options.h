@@ -17,6 +17,7 @@ struct RenderArguments {
   SceneSettings settings;  ///< what the options say; a scene's settings yield to it
   GlPlatform platform = GlPlatform::Automatic;
   std::optional<int> frames;  ///< by default 3 on OpenGL, 1 of the engines on the CPU
+  bool explain = false;
   bool json = false;
 };
 

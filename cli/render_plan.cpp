@@ -105,6 +105,7 @@ Result<RenderSettings> render_settings_for(const Picture& picture, const PatchMo
       said.coverage_threshold.value_or(settings.ewa.coverage_threshold);
   settings.ewa.time_budget_ms = said.time_budget_ms.value_or(settings.ewa.time_budget_ms);
   settings.platform = arguments.platform;
+  settings.explain = arguments.explain;
   // A slow engine is not run again for the sake of a timing that nobody asked for.
   settings.frames = arguments.frames.value_or(is_on_opengl(settings.engine) ? settings.frames : 1);
   return settings;

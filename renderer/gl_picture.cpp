@@ -82,7 +82,7 @@ Result<RenderResult> draw_picture(const Gl& gl, const GlDrawing& drawing,
                                   const RenderSettings& settings) {
   RenderResult result;
   result.renderer = renderer_name(gl);
-  result.fragments = count_fragments(gl, drawing);
+  if (drawing.count) result.fragments = count_fragments(gl, drawing);
   time_frames(gl, drawing, settings.frames, result);
   if (gl.recorder != nullptr) result.explanation = gl.recorder->explain();
   read_picture(gl, drawing.picture, settings.background.has_value(), result);

@@ -35,7 +35,8 @@ using DrawModel = std::function<void(const GlPicture& picture, PassTimer& timer)
 struct GlDrawing {
   GlPicture picture;
   DrawModel draw;
-  DrawModel count;  ///< draws the same and counts the fragments that it shades
+  DrawModel count;  ///< draws the same and counts the fragments that it shades; empty where the
+                    ///< picture is explained, which has nothing that only counts
 };
 
 /// How long a frame took.
@@ -54,8 +55,8 @@ std::uint64_t count_fragments(const Gl& gl, const GlDrawing& drawing);
 /// background under it.
 void read_picture(const Gl& gl, const GlPicture& picture, bool opaque, RenderResult& result);
 
-/// Draws a picture: once to count fragments, once to warm up, then `settings.frames` times for the
-/// clock.
+/// Draws a picture: once to count fragments (unless it is explained), once to warm up, then
+/// `settings.frames` times for the clock.
 Result<RenderResult> draw_picture(const Gl& gl, const GlDrawing& drawing,
                                   const RenderSettings& settings);
 

@@ -42,10 +42,11 @@ struct StoredPatch {
 /// The model on the GPU. `patches` runs parallel to PatchModel::patches.
 struct PatchStore {
   std::vector<StoredPatch> patches;
-  std::vector<Table> pages;  ///< sample records; more than one only for a model that is larger
-                             ///< than what OpenGL lets a shader see of one buffer
-  Table table;               ///< shared::PatchInfo per patch
-  Buffer indices;            ///< 0, 1, 2 ...: the per-instance attribute that names the patch
+  std::vector<Table> pages;       ///< sample records; more than one only for a model that is larger
+                                  ///< than what OpenGL lets a shader see of one buffer
+  Table table;                    ///< shared::PatchInfo per patch
+  std::optional<Buffer> indices;  ///< 0, 1, 2 ...: the per-instance attribute that names the patch;
+                                  ///< cells alone have CellStore::places instead
   std::optional<Texture> heights;
   std::optional<Texture> normals;
   std::optional<Texture> colours;

@@ -48,7 +48,8 @@ struct RenderSettings {
   GlPlatform platform = GlPlatform::Automatic;
   int frames = 3;      ///< timed frames; the median counts. on OpenGL one more is drawn before them
   bool debug = false;  ///< OpenGL debug context; a high-severity message is an error
-  bool explain = false;  ///< RenderResult::explanation, of the engines on OpenGL
+  bool explain = false;  ///< RenderResult::explanation, of the engines on OpenGL; such a picture
+                         ///< has nothing beside it that counts fragments
 };
 
 struct RenderResult {

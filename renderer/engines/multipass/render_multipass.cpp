@@ -20,8 +20,6 @@ class Prepared final : public GlPreparedModel {
     const std::uint32_t features = scene_features(settings, model().has_colours());
     const auto engine = engines_.get(model(), features);
     if (!engine) return engine.error();
-    const auto counting = engines_.get(model(), features | RELIEF_FEATURE_COUNT_FRAGMENTS);
-    if (!counting) return counting.error();
     auto picture = model().make_picture(settings);
     if (!picture) return picture.error();
     auto made = make_sums(model().gl(), picture->targets, features);
@@ -33,7 +31,12 @@ class Prepared final : public GlPreparedModel {
         drawing.draw(frame, *sums, factor, timer);
       };
     };
-    return GlDrawing{std::move(*picture), draw_with(**engine), draw_with(**counting)};
+    GlDrawing drawing{std::move(*picture), draw_with(**engine), {}};
+    if (settings.explain) return drawing;
+    const auto counting = engines_.get(model(), features | RELIEF_FEATURE_COUNT_FRAGMENTS);
+    if (!counting) return counting.error();
+    drawing.count = draw_with(**counting);
+    return drawing;
   }
 
  private:

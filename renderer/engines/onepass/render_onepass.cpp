@@ -19,8 +19,6 @@ class Prepared final : public GlPreparedModel {
     const std::uint32_t features = features_of(settings, model().has_colours());
     const auto engine = engines_.get(model(), features);
     if (!engine) return engine.error();
-    const auto counting = engines_.get(model(), features | RELIEF_FEATURE_COUNT_FRAGMENTS);
-    if (!counting) return counting.error();
     auto picture = model().make_picture(settings);
     if (!picture) return picture.error();
     const auto draw_with = [](const Engine& drawing) {
@@ -28,7 +26,12 @@ class Prepared final : public GlPreparedModel {
         drawing.draw(frame.view, timer, frame.environment);
       };
     };
-    return GlDrawing{std::move(*picture), draw_with(**engine), draw_with(**counting)};
+    GlDrawing drawing{std::move(*picture), draw_with(**engine), {}};
+    if (settings.explain) return drawing;
+    const auto counting = engines_.get(model(), features | RELIEF_FEATURE_COUNT_FRAGMENTS);
+    if (!counting) return counting.error();
+    drawing.count = draw_with(**counting);
+    return drawing;
   }
 
  private:
