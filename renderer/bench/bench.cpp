@@ -132,10 +132,12 @@ class Bench {
         if (!memory.target) entry.result.model_bytes += memory.bytes;
       }
     }
-    entry.result.fragments = count_fragments(gl, entry.drawing);
     RenderResult read;
     read_picture(gl, entry.drawing.picture, settings.background.has_value(), read);
     entry.result.covered_pixels = read.covered_pixels;
+    // Last: its picture has holes, as early depth tests let fragments hide others that are then
+    // discarded.
+    entry.result.fragments = count_fragments(gl, entry.drawing);
     entries_.push_back(std::move(entry));
     return status();
   }
