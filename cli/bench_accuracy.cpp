@@ -66,6 +66,7 @@ Result<std::vector<Comparison>> compare_in(Material material, const RenderModel&
       progress);
   if (!drawn) return drawn.error();
   std::vector<Comparison> all;
+  all.reserve(found.size());
   for (auto& comparison : found) all.push_back(std::move(*comparison));
   return all;
 }
