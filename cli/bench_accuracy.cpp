@@ -1,6 +1,5 @@
 #include "cli/bench_accuracy.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "common/compare/compare.h"
@@ -33,38 +32,54 @@ std::optional<double> value_of(const Result<double>& measured) {
   return measured ? std::optional<double>(*measured) : std::nullopt;
 }
 
-/// The rows in one material.
-Result<std::vector<Comparison>> compare_in(Material material, const RenderModel& model,
-                                           const std::vector<RenderSettings>& rows,
-                                           Progress& progress) {
+/// The truth in a material.
+Result<Image> trace(const BenchWay& row, const TriangleMesh* mesh, Material material,
+                    Progress& progress) {
+  const RenderSettings traced = truth_of(row.settings, material);
   Image truth;
-  const RenderSettings traced = truth_of(rows.front(), material);
   const Status done = render_views(
-      model, {&traced, 1},
+      {row.patches, mesh, nullptr}, {&traced, 1},
       [&truth](std::size_t /*view*/, RenderResult picture) {
         truth = std::move(picture.image);
         return Status();
       },
       progress);
   if (!done) return done.error();
+  return truth;
+}
 
+/// The rows from `first` on that draw the same model.
+std::vector<RenderSettings> rows_of_model(const std::vector<BenchWay>& rows, std::size_t first,
+                                          Material material) {
   std::vector<RenderSettings> pictures;
-  std::transform(rows.begin(), rows.end(), std::back_inserter(pictures),
-                 [material](const RenderSettings& row) { return compared(row, material); });
+  for (std::size_t k = first; k < rows.size() && rows[k].patches == rows[first].patches; ++k)
+    pictures.push_back(compared(rows[k].settings, material));
+  return pictures;
+}
+
+/// The rows in one material.
+Result<std::vector<Comparison>> compare_in(Material material, const std::vector<BenchWay>& rows,
+                                           const TriangleMesh* mesh, Progress& progress) {
+  const auto truth = trace(rows.front(), mesh, material, progress);
+  if (!truth) return truth.error();
   std::vector<std::optional<Comparison>> found(rows.size());
   const FlipOptions options{FlipRange::Ldr, kFlipPixelsPerDegree};
   Progress silent;
-  const Status drawn = render_views(
-      model, pictures,
-      [&](std::size_t row, RenderResult picture) -> Status {
-        auto comparison = compare_images(picture.image, truth, options, silent);
-        if (!comparison) return comparison.error();
-        found[row] = std::move(*comparison);
-        found[row]->flip.map = {};  // as large as the picture
-        return {};
-      },
-      progress);
-  if (!drawn) return drawn.error();
+  for (std::size_t first = 0; first < rows.size();) {
+    const std::vector<RenderSettings> pictures = rows_of_model(rows, first, material);
+    const Status drawn = render_views(
+        {rows[first].patches, nullptr, nullptr}, pictures,
+        [&](std::size_t row, RenderResult picture) -> Status {
+          auto comparison = compare_images(picture.image, *truth, options, silent);
+          if (!comparison) return comparison.error();
+          comparison->flip.map = {};  // as large as the picture
+          found[first + row] = std::move(*comparison);
+          return {};
+        },
+        progress);
+    if (!drawn) return drawn.error();
+    first += pictures.size();
+  }
   std::vector<Comparison> all;
   all.reserve(found.size());
   for (auto& comparison : found) all.push_back(std::move(*comparison));
@@ -73,14 +88,13 @@ Result<std::vector<Comparison>> compare_in(Material material, const RenderModel&
 
 }  // namespace
 
-Result<std::vector<RowAccuracy>> measure_accuracy(const RenderModel& model,
-                                                  const std::vector<RenderSettings>& rows,
-                                                  Progress& progress) {
-  const Material material = rows.front().material;
-  const auto seen = compare_in(material, model, rows, progress);
+Result<std::vector<RowAccuracy>> measure_accuracy(const std::vector<BenchWay>& rows,
+                                                  const TriangleMesh* mesh, Progress& progress) {
+  const Material material = rows.front().settings.material;
+  const auto seen = compare_in(material, rows, mesh, progress);
   if (!seen) return seen.error();
-  auto mirrors =
-      material == Material::Mirror ? seen : compare_in(Material::Mirror, model, rows, progress);
+  const auto mirrors =
+      material == Material::Mirror ? seen : compare_in(Material::Mirror, rows, mesh, progress);
   if (!mirrors) return mirrors.error();
   std::vector<RowAccuracy> all;
   for (std::size_t row = 0; row < rows.size(); ++row) {

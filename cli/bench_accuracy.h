@@ -7,7 +7,7 @@
 
 #include "common/error.h"
 #include "common/progress.h"
-#include "renderer/render.h"
+#include "renderer/bench/bench.h"
 
 namespace relief::cli {
 
@@ -23,11 +23,11 @@ struct RowAccuracy {
 };
 
 /// Draws each row twice, in its material and as a mirror (of its environment, or the built-in one),
-/// and compares with the engine `raytrace`, which follows rays to the model's mesh or, without one,
-/// to the patches: one ray a pixel where the picture has one sample too, and 16 for a mirror, as
-/// one ray reads one point of an environment that all others filter. Rows have no background.
-Result<std::vector<RowAccuracy>> measure_accuracy(const RenderModel& model,
-                                                  const std::vector<RenderSettings>& rows,
-                                                  Progress& progress);
+/// and compares with the engine `raytrace`, which follows rays to the mesh or, if that is null, to
+/// the first row's patches: one ray a pixel where the picture has one sample too, and 16 for a
+/// mirror, as one ray reads one point of an environment that all others filter. Rows have no
+/// background.
+Result<std::vector<RowAccuracy>> measure_accuracy(const std::vector<BenchWay>& rows,
+                                                  const TriangleMesh* mesh, Progress& progress);
 
 }  // namespace relief::cli

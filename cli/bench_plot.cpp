@@ -6,8 +6,6 @@
 #include <optional>
 #include <string>
 
-#include "cli/bench_rows.h"
-
 namespace relief::cli {
 namespace {
 
@@ -17,8 +15,8 @@ PlotPanel panel_of(const BenchResult& result, const std::string& title,
   for (std::size_t k = 0; k < result.rows.size(); ++k) {
     const std::optional<double> psnr_db = result.accuracy[k].*quality;
     if (!psnr_db || !std::isfinite(*psnr_db)) continue;
-    panel.points.push_back({name_of_row(result.rows[k]), result.times.rows[k].time.frame_ms,
-                            *psnr_db, is_default(result.rows[k])});
+    panel.points.push_back({name_of_row(result, k), result.times.rows[k].time.frame_ms, *psnr_db,
+                            is_default_row(result, k)});
   }
   return panel;
 }

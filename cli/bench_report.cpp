@@ -76,7 +76,9 @@ Json row_as_json(const BenchResult& result, std::size_t k) {
            onepass ? Json(name_of(kInterpolations, settings.interpolation)) : Json(nullptr)},
           {"radius_factor", onepass ? Json(nullptr) : Json(settings.multipass.radius_factor)},
           {"level_policy", nullptr},  // all rows draw the finest level
-          {"default", is_default(settings)},
+          {"sweep_value", value_or_null(result.swept_values[k])},
+          {"samples", result.samples[k]},
+          {"default", is_default_row(result, k)},
           {"frame_ms", row.time.frame_ms},
           {"gpu_ms", value_or_null(row.time.gpu_ms)},
           {"ratio_to_multipass", value_or_null(ratios.to_multipass)},
@@ -100,29 +102,43 @@ std::string number(const std::optional<double>& value, int digits) {
   return std::isfinite(*value) ? fmt::format("{:.{}f}", *value, digits) : "same";
 }
 
+std::size_t name_width(const BenchResult& result) {
+  std::size_t width = 0;
+  for (std::size_t k = 0; k < result.rows.size(); ++k)
+    width = std::max(width, name_of_row(result, k).size());
+  return width;
+}
+
 std::string row_as_text(const BenchResult& result, std::size_t k) {
-  const RenderSettings& settings = result.rows[k];
   const BenchRow& row = result.times.rows[k];
   const RowAccuracy& accuracy = result.accuracy[k];
   const Ratios ratios = ratios_of(result, row);
-  return fmt::format("{} {:<24} {:>9} {:>11} {:>7} {:>7} {:>9} {:>9.1f} {:>8} {:>8} {:>8} {:>6}\n",
-                     is_default(settings) ? '*' : ' ', name_of_row(settings),
-                     number(row.time.frame_ms, 2), number(ratios.to_multipass, 3),
-                     number(ratios.to_bound, 2), number(ratios.to_mesh, 2),
-                     number(ratios.overdraw, 2), 1e-6 * static_cast<double>(row.model_bytes),
-                     number(accuracy.psnr_db, 2), number(accuracy.psnr_mirror_db, 2),
-                     number(accuracy.flip_mean, 4),
+  return fmt::format("{} {:<{}} {:>9} {:>11} {:>7} {:>7} {:>9} {:>9.1f} {:>8} {:>8} {:>8} {:>6}\n",
+                     is_default_row(result, k) ? '*' : ' ', name_of_row(result, k),
+                     name_width(result), number(row.time.frame_ms, 2),
+                     number(ratios.to_multipass, 3), number(ratios.to_bound, 2),
+                     number(ratios.to_mesh, 2), number(ratios.overdraw, 2),
+                     1e-6 * static_cast<double>(row.model_bytes), number(accuracy.psnr_db, 2),
+                     number(accuracy.psnr_mirror_db, 2), number(accuracy.flip_mean, 4),
                      accuracy.holes ? fmt::format("{}", *accuracy.holes) : std::string("-"));
 }
 
 }  // namespace
 
-std::string name_of_row(const RenderSettings& row) {
-  const std::string name =
-      fmt::format("{} {}", name_of(kEngines, row.engine), name_of(kPrimitives, row.primitive));
-  return row.engine == EngineKind::Onepass
-             ? fmt::format("{} {}", name, name_of(kInterpolations, row.interpolation))
-             : fmt::format("{} {:g}", name, row.multipass.radius_factor);
+std::string name_of_row(const BenchResult& result, std::size_t row) {
+  const RenderSettings& settings = result.rows[row];
+  std::string name = fmt::format("{} {}", name_of(kEngines, settings.engine),
+                                 name_of(kPrimitives, settings.primitive));
+  name += settings.engine == EngineKind::Onepass
+              ? fmt::format(" {}", name_of(kInterpolations, settings.interpolation))
+              : fmt::format(" {:g}", settings.multipass.radius_factor);
+  if (result.swept_values[row])
+    name += fmt::format(", {} {:g}", result.swept, *result.swept_values[row]);
+  return name;
+}
+
+bool is_default_row(const BenchResult& result, std::size_t row) {
+  return !result.swept_values[row] && is_default(result.rows[row]);
 }
 
 Json as_json(const BenchResult& result) {
@@ -136,7 +152,8 @@ Json as_json(const BenchResult& result) {
           {"material", name_of(kMaterials, first.material)},
           {"frames", result.frames},
           {"warm_up", result.warm_up},
-          {"samples", result.samples},
+          {"sweep", result.swept.empty() ? Json(nullptr) : Json(result.swept)},
+          {"samples", result.samples[result.reference]},
           {"covered_pixels", result.times.rows[result.reference].covered_pixels},
           {"shading_bound_ms", value_or_null(frame_ms_of(result.times.shading_bound))},
           {"shading_bound_gpu_ms", value_or_null(gpu_ms_of(result.times.shading_bound))},
@@ -161,13 +178,13 @@ std::string as_text(const BenchResult& result) {
       result.scene, result.view.empty() ? "" : ", view " + result.view, result.times.renderer,
       first.width, first.height, name_of(kMaterials, first.material),
       result.times.rows[result.reference].covered_pixels, result.frames, result.warm_up,
-      result.samples, number(frame_ms_of(result.times.shading_bound), 2),
+      result.samples[result.reference], number(frame_ms_of(result.times.shading_bound), 2),
       mesh ? fmt::format("{:.2f} ms, {} triangles, {:.1f} MB", mesh->time.frame_ms,
                          *result.mesh_triangles, 1e-6 * static_cast<double>(mesh->model_bytes))
            : std::string("none: the scene has no faces"));
-  text += fmt::format("  {:<24} {:>9} {:>11} {:>7} {:>7} {:>9} {:>9} {:>8} {:>8} {:>8} {:>6}\n", "",
-                      "frame ms", "/multipass", "/bound", "/mesh", "overdraw", "model MB", "PSNR",
-                      "mirror", "FLIP", "holes");
+  text += fmt::format("  {:<{}} {:>9} {:>11} {:>7} {:>7} {:>9} {:>9} {:>8} {:>8} {:>8} {:>6}\n", "",
+                      name_width(result), "frame ms", "/multipass", "/bound", "/mesh", "overdraw",
+                      "model MB", "PSNR", "mirror", "FLIP", "holes");
   for (std::size_t k = 0; k < result.rows.size(); ++k) text += row_as_text(result, k);
   text += "* what `relief render` does unasked\n";
   return text;

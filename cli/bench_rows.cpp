@@ -5,10 +5,19 @@
 
 namespace relief::cli {
 
+namespace {
+
+/// What all rows have.
+RenderSettings plain(RenderSettings base) {
+  base.background.reset();
+  base.outputs = {};
+  return base;
+}
+
+}  // namespace
+
 std::vector<RenderSettings> bench_rows(const RenderSettings& base) {
-  RenderSettings row = base;
-  row.background.reset();
-  row.outputs = {};
+  RenderSettings row = plain(base);
   row.engine = EngineKind::Onepass;
   std::vector<RenderSettings> rows;
   for (const Primitive primitive : {Primitive::Sprite, Primitive::Quad}) {
@@ -32,6 +41,33 @@ std::vector<RenderSettings> bench_rows(const RenderSettings& base) {
   return rows;
 }
 
+std::vector<RenderSettings> compared_rows(const RenderSettings& base) {
+  const RenderSettings unasked;
+  RenderSettings row = plain(base);
+  row.engine = unasked.engine;
+  row.primitive = unasked.primitive;
+  row.interpolation = unasked.interpolation;
+  row.multipass = unasked.multipass;
+  std::vector<RenderSettings> rows{row};
+  for (const RenderSettings& rival : radius_factor_rows(base, {MultipassSettings{}.radius_factor}))
+    rows.push_back(rival);
+  return rows;
+}
+
+std::vector<RenderSettings> radius_factor_rows(const RenderSettings& base,
+                                               const std::vector<double>& factors) {
+  RenderSettings row = plain(base);
+  row.engine = EngineKind::Multipass;
+  row.primitive = Primitive::Quad;
+  std::vector<RenderSettings> rows;
+  rows.reserve(factors.size());
+  for (const double factor : factors) {
+    row.multipass.radius_factor = factor;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
 bool is_default(const RenderSettings& row) {
   const RenderSettings unasked;
   if (row.engine != unasked.engine || row.primitive != unasked.primitive) return false;
@@ -41,9 +77,9 @@ bool is_default(const RenderSettings& row) {
 }
 
 std::size_t find_default(const std::vector<RenderSettings>& rows) {
-  assert(std::count_if(rows.begin(), rows.end(), is_default) == 1 && "one row is the default");
-  return static_cast<std::size_t>(std::find_if(rows.begin(), rows.end(), is_default) -
-                                  rows.begin());
+  const auto found = std::find_if(rows.begin(), rows.end(), is_default);
+  assert(found != rows.end() && "one row is the default");
+  return static_cast<std::size_t>(found - rows.begin());
 }
 
 }  // namespace relief::cli

@@ -14,10 +14,18 @@ namespace relief::cli {
 /// they have one row.
 [[nodiscard]] std::vector<RenderSettings> bench_rows(const RenderSettings& base);
 
+/// What `relief render` does unasked, and what it is compared with: the fastest `multipass` with
+/// the radius factor that it has unasked.
+[[nodiscard]] std::vector<RenderSettings> compared_rows(const RenderSettings& base);
+
+/// `multipass` with these radius factors.
+[[nodiscard]] std::vector<RenderSettings> radius_factor_rows(const RenderSettings& base,
+                                                             const std::vector<double>& factors);
+
 /// Whether a row is what `relief render` does unasked.
 [[nodiscard]] bool is_default(const RenderSettings& row);
 
-/// The row that is; there is exactly one.
+/// The first row that is; there is one.
 [[nodiscard]] std::size_t find_default(const std::vector<RenderSettings>& rows);
 
 }  // namespace relief::cli

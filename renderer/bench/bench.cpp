@@ -24,9 +24,10 @@ struct Entry {
   BenchRow result;
 };
 
-/// Rows of one engine that read the same of the model share it, so that each finds on the GPU what
+/// Rows of one engine that read the same of a model share it, so that each finds on the GPU what
 /// it would alone.
 struct Group {
+  const PatchModel* patches = nullptr;
   EngineKind engine = EngineKind::Onepass;
   StoreNeeds needs;
   std::unique_ptr<GlPreparedModel> prepared;
@@ -45,11 +46,11 @@ class Bench {
 
   /// Draws every row, the bound and the mesh once.
   Status prepare(const Progress& progress) {
-    for (const RenderSettings& row : job_.rows) {
+    for (const BenchWay& row : job_.rows) {
       if (progress.cancelled()) return interrupted_error();
       auto engine = engine_for(row);
       if (!engine) return engine.error();
-      Status added = add(**engine, row);
+      Status added = add(**engine, row.settings);
       if (!added) return added;
     }
     return prepare_references();
@@ -84,33 +85,34 @@ class Bench {
   }
 
  private:
-  Result<GlPreparedModel*> engine_for(const RenderSettings& row) {
-    const PatchModel& patches = *job_.model.patches;
-    const StoreNeeds needs = needs_of_row(row, patches.has_colours);
+  Result<GlPreparedModel*> engine_for(const BenchWay& row) {
+    const RenderSettings& settings = row.settings;
+    const StoreNeeds needs = needs_of_row(settings, row.patches->has_colours);
     for (const Group& group : groups_) {
-      if (group.engine == row.engine && group.needs == needs) return group.prepared.get();
+      if (group.patches == row.patches && group.engine == settings.engine && group.needs == needs)
+        return group.prepared.get();
     }
-    auto made = row.engine == EngineKind::Onepass ? onepass::prepare(opengl_, patches, {&row, 1})
-                                                  : multipass::prepare(opengl_, patches, {&row, 1});
+    auto made = settings.engine == EngineKind::Onepass
+                    ? onepass::prepare(opengl_, *row.patches, {&settings, 1})
+                    : multipass::prepare(opengl_, *row.patches, {&settings, 1});
     if (!made) return made.error();
-    groups_.push_back({row.engine, needs, std::move(*made)});
+    groups_.push_back({row.patches, settings.engine, needs, std::move(*made)});
     return groups_.back().prepared.get();
   }
 
   Status prepare_references() {
-    const RenderSettings& settings = job_.rows[job_.reference];
+    const auto& [patches, settings] = job_.rows[job_.reference];
     const std::uint64_t pixels = entries_[job_.reference].result.covered_pixels;
     if (pixels > 0) {
-      auto made =
-          bench_passes::prepare_shading_bound(opengl_, *job_.model.patches, settings, pixels);
+      auto made = bench_passes::prepare_shading_bound(opengl_, *patches, settings, pixels);
       if (!made) return made.error();
       references_.push_back(std::move(*made));
       bound_ = entries_.size();
       Status added = add(*references_.back(), settings);
       if (!added) return added;
     }
-    if (job_.model.mesh == nullptr) return {};
-    auto made = bench_passes::prepare_mesh(opengl_, *job_.model.mesh, settings);
+    if (job_.mesh == nullptr) return {};
+    auto made = bench_passes::prepare_mesh(opengl_, *job_.mesh, settings);
     if (!made) return made.error();
     references_.push_back(std::move(*made));
     mesh_ = entries_.size();
@@ -156,11 +158,11 @@ class Bench {
 }  // namespace
 
 Result<BenchReport> bench(const BenchJob& job, Progress& progress) {
-  assert(job.model.patches != nullptr && job.reference < job.rows.size() && job.frames > 0);
-  for ([[maybe_unused]] const RenderSettings& row : job.rows)
-    assert(is_on_opengl(row.engine) && "the bench times OpenGL");
+  assert(job.reference < job.rows.size() && job.frames > 0);
+  for ([[maybe_unused]] const BenchWay& row : job.rows)
+    assert(row.patches != nullptr && is_on_opengl(row.settings.engine) && "OpenGL draws patches");
   progress.begin_stage("prepare", 0);
-  const RenderSettings& first = job.rows.front();
+  const RenderSettings& first = job.rows.front().settings;
   auto opengl = OpenGl::create(first.platform, first.debug, true);
   if (!opengl) return opengl.error();
   Bench bench(job, std::move(*opengl));

@@ -13,15 +13,19 @@
 
 namespace relief {
 
-/// What is timed.
+/// One way to draw: what, and how. An engine on OpenGL.
+struct BenchWay {
+  const PatchModel* patches = nullptr;
+  RenderSettings settings;
+};
+
+/// What is timed; models outlive the bench.
 struct BenchJob {
-  /// Patches, and the input mesh if there is one to compare with. They outlive the bench.
-  RenderModel model;
-  /// One picture a row, engines on OpenGL, all of one camera, size, material and platform.
-  std::vector<RenderSettings> rows;
-  std::size_t reference = 0;  ///< the row whose covered pixels the shading bound has
-  int frames = 20;            ///< timed rounds
-  int warm_up = 2;            ///< rounds before them
+  std::vector<BenchWay> rows;          ///< all of one camera, size, material and platform
+  const TriangleMesh* mesh = nullptr;  ///< the input, if it has faces
+  std::size_t reference = 0;           ///< the row whose covered pixels the shading bound has
+  int frames = 20;                     ///< timed rounds
+  int warm_up = 2;                     ///< rounds before them
 };
 
 /// Medians over the timed rounds.

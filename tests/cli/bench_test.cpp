@@ -110,6 +110,35 @@ TEST_F(BenchCommand, TakesTheFirstViewOfAScene) {
   EXPECT_NE(run.out.find("* onepass"), std::string::npos) << run.out;
 }
 
+TEST_F(BenchCommand, SweepsASpacing) {
+  auto arguments = small(write("square.off", square_off(30)));
+  arguments.insert(arguments.end(), {"--sweep", "spacing=2,0.5"});
+  const json result = parse(run_relief(arguments));
+  EXPECT_EQ(result["sweep"], "spacing");
+  const json& rows = result["rows"];
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[0]["default"], true);
+  EXPECT_EQ(rows[1]["engine"], "multipass");
+  EXPECT_EQ(rows[1]["ratio_to_multipass"], 1.0);
+  EXPECT_EQ(rows[2]["sweep_value"], 2.0);
+  EXPECT_EQ(rows[3]["sweep_value"], 0.5);
+  for (const json& row : {rows[2], rows[3]}) EXPECT_EQ(row["default"], false);
+  // A quarter of the spacing is 16 times the samples, but for those at the rim and the overlap of
+  // patches: 8 to 20.
+  EXPECT_GT(rows[3]["samples"], 8 * rows[2]["samples"].get<int>());
+  EXPECT_LT(rows[3]["samples"], 20 * rows[2]["samples"].get<int>());
+}
+
+TEST_F(BenchCommand, SweepsARadiusFactor) {
+  auto arguments = small(write_knot(3000));
+  arguments.insert(arguments.end(), {"--sweep", "radius-factor=1.5,3"});
+  const json result = parse(run_relief(arguments));
+  ASSERT_EQ(result["rows"].size(), 4U);
+  EXPECT_EQ(result["rows"][2]["radius_factor"], 1.5);
+  EXPECT_EQ(result["rows"][3]["radius_factor"], 3.0);
+  EXPECT_GT(result["rows"][3]["fragments"], result["rows"][2]["fragments"]);
+}
+
 TEST_F(BenchCommand, RefusesWhatItCanNotDo) {
   expect_refused({"bench", path("none.ply")}, "none.ply");
   const std::string scene = write("square.off", square_off(5));
@@ -117,6 +146,10 @@ TEST_F(BenchCommand, RefusesWhatItCanNotDo) {
   expect_refused({"bench", scene, "--env", path("none.hdr")}, "none.hdr");
   EXPECT_EQ(run_relief({"bench", scene, "--plot", path("plot.png")}).exit_code, 2);
   EXPECT_EQ(run_relief({"bench", scene, "--frames", "0"}).exit_code, 2);
+  for (const char* sweep : {"spacing", "spacing=", "spacing=1,", "spacing=0", "spacing=nan",
+                            "colour=1", "radius-factor=9", "=1"})
+    EXPECT_EQ(run_relief({"bench", scene, "--sweep", sweep}).exit_code, 2) << sweep;
+  EXPECT_EQ(run_relief({"bench", path("x.relief"), "--sweep", "spacing=1"}).exit_code, 2);
   EXPECT_EQ(run_relief({"bench"}).exit_code, 2);
 }
 

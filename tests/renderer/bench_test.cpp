@@ -25,12 +25,12 @@ RenderSettings bench_picture(const PatchModel& model) {
 }
 
 /// Quads of both interpolations, cells, and two of multipass.
-std::vector<RenderSettings> some_rows(const PatchModel& model) {
-  std::vector<RenderSettings> rows(5, bench_picture(model));
-  rows[0].interpolation = Interpolation::Direct;
-  rows[2].primitive = Primitive::Cell;
-  rows[3].engine = rows[4].engine = EngineKind::Multipass;
-  rows[3].multipass.radius_factor = 1.0;
+std::vector<BenchWay> some_rows(const PatchModel& model) {
+  std::vector<BenchWay> rows(5, {&model, bench_picture(model)});
+  rows[0].settings.interpolation = Interpolation::Direct;
+  rows[2].settings.primitive = Primitive::Cell;
+  rows[3].settings.engine = rows[4].settings.engine = EngineKind::Multipass;
+  rows[3].settings.multipass.radius_factor = 1.0;
   return rows;
 }
 
@@ -64,14 +64,14 @@ Result<std::shared_ptr<const OpenGl>> open_debug() {
 TEST(Bench, ReportsEachRowAndWhatBoundsIt) {
   const PatchModel model = test::sphere_model(sphere());
   const TriangleMesh mesh = test::sphere_mesh(64);
-  const BenchJob job{{&model, &mesh, nullptr}, some_rows(model), 1, 2, 1};
+  const BenchJob job{some_rows(model), &mesh, 1, 2, 1};
   const BenchReport report = must_bench(job);
   ASSERT_EQ(report.rows.size(), job.rows.size());
   ASSERT_TRUE(report.shading_bound);
   ASSERT_TRUE(report.mesh);
   for (std::size_t k = 0; k < job.rows.size(); ++k) {
     // As the picture alone, whatever is drawn beside it.
-    const RenderResult alone = test::must_render(model, job.rows[k]);
+    const RenderResult alone = test::must_render(model, job.rows[k].settings);
     EXPECT_EQ(report.rows[k].covered_pixels, alone.covered_pixels) << k;
     EXPECT_EQ(report.rows[k].fragments, alone.fragments) << k;
     EXPECT_GT(report.rows[k].time.frame_ms, 0.0) << k;
@@ -83,7 +83,7 @@ TEST(Bench, ReportsEachRowAndWhatBoundsIt) {
 TEST(Bench, CountsTheBytesOfEachRowAlone) {
   constexpr std::uint32_t kNodes = 12;
   const PatchModel model = test::height_field(kNodes, [](double, double) { return 0.0; });
-  const BenchJob job{{&model, nullptr, nullptr}, some_rows(model), 1, 1, 0};
+  const BenchJob job{some_rows(model), nullptr, 1, 1, 0};
   const BenchReport report = must_bench(job);
   ASSERT_EQ(report.rows.size(), 5U);
   // Corrected interpolation reads a height map, two bytes a node and a ring beyond the last; cells
@@ -95,17 +95,33 @@ TEST(Bench, CountsTheBytesOfEachRowAlone) {
   EXPECT_LT(report.rows[2].model_bytes, report.rows[0].model_bytes);
   // Multipass has the same model, drawn by a smaller command, and sums of normals: RGBA16F.
   const std::uint64_t commands = sizeof(ElementsCommand) - sizeof(ArraysCommand);
-  const std::uint64_t pixels = std::uint64_t{job.rows[0].width} * job.rows[0].height;
+  const std::uint64_t pixels =
+      std::uint64_t{job.rows[0].settings.width} * job.rows[0].settings.height;
   EXPECT_EQ(report.rows[3].model_bytes + commands, report.rows[0].model_bytes);
   EXPECT_EQ(report.rows[3].gpu_bytes + commands, report.rows[0].gpu_bytes + 8 * pixels);
   EXPECT_EQ(report.rows[0].gpu_bytes - report.rows[0].model_bytes, (8 + 4) * pixels);
   EXPECT_FALSE(report.mesh);  // there is none
 }
 
+TEST(Bench, DrawsSeveralModels) {
+  const PatchModel coarse = test::sphere_model(sphere());
+  test::SphereShape shape = sphere();
+  shape.spacing = 0.05;
+  const PatchModel fine = test::sphere_model(shape);
+  const RenderSettings settings = bench_picture(coarse);
+  const BenchJob job{{{&coarse, settings}, {&fine, settings}}, nullptr, 0, 1, 0};
+  const BenchReport report = must_bench(job);
+  ASSERT_EQ(report.rows.size(), 2U);
+  EXPECT_EQ(report.rows[0].fragments, test::must_render(coarse, settings).fragments);
+  EXPECT_EQ(report.rows[1].fragments, test::must_render(fine, settings).fragments);
+  EXPECT_GT(report.rows[1].model_bytes, report.rows[0].model_bytes);
+}
+
 TEST(Bench, HasNoBoundOfAnEmptyPicture) {
   const PatchModel model = test::sphere_model(sphere());
-  BenchJob job{{&model, nullptr, nullptr}, some_rows(model), 0, 1, 0};
-  for (RenderSettings& row : job.rows) row.camera.target = 2.0 * row.camera.eye;  // looks away
+  BenchJob job{some_rows(model), nullptr, 0, 1, 0};
+  for (BenchWay& row : job.rows)
+    row.settings.camera.target = 2.0 * row.settings.camera.eye;  // looks away
   const BenchReport report = must_bench(job);
   EXPECT_EQ(report.rows[0].covered_pixels, 0U);
   EXPECT_FALSE(report.shading_bound);
@@ -117,7 +133,7 @@ TEST(Bench, CanBeInterrupted) {
     [[nodiscard]] bool cancelled() const override { return true; }
   } stopped;
   const PatchModel model = test::sphere_model(sphere());
-  EXPECT_FALSE(bench({{&model, nullptr, nullptr}, some_rows(model), 0, 1, 0}, stopped));
+  EXPECT_FALSE(bench({some_rows(model), nullptr, 0, 1, 0}, stopped));
 }
 
 TEST(ShadingBound, ShadesAsManyPixelsAsItIsTold) {
