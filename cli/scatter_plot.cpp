@@ -170,7 +170,8 @@ class Panel {
   /// Where a label is written: beside its point, where nothing is yet, as near as that can be.
   Box place_label(double x, double y, double width) {
     Box first{};
-    for (double away = 0.0; away < 6.0 * kLine; away += 0.5 * kLine) {
+    for (int step = 0; step < 12; ++step) {
+      const double away = 0.5 * kLine * step;
       for (const double dy : {away, -away}) {
         for (const double dx : {11.0, -11.0 - width, -0.5 * width}) {
           const Box box{x + dx, y + dy - 0.5 * kLine, x + dx + width, y + dy + 0.5 * kLine};

@@ -168,7 +168,8 @@ Result<BenchReport> bench(const BenchJob& job, Progress& progress) {
   Bench bench(job, std::move(*opengl));
   Status prepared = bench.prepare(progress);
   if (!prepared) return prepared.error();
-  progress.begin_stage("frames", static_cast<std::uint64_t>(job.warm_up + job.frames));
+  progress.begin_stage(
+      "frames", static_cast<std::uint64_t>(job.warm_up) + static_cast<std::uint64_t>(job.frames));
   for (int round = 0; round < job.warm_up + job.frames; ++round) {
     if (progress.cancelled()) return interrupted_error();
     bench.draw_round(round >= job.warm_up);

@@ -128,6 +128,7 @@ struct Gl {
 #define RELIEF_GL_MEMBER(type, name) type name = nullptr;
   RELIEF_GL_FUNCTIONS(RELIEF_GL_MEMBER)
 #undef RELIEF_GL_MEMBER
+// NOLINTNEXTLINE(bugprone-macro-parentheses): the name that a declaration declares
 #define RELIEF_GL_MEMBER(type, name, hear) HeardFunction<type, &GlRecorder::hear> name;
   RELIEF_GL_HEARD_FUNCTIONS(RELIEF_GL_MEMBER)
 #undef RELIEF_GL_MEMBER
