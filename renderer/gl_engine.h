@@ -19,7 +19,7 @@ class GlPreparedModel : public PreparedModel {
   /// A picture ready to be drawn, for any number of frames. It must go before this does.
   virtual Result<GlDrawing> make_drawing(const RenderSettings& settings) = 0;
 
-  Result<RenderResult> render(const RenderSettings& settings, Progress& /*progress*/) final {
+  Result<RenderResult> render(const RenderSettings& settings, Progress& /*progress*/) override {
     const auto drawing = make_drawing(settings);
     if (!drawing) return drawing.error();
     return model_->draw(*drawing, settings);
