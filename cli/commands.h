@@ -11,6 +11,9 @@ namespace relief::cli {
 /// usage that only shows once all options are known).
 using Command = std::function<int()>;
 
+/// relief bench: every way to draw a scene, timed in turns and compared with the truth.
+void add_bench(CLI::App& app, Command& command);
+
 /// relief compare: how far one picture is from another.
 void add_compare(CLI::App& app, Command& command);
 

@@ -20,6 +20,7 @@ struct LoadedFile {
   PatchModel patches;
   std::optional<TriangleMesh> mesh;
   std::optional<SplatCloud> splats;
+  bool has_faces = false;  ///< the mesh is the file's own
 };
 
 /// Whether engines draw something else of the scene than patches. If not, they make what they need
@@ -40,7 +41,8 @@ Result<LoadedFile> load_patch_file(const std::filesystem::path& path, Forms form
                                    Progress& progress) {
   auto model = load_model(path, progress);
   if (!model) return model.error();
-  LoadedFile file{std::move(*model), std::nullopt, std::nullopt};
+  LoadedFile file;
+  file.patches = std::move(*model);
   if (forms.mesh) {
     const Status made = add_mesh_of_patches(file, path);
     if (!made) return made.error();
@@ -58,6 +60,7 @@ Result<LoadedFile> load_scan(const std::filesystem::path& path, EngineNeeds need
   file.patches.bounding_radius = bounding_radius(scan->points.positions, file.patches.bounds);
   const bool has_triangles = !scan->points.triangles.empty();
   if (needs.raytrace && has_triangles) file.mesh = mesh_of_points(scan->points);
+  file.has_faces = file.mesh.has_value();
   if (needs.ewa) {
     auto splats = splats_of_points(scan->points, progress);
     if (!splats) return make_error("{}: {}", path.string(), splats.error().message);
@@ -86,6 +89,7 @@ Status place(LoadedScene& scene, LoadedFile file, const Transform& where) {
     append(*scene.splats, std::move(*file.splats), patches_before);
   }
   if (!file.mesh) return {};
+  scene.mesh_is_input = file.has_faces && (!scene.mesh || scene.mesh_is_input);
   transform(*file.mesh, where);
   if (!scene.mesh) scene.mesh.emplace();
   return append(*scene.mesh, std::move(*file.mesh), patches_before);

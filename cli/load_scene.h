@@ -25,6 +25,7 @@ struct LoadedScene {
   PatchModel patches;
   std::optional<TriangleMesh> mesh;
   std::optional<SplatCloud> splats;
+  bool mesh_is_input = false;  ///< all triangles of the mesh are faces of the files
 
   [[nodiscard]] RenderModel forms() const {
     return {&patches, mesh ? &*mesh : nullptr, splats ? &*splats : nullptr};

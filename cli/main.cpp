@@ -15,6 +15,7 @@ constexpr const char* kExamples =
     "  relief render dragon.relief -o dragon.png --orbit 30,20\n"
     "  relief render dragon.relief -o dragon.exr --material mirror --env studio.hdr\n"
     "  relief compare dragon.exr truth.exr --heatmap difference.png\n"
+    "  relief bench dragon.ply.gz --plot bench.svg\n"
     "\n"
     "`relief SUBCOMMAND --help` tells all options of a subcommand.\n"
     "Exit code: 0 done, 1 could not do it (one sentence says why), 2 wrong usage.";
@@ -32,6 +33,7 @@ int run(int argc, char** argv) {
   relief::cli::add_info(app, command);
   relief::cli::add_render(app, command);
   relief::cli::add_compare(app, command);
+  relief::cli::add_bench(app, command);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help_or_version) {

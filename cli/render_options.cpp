@@ -45,54 +45,22 @@ void add_number(CLI::App& sub, const std::string& name, std::optional<T>& to, Nu
       ->option_text(letter);
 }
 
-void add_camera_options(CLI::App& sub, SceneSettings& settings) {
-  sub.add_option_function<std::string>(
-         "--size", [&](const std::string& s) { settings.size = parse_size(s); },
-         "Picture size in pixels (1280x1024)")
-      ->option_text("WxH");
-  auto* const orbit =
-      sub.add_option_function<std::string>(
-             "--orbit", [&](const std::string& s) { settings.orbit = parse_orbit(s); },
-             "Camera on an orbit: azimuth (0 is +Z, turning to +X) and elevation in degrees, "
-             "distance in bounding-sphere radii (0,0 and the whole model in view)")
-          ->option_text("AZ,EL[,DIST]");
-  auto* const eye = sub.add_option_function<std::string>(
-                           "--eye", [&](const std::string& s) { settings.eye = parse_vector(s); },
-                           "Camera at a place instead, in the model's coordinates")
-                        ->option_text("X,Y,Z")
-                        ->excludes(orbit);
-  sub.add_option_function<std::string>(
-         "--target", [&](const std::string& s) { settings.target = parse_vector(s); },
-         "What --eye looks at (the middle of the model)")
-      ->option_text("X,Y,Z")
-      ->needs(eye);
-  sub.add_option_function<std::string>(
-         "--up", [&](const std::string& s) { settings.up = parse_vector(s); },
-         "What is up for --eye (0,1,0)")
-      ->option_text("X,Y,Z")
-      ->needs(eye);
-  add_number(sub, "--fov", settings.fov_degrees, {kMinFieldOfView, kMaxFieldOfView}, "DEG",
-             "Vertical field of view in degrees (45)");
-}
-
-void add_look_options(CLI::App& sub, SceneSettings& settings) {
+void add_way_options(CLI::App& sub, SceneSettings& settings) {
   add_choice(
       sub, "--engine", settings.engine, kEngines,
       "onepass draws patches in one pass, multipass in three (splats with deferred shading); ewa "
       "splats points on the CPU, those of a scan or the samples of "
       "patches; raytrace follows rays to a mesh's triangles or those of patches (onepass)");
-  add_choice(
-      sub, "--primitive", settings.primitive, kPrimitives,
-      "What is rasterised: a sprite or a quad for each sample, or the cells between them (quad)");
+  add_choice(sub, "--primitive", settings.primitive, kPrimitives,
+             "What is rasterised: a sprite or a quad for each sample, or the cells between them, "
+             "which is for "
+             "onepass (cell; quad with multipass)");
   add_choice(sub, "--interpolation", settings.interpolation, kInterpolations,
              "How a fragment finds its place on the patch: direct is faster, corrected more "
              "exact (corrected)");
-  add_choice(sub, "--material", settings.material, kMaterials,
-             "unlit is the stored colour and nothing else; mirror reflects --env (lit)");
-  sub.add_option("--env", settings.environment,
-                 "Environment map, equirectangular EXR or HDR (built in: a colour for each "
-                 "direction, with a grid)")
-      ->option_text("FILE");
+}
+
+void add_picture_options(CLI::App& sub, SceneSettings& settings) {
   sub.add_option_function<std::string>(
          "--background", [&](const std::string& s) { settings.background = parse_background(s); },
          "sRGB values from 0 to 1, or none: transparent (0,0,0)")
@@ -108,7 +76,7 @@ void add_engine_options(CLI::App& sub, SceneSettings& settings) {
   add_number(
       sub, "--pixels-per-sample", settings.pixels_per_sample, kPixelsPerSample, "P",
       "onepass and multipass: draws coarser levels of patches where samples are then seen at "
-      "most P pixels apart; 0 is always the finest (0)");
+      "most P pixels apart; 0 is always the finest (4; 0 with multipass)");
   add_number(sub, "--radius-factor", settings.radius_factor, kRadiusFactors, "F",
              "multipass: radius of its splats, over that of onepass's sprites (2)");
   add_number(sub, "--samples", settings.samples, kSampleCounts, "N",
@@ -143,6 +111,8 @@ void check_engine_options(const RenderArguments& arguments) {
     throw CLI::ValidationError("--primitive", "cell is for --engine onepass");
   if (settings.samples && engine != EngineKind::Raytrace)
     throw CLI::ValidationError("--samples", "is for --engine raytrace");
+  if (arguments.explain && !is_on_opengl(engine))
+    throw CLI::ValidationError("--explain", "is for --engine onepass and multipass");
   const bool for_ewa = settings.filter || settings.cutoff || settings.layers ||
                        settings.coverage_threshold || settings.time_budget_ms;
   if (for_ewa && engine != EngineKind::Ewa) {
@@ -152,6 +122,53 @@ void check_engine_options(const RenderArguments& arguments) {
 }
 
 }  // namespace
+
+void add_camera_options(CLI::App& sub, SceneSettings& settings) {
+  sub.add_option_function<std::string>(
+         "--size", [&](const std::string& s) { settings.size = parse_size(s); },
+         "Picture size in pixels (1280x1024)")
+      ->option_text("WxH");
+  auto* const orbit =
+      sub.add_option_function<std::string>(
+             "--orbit", [&](const std::string& s) { settings.orbit = parse_orbit(s); },
+             "Camera on an orbit: azimuth (0 is +Z, turning to +X) and elevation in degrees, "
+             "distance in bounding-sphere radii (0,0 and the whole model in view)")
+          ->option_text("AZ,EL[,DIST]");
+  auto* const eye = sub.add_option_function<std::string>(
+                           "--eye", [&](const std::string& s) { settings.eye = parse_vector(s); },
+                           "Camera at a place instead, in the model's coordinates")
+                        ->option_text("X,Y,Z")
+                        ->excludes(orbit);
+  sub.add_option_function<std::string>(
+         "--target", [&](const std::string& s) { settings.target = parse_vector(s); },
+         "What --eye looks at (the middle of the model)")
+      ->option_text("X,Y,Z")
+      ->needs(eye);
+  sub.add_option_function<std::string>(
+         "--up", [&](const std::string& s) { settings.up = parse_vector(s); },
+         "What is up for --eye (0,1,0)")
+      ->option_text("X,Y,Z")
+      ->needs(eye);
+  add_number(sub, "--fov", settings.fov_degrees, {kMinFieldOfView, kMaxFieldOfView}, "DEG",
+             "Vertical field of view in degrees (45)");
+}
+
+void add_material_options(CLI::App& sub, SceneSettings& settings) {
+  add_choice(sub, "--material", settings.material, kMaterials,
+             "unlit is the stored colour and nothing else; mirror reflects --env (lit)");
+  sub.add_option("--env", settings.environment,
+                 "Environment map, equirectangular EXR or HDR (built in: a colour for each "
+                 "direction, with a grid)")
+      ->option_text("FILE");
+}
+
+void add_platform_option(CLI::App& sub, GlPlatform& platform) {
+  sub.add_option_function<std::string>(
+         "--gl", [&](const std::string& s) { platform = kPlatforms.at(s); },
+         "Where OpenGL comes from; auto tries EGL, then OSMesa (auto)")
+      ->check(CLI::IsMember(kPlatforms))
+      ->option_text("auto|egl|osmesa");
+}
 
 void add_render_options(CLI::App& sub, RenderArguments& arguments) {
   sub.add_option("SCENE", arguments.input, "A .relief file, a scan, a mesh or a .json scene")
@@ -163,7 +180,9 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments) {
       ->required()
       ->option_text("FILE (required)");
   add_camera_options(sub, arguments.settings);
-  add_look_options(sub, arguments.settings);
+  add_way_options(sub, arguments.settings);
+  add_material_options(sub, arguments.settings);
+  add_picture_options(sub, arguments.settings);
   add_engine_options(sub, arguments.settings);
   add_texture_options(sub, arguments.texture);
   sub.add_option(
@@ -172,12 +191,20 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments) {
          "multipass, else 1)")
       ->check(CLI::Range(1, 100000))
       ->option_text("N");
-  sub.add_option_function<std::string>(
-         "--gl", [&](const std::string& s) { arguments.platform = kPlatforms.at(s); },
-         "Where OpenGL comes from; auto tries EGL, then OSMesa (auto)")
-      ->check(CLI::IsMember(kPlatforms))
-      ->option_text("auto|egl|osmesa");
+  add_platform_option(sub, arguments.platform);
+  sub.add_flag("--explain", arguments.explain,
+               "onepass, multipass: also tell what the picture took: features, shader variants, "
+               "buffers, textures, passes and draws");
   sub.add_flag("--json", arguments.json, "Print one JSON object on standard output");
+}
+
+void check_camera(const SceneSettings& settings) {
+  if (settings.eye && settings.eye == settings.target) {
+    throw CLI::ValidationError("--target", "must not be where --eye is");
+  }
+  if (settings.up == glm::dvec3(0.0)) {
+    throw CLI::ValidationError("--up", "must not be 0,0,0");
+  }
 }
 
 void check_together(const RenderArguments& arguments) {
@@ -191,12 +218,7 @@ void check_together(const RenderArguments& arguments) {
     throw CLI::ValidationError("--outputs", "a PNG holds colour alone; write an .exr");
   }
   check_engine_options(arguments);
-  if (settings.eye && settings.eye == settings.target) {
-    throw CLI::ValidationError("--target", "must not be where --eye is");
-  }
-  if (settings.up == glm::dvec3(0.0)) {
-    throw CLI::ValidationError("--up", "must not be 0,0,0");
-  }
+  check_camera(settings);
 }
 
 }  // namespace relief::cli

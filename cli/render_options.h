@@ -17,11 +17,21 @@ struct RenderArguments {
   SceneSettings settings;  ///< what the options say; a scene's settings yield to it
   GlPlatform platform = GlPlatform::Automatic;
   std::optional<int> frames;  ///< by default 3 on OpenGL, 1 of the engines on the CPU
+  bool explain = false;
   bool json = false;
 };
 
 /// Declares the arguments and options of `sub`, which fill `arguments`. It must outlive `sub`.
 void add_render_options(CLI::App& sub, RenderArguments& arguments);
+
+/// Parts of them, for other subcommands: the picture's size and camera; material and environment;
+/// where OpenGL comes from.
+void add_camera_options(CLI::App& sub, SceneSettings& settings);
+void add_material_options(CLI::App& sub, SceneSettings& settings);
+void add_platform_option(CLI::App& sub, GlPlatform& platform);
+
+/// What no single option's check can see about the camera; throws CLI::ValidationError.
+void check_camera(const SceneSettings& settings);
 
 /// What no single option's check can see; throws CLI::ValidationError.
 void check_together(const RenderArguments& arguments);

@@ -48,7 +48,7 @@ bool outputs_differ(const RenderPlan& plan, const RenderArguments& arguments) {
          arguments.output.string().find(kViewMark) != std::string::npos;
 }
 
-Status check_files(const RenderPlan& plan, const fs::path& texture) {
+Result<std::vector<fs::path>> find_inputs(const RenderPlan& plan, const fs::path& texture) {
   std::set<fs::path> inputs;
   if (!texture.empty()) inputs.insert(texture);
   for (const SceneModel& model : plan.models) inputs.insert(model.file);
@@ -61,9 +61,14 @@ Status check_files(const RenderPlan& plan, const fs::path& texture) {
     if (!fs::exists(input, ignored)) return make_error("{}: there is no such file", input.string());
   }
   if (!plan.scene.empty()) inputs.insert(plan.scene);
-  const std::vector<fs::path> all(inputs.begin(), inputs.end());
+  return std::vector<fs::path>(inputs.begin(), inputs.end());
+}
+
+Status check_files(const RenderPlan& plan, const fs::path& texture) {
+  const auto inputs = find_inputs(plan, texture);
+  if (!inputs) return inputs.error();
   for (const Picture& picture : plan.pictures) {
-    Status writable = check_output(picture.output, all);
+    Status writable = check_output(picture.output, *inputs);
     if (!writable) return writable;
   }
   return {};
@@ -84,14 +89,17 @@ Result<RenderSettings> render_settings_for(const Picture& picture, const PatchMo
   settings.height = size.height;
   settings.camera = *camera;
   settings.engine = said.engine.value_or(settings.engine);
-  settings.primitive = said.primitive.value_or(settings.primitive);
+  // The rival is as in paper 001: splats of the finest level.
+  const bool splats = settings.engine == EngineKind::Multipass;
+  settings.primitive = said.primitive.value_or(splats ? Primitive::Quad : settings.primitive);
   settings.interpolation = said.interpolation.value_or(settings.interpolation);
   settings.material = said.material.value_or(settings.material);
   settings.environment = said.environment.value_or(fs::path());
   if (said.background) settings.background = said.background->colour;
   if (ending(picture.output) == ".exr")
     settings.outputs = said.outputs.value_or(Outputs{true, true, true, true});
-  settings.pixels_per_sample = said.pixels_per_sample.value_or(settings.pixels_per_sample);
+  settings.pixels_per_sample =
+      said.pixels_per_sample.value_or(splats ? 0.0 : settings.pixels_per_sample);
   settings.multipass.radius_factor = said.radius_factor.value_or(settings.multipass.radius_factor);
   settings.raytrace.samples = said.samples.value_or(settings.raytrace.samples);
   settings.ewa.filter = said.filter.value_or(settings.ewa.filter);
@@ -101,6 +109,7 @@ Result<RenderSettings> render_settings_for(const Picture& picture, const PatchMo
       said.coverage_threshold.value_or(settings.ewa.coverage_threshold);
   settings.ewa.time_budget_ms = said.time_budget_ms.value_or(settings.ewa.time_budget_ms);
   settings.platform = arguments.platform;
+  settings.explain = arguments.explain;
   // A slow engine is not run again for the sake of a timing that nobody asked for.
   settings.frames = arguments.frames.value_or(is_on_opengl(settings.engine) ? settings.frames : 1);
   return settings;

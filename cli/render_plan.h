@@ -32,8 +32,12 @@ Result<RenderPlan> make_plan(const RenderArguments& arguments);
 /// Whether every picture has a file of its own.
 [[nodiscard]] bool outputs_differ(const RenderPlan& plan, const RenderArguments& arguments);
 
-/// Whether every file to be read is there, and every file to be written can be: known before the
-/// long work. `texture`: one more file to be read, if not empty.
+/// The files to be read, the scene among them. Fails if one is not there: known before the long
+/// work. `texture`: one more file to be read, if not empty.
+Result<std::vector<std::filesystem::path>> find_inputs(const RenderPlan& plan,
+                                                       const std::filesystem::path& texture);
+
+/// The same, and whether every file to be written can be.
 Status check_files(const RenderPlan& plan, const std::filesystem::path& texture);
 
 /// What the renderer is told about a picture of the model.

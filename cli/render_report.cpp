@@ -4,6 +4,8 @@
 
 #include <optional>
 
+#include "cli/explain_report.h"
+
 namespace relief::cli {
 namespace {
 
@@ -36,23 +38,26 @@ nlohmann::ordered_json as_json(const WrittenPicture& written) {
   const auto said_by = [](bool has, const auto& way) {
     return has ? nlohmann::ordered_json(way) : nlohmann::ordered_json(nullptr);
   };
-  return {{"engine", name_of(kEngines, settings.engine)},
-          {"primitive",
-           said_by(is_on_opengl(settings.engine), name_of(kPrimitives, settings.primitive))},
-          {"interpolation", said_by(settings.engine == EngineKind::Onepass,
-                                    name_of(kInterpolations, settings.interpolation))},
-          {"pixels_per_sample", said_by(is_on_opengl(settings.engine), settings.pixels_per_sample)},
-          {"radius_factor",
-           said_by(settings.engine == EngineKind::Multipass, settings.multipass.radius_factor)},
-          {"material", name_of(kMaterials, settings.material)},
-          {"renderer", result.renderer},
-          {"width", result.image.width},
-          {"height", result.image.height},
-          {"frame_ms", result.frame_ms},
-          {"gpu_ms", value_or_null(result.gpu_ms)},
-          {"covered_pixels", result.covered_pixels},
-          {"fragments", value_or_null(result.fragments)},
-          {"level", value_or_null(result.level)}};
+  nlohmann::ordered_json json = {
+      {"engine", name_of(kEngines, settings.engine)},
+      {"primitive",
+       said_by(is_on_opengl(settings.engine), name_of(kPrimitives, settings.primitive))},
+      {"interpolation", said_by(settings.engine == EngineKind::Onepass,
+                                name_of(kInterpolations, settings.interpolation))},
+      {"radius_factor",
+       said_by(settings.engine == EngineKind::Multipass, settings.multipass.radius_factor)},
+      {"material", name_of(kMaterials, settings.material)},
+      {"renderer", result.renderer},
+      {"width", result.image.width},
+      {"height", result.image.height},
+      {"frame_ms", result.frame_ms},
+      {"gpu_ms", value_or_null(result.gpu_ms)},
+      {"covered_pixels", result.covered_pixels},
+      {"fragments", value_or_null(result.fragments)},
+      {"level", value_or_null(result.level)}};
+  if (settings.explain)
+    json["explain"] = result.explanation ? as_json(*result.explanation) : nlohmann::ordered_json();
+  return json;
 }
 
 nlohmann::ordered_json scene_as_json(const RenderPlan& plan,
@@ -71,7 +76,7 @@ std::string as_text(const Picture& picture, const WrittenPicture& written) {
   const auto& [settings, result] = written;
   const std::string fragments =
       result.fragments ? fmt::format("{}", *result.fragments) : std::string("not counted");
-  return fmt::format(
+  const std::string text = fmt::format(
       "{}\n"
       "  engine          {}, {}, {}\n"
       "  renderer        {}\n"
@@ -82,6 +87,7 @@ std::string as_text(const Picture& picture, const WrittenPicture& written) {
       picture.output.string(), name_of(kEngines, settings.engine), way_of(settings),
       name_of(kMaterials, settings.material), result.renderer, result.image.width,
       result.image.height, result.frame_ms, result.covered_pixels, fragments);
+  return result.explanation ? text + as_text(*result.explanation) : text;
 }
 
 }  // namespace relief::cli

@@ -16,7 +16,7 @@ struct WrittenPicture {
   RenderResult result;
 };
 
-/// The keys of DESIGN.md's `render`.
+/// The keys of DESIGN.md's `render`; with `explain`, if that was asked for.
 [[nodiscard]] nlohmann::ordered_json as_json(const WrittenPicture& written);
 
 /// {"views": [...]}, each with its name, its output and the keys of as_json. `written` is parallel

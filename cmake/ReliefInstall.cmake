@@ -9,7 +9,7 @@ set(RELIEF_PUBLIC_HEADERS
   preprocess/convert.h preprocess/read_points.h
   renderer/engines/ewa/settings.h renderer/engines/multipass/settings.h
   renderer/engines/raytrace/settings.h
-  renderer/mesh_of_points.h renderer/render.h renderer/splat_cloud.h renderer/triangle_mesh.h)
+  renderer/explanation.h renderer/mesh_of_points.h renderer/render.h renderer/splat_cloud.h renderer/triangle_mesh.h)
 foreach(header IN LISTS RELIEF_PUBLIC_HEADERS)
   cmake_path(GET header PARENT_PATH folder)
   install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/relief/${folder})

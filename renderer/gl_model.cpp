@@ -1,7 +1,7 @@
 #include "renderer/gl_model.h"
 
 #include <algorithm>
-#include <cassert>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -20,27 +20,18 @@ double near_of(const PatchModel& model) {
 
 }  // namespace
 
-Result<std::unique_ptr<GlModel>> GlModel::create(const PatchModel& model,
+Result<std::unique_ptr<GlModel>> GlModel::create(std::shared_ptr<const OpenGl> opengl,
+                                                 const PatchModel& model,
                                                  std::span<const RenderSettings> views,
                                                  const StoreNeeds& needs) {
-  assert(!views.empty() && "a model is prepared for at least one view");
-  const RenderSettings& first = views.front();
-  for ([[maybe_unused]] const RenderSettings& settings : views)
-    assert(settings.platform == first.platform && settings.debug == first.debug);
   std::unique_ptr<GlModel> made(new GlModel);
-  auto context = make_context(first.platform, first.debug);
-  if (!context) return context.error();
-  made->context_ = std::move(*context);
-  const auto functions = load_functions(*made->context_);
-  if (!functions) return functions.error();
-  made->gl_ = *functions;
-  if (first.debug) made->log_.emplace(made->gl_);
+  made->opengl_ = std::move(opengl);
   made->has_colours_ = model.has_colours;
   made->near_ = near_of(model);
   std::vector<View> looks;
   looks.reserve(views.size());
   for (const RenderSettings& settings : views) looks.push_back(made->view_of(settings));
-  auto store = upload_model(made->gl_, model, needs, looks);
+  auto store = upload_model(made->gl(), model, needs, looks);
   if (!store) return store.error();
   made->store_ = std::move(*store);
   return made;
@@ -60,13 +51,13 @@ Result<GlPicture> GlModel::make_picture(const RenderSettings& settings) {
     if (!found) return found.error();
     shown = *found;
   }
-  Result<Targets> targets = make_targets(gl_, settings.width, settings.height, settings.outputs);
+  Result<Targets> targets = make_targets(gl(), settings.width, settings.height, settings.outputs);
   if (!targets) return targets.error();
   const View view = view_of(settings);
-  const shared::Frame uniforms = make_frame(view, largest_sprite(gl_));
+  const shared::Frame uniforms = make_frame(view, largest_sprite(gl()));
   return GlPicture{view,
                    std::move(*targets),
-                   make_buffer(gl_, "frame", std::span<const shared::Frame>(&uniforms, 1)),
+                   make_buffer(gl(), "frame", std::span<const shared::Frame>(&uniforms, 1)),
                    settings.background.value_or(glm::vec3(0.0F)),
                    environment,
                    shown};
@@ -78,10 +69,11 @@ View GlModel::view_of(const RenderSettings& settings) const {
   return view;
 }
 
-Result<RenderResult> GlModel::draw(const GlPicture& picture, const DrawModel& draw,
-                                   const DrawModel& count, const RenderSettings& settings) const {
-  auto result = draw_picture(gl_, picture, draw, count, settings);
-  if (result && log_ && !log_->status()) return log_->status().error();
+Result<RenderResult> GlModel::draw(const GlDrawing& drawing, const RenderSettings& settings) const {
+  auto result = draw_picture(gl(), drawing, settings);
+  if (!result) return result;
+  const Status good = opengl_->status();
+  if (!good) return good.error();
   return result;
 }
 
@@ -90,7 +82,7 @@ Result<const Texture*> GlModel::environment_for(const std::filesystem::path& pat
   if (found == environments_.end()) {
     const Result<CubeMap> cube = load_environment(path);
     if (!cube) return cube.error();
-    Result<Texture> made = upload_environment(gl_, *cube);
+    Result<Texture> made = upload_environment(gl(), *cube);
     if (!made) return made.error();
     found = environments_.emplace(path, std::move(*made)).first;
   }
@@ -99,7 +91,7 @@ Result<const Texture*> GlModel::environment_for(const std::filesystem::path& pat
 
 Result<const Backdrop*> GlModel::backdrop() {
   if (!backdrop_) {
-    Result<Backdrop> made = Backdrop::create(gl_);
+    Result<Backdrop> made = Backdrop::create(gl());
     if (!made) return made.error();
     backdrop_ = std::move(*made);
   }

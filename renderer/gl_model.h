@@ -10,27 +10,26 @@
 #include "common/error.h"
 #include "common/patch.h"
 #include "renderer/environment.h"
-#include "renderer/gl/context.h"
-#include "renderer/gl/debug.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/gl_picture.h"
+#include "renderer/open_gl.h"
 #include "renderer/patch_store.h"
 #include "renderer/render.h"
 
 namespace relief {
 
-/// The context, the model's patches, and the environments that pictures have needed so far. At an
-/// address that lasts: what is made with its functions keeps it, and must go before it does.
+/// The model's patches, and the environments that pictures have needed so far. What is made of it
+/// must go before it does.
 class GlModel {
  public:
-  /// Makes a context and uploads the levels that the views choose and those maps that are needed.
-  /// All views have the platform and debug flag of the first.
-  static Result<std::unique_ptr<GlModel>> create(const PatchModel& model,
+  /// Uploads of the model the levels that the views choose, and what is needed of them.
+  static Result<std::unique_ptr<GlModel>> create(std::shared_ptr<const OpenGl> opengl,
+                                                 const PatchModel& model,
                                                  std::span<const RenderSettings> views,
                                                  const StoreNeeds& needs);
 
-  [[nodiscard]] const Gl& gl() const { return gl_; }
+  [[nodiscard]] const Gl& gl() const { return opengl_->gl(); }
   [[nodiscard]] const PatchStore& store() const { return *store_; }
   [[nodiscard]] bool has_colours() const { return has_colours_; }
 
@@ -39,8 +38,7 @@ class GlModel {
   Result<GlPicture> make_picture(const RenderSettings& settings);
 
   /// Draws it (draw_picture). Fails, too, if OpenGL has complained in a debug context.
-  [[nodiscard]] Result<RenderResult> draw(const GlPicture& picture, const DrawModel& draw,
-                                          const DrawModel& count,
+  [[nodiscard]] Result<RenderResult> draw(const GlDrawing& drawing,
                                           const RenderSettings& settings) const;
 
  private:
@@ -49,9 +47,7 @@ class GlModel {
   Result<const Texture*> environment_for(const std::filesystem::path& path);
   Result<const Backdrop*> backdrop();
 
-  std::unique_ptr<GlContext> context_;  ///< first: the last to go
-  Gl gl_;
-  std::optional<DebugLog> log_;
+  std::shared_ptr<const OpenGl> opengl_;  ///< first: the last to go
   std::optional<PatchStore> store_;
   std::map<std::filesystem::path, Texture> environments_;
   std::optional<Backdrop> backdrop_;

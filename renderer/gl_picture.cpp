@@ -13,6 +13,7 @@ namespace {
 
 /// Draws one frame, without waiting for it.
 void draw_frame(const Gl& gl, const GlPicture& picture, const DrawModel& draw, PassTimer& timer) {
+  if (gl.recorder != nullptr) gl.recorder->begin_frame();
   gl.BindFramebuffer(GL_FRAMEBUFFER, picture.targets.framebuffer.id());
   gl.Viewport(0, 0, static_cast<GLsizei>(picture.targets.width),
               static_cast<GLsizei>(picture.targets.height));
@@ -25,42 +26,44 @@ void draw_frame(const Gl& gl, const GlPicture& picture, const DrawModel& draw, P
 }
 
 /// Times frames after one that warms caches up and compiles what OpenGL compiles late.
-void time_frames(const Gl& gl, const GlPicture& picture, const DrawModel& draw, int frames,
-                 RenderResult& result) {
+void time_frames(const Gl& gl, const GlDrawing& drawing, int frames, RenderResult& result) {
   PassTimer timer(gl);
-  draw_frame(gl, picture, draw, timer);
-  gl.Finish();
-  (void)timer.take();
+  (void)time_frame(gl, drawing, timer);
   std::vector<double> frame_ms;
   std::vector<double> gpu_ms;
   for (int i = 0; i < std::max(frames, 1); ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    draw_frame(gl, picture, draw, timer);
-    gl.Finish();
-    const std::chrono::duration<double, std::milli> elapsed =
-        std::chrono::steady_clock::now() - start;
-    frame_ms.push_back(elapsed.count());
-    if (const auto time = timer.take()) gpu_ms.push_back(*time);
+    const FrameTime time = time_frame(gl, drawing, timer);
+    frame_ms.push_back(time.wall_ms);
+    if (time.gpu_ms) gpu_ms.push_back(*time.gpu_ms);
   }
   result.frame_ms = median(frame_ms);
   if (!gpu_ms.empty()) result.gpu_ms = median(gpu_ms);
 }
 
-/// Counts the fragments of the model's passes, in a frame of its own that is not timed.
-std::uint64_t count_fragments(const Gl& gl, const GlPicture& picture, const DrawModel& count_draw) {
+}  // namespace
+
+FrameTime time_frame(const Gl& gl, const GlDrawing& drawing, PassTimer& timer) {
+  const auto start = std::chrono::steady_clock::now();
+  draw_frame(gl, drawing.picture, drawing.draw, timer);
+  gl.Finish();
+  const std::chrono::duration<double, std::milli> elapsed =
+      std::chrono::steady_clock::now() - start;
+  return {elapsed.count(), timer.take()};
+}
+
+std::uint64_t count_fragments(const Gl& gl, const GlDrawing& drawing) {
   std::uint32_t count = 0;
   const Buffer buffer =
       make_buffer(gl, "fragment count", std::span<const std::uint32_t>(&count, 1));
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, RELIEF_BIND_FRAGMENT_COUNT, buffer.id());
   PassTimer timer(gl);
-  draw_frame(gl, picture, count_draw, timer);
+  draw_frame(gl, drawing.picture, drawing.count, timer);
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, RELIEF_BIND_FRAGMENT_COUNT, 0);
   gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   gl.GetNamedBufferSubData(buffer.id(), 0, sizeof(count), &count);
   return count;
 }
 
-/// Reads the picture, counts what the model covers and puts an opaque background under it.
 void read_picture(const Gl& gl, const GlPicture& picture, bool opaque, RenderResult& result) {
   result.image = read_targets(gl, picture.targets);
   for (Channel& channel : result.image.channels) {
@@ -71,15 +74,18 @@ void read_picture(const Gl& gl, const GlPicture& picture, bool opaque, RenderRes
   }
 }
 
-}  // namespace
+std::string renderer_name(const Gl& gl) {
+  return reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
+}
 
-Result<RenderResult> draw_picture(const Gl& gl, const GlPicture& picture, const DrawModel& draw,
-                                  const DrawModel& count, const RenderSettings& settings) {
+Result<RenderResult> draw_picture(const Gl& gl, const GlDrawing& drawing,
+                                  const RenderSettings& settings) {
   RenderResult result;
-  result.renderer = reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
-  result.fragments = count_fragments(gl, picture, count);
-  time_frames(gl, picture, draw, settings.frames, result);
-  read_picture(gl, picture, settings.background.has_value(), result);
+  result.renderer = renderer_name(gl);
+  if (drawing.count) result.fragments = count_fragments(gl, drawing);
+  time_frames(gl, drawing, settings.frames, result);
+  if (gl.recorder != nullptr) result.explanation = gl.recorder->explain();
+  read_picture(gl, drawing.picture, settings.background.has_value(), result);
   const Status drawn = check_errors(gl, "the picture");
   if (!drawn) return drawn.error();
   return result;

@@ -1,8 +1,11 @@
 // One picture of an engine on OpenGL: its targets, its uniforms, its frames and their times.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <glm/vec3.hpp>
+#include <optional>
+#include <string>
 
 #include "common/error.h"
 #include "renderer/environment.h"
@@ -28,9 +31,36 @@ struct GlPicture {
 /// Draws the model of one frame. The targets are bound and cleared, the frame uniforms bound.
 using DrawModel = std::function<void(const GlPicture& picture, PassTimer& timer)>;
 
-/// Draws a picture: once with `count`, which counts fragments, once to warm up, then
+/// A picture and what draws it.
+struct GlDrawing {
+  GlPicture picture;
+  DrawModel draw;
+  DrawModel count;  ///< draws the same and counts the fragments that it shades; empty where the
+                    ///< picture is explained, which has nothing that only counts
+};
+
+/// How long a frame took.
+struct FrameTime {
+  double wall_ms = 0.0;          ///< from the first command until all have finished
+  std::optional<double> gpu_ms;  ///< of the passes, by OpenGL's timer
+};
+
+/// Draws one frame and waits for it. `timer` has no passes of others.
+FrameTime time_frame(const Gl& gl, const GlDrawing& drawing, PassTimer& timer);
+
+/// Draws a frame that counts the fragments shaded by the model's passes.
+std::uint64_t count_fragments(const Gl& gl, const GlDrawing& drawing);
+
+/// Reads back what was drawn last, counts what the model covers and, if `opaque`, puts the
+/// background under it.
+void read_picture(const Gl& gl, const GlPicture& picture, bool opaque, RenderResult& result);
+
+/// Draws a picture: once to count fragments (unless it is explained), once to warm up, then
 /// `settings.frames` times for the clock.
-Result<RenderResult> draw_picture(const Gl& gl, const GlPicture& picture, const DrawModel& draw,
-                                  const DrawModel& count, const RenderSettings& settings);
+Result<RenderResult> draw_picture(const Gl& gl, const GlDrawing& drawing,
+                                  const RenderSettings& settings);
+
+/// What `gl` says of itself.
+[[nodiscard]] std::string renderer_name(const Gl& gl);
 
 }  // namespace relief

@@ -180,20 +180,23 @@ Result<PatchStore> upload_model(const Gl& gl, const PatchModel& model, const Sto
     masks = std::move(maps->texture);
   }
 
-  std::vector<std::uint32_t> indices(patches.size());
-  std::iota(indices.begin(), indices.end(), 0U);
   PatchStore store{
       std::move(patches),
       std::move(levels),
       pages.take(),
       make_table(gl, "patch table", GL_RGBA32I, std::span<const shared::PatchInfo>(table)),
-      make_buffer(gl, "patch indices", std::span<const std::uint32_t>(indices)),
+      std::nullopt,
       std::move(heights),
       std::move(normals),
       std::move(colours),
       std::move(masks),
       std::nullopt};
   if (needs.cells) store.cells = cells.take();
+  if (needs.splats || !needs.cells) {
+    std::vector<std::uint32_t> indices(store.patches.size());
+    std::iota(indices.begin(), indices.end(), 0U);
+    store.indices = make_buffer(gl, "patch indices", std::span<const std::uint32_t>(indices));
+  }
   const Status uploaded = check_errors(gl, "the model");
   if (!uploaded) return uploaded.error();
   return store;

@@ -27,6 +27,8 @@ struct StoreNeeds {
   bool normals = false;
   bool colours = false;
   bool masks = false;  ///< for coarser levels
+
+  bool operator==(const StoreNeeds&) const = default;
 };
 
 /// What the CPU keeps of a level of a patch on the GPU. World frame, in double precision.
@@ -54,10 +56,11 @@ struct StoredLevels {
 struct PatchStore {
   std::vector<StoredPatch> patches;  ///< each level that is kept of each patch
   std::vector<StoredLevels> levels;  ///< parallel to PatchModel::patches
-  std::vector<Table> pages;  ///< sample records; more than one only for a model that is larger
-                             ///< than what OpenGL lets a shader see of one buffer
-  Table table;               ///< shared::PatchInfo, parallel to `patches`
-  Buffer indices;            ///< 0, 1, 2 ...: the per-instance attribute that names the patch
+  std::vector<Table> pages;       ///< sample records; more than one only for a model that is larger
+                                  ///< than what OpenGL lets a shader see of one buffer
+  Table table;                    ///< shared::PatchInfo, parallel to `patches`
+  std::optional<Buffer> indices;  ///< 0, 1, 2 ...: the per-instance attribute that names the patch;
+                                  ///< cells alone have CellStore::places instead
   std::optional<Texture> heights;
   std::optional<Texture> normals;
   std::optional<Texture> colours;

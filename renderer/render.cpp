@@ -11,6 +11,7 @@
 #include "renderer/engines/onepass/render_onepass.h"
 #include "renderer/engines/raytrace/render_raytrace.h"
 #include "renderer/mesh_of_patches.h"
+#include "renderer/open_gl.h"
 #include "renderer/prepared.h"
 
 namespace relief {
@@ -48,14 +49,28 @@ std::vector<EngineViews> group_by_engine(std::span<const RenderSettings> views) 
   return groups;
 }
 
+/// An engine on OpenGL, in a context of its own.
+Result<std::unique_ptr<PreparedModel>> prepare_on_opengl(const RenderModel& model,
+                                                         const EngineViews& views) {
+  assert(model.patches != nullptr && "the engines on OpenGL draw patches");
+  const RenderSettings& first = views.settings.front();
+  for (const RenderSettings& settings : views.settings)
+    assert(settings.platform == first.platform && settings.debug == first.debug &&
+           settings.explain == first.explain);
+  auto opengl = OpenGl::create(first.platform, first.debug, first.explain);
+  if (!opengl) return opengl.error();
+  auto prepared = views.engine == EngineKind::Onepass
+                      ? onepass::prepare(std::move(*opengl), *model.patches, views.settings)
+                      : multipass::prepare(std::move(*opengl), *model.patches, views.settings);
+  if (!prepared) return prepared.error();
+  return std::unique_ptr<PreparedModel>(std::move(*prepared));
+}
+
 Result<std::unique_ptr<PreparedModel>> prepare(const RenderModel& model, const EngineViews& views) {
   switch (views.engine) {
     case EngineKind::Onepass:
-      assert(model.patches != nullptr && "onepass draws patches");
-      return onepass::prepare(*model.patches, views.settings);
     case EngineKind::Multipass:
-      assert(model.patches != nullptr && "multipass draws patches");
-      return multipass::prepare(*model.patches, views.settings);
+      return prepare_on_opengl(model, views);
     case EngineKind::Ewa:
       if (model.splats != nullptr) return ewa::prepare(*model.splats);
       assert(model.patches != nullptr && "there are points or patches");

@@ -20,6 +20,7 @@
 #include "renderer/engines/ewa/settings.h"
 #include "renderer/engines/multipass/settings.h"
 #include "renderer/engines/raytrace/settings.h"
+#include "renderer/explanation.h"
 #include "renderer/splat_cloud.h"
 #include "renderer/triangle_mesh.h"
 
@@ -33,7 +34,7 @@ struct RenderSettings {
   std::uint32_t width = 1280;
   std::uint32_t height = 1024;
   Camera camera;
-  Primitive primitive = Primitive::Quad;
+  Primitive primitive = Primitive::Cell;
   Interpolation interpolation = Interpolation::Corrected;
   Material material = Material::Lit;
   std::vector<Material> materials;    ///< by SplatCloud::materials; empty: `material` for all
@@ -43,13 +44,15 @@ struct RenderSettings {
   Outputs outputs;
   /// Of `onepass` and `multipass`: each patch is drawn at its coarsest level whose samples are seen
   /// at most this far apart, in pixels; 0: the finest.
-  double pixels_per_sample = 0.0;
+  double pixels_per_sample = 4.0;
   MultipassSettings multipass;
   EwaSettings ewa;
   RaytraceSettings raytrace;
   GlPlatform platform = GlPlatform::Automatic;
   int frames = 3;      ///< timed frames; the median counts. on OpenGL one more is drawn before them
   bool debug = false;  ///< OpenGL debug context; a high-severity message is an error
+  bool explain = false;  ///< RenderResult::explanation, of the engines on OpenGL; such a picture
+                         ///< has nothing beside it that counts fragments
 };
 
 struct RenderResult {
@@ -63,6 +66,7 @@ struct RenderResult {
                                            ///< of kernels to pixels
   std::optional<std::uint32_t> level;  ///< coarser set of points that was drawn, 0: all of them;
                                        ///< nothing without EwaSettings::time_budget_ms
+  std::optional<Explanation> explanation;  ///< if settings asked for it, of a timed frame
 };
 
 /// A model in the forms that engines draw; they outlive the rendering. `onepass` and `multipass`
@@ -88,7 +92,7 @@ using PictureSink = std::function<Status(std::size_t view, RenderResult picture)
 /// Renders several views of one model, one engine after the other and within each in the list's
 /// order. What does not depend on the view (an OpenGL context, the model on the GPU, environments)
 /// is made once for each engine; each picture is the same as if it were the only
-/// one. All views have the same `platform` and `debug`. Fails as render() does.
+/// one. All views have the same `platform`, `debug` and `explain`. Fails as render() does.
 Status render_views(const RenderModel& model, std::span<const RenderSettings> views,
                     const PictureSink& sink, Progress& progress);
 

@@ -4,13 +4,20 @@
 
 namespace relief {
 
-Result<Gl> load_functions(const GlContext& context) {
+Result<Gl> load_functions(const GlContext& context, GlRecorder* recorder) {
   Gl gl;
+  gl.recorder = recorder;
   const char* missing = nullptr;
 #define RELIEF_GL_LOAD(type, name)                                        \
   gl.name = reinterpret_cast<type>(context.get_proc_address("gl" #name)); \
   if (gl.name == nullptr) missing = "gl" #name;
   RELIEF_GL_FUNCTIONS(RELIEF_GL_LOAD)
+#undef RELIEF_GL_LOAD
+#define RELIEF_GL_LOAD(type, name, hear)                                                 \
+  const auto load_##name = reinterpret_cast<type>(context.get_proc_address("gl" #name)); \
+  if (load_##name == nullptr) missing = "gl" #name;                                      \
+  gl.name = {load_##name, recorder};
+  RELIEF_GL_HEARD_FUNCTIONS(RELIEF_GL_LOAD)
 #undef RELIEF_GL_LOAD
   if (missing != nullptr) {
     return make_error("OpenGL from {} has no {}; Relief needs OpenGL 4.5", context.name(), missing);

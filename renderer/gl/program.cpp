@@ -86,7 +86,11 @@ Result<Program> make_program(const Gl& gl, std::string_view label, std::string_v
   gl.LinkProgram(program.id());
   GLint done = GL_FALSE;
   gl.GetProgramiv(program.id(), GL_LINK_STATUS, &done);
-  if (done == GL_TRUE) return program;
+  if (done == GL_TRUE) {
+    if (gl.recorder != nullptr)
+      gl.recorder->add_program(program.id(), label, vertex_path, fragment_path, features);
+    return program;
+  }
   std::string log(4096, '\0');
   GLsizei log_length = 0;
   gl.GetProgramInfoLog(program.id(), static_cast<GLsizei>(log.size()), &log_length, log.data());

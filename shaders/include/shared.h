@@ -89,10 +89,18 @@ using glm::vec4;
 /// Uniform of `multipass`: radius of its discs over that of Eq. (1) of paper 001.
 #define RELIEF_UNIFORM_RADIUS_FACTOR 0
 
+/// Uniform of the bench's shading bound: the patch that it shades.
+#define RELIEF_UNIFORM_PATCH 0
+
 /// Vertex attributes: the patch that a draw command draws, through its base instance; with cells
 /// also the corner of the part that it draws (column, then row in the upper half).
 #define RELIEF_ATTRIBUTE_PATCH 0
 #define RELIEF_ATTRIBUTE_CORNER 1
+
+/// The same of the bench's mesh.
+#define RELIEF_ATTRIBUTE_POSITION 0
+#define RELIEF_ATTRIBUTE_NORMAL 1
+#define RELIEF_ATTRIBUTE_COLOUR 2
 
 /// The height texel of a hole.
 RELIEF_CONST uint kHoleTexel = 65535u;

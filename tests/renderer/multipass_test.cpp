@@ -240,7 +240,9 @@ INSTANTIATE_TEST_SUITE_P(All, Multipass,
 TEST(MultipassSums, AreThoseThatThePictureNeeds) {
   const PatchModel model = test::height_field(4, [](double, double) { return 0.0; });
   RenderSettings settings = small_picture(model);
-  const auto gpu = GlModel::create(model, {&settings, 1}, {});
+  const auto opengl = OpenGl::create(settings.platform, settings.debug, false);
+  ASSERT_TRUE(opengl);
+  const auto gpu = GlModel::create(*opengl, model, {}, {});
   ASSERT_TRUE(gpu);
   const auto sums_of = [&](bool coloured) {
     const auto picture = (*gpu)->make_picture(settings);

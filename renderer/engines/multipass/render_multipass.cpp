@@ -6,48 +6,52 @@
 #include "renderer/engines/multipass/multipass.h"
 #include "renderer/engines/multipass/sums.h"
 #include "renderer/features.h"
-#include "renderer/gl_model.h"
 #include "renderer/gl_picture.h"
 
 namespace relief::multipass {
 namespace {
 
 /// The model on the GPU, and the programs that pictures have needed so far.
-class Prepared final : public PreparedModel {
+class Prepared final : public GlPreparedModel {
  public:
-  explicit Prepared(std::unique_ptr<GlModel> model) : model_(std::move(model)) {}
+  using GlPreparedModel::GlPreparedModel;
 
-  Result<RenderResult> render(const RenderSettings& settings, Progress& /*progress*/) override {
-    const std::uint32_t features = scene_features(settings, model_->has_colours());
-    const auto engine = engines_.get(*model_, features);
+  Result<GlDrawing> make_drawing(const RenderSettings& settings) override {
+    const std::uint32_t features = scene_features(settings, model().has_colours());
+    const auto engine = engines_.get(model(), features);
     if (!engine) return engine.error();
-    const auto counting = engines_.get(*model_, features | RELIEF_FEATURE_COUNT_FRAGMENTS);
-    if (!counting) return counting.error();
-    const auto picture = model_->make_picture(settings);
+    auto picture = model().make_picture(settings);
     if (!picture) return picture.error();
-    const auto sums = make_sums(model_->gl(), picture->targets, features);
-    if (!sums) return sums.error();
+    auto made = make_sums(model().gl(), picture->targets, features);
+    if (!made) return made.error();
+    const auto sums = std::make_shared<const Sums>(std::move(*made));
     const double factor = settings.multipass.radius_factor;
     const auto draw_with = [&sums, factor](const Engine& drawing) {
-      return [&sums, factor, &drawing](const GlPicture& frame, PassTimer& timer) {
+      return [sums, factor, &drawing](const GlPicture& frame, PassTimer& timer) {
         drawing.draw(frame, *sums, factor, timer);
       };
     };
-    return model_->draw(*picture, draw_with(**engine), draw_with(**counting), settings);
+    GlDrawing drawing{std::move(*picture), draw_with(**engine), {}};
+    if (settings.explain) return drawing;
+    const auto counting = engines_.get(model(), features | RELIEF_FEATURE_COUNT_FRAGMENTS);
+    if (!counting) return counting.error();
+    drawing.count = draw_with(**counting);
+    return drawing;
   }
 
  private:
-  std::unique_ptr<GlModel> model_;  ///< first: the last to go
   EngineCache<Engine> engines_;
 };
 
 }  // namespace
 
-Result<std::unique_ptr<PreparedModel>> prepare(const PatchModel& model,
-                                               std::span<const RenderSettings> views) {
-  auto on_gpu = GlModel::create(model, views, needs_of(views, model.has_colours, scene_features));
+Result<std::unique_ptr<GlPreparedModel>> prepare(std::shared_ptr<const OpenGl> opengl,
+                                                 const PatchModel& model,
+                                                 std::span<const RenderSettings> views) {
+  auto on_gpu = GlModel::create(std::move(opengl), model, views,
+                                needs_of(views, model.has_colours, scene_features));
   if (!on_gpu) return on_gpu.error();
-  return std::unique_ptr<PreparedModel>(std::make_unique<Prepared>(std::move(*on_gpu)));
+  return std::unique_ptr<GlPreparedModel>(std::make_unique<Prepared>(std::move(*on_gpu)));
 }
 
 }  // namespace relief::multipass

@@ -5,45 +5,48 @@
 #include "renderer/engine_cache.h"
 #include "renderer/engines/onepass/features.h"
 #include "renderer/engines/onepass/onepass.h"
-#include "renderer/gl_model.h"
 #include "renderer/gl_picture.h"
 
 namespace relief::onepass {
 namespace {
 
 /// The model on the GPU, and the programs that pictures have needed so far.
-class Prepared final : public PreparedModel {
+class Prepared final : public GlPreparedModel {
  public:
-  explicit Prepared(std::unique_ptr<GlModel> model) : model_(std::move(model)) {}
+  using GlPreparedModel::GlPreparedModel;
 
-  Result<RenderResult> render(const RenderSettings& settings, Progress& /*progress*/) override {
-    const std::uint32_t features = features_of(settings, model_->has_colours());
-    const auto engine = engines_.get(*model_, features);
+  Result<GlDrawing> make_drawing(const RenderSettings& settings) override {
+    const std::uint32_t features = features_of(settings, model().has_colours());
+    const auto engine = engines_.get(model(), features);
     if (!engine) return engine.error();
-    const auto counting = engines_.get(*model_, features | RELIEF_FEATURE_COUNT_FRAGMENTS);
-    if (!counting) return counting.error();
-    const auto picture = model_->make_picture(settings);
+    auto picture = model().make_picture(settings);
     if (!picture) return picture.error();
     const auto draw_with = [](const Engine& drawing) {
       return [&drawing](const GlPicture& frame, PassTimer& timer) {
         drawing.draw(frame.view, timer, frame.environment);
       };
     };
-    return model_->draw(*picture, draw_with(**engine), draw_with(**counting), settings);
+    GlDrawing drawing{std::move(*picture), draw_with(**engine), {}};
+    if (settings.explain) return drawing;
+    const auto counting = engines_.get(model(), features | RELIEF_FEATURE_COUNT_FRAGMENTS);
+    if (!counting) return counting.error();
+    drawing.count = draw_with(**counting);
+    return drawing;
   }
 
  private:
-  std::unique_ptr<GlModel> model_;  ///< first: the last to go
   EngineCache<Engine> engines_;
 };
 
 }  // namespace
 
-Result<std::unique_ptr<PreparedModel>> prepare(const PatchModel& model,
-                                               std::span<const RenderSettings> views) {
-  auto on_gpu = GlModel::create(model, views, needs_of(views, model.has_colours, features_of));
+Result<std::unique_ptr<GlPreparedModel>> prepare(std::shared_ptr<const OpenGl> opengl,
+                                                 const PatchModel& model,
+                                                 std::span<const RenderSettings> views) {
+  auto on_gpu = GlModel::create(std::move(opengl), model, views,
+                                needs_of(views, model.has_colours, features_of));
   if (!on_gpu) return on_gpu.error();
-  return std::unique_ptr<PreparedModel>(std::make_unique<Prepared>(std::move(*on_gpu)));
+  return std::unique_ptr<GlPreparedModel>(std::make_unique<Prepared>(std::move(*on_gpu)));
 }
 
 }  // namespace relief::onepass

@@ -1,0 +1,190 @@
+// relief bench: every way to draw a scene, timed in turns and compared with the truth.
+#include "renderer/bench/bench.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/bench_accuracy.h"
+#include "cli/bench_plot.h"
+#include "cli/bench_report.h"
+#include "cli/bench_rows.h"
+#include "cli/bench_sweep.h"
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/load_scene.h"
+#include "cli/paths.h"
+#include "cli/render_options.h"
+#include "cli/render_plan.h"
+#include "common/file.h"
+
+namespace relief::cli {
+namespace {
+
+constexpr const char* kExamples =
+    "In brackets: what is taken where an option is not given.\n"
+    "Draws each way in turns: frame k of every row before frame k + 1 of any, so that a machine\n"
+    "that drifts drifts for all. Times are medians, after two rounds that are not counted. The\n"
+    "bound shades as many pixels as the picture covers and nothing else; the mesh is the input's,\n"
+    "if it has faces. The truth is ray-traced: the scene's triangles, or else its patches. Of a\n"
+    ".json scene the first view is drawn; its engine, primitive, interpolation and background do\n"
+    "not count. A ratio is the row's time over that of multipass with radius factor 2 (its faster\n"
+    "primitive), of the bound, of the mesh. Bytes are those of the model on the GPU.\n"
+    "\n"
+    "Examples:\n"
+    "  relief bench dragon.ply.gz --plot bench.svg\n"
+    "  relief bench dragon.relief --material mirror --env studio.hdr --frames 50 --json";
+
+constexpr int kFrames = 20;
+
+struct Arguments {
+  RenderArguments picture;
+  std::filesystem::path plot;  ///< empty: none
+  std::optional<Sweep> sweep;
+};
+
+Status write_text(const std::filesystem::path& path, const std::string& text) {
+  return write_file_atomically(path, std::as_bytes(std::span<const char>(text)));
+}
+
+/// Conversions of the scene: the first as it is unasked, then those of a sweep.
+struct Models {
+  LoadedScene scene;
+  std::vector<PatchModel> swept;
+};
+
+Result<Models> load(const RenderPlan& plan, const std::optional<Sweep>& sweep, Progress& progress) {
+  auto scene = load_scene(plan.models, {.patches = true, .raytrace = true}, progress);
+  if (!scene) return scene.error();
+  Models models{std::move(*scene), {}};
+  if (!sweep || !converts(*sweep)) return models;
+  auto swept = convert_sweep(plan.models.front().file, *sweep, progress);
+  if (!swept) return swept.error();
+  models.swept = std::move(*swept);
+  return models;
+}
+
+/// All that is to be drawn; what is measured is filled in later.
+struct Plan {
+  BenchJob job;
+  BenchResult result;
+
+  void add(const PatchModel& patches, const RenderSettings& row, std::optional<double> value) {
+    job.rows.push_back({&patches, row});
+    result.rows.push_back(row);
+    result.swept_values.push_back(value);
+    result.samples.push_back(count_samples(patches));
+  }
+};
+
+Plan plan_rows(const Models& models, const RenderSettings& base,
+               const std::optional<Sweep>& sweep) {
+  Plan plan;
+  const PatchModel& unasked = models.scene.patches;
+  for (const RenderSettings& row : sweep ? compared_rows(base) : bench_rows(base))
+    plan.add(unasked, row, std::nullopt);
+  if (sweep) plan.result.swept = name_of(kSwept, sweep->what);
+  if (sweep && !converts(*sweep)) {
+    for (const RenderSettings& row : radius_factor_rows(base, sweep->values))
+      plan.add(unasked, row, std::nullopt);
+  }
+  for (std::size_t k = 0; k < models.swept.size(); ++k)
+    plan.add(models.swept[k], compared_rows(base).front(), sweep->values[k]);
+  plan.job.reference = plan.result.reference = find_default(plan.result.rows);
+  if (models.scene.mesh_is_input) {
+    plan.job.mesh = &*models.scene.mesh;
+    plan.result.mesh_triangles = models.scene.mesh->triangles.size();
+  }
+  return plan;
+}
+
+Result<BenchResult> measure(const RenderPlan& scene, const Arguments& arguments) {
+  ConsoleProgress progress;
+  const auto models = load(scene, arguments.sweep, progress);
+  if (!models) return models.error();
+  const Picture& picture = scene.pictures.front();
+  const auto base = render_settings_for(picture, models->scene.patches, arguments.picture);
+  if (!base) return base.error();
+  auto [job, result] = plan_rows(*models, *base, arguments.sweep);
+  job.frames = arguments.picture.frames.value_or(kFrames);
+  auto times = bench(job, progress);
+  if (!times) return times.error();
+  const TriangleMesh* const mesh = models->scene.mesh ? &*models->scene.mesh : nullptr;
+  auto accuracy = measure_accuracy(job.rows, mesh, progress);
+  if (!accuracy) return accuracy.error();
+  result.scene = arguments.picture.input.string();
+  result.view = picture.view;
+  result.frames = job.frames;
+  result.warm_up = job.warm_up;
+  result.times = std::move(*times);
+  result.accuracy = std::move(*accuracy);
+  return std::move(result);
+}
+
+int run(const Arguments& arguments) {
+  const auto plan = make_plan(arguments.picture);
+  if (!plan) return fail(plan.error());
+  const auto inputs = find_inputs(*plan, {});
+  if (!inputs) return fail(inputs.error());
+  if (!arguments.plot.empty()) {
+    const Status writable = check_output(arguments.plot, *inputs);
+    if (!writable) return fail(writable.error());
+  }
+  const auto result = measure(*plan, arguments);
+  if (!result) return fail(result.error());
+  if (!arguments.plot.empty()) {
+    const Status written = write_text(arguments.plot, plot_as_svg(plot_of(*result)));
+    if (!written) return fail(written.error());
+  }
+  return arguments.picture.json ? print_json(as_json(*result)) : print_result(as_text(*result));
+}
+
+/// What is converted anew is a scan.
+void check_sweep(const Arguments& arguments) {
+  const std::string kind = ending(arguments.picture.input);
+  if (arguments.sweep && converts(*arguments.sweep) && (kind == ".relief" || kind == ".json"))
+    throw CLI::ValidationError("--sweep", "spacing and height-step need a scan or a mesh");
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, Command& command) {
+  auto* sub = app.add_subcommand("bench", "Time every way to draw a scene against the truth");
+  const auto arguments = std::make_shared<Arguments>();
+  RenderArguments& picture = arguments->picture;
+  sub->add_option("SCENE", picture.input, "A .relief file, a scan, a mesh or a .json scene")
+      ->required()
+      ->option_text("FILE");
+  add_camera_options(*sub, picture.settings);
+  add_material_options(*sub, picture.settings);
+  sub->add_option("--frames", picture.frames, "Timed frames of each row (20)")
+      ->check(CLI::Range(1, 100000))
+      ->option_text("N");
+  add_platform_option(*sub, picture.platform);
+  sub->add_option("--plot", arguments->plot,
+                  "Write accuracy against time, with the Pareto front marked")
+      ->check([](const std::string& name) {
+        return ending(name) == ".svg" ? std::string() : "expected a name that ends in .svg";
+      })
+      ->option_text("OUT.svg");
+  sub->add_option_function<std::string>(
+         "--sweep", [arguments](const std::string& s) { arguments->sweep = parse_sweep(s); },
+         "One quantity with several values instead: the default way, multipass to compare with, "
+         "and "
+         "a row for each value; spacing and height-step convert the scan anew")
+      ->option_text("spacing|height-step|radius-factor=V,V,...");
+  sub->add_flag("--json", picture.json, "Print one JSON object on standard output");
+  sub->footer(kExamples);
+  sub->callback([arguments, &command] {
+    check_camera(arguments->picture.settings);
+    check_sweep(*arguments);
+    command = [arguments] { return run(*arguments); };
+  });
+}
+
+}  // namespace relief::cli

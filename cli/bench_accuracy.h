@@ -1,0 +1,33 @@
+// How right the pictures of `relief bench` are.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "common/error.h"
+#include "common/progress.h"
+#include "renderer/bench/bench.h"
+
+namespace relief::cli {
+
+/// A row's pictures against ray-traced ones; what could not be measured is nothing. The PSNR of
+/// what does not differ is infinite.
+struct RowAccuracy {
+  std::optional<double> psnr_db;          ///< in the row's material, over all pixels
+  std::optional<double> psnr_covered_db;  ///< over those that both cover
+  std::optional<double> psnr_mirror_db;   ///< the same as a mirror
+  std::optional<double> psnr_mirror_covered_db;
+  std::optional<double> flip_mean;     ///< LDR-FLIP, in the row's material
+  std::optional<std::uint64_t> holes;  ///< pixels inside the silhouette that only the truth covers
+};
+
+/// Draws each row twice, in its material and as a mirror (of its environment, or the built-in one),
+/// and compares with the engine `raytrace`, which follows rays to the mesh or, if that is null, to
+/// the first row's patches: one ray a pixel where the picture has one sample too, and 16 for a
+/// mirror, as one ray reads one point of an environment that all others filter. Rows have no
+/// background.
+Result<std::vector<RowAccuracy>> measure_accuracy(const std::vector<BenchWay>& rows,
+                                                  const TriangleMesh* mesh, Progress& progress);
+
+}  // namespace relief::cli

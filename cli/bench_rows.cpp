@@ -1,0 +1,100 @@
+#include "cli/bench_rows.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace relief::cli {
+
+namespace {
+
+/// What all rows have.
+RenderSettings plain(RenderSettings base) {
+  base.background.reset();
+  base.outputs = {};
+  base.pixels_per_sample = 0.0;
+  return base;
+}
+
+/// Pixels a sample: the finest levels, what is asked for, and levels twice as coarse.
+std::vector<double> level_policies(const RenderSettings& base) {
+  const double pixels =
+      base.pixels_per_sample > 0.0 ? base.pixels_per_sample : RenderSettings{}.pixels_per_sample;
+  return {0.0, pixels, 2.0 * pixels};
+}
+
+}  // namespace
+
+std::vector<RenderSettings> bench_rows(const RenderSettings& base) {
+  RenderSettings row = plain(base);
+  row.engine = EngineKind::Onepass;
+  std::vector<RenderSettings> rows;
+  for (const Primitive primitive : {Primitive::Sprite, Primitive::Quad}) {
+    for (const Interpolation interpolation : {Interpolation::Direct, Interpolation::Corrected}) {
+      row.primitive = primitive;
+      row.interpolation = interpolation;
+      rows.push_back(row);
+    }
+  }
+  row.primitive = Primitive::Cell;
+  row.interpolation = RenderSettings{}.interpolation;
+  for (const double pixels : level_policies(base)) {
+    row.pixels_per_sample = pixels;
+    rows.push_back(row);
+  }
+  row.engine = EngineKind::Multipass;
+  row.pixels_per_sample = 0.0;
+  for (const Primitive primitive : {Primitive::Sprite, Primitive::Quad}) {
+    for (const double radius_factor : {1.0, 2.0}) {
+      row.primitive = primitive;
+      row.multipass.radius_factor = radius_factor;
+      rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
+std::vector<RenderSettings> compared_rows(const RenderSettings& base) {
+  const RenderSettings unasked;
+  RenderSettings row = plain(base);
+  row.engine = unasked.engine;
+  row.primitive = unasked.primitive;
+  row.interpolation = unasked.interpolation;
+  row.pixels_per_sample = unasked.pixels_per_sample;
+  row.multipass = unasked.multipass;
+  std::vector<RenderSettings> rows{row};
+  for (const RenderSettings& rival : radius_factor_rows(base, {MultipassSettings{}.radius_factor}))
+    rows.push_back(rival);
+  return rows;
+}
+
+std::vector<RenderSettings> radius_factor_rows(const RenderSettings& base,
+                                               const std::vector<double>& factors) {
+  RenderSettings row = plain(base);
+  row.engine = EngineKind::Multipass;
+  row.primitive = Primitive::Quad;
+  std::vector<RenderSettings> rows;
+  rows.reserve(factors.size());
+  for (const double factor : factors) {
+    row.multipass.radius_factor = factor;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+bool is_default(const RenderSettings& row) {
+  const RenderSettings unasked;
+  if (row.engine != unasked.engine || row.primitive != unasked.primitive ||
+      row.pixels_per_sample != unasked.pixels_per_sample)
+    return false;
+  return row.engine == EngineKind::Onepass
+             ? row.interpolation == unasked.interpolation
+             : row.multipass.radius_factor == unasked.multipass.radius_factor;
+}
+
+std::size_t find_default(const std::vector<RenderSettings>& rows) {
+  const auto found = std::find_if(rows.begin(), rows.end(), is_default);
+  assert(found != rows.end() && "one row is the default");
+  return static_cast<std::size_t>(found - rows.begin());
+}
+
+}  // namespace relief::cli

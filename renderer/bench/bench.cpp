@@ -1,0 +1,186 @@
+#include "renderer/bench/bench.h"
+
+#include <cassert>
+#include <memory>
+#include <utility>
+
+#include "renderer/bench/mesh_pass.h"
+#include "renderer/bench/shading_bound.h"
+#include "renderer/engines/multipass/render_multipass.h"
+#include "renderer/engines/onepass/features.h"
+#include "renderer/engines/onepass/render_onepass.h"
+#include "renderer/median.h"
+#include "renderer/open_gl.h"
+
+namespace relief {
+namespace {
+
+/// What is drawn in each round.
+struct Entry {
+  GlDrawing drawing;
+  PassTimer timer;
+  std::vector<double> frame_ms;
+  std::vector<double> gpu_ms;
+  BenchRow result;
+};
+
+/// Rows of one engine that read the same of a model share it, so that each finds on the GPU what
+/// it would alone.
+struct Group {
+  const PatchModel* patches = nullptr;
+  EngineKind engine = EngineKind::Onepass;
+  StoreNeeds needs;
+  double pixels_per_sample = 0.0;
+  std::unique_ptr<GlPreparedModel> prepared;
+};
+
+StoreNeeds needs_of_row(const RenderSettings& row, bool has_colours) {
+  return needs_of(row.engine == EngineKind::Onepass ? onepass::features_of(row, has_colours)
+                                                    : scene_features(row, has_colours));
+}
+
+/// Everything that a bench makes; what is drawn goes before what it is drawn of.
+class Bench {
+ public:
+  Bench(const BenchJob& job, std::shared_ptr<const OpenGl> opengl)
+      : job_(job), opengl_(std::move(opengl)) {}
+
+  /// Draws every row, the bound and the mesh once.
+  Status prepare(const Progress& progress) {
+    for (const BenchWay& row : job_.rows) {
+      if (progress.cancelled()) return interrupted_error();
+      auto engine = engine_for(row);
+      if (!engine) return engine.error();
+      Status added = add(**engine, row.settings);
+      if (!added) return added;
+    }
+    return prepare_references();
+  }
+
+  void draw_round(bool timed) {
+    for (Entry& entry : entries_) {
+      const FrameTime time = time_frame(opengl_->gl(), entry.drawing, entry.timer);
+      if (!timed) continue;
+      entry.frame_ms.push_back(time.wall_ms);
+      if (time.gpu_ms) entry.gpu_ms.push_back(*time.gpu_ms);
+    }
+  }
+
+  [[nodiscard]] BenchReport report() const {
+    BenchReport report;
+    report.renderer = renderer_name(opengl_->gl());
+    for (std::size_t k = 0; k < entries_.size(); ++k) {
+      BenchRow row = entries_[k].result;
+      row.time.frame_ms = median(entries_[k].frame_ms);
+      if (!entries_[k].gpu_ms.empty()) row.time.gpu_ms = median(entries_[k].gpu_ms);
+      if (k < job_.rows.size()) report.rows.push_back(row);
+      if (k == bound_) report.shading_bound = row;
+      if (k == mesh_) report.mesh = row;
+    }
+    return report;
+  }
+
+  [[nodiscard]] Status status() const {
+    Status errors = check_errors(opengl_->gl(), "the bench");
+    return errors ? opengl_->status() : errors;
+  }
+
+ private:
+  Result<GlPreparedModel*> engine_for(const BenchWay& row) {
+    const RenderSettings& settings = row.settings;
+    const StoreNeeds needs = needs_of_row(settings, row.patches->has_colours);
+    for (const Group& group : groups_) {
+      if (group.patches == row.patches && group.engine == settings.engine && group.needs == needs &&
+          group.pixels_per_sample == settings.pixels_per_sample)
+        return group.prepared.get();
+    }
+    auto made = settings.engine == EngineKind::Onepass
+                    ? onepass::prepare(opengl_, *row.patches, {&settings, 1})
+                    : multipass::prepare(opengl_, *row.patches, {&settings, 1});
+    if (!made) return made.error();
+    groups_.push_back(
+        {row.patches, settings.engine, needs, settings.pixels_per_sample, std::move(*made)});
+    return groups_.back().prepared.get();
+  }
+
+  Status prepare_references() {
+    const auto& [patches, settings] = job_.rows[job_.reference];
+    const std::uint64_t pixels = entries_[job_.reference].result.covered_pixels;
+    if (pixels > 0) {
+      auto made = bench_passes::prepare_shading_bound(opengl_, *patches, settings, pixels);
+      if (!made) return made.error();
+      references_.push_back(std::move(*made));
+      bound_ = entries_.size();
+      Status added = add(*references_.back(), settings);
+      if (!added) return added;
+    }
+    if (job_.mesh == nullptr) return {};
+    auto made = bench_passes::prepare_mesh(opengl_, *job_.mesh, settings);
+    if (!made) return made.error();
+    references_.push_back(std::move(*made));
+    mesh_ = entries_.size();
+    return add(*references_.back(), settings);
+  }
+
+  /// Makes a picture ready, draws it once, and keeps what its frame binds and shades.
+  Status add(GlPreparedModel& engine, const RenderSettings& settings) {
+    auto drawing = engine.make_drawing(settings);
+    if (!drawing) return drawing.error();
+    const Gl& gl = opengl_->gl();
+    Entry entry{std::move(*drawing), PassTimer(gl), {}, {}, {}};
+    (void)time_frame(gl, entry.drawing, entry.timer);
+    const Explanation frame = gl.recorder->explain();
+    for (const auto* const kind : {&frame.buffers, &frame.textures}) {
+      for (const Explanation::Memory& memory : *kind) {
+        if (!memory.bound) continue;
+        entry.result.gpu_bytes += memory.bytes;
+        if (!memory.target) entry.result.model_bytes += memory.bytes;
+      }
+    }
+    RenderResult read;
+    read_picture(gl, entry.drawing.picture, settings.background.has_value(), read);
+    entry.result.covered_pixels = read.covered_pixels;
+    // Last: its picture has holes, as early depth tests let fragments hide others that are then
+    // discarded.
+    entry.result.fragments = count_fragments(gl, entry.drawing);
+    entries_.push_back(std::move(entry));
+    return status();
+  }
+
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+  const BenchJob& job_;
+  std::shared_ptr<const OpenGl> opengl_;
+  std::vector<Group> groups_;
+  std::vector<std::unique_ptr<GlPreparedModel>> references_;
+  std::vector<Entry> entries_;  ///< the rows, then what they are compared with
+  std::size_t bound_ = kNone;
+  std::size_t mesh_ = kNone;
+};
+
+}  // namespace
+
+Result<BenchReport> bench(const BenchJob& job, Progress& progress) {
+  assert(job.reference < job.rows.size() && job.frames > 0);
+  for ([[maybe_unused]] const BenchWay& row : job.rows)
+    assert(row.patches != nullptr && is_on_opengl(row.settings.engine) && "OpenGL draws patches");
+  progress.begin_stage("prepare", 0);
+  const RenderSettings& first = job.rows.front().settings;
+  auto opengl = OpenGl::create(first.platform, first.debug, true);
+  if (!opengl) return opengl.error();
+  Bench bench(job, std::move(*opengl));
+  Status prepared = bench.prepare(progress);
+  if (!prepared) return prepared.error();
+  progress.begin_stage(
+      "frames", static_cast<std::uint64_t>(job.warm_up) + static_cast<std::uint64_t>(job.frames));
+  for (int round = 0; round < job.warm_up + job.frames; ++round) {
+    if (progress.cancelled()) return interrupted_error();
+    bench.draw_round(round >= job.warm_up);
+    progress.advance(1);
+  }
+  Status good = bench.status();
+  if (!good) return good.error();
+  return bench.report();
+}
+
+}  // namespace relief

@@ -1,0 +1,20 @@
+// The input mesh as any renderer of triangles would draw it.
+#pragma once
+
+#include <memory>
+
+#include "common/error.h"
+#include "renderer/gl_engine.h"
+#include "renderer/open_gl.h"
+#include "renderer/triangle_mesh.h"
+
+namespace relief::bench_passes {
+
+/// Uploads the mesh: 32-bit indices, positions and normals as floats, colours too if it has any and
+/// the material shows them. Its pictures are one indexed draw with the depth test, nothing culled.
+/// Fails if OpenGL lacks memory or the mesh has more than 2^31 - 1 indices.
+Result<std::unique_ptr<GlPreparedModel>> prepare_mesh(std::shared_ptr<const OpenGl> opengl,
+                                                      const TriangleMesh& mesh,
+                                                      const RenderSettings& settings);
+
+}  // namespace relief::bench_passes

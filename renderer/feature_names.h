@@ -1,0 +1,13 @@
+// The names of feature bits, as shaders/include/shared.h defines them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace relief {
+
+/// The names of these bits in the order of the bits: RELIEF_FEATURE_OUT_NORMAL is "out_normal".
+[[nodiscard]] std::vector<std::string> feature_names(std::uint32_t features);
+
+}  // namespace relief

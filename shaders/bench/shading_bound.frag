@@ -1,0 +1,14 @@
+// The bound of the bench: shades a pixel for each pixel of the picture, without finding out what it
+// shows. Looks up one patch's maps, a cell a pixel, so that neighbours read neighbours as they do on a
+// surface.
+#include "include/counting.glsl"
+#include "include/surface.glsl"
+
+layout(location = RELIEF_UNIFORM_PATCH) uniform int shaded_patch;
+
+void main() {
+  count_fragment();
+  PatchInfo info = fetch_patch(uint(shaded_patch));
+  vec3 place = vec3(mod(gl_FragCoord.xy, max(vec2(info.nodes.xy - 1), 1.0)), 0.0);
+  shade(info, place, place - fetch_eye(uint(shaded_patch)), 1.0);
+}

@@ -1,0 +1,178 @@
+// relief bench and relief render --explain, as a user runs them. No test looks at how long it took.
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/cli/run_relief.h"
+
+namespace relief::test {
+namespace {
+
+using nlohmann::json;
+
+json parse(const Outcome& run) {
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  json parsed = json::parse(run.out, nullptr, false);
+  EXPECT_TRUE(parsed.is_object()) << run.out;
+  return parsed;
+}
+
+/// A square of 2 (n - 1)^2 triangles, in XY.
+std::string square_off(int n) {
+  std::string off =
+      "OFF\n" + std::to_string(n * n) + " " + std::to_string(2 * (n - 1) * (n - 1)) + " 0\n";
+  for (int k = 0; k < n * n; ++k)
+    off += std::to_string(k % n) + " " + std::to_string(k / n) + " 0\n";
+  for (int j = 0; j + 1 < n; ++j) {
+    for (int i = 0; i + 1 < n; ++i) {
+      const int a = j * n + i;
+      off += "3 " + std::to_string(a) + " " + std::to_string(a + 1) + " " +
+             std::to_string(a + n + 1) + "\n3 " + std::to_string(a) + " " +
+             std::to_string(a + n + 1) + " " + std::to_string(a + n) + "\n";
+    }
+  }
+  return off;
+}
+
+class BenchCommand : public CliTest {
+ protected:
+  static std::vector<std::string> small(const std::string& scene) {
+    return {"bench", scene, "--size", "64x48", "--frames", "1", "--json"};
+  }
+};
+
+TEST_F(BenchCommand, TellsEachWayToDrawAMesh) {
+  const std::string scene = write("square.off", square_off(30));
+  auto arguments = small(scene);
+  arguments.insert(arguments.end(), {"--plot", path("bench.svg")});
+  const json result = parse(run_relief(arguments));
+  EXPECT_EQ(result["width"], 64);
+  EXPECT_EQ(result["height"], 48);
+  EXPECT_EQ(result["frames"], 1);
+  EXPECT_EQ(result["mesh_triangles"], 2 * 29 * 29);
+  EXPECT_TRUE(result["mesh_ms"].is_number());
+  EXPECT_TRUE(result["shading_bound_ms"].is_number());
+  EXPECT_GT(result["covered_pixels"], 100);
+  EXPECT_GE(result["samples"], 800);
+  ASSERT_EQ(result["rows"].size(), 9U);
+  int defaults = 0;
+  for (const json& row : result["rows"]) {
+    for (const char* key :
+         {"engine", "primitive", "interpolation", "radius_factor", "level_policy", "default",
+          "frame_ms", "gpu_ms", "fragments", "overdraw", "gpu_bytes", "psnr_db", "psnr_mirror_db",
+          "flip_mean", "holes", "ratio_to_multipass", "ratio_to_shading_bound", "ratio_to_mesh"})
+      EXPECT_TRUE(row.contains(key)) << key;
+    EXPECT_TRUE(row["level_policy"].is_null());
+    const bool onepass = row["engine"] == "onepass";
+    EXPECT_EQ(row["radius_factor"].is_null(), onepass);
+    EXPECT_EQ(row["interpolation"].is_null(), !onepass);
+    EXPECT_EQ(row["holes"], 0);
+    EXPECT_TRUE(row["psnr_db"].is_number());
+    // Flat, of one normal: the same where both cover, up to the rounding of a normal to 16 bits and
+    // of a colour to half a float, 2^-11 of it. One 8-bit step off everywhere would be 48 dB.
+    EXPECT_TRUE(row["psnr_covered_db"].is_null() || row["psnr_covered_db"] > 60.0)
+        << row["psnr_covered_db"];
+    defaults += row["default"] == true ? 1 : 0;
+    EXPECT_GE(row["gpu_bytes"], row["model_bytes"]);
+  }
+  EXPECT_EQ(defaults, 1);
+  const std::string plot = bytes_of(path("bench.svg"));
+  EXPECT_EQ(plot.rfind("<svg", 0), 0U);
+  EXPECT_NE(plot.find("multipass sprite 2"), std::string::npos);
+}
+
+// The default row is what `relief render` draws: the same settings, pixels and fragments.
+TEST_F(BenchCommand, DefaultIsWhatRenderDoes) {
+  const std::string scene = write_knot(3000);
+  const json result = parse(run_relief(small(scene)));
+  const json render = parse(run_relief(
+      {"render", scene, "-o", path("knot.png"), "--size", "64x48", "--frames", "1", "--json"}));
+  for (const json& row : result["rows"]) {
+    if (row["default"] != true) continue;
+    for (const char* key :
+         {"engine", "primitive", "interpolation", "covered_pixels", "fragments", "radius_factor"})
+      EXPECT_EQ(row[key], render[key]) << key;
+  }
+  EXPECT_TRUE(result["mesh_ms"].is_null());  // a scan without faces
+  EXPECT_TRUE(result["mesh_triangles"].is_null());
+  EXPECT_TRUE(result["rows"][0]["ratio_to_mesh"].is_null());
+}
+
+TEST_F(BenchCommand, TakesTheFirstViewOfAScene) {
+  write("square.off", square_off(20));
+  const std::string scene = write("scene.json",
+                                  R"({"models": [{"file": "square.off"}], "size": [40, 30],
+      "views": [{"name": "front", "engine": "multipass"}, {"name": "side", "orbit": [90, 0]}]})");
+  const Outcome run = run_relief({"bench", scene, "--frames", "1"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("view front"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("40x30"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("* onepass"), std::string::npos) << run.out;
+}
+
+TEST_F(BenchCommand, SweepsASpacing) {
+  auto arguments = small(write("square.off", square_off(30)));
+  arguments.insert(arguments.end(), {"--sweep", "spacing=2,0.5"});
+  const json result = parse(run_relief(arguments));
+  EXPECT_EQ(result["sweep"], "spacing");
+  const json& rows = result["rows"];
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[0]["default"], true);
+  EXPECT_EQ(rows[1]["engine"], "multipass");
+  EXPECT_EQ(rows[1]["ratio_to_multipass"], 1.0);
+  EXPECT_EQ(rows[2]["sweep_value"], 2.0);
+  EXPECT_EQ(rows[3]["sweep_value"], 0.5);
+  for (const json& row : {rows[2], rows[3]}) EXPECT_EQ(row["default"], false);
+  // A quarter of the spacing is 16 times the samples, but for those at the rim and the overlap of
+  // patches: 8 to 20.
+  EXPECT_GT(rows[3]["samples"], 8 * rows[2]["samples"].get<int>());
+  EXPECT_LT(rows[3]["samples"], 20 * rows[2]["samples"].get<int>());
+}
+
+TEST_F(BenchCommand, SweepsARadiusFactor) {
+  auto arguments = small(write_knot(3000));
+  arguments.insert(arguments.end(), {"--sweep", "radius-factor=1.5,3"});
+  const json result = parse(run_relief(arguments));
+  ASSERT_EQ(result["rows"].size(), 4U);
+  EXPECT_EQ(result["rows"][2]["radius_factor"], 1.5);
+  EXPECT_EQ(result["rows"][3]["radius_factor"], 3.0);
+  EXPECT_GT(result["rows"][3]["fragments"], result["rows"][2]["fragments"]);
+}
+
+TEST_F(BenchCommand, RefusesWhatItCanNotDo) {
+  expect_refused({"bench", path("none.ply")}, "none.ply");
+  const std::string scene = write("square.off", square_off(5));
+  expect_refused({"bench", scene, "--plot", path("no/such/folder.svg")}, "folder.svg");
+  expect_refused({"bench", scene, "--env", path("none.hdr")}, "none.hdr");
+  EXPECT_EQ(run_relief({"bench", scene, "--plot", path("plot.png")}).exit_code, 2);
+  EXPECT_EQ(run_relief({"bench", scene, "--frames", "0"}).exit_code, 2);
+  for (const char* sweep : {"spacing", "spacing=", "spacing=1,", "spacing=0", "spacing=nan",
+                            "colour=1", "radius-factor=9", "=1"})
+    EXPECT_EQ(run_relief({"bench", scene, "--sweep", sweep}).exit_code, 2) << sweep;
+  EXPECT_EQ(run_relief({"bench", path("x.relief"), "--sweep", "spacing=1"}).exit_code, 2);
+  EXPECT_EQ(run_relief({"bench"}).exit_code, 2);
+}
+
+TEST_F(BenchCommand, RenderExplainsItself) {
+  const std::string scene = write("square.off", square_off(10));
+  const json result = parse(run_relief({"render", scene, "-o", path("square.png"), "--size",
+                                        "64x48", "--material", "unlit", "--explain", "--json"}));
+  const json& explain = result["explain"];
+  EXPECT_EQ(explain["passes"], json({"onepass"}));
+  EXPECT_FALSE(explain["draws"].empty());
+  for (const json& texture : explain["textures"]) {
+    EXPECT_NE(texture["name"], "normal maps");
+    EXPECT_NE(texture["name"], "environment");
+    EXPECT_EQ(texture["bound"], true) << texture["name"];
+  }
+  const Outcome text =
+      run_relief({"render", scene, "-o", path("square.png"), "--size", "64x48", "--explain"});
+  EXPECT_NE(text.out.find("normal maps"), std::string::npos) << text.out;  // lit
+  EXPECT_NE(text.out.find("passes: onepass"), std::string::npos) << text.out;
+  EXPECT_EQ(
+      run_relief({"render", scene, "-o", path("x.png"), "--engine", "ewa", "--explain"}).exit_code,
+      2);
+}
+
+}  // namespace
+}  // namespace relief::test
