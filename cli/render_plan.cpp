@@ -87,6 +87,8 @@ Result<RenderSettings> render_settings_for(const Picture& picture, const PatchMo
   settings.primitive = said.primitive.value_or(settings.primitive);
   settings.interpolation = said.interpolation.value_or(settings.interpolation);
   settings.material = said.material.value_or(settings.material);
+  settings.lights.list = said.lights.value_or(std::vector<Light>());
+  settings.lights.ambient = said.ambient.value_or(settings.lights.ambient);
   settings.environment = said.environment.value_or(fs::path());
   if (said.background) settings.background = said.background->colour;
   if (ending(picture.output) == ".exr")

@@ -25,6 +25,8 @@ SceneSettings overlay(SceneSettings base, const SceneSettings& over) {
   take(base.primitive, over.primitive);
   take(base.interpolation, over.interpolation);
   take(base.material, over.material);
+  take(base.lights, over.lights);
+  take(base.ambient, over.ambient);
   take(base.environment, over.environment);
   take(base.background, over.background);
   take(base.outputs, over.outputs);

@@ -11,6 +11,7 @@
 #include "common/camera.h"
 #include "common/choices.h"
 #include "common/error.h"
+#include "common/light.h"
 #include "common/patch.h"
 #include "common/transform.h"
 
@@ -34,6 +35,8 @@ struct SceneSettings {
   std::optional<Primitive> primitive;
   std::optional<Interpolation> interpolation;
   std::optional<Material> material;
+  std::optional<std::vector<Light>> lights;  ///< not empty
+  std::optional<glm::vec3> ambient;          ///< linear
   std::optional<std::filesystem::path> environment;
   std::optional<Background> background;
   std::optional<Outputs> outputs;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "common/lights_reader.h"
 #include "common/srgb.h"
 
 namespace relief {
@@ -58,10 +59,11 @@ Outputs read_outputs(JsonValues& values, const JsonPlace& place) {
 }  // namespace
 
 std::vector<std::string_view> with_setting_keys(std::vector<std::string_view> keys) {
-  for (const char* key : {"size",   "orbit",      "eye",       "target",        "up",
-                          "fov",    "engine",     "primitive", "interpolation", "material",
-                          "env",    "background", "outputs",   "radius-factor", "samples",
-                          "filter", "cutoff",     "layers",    "tau",           "time-budget"})
+  for (const char* key :
+       {"size",    "orbit",         "eye",           "target",   "up",     "fov",
+        "engine",  "primitive",     "interpolation", "material", "env",    "background",
+        "outputs", "radius-factor", "samples",       "filter",   "cutoff", "layers",
+        "tau",     "time-budget",   "lights",        "ambient"})
     keys.emplace_back(key);
   return keys;
 }
@@ -90,6 +92,9 @@ SceneSettings read_settings(JsonValues& values, const JsonPlace& object,
   read("primitive", settings.primitive, named(kPrimitives));
   read("interpolation", settings.interpolation, named(kInterpolations));
   read("material", settings.material, named(kMaterials));
+  read("lights", settings.lights, with(read_lights));
+  read("ambient", settings.ambient,
+       [&values](const JsonPlace& place) { return read_linear_colour(values, place, kMaxLight); });
   read("env", settings.environment, [&](const JsonPlace& place) {
     return read_path(values, place, folder, "the name of an environment map, EXR or HDR");
   });

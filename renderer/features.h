@@ -1,14 +1,27 @@
 // The shader variant that a scene needs. The bits and their costs: shaders/include/shared.h.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
+#include "renderer/lighting.h"
 #include "renderer/patch_store.h"
 #include "renderer/render.h"
 #include "shaders/include/shared.h"
 
 namespace relief {
+
+/// Those of the lights: none where nothing is lit.
+[[nodiscard]] inline std::uint32_t light_features(const RenderSettings& settings) {
+  if (settings.material != Material::Lit) return 0;
+  const std::vector<Light>& lights = settings.lights.list;
+  const bool points = std::any_of(lights.begin(), lights.end(), [](const Light& light) {
+    return light.kind == LightKind::Point;
+  });
+  return static_cast<std::uint32_t>(count_lights(settings.lights)) << RELIEF_LIGHTS_SHIFT |
+         (points ? RELIEF_FEATURE_POINT_LIGHTS : 0U);
+}
 
 /// The feature bits of a picture that any engine on OpenGL can have.
 [[nodiscard]] inline std::uint32_t scene_features(const RenderSettings& settings,
@@ -18,7 +31,7 @@ namespace relief {
          (coloured ? RELIEF_FEATURE_COLOURS : 0U) |
          (settings.material == Material::Lit ? RELIEF_FEATURE_LIT : 0U) |
          (settings.material == Material::Mirror ? RELIEF_FEATURE_MIRROR : 0U) |
-         (settings.outputs.normal ? RELIEF_FEATURE_OUT_NORMAL : 0U) |
+         light_features(settings) | (settings.outputs.normal ? RELIEF_FEATURE_OUT_NORMAL : 0U) |
          (settings.outputs.depth ? RELIEF_FEATURE_OUT_DEPTH : 0U) |
          (settings.outputs.uv ? RELIEF_FEATURE_OUT_UV : 0U) |
          (settings.outputs.patch_id ? RELIEF_FEATURE_OUT_PATCH : 0U);

@@ -59,7 +59,7 @@ Result<GlPicture> GlModel::make_picture(const RenderSettings& settings) {
   Result<Targets> targets = make_targets(gl_, settings.width, settings.height, settings.outputs);
   if (!targets) return targets.error();
   const View view = make_view(settings.camera, settings.width, settings.height, near_);
-  const shared::Frame uniforms = make_frame(view, largest_sprite(gl_));
+  const shared::Frame uniforms = make_frame(view, largest_sprite(gl_), settings.lights);
   return GlPicture{view,
                    std::move(*targets),
                    make_buffer(gl_, "frame", std::span<const shared::Frame>(&uniforms, 1)),

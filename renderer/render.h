@@ -15,6 +15,7 @@
 #include "common/choices.h"
 #include "common/error.h"
 #include "common/image.h"
+#include "common/light.h"
 #include "common/patch.h"
 #include "common/progress.h"
 #include "renderer/engines/ewa/settings.h"
@@ -37,6 +38,7 @@ struct RenderSettings {
   Interpolation interpolation = Interpolation::Corrected;
   Material material = Material::Lit;
   std::vector<Material> materials;    ///< by SplatCloud::materials; empty: `material` for all
+  Lights lights;                      ///< for Lit
   std::filesystem::path environment;  ///< equirectangular EXR or HDR; for Mirror and as backdrop
   std::optional<glm::vec3> background{
       {0, 0, 0}};  ///< linear RGB; none: alpha 0 where nothing is seen

@@ -6,20 +6,20 @@
 
 namespace relief {
 
-glm::vec3 shade(Material material, glm::vec3 albedo, glm::vec3 normal, glm::vec3 ray,
-                const shared::Frame& frame, const CubeMap* cube) {
-  switch (material) {
+glm::vec3 shade(const Lighting& lighting, std::size_t material, const SeenSurface& surface) {
+  assert(material < lighting.materials.size() && "an index into the table of materials");
+  const auto facing = [&surface] { return shared::facing_normal(surface.normal, surface.ray); };
+  switch (lighting.materials[material]) {
     case Material::Unlit:
-      return albedo;
+      return surface.albedo;
     case Material::Lit:
-      return shared::lit(frame, albedo, shared::facing_normal(normal, ray), ray);
-    case Material::Mirror: {
-      assert(cube != nullptr && "a mirror has something to reflect");
-      const glm::vec3 facing = shared::facing_normal(normal, ray);
-      return look_up(*cube, glm::dvec3(glm::reflect(ray, facing)));
-    }
+      return shared::lit(lighting.frame, lighting.lights, surface.albedo, facing(), surface.ray,
+                         surface.place);
+    case Material::Mirror:
+      assert(lighting.cube != nullptr && "a mirror has something to reflect");
+      return look_up(*lighting.cube, glm::dvec3(glm::reflect(surface.ray, facing())));
   }
-  return albedo;
+  return surface.albedo;
 }
 
 }  // namespace relief

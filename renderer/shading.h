@@ -1,7 +1,9 @@
 // Shading on the CPU, by the same text as the shaders (shaders/include/shading.h).
 #pragma once
 
+#include <cstddef>
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "renderer/cube_map.h"
 #include "renderer/render.h"
@@ -9,10 +11,24 @@
 
 namespace relief {
 
-/// What a material makes of a surface seen along `ray` (unit, world, from the eye). `albedo` is
-/// linear, `normal` a unit vector of the world. `frame` has the lights; `cube` is needed by the
-/// mirror alone.
-[[nodiscard]] glm::vec3 shade(Material material, glm::vec3 albedo, glm::vec3 normal, glm::vec3 ray,
-                              const shared::Frame& frame, const CubeMap* cube);
+/// What surfaces are shaded with. Nothing is owned.
+struct Lighting {
+  shared::Frame frame;              ///< has the lights
+  int lights = 0;                   ///< how many of them
+  const CubeMap* cube = nullptr;    ///< what a mirror reflects; null if there is none
+  std::vector<Material> materials;  ///< by index; not empty
+};
+
+/// A surface as it is seen. World frame.
+struct SeenSurface {
+  glm::vec3 albedo{0.0F};  ///< linear
+  glm::vec3 normal{0.0F};  ///< unit
+  glm::vec3 ray{0.0F};     ///< unit, from the eye
+  glm::vec3 place{0.0F};   ///< from the eye; only point lights ask for it
+};
+
+/// The light that it sends to the eye if it has that material.
+[[nodiscard]] glm::vec3 shade(const Lighting& lighting, std::size_t material,
+                              const SeenSurface& surface);
 
 }  // namespace relief

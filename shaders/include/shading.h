@@ -11,16 +11,20 @@
 
 #include "shaders/include/shared.h"
 #define RELIEF_FUNCTION inline
+#define RELIEF_POINT_LIGHTS 1
 namespace relief::shared {
 using glm::dot;
 using glm::max;
+using glm::min;
 using glm::normalize;
 using glm::pow;
 using glm::reflect;
+using glm::sqrt;
 using glm::vec3;
 #else
 #include "include/shared.h"
 #define RELIEF_FUNCTION
+#define RELIEF_POINT_LIGHTS (RELIEF_FEATURES & RELIEF_FEATURE_POINT_LIGHTS) != 0u
 #endif
 
 /// The normal of a surface as seen along `ray`, from the eye. A back side shows the reversed
@@ -32,16 +36,25 @@ RELIEF_FUNCTION vec3 facing_normal(vec3 normal, vec3 ray) {
   return away > 0.0f ? normalize(normal - away * ray) : normal;
 }
 
-/// Phong: three lights, a white highlight.
-RELIEF_FUNCTION vec3 lit(Frame frame, vec3 albedo, vec3 normal, vec3 ray) {
+/// Phong: the frame's first `lights` lights, a white highlight. `place`: from the eye, world; only
+/// point lights ask for it.
+RELIEF_FUNCTION vec3 lit(Frame frame, int lights, vec3 albedo, vec3 normal, vec3 ray, vec3 place) {
   const float shininess = 40.0f;
   const float highlight = 0.25f;
   vec3 reflected = reflect(ray, normal);
   vec3 diffuse = vec3(frame.light_ambient);
   vec3 specular = vec3(0.0f);
-  for (int i = 0; i < kLights; ++i) {
-    vec3 direction = vec3(frame.light_direction[i]);
+  for (int i = 0; i < lights; ++i) {
+    vec3 direction = vec3(frame.light_place[i]);
     vec3 colour = vec3(frame.light_colour[i]);
+#if RELIEF_POINT_LIGHTS
+    if (frame.light_place[i].w != 0.0f) {
+      vec3 toward = direction - place;
+      float squared = max(dot(toward, toward), 1e-20f);
+      direction = toward / sqrt(squared);
+      colour = min(colour / squared, vec3(kBrightestLight));
+    }
+#endif
     diffuse += colour * max(dot(normal, direction), 0.0f);
     specular += colour * pow(max(dot(reflected, direction), 1e-6f), shininess);
   }

@@ -47,6 +47,13 @@ using glm::vec4;
 // nothing beside them.
 #define RELIEF_FEATURE_CELL 2048u
 
+// Some light is a point: a place and two roots per fragment and light.
+#define RELIEF_FEATURE_POINT_LIGHTS (1u << 22u)
+
+// How many lights there are, where the material is lit: a number in the highest bits, so that the
+// loop over them is known when a shader is compiled. A light more is a highlight per fragment.
+#define RELIEF_LIGHTS_SHIFT 27u
+
 // Locations of the colour attachments.
 #define RELIEF_OUT_COLOUR 0
 #define RELIEF_OUT_NORMAL 1
@@ -187,8 +194,11 @@ RELIEF_CONST float kLeastDiscPixels = 0.75f;
 /// Linear reflectance of a model without colours: a neutral grey.
 RELIEF_CONST float kNeutralGrey = 0.5f;
 
-/// Three lights, fixed to the camera: whatever side of a scan is looked at is lit.
-RELIEF_CONST int kLights = 3;
+/// The most lights of a picture.
+RELIEF_CONST int kMostLights = 16;
+
+/// No light is brighter than this at a surface.
+RELIEF_CONST float kBrightestLight = 1000.0f;
 
 /// What does not change from frame to frame about a patch; kPatchInfoRows texels of four integers.
 struct PatchInfo {
@@ -214,9 +224,9 @@ struct Frame {
   vec4 ray_x;       ///< its change per pixel to the right; w: pixels per unit at depth 1
   vec4 ray_y;       ///< its change per pixel upward; w: largest sprite (pixels)
   vec4 viewport;    ///< width, height, 1/width, 1/height (pixels)
-  vec4 light_direction[kLights];  ///< world, toward the light
-  vec4 light_colour[kLights];
   vec4 light_ambient;
+  vec4 light_place[kMostLights];  ///< world; w 0: toward the light, 1: where it is from the eye
+  vec4 light_colour[kMostLights];
 };
 
 RELIEF_CONST int kPatchInfoRows = 7;
@@ -226,7 +236,6 @@ RELIEF_CONST int kPatchViewRows = 5;
 static_assert(sizeof(PatchInfo) == 16 * kPatchInfoRows);
 static_assert(offsetof(PatchInfo, nodes) == 48 && offsetof(PatchInfo, colours) == 96);
 static_assert(sizeof(PatchView) == 16 * kPatchViewRows && offsetof(PatchView, eye) == 64);
-static_assert(sizeof(Frame) == 176 && offsetof(Frame, light_direction) == 64 &&
-              offsetof(Frame, light_ambient) == 160);
+static_assert(sizeof(Frame) == 80 + 32 * kMostLights && offsetof(Frame, light_place) == 80);
 }  // namespace relief::shared
 #endif

@@ -61,6 +61,8 @@ TEST_F(Scenes, EveryKeyIsRead) {
     ],
     "size": [640, 480], "fov": 30, "engine": "onepass", "primitive": "sprite",
     "interpolation": "direct", "radius-factor": 1.5, "material": "mirror", "env": "sky.hdr",
+    "lights": [{"direction": [0, 3, 4]},
+               {"position": [1, 2, 3], "colour": [1, 0.5, 0], "intensity": 8}], "ambient": [0, 0.5, 2],
     "background": [1, 0.5, 0], "outputs": ["normal", "patch", "colour"], "orbit": [30, -20],
     "views": [
       {"name": "front-1.0_A"},
@@ -87,6 +89,14 @@ TEST_F(Scenes, EveryKeyIsRead) {
   EXPECT_EQ(all.radius_factor, 1.5);
   EXPECT_EQ(all.material, Material::Mirror);
   EXPECT_EQ(all.environment, folder_ / "sky.hdr");
+  ASSERT_EQ(all.lights->size(), 2U);
+  EXPECT_EQ((*all.lights)[0].kind, LightKind::Directional);
+  EXPECT_LT(glm::distance((*all.lights)[0].place, glm::dvec3(0, 0.6, 0.8)), 1e-15);
+  EXPECT_EQ((*all.lights)[0].colour, glm::vec3(1));
+  EXPECT_EQ((*all.lights)[1].kind, LightKind::Point);
+  EXPECT_EQ((*all.lights)[1].place, glm::dvec3(1, 2, 3));
+  EXPECT_EQ((*all.lights)[1].colour, glm::vec3(8, 4, 0));
+  EXPECT_EQ(*all.ambient, glm::vec3(0, 0.5, 2));
   EXPECT_EQ(*all.background->colour, glm::vec3(1, linear_from_srgb(0.5F), 0));
   EXPECT_TRUE(all.outputs->normal && all.outputs->patch_id);
   EXPECT_FALSE(all.outputs->depth || all.outputs->uv);
@@ -135,6 +145,25 @@ TEST_F(Scenes, SettingsThatAreWrong) {
       {R"("interpolation": 1)", "interpolation: expected direct, corrected; found 1"},
       {R"("radius-factor": 0.5)", "radius-factor: expected a number from 1 to 4; found 0.5"},
       {R"("material": "gold")", "material: expected unlit, lit, mirror; found \"gold\""},
+      {R"("lights": [])", "lights: expected a list of lights, at least one; found an empty list"},
+      {R"("lights": {})", "lights: expected a list of lights, at least one; found an object"},
+      {R"("lights": [{}])", "lights[0]: expected either a direction, toward the light, or a "},
+      {R"("lights": [{"direction": [0, 0, 1], "position": [0, 0, 1]}])",
+       "lights[0]: expected either a direction, toward the light, or a position; found both"},
+      {R"("lights": [{"direction": [0, 0, 0]}])", "lights[0].direction: expected [x, y, z] longer"},
+      {R"("lights": [{"position": [0, 0]}])", "lights[0].position: expected [x, y, z], three"},
+      {R"("lights": [{"position": [0, 0, 1], "colour": [1, -0.1, 0]}])",
+       "lights[0].colour[1]: expected a number from 0 to 1; found -0.1"},
+      {R"("lights": [{"position": [0, 0, 1], "colour": "red"}])",
+       "lights[0].colour: expected [r, g, b], linear, each from 0 to 1; found \"red\""},
+      {R"("lights": [{"direction": [0, 0, 1], "intensity": 1001}])",
+       "lights[0].intensity: expected a number from 0 to 1000; found 1001"},
+      {R"("lights": [{"position": [0, 0, 1], "intensity": -1}])",
+       "lights[0].intensity: expected a number from 0 to 1e+12; found -1"},
+      {R"("lights": [{"direction": [0, 0, 1], "shadow": 1}])",
+       "lights[0]: does not know the key \"shadow\"; expected direction, position, colour, "},
+      {R"("ambient": [0, 0, -1])", "ambient[2]: expected a number from 0 to 1000; found -1"},
+      {R"("ambient": 1)", "ambient: expected [r, g, b], linear, each from 0 to 1000; found 1"},
       {R"("env": "")", "env: expected the name of an environment map"},
       {R"("env": "a\u0000b")", "env: expected the name of an environment map"},
       {R"("background": "black")", "background: expected [r, g, b], sRGB values from 0 to 1, or "},
@@ -143,6 +172,14 @@ TEST_F(Scenes, SettingsThatAreWrong) {
       {R"("outputs": [])", "outputs: expected a list of some of colour, normal"},
       {R"("outputs": ["smell"])", "outputs: expected a list of some of colour, normal"}};
   for (const auto& [members, start] : cases) expect_starts(about_settings(members), start);
+}
+
+TEST_F(Scenes, HaveAtMostSixteenLights) {
+  std::string lights = R"({"direction": [0, 0, 1]})";
+  for (std::size_t i = 1; i < kMaxLights; ++i) lights += R"(, {"position": [0, 0, 1]})";
+  EXPECT_EQ(about_settings("\"lights\": [" + lights + "]"), "nothing");
+  EXPECT_EQ(about_settings("\"lights\": [" + lights + ", {}]"),
+            "lights: has 17 lights; at most 16 are read");
 }
 
 TEST_F(Scenes, ModelsThatAreWrong) {
@@ -269,13 +306,15 @@ TEST(SceneSettings, EveryMemberIsOverlaid) {
   over.interpolation = Interpolation::Direct;
   over.radius_factor = 1.0;
   over.material = Material::Lit;
+  over.lights = std::vector<Light>(1);
+  over.ambient = glm::vec3(1);
   over.environment = "sky.hdr";
   over.background = Background{};
   over.outputs = Outputs{};
   const SceneSettings both = overlay({}, over);
   EXPECT_TRUE(both.size && both.eye && both.target && both.up && both.fov_degrees && both.engine &&
               both.primitive && both.interpolation && both.radius_factor && both.material &&
-              both.environment && both.background && both.outputs);
+              both.lights && both.ambient && both.environment && both.background && both.outputs);
 }
 
 TEST(SceneSettings, TheCameraIsOnAnOrbitOrAtTheEye) {

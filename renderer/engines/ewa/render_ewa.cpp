@@ -10,6 +10,7 @@
 #include "renderer/engines/ewa/splatting.h"
 #include "renderer/environment_cache.h"
 #include "renderer/film.h"
+#include "renderer/lighting.h"
 #include "renderer/median.h"
 #include "renderer/owned_or_borrowed.h"
 #include "renderer/view.h"
@@ -50,7 +51,8 @@ Result<Scene> make_scene(const SplatCloud& finest, EnvironmentCache& environment
   Scene scene;
   scene.view =
       make_view(settings.camera, settings.width, settings.height, near_of(finest, settings.camera));
-  scene.lighting = {make_frame(scene.view, 0.0), nullptr, materials_of(settings)};
+  scene.lighting = {make_frame(scene.view, 0.0, settings.lights), count_lights(settings.lights),
+                    nullptr, materials_of(settings)};
   scene.surroundings.background = settings.background;
   const std::vector<Material>& materials = scene.lighting.materials;
   const bool mirrors =

@@ -14,6 +14,7 @@
 #include "renderer/engines/raytrace/tracer.h"
 #include "renderer/environment_cache.h"
 #include "renderer/film.h"
+#include "renderer/lighting.h"
 #include "renderer/median.h"
 #include "renderer/owned_or_borrowed.h"
 
@@ -82,7 +83,11 @@ Result<RenderResult> trace_picture(const TriangleMesh& mesh, EnvironmentCache& e
   progress.begin_stage("sort triangles", 0);
   const auto scene = EmbreeScene::build(mesh, settings.camera.eye, progress);
   if (!scene) return scene.error();
-  const Tracer tracer(mesh, *scene, view, settings.material, cube);
+  const Tracer tracer(mesh, *scene, view,
+                      {make_frame(view, 0.0, settings.lights),
+                       count_lights(settings.lights),
+                       cube,
+                       {settings.material}});
   const std::vector<glm::dvec2> pattern = sample_pattern(settings.raytrace.samples);
 
   Film film{settings.width, settings.height,
