@@ -87,8 +87,21 @@ void add_look_options(CLI::App& sub, SceneSettings& settings) {
   add_choice(sub, "--interpolation", settings.interpolation, kInterpolations,
              "How a fragment finds its place on the patch: direct is faster, corrected more "
              "exact (corrected)");
-  add_choice(sub, "--material", settings.material, kMaterials,
-             "unlit is the stored colour and nothing else; mirror reflects --env (lit)");
+  add_choice(
+      sub, "--material", settings.material, kMaterials,
+      "unlit is the stored colour and nothing else; mirror reflects --env, glass refracts it "
+      "too (lit)");
+  add_number(sub, "--ior", settings.ior, kRefractiveIndices, "N",
+             "glass: its index of refraction (1.5)");
+  sub.add_option_function<std::string>(
+         "--absorption", [&](const std::string& s) { settings.absorption = parse_absorption(s); },
+         "glass: what it takes of red, green and blue along the body's diameter, as exponents "
+         "(0,0,0)")
+      ->option_text("R,G,B");
+  add_number(sub, "--roughness", settings.roughness, kRoughnesses, "R",
+             "mirror: from 0, smooth, to 1 (0)");
+  add_number(sub, "--exposure", settings.exposure, kExposures, "STOPS",
+             "A PNG's light is multiplied by 2 to this power; an EXR's never is (0)");
   sub.add_option("--env", settings.environment,
                  "Environment map, equirectangular EXR or HDR (built in: a colour for each "
                  "direction, with a grid)")
@@ -122,6 +135,18 @@ void add_engine_options(CLI::App& sub, SceneSettings& settings) {
 }
 
 /// An option of one engine says nothing to another. A scene's views may have several engines.
+void check_material_options(const RenderArguments& arguments) {
+  const SceneSettings& settings = arguments.settings;
+  if (settings.exposure && ending(arguments.output) == ".exr")
+    throw CLI::ValidationError("--exposure", "is for a .png; an EXR keeps the light as it is");
+  if (ending(arguments.input) == ".json") return;
+  const Material material = settings.material.value_or(Material::Lit);
+  if ((settings.ior || settings.absorption) && material != Material::Glass)
+    throw CLI::ValidationError("--ior, --absorption", "are for --material glass");
+  if (settings.roughness && material != Material::Mirror)
+    throw CLI::ValidationError("--roughness", "is for --material mirror");
+}
+
 void check_engine_options(const RenderArguments& arguments) {
   const SceneSettings& settings = arguments.settings;
   const EngineKind engine = settings.engine.value_or(EngineKind::Onepass);
@@ -184,6 +209,7 @@ void check_together(const RenderArguments& arguments) {
   if (format == ".png" && (outputs.normal || outputs.depth || outputs.uv || outputs.patch_id)) {
     throw CLI::ValidationError("--outputs", "a PNG holds colour alone; write an .exr");
   }
+  check_material_options(arguments);
   check_engine_options(arguments);
   if (settings.eye && settings.eye == settings.target) {
     throw CLI::ValidationError("--target", "must not be where --eye is");

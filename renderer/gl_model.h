@@ -6,6 +6,8 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "common/error.h"
 #include "common/patch.h"
@@ -45,14 +47,18 @@ class GlModel {
 
  private:
   GlModel() = default;
-  Result<const Texture*> environment_for(const std::filesystem::path& path);
+  Result<const Texture*> environment_for(const std::filesystem::path& path, float roughness);
+  Result<const Texture*> rough_environments_for(const std::filesystem::path& path,
+                                                const std::vector<float>& roughnesses);
+  Status add_materials(const RenderSettings& settings, GlPicture& picture);
   Result<const Backdrop*> backdrop();
 
   std::unique_ptr<GlContext> context_;  ///< first: the last to go
   Gl gl_;
   std::optional<DebugLog> log_;
   std::optional<PatchStore> store_;
-  std::map<std::filesystem::path, Texture> environments_;
+  std::map<std::pair<std::filesystem::path, float>, Texture> environments_;  ///< by roughness
+  std::map<std::pair<std::filesystem::path, std::vector<float>>, Texture> rough_environments_;
   std::optional<Backdrop> backdrop_;
   bool has_colours_ = false;
   double near_ = 0.0;

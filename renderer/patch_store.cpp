@@ -20,6 +20,7 @@ shared::PatchInfo info_of(const Patch& patch, const PatchSamples& samples, std::
   info.axis_v = {glm::vec3(patch.axes[1]), samples.height_step};
   info.axis_n = {glm::vec3(patch.axes[2]), samples.slope_step};
   info.nodes = {patch.width, patch.height, static_cast<int>(id), first_row};
+  info.heights.w = patch.material;
   return info;
 }
 
@@ -110,7 +111,8 @@ Result<PatchStore> upload_model(const Gl& gl, const PatchModel& model, const Sto
   if (needs.heights) {
     Result<MapArray> maps = upload_heights(gl, model);
     if (!maps) return maps.error();
-    for (std::size_t p = 0; p < table.size(); ++p) table[p].heights = place_of(maps->spots[p], 0);
+    for (std::size_t p = 0; p < table.size(); ++p)
+      table[p].heights = place_of(maps->spots[p], table[p].heights.w);
     heights = std::move(maps->texture);
   }
   if (needs.normals) {

@@ -16,6 +16,7 @@
 #include "common/error.h"
 #include "common/image.h"
 #include "common/light.h"
+#include "common/material.h"
 #include "common/patch.h"
 #include "common/progress.h"
 #include "renderer/engines/ewa/settings.h"
@@ -37,9 +38,13 @@ struct RenderSettings {
   Primitive primitive = Primitive::Quad;
   Interpolation interpolation = Interpolation::Corrected;
   Material material = Material::Lit;
-  std::vector<Material> materials;    ///< by SplatCloud::materials; empty: `material` for all
+  MaterialConstants constants;  ///< of `material`
+  /// By Patch::material and its like in meshes and clouds; empty: `material` for all. At most
+  /// kMaxMaterials, with kMaxRoughnesses roughnesses above 0.
+  std::vector<MaterialSettings> materials;
   Lights lights;                      ///< for Lit
-  std::filesystem::path environment;  ///< equirectangular EXR or HDR; for Mirror and as backdrop
+  std::filesystem::path environment;  ///< equirectangular EXR or HDR; for Mirror and Glass and as
+                                      ///< backdrop
   std::optional<glm::vec3> background{
       {0, 0, 0}};  ///< linear RGB; none: alpha 0 where nothing is seen
   Outputs outputs;

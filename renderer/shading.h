@@ -6,18 +6,29 @@
 #include <vector>
 
 #include "renderer/cube_map.h"
+#include "renderer/environment_cache.h"
 #include "renderer/render.h"
+#include "renderer/view.h"
 #include "shaders/include/shared.h"
 
 namespace relief {
 
+/// A material and the environment that it reflects, null if it reflects none.
+struct LitMaterial {
+  MaterialSettings settings;
+  const CubeMap* cube = nullptr;
+};
+
 /// What surfaces are shaded with. Nothing is owned.
 struct Lighting {
-  shared::Frame frame;              ///< has the lights
-  int lights = 0;                   ///< how many of them
-  const CubeMap* cube = nullptr;    ///< what a mirror reflects; null if there is none
-  std::vector<Material> materials;  ///< by index; not empty
+  shared::Frame frame;                 ///< has the lights
+  int lights = 0;                      ///< how many of them
+  std::vector<LitMaterial> materials;  ///< by index; not empty
 };
+
+/// The lighting of a picture; environments are made as they are needed. Fails if one can't be read.
+Result<Lighting> make_lighting(const RenderSettings& settings, const View& view,
+                               EnvironmentCache& environments);
 
 /// A surface as it is seen. World frame.
 struct SeenSurface {
@@ -27,7 +38,8 @@ struct SeenSurface {
   glm::vec3 place{0.0F};   ///< from the eye; only point lights ask for it
 };
 
-/// The light that it sends to the eye if it has that material.
+/// The light that it sends to the eye if it has that material; where there is but one material,
+/// that, whatever the index.
 [[nodiscard]] glm::vec3 shade(const Lighting& lighting, std::size_t material,
                               const SeenSurface& surface);
 

@@ -5,6 +5,9 @@
 #include "include/materials.glsl"
 
 layout(location = RELIEF_OUT_COLOUR) out vec4 out_colour;
+#if (RELIEF_FEATURES & RELIEF_FEATURE_MIXED) != 0u
+layout(binding = RELIEF_TEXTURE_PATCH_IDS) uniform usampler2D patch_ids;
+#endif
 #if RELIEF_NEEDS_NORMAL
 layout(binding = RELIEF_TEXTURE_NORMAL_SUMS) uniform sampler2D normal_sums;
 #endif
@@ -43,7 +46,12 @@ void main() {
   vec2 depths = texelFetch(depth_sums, pixel, 0).xy;
   depth = depths.x / depths.y;
 #endif
-  out_colour = vec4(shade_material(albedo, normal, ray, depth), 1.0);
+  int material = 0;
+#if (RELIEF_FEATURES & RELIEF_FEATURE_MIXED) != 0u
+  // That of the splat in front: materials do not blend.
+  material = fetch_patch(texelFetch(patch_ids, pixel, 0).x - 1u).heights.w;
+#endif
+  out_colour = vec4(shade_material(material, albedo, normal, ray, depth), 1.0);
 #if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_NORMAL) != 0u
   out_normal = vec4(normal, 0.0);
 #endif

@@ -6,12 +6,14 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "shaders/include/shading.h"
+
 namespace relief {
 namespace {
 
 /// One light from +Z and a little from everywhere.
 Lighting one_light(Material material) {
-  Lighting lighting{{}, 1, nullptr, {material}};
+  Lighting lighting{{}, 1, {{{material, {}}, nullptr}}};
   lighting.frame.light_place[0] = {0.0F, 0.0F, 1.0F, 0.0F};
   lighting.frame.light_colour[0] = {1.0F, 0.5F, 0.25F, 0.0F};
   lighting.frame.light_ambient = {0.1F, 0.1F, 0.1F, 0.0F};
@@ -120,12 +122,82 @@ TEST(Shading, MirrorReflectsTheEnvironment) {
     cube.faces[face] = {glm::vec3(static_cast<float>(face))};
   // At 45 degrees what comes straight down goes to +X, from a level mirror it goes back to +Z.
   Lighting lighting = one_light(Material::Mirror);
-  lighting.cube = &cube;
+  lighting.materials[0].cube = &cube;
   const auto face_seen = [&lighting](double degrees) {
     return shade_grey(lighting, leaning(degrees)).x;
   };
   EXPECT_NEAR(face_seen(45.0), 0.0, 1e-5);
   EXPECT_NEAR(face_seen(0.0), 4.0, 1e-5);
+}
+
+/// What glass of that index makes of straight down on +Z, or on a normal that leans.
+shared::SplitRay split_at(double degrees, float ior) {
+  return shared::split_ray(leaning(degrees), kDown, ior);
+}
+
+TEST(Glass, ReflectsAndRefractsAFacingRayStraight) {
+  // ((n - 1) / (n + 1))^2, which is 0.04 of 1.5.
+  const shared::SplitRay split = split_at(0.0, 1.5F);
+  EXPECT_NEAR(split.reflectance, 0.04F, 1e-6);
+  EXPECT_NEAR(split.path, 1.0F, 1e-6);
+  expect_near(split.refracted, kDown, "refracted");
+  expect_near(split.reflected, -kDown, "reflected");
+}
+
+TEST(Glass, BendsRaysBySnellsLaw) {
+  for (const double degrees : {10.0, 40.0, 80.0}) {
+    const double inside = std::asin(std::sin(degrees * std::acos(-1.0) / 180.0) / 1.5);
+    const shared::SplitRay split = split_at(degrees, 1.5F);
+    EXPECT_NEAR(glm::dot(split.refracted, -leaning(degrees)), std::cos(inside), 1e-6) << degrees;
+    EXPECT_NEAR(glm::length(split.refracted), 1.0, 1e-6) << degrees;
+    EXPECT_NEAR(split.path, std::cos(inside), 1e-6) << degrees;
+    // In the plane of ray and normal, on the other side of the normal than where it came from.
+    EXPECT_NEAR(split.refracted.y, 0.0, 1e-7) << degrees;
+    EXPECT_LT(split.refracted.x, 0.0) << degrees;
+  }
+}
+
+TEST(Glass, ReflectsOnePolarisationAloneAtBrewstersAngle) {
+  // At tan = n no light that swings in the plane is reflected; of the other ((n^2 - 1) / (n^2 +
+  // 1))^2.
+  const double n = 1.5;
+  const double expected = 0.5 * std::pow((n * n - 1.0) / (n * n + 1.0), 2.0);
+  EXPECT_NEAR(split_at(std::atan(n) * 180.0 / std::acos(-1.0), 1.5F).reflectance, expected, 1e-6);
+}
+
+TEST(Glass, ReflectsAllLightBeyondTheCriticalAngle) {
+  // From within: the normal points along the ray. Critical at asin(1 / 1.5) = 41.8 degrees.
+  const auto within = [](double degrees) {
+    return shared::split_ray(-leaning(degrees), kDown, 1.5F);
+  };
+  EXPECT_NEAR(within(0.0).reflectance, 0.04F, 1e-6);
+  EXPECT_LT(within(41.0).reflectance, 0.7F);
+  EXPECT_NEAR(within(42.0).reflectance, 1.0F, 1e-6);
+  EXPECT_NEAR(within(50.0).reflectance, 1.0F, 1e-6);
+  // Away from the normal on the way out: sin 45 = 1.5 sin 28.1.
+  EXPECT_NEAR(glm::dot(within(28.1255).refracted, -leaning(28.1255)), std::sqrt(0.5), 1e-5);
+}
+
+TEST(Glass, OfTheIndexOfAirIsNotThere) {
+  for (const double degrees : {0.0, 45.0, 89.999, 90.0, 100.0}) {
+    const shared::SplitRay split = split_at(degrees, 1.0F);
+    EXPECT_NEAR(split.reflectance, 0.0F, 1e-6) << degrees;
+    expect_near(split.refracted, kDown, "straight on");
+  }
+}
+
+TEST(Glass, LosesNoLightAndTakesColoursByBeersLaw) {
+  CubeMap cube;
+  cube.size = 1;
+  for (auto& face : cube.faces) face = {glm::vec3(1.0F)};
+  Lighting lighting{{}, 0, {{{Material::Glass, {1.5F, glm::vec3(0.0F), 0.0F}}, &cube}}};
+  for (double degrees = 0.0; degrees < 180.0; degrees += 7.5)
+    expect_near(shade_grey(lighting, leaning(degrees)), glm::vec3(1.0F), "white");
+  lighting.materials[0].settings.constants.absorption = {1.0F, 2.0F, 0.0F};
+  // Straight through a diameter; 0.04 is reflected before.
+  expect_near(shade_grey(lighting, leaning(0.0)),
+              glm::vec3(0.04F) + 0.96F * glm::vec3(std::exp(-1.0F), std::exp(-2.0F), 1.0F),
+              "tinted");
 }
 
 }  // namespace

@@ -10,12 +10,14 @@ namespace {
 constexpr double kMostLookups = 4.0;  // along each side of a pixel
 
 /// Lookups along each side of a pixel: one per texel that the reflection moves by across it. It
-/// turns twice as far as the normal; a texel is 2 / size of a face.
+/// turns twice as far as the normal; a texel is 2 / size of a face. (What is refracted turns less.)
 int lookups_of(const Surface& surface, const Lighting& lighting) {
-  if (lighting.materials[surface.material] != Material::Mirror) return 1;
+  const std::vector<LitMaterial>& all = lighting.materials;
+  const CubeMap* const cube = (all.size() == 1 ? all.front() : all[surface.material]).cube;
+  if (cube == nullptr) return 1;
   double change = 0.0;
   for (const glm::dvec3& c : surface.changes) change = std::max(change, glm::length(c));
-  return static_cast<int>(std::clamp(std::ceil(change * lighting.cube->size), 1.0, kMostLookups));
+  return static_cast<int>(std::clamp(std::ceil(change * cube->size), 1.0, kMostLookups));
 }
 
 /// The normal beside a pixel's middle, linear between its neighbours'. Any length.

@@ -1,6 +1,7 @@
 #include "renderer/engines/multipass/render_multipass.h"
 
 #include <utility>
+#include <vector>
 
 #include "renderer/engine_cache.h"
 #include "renderer/engines/multipass/multipass.h"
@@ -8,16 +9,24 @@
 #include "renderer/features.h"
 #include "renderer/gl_model.h"
 #include "renderer/gl_picture.h"
+#include "renderer/materials.h"
 
 namespace relief::multipass {
 namespace {
+
+/// Of several materials each pixel has that of the patch in front, so that it must be known.
+RenderSettings with_patch_ids(RenderSettings settings) {
+  settings.outputs.patch_id |= materials_of(settings).size() > 1;
+  return settings;
+}
 
 /// The model on the GPU, and the programs that pictures have needed so far.
 class Prepared final : public PreparedModel {
  public:
   explicit Prepared(std::unique_ptr<GlModel> model) : model_(std::move(model)) {}
 
-  Result<RenderResult> render(const RenderSettings& settings, Progress& /*progress*/) override {
+  Result<RenderResult> render(const RenderSettings& asked, Progress& /*progress*/) override {
+    const RenderSettings settings = with_patch_ids(asked);
     const std::uint32_t features = scene_features(settings, model_->has_colours());
     const auto engine = engines_.get(*model_, features);
     if (!engine) return engine.error();
@@ -33,7 +42,12 @@ class Prepared final : public PreparedModel {
         drawing.draw(frame, *sums, factor, timer);
       };
     };
-    return model_->draw(*picture, draw_with(**engine), draw_with(**counting), settings);
+    auto result = model_->draw(*picture, draw_with(**engine), draw_with(**counting), settings);
+    if (result && !asked.outputs.patch_id) {
+      std::erase_if(result->image.channels,
+                    [](const Channel& channel) { return channel.name == "patch"; });
+    }
+    return result;
   }
 
  private:

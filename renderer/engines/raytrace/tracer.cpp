@@ -42,7 +42,7 @@ Tracer::Tracer(const TriangleMesh& mesh, const EmbreeScene& scene, const View& v
 
 glm::vec4 Tracer::shade_at(const Hit& at, glm::dvec3 ray) const {
   const glm::vec4 colour = colour_at(*mesh_, at);
-  const glm::vec3 light = shade(lighting_, 0,
+  const glm::vec3 light = shade(lighting_, material_at(*mesh_, at),
                                 {glm::vec3(colour), normal_at(*mesh_, at),
                                  glm::vec3(glm::normalize(ray)), glm::vec3(at.depth * ray)});
   return {light, colour.a};
