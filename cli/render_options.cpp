@@ -103,7 +103,8 @@ void add_look_options(CLI::App& sub, SceneSettings& settings) {
   add_number(sub, "--exposure", settings.exposure, kExposures, "STOPS",
              "A PNG's light is multiplied by 2 to this power; an EXR's never is (0)");
   sub.add_option("--env", settings.environment,
-                 "Environment map, equirectangular EXR or HDR (built in: a colour for each "
+                 "Environment map, EXR or HDR, equirectangular or a cross of six faces (built in: "
+                 "a colour for each "
                  "direction, with a grid)")
       ->option_text("FILE");
   sub.add_option_function<std::string>(

@@ -49,6 +49,7 @@ Result<Texture> upload_environment(const Gl& gl, const CubeMap& cube) {
 
 Result<Texture> upload_environments(const Gl& gl, const std::vector<CubeMap>& cubes) {
   std::vector<const CubeMap*> all;
+  all.reserve(cubes.size());
   for (const CubeMap& cube : cubes) all.push_back(&cube);
   return upload_cubes(gl, "rough environments", GL_TEXTURE_CUBE_MAP_ARRAY, all);
 }

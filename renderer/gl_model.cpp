@@ -89,6 +89,7 @@ Status GlModel::add_materials(const RenderSettings& settings, GlPicture& picture
     picture.rough_environments = *environments;
   }
   std::vector<shared::MaterialInfo> infos;
+  infos.reserve(kMaxMaterials);
   for (const MaterialSettings& material : materials)
     infos.push_back(info_of(material, roughnesses));
   infos.resize(kMaxMaterials);  // the whole block, as the shader declares it
@@ -126,6 +127,7 @@ Result<const Texture*> GlModel::rough_environments_for(const std::filesystem::pa
     std::uint32_t size = 1;
     for (const float roughness : roughnesses) size = std::max(size, rough_size(*smooth, roughness));
     std::vector<CubeMap> cubes;
+    cubes.reserve(roughnesses.size());
     for (const float roughness : roughnesses) cubes.push_back(prefilter(*smooth, roughness, size));
     Result<Texture> made = upload_environments(gl_, cubes);
     if (!made) return made.error();

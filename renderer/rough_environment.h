@@ -8,7 +8,7 @@
 namespace relief {
 
 /// Texels along a face's side that the lobe of a roughness needs: at least two in the half of its
-/// width at half its height, where the environment itself has them.
+/// width at half its height, if the environment itself has them, but no more than 512.
 [[nodiscard]] std::uint32_t rough_size(const CubeMap& environment, double roughness);
 
 /// The light that a mirror of microfacets (GGX, alpha = roughness^2; Walter et al. 2007, Eq. 33)

@@ -60,7 +60,7 @@ TEST(RoughEnvironment, OfOneColourIsThatColour) {
     const CubeMap rough = prefilter(grey, roughness, 32);
     for (const auto& face : rough.faces) {
       for (const glm::vec3& texel : face) {
-        // 128 weights that add up to 1, in floats.
+        // Up to 1024 weights that add up to 1, in floats.
         EXPECT_LT(glm::distance(texel, glm::vec3(0.25F, 1.0F, 8.0F)), 1e-5F * 8.0F) << roughness;
       }
     }
@@ -82,10 +82,10 @@ TEST(RoughEnvironment, FlattensAGradientByTheMeanCosine) {
     const double mean = cosines / weights;
     const CubeMap rough = prefilter(slope, roughness, 32);
     for (const glm::dvec3 d : {glm::dvec3(0, 1, 0), glm::dvec3(0.48, -0.6, 0.64)}) {
-      // 128 directions, spread evenly over the lobe and looked up in averages of 2 to 8 degrees:
-      // they miss a gradient's mean by less than a hundredth.
+      // A few hundred directions, each looked up in an average of some degrees, which flattens the
+      // gradient by up to 0.3 %.
       const glm::dvec3 expected(1.0 + mean * d.y, 1.0 + mean * d.x, 1.0 - mean * d.z);
-      EXPECT_LT(glm::distance(glm::dvec3(look_up(rough, d)), expected), 0.01) << roughness;
+      EXPECT_LT(glm::distance(glm::dvec3(look_up(rough, d)), expected), 0.005) << roughness;
     }
   }
 }
@@ -105,7 +105,7 @@ TEST(RoughEnvironment, IsTheIntegralOverTheEnvironment) {
       squared += glm::dot(off, off) / 3.0;
       ++count;
     }
-    // Light is about 0.6; 128 directions leave a hundredth or so of what varies within the lobe.
+    // Light is about 0.6; the directions leave a hundredth or so of what varies within the lobe.
     EXPECT_LT(std::sqrt(squared / count), 0.012) << roughness;
   }
 }
@@ -127,6 +127,8 @@ TEST(RoughEnvironment, HasTheTexelsThatItsLobeNeeds) {
   EXPECT_EQ(rough_size(environment, 1.0), 32U);
   // Half the width at half the height is 1.29 * 0.2^2 = 0.052, two texels 2 * 2/128 = 0.031.
   EXPECT_EQ(rough_size(environment, 0.2), 128U);
+  environment.size = 2048;
+  EXPECT_EQ(rough_size(environment, 0.01), 512U);  // more would take too long
   environment.size = 8;
   EXPECT_EQ(rough_size(environment, 1.0), 8U);
 }
