@@ -11,9 +11,8 @@ namespace relief::cli {
 namespace {
 
 std::string level_policy(const RenderSettings& settings) {
-  return settings.pixels_per_sample > 0.0
-             ? fmt::format("at most {:g} pixels a sample", settings.pixels_per_sample)
-             : std::string("finest");
+  const double pixels = pixels_per_sample_of(settings);
+  return pixels > 0.0 ? fmt::format("at most {:g} pixels a sample", pixels) : std::string("finest");
 }
 
 using Json = nlohmann::ordered_json;
@@ -135,7 +134,8 @@ std::string name_of_row(const BenchResult& result, std::size_t row) {
   const RenderSettings& settings = result.rows[row];
   std::string name = fmt::format("{} {}", name_of(kEngines, settings.engine),
                                  name_of(kPrimitives, settings.primitive));
-  if (settings.pixels_per_sample > 0.0) name += fmt::format(" {:g} px", settings.pixels_per_sample);
+  if (const double pixels = pixels_per_sample_of(settings); pixels > 0.0)
+    name += fmt::format(" {:g} px", pixels);
   name += settings.engine == EngineKind::Onepass
               ? fmt::format(" {}", name_of(kInterpolations, settings.interpolation))
               : fmt::format(" {:g}", settings.multipass.radius_factor);

@@ -11,14 +11,14 @@ namespace {
 RenderSettings plain(RenderSettings base) {
   base.background.reset();
   base.outputs = {};
-  base.pixels_per_sample = 0.0;
+  base.pixels_per_sample.reset();
   return base;
 }
 
 /// Pixels a sample: the finest levels, what is asked for, and levels twice as coarse.
 std::vector<double> level_policies(const RenderSettings& base) {
-  const double pixels =
-      base.pixels_per_sample > 0.0 ? base.pixels_per_sample : RenderSettings{}.pixels_per_sample;
+  const double asked = base.pixels_per_sample.value_or(0.0);
+  const double pixels = asked > 0.0 ? asked : kPixelsPerSampleOfCells;
   return {0.0, pixels, 2.0 * pixels};
 }
 
@@ -42,7 +42,7 @@ std::vector<RenderSettings> bench_rows(const RenderSettings& base) {
     rows.push_back(row);
   }
   row.engine = EngineKind::Multipass;
-  row.pixels_per_sample = 0.0;
+  row.pixels_per_sample.reset();
   for (const Primitive primitive : {Primitive::Sprite, Primitive::Quad}) {
     for (const double radius_factor : {1.0, 2.0}) {
       row.primitive = primitive;
@@ -59,7 +59,6 @@ std::vector<RenderSettings> compared_rows(const RenderSettings& base) {
   row.engine = unasked.engine;
   row.primitive = unasked.primitive;
   row.interpolation = unasked.interpolation;
-  row.pixels_per_sample = unasked.pixels_per_sample;
   row.multipass = unasked.multipass;
   std::vector<RenderSettings> rows{row};
   for (const RenderSettings& rival : radius_factor_rows(base, {MultipassSettings{}.radius_factor}))
@@ -84,7 +83,7 @@ std::vector<RenderSettings> radius_factor_rows(const RenderSettings& base,
 bool is_default(const RenderSettings& row) {
   const RenderSettings unasked;
   if (row.engine != unasked.engine || row.primitive != unasked.primitive ||
-      row.pixels_per_sample != unasked.pixels_per_sample)
+      pixels_per_sample_of(row) != pixels_per_sample_of(unasked))
     return false;
   return row.engine == EngineKind::Onepass
              ? row.interpolation == unasked.interpolation

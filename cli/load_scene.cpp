@@ -1,5 +1,6 @@
 #include "cli/load_scene.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -77,20 +78,24 @@ Result<LoadedFile> load_scan(const std::filesystem::path& path, EngineNeeds need
   return file;
 }
 
-/// Moves a file's model to its place and appends it.
-Status place(LoadedScene& scene, LoadedFile file, const Transform& where) {
+/// Moves a file's model to its place, gives it its material (its number among materials_said) and
+/// appends it.
+Status place(LoadedScene& scene, LoadedFile file, const Transform& where, std::uint8_t material) {
+  for (Patch& patch : file.patches.patches) patch.material = material;
   const auto patches_before = static_cast<std::uint32_t>(scene.patches.patches.size());
   Status moved = transform_model(file.patches, where);
   if (!moved) return moved;
   append_model(scene.patches, std::move(file.patches));
   if (file.splats) {
     transform(*file.splats, where);
+    if (material != 0) file.splats->materials.assign(file.splats->positions.size(), material);
     if (!scene.splats) scene.splats.emplace();
     append(*scene.splats, std::move(*file.splats), patches_before);
   }
   if (!file.mesh) return {};
   scene.mesh_is_input = file.has_faces && (!scene.mesh || scene.mesh_is_input);
   transform(*file.mesh, where);
+  if (material != 0) file.mesh->materials.assign(file.mesh->positions.size(), material);
   if (!scene.mesh) scene.mesh.emplace();
   return append(*scene.mesh, std::move(*file.mesh), patches_before);
 }
@@ -106,6 +111,7 @@ Result<LoadedScene> load_scene(const std::vector<SceneModel>& models, EngineNeed
     has_scans |= ending(model.file) != ".relief";
   }
   const Forms forms{needs.raytrace && has_scans, needs.ewa && has_scans};
+  const std::vector<MaterialWords> said = materials_said(models);
   std::map<std::filesystem::path, LoadedFile> loaded;
   LoadedScene scene;
   for (const SceneModel& model : models) {
@@ -118,7 +124,9 @@ Result<LoadedScene> load_scene(const std::vector<SceneModel>& models, EngineNeed
     const bool last_use = --uses[model.file] == 0;
     LoadedFile file =
         last_use ? std::move(loaded.at(model.file)) : LoadedFile(loaded.at(model.file));
-    const Status placed = place(scene, std::move(file), model.transform);
+    const auto material = std::find(said.begin(), said.end(), model.material) - said.begin();
+    const Status placed =
+        place(scene, std::move(file), model.transform, static_cast<std::uint8_t>(material));
     if (!placed) return make_error("{}: {}", model.file.string(), placed.error().message);
   }
   return scene;

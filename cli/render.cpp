@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
@@ -36,8 +37,16 @@ constexpr const char* kExamples =
     "  relief render dragon.relief -o top.png --eye 0,1,0 --target 0,0,0 --up 0,0,-1\n"
     "  relief render suite.json -o 'out/{view}.exr'";
 
-Status write_picture(const std::filesystem::path& path, const Image& image) {
-  return ending(path) == ".exr" ? write_exr(path, image) : write_png(path, image);
+/// An EXR keeps the scene's light; a PNG has it as a camera with that exposure (stops) takes it,
+/// the background with it.
+Status write_picture(const std::filesystem::path& path, Image& image, double exposure) {
+  if (ending(path) == ".exr") return write_exr(path, image);
+  const auto factor = static_cast<float>(std::exp2(exposure));
+  for (Channel& channel : image.channels) {
+    if (channel.name != "R" && channel.name != "G" && channel.name != "B") continue;
+    for (float& value : channel.values) value *= factor;
+  }
+  return write_png(path, image);
 }
 
 EngineNeeds needs_of(const RenderPlan& plan) {
@@ -82,7 +91,9 @@ Result<std::vector<WrittenPicture>> make_pictures(const RenderPlan& plan,
   const Status done = render_views(
       scene->forms(), views,
       [&](std::size_t view, RenderResult result) {
-        Status saved = write_picture(plan.pictures[view].output, result.image);
+        const Picture& picture = plan.pictures[view];
+        Status saved =
+            write_picture(picture.output, result.image, picture.settings.exposure.value_or(0.0));
         if (!saved) return saved;
         result.image.channels.clear();
         written[view] = {views[view], std::move(result)};

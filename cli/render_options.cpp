@@ -73,10 +73,9 @@ void add_picture_options(CLI::App& sub, SceneSettings& settings) {
 }
 
 void add_engine_options(CLI::App& sub, SceneSettings& settings) {
-  add_number(
-      sub, "--pixels-per-sample", settings.pixels_per_sample, kPixelsPerSample, "P",
-      "onepass and multipass: draws coarser levels of patches where samples are then seen at "
-      "most P pixels apart; 0 is always the finest (4; 0 with multipass)");
+  add_number(sub, "--pixels-per-sample", settings.pixels_per_sample, kPixelsPerSample, "P",
+             "onepass: draws coarser levels of patches where samples are then seen at "
+             "most P pixels apart; 0 is always the finest (4 with cells, else 0)");
   add_number(sub, "--radius-factor", settings.radius_factor, kRadiusFactors, "F",
              "multipass: radius of its splats, over that of onepass's sprites (2)");
   add_number(sub, "--samples", settings.samples, kSampleCounts, "N",
@@ -93,6 +92,19 @@ void add_engine_options(CLI::App& sub, SceneSettings& settings) {
              "ewa: draw coarser sets of points first, and finer ones while this time lasts");
 }
 
+/// Nor an option of one material to another.
+void check_material_options(const RenderArguments& arguments) {
+  const SceneSettings& settings = arguments.settings;
+  if (settings.exposure && ending(arguments.output) == ".exr")
+    throw CLI::ValidationError("--exposure", "is for a .png; an EXR keeps the light as it is");
+  if (ending(arguments.input) == ".json") return;
+  const Material material = settings.material.value_or(Material::Lit);
+  if ((settings.ior || settings.absorption) && material != Material::Glass)
+    throw CLI::ValidationError("--ior, --absorption", "are for --material glass");
+  if (settings.roughness && material != Material::Mirror)
+    throw CLI::ValidationError("--roughness", "is for --material mirror");
+}
+
 /// An option of one engine says nothing to another. A scene's views may have several engines.
 void check_engine_options(const RenderArguments& arguments) {
   const SceneSettings& settings = arguments.settings;
@@ -103,8 +115,8 @@ void check_engine_options(const RenderArguments& arguments) {
     throw CLI::ValidationError("--texture", "needs --engine ewa and a mesh");
   }
   if (kind == ".json") return;
-  if (settings.pixels_per_sample && !is_on_opengl(engine))
-    throw CLI::ValidationError("--pixels-per-sample", "is for --engine onepass and multipass");
+  if (settings.pixels_per_sample && engine != EngineKind::Onepass)
+    throw CLI::ValidationError("--pixels-per-sample", "is for --engine onepass");
   if (settings.radius_factor && engine != EngineKind::Multipass)
     throw CLI::ValidationError("--radius-factor", "is for --engine multipass");
   if (settings.primitive == Primitive::Cell && engine == EngineKind::Multipass)
@@ -112,7 +124,7 @@ void check_engine_options(const RenderArguments& arguments) {
   if (settings.samples && engine != EngineKind::Raytrace)
     throw CLI::ValidationError("--samples", "is for --engine raytrace");
   if (arguments.explain && !is_on_opengl(engine))
-    throw CLI::ValidationError("--explain", "is for --engine onepass and multipass");
+    throw CLI::ValidationError("--explain", "is for --engine onepass");
   const bool for_ewa = settings.filter || settings.cutoff || settings.layers ||
                        settings.coverage_threshold || settings.time_budget_ms;
   if (for_ewa && engine != EngineKind::Ewa) {
@@ -154,10 +166,24 @@ void add_camera_options(CLI::App& sub, SceneSettings& settings) {
 }
 
 void add_material_options(CLI::App& sub, SceneSettings& settings) {
-  add_choice(sub, "--material", settings.material, kMaterials,
-             "unlit is the stored colour and nothing else; mirror reflects --env (lit)");
+  add_choice(
+      sub, "--material", settings.material, kMaterials,
+      "unlit is the stored colour and nothing else; mirror reflects --env, glass refracts it "
+      "too (lit)");
+  add_number(sub, "--ior", settings.ior, kRefractiveIndices, "N",
+             "glass: its index of refraction (1.5)");
+  sub.add_option_function<std::string>(
+         "--absorption", [&](const std::string& s) { settings.absorption = parse_absorption(s); },
+         "glass: what it takes of red, green and blue along the body's diameter, as exponents "
+         "(0,0,0)")
+      ->option_text("R,G,B");
+  add_number(sub, "--roughness", settings.roughness, kRoughnesses, "R",
+             "mirror: from 0, smooth, to 1 (0)");
+  add_number(sub, "--exposure", settings.exposure, kExposures, "STOPS",
+             "A PNG's light is multiplied by 2 to this power; an EXR's never is (0)");
   sub.add_option("--env", settings.environment,
-                 "Environment map, equirectangular EXR or HDR (built in: a colour for each "
+                 "Environment map, EXR or HDR, equirectangular or a cross of six faces (built in: "
+                 "a colour for each "
                  "direction, with a grid)")
       ->option_text("FILE");
 }
@@ -217,6 +243,7 @@ void check_together(const RenderArguments& arguments) {
   if (format == ".png" && (outputs.normal || outputs.depth || outputs.uv || outputs.patch_id)) {
     throw CLI::ValidationError("--outputs", "a PNG holds colour alone; write an .exr");
   }
+  check_material_options(arguments);
   check_engine_options(arguments);
   check_camera(settings);
 }

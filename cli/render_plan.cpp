@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cli/paths.h"
+#include "renderer/materials.h"
 
 namespace relief::cli {
 namespace {
@@ -23,22 +24,41 @@ fs::path output_of(const fs::path& pattern, const std::string& view) {
   return name;
 }
 
+/// The materials of a view of a scene; none if the models say nothing about theirs.
+std::vector<MaterialSettings> materials_for(const std::vector<MaterialWords>& of_models,
+                                            const MaterialWords& of_view,
+                                            const MaterialWords& of_options) {
+  std::vector<MaterialSettings> materials;
+  if (of_models == std::vector<MaterialWords>(1)) return materials;
+  for (const MaterialWords& own : of_models)
+    materials.push_back(material_of(overlay_material(overlay_material(of_view, own), of_options)));
+  return materials;
+}
+
 }  // namespace
 
 Result<RenderPlan> make_plan(const RenderArguments& arguments) {
   RenderPlan plan;
   if (ending(arguments.input) != ".json") {
-    plan.models.push_back({arguments.input, {}});
-    plan.pictures.push_back({"", arguments.output, arguments.settings});
+    plan.models.push_back({arguments.input, {}, {}});
+    plan.pictures.push_back({"", arguments.output, arguments.settings, {}});
     return plan;
   }
   auto scene = read_scene(arguments.input);
   if (!scene) return scene.error();
   plan.scene = arguments.input;
   plan.models = std::move(scene->models);
+  const std::vector<MaterialWords> said = materials_said(plan.models);
   for (const SceneView& view : scene->views) {
+    const SceneSettings of_view = overlay(scene->settings, view.settings);
     plan.pictures.push_back({view.name, output_of(arguments.output, view.name),
-                             overlay(overlay(scene->settings, view.settings), arguments.settings)});
+                             overlay(of_view, arguments.settings),
+                             materials_for(said, of_view, arguments.settings)});
+    const std::size_t count = roughnesses_of(plan.pictures.back().materials).size();
+    if (count > kMaxRoughnesses) {
+      return make_error("{}: view {}: has mirrors of {} roughnesses; at most {} are drawn",
+                        arguments.input.string(), view.name, count, kMaxRoughnesses);
+    }
   }
   return plan;
 }
@@ -89,17 +109,20 @@ Result<RenderSettings> render_settings_for(const Picture& picture, const PatchMo
   settings.height = size.height;
   settings.camera = *camera;
   settings.engine = said.engine.value_or(settings.engine);
-  // The rival is as in paper 001: splats of the finest level.
   const bool splats = settings.engine == EngineKind::Multipass;
   settings.primitive = said.primitive.value_or(splats ? Primitive::Quad : settings.primitive);
   settings.interpolation = said.interpolation.value_or(settings.interpolation);
-  settings.material = said.material.value_or(settings.material);
+  const MaterialSettings material = material_of(said);
+  settings.material = material.kind;
+  settings.constants = material.constants;
+  settings.materials = picture.materials;
+  settings.lights.list = said.lights.value_or(std::vector<Light>());
+  settings.lights.ambient = said.ambient.value_or(settings.lights.ambient);
   settings.environment = said.environment.value_or(fs::path());
   if (said.background) settings.background = said.background->colour;
   if (ending(picture.output) == ".exr")
     settings.outputs = said.outputs.value_or(Outputs{true, true, true, true});
-  settings.pixels_per_sample =
-      said.pixels_per_sample.value_or(splats ? 0.0 : settings.pixels_per_sample);
+  settings.pixels_per_sample = said.pixels_per_sample;
   settings.multipass.radius_factor = said.radius_factor.value_or(settings.multipass.radius_factor);
   settings.raytrace.samples = said.samples.value_or(settings.raytrace.samples);
   settings.ewa.filter = said.filter.value_or(settings.ewa.filter);

@@ -18,6 +18,9 @@ struct Picture {
   std::string view;  ///< its name; empty without a scene file
   std::filesystem::path output;
   SceneSettings settings;  ///< the options, over the view's, over the scene's
+  /// Where the models say something about their materials: the options, over that, over the view's
+  /// and the scene's, in the order of materials_said.
+  std::vector<MaterialSettings> materials;
 };
 
 struct RenderPlan {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "cli/explain_report.h"
+#include "renderer/materials.h"
 
 namespace relief::cli {
 namespace {
@@ -31,6 +32,17 @@ std::string way_of(const RenderSettings& settings) {
   return {};
 }
 
+/// "lit", or "glass+lit" of a picture with several.
+std::string material_names(const RenderSettings& settings) {
+  std::string names;
+  for (const Named<Material>& named : kMaterials) {
+    if (!uses(settings, named.value)) continue;
+    if (!names.empty()) names += '+';
+    names += named.name;
+  }
+  return names;
+}
+
 }  // namespace
 
 nlohmann::ordered_json as_json(const WrittenPicture& written) {
@@ -44,9 +56,11 @@ nlohmann::ordered_json as_json(const WrittenPicture& written) {
        said_by(is_on_opengl(settings.engine), name_of(kPrimitives, settings.primitive))},
       {"interpolation", said_by(settings.engine == EngineKind::Onepass,
                                 name_of(kInterpolations, settings.interpolation))},
+      {"pixels_per_sample",
+       said_by(settings.engine == EngineKind::Onepass, pixels_per_sample_of(settings))},
       {"radius_factor",
        said_by(settings.engine == EngineKind::Multipass, settings.multipass.radius_factor)},
-      {"material", name_of(kMaterials, settings.material)},
+      {"material", material_names(settings)},
       {"renderer", result.renderer},
       {"width", result.image.width},
       {"height", result.image.height},
@@ -85,8 +99,8 @@ std::string as_text(const Picture& picture, const WrittenPicture& written) {
       "  covered pixels  {}\n"
       "  fragments       {}\n",
       picture.output.string(), name_of(kEngines, settings.engine), way_of(settings),
-      name_of(kMaterials, settings.material), result.renderer, result.image.width,
-      result.image.height, result.frame_ms, result.covered_pixels, fragments);
+      material_names(settings), result.renderer, result.image.width, result.image.height,
+      result.frame_ms, result.covered_pixels, fragments);
   return result.explanation ? text + as_text(*result.explanation) : text;
 }
 

@@ -1,6 +1,7 @@
 #include "cli/values.h"
 
 #include <CLI/Error.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -89,6 +90,16 @@ Background parse_background(const std::string& text) {
   }
   const auto linear = [](double n) { return linear_from_srgb(static_cast<float>(n)); };
   return {glm::vec3(linear(numbers[0]), linear(numbers[1]), linear(numbers[2]))};
+}
+
+glm::vec3 parse_absorption(const std::string& text) {
+  const auto numbers = parse_numbers(text);
+  const auto in_range = [](double n) { return n >= kAbsorptions.least && n <= kAbsorptions.most; };
+  if (numbers.size() != 3 || !std::all_of(numbers.begin(), numbers.end(), in_range)) {
+    throw CLI::ValidationError("--absorption",
+                               "expected R,G,B, exponents from 0 to 100 as in 2,0.5,0.3");
+  }
+  return {numbers[0], numbers[1], numbers[2]};
 }
 
 Outputs parse_outputs(const std::string& text) {

@@ -27,6 +27,9 @@ namespace relief::cli {
 /// "R,G,B", sRGB values in [0, 1], as linear RGB; or "none".
 [[nodiscard]] Background parse_background(const std::string& text);
 
+/// "R,G,B", exponents from 0 to 100.
+[[nodiscard]] glm::vec3 parse_absorption(const std::string& text);
+
 /// "all", "colour", or names of normal, depth, uv, patch, separated by commas.
 [[nodiscard]] Outputs parse_outputs(const std::string& text);
 

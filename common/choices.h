@@ -15,7 +15,8 @@ namespace relief {
 enum class EngineKind : std::uint8_t { Onepass, Multipass, Ewa, Raytrace };
 enum class Primitive : std::uint8_t { Sprite, Quad, Cell };
 enum class Interpolation : std::uint8_t { Direct, Corrected };
-enum class Material : std::uint8_t { Unlit, Lit, Mirror };
+enum class Material : std::uint8_t { Unlit, Lit, Mirror, Glass };
+
 /// The engines that draw patches on OpenGL.
 [[nodiscard]] constexpr bool is_on_opengl(EngineKind engine) {
   return engine == EngineKind::Onepass || engine == EngineKind::Multipass;
@@ -36,11 +37,13 @@ struct NumberChoice {
 };
 inline constexpr NumberChoice kSampleCounts{1, 65536};      ///< rays a pixel
 inline constexpr NumberChoice kRadiusFactors{1.0, 4.0};     ///< of multipass, 2 as in paper 001
-inline constexpr NumberChoice kPixelsPerSample{0.0, 64.0};  ///< onepass and multipass; 0: no levels
+inline constexpr NumberChoice kPixelsPerSample{0.0, 64.0};  ///< of onepass; 0: no levels
 inline constexpr NumberChoice kCutoffs{0.1, 20.0};          ///< c of paper 000, an exponent
 inline constexpr NumberChoice kLayerCounts{1, 64};          ///< l of paper 000, fragments a pixel
 inline constexpr NumberChoice kCoverageThresholds{1e-6, 1.0};  ///< tau of paper 000
 inline constexpr NumberChoice kTimeBudgets{1e-3, 1e9};         ///< milliseconds
+
+inline constexpr NumberChoice kExposures{-20.0, 20.0};  ///< stops
 
 /// Which outputs a picture has. Colour and coverage are always there; nothing is allocated, written
 /// or read back for an output that is off.
@@ -94,8 +97,10 @@ inline constexpr std::array<Named<Primitive>, 3> kPrimitives{
     {{"sprite", Primitive::Sprite}, {"quad", Primitive::Quad}, {"cell", Primitive::Cell}}};
 inline constexpr std::array<Named<Interpolation>, 2> kInterpolations{
     {{"direct", Interpolation::Direct}, {"corrected", Interpolation::Corrected}}};
-inline constexpr std::array<Named<Material>, 3> kMaterials{
-    {{"unlit", Material::Unlit}, {"lit", Material::Lit}, {"mirror", Material::Mirror}}};
+inline constexpr std::array<Named<Material>, 4> kMaterials{{{"unlit", Material::Unlit},
+                                                            {"lit", Material::Lit},
+                                                            {"mirror", Material::Mirror},
+                                                            {"glass", Material::Glass}}};
 
 /// The value of a name, if the table has it.
 template <class T, std::size_t N>

@@ -56,6 +56,8 @@ struct Patch {
       normals;  ///< octahedral unit normals in the patch frame, see common/octahedral.h
   AttributeMap<glm::u8vec3> colours;  ///< 8-bit sRGB; empty if the scan has no colour
 
+  std::uint8_t material = 0;  ///< which of a scene's materials; patch files have none
+
   [[nodiscard]] std::int32_t at(std::uint32_t i, std::uint32_t j) const {
     return heights[std::size_t{j} * width + i];
   }

@@ -1,5 +1,7 @@
 #include "common/scene.h"
 
+#include <algorithm>
+
 namespace relief {
 namespace {
 
@@ -11,6 +13,15 @@ void take(std::optional<T>& to, const std::optional<T>& from) {
 constexpr double kDefaultFieldOfView = 45.0;
 
 }  // namespace
+
+std::vector<MaterialWords> materials_said(const std::vector<SceneModel>& models) {
+  std::vector<MaterialWords> said;
+  for (const SceneModel& model : models) {
+    if (std::find(said.begin(), said.end(), model.material) == said.end())
+      said.push_back(model.material);
+  }
+  return said;
+}
 
 SceneSettings overlay(SceneSettings base, const SceneSettings& over) {
   if (over.orbit) base.eye.reset();
@@ -24,9 +35,12 @@ SceneSettings overlay(SceneSettings base, const SceneSettings& over) {
   take(base.engine, over.engine);
   take(base.primitive, over.primitive);
   take(base.interpolation, over.interpolation);
-  take(base.material, over.material);
+  static_cast<MaterialWords&>(base) = overlay_material(base, over);
+  take(base.lights, over.lights);
+  take(base.ambient, over.ambient);
   take(base.environment, over.environment);
   take(base.background, over.background);
+  take(base.exposure, over.exposure);
   take(base.outputs, over.outputs);
   take(base.pixels_per_sample, over.pixels_per_sample);
   take(base.radius_factor, over.radius_factor);

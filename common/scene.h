@@ -11,6 +11,8 @@
 #include "common/camera.h"
 #include "common/choices.h"
 #include "common/error.h"
+#include "common/light.h"
+#include "common/material.h"
 #include "common/patch.h"
 #include "common/transform.h"
 
@@ -23,7 +25,7 @@ struct Background {
 
 /// What someone (the command line, a scene, one of its views) says about a picture. Each member is
 /// an option of `relief render`; what is not said is empty.
-struct SceneSettings {
+struct SceneSettings : MaterialWords {
   std::optional<PictureSize> size;
   std::optional<Orbit> orbit;
   std::optional<glm::dvec3> eye;  ///< world units, as target; not beside an orbit
@@ -33,11 +35,13 @@ struct SceneSettings {
   std::optional<EngineKind> engine;
   std::optional<Primitive> primitive;
   std::optional<Interpolation> interpolation;
-  std::optional<Material> material;
+  std::optional<std::vector<Light>> lights;  ///< not empty
+  std::optional<glm::vec3> ambient;          ///< linear
   std::optional<std::filesystem::path> environment;
   std::optional<Background> background;
+  std::optional<double> exposure;  ///< stops, of a PNG
   std::optional<Outputs> outputs;
-  std::optional<double> pixels_per_sample;  ///< onepass and multipass
+  std::optional<double> pixels_per_sample;  ///< onepass
   std::optional<double> radius_factor;      ///< multipass
   std::optional<int> samples;               ///< raytrace
   std::optional<EwaFilter> filter;
@@ -50,6 +54,7 @@ struct SceneSettings {
 struct SceneModel {
   std::filesystem::path file;
   Transform transform;
+  MaterialWords material;  ///< counts more than what views say
 };
 
 struct SceneView {
@@ -75,6 +80,10 @@ inline constexpr double kMaxSceneCoordinate = 1e12;
 /// and what is deeper or larger than a scene can be are told in one sentence with the place in the
 /// file. Paths in it are relative to its folder; no file but itself is opened.
 Result<Scene> read_scene(const std::filesystem::path& path);
+
+/// What the models say about their materials, each once, in the models' order: at most
+/// kMaxMaterials.
+[[nodiscard]] std::vector<MaterialWords> materials_said(const std::vector<SceneModel>& models);
 
 /// What `over` says, and where it says nothing, what `base` says. An orbit and an eye displace each
 /// other.

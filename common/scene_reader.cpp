@@ -42,12 +42,9 @@ Transform read_transform(JsonValues& values, const JsonPlace& place) {
 SceneModel read_model(JsonValues& values, const JsonPlace& place, const fs::path& folder) {
   constexpr std::string_view kExpected = "the name of a patch file, a scan or a mesh";
   SceneModel model;
-  if (place.value.is_object() && place.value.contains("material")) {
-    values.refuse(place.path,
-                  "has a material of its own; this version has one material for all models of a "
-                  "view: name it in the view or at the top level");
-  }
-  if (!values.object(place, {"file", "transform"})) return model;
+  std::vector<std::string_view> keys{"file", "transform"};
+  keys.insert(keys.end(), kMaterialKeys.begin(), kMaterialKeys.end());
+  if (!values.object(place, keys)) return model;
   if (const auto file = values.required(place, "file", kExpected)) {
     model.file = read_path(values, *file, folder, kExpected);
     if (model.file.extension() == ".json")
@@ -55,6 +52,7 @@ SceneModel read_model(JsonValues& values, const JsonPlace& place, const fs::path
   }
   if (const auto found = JsonValues::member(place, "transform"))
     model.transform = read_transform(values, *found);
+  model.material = read_material(values, place);
   return model;
 }
 
@@ -92,6 +90,10 @@ Scene make_scene(JsonValues& values, const JsonPlace& root, const fs::path& fold
   if (const auto list = values.required(root, "models", "a list of models, at least one")) {
     for (const JsonPlace& place : values.elements(*list, kMaxSceneModels, "models"))
       scene.models.push_back(read_model(values, place, folder));
+    if (const std::size_t count = materials_said(scene.models).size(); count > kMaxMaterials) {
+      values.refuse(list->path, fmt::format("have {} different materials; at most {} are drawn",
+                                            count, kMaxMaterials));
+    }
   }
   if (const auto list = values.required(root, "views", "a list of views, at least one")) {
     std::set<std::string> names;

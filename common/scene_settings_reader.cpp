@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "common/lights_reader.h"
 #include "common/srgb.h"
 
 namespace relief {
@@ -58,12 +59,31 @@ Outputs read_outputs(JsonValues& values, const JsonPlace& place) {
 }  // namespace
 
 std::vector<std::string_view> with_setting_keys(std::vector<std::string_view> keys) {
-  for (const char* key : {"size",   "orbit",      "eye",       "target",        "up",
-                          "fov",    "engine",     "primitive", "interpolation", "material",
-                          "env",    "background", "outputs",   "radius-factor", "samples",
-                          "filter", "cutoff",     "layers",    "tau",           "time-budget"})
+  for (const char* key :
+       {"size",          "orbit",     "eye",           "target",  "up",         "fov",
+        "engine",        "primitive", "interpolation", "env",     "background", "outputs",
+        "radius-factor", "samples",   "filter",        "cutoff",  "layers",     "tau",
+        "time-budget",   "lights",    "ambient",       "exposure"})
     keys.emplace_back(key);
+  keys.insert(keys.end(), kMaterialKeys.begin(), kMaterialKeys.end());
   return keys;
+}
+
+MaterialWords read_material(JsonValues& values, const JsonPlace& object) {
+  MaterialWords words;
+  if (const auto place = JsonValues::member(object, "material"))
+    words.material = values.choice(*place, kMaterials);
+  if (const auto place = JsonValues::member(object, "ior")) {
+    words.ior = values.number(*place, {kRefractiveIndices.least, kRefractiveIndices.most},
+                              "a number from 1 to 4");
+  }
+  if (const auto place = JsonValues::member(object, "absorption"))
+    words.absorption = read_linear_colour(values, *place, kAbsorptions.most);
+  if (const auto place = JsonValues::member(object, "roughness")) {
+    words.roughness =
+        values.number(*place, {kRoughnesses.least, kRoughnesses.most}, "a number from 0 to 1");
+  }
+  return words;
 }
 
 SceneSettings read_settings(JsonValues& values, const JsonPlace& object,
@@ -89,7 +109,10 @@ SceneSettings read_settings(JsonValues& values, const JsonPlace& object,
   read("engine", settings.engine, named(kEngines));
   read("primitive", settings.primitive, named(kPrimitives));
   read("interpolation", settings.interpolation, named(kInterpolations));
-  read("material", settings.material, named(kMaterials));
+  static_cast<MaterialWords&>(settings) = read_material(values, object);
+  read("lights", settings.lights, with(read_lights));
+  read("ambient", settings.ambient,
+       [&values](const JsonPlace& place) { return read_linear_colour(values, place, kMaxLight); });
   read("env", settings.environment, [&](const JsonPlace& place) {
     return read_path(values, place, folder, "the name of an environment map, EXR or HDR");
   });
@@ -109,6 +132,7 @@ SceneSettings read_settings(JsonValues& values, const JsonPlace& object,
   };
   read("pixels-per-sample", settings.pixels_per_sample,
        number(kPixelsPerSample, "a number from 0 to 64"));
+  read("exposure", settings.exposure, number(kExposures, "stops from -20 to 20"));
   read("radius-factor", settings.radius_factor, number(kRadiusFactors, "a number from 1 to 4"));
   read("samples", settings.samples, count(kSampleCounts, "a whole number from 1 to 65536"));
   read("filter", settings.filter, named(kFilters));

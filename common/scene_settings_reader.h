@@ -2,6 +2,7 @@
 // nlohmann::json.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -18,6 +19,13 @@ namespace relief {
 /// The settings among the members of an object; paths in them are relative to `folder`.
 SceneSettings read_settings(JsonValues& values, const JsonPlace& object,
                             const std::filesystem::path& folder);
+
+/// The keys of what is said about a material.
+inline constexpr std::array<std::string_view, 4> kMaterialKeys{"material", "ior", "absorption",
+                                                               "roughness"};
+
+/// What the members of an object say about a material.
+MaterialWords read_material(JsonValues& values, const JsonPlace& object);
 
 /// The name of a file, relative to `folder`.
 std::filesystem::path read_path(JsonValues& values, const JsonPlace& place,

@@ -49,6 +49,7 @@ void append_shared(Model& to, Model& from, std::uint32_t patches_before) {
   append_attribute(to.colours, from.colours, counts, kGrey);
   append_attribute(to.uvs, from.uvs, counts, glm::vec2(0.0F));
   append_attribute(to.patches, from.patches, counts, std::uint32_t{0});
+  append_attribute(to.materials, from.materials, counts, std::uint8_t{0});
 }
 
 }  // namespace
@@ -75,10 +76,8 @@ Status append(TriangleMesh& to, TriangleMesh from, std::uint32_t patches_before)
 }
 
 void append(SplatCloud& to, SplatCloud from, std::uint32_t patches_before) {
-  const Counts counts{to.positions.size(), from.positions.size()};
   append_shared(to, from, patches_before);
   to.radii.insert(to.radii.end(), from.radii.begin(), from.radii.end());
-  append_attribute(to.materials, from.materials, counts, std::uint8_t{0});
 }
 
 }  // namespace relief

@@ -26,10 +26,12 @@ struct CubeMap {
 /// The light from a direction (any length but 0): bilinear, seamless over the edges of the cube.
 [[nodiscard]] glm::vec3 look_up(const CubeMap& cube, glm::dvec3 direction);
 
-/// The surroundings from an equirectangular EXR or HDR picture (+Y up, its middle toward -Z, its
-/// right half toward +X), or, if `path` is empty, the built-in sky with a grid. Non-finite values
-/// become 0, negative ones too, those above what half floats hold are clamped. Fails if the file
-/// can't be read or has no colour.
+/// The surroundings from an EXR or HDR picture, equirectangular (+Y up, its middle toward -Z, its
+/// right half toward +X) or a cross of six faces as seen from within, four wide and three high or
+/// three wide and four high (its middle toward -Z; in the second row +X is right of it and -X left,
+/// +Y above and -Y below; +Z at the right end, or upside down at the lower end). If `path` is
+/// empty, the built-in sky with a grid. Non-finite values become 0, negative ones too, those above
+/// what half floats hold are clamped. Fails if the file can't be read or has no colour.
 Result<CubeMap> load_environment(const std::filesystem::path& path);
 
 }  // namespace relief

@@ -7,18 +7,31 @@
 
 namespace relief {
 
-Result<Texture> upload_environment(const Gl& gl, const CubeMap& cube) {
-  const auto size = static_cast<GLsizei>(cube.size);
+namespace {
+
+/// A cube map or an array of them, whose faces follow each other. All have one size.
+Result<Texture> upload_cubes(const Gl& gl, const char* label, GLenum target,
+                             const std::vector<const CubeMap*>& cubes) {
+  const auto size = static_cast<GLsizei>(cubes.front()->size);
   if (size > get_limit(gl, GL_MAX_CUBE_MAP_TEXTURE_SIZE)) {
     return make_error("the environment needs cube faces of {} texels, but this OpenGL allows {}",
                       size, get_limit(gl, GL_MAX_CUBE_MAP_TEXTURE_SIZE));
   }
-  Texture texture(gl, "environment", GLenum{GL_TEXTURE_CUBE_MAP});
-  gl.TextureStorage2D(texture.id(), static_cast<GLsizei>(std::bit_width(cube.size)), GL_RGBA16F,
-                      size, size);
-  for (std::size_t face = 0; face < cube.faces.size(); ++face) {
-    gl.TextureSubImage3D(texture.id(), 0, 0, 0, static_cast<GLint>(face), size, size, 1, GL_RGB,
-                         GL_FLOAT, cube.faces[face].data());
+  Texture texture(gl, label, GLenum{target});
+  const auto levels = static_cast<GLsizei>(std::bit_width(cubes.front()->size));
+  if (target == GL_TEXTURE_CUBE_MAP) {
+    gl.TextureStorage2D(texture.id(), levels, GL_RGBA16F, size, size);
+  } else {
+    gl.TextureStorage3D(texture.id(), levels, GL_RGBA16F, size, size,
+                        static_cast<GLsizei>(6 * cubes.size()));
+  }
+  GLint layer = 0;
+  for (const CubeMap* cube : cubes) {
+    for (const std::vector<glm::vec3>& face : cube->faces) {
+      gl.TextureSubImage3D(texture.id(), 0, 0, 0, layer, size, size, 1, GL_RGB, GL_FLOAT,
+                           face.data());
+      ++layer;
+    }
   }
   gl.GenerateTextureMipmap(texture.id());
   gl.TextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
@@ -26,6 +39,19 @@ Result<Texture> upload_environment(const Gl& gl, const CubeMap& cube) {
   const Status made = check_errors(gl, "the environment");
   if (!made) return made.error();
   return texture;
+}
+
+}  // namespace
+
+Result<Texture> upload_environment(const Gl& gl, const CubeMap& cube) {
+  return upload_cubes(gl, "environment", GL_TEXTURE_CUBE_MAP, {&cube});
+}
+
+Result<Texture> upload_environments(const Gl& gl, const std::vector<CubeMap>& cubes) {
+  std::vector<const CubeMap*> all;
+  all.reserve(cubes.size());
+  for (const CubeMap& cube : cubes) all.push_back(&cube);
+  return upload_cubes(gl, "rough environments", GL_TEXTURE_CUBE_MAP_ARRAY, all);
 }
 
 Result<Backdrop> Backdrop::create(const Gl& gl) {

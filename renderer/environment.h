@@ -1,6 +1,8 @@
 // The surroundings on the GPU.
 #pragma once
 
+#include <vector>
+
 #include "common/error.h"
 #include "renderer/cube_map.h"
 #include "renderer/gl/functions.h"
@@ -11,6 +13,10 @@ namespace relief {
 
 /// A cube map with mip levels, half floats. Fails if OpenGL can't hold it.
 Result<Texture> upload_environment(const Gl& gl, const CubeMap& cube);
+
+/// Cube maps of one size as the layers of an array, with mip levels, half floats. Fails if OpenGL
+/// can't hold them.
+Result<Texture> upload_environments(const Gl& gl, const std::vector<CubeMap>& cubes);
 
 /// Draws the environment where the frame has no model (depth 0 in the bound framebuffer). The frame
 /// uniforms must be bound.

@@ -1,23 +1,45 @@
 // The shader variant that a scene needs. The bits and their costs: shaders/include/shared.h.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
+#include "renderer/lighting.h"
+#include "renderer/materials.h"
 #include "renderer/patch_store.h"
 #include "renderer/render.h"
 #include "shaders/include/shared.h"
 
 namespace relief {
 
+/// Those of the materials, and of the lights where one of them is lit.
+[[nodiscard]] inline std::uint32_t material_features(const RenderSettings& settings) {
+  const std::vector<MaterialSettings> materials = materials_of(settings);
+  const bool mixed = materials.size() > 1;
+  std::uint32_t features = mixed ? RELIEF_FEATURE_MIXED : 0U;
+  for (const MaterialSettings& material : materials) {
+    if (material.kind == Material::Lit) features |= RELIEF_FEATURE_LIT;
+    if (material.kind == Material::Mirror) features |= RELIEF_FEATURE_MIRROR;
+    if (material.kind == Material::Glass) features |= RELIEF_FEATURE_GLASS;
+    if (mixed && roughness_of(material) > 0.0F) features |= RELIEF_FEATURE_ROUGH;
+  }
+  if ((features & RELIEF_FEATURE_LIT) == 0) return features;
+  const std::vector<Light>& lights = settings.lights.list;
+  const bool points = std::any_of(lights.begin(), lights.end(), [](const Light& light) {
+    return light.kind == LightKind::Point;
+  });
+  return features | (points ? RELIEF_FEATURE_POINT_LIGHTS : 0U) |
+         static_cast<std::uint32_t>(count_lights(settings.lights)) << RELIEF_LIGHTS_SHIFT;
+}
+
 /// The feature bits of a picture that any engine on OpenGL can have.
 [[nodiscard]] inline std::uint32_t scene_features(const RenderSettings& settings,
                                                   bool has_colours) {
-  const bool coloured = has_colours && settings.material != Material::Mirror;
+  const bool coloured =
+      has_colours && (uses(settings, Material::Unlit) || uses(settings, Material::Lit));
   return (settings.primitive == Primitive::Sprite ? RELIEF_FEATURE_SPRITE : 0U) |
-         (coloured ? RELIEF_FEATURE_COLOURS : 0U) |
-         (settings.material == Material::Lit ? RELIEF_FEATURE_LIT : 0U) |
-         (settings.material == Material::Mirror ? RELIEF_FEATURE_MIRROR : 0U) |
+         (coloured ? RELIEF_FEATURE_COLOURS : 0U) | material_features(settings) |
          (settings.outputs.normal ? RELIEF_FEATURE_OUT_NORMAL : 0U) |
          (settings.outputs.depth ? RELIEF_FEATURE_OUT_DEPTH : 0U) |
          (settings.outputs.uv ? RELIEF_FEATURE_OUT_UV : 0U) |
@@ -26,7 +48,8 @@ namespace relief {
 
 /// Whether those features read normals.
 [[nodiscard]] inline bool needs_normals(std::uint32_t features) {
-  return (features & (RELIEF_FEATURE_LIT | RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_OUT_NORMAL)) != 0;
+  return (features & (RELIEF_FEATURE_LIT | RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_GLASS |
+                      RELIEF_FEATURE_OUT_NORMAL)) != 0;
 }
 
 /// What those features read.

@@ -38,6 +38,16 @@ std::vector<glm::vec3> composite(const Film& film, const Surroundings& surroundi
 
 }  // namespace
 
+Result<Surroundings> surroundings_of(const RenderSettings& settings,
+                                     EnvironmentCache& environments) {
+  Surroundings surroundings{nullptr, settings.background};
+  if (settings.environment.empty() || !settings.background) return surroundings;
+  const auto cube = environments.get(settings.environment);
+  if (!cube) return cube.error();
+  surroundings.cube = *cube;
+  return surroundings;
+}
+
 Image develop(const Film& film, const Surroundings& surroundings, const View& view,
               const Outputs& outputs, std::uint64_t& covered) {
   Image image{film.width, film.height, {}};

@@ -11,6 +11,7 @@
 
 #include "common/image.h"
 #include "renderer/cube_map.h"
+#include "renderer/environment_cache.h"
 #include "renderer/render.h"
 #include "renderer/view.h"
 
@@ -37,6 +38,11 @@ struct Surroundings {
   const CubeMap* cube = nullptr;
   std::optional<glm::vec3> background;  ///< linear; none: alpha stays the coverage
 };
+
+/// The environment, if the picture has one and a background for it to be. Fails if it can't be
+/// read.
+Result<Surroundings> surroundings_of(const RenderSettings& settings,
+                                     EnvironmentCache& environments);
 
 /// Puts the surroundings behind the film and makes an image with the outputs that are on, in the
 /// channels that common/image.h names; all of them are float. `covered` counts the pixels with a

@@ -6,6 +6,9 @@
 #include <vector>
 
 #include "renderer/cube_map.h"
+#include "renderer/environment_cache.h"
+#include "renderer/materials.h"
+#include "renderer/rough_environment.h"
 #include "renderer/sample_draws.h"
 
 namespace relief {
@@ -38,34 +41,60 @@ Result<std::unique_ptr<GlModel>> GlModel::create(std::shared_ptr<const OpenGl> o
 }
 
 Result<GlPicture> GlModel::make_picture(const RenderSettings& settings) {
-  const Texture* environment = nullptr;
-  const Backdrop* shown = nullptr;
-  const bool is_shown = !settings.environment.empty() && settings.background.has_value();
-  if (is_shown || settings.material == Material::Mirror) {
-    const auto found = environment_for(settings.environment);
-    if (!found) return found.error();
-    environment = *found;
-  }
-  if (is_shown) {
-    const auto found = backdrop();
-    if (!found) return found.error();
-    shown = *found;
-  }
   Result<Targets> targets = make_targets(gl(), settings.width, settings.height, settings.outputs);
   if (!targets) return targets.error();
   const View view = view_of(settings);
-  const shared::Frame uniforms = make_frame(view, largest_sprite(gl()));
-  return GlPicture{view,
-                   std::move(*targets),
-                   make_buffer(gl(), "frame", std::span<const shared::Frame>(&uniforms, 1)),
-                   settings.background.value_or(glm::vec3(0.0F)),
-                   environment,
-                   shown};
+  shared::Frame uniforms = make_frame(view, largest_sprite(gl()), settings.lights);
+  uniforms.material = info_of(materials_of(settings).front(), {});
+  GlPicture picture{view,
+                    std::move(*targets),
+                    make_buffer(gl(), "frame", std::span<const shared::Frame>(&uniforms, 1)),
+                    settings.background.value_or(glm::vec3(0.0F)),
+                    nullptr,
+                    nullptr,
+                    std::nullopt,
+                    nullptr,
+                    nullptr};
+  const Status added = add_materials(settings, picture);
+  if (!added) return added.error();
+  if (settings.environment.empty() || !settings.background) return picture;
+  const auto surroundings = environment_for(settings.environment, 0.0F);
+  if (!surroundings) return surroundings.error();
+  const auto shown = backdrop();
+  if (!shown) return shown.error();
+  picture.surroundings = *surroundings;
+  picture.backdrop = *shown;
+  return picture;
+}
+
+Status GlModel::add_materials(const RenderSettings& settings, GlPicture& picture) {
+  const std::vector<MaterialSettings> materials = materials_of(settings);
+  const bool mixed = materials.size() > 1;
+  if (reflects(settings)) {
+    const float roughness = mixed ? 0.0F : roughness_of(materials.front());
+    const auto environment = environment_for(settings.environment, roughness);
+    if (!environment) return environment.error();
+    picture.environment = *environment;
+  }
+  if (!mixed) return {};
+  const std::vector<float> roughnesses = roughnesses_of(materials);
+  if (!roughnesses.empty()) {
+    const auto environments = rough_environments_for(settings.environment, roughnesses);
+    if (!environments) return environments.error();
+    picture.rough_environments = *environments;
+  }
+  std::vector<shared::MaterialInfo> infos;
+  infos.reserve(kMaxMaterials);
+  for (const MaterialSettings& material : materials)
+    infos.push_back(info_of(material, roughnesses));
+  infos.resize(kMaxMaterials);  // the whole block, as the shader declares it
+  picture.materials = make_buffer(gl(), "materials", std::span<const shared::MaterialInfo>(infos));
+  return {};
 }
 
 View GlModel::view_of(const RenderSettings& settings) const {
   View view = make_view(settings.camera, settings.width, settings.height, near_);
-  view.pixels_per_sample = settings.pixels_per_sample;
+  view.pixels_per_sample = pixels_per_sample_of(settings);
   return view;
 }
 
@@ -77,14 +106,34 @@ Result<RenderResult> GlModel::draw(const GlDrawing& drawing, const RenderSetting
   return result;
 }
 
-Result<const Texture*> GlModel::environment_for(const std::filesystem::path& path) {
-  auto found = environments_.find(path);
+Result<const Texture*> GlModel::environment_for(const std::filesystem::path& path,
+                                                float roughness) {
+  auto found = environments_.find({path, roughness});
   if (found == environments_.end()) {
-    const Result<CubeMap> cube = load_environment(path);
+    EnvironmentCache cubes;
+    const Result<const CubeMap*> cube = cubes.get(path, roughness);
     if (!cube) return cube.error();
-    Result<Texture> made = upload_environment(gl(), *cube);
+    Result<Texture> made = upload_environment(gl(), **cube);
     if (!made) return made.error();
-    found = environments_.emplace(path, std::move(*made)).first;
+    found = environments_.emplace(std::pair(path, roughness), std::move(*made)).first;
+  }
+  return &found->second;
+}
+
+Result<const Texture*> GlModel::rough_environments_for(const std::filesystem::path& path,
+                                                       const std::vector<float>& roughnesses) {
+  auto found = rough_environments_.find({path, roughnesses});
+  if (found == rough_environments_.end()) {
+    const Result<CubeMap> smooth = load_environment(path);
+    if (!smooth) return smooth.error();
+    std::uint32_t size = 1;
+    for (const float roughness : roughnesses) size = std::max(size, rough_size(*smooth, roughness));
+    std::vector<CubeMap> cubes;
+    cubes.reserve(roughnesses.size());
+    for (const float roughness : roughnesses) cubes.push_back(prefilter(*smooth, roughness, size));
+    Result<Texture> made = upload_environments(gl(), cubes);
+    if (!made) return made.error();
+    found = rough_environments_.emplace(std::pair(path, roughnesses), std::move(*made)).first;
   }
   return &found->second;
 }

@@ -6,6 +6,8 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "common/error.h"
 #include "common/patch.h"
@@ -44,12 +46,16 @@ class GlModel {
  private:
   GlModel() = default;
   [[nodiscard]] View view_of(const RenderSettings& settings) const;
-  Result<const Texture*> environment_for(const std::filesystem::path& path);
+  Result<const Texture*> environment_for(const std::filesystem::path& path, float roughness);
+  Result<const Texture*> rough_environments_for(const std::filesystem::path& path,
+                                                const std::vector<float>& roughnesses);
+  Status add_materials(const RenderSettings& settings, GlPicture& picture);
   Result<const Backdrop*> backdrop();
 
   std::shared_ptr<const OpenGl> opengl_;  ///< first: the last to go
   std::optional<PatchStore> store_;
-  std::map<std::filesystem::path, Texture> environments_;
+  std::map<std::pair<std::filesystem::path, float>, Texture> environments_;  ///< by roughness
+  std::map<std::pair<std::filesystem::path, std::vector<float>>, Texture> rough_environments_;
   std::optional<Backdrop> backdrop_;
   bool has_colours_ = false;
   double near_ = 0.0;

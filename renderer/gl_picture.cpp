@@ -18,9 +18,15 @@ void draw_frame(const Gl& gl, const GlPicture& picture, const DrawModel& draw, P
   gl.Viewport(0, 0, static_cast<GLsizei>(picture.targets.width),
               static_cast<GLsizei>(picture.targets.height));
   gl.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_FRAME, picture.uniforms.id());
+  if (picture.materials)
+    gl.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_MATERIALS, picture.materials->id());
+  const Texture* const rough = picture.rough_environments;
+  gl.BindTextureUnit(RELIEF_TEXTURE_ROUGH_ENVIRONMENTS, rough == nullptr ? 0 : rough->id());
   clear_targets(gl, picture.targets, picture.background);
   draw(picture, timer);
-  if (picture.backdrop != nullptr) picture.backdrop->draw(timer, *picture.environment);
+  if (picture.backdrop != nullptr) picture.backdrop->draw(timer, *picture.surroundings);
+  gl.BindTextureUnit(RELIEF_TEXTURE_ROUGH_ENVIRONMENTS, 0);
+  gl.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_MATERIALS, 0);
   gl.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_FRAME, 0);
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
 }

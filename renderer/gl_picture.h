@@ -24,8 +24,11 @@ struct GlPicture {
   Targets targets;
   Buffer uniforms;  ///< shared::Frame
   glm::vec3 background{0.0F};
-  const Texture* environment = nullptr;  ///< for mirrors and the backdrop, or null
-  const Backdrop* backdrop = nullptr;    ///< null: there is none in the picture
+  const Texture* environment = nullptr;         ///< what materials reflect, or null
+  const Texture* rough_environments = nullptr;  ///< with several materials, some of them rough
+  std::optional<Buffer> materials;              ///< shared::MaterialInfo of several materials
+  const Texture* surroundings = nullptr;        ///< for the backdrop, or null
+  const Backdrop* backdrop = nullptr;           ///< null: there is none in the picture
 };
 
 /// Draws the model of one frame. The targets are bound and cleared, the frame uniforms bound.

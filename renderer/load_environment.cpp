@@ -105,23 +105,62 @@ struct Panorama {
   }
 };
 
-CubeMap make_panorama_cube(const Panorama& panorama) {
-  // A face spans 90 of the picture's 180 degrees of height.
-  const auto half_height = static_cast<std::uint32_t>(panorama.height / 2);
-  const std::uint32_t size = std::bit_ceil(std::clamp(half_height, kSmallestFace, kLargestFace));
+/// Of surroundings that have `texels` over 90 degrees; `look_up` takes a direction of length 1.
+template <class LookUp>
+CubeMap resample(std::uint32_t texels, const LookUp& look_up) {
+  const std::uint32_t size = std::bit_ceil(std::clamp(texels, kSmallestFace, kLargestFace));
   // Where the picture is finer than the largest face, a texel is the mean of places within it.
-  const int places = std::max(static_cast<int>((half_height + size - 1) / size), 1);
+  const int places = std::max(static_cast<int>((texels + size - 1) / size), 1);
   return make_cube(size, [&](std::size_t face, glm::dvec2 st) {
     glm::vec3 sum(0.0F);
     for (int v = 0; v < places; ++v) {
       for (int u = 0; u < places; ++u) {
         const glm::dvec2 within = (glm::dvec2(u, v) + 0.5) / static_cast<double>(places) - 0.5;
-        sum += panorama.look_up(
+        sum += look_up(
             glm::normalize(cube_direction(face, st + within * 2.0 / static_cast<double>(size))));
       }
     }
     return sum / static_cast<float>(places * places);
   });
+}
+
+/// Where a face of a cube lies in a cross, in faces, and whether it lies there turned by 180
+/// degrees.
+struct CrossPlace {
+  std::size_t column;
+  std::size_t row;
+  bool turned;
+};
+
+/// The faces +X, -X, +Y, -Y, +Z, -Z of a cross that is four faces wide, or four high.
+constexpr std::array<CrossPlace, 6> kWideCross{
+    {{2, 1, false}, {0, 1, false}, {1, 0, true}, {1, 2, true}, {3, 1, false}, {1, 1, false}}};
+constexpr std::array<CrossPlace, 6> kHighCross{
+    {{2, 1, false}, {0, 1, false}, {1, 0, true}, {1, 2, true}, {1, 3, true}, {1, 1, false}}};
+
+/// The cube of a cross as it is seen from within: OpenGL's faces are seen from outside, which
+/// mirrors them.
+CubeMap cut_cross(const std::vector<glm::vec3>& texels, std::size_t width, bool wide) {
+  const std::size_t size = width / (wide ? 4 : 3);
+  CubeMap cube;
+  cube.size = static_cast<std::uint32_t>(size);
+  for (std::size_t face = 0; face < 6; ++face) {
+    const CrossPlace& place = (wide ? kWideCross : kHighCross)[face];
+    for (std::size_t y = 0; y < size; ++y) {
+      const std::size_t row = place.row * size + (place.turned ? size - 1 - y : y);
+      for (std::size_t x = 0; x < size; ++x) {
+        const std::size_t column = place.column * size + (place.turned ? x : size - 1 - x);
+        cube.faces[face].push_back(texels[row * width + column]);
+      }
+    }
+  }
+  return cube;
+}
+
+CubeMap make_cross_cube(const std::vector<glm::vec3>& texels, std::size_t width, bool wide) {
+  CubeMap cube = cut_cross(texels, width, wide);
+  if (std::has_single_bit(cube.size) && cube.size <= kLargestFace) return cube;
+  return resample(cube.size, [&cube](glm::dvec3 d) { return look_up(cube, d); });
 }
 
 }  // namespace
@@ -132,7 +171,14 @@ Result<CubeMap> load_environment(const std::filesystem::path& path) {
   if (!image) return image.error();
   auto texels = colour_of(*image, path);
   if (!texels) return texels.error();
-  return make_panorama_cube({image->width, image->height, std::move(*texels)});
+  const std::size_t width = image->width;
+  const std::size_t height = image->height;
+  const bool wide = 3 * width == 4 * height && width % 4 == 0;
+  if (wide || (4 * width == 3 * height && width % 3 == 0))
+    return make_cross_cube(*texels, width, wide);
+  const Panorama panorama{image->width, image->height, std::move(*texels)};
+  // A face spans 90 of the picture's 180 degrees of height.
+  return resample(image->height / 2, [&panorama](glm::dvec3 d) { return panorama.look_up(d); });
 }
 
 }  // namespace relief

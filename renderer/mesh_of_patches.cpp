@@ -5,6 +5,7 @@
 
 #include "common/octahedral.h"
 #include "common/srgb.h"
+#include "renderer/materials.h"
 #include "renderer/patch_normals.h"
 #include "shaders/include/shared.h"
 
@@ -90,6 +91,7 @@ Result<TriangleMesh> mesh_of_patches(const PatchModel& model) {
     const Patch& patch = model.patches[p];
     add_triangles(patch, add_vertices(patch, p, model.has_colours, mesh), mesh);
   }
+  mesh.materials = materials_of_patches(model, mesh.patches);
   return mesh;
 }
 

@@ -27,6 +27,7 @@ shared::PatchInfo info_of(const Patch& patch, std::size_t id, std::uint32_t leve
   const float begin = level > 0 ? 1.0F : 0.0F;
   info.extent = {begin, begin + static_cast<float>(patch.width - 1) / stride,
                  begin + static_cast<float>(patch.height - 1) / stride, stride};
+  info.heights.w = patch.material;
   return info;
 }
 
@@ -156,7 +157,8 @@ Result<PatchStore> upload_model(const Gl& gl, const PatchModel& model, const Sto
   if (needs.heights) {
     Result<MapArray> maps = upload_heights(gl, grids);
     if (!maps) return maps.error();
-    for (std::size_t k = 0; k < table.size(); ++k) table[k].heights = place_of(maps->spots[k], 0);
+    for (std::size_t k = 0; k < table.size(); ++k)
+      table[k].heights = place_of(maps->spots[k], table[k].heights.w);
     heights = std::move(maps->texture);
   }
   if (needs.normals) {

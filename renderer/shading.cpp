@@ -2,24 +2,55 @@
 
 #include <cassert>
 
+#include "renderer/lighting.h"
+#include "renderer/materials.h"
 #include "shaders/include/shading.h"
 
 namespace relief {
+namespace {
 
-glm::vec3 shade(Material material, glm::vec3 albedo, glm::vec3 normal, glm::vec3 ray,
-                const shared::Frame& frame, const CubeMap* cube) {
-  switch (material) {
-    case Material::Unlit:
-      return albedo;
-    case Material::Lit:
-      return shared::lit(frame, albedo, shared::facing_normal(normal, ray), ray);
-    case Material::Mirror: {
-      assert(cube != nullptr && "a mirror has something to reflect");
-      const glm::vec3 facing = shared::facing_normal(normal, ray);
-      return look_up(*cube, glm::dvec3(glm::reflect(ray, facing)));
-    }
+glm::vec3 shade_glass(const LitMaterial& material, const SeenSurface& surface) {
+  const MaterialConstants& constants = material.settings.constants;
+  const shared::SplitRay split = shared::split_ray(surface.normal, surface.ray, constants.ior);
+  return shared::glass(split, constants.absorption,
+                       look_up(*material.cube, glm::dvec3(split.reflected)),
+                       look_up(*material.cube, glm::dvec3(split.refracted)));
+}
+
+}  // namespace
+
+Result<Lighting> make_lighting(const RenderSettings& settings, const View& view,
+                               EnvironmentCache& environments) {
+  Lighting lighting{make_frame(view, 0.0, settings.lights), count_lights(settings.lights), {}};
+  for (const MaterialSettings& material : materials_of(settings)) {
+    lighting.materials.push_back({material, nullptr});
+    if (material.kind != Material::Mirror && material.kind != Material::Glass) continue;
+    const auto cube = environments.get(settings.environment, roughness_of(material));
+    if (!cube) return cube.error();
+    lighting.materials.back().cube = *cube;
   }
-  return albedo;
+  return lighting;
+}
+
+glm::vec3 shade(const Lighting& lighting, std::size_t material, const SeenSurface& surface) {
+  const std::vector<LitMaterial>& all = lighting.materials;
+  assert((all.size() == 1 || material < all.size()) && "an index into the table of materials");
+  const LitMaterial& own = all.size() == 1 ? all.front() : all[material];
+  const auto facing = [&surface] { return shared::facing_normal(surface.normal, surface.ray); };
+  switch (own.settings.kind) {
+    case Material::Unlit:
+      return surface.albedo;
+    case Material::Lit:
+      return shared::lit(lighting.frame, lighting.lights, surface.albedo, facing(), surface.ray,
+                         surface.place);
+    case Material::Mirror:
+      assert(own.cube != nullptr && "a mirror has something to reflect");
+      return look_up(*own.cube, glm::dvec3(glm::reflect(surface.ray, facing())));
+    case Material::Glass:
+      assert(own.cube != nullptr && "glass has something to refract");
+      return shade_glass(own, surface);
+  }
+  return surface.albedo;
 }
 
 }  // namespace relief

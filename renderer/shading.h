@@ -1,18 +1,46 @@
 // Shading on the CPU, by the same text as the shaders (shaders/include/shading.h).
 #pragma once
 
+#include <cstddef>
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "renderer/cube_map.h"
+#include "renderer/environment_cache.h"
 #include "renderer/render.h"
+#include "renderer/view.h"
 #include "shaders/include/shared.h"
 
 namespace relief {
 
-/// What a material makes of a surface seen along `ray` (unit, world, from the eye). `albedo` is
-/// linear, `normal` a unit vector of the world. `frame` has the lights; `cube` is needed by the
-/// mirror alone.
-[[nodiscard]] glm::vec3 shade(Material material, glm::vec3 albedo, glm::vec3 normal, glm::vec3 ray,
-                              const shared::Frame& frame, const CubeMap* cube);
+/// A material and the environment that it reflects, null if it reflects none.
+struct LitMaterial {
+  MaterialSettings settings;
+  const CubeMap* cube = nullptr;
+};
+
+/// What surfaces are shaded with. Nothing is owned.
+struct Lighting {
+  shared::Frame frame;                 ///< has the lights
+  int lights = 0;                      ///< how many of them
+  std::vector<LitMaterial> materials;  ///< by index; not empty
+};
+
+/// The lighting of a picture; environments are made as they are needed. Fails if one can't be read.
+Result<Lighting> make_lighting(const RenderSettings& settings, const View& view,
+                               EnvironmentCache& environments);
+
+/// A surface as it is seen. World frame.
+struct SeenSurface {
+  glm::vec3 albedo{0.0F};  ///< linear
+  glm::vec3 normal{0.0F};  ///< unit
+  glm::vec3 ray{0.0F};     ///< unit, from the eye
+  glm::vec3 place{0.0F};   ///< from the eye; only point lights ask for it
+};
+
+/// The light that it sends to the eye if it has that material; where there is but one material,
+/// that, whatever the index.
+[[nodiscard]] glm::vec3 shade(const Lighting& lighting, std::size_t material,
+                              const SeenSurface& surface);
 
 }  // namespace relief

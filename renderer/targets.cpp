@@ -99,6 +99,9 @@ Result<Targets> make_targets(const Gl& gl, std::uint32_t width, std::uint32_t he
   }
   if (outputs.patch_id) {
     targets.patch_id = make_attachment(gl, "patch id", GL_R32UI, width, height);
+    // With the default filters integers are no complete texture, and shaders read 0.
+    gl.TextureParameteri(targets.patch_id->id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl.TextureParameteri(targets.patch_id->id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     attach(RELIEF_OUT_PATCH, *targets.patch_id);
   }
   gl.NamedFramebufferDrawBuffers(id, static_cast<GLsizei>(draw.size()), draw.data());

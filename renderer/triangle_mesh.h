@@ -18,7 +18,9 @@ struct TriangleMesh {
   std::vector<glm::vec4>
       colours;                 ///< linear, not premultiplied; alpha: opacity; empty: neutral grey
   std::vector<glm::vec2> uvs;  ///< grid coordinates on the patch; empty for an input mesh
-  std::vector<std::uint32_t> patches;  ///< patch id + 1 of each vertex; empty for an input mesh
+  std::vector<std::uint32_t> patches;   ///< patch id + 1 of each vertex; empty for an input mesh
+  std::vector<std::uint8_t> materials;  ///< of each vertex, index into the table of materials
+                                        ///< (a triangle has its first's); empty: all 0
   std::vector<Triangle> triangles;
 };
 

@@ -1,30 +1,14 @@
 #include "renderer/view.h"
 
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "renderer/lighting.h"
 #include "renderer/patch_store.h"
 
 namespace relief {
-namespace {
-
-/// A light in eye coordinates.
-struct Light {
-  glm::dvec3 direction;  ///< toward the light, any length
-  glm::vec3 colour;      ///< linear; what a white surface facing it sends back
-};
-
-/// Key from the upper left, fill from the right, rim from behind and above. Together with the
-/// ambient light a white surface facing the eye comes out just below 1.
-const std::array<Light, shared::kLights> kCameraLights{
-    Light{{-0.5, 0.7, 0.9}, {0.80F, 0.78F, 0.74F}}, Light{{0.9, 0.1, 0.6}, {0.24F, 0.26F, 0.30F}},
-    Light{{0.1, 0.8, -0.6}, {0.35F, 0.35F, 0.38F}}};
-constexpr float kAmbient = 0.06F;
-
-}  // namespace
 
 View make_view(const Camera& camera, std::uint32_t width, std::uint32_t height, double near) {
   const double aspect = static_cast<double>(width) / height;
@@ -70,7 +54,7 @@ bool sees_sphere(const View& view, glm::dvec3 centre, double radius) {
   return !outside(c.x, view.slope_x) && !outside(c.y, view.slope_y);
 }
 
-shared::Frame make_frame(const View& view, double largest_sprite) {
+shared::Frame make_frame(const View& view, double largest_sprite, const Lights& lights) {
   const glm::dmat3 to_world = glm::transpose(view.rotation);
   const double pixel_x = 2.0 * view.slope_x / view.width;
   const double pixel_y = 2.0 * view.slope_y / view.height;
@@ -83,12 +67,7 @@ shared::Frame make_frame(const View& view, double largest_sprite) {
   frame.ray_y = direction(0.0, pixel_y, 0.0, largest_sprite);
   frame.viewport = {view.width, view.height, 1.0F / static_cast<float>(view.width),
                     1.0F / static_cast<float>(view.height)};
-  for (std::size_t i = 0; i < kCameraLights.size(); ++i) {
-    const glm::dvec3 d = glm::normalize(kCameraLights[i].direction);
-    frame.light_direction[i] = direction(d.x, d.y, d.z, 0.0);
-    frame.light_colour[i] = glm::vec4(kCameraLights[i].colour, 0.0F);
-  }
-  frame.light_ambient = glm::vec4(kAmbient, kAmbient, kAmbient, 0.0F);
+  set_lights(frame, view, lights);
   return frame;
 }
 

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "common/camera.h"
+#include "common/light.h"
 #include "shaders/include/shared.h"
 
 namespace relief {
@@ -43,6 +44,7 @@ struct View {
 [[nodiscard]] bool sees_sphere(const View& view, glm::dvec3 centre, double radius);
 
 /// What all patches of a frame share. `largest_sprite` in pixels.
-[[nodiscard]] shared::Frame make_frame(const View& view, double largest_sprite);
+[[nodiscard]] shared::Frame make_frame(const View& view, double largest_sprite,
+                                       const Lights& lights);
 
 }  // namespace relief

@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # Makes the pictures of docs/images from a patch file of the Stanford Dragon.
-# usage: scripts/make_pictures.sh RELIEF_BINARY DRAGON.relief
+# usage: scripts/make_pictures.sh RELIEF_BINARY DRAGON.relief ENVIRONMENT
+# ENVIRONMENT: of the materials, an EXR or HDR (venice_sunset_1k.hdr).
 # Needs ImageMagick (Debian: imagemagick), which the project itself does not.
 set -euo pipefail
 relief=$1
 dragon=$2
+environment=$3
 out=$(cd "$(dirname "$0")/.." && pwd)/docs/images
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -50,3 +52,18 @@ montage "$work"/close_lit_corrected.png "$work"/close_lit_direct.png \
 convert "$work/orbit_20_lit_corrected.png" -resize 640x512 -quality 90 -strip "$out/dragon_lit.jpg"
 convert "$work/orbit_20_mirror_corrected.png" -resize 640x512 -quality 90 -strip \
   "$out/dragon_mirror.jpg"
+
+# The head in surroundings: smooth and rough mirror, clear and tinted glass.
+material() {
+  local name=$1
+  shift
+  picture "head_$name" "$1" corrected --eye=-0.105,0.175,0.1 --target=-0.06,0.15,0.02 \
+    --env "$environment" "${@:2}"
+}
+material mirror mirror
+material rough mirror --roughness 0.35
+material glass glass
+material tinted glass --absorption 0.9,0.2,0.35
+montage "$work"/head_mirror.png "$work"/head_rough.png "$work"/head_glass.png \
+  "$work"/head_tinted.png -tile 2x2 -geometry 640x512+2+2 -quality 85 -strip \
+  "$out/dragon_materials.jpg"

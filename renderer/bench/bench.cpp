@@ -91,7 +91,7 @@ class Bench {
     const StoreNeeds needs = needs_of_row(settings, row.patches->has_colours);
     for (const Group& group : groups_) {
       if (group.patches == row.patches && group.engine == settings.engine && group.needs == needs &&
-          group.pixels_per_sample == settings.pixels_per_sample)
+          group.pixels_per_sample == pixels_per_sample_of(settings))
         return group.prepared.get();
     }
     auto made = settings.engine == EngineKind::Onepass
@@ -99,7 +99,7 @@ class Bench {
                     : multipass::prepare(opengl_, *row.patches, {&settings, 1});
     if (!made) return made.error();
     groups_.push_back(
-        {row.patches, settings.engine, needs, settings.pixels_per_sample, std::move(*made)});
+        {row.patches, settings.engine, needs, pixels_per_sample_of(settings), std::move(*made)});
     return groups_.back().prepared.get();
   }
 

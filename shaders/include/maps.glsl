@@ -1,8 +1,13 @@
 // The attribute maps of patches, for the stage that reads them.
 #include "include/patches.glsl"
 
-#define RELIEF_NEEDS_NORMAL \
-  ((RELIEF_FEATURES & (RELIEF_FEATURE_LIT | RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_OUT_NORMAL)) != 0u)
+#define RELIEF_NEEDS_NORMAL                                                             \
+  ((RELIEF_FEATURES & (RELIEF_FEATURE_LIT | RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_GLASS | \
+                       RELIEF_FEATURE_OUT_NORMAL)) != 0u)
+
+// Of `multipass`, whose depths are sums.
+#define RELIEF_NEEDS_DEPTH \
+  ((RELIEF_FEATURES & (RELIEF_FEATURE_OUT_DEPTH | RELIEF_FEATURE_POINT_LIGHTS)) != 0u)
 
 #if RELIEF_NEEDS_NORMAL
 layout(binding = RELIEF_TEXTURE_NORMALS) uniform sampler2DArray normal_maps;

@@ -1,23 +1,79 @@
-// What a surface looks like: one function per material, all with linear light. Phong is in shading.h.
+// What a surface looks like, all with linear light. What is computed is in shading.h.
 #include "include/patches.glsl"
 #include "include/shading.h"
-#if (RELIEF_FEATURES & RELIEF_FEATURE_MIRROR) != 0u
+#if (RELIEF_FEATURES & (RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_GLASS)) != 0u
 #include "include/environment.glsl"
 #endif
 
-#if (RELIEF_FEATURES & RELIEF_FEATURE_MIRROR) != 0u
-vec3 mirror(vec3 normal, vec3 ray) {
-  return texture(environment, reflect(ray, normal)).rgb;
+#if (RELIEF_FEATURES & RELIEF_FEATURE_MIXED) != 0u
+layout(std140, binding = RELIEF_BIND_MATERIALS) uniform MaterialBlock {
+  MaterialInfo materials[kMostMaterials];
+};
+#endif
+#if (RELIEF_FEATURES & RELIEF_FEATURE_ROUGH) != 0u
+layout(binding = RELIEF_TEXTURE_ROUGH_ENVIRONMENTS) uniform samplerCubeArray rough_environments;
+#endif
+
+#if (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u
+vec3 shade_lit(vec3 albedo, vec3 facing, vec3 ray, float depth) {
+#if (RELIEF_FEATURES & RELIEF_FEATURE_POINT_LIGHTS) != 0u
+  vec3 place = depth * (frame.ray_origin.xyz + gl_FragCoord.x * frame.ray_x.xyz +
+                        gl_FragCoord.y * frame.ray_y.xyz);
+#else
+  vec3 place = vec3(0.0);
+#endif
+  return lit(frame, int(RELIEF_FEATURES >> RELIEF_LIGHTS_SHIFT), albedo, facing, ray, place);
 }
 #endif
 
-// What the scene's material makes of a surface seen along `ray`; an unlit one has no normal.
-vec3 shade_material(vec3 albedo, vec3 normal, vec3 ray) {
-#if (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u
-  return lit(frame, albedo, facing_normal(normal, ray), ray);
-#elif (RELIEF_FEATURES & RELIEF_FEATURE_MIRROR) != 0u
-  return mirror(facing_normal(normal, ray), ray);
+#if (RELIEF_FEATURES & RELIEF_FEATURE_MIRROR) != 0u
+// `layer`: of a rough environment; below 0 and without any: the one that there is.
+vec3 shade_mirror(vec3 facing, vec3 ray, float layer) {
+  vec3 along = reflect(ray, facing);
+  vec3 smooth_light = texture(environment, along).rgb;
+#if (RELIEF_FEATURES & RELIEF_FEATURE_ROUGH) != 0u
+  vec3 rough_light = texture(rough_environments, vec4(along, max(layer, 0.0))).rgb;
+  return layer < 0.0 ? smooth_light : rough_light;
 #else
-  return albedo;
+  return smooth_light;
 #endif
+}
+#endif
+
+#if (RELIEF_FEATURES & RELIEF_FEATURE_GLASS) != 0u
+vec3 shade_glass(MaterialInfo material, vec3 normal, vec3 ray) {
+  SplitRay split = split_ray(normal, ray, material.constants.y);
+  return glass(split, material.absorption.rgb, texture(environment, split.reflected).rgb,
+               texture(environment, split.refracted).rgb);
+}
+#endif
+
+// What its material makes of a surface seen along `ray` at `depth` along the view axis; `index`: of
+// the material, where there are several. An unlit one has no normal.
+vec3 shade_material(int index, vec3 albedo, vec3 normal, vec3 ray, float depth) {
+  vec3 colour = albedo;
+#if (RELIEF_FEATURES & RELIEF_FEATURE_MIXED) != 0u
+  MaterialInfo material = materials[index];
+  int kind = int(material.constants.x);
+  // Neighbours in a picture may have other materials, so that lookups must not hang on the kind:
+  // which copy of the environment they read follows from all of them.
+#if (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u
+  if (kind == kLit) colour = shade_lit(albedo, facing_normal(normal, ray), ray, depth);
+#endif
+#if (RELIEF_FEATURES & RELIEF_FEATURE_MIRROR) != 0u
+  vec3 reflection = shade_mirror(facing_normal(normal, ray), ray, material.constants.z);
+  if (kind == kMirror) colour = reflection;
+#endif
+#if (RELIEF_FEATURES & RELIEF_FEATURE_GLASS) != 0u
+  vec3 transmission = shade_glass(material, normal, ray);
+  if (kind == kGlass) colour = transmission;
+#endif
+#elif (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u
+  colour = shade_lit(albedo, facing_normal(normal, ray), ray, depth);
+#elif (RELIEF_FEATURES & RELIEF_FEATURE_MIRROR) != 0u
+  colour = shade_mirror(facing_normal(normal, ray), ray, -1.0);
+#elif (RELIEF_FEATURES & RELIEF_FEATURE_GLASS) != 0u
+  colour = shade_glass(frame.material, normal, ray);
+#endif
+  return colour;
 }

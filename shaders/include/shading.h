@@ -4,6 +4,7 @@
 #pragma once
 
 #ifdef __cplusplus
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
@@ -11,16 +12,21 @@
 
 #include "shaders/include/shared.h"
 #define RELIEF_FUNCTION inline
+#define RELIEF_POINT_LIGHTS 1
 namespace relief::shared {
 using glm::dot;
+using glm::exp;
 using glm::max;
+using glm::min;
 using glm::normalize;
 using glm::pow;
 using glm::reflect;
+using glm::sqrt;
 using glm::vec3;
 #else
 #include "include/shared.h"
 #define RELIEF_FUNCTION
+#define RELIEF_POINT_LIGHTS (RELIEF_FEATURES & RELIEF_FEATURE_POINT_LIGHTS) != 0u
 #endif
 
 /// The normal of a surface as seen along `ray`, from the eye. A back side shows the reversed
@@ -28,24 +34,71 @@ using glm::vec3;
 /// is seen; reversing those would put dark specks on a bright rim, so they are bent to grazing.
 RELIEF_FUNCTION vec3 facing_normal(vec3 normal, vec3 ray) {
   float away = dot(normal, ray);
-  if (away > 0.6f) return -normal;
+  if (away > kBackSide) return -normal;
   return away > 0.0f ? normalize(normal - away * ray) : normal;
 }
 
-/// Phong: three lights, a white highlight.
-RELIEF_FUNCTION vec3 lit(Frame frame, vec3 albedo, vec3 normal, vec3 ray) {
+/// Phong: the frame's first `lights` lights, a white highlight. `place`: from the eye, world; only
+/// point lights ask for it.
+RELIEF_FUNCTION vec3 lit(Frame frame, int lights, vec3 albedo, vec3 normal, vec3 ray, vec3 place) {
   const float shininess = 40.0f;
   const float highlight = 0.25f;
   vec3 reflected = reflect(ray, normal);
   vec3 diffuse = vec3(frame.light_ambient);
   vec3 specular = vec3(0.0f);
-  for (int i = 0; i < kLights; ++i) {
-    vec3 direction = vec3(frame.light_direction[i]);
+  for (int i = 0; i < lights; ++i) {
+    vec3 direction = vec3(frame.light_place[i]);
     vec3 colour = vec3(frame.light_colour[i]);
+#if RELIEF_POINT_LIGHTS
+    if (frame.light_place[i].w != 0.0f) {
+      vec3 toward = direction - place;
+      float squared = max(dot(toward, toward), 1e-20f);
+      direction = toward / sqrt(squared);
+      colour = min(colour / squared, vec3(kBrightestLight));
+    }
+#endif
     diffuse += colour * max(dot(normal, direction), 0.0f);
     specular += colour * pow(max(dot(reflected, direction), 1e-6f), shininess);
   }
   return albedo * diffuse + highlight * specular;
+}
+
+/// What becomes of a ray at a surface of glass. Directions are unit vectors.
+struct SplitRay {
+  vec3 reflected;
+  vec3 refracted;     ///< of no meaning where all is reflected
+  float reflectance;  ///< how much of the light is reflected, 0 to 1
+  float path;         ///< through the glass, in diameters of the body (MaterialConstants)
+};
+
+/// Reflection and refraction at one interface (paper 001, section 3.6), unpolarised, by Fresnel's
+/// equations. `ior`: of the glass over what surrounds it, at least 1. A back side is left from
+/// within; there all light is reflected beyond the critical angle.
+RELIEF_FUNCTION SplitRay split_ray(vec3 normal, vec3 ray, float ior) {
+  bool within = dot(normal, ray) > kBackSide;
+  float ratio = within ? ior : 1.0f / ior;
+  vec3 facing = facing_normal(normal, ray);
+  float before = max(-dot(facing, ray), 0.0f);
+  // Snell's law, in a form that is exact for an index of 1; beyond the critical angle 0, for which
+  // Fresnel's equations give 1.
+  float squared = ratio * ratio;
+  float behind = sqrt(max((1.0f - squared) + squared * before * before, 0.0f));
+  // Both are 0 at grazing incidence with an index of 1, where nothing is reflected.
+  float across = (ratio * before - behind) / max(ratio * before + behind, 1e-20f);
+  float along = (before - ratio * behind) / max(before + ratio * behind, 1e-20f);
+  SplitRay split;
+  split.reflected = reflect(ray, facing);
+  split.refracted = ratio * ray + (ratio * before - behind) * facing;
+  split.reflectance = 0.5f * (across * across + along * along);
+  split.path = within ? before : behind;
+  return split;
+}
+
+/// The light of a surface of glass, from that which comes along both rays. (That radiance grows
+/// with the square of the index within glass is left out: the ray leaves it again.)
+RELIEF_FUNCTION vec3 glass(SplitRay split, vec3 absorption, vec3 reflected, vec3 refracted) {
+  vec3 passed = exp(-split.path * absorption) * refracted;
+  return passed + split.reflectance * (reflected - passed);
 }
 
 #ifdef __cplusplus

@@ -30,7 +30,8 @@ using glm::vec4;
 #define RELIEF_FEATURE_CORRECTED 4u
 // A colour map: one lookup per fragment.
 #define RELIEF_FEATURE_COLOURS 8u
-// Material: at most one bit; none is unlit. Both need the normal map: one lookup per fragment.
+// Materials: none is unlit; several only beside MIXED. All need the normal map: one lookup per
+// fragment. A mirror has one more, of the environment; glass two.
 #define RELIEF_FEATURE_LIT 16u
 #define RELIEF_FEATURE_MIRROR 32u
 // Outputs beside the colour: an attachment of 8, 4, 8 and 4 bytes a pixel each.
@@ -50,6 +51,19 @@ using glm::vec4;
 // Coarser levels: what lies beyond the samples of a patch is cut off by its mask, one lookup per
 // fragment; of cells only where a hole touches them, which is a second program.
 #define RELIEF_FEATURE_MASKED 4096u
+#define RELIEF_FEATURE_GLASS (1u << 20u)
+// Several materials in one picture: a patch names its own. All that there are bits for are computed
+// for every fragment, and one of them is taken.
+#define RELIEF_FEATURE_MIXED (1u << 21u)
+// Beside MIXED: some mirrors are rough, which is one more lookup. (Alone a rough mirror costs what
+// a smooth one does.)
+#define RELIEF_FEATURE_ROUGH (1u << 23u)
+// Some light is a point: a place and two roots per fragment and light.
+#define RELIEF_FEATURE_POINT_LIGHTS (1u << 22u)
+
+// How many lights there are, where the material is lit: a number in the highest bits, so that the
+// loop over them is known when a shader is compiled. A light more is a highlight per fragment.
+#define RELIEF_LIGHTS_SHIFT 27u
 
 // Locations of the colour attachments.
 #define RELIEF_OUT_COLOUR 0
@@ -68,6 +82,7 @@ using glm::vec4;
 // textures, not storage buffers: llvmpipe reads a storage buffer lane by lane, and not at all in
 // helper invocations, which spoils derivatives (measured: docs/decisions.md).
 #define RELIEF_BIND_FRAME 0
+#define RELIEF_BIND_MATERIALS 1
 #define RELIEF_BIND_FRAGMENT_COUNT 0
 #define RELIEF_TEXTURE_HEIGHTS 0
 #define RELIEF_TEXTURE_NORMALS 1
@@ -85,6 +100,9 @@ using glm::vec4;
 #define RELIEF_TEXTURE_DEPTH_SUMS 13
 #define RELIEF_TEXTURE_VISIBLE_DEPTH 14
 #define RELIEF_TEXTURE_MASKS 15
+
+#define RELIEF_TEXTURE_ROUGH_ENVIRONMENTS 20
+#define RELIEF_TEXTURE_PATCH_IDS 21
 
 /// Uniform of `multipass`: radius of its discs over that of Eq. (1) of paper 001.
 #define RELIEF_UNIFORM_RADIUS_FACTOR 0
@@ -204,8 +222,31 @@ RELIEF_CONST float kLeastDiscPixels = 0.75f;
 /// Linear reflectance of a model without colours: a neutral grey.
 RELIEF_CONST float kNeutralGrey = 0.5f;
 
-/// Three lights, fixed to the camera: whatever side of a scan is looked at is lit.
-RELIEF_CONST int kLights = 3;
+/// The most lights of a picture.
+RELIEF_CONST int kMostLights = 16;
+
+/// No light is brighter than this at a surface.
+RELIEF_CONST float kBrightestLight = 1000.0f;
+
+/// The most materials of a picture.
+RELIEF_CONST int kMostMaterials = 256;
+
+/// What MaterialInfo::constants begins with: the kind, as common/choices.h numbers them.
+RELIEF_CONST int kUnlit = 0;
+RELIEF_CONST int kLit = 1;
+RELIEF_CONST int kMirror = 2;
+RELIEF_CONST int kGlass = 3;
+
+/// A normal that points away from the eye by more (the cosine) is that of a back side.
+RELIEF_CONST float kBackSide = 0.6f;
+
+/// A material's constants.
+struct MaterialInfo {
+  /// Kind; index of refraction; layer of the rough environment that it reflects, below 0: the
+  /// smooth one.
+  vec4 constants;
+  vec4 absorption;  ///< R, G, B: exponent over a diameter of the body
+};
 
 /// What does not change from frame to frame about a patch, or about one of its levels, whose cells
 /// and nodes these are then; kPatchInfoRows texels of four integers.
@@ -214,7 +255,7 @@ struct PatchInfo {
   vec4 axis_v;    ///< of v; w: height of one height index, in cells
   vec4 axis_n;    ///< of the height; w: slope of one slope step
   ivec4 nodes;    ///< columns, rows, patch id, first of its rows for cells
-  ivec4 heights;  ///< where its height map lies: texel x, y, layer; w: 0
+  ivec4 heights;  ///< where its height map lies: texel x, y, layer; w: its material
   ivec4 normals;  ///< the same for the normal map; w: texels per cell
   ivec4 colours;  ///< the same for the colour map
   ivec4 masks;    ///< the same for the mask, where coarser levels are drawn
@@ -235,9 +276,10 @@ struct Frame {
   vec4 ray_x;       ///< its change per pixel to the right; w: pixels per unit at depth 1
   vec4 ray_y;       ///< its change per pixel upward; w: largest sprite (pixels)
   vec4 viewport;    ///< width, height, 1/width, 1/height (pixels)
-  vec4 light_direction[kLights];  ///< world, toward the light
-  vec4 light_colour[kLights];
   vec4 light_ambient;
+  vec4 light_place[kMostLights];  ///< world; w 0: toward the light, 1: where it is from the eye
+  vec4 light_colour[kMostLights];
+  MaterialInfo material;  ///< the picture's, if it has but one
 };
 
 RELIEF_CONST int kPatchInfoRows = 9;
@@ -248,7 +290,6 @@ static_assert(sizeof(PatchInfo) == 16 * kPatchInfoRows);
 static_assert(offsetof(PatchInfo, nodes) == 48 && offsetof(PatchInfo, colours) == 96 &&
               offsetof(PatchInfo, extent) == 128);
 static_assert(sizeof(PatchView) == 16 * kPatchViewRows && offsetof(PatchView, eye) == 64);
-static_assert(sizeof(Frame) == 176 && offsetof(Frame, light_direction) == 64 &&
-              offsetof(Frame, light_ambient) == 160);
+static_assert(sizeof(Frame) == 112 + 32 * kMostLights && offsetof(Frame, light_place) == 80);
 }  // namespace relief::shared
 #endif

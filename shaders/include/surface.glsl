@@ -34,7 +34,7 @@ void shade(PatchInfo info, vec3 hit, vec3 ray, float depth) {
   vec3 normal = vec3(0.0);
   vec3 view = vec3(0.0);
 #endif
-  out_colour = vec4(shade_material(albedo, normal, view), 1.0);
+  out_colour = vec4(shade_material(info.heights.w, albedo, normal, view, depth), 1.0);
 #if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_NORMAL) != 0u
   out_normal = vec4(normal, 0.0);
 #endif

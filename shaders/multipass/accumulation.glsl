@@ -15,7 +15,7 @@ layout(location = RELIEF_SUM_NORMAL) out vec4 normal_sum;
 layout(location = 4) flat in vec3 splat_colour;
 layout(location = RELIEF_SUM_COLOUR) out vec4 colour_sum;
 #endif
-#if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_DEPTH) != 0u
+#if RELIEF_NEEDS_DEPTH
 layout(location = RELIEF_SUM_DEPTH) out vec2 depth_sum;
 #endif
 
@@ -28,7 +28,7 @@ void accumulate(vec2 place, float depth) {
 #if (RELIEF_FEATURES & RELIEF_FEATURE_COLOURS) != 0u
   colour_sum = weight * vec4(splat_colour, 1.0);
 #endif
-#if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_DEPTH) != 0u
+#if RELIEF_NEEDS_DEPTH
   depth_sum = weight * vec2(depth, 1.0);
 #endif
 }

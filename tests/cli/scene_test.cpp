@@ -110,6 +110,52 @@ TEST_F(SceneCommand, TheSampleSceneIsDrawn) {
   EXPECT_EQ(result["views"].size(), 6U);
 }
 
+TEST_F(SceneCommand, ModelsHaveMaterialsOfTheirOwnUnlessAnOptionSaysOtherwise) {
+  const std::string scene = write("own.json", R"({
+    "models": [{"file": "knot.relief", "material": "glass", "ior": 1.3},
+               {"file": "knot.relief", "transform": {"translation": [9, 0, 0]}},
+               {"file": "knot.relief", "material": "glass", "ior": 1.3}],
+    "size": [64, 48], "views": [{"name": "a"}, {"name": "b", "material": "mirror"},
+                                {"name": "c", "material": "glass", "ior": 1.3}]})");
+  const json views = run_json({"render", scene, "-o", path("{view}.png")})["views"];
+  EXPECT_EQ(views[0]["material"], "lit+glass");
+  EXPECT_EQ(views[1]["material"], "mirror+glass");
+  EXPECT_EQ(views[2]["material"], "glass");
+  EXPECT_NE(bytes_of(path("a.png")), bytes_of(path("b.png")));
+  const json over = run_json({"render", scene, "-o", path("{view}.png"), "--material", "unlit"});
+  for (const json& view : over["views"]) EXPECT_EQ(view["material"], "unlit");
+  EXPECT_EQ(bytes_of(path("a.png")), bytes_of(path("b.png")));
+}
+
+TEST_F(SceneCommand, ExposureIsOfPngsAlone) {
+  const std::vector<std::string> common{"--size", "48x48",        "--material",
+                                        "unlit",  "--background", "none"};
+  const auto render = [&](const std::string& output, std::vector<std::string> more) {
+    std::vector<std::string> arguments{"render", path("knot.relief"), "-o", path(output)};
+    arguments.insert(arguments.end(), common.begin(), common.end());
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    run_json(arguments);
+    return read_image(path(output));
+  };
+  const auto plain = render("plain.png", {});
+  const auto darker = render("darker.png", {"--exposure", "-2"});
+  ASSERT_TRUE(plain && darker);
+  float brightest = 0.0F;
+  for (std::size_t k = 0; k < plain->find("R")->values.size(); ++k) {
+    const float value = plain->find("R")->values[k];
+    brightest = std::max(brightest, value);
+    // Two stops are a quarter of the light; 8 bits round by at most 0.005 of it.
+    EXPECT_NEAR(darker->find("R")->values[k], value / 4.0F, 0.005F);
+    EXPECT_EQ(darker->find("A")->values[k], plain->find("A")->values[k]);
+  }
+  EXPECT_GT(brightest, 0.1F);
+  // A scene may say it for views that become EXRs, which keep the scene's light.
+  const std::string scene = write("exposed.json", scene_of("knot.relief", R"(, "exposure": 3)"));
+  run_json({"render", scene, "-o", path("{view}.exr"), "--size", "48x48"});
+  run_json({"render", path("knot.relief"), "-o", path("plain.exr"), "--size", "48x48"});
+  EXPECT_EQ(bytes_of(path("a.exr")), bytes_of(path("plain.exr")));
+}
+
 TEST_F(SceneCommand, ThePageOfTheFormatHasAGoodExample) {
   const std::string page = bytes_of(std::string(RELIEF_SOURCE_DIR) + "/docs/scene.md");
   const std::size_t begin = page.find("```json\n") + 8;

@@ -55,12 +55,15 @@ void expect_starts(const std::string& text, const std::string& start) {
 TEST_F(Scenes, EveryKeyIsRead) {
   const Scene scene = must_read(R"({
     "models": [
-      {"file": "a.relief"},
+      {"file": "a.relief", "material": "glass", "ior": 2, "absorption": [0, 1, 2]},
       {"file": "/b.ply", "transform": {"translation": [1, -2.5, 3e2],
                                        "rotation": {"axis": [0, 0, 2], "degrees": 90}, "scale": 2}}
     ],
     "size": [640, 480], "fov": 30, "engine": "onepass", "primitive": "sprite",
     "interpolation": "direct", "radius-factor": 1.5, "material": "mirror", "env": "sky.hdr",
+    "lights": [{"direction": [0, 3, 4]},
+               {"position": [1, 2, 3], "colour": [1, 0.5, 0], "intensity": 8}], "ambient": [0, 0.5, 2],
+    "ior": 1.25, "absorption": [1, 0, 100], "roughness": 0.5, "exposure": -1.5,
     "background": [1, 0.5, 0], "outputs": ["normal", "patch", "colour"], "orbit": [30, -20],
     "views": [
       {"name": "front-1.0_A"},
@@ -72,6 +75,9 @@ TEST_F(Scenes, EveryKeyIsRead) {
   EXPECT_EQ(scene.models[0].file, folder_ / "a.relief");
   EXPECT_EQ(scene.models[0].transform.scale, 1.0);
   EXPECT_EQ(scene.models[0].transform.rotation, glm::dmat3(1.0));
+  EXPECT_EQ(scene.models[0].material,
+            (MaterialWords{Material::Glass, 2.0, glm::vec3(0, 1, 2), std::nullopt}));
+  EXPECT_EQ(scene.models[1].material, MaterialWords{});
   EXPECT_EQ(scene.models[1].file, "/b.ply");
   EXPECT_EQ(scene.models[1].transform.translation, glm::dvec3(1, -2.5, 300));
   EXPECT_EQ(scene.models[1].transform.rotation, rotation_about({0, 0, 1}, 90));
@@ -86,7 +92,19 @@ TEST_F(Scenes, EveryKeyIsRead) {
   EXPECT_EQ(all.interpolation, Interpolation::Direct);
   EXPECT_EQ(all.radius_factor, 1.5);
   EXPECT_EQ(all.material, Material::Mirror);
+  EXPECT_EQ(all.ior, 1.25);
+  EXPECT_EQ(all.absorption, glm::vec3(1, 0, 100));
+  EXPECT_EQ(all.roughness, 0.5);
+  EXPECT_EQ(all.exposure, -1.5);
   EXPECT_EQ(all.environment, folder_ / "sky.hdr");
+  ASSERT_EQ(all.lights->size(), 2U);
+  EXPECT_EQ((*all.lights)[0].kind, LightKind::Directional);
+  EXPECT_LT(glm::distance((*all.lights)[0].place, glm::dvec3(0, 0.6, 0.8)), 1e-15);
+  EXPECT_EQ((*all.lights)[0].colour, glm::vec3(1));
+  EXPECT_EQ((*all.lights)[1].kind, LightKind::Point);
+  EXPECT_EQ((*all.lights)[1].place, glm::dvec3(1, 2, 3));
+  EXPECT_EQ((*all.lights)[1].colour, glm::vec3(8, 4, 0));
+  EXPECT_EQ(*all.ambient, glm::vec3(0, 0.5, 2));
   EXPECT_EQ(*all.background->colour, glm::vec3(1, linear_from_srgb(0.5F), 0));
   EXPECT_TRUE(all.outputs->normal && all.outputs->patch_id);
   EXPECT_FALSE(all.outputs->depth || all.outputs->uv);
@@ -134,7 +152,32 @@ TEST_F(Scenes, SettingsThatAreWrong) {
       {R"("primitive": "disc")", "primitive: expected sprite, quad, cell; found \"disc\""},
       {R"("interpolation": 1)", "interpolation: expected direct, corrected; found 1"},
       {R"("radius-factor": 0.5)", "radius-factor: expected a number from 1 to 4; found 0.5"},
-      {R"("material": "gold")", "material: expected unlit, lit, mirror; found \"gold\""},
+      {R"("material": "gold")", "material: expected unlit, lit, mirror, glass; found \"gold\""},
+      {R"("ior": 0.9)", "ior: expected a number from 1 to 4; found 0.9"},
+      {R"("ior": 4.1)", "ior: expected a number from 1 to 4; found 4.1"},
+      {R"("absorption": [0, 0])", "absorption: expected [r, g, b], linear, each from 0 to 100"},
+      {R"("absorption": [0, 0, 101])", "absorption[2]: expected a number from 0 to 100; found 101"},
+      {R"("roughness": -0.1)", "roughness: expected a number from 0 to 1; found -0.1"},
+      {R"("exposure": 21)", "exposure: expected stops from -20 to 20; found 21"},
+      {R"("lights": [])", "lights: expected a list of lights, at least one; found an empty list"},
+      {R"("lights": {})", "lights: expected a list of lights, at least one; found an object"},
+      {R"("lights": [{}])", "lights[0]: expected either a direction, toward the light, or a "},
+      {R"("lights": [{"direction": [0, 0, 1], "position": [0, 0, 1]}])",
+       "lights[0]: expected either a direction, toward the light, or a position; found both"},
+      {R"("lights": [{"direction": [0, 0, 0]}])", "lights[0].direction: expected [x, y, z] longer"},
+      {R"("lights": [{"position": [0, 0]}])", "lights[0].position: expected [x, y, z], three"},
+      {R"("lights": [{"position": [0, 0, 1], "colour": [1, -0.1, 0]}])",
+       "lights[0].colour[1]: expected a number from 0 to 1; found -0.1"},
+      {R"("lights": [{"position": [0, 0, 1], "colour": "red"}])",
+       "lights[0].colour: expected [r, g, b], linear, each from 0 to 1; found \"red\""},
+      {R"("lights": [{"direction": [0, 0, 1], "intensity": 1001}])",
+       "lights[0].intensity: expected a number from 0 to 1000; found 1001"},
+      {R"("lights": [{"position": [0, 0, 1], "intensity": -1}])",
+       "lights[0].intensity: expected a number from 0 to 1e+12; found -1"},
+      {R"("lights": [{"direction": [0, 0, 1], "shadow": 1}])",
+       "lights[0]: does not know the key \"shadow\"; expected direction, position, colour, "},
+      {R"("ambient": [0, 0, -1])", "ambient[2]: expected a number from 0 to 1000; found -1"},
+      {R"("ambient": 1)", "ambient: expected [r, g, b], linear, each from 0 to 1000; found 1"},
       {R"("env": "")", "env: expected the name of an environment map"},
       {R"("env": "a\u0000b")", "env: expected the name of an environment map"},
       {R"("background": "black")", "background: expected [r, g, b], sRGB values from 0 to 1, or "},
@@ -145,17 +188,31 @@ TEST_F(Scenes, SettingsThatAreWrong) {
   for (const auto& [members, start] : cases) expect_starts(about_settings(members), start);
 }
 
+TEST_F(Scenes, HaveAtMostSixteenLights) {
+  std::string lights = R"({"direction": [0, 0, 1]})";
+  for (std::size_t i = 1; i < kMaxLights; ++i) lights += R"(, {"position": [0, 0, 1]})";
+  EXPECT_EQ(about_settings("\"lights\": [" + lights + "]"), "nothing");
+  EXPECT_EQ(about_settings("\"lights\": [" + lights + ", {}]"),
+            "lights: has 17 lights; at most 16 are read");
+}
+
 TEST_F(Scenes, ModelsThatAreWrong) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {"", "models: expected a list of models, at least one; found an empty list"},
-      {"3", "models[0]: expected an object with file, transform; found 3"},
+      {"3", "models[0]: expected an object with file, transform, material, ior"},
       {"{}", "models[0].file: is missing; expected the name of a patch file"},
       {R"({"file": 1})", "models[0].file: expected the name of a patch file"},
       {R"({"file": ""})", "models[0].file: expected the name of a patch file"},
       {R"({"file": "a\u0000.ply"})", "models[0].file: expected the name of a patch file"},
       {R"({"file": "other.json"})",
        "models[0].file: expected the name of a patch file, a scan or a mesh, not another scene"},
-      {R"({"file": "a.ply", "material": "lit"})", "models[0]: has a material of its own"},
+      {R"({"file": "a.ply", "material": "gold"})",
+       "models[0].material: expected unlit, lit, mirror, glass; found \"gold\""},
+      {R"({"file": "a.ply", "ior": "1.5"})", "models[0].ior: expected a number from 1 to 4; found"},
+      {R"({"file": "a.ply", "absorption": [0, -1, 0]})",
+       "models[0].absorption[1]: expected a number from 0 to 100; found -1"},
+      {R"({"file": "a.ply", "roughness": 2})",
+       "models[0].roughness: expected a number from 0 to 1"},
       {R"({"file": "a.ply", "scale": 2})", "models[0]: does not know the key \"scale\""},
       {R"({"file": "a.ply"}, {"file": "b.ply", "transform": {"scale": 0}})",
        "models[1].transform.scale: expected a number from 1e-9 to 1e9; found 0"},
@@ -269,13 +326,20 @@ TEST(SceneSettings, EveryMemberIsOverlaid) {
   over.interpolation = Interpolation::Direct;
   over.radius_factor = 1.0;
   over.material = Material::Lit;
+  over.ior = 2.0;
+  over.absorption = glm::vec3(1);
+  over.roughness = 0.5;
+  over.exposure = 1.0;
+  over.lights = std::vector<Light>(1);
+  over.ambient = glm::vec3(1);
   over.environment = "sky.hdr";
   over.background = Background{};
   over.outputs = Outputs{};
   const SceneSettings both = overlay({}, over);
   EXPECT_TRUE(both.size && both.eye && both.target && both.up && both.fov_degrees && both.engine &&
               both.primitive && both.interpolation && both.radius_factor && both.material &&
-              both.environment && both.background && both.outputs);
+              both.lights && both.ambient && both.ior && both.absorption && both.roughness &&
+              both.exposure && both.environment && both.background && both.outputs);
 }
 
 TEST(SceneSettings, TheCameraIsOnAnOrbitOrAtTheEye) {

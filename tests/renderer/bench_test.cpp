@@ -21,6 +21,7 @@ RenderSettings bench_picture(const PatchModel& model) {
   RenderSettings settings = small_picture(model);
   settings.background.reset();
   settings.debug = true;
+  settings.primitive = Primitive::Quad;
   return settings;
 }
 

@@ -92,6 +92,7 @@ TEST(CellPictures, ShadeFewerFragmentsThanQuads) {
   shape.bumps = 0.08;
   const PatchModel model = test::sphere_model(shape);
   RenderSettings settings = small_picture(model);
+  settings.primitive = Primitive::Quad;
   const RenderResult quads = must_render(model, settings);
   settings.primitive = Primitive::Cell;
   const RenderResult cells = must_render(model, settings);

@@ -152,9 +152,9 @@ TEST(EwaInput, MaterialsAreChosenByIndex) {
   SplatCloud cloud = test::plane_cloud(20, 20);
   for (const glm::dvec3& p : cloud.positions) cloud.materials.push_back(p.x < 0.0 ? 0 : 1);
   RenderSettings settings = ewa_picture({0.0, 0.0, 20.0}, 32);
-  settings.materials = {Material::Unlit, Material::Lit};
+  settings.materials = {{Material::Unlit, {}}, {Material::Lit, {}}};
   const RenderResult result = must_splat(cloud, settings);
-  settings.materials = {Material::Lit};
+  settings.materials = {{Material::Lit, {}}};
   cloud.materials.clear();
   const RenderResult lit = must_splat(cloud, settings);
   const std::size_t left = 16 * 32 + 6;

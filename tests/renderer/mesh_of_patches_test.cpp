@@ -165,6 +165,7 @@ TEST(RayTracedPatches, AreWhatCorrectedInterpolationDraws) {
   model.patches[0].normals = {};
   RenderSettings settings = small_picture(model);
   settings.camera = {{0.0, -9.0, 32.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 40.0};
+  settings.primitive = Primitive::Quad;
   const Differences corrected = compare(model, settings);
   EXPECT_EQ(corrected.depth.size(), std::size_t{settings.width} * settings.height);
   EXPECT_EQ(corrected.only_drawn + corrected.only_traced, 0U);

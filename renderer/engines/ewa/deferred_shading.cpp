@@ -4,20 +4,20 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "renderer/shading.h"
-
 namespace relief::ewa {
 namespace {
 
 constexpr double kMostLookups = 4.0;  // along each side of a pixel
 
 /// Lookups along each side of a pixel: one per texel that the reflection moves by across it. It
-/// turns twice as far as the normal; a texel is 2 / size of a face.
+/// turns twice as far as the normal; a texel is 2 / size of a face. (What is refracted turns less.)
 int lookups_of(const Surface& surface, const Lighting& lighting) {
-  if (lighting.materials[surface.material] != Material::Mirror) return 1;
+  const std::vector<LitMaterial>& all = lighting.materials;
+  const CubeMap* const cube = (all.size() == 1 ? all.front() : all[surface.material]).cube;
+  if (cube == nullptr) return 1;
   double change = 0.0;
   for (const glm::dvec3& c : surface.changes) change = std::max(change, glm::length(c));
-  return static_cast<int>(std::clamp(std::ceil(change * lighting.cube->size), 1.0, kMostLookups));
+  return static_cast<int>(std::clamp(std::ceil(change * cube->size), 1.0, kMostLookups));
 }
 
 /// The normal beside a pixel's middle, linear between its neighbours'. Any length.
@@ -36,12 +36,14 @@ glm::dvec3 shade_surface(const Surface& surface, glm::dvec2 place, const View& v
     for (int i = 0; i < side; ++i) {
       const glm::dvec2 offset = (glm::dvec2(i, j) + 0.5) / static_cast<double>(side) - 0.5;
       const glm::dvec2 at = place + offset;
-      const glm::dvec3 ray = glm::normalize(ray_through(view, {at.x, view.height - at.y}));
+      const glm::dvec3 through = ray_through(view, {at.x, view.height - at.y});
+      const glm::dvec3 ray = glm::normalize(through);
       const glm::dvec3 turned = normal_beside(surface, offset);
       const double length = glm::length(turned);
       const glm::dvec3 normal = length > 0.0 ? turned / length : -ray;
-      sum += glm::dvec3(shade(lighting.materials[surface.material], glm::vec3(surface.albedo),
-                              glm::vec3(normal), glm::vec3(ray), lighting.frame, lighting.cube));
+      sum += glm::dvec3(shade(lighting, surface.material,
+                              {glm::vec3(surface.albedo), glm::vec3(normal), glm::vec3(ray),
+                               glm::vec3(surface.depth * through)}));
     }
   }
   return sum / static_cast<double>(side * side);

@@ -1,22 +1,11 @@
 // Shading of the surfaces that splatting leaves in the pixels (paper 000, section 4).
 #pragma once
 
-#include <vector>
-
-#include "renderer/cube_map.h"
 #include "renderer/engines/ewa/layered_buffer.h"
-#include "renderer/render.h"
+#include "renderer/shading.h"
 #include "renderer/view.h"
-#include "shaders/include/shared.h"
 
 namespace relief::ewa {
-
-/// What a surface needs to be shaded. Nothing is owned.
-struct Lighting {
-  shared::Frame frame;
-  const CubeMap* cube = nullptr;    ///< for mirrors
-  std::vector<Material> materials;  ///< by SplatCloud::materials; not empty
-};
 
 /// The colour that a surface shows at a place in the picture (pixels from the upper left corner,
 /// the middle of a pixel). Where normals cancelled out, it faces the eye. A mirror's reflection is

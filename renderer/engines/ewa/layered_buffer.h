@@ -16,6 +16,7 @@ struct Surface {
   std::size_t pixel = 0;
   glm::dvec3 albedo{0.0};  ///< linear
   glm::dvec3 normal{0.0};  ///< world, unit; 0 where normals cancel out
+  double depth = 0.0;      ///< along the view axis
   /// What the normal changes by to the next pixel left, right, up and down; 0 where that shows
   /// another surface.
   std::array<glm::dvec3, 4> changes{};

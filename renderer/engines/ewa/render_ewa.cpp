@@ -33,11 +33,6 @@ double near_of(const SplatCloud& cloud, const Camera& camera) {
   return near;
 }
 
-std::vector<Material> materials_of(const RenderSettings& settings) {
-  return settings.materials.empty() ? std::vector<Material>(256, settings.material)
-                                    : settings.materials;
-}
-
 /// What does not change from frame to frame.
 struct Scene {
   View view;
@@ -50,17 +45,12 @@ Result<Scene> make_scene(const SplatCloud& finest, EnvironmentCache& environment
   Scene scene;
   scene.view =
       make_view(settings.camera, settings.width, settings.height, near_of(finest, settings.camera));
-  scene.lighting = {make_frame(scene.view, 0.0), nullptr, materials_of(settings)};
-  scene.surroundings.background = settings.background;
-  const std::vector<Material>& materials = scene.lighting.materials;
-  const bool mirrors =
-      std::find(materials.begin(), materials.end(), Material::Mirror) != materials.end();
-  const bool shows = !settings.environment.empty() && settings.background.has_value();
-  if (!mirrors && !shows) return scene;
-  const Result<const CubeMap*> cube = environments.get(settings.environment);
-  if (!cube) return cube.error();
-  scene.lighting.cube = *cube;
-  if (!settings.environment.empty()) scene.surroundings.cube = *cube;
+  auto lighting = make_lighting(settings, scene.view, environments);
+  if (!lighting) return lighting.error();
+  scene.lighting = std::move(*lighting);
+  const auto surroundings = surroundings_of(settings, environments);
+  if (!surroundings) return surroundings.error();
+  scene.surroundings = *surroundings;
   return scene;
 }
 

@@ -5,6 +5,7 @@
 
 #include "common/octahedral.h"
 #include "common/srgb.h"
+#include "renderer/materials.h"
 #include "renderer/patch_normals.h"
 #include "shaders/include/shared.h"
 
@@ -56,6 +57,7 @@ SplatCloud splats_of_samples(const PatchModel& model) {
   if (model.has_colours) cloud.colours.reserve(samples);
   for (std::size_t p = 0; p < model.patches.size(); ++p)
     append_samples(model.patches[p], static_cast<std::uint32_t>(p), model.has_colours, cloud);
+  cloud.materials = materials_of_patches(model, cloud.patches);
   return cloud;
 }
 

@@ -81,7 +81,7 @@ void Engine::draw(const GlPicture& picture, const Sums& sums, double radius_fact
   }
   {
     const ScopedPass pass(*gl_, timer, "shading");
-    shade(sums, picture.environment);
+    shade(picture, sums);
   }
   gl_->BindFramebuffer(GL_FRAMEBUFFER, picture.targets.framebuffer.id());
 }
@@ -117,7 +117,7 @@ void Engine::accumulate(const Sums& sums, const Texture& visible_depth,
   gl_->DepthMask(GL_TRUE);
 }
 
-void Engine::shade(const Sums& sums, const Texture* environment) const {
+void Engine::shade(const GlPicture& picture, const Sums& sums) const {
   gl_->BindFramebuffer(GL_FRAMEBUFFER, sums.shading.id());
   gl_->Enable(GL_DEPTH_TEST);
   gl_->ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
@@ -133,10 +133,15 @@ void Engine::shade(const Sums& sums, const Texture* environment) const {
   bind(RELIEF_TEXTURE_NORMAL_SUMS, address(sums.normals));
   bind(RELIEF_TEXTURE_COLOUR_SUMS, address(sums.colours));
   bind(RELIEF_TEXTURE_DEPTH_SUMS, address(sums.depths));
-  bind(RELIEF_TEXTURE_ENVIRONMENT, environment);
+  bind(RELIEF_TEXTURE_ENVIRONMENT, picture.environment);
+  if (picture.materials) {  // pixels ask their patches which one they have
+    bind(RELIEF_TEXTURE_PATCH_IDS, address(picture.targets.patch_id));
+    bind(RELIEF_TEXTURE_PATCHES, &samples_.store().table.texture);
+  }
   gl_->DrawArrays(GL_TRIANGLES, 0, 3);
-  for (const GLuint unit : {RELIEF_TEXTURE_NORMAL_SUMS, RELIEF_TEXTURE_COLOUR_SUMS,
-                            RELIEF_TEXTURE_DEPTH_SUMS, RELIEF_TEXTURE_ENVIRONMENT})
+  for (const GLuint unit :
+       {RELIEF_TEXTURE_NORMAL_SUMS, RELIEF_TEXTURE_COLOUR_SUMS, RELIEF_TEXTURE_DEPTH_SUMS,
+        RELIEF_TEXTURE_ENVIRONMENT, RELIEF_TEXTURE_PATCH_IDS, RELIEF_TEXTURE_PATCHES})
     gl_->BindTextureUnit(unit, 0);
   gl_->BindVertexArray(0);
   gl_->UseProgram(0);

@@ -46,7 +46,7 @@ class Engine {
                    double radius_factor) const;
   void accumulate(const Sums& sums, const Texture& visible_depth,
                   const std::vector<SampleDraw>& draws, double radius_factor) const;
-  void shade(const Sums& sums, const Texture* environment) const;
+  void shade(const GlPicture& picture, const Sums& sums) const;
 
   const Gl* gl_;
   SampleDraws samples_;

@@ -1,22 +1,31 @@
 #include "renderer/engines/multipass/render_multipass.h"
 
 #include <utility>
+#include <vector>
 
 #include "renderer/engine_cache.h"
 #include "renderer/engines/multipass/multipass.h"
 #include "renderer/engines/multipass/sums.h"
 #include "renderer/features.h"
 #include "renderer/gl_picture.h"
+#include "renderer/materials.h"
 
 namespace relief::multipass {
 namespace {
+
+/// Of several materials each pixel has that of the patch in front, so that it must be known.
+RenderSettings with_patch_ids(RenderSettings settings) {
+  settings.outputs.patch_id |= materials_of(settings).size() > 1;
+  return settings;
+}
 
 /// The model on the GPU, and the programs that pictures have needed so far.
 class Prepared final : public GlPreparedModel {
  public:
   using GlPreparedModel::GlPreparedModel;
 
-  Result<GlDrawing> make_drawing(const RenderSettings& settings) override {
+  Result<GlDrawing> make_drawing(const RenderSettings& asked) override {
+    const RenderSettings settings = with_patch_ids(asked);
     const std::uint32_t features = scene_features(settings, model().has_colours());
     const auto engine = engines_.get(model(), features);
     if (!engine) return engine.error();
@@ -37,6 +46,15 @@ class Prepared final : public GlPreparedModel {
     if (!counting) return counting.error();
     drawing.count = draw_with(**counting);
     return drawing;
+  }
+
+  Result<RenderResult> render(const RenderSettings& asked, Progress& progress) override {
+    auto result = GlPreparedModel::render(asked, progress);
+    if (result && !asked.outputs.patch_id) {
+      std::erase_if(result->image.channels,
+                    [](const Channel& channel) { return channel.name == "patch"; });
+    }
+    return result;
   }
 
  private:

@@ -47,7 +47,8 @@ Result<Sums> make_sums(const Gl& gl, const Targets& targets, std::uint32_t featu
   };
   auto normals = make(needs_normals(features), "normal sums", GL_RGBA16F);
   auto colours = make((features & RELIEF_FEATURE_COLOURS) != 0, "colour sums", GL_RGBA16F);
-  auto depths = make(targets.depth.has_value(), "depth sums", GL_RG32F);
+  auto depths = make((features & (RELIEF_FEATURE_OUT_DEPTH | RELIEF_FEATURE_POINT_LIGHTS)) != 0,
+                     "depth sums", GL_RG32F);
   const Texture& z = targets.z_buffer;
   Framebuffer visibility = make_framebuffer(
       gl, "visibility", z,

@@ -10,7 +10,7 @@ namespace relief::onepass {
 [[nodiscard]] inline std::uint32_t features_of(const RenderSettings& settings, bool has_colours) {
   return scene_features(settings, has_colours) |
          (settings.primitive == Primitive::Cell ? RELIEF_FEATURE_CELL : 0U) |
-         (settings.pixels_per_sample > 0.0 ? RELIEF_FEATURE_MASKED : 0U) |
+         (pixels_per_sample_of(settings) > 0.0 ? RELIEF_FEATURE_MASKED : 0U) |
          (settings.interpolation == Interpolation::Corrected ? RELIEF_FEATURE_CORRECTED : 0U);
 }
 

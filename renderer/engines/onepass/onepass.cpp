@@ -36,7 +36,7 @@ Result<Engine> Engine::create(const Gl& gl, const PatchStore& store, std::uint32
         make_program(gl, "rims", "onepass/quad.vert", "onepass/quad.frag", whole);
     if (!rims) return rims.error();
     Engine engine(gl, store, {std::move(*cells), std::nullopt, std::move(*rims), std::nullopt});
-    if (features == whole) return engine;
+    if (features == whole || !store.masks) return engine;
     Result<Program> edges =
         make_program(gl, "edges", "onepass/cell.vert", "onepass/quad.frag", features & direct);
     if (!edges) return edges.error();
@@ -95,6 +95,7 @@ void Engine::draw_cells(const View& view) const {
   gl_->UseProgram(programs_.rims->id());
   for (std::uint32_t page = 0; page < cells.pages.size(); ++page) {
     const std::vector<ElementsCommand> commands = rim_commands(cells, visible, page);
+    if (commands.empty()) continue;
     const Buffer buffer =
         make_buffer(*gl_, "draw commands", std::span<const ElementsCommand>(commands));
     bind_page(*gl_, cells.pages[page]);
@@ -105,6 +106,7 @@ void Engine::draw_cells(const View& view) const {
 }
 
 void Engine::draw_strips(const CellPage& page, const std::vector<ArraysCommand>& commands) const {
+  if (commands.empty()) return;
   const Buffer buffer =
       make_buffer(*gl_, "draw commands", std::span<const ArraysCommand>(commands));
   bind_page(*gl_, page);

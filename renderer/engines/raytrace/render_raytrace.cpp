@@ -71,18 +71,15 @@ void trace_frame(const Tracer& tracer, const std::vector<glm::dvec2>& pattern, b
 Result<RenderResult> trace_picture(const TriangleMesh& mesh, EnvironmentCache& environments,
                                    const RenderSettings& settings, Progress& progress) {
   assert(mesh.normals.size() == mesh.positions.size() && "a mesh has normals");
-  const bool shows_environment = !settings.environment.empty() && settings.background.has_value();
-  const CubeMap* cube = nullptr;
-  if (shows_environment || settings.material == Material::Mirror) {
-    const auto loaded = environments.get(settings.environment);
-    if (!loaded) return loaded.error();
-    cube = *loaded;
-  }
   const View view = make_view(settings.camera, settings.width, settings.height, kAnyNear);
+  const auto surroundings = surroundings_of(settings, environments);
+  if (!surroundings) return surroundings.error();
+  auto lighting = make_lighting(settings, view, environments);
+  if (!lighting) return lighting.error();
   progress.begin_stage("sort triangles", 0);
   const auto scene = EmbreeScene::build(mesh, settings.camera.eye, progress);
   if (!scene) return scene.error();
-  const Tracer tracer(mesh, *scene, view, settings.material, cube);
+  const Tracer tracer(mesh, *scene, view, std::move(*lighting));
   const std::vector<glm::dvec2> pattern = sample_pattern(settings.raytrace.samples);
 
   Film film{settings.width, settings.height,
@@ -104,8 +101,7 @@ Result<RenderResult> trace_picture(const TriangleMesh& mesh, EnvironmentCache& e
   RenderResult result;
   result.renderer = scene->name();
   result.frame_ms = median(std::move(frame_ms));
-  const Surroundings surroundings{shows_environment ? cube : nullptr, settings.background};
-  result.image = develop(film, surroundings, view, settings.outputs, result.covered_pixels);
+  result.image = develop(film, *surroundings, view, settings.outputs, result.covered_pixels);
   return result;
 }
 

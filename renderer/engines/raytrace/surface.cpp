@@ -53,4 +53,8 @@ std::uint32_t patch_at(const TriangleMesh& mesh, const Hit& at) {
   return mesh.patches.empty() ? 0 : mesh.patches[mesh.triangles[at.triangle][0]];
 }
 
+std::uint8_t material_at(const TriangleMesh& mesh, const Hit& at) {
+  return mesh.materials.empty() ? 0 : mesh.materials[mesh.triangles[at.triangle][0]];
+}
+
 }  // namespace relief::raytrace

@@ -17,5 +17,6 @@ namespace relief::raytrace {
 [[nodiscard]] glm::vec3 normal_at(const TriangleMesh& mesh, const Hit& at);
 [[nodiscard]] glm::vec2 uv_at(const TriangleMesh& mesh, const Hit& at);
 [[nodiscard]] std::uint32_t patch_at(const TriangleMesh& mesh, const Hit& at);
+[[nodiscard]] std::uint8_t material_at(const TriangleMesh& mesh, const Hit& at);
 
 }  // namespace relief::raytrace

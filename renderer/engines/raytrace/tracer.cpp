@@ -4,9 +4,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <tuple>
+#include <utility>
 
 #include "renderer/engines/raytrace/surface.h"
-#include "renderer/shading.h"
 
 namespace relief::raytrace {
 namespace {
@@ -32,20 +32,19 @@ bool is_same_crossing(const TriangleMesh& mesh, const Hit& a, const Hit& b) {
 }  // namespace
 
 Tracer::Tracer(const TriangleMesh& mesh, const EmbreeScene& scene, const View& view,
-               Material material, const CubeMap* cube)
+               Lighting lighting)
     : mesh_(&mesh),
       scene_(&scene),
-      cube_(cube),
       view_(view),
-      frame_(make_frame(view, 0.0)),
-      material_(material),
+      lighting_(std::move(lighting)),
       transparent_(std::any_of(mesh.colours.begin(), mesh.colours.end(),
                                [](const glm::vec4& colour) { return colour.a < 1.0F; })) {}
 
 glm::vec4 Tracer::shade_at(const Hit& at, glm::dvec3 ray) const {
   const glm::vec4 colour = colour_at(*mesh_, at);
-  const glm::vec3 light = shade(material_, glm::vec3(colour), normal_at(*mesh_, at),
-                                glm::vec3(glm::normalize(ray)), frame_, cube_);
+  const glm::vec3 light = shade(lighting_, material_at(*mesh_, at),
+                                {glm::vec3(colour), normal_at(*mesh_, at),
+                                 glm::vec3(glm::normalize(ray)), glm::vec3(at.depth * ray)});
   return {light, colour.a};
 }
 

@@ -5,10 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/cube_map.h"
 #include "renderer/engines/raytrace/embree_scene.h"
 #include "renderer/film.h"
-#include "renderer/render.h"
+#include "renderer/shading.h"
 #include "renderer/triangle_mesh.h"
 #include "renderer/view.h"
 
@@ -20,13 +19,11 @@ struct Seen {
   std::optional<Hit> nearest;  ///< whatever its opacity
 };
 
-/// What rays are traced through, and how what they meet is shaded. Mesh, scene and cube map must
-/// outlive it. Threads may share one.
+/// What rays are traced through, and how what they meet is shaded. Mesh, scene and what the
+/// lighting names must outlive it. Threads may share one.
 class Tracer {
  public:
-  /// `cube` is needed by the material mirror alone.
-  Tracer(const TriangleMesh& mesh, const EmbreeScene& scene, const View& view, Material material,
-         const CubeMap* cube);
+  Tracer(const TriangleMesh& mesh, const EmbreeScene& scene, const View& view, Lighting lighting);
 
   /// What is seen through a window position (pixels from the lower left corner). Opaque meshes show
   /// the nearest triangle. Of others all triangles along the ray count, front to back, each
@@ -46,10 +43,8 @@ class Tracer {
 
   const TriangleMesh* mesh_;
   const EmbreeScene* scene_;
-  const CubeMap* cube_;
   View view_;
-  shared::Frame frame_;
-  Material material_;
+  Lighting lighting_;
   bool transparent_;  ///< some vertex is not opaque
 };
 

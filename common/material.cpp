@@ -1,0 +1,23 @@
+#include "common/material.h"
+
+namespace relief {
+
+MaterialWords overlay_material(MaterialWords base, const MaterialWords& over) {
+  if (over.material) base.material = over.material;
+  if (over.ior) base.ior = over.ior;
+  if (over.absorption) base.absorption = over.absorption;
+  if (over.roughness) base.roughness = over.roughness;
+  return base;
+}
+
+MaterialSettings material_of(const MaterialWords& words) {
+  MaterialSettings settings;
+  settings.kind = words.material.value_or(settings.kind);
+  MaterialConstants& constants = settings.constants;
+  constants.ior = static_cast<float>(words.ior.value_or(constants.ior));
+  constants.absorption = words.absorption.value_or(constants.absorption);
+  constants.roughness = static_cast<float>(words.roughness.value_or(constants.roughness));
+  return settings;
+}
+
+}  // namespace relief
