@@ -7,7 +7,8 @@
 
 namespace relief {
 
-/// The names of these bits in the order of the bits: RELIEF_FEATURE_OUT_NORMAL is "out_normal".
+/// The names of these bits in the order of the bits: RELIEF_FEATURE_OUT_NORMAL is "out_normal";
+/// and last the number of lights, "lights 3".
 [[nodiscard]] std::vector<std::string> feature_names(std::uint32_t features);
 
 }  // namespace relief

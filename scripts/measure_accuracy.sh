@@ -2,6 +2,7 @@
 # Renders models with every engine from twelve views and compares the pictures with ray-traced ones:
 # prints a Markdown table. Needs jq.
 # usage: scripts/measure_accuracy.sh RELIEF_BINARY DATA_FOLDER [WIDTHxHEIGHT [MODEL...]]
+# WAYS="WAY;WAY" in the environment: these rows alone, named as in the table.
 set -euo pipefail
 relief=$1
 data=$2
@@ -13,6 +14,7 @@ if [ ${#models[@]} -eq 0 ]; then
     scans/happy_buddha_50k.obj.gz sharp/fandisk_large.off.gz sharp/iron_scan.ply
     colour/lion_takanawa_rgb_normals.ply.gz)
 fi
+IFS=';' read -ra ways <<<"${WAYS:-onepass cell corrected 4;onepass cell corrected;onepass quad corrected;onepass quad direct;onepass sprite corrected;onepass sprite direct;ewa}"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -50,12 +52,12 @@ for model in "${models[@]}"; do
   pictures truth.lit "$work/mesh.json" --engine raytrace --samples 1 --material lit
   # One ray a pixel reads one point of the environment, which no other engine does.
   pictures truth.mirror "$work/mesh.json" --engine raytrace --samples 16 --material mirror --outputs colour
-  for way in "onepass quad corrected" "onepass quad direct" "onepass sprite corrected" \
-    "onepass sprite direct" ewa; do
+  for way in "${ways[@]}"; do
+    # ENGINE, or ENGINE PRIMITIVE INTERPOLATION [PIXELS A SAMPLE].
     read -ra words <<<"$way"
     options=(--engine "${words[0]}")
-    if [ "${words[0]}" = onepass ]; then
-      options+=(--primitive "${words[1]}" --interpolation "${words[2]}")
+    if [ ${#words[@]} -gt 2 ]; then
+      options+=(--primitive "${words[1]}" --interpolation "${words[2]}" --pixels-per-sample "${words[3]:-0}")
     fi
     pictures lit "$work/patches.json" "${options[@]}" --material lit
     pictures mirror "$work/patches.json" "${options[@]}" --material mirror --outputs colour

@@ -51,15 +51,17 @@ using glm::vec4;
 // Coarser levels: what lies beyond the samples of a patch is cut off by its mask, one lookup per
 // fragment; of cells only where a hole touches them, which is a second program.
 #define RELIEF_FEATURE_MASKED 4096u
-#define RELIEF_FEATURE_GLASS (1u << 20u)
+
+// A material, as LIT and MIRROR above: two lookups of the environment.
+#define RELIEF_FEATURE_GLASS 1048576u
 // Several materials in one picture: a patch names its own. All that there are bits for are computed
 // for every fragment, and one of them is taken.
-#define RELIEF_FEATURE_MIXED (1u << 21u)
+#define RELIEF_FEATURE_MIXED 2097152u
 // Beside MIXED: some mirrors are rough, which is one more lookup. (Alone a rough mirror costs what
 // a smooth one does.)
-#define RELIEF_FEATURE_ROUGH (1u << 23u)
+#define RELIEF_FEATURE_ROUGH 8388608u
 // Some light is a point: a place and two roots per fragment and light.
-#define RELIEF_FEATURE_POINT_LIGHTS (1u << 22u)
+#define RELIEF_FEATURE_POINT_LIGHTS 4194304u
 
 // How many lights there are, where the material is lit: a number in the highest bits, so that the
 // loop over them is known when a shader is compiled. A light more is a highlight per fragment.
