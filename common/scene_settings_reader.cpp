@@ -59,11 +59,29 @@ Outputs read_outputs(JsonValues& values, const JsonPlace& place) {
 }  // namespace
 
 std::vector<std::string_view> with_setting_keys(std::vector<std::string_view> keys) {
-  for (const char* key :
-       {"size",          "orbit",     "eye",           "target",  "up",         "fov",
-        "engine",        "primitive", "interpolation", "env",     "background", "outputs",
-        "radius-factor", "samples",   "filter",        "cutoff",  "layers",     "tau",
-        "time-budget",   "lights",    "ambient",       "exposure"})
+  for (const char* key : {"size",
+                          "orbit",
+                          "eye",
+                          "target",
+                          "up",
+                          "fov",
+                          "engine",
+                          "primitive",
+                          "interpolation",
+                          "env",
+                          "background",
+                          "outputs",
+                          "pixels-per-sample",
+                          "radius-factor",
+                          "samples",
+                          "filter",
+                          "cutoff",
+                          "layers",
+                          "tau",
+                          "time-budget",
+                          "lights",
+                          "ambient",
+                          "exposure"})
     keys.emplace_back(key);
   keys.insert(keys.end(), kMaterialKeys.begin(), kMaterialKeys.end());
   return keys;

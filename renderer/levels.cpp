@@ -9,12 +9,13 @@
 #include <limits>
 #include <optional>
 
+#include "shaders/include/shared.h"
+
 namespace relief {
 namespace {
 
-/// Slopes (height per cell, in cells) are continued beyond a border up to this: steeper ones come
-/// from a jump or from noise.
-constexpr double kSteepestContinued = 5.0;
+/// Slopes (height per cell, in cells) are continued beyond a border up to this, as splats lean.
+constexpr double kSteepestContinued = shared::kSteepest;
 
 /// Nodes of a level along a side of `nodes` nodes: one before the first, and one beyond the last.
 std::uint32_t nodes_along(std::uint32_t nodes, std::uint32_t stride) {

@@ -11,11 +11,11 @@ out=$(cd "$(dirname "$0")/.." && pwd)/docs/images
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# picture NAME MATERIAL INTERPOLATION CAMERA...
+# picture NAME MATERIAL INTERPOLATION CAMERA...: of quads, whose interpolations differ most to see.
 picture() {
   local name=$1 material=$2 interpolation=$3
   shift 3
-  "$relief" render "$dragon" -o "$work/$name.png" --size 1280x1024 --material "$material" \
+  "$relief" render "$dragon" -o "$work/$name.png" --size 1280x1024 --primitive quad --material "$material" \
     --interpolation "$interpolation" "$@" >/dev/null
 }
 

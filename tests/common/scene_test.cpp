@@ -60,7 +60,7 @@ TEST_F(Scenes, EveryKeyIsRead) {
                                        "rotation": {"axis": [0, 0, 2], "degrees": 90}, "scale": 2}}
     ],
     "size": [640, 480], "fov": 30, "engine": "onepass", "primitive": "sprite",
-    "interpolation": "direct", "radius-factor": 1.5, "material": "mirror", "env": "sky.hdr",
+    "interpolation": "direct", "radius-factor": 1.5, "pixels-per-sample": 2.5, "material": "mirror", "env": "sky.hdr",
     "lights": [{"direction": [0, 3, 4]},
                {"position": [1, 2, 3], "colour": [1, 0.5, 0], "intensity": 8}], "ambient": [0, 0.5, 2],
     "ior": 1.25, "absorption": [1, 0, 100], "roughness": 0.5, "exposure": -1.5,
@@ -91,6 +91,7 @@ TEST_F(Scenes, EveryKeyIsRead) {
   EXPECT_EQ(all.primitive, Primitive::Sprite);
   EXPECT_EQ(all.interpolation, Interpolation::Direct);
   EXPECT_EQ(all.radius_factor, 1.5);
+  EXPECT_EQ(all.pixels_per_sample, 2.5);
   EXPECT_EQ(all.material, Material::Mirror);
   EXPECT_EQ(all.ior, 1.25);
   EXPECT_EQ(all.absorption, glm::vec3(1, 0, 100));
@@ -151,6 +152,7 @@ TEST_F(Scenes, SettingsThatAreWrong) {
       {R"("engine": "embree")", "engine: expected onepass"},
       {R"("primitive": "disc")", "primitive: expected sprite, quad, cell; found \"disc\""},
       {R"("interpolation": 1)", "interpolation: expected direct, corrected; found 1"},
+      {R"("pixels-per-sample": 65)", "pixels-per-sample: expected a number from 0 to 64; found 65"},
       {R"("radius-factor": 0.5)", "radius-factor: expected a number from 1 to 4; found 0.5"},
       {R"("material": "gold")", "material: expected unlit, lit, mirror, glass; found \"gold\""},
       {R"("ior": 0.9)", "ior: expected a number from 1 to 4; found 0.9"},

@@ -173,6 +173,46 @@ TEST(Cells, ACreaseHasSplatsAndARoundingHasNone) {
   EXPECT_EQ(rims_of(cells_of(round.patches[0])).size(), 4U * 19U);
 }
 
+TEST(Cells, OfALevelHaveSplatsBesideJumpsAlone) {
+  // A step of 30 cells between columns 20 and 21: in level 1 between those of columns 20 and 22,
+  // which are 11 and 12 there. What a hole touches reaches beyond the patch instead.
+  const PatchModel step =
+      test::height_field(41, [](double x, double) { return x < 0.5 ? 0.0 : 30.0; });
+  const PatchLevel level = coarsen(step.patches[0], 1);
+  std::set<Place> expected;
+  for (std::uint32_t j = 1; j <= 21; ++j) expected.insert({{11, j}, {12, j}});
+  EXPECT_EQ(rims_of(make_cells(level, make_samples(level.grid))), expected);
+}
+
+TEST(Cells, OfALevelAreEdgesWhereAHoleTouchesThem) {
+  const Patch patch = tattered_patch(61, 40);
+  const PatchLevel level = coarsen(patch, 1);
+  const PatchCells cells = make_cells(level, make_samples(level.grid));
+  ASSERT_EQ(cells.parts.size(), 1U);
+  const auto cells_in = [](const std::vector<std::uint32_t>& runs) {
+    std::set<Place> found;
+    for (const std::uint32_t run : runs) {
+      const std::uint32_t i = run & shared::kPlaceMask;
+      const std::uint32_t j = (run >> shared::kPlaceBits) & shared::kPlaceMask;
+      const std::uint32_t count = (run >> (2 * shared::kPlaceBits)) & shared::kRunCellsMask;
+      for (std::uint32_t c = 0; c < count; ++c) EXPECT_TRUE(found.insert({i + c, j}).second);
+    }
+    return found;
+  };
+  const std::set<Place> whole = cells_in(cells.parts[0].runs);
+  const std::set<Place> edges = cells_in(cells.parts[0].edge_runs);
+  for (const std::uint32_t run : cells.parts[0].edge_runs) {
+    EXPECT_LE((run >> (2 * shared::kPlaceBits)) & shared::kRunCellsMask,
+              static_cast<std::uint32_t>(shared::kEdgeRunCells));
+  }
+  EXPECT_GT(whole.size(), 20U);
+  EXPECT_GT(edges.size(), 20U);
+  for (const Place& place : whole)
+    EXPECT_EQ(level.whole[place.second * level.grid.width + place.first], 1);
+  for (const Place& place : edges)
+    EXPECT_EQ(level.whole[place.second * level.grid.width + place.first], 0);
+}
+
 TEST(Cells, SpheresHoldTheirPart) {
   const PatchModel model = test::height_field(
       300, [](double x, double y) { return 20.0 * std::sin(0.05 * x + 0.03 * y); });
