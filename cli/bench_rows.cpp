@@ -15,11 +15,14 @@ RenderSettings plain(RenderSettings base) {
   return base;
 }
 
-/// Pixels a sample: the finest levels, what is asked for, and levels twice as coarse.
+/// Pixels a sample: the finest levels, those that are there unasked, twice as coarse ones, and what
+/// is asked for beside them.
 std::vector<double> level_policies(const RenderSettings& base) {
+  std::vector<double> policies{0.0, kPixelsPerSampleOfCells, 2.0 * kPixelsPerSampleOfCells};
   const double asked = base.pixels_per_sample.value_or(0.0);
-  const double pixels = asked > 0.0 ? asked : kPixelsPerSampleOfCells;
-  return {0.0, pixels, 2.0 * pixels};
+  if (std::find(policies.begin(), policies.end(), asked) == policies.end())
+    policies.push_back(asked);
+  return policies;
 }
 
 }  // namespace

@@ -11,8 +11,8 @@ namespace relief::cli {
 /// Engines x primitives x interpolations, and `multipass` with radius factors 1 and 2, all with the
 /// camera, size and material of `base`, colour alone, without a background (which costs all rows
 /// the same). Cells are the surface, so that the interpolation is one of their border splats alone:
-/// they have one row for each policy of levels (the finest, the one asked for or unasked, twice as
-/// coarse).
+/// they have one row for each policy of levels (the finest, the one there is unasked, twice as
+/// coarse, and one that a scene asks for).
 [[nodiscard]] std::vector<RenderSettings> bench_rows(const RenderSettings& base);
 
 /// What `relief render` does unasked, and what it is compared with: the fastest `multipass` with

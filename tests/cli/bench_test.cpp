@@ -1,5 +1,6 @@
 // relief bench and relief render --explain, as a user runs them. No test looks at how long it took.
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 
 #include "tests/cli/run_relief.h"
@@ -108,6 +109,24 @@ TEST_F(BenchCommand, TakesTheFirstViewOfAScene) {
   EXPECT_NE(run.out.find("view front"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("40x30"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("* onepass"), std::string::npos) << run.out;
+}
+
+TEST_F(BenchCommand, DrawsTheLevelsOfASceneBesideTheDefault) {
+  write("square.off", square_off(20));
+  const std::string scene = write("scene.json",
+                                  R"({"models": [{"file": "square.off"}], "pixels-per-sample": 3,
+      "views": [{"name": "front"}]})");
+  const json result = parse(run_relief(small(scene)));
+  std::set<std::string> policies;
+  int defaults = 0;
+  for (const json& row : result["rows"]) {
+    if (row["primitive"] == "cell") policies.insert(row["level_policy"]);
+    defaults += row["default"] == true ? 1 : 0;
+  }
+  EXPECT_EQ(policies,
+            (std::set<std::string>{"finest", "at most 3 pixels a sample",
+                                   "at most 4 pixels a sample", "at most 8 pixels a sample"}));
+  EXPECT_EQ(defaults, 1);
 }
 
 TEST_F(BenchCommand, SweepsASpacing) {
