@@ -7,6 +7,8 @@
 
 #include "common/error.h"
 #include "renderer/gl_model.h"
+#include "renderer/gl_picture.h"
+#include "shaders/include/shared.h"
 
 namespace relief {
 
@@ -23,6 +25,21 @@ class EngineCache {
       found = engines_.emplace(features, std::move(*made)).first;
     }
     return &found->second;
+  }
+
+  /// `picture` drawn by a variant, and by the one that counts its fragments if `counts`.
+  /// draw_with(engine) gives what draws with an engine.
+  template <class DrawWith>
+  Result<GlDrawing> make_drawing(const GlModel& model, std::uint32_t features, GlPicture picture,
+                                 bool counts, const DrawWith& draw_with) {
+    const auto engine = get(model, features);
+    if (!engine) return engine.error();
+    GlDrawing drawing{std::move(picture), draw_with(**engine), {}};
+    if (!counts) return drawing;
+    const auto counting = get(model, features | RELIEF_FEATURE_COUNT_FRAGMENTS);
+    if (!counting) return counting.error();
+    drawing.count = draw_with(**counting);
+    return drawing;
   }
 
  private:

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <utility>
 
 #include "common/error.h"
+#include "renderer/features.h"
 #include "renderer/gl_model.h"
 #include "renderer/gl_picture.h"
 #include "renderer/prepared.h"
@@ -31,5 +33,18 @@ class GlPreparedModel : public PreparedModel {
  private:
   std::unique_ptr<GlModel> model_;  ///< first: what derived classes make of it goes before
 };
+
+/// Makes a model ready for an engine, whose feature bits of a picture features_of(settings,
+/// has_colours) gives.
+template <class Prepared, class FeaturesOf>
+Result<std::unique_ptr<GlPreparedModel>> prepare_on_gpu(std::shared_ptr<const OpenGl> opengl,
+                                                        const PatchModel& model,
+                                                        std::span<const RenderSettings> views,
+                                                        const FeaturesOf& features_of) {
+  auto on_gpu = GlModel::create(std::move(opengl), model, views,
+                                needs_of(views, model.has_colours, features_of));
+  if (!on_gpu) return on_gpu.error();
+  return std::unique_ptr<GlPreparedModel>(std::make_unique<Prepared>(std::move(*on_gpu)));
+}
 
 }  // namespace relief

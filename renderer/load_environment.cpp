@@ -1,6 +1,4 @@
 // Making cube maps: from a picture, or the built-in one.
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -10,6 +8,7 @@
 
 #include "common/image_io.h"
 #include "renderer/cube_map.h"
+#include "renderer/make_cube.h"
 
 namespace relief {
 namespace {
@@ -18,23 +17,6 @@ constexpr std::uint32_t kSmallestFace = 64;
 constexpr std::uint32_t kLargestFace = 2048;  // 300 MB of floats; pictures of 8192 texels
 constexpr std::uint32_t kBuiltInFace = 512;
 constexpr float kBrightest = 65000.0F;  // below the largest half float, 65504
-
-/// Fills the faces with `light(face, st)`; st is the middle of a texel in [-1, 1].
-template <class Light>
-CubeMap make_cube(std::uint32_t size, const Light& light) {
-  CubeMap cube;
-  cube.size = size;
-  for (auto& face : cube.faces) face.resize(std::size_t{size} * size);
-  tbb::parallel_for(std::size_t{0}, std::size_t{6} * size, [&](std::size_t row) {
-    const std::size_t face = row / size;
-    const std::size_t y = row % size;
-    for (std::size_t x = 0; x < size; ++x) {
-      const glm::dvec2 middle(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5);
-      cube.faces[face][y * size + x] = light(face, 2.0 * middle / static_cast<double>(size) - 1.0);
-    }
-  });
-  return cube;
-}
 
 /// A sky over a ground, each side in a tint of its own, with dark grid lines (as Figure 6 of paper
 /// 001) in which a wrong normal shows.

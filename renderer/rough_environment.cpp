@@ -1,7 +1,5 @@
 #include "renderer/rough_environment.h"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -11,6 +9,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <vector>
+
+#include "renderer/make_cube.h"
 
 namespace relief {
 namespace {
@@ -161,28 +161,19 @@ CubeMap prefilter(const CubeMap& environment, double roughness, std::uint32_t si
   assert(roughness > 0.0 && roughness <= 1.0 && "a mirror that is rough");
   const std::vector<PaddedCube> levels = make_levels(environment);
   const std::vector<Sample> samples = make_samples(roughness, environment, levels.size());
-  CubeMap rough;
-  rough.size = size;
-  for (auto& face : rough.faces) face.resize(std::size_t{size} * size);
-  tbb::parallel_for(std::size_t{0}, std::size_t{6} * size, [&](std::size_t row) {
-    const std::size_t face = row / size;
-    const std::size_t y = row % size;
-    for (std::size_t x = 0; x < size; ++x) {
-      const glm::dvec2 st = (2.0 * glm::dvec2(x, y) + 1.0) / static_cast<double>(size) - 1.0;
-      const glm::vec3 n(glm::normalize(cube_direction(face, st)));
-      const glm::vec3 beside =
-          std::abs(n.y) < 0.9F ? glm::vec3(0.0F, 1.0F, 0.0F) : glm::vec3(1.0F, 0.0F, 0.0F);
-      const glm::vec3 u = glm::normalize(glm::cross(beside, n));
-      const glm::vec3 v = glm::cross(n, u);
-      glm::vec3 light(0.0F);
-      for (const Sample& sample : samples) {
-        const glm::vec3& d = sample.direction;
-        light += sample.weight * look_up_padded(levels[sample.level], d.x * u + d.y * v + d.z * n);
-      }
-      rough.faces[face][y * size + x] = light;
+  return make_cube(size, [&](std::size_t face, glm::dvec2 st) {
+    const glm::vec3 n(glm::normalize(cube_direction(face, st)));
+    const glm::vec3 beside =
+        std::abs(n.y) < 0.9F ? glm::vec3(0.0F, 1.0F, 0.0F) : glm::vec3(1.0F, 0.0F, 0.0F);
+    const glm::vec3 u = glm::normalize(glm::cross(beside, n));
+    const glm::vec3 v = glm::cross(n, u);
+    glm::vec3 light(0.0F);
+    for (const Sample& sample : samples) {
+      const glm::vec3& d = sample.direction;
+      light += sample.weight * look_up_padded(levels[sample.level], d.x * u + d.y * v + d.z * n);
     }
+    return light;
   });
-  return rough;
 }
 
 }  // namespace relief

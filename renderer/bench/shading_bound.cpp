@@ -71,10 +71,6 @@ class Prepared final : public GlPreparedModel {
 
   Result<GlDrawing> make_drawing(const RenderSettings& settings) override {
     const std::uint32_t features = surface_features(settings, model().has_colours());
-    const auto pass = passes_.get(model(), features);
-    if (!pass) return pass.error();
-    const auto counting = passes_.get(model(), features | RELIEF_FEATURE_COUNT_FRAGMENTS);
-    if (!counting) return counting.error();
     auto picture = model().make_picture(settings);
     if (!picture) return picture.error();
     const auto draw_with = [this](const Pass& drawing) {
@@ -82,7 +78,7 @@ class Prepared final : public GlPreparedModel {
         drawing.draw(frame, patch_, pixels_, timer);
       };
     };
-    return GlDrawing{std::move(*picture), draw_with(**pass), draw_with(**counting)};
+    return passes_.make_drawing(model(), features, std::move(*picture), true, draw_with);
   }
 
  private:

@@ -27,8 +27,6 @@ class Prepared final : public GlPreparedModel {
   Result<GlDrawing> make_drawing(const RenderSettings& asked) override {
     const RenderSettings settings = with_patch_ids(asked);
     const std::uint32_t features = scene_features(settings, model().has_colours());
-    const auto engine = engines_.get(model(), features);
-    if (!engine) return engine.error();
     auto picture = model().make_picture(settings);
     if (!picture) return picture.error();
     auto made = make_sums(model().gl(), picture->targets, features);
@@ -40,12 +38,8 @@ class Prepared final : public GlPreparedModel {
         drawing.draw(frame, *sums, factor, timer);
       };
     };
-    GlDrawing drawing{std::move(*picture), draw_with(**engine), {}};
-    if (settings.explain) return drawing;
-    const auto counting = engines_.get(model(), features | RELIEF_FEATURE_COUNT_FRAGMENTS);
-    if (!counting) return counting.error();
-    drawing.count = draw_with(**counting);
-    return drawing;
+    return engines_.make_drawing(model(), features, std::move(*picture), !settings.explain,
+                                 draw_with);
   }
 
   Result<RenderResult> render(const RenderSettings& asked, Progress& progress) override {
@@ -66,10 +60,7 @@ class Prepared final : public GlPreparedModel {
 Result<std::unique_ptr<GlPreparedModel>> prepare(std::shared_ptr<const OpenGl> opengl,
                                                  const PatchModel& model,
                                                  std::span<const RenderSettings> views) {
-  auto on_gpu = GlModel::create(std::move(opengl), model, views,
-                                needs_of(views, model.has_colours, scene_features));
-  if (!on_gpu) return on_gpu.error();
-  return std::unique_ptr<GlPreparedModel>(std::make_unique<Prepared>(std::move(*on_gpu)));
+  return prepare_on_gpu<Prepared>(std::move(opengl), model, views, scene_features);
 }
 
 }  // namespace relief::multipass

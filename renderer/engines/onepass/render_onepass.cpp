@@ -17,8 +17,6 @@ class Prepared final : public GlPreparedModel {
 
   Result<GlDrawing> make_drawing(const RenderSettings& settings) override {
     const std::uint32_t features = features_of(settings, model().has_colours());
-    const auto engine = engines_.get(model(), features);
-    if (!engine) return engine.error();
     auto picture = model().make_picture(settings);
     if (!picture) return picture.error();
     const auto draw_with = [](const Engine& drawing) {
@@ -26,12 +24,8 @@ class Prepared final : public GlPreparedModel {
         drawing.draw(frame.view, timer, frame.environment);
       };
     };
-    GlDrawing drawing{std::move(*picture), draw_with(**engine), {}};
-    if (settings.explain) return drawing;
-    const auto counting = engines_.get(model(), features | RELIEF_FEATURE_COUNT_FRAGMENTS);
-    if (!counting) return counting.error();
-    drawing.count = draw_with(**counting);
-    return drawing;
+    return engines_.make_drawing(model(), features, std::move(*picture), !settings.explain,
+                                 draw_with);
   }
 
  private:
@@ -43,10 +37,7 @@ class Prepared final : public GlPreparedModel {
 Result<std::unique_ptr<GlPreparedModel>> prepare(std::shared_ptr<const OpenGl> opengl,
                                                  const PatchModel& model,
                                                  std::span<const RenderSettings> views) {
-  auto on_gpu = GlModel::create(std::move(opengl), model, views,
-                                needs_of(views, model.has_colours, features_of));
-  if (!on_gpu) return on_gpu.error();
-  return std::unique_ptr<GlPreparedModel>(std::make_unique<Prepared>(std::move(*on_gpu)));
+  return prepare_on_gpu<Prepared>(std::move(opengl), model, views, features_of);
 }
 
 }  // namespace relief::onepass
