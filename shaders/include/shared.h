@@ -52,6 +52,10 @@ using glm::vec4;
 // fragment; of cells only where a hole touches them, which is a second program.
 #define RELIEF_FEATURE_MASKED 4096u
 
+// Cells find the surface first and a pass over the picture shades it, each pixel once: 16 bytes a
+// pixel more. Triangles of a few pixels would shade several times as many as they cover.
+#define RELIEF_FEATURE_VISIBILITY 8192u
+
 // A material, as LIT and MIRROR above: two lookups of the environment.
 #define RELIEF_FEATURE_GLASS 1048576u
 // Several materials in one picture: a patch names its own. All that there are bits for are computed
@@ -73,6 +77,9 @@ using glm::vec4;
 #define RELIEF_OUT_DEPTH 2
 #define RELIEF_OUT_UV 3
 #define RELIEF_OUT_PATCH 4
+
+// The same of the pass that finds the surface.
+#define RELIEF_OUT_FOUND 0
 
 // The same where `multipass` sums up splats: normal, colour, depth, each times its weight, and the
 // weights.
@@ -102,6 +109,7 @@ using glm::vec4;
 #define RELIEF_TEXTURE_DEPTH_SUMS 13
 #define RELIEF_TEXTURE_VISIBLE_DEPTH 14
 #define RELIEF_TEXTURE_MASKS 15
+#define RELIEF_TEXTURE_FOUND 16
 
 #define RELIEF_TEXTURE_ROUGH_ENVIRONMENTS 20
 #define RELIEF_TEXTURE_PATCH_IDS 21

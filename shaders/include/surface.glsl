@@ -17,9 +17,10 @@ vec4 look_up(sampler2DArray maps, ivec4 map, vec2 uv) {
   return textureLod(maps, vec3(texel / vec2(textureSize(maps, 0).xy), float(map.z)), 0.0);
 }
 
-// Shades the place `hit` of the patch, seen along `ray` (grid frame) at `depth` along the view axis.
-void shade(PatchInfo info, vec3 hit, vec3 ray, float depth) {
-  vec2 uv = clamp_to_patch(info, hit.xy);
+// Shades a place of the patch (grid coordinates), seen along `view` (world, of length 1) at `depth`
+// along the view axis.
+void shade_place(PatchInfo info, vec2 place, vec3 view, float depth) {
+  vec2 uv = clamp_to_patch(info, place);
 #if (RELIEF_FEATURES & RELIEF_FEATURE_COLOURS) != 0u
   // A patch without colours among coloured ones has no texel for that grey: sRGB in 8 bits lacks it.
   vec3 albedo =
@@ -29,10 +30,8 @@ void shade(PatchInfo info, vec3 hit, vec3 ray, float depth) {
 #endif
 #if RELIEF_NEEDS_NORMAL
   vec3 normal = to_world(info, unit_from_stereographic(look_up(normal_maps, info.normals, uv).xy));
-  vec3 view = normalize(to_world(info, ray));
 #else
   vec3 normal = vec3(0.0);
-  vec3 view = vec3(0.0);
 #endif
   out_colour = vec4(shade_material(info.heights.w, albedo, normal, view, depth), 1.0);
 #if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_NORMAL) != 0u
@@ -42,4 +41,14 @@ void shade(PatchInfo info, vec3 hit, vec3 ray, float depth) {
   out_depth = depth;
 #endif
   write_identity(info, uv);
+}
+
+// The same of the place `hit`, seen along `ray`, both in the grid frame.
+void shade(PatchInfo info, vec3 hit, vec3 ray, float depth) {
+#if RELIEF_NEEDS_NORMAL
+  vec3 view = normalize(to_world(info, ray));
+#else
+  vec3 view = vec3(0.0);
+#endif
+  shade_place(info, hit.xy, view, depth);
 }

@@ -1,12 +1,20 @@
 // The quad itself is the splat's plane: rasterising it has intersected the view ray with it.
 #include "include/counting.glsl"
 #include "include/limits.glsl"
+#if (RELIEF_FEATURES & RELIEF_FEATURE_VISIBILITY) != 0u
+#include "include/patches.glsl"
+#else
 #include "include/surface.glsl"
+#endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_MASKED) != 0u
 #include "include/mask.glsl"
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_CORRECTED) != 0u
 #include "include/interpolation.glsl"
+#endif
+
+#if (RELIEF_FEATURES & RELIEF_FEATURE_VISIBILITY) != 0u
+layout(location = RELIEF_OUT_FOUND) out vec4 out_found;  // grid coordinates, patch, depth
 #endif
 
 layout(location = 0) flat in uint hit_patch;
@@ -33,5 +41,9 @@ void main() {
 #if (RELIEF_FEATURES & RELIEF_FEATURE_MASKED) != 0u
   if (!within_mask(info, place.xy)) discard;
 #endif
+#if (RELIEF_FEATURES & RELIEF_FEATURE_VISIBILITY) != 0u
+  out_found = vec4(place.xy, float(hit_patch), depth);
+#else
   shade(info, place, ray, depth);
+#endif
 }

@@ -1,5 +1,6 @@
 #include "renderer/engines/onepass/onepass.h"
 
+#include <cassert>
 #include <span>
 #include <utility>
 #include <vector>
@@ -24,30 +25,50 @@ void bind_page(const Gl& gl, const CellPage& page) {
 Engine::Engine(const Gl& gl, const PatchStore& store, Programs programs)
     : gl_(&gl), samples_(gl, store, programs.rims.has_value()), programs_(std::move(programs)) {}
 
+Result<Engine::Programs> Engine::make_cell_programs(const Gl& gl, const PatchStore& store,
+                                                    std::uint32_t features) {
+  // What finds the surface needs nothing of what shades it.
+  const bool shaded_later = (features & RELIEF_FEATURE_VISIBILITY) != 0;
+  const std::uint32_t found =
+      shaded_later
+          ? features & (RELIEF_FEATURE_VISIBILITY | RELIEF_FEATURE_CELL | RELIEF_FEATURE_MASKED |
+                        RELIEF_FEATURE_CORRECTED | RELIEF_FEATURE_COUNT_FRAGMENTS)
+          : features;
+  // A cell is the surface: there is nothing to correct.
+  const std::uint32_t whole = found & ~RELIEF_FEATURE_MASKED;
+  const std::uint32_t direct = ~RELIEF_FEATURE_CORRECTED;
+  Result<Program> cells =
+      make_program(gl, "cells", "onepass/cell.vert", "onepass/quad.frag", whole & direct);
+  if (!cells) return cells.error();
+  Result<Program> rims = make_program(gl, "rims", "onepass/quad.vert", "onepass/quad.frag", whole);
+  if (!rims) return rims.error();
+  Programs programs{std::move(*cells), std::nullopt, std::move(*rims), std::nullopt, std::nullopt};
+  if (found != whole && store.masks) {
+    Result<Program> edges =
+        make_program(gl, "edges", "onepass/cell.vert", "onepass/quad.frag", found & direct);
+    if (!edges) return edges.error();
+    programs.edges = std::move(*edges);
+  }
+  if (!shaded_later) return programs;
+  Result<Program> shading = make_program(
+      gl, "shading", "environment/screen.vert", "onepass/shading.frag",
+      features & ~(RELIEF_FEATURE_CELL | RELIEF_FEATURE_MASKED | RELIEF_FEATURE_CORRECTED));
+  if (!shading) return shading.error();
+  programs.shading = std::move(*shading);
+  return programs;
+}
+
 Result<Engine> Engine::create(const Gl& gl, const PatchStore& store, std::uint32_t features) {
   if ((features & RELIEF_FEATURE_CELL) != 0) {
-    // A cell is the surface: there is nothing to correct.
-    const std::uint32_t whole = features & ~RELIEF_FEATURE_MASKED;
-    const std::uint32_t direct = ~RELIEF_FEATURE_CORRECTED;
-    Result<Program> cells =
-        make_program(gl, "cells", "onepass/cell.vert", "onepass/quad.frag", whole & direct);
-    if (!cells) return cells.error();
-    Result<Program> rims =
-        make_program(gl, "rims", "onepass/quad.vert", "onepass/quad.frag", whole);
-    if (!rims) return rims.error();
-    Engine engine(gl, store, {std::move(*cells), std::nullopt, std::move(*rims), std::nullopt});
-    if (features == whole || !store.masks) return engine;
-    Result<Program> edges =
-        make_program(gl, "edges", "onepass/cell.vert", "onepass/quad.frag", features & direct);
-    if (!edges) return edges.error();
-    engine.programs_.edges = std::move(*edges);
-    return engine;
+    Result<Programs> programs = make_cell_programs(gl, store, features);
+    if (!programs) return programs.error();
+    return Engine(gl, store, std::move(*programs));
   }
   if ((features & RELIEF_FEATURE_SPRITE) == 0) {
     Result<Program> quads =
         make_program(gl, "quads", "onepass/quad.vert", "onepass/quad.frag", features);
     if (!quads) return quads.error();
-    return Engine(gl, store, {std::move(*quads), std::nullopt, std::nullopt, std::nullopt});
+    return Engine(gl, store, {std::move(*quads)});
   }
   Result<Program> sprites =
       make_program(gl, "sprites", "onepass/sprite.vert", "onepass/sprite.frag", features);
@@ -56,7 +77,7 @@ Result<Engine> Engine::create(const Gl& gl, const PatchStore& store, std::uint32
       make_program(gl, "large sprites", "onepass/large_sprite.vert", "onepass/quad.frag",
                    (features & ~RELIEF_FEATURE_SPRITE) | RELIEF_FEATURE_LARGE_SPRITES);
   if (!large) return large.error();
-  return Engine(gl, store, {std::move(*sprites), std::move(*large), std::nullopt, std::nullopt});
+  return Engine(gl, store, {std::move(*sprites), std::move(*large)});
 }
 
 void Engine::draw_splats(const View& view) const {
@@ -115,14 +136,40 @@ void Engine::draw_strips(const CellPage& page, const std::vector<ArraysCommand>&
                                0);
 }
 
-void Engine::draw(const View& view, PassTimer& timer, const Texture* environment) const {
-  const ScopedPass pass(*gl_, timer, "onepass");
-  const BoundModel bound(*gl_, samples_, environment);
+void Engine::draw_model(const View& view) const {
   if (programs_.rims) {
     draw_cells(view);
   } else {
     draw_splats(view);
   }
+}
+
+void Engine::shade(const Texture& found) const {
+  gl_->DepthFunc(GL_LESS);  // the triangle is at 0, where what was found is above
+  gl_->DepthMask(GL_FALSE);
+  gl_->UseProgram(programs_.shading->id());
+  gl_->BindTextureUnit(RELIEF_TEXTURE_FOUND, found.id());
+  gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+  gl_->BindTextureUnit(RELIEF_TEXTURE_FOUND, 0);
+  gl_->DepthMask(GL_TRUE);
+}
+
+void Engine::draw(const GlPicture& picture, const Visibility* visibility, PassTimer& timer) const {
+  const BoundModel bound(*gl_, samples_, picture.environment);
+  if (!programs_.shading) {
+    const ScopedPass pass(*gl_, timer, "onepass");
+    draw_model(picture.view);
+    return;
+  }
+  assert(visibility != nullptr && "a picture that is shaded later has a visibility buffer");
+  {
+    const ScopedPass pass(*gl_, timer, "visibility");
+    gl_->BindFramebuffer(GL_FRAMEBUFFER, visibility->framebuffer.id());
+    draw_model(picture.view);
+  }
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, picture.targets.framebuffer.id());
+  const ScopedPass pass(*gl_, timer, "shading");
+  shade(visibility->found);
 }
 
 }  // namespace relief::onepass

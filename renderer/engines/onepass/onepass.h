@@ -8,9 +8,11 @@
 
 #include "common/error.h"
 #include "renderer/draw_list.h"
+#include "renderer/engines/onepass/visibility.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/gl/pass.h"
+#include "renderer/gl_picture.h"
 #include "renderer/patch_store.h"
 #include "renderer/sample_draws.h"
 #include "renderer/view.h"
@@ -23,23 +25,28 @@ class Engine {
   /// `features` from features.h.
   static Result<Engine> create(const Gl& gl, const PatchStore& store, std::uint32_t features);
 
-  /// Draws one frame into the bound framebuffer, whose depth was cleared to 0; the frame uniforms
-  /// must be bound. `environment` is needed by the material mirror.
-  void draw(const View& view, PassTimer& timer, const Texture* environment) const;
+  /// Draws one frame of a picture that was cleared; the frame uniforms must be bound. `visibility`:
+  /// made for this picture, where the features ask for it.
+  void draw(const GlPicture& picture, const Visibility* visibility, PassTimer& timer) const;
 
  private:
   /// What draws.
   struct Programs {
     Program main;
-    std::optional<Program> large_sprites;  ///< with sprites
-    std::optional<Program> rims;           ///< with cells: their border splats
-    std::optional<Program> edges;          ///< with cells: those of levels that holes touch
+    std::optional<Program> large_sprites = std::nullopt;  ///< with sprites
+    std::optional<Program> rims = std::nullopt;           ///< with cells: their border splats
+    std::optional<Program> edges = std::nullopt;  ///< with cells: those of levels that holes touch
+    std::optional<Program> shading = std::nullopt;  ///< where cells only find what is seen
   };
 
+  static Result<Programs> make_cell_programs(const Gl& gl, const PatchStore& store,
+                                             std::uint32_t features);
   Engine(const Gl& gl, const PatchStore& store, Programs programs);
+  void draw_model(const View& view) const;
   void draw_splats(const View& view) const;
   void draw_cells(const View& view) const;
   void draw_strips(const CellPage& page, const std::vector<ArraysCommand>& commands) const;
+  void shade(const Texture& found) const;
 
   const Gl* gl_;
   SampleDraws samples_;

@@ -19,9 +19,15 @@ class Prepared final : public GlPreparedModel {
     const std::uint32_t features = features_of(settings, model().has_colours());
     auto picture = model().make_picture(settings);
     if (!picture) return picture.error();
-    const auto draw_with = [](const Engine& drawing) {
-      return [&drawing](const GlPicture& frame, PassTimer& timer) {
-        drawing.draw(frame.view, timer, frame.environment);
+    std::shared_ptr<const Visibility> visibility;
+    if ((features & RELIEF_FEATURE_VISIBILITY) != 0) {
+      auto made = make_visibility(model().gl(), picture->targets);
+      if (!made) return made.error();
+      visibility = std::make_shared<const Visibility>(std::move(*made));
+    }
+    const auto draw_with = [&visibility](const Engine& drawing) {
+      return [visibility, &drawing](const GlPicture& frame, PassTimer& timer) {
+        drawing.draw(frame, visibility.get(), timer);
       };
     };
     return engines_.make_drawing(model(), features, std::move(*picture), !settings.explain,
