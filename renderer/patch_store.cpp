@@ -37,6 +37,7 @@ StoredPatch stored(const Patch& patch, std::uint32_t level, const PatchSamples& 
   kept.origin = patch.origin;
   kept.axes = patch.axes;
   kept.spacing = patch.spacing;
+  kept.side = std::max(patch.width, patch.height);
   kept.centre = patch.origin + patch.axes * (patch.spacing * samples.centre);
   kept.radius = patch.spacing * samples.radius;
   kept.widest_disc = patch.spacing * samples.widest_disc;

@@ -37,6 +37,7 @@ struct StoredPatch {
   glm::dvec3 origin{0.0};
   glm::dmat3 axes{1.0};
   double spacing = 1.0;
+  std::uint32_t side = 0;  ///< nodes along its longer side
   glm::dvec3 centre{0.0};  ///< of a sphere about all of its splats
   double radius = 0.0;
   double widest_disc = 0.0;        ///< radius that no splat of it exceeds, world units

@@ -5,10 +5,6 @@
   ((RELIEF_FEATURES & (RELIEF_FEATURE_LIT | RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_GLASS | \
                        RELIEF_FEATURE_OUT_NORMAL)) != 0u)
 
-// Of `multipass`, whose depths are sums.
-#define RELIEF_NEEDS_DEPTH \
-  ((RELIEF_FEATURES & (RELIEF_FEATURE_OUT_DEPTH | RELIEF_FEATURE_POINT_LIGHTS)) != 0u)
-
 #if RELIEF_NEEDS_NORMAL
 layout(binding = RELIEF_TEXTURE_NORMALS) uniform sampler2DArray normal_maps;
 #endif

@@ -38,3 +38,7 @@ vec2 clamp_to_patch(PatchInfo info, vec2 place) {
 vec3 fetch_eye(uint patch_index) {
   return texelFetch(patch_views, int(patch_index) * kPatchViewRows + 4).xyz;
 }
+
+// Whether a pass that shades later has to be told how far away the surface is.
+#define RELIEF_NEEDS_DEPTH \
+  ((RELIEF_FEATURES & (RELIEF_FEATURE_OUT_DEPTH | RELIEF_FEATURE_POINT_LIGHTS)) != 0u)

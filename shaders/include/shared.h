@@ -52,8 +52,9 @@ using glm::vec4;
 // fragment; of cells only where a hole touches them, which is a second program.
 #define RELIEF_FEATURE_MASKED 4096u
 
-// Cells find the surface first and a pass over the picture shades it, each pixel once: 16 bytes a
-// pixel more. Triangles of a few pixels would shade several times as many as they cover.
+// Cells find the surface first and a pass over the picture shades it, each pixel once: 8 bytes a
+// pixel more, 12 where depth is needed. Triangles of a few pixels would shade several times as many
+// as they cover.
 #define RELIEF_FEATURE_VISIBILITY 8192u
 
 // A material, as LIT and MIRROR above: two lookups of the environment.
@@ -78,8 +79,9 @@ using glm::vec4;
 #define RELIEF_OUT_UV 3
 #define RELIEF_OUT_PATCH 4
 
-// The same of the pass that finds the surface.
+// The same of the pass that finds the surface: the place, and its depth if that is needed.
 #define RELIEF_OUT_FOUND 0
+#define RELIEF_OUT_FOUND_DEPTH 1
 
 // The same where `multipass` sums up splats: normal, colour, depth, each times its weight, and the
 // weights.
@@ -110,12 +112,16 @@ using glm::vec4;
 #define RELIEF_TEXTURE_VISIBLE_DEPTH 14
 #define RELIEF_TEXTURE_MASKS 15
 #define RELIEF_TEXTURE_FOUND 16
+#define RELIEF_TEXTURE_FOUND_DEPTH 17
 
 #define RELIEF_TEXTURE_ROUGH_ENVIRONMENTS 20
 #define RELIEF_TEXTURE_PATCH_IDS 21
 
 /// Uniform of `multipass`: radius of its discs over that of Eq. (1) of paper 001.
 #define RELIEF_UNIFORM_RADIUS_FACTOR 0
+
+/// Uniform of `onepass`: steps a cell of the places that it notes (visibility.glsl).
+#define RELIEF_UNIFORM_PLACE_STEPS 1
 
 /// Uniform of the bench's shading bound: the patch that it shades.
 #define RELIEF_UNIFORM_PATCH 0
@@ -129,6 +135,14 @@ using glm::vec4;
 #define RELIEF_ATTRIBUTE_POSITION 0
 #define RELIEF_ATTRIBUTE_NORMAL 1
 #define RELIEF_ATTRIBUTE_COLOUR 2
+
+/// A place that was found is two words: grid coordinates in the lower bits, counted in steps from
+/// kFoundBegin cells before the first node, and half the number of its patch in each of the upper
+/// ones.
+RELIEF_CONST uint kFoundBits = 22u;
+RELIEF_CONST uint kFoundMask = (1u << kFoundBits) - 1u;
+RELIEF_CONST uint kFoundPatchBits = 32u - kFoundBits;
+RELIEF_CONST float kFoundBegin = 4.0f;
 
 /// The height texel of a hole.
 RELIEF_CONST uint kHoleTexel = 65535u;

@@ -2,7 +2,7 @@
 #include "include/counting.glsl"
 #include "include/limits.glsl"
 #if (RELIEF_FEATURES & RELIEF_FEATURE_VISIBILITY) != 0u
-#include "include/patches.glsl"
+#include "include/visibility.glsl"
 #else
 #include "include/surface.glsl"
 #endif
@@ -14,7 +14,10 @@
 #endif
 
 #if (RELIEF_FEATURES & RELIEF_FEATURE_VISIBILITY) != 0u
-layout(location = RELIEF_OUT_FOUND) out vec4 out_found;  // grid coordinates, patch, depth
+layout(location = RELIEF_OUT_FOUND) out uvec2 out_found;
+#if RELIEF_NEEDS_DEPTH
+layout(location = RELIEF_OUT_FOUND_DEPTH) out float out_found_depth;  // along the view axis
+#endif
 #endif
 
 layout(location = 0) flat in uint hit_patch;
@@ -42,7 +45,10 @@ void main() {
   if (!within_mask(info, place.xy)) discard;
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_VISIBILITY) != 0u
-  out_found = vec4(place.xy, float(hit_patch), depth);
+  out_found = pack_place(place.xy, hit_patch);
+#if RELIEF_NEEDS_DEPTH
+  out_found_depth = depth;
+#endif
 #else
   shade(info, place, ray, depth);
 #endif

@@ -13,6 +13,12 @@
 namespace relief::onepass {
 namespace {
 
+/// Of the features of a picture that is shaded later, those of the pass that finds the surface.
+constexpr std::uint32_t kFindingFeatures = RELIEF_FEATURE_VISIBILITY | RELIEF_FEATURE_CELL |
+                                           RELIEF_FEATURE_MASKED | RELIEF_FEATURE_CORRECTED |
+                                           RELIEF_FEATURE_OUT_DEPTH | RELIEF_FEATURE_POINT_LIGHTS |
+                                           RELIEF_FEATURE_COUNT_FRAGMENTS;
+
 void bind_page(const Gl& gl, const CellPage& page) {
   gl.BindTextureUnit(RELIEF_TEXTURE_CELL_HEIGHTS, page.heights.texture.id());
   gl.BindTextureUnit(RELIEF_TEXTURE_CELL_ROWS, page.rows.texture.id());
@@ -29,11 +35,7 @@ Result<Engine::Programs> Engine::make_cell_programs(const Gl& gl, const PatchSto
                                                     std::uint32_t features) {
   // What finds the surface needs nothing of what shades it.
   const bool shaded_later = (features & RELIEF_FEATURE_VISIBILITY) != 0;
-  const std::uint32_t found =
-      shaded_later
-          ? features & (RELIEF_FEATURE_VISIBILITY | RELIEF_FEATURE_CELL | RELIEF_FEATURE_MASKED |
-                        RELIEF_FEATURE_CORRECTED | RELIEF_FEATURE_COUNT_FRAGMENTS)
-          : features;
+  const std::uint32_t found = shaded_later ? features & kFindingFeatures : features;
   // A cell is the surface: there is nothing to correct.
   const std::uint32_t whole = found & ~RELIEF_FEATURE_MASKED;
   const std::uint32_t direct = ~RELIEF_FEATURE_CORRECTED;
@@ -55,6 +57,9 @@ Result<Engine::Programs> Engine::make_cell_programs(const Gl& gl, const PatchSto
       features & ~(RELIEF_FEATURE_CELL | RELIEF_FEATURE_MASKED | RELIEF_FEATURE_CORRECTED));
   if (!shading) return shading.error();
   programs.shading = std::move(*shading);
+  for (const Program* program : {&programs.main, &*programs.rims, &*programs.shading,
+                                 programs.edges ? &*programs.edges : &programs.main})
+    gl.ProgramUniform1f(program->id(), RELIEF_UNIFORM_PLACE_STEPS, place_steps(store));
   return programs;
 }
 
@@ -144,13 +149,15 @@ void Engine::draw_model(const View& view) const {
   }
 }
 
-void Engine::shade(const Texture& found) const {
+void Engine::shade(const Visibility& visibility) const {
   gl_->DepthFunc(GL_LESS);  // the triangle is at 0, where what was found is above
   gl_->DepthMask(GL_FALSE);
   gl_->UseProgram(programs_.shading->id());
-  gl_->BindTextureUnit(RELIEF_TEXTURE_FOUND, found.id());
+  gl_->BindTextureUnit(RELIEF_TEXTURE_FOUND, visibility.places.id());
+  gl_->BindTextureUnit(RELIEF_TEXTURE_FOUND_DEPTH, visibility.depths ? visibility.depths->id() : 0);
   gl_->DrawArrays(GL_TRIANGLES, 0, 3);
   gl_->BindTextureUnit(RELIEF_TEXTURE_FOUND, 0);
+  gl_->BindTextureUnit(RELIEF_TEXTURE_FOUND_DEPTH, 0);
   gl_->DepthMask(GL_TRUE);
 }
 
@@ -169,7 +176,7 @@ void Engine::draw(const GlPicture& picture, const Visibility* visibility, PassTi
   }
   gl_->BindFramebuffer(GL_FRAMEBUFFER, picture.targets.framebuffer.id());
   const ScopedPass pass(*gl_, timer, "shading");
-  shade(visibility->found);
+  shade(*visibility);
 }
 
 }  // namespace relief::onepass

@@ -16,12 +16,13 @@ class Prepared final : public GlPreparedModel {
   using GlPreparedModel::GlPreparedModel;
 
   Result<GlDrawing> make_drawing(const RenderSettings& settings) override {
-    const std::uint32_t features = features_of(settings, model().has_colours());
+    std::uint32_t features = features_of(settings, model().has_colours());
+    if (!can_be_found(model().store())) features &= ~RELIEF_FEATURE_VISIBILITY;
     auto picture = model().make_picture(settings);
     if (!picture) return picture.error();
     std::shared_ptr<const Visibility> visibility;
     if ((features & RELIEF_FEATURE_VISIBILITY) != 0) {
-      auto made = make_visibility(model().gl(), picture->targets);
+      auto made = make_visibility(model().gl(), picture->targets, features);
       if (!made) return made.error();
       visibility = std::make_shared<const Visibility>(std::move(*made));
     }

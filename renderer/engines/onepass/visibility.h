@@ -1,9 +1,13 @@
 // What cells find before it is shaded: a visibility buffer.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "common/error.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
+#include "renderer/patch_store.h"
 #include "renderer/targets.h"
 
 namespace relief::onepass {
@@ -11,11 +15,19 @@ namespace relief::onepass {
 /// One for each picture, of its size. It is never cleared: where the depth buffer is, nothing reads
 /// it.
 struct Visibility {
-  Texture found;            ///< RGBA32F: grid coordinates, entry of the patch table, depth
-  Framebuffer framebuffer;  ///< it and the picture's depth buffer
+  Texture places;                 ///< RG32UI: as shaders/include/visibility.glsl packs them
+  std::optional<Texture> depths;  ///< R32F: along the view axis, where features need it
+  Framebuffer framebuffer;        ///< they and the picture's depth buffer
 };
 
 /// Makes it; `targets` must outlive it. Fails if OpenGL lacks memory.
-Result<Visibility> make_visibility(const Gl& gl, const Targets& targets);
+Result<Visibility> make_visibility(const Gl& gl, const Targets& targets, std::uint32_t features);
+
+/// Whether every patch of the store has a number that a place can name.
+[[nodiscard]] bool can_be_found(const PatchStore& store);
+
+/// Steps a cell that places are noted in: a power of two, as many as the widest patch leaves bits
+/// for. 8192 for patches of up to 508 nodes, 256 for the widest that there can be.
+[[nodiscard]] float place_steps(const PatchStore& store);
 
 }  // namespace relief::onepass
