@@ -2,3 +2,24 @@
 #include "include/shared.h"
 
 layout(binding = RELIEF_TEXTURE_ENVIRONMENT) uniform samplerCube environment;
+
+#ifdef RELIEF_SHADES_PICTURE
+// Whether the neighbours beside and above (or below) show the same surface: what a lookup there
+// differs by is then how much of the environment a pixel sees. Across a silhouette it is not.
+bvec2 neighbours_alike = bvec2(true);
+
+vec3 difference(vec3 along, bool upward) {
+  vec3 beside = dFdxFine(along);
+  vec3 above = dFdyFine(along);
+  bvec2 alike = upward ? neighbours_alike.yx : neighbours_alike;
+  return alike.x ? (upward ? above : beside) : alike.y ? (upward ? beside : above) : vec3(0.0);
+}
+#define RELIEF_SEE(environments, place, along) \
+  textureGrad(environments, place, difference(along, false), difference(along, true)).rgb
+#else
+#define RELIEF_SEE(environments, place, along) texture(environments, place).rgb
+#endif
+
+vec3 see(vec3 along) {
+  return RELIEF_SEE(environment, along, along);
+}

@@ -30,9 +30,9 @@ vec3 shade_lit(vec3 albedo, vec3 facing, vec3 ray, float depth) {
 // `layer`: of a rough environment; below 0 and without any: the one that there is.
 vec3 shade_mirror(vec3 facing, vec3 ray, float layer) {
   vec3 along = reflect(ray, facing);
-  vec3 smooth_light = texture(environment, along).rgb;
+  vec3 smooth_light = see(along);
 #if (RELIEF_FEATURES & RELIEF_FEATURE_ROUGH) != 0u
-  vec3 rough_light = texture(rough_environments, vec4(along, max(layer, 0.0))).rgb;
+  vec3 rough_light = RELIEF_SEE(rough_environments, vec4(along, max(layer, 0.0)), along);
   return layer < 0.0 ? smooth_light : rough_light;
 #else
   return smooth_light;
@@ -43,8 +43,8 @@ vec3 shade_mirror(vec3 facing, vec3 ray, float layer) {
 #if (RELIEF_FEATURES & RELIEF_FEATURE_GLASS) != 0u
 vec3 shade_glass(MaterialInfo material, vec3 normal, vec3 ray) {
   SplitRay split = split_ray(normal, ray, material.constants.y);
-  return glass(split, material.absorption.rgb, texture(environment, split.reflected).rgb,
-               texture(environment, split.refracted).rgb);
+  return glass(split, material.absorption.rgb, see(split.reflected),
+               see(split.refracted));
 }
 #endif
 

@@ -1,6 +1,7 @@
 // The quad itself is the splat's plane: rasterising it has intersected the view ray with it.
 #include "include/counting.glsl"
 #include "include/limits.glsl"
+#include "include/patches.glsl"
 #if (RELIEF_FEATURES & RELIEF_FEATURE_VISIBILITY) != 0u
 #include "include/visibility.glsl"
 #else

@@ -7,6 +7,7 @@
 #include <glm/trigonometric.hpp>
 #include <random>
 
+#include "renderer/engines/onepass/visibility.h"
 #include "shaders/include/shared.h"
 #include "tests/renderer/pictures.h"
 
@@ -97,7 +98,41 @@ TEST(CellPictures, ShadeFewerFragmentsThanQuads) {
   settings.primitive = Primitive::Cell;
   const RenderResult cells = must_render(model, settings);
   ASSERT_TRUE(cells.fragments && quads.fragments);
-  EXPECT_LT(*cells.fragments, *quads.fragments);
+  // Those that find the surface and those that shade it, each pixel once.
+  EXPECT_LT(*cells.fragments - cells.covered_pixels, *quads.fragments);
+}
+
+TEST(CellPictures, ThatAreShadedLaterShowTheSamePlaces) {
+  const PatchModel model = wavy_field(0.1);
+  for (const double pixels_per_sample : {0.0, 30.0}) {  // 30: a coarser level, cut by the mask
+    RenderSettings settings = seen_from_above(model);
+    settings.pixels_per_sample = pixels_per_sample;
+    settings.material = Material::Unlit;  // shaded as it is found
+    const RenderResult at_once = must_render(model, settings);
+    settings.material = Material::Lit;
+    const RenderResult later = must_render(model, settings);
+    for (const char* channel : {"A", "Z", "patch"})
+      EXPECT_EQ(values(at_once.image, channel), values(later.image, channel)) << channel;
+    ASSERT_TRUE(at_once.fragments && later.fragments);
+    EXPECT_EQ(*later.fragments, *at_once.fragments + later.covered_pixels);
+    std::size_t covered = 0;
+    for (std::size_t k = 0; k < values(later.image, "A").size(); ++k) {
+      if (values(later.image, "patch")[k] == 0.0F) continue;
+      ++covered;
+      for (const char* channel : {"UV.U", "UV.V"}) {
+        // Places are rounded down to 1/8192 of a cell, of a level's of up to eight; then to floats.
+        EXPECT_NEAR(values(later.image, channel)[k], values(at_once.image, channel)[k], 8.1 / 8192);
+      }
+    }
+    EXPECT_GT(covered, 2000U);
+  }
+}
+
+TEST(CellPictures, NotePlacesAsFinelyAsTheirBitsAllow) {
+  EXPECT_EQ(onepass::place_steps(1), 262144.0F);  // 2^22 over 9 cells
+  EXPECT_EQ(onepass::place_steps(503), 8192.0F);  // 511 cells
+  EXPECT_EQ(onepass::place_steps(504), 4096.0F);  // 512 cells would need the step 2^22
+  EXPECT_EQ(onepass::place_steps(kMaxPatchSide), 128.0F);
 }
 
 TEST(CellPictures, OfAPatchLargerThanAPartHaveNoSeam) {

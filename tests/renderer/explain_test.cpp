@@ -204,11 +204,22 @@ TEST(Explain, TellsPassesAndDraws) {
 
   settings.primitive = Primitive::Cell;
   e = explain(model, settings);
-  ASSERT_EQ(e.draws.size(), 2U);
+  EXPECT_EQ(e.passes, (Names{"visibility", "shading"}));
+  ASSERT_EQ(e.draws.size(), 3U);
   EXPECT_EQ(e.draws[0].primitive, "triangle strip");
   EXPECT_EQ(e.draws[1].program, "rims");
+  EXPECT_EQ(e.draws[2].program, "shading");
+  const std::uint64_t pixels = std::uint64_t{settings.width} * settings.height;
+  EXPECT_EQ(bytes_of(e.textures, "places"), 8 * pixels);
+  EXPECT_EQ(find(e.textures, "depths"), nullptr);
+
+  settings.material = Material::Unlit;  // nothing that is worth being shaded later
+  e = explain(model, settings);
+  EXPECT_EQ(e.passes, Names{"onepass"});
+  EXPECT_EQ(find(e.textures, "places"), nullptr);
 
   settings.engine = EngineKind::Multipass;
+  settings.material = Material::Lit;
   settings.primitive = Primitive::Sprite;
   e = explain(model, settings);
   EXPECT_EQ(e.passes, (Names{"visibility", "accumulation", "shading"}));

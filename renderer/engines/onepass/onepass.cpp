@@ -1,5 +1,6 @@
 #include "renderer/engines/onepass/onepass.h"
 
+#include <algorithm>
 #include <cassert>
 #include <span>
 #include <utility>
@@ -18,6 +19,13 @@ constexpr std::uint32_t kFindingFeatures = RELIEF_FEATURE_VISIBILITY | RELIEF_FE
                                            RELIEF_FEATURE_MASKED | RELIEF_FEATURE_CORRECTED |
                                            RELIEF_FEATURE_OUT_DEPTH | RELIEF_FEATURE_POINT_LIGHTS |
                                            RELIEF_FEATURE_COUNT_FRAGMENTS;
+
+/// Nodes along the longest side of any patch or level.
+std::uint32_t widest_side(const PatchStore& store) {
+  std::uint32_t widest = 1;
+  for (const StoredPatch& patch : store.patches) widest = std::max(widest, patch.side);
+  return widest;
+}
 
 void bind_page(const Gl& gl, const CellPage& page) {
   gl.BindTextureUnit(RELIEF_TEXTURE_CELL_HEIGHTS, page.heights.texture.id());
@@ -57,9 +65,14 @@ Result<Engine::Programs> Engine::make_cell_programs(const Gl& gl, const PatchSto
       features & ~(RELIEF_FEATURE_CELL | RELIEF_FEATURE_MASKED | RELIEF_FEATURE_CORRECTED));
   if (!shading) return shading.error();
   programs.shading = std::move(*shading);
-  for (const Program* program : {&programs.main, &*programs.rims, &*programs.shading,
-                                 programs.edges ? &*programs.edges : &programs.main})
-    gl.ProgramUniform1f(program->id(), RELIEF_UNIFORM_PLACE_STEPS, place_steps(store));
+  const float steps = place_steps(widest_side(store));
+  const auto tell = [&](const std::optional<Program>& program) {
+    if (program) gl.ProgramUniform1f(program->id(), RELIEF_UNIFORM_PLACE_STEPS, steps);
+  };
+  gl.ProgramUniform1f(programs.main.id(), RELIEF_UNIFORM_PLACE_STEPS, steps);
+  tell(programs.rims);
+  tell(programs.edges);
+  tell(programs.shading);
   return programs;
 }
 
@@ -149,13 +162,16 @@ void Engine::draw_model(const View& view) const {
   }
 }
 
-void Engine::shade(const Visibility& visibility) const {
+void Engine::shade(const Visibility& visibility, const Texture& visible_depth) const {
   gl_->DepthFunc(GL_LESS);  // the triangle is at 0, where what was found is above
   gl_->DepthMask(GL_FALSE);
   gl_->UseProgram(programs_.shading->id());
+  gl_->TextureBarrier();  // what is tested is read, too; nothing writes it in this pass
+  gl_->BindTextureUnit(RELIEF_TEXTURE_VISIBLE_DEPTH, visible_depth.id());
   gl_->BindTextureUnit(RELIEF_TEXTURE_FOUND, visibility.places.id());
   gl_->BindTextureUnit(RELIEF_TEXTURE_FOUND_DEPTH, visibility.depths ? visibility.depths->id() : 0);
   gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+  gl_->BindTextureUnit(RELIEF_TEXTURE_VISIBLE_DEPTH, 0);
   gl_->BindTextureUnit(RELIEF_TEXTURE_FOUND, 0);
   gl_->BindTextureUnit(RELIEF_TEXTURE_FOUND_DEPTH, 0);
   gl_->DepthMask(GL_TRUE);
@@ -176,7 +192,7 @@ void Engine::draw(const GlPicture& picture, const Visibility* visibility, PassTi
   }
   gl_->BindFramebuffer(GL_FRAMEBUFFER, picture.targets.framebuffer.id());
   const ScopedPass pass(*gl_, timer, "shading");
-  shade(*visibility);
+  shade(*visibility, picture.targets.z_buffer);
 }
 
 }  // namespace relief::onepass

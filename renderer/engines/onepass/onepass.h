@@ -46,7 +46,7 @@ class Engine {
   void draw_splats(const View& view) const;
   void draw_cells(const View& view) const;
   void draw_strips(const CellPage& page, const std::vector<ArraysCommand>& commands) const;
-  void shade(const Visibility& visibility) const;
+  void shade(const Visibility& visibility, const Texture& visible_depth) const;
 
   const Gl* gl_;
   SampleDraws samples_;

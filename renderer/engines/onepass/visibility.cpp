@@ -1,6 +1,5 @@
 #include "renderer/engines/onepass/visibility.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -41,10 +40,8 @@ bool can_be_found(const PatchStore& store) {
   return store.patches.size() <= std::size_t{1} << (2 * shared::kFoundPatchBits);
 }
 
-float place_steps(const PatchStore& store) {
-  std::uint32_t widest = 1;
-  for (const StoredPatch& patch : store.patches) widest = std::max(widest, patch.side);
-  const float cells = static_cast<float>(widest) + 2.0F * shared::kFoundBegin;
+float place_steps(std::uint32_t side) {
+  const float cells = static_cast<float>(side) + 2.0F * shared::kFoundBegin;
   float steps = 1.0F;
   while (2.0F * steps * cells <= static_cast<float>(shared::kFoundMask)) steps *= 2.0F;
   return steps;

@@ -26,8 +26,8 @@ Result<Visibility> make_visibility(const Gl& gl, const Targets& targets, std::ui
 /// Whether every patch of the store has a number that a place can name.
 [[nodiscard]] bool can_be_found(const PatchStore& store);
 
-/// Steps a cell that places are noted in: a power of two, as many as the widest patch leaves bits
-/// for. 8192 for patches of up to 508 nodes, 256 for the widest that there can be.
-[[nodiscard]] float place_steps(const PatchStore& store);
+/// Steps a cell that places are noted in: a power of two, as many as patches of `side` nodes leave
+/// bits for. 8192 for up to 503, 128 for the widest that there can be.
+[[nodiscard]] float place_steps(std::uint32_t side);
 
 }  // namespace relief::onepass
