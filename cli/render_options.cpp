@@ -179,6 +179,8 @@ void add_material_options(CLI::App& sub, SceneSettings& settings) {
       ->option_text("R,G,B");
   add_number(sub, "--roughness", settings.roughness, kRoughnesses, "R",
              "mirror: from 0, smooth, to 1 (0)");
+  add_number(sub, "--opacity", settings.opacity, kOpacities, "A",
+             "How much of what is behind a surface it covers, from 0 to 1 (1)");
   add_number(sub, "--exposure", settings.exposure, kExposures, "STOPS",
              "A PNG's light is multiplied by 2 to this power; an EXR's never is (0)");
   sub.add_option("--env", settings.environment,

@@ -7,6 +7,7 @@ MaterialWords overlay_material(MaterialWords base, const MaterialWords& over) {
   if (over.ior) base.ior = over.ior;
   if (over.absorption) base.absorption = over.absorption;
   if (over.roughness) base.roughness = over.roughness;
+  if (over.opacity) base.opacity = over.opacity;
   return base;
 }
 
@@ -17,6 +18,7 @@ MaterialSettings material_of(const MaterialWords& words) {
   constants.ior = static_cast<float>(words.ior.value_or(constants.ior));
   constants.absorption = words.absorption.value_or(constants.absorption);
   constants.roughness = static_cast<float>(words.roughness.value_or(constants.roughness));
+  constants.opacity = static_cast<float>(words.opacity.value_or(constants.opacity));
   return settings;
 }
 

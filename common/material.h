@@ -19,6 +19,8 @@ struct MaterialConstants {
   glm::vec3 absorption{0.0F};
   /// Of Mirror: 0 is smooth; the width of the microfacets' GGX distribution is its square.
   float roughness = 0.0F;
+  /// Of any kind: how much of what is behind a surface it covers. 1 is opaque.
+  float opacity = 1.0F;
 
   bool operator==(const MaterialConstants&) const = default;
 };
@@ -34,6 +36,7 @@ struct MaterialSettings {
 inline constexpr NumberChoice kRefractiveIndices{1.0, 4.0};
 inline constexpr NumberChoice kAbsorptions{0.0, 100.0};
 inline constexpr NumberChoice kRoughnesses{0.0, 1.0};
+inline constexpr NumberChoice kOpacities{0.0, 1.0};
 
 /// The most materials of a scene, and how many roughnesses above 0 may be among those of a picture:
 /// each has an environment of its own, of up to 16 MB.
@@ -46,6 +49,7 @@ struct MaterialWords {
   std::optional<double> ior;
   std::optional<glm::vec3> absorption;
   std::optional<double> roughness;
+  std::optional<double> opacity;
 
   bool operator==(const MaterialWords&) const = default;
 };

@@ -97,10 +97,14 @@ MaterialWords read_material(JsonValues& values, const JsonPlace& object) {
   }
   if (const auto place = JsonValues::member(object, "absorption"))
     words.absorption = read_linear_colour(values, *place, kAbsorptions.most);
-  if (const auto place = JsonValues::member(object, "roughness")) {
-    words.roughness =
-        values.number(*place, {kRoughnesses.least, kRoughnesses.most}, "a number from 0 to 1");
-  }
+  const auto read_fraction = [&](std::string_view key, NumberChoice choice) {
+    const auto place = JsonValues::member(object, key);
+    if (!place) return std::optional<double>();
+    return std::optional(
+        values.number(*place, {choice.least, choice.most}, "a number from 0 to 1"));
+  };
+  words.roughness = read_fraction("roughness", kRoughnesses);
+  words.opacity = read_fraction("opacity", kOpacities);
   return words;
 }
 

@@ -45,6 +45,13 @@ bool reflects(const RenderSettings& settings) {
   return uses(settings, Material::Mirror) || uses(settings, Material::Glass);
 }
 
+bool is_transparent(const RenderSettings& settings) {
+  const std::vector<MaterialSettings> all = materials_of(settings);
+  return std::any_of(all.begin(), all.end(), [](const MaterialSettings& material) {
+    return material.constants.opacity < 1.0F;
+  });
+}
+
 float roughness_of(const MaterialSettings& material) {
   return material.kind == Material::Mirror ? material.constants.roughness : 0.0F;
 }
@@ -65,7 +72,7 @@ shared::MaterialInfo info_of(const MaterialSettings& material,
   const auto layer =
       found == roughnesses.end() ? -1.0F : static_cast<float>(found - roughnesses.begin());
   return {{static_cast<float>(material.kind), material.constants.ior, layer, 0.0F},
-          glm::vec4(material.constants.absorption, 0.0F)};
+          glm::vec4(material.constants.absorption, material.constants.opacity)};
 }
 
 }  // namespace relief

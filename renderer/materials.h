@@ -22,6 +22,9 @@ namespace relief {
 /// Whether some material reflects the environment.
 [[nodiscard]] bool reflects(const RenderSettings& settings);
 
+/// Whether some material is not opaque.
+[[nodiscard]] bool is_transparent(const RenderSettings& settings);
+
 /// 0 of what is no mirror.
 [[nodiscard]] float roughness_of(const MaterialSettings& material);
 

@@ -9,6 +9,12 @@
 namespace relief {
 namespace {
 
+const LitMaterial& lit_material(const Lighting& lighting, std::size_t material) {
+  const std::vector<LitMaterial>& all = lighting.materials;
+  assert((all.size() == 1 || material < all.size()) && "an index into the table of materials");
+  return all.size() == 1 ? all.front() : all[material];
+}
+
 glm::vec3 shade_glass(const LitMaterial& material, const SeenSurface& surface) {
   const MaterialConstants& constants = material.settings.constants;
   const shared::SplitRay split = shared::split_ray(surface.normal, surface.ray, constants.ior);
@@ -32,10 +38,12 @@ Result<Lighting> make_lighting(const RenderSettings& settings, const View& view,
   return lighting;
 }
 
+const MaterialSettings& material_of(const Lighting& lighting, std::size_t material) {
+  return lit_material(lighting, material).settings;
+}
+
 glm::vec3 shade(const Lighting& lighting, std::size_t material, const SeenSurface& surface) {
-  const std::vector<LitMaterial>& all = lighting.materials;
-  assert((all.size() == 1 || material < all.size()) && "an index into the table of materials");
-  const LitMaterial& own = all.size() == 1 ? all.front() : all[material];
+  const LitMaterial& own = lit_material(lighting, material);
   const auto facing = [&surface] { return shared::facing_normal(surface.normal, surface.ray); };
   switch (own.settings.kind) {
     case Material::Unlit:

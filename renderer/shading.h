@@ -30,6 +30,9 @@ struct Lighting {
 Result<Lighting> make_lighting(const RenderSettings& settings, const View& view,
                                EnvironmentCache& environments);
 
+/// The material of that index; where there is but one, that, whatever the index.
+[[nodiscard]] const MaterialSettings& material_of(const Lighting& lighting, std::size_t material);
+
 /// A surface as it is seen. World frame.
 struct SeenSurface {
   glm::vec3 albedo{0.0F};  ///< linear
@@ -38,8 +41,7 @@ struct SeenSurface {
   glm::vec3 place{0.0F};   ///< from the eye; only point lights ask for it
 };
 
-/// The light that it sends to the eye if it has that material; where there is but one material,
-/// that, whatever the index.
+/// The light that it sends to the eye if it has that material (as material_of).
 [[nodiscard]] glm::vec3 shade(const Lighting& lighting, std::size_t material,
                               const SeenSurface& surface);
 

@@ -269,7 +269,7 @@ struct MaterialInfo {
   /// Kind; index of refraction; layer of the rough environment that it reflects, below 0: the
   /// smooth one.
   vec4 constants;
-  vec4 absorption;  ///< R, G, B: exponent over a diameter of the body
+  vec4 absorption;  ///< R, G, B: exponent over a diameter of the body; w: opacity
 };
 
 /// What does not change from frame to frame about a patch, or about one of its levels, whose cells

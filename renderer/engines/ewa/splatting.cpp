@@ -79,7 +79,7 @@ Vector finite_or_zero(Vector v) {
   return v;
 }
 
-SplatAttributes attributes_of(const SplatCloud& cloud, std::size_t k) {
+SplatAttributes attributes_of(const SplatCloud& cloud, const Lighting& lighting, std::size_t k) {
   SplatAttributes attributes;
   attributes.colour = cloud.colours.empty()
                           ? glm::dvec4(glm::dvec3(double{shared::kNeutralGrey}), 1.0)
@@ -89,6 +89,7 @@ SplatAttributes attributes_of(const SplatCloud& cloud, std::size_t k) {
   if (!cloud.uvs.empty()) attributes.uv = finite_or_zero(glm::dvec2(cloud.uvs[k]));
   if (!cloud.patches.empty()) attributes.patch = cloud.patches[k];
   if (!cloud.materials.empty()) attributes.material = cloud.materials[k];
+  attributes.colour.a *= double{material_of(lighting, attributes.material).constants.opacity};
   return attributes;
 }
 
@@ -156,8 +157,8 @@ std::uint64_t draw_tile(const SplatCloud& cloud, const std::vector<Chunk<Kernel>
   for (const Chunk<Kernel>& chunk : chunks) {
     for (const TileEntry& entry : entries_of(chunk, t)) {
       const ProjectedSplat<Kernel>& splat = chunk.splats[entry.splat];
-      evaluations +=
-          draw_splat(splat, settings.cutoff, attributes_of(cloud, splat.index), tile, buffer);
+      evaluations += draw_splat(splat, settings.cutoff, attributes_of(cloud, lighting, splat.index),
+                                tile, buffer);
     }
   }
   for (std::int64_t y = tile.top; y <= tile.bottom; ++y) {

@@ -14,6 +14,16 @@ namespace {
 /// What is behind this much of a surface can't be seen: a 16-bit picture has steps of 1.5e-5.
 constexpr float kOpaqueEnough = 1.0F - 1e-6F;
 
+bool has_transparent_vertex(const TriangleMesh& mesh) {
+  return std::any_of(mesh.colours.begin(), mesh.colours.end(),
+                     [](const glm::vec4& colour) { return colour.a < 1.0F; });
+}
+
+bool has_transparent_material(const Lighting& lighting) {
+  return std::any_of(lighting.materials.begin(), lighting.materials.end(),
+                     [](const LitMaterial& m) { return m.settings.constants.opacity < 1.0F; });
+}
+
 bool touch(const TriangleMesh& mesh, const Hit& a, const Hit& b) {
   for (const std::uint32_t k : mesh.triangles[a.triangle]) {
     for (const std::uint32_t l : mesh.triangles[b.triangle]) {
@@ -37,15 +47,15 @@ Tracer::Tracer(const TriangleMesh& mesh, const EmbreeScene& scene, const View& v
       scene_(&scene),
       view_(view),
       lighting_(std::move(lighting)),
-      transparent_(std::any_of(mesh.colours.begin(), mesh.colours.end(),
-                               [](const glm::vec4& colour) { return colour.a < 1.0F; })) {}
+      transparent_(has_transparent_vertex(mesh) || has_transparent_material(lighting_)) {}
 
 glm::vec4 Tracer::shade_at(const Hit& at, glm::dvec3 ray) const {
   const glm::vec4 colour = colour_at(*mesh_, at);
-  const glm::vec3 light = shade(lighting_, material_at(*mesh_, at),
+  const std::uint8_t material = material_at(*mesh_, at);
+  const glm::vec3 light = shade(lighting_, material,
                                 {glm::vec3(colour), normal_at(*mesh_, at),
                                  glm::vec3(glm::normalize(ray)), glm::vec3(at.depth * ray)});
-  return {light, colour.a};
+  return {light, colour.a * material_of(lighting_, material).constants.opacity};
 }
 
 Seen Tracer::blend_along(glm::dvec3 ray) const {

@@ -45,7 +45,7 @@ class Tracer {
   const EmbreeScene* scene_;
   View view_;
   Lighting lighting_;
-  bool transparent_;  ///< some vertex is not opaque
+  bool transparent_;  ///< some vertex or material is not opaque
 };
 
 }  // namespace relief::raytrace
