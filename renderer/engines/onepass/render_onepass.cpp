@@ -15,9 +15,9 @@ class Prepared final : public GlPreparedModel {
  public:
   using GlPreparedModel::GlPreparedModel;
 
-  Result<GlDrawing> make_drawing(const RenderSettings& settings) override {
+  Result<GlDrawing> make_drawing(const RenderSettings& settings, const Raster& part) override {
     const std::uint32_t features = features_of(settings, model().has_colours());
-    auto picture = model().make_picture(settings);
+    auto picture = model().make_picture(settings, part);
     if (!picture) return picture.error();
     const auto draw_with = [](const Engine& drawing) {
       return [&drawing](const GlPicture& frame, PassTimer& timer) {
