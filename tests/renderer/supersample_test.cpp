@@ -5,6 +5,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "renderer/picture_parts.h"
+#include "renderer/view.h"
 #include "tests/renderer/pictures.h"
 
 namespace relief {
@@ -64,6 +65,47 @@ Expected count_inside(const RenderSettings& settings, std::size_t x, std::size_t
     }
   }
   return expected;
+}
+
+TEST(ViewOfPart, SeesWhatThePictureSeesThere) {
+  const Camera camera{{1.0, 2.0, 9.0}, {0.0, 0.5, 0.0}, {0.1, 1.0, 0.0}, 50.0};
+  const View picture = make_view(camera, 90, 60, 0.01);
+  const Raster raster{70, 10, 15, 40, 3};
+  const View part = view_of_part(picture, raster);
+  EXPECT_EQ(part.width, 45U);
+  EXPECT_EQ(part.height, 120U);
+  for (const glm::dvec2 window :
+       {glm::dvec2(0.0), glm::dvec2(45.0, 120.0), glm::dvec2(7.5, 31.5)}) {
+    const glm::dvec2 in_picture = glm::dvec2(70.0, 10.0) + window / 3.0;
+    const glm::dvec3 ray = ray_through(part, window);
+    // Double precision throughout.
+    EXPECT_LT(glm::distance(ray, ray_through(picture, in_picture)), 1e-14);
+    const glm::dvec4 clip = part.projection * glm::dvec4(part.rotation * ray, 1.0);
+    const glm::dvec2 projected =
+        (glm::dvec2(clip) / clip.w + 1.0) * 0.5 * glm::dvec2(part.width, part.height);
+    // The projection is made of floats.
+    EXPECT_LT(glm::distance(projected, window), 1e-4);
+    const shared::Frame frame = make_frame(part, 0.0, {});
+    const glm::dvec3 drawn = glm::dvec3(frame.ray_origin) + window.x * glm::dvec3(frame.ray_x) +
+                             window.y * glm::dvec3(frame.ray_y);
+    EXPECT_LT(glm::distance(drawn, ray), 1e-5);
+  }
+  // A small thing is seen where it is and nowhere else.
+  for (const glm::dvec2 middle : {glm::dvec2(0.5), glm::dvec2(-0.05, 0.5), glm::dvec2(1.05, 0.5),
+                                  glm::dvec2(0.5, -0.05), glm::dvec2(0.5, 1.05)}) {
+    const glm::dvec2 window = middle * glm::dvec2(part.width, part.height);
+    const bool within = middle == glm::dvec2(0.5);
+    EXPECT_EQ(sees_sphere(part, part.eye + 5.0 * ray_through(part, window), 1e-3), within);
+  }
+}
+
+TEST(ViewOfPart, OfTheWholePictureIsTheSameToTheLastBit) {
+  const View picture = make_view({{1.0, 2.0, 9.0}, {}, {0.0, 1.0, 0.0}, 50.0}, 90, 70, 0.01);
+  const View part = view_of_part(picture, {0, 0, 90, 70, 1});
+  EXPECT_EQ(part.projection, picture.projection);
+  EXPECT_EQ(part.middle, picture.middle);
+  EXPECT_EQ(part.slope_x, picture.slope_x);
+  EXPECT_EQ(part.slope_y, picture.slope_y);
 }
 
 std::vector<RenderSettings> ways(const RenderSettings& settings) {
