@@ -6,6 +6,7 @@
 
 #include "common/octahedral.h"
 #include "common/srgb.h"
+#include "preprocess/colour_interpolation.h"
 
 namespace relief {
 namespace {
@@ -109,6 +110,7 @@ AttributeMap<glm::u8vec3> sample_colours(const PatchPoints& points, const PointG
   std::vector<glm::vec3> values(size, glm::vec3(0.0F));
   std::vector<std::uint8_t> known(size, 0);
   const double step = grid.spacing / scale;
+  const ColourInterpolation between(points, lookup, colours);
   for (std::uint32_t b = 0; b < map.height; ++b) {
     for (std::uint32_t a = 0; a < map.width; ++a) {
       if (!beside_sample(states, grid, a, b, scale)) continue;
@@ -117,6 +119,11 @@ AttributeMap<glm::u8vec3> sample_colours(const PatchPoints& points, const PointG
       const std::uint32_t nearest = lookup.nearest(x, y, 4.0 * grid.spacing);
       if (nearest == PointGrid::kNone) continue;
       const glm::dvec2 to_nearest = glm::dvec2(points.positions[nearest]) - glm::dvec2(x, y);
+      if (points.spacing[nearest] >= step) {
+        values[std::size_t{b} * map.width + a] = between.at(x, y, nearest);
+        known[std::size_t{b} * map.width + a] = 1;
+        continue;
+      }
       // Never narrower than to the nearest point, so that weights do not all vanish; never narrower
       // than the texels, so that a finer scan is averaged.
       const double radius = std::max({kColourScaleInSpacings * points.spacing[nearest], 0.5 * step,

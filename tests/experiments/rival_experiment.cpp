@@ -14,7 +14,7 @@ namespace relief::experiment {
 namespace {
 
 constexpr std::size_t kPoints = 400000;
-constexpr int kRays = 64;
+constexpr int kRays = 32;
 
 struct Look {
   const char* name;

@@ -18,7 +18,7 @@ struct RivalScene {
   double frequency = 7.0;  ///< radians of their waves per radius
   double cube = 0.06;      ///< side of the checker's cubes
   glm::vec3 light{0.8F};   ///< of the checker, linear
-  glm::vec3 dark{0.3F};
+  glm::vec3 dark{0.25F};
 };
 
 /// How points lie on the sphere.
