@@ -27,9 +27,12 @@ void add_part(RenderResult part, std::optional<RenderResult>& all) {
   if (all->explanation && part.explanation) append(*all->explanation, *part.explanation);
 }
 
-void replace_channel(Channel channel, Image& image) {
-  for (Channel& old : image.channels) {
-    if (old.name == channel.name) old = std::move(channel);
+/// Puts the channels of `colours` in the place of those of their names.
+void replace_channels(Image colours, Image& image) {
+  for (Channel& channel : colours.channels) {
+    const auto old = std::find_if(image.channels.begin(), image.channels.end(),
+                                  [&channel](const Channel& c) { return c.name == channel.name; });
+    *old = std::move(channel);
   }
 }
 
@@ -63,7 +66,7 @@ Result<RenderResult> render_supersampled(GlPreparedModel& model, const RenderSet
   if (all->image.channels.empty()) {
     all->image = std::move(colours);
   } else {
-    for (Channel& channel : colours.channels) replace_channel(std::move(channel), all->image);
+    replace_channels(std::move(colours), all->image);
   }
   finish_coverage(settings.background.has_value(), *all);
   return *std::move(all);

@@ -40,9 +40,11 @@ int run(const std::filesystem::path& folder, double cube) {
   // The same as --eye 0,0,D --target 0,0,0.
   for (const Look& look : {Look{"full", 3.0}, Look{"close", 1.6}}) {
     const Camera camera{{0.0, 0.0, look.distance}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 45.0};
-    const Status written = write_exr(folder / fmt::format("truth_{}.exr", look.name),
-                                     draw_truth(scene, camera, 1280, 1024, kRays));
-    if (!written) {
+    const Image truth = draw_truth(scene, camera, 1280, 1024, kRays);
+    for (const Status& written :
+         {write_exr(folder / fmt::format("truth_{}.exr", look.name), truth),
+          write_png(folder / fmt::format("truth_{}.png", look.name), truth)}) {
+      if (written) continue;
       fmt::print(stderr, "{}\n", written.error().message);
       return 1;
     }
