@@ -79,7 +79,8 @@ void add_engine_options(CLI::App& sub, SceneSettings& settings) {
   add_number(sub, "--radius-factor", settings.radius_factor, kRadiusFactors, "F",
              "multipass: radius of its splats, over that of onepass's sprites (2)");
   add_number(sub, "--samples", settings.samples, kSampleCounts, "N",
-             "raytrace: rays a pixel; 1 is not antialiased (16)");
+             "onepass, multipass: samples a pixel, in a square grid of at least so many; raytrace: "
+             "rays a pixel; 1 is not antialiased (1; raytrace 16)");
   add_choice(sub, "--filter", settings.filter, kFilters,
              "ewa: the resampling filter; all but ewa are for comparison (ewa)");
   add_number(sub, "--cutoff", settings.cutoff, kCutoffs, "C",
@@ -121,8 +122,8 @@ void check_engine_options(const RenderArguments& arguments) {
     throw CLI::ValidationError("--radius-factor", "is for --engine multipass");
   if (settings.primitive == Primitive::Cell && engine == EngineKind::Multipass)
     throw CLI::ValidationError("--primitive", "cell is for --engine onepass");
-  if (settings.samples && engine != EngineKind::Raytrace)
-    throw CLI::ValidationError("--samples", "is for --engine raytrace");
+  if (settings.samples && engine == EngineKind::Ewa)
+    throw CLI::ValidationError("--samples", "is not for --engine ewa, which filters instead");
   if (arguments.explain && !is_on_opengl(engine))
     throw CLI::ValidationError("--explain", "is for --engine onepass");
   const bool for_ewa = settings.filter || settings.cutoff || settings.layers ||

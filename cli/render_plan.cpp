@@ -124,6 +124,7 @@ Result<RenderSettings> render_settings_for(const Picture& picture, const PatchMo
     settings.outputs = said.outputs.value_or(Outputs{true, true, true, true});
   settings.pixels_per_sample = said.pixels_per_sample;
   settings.multipass.radius_factor = said.radius_factor.value_or(settings.multipass.radius_factor);
+  settings.samples = said.samples.value_or(settings.samples);
   settings.raytrace.samples = said.samples.value_or(settings.raytrace.samples);
   settings.ewa.filter = said.filter.value_or(settings.ewa.filter);
   settings.ewa.cutoff = said.cutoff.value_or(settings.ewa.cutoff);

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <optional>
 
 #include "cli/explain_report.h"
 #include "renderer/materials.h"
+#include "renderer/picture_parts.h"
 
 namespace relief::cli {
 namespace {
@@ -30,6 +32,15 @@ std::string way_of(const RenderSettings& settings) {
       return fmt::format("{} samples a pixel", settings.raytrace.samples);
   }
   return {};
+}
+
+/// Samples that a pixel has; nothing of an engine that has none.
+std::optional<std::uint64_t> samples_of(const RenderSettings& settings) {
+  if (settings.engine == EngineKind::Raytrace)
+    return static_cast<std::uint64_t>(settings.raytrace.samples);
+  if (!is_on_opengl(settings.engine)) return std::nullopt;
+  const std::uint64_t side = samples_a_side(settings.samples);
+  return side * side;
 }
 
 /// "lit", or "glass+lit" of a picture with several.
@@ -60,6 +71,7 @@ nlohmann::ordered_json as_json(const WrittenPicture& written) {
        said_by(settings.engine == EngineKind::Onepass, pixels_per_sample_of(settings))},
       {"radius_factor",
        said_by(settings.engine == EngineKind::Multipass, settings.multipass.radius_factor)},
+      {"samples", value_or_null(samples_of(settings))},
       {"material", material_names(settings)},
       {"renderer", result.renderer},
       {"width", result.image.width},

@@ -35,7 +35,7 @@ struct NumberChoice {
   double least;
   double most;
 };
-inline constexpr NumberChoice kSampleCounts{1, 65536};      ///< rays a pixel
+inline constexpr NumberChoice kSampleCounts{1, 65536};      ///< samples a pixel
 inline constexpr NumberChoice kRadiusFactors{1.0, 4.0};     ///< of multipass, 2 as in paper 001
 inline constexpr NumberChoice kPixelsPerSample{0.0, 64.0};  ///< of onepass; 0: no levels
 inline constexpr NumberChoice kCutoffs{0.1, 20.0};          ///< c of paper 000, an exponent

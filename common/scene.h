@@ -43,7 +43,7 @@ struct SceneSettings : MaterialWords {
   std::optional<Outputs> outputs;
   std::optional<double> pixels_per_sample;  ///< onepass
   std::optional<double> radius_factor;      ///< multipass
-  std::optional<int> samples;               ///< raytrace
+  std::optional<int> samples;               ///< onepass, multipass, raytrace
   std::optional<EwaFilter> filter;
   std::optional<double> cutoff;
   std::optional<int> layers;

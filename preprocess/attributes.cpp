@@ -6,12 +6,10 @@
 
 #include "common/octahedral.h"
 #include "common/srgb.h"
+#include "preprocess/colour_interpolation.h"
 
 namespace relief {
 namespace {
-
-// A colour counts at a texel with exp(-d^2 / s^2), s this many local scan spacings.
-constexpr double kColourScaleInSpacings = 0.5;
 
 // Gives every unknown texel the mean of its known neighbours, ring by ring outward from the known.
 template <class Value>
@@ -65,6 +63,24 @@ std::array<float, 256> linear_table() {
   return table;
 }
 
+// The mean of the colours around a place, of a scan that is finer than the texels, `step` apart.
+glm::vec3 mean_colour(const PatchPoints& points, const PointGrid& lookup, glm::dvec2 place,
+                      std::uint32_t nearest, double step, const std::vector<glm::u8vec3>& colours) {
+  static const std::array<float, 256> linear = linear_table();
+  const double to_nearest = glm::distance(glm::dvec2(points.positions[nearest]), place);
+  // Never narrower than to the nearest point, so that weights do not all vanish.
+  const double radius = std::max(0.5 * step, 0.6 * to_nearest);
+  glm::vec3 sum(0.0F);
+  float weights = 0.0F;
+  lookup.for_each_within(place.x, place.y, 2.5 * radius, [&](std::uint32_t p, double squared) {
+    const auto w = static_cast<float>(std::exp(-squared / (radius * radius)));
+    const glm::u8vec3 c = colours[points.ids[p]];
+    sum += w * glm::vec3(linear[c.r], linear[c.g], linear[c.b]);
+    weights += w;
+  });
+  return sum / weights;
+}
+
 // A texel has a colour of its own if one of the nodes around it is a sample.
 bool beside_sample(const std::vector<NodeState>& states, const PatchGrid& grid, std::uint32_t a,
                    std::uint32_t b, std::uint32_t scale) {
@@ -102,13 +118,13 @@ AttributeMap<glm::u8vec3> sample_colours(const PatchPoints& points, const PointG
                                          const PatchGrid& grid,
                                          const std::vector<glm::u8vec3>& colours,
                                          std::uint32_t scale) {
-  static const std::array<float, 256> linear = linear_table();
   AttributeMap<glm::u8vec3> map{
       (grid.width - 1) * scale + 1, (grid.height - 1) * scale + 1, scale, {}};
   const std::size_t size = std::size_t{map.width} * map.height;
   std::vector<glm::vec3> values(size, glm::vec3(0.0F));
   std::vector<std::uint8_t> known(size, 0);
   const double step = grid.spacing / scale;
+  const ColourInterpolation between(points, lookup, colours);
   for (std::uint32_t b = 0; b < map.height; ++b) {
     for (std::uint32_t a = 0; a < map.width; ++a) {
       if (!beside_sample(states, grid, a, b, scale)) continue;
@@ -116,21 +132,11 @@ AttributeMap<glm::u8vec3> sample_colours(const PatchPoints& points, const PointG
       const double y = grid.y0 + b * step;
       const std::uint32_t nearest = lookup.nearest(x, y, 4.0 * grid.spacing);
       if (nearest == PointGrid::kNone) continue;
-      const glm::dvec2 to_nearest = glm::dvec2(points.positions[nearest]) - glm::dvec2(x, y);
-      // Never narrower than to the nearest point, so that weights do not all vanish; never narrower
-      // than the texels, so that a finer scan is averaged.
-      const double radius = std::max({kColourScaleInSpacings * points.spacing[nearest], 0.5 * step,
-                                      0.6 * glm::length(to_nearest)});
-      glm::vec3 sum(0.0F);
-      float weights = 0.0F;
-      lookup.for_each_within(x, y, 2.5 * radius, [&](std::uint32_t p, double squared) {
-        const auto w = static_cast<float>(std::exp(-squared / (radius * radius)));
-        const glm::u8vec3 c = colours[points.ids[p]];
-        sum += w * glm::vec3(linear[c.r], linear[c.g], linear[c.b]);
-        weights += w;
-      });
-      values[std::size_t{b} * map.width + a] = sum / weights;
-      known[std::size_t{b} * map.width + a] = 1;
+      const std::size_t m = std::size_t{b} * map.width + a;
+      values[m] = points.spacing[nearest] >= step
+                      ? between.at(x, y, nearest)
+                      : mean_colour(points, lookup, {x, y}, nearest, step, colours);
+      known[m] = 1;
     }
   }
   continue_outward(values, known, map.width, map.height);

@@ -13,9 +13,9 @@ namespace relief {
                                                         const std::vector<NodeState>& states,
                                                         const PatchGrid& grid, bool from_points);
 
-/// `scale` texels per grid cell: at each the mean of the nearby points' colours in linear light,
-/// with weights that fall off within the scan's local spacing. `colours` is one per point of the
-/// scan.
+/// `scale` texels per grid cell: colours interpolated between the points (ColourInterpolation), and
+/// where the scan is finer than the texels the mean of the nearby ones, both in linear light.
+/// `colours` is one per point of the scan.
 [[nodiscard]] AttributeMap<glm::u8vec3> sample_colours(
     const PatchPoints& points, const PointGrid& lookup, const std::vector<NodeState>& states,
     const PatchGrid& grid, const std::vector<glm::u8vec3>& colours, std::uint32_t scale);

@@ -1,6 +1,7 @@
 #include "renderer/draw_list.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -41,7 +42,8 @@ std::vector<std::uint32_t> find_near(const PatchStore& store, const View& view,
   // point: 2 r / (z - r) / pixel wide at depth z, times sqrt(1 + slope^2) toward the picture's
   // corners.
   const double pixel = 2.0 * view.slope_y / view.height;
-  const double lean = 1.0 + view.slope_x * view.slope_x + view.slope_y * view.slope_y;
+  const glm::dvec2 corner = glm::abs(view.middle) + glm::dvec2(view.slope_x, view.slope_y);
+  const double lean = 1.0 + glm::dot(corner, corner);
   const double depth = radius + 2.0 * radius * lean / (pixel * largest_sprite);
   std::vector<std::uint32_t> near;
   std::copy_if(visible.begin(), visible.end(), std::back_inserter(near),

@@ -40,4 +40,7 @@ struct Explanation {
   std::vector<Draw> draws;            ///< the same
 };
 
+/// Adds what a further part of the same frame took.
+void append(Explanation& all, const Explanation& more);
+
 }  // namespace relief

@@ -10,6 +10,7 @@
 #include "renderer/gl_model.h"
 #include "renderer/gl_picture.h"
 #include "renderer/prepared.h"
+#include "renderer/supersample.h"
 
 namespace relief {
 
@@ -18,16 +19,28 @@ class GlPreparedModel : public PreparedModel {
  public:
   explicit GlPreparedModel(std::unique_ptr<GlModel> model) : model_(std::move(model)) {}
 
-  /// A picture ready to be drawn, for any number of frames. It must go before this does.
-  virtual Result<GlDrawing> make_drawing(const RenderSettings& settings) = 0;
+  /// A part of a picture ready to be drawn, for any number of frames. It must go before this does.
+  virtual Result<GlDrawing> make_drawing(const RenderSettings& settings, const Raster& part) = 0;
 
-  Result<RenderResult> render(const RenderSettings& settings, Progress& /*progress*/) override {
-    const auto drawing = make_drawing(settings);
-    if (!drawing) return drawing.error();
-    return model_->draw(*drawing, settings);
+  /// The whole picture, one sample a pixel.
+  Result<GlDrawing> make_drawing(const RenderSettings& settings) {
+    return make_drawing(settings, {0, 0, settings.width, settings.height, 1});
   }
 
- protected:
+  Result<RenderResult> render(const RenderSettings& settings, Progress& /*progress*/) override {
+    return settings.samples > 1 ? render_supersampled(*this, settings) : render_once(settings);
+  }
+
+  /// With one sample a pixel, whatever the settings say.
+  Result<RenderResult> render_once(const RenderSettings& settings) {
+    const auto drawing = make_drawing(settings);
+    if (!drawing) return drawing.error();
+    auto result = model_->draw(*drawing, settings);
+    if (result)
+      read_picture(model_->gl(), drawing->picture, settings.background.has_value(), *result);
+    return result;
+  }
+
   [[nodiscard]] GlModel& model() const { return *model_; }
 
  private:

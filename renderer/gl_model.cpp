@@ -40,10 +40,11 @@ Result<std::unique_ptr<GlModel>> GlModel::create(std::shared_ptr<const OpenGl> o
   return made;
 }
 
-Result<GlPicture> GlModel::make_picture(const RenderSettings& settings) {
-  Result<Targets> targets = make_targets(gl(), settings.width, settings.height, settings.outputs);
+Result<GlPicture> GlModel::make_picture(const RenderSettings& settings, const Raster& part) {
+  Result<Targets> targets =
+      make_targets(gl(), part.width * part.side, part.height * part.side, settings.outputs);
   if (!targets) return targets.error();
-  const View view = view_of(settings);
+  const View view = view_of_part(view_of(settings), part);
   shared::Frame uniforms = make_frame(view, largest_sprite(gl()), settings.lights);
   uniforms.material = info_of(materials_of(settings).front(), {});
   GlPicture picture{view,
@@ -54,7 +55,8 @@ Result<GlPicture> GlModel::make_picture(const RenderSettings& settings) {
                     nullptr,
                     std::nullopt,
                     nullptr,
-                    nullptr};
+                    nullptr,
+                    std::nullopt};
   const Status added = add_materials(settings, picture);
   if (!added) return added.error();
   if (settings.environment.empty() || !settings.background) return picture;
@@ -136,6 +138,15 @@ Result<const Texture*> GlModel::rough_environments_for(const std::filesystem::pa
     found = rough_environments_.emplace(std::pair(path, roughnesses), std::move(*made)).first;
   }
   return &found->second;
+}
+
+Result<const Resolve*> GlModel::resolve() {
+  if (!resolve_) {
+    Result<Resolve> made = Resolve::create(gl());
+    if (!made) return made.error();
+    resolve_ = std::move(*made);
+  }
+  return &*resolve_;
 }
 
 Result<const Backdrop*> GlModel::backdrop() {

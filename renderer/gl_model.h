@@ -35,13 +35,17 @@ class GlModel {
   [[nodiscard]] const PatchStore& store() const { return *store_; }
   [[nodiscard]] bool has_colours() const { return has_colours_; }
 
-  /// Makes what a picture needs whatever engine draws it. Fails if the picture is larger than
-  /// OpenGL allows or an environment can't be read.
-  Result<GlPicture> make_picture(const RenderSettings& settings);
+  /// Makes what a part of a picture needs whatever engine draws it. Fails if the part is larger
+  /// than OpenGL allows or an environment can't be read.
+  Result<GlPicture> make_picture(const RenderSettings& settings, const Raster& part);
 
-  /// Draws it (draw_picture). Fails, too, if OpenGL has complained in a debug context.
+  /// Draws it (draw_picture), without reading it back. Fails, too, if OpenGL has complained in a
+  /// debug context.
   [[nodiscard]] Result<RenderResult> draw(const GlDrawing& drawing,
                                           const RenderSettings& settings) const;
+
+  /// What averages the samples of pixels; made when it is first asked for.
+  Result<const Resolve*> resolve();
 
  private:
   GlModel() = default;
@@ -57,6 +61,7 @@ class GlModel {
   std::map<std::pair<std::filesystem::path, float>, Texture> environments_;  ///< by roughness
   std::map<std::pair<std::filesystem::path, std::vector<float>>, Texture> rough_environments_;
   std::optional<Backdrop> backdrop_;
+  std::optional<Resolve> resolve_;
   bool has_colours_ = false;
   double near_ = 0.0;
 };

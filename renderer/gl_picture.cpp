@@ -25,6 +25,7 @@ void draw_frame(const Gl& gl, const GlPicture& picture, const DrawModel& draw, P
   clear_targets(gl, picture.targets, picture.background);
   draw(picture, timer);
   if (picture.backdrop != nullptr) picture.backdrop->draw(timer, *picture.surroundings);
+  if (picture.resolve) picture.resolve->draw(timer, picture.targets.colour);
   gl.BindTextureUnit(RELIEF_TEXTURE_ROUGH_ENVIRONMENTS, 0);
   gl.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_MATERIALS, 0);
   gl.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_FRAME, 0);
@@ -72,6 +73,10 @@ std::uint64_t count_fragments(const Gl& gl, const GlDrawing& drawing) {
 
 void read_picture(const Gl& gl, const GlPicture& picture, bool opaque, RenderResult& result) {
   result.image = read_targets(gl, picture.targets);
+  finish_coverage(opaque, result);
+}
+
+void finish_coverage(bool opaque, RenderResult& result) {
   for (Channel& channel : result.image.channels) {
     if (channel.name != "A") continue;
     result.covered_pixels = static_cast<std::uint64_t>(std::count_if(
@@ -91,7 +96,6 @@ Result<RenderResult> draw_picture(const Gl& gl, const GlDrawing& drawing,
   if (drawing.count) result.fragments = count_fragments(gl, drawing);
   time_frames(gl, drawing, settings.frames, result);
   if (gl.recorder != nullptr) result.explanation = gl.recorder->explain();
-  read_picture(gl, drawing.picture, settings.background.has_value(), result);
   const Status drawn = check_errors(gl, "the picture");
   if (!drawn) return drawn.error();
   return result;

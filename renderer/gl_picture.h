@@ -13,6 +13,7 @@
 #include "renderer/gl/object.h"
 #include "renderer/gl/pass.h"
 #include "renderer/render.h"
+#include "renderer/resolve.h"
 #include "renderer/targets.h"
 #include "renderer/view.h"
 
@@ -29,6 +30,7 @@ struct GlPicture {
   std::optional<Buffer> materials;              ///< shared::MaterialInfo of several materials
   const Texture* surroundings = nullptr;        ///< for the backdrop, or null
   const Backdrop* backdrop = nullptr;           ///< null: there is none in the picture
+  std::optional<PartResolve> resolve;           ///< of a part that is drawn with several samples
 };
 
 /// Draws the model of one frame. The targets are bound and cleared, the frame uniforms bound.
@@ -59,9 +61,12 @@ std::uint64_t count_fragments(const Gl& gl, const GlDrawing& drawing);
 void read_picture(const Gl& gl, const GlPicture& picture, bool opaque, RenderResult& result);
 
 /// Draws a picture: once to count fragments (unless it is explained), once to warm up, then
-/// `settings.frames` times for the clock.
+/// `settings.frames` times for the clock. The result has no image yet.
 Result<RenderResult> draw_picture(const Gl& gl, const GlDrawing& drawing,
                                   const RenderSettings& settings);
+
+/// Counts what the model covers and, if `opaque`, puts the background under it.
+void finish_coverage(bool opaque, RenderResult& result);
 
 /// What `gl` says of itself.
 [[nodiscard]] std::string renderer_name(const Gl& gl);

@@ -50,6 +50,10 @@ struct RenderSettings {
       {0, 0, 0}};  ///< linear RGB; none: alpha 0 where nothing is seen
   Outputs outputs;
   std::optional<double> pixels_per_sample;  ///< of `onepass`: pixels_per_sample_of() says
+  /// Of the engines on OpenGL: samples a pixel, at least 1; they are a square grid, of at least as
+  /// many. With several, colour and coverage are means over the pixel, while normal, depth, UV and
+  /// patch id are those of its middle, as RaytraceSettings says.
+  int samples = 1;
   MultipassSettings multipass;
   EwaSettings ewa;
   RaytraceSettings raytrace;

@@ -33,10 +33,10 @@ struct ChannelName {
 
 /// Reads an attachment of `names.size()` interleaved components, bottom row first, into channels.
 template <class Number>
-void read_channels(const Gl& gl, const Targets& targets, const Texture& texture, GLenum format,
-                   GLenum type, std::initializer_list<ChannelName> names, Image& image) {
+void read_channels(const Gl& gl, const Texture& texture, GLenum format, GLenum type,
+                   std::initializer_list<ChannelName> names, Image& image) {
   const std::size_t components = names.size();
-  const std::size_t pixels = std::size_t{targets.width} * targets.height;
+  const std::size_t pixels = std::size_t{image.width} * image.height;
   std::vector<Number> values(pixels * components);
   gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
   gl.GetTextureImage(texture.id(), 0, format, type,
@@ -47,10 +47,10 @@ void read_channels(const Gl& gl, const Targets& targets, const Texture& texture,
   std::size_t component = 0;
   for (const ChannelName& name : names) {
     Channel channel{name.name, name.type, std::vector<float>(pixels)};
-    for (std::size_t y = 0; y < targets.height; ++y) {
-      const Number* row = values.data() + (targets.height - 1 - y) * targets.width * components;
-      float* out = channel.values.data() + y * targets.width;
-      for (std::size_t x = 0; x < targets.width; ++x)
+    for (std::size_t y = 0; y < image.height; ++y) {
+      const Number* row = values.data() + (image.height - 1 - y) * image.width * components;
+      float* out = channel.values.data() + y * image.width;
+      for (std::size_t x = 0; x < image.width; ++x)
         out[x] = static_cast<float>(row[x * components + component]);
     }
     image.channels.push_back(std::move(channel));
@@ -60,10 +60,14 @@ void read_channels(const Gl& gl, const Targets& targets, const Texture& texture,
 
 }  // namespace
 
+std::uint32_t largest_target(const Gl& gl) {
+  return static_cast<std::uint32_t>(
+      std::min(get_limit(gl, GL_MAX_TEXTURE_SIZE), get_limit(gl, GL_MAX_FRAMEBUFFER_WIDTH)));
+}
+
 Result<Targets> make_targets(const Gl& gl, std::uint32_t width, std::uint32_t height,
                              const Outputs& outputs) {
-  const auto largest = static_cast<std::uint32_t>(
-      std::min(get_limit(gl, GL_MAX_TEXTURE_SIZE), get_limit(gl, GL_MAX_FRAMEBUFFER_WIDTH)));
+  const std::uint32_t largest = largest_target(gl);
   if (width == 0 || height == 0 || width > largest || height > largest) {
     return make_error("a picture of {}x{} pixels can't be drawn: this OpenGL allows 1 to {} a side",
                       width, height, largest);
@@ -128,22 +132,28 @@ void clear_targets(const Gl& gl, const Targets& targets, const glm::vec3& backgr
     gl.ClearNamedFramebufferuiv(id, GL_COLOR, RELIEF_OUT_PATCH, no_patch.data());
 }
 
+Image read_colour(const Gl& gl, const Texture& colour, std::uint32_t width, std::uint32_t height) {
+  Image image{width, height, {}};
+  constexpr ChannelType kHalf = ChannelType::Half;
+  read_channels<float>(gl, colour, GL_RGBA, GL_FLOAT,
+                       {{"R", kHalf}, {"G", kHalf}, {"B", kHalf}, {"A", kHalf}}, image);
+  return image;
+}
+
 Image read_targets(const Gl& gl, const Targets& targets) {
-  Image image{targets.width, targets.height, {}};
+  Image image = read_colour(gl, targets.colour, targets.width, targets.height);
   constexpr ChannelType kHalf = ChannelType::Half;
   constexpr ChannelType kFloat = ChannelType::Float;
-  read_channels<float>(gl, targets, targets.colour, GL_RGBA, GL_FLOAT,
-                       {{"R", kHalf}, {"G", kHalf}, {"B", kHalf}, {"A", kHalf}}, image);
   if (targets.normal)
-    read_channels<float>(gl, targets, *targets.normal, GL_RGB, GL_FLOAT,
+    read_channels<float>(gl, *targets.normal, GL_RGB, GL_FLOAT,
                          {{"N.X", kHalf}, {"N.Y", kHalf}, {"N.Z", kHalf}}, image);
   if (targets.depth)
-    read_channels<float>(gl, targets, *targets.depth, GL_RED, GL_FLOAT, {{"Z", kFloat}}, image);
+    read_channels<float>(gl, *targets.depth, GL_RED, GL_FLOAT, {{"Z", kFloat}}, image);
   if (targets.uv)
-    read_channels<float>(gl, targets, *targets.uv, GL_RG, GL_FLOAT,
-                         {{"UV.U", kFloat}, {"UV.V", kFloat}}, image);
+    read_channels<float>(gl, *targets.uv, GL_RG, GL_FLOAT, {{"UV.U", kFloat}, {"UV.V", kFloat}},
+                         image);
   if (targets.patch_id)
-    read_channels<std::uint32_t>(gl, targets, *targets.patch_id, GL_RED_INTEGER, GL_UNSIGNED_INT,
+    read_channels<std::uint32_t>(gl, *targets.patch_id, GL_RED_INTEGER, GL_UNSIGNED_INT,
                                  {{"patch", ChannelType::Uint}}, image);
   return image;
 }

@@ -27,6 +27,9 @@ struct Targets {
   std::optional<Texture> patch_id;
 };
 
+/// The most pixels along a side of a picture.
+[[nodiscard]] std::uint32_t largest_target(const Gl& gl);
+
 /// Fails if the picture is larger than OpenGL allows or its memory.
 Result<Targets> make_targets(const Gl& gl, std::uint32_t width, std::uint32_t height,
                              const Outputs& outputs);
@@ -37,5 +40,9 @@ void clear_targets(const Gl& gl, const Targets& targets, const glm::vec3& backgr
 /// Reads all outputs back, top row first, channels as common/image.h names them. A is the model's
 /// coverage.
 [[nodiscard]] Image read_targets(const Gl& gl, const Targets& targets);
+
+/// Reads the channels R, G, B and A alone of a colour attachment.
+[[nodiscard]] Image read_colour(const Gl& gl, const Texture& colour, std::uint32_t width,
+                                std::uint32_t height);
 
 }  // namespace relief

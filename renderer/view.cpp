@@ -25,10 +25,31 @@ View make_view(const Camera& camera, std::uint32_t width, std::uint32_t height, 
   return view;
 }
 
+View view_of_part(const View& picture, const Raster& part) {
+  const glm::dvec2 size(part.width, part.height);
+  const glm::dvec2 share = size / glm::dvec2(picture.width, picture.height);
+  const glm::dvec2 corner(part.left, part.bottom);
+  // Of the whole picture this is exactly 0, and the view the same to the last bit.
+  const glm::dvec2 shift = (2.0 * corner + size) / glm::dvec2(picture.width, picture.height) - 1.0;
+  View view = picture;
+  view.slope_x = picture.slope_x * share.x;
+  view.slope_y = picture.slope_y * share.y;
+  view.middle = picture.middle + shift * glm::dvec2(picture.slope_x, picture.slope_y);
+  for (glm::length_t c = 0; c < 4; ++c) {
+    glm::dvec4& column = view.projection[c];
+    column.x = (column.x - shift.x * column.w) / share.x;
+    column.y = (column.y - shift.y * column.w) / share.y;
+  }
+  view.width = part.width * part.side;
+  view.height = part.height * part.side;
+  view.pixels_per_sample = picture.pixels_per_sample * part.side;
+  return view;
+}
+
 glm::dvec3 ray_through(const View& view, glm::dvec2 window) {
   const glm::dvec2 ndc = 2.0 * window / glm::dvec2(view.width, view.height) - 1.0;
   return glm::transpose(view.rotation) *
-         glm::dvec3(ndc.x * view.slope_x, ndc.y * view.slope_y, -1.0);
+         glm::dvec3(view.middle + ndc * glm::dvec2(view.slope_x, view.slope_y), -1.0);
 }
 
 shared::PatchView view_patch(const View& view, const StoredPatch& patch) {
@@ -49,9 +70,12 @@ bool sees_sphere(const View& view, glm::dvec3 centre, double radius) {
   if (depth < -radius) return false;
   // Distance to a side plane through the eye; its inward normal is (-1, 0, -slope) normalised.
   const auto outside = [depth, radius](double across, double slope) {
-    return std::abs(across) - depth * slope > radius * std::sqrt(1.0 + slope * slope);
+    return across - depth * slope > radius * std::sqrt(1.0 + slope * slope);
   };
-  return !outside(c.x, view.slope_x) && !outside(c.y, view.slope_y);
+  return !outside(c.x, view.middle.x + view.slope_x) &&
+         !outside(-c.x, view.slope_x - view.middle.x) &&
+         !outside(c.y, view.middle.y + view.slope_y) &&
+         !outside(-c.y, view.slope_y - view.middle.y);
 }
 
 shared::Frame make_frame(const View& view, double largest_sprite, const Lights& lights) {
@@ -62,7 +86,8 @@ shared::Frame make_frame(const View& view, double largest_sprite, const Lights& 
     return glm::vec4(glm::dvec4(to_world * glm::dvec3(x, y, z), w));
   };
   shared::Frame frame{};
-  frame.ray_origin = direction(-view.slope_x, -view.slope_y, -1.0, view.near);
+  frame.ray_origin =
+      direction(view.middle.x - view.slope_x, view.middle.y - view.slope_y, -1.0, view.near);
   frame.ray_x = direction(pixel_x, 0.0, 0.0, 1.0 / pixel_x);
   frame.ray_y = direction(0.0, pixel_y, 0.0, largest_sprite);
   frame.viewport = {view.width, view.height, 1.0F / static_cast<float>(view.width),

@@ -15,6 +15,15 @@ namespace relief {
 
 struct StoredPatch;
 
+/// A rectangle of a picture, in its pixels from the lower left corner, and how finely it is drawn.
+struct Raster {
+  std::uint32_t left = 0;
+  std::uint32_t bottom = 0;
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  std::uint32_t side = 1;  ///< samples along each side of a pixel, a texel of a target each
+};
+
 /// A camera with a picture size. World units, pixels.
 struct View {
   glm::dvec3 eye{0.0};
@@ -23,6 +32,8 @@ struct View {
   double near = 0.0;
   double slope_x = 1.0;  ///< half the picture's width and height at distance 1
   double slope_y = 1.0;
+  glm::dvec2 middle{0.0};  ///< where the picture's middle is at distance 1, right and up of the
+                           ///< camera's axis: 0 but for a part of a picture
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   double pixels_per_sample = 0.0;  ///< levels of detail: how far apart samples may be seen
@@ -32,6 +43,9 @@ struct View {
 /// one costs no precision.
 [[nodiscard]] View make_view(const Camera& camera, std::uint32_t width, std::uint32_t height,
                              double near);
+
+/// What shows a part of the view's picture: its pixels are the part's samples.
+[[nodiscard]] View view_of_part(const View& picture, const Raster& part);
 
 /// The direction through a window position (pixels from the lower left corner), world, of length 1
 /// along the view axis: the point at depth z is eye + z * ray_through.

@@ -104,8 +104,8 @@ class Prepared final : public GlPreparedModel {
         program_(std::move(program)),
         counting_(std::move(counting)) {}
 
-  Result<GlDrawing> make_drawing(const RenderSettings& settings) override {
-    auto picture = model().make_picture(settings);
+  Result<GlDrawing> make_drawing(const RenderSettings& settings, const Raster& part) override {
+    auto picture = model().make_picture(settings, part);
     if (!picture) return picture.error();
     const Gl& gl = model().gl();
     const shared::PatchView seen = view_patch(picture->view, mesh_.frame);

@@ -69,9 +69,9 @@ class Prepared final : public GlPreparedModel {
   Prepared(std::unique_ptr<GlModel> model, std::uint32_t patch, std::uint64_t pixels)
       : GlPreparedModel(std::move(model)), patch_(patch), pixels_(pixels) {}
 
-  Result<GlDrawing> make_drawing(const RenderSettings& settings) override {
+  Result<GlDrawing> make_drawing(const RenderSettings& settings, const Raster& part) override {
     const std::uint32_t features = surface_features(settings, model().has_colours());
-    auto picture = model().make_picture(settings);
+    auto picture = model().make_picture(settings, part);
     if (!picture) return picture.error();
     const auto draw_with = [this](const Pass& drawing) {
       return [this, &drawing](const GlPicture& frame, PassTimer& timer) {

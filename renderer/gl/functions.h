@@ -65,6 +65,7 @@ class GlContext;
   F(PFNGLPIXELSTOREIPROC, PixelStorei)                                 \
   F(PFNGLPROGRAMUNIFORM1FPROC, ProgramUniform1f)                       \
   F(PFNGLPROGRAMUNIFORM1IPROC, ProgramUniform1i)                       \
+  F(PFNGLPROGRAMUNIFORM3IPROC, ProgramUniform3i)                       \
   F(PFNGLSHADERSOURCEPROC, ShaderSource)                               \
   F(PFNGLTEXTUREBARRIERPROC, TextureBarrier)                           \
   F(PFNGLTEXTUREPARAMETERIPROC, TextureParameteri)                     \

@@ -116,6 +116,7 @@ using glm::vec4;
 
 #define RELIEF_TEXTURE_ROUGH_ENVIRONMENTS 20
 #define RELIEF_TEXTURE_PATCH_IDS 21
+#define RELIEF_TEXTURE_PIXEL_SAMPLES 22
 
 /// Uniform of `multipass`: radius of its discs over that of Eq. (1) of paper 001.
 #define RELIEF_UNIFORM_RADIUS_FACTOR 0
@@ -125,6 +126,9 @@ using glm::vec4;
 
 /// Uniform of the bench's shading bound: the patch that it shades.
 #define RELIEF_UNIFORM_PATCH 0
+
+/// Uniform that averages samples: where its part of the picture is, and how many it has.
+#define RELIEF_UNIFORM_PART 0
 
 /// Vertex attributes: the patch that a draw command draws, through its base instance; with cells
 /// also the corner of the part that it draws (column, then row in the upper half).

@@ -245,6 +245,34 @@ TEST_F(EndToEnd, RaysMeetThePatchesOfAScanWithoutTriangles) {
       0.0F);
 }
 
+TEST_F(EndToEnd, SeveralSamplesAPixelGiveRimsPartialCoverage) {
+  const std::string model = path("knot.relief");
+  run_json({"convert", write_knot(5000), "-o", model});
+  for (const char* engine : {"onepass", "multipass"}) {
+    const std::string picture = path(std::string(engine) + ".png");
+    const auto draw = [&](const std::string& to) {
+      return run_json({"render", model, "-o", to, "--engine", engine, "--samples", "8", "--size",
+                       "64x64", "--material", "unlit", "--background", "none"});
+    };
+    EXPECT_EQ(draw(picture)["samples"], 9);  // three by three
+    draw(path("knot.exr"));
+    const auto png = read_image(picture);
+    const auto exr = read_image(path("knot.exr"));
+    ASSERT_TRUE(png && exr);
+    std::size_t partial = 0;
+    for (std::size_t k = 0; k < 64 * 64; ++k) {
+      const float alpha = exr->find("A")->values[k];
+      partial += alpha > 0.0F && alpha < 1.0F ? 1 : 0;
+      // A PNG has 255 steps; an EXR half floats.
+      EXPECT_NEAR(png->find("A")->values[k], alpha, 0.5F / 255.0F + 5e-4F);
+      EXPECT_NEAR(std::round(9.0F * alpha), 9.0F * alpha, 0.01F);
+      // Premultiplied: no light beyond what is covered.
+      EXPECT_LE(exr->find("R")->values[k], alpha + 1e-3F);
+    }
+    EXPECT_GT(partial, 50U);
+  }
+}
+
 TEST_F(EndToEnd, OutputsChooseTheChannels) {
   run_json({"render", write_knot(5000), "-o", path("knot.exr"), "--size", "64x64", "--outputs",
             "depth"});

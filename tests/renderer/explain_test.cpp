@@ -153,6 +153,36 @@ void expect_all_bound(const PatchModel& model, const RenderSettings& settings) {
   }
 }
 
+TEST(Explain, OneSampleAPixelHasNothingToResolve) {
+  const PatchModel model = flat(8);
+  for (RenderSettings settings : ways_to_draw(model)) {
+    const Explanation once = explain(model, settings);
+    settings.samples = 4;
+    const Explanation often = explain(model, settings);
+    EXPECT_EQ(find(once.textures, "resolved colour"), nullptr);
+    EXPECT_FALSE(has(once.passes, "resolve"));
+    // Half floats of four channels, as the samples.
+    EXPECT_EQ(bytes_of(often.textures, "resolved colour"), 8U * settings.width * settings.height);
+    EXPECT_EQ(bytes_of(often.textures, "colour"), 4U * bytes_of(once.textures, "colour"));
+    ASSERT_FALSE(often.passes.empty());
+    EXPECT_EQ(often.passes.back(), "resolve");
+    EXPECT_EQ(often.passes.size(), once.passes.size() + 1);
+  }
+}
+
+TEST(Explain, GeometryBesideSeveralSamplesIsAFrameOfItsOwn) {
+  const PatchModel model = flat(8);
+  RenderSettings settings = small_picture(model);
+  settings.outputs.depth = true;
+  settings.samples = 4;
+  const Explanation e = explain(model, settings);
+  EXPECT_EQ(e.passes, (Names{"onepass", "onepass", "resolve"}));
+  EXPECT_TRUE(has(e.features, "out_depth"));
+  const auto maps = std::count_if(e.textures.begin(), e.textures.end(),
+                                  [](const auto& t) { return t.name == "normal maps"; });
+  EXPECT_EQ(maps, 1);  // the model is there once
+}
+
 TEST(Explain, WhatIsThereIsBound) {
   const PatchModel model = test::sphere_model(coloured_sphere());
   for (RenderSettings settings : ways_to_draw(model)) {

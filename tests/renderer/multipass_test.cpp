@@ -245,7 +245,7 @@ TEST(MultipassSums, AreThoseThatThePictureNeeds) {
   const auto gpu = GlModel::create(*opengl, model, {}, {});
   ASSERT_TRUE(gpu);
   const auto sums_of = [&](bool coloured) {
-    const auto picture = (*gpu)->make_picture(settings);
+    const auto picture = (*gpu)->make_picture(settings, {0, 0, settings.width, settings.height, 1});
     EXPECT_TRUE(picture);
     const auto sums =
         multipass::make_sums((*gpu)->gl(), picture->targets, scene_features(settings, coloured));

@@ -24,10 +24,10 @@ class Prepared final : public GlPreparedModel {
  public:
   using GlPreparedModel::GlPreparedModel;
 
-  Result<GlDrawing> make_drawing(const RenderSettings& asked) override {
+  Result<GlDrawing> make_drawing(const RenderSettings& asked, const Raster& part) override {
     const RenderSettings settings = with_patch_ids(asked);
     const std::uint32_t features = scene_features(settings, model().has_colours());
-    auto picture = model().make_picture(settings);
+    auto picture = model().make_picture(settings, part);
     if (!picture) return picture.error();
     auto made = make_sums(model().gl(), picture->targets, features);
     if (!made) return made.error();

@@ -15,10 +15,10 @@ class Prepared final : public GlPreparedModel {
  public:
   using GlPreparedModel::GlPreparedModel;
 
-  Result<GlDrawing> make_drawing(const RenderSettings& settings) override {
+  Result<GlDrawing> make_drawing(const RenderSettings& settings, const Raster& part) override {
     std::uint32_t features = features_of(settings, model().has_colours());
     if (!can_be_found(model().store())) features &= ~RELIEF_FEATURE_VISIBILITY;
-    auto picture = model().make_picture(settings);
+    auto picture = model().make_picture(settings, part);
     if (!picture) return picture.error();
     std::shared_ptr<const Visibility> visibility;
     if ((features & RELIEF_FEATURE_VISIBILITY) != 0) {
