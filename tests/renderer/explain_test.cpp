@@ -176,7 +176,7 @@ TEST(Explain, GeometryBesideSeveralSamplesIsAFrameOfItsOwn) {
   settings.outputs.depth = true;
   settings.samples = 4;
   const Explanation e = explain(model, settings);
-  EXPECT_EQ(e.passes, (Names{"onepass", "onepass", "resolve"}));
+  EXPECT_EQ(e.passes, (Names{"visibility", "shading", "visibility", "shading", "resolve"}));
   EXPECT_TRUE(has(e.features, "out_depth"));
   const auto maps = std::count_if(e.textures.begin(), e.textures.end(),
                                   [](const auto& t) { return t.name == "normal maps"; });
