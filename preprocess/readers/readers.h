@@ -33,8 +33,8 @@ Result<Points> read_ply(const Source& source);
 Result<Points> read_pcd(const Source& source);
 
 /// Wavefront OBJ: v (also with colours), vn, vt, f with polygons and negative indices, lines
-/// continued with a backslash. A vertex gets the mean of its corners' normals and its first
-/// corner's texture coordinates: a seam of the texture is lost.
+/// continued with a backslash; names of materials and of their files. A vertex gets the mean of its
+/// corners' normals and its first corner's texture coordinates; triangles keep their own at seams.
 Result<Points> read_obj(const Source& source);
 
 /// OFF as text, with the prefixes ST, C and N, with or without the keyword.
