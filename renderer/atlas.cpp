@@ -25,9 +25,12 @@ std::uint32_t layer_side(const std::vector<glm::uvec2>& sizes) {
 
 }  // namespace
 
-std::optional<Atlas> pack_atlas(const std::vector<glm::uvec2>& sizes, std::uint32_t largest_side,
-                                std::uint32_t most_layers) {
-  const std::uint32_t side = layer_side(sizes);
+std::optional<Atlas> pack_atlas(const std::vector<glm::uvec2>& given, std::uint32_t largest_side,
+                                std::uint32_t most_layers, std::uint32_t block) {
+  std::vector<glm::uvec2> sizes;
+  sizes.reserve(given.size());
+  for (const glm::uvec2 size : given) sizes.push_back(whole_blocks(size, block));
+  const std::uint32_t side = whole_blocks(glm::uvec2(layer_side(sizes)), block).x;
   if (side > largest_side) return std::nullopt;
   std::vector<std::size_t> order(sizes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -55,7 +58,7 @@ std::optional<Atlas> pack_atlas(const std::vector<glm::uvec2>& sizes, std::uint3
     used_rows = std::max(used_rows, shelf_top);
   }
   atlas.layers = next.layer + 1;
-  atlas.size = {side, used_rows};
+  atlas.size = whole_blocks({side, used_rows}, block);
   if (atlas.layers > most_layers) return std::nullopt;
   return atlas;
 }

@@ -34,6 +34,12 @@ glm::dvec3 FlatTriangle::weights_at(glm::dvec2 place) const {
   return glm::dvec3(cross(b, c), cross(c, a), cross(a, b)) / twice_area;
 }
 
+double FlatTriangle::twice_area_in_space() const {
+  const glm::dvec3 b(corners[1] - corners[0], heights.y - heights.x);
+  const glm::dvec3 c(corners[2] - corners[0], heights.z - heights.x);
+  return glm::length(glm::cross(b, c));
+}
+
 TriangleSpheres::TriangleSpheres(const Points& mesh) : mesh_(mesh) {
   const Bounds bounds = bounds_of(mesh.positions);
   middle_ = 0.5 * (bounds.min + bounds.max);

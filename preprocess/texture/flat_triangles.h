@@ -21,6 +21,8 @@ struct FlatTriangle {
 
   /// Barycentric weights of a place on the base plane; outside some are below 0.
   [[nodiscard]] glm::dvec3 weights_at(glm::dvec2 place) const;
+  /// Of the triangle itself.
+  [[nodiscard]] double twice_area_in_space() const;
 };
 
 /// Spheres about the triangles of a mesh, with which each patch finds its own.

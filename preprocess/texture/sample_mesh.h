@@ -11,9 +11,8 @@ namespace relief {
 /// triangles'. For textured meshes are coarse: their shape is in the triangles between the vertices,
 /// which are far apart beside the texels. No faces and no attributes but normals.
 ///
-/// There are four for each vertex, from 20,000 (about a pixel apart where the mesh fills a picture)
-/// to 100,000; as many as it has vertices where these are more; and where `spacing` (world units)
-/// is above 0, one for each square of it at least, up to 2 million. Fails, with a clause, if the
+/// There are 100,000, or as many as vertices where these are more; and where `spacing` (world
+/// units) is above 0, one for each square of it at least, up to 2 million. Fails, with a clause, if the
 /// triangles have no area. Does not depend on the number of threads.
 Result<Points> sample_mesh(const Points& mesh, double spacing);
 

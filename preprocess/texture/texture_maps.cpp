@@ -27,6 +27,8 @@ constexpr double kOnEdge = -1e-9;
 /// A power of two that is this much too small is good enough: twice as many texels a side show no
 /// more.
 constexpr double kEnough = 1.12;
+/// Triangles steeper than this (a cosine) are some other patch's to show.
+constexpr double kSteepest = 0.26;
 constexpr std::uint64_t kMostTexelsUnasked = std::uint64_t{1} << 26U;
 constexpr std::uint64_t kMostTexels = std::uint64_t{1} << 30U;
 /// Linear, what patches without colours are drawn in.
@@ -50,7 +52,7 @@ std::uint32_t scale_for(const Points& mesh, const std::vector<FlatTriangle>& tri
   double texels = 0.0;
   double cells = 0.0;
   for (const FlatTriangle& t : triangles) {
-    if (t.twice_area < 0.0) continue;
+    if (t.twice_area < kSteepest * t.twice_area_in_space()) continue;
     texels += texture_area(mesh, t.index);
     cells += t.twice_area;
   }

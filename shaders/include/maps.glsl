@@ -16,6 +16,30 @@ layout(binding = RELIEF_TEXTURE_NORMALS) uniform sampler2DArray normal_maps;
 layout(binding = RELIEF_TEXTURE_COLOURS) uniform sampler2DArray colour_maps;
 #endif
 
+// Bilinear lookup at grid coordinates `uv`; `map` says where the patch's map lies in the array.
+vec3 place_in_maps(sampler2DArray maps, ivec4 map, vec2 uv) {
+  vec2 texel = vec2(map.xy) + uv * float(map.w) + 0.5;
+  return vec3(texel / vec2(textureSize(maps, 0).xy), float(map.z));
+}
+
+vec4 look_up(sampler2DArray maps, ivec4 map, vec2 uv) {
+  return textureLod(maps, place_in_maps(maps, map, uv), 0.0);
+}
+
+#if (RELIEF_FEATURES & RELIEF_FEATURE_FINE_COLOURS) != 0u
+// The mean over a pixel's footprint, whose sides are `footprint.xy` and `.zw` in grid coordinates.
+// One that would reach the map beside is shortened: a patch has two cells of its own around it.
+vec3 look_up_colour(PatchInfo info, vec2 uv, vec4 footprint) {
+  vec2 room = min(uv - info.extent.x, info.extent.yz - uv) + 2.0 / info.extent.w;
+  float longest = max(length(footprint.xy), length(footprint.zw));
+  // In this form a footprint that is no number becomes none.
+  footprint *= longest < 1e6 ? min(1.0, min(room.x, room.y) / max(longest, 1e-6)) : 0.0;
+  footprint *= float(info.colours.w) / vec2(textureSize(colour_maps, 0).xy).xyxy;
+  return textureGrad(colour_maps, place_in_maps(colour_maps, info.colours, uv), footprint.xy,
+                     footprint.zw).rgb;
+}
+#endif
+
 // From half its stereographic coordinates, which bilinear lookups interpolate smoothly; octahedral
 // ones have creases along the axes, where a mirror would show them.
 vec3 unit_from_stereographic(vec2 half_place) {

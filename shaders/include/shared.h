@@ -30,6 +30,10 @@ using glm::vec4;
 #define RELIEF_FEATURE_CORRECTED 4u
 // A colour map: one lookup per fragment.
 #define RELIEF_FEATURE_COLOURS 8u
+// Beside COLOURS: some map has more texels a cell than 2, as textured meshes have. Mip levels and
+// anisotropic filtering: up to 16 trilinear lookups instead of the one, and a third more bytes. Of
+// `multipass` a lookup per fragment instead of one per splat.
+#define RELIEF_FEATURE_FINE_COLOURS 262144u
 // Materials: none is unlit; several only beside MIXED. All need the normal map: one lookup per
 // fragment. A mirror has one more, of the environment; glass two.
 #define RELIEF_FEATURE_LIT 16u

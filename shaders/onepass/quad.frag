@@ -18,6 +18,7 @@ layout(location = 3) flat in vec4 limits;
 
 void main() {
   count_fragment();
+  vec4 footprint = RELIEF_FOOTPRINT(hit.xy);
 #if (RELIEF_FEATURES & RELIEF_FEATURE_LARGE_SPRITES) != 0u
   if (distance(hit, disc.xyz) > disc.w || !within_limits(hit.xy - disc.xy, limits)) discard;
 #endif
@@ -33,5 +34,5 @@ void main() {
 #if (RELIEF_FEATURES & RELIEF_FEATURE_MASKED) != 0u
   if (!within_mask(info, place.xy)) discard;
 #endif
-  shade(info, place, ray, depth);
+  shade(info, place, ray, depth, footprint);
 }

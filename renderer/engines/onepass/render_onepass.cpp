@@ -16,7 +16,7 @@ class Prepared final : public GlPreparedModel {
   using GlPreparedModel::GlPreparedModel;
 
   Result<GlDrawing> make_drawing(const RenderSettings& settings) override {
-    const std::uint32_t features = features_of(settings, model().has_colours());
+    const std::uint32_t features = features_of(settings, model().colours());
     auto picture = model().make_picture(settings);
     if (!picture) return picture.error();
     const auto draw_with = [](const Engine& drawing) {
