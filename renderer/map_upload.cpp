@@ -30,21 +30,12 @@ struct Format {
 constexpr std::uint32_t kUsualScale = 2;
 /// Two levels beyond a texel a cell: coarser ones of cells, too, are seen at several pixels a cell.
 constexpr std::uint32_t kLevelsBeyondCells = 2;
-/// What GPUs offer; more samples along a footprint are more than it is worth. (EXT_ and ARB_, core
-/// in OpenGL 4.6: 0x84FE sets it, 0x84FF is the most there is.)
-constexpr GLenum kMaxAnisotropy = 0x84FE;
-constexpr GLenum kLargestMaxAnisotropy = 0x84FF;
-constexpr GLint kAnisotropy = 16;
-
 void set_filter(const Gl& gl, GLuint id, const Format& format) {
   gl.TextureParameteri(id, GL_TEXTURE_MAG_FILTER, format.filter);
   gl.TextureParameteri(id, GL_TEXTURE_MIN_FILTER,
                        format.mip_levels > 0 ? GL_LINEAR_MIPMAP_LINEAR : format.filter);
   gl.TextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   gl.TextureParameteri(id, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  if (format.mip_levels == 0 || !has_extension(gl, "GL_EXT_texture_filter_anisotropic")) return;
-  gl.TextureParameteri(id, kMaxAnisotropy,
-                       std::min(kAnisotropy, get_limit(gl, kLargestMaxAnisotropy)));
 }
 
 /// A map with what surrounds it, as it is uploaded.

@@ -36,15 +36,6 @@ GLint get_limit(const Gl& gl, GLenum name) {
   return value;
 }
 
-bool has_extension(const Gl& gl, std::string_view name) {
-  const GLint count = get_limit(gl, GL_NUM_EXTENSIONS);
-  for (GLint k = 0; k < count; ++k) {
-    const auto* const found = gl.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(k));
-    if (found != nullptr && name == reinterpret_cast<const char*>(found)) return true;
-  }
-  return false;
-}
-
 Status check_errors(const Gl& gl, const char* job) {
   const GLenum code = gl.GetError();
   if (code == GL_NO_ERROR) return {};

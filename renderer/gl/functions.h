@@ -1,8 +1,6 @@
 // The OpenGL functions that Relief calls, loaded from a context into a plain struct.
 #pragma once
 
-#include <string_view>
-
 // clang-format off: this order, because glcorearb.h is only types here
 #include <GL/glcorearb.h>
 // clang-format on
@@ -57,7 +55,6 @@ class GlContext;
   F(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)                       \
   F(PFNGLGETSHADERIVPROC, GetShaderiv)                                 \
   F(PFNGLGETSTRINGPROC, GetString)                                     \
-  F(PFNGLGETSTRINGIPROC, GetStringi)                                   \
   F(PFNGLGETTEXTUREIMAGEPROC, GetTextureImage)                         \
   F(PFNGLGETTEXTURELEVELPARAMETERIVPROC, GetTextureLevelParameteriv)   \
   F(PFNGLGETTEXTUREPARAMETERIVPROC, GetTextureParameteriv)             \
@@ -144,9 +141,6 @@ Result<Gl> load_functions(const GlContext& context, GlRecorder* recorder = nullp
 
 /// One integer limit of the context.
 [[nodiscard]] GLint get_limit(const Gl& gl, GLenum name);
-
-/// Whether the context has an extension.
-[[nodiscard]] bool has_extension(const Gl& gl, std::string_view name);
 
 /// Whether OpenGL has reported an error since the last call, as one sentence about `job` ("the
 /// patch store"). Running out of memory is the only one a user should ever see.

@@ -27,16 +27,33 @@ vec4 look_up(sampler2DArray maps, ivec4 map, vec2 uv) {
 }
 
 #if (RELIEF_FEATURES & RELIEF_FEATURE_FINE_COLOURS) != 0u
-// The mean over a pixel's footprint, whose sides are `footprint.xy` and `.zw` in grid coordinates.
-// One that would reach the map beside is shortened: a patch has two cells of its own around it.
+// The mean over a pixel's footprint, whose sides are `footprint.xy` and `.zw` in grid coordinates:
+// trilinear lookups along the longer one, at the mip level of the shorter (McCormack et al. 1999,
+// "Feline"). By the shader and not by the sampler, so that it is the same everywhere and ends where
+// the map beside begins: a patch has two cells of its own around it.
 vec3 look_up_colour(PatchInfo info, vec2 uv, vec4 footprint) {
   vec2 room = min(uv - info.extent.x, info.extent.yz - uv) + 2.0 / info.extent.w;
-  float longest = max(length(footprint.xy), length(footprint.zw));
+  float longer = length(footprint.xy);
+  float shorter = length(footprint.zw);
+  vec2 along = longer > shorter ? footprint.xy : footprint.zw;
+  if (shorter > longer) {
+    float other = longer;
+    longer = shorter;
+    shorter = other;
+  }
   // In this form a footprint that is no number becomes none.
-  footprint *= longest < 1e6 ? min(1.0, min(room.x, room.y) / max(longest, 1e-6)) : 0.0;
-  footprint *= float(info.colours.w) / vec2(textureSize(colour_maps, 0).xy).xyxy;
-  return textureGrad(colour_maps, place_in_maps(colour_maps, info.colours, uv), footprint.xy,
-                     footprint.zw).rgb;
+  float kept = longer < 1e6 ? min(1.0, min(room.x, room.y) / max(longer, 1e-6)) : 0.0;
+  along *= kept;
+  longer *= kept * float(info.colours.w);
+  shorter *= kept * float(info.colours.w);
+  float places = clamp(ceil(longer / max(shorter, 1.0)), 1.0, kMostFootprintPlaces);
+  float level = log2(max(longer / places, 1.0));
+  vec3 sum = vec3(0.0);
+  for (float k = 0.5; k < places; k += 1.0) {
+    vec2 place = uv + (k / places - 0.5) * along;
+    sum += textureLod(colour_maps, place_in_maps(colour_maps, info.colours, place), level).rgb;
+  }
+  return sum / places;
 }
 #endif
 
