@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -24,6 +25,10 @@ struct MeshMaterial {
   std::string picture;                         ///< the texture's file, as the file names it; empty:
                                                ///< none
   bool has_texcoords = true;                   ///< its triangles have texture coordinates
+  bool is_stated = false;                      ///< all is said here, not in a material file
+  bool clamps = false;                         ///< the texture does not repeat
+  /// The texture as a file in memory, of formats that hold their pictures; null: `picture`.
+  std::shared_ptr<const std::vector<std::byte>> picture_bytes;
   std::shared_ptr<const MeshTexture> texture;  ///< load_textures reads it; null: the colour alone
 };
 

@@ -68,16 +68,21 @@ Result<FoundMaterials> read_material_files(const fs::path& mesh, const Points& p
   return found;
 }
 
-Result<std::shared_ptr<const MeshTexture>> read_texture(const fs::path& file, TextureWrap wrap) {
-  const auto image = read_image(file);
+Result<std::shared_ptr<const MeshTexture>> make_texture(const std::string& name,
+                                                        const Result<Image>& image,
+                                                        TextureWrap wrap) {
   if (!image) return image.error();
   try {
     auto texture = MeshTexture::from_image(*image, wrap);
-    if (!texture) return make_error("{}: {}", file.string(), texture.error().message);
+    if (!texture) return make_error("{}: {}", name, texture.error().message);
     return std::make_shared<const MeshTexture>(std::move(*texture));
   } catch (const std::bad_alloc&) {
-    return make_error("{}: the texture does not fit into memory", file.string());
+    return make_error("{}: the texture does not fit into memory", name);
   }
+}
+
+Result<std::shared_ptr<const MeshTexture>> read_texture(const fs::path& file, TextureWrap wrap) {
+  return make_texture(file.string(), read_image(file), wrap);
 }
 
 bool is_finite(const CornerTexcoords& corners) {
@@ -112,14 +117,37 @@ Status put_on_all(const fs::path& mesh, const fs::path& picture, Points& points)
   return {};
 }
 
+/// Reads the pictures of materials that are stated by the mesh file itself.
+Status read_stated_textures(const fs::path& mesh, Points& points) {
+  std::map<std::pair<const void*, bool>, std::shared_ptr<const MeshTexture>> textures;
+  for (MeshMaterial& material : points.materials) {
+    if (!material.is_stated || material.picture_bytes == nullptr || !material.has_texcoords)
+      continue;
+    const std::pair key(static_cast<const void*>(material.picture_bytes.get()), material.clamps);
+    auto texture = textures.find(key);
+    if (texture == textures.end()) {
+      const std::string name = fmt::format("{}: {}", mesh.string(), material.picture);
+      auto made = make_texture(name, decode_image(name, *material.picture_bytes),
+                               material.clamps ? TextureWrap::Clamp : TextureWrap::Repeat);
+      if (!made) return made.error();
+      texture = textures.emplace(key, std::move(*made)).first;
+    }
+    material.texture = texture->second;
+  }
+  for (MeshMaterial& material : points.materials) material.picture_bytes.reset();
+  return {};
+}
+
 /// What the material files say, for the materials that triangles name.
 Status resolve_materials(const fs::path& mesh, Points& points, std::vector<std::string>& notes) {
   const auto found = read_material_files(mesh, points, notes);
   if (!found) return found.error();
+  if (const Status stated = read_stated_textures(mesh, points); !stated) return stated;
   std::map<std::pair<fs::path, bool>, std::shared_ptr<const MeshTexture>> textures;
   std::vector<bool> known(points.materials.size(), true);
   for (std::size_t m = 0; m < points.materials.size(); ++m) {
     MeshMaterial& material = points.materials[m];
+    if (material.is_stated) continue;
     const auto says = found->find(material.name);
     known[m] = says != found->end();
     if (!known[m]) continue;
