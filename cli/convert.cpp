@@ -25,7 +25,7 @@ namespace relief::cli {
 namespace {
 
 constexpr const char* kExamples =
-    "Reads PLY, PCD, OBJ, OFF, STL and XYZ text, each also gzipped. Several files become one "
+    "Reads PLY, PCD, OBJ, glTF, OFF, STL and XYZ text, each also gzipped. Several files become one "
     "model:\n"
     "they are taken as parts of one scan, in the frame that their coordinates are in.\n"
     "In brackets: what is taken where an option is not given.\n"
@@ -80,11 +80,10 @@ std::string as_text(const Summary& s, const std::filesystem::path& output) {
   const std::string normals = s.report.normals_estimated
                                   ? "estimated"
                                   : fmt::format("given, {} repaired", s.report.normals_repaired);
-  const std::string colours =
-      s.report.texels_per_cell == 0
-          ? "none"
-          : fmt::format("{} texels, up to {} a cell along a side", s.report.colour_texels,
-                        s.report.texels_per_cell);
+  const std::string colours = s.report.texels_per_cell == 0
+                                  ? "none"
+                                  : fmt::format("{} texels, up to {} a cell along a side",
+                                                s.report.colour_texels, s.report.texels_per_cell);
   std::string text = fmt::format(
       "{}\n"
       "  points            {} ({} not finite dropped, {} duplicates merged)\n"

@@ -115,8 +115,9 @@ Result<LoadedScene> load_scene(const std::vector<SceneModel>& models, const Text
   LoadedScene scene;
   for (const SceneModel& model : models) {
     if (loaded.find(model.file) == loaded.end()) {
-      auto file = ending(model.file) == ".relief" ? load_patch_file(model.file, forms, progress)
-                                                  : load_scan(model.file, textures, needs, progress);
+      auto file = ending(model.file) == ".relief"
+                      ? load_patch_file(model.file, forms, progress)
+                      : load_scan(model.file, textures, needs, progress);
       if (!file) return file.error();
       loaded.emplace(model.file, std::move(*file));
     }

@@ -22,7 +22,8 @@ Status write_exr(const std::filesystem::path& path, const Image& image);
 Status write_png(const std::filesystem::path& path, const Image& image);
 
 /// Reads an EXR, Radiance HDR, PNG or JPEG picture (recognised by its first bytes, not its name)
-/// with all its channels; PNG and JPEG colour is turned linear. Non-finite values are kept as they are.
+/// with all its channels; PNG and JPEG colour is turned linear. Non-finite values are kept as they
+/// are.
 Result<Image> read_image(const std::filesystem::path& path);
 
 /// The same of bytes in memory; `name` begins errors.

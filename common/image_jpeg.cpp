@@ -24,8 +24,7 @@ Image to_image(const std::vector<std::uint8_t>& pixels, std::uint32_t width, std
   for (std::size_t c = 0; c < 3; ++c) {
     constexpr const char* kNames[] = {"R", "G", "B"};
     image.channels.push_back({kNames[c], ChannelType::Float, std::vector<float>(count)});
-    for (std::size_t k = 0; k < count; ++k)
-      image.channels[c].values[k] = linear[pixels[3 * k + c]];
+    for (std::size_t k = 0; k < count; ++k) image.channels[c].values[k] = linear[pixels[3 * k + c]];
   }
   return image;
 }

@@ -44,8 +44,8 @@ std::uint32_t wrapped(std::int64_t i, std::uint32_t size, TextureWrap wrap) {
   return static_cast<std::uint32_t>(rest < 0 ? rest + n : rest);
 }
 
-/// A texture coordinate in or near [0, 1], so that its texel fits into 64 bits. In double precision,
-/// for v is still to be taken from 1.
+/// A texture coordinate in or near [0, 1], so that its texel fits into 64 bits. In double
+/// precision, for v is still to be taken from 1.
 double near_texture(float coordinate, TextureWrap wrap) {
   const double c{coordinate};
   return wrap == TextureWrap::Repeat ? c - std::floor(c) : std::clamp(c, -1.0, 2.0);
@@ -114,8 +114,7 @@ MeshTexture::Level MeshTexture::halve(const Level& finer) {
         for (std::uint32_t i = left; i < right; ++i)
           sum += to_linear(finer.texels[std::size_t{j} * finer.width + i]);
       }
-      coarser.texels.push_back(
-          to_srgb8(sum / static_cast<float>((bottom - top) * (right - left))));
+      coarser.texels.push_back(to_srgb8(sum / static_cast<float>((bottom - top) * (right - left))));
     }
   }
   return coarser;

@@ -20,13 +20,13 @@ class MeshTexture;
 
 /// What a mesh file says about the colour of some of its triangles: a texture times a colour.
 struct MeshMaterial {
-  std::string name;                            ///< as the file has it
-  glm::vec3 colour{1.0F};                      ///< linear, 0 to 1
-  std::string picture;                         ///< the texture's file, as the file names it; empty:
-                                               ///< none
-  bool has_texcoords = true;                   ///< its triangles have texture coordinates
-  bool is_stated = false;                      ///< all is said here, not in a material file
-  bool clamps = false;                         ///< the texture does not repeat
+  std::string name;           ///< as the file has it
+  glm::vec3 colour{1.0F};     ///< linear, 0 to 1
+  std::string picture;        ///< the texture's file, as the file names it; empty:
+                              ///< none
+  bool has_texcoords = true;  ///< its triangles have texture coordinates
+  bool is_stated = false;     ///< all is said here, not in a material file
+  bool clamps = false;        ///< the texture does not repeat
   /// The texture as a file in memory, of formats that hold their pictures; null: `picture`.
   std::shared_ptr<const std::vector<std::byte>> picture_bytes;
   std::shared_ptr<const MeshTexture> texture;  ///< load_textures reads it; null: the colour alone
@@ -52,7 +52,7 @@ struct Points {
                                                   ///< `materials`, or kNoMaterial
   std::vector<std::string> material_files;        ///< where an OBJ file's materials stand, as it
                                                   ///< names them; until load_textures reads them
-  std::optional<glm::dvec3> viewpoint;  ///< where the scanner stood, if the file says so
+  std::optional<glm::dvec3> viewpoint;            ///< where the scanner stood, if the file says so
 
   [[nodiscard]] std::size_t size() const { return positions.size(); }
 };

@@ -43,8 +43,9 @@ struct ConvertResult {
 };
 
 /// Converts cleaned points (see clean_points) to patches. A mesh whose triangles have materials
-/// (load_textures) is sampled first, and its patches get maps of its textures. Fails with one sentence if there are too
-/// few points or they span no surface (all equal, all on one line), or if the user interrupts.
+/// (load_textures) is sampled first, and its patches get maps of its textures. Fails with one
+/// sentence if there are too few points or they span no surface (all equal, all on one line), or if
+/// the user interrupts.
 Result<ConvertResult> convert(Points points, const ConvertOptions& options, Progress& progress);
 
 }  // namespace relief

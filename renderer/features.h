@@ -52,8 +52,8 @@ struct ColourMaps {
       colours.any && (uses(settings, Material::Unlit) || uses(settings, Material::Lit));
   return (settings.primitive == Primitive::Sprite ? RELIEF_FEATURE_SPRITE : 0U) |
          (coloured ? RELIEF_FEATURE_COLOURS : 0U) |
-         (coloured && colours.fine ? RELIEF_FEATURE_FINE_COLOURS : 0U) | material_features(settings) |
-         (settings.outputs.normal ? RELIEF_FEATURE_OUT_NORMAL : 0U) |
+         (coloured && colours.fine ? RELIEF_FEATURE_FINE_COLOURS : 0U) |
+         material_features(settings) | (settings.outputs.normal ? RELIEF_FEATURE_OUT_NORMAL : 0U) |
          (settings.outputs.depth ? RELIEF_FEATURE_OUT_DEPTH : 0U) |
          (settings.outputs.uv ? RELIEF_FEATURE_OUT_UV : 0U) |
          (settings.outputs.patch_id ? RELIEF_FEATURE_OUT_PATCH : 0U);

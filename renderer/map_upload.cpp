@@ -58,13 +58,13 @@ Result<MapArray> upload(const Gl& gl, const PatchList& patches, const Format& fo
     return make_error(
         "the {} are larger than this OpenGL allows ({} texels a side, {} layers); "
         "convert again with a larger spacing{}",
-        format.label, largest, most,
-        format.mip_levels > 0 ? " or fewer texels a cell" : "");
+        format.label, largest, most, format.mip_levels > 0 ? " or fewer texels a cell" : "");
   }
   MapArray array{Texture(gl, format.label, GLenum{GL_TEXTURE_2D_ARRAY}), std::move(atlas->spots)};
   const GLuint id = array.texture.id();
-  gl.TextureStorage3D(id, 1 + format.mip_levels, format.internal, static_cast<GLsizei>(atlas->size.x),
-                      static_cast<GLsizei>(atlas->size.y), static_cast<GLsizei>(atlas->layers));
+  gl.TextureStorage3D(id, 1 + format.mip_levels, format.internal,
+                      static_cast<GLsizei>(atlas->size.x), static_cast<GLsizei>(atlas->size.y),
+                      static_cast<GLsizei>(atlas->layers));
   set_filter(gl, id, format);
   const Status made = check_errors(gl, format.label);
   if (!made) return made.error();

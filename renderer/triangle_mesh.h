@@ -23,7 +23,8 @@ struct TriangleMesh {
                                         ///< (a triangle has its first's); empty: all 0
   std::vector<Triangle> triangles;
   /// Colours finer than the vertices', which they replace. The first two are empty or as long as
-  /// `triangles`, whose textures are indices into `textures`, or kNoMaterial: the vertices' colours.
+  /// `triangles`, whose textures are indices into `textures`, or kNoMaterial: the vertices'
+  /// colours.
   std::vector<CornerTexcoords> texcoords;
   std::vector<std::uint32_t> triangle_textures;
   std::vector<MeshMaterial> textures;

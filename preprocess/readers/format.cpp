@@ -29,10 +29,10 @@ Reader reader_by_content(std::string_view text) {
 
 Reader reader_by_name(std::string_view name) {
   constexpr std::pair<std::string_view, Reader> readers[] = {
-      {".ply", read_ply}, {".pcd", read_pcd}, {".obj", read_obj},    {".off", read_off},
-      {".gltf", read_gltf}, {".glb", read_gltf},
-      {".stl", read_stl}, {".xyz", read_xyz}, {".txt", read_xyz},    {".csv", read_xyz},
-      {".asc", read_xyz}, {".pts", read_xyz}, {".xyzrgb", read_xyz}, {".xyzn", read_xyz}};
+      {".ply", read_ply},    {".pcd", read_pcd},  {".obj", read_obj}, {".off", read_off},
+      {".gltf", read_gltf},  {".glb", read_gltf}, {".stl", read_stl}, {".xyz", read_xyz},
+      {".txt", read_xyz},    {".csv", read_xyz},  {".asc", read_xyz}, {".pts", read_xyz},
+      {".xyzrgb", read_xyz}, {".xyzn", read_xyz}};
   for (const auto& [ending, reader] : readers) {
     if (ending == name) return reader;
   }
@@ -60,7 +60,8 @@ std::string_view other_format(std::string_view text) {
 }  // namespace
 
 Result<Reader> find_reader(const std::filesystem::path& path, std::string_view text) {
-  constexpr std::string_view readable = "PLY, PCD, OBJ, glTF, OFF, STL and XYZ text, plain or gzipped";
+  constexpr std::string_view readable =
+      "PLY, PCD, OBJ, glTF, OFF, STL and XYZ text, plain or gzipped";
   if (const Reader reader = reader_by_content(text)) return reader;
   if (const auto other = other_format(text); !other.empty()) {
     return make_error("{}: is {}, which cannot be read; {} can", path.string(), other, readable);

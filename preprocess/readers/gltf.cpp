@@ -124,9 +124,8 @@ class GltfReader {
       return make_error("{}: its JSON nests deeper than {} levels", source_.name, kMostDepth);
     tinygltf::TinyGLTF loader;
     loader.SetImageLoader(keep_picture, nullptr);
-    loader.SetFsCallbacks({file_is_there,
-                           [](const std::string& name, void*) { return name; }, read_beside, nullptr,
-                           &path_});
+    loader.SetFsCallbacks({file_is_there, [](const std::string& name, void*) { return name; },
+                           read_beside, nullptr, &path_});
     std::string error;
     std::string warning;
     const auto size = static_cast<unsigned int>(source_.text.size());
@@ -134,9 +133,9 @@ class GltfReader {
       return make_error("{}: is larger than the 4 GiB that glTF allows", source_.name);
     const bool good =
         is_glb(source_.text)
-            ? loader.LoadBinaryFromMemory(&model_, &error, &warning,
-                                          reinterpret_cast<const unsigned char*>(source_.text.data()),
-                                          size)
+            ? loader.LoadBinaryFromMemory(
+                  &model_, &error, &warning,
+                  reinterpret_cast<const unsigned char*>(source_.text.data()), size)
             : loader.LoadASCIIFromString(&model_, &error, &warning, source_.text.data(), size, "");
     if (good) return {};
     return make_error("{}: cannot be read as glTF: {}", source_.name, first_line(error));
@@ -179,7 +178,8 @@ class GltfReader {
     const tinygltf::Texture& texture = model_.textures[static_cast<std::size_t>(index)];
     if (texture.source < 0 || static_cast<std::size_t>(texture.source) >= model_.images.size())
       return make_error("texture {} has no image that can be read", index);
-    if (texture.sampler >= 0 && static_cast<std::size_t>(texture.sampler) < model_.samplers.size()) {
+    if (texture.sampler >= 0 &&
+        static_cast<std::size_t>(texture.sampler) < model_.samplers.size()) {
       const tinygltf::Sampler& sampler = model_.samplers[static_cast<std::size_t>(texture.sampler)];
       material.clamps = sampler.wrapS == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE &&
                         sampler.wrapT == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
@@ -206,8 +206,9 @@ class GltfReader {
       bytes = *in_buffer;
     }
     if (bytes.empty()) {
-      return make_error("its texture {} cannot be read; put it beside the file, or use --texture",
-                        image.uri.empty() ? fmt::format("image {}", index) : relief::quoted(image.uri));
+      return make_error(
+          "its texture {} cannot be read; put it beside the file, or use --texture",
+          image.uri.empty() ? fmt::format("image {}", index) : relief::quoted(image.uri));
     }
     picture = std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.end());
     return picture;
@@ -278,8 +279,8 @@ class GltfReader {
       points_.positions.emplace_back(placed * glm::dvec4(p[0], p[1], p[2], 1.0));
     }
     if (const Status done = read_normals(attribute("NORMAL"), count, placed); !done) return done;
-    const bool is_material = primitive.material >= 0 && static_cast<std::size_t>(primitive.material) <
-                                                            model_.materials.size();
+    const bool is_material = primitive.material >= 0 &&
+                             static_cast<std::size_t>(primitive.material) < model_.materials.size();
     std::string name = "TEXCOORD_0";
     if (is_material) {
       const auto& base = model_.materials[static_cast<std::size_t>(primitive.material)]
@@ -330,11 +331,13 @@ class GltfReader {
       for (const double index : *indices) {
         // clean_points drops triangles of points that do not exist.
         const bool exists = index >= 0.0 && index < static_cast<double>(count);
-        corners.push_back(exists ? static_cast<std::uint32_t>(first + static_cast<std::size_t>(index))
-                                 : kNoPoint - 1);
+        corners.push_back(exists
+                              ? static_cast<std::uint32_t>(first + static_cast<std::size_t>(index))
+                              : kNoPoint - 1);
       }
     } else {
-      for (std::size_t k = 0; k < count; ++k) corners.push_back(static_cast<std::uint32_t>(first + k));
+      for (std::size_t k = 0; k < count; ++k)
+        corners.push_back(static_cast<std::uint32_t>(first + k));
     }
     const std::size_t before = points_.triangles.size();
     if (primitive.mode == TINYGLTF_MODE_TRIANGLES || primitive.mode == -1) {

@@ -48,7 +48,8 @@ Take take_for(int component_type) {
 Result<std::span<const std::byte>> view_bytes(const tinygltf::Model& model, int view) {
   if (!is_index(view, model.bufferViews)) return make_error("there is no bufferView {}", view);
   const tinygltf::BufferView& asked = model.bufferViews[static_cast<std::size_t>(view)];
-  if (!is_index(asked.buffer, model.buffers)) return make_error("there is no buffer {}", asked.buffer);
+  if (!is_index(asked.buffer, model.buffers))
+    return make_error("there is no buffer {}", asked.buffer);
   const auto& data = model.buffers[static_cast<std::size_t>(asked.buffer)].data;
   if (asked.byteOffset > data.size() || asked.byteLength > data.size() - asked.byteOffset)
     return make_error("bufferView {} reaches beyond its buffer of {} bytes", view, data.size());
@@ -58,15 +59,16 @@ Result<std::span<const std::byte>> view_bytes(const tinygltf::Model& model, int 
 Result<std::vector<double>> read_accessor(const tinygltf::Model& model, int index, int components) {
   if (!is_index(index, model.accessors)) return make_error("there is no accessor {}", index);
   const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
-  if (accessor.sparse.isSparse) return make_error("accessor {} is sparse, which is not read", index);
+  if (accessor.sparse.isSparse)
+    return make_error("accessor {} is sparse, which is not read", index);
   const Take read = take_for(accessor.componentType);
-  if (read == nullptr || tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(
-                             accessor.type)) != components)
+  if (read == nullptr ||
+      tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)) != components)
     return make_error("accessor {} does not have {} numbers an element", index, components);
   const auto bytes = view_bytes(model, accessor.bufferView);
   if (!bytes) return bytes.error();
-  const auto number = static_cast<std::size_t>(tinygltf::GetComponentSizeInBytes(
-      static_cast<std::uint32_t>(accessor.componentType)));
+  const auto number = static_cast<std::size_t>(
+      tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType)));
   const std::size_t element = number * static_cast<std::size_t>(components);
   const std::size_t stated =
       model.bufferViews[static_cast<std::size_t>(accessor.bufferView)].byteStride;

@@ -78,9 +78,8 @@ class ObjReader {
   /// One and the same name is two of them where only some of its faces have texture coordinates.
   std::uint32_t material_of_face(bool has_texcoords) {
     if (material_.empty()) return kNoMaterial;
-    const auto [found, is_new] =
-        materials_.try_emplace(std::pair(material_, has_texcoords),
-                               static_cast<std::uint32_t>(points_.materials.size()));
+    const auto [found, is_new] = materials_.try_emplace(
+        std::pair(material_, has_texcoords), static_cast<std::uint32_t>(points_.materials.size()));
     if (is_new) {
       MeshMaterial material;
       material.name = material_;

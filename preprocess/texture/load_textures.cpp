@@ -49,9 +49,10 @@ Result<FoundMaterials> read_material_files(const fs::path& mesh, const Points& p
     for (const fs::path& file : material_files(mesh, line)) {
       std::error_code ignored;
       if (!fs::exists(file, ignored)) {
-        notes.push_back(fmt::format("{}: its materials are in {}, which is not there; they are "
-                                    "left out",
-                                    mesh.string(), file.string()));
+        notes.push_back(
+            fmt::format("{}: its materials are in {}, which is not there; they are "
+                        "left out",
+                        mesh.string(), file.string()));
         continue;
       }
       const auto bytes = read_file(file);
@@ -102,8 +103,7 @@ void drop_bad_texcoords(Points& points) {
 Status put_on_all(const fs::path& mesh, const fs::path& picture, Points& points) {
   if (points.triangles.empty() || points.texcoords.empty()) {
     return make_error("{}: it has no {}, so the texture {} cannot be put on it", mesh.string(),
-                      points.triangles.empty() ? "faces" : "texture coordinates",
-                      picture.string());
+                      points.triangles.empty() ? "faces" : "texture coordinates", picture.string());
   }
   auto texture = read_texture(picture, TextureWrap::Repeat);
   if (!texture) return texture.error();
@@ -161,9 +161,10 @@ Status resolve_materials(const fs::path& mesh, Points& points, std::vector<std::
     if (texture == textures.end()) {
       auto read = read_texture(file, said.clamps ? TextureWrap::Clamp : TextureWrap::Repeat);
       if (!read) {
-        return make_error("{} (the texture of material {} of {}; --texture names another, and none "
-                          "does without)",
-                          read.error().message, relief::quoted(material.name), mesh.string());
+        return make_error(
+            "{} (the texture of material {} of {}; --texture names another, and none "
+            "does without)",
+            read.error().message, relief::quoted(material.name), mesh.string());
       }
       texture = textures.emplace(key, std::move(*read)).first;
     }
@@ -195,8 +196,8 @@ fs::path resolve_beside(const fs::path& owner, const std::string& name) {
   std::replace(slashes.begin(), slashes.end(), '\\', '/');
   const fs::path inside = fs::path(slashes).lexically_normal();
   const bool has_drive = slashes.size() > 1 && slashes[1] == ':';
-  const bool leaves = inside.is_absolute() || has_drive ||
-                      (!inside.empty() && *inside.begin() == fs::path(".."));
+  const bool leaves =
+      inside.is_absolute() || has_drive || (!inside.empty() && *inside.begin() == fs::path(".."));
   return owner.parent_path() / (leaves ? fs::path(slashes).filename() : inside);
 }
 

@@ -20,8 +20,8 @@ struct TextureChoice {
 /// leaves in `points` the materials that have colours; triangles of others have kNoMaterial.
 ///
 /// Names are relative to the folder of the file that they stand in. What would lead out of that
-/// folder (an absolute path, a drive, ..) is looked for by its last part beside the file: files from
-/// strangers must not make Relief read others.
+/// folder (an absolute path, a drive, ..) is looked for by its last part beside the file: files
+/// from strangers must not make Relief read others.
 ///
 /// Fails with one sentence if a picture that triangles use is missing, too large or damaged, or if
 /// `choice` names one for a mesh that can have none. A material file that is missing is a note: the

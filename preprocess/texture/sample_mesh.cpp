@@ -11,8 +11,8 @@
 namespace relief {
 namespace {
 
-// Spot, unlit, against its own mesh (1280x1024, what both cover): 22,000 points 35.0 dB and a file of
-// 259 kB, 47,000 37.4 and 300, 102,000 40.3 and 328, 228,000 40.0 and 406.
+// Spot, unlit, against its own mesh (1280x1024, what both cover): 22,000 points 35.0 dB and a file
+// of 259 kB, 47,000 37.4 and 300, 102,000 40.3 and 328, 228,000 40.0 and 406.
 constexpr std::size_t kLeastPoints = 100'000;
 constexpr double kMostPoints = 2e6;
 // As for splats (acquire_texture.cpp).

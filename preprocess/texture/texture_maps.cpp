@@ -47,17 +47,26 @@ double texture_area(const Points& mesh, std::uint32_t triangle) {
   return std::abs(b.x * c.y - b.y * c.x);
 }
 
-/// The power of two of texels a cell that holds what the textures of these triangles hold.
-std::uint32_t scale_for(const Points& mesh, const std::vector<FlatTriangle>& triangles) {
+/// Twice the area of triangles, in texels of their textures and in cells of a patch.
+struct Areas {
   double texels = 0.0;
   double cells = 0.0;
+};
+
+Areas areas_of(const Points& mesh, const std::vector<FlatTriangle>& triangles) {
+  Areas areas;
   for (const FlatTriangle& t : triangles) {
     if (t.twice_area < kSteepest * t.twice_area_in_space()) continue;
-    texels += texture_area(mesh, t.index);
-    cells += t.twice_area;
+    areas.texels += texture_area(mesh, t.index);
+    areas.cells += t.twice_area;
   }
-  if (!(texels > 0.0) || !std::isfinite(texels)) return 1;
-  const double along_side = std::sqrt(texels / cells) / kEnough;
+  return areas;
+}
+
+/// The power of two of texels a cell that holds what the textures hold.
+std::uint32_t scale_for(const Areas& areas) {
+  if (!(areas.texels > 0.0) || !std::isfinite(areas.texels)) return 1;
+  const double along_side = std::sqrt(areas.texels / areas.cells) / kEnough;
   std::uint32_t scale = 1;
   while (scale < along_side && scale < kMostTexelsPerCell) scale *= 2;
   return scale;
@@ -78,6 +87,23 @@ std::uint64_t count_texels(const std::vector<Patch>& patches,
 /// Sides that patch files hold, with room for gutters beside the map.
 bool fits(const Patch& patch, std::uint32_t scale) {
   return side_of(std::max(patch.width, patch.height) + 8, scale) <= kMaxPatchSide;
+}
+
+/// A scale for each patch. Gutters and mip levels are those of the finest map, so that none is more
+/// than twice as fine as all together need.
+std::vector<std::uint32_t> choose_scales(const Points& mesh,
+                                         const std::vector<std::vector<FlatTriangle>>& triangles) {
+  Areas all;
+  std::vector<std::uint32_t> scales;
+  for (const std::vector<FlatTriangle>& own : triangles) {
+    const Areas areas = areas_of(mesh, own);
+    all.texels += areas.texels;
+    all.cells += areas.cells;
+    scales.push_back(scale_for(areas));
+  }
+  const std::uint32_t most = 2 * scale_for(all);
+  for (std::uint32_t& scale : scales) scale = std::min(scale, most);
+  return scales;
 }
 
 /// Coarser everywhere until it is not too much.
@@ -211,9 +237,11 @@ AttributeMap<glm::u8vec3> make_map(const Points& mesh, const Patch& patch,
                                    const std::vector<FlatTriangle>& triangles,
                                    std::uint32_t scale) {
   AttributeMap<glm::u8vec3> map{static_cast<std::uint32_t>(side_of(patch.width, scale)),
-                                static_cast<std::uint32_t>(side_of(patch.height, scale)), scale,
+                                static_cast<std::uint32_t>(side_of(patch.height, scale)),
+                                scale,
                                 {}};
-  map.texels.resize(std::size_t{map.width} * map.height, glm::u8vec3(srgb8_from_linear(kNeutralGrey)));
+  map.texels.resize(std::size_t{map.width} * map.height,
+                    glm::u8vec3(srgb8_from_linear(kNeutralGrey)));
   const std::vector<std::uint32_t> shown = find_shown(patch, map, triangles);
   std::vector<TriangleColour> colours;
   colours.reserve(triangles.size());
@@ -242,11 +270,10 @@ Status map_textures(const Points& mesh, std::uint32_t texels_per_cell, std::vect
   const TriangleSpheres spheres(mesh);
   std::vector<std::vector<FlatTriangle>> triangles(patches.size());
   std::vector<std::uint32_t> scales(patches.size(), texels_per_cell);
-  tbb::parallel_for(std::size_t{0}, patches.size(), [&](std::size_t p) {
-    triangles[p] = spheres.find_over(patches[p]);
-    if (texels_per_cell == 0) scales[p] = scale_for(mesh, triangles[p]);
-  });
+  tbb::parallel_for(std::size_t{0}, patches.size(),
+                    [&](std::size_t p) { triangles[p] = spheres.find_over(patches[p]); });
   if (texels_per_cell == 0) {
+    scales = choose_scales(mesh, triangles);
     limit_scales(patches, scales);
   } else if (const Status ok = check_scales(patches, scales); !ok) {
     return ok.error();

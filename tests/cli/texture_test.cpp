@@ -75,11 +75,10 @@ TEST_F(TextureCli, SaysWhatIsMissing) {
 
 TEST_F(TextureCli, PatchesAndRaysShowTheTextureToo) {
   const std::string texture = write_texture();
-  const std::string mesh =
-      write("square.obj", "mtllib square.mtl\nusemtl m\n" + kSquare);
+  const std::string mesh = write("square.obj", "mtllib square.mtl\nusemtl m\n" + kSquare);
   (void)write("square.mtl", "newmtl m\nmap_Kd texture.png\n");
-  ASSERT_EQ(run_relief({"convert", mesh, "-o", path("square.relief"), "--spacing", "0.05"}).exit_code,
-            0);
+  ASSERT_EQ(
+      run_relief({"convert", mesh, "-o", path("square.relief"), "--spacing", "0.05"}).exit_code, 0);
   const std::vector<std::vector<std::string>> ways{
       {path("square.relief")},
       {path("square.relief"), "--engine", "multipass"},
@@ -87,8 +86,8 @@ TEST_F(TextureCli, PatchesAndRaysShowTheTextureToo) {
       {mesh, "--engine", "raytrace"},
       {write("bare.obj", kSquare), "--engine", "raytrace", "--texture", texture}};
   for (const std::vector<std::string>& way : ways) {
-    std::vector<std::string> arguments{"render", "-o", path("out.exr"), "--material", "unlit",
-                                       "--size", "64x64"};
+    std::vector<std::string> arguments{"render", "-o",     path("out.exr"), "--material",
+                                       "unlit",  "--size", "64x64"};
     arguments.insert(arguments.end(), way.begin(), way.end());
     const Outcome run = run_relief(arguments);
     ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -104,15 +103,14 @@ TEST_F(TextureCli, PatchesAndRaysShowTheTextureToo) {
 }
 
 TEST_F(TextureCli, ConversionsSayWhatIsMissing) {
-  const std::string mesh =
-      write("square.obj", "mtllib square.mtl\nusemtl m\n" + kSquare);
+  const std::string mesh = write("square.obj", "mtllib square.mtl\nusemtl m\n" + kSquare);
   (void)write("square.mtl", "newmtl m\nmap_Kd gone.png\n");
   const std::vector<std::string> convert{"convert", mesh, "-o", path("square.relief")};
   expect_refused(convert, "gone.png");
   expect_refused({"render", mesh, "-o", path("o.png")}, "gone.png");
   auto fine = convert;
-  fine.insert(fine.end(), {"--texture", write_texture(), "--texels-per-cell", "64", "--spacing",
-                           "0.005"});
+  fine.insert(fine.end(),
+              {"--texture", write_texture(), "--texels-per-cell", "64", "--spacing", "0.005"});
   expect_refused(fine, "64 texels a cell");
 }
 

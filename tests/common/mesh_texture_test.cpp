@@ -61,10 +61,12 @@ TEST(MeshTexture, WrapsAsTold) {
 }
 
 TEST(MeshTexture, TransparentPixelsAreNotBlack) {
-  Image image{2, 1, {{"R", ChannelType::Float, {0.25F, 0.0F}},
-                     {"G", ChannelType::Float, {0.25F, 0.0F}},
-                     {"B", ChannelType::Float, {0.25F, 0.0F}},
-                     {"A", ChannelType::Float, {0.5F, 0.0F}}}};
+  Image image{2,
+              1,
+              {{"R", ChannelType::Float, {0.25F, 0.0F}},
+               {"G", ChannelType::Float, {0.25F, 0.0F}},
+               {"B", ChannelType::Float, {0.25F, 0.0F}},
+               {"A", ChannelType::Float, {0.5F, 0.0F}}}};
   const auto texture = MeshTexture::from_image(image, TextureWrap::Clamp);
   ASSERT_TRUE(texture);
   // Premultiplied 0.25 of opacity 0.5 is the colour 0.5, to half a step of 8 bits.

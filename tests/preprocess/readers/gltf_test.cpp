@@ -45,14 +45,17 @@ const std::string kNode = R"([{"mesh": 0}])";
 
 std::string embedded(const std::string& nodes = kNode) {
   return document(
-      R"("uri": "data:application/octet-stream;base64,)" + base64(triangle_bytes()) + "\", ", nodes);
+      R"("uri": "data:application/octet-stream;base64,)" + base64(triangle_bytes()) + "\", ",
+      nodes);
 }
 
 std::string binary() {
   std::string json = document("", kNode);
   json.resize((json.size() + 3) / 4 * 4, ' ');
   std::string bytes = triangle_bytes() + std::string(2, '\0');
-  const auto length = [](const std::string& text) { return static_cast<std::uint32_t>(text.size()); };
+  const auto length = [](const std::string& text) {
+    return static_cast<std::uint32_t>(text.size());
+  };
   return test::pack(std::uint32_t{0x46546C67}, std::uint32_t{2}, 28 + length(json) + length(bytes),
                     length(json), std::uint32_t{0x4E4F534A}) +
          json + test::pack(length(bytes), std::uint32_t{0x004E4942}) + bytes;
@@ -78,8 +81,8 @@ TEST(Gltf, TextAndBinaryAreTheSame) {
 }
 
 TEST(Gltf, NodesPutMeshesInTheirPlaces) {
-  const Points points = test::read(
-      "a.gltf", embedded(R"([{"children": [1, 2], "translation": [10, 0, 0]},
+  const Points points =
+      test::read("a.gltf", embedded(R"([{"children": [1, 2], "translation": [10, 0, 0]},
         {"mesh": 0, "scale": [2, 2, 2], "rotation": [0, 0, 0.7071067811865476, 0.7071067811865476]},
         {"mesh": 0, "matrix": [-1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,5,1]}])"));
   ASSERT_EQ(points.size(), 6U);
@@ -97,8 +100,8 @@ TEST(Gltf, NodesPutMeshesInTheirPlaces) {
 }
 
 TEST(Gltf, EveryTruncationIsRefused) {
-  for (const auto& [name, whole] : {std::pair(std::string("a.gltf"), embedded()),
-                                    std::pair(std::string("a.glb"), binary())}) {
+  for (const auto& [name, whole] :
+       {std::pair(std::string("a.gltf"), embedded()), std::pair(std::string("a.glb"), binary())}) {
     for (std::size_t length = 1; length < whole.size(); ++length)
       EXPECT_NE(test::error(name, whole.substr(0, length)), "no error") << length;
   }

@@ -100,10 +100,9 @@ TEST_F(LoadTextures, AMissingMaterialFileIsANoteAndAnUnreadOptionToo) {
 TEST_F(LoadTextures, NamesDoNotLeadOutOfTheFolder) {
   write_picture("secret.png", {0.0F, 1.0F, 0.0F});
   write("mesh/a.obj", kSquare);
-  for (const std::string& name :
-       {std::string("../secret.png"), (folder_ / "secret.png").string(),
-        std::string("deeper/../../secret.png"), std::string("..\\secret.png"),
-        std::string("C:\\secret.png")}) {
+  for (const std::string& name : {std::string("../secret.png"), (folder_ / "secret.png").string(),
+                                  std::string("deeper/../../secret.png"),
+                                  std::string("..\\secret.png"), std::string("C:\\secret.png")}) {
     fs::remove(folder_ / "mesh" / "secret.png");
     write("mesh/my colours.mtl", "newmtl of paint\nmap_Kd " + name + "\n");
     EXPECT_NE(load().find("secret.png"), std::string::npos) << name;

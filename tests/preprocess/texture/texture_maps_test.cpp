@@ -114,8 +114,10 @@ TEST(TextureMaps, ThinSheetsHaveTwoSides) {
   std::vector<Patch> patches{square_patch(0.01, true, glm::dvec3(0.0)),
                              square_patch(0.01, false, glm::dvec3(0.0))};
   ASSERT_TRUE(map(mesh, 4, patches));
-  for (const glm::u8vec3 texel : patches[0].colours.texels) EXPECT_EQ(texel, glm::u8vec3(255, 0, 0));
-  for (const glm::u8vec3 texel : patches[1].colours.texels) EXPECT_EQ(texel, glm::u8vec3(0, 0, 255));
+  for (const glm::u8vec3 texel : patches[0].colours.texels)
+    EXPECT_EQ(texel, glm::u8vec3(255, 0, 0));
+  for (const glm::u8vec3 texel : patches[1].colours.texels)
+    EXPECT_EQ(texel, glm::u8vec3(0, 0, 255));
 }
 
 TEST(TextureMaps, WhereThereIsNoMeshTheSurroundingsGoOn) {
@@ -128,7 +130,8 @@ TEST(TextureMaps, WhereThereIsNoMeshTheSurroundingsGoOn) {
   mesh.triangle_materials.pop_back();
   std::vector<Patch> patches{square_patch(0.0, true, glm::dvec3(0.0))};
   ASSERT_TRUE(map(mesh, 8, patches));
-  for (const glm::u8vec3 texel : patches[0].colours.texels) EXPECT_EQ(texel, glm::u8vec3(255, 0, 0));
+  for (const glm::u8vec3 texel : patches[0].colours.texels)
+    EXPECT_EQ(texel, glm::u8vec3(255, 0, 0));
   // A mesh that is elsewhere: neutral grey, half the light.
   for (glm::dvec3& p : mesh.positions) p.z += 100.0;
   ASSERT_TRUE(map(mesh, 8, patches));
