@@ -165,8 +165,9 @@ glm::vec3 MeshTexture::mean(glm::vec2 texcoord, glm::vec2 du, glm::vec2 dv) cons
   const float places = std::clamp(std::ceil(longer / std::max(shorter, 1.0F)), 1.0F, kMostPlaces);
   const float level = std::log2(std::max(longer / places, 1.0F));
   glm::vec3 sum(0.0F);
-  for (float k = 0.5F; k < places; k += 1.0F)
-    sum += trilinear(texcoord + (k / places - 0.5F) * along, level);
+  const auto count = static_cast<int>(places);
+  for (int k = 0; k < count; ++k)
+    sum += trilinear(texcoord + ((static_cast<float>(k) + 0.5F) / places - 0.5F) * along, level);
   return sum / places;
 }
 

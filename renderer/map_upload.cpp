@@ -181,9 +181,9 @@ bool has_fine_colours(const PatchModel& model) {
 }
 
 Result<MapArray> upload_colours(const Gl& gl, const PatchList& patches) {
-  static const AttributeMap<glm::u8vec3> kNoColours{1, 1, 1, {glm::u8vec3(0)}};
+  static const AttributeMap<glm::u8vec3> no_colours{1, 1, 1, {glm::u8vec3(0)}};
   const auto colours_of = [](const Patch& patch) -> const AttributeMap<glm::u8vec3>& {
-    return patch.colours.empty() ? kNoColours : patch.colours;
+    return patch.colours.empty() ? no_colours : patch.colours;
   };
   std::uint32_t finest = 0;
   for (const Patch* patch : patches) finest = std::max(finest, colours_of(*patch).scale);

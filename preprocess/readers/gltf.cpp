@@ -106,8 +106,8 @@ class GltfReader {
       return make_error("{}: needs the extension {}, which is not read; export it without",
                         source_.name, relief::quoted(model_.extensionsRequired.front()));
     }
-    if (const Status done = read_materials(); !done) return wrong(done);
-    if (const Status done = read_scene(); !done) return wrong(done);
+    if (Status done = read_materials(); !done) return wrong(done);
+    if (Status done = read_scene(); !done) return wrong(done);
     if (points_.size() >= kNoPoint) return too_many_points(source_, points_.size());
     if (!has_normals_) points_.normals.clear();
     if (!has_texcoords_) points_.texcoords.clear();
@@ -162,8 +162,7 @@ class GltfReader {
             v > 0.0 ? static_cast<float>(std::min(v, 1.0)) : 0.0F;
       }
       if (base.baseColorTexture.index >= 0) {
-        if (const Status done = read_texture(base.baseColorTexture.index, material); !done)
-          return done;
+        if (Status done = read_texture(base.baseColorTexture.index, material); !done) return done;
       }
       points_.materials.push_back(material);
       material.has_texcoords = false;
@@ -244,7 +243,7 @@ class GltfReader {
       const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
       const glm::dmat4 placed = parent * transform_of(node);
       if (node.mesh >= 0) {
-        if (const Status done = read_mesh(node.mesh, placed); !done) return done;
+        if (Status done = read_mesh(node.mesh, placed); !done) return done;
       }
       for (const int child : node.children) to_do.emplace_back(child, placed);
     }
@@ -257,7 +256,7 @@ class GltfReader {
     if (source_.progress.cancelled()) return interrupted_error();
     for (const tinygltf::Primitive& primitive :
          model_.meshes[static_cast<std::size_t>(index)].primitives) {
-      if (const Status done = read_primitive(primitive, placed); !done)
+      if (Status done = read_primitive(primitive, placed); !done)
         return make_error("mesh {}: {}", index, done.error().message);
     }
     return {};
@@ -278,7 +277,7 @@ class GltfReader {
       const double* p = positions->data() + 3 * k;
       points_.positions.emplace_back(placed * glm::dvec4(p[0], p[1], p[2], 1.0));
     }
-    if (const Status done = read_normals(attribute("NORMAL"), count, placed); !done) return done;
+    if (Status done = read_normals(attribute("NORMAL"), count, placed); !done) return done;
     const bool is_material = primitive.material >= 0 &&
                              static_cast<std::size_t>(primitive.material) < model_.materials.size();
     std::string name = "TEXCOORD_0";
@@ -288,7 +287,7 @@ class GltfReader {
       name = fmt::format("TEXCOORD_{}", base.texCoord);
     }
     const int texcoords = attribute(name);
-    if (const Status done = read_texcoords(texcoords, count); !done) return done;
+    if (Status done = read_texcoords(texcoords, count); !done) return done;
     const std::uint32_t material =
         is_material ? 2 * static_cast<std::uint32_t>(primitive.material) + (texcoords < 0 ? 1U : 0U)
                     : kNoMaterial;

@@ -142,7 +142,7 @@ Status read_stated_textures(const fs::path& mesh, Points& points) {
 Status resolve_materials(const fs::path& mesh, Points& points, std::vector<std::string>& notes) {
   const auto found = read_material_files(mesh, points, notes);
   if (!found) return found.error();
-  if (const Status stated = read_stated_textures(mesh, points); !stated) return stated;
+  if (Status stated = read_stated_textures(mesh, points); !stated) return stated;
   std::map<std::pair<fs::path, bool>, std::shared_ptr<const MeshTexture>> textures;
   std::vector<bool> known(points.materials.size(), true);
   for (std::size_t m = 0; m < points.materials.size(); ++m) {

@@ -251,8 +251,9 @@ AttributeMap<glm::u8vec3> make_map(const Points& mesh, const Patch& patch,
   for (std::size_t k = 0; k < shown.size(); ++k) {
     if (shown[k] == kNone) kept[k] = 0;
     if (kept[k] == 0) continue;
-    const glm::dvec2 place(static_cast<double>(k % map.width) / scale,
-                           static_cast<double>(k / map.width) / scale);
+    const std::size_t column = k % map.width;
+    const std::size_t row = k / map.width;
+    const glm::dvec2 place = glm::dvec2(column, row) / static_cast<double>(scale);
     const glm::vec3 light = colours[shown[k]].at(place);
     map.texels[k] = {srgb8_from_linear(light.r), srgb8_from_linear(light.g),
                      srgb8_from_linear(light.b)};
