@@ -33,12 +33,17 @@ std::string describe(const AcquireResult& acquired) {
 
 }  // namespace
 
+TextureChoice texture_choice(const std::filesystem::path& option) {
+  if (option == "none") return {true, {}};
+  return {false, option};
+}
+
 void add_texture_options(CLI::App& sub, TextureArguments& arguments) {
   auto* const texture =
       sub.add_option("--texture", arguments.file,
-                     "ewa: picture that a mesh's texture coordinates refer to; splats are spread "
-                     "over its faces")
-          ->option_text("FILE");
+                     "Picture that a mesh's texture coordinates refer to, in place of its file's "
+                     "own; none: no texture. ewa: splats are spread over the faces")
+          ->option_text("FILE|none");
   sub.add_option("--acquisition", arguments.acquisition,
                  "ewa: how splats get the texture's colours: given is its value at the point, ewa "
                  "its mean under the splat, optimised what comes nearest to it (optimised)")
@@ -59,8 +64,8 @@ Result<SplatCloud> acquire_splats(const std::filesystem::path& mesh,
   auto scan = read_points(mesh, progress);
   if (!scan) return scan.error();
   AcquireOptions options;
-  options.acquisition = kAcquisitions.at(arguments.acquisition);
-  options.points = arguments.points;
+  options.acquisition = kAcquisitions.at(arguments.acquisition.value_or("optimised"));
+  options.points = arguments.points.value_or(options.points);
   options.cutoff = cutoff;
   auto acquired = acquire_texture(std::move(scan->points), *texture, options, progress);
   if (!acquired) {

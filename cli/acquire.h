@@ -4,19 +4,24 @@
 #include <CLI/App.hpp>
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "common/error.h"
 #include "common/progress.h"
+#include "preprocess/texture/load_textures.h"
 #include "renderer/splat_cloud.h"
 
 namespace relief::cli {
 
 struct TextureArguments {
-  std::filesystem::path file;  ///< empty: no texture
-  std::string acquisition = "optimised";
-  std::size_t points = 100'000;
+  std::filesystem::path file;              ///< empty: what the mesh says; "none": no texture
+  std::optional<std::string> acquisition;  ///< of `ewa`
+  std::optional<std::size_t> points;       ///< of `ewa`
 };
+
+/// What --texture says to engines that do not make splats of it.
+[[nodiscard]] TextureChoice texture_choice(const std::filesystem::path& option);
 
 /// Declares --texture, --acquisition and --points.
 void add_texture_options(CLI::App& sub, TextureArguments& arguments);

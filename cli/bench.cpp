@@ -59,7 +59,7 @@ struct Models {
 };
 
 Result<Models> load(const RenderPlan& plan, const std::optional<Sweep>& sweep, Progress& progress) {
-  auto scene = load_scene(plan.models, {.patches = true, .raytrace = true}, progress);
+  auto scene = load_scene(plan.models, {}, {.patches = true, .raytrace = true}, progress);
   if (!scene) return scene.error();
   Models models{std::move(*scene), {}};
   if (!sweep || !converts(*sweep)) return models;

@@ -3,9 +3,9 @@
 #include <CLI/Error.hpp>
 #include <utility>
 
+#include "cli/load.h"
 #include "cli/values.h"
 #include "preprocess/convert.h"
-#include "preprocess/read_points.h"
 
 namespace relief::cli {
 namespace {
@@ -40,7 +40,7 @@ Sweep parse_sweep(const std::string& text) {
 
 Result<std::vector<PatchModel>> convert_sweep(const std::filesystem::path& scan, const Sweep& sweep,
                                               Progress& progress) {
-  auto read = read_points(scan, progress);
+  auto read = load_mesh(scan, {}, progress);
   if (!read) return read.error();
   std::vector<PatchModel> models;
   models.reserve(sweep.values.size());

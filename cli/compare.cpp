@@ -113,7 +113,7 @@ void add_limit_option(CLI::App& sub, Arguments& arguments, const char* name, Bou
 void add_compare(CLI::App& app, Command& command) {
   auto* sub = app.add_subcommand("compare", "Tell how far a picture is from another one");
   const auto arguments = std::make_shared<Arguments>();
-  sub->add_option("A", arguments->test, "The picture under test: EXR, PNG or Radiance HDR")
+  sub->add_option("A", arguments->test, "The picture under test: EXR, PNG, JPEG or Radiance HDR")
       ->required()
       ->option_text("FILE");
   sub->add_option("B", arguments->reference, "The reference, of the same size")

@@ -13,17 +13,19 @@
 #include <string>
 #include <vector>
 
+#include "cli/acquire.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/load.h"
 #include "cli/paths.h"
 #include "common/patch_file.h"
+#include "preprocess/texture/texture_maps.h"
 
 namespace relief::cli {
 namespace {
 
 constexpr const char* kExamples =
-    "Reads PLY, PCD, OBJ, OFF, STL and XYZ text, each also gzipped. Several files become one "
+    "Reads PLY, PCD, OBJ, glTF, OFF, STL and XYZ text, each also gzipped. Several files become one "
     "model:\n"
     "they are taken as parts of one scan, in the frame that their coordinates are in.\n"
     "In brackets: what is taken where an option is not given.\n"
@@ -36,6 +38,7 @@ constexpr const char* kExamples =
 struct Arguments {
   std::vector<std::filesystem::path> inputs;
   std::filesystem::path output;
+  std::filesystem::path texture;  ///< as texture_choice has it
   ConvertOptions options;
   bool json = false;
 };
@@ -68,6 +71,8 @@ nlohmann::ordered_json as_json(const Summary& s) {
           {"error_max", s.report.error_max},
           {"psnr_db", s.report.psnr_db},
           {"uncovered_points", s.report.uncovered_points},
+          {"texels_per_cell", s.report.texels_per_cell},
+          {"colour_texels", s.report.colour_texels},
           {"stage_seconds", stages}};
 }
 
@@ -75,6 +80,10 @@ std::string as_text(const Summary& s, const std::filesystem::path& output) {
   const std::string normals = s.report.normals_estimated
                                   ? "estimated"
                                   : fmt::format("given, {} repaired", s.report.normals_repaired);
+  const std::string colours = s.report.texels_per_cell == 0
+                                  ? "none"
+                                  : fmt::format("{} texels, up to {} a cell along a side",
+                                                s.report.colour_texels, s.report.texels_per_cell);
   std::string text = fmt::format(
       "{}\n"
       "  points            {} ({} not finite dropped, {} duplicates merged)\n"
@@ -85,11 +94,12 @@ std::string as_text(const Summary& s, const std::filesystem::path& output) {
       "  error             {:.3g} rms, {:.3g} at most\n"
       "  psnr              {:.2f} dB\n"
       "  uncovered points  {}\n"
+      "  colours           {}\n"
       "  file              {} bytes, {:.2f} bits per sample\n"
       "  time              {:.2f} s",
       output.string(), s.report.points, s.read.dropped_nonfinite, s.read.merged_duplicates, normals,
       s.file.patches, s.file.samples, s.file.spacing, s.report.error_rms, s.report.error_max,
-      s.report.psnr_db, s.report.uncovered_points, s.file.file_bytes,
+      s.report.psnr_db, s.report.uncovered_points, colours, s.file.file_bytes,
       8.0 * static_cast<double>(s.file.file_bytes) / static_cast<double>(s.file.samples),
       s.seconds);
   const char* separator = ": ";
@@ -102,7 +112,7 @@ std::string as_text(const Summary& s, const std::filesystem::path& output) {
 
 /// Reads, converts, writes and looks at what was written.
 Result<Summary> convert_files(const Arguments& arguments, Progress& progress) {
-  auto read = load_points(arguments.inputs, progress);
+  auto read = load_points(arguments.inputs, texture_choice(arguments.texture), progress);
   if (!read) return read.error();
   auto converted = convert(std::move(read->points), arguments.options, progress);
   if (!converted) {
@@ -123,9 +133,15 @@ Result<Summary> convert_files(const Arguments& arguments, Progress& progress) {
   return summary;
 }
 
+std::vector<std::filesystem::path> files_read(const Arguments& arguments) {
+  std::vector<std::filesystem::path> files = arguments.inputs;
+  if (!arguments.texture.empty()) files.push_back(arguments.texture);
+  return files;
+}
+
 int run(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
-  if (const Status writable = check_output(arguments.output, arguments.inputs); !writable) {
+  if (const Status writable = check_output(arguments.output, files_read(arguments)); !writable) {
     return fail(writable.error());
   }
   const tbb::global_control threads(
@@ -170,6 +186,15 @@ void add_convert(CLI::App& app, Command& command) {
          fmt::format("Grid cells by which patches overlap ({})", arguments->options.overlap_cells))
       ->check(CLI::Range(0, 16))
       ->option_text("CELLS");
+  sub->add_option("--texture", arguments->texture,
+                  "Picture that a mesh's texture coordinates refer to, in place of its file's own; "
+                  "none: no texture")
+      ->option_text("FILE|none");
+  sub->add_option("--texels-per-cell", arguments->options.texels_per_cell,
+                  "Colour texels along a grid cell's side, of a mesh with a texture (a power of "
+                  "two for each patch that keeps the texture's own)")
+      ->check(CLI::Range(1U, kMostTexelsPerCell))
+      ->option_text("N");
   sub->add_option("--threads", arguments->options.threads,
                   "Threads; the file is the same with any number (all cores)")
       ->check(CLI::Range(1, 1024))

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -36,6 +37,32 @@ struct LeftOut {
   bool texcoords = false;
 };
 
+/// Triangles keep their materials, and their texture coordinates with them, which by point may have
+/// been left out.
+void append_materials(Points& to, Points& from) {
+  if (from.materials.empty() && to.materials.empty()) {
+    to.corner_texcoords.clear();
+    return;
+  }
+  const auto give_corners = [](Points& points) {
+    if (!points.corner_texcoords.empty()) return;
+    points.corner_texcoords.resize(points.triangles.size());
+    if (points.texcoords.empty()) return;
+    for (std::size_t t = 0; t < points.triangles.size(); ++t)
+      points.corner_texcoords[t] = texcoords_of(points, t);
+  };
+  give_corners(to);
+  give_corners(from);
+  to.corner_texcoords.insert(to.corner_texcoords.end(), from.corner_texcoords.begin(),
+                             from.corner_texcoords.end());
+  const auto before = static_cast<std::uint32_t>(to.materials.size());
+  to.triangle_materials.resize(to.triangles.size(), kNoMaterial);
+  from.triangle_materials.resize(from.triangles.size(), kNoMaterial);
+  for (const std::uint32_t material : from.triangle_materials)
+    to.triangle_materials.push_back(material == kNoMaterial ? material : material + before);
+  to.materials.insert(to.materials.end(), from.materials.begin(), from.materials.end());
+}
+
 void append(Points& to, Points from, LeftOut& left_out) {
   const auto offset = static_cast<std::uint32_t>(to.size());
   if (left_out.normals) from.normals.clear();
@@ -45,7 +72,7 @@ void append(Points& to, Points from, LeftOut& left_out) {
   left_out.colours |= append_attribute(to.colours, offset, from.colours);
   left_out.texcoords |= append_attribute(to.texcoords, offset, from.texcoords);
   to.positions.insert(to.positions.end(), from.positions.begin(), from.positions.end());
-  to.corner_texcoords.clear();  // several scans as one are only ever converted, without textures
+  append_materials(to, from);
   to.triangles.reserve(to.triangles.size() + from.triangles.size());
   for (const Triangle& t : from.triangles) {
     to.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
@@ -69,13 +96,24 @@ void note_left_out(const LeftOut& left_out) {
 
 }  // namespace
 
+Result<ReadResult> load_mesh(const std::filesystem::path& path, const TextureChoice& textures,
+                             Progress& progress) {
+  auto read = read_points(path, progress);
+  if (!read) return read;
+  std::vector<std::string> notes;
+  const Status loaded = load_textures(path, textures, read->points, notes);
+  for (const std::string& text : notes) note(text);
+  if (!loaded) return loaded.error();
+  return read;
+}
+
 Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
-                               Progress& progress) {
-  if (paths.size() == 1) return read_points(paths.front(), progress);
+                               const TextureChoice& textures, Progress& progress) {
+  if (paths.size() == 1) return load_mesh(paths.front(), textures, progress);
   ReadResult all;
   LeftOut left_out;
   for (const auto& path : paths) {
-    auto scan = read_points(path, progress);
+    auto scan = load_mesh(path, textures, progress);
     if (!scan) return scan.error();
     all.points_in_file += scan->points_in_file;
     all.dropped_nonfinite += scan->dropped_nonfinite;
@@ -99,7 +137,7 @@ Result<PatchModel> load_model(const std::filesystem::path& path, Progress& progr
     if (!file) return file.error();
     return file->read_all(progress);
   }
-  auto scan = read_points(path, progress);
+  auto scan = load_mesh(path, {}, progress);
   if (!scan) return scan.error();
   auto converted = convert(std::move(scan->points), {}, progress);
   if (!converted) {

@@ -9,14 +9,21 @@
 #include "common/patch.h"
 #include "common/progress.h"
 #include "preprocess/read_points.h"
+#include "preprocess/texture/load_textures.h"
 #include "renderer/splat_cloud.h"
 
 namespace relief::cli {
 
+/// Reads a scan or mesh with its materials and textures. What is left out of these is noted on
+/// standard error.
+Result<ReadResult> load_mesh(const std::filesystem::path& path, const TextureChoice& textures,
+                             Progress& progress);
+
 /// Reads one or more scans as one: positions in the files' own frames, one after the other. An
 /// attribute that only some of the files have is left out, with a note; duplicates between files
 /// are merged as within one.
-Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths, Progress& progress);
+Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
+                               const TextureChoice& textures, Progress& progress);
 
 /// A model from a .relief file, or from a scan or mesh that is converted with the default options.
 Result<PatchModel> load_model(const std::filesystem::path& path, Progress& progress);

@@ -7,7 +7,6 @@
 #include "cli/load.h"
 #include "cli/paths.h"
 #include "preprocess/convert.h"
-#include "preprocess/read_points.h"
 #include "renderer/append.h"
 #include "renderer/engines/ewa/splats_of_samples.h"
 #include "renderer/mesh_of_patches.h"
@@ -52,9 +51,9 @@ Result<LoadedFile> load_patch_file(const std::filesystem::path& path, Forms form
   return file;
 }
 
-Result<LoadedFile> load_scan(const std::filesystem::path& path, EngineNeeds needs,
-                             Progress& progress) {
-  auto scan = read_points(path, progress);
+Result<LoadedFile> load_scan(const std::filesystem::path& path, const TextureChoice& textures,
+                             EngineNeeds needs, Progress& progress) {
+  auto scan = load_mesh(path, textures, progress);
   if (!scan) return scan.error();
   LoadedFile file;
   file.patches.bounds = bounds_of(scan->points.positions);
@@ -102,8 +101,8 @@ Status place(LoadedScene& scene, LoadedFile file, const Transform& where, std::u
 
 }  // namespace
 
-Result<LoadedScene> load_scene(const std::vector<SceneModel>& models, EngineNeeds needs,
-                               Progress& progress) {
+Result<LoadedScene> load_scene(const std::vector<SceneModel>& models, const TextureChoice& textures,
+                               EngineNeeds needs, Progress& progress) {
   bool has_scans = false;
   std::map<std::filesystem::path, std::size_t> uses;
   for (const SceneModel& model : models) {
@@ -116,8 +115,9 @@ Result<LoadedScene> load_scene(const std::vector<SceneModel>& models, EngineNeed
   LoadedScene scene;
   for (const SceneModel& model : models) {
     if (loaded.find(model.file) == loaded.end()) {
-      auto file = ending(model.file) == ".relief" ? load_patch_file(model.file, forms, progress)
-                                                  : load_scan(model.file, needs, progress);
+      auto file = ending(model.file) == ".relief"
+                      ? load_patch_file(model.file, forms, progress)
+                      : load_scan(model.file, textures, needs, progress);
       if (!file) return file.error();
       loaded.emplace(model.file, std::move(*file));
     }

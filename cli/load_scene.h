@@ -8,6 +8,7 @@
 #include "common/patch.h"
 #include "common/progress.h"
 #include "common/scene.h"
+#include "preprocess/texture/load_textures.h"
 #include "renderer/render.h"
 
 namespace relief::cli {
@@ -35,8 +36,8 @@ struct LoadedScene {
 /// Reads the models and puts them in their places. A file that several of them name is read once. A
 /// scan or mesh is converted with the default options where an engine draws its patches: `onepass`,
 /// `multipass`, and `raytrace` where it has no triangles; `raytrace` takes its triangles, `ewa` its
-/// points as they are.
-Result<LoadedScene> load_scene(const std::vector<SceneModel>& models, EngineNeeds needs,
-                               Progress& progress);
+/// points as they are. `textures`: of scans and meshes.
+Result<LoadedScene> load_scene(const std::vector<SceneModel>& models, const TextureChoice& textures,
+                               EngineNeeds needs, Progress& progress);
 
 }  // namespace relief::cli

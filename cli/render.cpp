@@ -62,7 +62,10 @@ EngineNeeds needs_of(const RenderPlan& plan) {
 
 Result<LoadedScene> load(const RenderPlan& plan, const RenderArguments& arguments,
                          Progress& progress) {
-  if (arguments.texture.file.empty()) return load_scene(plan.models, needs_of(plan), progress);
+  const EngineNeeds needs = needs_of(plan);
+  const TextureChoice textures = texture_choice(arguments.texture.file);
+  if (!needs.ewa || textures.picture.empty())
+    return load_scene(plan.models, textures, needs, progress);
   auto splats = acquire_splats(arguments.input, arguments.texture,
                                arguments.settings.cutoff.value_or(EwaSettings{}.cutoff), progress);
   if (!splats) return splats.error();

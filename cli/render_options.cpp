@@ -111,10 +111,10 @@ void check_engine_options(const RenderArguments& arguments) {
   const SceneSettings& settings = arguments.settings;
   const EngineKind engine = settings.engine.value_or(EngineKind::Onepass);
   const std::string kind = ending(arguments.input);
-  if (!arguments.texture.file.empty() &&
-      (engine != EngineKind::Ewa || kind == ".json" || kind == ".relief")) {
-    throw CLI::ValidationError("--texture", "needs --engine ewa and a mesh");
-  }
+  if (!arguments.texture.file.empty() && (kind == ".json" || kind == ".relief"))
+    throw CLI::ValidationError("--texture", "needs a mesh");
+  if (engine != EngineKind::Ewa && (arguments.texture.acquisition || arguments.texture.points))
+    throw CLI::ValidationError("--acquisition, --points", "are for --engine ewa");
   if (kind == ".json") return;
   if (settings.pixels_per_sample && engine != EngineKind::Onepass)
     throw CLI::ValidationError("--pixels-per-sample", "is for --engine onepass");

@@ -70,7 +70,7 @@ bool outputs_differ(const RenderPlan& plan, const RenderArguments& arguments) {
 
 Result<std::vector<fs::path>> find_inputs(const RenderPlan& plan, const fs::path& texture) {
   std::set<fs::path> inputs;
-  if (!texture.empty()) inputs.insert(texture);
+  if (!texture.empty() && texture != "none") inputs.insert(texture);
   for (const SceneModel& model : plan.models) inputs.insert(model.file);
   for (const Picture& picture : plan.pictures) {
     if (picture.settings.environment && !picture.settings.environment->empty())

@@ -18,6 +18,7 @@ inline constexpr std::uint32_t kMaxImageSide = 65536;
 
 [[nodiscard]] bool is_exr(std::span<const std::byte> bytes);
 [[nodiscard]] bool is_png(std::span<const std::byte> bytes);
+[[nodiscard]] bool is_jpeg(std::span<const std::byte> bytes);
 [[nodiscard]] bool is_radiance(std::span<const std::byte> bytes);
 
 Result<std::vector<std::byte>> encode_exr(const Image& image);
@@ -25,6 +26,8 @@ Result<std::vector<std::byte>> encode_png(const Image& image);
 
 Result<Image> decode_exr(std::span<const std::byte> bytes);
 Result<Image> decode_png(std::span<const std::byte> bytes);
+/// Baseline and progressive, grey or colour; no CMYK.
+Result<Image> decode_jpeg(std::span<const std::byte> bytes);
 /// Radiance .hdr; pixels are mantissa * 2^(exponent - 136), EXPOSURE lines are not undone.
 Result<Image> decode_radiance(std::span<const std::byte> bytes);
 

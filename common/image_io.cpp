@@ -53,18 +53,23 @@ Status write_png(const std::filesystem::path& path, const Image& image) {
 Result<Image> read_image(const std::filesystem::path& path) {
   const auto bytes = read_file(path);
   if (!bytes) return bytes.error();
+  return decode_image(path.string(), *bytes);
+}
+
+Result<Image> decode_image(const std::string& name, std::span<const std::byte> bytes) {
   const auto decode = [&]() -> Result<Image> {
-    if (is_exr(*bytes)) return decode_exr(*bytes);
-    if (is_png(*bytes)) return decode_png(*bytes);
-    if (is_radiance(*bytes)) return decode_radiance(*bytes);
-    return make_error("it is no EXR, PNG or Radiance HDR file");
+    if (is_exr(bytes)) return decode_exr(bytes);
+    if (is_png(bytes)) return decode_png(bytes);
+    if (is_jpeg(bytes)) return decode_jpeg(bytes);
+    if (is_radiance(bytes)) return decode_radiance(bytes);
+    return make_error("it is no EXR, PNG, JPEG or Radiance HDR file");
   };
   try {
     auto image = decode();
     if (image) return image;
-    return make_error("{}: the picture cannot be read: {}", path.string(), image.error().message);
+    return make_error("{}: the picture cannot be read: {}", name, image.error().message);
   } catch (const std::bad_alloc&) {
-    return make_error("{}: the picture does not fit into memory", path.string());
+    return make_error("{}: the picture does not fit into memory", name);
   }
 }
 

@@ -1,7 +1,11 @@
-// Pictures in files: EXR and PNG out, EXR and Radiance HDR in (environment maps, comparisons).
+// Pictures in files: EXR and PNG out; EXR, PNG, JPEG and Radiance HDR in (environment maps,
+// comparisons, textures).
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <span>
+#include <string>
 
 #include "common/error.h"
 #include "common/image.h"
@@ -17,9 +21,13 @@ Status write_exr(const std::filesystem::path& path, const Image& image);
 /// outside [0, 1] are clamped. Atomic as write_file_atomically.
 Status write_png(const std::filesystem::path& path, const Image& image);
 
-/// Reads an EXR, Radiance HDR or PNG picture (recognised by its first bytes, not its name) with all
-/// its channels; PNG colour is turned linear. Non-finite values are kept as they are.
+/// Reads an EXR, Radiance HDR, PNG or JPEG picture (recognised by its first bytes, not its name)
+/// with all its channels; PNG and JPEG colour is turned linear. Non-finite values are kept as they
+/// are.
 Result<Image> read_image(const std::filesystem::path& path);
+
+/// The same of bytes in memory; `name` begins errors.
+Result<Image> decode_image(const std::string& name, std::span<const std::byte> bytes);
 
 /// Whether the file starts as a PNG does, so that its colours are what a display shows and not
 /// light. False also where there is no file to read: read_image says what is wrong with it.

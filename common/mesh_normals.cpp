@@ -5,6 +5,14 @@
 #include <glm/geometric.hpp>
 
 namespace relief {
+namespace {
+
+bool usable(glm::vec3 normal) {
+  const float length = glm::length(normal);
+  return std::isfinite(length) && length > 1e-12F;
+}
+
+}  // namespace
 
 std::vector<glm::vec3> normals_from_triangles(const Points& points) {
   std::vector<glm::dvec3> sums(points.size(), glm::dvec3(0.0));
@@ -25,6 +33,21 @@ std::vector<glm::vec3> normals_from_triangles(const Points& points) {
   for (std::size_t i = 0; i < sums.size(); ++i) {
     const double length = glm::length(sums[i]);
     if (length > 1e-9) normals[i] = glm::vec3(sums[i] / length);
+  }
+  return normals;
+}
+
+std::vector<glm::vec3> vertex_normals(const Points& points) {
+  std::vector<glm::vec3> normals = points.normals;
+  if (normals.empty() || !std::all_of(normals.begin(), normals.end(), usable)) {
+    const std::vector<glm::vec3> means = normals_from_triangles(points);
+    normals.resize(means.size(), glm::vec3(0.0F));
+    for (std::size_t k = 0; k < means.size(); ++k) {
+      if (!usable(normals[k])) normals[k] = means[k];
+    }
+  }
+  for (glm::vec3& normal : normals) {
+    if (usable(normal)) normal = glm::normalize(normal);
   }
   return normals;
 }

@@ -13,4 +13,8 @@ namespace relief {
 /// out.
 [[nodiscard]] std::vector<glm::vec3> normals_from_triangles(const Points& points);
 
+/// Unit normals of all points of a mesh: the given ones, or where they are missing, 0 or no numbers
+/// those above; 0 where that leaves none.
+[[nodiscard]] std::vector<glm::vec3> vertex_normals(const Points& points);
+
 }  // namespace relief

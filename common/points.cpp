@@ -7,6 +7,12 @@
 
 namespace relief {
 
+CornerTexcoords texcoords_of(const Points& mesh, std::size_t triangle) {
+  if (!mesh.corner_texcoords.empty()) return mesh.corner_texcoords[triangle];
+  const Triangle& t = mesh.triangles[triangle];
+  return {mesh.texcoords[t[0]], mesh.texcoords[t[1]], mesh.texcoords[t[2]]};
+}
+
 Bounds bounds_of(const std::vector<glm::dvec3>& positions) {
   if (positions.empty()) return {};
   Bounds bounds{positions.front(), positions.front()};

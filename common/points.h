@@ -2,16 +2,38 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace relief {
 
 using Triangle = std::array<std::uint32_t, 3>;
 using CornerTexcoords = std::array<glm::vec2, 3>;  ///< of a triangle's three corners
+
+class MeshTexture;
+
+/// What a mesh file says about the colour of some of its triangles: a texture times a colour.
+struct MeshMaterial {
+  std::string name;           ///< as the file has it
+  glm::vec3 colour{1.0F};     ///< linear, 0 to 1
+  std::string picture;        ///< the texture's file, as the file names it; empty:
+                              ///< none
+  bool has_texcoords = true;  ///< its triangles have texture coordinates
+  bool is_stated = false;     ///< all is said here, not in a material file
+  bool clamps = false;        ///< the texture does not repeat
+  /// The texture as a file in memory, of formats that hold their pictures; null: `picture`.
+  std::shared_ptr<const std::vector<std::byte>> picture_bytes;
+  std::shared_ptr<const MeshTexture> texture;  ///< load_textures reads it; null: the colour alone
+};
+
+/// The material of triangles that have none: they have no colour of their own.
+inline constexpr std::uint32_t kNoMaterial = UINT32_MAX;
 
 /// Points with the attributes that their file had. An attribute vector is empty or as long as
 /// `positions`. World frame, right-handed, in the file's own unit.
@@ -25,10 +47,18 @@ struct Points {
   /// Empty, or as long as `triangles` where points on the seam of a texture have several texture
   /// coordinates, of which `texcoords` can hold only the first.
   std::vector<CornerTexcoords> corner_texcoords;
-  std::optional<glm::dvec3> viewpoint;  ///< where the scanner stood, if the file says so
+  std::vector<MeshMaterial> materials;
+  std::vector<std::uint32_t> triangle_materials;  ///< empty or as long as `triangles`: indices into
+                                                  ///< `materials`, or kNoMaterial
+  std::vector<std::string> material_files;        ///< where an OBJ file's materials stand, as it
+                                                  ///< names them; until load_textures reads them
+  std::optional<glm::dvec3> viewpoint;            ///< where the scanner stood, if the file says so
 
   [[nodiscard]] std::size_t size() const { return positions.size(); }
 };
+
+/// The texture coordinates of a triangle's corners. The points must have texture coordinates.
+[[nodiscard]] CornerTexcoords texcoords_of(const Points& mesh, std::size_t triangle);
 
 /// An axis-aligned box; empty while min > max.
 struct Bounds {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "preprocess/densify.h"
 #include "preprocess/measure.h"
@@ -15,6 +16,9 @@
 #include "preprocess/normals.h"
 #include "preprocess/partition.h"
 #include "preprocess/resample.h"
+#include "preprocess/texture/load_textures.h"
+#include "preprocess/texture/sample_mesh.h"
+#include "preprocess/texture/texture_maps.h"
 
 namespace relief {
 namespace {
@@ -150,9 +154,25 @@ void drop_redundant(const SurfaceSamples& samples, const NeighbourGraph& graph,
   patches = std::move(kept_patches);
 }
 
+void count_colours(const std::vector<Patch>& patches, ConvertReport& report) {
+  for (const Patch& patch : patches) {
+    report.colour_texels += patch.colours.texels.size();
+    if (!patch.colours.empty())
+      report.texels_per_cell = std::max(report.texels_per_cell, patch.colours.scale);
+  }
+}
+
 Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& options,
                                        Progress& progress) {
   ConvertResult result;
+  Points mesh;
+  const bool textured = has_triangle_colours(points);
+  if (textured) {
+    progress.begin_stage("sample mesh", 0);
+    auto sampled = sample_mesh(points, options.spacing);
+    if (!sampled) return sampled.error();
+    mesh = std::exchange(points, std::move(*sampled));
+  }
   result.report.points = points.size();
   result.report.points_added = densify_triangles(points);
 
@@ -191,6 +211,12 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   drop_redundant(samples, graph, regions, patches);
   if (patches.empty()) return make_error("the points are too scattered to be a surface");
 
+  if (textured) {
+    const Status mapped =
+        map_textures(mesh, static_cast<std::uint32_t>(options.texels_per_cell), patches, progress);
+    if (!mapped) return mapped.error();
+  }
+
   progress.begin_stage("measure", 0);
   const Fidelity fidelity = measure_fidelity(points.positions, result.report.points, graph,
                                              owners_of(regions, points.size()), patches);
@@ -199,7 +225,8 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   model.spacing = spacing;
   model.bounds = bounds_of(points.positions);
   model.bounding_radius = bounding_radius(points.positions, model.bounds);
-  model.has_colours = !points.colours.empty();
+  model.has_colours = textured || !points.colours.empty();
+  count_colours(model.patches, result.report);
   result.report.error_rms = fidelity.rms;
   result.report.error_max = fidelity.max;
   result.report.uncovered_points = fidelity.uncovered;
@@ -211,7 +238,10 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
 }  // namespace
 
 Result<ConvertResult> convert(Points points, const ConvertOptions& options, Progress& progress) {
-  if (const Status ok = check_points(points.positions); !ok) return ok.error();
+  // The few vertices of a mesh with materials are not what is converted.
+  if (!has_triangle_colours(points)) {
+    if (const Status ok = check_points(points.positions); !ok) return ok.error();
+  }
   const int threads =
       options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,

@@ -16,13 +16,16 @@ struct ConvertOptions {
       0.0;  ///< largest angle between a patch's normal and its points' normals; 0: default
   int overlap_cells = 1;     ///< width of the overlap margin, in grid cells
   double height_step = 0.0;  ///< world units per height index; 0: spacing / 20
-  int colour_scale = 2;      ///< colour texels per grid cell along each side
+  int colour_scale = 2;      ///< colour texels per grid cell along each side, of coloured points
+  int texels_per_cell = 0;   ///< the same of a mesh with textures or materials, 1 to 64; 0: what
+                             ///< keeps the texture (map_textures)
   int threads = 0;           ///< 0: all cores. The result does not depend on it.
 };
 
 /// How well the patches render the points they came from.
 struct ConvertReport {
-  std::uint64_t points = 0;            ///< points that were converted
+  std::uint64_t points = 0;            ///< points that were converted; of a mesh with materials
+                                       ///< those spread over its triangles (sample_mesh)
   std::uint64_t points_added = 0;      ///< on triangles larger than the spacing; not in `points`
   std::uint64_t normals_repaired = 0;  ///< given normals that were zero, NaN or inconsistent
   bool normals_estimated = false;      ///< the scan had none
@@ -30,6 +33,8 @@ struct ConvertReport {
   double error_max = 0.0;
   double psnr_db = 0.0;                ///< 20 log10(bounding-box diagonal / error_rms)
   std::uint64_t uncovered_points = 0;  ///< points farther than two spacings from every patch
+  std::uint64_t colour_texels = 0;     ///< of the colour maps, holes included
+  std::uint32_t texels_per_cell = 0;   ///< of the finest colour map, along a side; 0: no colours
 };
 
 struct ConvertResult {
@@ -37,8 +42,10 @@ struct ConvertResult {
   ConvertReport report;
 };
 
-/// Converts cleaned points (see clean_points) to patches. Fails with one sentence if there are too
-/// few points or they span no surface (all equal, all on one line), or if the user interrupts.
+/// Converts cleaned points (see clean_points) to patches. A mesh whose triangles have materials
+/// (load_textures) is sampled first, and its patches get maps of its textures. Fails with one
+/// sentence if there are too few points or they span no surface (all equal, all on one line), or if
+/// the user interrupts.
 Result<ConvertResult> convert(Points points, const ConvertOptions& options, Progress& progress);
 
 }  // namespace relief

@@ -69,6 +69,13 @@ Status append(TriangleMesh& to, TriangleMesh from, std::uint32_t patches_before)
     return Error{"the scene's meshes have more vertices together than 32 bits count"};
   append_shared(to, from, patches_before);
   const auto offset = static_cast<std::uint32_t>(before);
+  const Counts triangles{to.triangles.size(), from.triangles.size()};
+  for (std::uint32_t& texture : from.triangle_textures) {
+    if (texture != kNoMaterial) texture += static_cast<std::uint32_t>(to.textures.size());
+  }
+  append_attribute(to.texcoords, from.texcoords, triangles, CornerTexcoords{});
+  append_attribute(to.triangle_textures, from.triangle_textures, triangles, kNoMaterial);
+  to.textures.insert(to.textures.end(), from.textures.begin(), from.textures.end());
   to.triangles.reserve(to.triangles.size() + from.triangles.size());
   for (const Triangle& t : from.triangles)
     to.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});

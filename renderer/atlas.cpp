@@ -8,8 +8,11 @@ namespace {
 
 /// Layers need not be larger than this unless a map is: 16 MiB at four bytes a texel.
 constexpr std::uint32_t kUsualSide = 2048;
+/// Maps with mip levels are fewer and larger, and one layer ends with its last shelf: Spot 45 MB in
+/// two layers of the usual side, of which the second is nearly empty.
+constexpr std::uint32_t kUsualSideOfBlocks = 8192;
 
-std::uint32_t layer_side(const std::vector<glm::uvec2>& sizes) {
+std::uint32_t layer_side(const std::vector<glm::uvec2>& sizes, std::uint32_t usual_side) {
   std::uint64_t area = 0;
   std::uint32_t side = 1;
   for (const glm::uvec2 size : sizes) {
@@ -17,17 +20,21 @@ std::uint32_t layer_side(const std::vector<glm::uvec2>& sizes) {
     side = std::max({side, size.x, size.y});
   }
   // About a tenth of a layer is lost to the shelves.
-  while (side < kUsualSide && std::uint64_t{side} * side < area + area / 8) {
-    side = std::min(side + side / 4 + 1, kUsualSide);
+  while (side < usual_side && std::uint64_t{side} * side < area + area / 8) {
+    side = std::min(side + side / 4 + 1, usual_side);
   }
   return side;
 }
 
 }  // namespace
 
-std::optional<Atlas> pack_atlas(const std::vector<glm::uvec2>& sizes, std::uint32_t largest_side,
-                                std::uint32_t most_layers) {
-  const std::uint32_t side = layer_side(sizes);
+std::optional<Atlas> pack_atlas(const std::vector<glm::uvec2>& given, std::uint32_t largest_side,
+                                std::uint32_t most_layers, std::uint32_t block) {
+  std::vector<glm::uvec2> sizes;
+  sizes.reserve(given.size());
+  for (const glm::uvec2 size : given) sizes.push_back(whole_blocks(size, block));
+  const std::uint32_t usual = std::min(block > 1 ? kUsualSideOfBlocks : kUsualSide, largest_side);
+  const std::uint32_t side = whole_blocks(glm::uvec2(layer_side(sizes, usual)), block).x;
   if (side > largest_side) return std::nullopt;
   std::vector<std::size_t> order(sizes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -55,7 +62,7 @@ std::optional<Atlas> pack_atlas(const std::vector<glm::uvec2>& sizes, std::uint3
     used_rows = std::max(used_rows, shelf_top);
   }
   atlas.layers = next.layer + 1;
-  atlas.size = {side, used_rows};
+  atlas.size = whole_blocks({side, used_rows}, block);
   if (atlas.layers > most_layers) return std::nullopt;
   return atlas;
 }

@@ -23,9 +23,16 @@ struct Atlas {
 };
 
 /// Packs maps of the given sizes in shelves, highest first; the same sizes give the same packing.
-/// Nothing if one is wider or higher than `largest_side` or if more than `most_layers` are needed.
+/// Spots and the layers' size are multiples of `block`: with mip levels up to log2(block) no texel
+/// then belongs to two maps. Nothing if a map is wider or higher than `largest_side` or if more
+/// than `most_layers` are needed.
 [[nodiscard]] std::optional<Atlas> pack_atlas(const std::vector<glm::uvec2>& sizes,
-                                              std::uint32_t largest_side,
-                                              std::uint32_t most_layers);
+                                              std::uint32_t largest_side, std::uint32_t most_layers,
+                                              std::uint32_t block = 1);
+
+/// `size` as a multiple of `block`, upward.
+[[nodiscard]] inline glm::uvec2 whole_blocks(glm::uvec2 size, std::uint32_t block) {
+  return (size + (block - 1U)) / block * block;
+}
 
 }  // namespace relief

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "renderer/lighting.h"
+#include "renderer/map_upload.h"
 #include "renderer/materials.h"
 #include "renderer/patch_store.h"
 #include "renderer/render.h"
@@ -33,14 +34,26 @@ namespace relief {
          static_cast<std::uint32_t>(count_lights(settings.lights)) << RELIEF_LIGHTS_SHIFT;
 }
 
+/// What colour maps a model has.
+struct ColourMaps {
+  bool any = false;
+  bool fine = false;  ///< has_fine_colours
+
+  ColourMaps(bool has_any, bool has_fine = false)  // NOLINT: implicit on purpose, most have none
+      : any(has_any), fine(has_any && has_fine) {}
+  explicit ColourMaps(const PatchModel& model)
+      : ColourMaps(model.has_colours, has_fine_colours(model)) {}
+};
+
 /// The feature bits of a picture that any engine on OpenGL can have.
 [[nodiscard]] inline std::uint32_t scene_features(const RenderSettings& settings,
-                                                  bool has_colours) {
+                                                  ColourMaps colours) {
   const bool coloured =
-      has_colours && (uses(settings, Material::Unlit) || uses(settings, Material::Lit));
+      colours.any && (uses(settings, Material::Unlit) || uses(settings, Material::Lit));
   return (settings.primitive == Primitive::Sprite ? RELIEF_FEATURE_SPRITE : 0U) |
-         (coloured ? RELIEF_FEATURE_COLOURS : 0U) | material_features(settings) |
-         (settings.outputs.normal ? RELIEF_FEATURE_OUT_NORMAL : 0U) |
+         (coloured ? RELIEF_FEATURE_COLOURS : 0U) |
+         (coloured && colours.fine ? RELIEF_FEATURE_FINE_COLOURS : 0U) |
+         material_features(settings) | (settings.outputs.normal ? RELIEF_FEATURE_OUT_NORMAL : 0U) |
          (settings.outputs.depth ? RELIEF_FEATURE_OUT_DEPTH : 0U) |
          (settings.outputs.uv ? RELIEF_FEATURE_OUT_UV : 0U) |
          (settings.outputs.patch_id ? RELIEF_FEATURE_OUT_PATCH : 0U);
@@ -67,11 +80,11 @@ namespace relief {
 
 /// What the views read together; `features_of` gives an engine's feature bits of one of them.
 template <class FeaturesOf>
-[[nodiscard]] StoreNeeds needs_of(std::span<const RenderSettings> views, bool has_colours,
+[[nodiscard]] StoreNeeds needs_of(std::span<const RenderSettings> views, ColourMaps colours,
                                   const FeaturesOf& features_of) {
   StoreNeeds needs;
   for (const RenderSettings& settings : views) {
-    const StoreNeeds more = needs_of(features_of(settings, has_colours));
+    const StoreNeeds more = needs_of(features_of(settings, colours));
     needs.splats = needs.splats || more.splats;
     needs.heights = needs.heights || more.heights;
     needs.cells = needs.cells || more.cells;

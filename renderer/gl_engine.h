@@ -48,14 +48,14 @@ class GlPreparedModel : public PreparedModel {
 };
 
 /// Makes a model ready for an engine, whose feature bits of a picture features_of(settings,
-/// has_colours) gives.
+/// colours) gives.
 template <class Prepared, class FeaturesOf>
 Result<std::unique_ptr<GlPreparedModel>> prepare_on_gpu(std::shared_ptr<const OpenGl> opengl,
                                                         const PatchModel& model,
                                                         std::span<const RenderSettings> views,
                                                         const FeaturesOf& features_of) {
   auto on_gpu = GlModel::create(std::move(opengl), model, views,
-                                needs_of(views, model.has_colours, features_of));
+                                needs_of(views, ColourMaps(model), features_of));
   if (!on_gpu) return on_gpu.error();
   return std::unique_ptr<GlPreparedModel>(std::make_unique<Prepared>(std::move(*on_gpu)));
 }

@@ -12,6 +12,7 @@
 #include "common/error.h"
 #include "common/patch.h"
 #include "renderer/environment.h"
+#include "renderer/features.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/gl_picture.h"
@@ -33,7 +34,7 @@ class GlModel {
 
   [[nodiscard]] const Gl& gl() const { return opengl_->gl(); }
   [[nodiscard]] const PatchStore& store() const { return *store_; }
-  [[nodiscard]] bool has_colours() const { return has_colours_; }
+  [[nodiscard]] ColourMaps colours() const { return colours_; }
 
   /// Makes what a part of a picture needs whatever engine draws it. Fails if the part is larger
   /// than OpenGL allows or an environment can't be read.
@@ -62,7 +63,7 @@ class GlModel {
   std::map<std::pair<std::filesystem::path, std::vector<float>>, Texture> rough_environments_;
   std::optional<Backdrop> backdrop_;
   std::optional<Resolve> resolve_;
-  bool has_colours_ = false;
+  ColourMaps colours_{false};
   double near_ = 0.0;
 };
 

@@ -1,6 +1,7 @@
 #include "renderer/map_upload.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -22,7 +23,20 @@ struct Format {
   GLenum format;
   GLenum type;
   GLint filter;
+  GLsizei mip_levels = 0;  ///< coarser ones; maps lie in blocks of that power of two
 };
+
+/// More texels a cell than this, the converter's for coloured points, make a fine map.
+constexpr std::uint32_t kUsualScale = 2;
+/// Two levels beyond a texel a cell: coarser ones of cells, too, are seen at several pixels a cell.
+constexpr std::uint32_t kLevelsBeyondCells = 2;
+void set_filter(const Gl& gl, GLuint id, const Format& format) {
+  gl.TextureParameteri(id, GL_TEXTURE_MAG_FILTER, format.filter);
+  gl.TextureParameteri(id, GL_TEXTURE_MIN_FILTER,
+                       format.mip_levels > 0 ? GL_LINEAR_MIPMAP_LINEAR : format.filter);
+  gl.TextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl.TextureParameteri(id, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
 
 /// A map with what surrounds it, as it is uploaded.
 template <class Texel>
@@ -38,21 +52,20 @@ Result<MapArray> upload(const Gl& gl, const PatchList& patches, const Format& fo
                         const std::vector<glm::uvec2>& sizes, std::uint32_t ring, const Pad& pad) {
   const auto largest = static_cast<std::uint32_t>(get_limit(gl, GL_MAX_TEXTURE_SIZE));
   const auto most = static_cast<std::uint32_t>(get_limit(gl, GL_MAX_ARRAY_TEXTURE_LAYERS));
-  std::optional<Atlas> atlas = pack_atlas(sizes, largest, most);
+  const std::uint32_t block = 1U << static_cast<std::uint32_t>(format.mip_levels);
+  std::optional<Atlas> atlas = pack_atlas(sizes, largest, most, block);
   if (!atlas) {
     return make_error(
         "the {} are larger than this OpenGL allows ({} texels a side, {} layers); "
-        "convert again with a larger spacing",
-        format.label, largest, most);
+        "convert again with a larger spacing{}",
+        format.label, largest, most, format.mip_levels > 0 ? " or fewer texels a cell" : "");
   }
   MapArray array{Texture(gl, format.label, GLenum{GL_TEXTURE_2D_ARRAY}), std::move(atlas->spots)};
   const GLuint id = array.texture.id();
-  gl.TextureStorage3D(id, 1, format.internal, static_cast<GLsizei>(atlas->size.x),
-                      static_cast<GLsizei>(atlas->size.y), static_cast<GLsizei>(atlas->layers));
-  gl.TextureParameteri(id, GL_TEXTURE_MIN_FILTER, format.filter);
-  gl.TextureParameteri(id, GL_TEXTURE_MAG_FILTER, format.filter);
-  gl.TextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  gl.TextureParameteri(id, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  gl.TextureStorage3D(id, 1 + format.mip_levels, format.internal,
+                      static_cast<GLsizei>(atlas->size.x), static_cast<GLsizei>(atlas->size.y),
+                      static_cast<GLsizei>(atlas->layers));
+  set_filter(gl, id, format);
   const Status made = check_errors(gl, format.label);
   if (!made) return made.error();
 
@@ -68,19 +81,21 @@ Result<MapArray> upload(const Gl& gl, const PatchList& patches, const Format& fo
     spot.y += ring;
   }
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  // Means in linear light, as OpenGL makes them of sRGB textures.
+  if (format.mip_levels > 0) gl.GenerateTextureMipmap(id);
   return array;
 }
 
-/// A ring of texels around a map that repeats its edge, so that no bilinear lookup sees the map
-/// beside it.
+/// A map of `size` texels with a ring of `ring` texels or more around it that repeats its edge, so
+/// that no lookup sees the map beside it.
 template <class Out, class In>
-PaddedMap<Out> with_ring(const AttributeMap<In>& map) {
-  PaddedMap<Out> padded{map.width + 2, map.height + 2, {}};
+PaddedMap<Out> with_ring(const AttributeMap<In>& map, glm::uvec2 size, std::uint32_t ring) {
+  PaddedMap<Out> padded{size.x, size.y, {}};
   padded.texels.reserve(std::size_t{padded.width} * padded.height);
   for (std::uint32_t y = 0; y < padded.height; ++y) {
-    const std::uint32_t j = std::clamp(y, 1U, map.height) - 1;
+    const std::uint32_t j = std::clamp(y, ring, map.height + ring - 1) - ring;
     for (std::uint32_t x = 0; x < padded.width; ++x) {
-      const std::uint32_t i = std::clamp(x, 1U, map.width) - 1;
+      const std::uint32_t i = std::clamp(x, ring, map.width + ring - 1) - ring;
       const In& texel = map.texels[std::size_t{j} * map.width + i];
       if constexpr (Out::length() == In::length()) {
         padded.texels.push_back(texel);
@@ -155,20 +170,38 @@ Result<MapArray> upload_normals(const Gl& gl, const PatchList& patches) {
   return upload(gl, patches, format, sizes, 1, [](const Patch& patch) {
     AttributeMap<glm::i16vec2> map = normal_map_of(patch);
     for (glm::i16vec2& texel : map.texels) texel = stereographic_from_octahedral(texel);
-    return with_ring<glm::i16vec2>(map);
+    return with_ring<glm::i16vec2>(map, glm::uvec2(map.width, map.height) + 2U, 1);
+  });
+}
+
+bool has_fine_colours(const PatchModel& model) {
+  return std::any_of(model.patches.begin(), model.patches.end(), [](const Patch& patch) {
+    return !patch.colours.empty() && patch.colours.scale > kUsualScale;
   });
 }
 
 Result<MapArray> upload_colours(const Gl& gl, const PatchList& patches) {
+  static const AttributeMap<glm::u8vec3> no_colours{1, 1, 1, {glm::u8vec3(0)}};
+  const auto colours_of = [](const Patch& patch) -> const AttributeMap<glm::u8vec3>& {
+    return patch.colours.empty() ? no_colours : patch.colours;
+  };
+  std::uint32_t finest = 0;
+  for (const Patch* patch : patches) finest = std::max(finest, colours_of(*patch).scale);
+  const bool fine = finest > kUsualScale;
+  const std::uint32_t levels =
+      fine ? static_cast<std::uint32_t>(std::bit_width(finest - 1)) + kLevelsBeyondCells : 0;
+  // At the coarsest level half a texel, which is what a bilinear lookup sees beyond a place.
+  const std::uint32_t ring = fine ? 1U << (levels - 1) : 1U;
+  const auto padded_size = [&](const AttributeMap<glm::u8vec3>& map) {
+    return whole_blocks(glm::uvec2(map.width, map.height) + 2 * ring, 1U << levels);
+  };
   std::vector<glm::uvec2> sizes;
-  for (const Patch* patch : patches) {
-    sizes.emplace_back(std::max(patch->colours.width, 1U) + 2,
-                       std::max(patch->colours.height, 1U) + 2);
-  }
-  const Format format{"colour maps", GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE, GL_LINEAR};
-  return upload(gl, patches, format, sizes, 1, [](const Patch& patch) {
-    if (!patch.colours.empty()) return with_ring<glm::u8vec4>(patch.colours);
-    return with_ring<glm::u8vec4>(AttributeMap<glm::u8vec3>{1, 1, 1, {glm::u8vec3(0)}});
+  for (const Patch* patch : patches) sizes.push_back(padded_size(colours_of(*patch)));
+  const Format format{"colour maps",    GL_SRGB8_ALPHA8, GL_RGBA,
+                      GL_UNSIGNED_BYTE, GL_LINEAR,       static_cast<GLsizei>(levels)};
+  return upload(gl, patches, format, sizes, ring, [&](const Patch& patch) {
+    const AttributeMap<glm::u8vec3>& map = colours_of(patch);
+    return with_ring<glm::u8vec4>(map, padded_size(map), ring);
   });
 }
 

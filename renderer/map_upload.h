@@ -32,8 +32,14 @@ Result<MapArray> upload_heights(const Gl& gl, const PatchList& patches);
 /// normals of its heights.
 Result<MapArray> upload_normals(const Gl& gl, const PatchList& patches);
 
-/// Colours as sRGB, with the same ring. A patch without colours gets one texel that nobody reads:
-/// the neutral grey is the shader's, for 8-bit sRGB has no value for it.
+/// Whether some patch has more colour texels a cell than coloured points get. Such models are drawn
+/// with mip levels and anisotropic filtering (RELIEF_FEATURE_FINE_COLOURS).
+[[nodiscard]] bool has_fine_colours(const PatchModel& model);
+
+/// Colours as sRGB, with the same ring. Where a map is fine the array has mip levels, two beyond a
+/// texel a cell; each map then begins at a multiple of the coarsest level's texel and has a ring of
+/// half of one (2 cells) or more, so that no level mixes maps. A patch without colours gets one
+/// texel that nobody reads: the neutral grey is the shader's, for 8-bit sRGB has no value for it.
 Result<MapArray> upload_colours(const Gl& gl, const PatchList& patches);
 
 /// Masks: 1 at samples, 0 at holes and in a ring around each mask.

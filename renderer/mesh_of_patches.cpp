@@ -2,7 +2,10 @@
 
 #include <cstdlib>
 #include <limits>
+#include <memory>
+#include <utility>
 
+#include "common/mesh_texture.h"
 #include "common/octahedral.h"
 #include "common/srgb.h"
 #include "renderer/materials.h"
@@ -49,6 +52,41 @@ std::vector<std::uint32_t> add_vertices(const Patch& patch, std::uint32_t id, bo
   return vertices;
 }
 
+/// The texture coordinates of a node: its texel's middle.
+glm::vec2 texcoord_of(const AttributeMap<glm::u8vec3>& map, std::size_t i, std::size_t j) {
+  const glm::dvec2 texel(i * map.scale + 0.5, j * map.scale + 0.5);
+  return {texel / glm::dvec2(map.width, map.height)};
+}
+
+/// A colour map with several texels a cell becomes a texture of the triangles from `first` on.
+void add_texture(const Patch& patch, std::size_t first, TriangleMesh& mesh) {
+  if (patch.colours.scale < 2 || patch.colours.empty()) return;
+  const AttributeMap<glm::u8vec3>& map = patch.colours;
+  std::vector<glm::u8vec3> upward;  // textures have their top row first
+  upward.reserve(map.texels.size());
+  for (std::size_t row = map.height; row-- > 0;) {
+    const auto begin = map.texels.begin() + static_cast<std::ptrdiff_t>(row * map.width);
+    upward.insert(upward.end(), begin, begin + map.width);
+  }
+  MeshMaterial texture;
+  texture.texture = std::make_shared<const MeshTexture>(map.width, map.height, std::move(upward),
+                                                        TextureWrap::Clamp);
+  mesh.triangle_textures.resize(first, kNoMaterial);
+  mesh.triangle_textures.resize(mesh.triangles.size(),
+                                static_cast<std::uint32_t>(mesh.textures.size()));
+  mesh.textures.push_back(std::move(texture));
+  mesh.texcoords.resize(first);
+  for (std::size_t t = first; t < mesh.triangles.size(); ++t) {
+    CornerTexcoords corners{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const glm::vec2 node = mesh.uvs[mesh.triangles[t][c]];
+      corners[c] =
+          texcoord_of(map, static_cast<std::size_t>(node.x), static_cast<std::size_t>(node.y));
+    }
+    mesh.texcoords.push_back(corners);
+  }
+}
+
 void add_triangles(const Patch& patch, const std::vector<std::uint32_t>& vertices,
                    TriangleMesh& mesh) {
   const double largest_rise = shared::kSteepest * patch.spacing / patch.height_step;
@@ -89,7 +127,13 @@ Result<TriangleMesh> mesh_of_patches(const PatchModel& model) {
   mesh.triangles.reserve(2 * samples);
   for (std::uint32_t p = 0; p < model.patches.size(); ++p) {
     const Patch& patch = model.patches[p];
+    const std::size_t first = mesh.triangles.size();
     add_triangles(patch, add_vertices(patch, p, model.has_colours, mesh), mesh);
+    add_texture(patch, first, mesh);
+  }
+  if (!mesh.triangle_textures.empty()) {
+    mesh.triangle_textures.resize(mesh.triangles.size(), kNoMaterial);
+    mesh.texcoords.resize(mesh.triangles.size());
   }
   mesh.materials = materials_of_patches(model, mesh.patches);
   return mesh;

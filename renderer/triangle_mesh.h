@@ -22,6 +22,12 @@ struct TriangleMesh {
   std::vector<std::uint8_t> materials;  ///< of each vertex, index into the table of materials
                                         ///< (a triangle has its first's); empty: all 0
   std::vector<Triangle> triangles;
+  /// Colours finer than the vertices', which they replace. The first two are empty or as long as
+  /// `triangles`, whose textures are indices into `textures`, or kNoMaterial: the vertices'
+  /// colours.
+  std::vector<CornerTexcoords> texcoords;
+  std::vector<std::uint32_t> triangle_textures;
+  std::vector<MeshMaterial> textures;
 };
 
 }  // namespace relief

@@ -75,10 +75,14 @@ void renumber(Points& points, const std::vector<std::uint32_t>& new_index) {
     if (!points.corner_texcoords.empty()) {
       points.corner_texcoords[left] = points.corner_texcoords[i];
     }
+    if (!points.triangle_materials.empty()) {
+      points.triangle_materials[left] = points.triangle_materials[i];
+    }
     triangles[left++] = t;
   }
   triangles.resize(left);
   if (!points.corner_texcoords.empty()) points.corner_texcoords.resize(left);
+  if (!points.triangle_materials.empty()) points.triangle_materials.resize(left);
 }
 
 /// Formats with one texture coordinate a point write the points of a seam once for each side.

@@ -23,14 +23,16 @@ Reader reader_by_content(std::string_view text) {
   if (is_pcd(text)) return read_pcd;
   if (is_binary_stl(text) || is_ascii_stl(text)) return read_stl;
   if (is_off(text)) return read_off;
+  if (is_glb(text)) return read_gltf;
   return nullptr;
 }
 
 Reader reader_by_name(std::string_view name) {
   constexpr std::pair<std::string_view, Reader> readers[] = {
-      {".ply", read_ply}, {".pcd", read_pcd}, {".obj", read_obj},    {".off", read_off},
-      {".stl", read_stl}, {".xyz", read_xyz}, {".txt", read_xyz},    {".csv", read_xyz},
-      {".asc", read_xyz}, {".pts", read_xyz}, {".xyzrgb", read_xyz}, {".xyzn", read_xyz}};
+      {".ply", read_ply},    {".pcd", read_pcd},  {".obj", read_obj}, {".off", read_off},
+      {".gltf", read_gltf},  {".glb", read_gltf}, {".stl", read_stl}, {".xyz", read_xyz},
+      {".txt", read_xyz},    {".csv", read_xyz},  {".asc", read_xyz}, {".pts", read_xyz},
+      {".xyzrgb", read_xyz}, {".xyzn", read_xyz}};
   for (const auto& [ending, reader] : readers) {
     if (ending == name) return reader;
   }
@@ -48,7 +50,6 @@ std::string_view other_format(std::string_view text) {
        "7zXZ",
        "packed with xz"},
       {"\x28\xB5\x2F\xFD", "packed with zstd"},
-      {"glTF", "a glTF file"},
       {"\x1F\x8B", "packed with gzip twice"}};
   for (const auto& [magic, what] : others) {
     if (text.starts_with(magic)) return what;
@@ -59,7 +60,8 @@ std::string_view other_format(std::string_view text) {
 }  // namespace
 
 Result<Reader> find_reader(const std::filesystem::path& path, std::string_view text) {
-  constexpr std::string_view readable = "PLY, PCD, OBJ, OFF, STL and XYZ text, plain or gzipped";
+  constexpr std::string_view readable =
+      "PLY, PCD, OBJ, glTF, OFF, STL and XYZ text, plain or gzipped";
   if (const Reader reader = reader_by_content(text)) return reader;
   if (const auto other = other_format(text); !other.empty()) {
     return make_error("{}: is {}, which cannot be read; {} can", path.string(), other, readable);

@@ -1,4 +1,6 @@
 #include <charconv>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "preprocess/readers/colours.h"
@@ -37,6 +39,7 @@ class ObjReader {
     if (points_.size() >= kNoPoint) return too_many_points(source_, points_.size());
     give_normals();
     give_texcoords();
+    give_materials();
     // Colours that only some vertices have are of no use.
     if (colours_.size() == points_.size()) {
       points_.colours = to_colours(colours_, ColourNumbers::Real);
@@ -50,8 +53,7 @@ class ObjReader {
                       line_.expected(what));
   }
 
-  /// Statements that say nothing about points and faces (groups, materials, curves) are passed
-  /// over.
+  /// Statements that say nothing about points and faces (groups, curves) are passed over.
   Status read_line() {
     const std::string_view keyword = line_.word();
     if (keyword == "v") return read_vertex();
@@ -64,8 +66,27 @@ class ObjReader {
       texcoords_.emplace_back(numbers_[0], numbers_[1]);
     } else if (keyword == "f" || keyword == "fo") {
       return read_face();
+    } else if (keyword == "usemtl") {
+      material_ = trimmed(line_.rest_of_line());
+    } else if (keyword == "mtllib") {
+      points_.material_files.emplace_back(trimmed(line_.rest_of_line()));
     }
     return {};
+  }
+
+  /// Materials are known by name until their files are read.
+  /// One and the same name is two of them where only some of its faces have texture coordinates.
+  std::uint32_t material_of_face(bool has_texcoords) {
+    if (material_.empty()) return kNoMaterial;
+    const auto [found, is_new] = materials_.try_emplace(
+        std::pair(material_, has_texcoords), static_cast<std::uint32_t>(points_.materials.size()));
+    if (is_new) {
+      MeshMaterial material;
+      material.name = material_;
+      material.has_texcoords = has_texcoords;
+      points_.materials.push_back(std::move(material));
+    }
+    return found->second;
   }
 
   /// Reads up to eight numbers, `least` or more, to the line's end; those not there are 0.
@@ -91,6 +112,7 @@ class ObjReader {
   Status read_face() {
     polygon_.clear();
     polygon_texcoords_.clear();
+    bool has_texcoords = true;
     while (!line_.at_line_end()) {
       Corner corner;
       if (!parse_corner(line_.peek(), corner))
@@ -99,9 +121,11 @@ class ObjReader {
       polygon_.push_back(corner.position);
       polygon_texcoords_.push_back(corner.texcoord);
       corners_.push_back(corner);
+      has_texcoords = has_texcoords && corner.texcoord != kNoPoint;
     }
     append_polygon(polygon_, points_.triangles);
     append_polygon(polygon_texcoords_, triangle_texcoords_);
+    points_.triangle_materials.resize(points_.triangles.size(), material_of_face(has_texcoords));
     return {};
   }
 
@@ -171,9 +195,15 @@ class ObjReader {
     if (seam) points_.corner_texcoords = std::move(of_corners);
   }
 
+  void give_materials() {
+    if (points_.materials.empty()) points_.triangle_materials.clear();
+  }
+
   const Source& source_;
   TextCursor line_;
   Points points_;
+  std::map<std::pair<std::string, bool>, std::uint32_t> materials_;  ///< as material_of_face says
+  std::string material_;  ///< of the faces to come; empty: none
   std::vector<glm::vec3> normals_;
   std::vector<glm::vec2> texcoords_;
   std::vector<glm::vec3> colours_;

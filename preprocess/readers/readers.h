@@ -33,9 +33,15 @@ Result<Points> read_ply(const Source& source);
 Result<Points> read_pcd(const Source& source);
 
 /// Wavefront OBJ: v (also with colours), vn, vt, f with polygons and negative indices, lines
-/// continued with a backslash. A vertex gets the mean of its corners' normals and its first
-/// corner's texture coordinates: a seam of the texture is lost.
+/// continued with a backslash; names of materials and of their files. A vertex gets the mean of its
+/// corners' normals and its first corner's texture coordinates; triangles keep their own at seams.
 Result<Points> read_obj(const Source& source);
+
+/// glTF 2.0, as JSON or binary (.glb), with embedded or external buffers and pictures: all meshes
+/// of the default scene in the places of their nodes; POSITION, NORMAL and the texture coordinates
+/// of base colours; triangles, strips and fans; base colour factor and texture of each material.
+/// Sparse accessors, and extensions that a file requires, are refused by name.
+Result<Points> read_gltf(const Source& source);
 
 /// OFF as text, with the prefixes ST, C and N, with or without the keyword.
 Result<Points> read_off(const Source& source);
@@ -51,6 +57,7 @@ Result<Points> read_xyz(const Source& source);
 /// Whether the first bytes, or the length, are as the format demands.
 [[nodiscard]] bool is_ply(std::string_view text);
 [[nodiscard]] bool is_pcd(std::string_view text);
+[[nodiscard]] bool is_glb(std::string_view text);
 [[nodiscard]] bool is_off(std::string_view text);
 /// The size of the file is just what a binary STL file with its number of facets has. Text never
 /// passes: its 81st to 84th characters, taken as a number, ask for 25 GB or more.

@@ -47,6 +47,9 @@ class ReadMeter {
 /// `text` in quotes for a message: at most 24 characters, nothing that a terminal would obey.
 [[nodiscard]] std::string quoted(std::string_view text);
 
+/// `text` without blanks at its ends.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
 /// `text` with ASCII letters in lower case.
 [[nodiscard]] std::string lower_case(std::string_view text);
 

@@ -13,6 +13,7 @@ namespace relief {
 namespace {
 
 glm::vec2 texcoord_at(const Points& mesh, std::size_t triangle, std::size_t corner) {
+  if (mesh.texcoords.empty()) return glm::vec2(0.0F);
   return mesh.corner_texcoords.empty() ? mesh.texcoords[mesh.triangles[triangle][corner]]
                                        : mesh.corner_texcoords[triangle][corner];
 }

@@ -12,6 +12,47 @@ layout(binding = RELIEF_TEXTURE_NORMALS) uniform sampler2DArray normal_maps;
 layout(binding = RELIEF_TEXTURE_COLOURS) uniform sampler2DArray colour_maps;
 #endif
 
+// Bilinear lookup at grid coordinates `uv`; `map` says where the patch's map lies in the array.
+vec3 place_in_maps(sampler2DArray maps, ivec4 map, vec2 uv) {
+  vec2 texel = vec2(map.xy) + uv * float(map.w) + 0.5;
+  return vec3(texel / vec2(textureSize(maps, 0).xy), float(map.z));
+}
+
+vec4 look_up(sampler2DArray maps, ivec4 map, vec2 uv) {
+  return textureLod(maps, place_in_maps(maps, map, uv), 0.0);
+}
+
+#if (RELIEF_FEATURES & RELIEF_FEATURE_FINE_COLOURS) != 0u
+// The mean over a pixel's footprint, whose sides are `footprint.xy` and `.zw` in grid coordinates:
+// trilinear lookups along the longer one, at the mip level of the shorter (McCormack et al. 1999,
+// "Feline"). By the shader and not by the sampler, so that it is the same everywhere and ends where
+// the map beside begins: a patch has two cells of its own around it.
+vec3 look_up_colour(PatchInfo info, vec2 uv, vec4 footprint) {
+  vec2 room = min(uv - info.extent.x, info.extent.yz - uv) + 2.0 / info.extent.w;
+  float longer = length(footprint.xy);
+  float shorter = length(footprint.zw);
+  vec2 along = longer > shorter ? footprint.xy : footprint.zw;
+  if (shorter > longer) {
+    float other = longer;
+    longer = shorter;
+    shorter = other;
+  }
+  // In this form a footprint that is no number becomes none.
+  float kept = longer < 1e6 ? min(1.0, min(room.x, room.y) / max(longer, 1e-6)) : 0.0;
+  along *= kept;
+  longer *= kept * float(info.colours.w);
+  shorter *= kept * float(info.colours.w);
+  float places = clamp(ceil(longer / max(shorter, 1.0)), 1.0, kMostFootprintPlaces);
+  float level = log2(max(longer / places, 1.0));
+  vec3 sum = vec3(0.0);
+  for (float k = 0.5; k < places; k += 1.0) {
+    vec2 place = uv + (k / places - 0.5) * along;
+    sum += textureLod(colour_maps, place_in_maps(colour_maps, info.colours, place), level).rgb;
+  }
+  return sum / places;
+}
+#endif
+
 // From half its stereographic coordinates, which bilinear lookups interpolate smoothly; octahedral
 // ones have creases along the axes, where a mirror would show them.
 vec3 unit_from_stereographic(vec2 half_place) {

@@ -30,6 +30,10 @@ using glm::vec4;
 #define RELIEF_FEATURE_CORRECTED 4u
 // A colour map: one lookup per fragment.
 #define RELIEF_FEATURE_COLOURS 8u
+// Beside COLOURS: some map has more texels a cell than 2, as textured meshes have. Mip levels and
+// anisotropic filtering: 1 to 16 trilinear lookups instead of the one, and a third more bytes. Of
+// `multipass` a lookup per fragment instead of one per splat.
+#define RELIEF_FEATURE_FINE_COLOURS 262144u
 // Materials: none is unlit; several only beside MIXED. All need the normal map: one lookup per
 // fragment. A mirror has one more, of the environment; glass two.
 #define RELIEF_FEATURE_LIT 16u
@@ -246,6 +250,9 @@ RELIEF_CONST float kCoveringSlack = 1.001f;
 /// The least radius of its discs, in pixels per radius factor. The Dragon at 640x512, factor 2: lit
 /// 36.6 dB, mirror 27.3 dB; without 36.4 and 27.2.
 RELIEF_CONST float kLeastDiscPixels = 0.75f;
+
+/// Lookups along a pixel's footprint on a fine colour map, at most.
+RELIEF_CONST float kMostFootprintPlaces = 16.0f;
 
 /// Linear reflectance of a model without colours: a neutral grey.
 RELIEF_CONST float kNeutralGrey = 0.5f;

@@ -11,20 +11,26 @@ layout(location = RELIEF_OUT_NORMAL) out vec4 out_normal;  // world, as the map 
 layout(location = RELIEF_OUT_DEPTH) out float out_depth;  // along the view axis
 #endif
 
-// Bilinear lookup at grid coordinates `uv`; `map` says where the patch's map lies in the array.
-vec4 look_up(sampler2DArray maps, ivec4 map, vec2 uv) {
-  vec2 texel = vec2(map.xy) + uv * float(map.w) + 0.5;
-  return textureLod(maps, vec3(texel / vec2(textureSize(maps, 0).xy), float(map.z)), 0.0);
-}
+// How grid coordinates change from pixel to pixel, to the right and upward: what a fine colour map
+// is averaged over. To be asked for before any fragment is discarded.
+#if (RELIEF_FEATURES & RELIEF_FEATURE_FINE_COLOURS) != 0u
+#define RELIEF_FOOTPRINT(place) vec4(dFdx(place), dFdy(place))
+#else
+#define RELIEF_FOOTPRINT(place) vec4(0.0)
+#endif
 
 // Shades a place of the patch (grid coordinates), seen along `view` (world, of length 1) at `depth`
 // along the view axis.
-void shade_place(PatchInfo info, vec2 place, vec3 view, float depth) {
+void shade_place(PatchInfo info, vec2 place, vec3 view, float depth, vec4 footprint) {
   vec2 uv = clamp_to_patch(info, place);
 #if (RELIEF_FEATURES & RELIEF_FEATURE_COLOURS) != 0u
   // A patch without colours among coloured ones has no texel for that grey: sRGB in 8 bits lacks it.
-  vec3 albedo =
-      info.colours.w == 0 ? vec3(kNeutralGrey) : look_up(colour_maps, info.colours, uv).rgb;
+  vec3 albedo = vec3(kNeutralGrey);
+#if (RELIEF_FEATURES & RELIEF_FEATURE_FINE_COLOURS) != 0u
+  if (info.colours.w != 0) albedo = look_up_colour(info, uv, footprint);
+#else
+  if (info.colours.w != 0) albedo = look_up(colour_maps, info.colours, uv).rgb;
+#endif
 #else
   vec3 albedo = vec3(kNeutralGrey);
 #endif
@@ -44,11 +50,11 @@ void shade_place(PatchInfo info, vec2 place, vec3 view, float depth) {
 }
 
 // The same of the place `hit`, seen along `ray`, both in the grid frame.
-void shade(PatchInfo info, vec3 hit, vec3 ray, float depth) {
+void shade(PatchInfo info, vec3 hit, vec3 ray, float depth, vec4 footprint) {
 #if RELIEF_NEEDS_NORMAL
   vec3 view = normalize(to_world(info, ray));
 #else
   vec3 view = vec3(0.0);
 #endif
-  shade_place(info, hit.xy, view, depth);
+  shade_place(info, hit.xy, view, depth, footprint);
 }

@@ -8,8 +8,9 @@ layout(binding = RELIEF_TEXTURE_VISIBLE_DEPTH) uniform sampler2D visible_depth;
 void main() {
   count_fragment();
   PlaceInPlane hit = cast_ray();
+  vec4 footprint = RELIEF_DISC_FOOTPRINT(hit.place);
   float visible = texelFetch(visible_depth, ivec2(gl_FragCoord.xy), 0).x;
   // In this form an undefined place is discarded too.
   if (!(dot(hit.place, hit.place) <= 1.0 && frame.ray_origin.w * hit.nearness > visible)) discard;
-  accumulate(hit.place, 1.0 / hit.nearness);
+  accumulate(hit.place, 1.0 / hit.nearness, footprint);
 }

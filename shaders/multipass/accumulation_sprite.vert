@@ -13,9 +13,9 @@ void main() {
   mat4 clip_from_grid = fetch_clip_from_grid(patch_index);
   PatchInfo info = fetch_patch(patch_index);
   Splat splat = fetch_splat(gl_VertexID, info, clip_from_grid, fetch_eye(patch_index));
-  write_attributes(info, splat.centre.xy);
   float radius = blending_radius(splat, info);
   DiscAxes axes = disc_axes(splat.slope);
+  write_attributes(patch_index, info, splat.centre.xy, radius * vec4(axes.u.xy, axes.v.xy));
   ScreenFrame seen =
       project_frame(splat.centre, radius * axes.u, radius * axes.v, clip_from_grid);
   frame_of_offset = seen.frame_of_offset;

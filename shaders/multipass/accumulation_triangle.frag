@@ -5,6 +5,7 @@ layout(location = 0) in vec2 place;
 
 void main() {
   count_fragment();
+  vec4 footprint = RELIEF_DISC_FOOTPRINT(place);
   if (dot(place, place) > 1.0) discard;
-  accumulate(place, 1.0 / gl_FragCoord.w);
+  accumulate(place, 1.0 / gl_FragCoord.w, footprint);
 }

@@ -10,9 +10,9 @@ void main() {
   mat4 clip_from_grid = fetch_clip_from_grid(patch_index);
   PatchInfo info = fetch_patch(patch_index);
   Splat splat = fetch_splat(gl_VertexID / 3, info, clip_from_grid, fetch_eye(patch_index));
-  write_attributes(info, splat.centre.xy);
   float radius = blending_radius(splat, info);
   DiscAxes axes = disc_axes(splat.slope);
+  write_attributes(patch_index, info, splat.centre.xy, radius * vec4(axes.u.xy, axes.v.xy));
   int corner = gl_VertexID % 3;
   place = corner == 2 ? vec2(0.0, 2.0) : vec2(corner == 0 ? -sqrt(3.0) : sqrt(3.0), -1.0);
   gl_Position =

@@ -5,7 +5,13 @@
 layout(location = 3) flat out vec3 splat_normal;  // world, unit
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_COLOURS) != 0u
+#if (RELIEF_FEATURES & RELIEF_FEATURE_FINE_COLOURS) != 0u
+layout(location = 4) flat out uint splat_patch;
+layout(location = 5) flat out vec2 splat_place;  // of its centre, grid coordinates
+layout(location = 6) flat out vec4 splat_axes;   // how these change along the axes of its unit disc
+#else
 layout(location = 4) flat out vec3 splat_colour;  // linear
+#endif
 #endif
 
 // The texel of a map at a node; nodes of a level beyond the patch have its edge's.
@@ -13,13 +19,18 @@ ivec3 texel_at(ivec4 map, PatchInfo info, vec2 node) {
   return ivec3(map.xy + ivec2(clamp_to_patch(info, node) * float(map.w)), map.z);
 }
 
-void write_attributes(PatchInfo info, vec2 node) {
+// `axes`: as of splat_axes.
+void write_attributes(uint patch_index, PatchInfo info, vec2 node, vec4 axes) {
 #if RELIEF_NEEDS_NORMAL
   ivec3 normal_texel = texel_at(info.normals, info, node);
   splat_normal =
       to_world(info, unit_from_stereographic(texelFetch(normal_maps, normal_texel, 0).xy));
 #endif
-#if (RELIEF_FEATURES & RELIEF_FEATURE_COLOURS) != 0u
+#if (RELIEF_FEATURES & RELIEF_FEATURE_FINE_COLOURS) != 0u
+  splat_patch = patch_index;
+  splat_place = node;
+  splat_axes = axes;
+#elif (RELIEF_FEATURES & RELIEF_FEATURE_COLOURS) != 0u
   ivec3 colour_texel = texel_at(info.colours, info, node);
   splat_colour =
       info.colours.w == 0 ? vec3(kNeutralGrey) : texelFetch(colour_maps, colour_texel, 0).rgb;

@@ -30,6 +30,9 @@ layout(location = 3) flat in vec4 limits;
 
 void main() {
   count_fragment();
+#if (RELIEF_FEATURES & RELIEF_FEATURE_VISIBILITY) == 0u
+  vec4 footprint = RELIEF_FOOTPRINT(hit.xy);
+#endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_LARGE_SPRITES) != 0u
   if (distance(hit, disc.xyz) > disc.w || !within_limits(hit.xy - disc.xy, limits)) discard;
 #endif
@@ -51,6 +54,6 @@ void main() {
   out_found_depth = depth;
 #endif
 #else
-  shade(info, place, ray, depth);
+  shade(info, place, ray, depth, footprint);
 #endif
 }

@@ -26,5 +26,5 @@ void main() {
 #if RELIEF_NEEDS_DEPTH
   depth = texelFetch(found_depths, pixel, 0).x;
 #endif
-  shade_place(fetch_patch(unpack_patch(found)), unpack_place(found), ray, depth);
+  shade_place(fetch_patch(unpack_patch(found)), unpack_place(found), ray, depth, vec4(0.0));
 }

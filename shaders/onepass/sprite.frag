@@ -27,6 +27,7 @@ void main() {
   vec3 normal = vec3(-plane.xy, 1.0);
   float depth = dot(normal, disc.xyz) / dot(normal, ray);
   vec3 offset = depth * ray - disc.xyz;
+  vec4 footprint = RELIEF_FOOTPRINT(offset.xy);
   // In this form an undefined depth (a ray within the plane) is discarded too.
   if (!(depth > 0.0 && dot(offset, offset) <= disc.w * disc.w &&
         within_limits(offset.xy, limits)))
@@ -41,5 +42,5 @@ void main() {
 #if (RELIEF_FEATURES & RELIEF_FEATURE_MASKED) != 0u
   if (!within_mask(info, place.xy)) discard;
 #endif
-  shade(info, place, ray, depth * (1.0 + along));
+  shade(info, place, ray, depth * (1.0 + along), footprint);
 }

@@ -73,10 +73,49 @@ TEST_F(TextureCli, SaysWhatIsMissing) {
   expect_refused(many, "99999999 points");
 }
 
+TEST_F(TextureCli, PatchesAndRaysShowTheTextureToo) {
+  const std::string texture = write_texture();
+  const std::string mesh = write("square.obj", "mtllib square.mtl\nusemtl m\n" + kSquare);
+  (void)write("square.mtl", "newmtl m\nmap_Kd texture.png\n");
+  ASSERT_EQ(
+      run_relief({"convert", mesh, "-o", path("square.relief"), "--spacing", "0.05"}).exit_code, 0);
+  const std::vector<std::vector<std::string>> ways{
+      {path("square.relief")},
+      {path("square.relief"), "--engine", "multipass"},
+      {path("square.relief"), "--engine", "raytrace"},
+      {mesh, "--engine", "raytrace"},
+      {write("bare.obj", kSquare), "--engine", "raytrace", "--texture", texture}};
+  for (const std::vector<std::string>& way : ways) {
+    std::vector<std::string> arguments{"render", "-o",     path("out.exr"), "--material",
+                                       "unlit",  "--size", "64x64"};
+    arguments.insert(arguments.end(), way.begin(), way.end());
+    const Outcome run = run_relief(arguments);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const auto image = read_image(path("out.exr"));
+    ASSERT_TRUE(image);
+    for (const std::size_t x : {24U, 40U}) {
+      const std::size_t pixel = std::size_t{32} * 64 + x;
+      // Black and white have exact codes, whatever filters constant colours.
+      EXPECT_EQ(image->find("R")->values[pixel], x < 32 ? 1.0F : 0.0F) << way.front();
+      EXPECT_EQ(image->find("B")->values[pixel], x < 32 ? 0.0F : 1.0F) << way.front();
+    }
+  }
+}
+
+TEST_F(TextureCli, ConversionsSayWhatIsMissing) {
+  const std::string mesh = write("square.obj", "mtllib square.mtl\nusemtl m\n" + kSquare);
+  (void)write("square.mtl", "newmtl m\nmap_Kd gone.png\n");
+  const std::vector<std::string> convert{"convert", mesh, "-o", path("square.relief")};
+  expect_refused(convert, "gone.png");
+  expect_refused({"render", mesh, "-o", path("o.png")}, "gone.png");
+  auto fine = convert;
+  fine.insert(fine.end(),
+              {"--texture", write_texture(), "--texels-per-cell", "64", "--spacing", "0.005"});
+  expect_refused(fine, "64 texels a cell");
+}
+
 TEST_F(TextureCli, NeedsTheEngineThatSplats) {
   const std::string square = write("square.obj", kSquare);
-  const std::string texture = write_texture();
-  EXPECT_EQ(run_relief({"render", square, "-o", path("o.png"), "--texture", texture}).exit_code, 2);
   EXPECT_EQ(run_relief({"render", square, "-o", path("o.png"), "--engine", "ewa", "--points", "5"})
                 .exit_code,
             2);

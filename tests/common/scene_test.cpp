@@ -55,7 +55,7 @@ void expect_starts(const std::string& text, const std::string& start) {
 TEST_F(Scenes, EveryKeyIsRead) {
   const Scene scene = must_read(R"({
     "models": [
-      {"file": "a.relief", "material": "glass", "ior": 2, "absorption": [0, 1, 2]},
+      {"file": "a.relief", "material": "glass", "ior": 2, "absorption": [0, 1, 2], "opacity": 0.5},
       {"file": "/b.ply", "transform": {"translation": [1, -2.5, 3e2],
                                        "rotation": {"axis": [0, 0, 2], "degrees": 90}, "scale": 2}}
     ],
@@ -76,7 +76,7 @@ TEST_F(Scenes, EveryKeyIsRead) {
   EXPECT_EQ(scene.models[0].transform.scale, 1.0);
   EXPECT_EQ(scene.models[0].transform.rotation, glm::dmat3(1.0));
   EXPECT_EQ(scene.models[0].material,
-            (MaterialWords{Material::Glass, 2.0, glm::vec3(0, 1, 2), std::nullopt}));
+            (MaterialWords{Material::Glass, 2.0, glm::vec3(0, 1, 2), std::nullopt, 0.5}));
   EXPECT_EQ(scene.models[1].material, MaterialWords{});
   EXPECT_EQ(scene.models[1].file, "/b.ply");
   EXPECT_EQ(scene.models[1].transform.translation, glm::dvec3(1, -2.5, 300));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "common/mesh_texture.h"
 #include "shaders/include/shared.h"
 
 namespace relief::raytrace {
@@ -17,9 +18,21 @@ auto blend(const std::vector<Value>& values, const Triangle& corners, glm::dvec3
          weights.z * Wide(values[corners[2]]);
 }
 
+glm::vec3 texture_at(const TriangleMesh& mesh, const Hit& at) {
+  const MeshMaterial& material = mesh.textures[mesh.triangle_textures[at.triangle]];
+  if (material.texture == nullptr) return material.colour;
+  const CornerTexcoords& corners = mesh.texcoords[at.triangle];
+  const glm::dvec2 texcoord = at.place.x * glm::dvec2(corners[0]) +
+                              at.place.y * glm::dvec2(corners[1]) +
+                              at.place.z * glm::dvec2(corners[2]);
+  return material.colour * material.texture->at(texcoord);
+}
+
 }  // namespace
 
 glm::vec4 colour_at(const TriangleMesh& mesh, const Hit& at) {
+  if (!mesh.triangle_textures.empty() && mesh.triangle_textures[at.triangle] != kNoMaterial)
+    return {texture_at(mesh, at), 1.0F};
   const glm::vec4 grey(glm::vec3(shared::kNeutralGrey), 1.0F);
   if (mesh.colours.empty()) return grey;
   glm::vec4 colour(blend(mesh.colours, mesh.triangles[at.triangle], at.place));

@@ -11,8 +11,10 @@
 
 namespace relief::raytrace {
 
-/// Attributes there, linear over the triangle; normals are made unit vectors. What is no number or
-/// missing in the mesh becomes a neutral grey, opaque; the triangle's own normal; and 0.
+/// Attributes there, linear over the triangle; normals are made unit vectors, and a texture, where
+/// there is one, has the colour (bilinear at its finest level: several rays a pixel filter it).
+/// What is no number or missing in the mesh becomes a neutral grey, opaque; the triangle's own
+/// normal; and 0.
 [[nodiscard]] glm::vec4 colour_at(const TriangleMesh& mesh, const Hit& at);
 [[nodiscard]] glm::vec3 normal_at(const TriangleMesh& mesh, const Hit& at);
 [[nodiscard]] glm::vec2 uv_at(const TriangleMesh& mesh, const Hit& at);

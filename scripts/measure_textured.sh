@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# Measures textured meshes for docs/accuracy_textured.md: pictures of `onepass` and `multipass`
+# against rays to the input mesh with its own texture, at one texel a cell and at the default.
+#
+#   scripts/measure_textured.sh [RELIEF] [OUT]      # build/release/cli/relief, out/textured
+set -euo pipefail
+cd "$(dirname "$0")/.."
+relief=${1:-build/release/cli/relief}
+out=${2:-out/textured}
+data=../shared/data
+mkdir -p "$out"
+scripts/terrain_obj.py $data/terrain/vtkjs_dem.csv $data/terrain/vtkjs_dem.jpg "$out/terrain/dem.obj"
+
+number() { sed -n "s/.*\"$1\": \([0-9.e+-]*\).*/\1/p" | head -1; }
+
+# NAME MATERIAL TRUTH ARGUMENTS...: one row
+row() {
+  local name=$1 material=$2 truth=$3
+  shift 3
+  "$relief" render "$@" --material "$material" --background none -o "$out/test.exr" --json \
+    >"$out/render.json"
+  "$relief" compare "$out/test.exr" "$truth" --json >"$out/compare.json"
+  printf '| %s | %s | %.2f | %.2f | %.0f | %s |\n' "$name" "$material" \
+    "$(number psnr_covered_db <"$out/compare.json")" "$(number psnr_db <"$out/compare.json")" \
+    "$(number frame_ms <"$out/render.json")" "$(number holes <"$out/compare.json")"
+}
+
+# NAME MESH OPTIONS-OF-THE-MESH VIEW
+model() {
+  local name=$1 mesh=$2 options=$3 view=$4
+  # shellcheck disable=SC2086
+  for texels in 1 default; do
+    local file="$out/$name.$texels.relief" asked=()
+    [ "$texels" = default ] || asked=(--texels-per-cell "$texels")
+    "$relief" convert "$mesh" $options "${asked[@]}" -o "$file" --json >"$out/convert.json"
+    "$relief" render "$file" $view --material unlit -o "$out/$name.$texels.png" --explain --json \
+      >"$out/explain.json"
+    printf '\n**%s, %s texels a cell**: %s samples, up to %s texels a cell, file %s bytes, colour maps %s bytes on the GPU\n\n' \
+      "$name" "$texels" "$(number samples <"$out/convert.json")" \
+      "$(number texels_per_cell <"$out/convert.json")" "$(number file_bytes <"$out/convert.json")" \
+      "$(tr -d '\n' <"$out/explain.json" | grep -o '"colour maps"[^}]*' | number bytes)"
+    echo '| drawn by | material | PSNR of what both cover | PSNR of all | frame ms | holes |'
+    echo '| --- | --- | --- | --- | --- | --- |'
+    for material in unlit lit; do
+      local truth="$out/$name.$material.exr"
+      [ -f "$truth" ] || "$relief" render "$mesh" $options $view --engine raytrace --material \
+        "$material" --background none -o "$truth" >/dev/null
+      row "cells" "$material" "$truth" "$file" $view
+      [ "$texels" = default ] || continue
+      row "cells, finest level" "$material" "$truth" "$file" $view --pixels-per-sample 0
+      row "quads" "$material" "$truth" "$file" $view --primitive quad
+      row "\`multipass\`" "$material" "$truth" "$file" $view --engine multipass
+      row "rays to the patches" "$material" "$truth" "$file" $view --engine raytrace
+    done
+  done
+}
+
+spot=$data/textured/spot
+model spot $spot/spot_triangulated.obj "--texture $spot/spot_texture.png" "--orbit 215,15"
+model james $data/textured/james/james.obj "" "--orbit 0,0"
+model terrain "$out/terrain/dem.obj" "" "--orbit 20,12,1.1"

@@ -1,0 +1,149 @@
+// glTF: geometry in its place, materials, and files that are not to be trusted.
+#include <gtest/gtest.h>
+
+#include "tests/preprocess/readers/scan_files.h"
+
+namespace relief {
+namespace {
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view digits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t k = 0; k < bytes.size(); k += 3) {
+    std::uint32_t bits = 0;
+    for (std::size_t b = 0; b < 3; ++b)
+      bits = bits << 8U | (k + b < bytes.size() ? static_cast<unsigned char>(bytes[k + b]) : 0U);
+    for (std::size_t d = 0; d < 4; ++d)
+      text += k + d > bytes.size() ? '=' : digits[bits >> (18 - 6 * d) & 63U];
+  }
+  return text;
+}
+
+/// A triangle in the plane z = 0 with texture coordinates and 16-bit indices: 36 + 24 + 6 bytes.
+std::string triangle_bytes() {
+  return test::pack(0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F) +
+         test::pack(0.F, 0.F, 1.F, 0.F, 0.F, 1.F) +
+         test::pack(std::uint16_t{0}, std::uint16_t{1}, std::uint16_t{2});
+}
+
+/// The rest of the file; `buffer` is its buffer's uri as a member with a comma, or nothing.
+std::string document(const std::string& buffer, const std::string& nodes) {
+  return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": )" +
+         nodes + R"(, "buffers": [{)" + buffer + R"("byteLength": 66}], "bufferViews": [
+    {"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24},
+    {"buffer": 0, "byteOffset": 60, "byteLength": 6}], "accessors": [
+    {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+    {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"},
+    {"bufferView": 2, "componentType": 5123, "count": 3, "type": "SCALAR"}],
+    "materials": [{"name": "m", "pbrMetallicRoughness": {"baseColorFactor": [1, 0.5, 0, 1]}}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2,
+    "material": 0}]}]})";
+}
+
+const std::string kNode = R"([{"mesh": 0}])";
+
+std::string embedded(const std::string& nodes = kNode) {
+  return document(
+      R"("uri": "data:application/octet-stream;base64,)" + base64(triangle_bytes()) + "\", ",
+      nodes);
+}
+
+std::string binary() {
+  std::string json = document("", kNode);
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  std::string bytes = triangle_bytes() + std::string(2, '\0');
+  const auto length = [](const std::string& text) {
+    return static_cast<std::uint32_t>(text.size());
+  };
+  return test::pack(std::uint32_t{0x46546C67}, std::uint32_t{2}, 28 + length(json) + length(bytes),
+                    length(json), std::uint32_t{0x4E4F534A}) +
+         json + test::pack(length(bytes), std::uint32_t{0x004E4942}) + bytes;
+}
+
+void expect_triangle(const Points& points) {
+  ASSERT_EQ(points.size(), 3U);
+  EXPECT_EQ(points.positions[1], glm::dvec3(1.0, 0.0, 0.0));
+  ASSERT_EQ(points.triangles.size(), 1U);
+  EXPECT_EQ(points.triangles[0], (Triangle{0, 1, 2}));
+  ASSERT_EQ(points.texcoords.size(), 3U);
+  // v goes up here and down in the file.
+  EXPECT_EQ(points.texcoords[2], glm::vec2(0.0F, 0.0F));
+  EXPECT_EQ(points.texcoords[0], glm::vec2(0.0F, 1.0F));
+  ASSERT_EQ(points.triangle_materials.size(), 1U);
+  EXPECT_EQ(points.materials[points.triangle_materials[0]].colour, glm::vec3(1.0F, 0.5F, 0.0F));
+}
+
+TEST(Gltf, TextAndBinaryAreTheSame) {
+  expect_triangle(test::read("a.gltf", embedded()));
+  expect_triangle(test::read("a.glb", binary()));
+  expect_triangle(test::read("without_ending", binary()));
+}
+
+TEST(Gltf, NodesPutMeshesInTheirPlaces) {
+  const Points points =
+      test::read("a.gltf", embedded(R"([{"children": [1, 2], "translation": [10, 0, 0]},
+        {"mesh": 0, "scale": [2, 2, 2], "rotation": [0, 0, 0.7071067811865476, 0.7071067811865476]},
+        {"mesh": 0, "matrix": [-1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,5,1]}])"));
+  ASSERT_EQ(points.size(), 6U);
+  // In the order of the file's nodes from the last: the mirrored one, then the turned one.
+  EXPECT_EQ(points.positions[1], glm::dvec3(9.0, 0.0, 5.0));
+  // A quarter turn about z takes (2, 0) to (0, 2), up to rounding.
+  EXPECT_NEAR(points.positions[4].x, 10.0, 1e-12);
+  EXPECT_NEAR(points.positions[4].y, 2.0, 1e-12);
+  // Mirrored triangles are turned round, so that both face up.
+  for (const Triangle& t : points.triangles) {
+    const glm::dvec3 a = points.positions[t[1]] - points.positions[t[0]];
+    const glm::dvec3 b = points.positions[t[2]] - points.positions[t[0]];
+    EXPECT_GT(a.x * b.y - a.y * b.x, 0.0);
+  }
+}
+
+TEST(Gltf, EveryTruncationIsRefused) {
+  for (const auto& [name, whole] :
+       {std::pair(std::string("a.gltf"), embedded()), std::pair(std::string("a.glb"), binary())}) {
+    for (std::size_t length = 1; length < whole.size(); ++length)
+      EXPECT_NE(test::error(name, whole.substr(0, length)), "no error") << length;
+  }
+}
+
+TEST(Gltf, WhatPointsNowhereIsRefused) {
+  const auto with = [](const std::string& what, const std::string& instead) {
+    std::string text = embedded();
+    const std::size_t at = text.find(what);
+    EXPECT_NE(at, std::string::npos) << what;
+    return text.replace(at, what.size(), instead);
+  };
+  const std::pair<std::string, std::string> faults[] = {
+      {R"("nodes": [0])", R"("nodes": [7])"},
+      {R"([{"mesh": 0}])", R"([{"mesh": 9}])"},
+      {R"([{"mesh": 0}])", R"([{"children": [0]}])"},
+      {R"("POSITION": 0)", R"("POSITION": 12)"},
+      {R"("POSITION": 0)", R"("POSITION": 1)"},
+      {R"("count": 3, "type": "VEC3")", R"("count": 4000000000, "type": "VEC3")"},
+      {R"("byteOffset": 36, "byteLength": 24)", R"("byteOffset": 60, "byteLength": 24)"},
+      {R"({"buffer": 0, "byteLength": 36})", R"({"buffer": 3, "byteLength": 36})"},
+      {R"("asset": {"version": "2.0"},)",
+       R"("asset": {"version": "2.0"}, "extensionsRequired": ["KHR_draco_mesh_compression"],)"},
+      {R"("baseColorFactor": [1, 0.5, 0, 1])", R"("baseColorTexture": {"index": 3})"}};
+  for (const auto& [what, instead] : faults)
+    EXPECT_NE(test::error("a.gltf", with(what, instead)), "no error") << instead;
+  const std::string deep(100'000, '[');
+  EXPECT_NE(test::error("a.gltf", deep).find("nests deeper"), std::string::npos);
+}
+
+TEST(Gltf, BytesChangedAnywhereDoNoHarm) {
+  for (const std::string& whole : {embedded(), binary()}) {
+    for (std::size_t k = 0; k < whole.size(); ++k) {
+      for (const char byte : {'\0', '9', '\xFF', '"'}) {
+        std::string changed = whole;
+        changed[k] = byte;
+        // What comes of it does not matter, but that it comes.
+        (void)test::try_read("a.gltf", changed);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace relief
