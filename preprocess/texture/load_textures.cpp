@@ -93,7 +93,7 @@ bool is_finite(const CornerTexcoords& corners) {
 
 /// Triangles whose texture coordinates are no numbers have no place in a texture.
 void drop_bad_texcoords(Points& points) {
-  for (std::size_t t = 0; t < points.triangles.size(); ++t) {
+  for (std::size_t t = 0; t < points.triangle_materials.size(); ++t) {
     std::uint32_t& material = points.triangle_materials[t];
     if (material == kNoMaterial || points.materials[material].texture == nullptr) continue;
     if (!is_finite(texcoords_of(points, t))) material = kNoMaterial;

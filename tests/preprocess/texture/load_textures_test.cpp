@@ -113,6 +113,14 @@ TEST_F(LoadTextures, NamesDoNotLeadOutOfTheFolder) {
   }
 }
 
+TEST_F(LoadTextures, AMeshWithoutMaterialsStaysAsItIs) {
+  write("mesh/a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  ASSERT_EQ(load(), "");
+  EXPECT_TRUE(notes_.empty());
+  EXPECT_EQ(points_.triangles.size(), 1U);
+  EXPECT_TRUE(points_.triangle_materials.empty());
+}
+
 TEST_F(LoadTextures, OneTextureForAll) {
   write_picture("blue.png", {0.0F, 0.0F, 1.0F});
   write("mesh/a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n");
