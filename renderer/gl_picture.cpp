@@ -12,7 +12,8 @@ namespace relief {
 namespace {
 
 /// Draws one frame, without waiting for it.
-void draw_frame(const Gl& gl, const GlPicture& picture, const DrawModel& draw, PassTimer& timer) {
+void draw_frame(const Gl& gl, const GlDrawing& drawing, const DrawModel& draw, PassTimer& timer) {
+  const GlPicture& picture = drawing.picture;
   if (gl.recorder != nullptr) gl.recorder->begin_frame();
   gl.BindFramebuffer(GL_FRAMEBUFFER, picture.targets.framebuffer.id());
   gl.Viewport(0, 0, static_cast<GLsizei>(picture.targets.width),
@@ -25,6 +26,7 @@ void draw_frame(const Gl& gl, const GlPicture& picture, const DrawModel& draw, P
   clear_targets(gl, picture.targets, picture.background);
   draw(picture, timer);
   if (picture.backdrop != nullptr) picture.backdrop->draw(timer, *picture.surroundings);
+  if (drawing.draw_over) drawing.draw_over(picture, timer);
   if (picture.resolve) picture.resolve->draw(timer, picture.targets.colour);
   gl.BindTextureUnit(RELIEF_TEXTURE_ROUGH_ENVIRONMENTS, 0);
   gl.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_MATERIALS, 0);
@@ -51,7 +53,7 @@ void time_frames(const Gl& gl, const GlDrawing& drawing, int frames, RenderResul
 
 FrameTime time_frame(const Gl& gl, const GlDrawing& drawing, PassTimer& timer) {
   const auto start = std::chrono::steady_clock::now();
-  draw_frame(gl, drawing.picture, drawing.draw, timer);
+  draw_frame(gl, drawing, drawing.draw, timer);
   gl.Finish();
   const std::chrono::duration<double, std::milli> elapsed =
       std::chrono::steady_clock::now() - start;
@@ -64,7 +66,7 @@ std::uint64_t count_fragments(const Gl& gl, const GlDrawing& drawing) {
       make_buffer(gl, "fragment count", std::span<const std::uint32_t>(&count, 1));
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, RELIEF_BIND_FRAGMENT_COUNT, buffer.id());
   PassTimer timer(gl);
-  draw_frame(gl, drawing.picture, drawing.count, timer);
+  draw_frame(gl, drawing, drawing.count, timer);
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, RELIEF_BIND_FRAGMENT_COUNT, 0);
   gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   gl.GetNamedBufferSubData(buffer.id(), 0, sizeof(count), &count);

@@ -41,7 +41,8 @@ struct GlDrawing {
   GlPicture picture;
   DrawModel draw;
   DrawModel count;  ///< draws the same and counts the fragments that it shades; empty where the
-                    ///< picture is explained, which has nothing that only counts
+                    ///< picture is explained, which has nothing that only counts, or layered
+  DrawModel draw_over = {};  ///< draws what is not opaque over all else; empty if nothing is
 };
 
 /// How long a frame took.

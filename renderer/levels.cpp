@@ -149,6 +149,7 @@ PatchLevel coarsen(const Patch& patch, std::uint32_t level) {
   coarse.axes = patch.axes;
   coarse.spacing = stride * patch.spacing;
   coarse.height_step = patch.height_step;
+  coarse.material = patch.material;
   coarse.width = nodes_along(patch.width, stride);
   coarse.height = nodes_along(patch.height, stride);
   coarse.normals = coarsen_normals(patch, stride, coarse.width, coarse.height);

@@ -1,5 +1,6 @@
 #include "renderer/mesh_of_patches.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <limits>
 #include <memory>
@@ -126,6 +127,7 @@ Result<TriangleMesh> mesh_of_patches(const PatchModel& model) {
   if (model.has_colours) mesh.colours.reserve(samples);
   mesh.triangles.reserve(2 * samples);
   for (std::uint32_t p = 0; p < model.patches.size(); ++p) {
+    mesh.layer_gap = std::max(mesh.layer_gap, double{shared::kLayerGap} * model.patches[p].spacing);
     const Patch& patch = model.patches[p];
     const std::size_t first = mesh.triangles.size();
     add_triangles(patch, add_vertices(patch, p, model.has_colours, mesh), mesh);

@@ -34,6 +34,7 @@ shared::PatchInfo info_of(const Patch& patch, std::size_t id, std::uint32_t leve
 StoredPatch stored(const Patch& patch, std::uint32_t level, const PatchSamples& samples) {
   StoredPatch kept;
   kept.level = level;
+  kept.material = patch.material;
   kept.origin = patch.origin;
   kept.axes = patch.axes;
   kept.spacing = patch.spacing;

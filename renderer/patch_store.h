@@ -34,6 +34,7 @@ struct StoreNeeds {
 /// What the CPU keeps of a level of a patch on the GPU. World frame, in double precision.
 struct StoredPatch {
   std::uint32_t level = 0;
+  std::uint8_t material = 0;  ///< as Patch::material
   glm::dvec3 origin{0.0};
   glm::dmat3 axes{1.0};
   double spacing = 1.0;

@@ -10,6 +10,7 @@
 #include "renderer/engines/multipass/render_multipass.h"
 #include "renderer/engines/onepass/render_onepass.h"
 #include "renderer/engines/raytrace/render_raytrace.h"
+#include "renderer/materials.h"
 #include "renderer/mesh_of_patches.h"
 #include "renderer/open_gl.h"
 #include "renderer/prepared.h"
@@ -47,6 +48,22 @@ std::vector<EngineViews> group_by_engine(std::span<const RenderSettings> views) 
     if (!group.places.empty()) groups.push_back(std::move(group));
   }
   return groups;
+}
+
+/// Splats of one surface overlap, so that only cells can be blended once.
+Status check_opacity(std::span<const RenderSettings> views) {
+  for (const RenderSettings& settings : views) {
+    const bool cells =
+        settings.engine == EngineKind::Onepass && settings.primitive == Primitive::Cell;
+    const bool on_gpu =
+        settings.engine == EngineKind::Onepass || settings.engine == EngineKind::Multipass;
+    if (on_gpu && !cells && is_transparent(settings)) {
+      return make_error(
+          "a material's opacity is below 1, which engine onepass with primitive cell, engine ewa "
+          "and engine raytrace draw; choose one of them");
+    }
+  }
+  return {};
 }
 
 /// An engine on OpenGL, in a context of its own.
@@ -119,6 +136,8 @@ Result<RenderResult> render_one(const RenderModel& model, const RenderSettings& 
 
 Status render_views(const RenderModel& model, std::span<const RenderSettings> views,
                     const PictureSink& sink, Progress& progress) {
+  const Status possible = check_opacity(views);
+  if (!possible) return possible;
   const bool several = views.size() > 1;
   QuietProgress quiet(progress);
   progress.begin_stage("render", several ? views.size() : 0);

@@ -22,6 +22,9 @@ struct TriangleMesh {
   std::vector<std::uint8_t> materials;  ///< of each vertex, index into the table of materials
                                         ///< (a triangle has its first's); empty: all 0
   std::vector<Triangle> triangles;
+  /// Patches overlap: what is nearer than this behind a surface, along the view axis, is the same
+  /// surface. World units; 0 for an input mesh.
+  double layer_gap = 0.0;
   /// Colours finer than the vertices', which they replace. The first two are empty or as long as
   /// `triangles`, whose textures are indices into `textures`, or kNoMaterial: the vertices'
   /// colours.

@@ -77,3 +77,12 @@ vec3 shade_material(int index, vec3 albedo, vec3 normal, vec3 ray, float depth) 
 #endif
   return colour;
 }
+
+// How much of what is behind it a surface of that material covers.
+float opacity_of(int index) {
+#if (RELIEF_FEATURES & RELIEF_FEATURE_MIXED) != 0u
+  return materials[index].absorption.w;
+#else
+  return frame.material.absorption.w;
+#endif
+}

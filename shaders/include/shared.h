@@ -61,6 +61,10 @@ using glm::vec4;
 // as they cover.
 #define RELIEF_FEATURE_VISIBILITY 8192u
 
+// Semi-transparent surfaces, found and shaded one behind the other: for each layer a pass of both
+// kinds, until one finds nothing. Two depths and two words are read per fragment.
+#define RELIEF_FEATURE_LAYERED 65536u
+
 // A material, as LIT and MIRROR above: two lookups of the environment.
 #define RELIEF_FEATURE_GLASS 1048576u
 // Several materials in one picture: a patch names its own. All that there are bits for are computed
@@ -117,6 +121,7 @@ using glm::vec4;
 #define RELIEF_TEXTURE_MASKS 15
 #define RELIEF_TEXTURE_FOUND 16
 #define RELIEF_TEXTURE_FOUND_DEPTH 17
+#define RELIEF_TEXTURE_LAYER_DEPTH 18
 
 #define RELIEF_TEXTURE_ROUGH_ENVIRONMENTS 20
 #define RELIEF_TEXTURE_PATCH_IDS 21
@@ -151,6 +156,10 @@ RELIEF_CONST uint kFoundBits = 22u;
 RELIEF_CONST uint kFoundMask = (1u << kFoundBits) - 1u;
 RELIEF_CONST uint kFoundPatchBits = 32u - kFoundBits;
 RELIEF_CONST float kFoundBegin = 4.0f;
+
+/// Patches overlap, and so do a patch's border splats and its cells: what is nearer than this
+/// behind a semi-transparent surface, in spacings along the view axis, is the same surface.
+RELIEF_CONST float kLayerGap = 1.5f;
 
 /// The height texel of a hole.
 RELIEF_CONST uint kHoleTexel = 65535u;

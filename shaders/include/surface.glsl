@@ -40,6 +40,9 @@ void shade_place(PatchInfo info, vec2 place, vec3 view, float depth, vec4 footpr
   vec3 normal = vec3(0.0);
 #endif
   out_colour = vec4(shade_material(info.heights.w, albedo, normal, view, depth), 1.0);
+#if (RELIEF_FEATURES & RELIEF_FEATURE_LAYERED) != 0u
+  out_colour *= opacity_of(info.heights.w);
+#endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_NORMAL) != 0u
   out_normal = vec4(normal, 0.0);
 #endif

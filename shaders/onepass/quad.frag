@@ -4,6 +4,9 @@
 #include "include/patches.glsl"
 #if (RELIEF_FEATURES & RELIEF_FEATURE_VISIBILITY) != 0u
 #include "include/visibility.glsl"
+#if (RELIEF_FEATURES & RELIEF_FEATURE_LAYERED) != 0u
+#include "include/layers.glsl"
+#endif
 #else
 #include "include/surface.glsl"
 #endif
@@ -47,6 +50,9 @@ void main() {
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_MASKED) != 0u
   if (!within_mask(info, place.xy)) discard;
+#endif
+#if (RELIEF_FEATURES & RELIEF_FEATURE_LAYERED) != 0u
+  if (!in_next_layers(info.axis_u.w)) discard;
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_VISIBILITY) != 0u
   out_found = pack_place(place.xy, hit_patch);

@@ -26,5 +26,13 @@ void main() {
 #if RELIEF_NEEDS_DEPTH
   depth = texelFetch(found_depths, pixel, 0).x;
 #endif
-  shade_place(fetch_patch(unpack_patch(found)), unpack_place(found), ray, depth, vec4(0.0));
+  vec2 place = unpack_place(found);
+  vec4 footprint = vec4(0.0);
+#if (RELIEF_FEATURES & RELIEF_FEATURE_FINE_COLOURS) != 0u
+  // Only layers have this: they are shaded later whatever is on them.
+  float patch_number = float(unpack_patch(found));
+  if (dFdxFine(patch_number) == 0.0) footprint.xy = dFdxFine(place);
+  if (dFdyFine(patch_number) == 0.0) footprint.zw = dFdyFine(place);
+#endif
+  shade_place(fetch_patch(unpack_patch(found)), place, ray, depth, footprint);
 }

@@ -187,7 +187,7 @@ TEST_F(BenchCommand, RenderExplainsItself) {
   const Outcome text =
       run_relief({"render", scene, "-o", path("square.png"), "--size", "64x48", "--explain"});
   EXPECT_NE(text.out.find("normal maps"), std::string::npos) << text.out;  // lit
-  EXPECT_NE(text.out.find("passes: onepass"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("passes: visibility, shading"), std::string::npos) << text.out;
   EXPECT_EQ(
       run_relief({"render", scene, "-o", path("x.png"), "--engine", "ewa", "--explain"}).exit_code,
       2);

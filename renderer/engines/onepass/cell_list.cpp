@@ -6,9 +6,11 @@
 
 namespace relief::onepass {
 
-std::vector<std::uint32_t> find_parts(const PatchStore& store, const View& view) {
+std::vector<std::uint32_t> find_parts(const PatchStore& store, const View& view,
+                                      const MaterialChoice& materials) {
   std::vector<bool> chosen(store.patches.size(), false);
-  for (const std::uint32_t patch : levels_for(store, view)) chosen[patch] = true;
+  for (const std::uint32_t patch : levels_for(store, view))
+    chosen[patch] = materials.has(store.patches[patch].material);
   const std::vector<StoredPart>& parts = store.cells->parts;
   std::vector<std::uint32_t> visible;
   for (std::uint32_t p = 0; p < parts.size(); ++p) {

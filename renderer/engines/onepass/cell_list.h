@@ -10,8 +10,16 @@
 
 namespace relief::onepass {
 
-/// The parts in view, of the levels that it chooses, nearest first.
-[[nodiscard]] std::vector<std::uint32_t> find_parts(const PatchStore& store, const View& view);
+/// Which patches a pass draws.
+struct MaterialChoice {
+  std::vector<bool> drawn;  ///< by material; empty: all
+
+  [[nodiscard]] bool has(std::uint8_t material) const { return drawn.empty() || drawn[material]; }
+};
+
+/// The parts in view of patches of those materials, of the levels that it chooses, nearest first.
+[[nodiscard]] std::vector<std::uint32_t> find_parts(const PatchStore& store, const View& view,
+                                                    const MaterialChoice& materials);
 
 /// Commands that draw the cells of one page's share of `parts`, as strips.
 [[nodiscard]] std::vector<ArraysCommand> cell_commands(const CellStore& store,

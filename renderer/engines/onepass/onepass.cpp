@@ -1,6 +1,7 @@
 #include "renderer/engines/onepass/onepass.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <span>
 #include <utility>
@@ -18,7 +19,11 @@ namespace {
 constexpr std::uint32_t kFindingFeatures = RELIEF_FEATURE_VISIBILITY | RELIEF_FEATURE_CELL |
                                            RELIEF_FEATURE_MASKED | RELIEF_FEATURE_CORRECTED |
                                            RELIEF_FEATURE_OUT_DEPTH | RELIEF_FEATURE_POINT_LIGHTS |
-                                           RELIEF_FEATURE_COUNT_FRAGMENTS;
+                                           RELIEF_FEATURE_LAYERED | RELIEF_FEATURE_COUNT_FRAGMENTS;
+
+/// What the layers behind the first have nothing to say about.
+constexpr std::uint32_t kOutputFeatures = RELIEF_FEATURE_OUT_NORMAL | RELIEF_FEATURE_OUT_DEPTH |
+                                          RELIEF_FEATURE_OUT_UV | RELIEF_FEATURE_OUT_PATCH;
 
 /// Nodes along the longest side of any patch or level.
 std::uint32_t widest_side(const PatchStore& store) {
@@ -65,6 +70,18 @@ Result<Engine::Programs> Engine::make_cell_programs(const Gl& gl, const PatchSto
       features & ~(RELIEF_FEATURE_CELL | RELIEF_FEATURE_MASKED | RELIEF_FEATURE_CORRECTED));
   if (!shading) return shading.error();
   programs.shading = std::move(*shading);
+  if ((features & RELIEF_FEATURE_LAYERED) != 0) {
+    Result<Program> behind =
+        make_program(gl, "shading behind", "environment/screen.vert", "onepass/shading.frag",
+                     features & ~(kOutputFeatures | RELIEF_FEATURE_CELL | RELIEF_FEATURE_MASKED |
+                                  RELIEF_FEATURE_CORRECTED));
+    if (!behind) return behind.error();
+    programs.behind = std::move(*behind);
+    Result<Program> over =
+        make_program(gl, "over", "environment/screen.vert", "onepass/over.frag", 0);
+    if (!over) return over.error();
+    programs.over = std::move(*over);
+  }
   const float steps = place_steps(widest_side(store));
   const auto tell = [&](const std::optional<Program>& program) {
     if (program) gl.ProgramUniform1f(program->id(), RELIEF_UNIFORM_PLACE_STEPS, steps);
@@ -73,6 +90,7 @@ Result<Engine::Programs> Engine::make_cell_programs(const Gl& gl, const PatchSto
   tell(programs.rims);
   tell(programs.edges);
   tell(programs.shading);
+  tell(programs.behind);
   return programs;
 }
 
@@ -115,9 +133,9 @@ void Engine::draw_splats(const View& view) const {
   samples_.draw(samples_.make_draw(SampleShape::Quads, near));
 }
 
-void Engine::draw_cells(const View& view) const {
+void Engine::draw_cells(const View& view, const MaterialChoice& materials) const {
   const CellStore& cells = *samples_.store().cells;
-  const std::vector<std::uint32_t> visible = find_parts(samples_.store(), view);
+  const std::vector<std::uint32_t> visible = find_parts(samples_.store(), view, materials);
   std::vector<std::uint32_t> patches;
   patches.reserve(visible.size());
   for (const std::uint32_t part : visible) patches.push_back(cells.parts[part].patch);
@@ -154,18 +172,19 @@ void Engine::draw_strips(const CellPage& page, const std::vector<ArraysCommand>&
                                0);
 }
 
-void Engine::draw_model(const View& view) const {
+void Engine::draw_model(const View& view, const MaterialChoice& materials) const {
   if (programs_.rims) {
-    draw_cells(view);
+    draw_cells(view, materials);
   } else {
     draw_splats(view);
   }
 }
 
-void Engine::shade(const Visibility& visibility, const Texture& visible_depth) const {
+void Engine::shade(const Program& shading, const Visibility& visibility,
+                   const Texture& visible_depth) const {
   gl_->DepthFunc(GL_LESS);  // the triangle is at 0, where what was found is above
   gl_->DepthMask(GL_FALSE);
-  gl_->UseProgram(programs_.shading->id());
+  gl_->UseProgram(shading.id());
   gl_->TextureBarrier();  // what is tested is read, too; nothing writes it in this pass
   gl_->BindTextureUnit(RELIEF_TEXTURE_VISIBLE_DEPTH, visible_depth.id());
   gl_->BindTextureUnit(RELIEF_TEXTURE_FOUND, visibility.places.id());
@@ -175,24 +194,75 @@ void Engine::shade(const Visibility& visibility, const Texture& visible_depth) c
   gl_->BindTextureUnit(RELIEF_TEXTURE_FOUND, 0);
   gl_->BindTextureUnit(RELIEF_TEXTURE_FOUND_DEPTH, 0);
   gl_->DepthMask(GL_TRUE);
+  gl_->DepthFunc(GL_GREATER);
 }
 
-void Engine::draw(const GlPicture& picture, const Visibility* visibility, PassTimer& timer) const {
+void Engine::draw(const GlPicture& picture, const Visibility* visibility,
+                  const MaterialChoice& materials, PassTimer& timer) const {
   const BoundModel bound(*gl_, samples_, picture.environment);
   if (!programs_.shading) {
     const ScopedPass pass(*gl_, timer, "onepass");
-    draw_model(picture.view);
+    draw_model(picture.view, materials);
     return;
   }
   assert(visibility != nullptr && "a picture that is shaded later has a visibility buffer");
   {
     const ScopedPass pass(*gl_, timer, "visibility");
     gl_->BindFramebuffer(GL_FRAMEBUFFER, visibility->framebuffer.id());
-    draw_model(picture.view);
+    draw_model(picture.view, materials);
   }
   gl_->BindFramebuffer(GL_FRAMEBUFFER, picture.targets.framebuffer.id());
   const ScopedPass pass(*gl_, timer, "shading");
-  shade(*visibility, picture.targets.z_buffer);
+  shade(*programs_.shading, *visibility, picture.targets.z_buffer);
+}
+
+bool Engine::draw_layer(const GlPicture& picture, const Layer& layer, const Layer& before,
+                        const MaterialChoice& materials, PassTimer& timer) const {
+  const ScopedPass pass(*gl_, timer, "layer visibility");
+  const GLfloat nothing = 0.0F;
+  gl_->ClearNamedFramebufferfv(layer.visibility.framebuffer.id(), GL_DEPTH, 0, &nothing);
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, layer.visibility.framebuffer.id());
+  gl_->BindTextureUnit(RELIEF_TEXTURE_VISIBLE_DEPTH, picture.targets.z_buffer.id());
+  gl_->BindTextureUnit(RELIEF_TEXTURE_LAYER_DEPTH, before.z_buffer.id());
+  const Query found(*gl_, "layer", GLenum{GL_ANY_SAMPLES_PASSED});
+  gl_->BeginQuery(GL_ANY_SAMPLES_PASSED, found.id());
+  draw_model(picture.view, materials);
+  gl_->EndQuery(GL_ANY_SAMPLES_PASSED);
+  gl_->BindTextureUnit(RELIEF_TEXTURE_LAYER_DEPTH, 0);
+  GLuint64 any = 0;
+  gl_->GetQueryObjectui64v(found.id(), GL_QUERY_RESULT, &any);
+  return any != 0;
+}
+
+void Engine::draw_over(const GlPicture& picture, const Layers& layers,
+                       const MaterialChoice& materials, PassTimer& timer) const {
+  const BoundModel bound(*gl_, samples_, picture.environment);
+  const std::array<GLfloat, 4> zero{};
+  const GLfloat nearest = 1.0F;
+  gl_->ClearNamedFramebufferfv(layers.pair[0].shading.id(), GL_COLOR, 0, zero.data());
+  gl_->ClearNamedFramebufferfv(layers.pair[1].visibility.framebuffer.id(), GL_DEPTH, 0, &nearest);
+  for (std::size_t k = 0; k < kMostSurfaces; ++k) {
+    const Layer& layer = layers.pair[k % 2];
+    if (!draw_layer(picture, layer, layers.pair[(k + 1) % 2], materials, timer)) break;
+    const ScopedPass pass(*gl_, timer, "layer shading");
+    gl_->BindFramebuffer(GL_FRAMEBUFFER, (k == 0 ? layers.front : layer.shading).id());
+    if (k > 0) gl_->Enable(GL_BLEND);
+    gl_->BlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);  // under what is in front
+    shade(k == 0 ? *programs_.shading : *programs_.behind, layer.visibility, layer.z_buffer);
+    gl_->Disable(GL_BLEND);
+  }
+  const ScopedPass pass(*gl_, timer, "over");
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, layers.over.id());
+  gl_->Disable(GL_DEPTH_TEST);
+  gl_->Enable(GL_BLEND);
+  gl_->BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  gl_->UseProgram(programs_.over->id());
+  gl_->BindTextureUnit(RELIEF_TEXTURE_FOUND, layers.colour.id());
+  gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+  gl_->BindTextureUnit(RELIEF_TEXTURE_FOUND, 0);
+  gl_->BlendFunc(GL_ONE, GL_ZERO);
+  gl_->Disable(GL_BLEND);
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, picture.targets.framebuffer.id());
 }
 
 }  // namespace relief::onepass

@@ -7,7 +7,8 @@
 
 namespace relief::onepass {
 
-Result<Visibility> make_visibility(const Gl& gl, const Targets& targets, std::uint32_t features) {
+Result<Visibility> make_visibility(const Gl& gl, const Targets& targets, const Texture& z_buffer,
+                                   std::uint32_t features) {
   const auto make = [&](const char* label, GLenum format) {
     Texture texture(gl, label, GLenum{GL_TEXTURE_2D});
     gl.TextureStorage2D(texture.id(), 1, format, static_cast<GLsizei>(targets.width),
@@ -21,7 +22,7 @@ Result<Visibility> make_visibility(const Gl& gl, const Targets& targets, std::ui
     draw[location] = GL_COLOR_ATTACHMENT0 + location;
     gl.NamedFramebufferTexture(id, draw[location], texture.id(), 0);
   };
-  gl.NamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT, targets.z_buffer.id(), 0);
+  gl.NamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT, z_buffer.id(), 0);
   // With the default filters integers are no complete texture, and shaders read 0.
   gl.TextureParameteri(made.places.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   gl.TextureParameteri(made.places.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);

@@ -20,8 +20,9 @@ struct Visibility {
   Framebuffer framebuffer;        ///< they and the picture's depth buffer
 };
 
-/// Makes it; `targets` must outlive it. Fails if OpenGL lacks memory.
-Result<Visibility> make_visibility(const Gl& gl, const Targets& targets, std::uint32_t features);
+/// Makes it, of the size of `targets`; `z_buffer` must outlive it. Fails if OpenGL lacks memory.
+Result<Visibility> make_visibility(const Gl& gl, const Targets& targets, const Texture& z_buffer,
+                                   std::uint32_t features);
 
 /// Whether every patch of the store has a number that a place can name.
 [[nodiscard]] bool can_be_found(const PatchStore& store);

@@ -33,10 +33,12 @@ bool touch(const TriangleMesh& mesh, const Hit& a, const Hit& b) {
   return false;
 }
 
-/// Whether a ray crosses one surface here, through an edge or a corner that two triangles share:
-/// both are met, at one depth up to rounding.
+/// Whether a ray crosses one surface here: through an edge or a corner that two triangles share, so
+/// that both are met at one depth up to rounding, or where two patches overlap.
 bool is_same_crossing(const TriangleMesh& mesh, const Hit& a, const Hit& b) {
-  return b.depth - a.depth <= 1e-12 * b.depth && touch(mesh, a, b);
+  const double behind = b.depth - a.depth;
+  return (behind <= 1e-12 * b.depth && touch(mesh, a, b)) ||
+         (mesh.layer_gap > 0.0 && behind <= mesh.layer_gap);
 }
 
 }  // namespace
