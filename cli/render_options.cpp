@@ -185,9 +185,9 @@ void add_material_options(CLI::App& sub, SceneSettings& settings) {
   add_number(sub, "--exposure", settings.exposure, kExposures, "STOPS",
              "A PNG's light is multiplied by 2 to this power; an EXR's never is (0)");
   sub.add_option("--env", settings.environment,
-                 "Environment map, EXR or HDR, equirectangular or a cross of six faces (built in: "
-                 "a colour for each "
-                 "direction, with a grid)")
+                 "Environment map, EXR or HDR: equirectangular, a cross of six faces, or six files "
+                 "such as sky_{face}.hdr with px nx py ny pz nz for {face} (built in: a colour for "
+                 "each direction, with a grid)")
       ->option_text("FILE");
 }
 

@@ -211,6 +211,18 @@ TEST_F(BadInput, EnvironmentThatIsNone) {
                  "bad.hdr");
 }
 
+TEST_F(BadInput, EnvironmentOfSixFilesThatAreNot) {
+  const std::string scan = write_knot(500);
+  const std::vector<std::string> faces{"render",        scan,    "-o",
+                                       path("out.png"), "--env", path("sky_{face}.hdr")};
+  expect_refused(faces, "{face} stands for px");
+  for (const char* name : {"sky_right.hdr", "sky_left.hdr", "sky_top.hdr", "sky_front.hdr"})
+    write(name, "no picture");
+  expect_refused(faces, "sky_bottom.hdr: there is no such file");
+  for (const char* name : {"sky_bottom.hdr", "sky_back.hdr"}) write(name, "no picture");
+  expect_refused(faces, "sky_right.hdr: ");
+}
+
 TEST_F(BadInput, TooFewPointsToSplat) {
   for (const char* text : {"0 0 0\n", "0 0 0\n1 0 0\n0 1 0\n"}) {
     expect_refused({"render", write("few.xyz", text), "-o", path("out.png"), "--engine", "ewa"},
