@@ -17,7 +17,7 @@ using glm::vec2;
 #include "include/shading.h"
 #endif
 
-/// A colour for three numbers, like for no others near them (PCG3D: Jarzynski and Olano, "Hash
+/// A colour for three numbers, unlike those of numbers near them (PCG3D: Jarzynski and Olano, "Hash
 /// Functions for GPU Rendering", 2020). Linear, each channel 0 to 1.
 RELIEF_FUNCTION vec3 unique_colour(uint x, uint y, uint z) {
   x = x * 1664525u + 1013904223u;
@@ -36,14 +36,16 @@ RELIEF_FUNCTION vec3 unique_colour(uint x, uint y, uint z) {
 }
 
 /// A patch as it is stored: each of its samples a disc of reduced radius in a colour of its own
-/// (paper 001, Figure 1(d)), over the patch's colour, a quarter as bright. `place`: in cells of the
-/// level that is drawn, from the patch's first sample. `patch_id`: counted from 0.
+/// (paper 001, Figure 1(d)), half way to the patch's colour, which is between them, a quarter as
+/// bright. `place`: in cells of the level that is drawn, from the patch's first sample. `patch_id`:
+/// counted from 0.
 RELIEF_FUNCTION vec3 stored_samples(vec2 place, uint patch_id) {
-  vec2 sample_place = floor(place + 0.5f);
-  vec2 off = place - sample_place;
-  if (dot(off, off) > kShownSample * kShownSample)
-    return 0.25f * unique_colour(0xFFFFFFFFu, 0xFFFFFFFFu, patch_id);
-  return unique_colour(uint(int(sample_place.x)), uint(int(sample_place.y)), patch_id);
+  vec3 patch_colour = unique_colour(0xFFFFFFFFu, 0xFFFFFFFFu, patch_id);
+  vec2 nearest = floor(place + 0.5f);
+  vec2 off = place - nearest;
+  if (dot(off, off) > kShownSample * kShownSample) return 0.25f * patch_colour;
+  return 0.5f *
+         (patch_colour + unique_colour(uint(int(nearest.x)), uint(int(nearest.y)), patch_id));
 }
 
 /// The split view of what is seen along `ray`: the picture's quarters are lit (upper left), a

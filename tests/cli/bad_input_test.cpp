@@ -89,6 +89,15 @@ TEST_F(BadInput, CountsLargerThanTheFile) {
                        "hostile.stl");
 }
 
+TEST_F(BadInput, SplitViewWhereThereIsNone) {
+  const std::string scan = write_knot(500);
+  for (const char* engine : {"multipass", "ewa"}) {
+    expect_refused(
+        {"render", scan, "-o", path("out.png"), "--engine", engine, "--material", "split"}, engine);
+  }
+  expect_refused({"bench", scan, "--material", "split"}, "split");
+}
+
 TEST_F(BadInput, TooFewPoints) {
   const auto on_parabola = [](int i) {
     return std::to_string(i) + " " + std::to_string(i * i) + " " + std::to_string(i % 3);
