@@ -60,7 +60,7 @@ using glm::vec4;
 // A material, as LIT and MIRROR above: two lookups of the environment.
 #define RELIEF_FEATURE_GLASS 1048576u
 // The split view: all of LIT and MIRROR, which it has beside it, and the sample that is nearest.
-#define RELIEF_FEATURE_SPLIT 262144u
+#define RELIEF_FEATURE_SPLIT 131072u
 // Several materials in one picture: a patch names its own. All that there are bits for are computed
 // for every fragment, and one of them is taken.
 #define RELIEF_FEATURE_MIXED 2097152u
