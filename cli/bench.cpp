@@ -22,6 +22,7 @@
 #include "cli/render_options.h"
 #include "cli/render_plan.h"
 #include "common/file.h"
+#include "renderer/materials.h"
 
 namespace relief::cli {
 namespace {
@@ -110,6 +111,11 @@ Result<BenchResult> measure(const RenderPlan& scene, const Arguments& arguments)
   const Picture& picture = scene.pictures.front();
   const auto base = render_settings_for(picture, models->scene.patches, arguments.picture);
   if (!base) return base.error();
+  if (uses(*base, Material::Split)) {
+    return make_error(
+        "the material split is for relief render: most of the rows of relief bench can't show it; "
+        "take lit or mirror");
+  }
   auto [job, result] = plan_rows(*models, *base, arguments.sweep);
   job.frames = arguments.picture.frames.value_or(kFrames);
   auto times = bench(job, progress);

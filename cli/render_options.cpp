@@ -102,8 +102,8 @@ void check_material_options(const RenderArguments& arguments) {
   const Material material = settings.material.value_or(Material::Lit);
   if ((settings.ior || settings.absorption) && material != Material::Glass)
     throw CLI::ValidationError("--ior, --absorption", "are for --material glass");
-  if (settings.roughness && material != Material::Mirror)
-    throw CLI::ValidationError("--roughness", "is for --material mirror");
+  if (settings.roughness && material != Material::Mirror && material != Material::Split)
+    throw CLI::ValidationError("--roughness", "is for --material mirror and split");
 }
 
 /// An option of one engine says nothing to another. A scene's views may have several engines.
@@ -170,7 +170,7 @@ void add_material_options(CLI::App& sub, SceneSettings& settings) {
   add_choice(
       sub, "--material", settings.material, kMaterials,
       "unlit is the stored colour and nothing else; mirror reflects --env, glass refracts it "
-      "too (lit)");
+      "too; split shows quarters that are lit, mirror, both and the samples (lit)");
   add_number(sub, "--ior", settings.ior, kRefractiveIndices, "N",
              "glass: its index of refraction (1.5)");
   sub.add_option_function<std::string>(
@@ -179,15 +179,15 @@ void add_material_options(CLI::App& sub, SceneSettings& settings) {
          "(0,0,0)")
       ->option_text("R,G,B");
   add_number(sub, "--roughness", settings.roughness, kRoughnesses, "R",
-             "mirror: from 0, smooth, to 1 (0)");
+             "mirror, split: from 0, smooth, to 1 (0)");
   add_number(sub, "--opacity", settings.opacity, kOpacities, "A",
              "How much of what is behind a surface it covers, from 0 to 1 (1)");
   add_number(sub, "--exposure", settings.exposure, kExposures, "STOPS",
              "A PNG's light is multiplied by 2 to this power; an EXR's never is (0)");
   sub.add_option("--env", settings.environment,
-                 "Environment map, EXR or HDR, equirectangular or a cross of six faces (built in: "
-                 "a colour for each "
-                 "direction, with a grid)")
+                 "Environment map, EXR or HDR: equirectangular, a cross of six faces, or six files "
+                 "such as sky_{face}.hdr with px nx py ny pz nz for {face} (built in: a colour for "
+                 "each direction, with a grid)")
       ->option_text("FILE");
 }
 

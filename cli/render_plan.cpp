@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cli/paths.h"
+#include "renderer/environment_files.h"
 #include "renderer/materials.h"
 
 namespace relief::cli {
@@ -73,8 +74,10 @@ Result<std::vector<fs::path>> find_inputs(const RenderPlan& plan, const fs::path
   if (!texture.empty() && texture != "none") inputs.insert(texture);
   for (const SceneModel& model : plan.models) inputs.insert(model.file);
   for (const Picture& picture : plan.pictures) {
-    if (picture.settings.environment && !picture.settings.environment->empty())
-      inputs.insert(*picture.settings.environment);
+    if (!picture.settings.environment || picture.settings.environment->empty()) continue;
+    const auto files = environment_files(*picture.settings.environment);
+    if (!files) return files.error();
+    inputs.insert(files->begin(), files->end());
   }
   for (const fs::path& input : inputs) {
     std::error_code ignored;

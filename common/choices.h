@@ -15,7 +15,13 @@ namespace relief {
 enum class EngineKind : std::uint8_t { Onepass, Multipass, Ewa, Raytrace };
 enum class Primitive : std::uint8_t { Sprite, Quad, Cell };
 enum class Interpolation : std::uint8_t { Direct, Corrected };
-enum class Material : std::uint8_t { Unlit, Lit, Mirror, Glass };
+enum class Material : std::uint8_t {
+  Unlit,
+  Lit,
+  Mirror,
+  Glass,
+  Split  ///< for demonstration: quarters of the picture as Figure 1(d) of paper 001
+};
 
 /// The engines that draw patches on OpenGL.
 [[nodiscard]] constexpr bool is_on_opengl(EngineKind engine) {
@@ -97,10 +103,11 @@ inline constexpr std::array<Named<Primitive>, 3> kPrimitives{
     {{"sprite", Primitive::Sprite}, {"quad", Primitive::Quad}, {"cell", Primitive::Cell}}};
 inline constexpr std::array<Named<Interpolation>, 2> kInterpolations{
     {{"direct", Interpolation::Direct}, {"corrected", Interpolation::Corrected}}};
-inline constexpr std::array<Named<Material>, 4> kMaterials{{{"unlit", Material::Unlit},
+inline constexpr std::array<Named<Material>, 5> kMaterials{{{"unlit", Material::Unlit},
                                                             {"lit", Material::Lit},
                                                             {"mirror", Material::Mirror},
-                                                            {"glass", Material::Glass}}};
+                                                            {"glass", Material::Glass},
+                                                            {"split", Material::Split}}};
 
 /// The value of a name, if the table has it.
 template <class T, std::size_t N>

@@ -17,7 +17,8 @@ struct MaterialConstants {
   /// and B (Beer-Lambert). A ray's path is that through a sphere: the diameter times the cosine of
   /// the angle at which the ray is refracted. So it does not depend on the model's size.
   glm::vec3 absorption{0.0F};
-  /// Of Mirror: 0 is smooth; the width of the microfacets' GGX distribution is its square.
+  /// Of Mirror and Split: 0 is smooth; the width of the microfacets' GGX distribution is its
+  /// square.
   float roughness = 0.0F;
   /// Of any kind: how much of what is behind a surface it covers. 1 is opaque.
   float opacity = 1.0F;

@@ -29,9 +29,11 @@ struct CubeMap {
 /// The surroundings from an EXR or HDR picture, equirectangular (+Y up, its middle toward -Z, its
 /// right half toward +X) or a cross of six faces as seen from within, four wide and three high or
 /// three wide and four high (its middle toward -Z; in the second row +X is right of it and -X left,
-/// +Y above and -Y below; +Z at the right end, or upside down at the lower end). If `path` is
-/// empty, the built-in sky with a grid. Non-finite values become 0, negative ones too, those above
-/// what half floats hold are clamped. Fails if the file can't be read or has no colour.
+/// +Y above and -Y below; +Z at the right end, or upside down at the lower end). Six files, a face
+/// each, lie as in the cross that is four wide (environment_files says how they are named). If
+/// `path` is empty, the built-in sky with a grid. Non-finite values become 0, negative ones too,
+/// those above what half floats hold are clamped. Fails if a file can't be read or has no colour,
+/// or if six faces are not square and of one size.
 Result<CubeMap> load_environment(const std::filesystem::path& path);
 
 }  // namespace relief

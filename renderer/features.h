@@ -23,6 +23,8 @@ namespace relief {
     if (material.kind == Material::Lit) features |= RELIEF_FEATURE_LIT;
     if (material.kind == Material::Mirror) features |= RELIEF_FEATURE_MIRROR;
     if (material.kind == Material::Glass) features |= RELIEF_FEATURE_GLASS;
+    if (material.kind == Material::Split)
+      features |= RELIEF_FEATURE_SPLIT | RELIEF_FEATURE_LIT | RELIEF_FEATURE_MIRROR;
     if (mixed && roughness_of(material) > 0.0F) features |= RELIEF_FEATURE_ROUGH;
   }
   if ((features & RELIEF_FEATURE_LIT) == 0) return features;
@@ -49,7 +51,8 @@ struct ColourMaps {
 [[nodiscard]] inline std::uint32_t scene_features(const RenderSettings& settings,
                                                   ColourMaps colours) {
   const bool coloured =
-      colours.any && (uses(settings, Material::Unlit) || uses(settings, Material::Lit));
+      colours.any && (uses(settings, Material::Unlit) || uses(settings, Material::Lit) ||
+                      uses(settings, Material::Split));
   return (settings.primitive == Primitive::Sprite ? RELIEF_FEATURE_SPRITE : 0U) |
          (coloured ? RELIEF_FEATURE_COLOURS : 0U) |
          (coloured && colours.fine ? RELIEF_FEATURE_FINE_COLOURS : 0U) |

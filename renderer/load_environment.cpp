@@ -1,5 +1,6 @@
-// Making cube maps: from a picture, or the built-in one.
+// Making cube maps: from pictures, or the built-in one.
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <glm/common.hpp>
@@ -7,7 +8,9 @@
 #include <glm/gtc/constants.hpp>
 
 #include "common/image_io.h"
+#include "renderer/cross_cube.h"
 #include "renderer/cube_map.h"
+#include "renderer/environment_files.h"
 #include "renderer/make_cube.h"
 
 namespace relief {
@@ -106,58 +109,48 @@ CubeMap resample(std::uint32_t texels, const LookUp& look_up) {
   });
 }
 
-/// Where a face of a cube lies in a cross, in faces, and whether it lies there turned by 180
-/// degrees.
-struct CrossPlace {
-  std::size_t column;
-  std::size_t row;
-  bool turned;
-};
-
-/// The faces +X, -X, +Y, -Y, +Z, -Z of a cross that is four faces wide, or four high.
-constexpr std::array<CrossPlace, 6> kWideCross{
-    {{2, 1, false}, {0, 1, false}, {1, 0, true}, {1, 2, true}, {3, 1, false}, {1, 1, false}}};
-constexpr std::array<CrossPlace, 6> kHighCross{
-    {{2, 1, false}, {0, 1, false}, {1, 0, true}, {1, 2, true}, {1, 3, true}, {1, 1, false}}};
-
-/// The cube of a cross as it is seen from within: OpenGL's faces are seen from outside, which
-/// mirrors them.
-CubeMap cut_cross(const std::vector<glm::vec3>& texels, std::size_t width, bool wide) {
-  const std::size_t size = width / (wide ? 4 : 3);
-  CubeMap cube;
-  cube.size = static_cast<std::uint32_t>(size);
-  for (std::size_t face = 0; face < 6; ++face) {
-    const CrossPlace& place = (wide ? kWideCross : kHighCross)[face];
-    for (std::size_t y = 0; y < size; ++y) {
-      const std::size_t row = place.row * size + (place.turned ? size - 1 - y : y);
-      for (std::size_t x = 0; x < size; ++x) {
-        const std::size_t column = place.column * size + (place.turned ? x : size - 1 - x);
-        cube.faces[face].push_back(texels[row * width + column]);
-      }
-    }
-  }
-  return cube;
-}
-
-CubeMap make_cross_cube(const std::vector<glm::vec3>& texels, std::size_t width, bool wide) {
-  CubeMap cube = cut_cross(texels, width, wide);
+/// The cube itself if OpenGL filters its size well, or else one of another size.
+CubeMap fit(CubeMap cube) {
   if (std::has_single_bit(cube.size) && cube.size <= kLargestFace) return cube;
   return resample(cube.size, [&cube](glm::dvec3 d) { return look_up(cube, d); });
+}
+
+Result<CubeMap> load_faces(const std::vector<std::filesystem::path>& files) {
+  std::array<std::vector<glm::vec3>, 6> faces;
+  std::uint32_t size = 0;
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    const auto image = read_image(files[k]);
+    if (!image) return image.error();
+    if (image->width != image->height) {
+      return make_error("{}: its {}x{} pixels are not square, as the face of a cube must be",
+                        files[k].string(), image->width, image->height);
+    }
+    if (k > 0 && image->width != size) {
+      return make_error("{}: its {}x{} pixels are not the {}x{} of {}; all six faces have one size",
+                        files[k].string(), image->width, image->height, size, size,
+                        files.front().string());
+    }
+    size = image->width;
+    auto texels = colour_of(*image, files[k]);
+    if (!texels) return texels.error();
+    faces[k] = std::move(*texels);
+  }
+  return fit(join_faces(faces, size));
 }
 
 }  // namespace
 
 Result<CubeMap> load_environment(const std::filesystem::path& path) {
   if (path.empty()) return make_grid_cube();
+  const auto files = environment_files(path);
+  if (!files) return files.error();
+  if (files->size() > 1) return load_faces(*files);
   const auto image = read_image(path);
   if (!image) return image.error();
   auto texels = colour_of(*image, path);
   if (!texels) return texels.error();
-  const std::size_t width = image->width;
-  const std::size_t height = image->height;
-  const bool wide = 3 * width == 4 * height && width % 4 == 0;
-  if (wide || (4 * width == 3 * height && width % 3 == 0))
-    return make_cross_cube(*texels, width, wide);
+  if (is_cross(image->width, image->height))
+    return fit(cut_cross(*texels, image->width, image->height));
   const Panorama panorama{image->width, image->height, std::move(*texels)};
   // A face spans 90 of the picture's 180 degrees of height.
   return resample(image->height / 2, [&panorama](glm::dvec3 d) { return panorama.look_up(d); });

@@ -10,7 +10,8 @@ static_assert(kMaxMaterials == shared::kMostMaterials);
 static_assert(static_cast<int>(Material::Unlit) == shared::kUnlit &&
               static_cast<int>(Material::Lit) == shared::kLit &&
               static_cast<int>(Material::Mirror) == shared::kMirror &&
-              static_cast<int>(Material::Glass) == shared::kGlass);
+              static_cast<int>(Material::Glass) == shared::kGlass &&
+              static_cast<int>(Material::Split) == shared::kSplit);
 
 }  // namespace
 
@@ -42,7 +43,8 @@ bool uses(const RenderSettings& settings, Material kind) {
 }
 
 bool reflects(const RenderSettings& settings) {
-  return uses(settings, Material::Mirror) || uses(settings, Material::Glass);
+  return uses(settings, Material::Mirror) || uses(settings, Material::Glass) ||
+         uses(settings, Material::Split);
 }
 
 bool is_transparent(const RenderSettings& settings) {
@@ -53,7 +55,8 @@ bool is_transparent(const RenderSettings& settings) {
 }
 
 float roughness_of(const MaterialSettings& material) {
-  return material.kind == Material::Mirror ? material.constants.roughness : 0.0F;
+  const bool mirrors = material.kind == Material::Mirror || material.kind == Material::Split;
+  return mirrors ? material.constants.roughness : 0.0F;
 }
 
 std::vector<float> roughnesses_of(const std::vector<MaterialSettings>& materials) {

@@ -25,7 +25,7 @@ namespace relief {
 /// Whether some material is not opaque.
 [[nodiscard]] bool is_transparent(const RenderSettings& settings);
 
-/// 0 of what is no mirror.
+/// 0 of what is no mirror, wholly or in part.
 [[nodiscard]] float roughness_of(const MaterialSettings& material);
 
 /// The roughnesses above 0 of these materials, each once, in their order: the layers of the rough

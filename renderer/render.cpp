@@ -14,6 +14,7 @@
 #include "renderer/mesh_of_patches.h"
 #include "renderer/open_gl.h"
 #include "renderer/prepared.h"
+#include "renderer/split_view.h"
 
 namespace relief {
 namespace {
@@ -136,8 +137,12 @@ Result<RenderResult> render_one(const RenderModel& model, const RenderSettings& 
 
 Status render_views(const RenderModel& model, std::span<const RenderSettings> views,
                     const PictureSink& sink, Progress& progress) {
-  const Status possible = check_opacity(views);
-  if (!possible) return possible;
+  if (Status possible = check_opacity(views); !possible) return possible;
+  for (const RenderSettings& settings : views) {
+    const bool traces_mesh = settings.engine == EngineKind::Raytrace && model.mesh != nullptr;
+    Status possible = check_split_view(settings, !traces_mesh);
+    if (!possible) return possible;
+  }
   const bool several = views.size() > 1;
   QuietProgress quiet(progress);
   progress.begin_stage("render", several ? views.size() : 0);

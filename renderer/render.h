@@ -44,7 +44,7 @@ struct RenderSettings {
   /// kMaxMaterials, with kMaxRoughnesses roughnesses above 0.
   std::vector<MaterialSettings> materials;
   Lights lights;                      ///< for Lit
-  std::filesystem::path environment;  ///< equirectangular EXR or HDR; for Mirror and Glass and as
+  std::filesystem::path environment;  ///< as load_environment takes it; for what reflects and as
                                       ///< backdrop
   std::optional<glm::vec3> background{
       {0, 0, 0}};  ///< linear RGB; none: alpha 0 where nothing is seen

@@ -5,6 +5,7 @@
 #include "renderer/lighting.h"
 #include "renderer/materials.h"
 #include "shaders/include/shading.h"
+#include "shaders/include/split_view.h"
 
 namespace relief {
 namespace {
@@ -30,7 +31,7 @@ Result<Lighting> make_lighting(const RenderSettings& settings, const View& view,
   Lighting lighting{make_frame(view, 0.0, settings.lights), count_lights(settings.lights), {}};
   for (const MaterialSettings& material : materials_of(settings)) {
     lighting.materials.push_back({material, nullptr});
-    if (material.kind != Material::Mirror && material.kind != Material::Glass) continue;
+    if (material.kind == Material::Unlit || material.kind == Material::Lit) continue;
     const auto cube = environments.get(settings.environment, roughness_of(material));
     if (!cube) return cube.error();
     lighting.materials.back().cube = *cube;
@@ -45,15 +46,24 @@ const MaterialSettings& material_of(const Lighting& lighting, std::size_t materi
 glm::vec3 shade(const Lighting& lighting, std::size_t material, const SeenSurface& surface) {
   const LitMaterial& own = lit_material(lighting, material);
   const auto facing = [&surface] { return shared::facing_normal(surface.normal, surface.ray); };
+  const auto lit = [&] {
+    return shared::lit(lighting.frame, lighting.lights, surface.albedo, facing(), surface.ray,
+                       surface.place);
+  };
+  const auto mirror = [&] {
+    assert(own.cube != nullptr && "a mirror has something to reflect");
+    return look_up(*own.cube, glm::dvec3(glm::reflect(surface.ray, facing())));
+  };
   switch (own.settings.kind) {
     case Material::Unlit:
       return surface.albedo;
     case Material::Lit:
-      return shared::lit(lighting.frame, lighting.lights, surface.albedo, facing(), surface.ray,
-                         surface.place);
+      return lit();
     case Material::Mirror:
-      assert(own.cube != nullptr && "a mirror has something to reflect");
-      return look_up(*own.cube, glm::dvec3(glm::reflect(surface.ray, facing())));
+      return mirror();
+    case Material::Split:
+      return shared::split_view(lighting.frame, surface.ray, lit(), mirror(),
+                                shared::stored_samples(surface.uv, surface.patch - 1));
     case Material::Glass:
       assert(own.cube != nullptr && "glass has something to refract");
       return shade_glass(own, surface);

@@ -4,6 +4,9 @@
 #if (RELIEF_FEATURES & (RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_GLASS)) != 0u
 #include "include/environment.glsl"
 #endif
+#if (RELIEF_FEATURES & RELIEF_FEATURE_SPLIT) != 0u
+#include "include/split_view.h"
+#endif
 
 #if (RELIEF_FEATURES & RELIEF_FEATURE_MIXED) != 0u
 layout(std140, binding = RELIEF_BIND_MATERIALS) uniform MaterialBlock {
@@ -48,6 +51,11 @@ vec3 shade_glass(MaterialInfo material, vec3 normal, vec3 ray) {
 }
 #endif
 
+#if (RELIEF_FEATURES & RELIEF_FEATURE_SPLIT) != 0u
+// What the split view shows of the place as it is stored; whoever shades a place sets it.
+vec3 place_as_stored = vec3(0.0);
+#endif
+
 // What its material makes of a surface seen along `ray` at `depth` along the view axis; `index`: of
 // the material, where there are several. An unlit one has no normal.
 vec3 shade_material(int index, vec3 albedo, vec3 normal, vec3 ray, float depth) {
@@ -64,10 +72,20 @@ vec3 shade_material(int index, vec3 albedo, vec3 normal, vec3 ray, float depth) 
   vec3 reflection = shade_mirror(facing_normal(normal, ray), ray, material.constants.z);
   if (kind == kMirror) colour = reflection;
 #endif
+#if (RELIEF_FEATURES & RELIEF_FEATURE_SPLIT) != 0u
+  if (kind == kSplit) {
+    vec3 lit_light = shade_lit(albedo, facing_normal(normal, ray), ray, depth);
+    colour = split_view(frame, ray, lit_light, reflection, place_as_stored);
+  }
+#endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_GLASS) != 0u
   vec3 transmission = shade_glass(material, normal, ray);
   if (kind == kGlass) colour = transmission;
 #endif
+#elif (RELIEF_FEATURES & RELIEF_FEATURE_SPLIT) != 0u
+  vec3 facing = facing_normal(normal, ray);
+  colour = split_view(frame, ray, shade_lit(albedo, facing, ray, depth),
+                      shade_mirror(facing, ray, -1.0), place_as_stored);
 #elif (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u
   colour = shade_lit(albedo, facing_normal(normal, ray), ray, depth);
 #elif (RELIEF_FEATURES & RELIEF_FEATURE_MIRROR) != 0u

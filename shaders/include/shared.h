@@ -34,8 +34,8 @@ using glm::vec4;
 // anisotropic filtering: 1 to 16 trilinear lookups instead of the one, and a third more bytes. Of
 // `multipass` a lookup per fragment instead of one per splat.
 #define RELIEF_FEATURE_FINE_COLOURS 262144u
-// Materials: none is unlit; several only beside MIXED. All need the normal map: one lookup per
-// fragment. A mirror has one more, of the environment; glass two.
+// Materials: none is unlit; several only beside MIXED or SPLIT. All need the normal map: one lookup
+// per fragment. A mirror has one more, of the environment; glass two.
 #define RELIEF_FEATURE_LIT 16u
 #define RELIEF_FEATURE_MIRROR 32u
 // Outputs beside the colour: an attachment of 8, 4, 8 and 4 bytes a pixel each.
@@ -67,6 +67,8 @@ using glm::vec4;
 
 // A material, as LIT and MIRROR above: two lookups of the environment.
 #define RELIEF_FEATURE_GLASS 1048576u
+// The split view: all of LIT and MIRROR, which it has beside it, and the sample that is nearest.
+#define RELIEF_FEATURE_SPLIT 131072u
 // Several materials in one picture: a patch names its own. All that there are bits for are computed
 // for every fragment, and one of them is taken.
 #define RELIEF_FEATURE_MIXED 2097152u
@@ -280,6 +282,14 @@ RELIEF_CONST int kUnlit = 0;
 RELIEF_CONST int kLit = 1;
 RELIEF_CONST int kMirror = 2;
 RELIEF_CONST int kGlass = 3;
+RELIEF_CONST int kSplit = 4;
+
+/// Half the width of the line between the quarters of a split view, in pixels: two pixels where
+/// their border is the picture's middle, one where the middle is a pixel's.
+RELIEF_CONST float kSplitLine = 0.75f;
+
+/// Radius of the samples that it shows, in cells: less than the half with which discs touch.
+RELIEF_CONST float kShownSample = 0.35f;
 
 /// A normal that points away from the eye by more (the cosine) is that of a back side.
 RELIEF_CONST float kBackSide = 0.6f;

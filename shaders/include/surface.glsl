@@ -39,6 +39,9 @@ void shade_place(PatchInfo info, vec2 place, vec3 view, float depth, vec4 footpr
 #else
   vec3 normal = vec3(0.0);
 #endif
+#if (RELIEF_FEATURES & RELIEF_FEATURE_SPLIT) != 0u
+  place_as_stored = stored_samples(uv - info.extent.x, uint(info.nodes.z));
+#endif
   out_colour = vec4(shade_material(info.heights.w, albedo, normal, view, depth), 1.0);
 #if (RELIEF_FEATURES & RELIEF_FEATURE_LAYERED) != 0u
   out_colour *= opacity_of(info.heights.w);

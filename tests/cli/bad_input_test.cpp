@@ -89,6 +89,15 @@ TEST_F(BadInput, CountsLargerThanTheFile) {
                        "hostile.stl");
 }
 
+TEST_F(BadInput, SplitViewWhereThereIsNone) {
+  const std::string scan = write_knot(500);
+  for (const char* engine : {"multipass", "ewa"}) {
+    expect_refused(
+        {"render", scan, "-o", path("out.png"), "--engine", engine, "--material", "split"}, engine);
+  }
+  expect_refused({"bench", scan, "--material", "split"}, "split");
+}
+
 TEST_F(BadInput, TooFewPoints) {
   const auto on_parabola = [](int i) {
     return std::to_string(i) + " " + std::to_string(i * i) + " " + std::to_string(i % 3);
@@ -209,6 +218,18 @@ TEST_F(BadInput, EnvironmentThatIsNone) {
                  "missing.hdr");
   expect_refused({"render", scan, "-o", path("out.png"), "--env", write("bad.hdr", "no picture")},
                  "bad.hdr");
+}
+
+TEST_F(BadInput, EnvironmentOfSixFilesThatAreNot) {
+  const std::string scan = write_knot(500);
+  const std::vector<std::string> faces{"render",        scan,    "-o",
+                                       path("out.png"), "--env", path("sky_{face}.hdr")};
+  expect_refused(faces, "{face} stands for px");
+  for (const char* name : {"sky_right.hdr", "sky_left.hdr", "sky_top.hdr", "sky_front.hdr"})
+    write(name, "no picture");
+  expect_refused(faces, "sky_bottom.hdr: there is no such file");
+  for (const char* name : {"sky_bottom.hdr", "sky_back.hdr"}) write(name, "no picture");
+  expect_refused(faces, "sky_right.hdr: ");
 }
 
 TEST_F(BadInput, TooFewPointsToSplat) {

@@ -26,7 +26,7 @@ PatchModel model_for(const Golden& golden) {
   test::SphereShape shape;
   shape.bumps = golden.material == Material::Mirror ? 0.0 : 0.08;
   shape.spacing = 0.08;
-  shape.coloured = golden.material == Material::Unlit;
+  shape.coloured = golden.material == Material::Unlit || golden.material == Material::Split;
   return test::sphere_model(shape);
 }
 
@@ -97,6 +97,7 @@ TEST_P(GoldenMultipass, AreAsTheyWere) {
 constexpr Golden kLit{"lit", Material::Lit, 0.0};
 constexpr Golden kMirrorClose{"mirror_close", Material::Mirror, 1.3};
 constexpr Golden kUnlit{"unlit", Material::Unlit, 0.0};
+constexpr Golden kSplit{"split", Material::Split, 1.5};
 
 INSTANTIATE_TEST_SUITE_P(All, GoldenImages,
                          testing::Combine(testing::ValuesIn(test::all_ways()),
@@ -105,6 +106,11 @@ INSTANTIATE_TEST_SUITE_P(All, GoldenImages,
                            return std::string(std::get<1>(both.param).name) + "_" +
                                   std::get<0>(both.param).name;
                          });
+
+INSTANTIATE_TEST_SUITE_P(Split, GoldenImages,
+                         testing::Combine(testing::Values(test::all_ways().back()),
+                                          testing::Values(kSplit)),
+                         [](const auto& /*only*/) { return std::string("cells"); });
 
 INSTANTIATE_TEST_SUITE_P(All, GoldenMultipass, testing::Values(kLit, kMirrorClose, kUnlit),
                          [](const auto& golden) { return std::string(golden.param.name); });

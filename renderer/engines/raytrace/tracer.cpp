@@ -54,10 +54,14 @@ Tracer::Tracer(const TriangleMesh& mesh, const EmbreeScene& scene, const View& v
 glm::vec4 Tracer::shade_at(const Hit& at, glm::dvec3 ray) const {
   const glm::vec4 colour = colour_at(*mesh_, at);
   const std::uint8_t material = material_at(*mesh_, at);
-  const glm::vec3 light = shade(lighting_, material,
-                                {glm::vec3(colour), normal_at(*mesh_, at),
-                                 glm::vec3(glm::normalize(ray)), glm::vec3(at.depth * ray)});
-  return {light, colour.a * material_of(lighting_, material).constants.opacity};
+  const MaterialSettings& settings = material_of(lighting_, material);
+  SeenSurface surface{glm::vec3(colour), normal_at(*mesh_, at), glm::vec3(glm::normalize(ray)),
+                      glm::vec3(at.depth * ray)};
+  if (settings.kind == Material::Split) {
+    surface.uv = uv_at(*mesh_, at);
+    surface.patch = patch_at(*mesh_, at);
+  }
+  return {shade(lighting_, material, surface), colour.a * settings.constants.opacity};
 }
 
 Seen Tracer::blend_along(glm::dvec3 ray) const {
