@@ -13,6 +13,7 @@
 namespace relief::onepass {
 namespace {
 
+/// The patches whose materials are opaque, or those whose are not.
 MaterialChoice materials_that_are(const RenderSettings& settings, bool opaque) {
   const std::vector<MaterialSettings> all = materials_of(settings);
   MaterialChoice choice;
