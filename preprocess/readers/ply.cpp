@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -41,6 +42,7 @@ class PlyBody {
     for (const PlyProperty& p : element.properties) {
       least += Values::least_size(p.count_type.value_or(p.type));
     }
+    assert(least > 0 && "an element has properties, each of a byte or more");
     if (element.count > values_.left() / least) {
       return make_error(
           "{}: the header states {} elements '{}', but the {} bytes after byte {} cannot hold "
