@@ -16,15 +16,13 @@ struct Close {
 
 /// Rows of interleaved 8-bit sRGB to linear channels.
 Image to_image(const std::vector<std::uint8_t>& pixels, std::uint32_t width, std::uint32_t height) {
-  std::array<float, 256> linear{};
-  for (std::size_t v = 0; v < linear.size(); ++v)
-    linear[v] = linear_from_srgb(static_cast<float>(v) / 255.0F);
   Image image{width, height, {}};
   const std::size_t count = std::size_t{width} * height;
   for (std::size_t c = 0; c < 3; ++c) {
     constexpr const char* kNames[] = {"R", "G", "B"};
     image.channels.push_back({kNames[c], ChannelType::Float, std::vector<float>(count)});
-    for (std::size_t k = 0; k < count; ++k) image.channels[c].values[k] = linear[pixels[3 * k + c]];
+    for (std::size_t k = 0; k < count; ++k)
+      image.channels[c].values[k] = linear_from_srgb8(pixels[3 * k + c]);
   }
   return image;
 }

@@ -16,25 +16,6 @@ namespace {
 /// More places along a footprint are averaged at a coarser level.
 constexpr float kMostPlaces = 16.0F;
 
-const std::array<float, 256>& linear_values() {
-  static const std::array<float, 256> table = [] {
-    std::array<float, 256> made{};
-    for (std::size_t v = 0; v < made.size(); ++v)
-      made[v] = linear_from_srgb(static_cast<float>(v) / 255.0F);
-    return made;
-  }();
-  return table;
-}
-
-glm::vec3 to_linear(glm::u8vec3 c) {
-  const std::array<float, 256>& table = linear_values();
-  return {table[c.r], table[c.g], table[c.b]};
-}
-
-glm::u8vec3 to_srgb8(glm::vec3 c) {
-  return {srgb8_from_linear(c.r), srgb8_from_linear(c.g), srgb8_from_linear(c.b)};
-}
-
 /// Texel `i` along an axis of `size` texels; what is outside as the texture wraps.
 std::uint32_t wrapped(std::int64_t i, std::uint32_t size, TextureWrap wrap) {
   const auto n = std::int64_t{size};
@@ -87,12 +68,12 @@ Result<MeshTexture> MeshTexture::from_image(const Image& image, TextureWrap wrap
       transparent.push_back(k);
       continue;
     }
-    texels[k] = to_srgb8(colour);
-    sum += to_linear(texels[k]);
+    texels[k] = srgb8_from_linear(colour);
+    sum += linear_from_srgb8(texels[k]);
   }
   if (transparent.size() == count) return make_error("every pixel of the texture is transparent");
   const glm::u8vec3 mean =
-      to_srgb8(glm::vec3(sum / static_cast<double>(count - transparent.size())));
+      srgb8_from_linear(glm::vec3(sum / static_cast<double>(count - transparent.size())));
   for (const std::size_t k : transparent) texels[k] = mean;
   return MeshTexture(image.width, image.height, std::move(texels), wrap);
 }
@@ -112,9 +93,10 @@ MeshTexture::Level MeshTexture::halve(const Level& finer) {
       glm::vec3 sum(0.0F);
       for (std::uint32_t j = top; j < bottom; ++j) {
         for (std::uint32_t i = left; i < right; ++i)
-          sum += to_linear(finer.texels[std::size_t{j} * finer.width + i]);
+          sum += linear_from_srgb8(finer.texels[std::size_t{j} * finer.width + i]);
       }
-      coarser.texels.push_back(to_srgb8(sum / static_cast<float>((bottom - top) * (right - left))));
+      coarser.texels.push_back(
+          srgb8_from_linear(sum / static_cast<float>((bottom - top) * (right - left))));
     }
   }
   return coarser;
@@ -132,7 +114,7 @@ glm::vec3 MeshTexture::bilinear(const Level& level, glm::vec2 texcoord) const {
   const auto i = static_cast<std::int64_t>(corner.x);
   const auto j = static_cast<std::int64_t>(corner.y);
   const auto texel = [&](std::int64_t a, std::int64_t b) {
-    return to_linear(level.texels[row(b) + column(a)]);
+    return linear_from_srgb8(level.texels[row(b) + column(a)]);
   };
   return glm::mix(glm::mix(texel(i, j), texel(i + 1, j), part.x),
                   glm::mix(texel(i, j + 1), texel(i + 1, j + 1), part.x), part.y);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "common/octahedral.h"
 #include "common/srgb.h"
@@ -55,18 +56,9 @@ void continue_outward(std::vector<Value>& values, std::vector<std::uint8_t>& kno
   }
 }
 
-std::array<float, 256> linear_table() {
-  std::array<float, 256> table{};
-  for (std::size_t v = 0; v < table.size(); ++v) {
-    table[v] = linear_from_srgb(static_cast<float>(v) / 255.0F);
-  }
-  return table;
-}
-
 // The mean of the colours around a place, of a scan that is finer than the texels, `step` apart.
 glm::vec3 mean_colour(const PatchPoints& points, const PointGrid& lookup, glm::dvec2 place,
                       std::uint32_t nearest, double step, const std::vector<glm::u8vec3>& colours) {
-  static const std::array<float, 256> linear = linear_table();
   const double to_nearest = glm::distance(glm::dvec2(points.positions[nearest]), place);
   // Never narrower than to the nearest point, so that weights do not all vanish.
   const double radius = std::max(0.5 * step, 0.6 * to_nearest);
@@ -74,8 +66,7 @@ glm::vec3 mean_colour(const PatchPoints& points, const PointGrid& lookup, glm::d
   float weights = 0.0F;
   lookup.for_each_within(place.x, place.y, 2.5 * radius, [&](std::uint32_t p, double squared) {
     const auto w = static_cast<float>(std::exp(-squared / (radius * radius)));
-    const glm::u8vec3 c = colours[points.ids[p]];
-    sum += w * glm::vec3(linear[c.r], linear[c.g], linear[c.b]);
+    sum += w * linear_from_srgb8(colours[points.ids[p]]);
     weights += w;
   });
   return sum / weights;
@@ -124,7 +115,7 @@ AttributeMap<glm::u8vec3> sample_colours(const PatchPoints& points, const PointG
   std::vector<glm::vec3> values(size, glm::vec3(0.0F));
   std::vector<std::uint8_t> known(size, 0);
   const double step = grid.spacing / scale;
-  const ColourInterpolation between(points, lookup, colours);
+  std::optional<ColourInterpolation> between;  // costs a fit a point: not where all is averaged
   for (std::uint32_t b = 0; b < map.height; ++b) {
     for (std::uint32_t a = 0; a < map.width; ++a) {
       if (!beside_sample(states, grid, a, b, scale)) continue;
@@ -133,16 +124,19 @@ AttributeMap<glm::u8vec3> sample_colours(const PatchPoints& points, const PointG
       const std::uint32_t nearest = lookup.nearest(x, y, 4.0 * grid.spacing);
       if (nearest == PointGrid::kNone) continue;
       const std::size_t m = std::size_t{b} * map.width + a;
-      values[m] = points.spacing[nearest] >= step
-                      ? between.at(x, y, nearest)
-                      : mean_colour(points, lookup, {x, y}, nearest, step, colours);
       known[m] = 1;
+      if (points.spacing[nearest] < step) {
+        values[m] = mean_colour(points, lookup, {x, y}, nearest, step, colours);
+        continue;
+      }
+      if (!between) between.emplace(points, lookup, colours);
+      values[m] = between->at(x, y, nearest);
     }
   }
   continue_outward(values, known, map.width, map.height);
   map.texels.reserve(size);
   for (const glm::vec3& v : values) {
-    map.texels.emplace_back(srgb8_from_linear(v.r), srgb8_from_linear(v.g), srgb8_from_linear(v.b));
+    map.texels.push_back(srgb8_from_linear(v));
   }
   return map;
 }

@@ -40,13 +40,6 @@ using Weights = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostPoints + 1, 1>;
 using Equations =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostPoints + 1, kMostPoints + 1>;
 
-std::array<float, 256> value_table() {
-  std::array<float, 256> table{};
-  for (std::size_t v = 0; v < table.size(); ++v)
-    table[v] = linear_from_srgb(static_cast<float>(v) / 255.0F);
-  return table;
-}
-
 /// Takes offsets on the base plane to offsets along a surface with this normal, but for a turn.
 glm::dmat2 along_surface(glm::vec3 normal) {
   const glm::dvec2 slope = glm::dvec2(normal) / double{std::max(normal.z, kLeastCosine)};
@@ -67,12 +60,8 @@ struct ColourInterpolation::Metric {
 ColourInterpolation::ColourInterpolation(const PatchPoints& points, const PointGrid& lookup,
                                          const std::vector<glm::u8vec3>& colours)
     : points_(points), lookup_(lookup) {
-  static const std::array<float, 256> table = value_table();
   values_.reserve(points.size());
-  for (const std::uint32_t id : points.ids) {
-    const glm::u8vec3 c = colours[id];
-    values_.emplace_back(table[c.r], table[c.g], table[c.b]);
-  }
+  for (const std::uint32_t id : points.ids) values_.push_back(linear_from_srgb8(colours[id]));
   tensors_.reserve(points.size());
   for (std::uint32_t p = 0; p < points.size(); ++p) tensors_.push_back(gradient_at(p));
 }

@@ -254,9 +254,7 @@ AttributeMap<glm::u8vec3> make_map(const Points& mesh, const Patch& patch,
     const std::size_t column = k % map.width;
     const std::size_t row = k / map.width;
     const glm::dvec2 place = glm::dvec2(column, row) / static_cast<double>(scale);
-    const glm::vec3 light = colours[shown[k]].at(place);
-    map.texels[k] = {srgb8_from_linear(light.r), srgb8_from_linear(light.g),
-                     srgb8_from_linear(light.b)};
+    map.texels[k] = srgb8_from_linear(colours[shown[k]].at(place));
   }
   continue_over_holes(map, kept);
   return map;
