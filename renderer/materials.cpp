@@ -49,9 +49,8 @@ bool reflects(const RenderSettings& settings) {
 
 bool is_transparent(const RenderSettings& settings) {
   const std::vector<MaterialSettings> all = materials_of(settings);
-  return std::any_of(all.begin(), all.end(), [](const MaterialSettings& material) {
-    return material.constants.opacity < 1.0F;
-  });
+  return std::any_of(all.begin(), all.end(),
+                     [](const MaterialSettings& material) { return is_transparent(material); });
 }
 
 float roughness_of(const MaterialSettings& material) {

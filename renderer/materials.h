@@ -22,7 +22,12 @@ namespace relief {
 /// Whether some material reflects the environment.
 [[nodiscard]] bool reflects(const RenderSettings& settings);
 
-/// Whether some material is not opaque.
+/// Whether what is behind a surface of this material comes through.
+[[nodiscard]] inline bool is_transparent(const MaterialSettings& material) {
+  return material.constants.opacity < 1.0F;
+}
+
+/// Whether some material is such.
 [[nodiscard]] bool is_transparent(const RenderSettings& settings);
 
 /// 0 of what is no mirror, wholly or in part.

@@ -52,17 +52,15 @@ std::vector<EngineViews> group_by_engine(std::span<const RenderSettings> views) 
 }
 
 /// Splats of one surface overlap, so that only cells can be blended once.
-Status check_opacity(std::span<const RenderSettings> views) {
-  for (const RenderSettings& settings : views) {
-    const bool cells =
-        settings.engine == EngineKind::Onepass && settings.primitive == Primitive::Cell;
-    const bool on_gpu =
-        settings.engine == EngineKind::Onepass || settings.engine == EngineKind::Multipass;
-    if (on_gpu && !cells && is_transparent(settings)) {
-      return make_error(
-          "a material's opacity is below 1, which engine onepass with primitive cell, engine ewa "
-          "and engine raytrace draw; choose one of them");
-    }
+Status check_opacity(const RenderSettings& settings) {
+  const bool cells =
+      settings.engine == EngineKind::Onepass && settings.primitive == Primitive::Cell;
+  const bool on_gpu =
+      settings.engine == EngineKind::Onepass || settings.engine == EngineKind::Multipass;
+  if (on_gpu && !cells && is_transparent(settings)) {
+    return make_error(
+        "a material's opacity is below 1, which engine onepass with primitive cell, engine ewa "
+        "and engine raytrace draw; choose one of them");
   }
   return {};
 }
@@ -137,11 +135,10 @@ Result<RenderResult> render_one(const RenderModel& model, const RenderSettings& 
 
 Status render_views(const RenderModel& model, std::span<const RenderSettings> views,
                     const PictureSink& sink, Progress& progress) {
-  if (Status possible = check_opacity(views); !possible) return possible;
   for (const RenderSettings& settings : views) {
+    if (Status possible = check_opacity(settings); !possible) return possible;
     const bool traces_mesh = settings.engine == EngineKind::Raytrace && model.mesh != nullptr;
-    Status possible = check_split_view(settings, !traces_mesh);
-    if (!possible) return possible;
+    if (Status possible = check_split_view(settings, !traces_mesh); !possible) return possible;
   }
   const bool several = views.size() > 1;
   QuietProgress quiet(progress);

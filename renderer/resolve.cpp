@@ -2,22 +2,19 @@
 
 #include <utility>
 
+#include "renderer/attachments.h"
 #include "renderer/gl/program.h"
 #include "shaders/include/shared.h"
 
 namespace relief {
 
 Result<ResolvedColour> make_resolved(const Gl& gl, std::uint32_t width, std::uint32_t height) {
-  ResolvedColour made{Framebuffer(gl, "resolved"),
-                      Texture(gl, "resolved colour", GLenum{GL_TEXTURE_2D})};
-  gl.TextureStorage2D(made.colour.id(), 1, GL_RGBA16F, static_cast<GLsizei>(width),
-                      static_cast<GLsizei>(height));
-  const GLenum attachment = GL_COLOR_ATTACHMENT0 + RELIEF_OUT_COLOUR;
-  gl.NamedFramebufferTexture(made.framebuffer.id(), attachment, made.colour.id(), 0);
-  gl.NamedFramebufferDrawBuffers(made.framebuffer.id(), 1, &attachment);
+  Texture colour = make_attachment(gl, "resolved colour", GL_RGBA16F, width, height);
+  Framebuffer framebuffer =
+      make_framebuffer(gl, "resolved", nullptr, {{RELIEF_OUT_COLOUR, &colour}});
   const Status good = check_errors(gl, "the picture");
   if (!good) return good.error();
-  return made;
+  return ResolvedColour{std::move(framebuffer), std::move(colour)};
 }
 
 Result<Resolve> Resolve::create(const Gl& gl) {

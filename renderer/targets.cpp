@@ -4,26 +4,16 @@
 #include <array>
 #include <initializer_list>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "renderer/attachments.h"
 #include "shaders/include/shared.h"
 
 namespace relief {
 namespace {
-
-Texture make_attachment(const Gl& gl, const char* label, GLenum format, std::uint32_t width,
-                        std::uint32_t height) {
-  Texture texture(gl, label, GLenum{GL_TEXTURE_2D});
-  gl.TextureStorage2D(texture.id(), 1, format, static_cast<GLsizei>(width),
-                      static_cast<GLsizei>(height));
-  return texture;
-}
-
-constexpr GLenum attachment(GLuint location) {
-  return GL_COLOR_ATTACHMENT0 + location;
-}
 
 /// A channel of an attachment: its name and how EXR keeps it.
 struct ChannelName {
@@ -72,49 +62,38 @@ Result<Targets> make_targets(const Gl& gl, std::uint32_t width, std::uint32_t he
     return make_error("a picture of {}x{} pixels can't be drawn: this OpenGL allows 1 to {} a side",
                       width, height, largest);
   }
-  Targets targets{width,
-                  height,
-                  Framebuffer(gl, "picture"),
-                  make_attachment(gl, "colour", GL_RGBA16F, width, height),
-                  make_attachment(gl, "depth buffer", GL_DEPTH_COMPONENT32F, width, height),
-                  std::nullopt,
-                  std::nullopt,
-                  std::nullopt,
-                  std::nullopt};
-  const GLuint id = targets.framebuffer.id();
-  gl.NamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT, targets.z_buffer.id(), 0);
-  std::array<GLenum, 5> draw{};
-  const auto attach = [&](GLuint location, const Texture& texture) {
-    draw[location] = attachment(location);
-    gl.NamedFramebufferTexture(id, attachment(location), texture.id(), 0);
+  const auto make = [&](const char* label, GLenum format) {
+    return make_attachment(gl, label, format, width, height);
   };
-  attach(RELIEF_OUT_COLOUR, targets.colour);
-  if (outputs.normal) {
-    targets.normal = make_attachment(gl, "normal", GL_RGBA16F, width, height);
-    attach(RELIEF_OUT_NORMAL, *targets.normal);
-  }
-  if (outputs.depth) {
-    targets.depth = make_attachment(gl, "depth", GL_R32F, width, height);
-    attach(RELIEF_OUT_DEPTH, *targets.depth);
-  }
-  if (outputs.uv) {
-    targets.uv = make_attachment(gl, "uv", GL_RG32F, width, height);
-    attach(RELIEF_OUT_UV, *targets.uv);
-  }
-  if (outputs.patch_id) {
-    targets.patch_id = make_attachment(gl, "patch id", GL_R32UI, width, height);
-    // With the default filters integers are no complete texture, and shaders read 0.
-    gl.TextureParameteri(targets.patch_id->id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    gl.TextureParameteri(targets.patch_id->id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    attach(RELIEF_OUT_PATCH, *targets.patch_id);
-  }
-  gl.NamedFramebufferDrawBuffers(id, static_cast<GLsizei>(draw.size()), draw.data());
+  const auto make_if = [&](bool needed, const char* label, GLenum format) {
+    return needed ? std::optional<Texture>(make(label, format)) : std::nullopt;
+  };
+  Texture colour = make("colour", GL_RGBA16F);
+  Texture z_buffer = make("depth buffer", GL_DEPTH_COMPONENT32F);
+  std::optional<Texture> normal = make_if(outputs.normal, "normal", GL_RGBA16F);
+  std::optional<Texture> depth = make_if(outputs.depth, "depth", GL_R32F);
+  std::optional<Texture> uv = make_if(outputs.uv, "uv", GL_RG32F);
+  std::optional<Texture> patch_id = make_if(outputs.patch_id, "patch id", GL_R32UI);
+  Framebuffer framebuffer = make_framebuffer(gl, "picture", &z_buffer,
+                                             {{RELIEF_OUT_COLOUR, &colour},
+                                              {RELIEF_OUT_NORMAL, address(normal)},
+                                              {RELIEF_OUT_DEPTH, address(depth)},
+                                              {RELIEF_OUT_UV, address(uv)},
+                                              {RELIEF_OUT_PATCH, address(patch_id)}});
   const Status made = check_errors(gl, "the picture");
   if (!made) return made.error();
-  if (gl.CheckNamedFramebufferStatus(id, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+  if (gl.CheckNamedFramebufferStatus(framebuffer.id(), GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     return make_error("this OpenGL can't draw a picture of {}x{} pixels with these outputs", width,
                       height);
-  return targets;
+  return Targets{width,
+                 height,
+                 std::move(framebuffer),
+                 std::move(colour),
+                 std::move(z_buffer),
+                 std::move(normal),
+                 std::move(depth),
+                 std::move(uv),
+                 std::move(patch_id)};
 }
 
 void clear_targets(const Gl& gl, const Targets& targets, const glm::vec3& background) {

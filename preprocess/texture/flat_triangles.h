@@ -12,6 +12,9 @@
 
 namespace relief {
 
+/// How far above or below a patch its texels look for a triangle, cells.
+inline constexpr double kTexelReach = 3.0;
+
 /// A triangle over a patch's base plane. Grid frame: columns, rows, cells of height.
 struct FlatTriangle {
   std::uint32_t index = 0;              ///< in the mesh

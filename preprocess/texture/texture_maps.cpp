@@ -17,8 +17,6 @@
 namespace relief {
 namespace {
 
-/// How far above or below a patch its texels look, cells.
-constexpr double kReach = 3.0;
 /// How much nearer a triangle must be that faces away, cells: the back of a thin sheet has texels
 /// of its own.
 constexpr double kFacingAway = 3.0;
@@ -188,7 +186,7 @@ std::vector<std::uint32_t> find_shown(const Patch& patch, const AttributeMap<glm
         const double away = std::abs(glm::dot(weights, triangle.heights) - surface.at(place));
         const auto cost = static_cast<float>(away + penalty);
         const std::size_t k = std::size_t{b} * map.width + a;
-        if (away > kReach || !(cost < least[k])) continue;
+        if (away > kTexelReach || !(cost < least[k])) continue;
         least[k] = cost;
         shown[k] = t;
       }

@@ -10,8 +10,7 @@ layout(location = RELIEF_OUT_UV) out vec2 out_uv;
 layout(location = RELIEF_OUT_PATCH) out uint out_patch;
 
 void main() {
-  vec3 ray = frame.ray_origin.xyz + gl_FragCoord.x * frame.ray_x.xyz +
-             gl_FragCoord.y * frame.ray_y.xyz;
+  vec3 ray = ray_through(gl_FragCoord.xy);
   out_colour = vec4(texture(environment, ray).rgb, 0.0);
   out_normal = vec4(0.0);
   out_depth = uintBitsToFloat(0x7F800000u);  // infinity

@@ -7,6 +7,11 @@ layout(std140, binding = RELIEF_BIND_FRAME) uniform FrameBlock {
   Frame frame;
 };
 
+// The direction (world) through a window position, of unit depth.
+vec3 ray_through(vec2 window) {
+  return frame.ray_origin.xyz + window.x * frame.ray_x.xyz + window.y * frame.ray_y.xyz;
+}
+
 // What a shader does not use of it is never read.
 PatchInfo fetch_patch(uint patch_index) {
   int row = int(patch_index) * kPatchInfoRows;

@@ -32,8 +32,7 @@ void main() {
   vec3 ray = vec3(0.0);
   float depth = 0.0;
 #if RELIEF_NEEDS_NORMAL
-  ray = normalize(frame.ray_origin.xyz + gl_FragCoord.x * frame.ray_x.xyz +
-                  gl_FragCoord.y * frame.ray_y.xyz);
+  ray = normalize(ray_through(gl_FragCoord.xy));
   vec3 sum = texelFetch(normal_sums, pixel, 0).xyz;
   float squared = dot(sum, sum);
   normal = squared > 0.0 ? sum * inversesqrt(squared) : -ray;  // two that point apart cancel

@@ -20,8 +20,7 @@ void main() {
   float visible = texelFetch(visible_depth, pixel, 0).x;
   neighbours_alike = lessThan(abs(vec2(dFdxFine(visible), dFdyFine(visible))), vec2(0.01 * visible));
 #endif
-  vec3 ray = normalize(frame.ray_origin.xyz + gl_FragCoord.x * frame.ray_x.xyz +
-                       gl_FragCoord.y * frame.ray_y.xyz);
+  vec3 ray = normalize(ray_through(gl_FragCoord.xy));
   float depth = 0.0;
 #if RELIEF_NEEDS_DEPTH
   depth = texelFetch(found_depths, pixel, 0).x;

@@ -20,8 +20,7 @@ layout(depth_less) out float gl_FragDepth;
 void main() {
   count_fragment();
   PatchInfo info = fetch_patch(hit_patch);
-  vec3 world_ray = frame.ray_origin.xyz + gl_FragCoord.x * frame.ray_x.xyz +
-                   gl_FragCoord.y * frame.ray_y.xyz;
+  vec3 world_ray = ray_through(gl_FragCoord.xy);
   vec3 ray = vec3(dot(world_ray, info.axis_u.xyz), dot(world_ray, info.axis_v.xyz),
                   dot(world_ray, info.axis_n.xyz)) / info.axis_u.w;  // of unit depth
   vec3 normal = vec3(-plane.xy, 1.0);

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "renderer/attachments.h"
 #include "renderer/draw_list.h"
 #include "renderer/gl/program.h"
 #include "shaders/include/shared.h"
@@ -129,7 +130,6 @@ void Engine::shade(const GlPicture& picture, const Sums& sums) const {
   const auto bind = [this](GLuint unit, const Texture* texture) {
     gl_->BindTextureUnit(unit, texture == nullptr ? 0 : texture->id());
   };
-  const auto address = [](const auto& sum) { return sum ? &*sum : nullptr; };
   bind(RELIEF_TEXTURE_NORMAL_SUMS, address(sums.normals));
   bind(RELIEF_TEXTURE_COLOUR_SUMS, address(sums.colours));
   bind(RELIEF_TEXTURE_DEPTH_SUMS, address(sums.depths));

@@ -19,7 +19,7 @@ MaterialChoice materials_that_are(const RenderSettings& settings, bool opaque) {
   MaterialChoice choice;
   for (std::size_t i = 0; i < kMaxMaterials; ++i) {
     const MaterialSettings& material = all[i < all.size() ? i : 0];  // one: that of all patches
-    choice.drawn.push_back((material.constants.opacity >= 1.0F) == opaque);
+    choice.drawn.push_back(is_transparent(material) != opaque);
   }
   return choice;
 }

@@ -1,8 +1,9 @@
 #include "renderer/engines/onepass/visibility.h"
 
-#include <array>
+#include <optional>
 #include <utility>
 
+#include "renderer/attachments.h"
 #include "shaders/include/shared.h"
 
 namespace relief::onepass {
@@ -10,31 +11,18 @@ namespace relief::onepass {
 Result<Visibility> make_visibility(const Gl& gl, const Targets& targets, const Texture& z_buffer,
                                    std::uint32_t features) {
   const auto make = [&](const char* label, GLenum format) {
-    Texture texture(gl, label, GLenum{GL_TEXTURE_2D});
-    gl.TextureStorage2D(texture.id(), 1, format, static_cast<GLsizei>(targets.width),
-                        static_cast<GLsizei>(targets.height));
-    return texture;
+    return make_attachment(gl, label, format, targets.width, targets.height);
   };
-  Visibility made{make("places", GL_RG32UI), std::nullopt, Framebuffer(gl, "visibility")};
-  const GLuint id = made.framebuffer.id();
-  std::array<GLenum, 2> draw{};  // GL_NONE
-  const auto attach = [&](GLuint location, const Texture& texture) {
-    draw[location] = GL_COLOR_ATTACHMENT0 + location;
-    gl.NamedFramebufferTexture(id, draw[location], texture.id(), 0);
-  };
-  gl.NamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT, z_buffer.id(), 0);
-  // With the default filters integers are no complete texture, and shaders read 0.
-  gl.TextureParameteri(made.places.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  gl.TextureParameteri(made.places.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  attach(RELIEF_OUT_FOUND, made.places);
-  if ((features & (RELIEF_FEATURE_OUT_DEPTH | RELIEF_FEATURE_POINT_LIGHTS)) != 0) {
-    made.depths = make("depths", GL_R32F);
-    attach(RELIEF_OUT_FOUND_DEPTH, *made.depths);
-  }
-  gl.NamedFramebufferDrawBuffers(id, static_cast<GLsizei>(draw.size()), draw.data());
+  Texture places = make("places", GL_RG32UI);
+  std::optional<Texture> depths;
+  if ((features & (RELIEF_FEATURE_OUT_DEPTH | RELIEF_FEATURE_POINT_LIGHTS)) != 0)
+    depths = make("depths", GL_R32F);
+  Framebuffer framebuffer =
+      make_framebuffer(gl, "visibility", &z_buffer,
+                       {{RELIEF_OUT_FOUND, &places}, {RELIEF_OUT_FOUND_DEPTH, address(depths)}});
   const Status checked = check_errors(gl, "the visibility buffer");
   if (!checked) return checked.error();
-  return made;
+  return Visibility{std::move(places), std::move(depths), std::move(framebuffer)};
 }
 
 bool can_be_found(const PatchStore& store) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "renderer/engines/raytrace/surface.h"
+#include "renderer/materials.h"
 
 namespace relief::raytrace {
 namespace {
@@ -21,7 +22,7 @@ bool has_transparent_vertex(const TriangleMesh& mesh) {
 
 bool has_transparent_material(const Lighting& lighting) {
   return std::any_of(lighting.materials.begin(), lighting.materials.end(),
-                     [](const LitMaterial& m) { return m.settings.constants.opacity < 1.0F; });
+                     [](const LitMaterial& m) { return is_transparent(m.settings); });
 }
 
 bool touch(const TriangleMesh& mesh, const Hit& a, const Hit& b) {
