@@ -1,6 +1,7 @@
 #include "cli/load_scene.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -77,27 +78,76 @@ Result<LoadedFile> load_scan(const std::filesystem::path& path, const TextureCho
   return file;
 }
 
-/// Moves a file's model to its place, gives it its material (its number among materials_said) and
-/// appends it.
-Status place(LoadedScene& scene, LoadedFile file, const Transform& where, std::uint8_t material) {
-  for (Patch& patch : file.patches.patches) patch.material = material;
-  const auto patches_before = static_cast<std::uint32_t>(scene.patches.patches.size());
-  Status moved = transform_model(file.patches, where);
-  if (!moved) return moved;
-  append_model(scene.patches, std::move(file.patches));
+/// One model of a scene.
+struct Use {
+  Transform where;
+  std::uint8_t material = 0;  ///< its number among materials_said
+  bool is_first = true;       ///< of its file
+  bool is_last = true;
+};
+
+/// Moves a file's triangles and points to their place, gives them their material and appends them.
+/// `patches_before`: how many patches the models before have.
+Status place_forms(LoadedScene& scene, LoadedFile file, const Use& use,
+                   std::uint32_t patches_before) {
   if (file.splats) {
-    transform(*file.splats, where);
-    if (material != 0) file.splats->materials.assign(file.splats->positions.size(), material);
+    transform(*file.splats, use.where);
+    if (use.material != 0)
+      file.splats->materials.assign(file.splats->positions.size(), use.material);
     if (!scene.splats) scene.splats.emplace();
     append(*scene.splats, std::move(*file.splats), patches_before);
   }
   if (!file.mesh) return {};
   scene.mesh_is_input = file.has_faces && (!scene.mesh || scene.mesh_is_input);
-  transform(*file.mesh, where);
-  if (material != 0) file.mesh->materials.assign(file.mesh->positions.size(), material);
+  transform(*file.mesh, use.where);
+  if (use.material != 0) file.mesh->materials.assign(file.mesh->positions.size(), use.material);
   if (!scene.mesh) scene.mesh.emplace();
   return append(*scene.mesh, std::move(*file.mesh), patches_before);
 }
+
+/// Puts models in their places. The only one of a scene is moved there; of several the patches are
+/// kept once, wherever they stand.
+class Placer {
+ public:
+  explicit Placer(bool several) : several_(several) {}
+
+  Status place(LoadedFile& file, const std::filesystem::path& path, const Use& use) {
+    const std::uint32_t patches_before = patches_;
+    Status placed = several_ ? add_place(file.patches, path, use) : move_there(file.patches, use);
+    if (!placed) return placed;
+    return place_forms(scene_, use.is_last ? std::move(file) : LoadedFile(file), use,
+                       patches_before);
+  }
+
+  LoadedScene take() { return std::move(scene_); }
+
+ private:
+  Status move_there(PatchModel& model, const Use& use) {
+    for (Patch& patch : model.patches) patch.material = use.material;
+    patches_ += static_cast<std::uint32_t>(model.patches.size());
+    Status moved = transform_model(model, use.where);
+    if (moved) append_model(scene_.patches, std::exchange(model, {}));
+    return moved;
+  }
+
+  Status add_place(PatchModel& model, const std::filesystem::path& path, const Use& use) {
+    std::vector<Patch>& all = scene_.patches.patches;
+    if (use.is_first) {
+      runs_[path] = {static_cast<std::uint32_t>(all.size()),
+                     static_cast<std::uint32_t>(model.patches.size())};
+      std::move(model.patches.begin(), model.patches.end(), std::back_inserter(all));
+      model = without_patches(model);
+    }
+    const auto [first, count] = runs_.at(path);
+    patches_ += count;
+    return add_placement(scene_.patches, {first, count, use.where, use.material}, model);
+  }
+
+  bool several_ = false;
+  LoadedScene scene_;
+  std::uint32_t patches_ = 0;  ///< of the models so far
+  std::map<std::filesystem::path, std::pair<std::uint32_t, std::uint32_t>> runs_;
+};
 
 }  // namespace
 
@@ -112,24 +162,23 @@ Result<LoadedScene> load_scene(const std::vector<SceneModel>& models, const Text
   const Forms forms{needs.raytrace && has_scans, needs.ewa && has_scans};
   const std::vector<MaterialWords> said = materials_said(models);
   std::map<std::filesystem::path, LoadedFile> loaded;
-  LoadedScene scene;
+  Placer placer(models.size() > 1);
   for (const SceneModel& model : models) {
-    if (loaded.find(model.file) == loaded.end()) {
+    const bool is_first = loaded.find(model.file) == loaded.end();
+    if (is_first) {
       auto file = ending(model.file) == ".relief"
                       ? load_patch_file(model.file, forms, progress)
                       : load_scan(model.file, textures, needs, progress);
       if (!file) return file.error();
       loaded.emplace(model.file, std::move(*file));
     }
-    const bool last_use = --uses[model.file] == 0;
-    LoadedFile file =
-        last_use ? std::move(loaded.at(model.file)) : LoadedFile(loaded.at(model.file));
     const auto material = std::find(said.begin(), said.end(), model.material) - said.begin();
-    const Status placed =
-        place(scene, std::move(file), model.transform, static_cast<std::uint8_t>(material));
+    const Use use{model.transform, static_cast<std::uint8_t>(material), is_first,
+                  --uses[model.file] == 0};
+    const Status placed = placer.place(loaded.at(model.file), model.file, use);
     if (!placed) return make_error("{}: {}", model.file.string(), placed.error().message);
   }
-  return scene;
+  return placer.take();
 }
 
 }  // namespace relief::cli

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "common/placement.h"
 #include "common/points.h"
 
 namespace relief {
@@ -66,6 +67,9 @@ struct Patch {
 /// All patches of a model, with what a viewer must know before it reads the first of them.
 struct PatchModel {
   std::vector<Patch> patches;
+  /// Where runs of patches stand, in the order in which patch ids count on; none: each patch stands
+  /// once and where it is. Bounds and spacing are of what is placed. Patch files have none.
+  std::vector<Placement> placements;
   double spacing = 0.0;  ///< the spacing asked for or chosen; each patch has its own
   Bounds bounds;         ///< of the scan's points
   double bounding_radius =

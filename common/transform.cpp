@@ -1,6 +1,7 @@
 #include "common/transform.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -22,10 +23,6 @@ bool fits_float(double value) {
   return std::isnormal(static_cast<float>(value));
 }
 
-glm::dvec3 moved(const Transform& transform, glm::dvec3 p) {
-  return transform.translation + transform.scale * (transform.rotation * p);
-}
-
 Bounds moved_bounds(const Transform& transform, const Bounds& bounds, double new_radius) {
   if (bounds.empty()) return bounds;
   const glm::dvec3 centre = moved(transform, 0.5 * (bounds.min + bounds.max));
@@ -40,21 +37,59 @@ Bounds moved_bounds(const Transform& transform, const Bounds& bounds, double new
   return {centre - reach, centre + reach};
 }
 
+Status check_frame(const PatchFrame& frame) {
+  if (fits_float(frame.spacing) && fits_float(frame.height_step) && is_finite(frame.origin))
+    return {};
+  return Error{"the transform makes it larger or smaller than numbers can say"};
+}
+
+void set_frame(Patch& patch, const PatchFrame& frame) {
+  patch.origin = frame.origin;
+  patch.axes = frame.axes;
+  patch.spacing = frame.spacing;
+  patch.height_step = frame.height_step;
+}
+
+/// Makes room for a model in another's bounds, spacing and what it is said to have.
+void extend(PatchModel& to, const PatchModel& from) {
+  if (from.bounds.empty()) return;
+  to.has_colours = to.has_colours || from.has_colours;
+  if (to.bounds.empty()) {
+    to.bounds = from.bounds;
+    to.bounding_radius = from.bounding_radius;
+    to.spacing = from.spacing;
+    return;
+  }
+  const Bounds both{glm::min(to.bounds.min, from.bounds.min),
+                    glm::max(to.bounds.max, from.bounds.max)};
+  const glm::dvec3 centre = 0.5 * (both.min + both.max);
+  const auto reach = [centre](const PatchModel& model) {
+    return glm::distance(centre, 0.5 * (model.bounds.min + model.bounds.max)) +
+           model.bounding_radius;
+  };
+  to.bounding_radius =
+      std::min(std::max(reach(to), reach(from)), 0.5 * glm::distance(both.min, both.max));
+  to.bounds = both;
+  to.spacing = std::min(to.spacing, from.spacing);
+}
+
 }  // namespace
 
 glm::dmat3 rotation_about(glm::dvec3 axis, double degrees) {
   return glm::dmat3(glm::rotate(glm::dmat4(1.0), glm::radians(degrees), axis));
 }
 
+PatchFrame moved(const Transform& transform, const Patch& patch) {
+  return {moved(transform, patch.origin), transform.rotation * patch.axes,
+          patch.spacing * transform.scale, patch.height_step * transform.scale};
+}
+
 Status transform_model(PatchModel& model, const Transform& transform) {
+  assert(model.placements.empty() && "patches that stand where they are");
   for (Patch& patch : model.patches) {
-    patch.origin = moved(transform, patch.origin);
-    patch.axes = transform.rotation * patch.axes;
-    patch.spacing *= transform.scale;
-    patch.height_step *= transform.scale;
-    if (!fits_float(patch.spacing) || !fits_float(patch.height_step) || !is_finite(patch.origin)) {
-      return Error{"the transform makes it larger or smaller than numbers can say"};
-    }
+    const PatchFrame frame = moved(transform, patch);
+    if (Status possible = check_frame(frame); !possible) return possible;
+    set_frame(patch, frame);
   }
   model.spacing *= transform.scale;
   model.bounding_radius *= transform.scale;
@@ -67,25 +102,50 @@ Status transform_model(PatchModel& model, const Transform& transform) {
 }
 
 void append_model(PatchModel& to, PatchModel from) {
+  assert(to.placements.empty() && from.placements.empty() && "patches that stand where they are");
+  extend(to, from);
   if (to.patches.empty()) {
-    to = std::move(from);
+    to.patches = std::move(from.patches);
     return;
   }
-  if (from.patches.empty()) return;
-  const Bounds both{glm::min(to.bounds.min, from.bounds.min),
-                    glm::max(to.bounds.max, from.bounds.max)};
-  const glm::dvec3 centre = 0.5 * (both.min + both.max);
-  const auto reach = [centre](const PatchModel& model) {
-    return glm::distance(centre, 0.5 * (model.bounds.min + model.bounds.max)) +
-           model.bounding_radius;
-  };
-  to.bounding_radius =
-      std::min(std::max(reach(to), reach(from)), 0.5 * glm::distance(both.min, both.max));
-  to.bounds = both;
-  to.spacing = std::min(to.spacing, from.spacing);
-  to.has_colours = to.has_colours || from.has_colours;
   to.patches.insert(to.patches.end(), std::make_move_iterator(from.patches.begin()),
                     std::make_move_iterator(from.patches.end()));
+}
+
+Status add_placement(PatchModel& to, const Placement& placement, const PatchModel& extent) {
+  assert(placement.first + std::size_t{placement.count} <= to.patches.size() && "a run of patches");
+  for (std::uint32_t k = 0; k < placement.count; ++k) {
+    Status possible = check_frame(moved(placement.transform, to.patches[placement.first + k]));
+    if (!possible) return possible;
+  }
+  PatchModel placed = extent;
+  if (Status possible = transform_model(placed, placement.transform); !possible) return possible;
+  extend(to, placed);
+  to.placements.push_back(placement);
+  return {};
+}
+
+PatchModel bake(const PatchModel& model) {
+  if (model.placements.empty()) return model;
+  PatchModel baked = without_patches(model);
+  for (const Placement& placement : model.placements) {
+    for (std::uint32_t k = 0; k < placement.count; ++k) {
+      const Patch& patch = model.patches[placement.first + k];
+      baked.patches.push_back(patch);
+      baked.patches.back().material = placement.material;
+      set_frame(baked.patches.back(), moved(placement.transform, patch));
+    }
+  }
+  return baked;
+}
+
+PatchModel without_patches(const PatchModel& model) {
+  PatchModel extent;
+  extent.spacing = model.spacing;
+  extent.bounds = model.bounds;
+  extent.bounding_radius = model.bounding_radius;
+  extent.has_colours = model.has_colours;
+  return extent;
 }
 
 }  // namespace relief

@@ -6,20 +6,24 @@
 
 #include "common/error.h"
 #include "common/patch.h"
+#include "common/placement.h"
 
 namespace relief {
-
-/// A similarity: scaled, then turned, then moved. The point p goes to
-///   translation + scale * (rotation * p).
-struct Transform {
-  glm::dvec3 translation{0.0};  ///< world units
-  glm::dmat3 rotation{1.0};     ///< orthonormal, right-handed
-  double scale = 1.0;           ///< above 0
-};
 
 /// The rotation by an angle about an axis (any length but 0), counter-clockwise seen from the
 /// axis's tip.
 [[nodiscard]] glm::dmat3 rotation_about(glm::dvec3 axis, double degrees);
+
+/// Where a patch lies (Patch).
+struct PatchFrame {
+  glm::dvec3 origin{0.0};
+  glm::dmat3 axes{1.0};
+  double spacing = 1.0;
+  double height_step = 1.0;
+};
+
+/// Where a transform takes it.
+[[nodiscard]] PatchFrame moved(const Transform& transform, const Patch& patch);
 
 /// Moves a model. Only the patches' frames and steps change, so that it is as exact as double
 /// precision, whatever the model's size. The new bounds are a box about the transformed one and the
@@ -33,5 +37,16 @@ Status transform_model(PatchModel& model, const Transform& transform);
 /// about both; the bounding sphere is one about both spheres, no larger than the box's. `spacing`
 /// becomes the finer one.
 void append_model(PatchModel& to, PatchModel from);
+
+/// Puts patches of the model in one more place. `extent`: their bounds, sphere, spacing and whether
+/// they have colours, before they are placed; no patches. A model with placements stands where they
+/// say and nowhere else. Fails as transform_model() does.
+Status add_placement(PatchModel& to, const Placement& placement, const PatchModel& extent);
+
+/// Each patch in each of its places, a patch of its own: for what knows no placements.
+[[nodiscard]] PatchModel bake(const PatchModel& model);
+
+/// All but the patches and their placements.
+[[nodiscard]] PatchModel without_patches(const PatchModel& model);
 
 }  // namespace relief

@@ -34,8 +34,7 @@ void count_on(std::vector<std::uint32_t>& patches, std::uint32_t before) {
 
 template <class Model>
 void turn(Model& model, const Transform& transform) {
-  for (glm::dvec3& p : model.positions)
-    p = transform.translation + transform.scale * (transform.rotation * p);
+  for (glm::dvec3& p : model.positions) p = moved(transform, p);
   for (glm::vec3& n : model.normals) n = glm::vec3(transform.rotation * glm::dvec3(n));
 }
 

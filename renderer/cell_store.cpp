@@ -17,7 +17,7 @@ CellUpload::CellUpload(const Gl& gl) : gl_(gl) {
                std::numeric_limits<std::int32_t>::max() / shared::kRunVertices));
 }
 
-Result<std::int32_t> CellUpload::add(const Patch& patch, const PatchCells& cells) {
+Result<UploadedCells> CellUpload::add(const PatchCells& cells) {
   if (cells.heights.size() + cells.rows.size() + 1 > most_texels_) {
     return make_error(
         "a patch has {} samples, more than this OpenGL can draw ({}); convert again "
@@ -27,35 +27,30 @@ Result<std::int32_t> CellUpload::add(const Patch& patch, const PatchCells& cells
   if (heights_.size() + rows_.size() + cells.heights.size() + cells.rows.size() > most_texels_)
     flush();
   if (rows_.empty()) rows_.push_back({});
-  const auto first_row = static_cast<std::int32_t>(rows_.size());
+  UploadedCells uploaded{static_cast<std::int32_t>(rows_.size()), {}};
+  uploaded.parts.reserve(cells.parts.size());
   const auto first_height = static_cast<std::uint32_t>(heights_.size());
   heights_.insert(heights_.end(), cells.heights.begin(), cells.heights.end());
   for (const CellRow& row : cells.rows) rows_.push_back({row.base + first_height, row.span});
   for (const CellPart& part : cells.parts) {
-    StoredPart kept;
-    kept.patch = patches_;
-    kept.centre = patch.origin + patch.axes * (patch.spacing * part.centre);
-    kept.radius = patch.spacing * part.radius;
-    kept.page = static_cast<std::uint32_t>(pages_.size());
-    kept.first_run = static_cast<std::uint32_t>(runs_.size());
-    kept.runs = static_cast<std::uint32_t>(part.runs.size());
-    kept.edge_runs = static_cast<std::uint32_t>(part.edge_runs.size());
-    kept.first_rim = static_cast<std::uint32_t>(rims_.size());
-    kept.rims = static_cast<std::uint32_t>(part.rims.size());
-    parts_.push_back(kept);
-    places_.emplace_back(patches_, part.corner.x | (part.corner.y << 16U));
+    PartBuffers buffers;
+    buffers.page = static_cast<std::uint32_t>(pages_.size());
+    buffers.first_run = static_cast<std::uint32_t>(runs_.size());
+    buffers.runs = static_cast<std::uint32_t>(part.runs.size());
+    buffers.edge_runs = static_cast<std::uint32_t>(part.edge_runs.size());
+    buffers.first_rim = static_cast<std::uint32_t>(rims_.size());
+    buffers.rims = static_cast<std::uint32_t>(part.rims.size());
+    uploaded.parts.push_back({part.corner, part.centre, part.radius, buffers});
     runs_.insert(runs_.end(), part.runs.begin(), part.runs.end());
     runs_.insert(runs_.end(), part.edge_runs.begin(), part.edge_runs.end());
     rims_.insert(rims_.end(), part.rims.begin(), part.rims.end());
   }
-  ++patches_;
-  return first_row;
+  return uploaded;
 }
 
-CellStore CellUpload::take() {
+std::vector<CellPage> CellUpload::take() {
   if (!rows_.empty()) flush();
-  return {std::move(parts_), std::move(pages_),
-          make_buffer(gl_, "part places", std::span<const glm::uvec2>(places_))};
+  return std::move(pages_);
 }
 
 void CellUpload::flush() {

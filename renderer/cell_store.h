@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "common/error.h"
-#include "common/patch.h"
 #include "renderer/cells.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
@@ -15,17 +14,34 @@
 
 namespace relief {
 
-/// What the CPU keeps of a part of a patch on the GPU. World frame, in double precision.
-struct StoredPart {
-  std::uint32_t patch = 0;
-  glm::dvec3 centre{0.0};  ///< of a sphere about all that it draws
-  double radius = 0.0;
-  std::uint32_t page = 0;       ///< the buffers of its runs and rims
+/// Where a part's runs and rims are on the GPU.
+struct PartBuffers {
+  std::uint32_t page = 0;
   std::uint32_t first_run = 0;  ///< in that page
   std::uint32_t runs = 0;
   std::uint32_t edge_runs = 0;  ///< follow them
   std::uint32_t first_rim = 0;
   std::uint32_t rims = 0;
+};
+
+/// What the CPU keeps of a part of a patch. World frame, in double precision.
+struct StoredPart {
+  std::uint32_t patch = 0;
+  glm::dvec3 centre{0.0};  ///< of a sphere about all that it draws
+  double radius = 0.0;
+  PartBuffers buffers;
+};
+
+/// The cells of a patch on the GPU, wherever it stands.
+struct UploadedCells {
+  struct Part {
+    glm::uvec2 corner{0};    ///< its first node
+    glm::dvec3 centre{0.0};  ///< as StoredPart has it, but in the grid frame (cells)
+    double radius = 0.0;
+    PartBuffers buffers;
+  };
+  std::int32_t first_row = 0;  ///< of its rows, in its page
+  std::vector<Part> parts;
 };
 
 /// The buffers of some patches; more than one page only for a model that is larger than what OpenGL
@@ -48,24 +64,21 @@ class CellUpload {
  public:
   explicit CellUpload(const Gl& gl);
 
-  /// Returns where the rows of the patch begin in its page. Fails if it is larger than a page.
-  Result<std::int32_t> add(const Patch& patch, const PatchCells& cells);
+  /// Fails if the patch is larger than a page.
+  Result<UploadedCells> add(const PatchCells& cells);
 
   /// Uploads what is left.
-  CellStore take();
+  std::vector<CellPage> take();
 
  private:
   void flush();
 
   const Gl& gl_;
   std::size_t most_texels_ = 0;
-  std::uint32_t patches_ = 0;
   std::vector<std::uint16_t> heights_;
   std::vector<CellRow> rows_;
   std::vector<std::uint32_t> runs_;
   std::vector<RimRecord> rims_;
-  std::vector<StoredPart> parts_;
-  std::vector<glm::uvec2> places_;
   std::vector<CellPage> pages_;
 };
 

@@ -30,7 +30,7 @@ std::vector<std::uint32_t> find_visible(const PatchStore& store, const View& vie
   for (const std::uint32_t p : levels_for(store, view)) {
     const StoredPatch& patch = store.patches[p];
     const double radius = patch.radius + (radius_factor - 1.0) * patch.widest_disc;
-    if (patch.records > 0 && sees_sphere(view, patch.centre, radius)) visible.push_back(p);
+    if (patch.records.count > 0 && sees_sphere(view, patch.centre, radius)) visible.push_back(p);
   }
   return nearest_first(store.patches, view, std::move(visible));
 }
@@ -62,9 +62,8 @@ std::vector<ArraysCommand> array_commands(const PatchStore& store,
                                           std::uint32_t page, std::uint32_t vertices) {
   std::vector<ArraysCommand> commands;
   for (const std::uint32_t p : patches) {
-    const StoredPatch& patch = store.patches[p];
-    if (patch.page == page)
-      commands.push_back({vertices * patch.records, 1, vertices * patch.first_record, p});
+    const RecordRun& run = store.patches[p].records;
+    if (run.page == page) commands.push_back({vertices * run.count, 1, vertices * run.first, p});
   }
   return commands;
 }
@@ -74,8 +73,8 @@ std::vector<ElementsCommand> quad_commands(const PatchStore& store,
                                            std::uint32_t page) {
   std::vector<ElementsCommand> commands;
   for (const std::uint32_t p : patches) {
-    const StoredPatch& patch = store.patches[p];
-    if (patch.page == page) add_quads(patch.first_record, patch.records, p, commands);
+    const RecordRun& run = store.patches[p].records;
+    if (run.page == page) add_quads(run.first, run.count, p, commands);
   }
   return commands;
 }

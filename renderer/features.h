@@ -62,6 +62,14 @@ struct ColourMaps {
          (settings.outputs.patch_id ? RELIEF_FEATURE_OUT_PATCH : 0U);
 }
 
+/// Whether models that are seen small enough are drawn from afar (far_mesh.h): where levels of
+/// detail are, but not with semi-transparent surfaces, whose layers only cells find, nor in a split
+/// view, which shows samples.
+[[nodiscard]] inline bool draws_from_afar(const RenderSettings& settings) {
+  return settings.primitive == Primitive::Cell && pixels_per_sample_of(settings) >= 1.0 &&
+         !is_transparent(settings) && !uses(settings, Material::Split);
+}
+
 /// Whether those features read normals.
 [[nodiscard]] inline bool needs_normals(std::uint32_t features) {
   return (features & (RELIEF_FEATURE_LIT | RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_GLASS |
@@ -78,6 +86,7 @@ struct ColourMaps {
   needs.normals = needs_normals(features);
   needs.colours = (features & RELIEF_FEATURE_COLOURS) != 0;
   needs.masks = (features & RELIEF_FEATURE_MASKED) != 0;
+  needs.sources = (features & (RELIEF_FEATURE_OUT_UV | RELIEF_FEATURE_OUT_PATCH)) != 0;
   return needs;
 }
 
@@ -94,6 +103,7 @@ template <class FeaturesOf>
     needs.normals = needs.normals || more.normals;
     needs.colours = needs.colours || more.colours;
     needs.masks = needs.masks || more.masks;
+    needs.sources = needs.sources || more.sources;
   }
   return needs;
 }

@@ -7,6 +7,7 @@
 
 #include "renderer/cube_map.h"
 #include "renderer/environment_cache.h"
+#include "renderer/far_mesh.h"
 #include "renderer/materials.h"
 #include "renderer/rough_environment.h"
 #include "renderer/sample_draws.h"
@@ -17,7 +18,14 @@ namespace {
 /// A near plane that no surface that can be told apart from the eye is in front of.
 double near_of(const PatchModel& model) {
   double spacing = model.spacing > 0.0 ? model.spacing : 1.0;
-  for (const Patch& patch : model.patches) spacing = std::min(spacing, patch.spacing);
+  if (model.placements.empty()) {
+    for (const Patch& patch : model.patches) spacing = std::min(spacing, patch.spacing);
+  }
+  for (const Placement& placement : model.placements) {
+    for (std::uint32_t k = 0; k < placement.count; ++k)
+      spacing =
+          std::min(spacing, placement.transform.scale * model.patches[placement.first + k].spacing);
+  }
   return 0.01 * spacing;
 }
 
@@ -97,6 +105,7 @@ Status GlModel::add_materials(const RenderSettings& settings, GlPicture& picture
 View GlModel::view_of(const RenderSettings& settings) const {
   View view = make_view(settings.camera, settings.width, settings.height, near_);
   view.pixels_per_sample = pixels_per_sample_of(settings);
+  view.far_diameter = draws_from_afar(settings) ? kFarDiameter : 0.0;
   return view;
 }
 

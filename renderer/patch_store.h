@@ -12,9 +12,11 @@
 #include "common/error.h"
 #include "common/patch.h"
 #include "renderer/cell_store.h"
+#include "renderer/far_store.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/levels.h"
+#include "renderer/sample_pages.h"
 #include "renderer/view.h"
 
 namespace relief {
@@ -26,7 +28,8 @@ struct StoreNeeds {
   bool cells = false;
   bool normals = false;
   bool colours = false;
-  bool masks = false;  ///< for coarser levels
+  bool masks = false;    ///< for coarser levels
+  bool sources = false;  ///< which samples the vertices of models seen from afar stand for
 
   bool operator==(const StoreNeeds&) const = default;
 };
@@ -41,23 +44,42 @@ struct StoredPatch {
   std::uint32_t side = 0;  ///< nodes along its longer side
   glm::dvec3 centre{0.0};  ///< of a sphere about all of its splats
   double radius = 0.0;
-  double widest_disc = 0.0;        ///< radius that no splat of it exceeds, world units
-  std::uint32_t page = 0;          ///< the buffer of its records
-  std::uint32_t first_record = 0;  ///< in that page
-  std::uint32_t records = 0;       ///< 0 without StoreNeeds::splats
+  double widest_disc = 0.0;  ///< radius that no splat of it exceeds, world units
+  RecordRun records;         ///< none without StoreNeeds::splats
 };
 
-/// What the CPU keeps of a patch whatever its level.
+/// What the CPU keeps of a placed patch whatever its level.
 struct StoredLevels {
   PatchExtent extent;
   std::uint32_t first = 0;  ///< in PatchStore::patches, finest first
   std::uint32_t count = 0;
 };
 
+/// A placement of the model; one without placements is a single one.
+struct StoredPlacement {
+  Sphere sphere;            ///< about its samples, world
+  std::uint32_t first = 0;  ///< in PatchStore::levels
+  std::uint32_t count = 0;  ///< 0 where every view draws it from afar
+  /// What stands for it, if some view draws it from afar.
+  struct Far {
+    std::uint32_t mesh = 0;        ///< in FarStore::meshes
+    std::uint32_t patch = 0;       ///< what PatchStore::patches says of its frame
+    std::uint32_t number = 0;      ///< in FarStore::patches
+    std::vector<double> spacings;  ///< of the mesh's levels, world units
+  };
+  std::optional<Far> far;
+
+  /// Whether the view draws it from afar.
+  [[nodiscard]] bool is_far_in(const View& view) const {
+    return far && (count == 0 || is_far(view, sphere, far->spacings.front()));
+  }
+};
+
 /// The model on the GPU.
 struct PatchStore {
-  std::vector<StoredPatch> patches;  ///< each level that is kept of each patch
-  std::vector<StoredLevels> levels;  ///< parallel to PatchModel::patches
+  std::vector<StoredPlacement> placements;
+  std::vector<StoredPatch> patches;  ///< each level that is kept of each placed patch
+  std::vector<StoredLevels> levels;  ///< of each placed patch, one placement after the other
   std::vector<Table> pages;       ///< sample records; more than one only for a model that is larger
                                   ///< than what OpenGL lets a shader see of one buffer
   Table table;                    ///< shared::PatchInfo, parallel to `patches`
@@ -68,6 +90,7 @@ struct PatchStore {
   std::optional<Texture> colours;
   std::optional<Texture> masks;
   std::optional<CellStore> cells;
+  std::optional<FarStore> far;
 };
 
 /// Uploads a model, of each patch the levels that the views choose; the patches themselves without
@@ -75,8 +98,9 @@ struct PatchStore {
 Result<PatchStore> upload_model(const Gl& gl, const PatchModel& model, const StoreNeeds& needs,
                                 std::span<const View> views = {});
 
-/// The level of each patch that the view chooses, as indices of `patches`. (The nearest one that is
-/// kept, for a view that the model was not uploaded for.)
+/// The level that the view chooses of each patch of the placements that it shows from near, as
+/// indices of `patches`. (The nearest one that is kept, for a view that the model was not uploaded
+/// for.)
 [[nodiscard]] std::vector<std::uint32_t> levels_for(const PatchStore& store, const View& view);
 
 }  // namespace relief

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/transform.h"
 #include "renderer/engines/ewa/render_ewa.h"
 #include "renderer/engines/ewa/splats_of_samples.h"
 #include "renderer/engines/multipass/render_multipass.h"
@@ -82,6 +83,17 @@ Result<std::unique_ptr<PreparedModel>> prepare_on_opengl(const RenderModel& mode
   return std::unique_ptr<PreparedModel>(std::move(*prepared));
 }
 
+/// Rays' triangles of patches, each in each of its places.
+Result<TriangleMesh> triangulate(const PatchModel& patches) {
+  return patches.placements.empty() ? mesh_of_patches(patches) : mesh_of_patches(bake(patches));
+}
+
+/// Their samples as splats.
+SplatCloud splat(const PatchModel& patches) {
+  return patches.placements.empty() ? ewa::splats_of_samples(patches)
+                                    : ewa::splats_of_samples(bake(patches));
+}
+
 Result<std::unique_ptr<PreparedModel>> prepare(const RenderModel& model, const EngineViews& views) {
   switch (views.engine) {
     case EngineKind::Onepass:
@@ -90,13 +102,13 @@ Result<std::unique_ptr<PreparedModel>> prepare(const RenderModel& model, const E
     case EngineKind::Ewa:
       if (model.splats != nullptr) return ewa::prepare(*model.splats);
       assert(model.patches != nullptr && "there are points or patches");
-      return ewa::prepare(ewa::splats_of_samples(*model.patches));
+      return ewa::prepare(splat(*model.patches));
     case EngineKind::Raytrace:
       break;
   }
   if (model.mesh != nullptr) return raytrace::prepare(*model.mesh);
   assert(model.patches != nullptr && "there is a mesh or patches");
-  auto mesh = mesh_of_patches(*model.patches);
+  auto mesh = triangulate(*model.patches);
   if (!mesh) return mesh.error();
   return raytrace::prepare(std::move(*mesh));
 }

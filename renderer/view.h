@@ -37,6 +37,8 @@ struct View {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   double pixels_per_sample = 0.0;  ///< levels of detail: how far apart samples may be seen
+  double far_diameter = 0.0;       ///< pixels: models that are seen smaller are drawn from afar
+                                   ///< (renderer/far_mesh.h); 0: none is
 };
 
 /// `near` only bounds what may be in front of the eye: with reversed floating-point depth a small

@@ -17,6 +17,14 @@ layout(std140, binding = RELIEF_BIND_MATERIALS) uniform MaterialBlock {
 layout(binding = RELIEF_TEXTURE_ROUGH_ENVIRONMENTS) uniform samplerCubeArray rough_environments;
 #endif
 
+#ifdef RELIEF_MEAN_NORMALS
+// How long the mean of the unit normals is that a normal stands for. Light that falls on what is
+// uneven is that much less than on what is even and has their mean.
+float normal_length = 1.0;
+#else
+const float normal_length = 1.0;
+#endif
+
 #if (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u
 vec3 shade_lit(vec3 albedo, vec3 facing, vec3 ray, float depth) {
 #if (RELIEF_FEATURES & RELIEF_FEATURE_POINT_LIGHTS) != 0u
@@ -24,7 +32,8 @@ vec3 shade_lit(vec3 albedo, vec3 facing, vec3 ray, float depth) {
 #else
   vec3 place = vec3(0.0);
 #endif
-  return lit(frame, int(RELIEF_FEATURES >> RELIEF_LIGHTS_SHIFT), albedo, facing, ray, place);
+  return normal_length *
+         lit(frame, int(RELIEF_FEATURES >> RELIEF_LIGHTS_SHIFT), albedo, facing, ray, place);
 }
 #endif
 

@@ -124,10 +124,12 @@ using glm::vec4;
 #define RELIEF_TEXTURE_FOUND 16
 #define RELIEF_TEXTURE_FOUND_DEPTH 17
 #define RELIEF_TEXTURE_LAYER_DEPTH 18
+#define RELIEF_TEXTURE_FAR_VERTICES 19
 
 #define RELIEF_TEXTURE_ROUGH_ENVIRONMENTS 20
 #define RELIEF_TEXTURE_PATCH_IDS 21
 #define RELIEF_TEXTURE_PIXEL_SAMPLES 22
+#define RELIEF_TEXTURE_FAR_SOURCES 23
 
 /// Uniform of `multipass`: radius of its discs over that of Eq. (1) of paper 001.
 #define RELIEF_UNIFORM_RADIUS_FACTOR 0
@@ -324,6 +326,22 @@ struct PatchView {
   vec4 eye;  ///< the eye in the grid frame; w: 0
 };
 
+/// A vertex of the mesh that stands for a model seen from afar, four words: its place in the mesh's
+/// frame (16 bits an axis), its colour (linear, half floats), the mean of its normals (octahedral,
+/// 12 bits each, and its length).
+struct FarVertex {
+  uint place_xy;
+  uint place_z_red;
+  uint green_blue;
+  uint normal;
+};
+
+/// A sample that it stands for: the patch, counted from the model's first, and its column and row.
+struct FarSource {
+  uint patch_number;
+  uint node;
+};
+
 /// What all patches of a frame share.
 struct Frame {
   vec4 ray_origin;  ///< world direction of unit depth through window position (0, 0); w: near
@@ -343,6 +361,7 @@ RELIEF_CONST int kPatchViewRows = 5;
 static_assert(sizeof(PatchInfo) == 16 * kPatchInfoRows);
 static_assert(offsetof(PatchInfo, nodes) == 48 && offsetof(PatchInfo, colours) == 96 &&
               offsetof(PatchInfo, extent) == 128);
+static_assert(sizeof(FarVertex) == 16 && sizeof(FarSource) == 8);
 static_assert(sizeof(PatchView) == 16 * kPatchViewRows && offsetof(PatchView, eye) == 64);
 static_assert(sizeof(Frame) == 112 + 32 * kMostLights && offsetof(Frame, light_place) == 80);
 }  // namespace relief::shared

@@ -25,7 +25,7 @@ std::vector<ArraysCommand> cell_commands(const CellStore& store,
                                          std::uint32_t page) {
   std::vector<ArraysCommand> commands;
   for (const std::uint32_t p : parts) {
-    const StoredPart& part = store.parts[p];
+    const PartBuffers& part = store.parts[p].buffers;
     if (part.page != page || part.runs == 0) continue;
     commands.push_back(
         {shared::kRunVertices * part.runs, 1, shared::kRunVertices * part.first_run, p});
@@ -38,7 +38,7 @@ std::vector<ArraysCommand> edge_commands(const CellStore& store,
                                          std::uint32_t page) {
   std::vector<ArraysCommand> commands;
   for (const std::uint32_t p : parts) {
-    const StoredPart& part = store.parts[p];
+    const PartBuffers& part = store.parts[p].buffers;
     if (part.page != page || part.edge_runs == 0) continue;
     commands.push_back({shared::kEdgeRunVertices * part.edge_runs, 1,
                         shared::kEdgeRunVertices * (part.first_run + part.runs), p});
@@ -51,7 +51,7 @@ std::vector<ElementsCommand> rim_commands(const CellStore& store,
                                           std::uint32_t page) {
   std::vector<ElementsCommand> commands;
   for (const std::uint32_t p : parts) {
-    const StoredPart& part = store.parts[p];
+    const PartBuffers& part = store.parts[p].buffers;
     if (part.page == page) add_quads(part.first_rim, part.rims, p, commands);
   }
   return commands;

@@ -8,8 +8,10 @@
 
 #include "common/error.h"
 #include "renderer/draw_list.h"
+#include "renderer/engines/onepass/cell_draws.h"
 #include "renderer/engines/onepass/cell_list.h"
 #include "renderer/engines/onepass/layers.h"
+#include "renderer/engines/onepass/programs.h"
 #include "renderer/engines/onepass/visibility.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
@@ -38,28 +40,24 @@ class Engine {
                  PassTimer& timer) const;
 
  private:
-  /// What draws.
-  struct Programs {
-    Program main;
-    std::optional<Program> large_sprites = std::nullopt;  ///< with sprites
-    std::optional<Program> rims = std::nullopt;           ///< with cells: their border splats
-    std::optional<Program> edges = std::nullopt;   ///< with cells: those of levels that holes touch
-    std::optional<Program> behind = std::nullopt;  ///< of layers: shading all but the first
-    std::optional<Program> over = std::nullopt;    ///< of layers: puts them over the picture
-    std::optional<Program> shading = std::nullopt;  ///< where cells only find what is seen
+  /// What a frame draws of the opaque or of the semi-transparent patches.
+  struct Frame {
+    std::optional<CellDraws> cells;
+    std::optional<SampleDraw> splats;         ///< without cells: quads or sprites
+    std::optional<SampleDraw> large;          ///< of sprites that are too large for OpenGL
+    std::vector<ElementsCommand> far_models;  ///< of models seen from afar
   };
 
-  static Result<Programs> make_cell_programs(const Gl& gl, const PatchStore& store,
-                                             std::uint32_t features);
   Engine(const Gl& gl, const PatchStore& store, Programs programs);
-  void draw_model(const View& view, const MaterialChoice& materials) const;
-  void draw_splats(const View& view) const;
-  void draw_cells(const View& view, const MaterialChoice& materials) const;
-  void draw_strips(const CellPage& page, const std::vector<ArraysCommand>& commands) const;
+  [[nodiscard]] Frame make_frame(const View& view, const MaterialChoice& materials) const;
+  [[nodiscard]] Frame make_cell_frame(const View& view, const MaterialChoice& materials) const;
+  [[nodiscard]] Frame make_splat_frame(const View& view) const;
+  void draw_patches(const Frame& frame) const;
+  void draw_far_models(const Frame& frame, PassTimer& timer) const;
   void shade(const Program& shading, const Visibility& visibility,
              const Texture& visible_depth) const;
-  [[nodiscard]] bool draw_layer(const GlPicture& picture, const Layer& layer, const Layer& before,
-                                const MaterialChoice& materials, PassTimer& timer) const;
+  [[nodiscard]] bool draw_layer(const GlPicture& picture, const Frame& frame, const Layer& layer,
+                                const Layer& before, PassTimer& timer) const;
 
   const Gl* gl_;
   SampleDraws samples_;

@@ -1,0 +1,40 @@
+// A frame's cells as OpenGL draws them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "renderer/cell_store.h"
+#include "renderer/engines/onepass/programs.h"
+#include "renderer/gl/functions.h"
+#include "renderer/gl/object.h"
+
+namespace relief::onepass {
+
+/// What one multi-draw-indirect reads.
+struct Commands {
+  Buffer buffer;
+  GLsizei count = 0;
+};
+
+/// The parts that a frame draws, page by page; good for any number of passes over them.
+struct CellDraws {
+  struct Page {
+    const CellPage* page = nullptr;
+    std::optional<Commands> cells;
+    std::optional<Commands> edges;
+    std::optional<Commands> rims;
+  };
+  std::vector<Page> pages;
+};
+
+/// Draws these parts, in this order. The store must outlive the draws.
+[[nodiscard]] CellDraws make_cell_draws(const Gl& gl, const CellStore& store,
+                                        const std::vector<std::uint32_t>& parts);
+
+/// Runs the programs over them: cells, then what reaches beyond patches, which is mostly hidden by
+/// then, then border splats. The model must be bound (BoundModel).
+void draw_cells(const Gl& gl, const Programs& programs, const CellDraws& draws);
+
+}  // namespace relief::onepass

@@ -1,0 +1,114 @@
+#include "renderer/engines/onepass/programs.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "renderer/engines/onepass/visibility.h"
+#include "renderer/gl/program.h"
+#include "shaders/include/shared.h"
+
+namespace relief::onepass {
+namespace {
+
+/// Of the features of a picture that is shaded later, those of the pass that finds the surface.
+constexpr std::uint32_t kFindingFeatures = RELIEF_FEATURE_VISIBILITY | RELIEF_FEATURE_CELL |
+                                           RELIEF_FEATURE_MASKED | RELIEF_FEATURE_CORRECTED |
+                                           RELIEF_FEATURE_OUT_DEPTH | RELIEF_FEATURE_POINT_LIGHTS |
+                                           RELIEF_FEATURE_LAYERED | RELIEF_FEATURE_COUNT_FRAGMENTS;
+
+/// What the layers behind the first have nothing to say about.
+constexpr std::uint32_t kOutputFeatures = RELIEF_FEATURE_OUT_NORMAL | RELIEF_FEATURE_OUT_DEPTH |
+                                          RELIEF_FEATURE_OUT_UV | RELIEF_FEATURE_OUT_PATCH;
+
+/// Nodes along the longest side of any patch or level.
+std::uint32_t widest_side(const PatchStore& store) {
+  std::uint32_t widest = 1;
+  for (const StoredPatch& patch : store.patches) widest = std::max(widest, patch.side);
+  return widest;
+}
+
+/// All but what models seen from afar have nothing to do with.
+constexpr std::uint32_t kFarFeatures =
+    ~(RELIEF_FEATURE_CELL | RELIEF_FEATURE_MASKED | RELIEF_FEATURE_CORRECTED |
+      RELIEF_FEATURE_VISIBILITY | RELIEF_FEATURE_FINE_COLOURS | RELIEF_FEATURE_LAYERED);
+
+Result<Programs> make_cell_programs(const Gl& gl, const PatchStore& store, std::uint32_t features) {
+  // What finds the surface needs nothing of what shades it.
+  const bool shaded_later = (features & RELIEF_FEATURE_VISIBILITY) != 0;
+  const std::uint32_t found = shaded_later ? features & kFindingFeatures : features;
+  // A cell is the surface: there is nothing to correct.
+  const std::uint32_t whole = found & ~RELIEF_FEATURE_MASKED;
+  const std::uint32_t direct = ~RELIEF_FEATURE_CORRECTED;
+  Result<Program> cells =
+      make_program(gl, "cells", "onepass/cell.vert", "onepass/quad.frag", whole & direct);
+  if (!cells) return cells.error();
+  Result<Program> rims = make_program(gl, "rims", "onepass/quad.vert", "onepass/quad.frag", whole);
+  if (!rims) return rims.error();
+  Programs programs{std::move(*cells), std::nullopt, std::move(*rims)};
+  if (found != whole && store.masks) {
+    Result<Program> edges =
+        make_program(gl, "edges", "onepass/cell.vert", "onepass/quad.frag", found & direct);
+    if (!edges) return edges.error();
+    programs.edges = std::move(*edges);
+  }
+  if (store.far) {
+    Result<Program> far = make_program(gl, "far models", "onepass/far.vert", "onepass/far.frag",
+                                       features & kFarFeatures);
+    if (!far) return far.error();
+    programs.far = std::move(*far);
+  }
+  if (!shaded_later) return programs;
+  Result<Program> shading = make_program(
+      gl, "shading", "environment/screen.vert", "onepass/shading.frag",
+      features & ~(RELIEF_FEATURE_CELL | RELIEF_FEATURE_MASKED | RELIEF_FEATURE_CORRECTED));
+  if (!shading) return shading.error();
+  programs.shading = std::move(*shading);
+  if ((features & RELIEF_FEATURE_LAYERED) != 0) {
+    Result<Program> behind =
+        make_program(gl, "shading behind", "environment/screen.vert", "onepass/shading.frag",
+                     features & ~(kOutputFeatures | RELIEF_FEATURE_CELL | RELIEF_FEATURE_MASKED |
+                                  RELIEF_FEATURE_CORRECTED));
+    if (!behind) return behind.error();
+    programs.behind = std::move(*behind);
+    Result<Program> over =
+        make_program(gl, "over", "environment/screen.vert", "onepass/over.frag", 0);
+    if (!over) return over.error();
+    programs.over = std::move(*over);
+  }
+  const float steps = place_steps(widest_side(store));
+  const auto tell = [&](const std::optional<Program>& program) {
+    if (program) gl.ProgramUniform1f(program->id(), RELIEF_UNIFORM_PLACE_STEPS, steps);
+  };
+  gl.ProgramUniform1f(programs.main.id(), RELIEF_UNIFORM_PLACE_STEPS, steps);
+  tell(programs.rims);
+  tell(programs.edges);
+  tell(programs.shading);
+  tell(programs.behind);
+  return programs;
+}
+
+Result<Programs> make_splat_programs(const Gl& gl, std::uint32_t features) {
+  if ((features & RELIEF_FEATURE_SPRITE) == 0) {
+    Result<Program> quads =
+        make_program(gl, "quads", "onepass/quad.vert", "onepass/quad.frag", features);
+    if (!quads) return quads.error();
+    return Programs{std::move(*quads)};
+  }
+  Result<Program> sprites =
+      make_program(gl, "sprites", "onepass/sprite.vert", "onepass/sprite.frag", features);
+  if (!sprites) return sprites.error();
+  Result<Program> large =
+      make_program(gl, "large sprites", "onepass/large_sprite.vert", "onepass/quad.frag",
+                   (features & ~RELIEF_FEATURE_SPRITE) | RELIEF_FEATURE_LARGE_SPRITES);
+  if (!large) return large.error();
+  return Programs{std::move(*sprites), std::move(*large)};
+}
+
+}  // namespace
+
+Result<Programs> make_programs(const Gl& gl, const PatchStore& store, std::uint32_t features) {
+  return (features & RELIEF_FEATURE_CELL) != 0 ? make_cell_programs(gl, store, features)
+                                               : make_splat_programs(gl, features);
+}
+
+}  // namespace relief::onepass

@@ -1,0 +1,262 @@
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "common/transform.h"
+#include "renderer/grid_upload.h"
+#include "renderer/patch_store.h"
+#include "shaders/include/shared.h"
+
+namespace relief {
+namespace {
+
+/// A model without placements is one placement that leaves it where it is.
+std::vector<Placement> placements_of(const PatchModel& model) {
+  if (!model.placements.empty()) return model.placements;
+  const std::uint8_t material = model.patches.empty() ? 0 : model.patches.front().material;
+  return {{0, static_cast<std::uint32_t>(model.patches.size()), {}, material}};
+}
+
+/// A mesh that stands for a model has one material.
+bool has_one_material(const PatchModel& model) {
+  return !model.placements.empty() ||
+         std::all_of(model.patches.begin(), model.patches.end(), [&model](const Patch& patch) {
+           return patch.material == model.patches.front().material;
+         });
+}
+
+PatchExtent moved(const Transform& transform, const PatchExtent& extent) {
+  return {relief::moved(transform, extent.centre), transform.scale * extent.radius,
+          transform.scale * extent.spacing, extent.levels};
+}
+
+Sphere moved(const Transform& transform, const Sphere& sphere) {
+  return {relief::moved(transform, sphere.centre), transform.scale * sphere.radius};
+}
+
+/// A run of patches as all of its placements have it.
+struct Run {
+  Sphere sphere;                      ///< about its samples, model frame
+  std::vector<double> spacings;       ///< of the meshes that may stand for it
+  std::optional<std::uint32_t> mesh;  ///< these, if some view draws it from afar
+};
+
+Run run_of(std::span<const PatchExtent> extents) {
+  Run run;
+  Bounds box;
+  double coarsest = 0.0;
+  for (const PatchExtent& extent : extents) {
+    const Bounds reach{extent.centre - extent.radius, extent.centre + extent.radius};
+    box = box.empty() ? reach : Bounds{glm::min(box.min, reach.min), glm::max(box.max, reach.max)};
+    coarsest = std::max(coarsest, extent.spacing);
+  }
+  if (box.empty()) return run;
+  run.sphere.centre = 0.5 * (box.min + box.max);
+  for (const PatchExtent& extent : extents) {
+    run.sphere.radius = std::max(run.sphere.radius,
+                                 glm::distance(run.sphere.centre, extent.centre) + extent.radius);
+  }
+  run.spacings = far_spacings(run.sphere, coarsest);
+  return run;
+}
+
+/// Uploads a model, one placement after the other.
+class ModelUpload {
+ public:
+  ModelUpload(const Gl& gl, const PatchModel& model, const StoreNeeds& needs,
+              std::span<const View> views)
+      : gl_(gl), model_(model), needs_(needs), views_(views), grids_(gl, model, needs) {
+    extents_.reserve(model.patches.size());
+    for (const Patch& patch : model.patches) extents_.push_back(extent_of(patch));
+  }
+
+  Status add(const Placement& placement) {
+    Run& run = run_at(placement);
+    const Transform& where = placement.transform;
+    std::vector<View> near_views;
+    StoredPlacement stored{moved(where, run.sphere), static_cast<std::uint32_t>(levels_.size()), 0,
+                           std::nullopt};
+    for (const View& view : views_) {
+      if (run.spacings.empty() || !is_far(view, stored.sphere, where.scale * run.spacings.front()))
+        near_views.push_back(view);
+    }
+    if (near_views.size() < views_.size()) {
+      const auto far = add_far(placement, run);
+      if (!far) return far.error();
+      stored.far = *far;
+    }
+    if (views_.empty() || !near_views.empty()) {
+      if (Status added = add_near(placement, near_views); !added) return added;
+      stored.count = placement.count;
+    }
+    placements_.push_back(std::move(stored));
+    first_id_ += placement.count;
+    return {};
+  }
+
+  Result<PatchStore> take() {
+    Result<GridMaps> maps = grids_.make_maps();
+    if (!maps) return maps.error();
+    PatchStore store{std::move(placements_),
+                     {},
+                     std::move(levels_),
+                     grids_.take_pages(),
+                     make_patch_table(),
+                     std::nullopt,
+                     std::move(maps->heights),
+                     std::move(maps->normals),
+                     std::move(maps->colours),
+                     std::move(maps->masks),
+                     std::nullopt,
+                     std::nullopt};
+    store.patches = std::move(patches_);
+    if (needs_.cells) {
+      store.cells =
+          CellStore{std::move(parts_), grids_.take_cells(),
+                    make_buffer(gl_, "part places", std::span<const glm::uvec2>(places_))};
+    }
+    if (!far_.empty()) store.far = far_.take(gl_, needs_.sources);
+    if (needs_.splats || !needs_.cells) {
+      std::vector<std::uint32_t> indices(store.patches.size());
+      std::iota(indices.begin(), indices.end(), 0U);
+      store.indices = make_buffer(gl_, "patch indices", std::span<const std::uint32_t>(indices));
+    }
+    const Status uploaded = check_errors(gl_, "the model");
+    if (!uploaded) return uploaded.error();
+    return store;
+  }
+
+ private:
+  /// What a row of the patch table says beside StoredPatch.
+  struct Row {
+    std::optional<std::size_t> grid;  ///< none: the frame of a mesh
+    std::uint32_t id = 0;
+  };
+
+  Run& run_at(const Placement& placement) {
+    const auto [found, is_new] = runs_.try_emplace({placement.first, placement.count});
+    if (!is_new) return found->second;
+    found->second = run_of(std::span(extents_).subspan(placement.first, placement.count));
+    if (!has_one_material(model_)) found->second.spacings.clear();
+    return found->second;
+  }
+
+  /// The levels of its patches that the views choose.
+  Status add_near(const Placement& placement, std::span<const View> views) {
+    for (std::uint32_t k = 0; k < placement.count; ++k) {
+      const std::size_t p = placement.first + k;
+      const PatchExtent extent = moved(placement.transform, extents_[p]);
+      const std::vector<std::uint32_t> kept = levels_in(views, extent);
+      levels_.push_back({extent, static_cast<std::uint32_t>(patches_.size()),
+                         static_cast<std::uint32_t>(kept.size())});
+      const std::uint8_t material =
+          model_.placements.empty() ? model_.patches[p].material : placement.material;
+      for (const std::uint32_t level : kept) {
+        const Result<std::size_t> grid = grids_.get(p, level);
+        if (!grid) return grid.error();
+        add_grid(*grid, placement.transform, material, first_id_ + k);
+      }
+    }
+    return {};
+  }
+
+  void add_grid(std::size_t index, const Transform& where, std::uint8_t material,
+                std::uint32_t id) {
+    const Grid& grid = grids_.grid(index);
+    const PatchFrame frame = relief::moved(where, *grid.nodes);
+    StoredPatch kept;
+    kept.level = grid.level;
+    kept.material = material;
+    kept.origin = frame.origin;
+    kept.axes = frame.axes;
+    kept.spacing = frame.spacing;
+    kept.side = std::max(grid.nodes->width, grid.nodes->height);
+    kept.centre = frame.origin + frame.axes * (frame.spacing * grid.shape.centre);
+    kept.radius = frame.spacing * grid.shape.radius;
+    kept.widest_disc = frame.spacing * grid.shape.widest_disc;
+    kept.records = grid.records;
+    const auto number = static_cast<std::uint32_t>(patches_.size());
+    for (const UploadedCells::Part& part : grid.cells.parts) {
+      parts_.push_back({number, frame.origin + frame.axes * (frame.spacing * part.centre),
+                        frame.spacing * part.radius, part.buffers});
+      places_.emplace_back(number, part.corner.x | (part.corner.y << 16U));
+    }
+    patches_.push_back(kept);
+    rows_.push_back({index, id});
+  }
+
+  /// The meshes that stand for it, made when it is the first of its run.
+  Result<StoredPlacement::Far> add_far(const Placement& placement, Run& run) {
+    if (!run.mesh) {
+      const Result<std::uint32_t> added =
+          far_.add(gl_, std::span(model_.patches).subspan(placement.first, placement.count),
+                   run.spacings, run.sphere);
+      if (!added) return added.error();
+      run.mesh = *added;
+    }
+    const StoredFarMesh& mesh = far_.mesh(*run.mesh);
+    StoredPatch frame;
+    frame.material = placement.material;
+    frame.origin = relief::moved(placement.transform, mesh.origin);
+    frame.axes = placement.transform.rotation;
+    frame.spacing = placement.transform.scale * mesh.unit;
+    const auto patch = static_cast<std::uint32_t>(patches_.size());
+    StoredPlacement::Far far{*run.mesh, patch, far_.place(patch), {}};
+    for (const StoredFarLevel& level : mesh.levels)
+      far.spacings.push_back(placement.transform.scale * level.spacing);
+    patches_.push_back(frame);
+    rows_.push_back({std::nullopt, first_id_});
+    return far;
+  }
+
+  Table make_patch_table() {
+    std::vector<shared::PatchInfo> table;
+    table.reserve(rows_.size());
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      const StoredPatch& patch = patches_[k];
+      shared::PatchInfo info{};
+      if (rows_[k].grid) info = grids_.grid(*rows_[k].grid).info;
+      info.axis_u = {glm::vec3(patch.axes[0]), static_cast<float>(patch.spacing)};
+      info.axis_v = {glm::vec3(patch.axes[1]), info.axis_v.w};
+      info.axis_n = {glm::vec3(patch.axes[2]), info.axis_n.w};
+      info.nodes.z = static_cast<int>(rows_[k].id);
+      info.heights.w = patch.material;
+      table.push_back(info);
+    }
+    return make_table(gl_, "patch table", GL_RGBA32I, std::span<const shared::PatchInfo>(table));
+  }
+
+  const Gl& gl_;
+  const PatchModel& model_;
+  const StoreNeeds& needs_;
+  std::span<const View> views_;
+  GridUpload grids_;
+  FarUpload far_;
+  std::vector<PatchExtent> extents_;  ///< of the model's patches, where they are stored
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Run> runs_;
+  std::vector<StoredPlacement> placements_;
+  std::vector<StoredPatch> patches_;
+  std::vector<Row> rows_;  ///< parallel to `patches_`
+  std::vector<StoredLevels> levels_;
+  std::vector<StoredPart> parts_;
+  std::vector<glm::uvec2> places_;
+  std::uint32_t first_id_ = 0;  ///< of the placement at work
+};
+
+}  // namespace
+
+Result<PatchStore> upload_model(const Gl& gl, const PatchModel& model, const StoreNeeds& needs,
+                                std::span<const View> views) {
+  ModelUpload upload(gl, model, needs, views);
+  for (const Placement& placement : placements_of(model)) {
+    if (Status added = upload.add(placement); !added) return added.error();
+  }
+  return upload.take();
+}
+
+}  // namespace relief
