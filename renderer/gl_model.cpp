@@ -21,6 +21,12 @@ double near_of(const PatchModel& model) {
   return 0.01 * spacing;
 }
 
+DepthNeeds depth_needs_of(const PatchModel& model) {
+  double widest = model.spacing;
+  for (const Patch& patch : model.patches) widest = std::max(widest, patch.spacing);
+  return {near_of(model), model.bounds, widest};
+}
+
 }  // namespace
 
 Result<std::unique_ptr<GlModel>> GlModel::create(std::shared_ptr<const OpenGl> opengl,
@@ -30,7 +36,7 @@ Result<std::unique_ptr<GlModel>> GlModel::create(std::shared_ptr<const OpenGl> o
   std::unique_ptr<GlModel> made(new GlModel);
   made->opengl_ = std::move(opengl);
   made->colours_ = ColourMaps(model);
-  made->near_ = near_of(model);
+  made->depth_needs_ = depth_needs_of(model);
   std::vector<View> looks;
   looks.reserve(views.size());
   for (const RenderSettings& settings : views) looks.push_back(made->view_of(settings));
@@ -62,7 +68,7 @@ Result<GlPicture> GlModel::make_picture(const RenderSettings& settings, const Ra
   if (settings.environment.empty() || !settings.background) return picture;
   const auto surroundings = environment_for(settings.environment, 0.0F);
   if (!surroundings) return surroundings.error();
-  const auto shown = backdrop();
+  const auto shown = backdrop(settings);
   if (!shown) return shown.error();
   picture.surroundings = *surroundings;
   picture.backdrop = *shown;
@@ -95,7 +101,7 @@ Status GlModel::add_materials(const RenderSettings& settings, GlPicture& picture
 }
 
 View GlModel::view_of(const RenderSettings& settings) const {
-  View view = make_view(settings.camera, settings.width, settings.height, near_);
+  View view = make_view(settings.camera, settings.width, settings.height, depth_needs_);
   view.pixels_per_sample = pixels_per_sample_of(settings);
   return view;
 }
@@ -149,13 +155,15 @@ Result<const Resolve*> GlModel::resolve() {
   return &*resolve_;
 }
 
-Result<const Backdrop*> GlModel::backdrop() {
-  if (!backdrop_) {
-    Result<Backdrop> made = Backdrop::create(gl());
+Result<const Backdrop*> GlModel::backdrop(const RenderSettings& settings) {
+  const bool orthographic = settings.camera.is_orthographic();
+  auto found = backdrops_.find(orthographic);
+  if (found == backdrops_.end()) {
+    Result<Backdrop> made = Backdrop::create(gl(), orthographic ? RELIEF_FEATURE_ORTHOGRAPHIC : 0U);
     if (!made) return made.error();
-    backdrop_ = std::move(*made);
+    found = backdrops_.emplace(orthographic, std::move(*made)).first;
   }
-  return &*backdrop_;
+  return &found->second;
 }
 
 }  // namespace relief

@@ -20,7 +20,7 @@ layout(binding = RELIEF_TEXTURE_ROUGH_ENVIRONMENTS) uniform samplerCubeArray rou
 #if (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u
 vec3 shade_lit(vec3 albedo, vec3 facing, vec3 ray, float depth) {
 #if (RELIEF_FEATURES & RELIEF_FEATURE_POINT_LIGHTS) != 0u
-  vec3 place = depth * ray_through(gl_FragCoord.xy);
+  vec3 place = place_through(gl_FragCoord.xy, depth);
 #else
   vec3 place = vec3(0.0);
 #endif
