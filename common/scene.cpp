@@ -65,8 +65,8 @@ Result<Camera> camera_for(const SceneSettings& settings, const PatchModel& model
   const double radius = model.bounding_radius > 0.0 ? model.bounding_radius : 1.0;
   const auto projected = [&](Camera camera) {
     if (settings.orthographic) {
-      camera.orthographic_height = settings.orthographic->height.value_or(
-          fitting_height(camera, centre, radius, aspect));
+      camera.orthographic_height =
+          settings.orthographic->height.value_or(fitting_height(camera, centre, radius, aspect));
     }
     return camera;
   };
@@ -78,8 +78,7 @@ Result<Camera> camera_for(const SceneSettings& settings, const PatchModel& model
                                  : "the eye is in the middle of the model, which it looks at "
                                    "unless a target is named"};
   }
-  return projected(
-      orbit_camera(centre, radius, settings.orbit.value_or(Orbit{}), fov, aspect));
+  return projected(orbit_camera(centre, radius, settings.orbit.value_or(Orbit{}), fov, aspect));
 }
 
 }  // namespace relief

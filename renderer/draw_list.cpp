@@ -46,8 +46,8 @@ std::vector<std::uint32_t> find_near(const PatchStore& store, const View& view,
   const double lean = 1.0 + glm::dot(corner, corner);
   double depth = radius + 2.0 * radius * lean / (pixel * largest_sprite);
   if (view.orthographic) {
-    // Seen as large at any depth; a pixel more for rounding. What reaches before the near plane is no
-    // sprite either.
+    // Seen as large at any depth; a pixel more for rounding. What reaches before the near plane is
+    // no sprite either.
     if (2.0 * radius > pixel * (largest_sprite - 1.0)) return visible;
     depth = view.near + 2.0 * radius;
   }

@@ -82,8 +82,8 @@ using glm::vec4;
 // loop over them is known when a shader is compiled. A light more is a highlight per fragment.
 #define RELIEF_LIGHTS_SHIFT 27u
 
-// An orthographic camera: rays begin all over the plane through the eye, and depth values are linear
-// (include/projection.glsl). Costs nothing: it saves divisions.
+// An orthographic camera: rays begin all over the plane through the eye, and depth values are
+// linear (include/projection.glsl). Costs nothing: it saves divisions.
 #define RELIEF_FEATURE_ORTHOGRAPHIC 16384u
 
 // Locations of the colour attachments.

@@ -61,9 +61,8 @@ RELIEF_FUNCTION vec3 split_view(Frame frame, vec3 ray, vec3 lit_light, vec3 mirr
 #if RELIEF_ALWAYS_PERSPECTIVE
   float depth = max(-dot(ray, normalize(cross(right, up))), 1e-20f);
 #else
-  float depth = frame.ray_along.w > 0.0f
-                    ? 1.0f
-                    : max(-dot(ray, normalize(cross(right, up))), 1e-20f);
+  float depth =
+      frame.ray_along.w > 0.0f ? 1.0f : max(-dot(ray, normalize(cross(right, up))), 1e-20f);
 #endif
   float x = dot(ray, right) / (dot(right, right) * depth);  // pixels from the middle
   float y = dot(ray, up) / (dot(up, up) * depth);

@@ -71,12 +71,11 @@ TangentDepth tangent_depth(const PixelMapping& mapping, glm::dvec3 p, glm::dvec3
 }  // namespace
 
 SplatCamera make_splat_camera(const View& view, const EwaSettings& settings) {
-  return {view,
-          {0.5 * view.height / view.slope_y,
-           {0.5 * view.width, 0.5 * view.height},
-           view.orthographic},
-          settings.filter,
-          settings.cutoff};
+  return {
+      view,
+      {0.5 * view.height / view.slope_y, {0.5 * view.width, 0.5 * view.height}, view.orthographic},
+      settings.filter,
+      settings.cutoff};
 }
 
 template <class Kernel>

@@ -60,7 +60,8 @@ template <class Kernel>
 [[nodiscard]] PixelBox pixels_of(const Kernel& kernel, const PixelBox& limits);
 
 /// Projects a point (world; `radius` is h). Nothing if it can't be seen:
-/// - not before the near plane (orthographic: the eye's), or outside the frustum by more than its kernel reaches (the affine
+/// - not before the near plane (orthographic: the eye's), or outside the frustum by more than its
+/// kernel reaches (the affine
 ///   approximation would smear what is beside the eye over the picture);
 /// - seen edge-on (see map_tangent_plane) or too small to matter (see screen_kernel);
 /// - no surface: position, normal or radius not finite, a zero normal, a radius not above 0.

@@ -16,8 +16,8 @@ namespace {
 /// How far single precision may move a box or a ray at a distance of 1 from Embree's origin: the
 /// box, the ray's start and its direction are rounded by 6e-8 of that each. Neither the start nor
 /// the path is longer than that distance (twice that along a diagonal), because the origin is the
-/// place of the mesh's box that is nearest to the eye. Rays that start anywhere enter the box far from
-/// there: for them the distance is that of the box's other end.
+/// place of the mesh's box that is nearest to the eye. Rays that start anywhere enter the box far
+/// from there: for them the distance is that of the box's other end.
 constexpr double kSlack = 1e-6;
 
 double largest(glm::dvec3 v) {
@@ -36,7 +36,8 @@ Bounds box_about(const std::vector<glm::dvec3>& positions, glm::dvec3 eye) {
   return box;
 }
 
-/// How far along `direction` from `start` a box begins, in lengths of it; nothing if it is not there.
+/// How far along `direction` from `start` a box begins, in lengths of it; nothing if it is not
+/// there.
 std::optional<double> enter(const Bounds& whole, glm::dvec3 start, glm::dvec3 direction) {
   const Bounds box{whole.min - start, whole.max - start};
   double first = 0.0;

@@ -26,10 +26,10 @@ struct SightRay {
 /// Where the rays of a scene begin: all at the eye, or each at a place of its own.
 enum class RayStarts : std::uint8_t { AtEye, Anywhere };
 
-/// A mesh for rays from one eye, or about one. Embree's hierarchy of boxes finds the triangles that a ray may
-/// meet; whether it does is decided here, in double precision and without a slit: a ray through an
-/// edge or a vertex meets all triangles around it. Embree's own test lets 1 % of the rays through
-/// that aim at a vertex.
+/// A mesh for rays from one eye, or about one. Embree's hierarchy of boxes finds the triangles that
+/// a ray may meet; whether it does is decided here, in double precision and without a slit: a ray
+/// through an edge or a vertex meets all triangles around it. Embree's own test lets 1 % of the
+/// rays through that aim at a vertex.
 ///
 /// The boxes are in single precision, with the place of the mesh's box that is nearest to the eye
 /// as origin and about the mesh's size as unit, so that neither UTM coordinates nor a scan's unit

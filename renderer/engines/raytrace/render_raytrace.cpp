@@ -77,9 +77,8 @@ Result<RenderResult> trace_picture(const TriangleMesh& mesh, EnvironmentCache& e
   auto lighting = make_lighting(settings, view, environments);
   if (!lighting) return lighting.error();
   progress.begin_stage("sort triangles", 0);
-  const auto scene =
-      EmbreeScene::build(mesh, settings.camera.eye, progress,
-                         view.orthographic ? RayStarts::Anywhere : RayStarts::AtEye);
+  const auto scene = EmbreeScene::build(mesh, settings.camera.eye, progress,
+                                        view.orthographic ? RayStarts::Anywhere : RayStarts::AtEye);
   if (!scene) return scene.error();
   const Tracer tracer(mesh, *scene, view, std::move(*lighting));
   const std::vector<glm::dvec2> pattern = sample_pattern(settings.raytrace.samples);
