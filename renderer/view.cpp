@@ -34,6 +34,7 @@ std::pair<double, double> depth_range(const View& view, const DepthNeeds& needs)
   const double slack = kSlackShare * glm::length(half) + kSlackSpacings * needs.spacing;
   const double near = std::max(depth - size - slack, 0.0);
   const double far = std::max(depth + size + slack, near);
+  if (!std::isfinite(far)) return {0.0, 1.0};  // bounds that a hostile file has
   // Nothing of it is seen, or it has no size: any range is good.
   return {near, far > near ? far : near + std::max(near, 1.0)};
 }

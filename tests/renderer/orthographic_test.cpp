@@ -212,6 +212,35 @@ TEST_P(Orthographic, WhatIsBehindTheEyesPlaneIsCutOff) {
   EXPECT_GT(within, 3000U);
 }
 
+TEST_P(Orthographic, EyesPlaneCutsToThePixel) {
+  // Points of ewa are seen whole or not at all.
+  if (GetParam().engine == EngineKind::Ewa) return;
+  const PatchModel model = plane_model();
+  RenderSettings settings = by(GetParam(), test::small_picture(model));
+  settings.camera = {{0.0, 0.0, 0.0}, {-1.0, -0.4, -1.0}, {0.0, 1.0, 0.0}};
+  settings.camera.orthographic_height = 30.0;
+  const Image image = must_render(model, settings).image;
+  const glm::dvec3 ray = forward(settings.camera);
+  const double cosine = -glm::dot(kPlaneNormal, ray);
+  std::size_t seen = 0;
+  std::size_t cut = 0;
+  for (std::size_t k = 0; k < values(image, "A").size(); ++k) {
+    const glm::dvec3 start = pixel_start(settings, k % settings.width, k / settings.width);
+    const double depth = glm::dot(kPlaneNormal, start) / cosine;
+    const glm::dvec3 place = start + depth * ray;
+    if (std::max(std::abs(place.x), std::abs(place.y)) > kHalf - 2.0) continue;
+    // Pass 1 of multipass sets all of the surface back before it is cut.
+    const double early =
+        GetParam().engine == EngineKind::Multipass ? double{shared::kBlendingDepth} : 0.0;
+    const double slack = depth_tolerance(GetParam()) / std::abs(cosine);
+    if (depth < slack && depth > -early - slack) continue;
+    ASSERT_EQ(values(image, "A")[k] > 0.0F, depth > 0.0) << k << " " << depth;
+    ++(depth > 0.0 ? seen : cut);
+  }
+  EXPECT_GT(seen, 1000U);
+  EXPECT_GT(cut, 1000U);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Orthographic, testing::ValuesIn(test::all_engine_ways()),
                          test::name_of_way);
 
