@@ -34,7 +34,8 @@ constexpr const char* kExamples =
     "  relief render dragon.relief -o dragon.png --orbit 30,20\n"
     "  relief render dragon.relief -o dragon.png --material mirror --env studio.hdr\n"
     "  relief render statue.ply -o statue.exr --material unlit --background none --size 4096x4096\n"
-    "  relief render dragon.relief -o top.png --eye 0,1,0 --target 0,0,0 --up 0,0,-1\n"
+    "  relief render dragon.relief -o top.png --eye 0,1,0 --target 0,0,0 --up 0,0,-1 "
+    "--orthographic 0.25\n"
     "  relief render suite.json -o 'out/{view}.exr'";
 
 /// An EXR keeps the scene's light; a PNG has it as a camera with that exposure (stops) takes it,

@@ -164,6 +164,13 @@ void add_camera_options(CLI::App& sub, SceneSettings& settings) {
       ->needs(eye);
   add_number(sub, "--fov", settings.fov_degrees, {kMinFieldOfView, kMaxFieldOfView}, "DEG",
              "Vertical field of view in degrees (45)");
+  sub.add_option_function<std::string>(
+         "--orthographic",
+         [&](const std::string& s) { settings.orthographic = parse_orthographic(s); },
+         "Parallel rays instead: the picture's height in the model's coordinates, or fit: the "
+         "whole model. What is behind the plane through the eye is not seen")
+      ->option_text("HEIGHT|fit")
+      ->excludes("--fov");
 }
 
 void add_material_options(CLI::App& sub, SceneSettings& settings) {

@@ -76,6 +76,8 @@ nlohmann::ordered_json as_json(const WrittenPicture& written) {
       {"renderer", result.renderer},
       {"width", result.image.width},
       {"height", result.image.height},
+      {"orthographic_height",
+       said_by(settings.camera.is_orthographic(), settings.camera.orthographic_height)},
       {"frame_ms", result.frame_ms},
       {"gpu_ms", value_or_null(result.gpu_ms)},
       {"covered_pixels", result.covered_pixels},

@@ -74,6 +74,17 @@ Orbit parse_orbit(const std::string& text) {
       "--orbit", "expected AZIMUTH,ELEVATION[,DISTANCE] with DISTANCE above 0, as in 30,20,1.5");
 }
 
+OrthographicSize parse_orthographic(const std::string& text) {
+  if (text == "fit") return {};
+  const auto height = parse_number(text);
+  if (height && *height >= kOrthographicHeights.least && *height <= kOrthographicHeights.most)
+    return {height};
+  throw CLI::ValidationError("--orthographic",
+                             "expected the picture's height in the model's coordinates, above 0, "
+                             "or fit; found " +
+                                 text);
+}
+
 glm::dvec3 parse_vector(const std::string& text) {
   const auto numbers = parse_numbers(text);
   if (numbers.size() != 3) throw CLI::ValidationError("expected X,Y,Z, as in 0,1,0; found " + text);

@@ -21,6 +21,9 @@ namespace relief::cli {
 /// "AZ,EL" or "AZ,EL,DIST": degrees, and bounding-sphere radii above 0.
 [[nodiscard]] Orbit parse_orbit(const std::string& text);
 
+/// "fit", or a height above 0.
+[[nodiscard]] OrthographicSize parse_orthographic(const std::string& text);
+
 /// "X,Y,Z", finite.
 [[nodiscard]] glm::dvec3 parse_vector(const std::string& text);
 

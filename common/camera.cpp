@@ -23,6 +23,13 @@ Camera orbit_camera(glm::dvec3 centre, double radius, const Orbit& orbit,
   return {centre + distance * outward, centre, up, vertical_fov_degrees};
 }
 
+double fitting_height(const Camera& camera, glm::dvec3 centre, double radius, double aspect) {
+  const glm::dvec3 middle = view_rotation(camera) * (centre - camera.eye);
+  const double half_width = std::abs(middle.x) + radius;
+  const double half_height = std::abs(middle.y) + radius;
+  return 2.0 * std::max(half_height, half_width / aspect);
+}
+
 glm::dmat3 view_rotation(const Camera& camera) {
   const glm::dvec3 backward = glm::normalize(camera.eye - camera.target);
   glm::dvec3 right = glm::cross(camera.up, backward);
@@ -42,6 +49,17 @@ glm::mat4 reversed_infinite_projection(double vertical_fov_degrees, double aspec
   m[1][1] = static_cast<float>(f);
   m[2][3] = -1.0F;
   m[3][2] = static_cast<float>(near);
+  return m;
+}
+
+glm::dmat4 reversed_orthographic_projection(const OrthographicBox& box) {
+  const double range = box.far - box.near;
+  glm::dmat4 m(0.0);
+  m[0][0] = 1.0 / box.half_width;
+  m[1][1] = 1.0 / box.half_height;
+  m[2][2] = 1.0 / range;  // eye coordinates have -z ahead
+  m[3][2] = box.far / range;
+  m[3][3] = 1.0;
   return m;
 }
 

@@ -8,12 +8,17 @@
 
 namespace relief {
 
-/// A perspective camera in world coordinates, looking from `eye` to `target`.
+/// A camera in world coordinates, looking from `eye` to `target`: a perspective one, or an
+/// orthographic one, whose rays are all parallel to that line and begin in the plane through `eye`
+/// across it. What is behind that plane is not seen; otherwise the distance says nothing.
 struct Camera {
   glm::dvec3 eye{0.0, 0.0, 1.0};
   glm::dvec3 target{0.0};
   glm::dvec3 up{0.0, 1.0, 0.0};
-  double vertical_fov_degrees = 45.0;
+  double vertical_fov_degrees = 45.0;  ///< of no meaning to an orthographic one
+  double orthographic_height = 0.0;    ///< of the picture, world units; above 0: orthographic
+
+  [[nodiscard]] bool is_orthographic() const { return orthographic_height > 0.0; }
 };
 
 /// Where a camera on an orbit stands. Azimuth 0 is +Z and turns to +X; elevation lifts to +Y.
@@ -27,6 +32,11 @@ struct Orbit {
 [[nodiscard]] Camera orbit_camera(glm::dvec3 centre, double radius, const Orbit& orbit,
                                   double vertical_fov_degrees, double aspect);
 
+/// The height of an orthographic picture of `aspect` = width / height about the camera's line of
+/// sight into which a sphere (world units) just fits.
+[[nodiscard]] double fitting_height(const Camera& camera, glm::dvec3 centre, double radius,
+                                    double aspect);
+
 /// The rotation from world to eye coordinates (x right, y up, z backward). Its translation is left
 /// out on purpose: positions are made relative to the eye in double precision first.
 [[nodiscard]] glm::dmat3 view_rotation(const Camera& camera);
@@ -35,5 +45,18 @@ struct Orbit {
 /// (depth = near / distance).
 [[nodiscard]] glm::mat4 reversed_infinite_projection(double vertical_fov_degrees, double aspect,
                                                      double near);
+
+/// What an orthographic camera sees, in eye coordinates: half the picture's sides, and the depths
+/// (world units along the view axis) between which depth values fall from 1 to 0.
+struct OrthographicBox {
+  double half_width = 1.0;
+  double half_height = 1.0;
+  double near = 0.0;
+  double far = 1.0;
+};
+
+/// Projection from eye to clip coordinates with reversed depth, linear from 1 at `near` to 0 at
+/// `far`. All clip coordinates have w = 1.
+[[nodiscard]] glm::dmat4 reversed_orthographic_projection(const OrthographicBox& box);
 
 }  // namespace relief

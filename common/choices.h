@@ -83,6 +83,15 @@ inline constexpr std::uint32_t kMaxPictureSide = 32768;
 inline constexpr double kMinFieldOfView = 0.1;
 inline constexpr double kMaxFieldOfView = 170.0;
 
+/// Heights of orthographic pictures, world units; a wider range than that of coordinates is of no
+/// use.
+inline constexpr NumberChoice kOrthographicHeights{1e-12, 1e12};
+
+/// How large an orthographic picture is: a height (world units), or what the model fits into.
+struct OrthographicSize {
+  std::optional<double> height;
+};
+
 /// A value of an enumeration and its name.
 template <class T>
 struct Named {

@@ -26,12 +26,15 @@ std::vector<MaterialWords> materials_said(const std::vector<SceneModel>& models)
 SceneSettings overlay(SceneSettings base, const SceneSettings& over) {
   if (over.orbit) base.eye.reset();
   if (over.eye) base.orbit.reset();
+  if (over.fov_degrees) base.orthographic.reset();
+  if (over.orthographic) base.fov_degrees.reset();
   take(base.size, over.size);
   take(base.orbit, over.orbit);
   take(base.eye, over.eye);
   take(base.target, over.target);
   take(base.up, over.up);
   take(base.fov_degrees, over.fov_degrees);
+  take(base.orthographic, over.orthographic);
   take(base.engine, over.engine);
   take(base.primitive, over.primitive);
   take(base.interpolation, over.interpolation);
@@ -56,19 +59,26 @@ SceneSettings overlay(SceneSettings base, const SceneSettings& over) {
 Result<Camera> camera_for(const SceneSettings& settings, const PatchModel& model) {
   const glm::dvec3 centre = 0.5 * (model.bounds.min + model.bounds.max);
   const double fov = settings.fov_degrees.value_or(kDefaultFieldOfView);
+  const PictureSize size = settings.size.value_or(PictureSize{});
+  const double aspect = static_cast<double>(size.width) / size.height;
+  // A model of no size, or of no patches, has no sphere to stand off from.
+  const double radius = model.bounding_radius > 0.0 ? model.bounding_radius : 1.0;
+  const auto projected = [&](Camera camera) {
+    if (settings.orthographic) {
+      camera.orthographic_height =
+          settings.orthographic->height.value_or(fitting_height(camera, centre, radius, aspect));
+    }
+    return camera;
+  };
   if (settings.eye) {
     const Camera camera{*settings.eye, settings.target.value_or(centre),
                         settings.up.value_or(glm::dvec3(0.0, 1.0, 0.0)), fov};
-    if (camera.eye != camera.target) return camera;
+    if (camera.eye != camera.target) return projected(camera);
     return Error{settings.target ? "the eye is where its target is"
                                  : "the eye is in the middle of the model, which it looks at "
                                    "unless a target is named"};
   }
-  const PictureSize size = settings.size.value_or(PictureSize{});
-  // A model of no size, or of no patches, has no sphere to stand off from.
-  const double radius = model.bounding_radius > 0.0 ? model.bounding_radius : 1.0;
-  return orbit_camera(centre, radius, settings.orbit.value_or(Orbit{}), fov,
-                      static_cast<double>(size.width) / size.height);
+  return projected(orbit_camera(centre, radius, settings.orbit.value_or(Orbit{}), fov, aspect));
 }
 
 }  // namespace relief

@@ -31,7 +31,8 @@ struct SceneSettings : MaterialWords {
   std::optional<glm::dvec3> eye;  ///< world units, as target; not beside an orbit
   std::optional<glm::dvec3> target;
   std::optional<glm::dvec3> up;
-  std::optional<double> fov_degrees;
+  std::optional<double> fov_degrees;  ///< not beside `orthographic`
+  std::optional<OrthographicSize> orthographic;
   std::optional<EngineKind> engine;
   std::optional<Primitive> primitive;
   std::optional<Interpolation> interpolation;
@@ -86,12 +87,13 @@ Result<Scene> read_scene(const std::filesystem::path& path);
 [[nodiscard]] std::vector<MaterialWords> materials_said(const std::vector<SceneModel>& models);
 
 /// What `over` says, and where it says nothing, what `base` says. An orbit and an eye displace each
-/// other.
+/// other, and so do a field of view and an orthographic picture.
 [[nodiscard]] SceneSettings overlay(SceneSettings base, const SceneSettings& over);
 
 /// The camera of a picture of the model. An eye looks at the middle of the model's bounds unless a
-/// target is given; without an eye the camera is on an orbit about it. Fails, with a clause, if the
-/// eye is where it looks.
+/// target is given; without an eye the camera is on an orbit about it. An orthographic one without
+/// a height sees the model's bounding sphere just whole. Fails, with a clause, if the eye is where
+/// it looks.
 Result<Camera> camera_for(const SceneSettings& settings, const PatchModel& model);
 
 }  // namespace relief

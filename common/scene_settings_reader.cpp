@@ -31,6 +31,12 @@ Orbit read_orbit(JsonValues& values, const JsonPlace& place) {
   return {n[0], n[1], n.size() == 3 ? n[2] : 0.0};
 }
 
+OrthographicSize read_orthographic(JsonValues& values, const JsonPlace& place) {
+  if (place.value == "fit") return {};
+  return {values.number(place, {kOrthographicHeights.least, kOrthographicHeights.most},
+                        "the picture's height in world units, above 0, or \"fit\"")};
+}
+
 Background read_background(JsonValues& values, const JsonPlace& place) {
   constexpr std::string_view kExpected = "[r, g, b], sRGB values from 0 to 1, or \"none\"";
   if (place.value == "none") return {};
@@ -65,6 +71,7 @@ std::vector<std::string_view> with_setting_keys(std::vector<std::string_view> ke
                           "target",
                           "up",
                           "fov",
+                          "orthographic",
                           "engine",
                           "primitive",
                           "interpolation",
@@ -128,6 +135,7 @@ SceneSettings read_settings(JsonValues& values, const JsonPlace& object,
   read("fov", settings.fov_degrees, [&values](const JsonPlace& place) {
     return values.number(place, {kMinFieldOfView, kMaxFieldOfView}, "degrees from 0.1 to 170");
   });
+  read("orthographic", settings.orthographic, with(read_orthographic));
   read("engine", settings.engine, named(kEngines));
   read("primitive", settings.primitive, named(kPrimitives));
   read("interpolation", settings.interpolation, named(kInterpolations));
@@ -164,6 +172,8 @@ SceneSettings read_settings(JsonValues& values, const JsonPlace& object,
   read("time-budget", settings.time_budget_ms, number(kTimeBudgets, "milliseconds above 0"));
   if (settings.orbit && (settings.eye || settings.target || settings.up))
     values.refuse(object.path, "expected either an orbit or eye, target and up; found both");
+  if (settings.fov_degrees && settings.orthographic)
+    values.refuse(object.path, "expected either fov or orthographic; found both");
   return settings;
 }
 

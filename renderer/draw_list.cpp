@@ -44,7 +44,13 @@ std::vector<std::uint32_t> find_near(const PatchStore& store, const View& view,
   const double pixel = 2.0 * view.slope_y / view.height;
   const glm::dvec2 corner = glm::abs(view.middle) + glm::dvec2(view.slope_x, view.slope_y);
   const double lean = 1.0 + glm::dot(corner, corner);
-  const double depth = radius + 2.0 * radius * lean / (pixel * largest_sprite);
+  double depth = radius + 2.0 * radius * lean / (pixel * largest_sprite);
+  if (view.orthographic) {
+    // Seen as large at any depth; a pixel more for rounding. What reaches before the near plane is
+    // no sprite either.
+    if (2.0 * radius > pixel * (largest_sprite - 1.0)) return visible;
+    depth = view.near + 2.0 * radius;
+  }
   std::vector<std::uint32_t> near;
   std::copy_if(visible.begin(), visible.end(), std::back_inserter(near),
                [&](std::uint32_t p) { return nearest_depth(store.patches[p], view) < depth; });

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <glm/geometric.hpp>
 #include <vector>
 
 #include "renderer/gl/functions.h"
@@ -20,7 +19,7 @@ template <class Thing>
                                                        std::vector<std::uint32_t> visible) {
   std::vector<double> distance(things.size());
   for (const std::uint32_t t : visible)
-    distance[t] = glm::distance(things[t].centre, view.eye) - things[t].radius;
+    distance[t] = distance_to(view, things[t].centre) - things[t].radius;
   std::stable_sort(visible.begin(), visible.end(), [&distance](std::uint32_t a, std::uint32_t b) {
     return distance[a] < distance[b];
   });

@@ -54,9 +54,9 @@ Result<Texture> upload_environments(const Gl& gl, const std::vector<CubeMap>& cu
   return upload_cubes(gl, "rough environments", GL_TEXTURE_CUBE_MAP_ARRAY, all);
 }
 
-Result<Backdrop> Backdrop::create(const Gl& gl) {
-  Result<Program> program =
-      make_program(gl, "backdrop", "environment/screen.vert", "environment/backdrop.frag", 0);
+Result<Backdrop> Backdrop::create(const Gl& gl, std::uint32_t features) {
+  Result<Program> program = make_program(gl, "backdrop", "environment/screen.vert",
+                                         "environment/backdrop.frag", features);
   if (!program) return program.error();
   return Backdrop(gl, std::move(*program), VertexArray(gl, "no attributes"));
 }

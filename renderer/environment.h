@@ -1,6 +1,7 @@
 // The surroundings on the GPU.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "common/error.h"
@@ -22,7 +23,8 @@ Result<Texture> upload_environments(const Gl& gl, const std::vector<CubeMap>& cu
 /// uniforms must be bound.
 class Backdrop {
  public:
-  static Result<Backdrop> create(const Gl& gl);
+  /// `features`: RELIEF_FEATURE_ORTHOGRAPHIC or none.
+  static Result<Backdrop> create(const Gl& gl, std::uint32_t features);
   void draw(PassTimer& timer, const Texture& environment) const;
 
  private:

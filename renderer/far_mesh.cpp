@@ -24,9 +24,8 @@ constexpr double kMostFarPixels = 4.0;
 constexpr double kFewestAcross = 3.0;
 
 /// World units a pixel, where the sphere is nearest to the eye; below 0 behind it.
-double pixel_at(const View& view, const Sphere& model) {
-  const double depth = -(view.rotation * (model.centre - view.eye)).z - model.radius;
-  return 2.0 * view.slope_y / view.height * depth;
+double nearest_pixel(const View& view, const Sphere& model) {
+  return pixel_at(view, -(view.rotation * (model.centre - view.eye)).z - model.radius);
 }
 
 /// A cube of the grid, and one of the sides that normals point to.
@@ -209,7 +208,7 @@ std::vector<double> far_spacings(const Sphere& model, double spacing) {
 }
 
 bool is_far(const View& view, const Sphere& model, double finest_spacing) {
-  const double pixel = pixel_at(view, model);
+  const double pixel = nearest_pixel(view, model);
   // Where a pixel has several samples, View::far_diameter counts these.
   const double whole_pixel = pixel * view.far_diameter / kFarDiameter;
   return 2.0 * model.radius < view.far_diameter * pixel &&
@@ -218,7 +217,7 @@ bool is_far(const View& view, const Sphere& model, double finest_spacing) {
 
 std::size_t choose_far_level(const View& view, const Sphere& model,
                              std::span<const double> spacings) {
-  const double pixel = pixel_at(view, model);
+  const double pixel = nearest_pixel(view, model);
   std::size_t level = 0;
   while (level + 1 < spacings.size() && spacings[level + 1] <= kFarPixels * pixel) ++level;
   return level;

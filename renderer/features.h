@@ -53,7 +53,8 @@ struct ColourMaps {
   const bool coloured =
       colours.any && (uses(settings, Material::Unlit) || uses(settings, Material::Lit) ||
                       uses(settings, Material::Split));
-  return (settings.primitive == Primitive::Sprite ? RELIEF_FEATURE_SPRITE : 0U) |
+  return (settings.camera.is_orthographic() ? RELIEF_FEATURE_ORTHOGRAPHIC : 0U) |
+         (settings.primitive == Primitive::Sprite ? RELIEF_FEATURE_SPRITE : 0U) |
          (coloured ? RELIEF_FEATURE_COLOURS : 0U) |
          (coloured && colours.fine ? RELIEF_FEATURE_FINE_COLOURS : 0U) |
          material_features(settings) | (settings.outputs.normal ? RELIEF_FEATURE_OUT_NORMAL : 0U) |

@@ -15,18 +15,23 @@
 namespace relief {
 namespace {
 
-/// A near plane that no surface that can be told apart from the eye is in front of.
-double near_of(const PatchModel& model) {
-  double spacing = model.spacing > 0.0 ? model.spacing : 1.0;
+/// A near plane that no surface that can be told apart from the eye is in front of, and the
+/// coarsest samples.
+DepthNeeds depth_needs_of(const PatchModel& model) {
+  double finest = model.spacing > 0.0 ? model.spacing : 1.0;
+  double coarsest = model.spacing;
+  const auto note = [&](double spacing) {
+    finest = std::min(finest, spacing);
+    coarsest = std::max(coarsest, spacing);
+  };
   if (model.placements.empty()) {
-    for (const Patch& patch : model.patches) spacing = std::min(spacing, patch.spacing);
+    for (const Patch& patch : model.patches) note(patch.spacing);
   }
   for (const Placement& placement : model.placements) {
     for (std::uint32_t k = 0; k < placement.count; ++k)
-      spacing =
-          std::min(spacing, placement.transform.scale * model.patches[placement.first + k].spacing);
+      note(placement.transform.scale * model.patches[placement.first + k].spacing);
   }
-  return 0.01 * spacing;
+  return {0.01 * finest, model.bounds, coarsest};
 }
 
 }  // namespace
@@ -38,7 +43,7 @@ Result<std::unique_ptr<GlModel>> GlModel::create(std::shared_ptr<const OpenGl> o
   std::unique_ptr<GlModel> made(new GlModel);
   made->opengl_ = std::move(opengl);
   made->colours_ = ColourMaps(model);
-  made->near_ = near_of(model);
+  made->depth_needs_ = depth_needs_of(model);
   std::vector<View> looks;
   looks.reserve(views.size());
   for (const RenderSettings& settings : views) looks.push_back(made->view_of(settings));
@@ -70,7 +75,7 @@ Result<GlPicture> GlModel::make_picture(const RenderSettings& settings, const Ra
   if (settings.environment.empty() || !settings.background) return picture;
   const auto surroundings = environment_for(settings.environment, 0.0F);
   if (!surroundings) return surroundings.error();
-  const auto shown = backdrop();
+  const auto shown = backdrop(settings);
   if (!shown) return shown.error();
   picture.surroundings = *surroundings;
   picture.backdrop = *shown;
@@ -103,7 +108,7 @@ Status GlModel::add_materials(const RenderSettings& settings, GlPicture& picture
 }
 
 View GlModel::view_of(const RenderSettings& settings) const {
-  View view = make_view(settings.camera, settings.width, settings.height, near_);
+  View view = make_view(settings.camera, settings.width, settings.height, depth_needs_);
   view.pixels_per_sample = pixels_per_sample_of(settings);
   view.far_diameter = draws_from_afar(settings) ? kFarDiameter : 0.0;
   return view;
@@ -158,13 +163,15 @@ Result<const Resolve*> GlModel::resolve() {
   return &*resolve_;
 }
 
-Result<const Backdrop*> GlModel::backdrop() {
-  if (!backdrop_) {
-    Result<Backdrop> made = Backdrop::create(gl());
+Result<const Backdrop*> GlModel::backdrop(const RenderSettings& settings) {
+  const bool orthographic = settings.camera.is_orthographic();
+  auto found = backdrops_.find(orthographic);
+  if (found == backdrops_.end()) {
+    Result<Backdrop> made = Backdrop::create(gl(), orthographic ? RELIEF_FEATURE_ORTHOGRAPHIC : 0U);
     if (!made) return made.error();
-    backdrop_ = std::move(*made);
+    found = backdrops_.emplace(orthographic, std::move(*made)).first;
   }
-  return &*backdrop_;
+  return &found->second;
 }
 
 }  // namespace relief

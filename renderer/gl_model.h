@@ -55,16 +55,16 @@ class GlModel {
   Result<const Texture*> rough_environments_for(const std::filesystem::path& path,
                                                 const std::vector<float>& roughnesses);
   Status add_materials(const RenderSettings& settings, GlPicture& picture);
-  Result<const Backdrop*> backdrop();
+  Result<const Backdrop*> backdrop(const RenderSettings& settings);
 
   std::shared_ptr<const OpenGl> opengl_;  ///< first: the last to go
   std::optional<PatchStore> store_;
   std::map<std::pair<std::filesystem::path, float>, Texture> environments_;  ///< by roughness
   std::map<std::pair<std::filesystem::path, std::vector<float>>, Texture> rough_environments_;
-  std::optional<Backdrop> backdrop_;
+  std::map<bool, Backdrop> backdrops_;  ///< by whether the camera is orthographic
   std::optional<Resolve> resolve_;
   ColourMaps colours_{false};
-  double near_ = 0.0;
+  DepthNeeds depth_needs_;
 };
 
 }  // namespace relief

@@ -123,7 +123,7 @@ PatchExtent extent_of(const Patch& patch) {
 
 std::uint32_t choose_level(const View& view, const PatchExtent& extent) {
   const double depth = -(view.rotation * (extent.centre - view.eye)).z - extent.radius;
-  const double pixel = 2.0 * view.slope_y / view.height * depth;  // world units
+  const double pixel = pixel_at(view, depth);
   std::uint32_t level = 0;
   while (level + 1 < extent.levels &&
          std::ldexp(extent.spacing, static_cast<int>(level) + 1) <= view.pixels_per_sample * pixel)

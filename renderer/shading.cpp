@@ -62,8 +62,9 @@ glm::vec3 shade(const Lighting& lighting, std::size_t material, const SeenSurfac
     case Material::Mirror:
       return mirror();
     case Material::Split:
-      return shared::split_view(lighting.frame, surface.ray, lit(), mirror(),
-                                shared::stored_samples(surface.uv, surface.patch - 1));
+      return shared::split_view(
+          lighting.frame, lighting.frame.ray_along.w > 0.0F ? surface.place : surface.ray, lit(),
+          mirror(), shared::stored_samples(surface.uv, surface.patch - 1));
     case Material::Glass:
       assert(own.cube != nullptr && "glass has something to refract");
       return shade_glass(own, surface);

@@ -1,27 +1,74 @@
 #include "renderer/view.h"
 
+#include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
+#include <tuple>
+#include <utility>
 
 #include "renderer/lighting.h"
 #include "renderer/patch_store.h"
 
 namespace relief {
 
-View make_view(const Camera& camera, std::uint32_t width, std::uint32_t height, double near) {
+namespace {
+
+/// Beyond the model's bounds, which are those of its points: how much farther splats of `spacing`
+/// may reach, or be set back (kBorderSetBack over the cosine of kSteepest, and kBlendingDepth).
+constexpr double kSlackSpacings = 8.0;
+
+/// The same as a part of the bounds' depth: samples are not where the points are.
+constexpr double kSlackShare = 0.125;
+
+/// The depths of an orthographic view that are told apart.
+std::pair<double, double> depth_range(const View& view, const DepthNeeds& needs) {
+  if (needs.bounds.empty()) return {0.0, 1.0};
+  const glm::dvec3 backward = glm::transpose(view.rotation)[2];
+  const glm::dvec3 middle = 0.5 * (needs.bounds.min + needs.bounds.max);
+  const glm::dvec3 half = 0.5 * (needs.bounds.max - needs.bounds.min);
+  const double depth = glm::dot(backward, view.eye - middle);
+  const double size = glm::dot(glm::abs(backward), half);
+  const double slack = kSlackShare * glm::length(half) + kSlackSpacings * needs.spacing;
+  const double near = std::max(depth - size - slack, 0.0);
+  const double far = std::max(depth + size + slack, near);
+  if (!std::isfinite(far)) return {0.0, 1.0};  // bounds that a hostile file has
+  // Nothing of it is seen, or it has no size: any range is good.
+  return {near, far > near ? far : near + std::max(near, 1.0)};
+}
+
+/// Where the point at depth 1 that is seen at a window position lies right and up of the axis.
+glm::dvec2 place_in_picture(const View& view, glm::dvec2 window) {
+  const glm::dvec2 ndc = 2.0 * window / glm::dvec2(view.width, view.height) - 1.0;
+  return view.middle + ndc * glm::dvec2(view.slope_x, view.slope_y);
+}
+
+}  // namespace
+
+View make_view(const Camera& camera, std::uint32_t width, std::uint32_t height,
+               const DepthNeeds& needs) {
   const double aspect = static_cast<double>(width) / height;
   View view;
   view.eye = camera.eye;
   view.rotation = view_rotation(camera);
-  view.projection =
-      glm::dmat4(reversed_infinite_projection(camera.vertical_fov_degrees, aspect, near));
-  view.near = near;
-  view.slope_y = std::tan(glm::radians(camera.vertical_fov_degrees) / 2.0);
-  view.slope_x = view.slope_y * aspect;
   view.width = width;
   view.height = height;
+  view.orthographic = camera.is_orthographic();
+  if (view.orthographic) {
+    view.slope_y = camera.orthographic_height / 2.0;
+    view.slope_x = view.slope_y * aspect;
+    std::tie(view.near, view.far) = depth_range(view, needs);
+    view.projection =
+        reversed_orthographic_projection({view.slope_x, view.slope_y, view.near, view.far});
+    return view;
+  }
+  view.projection =
+      glm::dmat4(reversed_infinite_projection(camera.vertical_fov_degrees, aspect, needs.near));
+  view.near = needs.near;
+  view.slope_y = std::tan(glm::radians(camera.vertical_fov_degrees) / 2.0);
+  view.slope_x = view.slope_y * aspect;
   return view;
 }
 
@@ -48,9 +95,23 @@ View view_of_part(const View& picture, const Raster& part) {
 }
 
 glm::dvec3 ray_through(const View& view, glm::dvec2 window) {
-  const glm::dvec2 ndc = 2.0 * window / glm::dvec2(view.width, view.height) - 1.0;
-  return glm::transpose(view.rotation) *
-         glm::dvec3(view.middle + ndc * glm::dvec2(view.slope_x, view.slope_y), -1.0);
+  if (view.orthographic) return glm::transpose(view.rotation) * glm::dvec3(0.0, 0.0, -1.0);
+  return glm::transpose(view.rotation) * glm::dvec3(place_in_picture(view, window), -1.0);
+}
+
+glm::dvec3 ray_start(const View& view, glm::dvec2 window) {
+  if (!view.orthographic) return glm::dvec3(0.0);
+  return glm::transpose(view.rotation) * glm::dvec3(place_in_picture(view, window), 0.0);
+}
+
+double pixel_at(const View& view, double depth) {
+  const double pixel = 2.0 * view.slope_y / view.height;
+  return view.orthographic ? pixel : pixel * depth;
+}
+
+double distance_to(const View& view, glm::dvec3 place) {
+  if (!view.orthographic) return glm::distance(place, view.eye);
+  return -(view.rotation * (place - view.eye)).z;
 }
 
 shared::PatchView view_patch(const View& view, const StoredPatch& patch) {
@@ -60,6 +121,11 @@ shared::PatchView view_patch(const View& view, const StoredPatch& patch) {
                                  glm::dvec4(turn[2], 0.0), glm::dvec4(origin, 1.0));
   shared::PatchView seen{};
   seen.clip_from_grid = glm::mat4(view.projection * eye_from_grid);
+  if (view.orthographic) {
+    const glm::dvec3 forward = glm::transpose(view.rotation) * glm::dvec3(0.0, 0.0, -1.0);
+    seen.eye = glm::vec4(glm::dvec4(glm::transpose(patch.axes) * forward, -origin.z));
+    return seen;
+  }
   const glm::dvec3 eye = glm::transpose(patch.axes) * (view.eye - patch.origin) / patch.spacing;
   seen.eye = glm::vec4(glm::vec3(eye), 0.0F);
   return seen;
@@ -70,7 +136,8 @@ bool sees_sphere(const View& view, glm::dvec3 centre, double radius) {
   const double depth = -c.z;
   if (depth < -radius) return false;
   // Distance to a side plane through the eye; its inward normal is (-1, 0, -slope) normalised.
-  const auto outside = [depth, radius](double across, double slope) {
+  const auto outside = [&view, depth, radius](double across, double slope) {
+    if (view.orthographic) return across - slope > radius;
     return across - depth * slope > radius * std::sqrt(1.0 + slope * slope);
   };
   return !outside(c.x, view.middle.x + view.slope_x) &&
@@ -87,8 +154,9 @@ shared::Frame make_frame(const View& view, double largest_sprite, const Lights& 
     return glm::vec4(glm::dvec4(to_world * glm::dvec3(x, y, z), w));
   };
   shared::Frame frame{};
-  frame.ray_origin =
-      direction(view.middle.x - view.slope_x, view.middle.y - view.slope_y, -1.0, view.near);
+  frame.ray_origin = direction(view.middle.x - view.slope_x, view.middle.y - view.slope_y,
+                               view.orthographic ? 0.0 : -1.0, view.near);
+  if (view.orthographic) frame.ray_along = direction(0.0, 0.0, -1.0, view.far - view.near);
   frame.ray_x = direction(pixel_x, 0.0, 0.0, 1.0 / pixel_x);
   frame.ray_y = direction(0.0, pixel_y, 0.0, largest_sprite);
   frame.viewport = {view.width, view.height, 1.0F / static_cast<float>(view.width),

@@ -29,9 +29,11 @@ struct View {
   glm::dvec3 eye{0.0};
   glm::dmat3 rotation{1.0};  ///< world to eye directions (x right, y up, z backward)
   glm::dmat4 projection{1.0};
+  bool orthographic = false;
   double near = 0.0;
-  double slope_x = 1.0;  ///< half the picture's width and height at distance 1
-  double slope_y = 1.0;
+  double far = 0.0;      ///< where depth values end at 0; only of an orthographic camera
+  double slope_x = 1.0;  ///< half the picture's width and height at distance 1; of an orthographic
+  double slope_y = 1.0;  ///< camera at any distance
   glm::dvec2 middle{0.0};  ///< where the picture's middle is at distance 1, right and up of the
                            ///< camera's axis: 0 but for a part of a picture
   std::uint32_t width = 0;
@@ -41,17 +43,39 @@ struct View {
                                    ///< (renderer/far_mesh.h); 0: none is
 };
 
+/// What the depth values of a view have to tell apart.
+struct DepthNeeds {
+  double near = 0.0;     ///< nothing that a perspective camera sees is nearer, world units
+  Bounds bounds;         ///< of the model
+  double spacing = 0.0;  ///< of its samples
+};
+
 /// `near` only bounds what may be in front of the eye: with reversed floating-point depth a small
-/// one costs no precision.
+/// one costs no precision. The depth values of an orthographic camera are linear, so that they are
+/// given to the model's bounds, or to what is of them before the plane through the eye: where that
+/// is, all engines begin to see. Without bounds (the engines on the CPU) they are of no meaning.
 [[nodiscard]] View make_view(const Camera& camera, std::uint32_t width, std::uint32_t height,
-                             double near);
+                             const DepthNeeds& needs);
+[[nodiscard]] inline View make_view(const Camera& camera, std::uint32_t width, std::uint32_t height,
+                                    double near) {
+  return make_view(camera, width, height, DepthNeeds{near, {}, 0.0});
+}
 
 /// What shows a part of the view's picture: its pixels are the part's samples.
 [[nodiscard]] View view_of_part(const View& picture, const Raster& part);
 
 /// The direction through a window position (pixels from the lower left corner), world, of length 1
-/// along the view axis: the point at depth z is eye + z * ray_through.
+/// along the view axis: the point at depth z is eye + ray_start + z * ray_through.
 [[nodiscard]] glm::dvec3 ray_through(const View& view, glm::dvec2 window);
+
+/// Where that ray begins, world, from the eye: 0 but for an orthographic camera.
+[[nodiscard]] glm::dvec3 ray_start(const View& view, glm::dvec2 window);
+
+/// How high a pixel is at a depth, world units.
+[[nodiscard]] double pixel_at(const View& view, double depth);
+
+/// How far a place (world) is from the eye, or from the plane through an orthographic one.
+[[nodiscard]] double distance_to(const View& view, glm::dvec3 place);
 
 /// The camera relative to a patch.
 [[nodiscard]] shared::PatchView view_patch(const View& view, const StoredPatch& patch);

@@ -2,7 +2,8 @@
 # Renders models with every engine from twelve views and compares the pictures with ray-traced ones:
 # prints a Markdown table. Needs jq.
 # usage: scripts/measure_accuracy.sh RELIEF_BINARY DATA_FOLDER [WIDTHxHEIGHT [MODEL...]]
-# WAYS="WAY;WAY" in the environment: these rows alone, named as in the table.
+# WAYS="WAY;WAY" in the environment: these rows alone, named as in the table. SETTINGS, a JSON object:
+# what all views have beside their orbits (docs/scene.md).
 set -euo pipefail
 relief=$1
 data=$2
@@ -24,8 +25,9 @@ views=$(for azimuth in 0 45 90 135 180 225 270 315; do echo "[$azimuth, 15]"; do
 # scene FILE MODEL: a scene of one model with those views.
 scene() {
   jq -n --arg model "$2" --argjson views "$(jq -s . <<<"$views")" --arg size "$size" \
+    --argjson settings "${SETTINGS:-{\}}" \
     '{models: [{file: $model}], size: ($size | split("x") | map(tonumber)), background: "none",
-      views: [$views | to_entries[] | {name: "\(.key)", orbit: .value}]}' >"$1"
+      views: [$views | to_entries[] | {name: "\(.key)", orbit: .value}]} + $settings' >"$1"
 }
 # pictures NAME SCENE OPTION...: twelve pictures NAME/VIEW.exr.
 pictures() {

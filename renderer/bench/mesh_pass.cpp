@@ -137,6 +137,7 @@ Result<std::unique_ptr<GlPreparedModel>> prepare_mesh(std::shared_ptr<const Open
   // What pictures need beside the mesh comes with a model; this one has no patches.
   PatchModel nothing;
   nothing.spacing = near_spacing(bounds);
+  nothing.bounds = bounds;
   auto on_gpu = GlModel::create(std::move(opengl), nothing, {}, {});
   if (!on_gpu) return on_gpu.error();
   const Gl& gl = (*on_gpu)->gl();

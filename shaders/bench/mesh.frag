@@ -22,5 +22,5 @@ void main() {
   normal = normalize(seen_normal);
   view = normalize(ray);
 #endif
-  out_colour = vec4(shade_material(0, albedo, normal, view, 1.0 / gl_FragCoord.w), 1.0);
+  out_colour = vec4(shade_material(0, albedo, normal, view, RELIEF_FRAGMENT_DEPTH), 1.0);
 }

@@ -12,7 +12,7 @@ layout(location = 1) out vec3 ray;
 
 void main() {
   seen_normal = normal;
-  ray = position - fetch_eye(0u);
+  ray = ray_toward(position, fetch_eye(0u));
 #if (RELIEF_FEATURES & RELIEF_FEATURE_COLOURS) != 0u
   seen_colour = colour;
 #endif

@@ -28,7 +28,7 @@ const float normal_length = 1.0;
 #if (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u
 vec3 shade_lit(vec3 albedo, vec3 facing, vec3 ray, float depth) {
 #if (RELIEF_FEATURES & RELIEF_FEATURE_POINT_LIGHTS) != 0u
-  vec3 place = depth * ray_through(gl_FragCoord.xy);
+  vec3 place = place_through(gl_FragCoord.xy, depth);
 #else
   vec3 place = vec3(0.0);
 #endif
@@ -62,6 +62,15 @@ vec3 shade_glass(MaterialInfo material, vec3 normal, vec3 ray) {
 #if (RELIEF_FEATURES & RELIEF_FEATURE_SPLIT) != 0u
 // What the split view shows of the place as it is stored; whoever shades a place sets it.
 vec3 place_as_stored = vec3(0.0);
+
+// What split_view() wants to know of a fragment.
+vec3 ray_or_place(vec3 ray) {
+#if (RELIEF_FEATURES & RELIEF_FEATURE_ORTHOGRAPHIC) != 0u
+  return place_through(gl_FragCoord.xy, 0.0);
+#else
+  return ray;
+#endif
+}
 #endif
 
 // What its material makes of a surface seen along `ray` at `depth` along the view axis; `index`: of
@@ -83,7 +92,7 @@ vec3 shade_material(int index, vec3 albedo, vec3 normal, vec3 ray, float depth) 
 #if (RELIEF_FEATURES & RELIEF_FEATURE_SPLIT) != 0u
   if (kind == kSplit) {
     vec3 lit_light = shade_lit(albedo, facing_normal(normal, ray), ray, depth);
-    colour = split_view(frame, ray, lit_light, reflection, place_as_stored);
+    colour = split_view(frame, ray_or_place(ray), lit_light, reflection, place_as_stored);
   }
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_GLASS) != 0u
@@ -92,7 +101,7 @@ vec3 shade_material(int index, vec3 albedo, vec3 normal, vec3 ray, float depth) 
 #endif
 #elif (RELIEF_FEATURES & RELIEF_FEATURE_SPLIT) != 0u
   vec3 facing = facing_normal(normal, ray);
-  colour = split_view(frame, ray, shade_lit(albedo, facing, ray, depth),
+  colour = split_view(frame, ray_or_place(ray), shade_lit(albedo, facing, ray, depth),
                       shade_mirror(facing, ray, -1.0), place_as_stored);
 #elif (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u
   colour = shade_lit(albedo, facing_normal(normal, ray), ray, depth);

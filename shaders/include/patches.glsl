@@ -7,10 +7,7 @@ layout(std140, binding = RELIEF_BIND_FRAME) uniform FrameBlock {
   Frame frame;
 };
 
-// The direction (world) through a window position, of unit depth.
-vec3 ray_through(vec2 window) {
-  return frame.ray_origin.xyz + window.x * frame.ray_x.xyz + window.y * frame.ray_y.xyz;
-}
+#include "include/projection.glsl"
 
 // What a shader does not use of it is never read.
 PatchInfo fetch_patch(uint patch_index) {
@@ -39,9 +36,9 @@ vec2 clamp_to_patch(PatchInfo info, vec2 place) {
   return clamp(place, info.extent.xx, info.extent.yz);
 }
 
-// The eye in the grid frame.
-vec3 fetch_eye(uint patch_index) {
-  return texelFetch(patch_views, int(patch_index) * kPatchViewRows + 4).xyz;
+// The eye in the grid frame (PatchView::eye).
+vec4 fetch_eye(uint patch_index) {
+  return texelFetch(patch_views, int(patch_index) * kPatchViewRows + 4);
 }
 
 // Whether a pass that shades later has to be told how far away the surface is.

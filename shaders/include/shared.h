@@ -82,6 +82,10 @@ using glm::vec4;
 // loop over them is known when a shader is compiled. A light more is a highlight per fragment.
 #define RELIEF_LIGHTS_SHIFT 27u
 
+// An orthographic camera: rays begin all over the plane through the eye, and depth values are
+// linear (include/projection.glsl). Costs nothing: it saves divisions.
+#define RELIEF_FEATURE_ORTHOGRAPHIC 16384u
+
 // Locations of the colour attachments.
 #define RELIEF_OUT_COLOUR 0
 #define RELIEF_OUT_NORMAL 1
@@ -323,7 +327,9 @@ struct PatchInfo {
 /// row, height) in cells.
 struct PatchView {
   mat4 clip_from_grid;
-  vec4 eye;  ///< the eye in the grid frame; w: 0
+  /// The eye in the grid frame; w: 0. Of an orthographic camera the direction of all rays there, of
+  /// length 1; w: depth of the grid's origin along the view axis (world units).
+  vec4 eye;
 };
 
 /// A vertex of the mesh that stands for a model seen from afar, four words: its place in the mesh's
@@ -347,7 +353,11 @@ struct Frame {
   vec4 ray_origin;  ///< world direction of unit depth through window position (0, 0); w: near
   vec4 ray_x;       ///< its change per pixel to the right; w: pixels per unit at depth 1
   vec4 ray_y;       ///< its change per pixel upward; w: largest sprite (pixels)
-  vec4 viewport;    ///< width, height, 1/width, 1/height (pixels)
+  /// Orthographic: world direction of all rays, of length 1; w: what depth values from 1 to 0 span
+  /// from near on (world units), else 0. The rays' places in the plane through the eye, relative to
+  /// that, are then what ray_origin, ray_x and ray_y say.
+  vec4 ray_along;
+  vec4 viewport;  ///< width, height, 1/width, 1/height (pixels)
   vec4 light_ambient;
   vec4 light_place[kMostLights];  ///< world; w 0: toward the light, 1: where it is from the eye
   vec4 light_colour[kMostLights];
@@ -363,6 +373,6 @@ static_assert(offsetof(PatchInfo, nodes) == 48 && offsetof(PatchInfo, colours) =
               offsetof(PatchInfo, extent) == 128);
 static_assert(sizeof(FarVertex) == 16 && sizeof(FarSource) == 8);
 static_assert(sizeof(PatchView) == 16 * kPatchViewRows && offsetof(PatchView, eye) == 64);
-static_assert(sizeof(Frame) == 112 + 32 * kMostLights && offsetof(Frame, light_place) == 80);
+static_assert(sizeof(Frame) == 128 + 32 * kMostLights && offsetof(Frame, light_place) == 96);
 }  // namespace relief::shared
 #endif

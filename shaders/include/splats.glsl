@@ -15,8 +15,8 @@ struct Splat {
   vec2 slope;        // of its tangent plane: height per cell
   vec4 reach;        // how far it extends over the base plane toward -x, +x, -y, +y, in cells
   vec4 margin;       // and beyond that to close gaps
-  float depth;       // of its centre, along the view axis, in world units
-  float set_back;    // factor on its depth value: below 1 for border splats
+  float depth;       // of its centre, along the view axis, in world units; orthographic: 1
+  float set_back;    // of its depth values (projection.glsl): those of border splats are
 };
 
 // The margins beyond a splat's reaches that close its gaps (cells high) for the view ray to its
@@ -42,7 +42,7 @@ uvec4 fetch_record(int record, PatchInfo info) {
 #endif
 }
 
-Splat fetch_splat(int record, PatchInfo info, mat4 clip_from_grid, vec3 eye) {
+Splat fetch_splat(int record, PatchInfo info, mat4 clip_from_grid, vec4 eye) {
   uvec4 bits = fetch_record(record, info);
   float spacing = info.axis_u.w;
   float height_step = info.axis_v.w;
@@ -58,10 +58,10 @@ Splat fetch_splat(int record, PatchInfo info, mat4 clip_from_grid, vec3 eye) {
   float pixel = max(splat.depth, 0.0) / (frame.ray_x.w * spacing);  // in cells
   vec4 gaps = kGapStep * 255.0 * unpackUnorm4x8(bits.w);
   splat.reach = kReachStep * 255.0 * unpackUnorm4x8(bits.z) + kMarginPixels * pixel;
-  splat.margin = margins_of(gaps, splat.slope, splat.centre - eye);
+  splat.margin = margins_of(gaps, splat.slope, ray_toward(splat.centre, eye));
   bool border = (bits.x & kBorderBit) != 0u && splat.depth > 0.0;
   float behind = kBorderSetBack * spacing * sqrt(1.0 + dot(splat.slope, splat.slope));
-  splat.set_back = border ? splat.depth / (splat.depth + behind) : 1.0;
+  splat.set_back = border ? set_back_of(splat.depth, behind) : kNotSetBack;
   return splat;
 }
 

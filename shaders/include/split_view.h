@@ -8,6 +8,7 @@
 #include <glm/vec2.hpp>
 
 #include "shaders/include/shading.h"
+#define RELIEF_ALWAYS_PERSPECTIVE 0
 namespace relief::shared {
 using glm::abs;
 using glm::cross;
@@ -15,6 +16,7 @@ using glm::floor;
 using glm::vec2;
 #else
 #include "include/shading.h"
+#define RELIEF_ALWAYS_PERSPECTIVE (RELIEF_FEATURES & RELIEF_FEATURE_ORTHOGRAPHIC) == 0u
 #endif
 
 /// A colour for three numbers, unlike those of numbers near them (PCG3D: Jarzynski and Olano, "Hash
@@ -48,15 +50,20 @@ RELIEF_FUNCTION vec3 stored_samples(vec2 place, uint patch_id) {
          (patch_colour + unique_colour(uint(int(nearest.x)), uint(int(nearest.y)), patch_id));
 }
 
-/// The split view of what is seen along `ray`: the picture's quarters are lit (upper left), a
-/// mirror (upper right), the mean of both (lower right), and the samples (lower left), with white
-/// lines between them. The picture's middle is where the view axis meets it, so that parts of a
-/// picture agree.
+/// The split view of what is seen along `ray`, or orthographic at the place `ray` from the eye: the
+/// picture's quarters are lit (upper left), a mirror (upper right), the mean of both (lower right),
+/// and the samples (lower left), with white lines between them. The picture's middle is where the
+/// view axis meets it, so that parts of a picture agree.
 RELIEF_FUNCTION vec3 split_view(Frame frame, vec3 ray, vec3 lit_light, vec3 mirror_light,
                                 vec3 samples) {
   vec3 right = vec3(frame.ray_x);
   vec3 up = vec3(frame.ray_y);
+#if RELIEF_ALWAYS_PERSPECTIVE
   float depth = max(-dot(ray, normalize(cross(right, up))), 1e-20f);
+#else
+  float depth =
+      frame.ray_along.w > 0.0f ? 1.0f : max(-dot(ray, normalize(cross(right, up))), 1e-20f);
+#endif
   float x = dot(ray, right) / (dot(right, right) * depth);  // pixels from the middle
   float y = dot(ray, up) / (dot(up, up) * depth);
   if (min(abs(x), abs(y)) < kSplitLine) return vec3(1.0f);

@@ -47,7 +47,11 @@ SpriteBox bound_disc(Splat splat, float radius, mat4 clip_from_grid) {
   box.centre = 0.5 * (low + high);
   vec2 pixels = 0.5 * (high - low) * frame.viewport.xy;
   box.size = max(pixels.x, pixels.y) + 0.125;  // corners are snapped to 1/256 pixel
+#if (RELIEF_FEATURES & RELIEF_FEATURE_ORTHOGRAPHIC) != 0u
+  box.nearest = c.z + length(vec2(du.z, dv.z));
+#else
   box.nearest = frame.ray_origin.w / (c.w - sqrt(reach));
+#endif
   box.drawable = in_front && box.visible && box.size <= frame.ray_y.w && box.nearest <= 1.0;
   return box;
 }

@@ -11,6 +11,6 @@ void main() {
   vec4 footprint = RELIEF_DISC_FOOTPRINT(hit.place);
   float visible = texelFetch(visible_depth, ivec2(gl_FragCoord.xy), 0).x;
   // In this form an undefined place is discarded too.
-  if (!(dot(hit.place, hit.place) <= 1.0 && frame.ray_origin.w * hit.nearness > visible)) discard;
-  accumulate(hit.place, 1.0 / hit.nearness, footprint);
+  if (!(dot(hit.place, hit.place) <= 1.0 && value_at(hit) > visible)) discard;
+  accumulate(hit.place, depth_at(hit), footprint);
 }

@@ -7,5 +7,5 @@ void main() {
   count_fragment();
   vec4 footprint = RELIEF_DISC_FOOTPRINT(place);
   if (dot(place, place) > 1.0) discard;
-  accumulate(place, 1.0 / gl_FragCoord.w, footprint);
+  accumulate(place, RELIEF_FRAGMENT_DEPTH, footprint);
 }

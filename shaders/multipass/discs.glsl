@@ -24,9 +24,14 @@ float blending_radius(Splat splat, PatchInfo info) {
   return max(radius_factor * max(of_paper, kLeastDiscPixels * pixel), covering_radius(splat));
 }
 
-// Factor on the depth values of a splat in pass 1, which sets it back along the ray.
-float visibility_factor(Splat splat, PatchInfo info) {
+// What sets the depth values of a splat in pass 1 back along the ray.
+float visibility_set_back(Splat splat, PatchInfo info) {
+#if (RELIEF_FEATURES & RELIEF_FEATURE_ORTHOGRAPHIC) != 0u
+  float offset = max(kBlendingDepth * info.axis_u.w, kLeastBlendingDepth * frame.ray_along.w);
+  return splat.set_back + set_back_of(splat.depth, offset);
+#else
   float offset = max(kBlendingDepth * info.axis_u.w, kLeastBlendingDepth * splat.depth);
   float depth = max(splat.depth, offset);
   return splat.set_back * depth / (depth + offset);
+#endif
 }

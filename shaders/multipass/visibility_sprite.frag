@@ -15,6 +15,6 @@ void main() {
   PlaceInPlane hit = cast_ray();
   // In this form an undefined place is discarded too.
   if (!(hit.nearness > 0.0 && max(abs(hit.place.x), abs(hit.place.y)) <= 1.0)) discard;
-  gl_FragDepth = frame.ray_origin.w * hit.nearness * depths.y;
+  gl_FragDepth = set_back(value_at(hit), depths.y);
   write_identity(fetch_patch(hit_patch), grid_place.xy + hit.place * grid_place.zw);
 }

@@ -21,14 +21,14 @@ void main() {
       project_frame(splat.centre + vec3(offset, dot(offset, splat.slope)),
                     half_side.x * vec3(1.0, 0.0, splat.slope.x),
                     half_side.y * vec3(0.0, 1.0, splat.slope.y), clip_from_grid);
-  float factor = visibility_factor(splat, info);
+  float by = visibility_set_back(splat, info);
   frame_of_offset = seen.frame_of_offset;
   middle = seen.middle;
-  depths = vec2(seen.depth, factor);
+  depths = vec2(seen.depth, by);
   grid_place = vec4(splat.centre.xy + offset, half_side);
   hit_patch = patch_index;
   SpriteBox box = bound_disc(splat, covering_radius(splat), clip_from_grid);
   gl_Position =
-      box.drawable ? vec4(box.centre, factor * box.nearest, 1.0) : vec4(0.0, 0.0, 2.0, 1.0);
+      box.drawable ? vec4(box.centre, set_back(box.nearest, by), 1.0) : vec4(0.0, 0.0, 2.0, 1.0);
   gl_PointSize = box.size;
 }

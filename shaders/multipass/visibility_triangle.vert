@@ -20,7 +20,7 @@ void main() {
   hit_patch = patch_index;
   gl_Position =
       clip_from_grid * vec4(splat.centre + vec3(offset, dot(offset, splat.slope)), 1.0);
-  gl_Position.z *= visibility_factor(splat, info);
+  gl_Position.z = set_back(gl_Position.z, visibility_set_back(splat, info));
 #if (RELIEF_FEATURES & RELIEF_FEATURE_LARGE_SPRITES) != 0u
   SpriteBox box = bound_disc(splat, covering_radius(splat), clip_from_grid);
   if (box.drawable || !box.visible) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);

@@ -44,5 +44,6 @@ void main() {
   // As border splats: where patches overlap, what is farther from its border is the better surface.
   float behind = beside_border(info, node)
                      ? kSetBackStep * float(run >> kSetBackShift) * info.axis_u.w : 0.0;
-  if (gl_Position.w > 0.0) gl_Position.z *= gl_Position.w / (gl_Position.w + behind);
+  if (gl_Position.w > 0.0)
+    gl_Position.z = set_back(gl_Position.z, set_back_of(gl_Position.w, behind));
 }

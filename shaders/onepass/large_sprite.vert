@@ -22,6 +22,6 @@ void main() {
   // The square over the disc's shadow holds the disc.
   hit = splat_corner(splat, vec4(radius), gl_VertexID & 3);
   gl_Position = clip_from_grid * vec4(hit, 1.0);
-  gl_Position.z *= splat.set_back;
+  gl_Position.z = set_back(gl_Position.z, splat.set_back);
   if (box.drawable || !box.visible) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
 }

@@ -41,12 +41,17 @@ void main() {
 #endif
   PatchInfo info = fetch_patch(hit_patch);
   vec3 place = hit;
-  vec3 ray = hit - fetch_eye(hit_patch);
+  vec4 eye = fetch_eye(hit_patch);
+  vec3 ray = ray_toward(hit, eye);
+#if (RELIEF_FEATURES & RELIEF_FEATURE_ORTHOGRAPHIC) != 0u
+  float depth = eye.w + info.axis_u.w * dot(eye.xyz, hit);
+#else
   float depth = 1.0 / gl_FragCoord.w;
+#endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_CORRECTED) != 0u
   float along;
   if (!correct(place, ray, info, along)) discard;
-  depth *= 1.0 + along;
+  depth = depth_beyond(depth, along, info.axis_u.w);
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_MASKED) != 0u
   if (!within_mask(info, place.xy)) discard;

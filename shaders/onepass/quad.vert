@@ -13,5 +13,5 @@ void main() {
   hit_patch = patch_index;
   hit = splat_corner(splat, splat.reach + splat.margin, gl_VertexID & 3);
   gl_Position = clip_from_grid * vec4(hit, 1.0);
-  gl_Position.z *= splat.set_back;
+  gl_Position.z = set_back(gl_Position.z, splat.set_back);
 }

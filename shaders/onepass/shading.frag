@@ -15,10 +15,9 @@ void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   uvec2 found = texelFetch(found_places, pixel, 0).xy;
 #if (RELIEF_FEATURES & (RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_GLASS)) != 0u
-  // Reversed depth: 0 where nothing has been found. A surface seen at 84 degrees changes by a
-  // hundredth from one pixel to the next where a pixel is a thousandth of the distance.
+  // Reversed depth: 0 where nothing has been found.
   float visible = texelFetch(visible_depth, pixel, 0).x;
-  neighbours_alike = lessThan(abs(vec2(dFdxFine(visible), dFdyFine(visible))), vec2(0.01 * visible));
+  neighbours_alike = lessThan(abs(vec2(dFdxFine(visible), dFdyFine(visible))), vec2(largest_step(visible)));
 #endif
   vec3 ray = normalize(ray_through(gl_FragCoord.xy));
   float depth = 0.0;

@@ -86,6 +86,21 @@ TEST_F(SceneCommand, AModelOfASceneIsDrawnAsTheModelAlone) {
   EXPECT_EQ(bytes_of(path("scene.exr")), bytes_of(path("alone.exr")));
 }
 
+TEST_F(SceneCommand, AnOrthographicViewIsAsByItsOption) {
+  const std::string scene = write("flat.json", R"({"models": [{"file": "knot.relief"}], "fov": 30,
+      "size": [80, 64], "views": [{"name": "a", "orthographic": "fit"}, {"name": "b"}]})");
+  run_json({"render", scene, "-o", path("{view}.exr")});
+  // As one height for all views, which displaces their fields of view.
+  run_json({"render", scene, "-o", path("all_{view}.exr"), "--orthographic", "fit"});
+  run_json({"render", path("knot.relief"), "-o", path("alone.exr"), "--size", "80x64",
+            "--orthographic", "fit"});
+  ASSERT_FALSE(bytes_of(path("a.exr")).empty());
+  EXPECT_EQ(bytes_of(path("a.exr")), bytes_of(path("alone.exr")));
+  EXPECT_EQ(bytes_of(path("all_a.exr")), bytes_of(path("alone.exr")));
+  EXPECT_EQ(bytes_of(path("all_b.exr")), bytes_of(path("alone.exr")));
+  EXPECT_NE(bytes_of(path("b.exr")), bytes_of(path("a.exr")));
+}
+
 TEST_F(SceneCommand, ModelsStandWhereTheirTransformsPutThem) {
   // Of two knots of radius 4, one is moved by 100 and one twice as large and moved by -100.
   const std::string scene = write("far.json", R"({

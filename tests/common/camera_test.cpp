@@ -110,6 +110,26 @@ TEST(OrbitCamera, FitsTheSphereExactly) {
   }
 }
 
+TEST(OrthographicHeight, FitsTheSphereAboutTheLineOfSight) {
+  // Looks along -Z, past the sphere by 2 to the right and 1 up of it.
+  const Camera camera{{2.0, 1.0, 50.0}, {2.0, 1.0, 0.0}, {0.0, 1.0, 0.0}};
+  // Half the picture's height holds 1 + 3, half its width 2 + 3.
+  EXPECT_NEAR(fitting_height(camera, {}, 3.0, 2.0), 8.0, kRounding);
+  EXPECT_NEAR(fitting_height(camera, {}, 3.0, 1.0), 10.0, kRounding);
+  EXPECT_NEAR(fitting_height(camera, {}, 3.0, 0.5), 20.0, kRounding);
+  const Camera orbit = orbit_camera({5.0, 1.0, -2.0}, 3.0, {25.0, 40.0, 0.0}, 45.0, 1.25);
+  EXPECT_NEAR(fitting_height(orbit, {5.0, 1.0, -2.0}, 3.0, 1.25), 6.0, kRounding);
+}
+
+TEST(Projection, OfAnOrthographicCameraIsLinear) {
+  const glm::dmat4 m = reversed_orthographic_projection({4.0, 2.0, 10.0, 14.0});
+  const auto clip = [&m](glm::dvec3 eye) { return m * glm::dvec4(eye, 1.0); };
+  // From right to left, bottom to top, near to far; binary fractions, which are exact.
+  EXPECT_EQ(clip({4.0, -2.0, -10.0}), glm::dvec4(1.0, -1.0, 1.0, 1.0));
+  EXPECT_EQ(clip({-2.0, 1.0, -13.0}), glm::dvec4(-0.5, 0.5, 0.25, 1.0));
+  EXPECT_EQ(clip({0.0, 0.0, -14.0}), glm::dvec4(0.0, 0.0, 0.0, 1.0));
+}
+
 TEST(Projection, ReversesDepthToInfinity) {
   const double near = 0.25;
   const glm::mat4 m = reversed_infinite_projection(90.0, 2.0, near);

@@ -67,8 +67,8 @@ TEST_F(Scenes, EveryKeyIsRead) {
     "background": [1, 0.5, 0], "outputs": ["normal", "patch", "colour"], "orbit": [30, -20],
     "views": [
       {"name": "front-1.0_A"},
-      {"name": "top", "orbit": [0, 90, 1.5], "background": "none", "outputs": "all"},
-      {"name": "near", "eye": [1, 2, 3], "target": [0, 0, 0], "up": [0, 0, 2], "material": "unlit",
+      {"name": "top", "orthographic": "fit", "orbit": [0, 90, 1.5], "background": "none", "outputs": "all"},
+      {"name": "near", "orthographic": 0.25, "eye": [1, 2, 3], "target": [0, 0, 0], "up": [0, 0, 2], "material": "unlit",
        "size": [1, 32768], "outputs": ["depth", "uv"]}
     ]})");
   ASSERT_EQ(scene.models.size(), 2U);
@@ -126,6 +126,10 @@ TEST_F(Scenes, EveryKeyIsRead) {
   EXPECT_EQ(scene.views[2].settings.size->height, 32768U);
   EXPECT_TRUE(scene.views[2].settings.outputs->depth && scene.views[2].settings.outputs->uv);
   EXPECT_FALSE(scene.views[2].settings.outputs->normal);
+  EXPECT_FALSE(all.orthographic);
+  ASSERT_TRUE(scene.views[1].settings.orthographic && scene.views[2].settings.orthographic);
+  EXPECT_FALSE(scene.views[1].settings.orthographic->height);
+  EXPECT_EQ(scene.views[2].settings.orthographic->height, 0.25);
 }
 
 TEST_F(Scenes, SettingsThatAreWrong) {
@@ -149,6 +153,16 @@ TEST_F(Scenes, SettingsThatAreWrong) {
       {R"("eye": [1, 2, 3], "up": [0, 0, 0])", "up: expected [x, y, z] longer than 0"},
       {R"("fov": 180)", "fov: expected degrees from 0.1 to 170; found 180"},
       {R"("fov": "45")", "fov: expected degrees from 0.1 to 170; found \"45\""},
+      {R"("orthographic": 0)",
+       "orthographic: expected the picture's height in world units, above "
+       "0, or \"fit\"; found 0"},
+      {R"("orthographic": -2)",
+       "orthographic: expected the picture's height in world units, above"},
+      {R"("orthographic": "wide")", "orthographic: expected the picture's height in world units"},
+      {R"("orthographic": [1])", "orthographic: expected the picture's height in world units"},
+      {R"("orthographic": null)", "orthographic: expected the picture's height in world units"},
+      {R"("orthographic": true)", "orthographic: expected the picture's height in world units"},
+      {R"("orthographic": 1, "fov": 45)", "expected either fov or orthographic; found both"},
       {R"("engine": "embree")", "engine: expected onepass"},
       {R"("primitive": "disc")", "primitive: expected sprite, quad, cell; found \"disc\""},
       {R"("interpolation": 1)", "interpolation: expected direct, corrected; found 1"},
@@ -318,6 +332,17 @@ TEST(SceneSettings, WhatIsSaidLaterCountsAndOrbitsAndEyesDisplaceEachOther) {
   EXPECT_FALSE(overlay(over, base).eye);
 }
 
+TEST(SceneSettings, FieldsOfViewAndOrthographicPicturesDisplaceEachOther) {
+  SceneSettings perspective;
+  perspective.fov_degrees = 20.0;
+  SceneSettings orthographic;
+  orthographic.orthographic = OrthographicSize{3.0};
+  EXPECT_FALSE(overlay(perspective, orthographic).fov_degrees);
+  EXPECT_EQ(overlay(perspective, orthographic).orthographic->height, 3.0);
+  EXPECT_FALSE(overlay(orthographic, perspective).orthographic);
+  EXPECT_EQ(overlay(orthographic, {}).orthographic->height, 3.0);
+}
+
 TEST(SceneSettings, EveryMemberIsOverlaid) {
   SceneSettings over;
   over.size = PictureSize{2, 3};
@@ -369,6 +394,17 @@ TEST(SceneSettings, TheCameraIsOnAnOrbitOrAtTheEye) {
   EXPECT_FALSE(camera_for(settings, model)) << "looks from the middle at the middle";
   settings.target = glm::dvec3(0, 0, 9);
   EXPECT_TRUE(camera_for(settings, model));
+
+  settings.orthographic = OrthographicSize{2.5};
+  EXPECT_EQ(camera_for(settings, model)->orthographic_height, 2.5);
+  EXPECT_FALSE(camera_for({}, model)->is_orthographic());
+  // Unasked for a height, the sphere of radius 3 about (1, 2, 3), which is 1 to the side of the
+  // line of sight and 2 above it, is as high as 2 (2 + 3).
+  settings.orthographic = OrthographicSize{};
+  settings.eye = glm::dvec3(0.0, 0.0, 20.0);
+  settings.target = glm::dvec3(0.0);
+  settings.size = PictureSize{200, 100};
+  EXPECT_NEAR(camera_for(settings, model)->orthographic_height, 10.0, 1e-12);
 
   camera = camera_for({}, PatchModel{});
   ASSERT_TRUE(camera);

@@ -21,7 +21,7 @@ Result<std::vector<RayLayers>> find_layers(const TriangleMesh& mesh, const Camer
   tbb::parallel_for(std::uint32_t{0}, side, [&](std::uint32_t y) {
     std::vector<raytrace::Hit> hits;
     for (std::uint32_t x = 0; x < side; ++x) {
-      scene->find_all(ray_through(view, {x + 0.5, side - 1 - y + 0.5}), hits);
+      scene->find_all({{}, ray_through(view, {x + 0.5, side - 1 - y + 0.5})}, hits);
       std::ranges::sort(hits, {}, &raytrace::Hit::depth);
       RayLayers& pixel = layers[std::size_t{y} * side + x];
       pixel.least_gap = std::numeric_limits<double>::infinity();

@@ -19,7 +19,8 @@ const std::filesystem::path kFolder = RELIEF_GOLDEN_FOLDER;
 struct Golden {
   const char* name;
   Material material;
-  double distance;  ///< in radii; 0: the whole model
+  double distance;                   ///< in radii; 0: the whole model
+  double orthographic_height = 0.0;  ///< 0: perspective
 };
 
 PatchModel model_for(const Golden& golden) {
@@ -33,6 +34,7 @@ PatchModel model_for(const Golden& golden) {
 /// The picture of a golden image, but for the engine.
 RenderSettings settings_for(const Golden& golden, const PatchModel& model) {
   RenderSettings settings = test::small_picture(model, {25.0, 20.0, golden.distance});
+  settings.camera.orthographic_height = golden.orthographic_height;
   settings.material = golden.material;
   settings.background.reset();
   return settings;
@@ -98,6 +100,7 @@ constexpr Golden kLit{"lit", Material::Lit, 0.0};
 constexpr Golden kMirrorClose{"mirror_close", Material::Mirror, 1.3};
 constexpr Golden kUnlit{"unlit", Material::Unlit, 0.0};
 constexpr Golden kSplit{"split", Material::Split, 1.5};
+constexpr Golden kOrthographic{"orthographic", Material::Lit, 0.0, 2.3};
 
 INSTANTIATE_TEST_SUITE_P(All, GoldenImages,
                          testing::Combine(testing::ValuesIn(test::all_ways()),
@@ -110,6 +113,11 @@ INSTANTIATE_TEST_SUITE_P(All, GoldenImages,
 INSTANTIATE_TEST_SUITE_P(Split, GoldenImages,
                          testing::Combine(testing::Values(test::all_ways().back()),
                                           testing::Values(kSplit)),
+                         [](const auto& /*only*/) { return std::string("cells"); });
+
+INSTANTIATE_TEST_SUITE_P(Orthographic, GoldenImages,
+                         testing::Combine(testing::Values(test::all_ways().back()),
+                                          testing::Values(kOrthographic)),
                          [](const auto& /*only*/) { return std::string("cells"); });
 
 INSTANTIATE_TEST_SUITE_P(All, GoldenMultipass, testing::Values(kLit, kMirrorClose, kUnlit),

@@ -115,6 +115,20 @@ TEST(Levels, AreChosenByTheNearestSpacing) {
   EXPECT_EQ(choose_level(view, {{0.0, 0.0, 10.5}, 1.0, 0.1, 5}), 0U);
 }
 
+TEST(Levels, AreChosenByTheSpacingAtAnyDepthOfAnOrthographicPicture) {
+  Camera camera{{0.0, 0.0, 11.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
+  camera.orthographic_height = 8.0;
+  View view = make_view(camera, 100, 100, 0.01);  // a spacing of 0.1 is 1.25 pixels
+  for (const double z : {0.0, 10.5, -1000.0}) {
+    const PatchExtent extent{{0.0, 0.0, z}, 1.0, 0.1, 5};
+    for (const auto& [pixels, level] :
+         {std::pair{2.4, 0U}, {2.51, 1U}, {4.9, 1U}, {5.01, 2U}, {1000.0, 4U}}) {
+      view.pixels_per_sample = pixels;
+      EXPECT_EQ(choose_level(view, extent), level) << pixels << " " << z;
+    }
+  }
+}
+
 TEST(Levels, OfAPatchAsLongAsItIsWide) {
   EXPECT_EQ(extent_of(tattered_plane(1, 1, 0.0)).levels, 1U);
   EXPECT_EQ(extent_of(tattered_plane(3, 2, 0.0)).levels, 2U);
@@ -139,9 +153,17 @@ TEST_P(LevelPictures, OfASphereAreClosed) {
   test::SphereShape shape;
   shape.spacing = 0.02;
   const PatchModel model = test::sphere_model(shape);
-  const RenderResult finest = test::must_render(model, settings_of(model, GetParam(), 0.0));
-  for (const double pixels : {4.0, 8.0, 16.0}) {
-    const RenderResult coarse = test::must_render(model, settings_of(model, GetParam(), pixels));
+  const auto picture = [&](double height, double pixels) {
+    RenderSettings settings = settings_of(model, GetParam(), pixels);
+    settings.camera.orthographic_height = height;
+    return test::must_render(model, settings);
+  };
+  // Perspective; and orthographic, where all of the sphere is as coarse as allowed: both at
+  // level 2.
+  for (const auto& [height, pixels] :
+       {std::pair{0.0, 4.0}, {0.0, 8.0}, {0.0, 16.0}, {2.2, 4.0}, {1.1, 8.0}}) {
+    const RenderResult finest = picture(height, 0.0);
+    const RenderResult coarse = picture(height, pixels);
     std::size_t covered = 0;
     std::size_t holes = 0;
     std::size_t far = 0;

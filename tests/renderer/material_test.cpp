@@ -143,19 +143,22 @@ class Looks : public testing::TestWithParam<Look> {};
 TEST_P(Looks, AreTheRayTracersInEveryEngine) {
   const SmoothEnvironment environment;
   const PatchModel model = smooth_sphere();
-  RenderSettings settings = picture_of(model, GetParam());
-  settings.environment = environment.path();
-  settings.engine = EngineKind::Raytrace;
-  const Image truth = must_render(model, settings).image;
-  settings.engine = EngineKind::Onepass;
-  for (const Primitive primitive : {Primitive::Quad, Primitive::Sprite, Primitive::Cell}) {
-    settings.primitive = primitive;
-    expect_alike(must_render(model, settings).image, truth,
-                 "onepass " + std::string(name_of(kPrimitives, primitive)));
+  for (const double orthographic_height : {0.0, 2.4}) {
+    RenderSettings settings = picture_of(model, GetParam());
+    settings.camera.orthographic_height = orthographic_height;
+    settings.environment = environment.path();
+    settings.engine = EngineKind::Raytrace;
+    const Image truth = must_render(model, settings).image;
+    settings.engine = EngineKind::Onepass;
+    for (const Primitive primitive : {Primitive::Quad, Primitive::Sprite, Primitive::Cell}) {
+      settings.primitive = primitive;
+      expect_alike(must_render(model, settings).image, truth,
+                   "onepass " + std::string(name_of(kPrimitives, primitive)));
+    }
+    settings.engine = EngineKind::Multipass;
+    settings.primitive = Primitive::Quad;
+    expect_alike(must_render(model, settings).image, truth, "multipass");
   }
-  settings.engine = EngineKind::Multipass;
-  settings.primitive = Primitive::Quad;
-  expect_alike(must_render(model, settings).image, truth, "multipass");
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Looks, testing::ValuesIn(all_looks()),

@@ -66,10 +66,14 @@ TEST_P(Opacity, LayersCoverWhatIsBehindThem) {
       {0.25F, 0.0F, 1.0F, 1.0F},                           // what is not there covers nothing
       {0.0F, 0.5F, 0.0F, 0.125F},
   };
-  for (const auto& c : cases) {
-    settings.materials = {unlit(c.top), unlit(c.between), unlit(c.below)};
-    const Image image = must_render(model, settings).image;
-    EXPECT_NEAR(values(image, "R")[middle], c.expected, kRounding) << c.top << " " << c.between;
+  for (const double orthographic_height : {0.0, 12.0}) {
+    settings.camera.orthographic_height = orthographic_height;
+    for (const auto& c : cases) {
+      settings.materials = {unlit(c.top), unlit(c.between), unlit(c.below)};
+      const Image image = must_render(model, settings).image;
+      EXPECT_NEAR(values(image, "R")[middle], c.expected, kRounding)
+          << c.top << " " << c.between << " " << orthographic_height;
+    }
   }
 }
 

@@ -115,6 +115,18 @@ TEST(SplitView, QuartersAreWhatTheirMaterialsAloneShow) {
     EXPECT_GT(count, 200U) << "raytrace";
 }
 
+TEST(SplitView, HasTheSameQuartersInOrthographicPictures) {
+  const PatchModel model = bumpy_sphere();
+  RenderSettings settings = close_up(model);
+  settings.camera.orthographic_height = 1.2;
+  settings.pixels_per_sample = 0.0;
+  for (const EngineKind engine : {EngineKind::Onepass, EngineKind::Raytrace}) {
+    settings.engine = engine;
+    for (const std::size_t count : expect_quarters(Pictures(model, settings), "orthographic"))
+      EXPECT_GT(count, 200U);
+  }
+}
+
 TEST(SplitView, HasALineOfOnePixelWhereTheMiddleIsAPixels) {
   const PatchModel model = bumpy_sphere();
   RenderSettings settings = close_up(model);

@@ -67,8 +67,11 @@ Expected count_inside(const RenderSettings& settings, std::size_t x, std::size_t
   return expected;
 }
 
-TEST(ViewOfPart, SeesWhatThePictureSeesThere) {
-  const Camera camera{{1.0, 2.0, 9.0}, {0.0, 0.5, 0.0}, {0.1, 1.0, 0.0}, 50.0};
+class ViewOfPart : public testing::TestWithParam<double> {};
+
+TEST_P(ViewOfPart, SeesWhatThePictureSeesThere) {
+  Camera camera{{1.0, 2.0, 9.0}, {0.0, 0.5, 0.0}, {0.1, 1.0, 0.0}, 50.0};
+  camera.orthographic_height = GetParam();
   const View picture = make_view(camera, 90, 60, 0.01);
   const Raster raster{70, 10, 15, 40, 3};
   const View part = view_of_part(picture, raster);
@@ -80,7 +83,9 @@ TEST(ViewOfPart, SeesWhatThePictureSeesThere) {
     const glm::dvec3 ray = ray_through(part, window);
     // Double precision throughout.
     EXPECT_LT(glm::distance(ray, ray_through(picture, in_picture)), 1e-14);
-    const glm::dvec4 clip = part.projection * glm::dvec4(part.rotation * ray, 1.0);
+    const glm::dvec3 start = ray_start(part, window);
+    EXPECT_LT(glm::distance(start, ray_start(picture, in_picture)), 1e-14);
+    const glm::dvec4 clip = part.projection * glm::dvec4(part.rotation * (start + ray), 1.0);
     const glm::dvec2 projected =
         (glm::dvec2(clip) / clip.w + 1.0) * 0.5 * glm::dvec2(part.width, part.height);
     // The projection is made of floats.
@@ -88,25 +93,33 @@ TEST(ViewOfPart, SeesWhatThePictureSeesThere) {
     const shared::Frame frame = make_frame(part, 0.0, {});
     const glm::dvec3 drawn = glm::dvec3(frame.ray_origin) + window.x * glm::dvec3(frame.ray_x) +
                              window.y * glm::dvec3(frame.ray_y);
-    EXPECT_LT(glm::distance(drawn, ray), 1e-5);
+    EXPECT_LT(glm::distance(drawn, part.orthographic ? start : ray), 1e-5);
   }
   // A small thing is seen where it is and nowhere else.
   for (const glm::dvec2 middle : {glm::dvec2(0.5), glm::dvec2(-0.05, 0.5), glm::dvec2(1.05, 0.5),
                                   glm::dvec2(0.5, -0.05), glm::dvec2(0.5, 1.05)}) {
     const glm::dvec2 window = middle * glm::dvec2(part.width, part.height);
     const bool within = middle == glm::dvec2(0.5);
-    EXPECT_EQ(sees_sphere(part, part.eye + 5.0 * ray_through(part, window), 1e-3), within);
+    const glm::dvec3 place = ray_start(part, window) + 5.0 * ray_through(part, window);
+    EXPECT_EQ(sees_sphere(part, part.eye + place, 1e-3), within);
+    EXPECT_FALSE(sees_sphere(part, part.eye - place, 1e-3)) << "behind the eye";
   }
 }
 
-TEST(ViewOfPart, OfTheWholePictureIsTheSameToTheLastBit) {
-  const View picture = make_view({{1.0, 2.0, 9.0}, {}, {0.0, 1.0, 0.0}, 50.0}, 90, 70, 0.01);
+TEST_P(ViewOfPart, OfTheWholePictureIsTheSameToTheLastBit) {
+  Camera camera{{1.0, 2.0, 9.0}, {}, {0.0, 1.0, 0.0}, 50.0};
+  camera.orthographic_height = GetParam();
+  const View picture = make_view(camera, 90, 70, 0.01);
   const View part = view_of_part(picture, {0, 0, 90, 70, 1});
   EXPECT_EQ(part.projection, picture.projection);
   EXPECT_EQ(part.middle, picture.middle);
   EXPECT_EQ(part.slope_x, picture.slope_x);
   EXPECT_EQ(part.slope_y, picture.slope_y);
 }
+
+INSTANTIATE_TEST_SUITE_P(All, ViewOfPart, testing::Values(0.0, 7.0), [](const auto& height) {
+  return height.param > 0.0 ? "orthographic" : "perspective";
+});
 
 std::vector<RenderSettings> ways(const RenderSettings& settings) {
   std::vector<RenderSettings> all;

@@ -36,14 +36,15 @@ glm::dvec3 shade_surface(const Surface& surface, glm::dvec2 place, const View& v
     for (int i = 0; i < side; ++i) {
       const glm::dvec2 offset = (glm::dvec2(i, j) + 0.5) / static_cast<double>(side) - 0.5;
       const glm::dvec2 at = place + offset;
-      const glm::dvec3 through = ray_through(view, {at.x, view.height - at.y});
+      const glm::dvec2 window(at.x, view.height - at.y);
+      const glm::dvec3 through = ray_through(view, window);
       const glm::dvec3 ray = glm::normalize(through);
       const glm::dvec3 turned = normal_beside(surface, offset);
       const double length = glm::length(turned);
       const glm::dvec3 normal = length > 0.0 ? turned / length : -ray;
       sum += glm::dvec3(shade(lighting, surface.material,
                               {glm::vec3(surface.albedo), glm::vec3(normal), glm::vec3(ray),
-                               glm::vec3(surface.depth * through)}));
+                               glm::vec3(ray_start(view, window) + surface.depth * through)}));
     }
   }
   return sum / static_cast<double>(side * side);

@@ -13,6 +13,10 @@ namespace {
 constexpr double kThresholdRadii = 1.0;
 constexpr double kThresholdSteps = 1.0;
 
+/// See project_splat. Kernels end at sqrt(2 cutoff) radii, 6.3 for the largest cutoff, in a plane
+/// that leans as it likes.
+constexpr double kEdgeRadii = 8.0;
+
 /// In the camera frame of resampling_filter.h.
 glm::dvec3 to_camera(const View& view, glm::dvec3 world) {
   const glm::dvec3 eye = view.rotation * world;
@@ -21,6 +25,11 @@ glm::dvec3 to_camera(const View& view, glm::dvec3 world) {
 
 bool in_frustum(const SplatCamera& camera, glm::dvec3 p, double radius) {
   const double reach = std::sqrt(2.0 * camera.cutoff);
+  if (camera.view.orthographic) {
+    const double wide = reach * radius + (reach + 1.0) / camera.mapping.scale;
+    return std::abs(p.x) - camera.view.slope_x <= wide &&
+           std::abs(p.y) - camera.view.slope_y <= wide;
+  }
   const double wide = reach * radius + (reach + 1.0) * p.z / camera.mapping.scale;
   const auto inside = [&](double across, double slope) {
     return std::abs(across) - p.z * slope <= wide * std::sqrt(1.0 + slope * slope);
@@ -38,13 +47,35 @@ std::optional<Kernel> make_kernel(const SplatCamera& camera, const TangentMappin
   }
 }
 
+/// The depth of the plane through `p` across `n` (unit), of a splat of radius h.
+TangentDepth tangent_depth(const PixelMapping& mapping, glm::dvec3 p, glm::dvec3 n, double h) {
+  TangentDepth depth;
+  if (mapping.orthographic) {
+    depth.inverse = false;
+    depth.middle = p.z;
+    depth.change = -glm::dvec2(n) / (mapping.scale * n.z);
+    depth.least = p.z - kEdgeRadii * h;
+    depth.most = p.z + kEdgeRadii * h;
+    depth.threshold = kThresholdRadii * h + kThresholdSteps * glm::length(depth.change);
+    return depth;
+  }
+  depth.middle = 1.0 / p.z;
+  depth.change = glm::dvec2(n) / (mapping.scale * glm::dot(n, p));
+  depth.least = 0.5 * depth.middle;
+  depth.most = 2.0 * depth.middle;
+  const double step = p.z * p.z * glm::length(depth.change);
+  depth.threshold = kThresholdRadii * h + kThresholdSteps * step;
+  return depth;
+}
+
 }  // namespace
 
 SplatCamera make_splat_camera(const View& view, const EwaSettings& settings) {
-  return {view,
-          {0.5 * view.height / view.slope_y, {0.5 * view.width, 0.5 * view.height}},
-          settings.filter,
-          settings.cutoff};
+  return {
+      view,
+      {0.5 * view.height / view.slope_y, {0.5 * view.width, 0.5 * view.height}, view.orthographic},
+      settings.filter,
+      settings.cutoff};
 }
 
 template <class Kernel>
@@ -71,19 +102,14 @@ std::optional<ProjectedSplat<Kernel>> project_splat(const SplatCamera& camera, g
   if (!(p.z > 0.0 && p.z >= camera.view.near) || !(radius > 0.0)) return std::nullopt;
   const double length = glm::length(normal);
   if (!(length > 0.0 && std::isfinite(length))) return std::nullopt;
-  const double h = std::min(radius, p.z);
+  const double h = camera.view.orthographic ? radius : std::min(radius, p.z);
   if (!in_frustum(camera, p, h)) return std::nullopt;
   const glm::dvec3 n = to_camera(camera.view, normal / length);
   const auto plane = map_tangent_plane(camera.mapping, p, n);
   if (!plane) return std::nullopt;
   const auto kernel = make_kernel<Kernel>(camera, *plane, h);
   if (!kernel) return std::nullopt;
-  ProjectedSplat<Kernel> splat{*kernel, {}, 0};
-  splat.depth.inverse = 1.0 / p.z;
-  splat.depth.change = glm::dvec2(n) / (camera.mapping.scale * glm::dot(n, p));
-  const double step = p.z * p.z * glm::length(splat.depth.change);
-  splat.depth.threshold = kThresholdRadii * h + kThresholdSteps * step;
-  return splat;
+  return ProjectedSplat<Kernel>{*kernel, tangent_depth(camera.mapping, p, n, h), 0};
 }
 
 template PixelBox pixels_of(const ScreenKernel&, const PixelBox&);

@@ -22,19 +22,20 @@ struct SplatCamera {
 [[nodiscard]] SplatCamera make_splat_camera(const View& view, const EwaSettings& settings);
 
 /// The depth of a tangent plane over the picture. The inverse depth of a plane is linear in pixels,
-/// so that forward differencing is exact.
+/// or orthographic its depth, so that forward differencing is exact.
 struct TangentDepth {
-  double inverse = 1.0;    ///< 1 / depth at the kernel's centre
-  glm::dvec2 change{0.0};  ///< of the inverse, per pixel
+  double middle = 1.0;     ///< that quantity at the kernel's centre
+  glm::dvec2 change{0.0};  ///< of it, per pixel
+  double least = 0.5;      ///< what it ends at: a plane that is seen nearly edge-on runs off to
+  double most = 2.0;       ///< infinity or behind the eye within a pixel
+  bool inverse = true;     ///< false: orthographic
   double threshold = 0.0;  ///< see Contribution::threshold
 
-  /// The depth at an offset (pixels) from the kernel's centre. A plane seen nearly edge-on runs off
-  /// to infinity or behind the eye within a pixel: it ends at half and twice the point's depth.
+  /// The depth at an offset (pixels) from the kernel's centre.
   [[nodiscard]] double at(glm::dvec2 offset) const {
-    const double here = inverse + change.x * offset.x + change.y * offset.y;
-    return 1.0 / (here < 0.5 * inverse   ? 0.5 * inverse
-                  : here > 2.0 * inverse ? 2.0 * inverse
-                                         : here);
+    const double here = middle + change.x * offset.x + change.y * offset.y;
+    const double ended = here < least ? least : here > most ? most : here;
+    return inverse ? 1.0 / ended : ended;
   }
 };
 
@@ -59,11 +60,14 @@ template <class Kernel>
 [[nodiscard]] PixelBox pixels_of(const Kernel& kernel, const PixelBox& limits);
 
 /// Projects a point (world; `radius` is h). Nothing if it can't be seen:
-/// - not before the near plane, or outside the frustum by more than its kernel reaches (the affine
+/// - not before the near plane (orthographic: the eye's), or outside the frustum by more than its
+/// kernel reaches (the affine
 ///   approximation would smear what is beside the eye over the picture);
 /// - seen edge-on (see map_tangent_plane) or too small to matter (see screen_kernel);
 /// - no surface: position, normal or radius not finite, a zero normal, a radius not above 0.
-/// A radius above the point's depth, whose kernel fills the picture, is taken as the depth.
+/// A radius above the point's depth, whose kernel fills the picture, is taken as the depth. The
+/// tangent plane's depth ends at half and twice the point's, or orthographic kEdgeRadii radii from
+/// it: a kernel's cut-off is nearer.
 template <class Kernel>
 [[nodiscard]] std::optional<ProjectedSplat<Kernel>> project_splat(const SplatCamera& camera,
                                                                   glm::dvec3 position,

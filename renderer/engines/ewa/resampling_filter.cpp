@@ -45,11 +45,11 @@ bool is_finite(const Kernel& k) {
 std::optional<TangentMapping> map_tangent_plane(const PixelMapping& mapping, glm::dvec3 point,
                                                 glm::dvec3 normal) {
   assert(point.z > 0.0 && "the point is before the eye");
-  const glm::dvec3 ray = point / point.z;
+  const glm::dvec3 ray = mapping.orthographic ? glm::dvec3(0.0, 0.0, 1.0) : point / point.z;
   const double along = glm::dot(normal, ray);
   if (!(std::abs(along) >= kLeastCosine * glm::length(ray))) return std::nullopt;
   // A pixel's step at the point's depth, moved along the ray until it lies in the plane.
-  const double step = point.z / mapping.scale;
+  const double step = mapping.orthographic ? 1.0 / mapping.scale : point.z / mapping.scale;
   const glm::dvec3 x0 = step * (glm::dvec3(1, 0, 0) - normal.x / along * ray);
   const glm::dvec3 x1 = step * (glm::dvec3(0, 1, 0) - normal.y / along * ray);
   const glm::dvec3 u0 = glm::normalize(x0);

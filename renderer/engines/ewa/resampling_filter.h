@@ -15,14 +15,17 @@
 
 namespace relief::ewa {
 
-/// How a camera maps points to pixels: pixel = scale * (x, y) / z + middle.
+/// How a camera maps points to pixels: pixel = scale * (x, y) / z + middle, orthographic without
+/// the division.
 struct PixelMapping {
   double scale = 1.0;  ///< pixels per unit at depth 1, the same in both directions
   glm::dvec2 middle{0.0};
+  bool orthographic = false;
 };
 
 /// Where a point is mapped, in pixels.
 [[nodiscard]] inline glm::dvec2 pixel_of(const PixelMapping& mapping, glm::dvec3 point) {
+  if (mapping.orthographic) return mapping.scale * glm::dvec2(point) + mapping.middle;
   return mapping.scale * glm::dvec2(point) / point.z + mapping.middle;
 }
 

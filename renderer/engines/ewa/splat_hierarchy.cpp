@@ -151,7 +151,7 @@ std::size_t level_of_size(const SplatHierarchy& hierarchy, const View& view, dou
     for (std::size_t k = 0; k < cloud.positions.size(); ++k) {
       const double depth = -(view.rotation * (cloud.positions[k] - view.eye)).z;
       if (!(depth > view.near)) continue;
-      sum += cloud.radii[k] * scale / depth;
+      sum += cloud.radii[k] * scale / (view.orthographic ? 1.0 : depth);
       count += 1.0;
     }
     if (count > 0.0 && sum <= pixels * count) return level;

@@ -11,10 +11,10 @@ namespace relief::onepass {
 namespace {
 
 /// Of the features of a picture that is shaded later, those of the pass that finds the surface.
-constexpr std::uint32_t kFindingFeatures = RELIEF_FEATURE_VISIBILITY | RELIEF_FEATURE_CELL |
-                                           RELIEF_FEATURE_MASKED | RELIEF_FEATURE_CORRECTED |
-                                           RELIEF_FEATURE_OUT_DEPTH | RELIEF_FEATURE_POINT_LIGHTS |
-                                           RELIEF_FEATURE_LAYERED | RELIEF_FEATURE_COUNT_FRAGMENTS;
+constexpr std::uint32_t kFindingFeatures =
+    RELIEF_FEATURE_VISIBILITY | RELIEF_FEATURE_CELL | RELIEF_FEATURE_MASKED |
+    RELIEF_FEATURE_CORRECTED | RELIEF_FEATURE_OUT_DEPTH | RELIEF_FEATURE_POINT_LIGHTS |
+    RELIEF_FEATURE_LAYERED | RELIEF_FEATURE_COUNT_FRAGMENTS | RELIEF_FEATURE_ORTHOGRAPHIC;
 
 /// What the layers behind the first have nothing to say about.
 constexpr std::uint32_t kOutputFeatures = RELIEF_FEATURE_OUT_NORMAL | RELIEF_FEATURE_OUT_DEPTH |

@@ -16,7 +16,8 @@ namespace {
 /// How far single precision may move a box or a ray at a distance of 1 from Embree's origin: the
 /// box, the ray's start and its direction are rounded by 6e-8 of that each. Neither the start nor
 /// the path is longer than that distance (twice that along a diagonal), because the origin is the
-/// place of the mesh's box that is nearest to the eye.
+/// place of the mesh's box that is nearest to the eye. Rays that start anywhere enter the box far
+/// from there: for them the distance is that of the box's other end.
 constexpr double kSlack = 1e-6;
 
 double largest(glm::dvec3 v) {
@@ -35,8 +36,10 @@ Bounds box_about(const std::vector<glm::dvec3>& positions, glm::dvec3 eye) {
   return box;
 }
 
-/// How far along `direction` from 0 a box begins, in lengths of it; nothing if it is not there.
-std::optional<double> enter(const Bounds& box, glm::dvec3 direction) {
+/// How far along `direction` from `start` a box begins, in lengths of it; nothing if it is not
+/// there.
+std::optional<double> enter(const Bounds& whole, glm::dvec3 start, glm::dvec3 direction) {
+  const Bounds box{whole.min - start, whole.max - start};
   double first = 0.0;
   double last = std::numeric_limits<double>::infinity();
   for (glm::length_t k = 0; k < 3; ++k) {
@@ -76,12 +79,16 @@ struct EmbreeScene::Corners {
   std::vector<glm::dvec3> positions;  ///< relative to the eye, in Embree's unit
   glm::dvec3 anchor{0.0};             ///< Embree's origin there
   double scale = 1.0;                 ///< Embree's units per world unit, a power of two
+  double least_distance = 0.0;        ///< from the anchor, that rounding counts for
 };
 
 /// A ray, and what it has met so far.
 struct EmbreeScene::Query : EmbreeContext {
-  explicit Query(glm::dvec3 towards) : direction(towards) { init_context(*this); }
+  Query(glm::dvec3 from, glm::dvec3 towards) : start(from), direction(towards) {
+    init_context(*this);
+  }
 
+  glm::dvec3 start;  ///< relative to the eye, in Embree's unit
   glm::dvec3 direction;
   double entry = 0.0;  ///< depth at which it enters the mesh's box, Embree's unit
   std::optional<Hit> nearest;
@@ -94,7 +101,8 @@ void EmbreeScene::bound(const RTCBoundsFunctionArguments* asked) {
   const glm::dvec3 a = corners.positions[t[0]] - corners.anchor;
   const glm::dvec3 b = corners.positions[t[1]] - corners.anchor;
   const glm::dvec3 c = corners.positions[t[2]] - corners.anchor;
-  const double slack = kSlack * std::max({largest(a), largest(b), largest(c)});
+  const double slack =
+      kSlack * std::max({largest(a), largest(b), largest(c), corners.least_distance});
   const glm::vec3 low(glm::min(glm::min(a, b), c) - slack);
   const glm::vec3 high(glm::max(glm::max(a, b), c) + slack);
   RTCBounds& box = *asked->bounds_o;
@@ -112,9 +120,11 @@ void EmbreeScene::meet(const RTCIntersectFunctionNArguments* asked) {
   const auto& corners = *static_cast<const Corners*>(asked->geometryUserPtr);
   auto& query = *static_cast<Query*>(asked->context);
   const Triangle& t = corners.mesh->triangles[asked->primID];
-  const std::optional<Hit> hit = meet_triangle(
-      asked->primID, {corners.positions[t[0]], corners.positions[t[1]], corners.positions[t[2]]},
-      query.direction);
+  const std::optional<Hit> hit =
+      meet_triangle(asked->primID,
+                    {corners.positions[t[0]] - query.start, corners.positions[t[1]] - query.start,
+                     corners.positions[t[2]] - query.start},
+                    query.direction);
   if (!hit) return;
   if (query.all != nullptr) {
     query.all->push_back(*hit);
@@ -126,7 +136,8 @@ void EmbreeScene::meet(const RTCIntersectFunctionNArguments* asked) {
   query.nearest = hit;
   // Embree need not look behind it; but what is as near must still be asked about.
   auto* const ray = reinterpret_cast<RTCRayHit*>(asked->rayhit);
-  const double slack = kSlack * largest(hit->depth * query.direction - corners.anchor);
+  const glm::dvec3 place = query.start + hit->depth * query.direction;
+  const double slack = kSlack * std::max(largest(place - corners.anchor), corners.least_distance);
   ray->ray.tfar = static_cast<float>(hit->depth - query.entry + slack);
 }
 
@@ -142,7 +153,7 @@ void EmbreeScene::attach() {
 }
 
 Result<EmbreeScene> EmbreeScene::build(const TriangleMesh& mesh, glm::dvec3 eye,
-                                       const Progress& progress) {
+                                       const Progress& progress, RayStarts starts) {
   assert(mesh.triangles.size() < RTC_INVALID_GEOMETRY_ID && "triangles have 32-bit numbers");
   EmbreeScene made;
   made.corners_ = std::make_shared<Corners>();
@@ -154,6 +165,8 @@ Result<EmbreeScene> EmbreeScene::build(const TriangleMesh& mesh, glm::dvec3 eye,
     if (largest(size) > 0.0) corners.scale = std::exp2(-std::ilogb(largest(size)));
     made.box_ = {corners.scale * box.min - kSlack, corners.scale * box.max + kSlack};
     corners.anchor = glm::clamp(glm::dvec3(0.0), made.box_.min, made.box_.max);
+    if (starts == RayStarts::Anywhere)
+      corners.least_distance = 2.0 * largest(made.box_.max - made.box_.min);
   }
   corners.positions.resize(mesh.positions.size());
   tbb::parallel_for(std::size_t{0}, mesh.positions.size(), [&](std::size_t k) {
@@ -180,10 +193,10 @@ Result<EmbreeScene> EmbreeScene::build(const TriangleMesh& mesh, glm::dvec3 eye,
 void EmbreeScene::follow(Query& query) const {
   if (box_.empty()) return;
   // From where the ray enters the box: from a far eye single precision would miss by pixels.
-  const std::optional<double> entry = enter(box_, query.direction);
+  const std::optional<double> entry = enter(box_, query.start, query.direction);
   if (!entry) return;
   query.entry = *entry;
-  const glm::vec3 origin(*entry * query.direction - corners_->anchor);
+  const glm::vec3 origin(query.start + *entry * query.direction - corners_->anchor);
   const glm::vec3 along(query.direction);
   RTCRayHit ray{};
   ray.ray.org_x = origin.x;
@@ -198,18 +211,18 @@ void EmbreeScene::follow(Query& query) const {
   intersect(scene_.get(), query, ray);
 }
 
-std::optional<Hit> EmbreeScene::find_nearest(glm::dvec3 direction) const {
-  const double length = glm::length(direction);
-  Query query(direction / length);
+std::optional<Hit> EmbreeScene::find_nearest(const SightRay& ray) const {
+  const double length = glm::length(ray.direction);
+  Query query(corners_->scale * ray.start, ray.direction / length);
   follow(query);
   if (query.nearest) query.nearest->depth /= corners_->scale * length;
   return query.nearest;
 }
 
-void EmbreeScene::find_all(glm::dvec3 direction, std::vector<Hit>& hits) const {
+void EmbreeScene::find_all(const SightRay& ray, std::vector<Hit>& hits) const {
   hits.clear();
-  const double length = glm::length(direction);
-  Query query(direction / length);
+  const double length = glm::length(ray.direction);
+  Query query(corners_->scale * ray.start, ray.direction / length);
   query.all = &hits;
   follow(query);
   for (Hit& hit : hits) hit.depth /= corners_->scale * length;

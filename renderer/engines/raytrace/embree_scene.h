@@ -17,10 +17,19 @@
 
 namespace relief::raytrace {
 
-/// A mesh for rays from one eye. Embree's hierarchy of boxes finds the triangles that a ray may
-/// meet; whether it does is decided here, in double precision and without a slit: a ray through an
-/// edge or a vertex meets all triangles around it. Embree's own test lets 1 % of the rays through
-/// that aim at a vertex.
+/// A ray: from `start`, world units from the eye, along `direction`.
+struct SightRay {
+  glm::dvec3 start{0.0};
+  glm::dvec3 direction{0.0};
+};
+
+/// Where the rays of a scene begin: all at the eye, or each at a place of its own.
+enum class RayStarts : std::uint8_t { AtEye, Anywhere };
+
+/// A mesh for rays from one eye, or about one. Embree's hierarchy of boxes finds the triangles that
+/// a ray may meet; whether it does is decided here, in double precision and without a slit: a ray
+/// through an edge or a vertex meets all triangles around it. Embree's own test lets 1 % of the
+/// rays through that aim at a vertex.
 ///
 /// The boxes are in single precision, with the place of the mesh's box that is nearest to the eye
 /// as origin and about the mesh's size as unit, so that neither UTM coordinates nor a scan's unit
@@ -30,14 +39,14 @@ class EmbreeScene {
   /// The mesh must outlive it. Triangles with a corner that is no number are left out. Fails if the
   /// memory does not suffice or the user interrupts.
   static Result<EmbreeScene> build(const TriangleMesh& mesh, glm::dvec3 eye,
-                                   const Progress& progress);
+                                   const Progress& progress, RayStarts starts = RayStarts::AtEye);
 
-  /// The nearest triangle in front of the eye along a direction; of several at the same depth the
-  /// mesh's first, however the hierarchy was built.
-  [[nodiscard]] std::optional<Hit> find_nearest(glm::dvec3 direction) const;
+  /// The nearest triangle ahead of a ray's start; of several at the same depth the mesh's first,
+  /// however the hierarchy was built. The start is 0 unless the scene was built for others.
+  [[nodiscard]] std::optional<Hit> find_nearest(const SightRay& ray) const;
 
-  /// All triangles in front of the eye along a direction, in no order. Clears `hits` first.
-  void find_all(glm::dvec3 direction, std::vector<Hit>& hits) const;
+  /// All triangles ahead of it, in no order. Clears `hits` first.
+  void find_all(const SightRay& ray, std::vector<Hit>& hits) const;
 
   /// "Embree 3.13.5"
   [[nodiscard]] std::string name() const;

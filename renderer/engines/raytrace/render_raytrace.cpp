@@ -24,7 +24,7 @@ namespace {
 /// the same triangles.
 constexpr std::uint32_t kTile = 16;
 
-/// The near plane of what does not need one: rays start at the eye.
+/// The near plane of what does not need one: rays start at the eye, or in the plane through it.
 constexpr double kAnyNear = 1.0;
 
 bool has_geometry(const Outputs& outputs) {
@@ -77,7 +77,8 @@ Result<RenderResult> trace_picture(const TriangleMesh& mesh, EnvironmentCache& e
   auto lighting = make_lighting(settings, view, environments);
   if (!lighting) return lighting.error();
   progress.begin_stage("sort triangles", 0);
-  const auto scene = EmbreeScene::build(mesh, settings.camera.eye, progress);
+  const auto scene = EmbreeScene::build(mesh, settings.camera.eye, progress,
+                                        view.orthographic ? RayStarts::Anywhere : RayStarts::AtEye);
   if (!scene) return scene.error();
   const Tracer tracer(mesh, *scene, view, std::move(*lighting));
   const std::vector<glm::dvec2> pattern = sample_pattern(settings.raytrace.samples);

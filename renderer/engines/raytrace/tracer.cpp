@@ -52,12 +52,17 @@ Tracer::Tracer(const TriangleMesh& mesh, const EmbreeScene& scene, const View& v
       lighting_(std::move(lighting)),
       transparent_(has_transparent_vertex(mesh) || has_transparent_material(lighting_)) {}
 
-glm::vec4 Tracer::shade_at(const Hit& at, glm::dvec3 ray) const {
+SightRay Tracer::ray_at(glm::dvec2 window) const {
+  return {ray_start(view_, window), ray_through(view_, window)};
+}
+
+glm::vec4 Tracer::shade_at(const Hit& at, const SightRay& ray) const {
   const glm::vec4 colour = colour_at(*mesh_, at);
   const std::uint8_t material = material_at(*mesh_, at);
   const MaterialSettings& settings = material_of(lighting_, material);
-  SeenSurface surface{glm::vec3(colour), normal_at(*mesh_, at), glm::vec3(glm::normalize(ray)),
-                      glm::vec3(at.depth * ray)};
+  SeenSurface surface{glm::vec3(colour), normal_at(*mesh_, at),
+                      glm::vec3(glm::normalize(ray.direction)),
+                      glm::vec3(ray.start + at.depth * ray.direction)};
   if (settings.kind == Material::Split) {
     surface.uv = uv_at(*mesh_, at);
     surface.patch = patch_at(*mesh_, at);
@@ -65,7 +70,7 @@ glm::vec4 Tracer::shade_at(const Hit& at, glm::dvec3 ray) const {
   return {shade(lighting_, material, surface), colour.a * settings.constants.opacity};
 }
 
-Seen Tracer::blend_along(glm::dvec3 ray) const {
+Seen Tracer::blend_along(const SightRay& ray) const {
   thread_local std::vector<Hit> met;
   scene_->find_all(ray, met);
   std::sort(met.begin(), met.end(), [](const Hit& a, const Hit& b) {
@@ -85,14 +90,14 @@ Seen Tracer::blend_along(glm::dvec3 ray) const {
 }
 
 Seen Tracer::look_through(glm::dvec2 window) const {
-  const glm::dvec3 ray = ray_through(view_, window);
+  const SightRay ray = ray_at(window);
   if (transparent_) return blend_along(ray);
   const std::optional<Hit> nearest = scene_->find_nearest(ray);
   return {nearest ? shade_at(*nearest, ray) : glm::vec4(0.0F), nearest};
 }
 
 std::optional<Hit> Tracer::find_through(glm::dvec2 window) const {
-  return scene_->find_nearest(ray_through(view_, window));
+  return scene_->find_nearest(ray_at(window));
 }
 
 void Tracer::describe(const Hit& at, FilmPixel& pixel) const {

@@ -38,8 +38,9 @@ class Tracer {
   void describe(const Hit& at, FilmPixel& pixel) const;
 
  private:
-  [[nodiscard]] glm::vec4 shade_at(const Hit& at, glm::dvec3 ray) const;
-  [[nodiscard]] Seen blend_along(glm::dvec3 ray) const;
+  [[nodiscard]] SightRay ray_at(glm::dvec2 window) const;
+  [[nodiscard]] glm::vec4 shade_at(const Hit& at, const SightRay& ray) const;
+  [[nodiscard]] Seen blend_along(const SightRay& ray) const;
 
   const TriangleMesh* mesh_;
   const EmbreeScene* scene_;

@@ -1,0 +1,78 @@
+// Orthographic pictures, for the tests of them.
+#pragma once
+
+#include <glm/geometric.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/renderer/pictures.h"
+
+namespace relief::test {
+
+/// An engine and, of those on OpenGL, how it draws.
+struct EngineWay {
+  EngineKind engine;
+  Primitive primitive;
+  Interpolation interpolation;
+  const char* name;
+
+  [[nodiscard]] bool is_cells() const {
+    return engine == EngineKind::Onepass && primitive == Primitive::Cell;
+  }
+};
+
+inline const std::vector<EngineWay>& all_engine_ways() {
+  static const std::vector<EngineWay> ways = [] {
+    std::vector<EngineWay> all;
+    for (const Way& way : all_ways())
+      all.push_back({EngineKind::Onepass, way.primitive, way.interpolation, way.name});
+    const auto any = Interpolation::Corrected;
+    all.push_back({EngineKind::Multipass, Primitive::Quad, any, "multipass_quad"});
+    all.push_back({EngineKind::Multipass, Primitive::Sprite, any, "multipass_sprite"});
+    all.push_back({EngineKind::Raytrace, Primitive::Cell, any, "raytrace"});
+    all.push_back({EngineKind::Ewa, Primitive::Cell, any, "ewa"});
+    return all;
+  }();
+  return ways;
+}
+
+/// The picture by an engine: all outputs, transparent where nothing is, the finest level, a ray a
+/// pixel.
+inline RenderSettings by(const EngineWay& way, RenderSettings settings) {
+  settings.engine = way.engine;
+  settings.primitive = way.primitive;
+  settings.interpolation = way.interpolation;
+  settings.outputs = all_outputs();
+  settings.background.reset();
+  settings.pixels_per_sample = 0.0;
+  settings.raytrace.samples = 1;
+  return settings;
+}
+
+/// World units a pixel of an orthographic picture.
+inline double pixel_size(const RenderSettings& settings) {
+  return settings.camera.orthographic_height / settings.height;
+}
+
+/// The world direction of all rays, of length 1.
+inline glm::dvec3 forward(const Camera& camera) {
+  return glm::normalize(camera.target - camera.eye);
+}
+
+/// Where the ray through pixel (x, y) begins, world: in the plane through the eye.
+inline glm::dvec3 pixel_start(const RenderSettings& settings, std::size_t x, std::size_t y) {
+  const double u = static_cast<double>(x) + 0.5 - 0.5 * settings.width;
+  const double v = 0.5 * settings.height - static_cast<double>(y) - 0.5;
+  return settings.camera.eye + glm::transpose(view_rotation(settings.camera)) *
+                                   (pixel_size(settings) * glm::dvec3(u, v, 0.0));
+}
+
+inline glm::dvec3 normal_at(const Image& image, std::size_t k) {
+  return {values(image, "N.X")[k], values(image, "N.Y")[k], values(image, "N.Z")[k]};
+}
+
+inline std::string name_of_way(const testing::TestParamInfo<EngineWay>& info) {
+  return info.param.name;
+}
+
+}  // namespace relief::test
