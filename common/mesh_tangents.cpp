@@ -59,9 +59,7 @@ struct CornerKey {
   std::size_t triangle = 0;
   std::size_t corner = 0;
 
-  [[nodiscard]] auto shared() const {
-    return std::tie(point, texcoord.x, texcoord.y, handedness);
-  }
+  [[nodiscard]] auto shared() const { return std::tie(point, texcoord.x, texcoord.y, handedness); }
 };
 
 /// The corners of triangles with a normal map and a direction, those that share a tangent together.

@@ -17,8 +17,8 @@ namespace relief {
 using Triangle = std::array<std::uint32_t, 3>;
 using CornerTexcoords = std::array<glm::vec2, 3>;  ///< of a triangle's three corners
 
-/// Of a triangle's three corners: x, y, z toward where u grows in the world, any length; w: 1, or -1
-/// where the texture is mirrored; 0: the file gives none.
+/// Of a triangle's three corners: x, y, z toward where u grows in the world, any length; w: 1, or
+/// -1 where the texture is mirrored; 0: the file gives none.
 using CornerTangents = std::array<glm::vec4, 3>;
 
 class MeshTexture;

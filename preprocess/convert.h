@@ -18,8 +18,8 @@ struct ConvertOptions {
   double height_step = 0.0;  ///< world units per height index; 0: spacing / 20
   int colour_scale = 2;      ///< colour texels per grid cell along each side, of coloured points
   int texels_per_cell = 0;   ///< the same of a mesh with textures or materials, and normal texels
-                             ///< of one with normal maps, 1 to 64; 0: what keeps them (map_textures)
-  int threads = 0;           ///< 0: all cores. The result does not depend on it.
+                            ///< of one with normal maps, 1 to 64; 0: what keeps them (map_textures)
+  int threads = 0;  ///< 0: all cores. The result does not depend on it.
 };
 
 /// How well the patches render the points they came from.

@@ -187,11 +187,11 @@ Result<MapArray> upload_normals(const Gl& gl, const PatchList& patches) {
   std::vector<glm::uvec2> sizes;
   for (const Patch* patch : patches) {
     const bool own = !patch->normals.empty();
-    sizes.push_back(room.padded({own ? patch->normals.width : patch->width,
-                                 own ? patch->normals.height : patch->height}));
+    sizes.push_back(room.padded(
+        {own ? patch->normals.width : patch->width, own ? patch->normals.height : patch->height}));
   }
-  const Format format{
-      "normal maps", GL_RG16_SNORM, GL_RG, GL_SHORT, GL_LINEAR, static_cast<GLsizei>(room.levels)};
+  const Format format{"normal maps", GL_RG16_SNORM, GL_RG,
+                      GL_SHORT,      GL_LINEAR,     static_cast<GLsizei>(room.levels)};
   return upload(gl, patches, format, sizes, room.ring, [&](const Patch& patch) {
     AttributeMap<glm::i16vec2> map = normal_map_of(patch);
     for (glm::i16vec2& texel : map.texels) texel = stereographic_from_octahedral(texel);

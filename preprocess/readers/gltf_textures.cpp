@@ -34,9 +34,10 @@ Result<MeshNormalMap> GltfTextures::read_normals(const tinygltf::NormalTextureIn
   MeshNormalMap map;
   if (info.index < 0) return map;
   if (info.texCoord != texcoord_set) {
-    map.left_out = fmt::format("its normal map has texture coordinates of its own (TEXCOORD_{}), "
-                               "which are not read",
-                               info.texCoord);
+    map.left_out = fmt::format(
+        "its normal map has texture coordinates of its own (TEXCOORD_{}), "
+        "which are not read",
+        info.texCoord);
     return map;
   }
   auto texture = read(info.index);

@@ -52,9 +52,9 @@ bool changes_nothing(std::string_view option, const std::vector<double>& values)
 /// What the statement of a map says.
 struct MapStatement {
   std::string file;
-  bool clamps = false;   ///< -clamp on
+  bool clamps = false;    ///< -clamp on
   float strength = 1.0F;  ///< -bm
-  std::string ignored;   ///< options that would change the picture
+  std::string ignored;    ///< options that would change the picture
 };
 
 MapStatement read_map(TextCursor& line) {
@@ -138,9 +138,8 @@ Result<std::vector<MtlMaterial>> read_mtl(const std::string& name, std::string_v
         take_normals(std::move(map), material);
       }
     } else if (lower == "map_bump" || lower == "bump") {
-      material.material.normals.left_out =
-          fmt::format("{} holds heights, which are not read (a normal map is named by norm)",
-                      keyword);
+      material.material.normals.left_out = fmt::format(
+          "{} holds heights, which are not read (a normal map is named by norm)", keyword);
     }
   }
   for (MtlMaterial& material : materials) {

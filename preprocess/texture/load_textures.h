@@ -18,7 +18,8 @@ struct TextureChoice {
 };
 
 /// Reads the material files and the pictures (textures and normal maps) that `mesh`, which points
-/// were read from, names, and leaves in `points` the materials that have colours; triangles of others have kNoMaterial.
+/// were read from, names, and leaves in `points` the materials that have colours; triangles of
+/// others have kNoMaterial.
 ///
 /// Names are relative to the folder of the file that they stand in. What would lead out of that
 /// folder (an absolute path, a drive, ..) is looked for by its last part beside the file: files

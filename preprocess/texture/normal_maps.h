@@ -34,8 +34,8 @@ class NormalMapper {
   [[nodiscard]] bool has_map(const std::vector<FlatTriangle>& triangles) const;
 
   const Points& mesh_;
-  std::vector<glm::vec3> normals_;         ///< of its points
-  std::vector<CornerTangents> tangents_;   ///< of its triangles
+  std::vector<glm::vec3> normals_;        ///< of its points
+  std::vector<CornerTangents> tangents_;  ///< of its triangles
 };
 
 }  // namespace relief

@@ -91,8 +91,7 @@ Status map_textures(const Points& mesh, std::uint32_t texels_per_cell, std::vect
   std::vector<std::vector<FlatTriangle>> triangles(patches.size());
   tbb::parallel_for(std::size_t{0}, patches.size(),
                     [&](std::size_t p) { triangles[p] = spheres.find_over(patches[p]); });
-  const auto scales =
-      scales_of_maps(mesh, patches, triangles, texture_size(mesh), texels_per_cell);
+  const auto scales = scales_of_maps(mesh, patches, triangles, texture_size(mesh), texels_per_cell);
   if (!scales) return scales.error();
   std::optional<NormalMapper> mapper;
   std::vector<std::uint32_t> normal_scales;

@@ -21,8 +21,9 @@ namespace relief {
 ///
 /// `texels_per_cell` along each side: 1 to kMostTexelsPerCell, or 0: of each patch the power of two
 /// that keeps its texture's texels, of all together not more than 64 Mi texels (192 MiB of colours,
-/// 256 of normals; coarser everywhere then). Fails, with a clause, if as many as asked for are more than a patch or memory
-/// can hold, or if the user interrupts. Does not depend on the number of threads.
+/// 256 of normals; coarser everywhere then). Fails, with a clause, if as many as asked for are more
+/// than a patch or memory can hold, or if the user interrupts. Does not depend on the number of
+/// threads.
 Status map_textures(const Points& mesh, std::uint32_t texels_per_cell, std::vector<Patch>& patches,
                     Progress& progress);
 
