@@ -48,32 +48,6 @@ class TriangleNormals {
   std::optional<TexcoordsOverPatch> texcoords_;  ///< with a map
 };
 
-/// A patch's own normals, one a node, between its nodes; in its frame.
-class OwnNormals {
- public:
-  explicit OwnNormals(const AttributeMap<glm::i16vec2>& map) : map_(map) {}
-
-  [[nodiscard]] glm::vec3 at(glm::dvec2 place) const {
-    const glm::vec2 texel(place * static_cast<double>(map_.scale));
-    const auto i = static_cast<std::uint32_t>(texel.x);
-    const auto j = static_cast<std::uint32_t>(texel.y);
-    const float x = texel.x - static_cast<float>(i);
-    const float y = texel.y - static_cast<float>(j);
-    const glm::vec3 sum = (1.0F - y) * ((1.0F - x) * node(i, j) + x * node(i + 1, j)) +
-                          y * ((1.0F - x) * node(i, j + 1) + x * node(i + 1, j + 1));
-    const float length = glm::length(sum);
-    return length > 1e-6F ? sum / length : glm::vec3(0.0F, 0.0F, 1.0F);
-  }
-
- private:
-  [[nodiscard]] glm::vec3 node(std::uint32_t i, std::uint32_t j) const {
-    const std::size_t row = std::size_t{std::min(j, map_.height - 1)} * map_.width;
-    return unit_from_snorm16(map_.texels[row + std::min(i, map_.width - 1)]);
-  }
-
-  const AttributeMap<glm::i16vec2>& map_;
-};
-
 }  // namespace
 
 NormalMapper::NormalMapper(const Points& mesh)
@@ -96,7 +70,6 @@ bool NormalMapper::has_map(const std::vector<FlatTriangle>& triangles) const {
 void NormalMapper::map(const std::vector<FlatTriangle>& triangles, std::uint32_t scale,
                        Patch& patch) const {
   if (!has_map(triangles)) return;
-  const OwnNormals own(patch.normals);
   AttributeMap<glm::i16vec2> fine;
   shape_map(patch, scale, fine);
   const std::vector<std::uint32_t> shown = find_shown(patch, scale, triangles);
@@ -105,7 +78,7 @@ void NormalMapper::map(const std::vector<FlatTriangle>& triangles, std::uint32_t
   for (const FlatTriangle& triangle : triangles)
     normals.emplace_back(mesh_, normals_, tangents_, triangle, scale);
   const glm::dmat3 to_patch = glm::transpose(patch.axes);
-  const std::vector<std::uint8_t> kept = kept_texels(patch, scale);
+  std::vector<std::uint8_t> kept = kept_texels(patch, scale);
   for (std::size_t k = 0; k < shown.size(); ++k) {
     if (kept[k] == 0) continue;
     const glm::dvec2 place =
@@ -113,9 +86,10 @@ void NormalMapper::map(const std::vector<FlatTriangle>& triangles, std::uint32_t
     glm::dvec3 normal(0.0);
     if (shown[k] != kNoTriangle && triangles[shown[k]].twice_area > 0.0)
       normal = to_patch * normals[shown[k]].at(place);
-    fine.texels[k] =
-        snorm16_from_unit(normal == glm::dvec3(0.0) ? own.at(place) : glm::vec3(normal));
+    kept[k] = normal == glm::dvec3(0.0) ? 0 : 1;
+    if (kept[k] != 0) fine.texels[k] = snorm16_from_unit(glm::vec3(normal));
   }
+  if (std::find(kept.begin(), kept.end(), 1) == kept.end()) return;
   continue_over_holes(fine, kept);
   patch.normals = std::move(fine);
 }

@@ -25,9 +25,8 @@ class NormalMapper {
   /// Replaces a patch's normals by a map of `scale` texels a cell, if one of `triangles`, those
   /// over it, has a normal map; otherwise they stay as they are. A texel has the normal of the
   /// triangle that it shows (find_shown): the mean of the normal map over the texel in the
-  /// triangle's tangent frame, or without a normal map the smooth one. Texels that meet no triangle
-  /// that faces the patch's side keep the patch's own normals, those over holes continue their
-  /// surroundings.
+  /// triangle's tangent frame, or without a normal map the smooth one. Texels over holes, and those
+  /// that meet no triangle that faces the patch's side, continue their surroundings.
   void map(const std::vector<FlatTriangle>& triangles, std::uint32_t scale, Patch& patch) const;
 
  private:
