@@ -17,8 +17,8 @@ namespace {
 constexpr double kRounding = 1e-6;
 
 std::shared_ptr<const NormalTexture> flat_map() {
-  return std::make_shared<const NormalTexture>(
-      1, 1, std::vector<glm::i16vec3>{{0, 0, 32767}}, TextureWrap::Repeat);
+  return std::make_shared<const NormalTexture>(1, 1, std::vector<glm::i16vec3>{{0, 0, 32767}},
+                                               TextureWrap::Repeat);
 }
 
 /// The unit square of z = 0, facing up, with these texture coordinates and a normal map.

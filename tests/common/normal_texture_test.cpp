@@ -31,8 +31,8 @@ void expect_near(glm::vec3 found, glm::vec3 expected) {
 
 TEST(NormalTexture, ZeroToOneIsMinusOneToOne) {
   // 0.6 and 0.8 are a right triangle's, and the second pixel is as long again.
-  const auto texture = NormalTexture::from_image(
-      picture({{0.8F, 0.5F, 0.9F}, {0.5F, 0.1F, 1.1F}}), TextureWrap::Clamp);
+  const auto texture = NormalTexture::from_image(picture({{0.8F, 0.5F, 0.9F}, {0.5F, 0.1F, 1.1F}}),
+                                                 TextureWrap::Clamp);
   ASSERT_TRUE(texture);
   expect_near(texture->at({0.25F, 0.5F}), {0.6F, 0.0F, 0.8F});
   expect_near(texture->at({0.75F, 0.5F}), glm::normalize(glm::vec3(0.0F, -0.8F, 1.2F)));

@@ -27,8 +27,8 @@ MeshMaterial with_normals(std::uint32_t side, const Relief& normal) {
           glm::vec3(glm::normalize(normal((i + 0.5) / side, 1.0 - (j + 0.5) / side)))));
   }
   MeshMaterial material;
-  material.normals.texture = std::make_shared<const NormalTexture>(side, side, std::move(texels),
-                                                                   TextureWrap::Clamp);
+  material.normals.texture =
+      std::make_shared<const NormalTexture>(side, side, std::move(texels), TextureWrap::Clamp);
   return material;
 }
 
