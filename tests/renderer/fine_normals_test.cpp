@@ -195,17 +195,18 @@ TEST(FineNormals, CoarseLevelsKeepTheFineMap) {
     return glm::dvec3(0.5 * std::cos(pi * x), 0.3 * std::sin(pi * y), 1.0);
   };
   const PatchModel model = fine_square(waves, 65);
-  RenderSettings settings = test::from_above(model, 65);
+  // Askew: a footprint as wide as high has one or two places, as rounding has it.
+  RenderSettings settings = test::small_picture(model, {25.0, 40.0}, 256);
   settings.background.reset();
   settings.outputs = test::all_outputs();
   settings.primitive = Primitive::Cell;
   settings.pixels_per_sample = 0.0;
   const RenderResult finest = must_render(model, settings);
-  settings.pixels_per_sample = 40.0;  // levels of four cells: two waves
+  settings.pixels_per_sample = 40.0;  // levels of eight cells: four waves
   const RenderResult coarse = must_render(model, settings);
   View view = make_view(settings.camera, settings.width, settings.height, 0.01);
   view.pixels_per_sample = *settings.pixels_per_sample;
-  ASSERT_EQ(choose_level(view, extent_of(model.patches[0])), 2U);
+  ASSERT_EQ(choose_level(view, extent_of(model.patches[0])), 3U);
   double sum = 0.0;
   std::size_t count = 0;
   for (std::size_t k = 0; k < values(finest.image, "A").size(); ++k) {
@@ -214,7 +215,7 @@ TEST(FineNormals, CoarseLevelsKeepTheFineMap) {
     sum += angle;
     ++count;
   }
-  ASSERT_GT(count, 60'000U);
+  ASSERT_GT(count, 10'000U);
   // Places of the two are equal up to rounding.
   EXPECT_LT(sum / static_cast<double>(count), 0.05);
 }
