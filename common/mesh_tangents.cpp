@@ -91,11 +91,12 @@ void smooth_tangents(const Points& mesh, const std::vector<glm::vec3>& normals,
     const glm::dvec3 normal(normals[corners[begin].point]);
     glm::dvec3 sum(0.0);
     std::size_t end = begin;
-    for (; end < corners.size() && corners[end].shared() == corners[begin].shared(); ++end) {
+    do {
       const CornerKey& key = corners[end];
       sum += angle_at(mesh, mesh.triangles[key.triangle], key.corner, normal) *
              in_plane(directions[key.triangle].tangent, normal);
-    }
+      ++end;
+    } while (end < corners.size() && corners[end].shared() == corners[begin].shared());
     const glm::vec3 mean(in_plane(sum, normal));
     for (; begin < end; ++begin) {
       const CornerKey& key = corners[begin];
