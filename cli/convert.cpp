@@ -193,10 +193,11 @@ void add_convert(CLI::App& app, Command& command) {
       ->option_text("CELLS");
   sub->add_option("--texture", arguments->texture,
                   "Picture that a mesh's texture coordinates refer to, in place of its file's own; "
-                  "none: no texture")
+                  "and none of its normal maps; none: neither")
       ->option_text("FILE|none");
   sub->add_option("--texels-per-cell", arguments->options.texels_per_cell,
-                  "Colour texels along a grid cell's side, of a mesh with a texture (a power of "
+                  "Texels of colour and normal maps along a grid cell's side, of a mesh with a "
+                  "texture (a power of "
                   "two for each patch that keeps the texture's own)")
       ->check(CLI::Range(1U, kMostTexelsPerCell))
       ->option_text("N");
