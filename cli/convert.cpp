@@ -73,13 +73,18 @@ nlohmann::ordered_json as_json(const Summary& s) {
           {"uncovered_points", s.report.uncovered_points},
           {"texels_per_cell", s.report.texels_per_cell},
           {"colour_texels", s.report.colour_texels},
+          {"normal_texels_per_cell", s.report.normal_texels_per_cell},
+          {"normal_texels", s.report.normal_texels},
           {"stage_seconds", stages}};
 }
 
 std::string as_text(const Summary& s, const std::filesystem::path& output) {
-  const std::string normals = s.report.normals_estimated
-                                  ? "estimated"
-                                  : fmt::format("given, {} repaired", s.report.normals_repaired);
+  std::string normals = s.report.normals_estimated
+                            ? "estimated"
+                            : fmt::format("given, {} repaired", s.report.normals_repaired);
+  if (s.report.normal_texels_per_cell > 1)
+    normals += fmt::format("; {} texels, up to {} a cell along a side", s.report.normal_texels,
+                           s.report.normal_texels_per_cell);
   const std::string colours = s.report.texels_per_cell == 0
                                   ? "none"
                                   : fmt::format("{} texels, up to {} a cell along a side",
@@ -188,10 +193,11 @@ void add_convert(CLI::App& app, Command& command) {
       ->option_text("CELLS");
   sub->add_option("--texture", arguments->texture,
                   "Picture that a mesh's texture coordinates refer to, in place of its file's own; "
-                  "none: no texture")
+                  "and none of its normal maps; none: neither")
       ->option_text("FILE|none");
   sub->add_option("--texels-per-cell", arguments->options.texels_per_cell,
-                  "Colour texels along a grid cell's side, of a mesh with a texture (a power of "
+                  "Texels of colour and normal maps along a grid cell's side, of a mesh with a "
+                  "texture (a power of "
                   "two for each patch that keeps the texture's own)")
       ->check(CLI::Range(1U, kMostTexelsPerCell))
       ->option_text("N");

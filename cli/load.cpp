@@ -55,6 +55,12 @@ void append_materials(Points& to, Points& from) {
   give_corners(from);
   to.corner_texcoords.insert(to.corner_texcoords.end(), from.corner_texcoords.begin(),
                              from.corner_texcoords.end());
+  if (!to.corner_tangents.empty() || !from.corner_tangents.empty()) {
+    to.corner_tangents.resize(to.triangles.size(), CornerTangents{});
+    from.corner_tangents.resize(from.triangles.size(), CornerTangents{});
+    to.corner_tangents.insert(to.corner_tangents.end(), from.corner_tangents.begin(),
+                              from.corner_tangents.end());
+  }
   const auto before = static_cast<std::uint32_t>(to.materials.size());
   to.triangle_materials.resize(to.triangles.size(), kNoMaterial);
   from.triangle_materials.resize(from.triangles.size(), kNoMaterial);

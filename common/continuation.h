@@ -1,6 +1,7 @@
 // Giving the texels over holes a value that continues their surroundings.
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
@@ -54,6 +55,7 @@ void continue_over_holes(AttributeMap<Texel>& map, std::span<const std::uint8_t>
         sum += glm::vec<Texel::length(), std::int32_t>(map.texels[n]);
         ++count;
       });
+      assert(count > 0 && "what is queued has a neighbour with a value");
       // floor(mean + 1/2), for either sign.
       for (glm::length_t c = 0; c < Texel::length(); ++c) {
         const std::int32_t twice = 2 * sum[c] + count;

@@ -12,6 +12,10 @@ namespace relief {
 /// exact.
 enum class ChannelType : std::uint8_t { Half, Float, Uint };
 
+/// What a reader does to the numbers of formats that hold sRGB (PNG and JPEG): turn them into
+/// light, or leave them as they are stored, from 0 to 1, where they are no colours.
+enum class Transfer : std::uint8_t { Srgb, None };
+
 /// One channel, row-major, top row first.
 struct Channel {
   std::string name;

@@ -25,9 +25,9 @@ Result<std::vector<std::byte>> encode_exr(const Image& image);
 Result<std::vector<std::byte>> encode_png(const Image& image);
 
 Result<Image> decode_exr(std::span<const std::byte> bytes);
-Result<Image> decode_png(std::span<const std::byte> bytes);
+Result<Image> decode_png(std::span<const std::byte> bytes, Transfer transfer);
 /// Baseline and progressive, grey or colour; no CMYK.
-Result<Image> decode_jpeg(std::span<const std::byte> bytes);
+Result<Image> decode_jpeg(std::span<const std::byte> bytes, Transfer transfer);
 /// Radiance .hdr; pixels are mantissa * 2^(exponent - 136), EXPOSURE lines are not undone.
 Result<Image> decode_radiance(std::span<const std::byte> bytes);
 

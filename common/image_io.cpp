@@ -56,11 +56,12 @@ Result<Image> read_image(const std::filesystem::path& path) {
   return decode_image(path.string(), *bytes);
 }
 
-Result<Image> decode_image(const std::string& name, std::span<const std::byte> bytes) {
+Result<Image> decode_image(const std::string& name, std::span<const std::byte> bytes,
+                           Transfer transfer) {
   const auto decode = [&]() -> Result<Image> {
     if (is_exr(bytes)) return decode_exr(bytes);
-    if (is_png(bytes)) return decode_png(bytes);
-    if (is_jpeg(bytes)) return decode_jpeg(bytes);
+    if (is_png(bytes)) return decode_png(bytes, transfer);
+    if (is_jpeg(bytes)) return decode_jpeg(bytes, transfer);
     if (is_radiance(bytes)) return decode_radiance(bytes);
     return make_error("it is no EXR, PNG, JPEG or Radiance HDR file");
   };

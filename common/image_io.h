@@ -26,8 +26,10 @@ Status write_png(const std::filesystem::path& path, const Image& image);
 /// are.
 Result<Image> read_image(const std::filesystem::path& path);
 
-/// The same of bytes in memory; `name` begins errors.
-Result<Image> decode_image(const std::string& name, std::span<const std::byte> bytes);
+/// The same of bytes in memory; `name` begins errors. With Transfer::None PNG and JPEG colours stay
+/// as they are stored.
+Result<Image> decode_image(const std::string& name, std::span<const std::byte> bytes,
+                           Transfer transfer = Transfer::Srgb);
 
 /// Whether the file starts as a PNG does, so that its colours are what a display shows and not
 /// light. False also where there is no file to read: read_image says what is wrong with it.

@@ -14,15 +14,19 @@ struct Close {
   void operator()(void* decoder) const { tjDestroy(decoder); }
 };
 
-/// Rows of interleaved 8-bit sRGB to linear channels.
-Image to_image(const std::vector<std::uint8_t>& pixels, std::uint32_t width, std::uint32_t height) {
+/// Rows of interleaved 8-bit sRGB to channels.
+Image to_image(const std::vector<std::uint8_t>& pixels, std::uint32_t width, std::uint32_t height,
+               Transfer transfer) {
   Image image{width, height, {}};
   const std::size_t count = std::size_t{width} * height;
   for (std::size_t c = 0; c < 3; ++c) {
     constexpr const char* kNames[] = {"R", "G", "B"};
     image.channels.push_back({kNames[c], ChannelType::Float, std::vector<float>(count)});
-    for (std::size_t k = 0; k < count; ++k)
-      image.channels[c].values[k] = linear_from_srgb8(pixels[3 * k + c]);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::uint8_t value = pixels[3 * k + c];
+      image.channels[c].values[k] = transfer == Transfer::Srgb ? linear_from_srgb8(value)
+                                                               : static_cast<float>(value) / 255.0F;
+    }
   }
   return image;
 }
@@ -34,7 +38,7 @@ bool is_jpeg(std::span<const std::byte> bytes) {
          bytes[2] == std::byte{0xFF};
 }
 
-Result<Image> decode_jpeg(std::span<const std::byte> bytes) {
+Result<Image> decode_jpeg(std::span<const std::byte> bytes, Transfer transfer) {
   const std::unique_ptr<void, Close> decoder(tjInitDecompress());
   if (decoder == nullptr) return make_error("there is not enough memory for it");
   const auto* const data = reinterpret_cast<const unsigned char*>(bytes.data());
@@ -58,7 +62,8 @@ Result<Image> decode_jpeg(std::span<const std::byte> bytes) {
                     kFlags) != 0) {
     return damaged();
   }
-  return to_image(pixels, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height));
+  return to_image(pixels, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height),
+                  transfer);
 }
 
 }  // namespace relief

@@ -93,8 +93,9 @@ float sample_at(const std::uint8_t* row, std::size_t index, int bits) {
   return static_cast<float>(value) / 65535.0F;
 }
 
-/// Rows of interleaved sRGB samples with straight alpha to linear premultiplied channels.
-Image to_image(const PngInput& in, const std::vector<std::uint8_t>& pixels, std::size_t row_bytes) {
+/// Rows of interleaved sRGB samples with straight alpha to premultiplied channels.
+Image to_image(const PngInput& in, const std::vector<std::uint8_t>& pixels, std::size_t row_bytes,
+               Transfer transfer) {
   const bool has_alpha = in.channels == 2 || in.channels == 4;
   const auto channels = static_cast<std::size_t>(in.channels);
   Image image;
@@ -112,7 +113,8 @@ Image to_image(const PngInput& in, const std::vector<std::uint8_t>& pixels, std:
       const float alpha = has_alpha ? sample_at(row, first + channels - 1, in.bits) : 1.0F;
       for (std::size_t c = 0; c < 3; ++c) {
         const float value = sample_at(row, first + (channels >= 3 ? c : 0), in.bits);
-        image.channels[c].values[y * in.width + x] = alpha * linear_from_srgb(value);
+        image.channels[c].values[y * in.width + x] =
+            alpha * (transfer == Transfer::Srgb ? linear_from_srgb(value) : value);
       }
       if (has_alpha) image.channels[3].values[y * in.width + x] = alpha;
     }
@@ -127,7 +129,7 @@ bool is_png(std::span<const std::byte> bytes) {
          png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, 8) == 0;
 }
 
-Result<Image> decode_png(std::span<const std::byte> bytes) {
+Result<Image> decode_png(std::span<const std::byte> bytes, Transfer transfer) {
   PngInput in;
   in.bytes = bytes.data();
   in.left = bytes.size();
@@ -147,7 +149,7 @@ Result<Image> decode_png(std::span<const std::byte> bytes) {
   if (!read_rows(reader.png(), rows.data())) {
     return make_error("it is damaged ({})", in.error.data());
   }
-  return to_image(in, pixels, row_bytes);
+  return to_image(in, pixels, row_bytes, transfer);
 }
 
 Result<std::vector<std::byte>> encode_png(const Image& image) {

@@ -8,11 +8,10 @@
 
 #include "common/error.h"
 #include "common/image.h"
+#include "common/srgb.h"
+#include "common/texture_pyramid.h"
 
 namespace relief {
-
-/// What a texture shows outside [0, 1]^2.
-enum class TextureWrap : std::uint8_t { Repeat, Clamp };
 
 /// A texture of 8-bit sRGB colours with its mip levels, each the mean in linear light of the one
 /// before. Filtering is in linear light, so that a constant colour stays what it is.
@@ -27,29 +26,25 @@ class MeshTexture {
   /// Fails, with a clause, if a channel is missing, or if all is transparent.
   static Result<MeshTexture> from_image(const Image& image, TextureWrap wrap);
 
-  /// Linear RGB at (u, v), v upward: bilinear at the finest level. Finite for all finite (u, v).
-  [[nodiscard]] glm::vec3 at(glm::vec2 texcoord) const;
+  /// Linear RGB, as TexturePyramid::at.
+  [[nodiscard]] glm::vec3 at(glm::vec2 texcoord) const { return levels_.at(texcoord); }
 
-  /// The mean over the parallelogram about (u, v) that `du` and `dv` span (texture coordinates):
-  /// trilinear at the level of its shorter side, at as many places along its longer one as that is
-  /// longer, 16 at most (McCormack et al. 1999, "Feline").
-  [[nodiscard]] glm::vec3 mean(glm::vec2 texcoord, glm::vec2 du, glm::vec2 dv) const;
+  /// Linear RGB, as TexturePyramid::mean.
+  [[nodiscard]] glm::vec3 mean(glm::vec2 texcoord, glm::vec2 du, glm::vec2 dv) const {
+    return levels_.mean(texcoord, du, dv);
+  }
 
-  [[nodiscard]] std::uint32_t width() const { return levels_.front().width; }
-  [[nodiscard]] std::uint32_t height() const { return levels_.front().height; }
+  [[nodiscard]] std::uint32_t width() const { return levels_.width(); }
+  [[nodiscard]] std::uint32_t height() const { return levels_.height(); }
 
  private:
-  struct Level {
-    std::uint32_t width = 0;
-    std::uint32_t height = 0;
-    std::vector<glm::u8vec3> texels;
+  struct Codec {
+    using Texel = glm::u8vec3;
+    static glm::vec3 decode(Texel texel) { return linear_from_srgb8(texel); }
+    static Texel encode(glm::vec3 light) { return srgb8_from_linear(light); }
   };
-  [[nodiscard]] static Level halve(const Level& finer);
-  [[nodiscard]] glm::vec3 bilinear(const Level& level, glm::vec2 texcoord) const;
-  [[nodiscard]] glm::vec3 trilinear(glm::vec2 texcoord, float level) const;
 
-  std::vector<Level> levels_;  ///< finest first; the last is one texel
-  TextureWrap wrap_ = TextureWrap::Repeat;
+  TexturePyramid<Codec> levels_;
 };
 
 }  // namespace relief

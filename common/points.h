@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,9 +17,26 @@ namespace relief {
 using Triangle = std::array<std::uint32_t, 3>;
 using CornerTexcoords = std::array<glm::vec2, 3>;  ///< of a triangle's three corners
 
-class MeshTexture;
+/// Of a triangle's three corners: x, y, z toward where u grows in the world, any length; w: 1, or
+/// -1 where the texture is mirrored; 0: the file gives none.
+using CornerTangents = std::array<glm::vec4, 3>;
 
-/// What a mesh file says about the colour of some of its triangles: a texture times a colour.
+class MeshTexture;
+class NormalTexture;
+
+/// What a mesh file says about the small relief of some of its triangles.
+struct MeshNormalMap {
+  std::string picture;  ///< the file of its texture, as the file names it; empty: none
+  float scale = 1.0F;   ///< factor on its x and y
+  bool clamps = false;  ///< it does not repeat
+  /// As MeshMaterial has them.
+  std::shared_ptr<const std::vector<std::byte>> picture_bytes;
+  std::shared_ptr<const NormalTexture> texture;  ///< null: smooth
+  std::string left_out;  ///< why it is not read, a clause; empty: nothing is left out
+};
+
+/// What a mesh file says about the look of some of its triangles: a texture times a colour, and a
+/// normal map.
 struct MeshMaterial {
   std::string name;           ///< as the file has it
   glm::vec3 colour{1.0F};     ///< linear, 0 to 1
@@ -30,6 +48,7 @@ struct MeshMaterial {
   /// The texture as a file in memory, of formats that hold their pictures; null: `picture`.
   std::shared_ptr<const std::vector<std::byte>> picture_bytes;
   std::shared_ptr<const MeshTexture> texture;  ///< load_textures reads it; null: the colour alone
+  MeshNormalMap normals;
 };
 
 /// The material of triangles that have none: they have no colour of their own.
@@ -47,6 +66,8 @@ struct Points {
   /// Empty, or as long as `triangles` where points on the seam of a texture have several texture
   /// coordinates, of which `texcoords` can hold only the first.
   std::vector<CornerTexcoords> corner_texcoords;
+  /// Empty, or as long as `triangles` where the file gives tangents.
+  std::vector<CornerTangents> corner_tangents;
   std::vector<MeshMaterial> materials;
   std::vector<std::uint32_t> triangle_materials;  ///< empty or as long as `triangles`: indices into
                                                   ///< `materials`, or kNoMaterial

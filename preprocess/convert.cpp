@@ -154,11 +154,13 @@ void drop_redundant(const SurfaceSamples& samples, const NeighbourGraph& graph,
   patches = std::move(kept_patches);
 }
 
-void count_colours(const std::vector<Patch>& patches, ConvertReport& report) {
+void count_texels(const std::vector<Patch>& patches, ConvertReport& report) {
   for (const Patch& patch : patches) {
     report.colour_texels += patch.colours.texels.size();
     if (!patch.colours.empty())
       report.texels_per_cell = std::max(report.texels_per_cell, patch.colours.scale);
+    report.normal_texels += patch.normals.texels.size();
+    report.normal_texels_per_cell = std::max(report.normal_texels_per_cell, patch.normals.scale);
   }
 }
 
@@ -226,7 +228,7 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   model.bounds = bounds_of(points.positions);
   model.bounding_radius = bounding_radius(points.positions, model.bounds);
   model.has_colours = textured || !points.colours.empty();
-  count_colours(model.patches, result.report);
+  count_texels(model.patches, result.report);
   result.report.error_rms = fidelity.rms;
   result.report.error_max = fidelity.max;
   result.report.uncovered_points = fidelity.uncovered;

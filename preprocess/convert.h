@@ -17,9 +17,9 @@ struct ConvertOptions {
   int overlap_cells = 1;     ///< width of the overlap margin, in grid cells
   double height_step = 0.0;  ///< world units per height index; 0: spacing / 20
   int colour_scale = 2;      ///< colour texels per grid cell along each side, of coloured points
-  int texels_per_cell = 0;   ///< the same of a mesh with textures or materials, 1 to 64; 0: what
-                             ///< keeps the texture (map_textures)
-  int threads = 0;           ///< 0: all cores. The result does not depend on it.
+  int texels_per_cell = 0;   ///< the same of a mesh with textures or materials, and normal texels
+                            ///< of one with normal maps, 1 to 64; 0: what keeps them (map_textures)
+  int threads = 0;  ///< 0: all cores. The result does not depend on it.
 };
 
 /// How well the patches render the points they came from.
@@ -35,6 +35,8 @@ struct ConvertReport {
   std::uint64_t uncovered_points = 0;  ///< points farther than two spacings from every patch
   std::uint64_t colour_texels = 0;     ///< of the colour maps, holes included
   std::uint32_t texels_per_cell = 0;   ///< of the finest colour map, along a side; 0: no colours
+  std::uint64_t normal_texels = 0;     ///< as colour_texels, of the normal maps
+  std::uint32_t normal_texels_per_cell = 0;  ///< of the finest normal map, along a side
 };
 
 struct ConvertResult {

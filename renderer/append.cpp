@@ -55,6 +55,11 @@ void append_shared(Model& to, Model& from, std::uint32_t patches_before) {
 
 void transform(TriangleMesh& mesh, const Transform& transform) {
   turn(mesh, transform);
+  const glm::mat3 rotation(transform.rotation);
+  for (CornerTangents& corners : mesh.tangents) {
+    for (glm::vec4& tangent : corners) tangent = {rotation * glm::vec3(tangent), tangent.w};
+  }
+  for (PatchNormalMap& map : mesh.patch_normals) map.axes = rotation * map.axes;
 }
 
 void transform(SplatCloud& cloud, const Transform& transform) {
@@ -74,6 +79,10 @@ Status append(TriangleMesh& to, TriangleMesh from, std::uint32_t patches_before)
   }
   append_attribute(to.texcoords, from.texcoords, triangles, CornerTexcoords{});
   append_attribute(to.triangle_textures, from.triangle_textures, triangles, kNoMaterial);
+  append_attribute(to.tangents, from.tangents, triangles, CornerTangents{});
+  if (!from.patch_normals.empty()) to.patch_normals.resize(patches_before);
+  to.patch_normals.insert(to.patch_normals.end(), from.patch_normals.begin(),
+                          from.patch_normals.end());
   to.textures.insert(to.textures.end(), from.textures.begin(), from.textures.end());
   to.triangles.reserve(to.triangles.size() + from.triangles.size());
   for (const Triangle& t : from.triangles)

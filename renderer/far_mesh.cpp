@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <unordered_map>
 #include <utility>
 
@@ -28,20 +30,19 @@ double nearest_pixel(const View& view, const Sphere& model) {
   return pixel_at(view, -(view.rotation * (model.centre - view.eye)).z - model.radius);
 }
 
-/// A cube of the grid, and one of the sides that normals point to.
-struct Cell {
+/// A cube of the grid.
+struct Cube {
   std::int64_t x = 0;
   std::int64_t y = 0;
   std::int64_t z = 0;
-  int side = 0;  ///< 0 to 5: the axis that the normal is nearest to, and its sign
 
-  bool operator==(const Cell&) const = default;
+  bool operator==(const Cube&) const = default;
 };
 
-struct CellHash {
-  std::size_t operator()(const Cell& cell) const {
-    std::uint64_t hash = static_cast<std::uint64_t>(cell.side);
-    for (const std::int64_t value : {cell.x, cell.y, cell.z}) {
+struct CubeHash {
+  std::size_t operator()(const Cube& cube) const {
+    std::uint64_t hash = 0;
+    for (const std::int64_t value : {cube.x, cube.y, cube.z}) {
       hash = (hash ^ static_cast<std::uint64_t>(value)) * 0x9E3779B97F4A7C15U;
       hash ^= hash >> 29U;
     }
@@ -49,59 +50,80 @@ struct CellHash {
   }
 };
 
-int side_of(glm::vec3 normal) {
-  const glm::vec3 size = glm::abs(normal);
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  return 2 * axis + (normal[axis] < 0.0F ? 1 : 0);
-}
-
 /// Samples that become one vertex: their sums, and how far from the middle of their cube the one is
 /// whose place the vertex has.
 struct Cluster {
   FarVertex sum;
+  glm::dmat3 normals{0.0};  ///< n n^T
+  glm::dvec3 offsets{0.0};  ///< (n . p) n
   double count = 0.0;
-  double away = 0.0;  ///< in cubes
+  double away = 0.0;                 ///< in cubes
+  std::uint32_t next = kNoMaterial;  ///< the next one of the cube
 };
 
 /// Collects samples, or the clusters of a finer level, into cubes of a grid.
-class Grid {
+class CubeGrid {
  public:
-  explicit Grid(double spacing) : spacing_(spacing) {}
+  explicit CubeGrid(double spacing) : spacing_(spacing) {}
 
   /// The number of the cluster that this one goes into.
   std::uint32_t add(const Cluster& finer) {
     const glm::dvec3 place = finer.sum.position / (finer.count * spacing_);
     const glm::dvec3 low = glm::floor(place);
-    const Cell cell{static_cast<std::int64_t>(low.x), static_cast<std::int64_t>(low.y),
-                    static_cast<std::int64_t>(low.z), side_of(finer.sum.normal)};
     const double away = glm::distance(place, low + 0.5);
-    const auto [found, is_new] =
-        numbers_.try_emplace(cell, static_cast<std::uint32_t>(clusters_.size()));
-    if (is_new) {
-      clusters_.push_back(finer);
-      clusters_.back().away = away;
-      return found->second;
-    }
-    Cluster& cluster = clusters_[found->second];
-    cluster.sum.position += finer.sum.position;
-    cluster.sum.normal += finer.sum.normal;
-    cluster.sum.colour += finer.sum.colour;
-    cluster.count += finer.count;
-    if (away < cluster.away) {
+    const std::uint32_t number = find(low, finer);
+    Cluster& cluster = clusters_[number];
+    if (cluster.count == 0.0 || away < cluster.away) {
       cluster.away = away;
       cluster.sum.patch = finer.sum.patch;
       cluster.sum.place = finer.sum.place;
     }
-    return found->second;
+    cluster.sum.position += finer.sum.position;
+    cluster.sum.normal += finer.sum.normal;
+    cluster.sum.colour += finer.sum.colour;
+    cluster.normals += finer.normals;
+    cluster.offsets += finer.offsets;
+    cluster.count += finer.count;
+    return number;
   }
 
   [[nodiscard]] const std::vector<Cluster>& clusters() const { return clusters_; }
 
  private:
+  /// The cluster of the cube that faces the same way; a new one if there is none.
+  std::uint32_t find(glm::dvec3 low, const Cluster& finer) {
+    const Cube cube{static_cast<std::int64_t>(low.x), static_cast<std::int64_t>(low.y),
+                    static_cast<std::int64_t>(low.z)};
+    const auto added = static_cast<std::uint32_t>(clusters_.size());
+    std::uint32_t number = firsts_.try_emplace(cube, added).first->second;
+    std::uint32_t last = kNoMaterial;
+    while (number < added && number != kNoMaterial) {
+      if (glm::dot(clusters_[number].sum.normal, finer.sum.normal) > 0.0F) return number;
+      last = number;
+      number = clusters_[number].next;
+    }
+    if (last != kNoMaterial) clusters_[last].next = added;
+    clusters_.emplace_back();
+    return added;
+  }
+
   double spacing_;
-  std::unordered_map<Cell, std::uint32_t, CellHash> numbers_;
+  std::unordered_map<Cube, std::uint32_t, CubeHash> firsts_;
   std::vector<Cluster> clusters_;
 };
+
+/// Where the tangent planes of the samples come nearest to meeting (Lindstrom 2000, "Out-of-core
+/// simplification of large polygonal models"): their mean would cut off what is narrower than a
+/// cube. `kToMean` draws it to the mean along directions that the planes leave open.
+glm::dvec3 place_of(const Cluster& cluster, double spacing) {
+  constexpr double kToMean = 0.01;
+  const glm::dvec3 mean = cluster.sum.position / cluster.count;
+  const glm::dmat3 planes = cluster.normals / cluster.count + glm::dmat3(kToMean);
+  const glm::dvec3 miss = (cluster.offsets - cluster.normals * mean) / cluster.count;
+  const glm::dvec3 step = glm::inverse(planes) * miss;
+  const double length = glm::length(step);
+  return mean + (length > spacing ? spacing / length : 1.0) * step;
+}
 
 /// Notes a triangle unless two of its corners have become one; the least corner comes first.
 void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c,
@@ -122,28 +144,24 @@ void keep_unique(std::vector<Triangle>& triangles) {
   triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
 }
 
-/// The mean of the texels that are nearer to a node than to any other.
-glm::vec3 colour_at(const Patch& patch, std::uint32_t i, std::uint32_t j) {
-  const AttributeMap<glm::u8vec3>& map = patch.colours;
-  if (map.empty()) return glm::vec3(shared::kNeutralGrey);
+/// The mean of `value` over the texels that are nearer to a node than to any other.
+template <class Texel, class Value>
+glm::vec3 mean_at(const AttributeMap<Texel>& map, glm::uvec2 node, const Value& value) {
   const std::uint32_t half = map.scale / 2;
-  const auto low = [half, &map](std::uint32_t node) {
-    return std::max(node * map.scale, half) - half;
-  };
+  const glm::uvec2 first = glm::max(map.scale * node, half) - half;
+  const glm::uvec2 last = glm::min(map.scale * node + half, glm::uvec2(map.width, map.height) - 1U);
   glm::vec3 sum(0.0F);
-  float count = 0.0F;
-  for (std::uint32_t y = low(j); y <= std::min(j * map.scale + half, map.height - 1); ++y) {
-    for (std::uint32_t x = low(i); x <= std::min(i * map.scale + half, map.width - 1); ++x) {
-      sum += linear_from_srgb8(map.texels[std::size_t{y} * map.width + x]);
-      count += 1.0F;
-    }
+  for (std::uint32_t y = first.y; y <= last.y; ++y) {
+    for (std::uint32_t x = first.x; x <= last.x; ++x)
+      sum += value(map.texels[std::size_t{y} * map.width + x]);
   }
-  return sum / count;
+  const glm::vec2 texels = last - first + 1U;
+  return sum / (texels.x * texels.y);
 }
 
 /// Adds a patch's samples to the grid; of each node the cluster that it is in, or kNoMaterial for a
 /// hole.
-std::vector<std::uint32_t> add_samples(const Patch& patch, std::uint32_t number, Grid& grid) {
+std::vector<std::uint32_t> add_samples(const Patch& patch, std::uint32_t number, CubeGrid& grid) {
   const AttributeMap<glm::i16vec2> normals = normal_map_of(patch);
   const glm::mat3 axes(patch.axes);
   std::vector<std::uint32_t> clusters(patch.heights.size(), kNoMaterial);
@@ -152,14 +170,22 @@ std::vector<std::uint32_t> add_samples(const Patch& patch, std::uint32_t number,
       if (patch.at(i, j) == kHole) continue;
       const glm::dvec3 offset(i * patch.spacing, j * patch.spacing,
                               patch.at(i, j) * patch.height_step);
-      const std::size_t texel =
-          std::size_t{j} * normals.scale * normals.width + std::size_t{i} * normals.scale;
-      const glm::vec3 normal = axes * unit_from_snorm16(normals.texels[texel]);
-      clusters[std::size_t{j} * patch.width + i] =
-          grid.add({{patch.origin + patch.axes * offset, normal, colour_at(patch, i, j), number,
-                     glm::vec2(i, j)},
-                    1.0,
-                    0.0});
+      const glm::uvec2 node(i, j);
+      const glm::vec3 normal =
+          mean_at(normals, node, [](glm::i16vec2 texel) { return unit_from_snorm16(texel); });
+      const glm::vec3 colour = patch.colours.empty()
+                                   ? glm::vec3(shared::kNeutralGrey)
+                                   : mean_at(patch.colours, node, [](glm::u8vec3 texel) {
+                                       return linear_from_srgb8(texel);
+                                     });
+      Cluster sample;
+      sample.sum = {patch.origin + patch.axes * offset, axes * normal, colour, number,
+                    glm::vec2(node)};
+      const glm::dvec3 n(glm::normalize(sample.sum.normal));
+      sample.normals = glm::outerProduct(n, n);
+      sample.offsets = glm::dot(n, sample.sum.position) * n;
+      sample.count = 1.0;
+      clusters[std::size_t{j} * patch.width + i] = grid.add(sample);
     }
   }
   return clusters;
@@ -182,12 +208,12 @@ void add_cells(const Patch& patch, const std::vector<std::uint32_t>& clusters,
   }
 }
 
-FarLevel make_level(double spacing, const Grid& grid, const std::vector<Triangle>& triangles) {
+FarLevel make_level(double spacing, const CubeGrid& grid, const std::vector<Triangle>& triangles) {
   FarLevel level{spacing, {}, triangles};
   level.vertices.reserve(grid.clusters().size());
   for (const Cluster& cluster : grid.clusters()) {
     FarVertex vertex = cluster.sum;
-    vertex.position /= cluster.count;
+    vertex.position = place_of(cluster, spacing);
     vertex.normal /= static_cast<float>(cluster.count);
     vertex.colour /= static_cast<float>(cluster.count);
     level.vertices.push_back(vertex);
@@ -227,7 +253,7 @@ std::vector<FarLevel> make_far_levels(std::span<const Patch> patches,
                                       std::span<const double> spacings) {
   std::vector<FarLevel> levels;
   if (spacings.empty()) return levels;
-  Grid grid(spacings.front());
+  CubeGrid grid(spacings.front());
   std::vector<Triangle> triangles;
   for (std::uint32_t p = 0; p < patches.size(); ++p) {
     add_cells(patches[p], add_samples(patches[p], p, grid), triangles);
@@ -235,7 +261,7 @@ std::vector<FarLevel> make_far_levels(std::span<const Patch> patches,
   }
   levels.push_back(make_level(spacings.front(), grid, triangles));
   for (const double spacing : spacings.subspan(1)) {
-    Grid coarser(spacing);
+    CubeGrid coarser(spacing);
     std::vector<std::uint32_t> numbers;
     numbers.reserve(grid.clusters().size());
     for (const Cluster& cluster : grid.clusters()) numbers.push_back(coarser.add(cluster));

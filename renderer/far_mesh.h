@@ -15,7 +15,7 @@
 namespace relief {
 
 /// View::far_diameter where models may be drawn from afar.
-inline constexpr double kFarDiameter = 96.0;
+inline constexpr double kFarDiameter = 128.0;
 
 /// World or model frame.
 struct Sphere {

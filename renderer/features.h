@@ -36,32 +36,19 @@ namespace relief {
          static_cast<std::uint32_t>(count_lights(settings.lights)) << RELIEF_LIGHTS_SHIFT;
 }
 
-/// What colour maps a model has.
-struct ColourMaps {
-  bool any = false;
-  bool fine = false;  ///< has_fine_colours
+/// What maps a model has beside the normals that all have.
+struct ModelMaps {
+  bool colours = false;
+  bool fine_colours = false;  ///< has_fine_colours
+  bool fine_normals = false;  ///< has_fine_normals
 
-  ColourMaps(bool has_any, bool has_fine = false)  // NOLINT: implicit on purpose, most have none
-      : any(has_any), fine(has_any && has_fine) {}
-  explicit ColourMaps(const PatchModel& model)
-      : ColourMaps(model.has_colours, has_fine_colours(model)) {}
+  ModelMaps(bool has_colours)  // NOLINT: implicit on purpose, most have no others
+      : colours(has_colours) {}
+  explicit ModelMaps(const PatchModel& model)
+      : colours(model.has_colours),
+        fine_colours(model.has_colours && has_fine_colours(model)),
+        fine_normals(has_fine_normals(model)) {}
 };
-
-/// The feature bits of a picture that any engine on OpenGL can have.
-[[nodiscard]] inline std::uint32_t scene_features(const RenderSettings& settings,
-                                                  ColourMaps colours) {
-  const bool coloured =
-      colours.any && (uses(settings, Material::Unlit) || uses(settings, Material::Lit) ||
-                      uses(settings, Material::Split));
-  return (settings.camera.is_orthographic() ? RELIEF_FEATURE_ORTHOGRAPHIC : 0U) |
-         (settings.primitive == Primitive::Sprite ? RELIEF_FEATURE_SPRITE : 0U) |
-         (coloured ? RELIEF_FEATURE_COLOURS : 0U) |
-         (coloured && colours.fine ? RELIEF_FEATURE_FINE_COLOURS : 0U) |
-         material_features(settings) | (settings.outputs.normal ? RELIEF_FEATURE_OUT_NORMAL : 0U) |
-         (settings.outputs.depth ? RELIEF_FEATURE_OUT_DEPTH : 0U) |
-         (settings.outputs.uv ? RELIEF_FEATURE_OUT_UV : 0U) |
-         (settings.outputs.patch_id ? RELIEF_FEATURE_OUT_PATCH : 0U);
-}
 
 /// Whether models that are seen small enough are drawn from afar (far_mesh.h): where levels of
 /// detail are, but not with semi-transparent surfaces, whose layers only cells find, nor in a split
@@ -71,10 +58,27 @@ struct ColourMaps {
          !is_transparent(settings) && !uses(settings, Material::Split);
 }
 
-/// Whether those features read normals.
+/// Whether features read normals.
 [[nodiscard]] inline bool needs_normals(std::uint32_t features) {
   return (features & (RELIEF_FEATURE_LIT | RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_GLASS |
                       RELIEF_FEATURE_OUT_NORMAL)) != 0;
+}
+
+/// The feature bits of a picture that any engine on OpenGL can have.
+[[nodiscard]] inline std::uint32_t scene_features(const RenderSettings& settings, ModelMaps maps) {
+  const bool coloured =
+      maps.colours && (uses(settings, Material::Unlit) || uses(settings, Material::Lit) ||
+                       uses(settings, Material::Split));
+  const std::uint32_t shading =
+      material_features(settings) | (settings.outputs.normal ? RELIEF_FEATURE_OUT_NORMAL : 0U);
+  return shading | (settings.camera.is_orthographic() ? RELIEF_FEATURE_ORTHOGRAPHIC : 0U) |
+         (settings.primitive == Primitive::Sprite ? RELIEF_FEATURE_SPRITE : 0U) |
+         (coloured ? RELIEF_FEATURE_COLOURS : 0U) |
+         (coloured && maps.fine_colours ? RELIEF_FEATURE_FINE_COLOURS : 0U) |
+         (needs_normals(shading) && maps.fine_normals ? RELIEF_FEATURE_FINE_NORMALS : 0U) |
+         (settings.outputs.depth ? RELIEF_FEATURE_OUT_DEPTH : 0U) |
+         (settings.outputs.uv ? RELIEF_FEATURE_OUT_UV : 0U) |
+         (settings.outputs.patch_id ? RELIEF_FEATURE_OUT_PATCH : 0U);
 }
 
 /// What those features read.
@@ -93,11 +97,11 @@ struct ColourMaps {
 
 /// What the views read together; `features_of` gives an engine's feature bits of one of them.
 template <class FeaturesOf>
-[[nodiscard]] StoreNeeds needs_of(std::span<const RenderSettings> views, ColourMaps colours,
+[[nodiscard]] StoreNeeds needs_of(std::span<const RenderSettings> views, ModelMaps maps,
                                   const FeaturesOf& features_of) {
   StoreNeeds needs;
   for (const RenderSettings& settings : views) {
-    const StoreNeeds more = needs_of(features_of(settings, colours));
+    const StoreNeeds more = needs_of(features_of(settings, maps));
     needs.splats = needs.splats || more.splats;
     needs.heights = needs.heights || more.heights;
     needs.cells = needs.cells || more.cells;

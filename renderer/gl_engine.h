@@ -55,7 +55,7 @@ Result<std::unique_ptr<GlPreparedModel>> prepare_on_gpu(std::shared_ptr<const Op
                                                         std::span<const RenderSettings> views,
                                                         const FeaturesOf& features_of) {
   auto on_gpu = GlModel::create(std::move(opengl), model, views,
-                                needs_of(views, ColourMaps(model), features_of));
+                                needs_of(views, ModelMaps(model), features_of));
   if (!on_gpu) return on_gpu.error();
   return std::unique_ptr<GlPreparedModel>(std::make_unique<Prepared>(std::move(*on_gpu)));
 }

@@ -42,7 +42,7 @@ Result<std::unique_ptr<GlModel>> GlModel::create(std::shared_ptr<const OpenGl> o
                                                  const StoreNeeds& needs) {
   std::unique_ptr<GlModel> made(new GlModel);
   made->opengl_ = std::move(opengl);
-  made->colours_ = ColourMaps(model);
+  made->maps_ = ModelMaps(model);
   made->depth_needs_ = depth_needs_of(model);
   std::vector<View> looks;
   looks.reserve(views.size());

@@ -34,7 +34,7 @@ class GlModel {
 
   [[nodiscard]] const Gl& gl() const { return opengl_->gl(); }
   [[nodiscard]] const PatchStore& store() const { return *store_; }
-  [[nodiscard]] ColourMaps colours() const { return colours_; }
+  [[nodiscard]] ModelMaps maps() const { return maps_; }
 
   /// Makes what a part of a picture needs whatever engine draws it. Fails if the part is larger
   /// than OpenGL allows or an environment can't be read.
@@ -63,7 +63,7 @@ class GlModel {
   std::map<std::pair<std::filesystem::path, std::vector<float>>, Texture> rough_environments_;
   std::map<bool, Backdrop> backdrops_;  ///< by whether the camera is orthographic
   std::optional<Resolve> resolve_;
-  ColourMaps colours_{false};
+  ModelMaps maps_{false};
   DepthNeeds depth_needs_;
 };
 

@@ -81,7 +81,8 @@ Result<MapArray> upload(const Gl& gl, const PatchList& patches, const Format& fo
     spot.y += ring;
   }
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  // Means in linear light, as OpenGL makes them of sRGB textures.
+  // Means in linear light, as OpenGL makes them of sRGB textures; of normals means of stereographic
+  // coordinates, which need no length put right.
   if (format.mip_levels > 0) gl.GenerateTextureMipmap(id);
   return array;
 }
@@ -105,6 +106,25 @@ PaddedMap<Out> with_ring(const AttributeMap<In>& map, glm::uvec2 size, std::uint
     }
   }
   return padded;
+}
+
+/// The room that a kind of map takes for its mip levels.
+struct MipRoom {
+  std::uint32_t levels = 0;  ///< coarser ones
+  std::uint32_t ring = 1;    ///< texels around each map
+
+  [[nodiscard]] glm::uvec2 padded(glm::uvec2 size) const {
+    return whole_blocks(size + 2 * ring, 1U << levels);
+  }
+};
+
+/// `finest`: texels a cell; not `fine`: no mip levels.
+MipRoom room_for(std::uint32_t finest, bool fine) {
+  if (!fine) return {};
+  const std::uint32_t levels =
+      static_cast<std::uint32_t>(std::bit_width(finest - 1)) + kLevelsBeyondCells;
+  // At the coarsest level half a texel, which is what a bilinear lookup sees beyond a place.
+  return {levels, 1U << (levels - 1)};
 }
 
 /// Half the stereographic coordinates, which reach 1 where a normal points down by 37 degrees.
@@ -160,18 +180,28 @@ Result<MapArray> upload_masks(const Gl& gl, const PatchList& patches) {
 }
 
 Result<MapArray> upload_normals(const Gl& gl, const PatchList& patches) {
+  std::uint32_t finest = 1;
+  for (const Patch* patch : patches)
+    finest = std::max(finest, static_cast<std::uint32_t>(normal_scale(*patch)));
+  const MipRoom room = room_for(finest, finest > 1);
   std::vector<glm::uvec2> sizes;
   for (const Patch* patch : patches) {
     const bool own = !patch->normals.empty();
-    sizes.emplace_back((own ? patch->normals.width : patch->width) + 2,
-                       (own ? patch->normals.height : patch->height) + 2);
+    sizes.push_back(room.padded(
+        {own ? patch->normals.width : patch->width, own ? patch->normals.height : patch->height}));
   }
-  const Format format{"normal maps", GL_RG16_SNORM, GL_RG, GL_SHORT, GL_LINEAR};
-  return upload(gl, patches, format, sizes, 1, [](const Patch& patch) {
+  const Format format{"normal maps", GL_RG16_SNORM, GL_RG,
+                      GL_SHORT,      GL_LINEAR,     static_cast<GLsizei>(room.levels)};
+  return upload(gl, patches, format, sizes, room.ring, [&](const Patch& patch) {
     AttributeMap<glm::i16vec2> map = normal_map_of(patch);
     for (glm::i16vec2& texel : map.texels) texel = stereographic_from_octahedral(texel);
-    return with_ring<glm::i16vec2>(map, glm::uvec2(map.width, map.height) + 2U, 1);
+    return with_ring<glm::i16vec2>(map, room.padded({map.width, map.height}), room.ring);
   });
+}
+
+bool has_fine_normals(const PatchModel& model) {
+  return std::any_of(model.patches.begin(), model.patches.end(),
+                     [](const Patch& patch) { return normal_scale(patch) > 1; });
 }
 
 bool has_fine_colours(const PatchModel& model) {
@@ -187,21 +217,17 @@ Result<MapArray> upload_colours(const Gl& gl, const PatchList& patches) {
   };
   std::uint32_t finest = 0;
   for (const Patch* patch : patches) finest = std::max(finest, colours_of(*patch).scale);
-  const bool fine = finest > kUsualScale;
-  const std::uint32_t levels =
-      fine ? static_cast<std::uint32_t>(std::bit_width(finest - 1)) + kLevelsBeyondCells : 0;
-  // At the coarsest level half a texel, which is what a bilinear lookup sees beyond a place.
-  const std::uint32_t ring = fine ? 1U << (levels - 1) : 1U;
+  const MipRoom room = room_for(finest, finest > kUsualScale);
   const auto padded_size = [&](const AttributeMap<glm::u8vec3>& map) {
-    return whole_blocks(glm::uvec2(map.width, map.height) + 2 * ring, 1U << levels);
+    return room.padded({map.width, map.height});
   };
   std::vector<glm::uvec2> sizes;
   for (const Patch* patch : patches) sizes.push_back(padded_size(colours_of(*patch)));
   const Format format{"colour maps",    GL_SRGB8_ALPHA8, GL_RGBA,
-                      GL_UNSIGNED_BYTE, GL_LINEAR,       static_cast<GLsizei>(levels)};
-  return upload(gl, patches, format, sizes, ring, [&](const Patch& patch) {
+                      GL_UNSIGNED_BYTE, GL_LINEAR,       static_cast<GLsizei>(room.levels)};
+  return upload(gl, patches, format, sizes, room.ring, [&](const Patch& patch) {
     const AttributeMap<glm::u8vec3>& map = colours_of(patch);
-    return with_ring<glm::u8vec4>(map, padded_size(map), ring);
+    return with_ring<glm::u8vec4>(map, padded_size(map), room.ring);
   });
 }
 

@@ -28,9 +28,14 @@ Result<MapArray> upload_heights(const Gl& gl, const PatchList& patches);
 /// the pole below, smooth wherever a patch's normals are. (Octahedral coordinates, as patches keep
 /// them, have creases along both axes; interpolated across those a normal is off by up to a fifth
 /// of the turn between two texels.) Normals that point steeper down than 37 degrees are bent up to
-/// that. A ring of texels around each map repeats its edge. A patch without a normal map gets the
-/// normals of its heights.
+/// that. A ring of texels around each map repeats its edge. Where a map is fine the array has mip
+/// levels as that of fine colours has. A patch without a normal map gets the normals of its
+/// heights.
 Result<MapArray> upload_normals(const Gl& gl, const PatchList& patches);
+
+/// Whether some patch has several normal texels a cell, as those of meshes with normal maps have.
+/// Such models are drawn with mip levels and anisotropic filtering (RELIEF_FEATURE_FINE_NORMALS).
+[[nodiscard]] bool has_fine_normals(const PatchModel& model);
 
 /// Whether some patch has more colour texels a cell than coloured points get. Such models are drawn
 /// with mip levels and anisotropic filtering (RELIEF_FEATURE_FINE_COLOURS).

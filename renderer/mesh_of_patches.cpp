@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/mesh_texture.h"
+#include "common/normal_texture.h"
 #include "common/octahedral.h"
 #include "common/srgb.h"
 #include "renderer/materials.h"
@@ -39,7 +40,7 @@ std::vector<std::uint32_t> add_vertices(const Patch& patch, std::uint32_t id, bo
       mesh.positions.push_back(patch.origin + patch.axes * glm::dvec3(i * patch.spacing,
                                                                       j * patch.spacing,
                                                                       height * patch.height_step));
-      mesh.normals.push_back(glm::normalize(axes * unit_from_snorm16(texel_at(normals, i, j))));
+      mesh.normals.push_back(glm::normalize(axes * normal_at_node(normals, i, j)));
       if (coloured) {
         const glm::vec3 colour = patch.colours.empty()
                                      ? glm::vec3(shared::kNeutralGrey)
@@ -88,6 +89,23 @@ void add_texture(const Patch& patch, std::size_t first, TriangleMesh& mesh) {
   }
 }
 
+/// A normal map with several texels a cell.
+PatchNormalMap normal_map_over(const Patch& patch) {
+  if (patch.normals.scale < 2 || patch.normals.empty()) return {};
+  const AttributeMap<glm::i16vec2>& map = patch.normals;
+  std::vector<glm::i16vec3> upward;  // textures have their top row first
+  upward.reserve(map.texels.size());
+  for (std::size_t row = map.height; row-- > 0;) {
+    for (std::size_t column = 0; column < map.width; ++column) {
+      const glm::vec3 normal = unit_from_snorm16(map.texels[row * map.width + column]);
+      upward.push_back(NormalTexture::texel_of(normal));
+    }
+  }
+  return {std::make_shared<const NormalTexture>(map.width, map.height, std::move(upward),
+                                                TextureWrap::Clamp),
+          glm::mat3(patch.axes), static_cast<float>(map.scale)};
+}
+
 void add_triangles(const Patch& patch, const std::vector<std::uint32_t>& vertices,
                    TriangleMesh& mesh) {
   const double largest_rise = shared::kSteepest * patch.spacing / patch.height_step;
@@ -132,6 +150,10 @@ Result<TriangleMesh> mesh_of_patches(const PatchModel& model) {
     const std::size_t first = mesh.triangles.size();
     add_triangles(patch, add_vertices(patch, p, model.has_colours, mesh), mesh);
     add_texture(patch, first, mesh);
+    if (PatchNormalMap map = normal_map_over(patch); map.texture != nullptr) {
+      mesh.patch_normals.resize(p);
+      mesh.patch_normals.push_back(std::move(map));
+    }
   }
   if (!mesh.triangle_textures.empty()) {
     mesh.triangle_textures.resize(mesh.triangles.size(), kNoMaterial);

@@ -1,6 +1,7 @@
 #include "renderer/mesh_of_points.h"
 
 #include "common/mesh_normals.h"
+#include "common/mesh_tangents.h"
 #include "common/srgb.h"
 
 namespace relief {
@@ -19,6 +20,7 @@ TriangleMesh mesh_of_points(const Points& points) {
   if (points.texcoords.empty()) return mesh;
   for (std::size_t t = 0; t < points.triangles.size(); ++t)
     mesh.texcoords[t] = texcoords_of(points, t);
+  if (has_normal_maps(points)) mesh.tangents = tangents_of(points, mesh.normals);
   return mesh;
 }
 

@@ -10,7 +10,7 @@ namespace relief {
 /// vector, or where that is missing, 0 or no number the mean of its triangles' normals, weighted by
 /// angle. The triangles should be oriented alike, or these means cancel out. Positions must be
 /// numbers and indices valid, as after clean_points.
-/// Triangles with materials (load_textures) have their colours.
+/// Triangles with materials (load_textures) have their colours and normal maps.
 [[nodiscard]] TriangleMesh mesh_of_points(const Points& points);
 
 }  // namespace relief

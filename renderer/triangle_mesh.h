@@ -1,14 +1,25 @@
 // A mesh as the ray tracer takes it.
 #pragma once
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <memory>
 #include <vector>
 
+#include "common/normal_texture.h"
 #include "common/points.h"
 
 namespace relief {
+
+/// A patch's normal map with several texels a cell.
+struct PatchNormalMap {
+  std::shared_ptr<const NormalTexture> texture;  ///< in the patch's frame, over its whole grid;
+                                                 ///< null: the vertices' normals
+  glm::mat3 axes{1.0F};                          ///< the patch's, in the world
+  float scale = 1.0F;                            ///< texels a cell
+};
 
 /// Triangles with attributes at their corners. Every vector but `triangles` is empty or as long as
 /// `positions`. World frame.
@@ -31,6 +42,10 @@ struct TriangleMesh {
   std::vector<CornerTexcoords> texcoords;
   std::vector<std::uint32_t> triangle_textures;
   std::vector<MeshMaterial> textures;
+  /// Tangents of the triangles' corners (tangents_of), where textures have normal maps; empty or as
+  /// long as `triangles`.
+  std::vector<CornerTangents> tangents;
+  std::vector<PatchNormalMap> patch_normals;  ///< by patch id; those beyond the last have none
 };
 
 }  // namespace relief

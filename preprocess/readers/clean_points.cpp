@@ -75,6 +75,7 @@ void renumber(Points& points, const std::vector<std::uint32_t>& new_index) {
     if (!points.corner_texcoords.empty()) {
       points.corner_texcoords[left] = points.corner_texcoords[i];
     }
+    if (!points.corner_tangents.empty()) points.corner_tangents[left] = points.corner_tangents[i];
     if (!points.triangle_materials.empty()) {
       points.triangle_materials[left] = points.triangle_materials[i];
     }
@@ -82,6 +83,7 @@ void renumber(Points& points, const std::vector<std::uint32_t>& new_index) {
   }
   triangles.resize(left);
   if (!points.corner_texcoords.empty()) points.corner_texcoords.resize(left);
+  if (!points.corner_tangents.empty()) points.corner_tangents.resize(left);
   if (!points.triangle_materials.empty()) points.triangle_materials.resize(left);
 }
 

@@ -11,6 +11,8 @@
 
 #include "common/file.h"
 #include "preprocess/readers/gltf_accessor.h"
+#include "preprocess/readers/gltf_tangents.h"
+#include "preprocess/readers/gltf_textures.h"
 #include "preprocess/readers/polygons.h"
 #include "preprocess/readers/readers.h"
 #include "preprocess/texture/load_textures.h"
@@ -111,6 +113,7 @@ class GltfReader {
     if (points_.size() >= kNoPoint) return too_many_points(source_, points_.size());
     if (!has_normals_) points_.normals.clear();
     if (!has_texcoords_) points_.texcoords.clear();
+    if (!tangents_.empty()) points_.corner_tangents = by_corner(tangents_, points_.triangles);
     return std::move(points_);
   }
 
@@ -162,55 +165,20 @@ class GltfReader {
             v > 0.0 ? static_cast<float>(std::min(v, 1.0)) : 0.0F;
       }
       if (base.baseColorTexture.index >= 0) {
-        if (Status done = read_texture(base.baseColorTexture.index, material); !done) return done;
+        auto texture = textures_.read(base.baseColorTexture.index);
+        if (!texture) return texture.error();
+        material.picture = std::move(texture->picture);
+        material.clamps = texture->clamps;
+        material.picture_bytes = std::move(texture->picture_bytes);
       }
+      auto normals = textures_.read_normals(given.normalTexture, texcoord_set_of(given));
+      if (!normals) return normals.error();
+      material.normals = std::move(*normals);
       points_.materials.push_back(material);
       material.has_texcoords = false;
       points_.materials.push_back(std::move(material));
     }
     return {};
-  }
-
-  Status read_texture(int index, MeshMaterial& material) {
-    if (static_cast<std::size_t>(index) >= model_.textures.size())
-      return make_error("there is no texture {}", index);
-    const tinygltf::Texture& texture = model_.textures[static_cast<std::size_t>(index)];
-    if (texture.source < 0 || static_cast<std::size_t>(texture.source) >= model_.images.size())
-      return make_error("texture {} has no image that can be read", index);
-    if (texture.sampler >= 0 &&
-        static_cast<std::size_t>(texture.sampler) < model_.samplers.size()) {
-      const tinygltf::Sampler& sampler = model_.samplers[static_cast<std::size_t>(texture.sampler)];
-      material.clamps = sampler.wrapS == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE &&
-                        sampler.wrapT == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
-    }
-    auto bytes = picture_of(texture.source);
-    if (!bytes) return bytes.error();
-    const tinygltf::Image& image = model_.images[static_cast<std::size_t>(texture.source)];
-    material.picture =
-        image.uri.empty() ? fmt::format("image {}", texture.source) : relief::quoted(image.uri);
-    material.picture_bytes = *bytes;
-    return {};
-  }
-
-  /// An image's file; the same for all textures that show it.
-  Result<std::shared_ptr<const std::vector<std::byte>>> picture_of(int index) {
-    pictures_.resize(model_.images.size());
-    auto& picture = pictures_[static_cast<std::size_t>(index)];
-    if (picture != nullptr) return picture;
-    const tinygltf::Image& image = model_.images[static_cast<std::size_t>(index)];
-    std::span<const std::byte> bytes = std::as_bytes(std::span(image.image));
-    if (image.bufferView >= 0) {
-      const auto in_buffer = view_bytes(model_, image.bufferView);
-      if (!in_buffer) return in_buffer.error();
-      bytes = *in_buffer;
-    }
-    if (bytes.empty()) {
-      return make_error(
-          "its texture {} cannot be read; put it beside the file, or use --texture",
-          image.uri.empty() ? fmt::format("image {}", index) : relief::quoted(image.uri));
-    }
-    picture = std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.end());
-    return picture;
   }
 
   Status read_scene() {
@@ -282,12 +250,12 @@ class GltfReader {
                              static_cast<std::size_t>(primitive.material) < model_.materials.size();
     std::string name = "TEXCOORD_0";
     if (is_material) {
-      const auto& base = model_.materials[static_cast<std::size_t>(primitive.material)]
-                             .pbrMetallicRoughness.baseColorTexture;
-      name = fmt::format("TEXCOORD_{}", base.texCoord);
+      const auto& material = model_.materials[static_cast<std::size_t>(primitive.material)];
+      name = fmt::format("TEXCOORD_{}", texcoord_set_of(material));
     }
     const int texcoords = attribute(name);
     if (Status done = read_texcoords(texcoords, count); !done) return done;
+    if (Status done = keep_tangents(attribute("TANGENT"), count, placed); !done) return done;
     const std::uint32_t material =
         is_material ? 2 * static_cast<std::uint32_t>(primitive.material) + (texcoords < 0 ? 1U : 0U)
                     : kNoMaterial;
@@ -318,6 +286,15 @@ class GltfReader {
       points_.texcoords[points_.size() - count + k] = {(*texcoords)[2 * k],
                                                        1.0 - (*texcoords)[2 * k + 1]};
     has_texcoords_ = true;
+    return {};
+  }
+
+  Status keep_tangents(int accessor, std::size_t count, const glm::dmat4& placed) {
+    if (accessor < 0) return {};
+    auto tangents = read_tangents(model_, accessor, count, placed);
+    if (!tangents) return tangents.error();
+    tangents_.resize(points_.size() - count, glm::vec4(0.0F));
+    tangents_.insert(tangents_.end(), tangents->begin(), tangents->end());
     return {};
   }
 
@@ -358,7 +335,8 @@ class GltfReader {
   fs::path path_;
   tinygltf::Model model_;
   Points points_;
-  std::vector<std::shared_ptr<const std::vector<std::byte>>> pictures_;  ///< by image
+  GltfTextures textures_{model_};
+  std::vector<glm::vec4> tangents_;  ///< by point, up to the last that has one
   bool has_normals_ = false;
   bool has_texcoords_ = false;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -23,7 +24,7 @@ struct MapOption {
 
 constexpr std::array<MapOption, 13> kMapOptions{{{"-blendu", 1},
                                                  {"-blendv", 1},
-                                                 {"-bm", 1},
+                                                 {"-bm", 1, true},
                                                  {"-boost", 1},
                                                  {"-cc", 1},
                                                  {"-clamp", 1},
@@ -35,6 +36,9 @@ constexpr std::array<MapOption, 13> kMapOptions{{{"-blendu", 1},
                                                  {"-texres", 1},
                                                  {"-type", 1}}};
 
+/// A normal map that is made this much steeper is flat beside it.
+constexpr double kStrongest = 1000.0;
+
 /// An offset of 0, a scale of 1 and a base and gain of 0 1 change nothing; exporters write them.
 bool changes_nothing(std::string_view option, const std::vector<double>& values) {
   const auto all = [&values](double neutral) {
@@ -45,8 +49,16 @@ bool changes_nothing(std::string_view option, const std::vector<double>& values)
   return (option == "-o" || option == "-t") && all(0.0);
 }
 
-/// Takes the options before the file's name.
-void read_map(TextCursor& line, MtlMaterial& out) {
+/// What the statement of a map says.
+struct MapStatement {
+  std::string file;
+  bool clamps = false;    ///< -clamp on
+  float strength = 1.0F;  ///< -bm
+  std::string ignored;    ///< options that would change the picture
+};
+
+MapStatement read_map(TextCursor& line) {
+  MapStatement out;
   while (line.peek().starts_with('-')) {
     const auto* const option =
         std::find_if(kMapOptions.begin(), kMapOptions.end(),
@@ -60,11 +72,14 @@ void read_map(TextCursor& line, MtlMaterial& out) {
       if (option->numbers) values.push_back(value);
       if (!option->numbers && line.word() == "on" && option->name == "-clamp") out.clamps = true;
     }
+    if (option->name == "-bm" && !values.empty() && std::abs(values[0]) <= kStrongest)
+      out.strength = static_cast<float>(values[0]);
     if (option->harmless || changes_nothing(option->name, values)) continue;
-    if (!out.ignored_options.empty()) out.ignored_options += ' ';
-    out.ignored_options += option->name;
+    if (!out.ignored.empty()) out.ignored += ' ';
+    out.ignored += option->name;
   }
-  out.material.picture = trimmed(line.rest_of_line());
+  out.file = trimmed(line.rest_of_line());
+  return out;
 }
 
 /// Kd R G B, or R alone for a grey. Spectral curves and CIE XYZ are not read.
@@ -82,6 +97,19 @@ std::optional<glm::vec3> read_colour(TextCursor& line) {
   return glm::vec3(channel(srgb.r), channel(srgb.g), channel(srgb.b));
 }
 
+void take_colours(MapStatement map, MtlMaterial& out) {
+  out.material.picture = std::move(map.file);
+  out.clamps = map.clamps;
+  out.ignored_options = std::move(map.ignored);
+}
+
+void take_normals(MapStatement map, MtlMaterial& out) {
+  out.material.normals.picture = std::move(map.file);
+  out.material.normals.clamps = map.clamps;
+  out.material.normals.scale = map.strength;
+  out.ignored_of_normals = std::move(map.ignored);
+}
+
 }  // namespace
 
 Result<std::vector<MtlMaterial>> read_mtl(const std::string& name, std::string_view text) {
@@ -96,13 +124,26 @@ Result<std::vector<MtlMaterial>> read_mtl(const std::string& name, std::string_v
       continue;
     }
     if (materials.empty()) continue;
+    MtlMaterial& material = materials.back();
+    const std::string lower = lower_case(keyword);
     if (keyword == "Kd") {
-      if (const auto colour = read_colour(line)) materials.back().material.colour = *colour;
-    } else if (lower_case(keyword) == "map_kd") {
-      read_map(line, materials.back());
-      if (materials.back().material.picture.empty())
-        return make_error("{}: line {}: map_Kd names no file", name, line.line_number());
+      if (const auto colour = read_colour(line)) material.material.colour = *colour;
+    } else if (lower == "map_kd" || lower == "norm" || lower == "map_kn") {
+      MapStatement map = read_map(line);
+      if (map.file.empty())
+        return make_error("{}: line {}: {} names no file", name, line.line_number(), keyword);
+      if (lower == "map_kd") {
+        take_colours(std::move(map), material);
+      } else {
+        take_normals(std::move(map), material);
+      }
+    } else if (lower == "map_bump" || lower == "bump") {
+      material.material.normals.left_out = fmt::format(
+          "{} holds heights, which are not read (a normal map is named by norm)", keyword);
     }
+  }
+  for (MtlMaterial& material : materials) {
+    if (!material.material.normals.picture.empty()) material.material.normals.left_out.clear();
   }
   return materials;
 }

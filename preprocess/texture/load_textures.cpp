@@ -15,6 +15,7 @@
 #include "preprocess/readers/mtl.h"
 #include "preprocess/readers/source.h"
 #include "preprocess/readers/text_cursor.h"
+#include "preprocess/texture/load_normal_maps.h"
 
 namespace relief {
 namespace {
@@ -95,7 +96,9 @@ bool is_finite(const CornerTexcoords& corners) {
 void drop_bad_texcoords(Points& points) {
   for (std::size_t t = 0; t < points.triangle_materials.size(); ++t) {
     std::uint32_t& material = points.triangle_materials[t];
-    if (material == kNoMaterial || points.materials[material].texture == nullptr) continue;
+    if (material == kNoMaterial) continue;
+    const MeshMaterial& look = points.materials[material];
+    if (look.texture == nullptr && look.normals.texture == nullptr) continue;
     if (!is_finite(texcoords_of(points, t))) material = kNoMaterial;
   }
 }
@@ -138,6 +141,17 @@ Status read_stated_textures(const fs::path& mesh, Points& points) {
   return {};
 }
 
+/// What a material file says about a material's normal map.
+void take_normals(const FoundMaterial& found, MeshMaterial& material,
+                  std::vector<std::string>& notes) {
+  material.normals = found.says.material.normals;
+  if (material.normals.picture.empty() || !material.has_texcoords) return;
+  material.normals.picture = resolve_beside(found.file, material.normals.picture).string();
+  if (found.says.ignored_of_normals.empty()) return;
+  notes.push_back(fmt::format("{}: normal map of material {}: {} is not read", found.file.string(),
+                              relief::quoted(material.name), found.says.ignored_of_normals));
+}
+
 /// What the material files say, for the materials that triangles name.
 Status resolve_materials(const fs::path& mesh, Points& points, std::vector<std::string>& notes) {
   const auto found = read_material_files(mesh, points, notes);
@@ -153,6 +167,7 @@ Status resolve_materials(const fs::path& mesh, Points& points, std::vector<std::
     if (!known[m]) continue;
     const MtlMaterial& said = says->second.says;
     material.colour = said.material.colour;
+    take_normals(says->second, material, notes);
     if (said.material.picture.empty() || !material.has_texcoords || points.texcoords.empty())
       continue;
     const fs::path file = resolve_beside(says->second.file, said.material.picture);
@@ -180,8 +195,9 @@ Status resolve_materials(const fs::path& mesh, Points& points, std::vector<std::
   for (std::uint32_t& material : points.triangle_materials) {
     if (material != kNoMaterial && !known[material]) material = kNoMaterial;
   }
-  drop_bad_texcoords(points);
-  return {};
+  const Status loaded = load_normal_maps(mesh, points, notes);
+  if (loaded) drop_bad_texcoords(points);
+  return loaded;
 }
 
 void leave_out(Points& points) {

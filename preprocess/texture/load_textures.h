@@ -10,14 +10,16 @@
 
 namespace relief {
 
-/// Where the colours of a mesh's triangles come from.
+/// Where the colours and the normal maps of a mesh's triangles come from.
 struct TextureChoice {
   bool left_out = false;          ///< what the file says about them is left out
-  std::filesystem::path picture;  ///< one texture for all triangles instead; empty: the file's own
+  std::filesystem::path picture;  ///< one texture for all triangles instead, and no normal maps;
+                                  ///< empty: the file's own
 };
 
-/// Reads the material files and the pictures that `mesh`, which points were read from, names, and
-/// leaves in `points` the materials that have colours; triangles of others have kNoMaterial.
+/// Reads the material files and the pictures (textures and normal maps) that `mesh`, which points
+/// were read from, names, and leaves in `points` the materials that have colours; triangles of
+/// others have kNoMaterial.
 ///
 /// Names are relative to the folder of the file that they stand in. What would lead out of that
 /// folder (an absolute path, a drive, ..) is looked for by its last part beside the file: files

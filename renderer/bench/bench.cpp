@@ -34,9 +34,9 @@ struct Group {
   std::unique_ptr<GlPreparedModel> prepared;
 };
 
-StoreNeeds needs_of_row(const RenderSettings& row, ColourMaps colours) {
-  return needs_of(row.engine == EngineKind::Onepass ? onepass::features_of(row, colours)
-                                                    : scene_features(row, colours));
+StoreNeeds needs_of_row(const RenderSettings& row, ModelMaps maps) {
+  return needs_of(row.engine == EngineKind::Onepass ? onepass::features_of(row, maps)
+                                                    : scene_features(row, maps));
 }
 
 /// Everything that a bench makes; what is drawn goes before what it is drawn of.
@@ -88,7 +88,7 @@ class Bench {
  private:
   Result<GlPreparedModel*> engine_for(const BenchWay& row) {
     const RenderSettings& settings = row.settings;
-    const StoreNeeds needs = needs_of_row(settings, ColourMaps(*row.patches));
+    const StoreNeeds needs = needs_of_row(settings, ModelMaps(*row.patches));
     for (const Group& group : groups_) {
       if (group.patches == row.patches && group.engine == settings.engine && group.needs == needs &&
           group.pixels_per_sample == pixels_per_sample_of(settings))

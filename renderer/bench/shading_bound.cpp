@@ -15,8 +15,8 @@ namespace relief::bench_passes {
 namespace {
 
 /// What a surface needs that is rasterised somehow.
-std::uint32_t surface_features(const RenderSettings& settings, ColourMaps colours) {
-  return scene_features(settings, colours) & ~RELIEF_FEATURE_SPRITE;
+std::uint32_t surface_features(const RenderSettings& settings, ModelMaps maps) {
+  return scene_features(settings, maps) & ~RELIEF_FEATURE_SPRITE;
 }
 
 std::uint32_t largest_patch(const PatchModel& model) {
@@ -70,7 +70,7 @@ class Prepared final : public GlPreparedModel {
       : GlPreparedModel(std::move(model)), patch_(patch), pixels_(pixels) {}
 
   Result<GlDrawing> make_drawing(const RenderSettings& settings, const Raster& part) override {
-    const std::uint32_t features = surface_features(settings, model().colours());
+    const std::uint32_t features = surface_features(settings, model().maps());
     auto picture = model().make_picture(settings, part);
     if (!picture) return picture.error();
     const auto draw_with = [this](const Pass& drawing) {
@@ -94,7 +94,7 @@ Result<std::unique_ptr<GlPreparedModel>> prepare_shading_bound(std::shared_ptr<c
                                                                const RenderSettings& settings,
                                                                std::uint64_t pixels) {
   assert(!model.patches.empty() && "there is a patch to shade");
-  StoreNeeds needs = needs_of(surface_features(settings, ColourMaps(model)));
+  StoreNeeds needs = needs_of(surface_features(settings, ModelMaps(model)));
   needs.splats = false;
   auto on_gpu = GlModel::create(std::move(opengl), model, {}, needs);
   if (!on_gpu) return on_gpu.error();

@@ -22,12 +22,31 @@ vec4 look_up(sampler2DArray maps, ivec4 map, vec2 uv) {
   return textureLod(maps, place_in_maps(maps, map, uv), 0.0);
 }
 
-#if (RELIEF_FEATURES & RELIEF_FEATURE_FINE_COLOURS) != 0u
+// Whether maps are averaged over a pixel's footprint.
+#define RELIEF_NEEDS_FOOTPRINT \
+  ((RELIEF_FEATURES & (RELIEF_FEATURE_FINE_COLOURS | RELIEF_FEATURE_FINE_NORMALS)) != 0u)
+
+// From half its stereographic coordinates, which bilinear lookups interpolate smoothly; octahedral
+// ones have creases along the axes, where a mirror would show them.
+vec3 unit_from_stereographic(vec2 half_place) {
+  vec2 p = 2.0 * half_place;
+  return vec3(2.0 * p, 1.0 - dot(p, p)) / (1.0 + dot(p, p));
+}
+
+#if RELIEF_NEEDS_FOOTPRINT
+// Where a map is looked up for a pixel: `places` lookups along `along` (grid coordinates), at a mip
+// level.
+struct Lookups {
+  vec2 along;
+  float places;
+  float level;
+};
+
 // The mean over a pixel's footprint, whose sides are `footprint.xy` and `.zw` in grid coordinates:
 // trilinear lookups along the longer one, at the mip level of the shorter (McCormack et al. 1999,
 // "Feline"). By the shader and not by the sampler, so that it is the same everywhere and ends where
-// the map beside begins: a patch has two cells of its own around it.
-vec3 look_up_colour(PatchInfo info, vec2 uv, vec4 footprint) {
+// the map beside begins: a patch has two cells of its own around it. `texels`: a cell.
+Lookups lookups_over(PatchInfo info, vec2 uv, vec4 footprint, float texels) {
   vec2 room = min(uv - info.extent.x, info.extent.yz - uv) + 2.0 / info.extent.w;
   float longer = length(footprint.xy);
   float shorter = length(footprint.zw);
@@ -40,25 +59,44 @@ vec3 look_up_colour(PatchInfo info, vec2 uv, vec4 footprint) {
   // In this form a footprint that is no number becomes none.
   float kept = longer < 1e6 ? min(1.0, min(room.x, room.y) / max(longer, 1e-6)) : 0.0;
   along *= kept;
-  longer *= kept * float(info.colours.w);
-  shorter *= kept * float(info.colours.w);
+  longer *= kept * texels;
+  shorter *= kept * texels;
   float places = clamp(ceil(longer / max(shorter, 1.0)), 1.0, kMostFootprintPlaces);
-  float level = log2(max(longer / places, 1.0));
-  vec3 sum = vec3(0.0);
-  for (float k = 0.5; k < places; k += 1.0) {
-    vec2 place = uv + (k / places - 0.5) * along;
-    sum += textureLod(colour_maps, place_in_maps(colour_maps, info.colours, place), level).rgb;
-  }
-  return sum / places;
+  return Lookups(along, places, log2(max(longer / places, 1.0)));
 }
 #endif
 
-// From half its stereographic coordinates, which bilinear lookups interpolate smoothly; octahedral
-// ones have creases along the axes, where a mirror would show them.
-vec3 unit_from_stereographic(vec2 half_place) {
-  vec2 p = 2.0 * half_place;
-  return vec3(2.0 * p, 1.0 - dot(p, p)) / (1.0 + dot(p, p));
+#if (RELIEF_FEATURES & RELIEF_FEATURE_FINE_COLOURS) != 0u
+vec3 look_up_colour(PatchInfo info, vec2 uv, vec4 footprint) {
+  Lookups lookups = lookups_over(info, uv, footprint, float(info.colours.w));
+  vec3 sum = vec3(0.0);
+  for (float k = 0.5; k < lookups.places; k += 1.0) {
+    vec2 place = uv + (k / lookups.places - 0.5) * lookups.along;
+    sum += textureLod(colour_maps, place_in_maps(colour_maps, info.colours, place), lookups.level).rgb;
+  }
+  return sum / lookups.places;
 }
+#endif
+
+#if RELIEF_NEEDS_NORMAL
+// Of a patch, in its frame, unit; `footprint` is of no account without fine maps.
+vec3 look_up_normal(PatchInfo info, vec2 uv, vec4 footprint) {
+#if (RELIEF_FEATURES & RELIEF_FEATURE_FINE_NORMALS) != 0u
+  Lookups lookups = lookups_over(info, uv, footprint, float(info.normals.w));
+  vec3 sum = vec3(0.0);
+  for (float k = 0.5; k < lookups.places; k += 1.0) {
+    vec2 place = uv + (k / lookups.places - 0.5) * lookups.along;
+    sum += unit_from_stereographic(
+        textureLod(normal_maps, place_in_maps(normal_maps, info.normals, place), lookups.level).xy);
+  }
+  // Means of unit vectors are shorter; those that cancel each other leave the patch's own.
+  float squared = dot(sum, sum);
+  return squared > 1e-6 ? sum * inversesqrt(squared) : vec3(0.0, 0.0, 1.0);
+#else
+  return unit_from_stereographic(look_up(normal_maps, info.normals, uv).xy);
+#endif
+}
+#endif
 
 vec3 to_world(PatchInfo info, vec3 v) {
   return info.axis_u.xyz * v.x + info.axis_v.xyz * v.y + info.axis_n.xyz * v.z;

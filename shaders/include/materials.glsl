@@ -1,6 +1,10 @@
 // What a surface looks like, all with linear light. What is computed is in shading.h.
 #include "include/patches.glsl"
 #include "include/shading.h"
+// The window position that is shaded. Stages other than the fragment's say it.
+#ifndef RELIEF_WINDOW
+#define RELIEF_WINDOW gl_FragCoord.xy
+#endif
 #if (RELIEF_FEATURES & (RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_GLASS)) != 0u
 #include "include/environment.glsl"
 #endif
@@ -17,23 +21,14 @@ layout(std140, binding = RELIEF_BIND_MATERIALS) uniform MaterialBlock {
 layout(binding = RELIEF_TEXTURE_ROUGH_ENVIRONMENTS) uniform samplerCubeArray rough_environments;
 #endif
 
-#ifdef RELIEF_MEAN_NORMALS
-// How long the mean of the unit normals is that a normal stands for. Light that falls on what is
-// uneven is that much less than on what is even and has their mean.
-float normal_length = 1.0;
-#else
-const float normal_length = 1.0;
-#endif
-
 #if (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u
 vec3 shade_lit(vec3 albedo, vec3 facing, vec3 ray, float depth) {
 #if (RELIEF_FEATURES & RELIEF_FEATURE_POINT_LIGHTS) != 0u
-  vec3 place = place_through(gl_FragCoord.xy, depth);
+  vec3 place = place_through(RELIEF_WINDOW, depth);
 #else
   vec3 place = vec3(0.0);
 #endif
-  return normal_length *
-         lit(frame, int(RELIEF_FEATURES >> RELIEF_LIGHTS_SHIFT), albedo, facing, ray, place);
+  return lit(frame, int(RELIEF_FEATURES >> RELIEF_LIGHTS_SHIFT), albedo, facing, ray, place);
 }
 #endif
 

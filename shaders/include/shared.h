@@ -34,6 +34,10 @@ using glm::vec4;
 // anisotropic filtering: 1 to 16 trilinear lookups instead of the one, and a third more bytes. Of
 // `multipass` a lookup per fragment instead of one per splat.
 #define RELIEF_FEATURE_FINE_COLOURS 262144u
+// Some normal map has more texels a cell than 1, as meshes with normal maps have, and the features
+// read normals: the same for them. Cells are then shaded as they are found, and `multipass` looks
+// normals up per fragment.
+#define RELIEF_FEATURE_FINE_NORMALS 524288u
 // Materials: none is unlit; several only beside MIXED or SPLIT. All need the normal map: one lookup
 // per fragment. A mirror has one more, of the environment; glass two.
 #define RELIEF_FEATURE_LIT 16u
@@ -268,7 +272,7 @@ RELIEF_CONST float kCoveringSlack = 1.001f;
 /// 36.6 dB, mirror 27.3 dB; without 36.4 and 27.2.
 RELIEF_CONST float kLeastDiscPixels = 0.75f;
 
-/// Lookups along a pixel's footprint on a fine colour map, at most.
+/// Lookups along a pixel's footprint on a fine map, at most.
 RELIEF_CONST float kMostFootprintPlaces = 16.0f;
 
 /// Linear reflectance of a model without colours: a neutral grey.

@@ -11,9 +11,9 @@ layout(location = RELIEF_OUT_NORMAL) out vec4 out_normal;  // world, as the map 
 layout(location = RELIEF_OUT_DEPTH) out float out_depth;  // along the view axis
 #endif
 
-// How grid coordinates change from pixel to pixel, to the right and upward: what a fine colour map
-// is averaged over. To be asked for before any fragment is discarded.
-#if (RELIEF_FEATURES & RELIEF_FEATURE_FINE_COLOURS) != 0u
+// How grid coordinates change from pixel to pixel, to the right and upward: what a fine map is
+// averaged over. To be asked for before any fragment is discarded.
+#if RELIEF_NEEDS_FOOTPRINT
 #define RELIEF_FOOTPRINT(place) vec4(dFdx(place), dFdy(place))
 #else
 #define RELIEF_FOOTPRINT(place) vec4(0.0)
@@ -35,7 +35,7 @@ void shade_place(PatchInfo info, vec2 place, vec3 view, float depth, vec4 footpr
   vec3 albedo = vec3(kNeutralGrey);
 #endif
 #if RELIEF_NEEDS_NORMAL
-  vec3 normal = to_world(info, unit_from_stereographic(look_up(normal_maps, info.normals, uv).xy));
+  vec3 normal = to_world(info, look_up_normal(info, uv, footprint));
 #else
   vec3 normal = vec3(0.0);
 #endif

@@ -8,18 +8,21 @@ layout(early_fragment_tests) in;
 layout(location = RELIEF_UNIFORM_RADIUS_FACTOR) uniform float radius_factor;
 
 #if RELIEF_NEEDS_NORMAL
+#if (RELIEF_FEATURES & RELIEF_FEATURE_FINE_NORMALS) == 0u
 layout(location = 3) flat in vec3 splat_normal;
+#endif
 layout(location = RELIEF_SUM_NORMAL) out vec4 normal_sum;
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_COLOURS) != 0u
-#if (RELIEF_FEATURES & RELIEF_FEATURE_FINE_COLOURS) != 0u
-layout(location = 4) flat in uint splat_patch;
-layout(location = 5) flat in vec2 splat_place;
-layout(location = 6) flat in vec4 splat_axes;
-#else
+#if (RELIEF_FEATURES & RELIEF_FEATURE_FINE_COLOURS) == 0u
 layout(location = 4) flat in vec3 splat_colour;
 #endif
 layout(location = RELIEF_SUM_COLOUR) out vec4 colour_sum;
+#endif
+#if RELIEF_NEEDS_FOOTPRINT
+layout(location = 5) flat in vec2 splat_place;
+layout(location = 6) flat in vec4 splat_axes;
+layout(location = 7) flat in uint splat_patch;
 #endif
 #if RELIEF_NEEDS_DEPTH
 layout(location = RELIEF_SUM_DEPTH) out vec2 depth_sum;
@@ -27,19 +30,25 @@ layout(location = RELIEF_SUM_DEPTH) out vec2 depth_sum;
 
 // How the place in the disc changes from pixel to pixel, to the right and upward; to be asked for
 // before any fragment is discarded.
-#if (RELIEF_FEATURES & RELIEF_FEATURE_FINE_COLOURS) != 0u
+#if RELIEF_NEEDS_FOOTPRINT
 #define RELIEF_DISC_FOOTPRINT(place) vec4(dFdx(place), dFdy(place))
 
 vec2 to_grid(vec2 in_disc) {
   return in_disc.x * splat_axes.xy + in_disc.y * splat_axes.zw;
 }
 
-// The texture at the fragment's own place on the splat: one colour a splat would blur it.
-vec3 colour_in_disc(vec2 place, vec4 footprint) {
+// Fine maps are looked up at the fragment's own place on the splat: one colour or normal a splat
+// would blur them.
+struct PlaceOnPatch {
+  PatchInfo info;
+  vec2 uv;
+  vec4 footprint;  // grid coordinates
+};
+
+PlaceOnPatch place_on_patch(vec2 place, vec4 footprint) {
   PatchInfo info = fetch_patch(splat_patch);
-  if (info.colours.w == 0) return vec3(kNeutralGrey);
-  return look_up_colour(info, clamp_to_patch(info, splat_place + to_grid(place)),
-                        vec4(to_grid(footprint.xy), to_grid(footprint.zw)));
+  return PlaceOnPatch(info, clamp_to_patch(info, splat_place + to_grid(place)),
+                      vec4(to_grid(footprint.xy), to_grid(footprint.zw)));
 }
 #else
 #define RELIEF_DISC_FOOTPRINT(place) vec4(0.0)
@@ -48,11 +57,19 @@ vec3 colour_in_disc(vec2 place, vec4 footprint) {
 // `place`: in the disc, of radius 1; `depth`: along the view axis.
 void accumulate(vec2 place, float depth, vec4 footprint) {
   float weight = exp2(-kGaussianFall * radius_factor * dot(place, place));
-#if RELIEF_NEEDS_NORMAL
+#if RELIEF_NEEDS_FOOTPRINT
+  PlaceOnPatch on = place_on_patch(place, footprint);
+#endif
+#if (RELIEF_FEATURES & RELIEF_FEATURE_FINE_NORMALS) != 0u
+  vec3 normal = to_world(on.info, look_up_normal(on.info, on.uv, on.footprint));
+  normal_sum = weight * vec4(normal, 1.0);
+#elif RELIEF_NEEDS_NORMAL
   normal_sum = weight * vec4(splat_normal, 1.0);
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_FINE_COLOURS) != 0u
-  colour_sum = weight * vec4(colour_in_disc(place, footprint), 1.0);
+  vec3 colour = on.info.colours.w == 0 ? vec3(kNeutralGrey)
+                                       : look_up_colour(on.info, on.uv, on.footprint);
+  colour_sum = weight * vec4(colour, 1.0);
 #elif (RELIEF_FEATURES & RELIEF_FEATURE_COLOURS) != 0u
   colour_sum = weight * vec4(splat_colour, 1.0);
 #endif

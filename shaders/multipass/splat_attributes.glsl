@@ -1,17 +1,22 @@
 // Vertex stage: what a splat contributes, from the maps at its sample.
 #include "include/maps.glsl"
 
-#if RELIEF_NEEDS_NORMAL
+#define RELIEF_NORMAL_PER_SPLAT \
+  (RELIEF_NEEDS_NORMAL && (RELIEF_FEATURES & RELIEF_FEATURE_FINE_NORMALS) == 0u)
+#define RELIEF_COLOUR_PER_SPLAT                            \
+  ((RELIEF_FEATURES & RELIEF_FEATURE_COLOURS) != 0u && \
+   (RELIEF_FEATURES & RELIEF_FEATURE_FINE_COLOURS) == 0u)
+
+#if RELIEF_NORMAL_PER_SPLAT
 layout(location = 3) flat out vec3 splat_normal;  // world, unit
 #endif
-#if (RELIEF_FEATURES & RELIEF_FEATURE_COLOURS) != 0u
-#if (RELIEF_FEATURES & RELIEF_FEATURE_FINE_COLOURS) != 0u
-layout(location = 4) flat out uint splat_patch;
-layout(location = 5) flat out vec2 splat_place;  // of its centre, grid coordinates
-layout(location = 6) flat out vec4 splat_axes;   // how these change along the axes of its unit disc
-#else
+#if RELIEF_COLOUR_PER_SPLAT
 layout(location = 4) flat out vec3 splat_colour;  // linear
 #endif
+#if RELIEF_NEEDS_FOOTPRINT
+layout(location = 5) flat out vec2 splat_place;  // of its centre, grid coordinates
+layout(location = 6) flat out vec4 splat_axes;   // how these change along the axes of its unit disc
+layout(location = 7) flat out uint splat_patch;
 #endif
 
 // The texel of a map at a node; nodes of a level beyond the patch have its edge's.
@@ -21,16 +26,17 @@ ivec3 texel_at(ivec4 map, PatchInfo info, vec2 node) {
 
 // `axes`: as of splat_axes.
 void write_attributes(uint patch_index, PatchInfo info, vec2 node, vec4 axes) {
-#if RELIEF_NEEDS_NORMAL
+#if RELIEF_NORMAL_PER_SPLAT
   ivec3 normal_texel = texel_at(info.normals, info, node);
   splat_normal =
       to_world(info, unit_from_stereographic(texelFetch(normal_maps, normal_texel, 0).xy));
 #endif
-#if (RELIEF_FEATURES & RELIEF_FEATURE_FINE_COLOURS) != 0u
+#if RELIEF_NEEDS_FOOTPRINT
   splat_patch = patch_index;
   splat_place = node;
   splat_axes = axes;
-#elif (RELIEF_FEATURES & RELIEF_FEATURE_COLOURS) != 0u
+#endif
+#if RELIEF_COLOUR_PER_SPLAT
   ivec3 colour_texel = texel_at(info.colours, info, node);
   splat_colour =
       info.colours.w == 0 ? vec3(kNeutralGrey) : texelFetch(colour_maps, colour_texel, 0).rgb;

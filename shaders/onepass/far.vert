@@ -1,14 +1,25 @@
-// A model seen from afar, as a mesh of means of its samples.
-#include "include/patches.glsl"
+// A model seen from afar: a mesh of means of its samples, shaded once a vertex. (Its triangles are two
+// pixels wide, and a fragment's shader is run for blocks of sixteen.)
+// How long the mean of the unit normals is that a vertex stands for. Light that falls on what is
+// uneven is that much less than on what is even and has their mean.
+#define RELIEF_MEAN_NORMALS
+float normal_length = 1.0;
+#define RELIEF_WINDOW window
+vec2 window = vec2(0.0);
+
+#include "include/maps.glsl"
+#include "include/materials.glsl"
 
 layout(binding = RELIEF_TEXTURE_FAR_VERTICES) uniform usamplerBuffer far_vertices;
 
 layout(location = RELIEF_ATTRIBUTE_PATCH) in uint patch_index;
 
-layout(location = 0) out vec3 mean_normal;  // world
-layout(location = 1) flat out int material;
-#if (RELIEF_FEATURES & RELIEF_FEATURE_COLOURS) != 0u
-layout(location = 2) out vec3 colour;
+layout(location = 0) out vec3 colour;
+#if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_NORMAL) != 0u
+layout(location = 1) out vec3 normal;
+#endif
+#if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_DEPTH) != 0u
+layout(location = 2) out float depth;
 #endif
 #if (RELIEF_FEATURES & (RELIEF_FEATURE_OUT_UV | RELIEF_FEATURE_OUT_PATCH)) != 0u
 layout(binding = RELIEF_TEXTURE_FAR_SOURCES) uniform usamplerBuffer far_sources;
@@ -22,20 +33,41 @@ vec3 unit_from_octahedral(vec2 p) {
   return normalize(n);
 }
 
+// Along the view axis.
+float depth_of(PatchInfo info, vec3 place) {
+#if (RELIEF_FEATURES & RELIEF_FEATURE_ORTHOGRAPHIC) != 0u
+  vec4 eye = fetch_eye(patch_index);
+  return eye.w + info.axis_u.w * dot(eye.xyz, place);
+#else
+  return gl_Position.w;
+#endif
+}
+
 void main() {
   PatchInfo info = fetch_patch(patch_index);
   uvec4 record = texelFetch(far_vertices, gl_VertexID);
   vec3 place = vec3(record.x & 0xFFFFu, record.x >> 16, record.y & 0xFFFFu);
+  gl_Position = fetch_clip_from_grid(patch_index) * vec4(place, 1.0);
+  window = (0.5 + 0.5 * gl_Position.xy / gl_Position.w) * frame.viewport.xy;
+
   vec2 octahedral = vec2(record.w & 0xFFFu, (record.w >> 12) & 0xFFFu) * (2.0 / 4095.0) - 1.0;
-  vec3 local = float(record.w >> 24) / 255.0 * unit_from_octahedral(octahedral);
-  mean_normal = info.axis_u.xyz * local.x + info.axis_v.xyz * local.y + info.axis_n.xyz * local.z;
-  material = info.heights.w;
+  vec3 facing = to_world(info, unit_from_octahedral(octahedral));
+  normal_length = float(record.w >> 24) / 255.0;
+  float distance = depth_of(info, place);
 #if (RELIEF_FEATURES & RELIEF_FEATURE_COLOURS) != 0u
-  colour = vec3(unpackHalf2x16(record.y).y, unpackHalf2x16(record.z));
+  vec3 albedo = vec3(unpackHalf2x16(record.y).y, unpackHalf2x16(record.z));
+#else
+  vec3 albedo = vec3(kNeutralGrey);
+#endif
+  colour = shade_material(info.heights.w, albedo, facing, normalize(ray_through(window)), distance);
+#if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_NORMAL) != 0u
+  normal = facing;
+#endif
+#if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_DEPTH) != 0u
+  depth = distance;
 #endif
 #if (RELIEF_FEATURES & (RELIEF_FEATURE_OUT_UV | RELIEF_FEATURE_OUT_PATCH)) != 0u
   uvec2 sample_of = texelFetch(far_sources, gl_VertexID).xy;
   source = uvec3(uint(info.nodes.z) + sample_of.x + 1u, sample_of.y & 0xFFFFu, sample_of.y >> 16);
 #endif
-  gl_Position = fetch_clip_from_grid(patch_index) * vec4(place, 1.0);
 }

@@ -26,7 +26,7 @@ void main() {
 #endif
   vec2 place = unpack_place(found);
   vec4 footprint = vec4(0.0);
-#if (RELIEF_FEATURES & RELIEF_FEATURE_FINE_COLOURS) != 0u
+#if RELIEF_NEEDS_FOOTPRINT
   // Only layers have this: they are shaded later whatever is on them.
   float patch_number = float(unpack_patch(found));
   if (dFdxFine(patch_number) == 0.0) footprint.xy = dFdxFine(place);

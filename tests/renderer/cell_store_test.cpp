@@ -86,8 +86,8 @@ TEST_F(Stores, RowsOfEachPatchFollowARowWithoutNodes) {
   EXPECT_EQ(rows[14].base, 55U);
   EXPECT_EQ(rows[14].span, 5U << 16U);
   EXPECT_EQ(store.parts[2].patch, 2U);
-  EXPECT_EQ(store.parts[2].first_run, 8U);
-  EXPECT_EQ(store.parts[2].first_rim, 32U);
+  EXPECT_EQ(store.parts[2].buffers.first_run, 8U);
+  EXPECT_EQ(store.parts[2].buffers.first_rim, 32U);
 }
 
 }  // namespace

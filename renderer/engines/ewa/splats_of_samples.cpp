@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/octahedral.h"
 #include "common/srgb.h"
 #include "renderer/materials.h"
 #include "renderer/patch_normals.h"
@@ -26,7 +25,7 @@ void append_samples(const Patch& patch, std::uint32_t id, bool coloured, SplatCl
     for (std::uint32_t i = 0; i < patch.width; ++i) {
       const std::int32_t height = patch.at(i, j);
       if (height == kHole) continue;
-      const glm::vec3 normal = unit_from_snorm16(at_node(normals, i, j));
+      const glm::vec3 normal = normal_at_node(normals, i, j);
       const double cosine = std::max(double{normal.z}, kLeastTiltCosine);
       cloud.positions.push_back(patch.origin + patch.axes * glm::dvec3(i * patch.spacing,
                                                                        j * patch.spacing,

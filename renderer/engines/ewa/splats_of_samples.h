@@ -6,8 +6,8 @@
 
 namespace relief::ewa {
 
-/// One point per sample: position, the normal and colour that the patch's maps have at its node,
-/// its grid coordinates and its patch.
+/// One point per sample: position, the normal (the mean over a cell of a map with several texels a
+/// cell) and colour that the patch's maps have at its node, its grid coordinates and its patch.
 ///
 /// The samples' spacing is fixed on the base plane; on a surface that leans by an angle t the
 /// grid's cells are 1 / cos t times as large, and h is the side of a square of that area: spacing /

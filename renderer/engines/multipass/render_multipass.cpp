@@ -26,7 +26,7 @@ class Prepared final : public GlPreparedModel {
 
   Result<GlDrawing> make_drawing(const RenderSettings& asked, const Raster& part) override {
     const RenderSettings settings = with_patch_ids(asked);
-    const std::uint32_t features = scene_features(settings, model().colours());
+    const std::uint32_t features = scene_features(settings, model().maps());
     auto picture = model().make_picture(settings, part);
     if (!picture) return picture.error();
     auto made = make_sums(model().gl(), picture->targets, features);

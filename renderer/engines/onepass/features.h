@@ -12,12 +12,15 @@ namespace relief::onepass {
 inline constexpr std::uint32_t kShadedMaterials =
     RELIEF_FEATURE_LIT | RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_GLASS;
 
-[[nodiscard]] inline std::uint32_t features_of(const RenderSettings& settings, ColourMaps colours) {
-  const std::uint32_t features = scene_features(settings, colours);
+inline constexpr std::uint32_t kFineFeatures =
+    RELIEF_FEATURE_FINE_COLOURS | RELIEF_FEATURE_FINE_NORMALS;
+
+[[nodiscard]] inline std::uint32_t features_of(const RenderSettings& settings, ModelMaps maps) {
+  const std::uint32_t features = scene_features(settings, maps);
   const bool cells = settings.primitive == Primitive::Cell;
   // A fine map is averaged over a pixel's footprint, which what was found does not tell.
-  const bool later = is_transparent(settings) || ((features & kShadedMaterials) != 0 &&
-                                                  (features & RELIEF_FEATURE_FINE_COLOURS) == 0);
+  const bool later = is_transparent(settings) ||
+                     ((features & kShadedMaterials) != 0 && (features & kFineFeatures) == 0);
   return features | (cells ? RELIEF_FEATURE_CELL : 0U) |
          (cells && later ? RELIEF_FEATURE_VISIBILITY : 0U) |
          (pixels_per_sample_of(settings) > 0.0 ? RELIEF_FEATURE_MASKED : 0U) |

@@ -30,7 +30,8 @@ std::uint32_t widest_side(const PatchStore& store) {
 /// All but what models seen from afar have nothing to do with.
 constexpr std::uint32_t kFarFeatures =
     ~(RELIEF_FEATURE_CELL | RELIEF_FEATURE_MASKED | RELIEF_FEATURE_CORRECTED |
-      RELIEF_FEATURE_VISIBILITY | RELIEF_FEATURE_FINE_COLOURS | RELIEF_FEATURE_LAYERED);
+      RELIEF_FEATURE_VISIBILITY | RELIEF_FEATURE_FINE_COLOURS | RELIEF_FEATURE_FINE_NORMALS |
+      RELIEF_FEATURE_LAYERED);
 
 Result<Programs> make_cell_programs(const Gl& gl, const PatchStore& store, std::uint32_t features) {
   // What finds the surface needs nothing of what shades it.

@@ -42,7 +42,7 @@ class Prepared final : public GlPreparedModel {
   using GlPreparedModel::GlPreparedModel;
 
   Result<GlDrawing> make_drawing(const RenderSettings& settings, const Raster& part) override {
-    std::uint32_t features = features_of(settings, model().colours());
+    std::uint32_t features = features_of(settings, model().maps());
     if (!can_be_found(model().store())) features &= ~RELIEF_FEATURE_VISIBILITY;
     auto picture = model().make_picture(settings, part);
     if (!picture) return picture.error();

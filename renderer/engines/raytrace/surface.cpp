@@ -4,7 +4,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "common/mesh_tangents.h"
 #include "common/mesh_texture.h"
+#include "common/normal_texture.h"
 #include "shaders/include/shared.h"
 
 namespace relief::raytrace {
@@ -18,14 +20,42 @@ auto blend(const std::vector<Value>& values, const Triangle& corners, glm::dvec3
          weights.z * Wide(values[corners[2]]);
 }
 
+glm::dvec2 texcoord_at(const TriangleMesh& mesh, const Hit& at) {
+  const CornerTexcoords& corners = mesh.texcoords[at.triangle];
+  return at.place.x * glm::dvec2(corners[0]) + at.place.y * glm::dvec2(corners[1]) +
+         at.place.z * glm::dvec2(corners[2]);
+}
+
 glm::vec3 texture_at(const TriangleMesh& mesh, const Hit& at) {
   const MeshMaterial& material = mesh.textures[mesh.triangle_textures[at.triangle]];
   if (material.texture == nullptr) return material.colour;
-  const CornerTexcoords& corners = mesh.texcoords[at.triangle];
-  const glm::dvec2 texcoord = at.place.x * glm::dvec2(corners[0]) +
-                              at.place.y * glm::dvec2(corners[1]) +
-                              at.place.z * glm::dvec2(corners[2]);
-  return material.colour * material.texture->at(texcoord);
+  return material.colour * material.texture->at(texcoord_at(mesh, at));
+}
+
+/// The normal map that a triangle has of its mesh file; null: none.
+const MeshNormalMap* mesh_normals_at(const TriangleMesh& mesh, const Hit& at) {
+  if (mesh.tangents.empty() || mesh.triangle_textures[at.triangle] == kNoMaterial) return nullptr;
+  const MeshNormalMap& map = mesh.textures[mesh.triangle_textures[at.triangle]].normals;
+  return map.texture == nullptr ? nullptr : &map;
+}
+
+/// 0 where there is none.
+glm::dvec3 mesh_map_normal(const TriangleMesh& mesh, const MeshNormalMap& map, const Hit& at) {
+  const Triangle& t = mesh.triangles[at.triangle];
+  const TangentFrame frame =
+      frame_at(mesh.tangents[at.triangle],
+               {mesh.normals[t[0]], mesh.normals[t[1]], mesh.normals[t[2]]}, at.place);
+  return perturbed_normal(frame, map.texture->at(texcoord_at(mesh, at)), map.scale);
+}
+
+/// The normal that a patch's fine map has; 0 where there is none.
+glm::dvec3 patch_map_normal(const TriangleMesh& mesh, const Hit& at) {
+  const std::uint32_t patch = patch_at(mesh, at);
+  if (patch == 0 || patch > mesh.patch_normals.size()) return glm::dvec3(0.0);
+  const PatchNormalMap& map = mesh.patch_normals[patch - 1];
+  if (map.texture == nullptr) return glm::dvec3(0.0);
+  const glm::vec2 texel = uv_at(mesh, at) * map.scale + 0.5F;
+  return map.axes * map.texture->at(texel / glm::vec2(map.texture->width(), map.texture->height()));
 }
 
 }  // namespace
@@ -47,6 +77,14 @@ glm::vec3 normal_at(const TriangleMesh& mesh, const Hit& at) {
     const double length = glm::length(v);
     return std::isfinite(length) && length > least;
   };
+  if (!mesh.patch_normals.empty()) {
+    const glm::dvec3 fine = patch_map_normal(mesh, at);
+    if (is_direction(fine, 1e-6)) return glm::vec3(glm::normalize(fine));
+  }
+  if (const MeshNormalMap* const map = mesh_normals_at(mesh, at)) {
+    const glm::dvec3 perturbed = mesh_map_normal(mesh, *map, at);
+    if (is_direction(perturbed, 1e-6)) return glm::vec3(perturbed);
+  }
   const glm::dvec3 smooth = blend(mesh.normals, corners, at.place);
   // Opposite normals cancel out; what is left of them below this is rounding.
   if (is_direction(smooth, 1e-6)) return glm::vec3(glm::normalize(smooth));

@@ -11,8 +11,9 @@
 
 namespace relief::raytrace {
 
-/// Attributes there, linear over the triangle; normals are made unit vectors, and a texture, where
-/// there is one, has the colour (bilinear at its finest level: several rays a pixel filter it).
+/// Attributes there, linear over the triangle; normals are made unit vectors. A texture, where
+/// there is one, has the colour, and a normal map the normal (bilinear at their finest level:
+/// several rays a pixel filter what they make).
 /// What is no number or missing in the mesh becomes a neutral grey, opaque; the triangle's own
 /// normal; and 0.
 [[nodiscard]] glm::vec4 colour_at(const TriangleMesh& mesh, const Hit& at);

@@ -99,6 +99,64 @@ TEST(Gltf, NodesPutMeshesInTheirPlaces) {
   }
 }
 
+/// The document with a normal map on its material and, as accessor 3, tangents along +y.
+std::string with_normal_map(const std::string& info, const std::string& nodes = kNode) {
+  const std::string tangents =
+      test::pack(0.F, 1.F, 0.F, -1.F, 0.F, 1.F, 0.F, -1.F) + test::pack(0.F, 1.F, 0.F, -1.F);
+  const std::string bytes = triangle_bytes() + std::string(2, '\0') + tangents;
+  std::string text =
+      document(R"("uri": "data:application/octet-stream;base64,)" + base64(bytes) + "\", ", nodes);
+  const auto change = [&text](const std::string& what, const std::string& instead) {
+    const std::size_t at = text.find(what);
+    ASSERT_NE(at, std::string::npos) << what;
+    text.replace(at, what.size(), instead);
+  };
+  change(R"("byteLength": 66)", R"("byteLength": 116)");
+  change(R"("byteLength": 6})",
+         R"("byteLength": 6}, {"buffer": 0, "byteOffset": 68, "byteLength": 48})");
+  change(
+      R"("type": "SCALAR"})",
+      R"("type": "SCALAR"}, {"bufferView": 3, "componentType": 5126, "count": 3, "type": "VEC4"})");
+  change(R"("TEXCOORD_0": 1)", R"("TEXCOORD_0": 1, "TANGENT": 3)");
+  change(R"({"name": "m", )", R"({"name": "m", "normalTexture": )" + info + ", ");
+  change(R"("materials")",
+         R"("textures": [{"source": 0}], "images": [{"uri": "data:image/png;base64,AAAA"}],
+    "materials")");
+  return text;
+}
+
+TEST(Gltf, MaterialsHaveNormalMapsAndPointsTangents) {
+  const Points points = test::read("a.gltf", with_normal_map(R"({"index": 0, "scale": 0.25})"));
+  const MeshNormalMap& map = points.materials.at(points.triangle_materials.at(0)).normals;
+  ASSERT_NE(map.picture_bytes, nullptr);
+  EXPECT_EQ(map.picture_bytes->size(), 3U);
+  EXPECT_EQ(map.scale, 0.25F);
+  ASSERT_EQ(points.corner_tangents.size(), 1U);
+  for (const glm::vec4 tangent : points.corner_tangents[0])
+    EXPECT_EQ(tangent, glm::vec4(0.0F, 1.0F, 0.0F, -1.0F));
+}
+
+TEST(Gltf, MirroredNodesTurnTheHandednessOfTangents) {
+  const Points points = test::read(
+      "a.gltf",
+      with_normal_map(R"({"index": 0})",
+                      R"([{"mesh": 0, "matrix": [1,0,0,0, 0,-2,0,0, 0,0,1,0, 0,0,0,1]}])"));
+  ASSERT_EQ(points.corner_tangents.size(), 1U);
+  EXPECT_EQ(points.corner_tangents[0][0], glm::vec4(0.0F, -2.0F, 0.0F, 1.0F));
+}
+
+TEST(Gltf, NormalMapsWithTextureCoordinatesOfTheirOwnAreLeftOut) {
+  const std::string base = R"("pbrMetallicRoughness": {)";
+  std::string text = with_normal_map(R"({"index": 0, "texCoord": 1})");
+  text.replace(text.find(base), base.size(), base + R"("baseColorTexture": {"index": 0}, )");
+  const Points points = test::read("a.gltf", text);
+  const MeshNormalMap& map = points.materials.at(points.triangle_materials.at(0)).normals;
+  EXPECT_EQ(map.picture_bytes, nullptr);
+  EXPECT_NE(map.left_out.find("TEXCOORD_1"), std::string::npos);
+  // A texture that does not exist is refused.
+  EXPECT_NE(test::error("a.gltf", with_normal_map(R"({"index": 4})")), "no error");
+}
+
 TEST(Gltf, EveryTruncationIsRefused) {
   for (const auto& [name, whole] :
        {std::pair(std::string("a.gltf"), embedded()), std::pair(std::string("a.glb"), binary())}) {

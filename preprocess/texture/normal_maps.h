@@ -1,0 +1,40 @@
+// Normal maps of patches from those of the mesh that they were made of.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "common/patch.h"
+#include "common/points.h"
+#include "preprocess/texture/flat_triangles.h"
+#include "preprocess/texture/map_scales.h"
+
+namespace relief {
+
+/// Gives patches the normal maps of a mesh, perturbed smooth normals of it, at a resolution of
+/// their own. Threads may share one.
+class NormalMapper {
+ public:
+  /// The mesh must outlive it.
+  explicit NormalMapper(const Points& mesh);
+
+  /// The size of the normal map that a triangle has.
+  [[nodiscard]] PictureSize picture_size() const;
+
+  /// Replaces a patch's normals by a map of `scale` texels a cell, if one of `triangles`, those
+  /// over it, has a normal map; otherwise they stay as they are. A texel has the normal of the
+  /// triangle that it shows (find_shown): the mean of the normal map over the texel in the
+  /// triangle's tangent frame, or without a normal map the smooth one. Texels over holes, and those
+  /// that meet no triangle that faces the patch's side, continue their surroundings.
+  void map(const std::vector<FlatTriangle>& triangles, std::uint32_t scale, Patch& patch) const;
+
+ private:
+  [[nodiscard]] bool has_map(const std::vector<FlatTriangle>& triangles) const;
+
+  const Points& mesh_;
+  std::vector<glm::vec3> normals_;        ///< of its points
+  std::vector<CornerTangents> tangents_;  ///< of its triangles
+};
+
+}  // namespace relief
