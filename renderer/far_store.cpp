@@ -16,14 +16,16 @@ namespace {
 /// Steps of a mesh's frame along the diameter of its sphere.
 constexpr double kSteps = 65535.0;
 
-/// Octahedral coordinates of 12 bits each, then the length in 8.
+/// Octahedral coordinates of 13 bits each, then how far the unit normals of a mean are spread: its
+/// length is 1 less the square of that, which has 6 bits.
 std::uint32_t pack_normal(glm::vec3 normal) {
   const float length = glm::length(normal);
   if (!(length > 0.0F)) return 0;
   const glm::uvec2 place(
-      glm::round((0.5F * octahedral_from_unit(normal / length) + 0.5F) * 4095.0F));
-  return place.x | (place.y << 12U) |
-         (static_cast<std::uint32_t>(std::lround(std::min(length, 1.0F) * 255.0F)) << 24U);
+      glm::round((0.5F * octahedral_from_unit(normal / length) + 0.5F) * 8191.0F));
+  const float spread = std::sqrt(std::max(1.0F - length, 0.0F));
+  return place.x | (place.y << 13U) |
+         (static_cast<std::uint32_t>(std::lround(spread * 63.0F)) << 26U);
 }
 
 shared::FarVertex pack(const FarVertex& vertex, const StoredFarMesh& mesh) {

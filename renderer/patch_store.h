@@ -57,21 +57,20 @@ struct StoredLevels {
 
 /// A placement of the model; one without placements is a single one.
 struct StoredPlacement {
-  Sphere sphere;            ///< about its samples, world
+  FarModel model;           ///< world
   std::uint32_t first = 0;  ///< in PatchStore::levels
   std::uint32_t count = 0;  ///< 0 where every view draws it from afar
   /// What stands for it, if some view draws it from afar.
   struct Far {
-    std::uint32_t mesh = 0;        ///< in FarStore::meshes
-    std::uint32_t patch = 0;       ///< what PatchStore::patches says of its frame
-    std::uint32_t number = 0;      ///< in FarStore::patches
-    std::vector<double> spacings;  ///< of the mesh's levels, world units
+    std::uint32_t mesh = 0;    ///< in FarStore::meshes
+    std::uint32_t patch = 0;   ///< what PatchStore::patches says of its frame
+    std::uint32_t number = 0;  ///< in FarStore::patches
   };
   std::optional<Far> far;
 
   /// Whether the view draws it from afar.
   [[nodiscard]] bool is_far_in(const View& view) const {
-    return far && (count == 0 || is_far(view, sphere, far->spacings.front()));
+    return far && (count == 0 || is_far(view, model));
   }
 };
 

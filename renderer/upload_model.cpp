@@ -35,33 +35,26 @@ PatchExtent moved(const Transform& transform, const PatchExtent& extent) {
           transform.scale * extent.spacing, extent.levels};
 }
 
-Sphere moved(const Transform& transform, const Sphere& sphere) {
-  return {relief::moved(transform, sphere.centre), transform.scale * sphere.radius};
-}
-
 /// A run of patches as all of its placements have it.
 struct Run {
-  Sphere sphere;                      ///< about its samples, model frame
-  std::vector<double> spacings;       ///< of the meshes that may stand for it
-  std::optional<std::uint32_t> mesh;  ///< these, if some view draws it from afar
+  FarModel model;                     ///< model frame
+  std::optional<std::uint32_t> mesh;  ///< what stands for it, if some view draws it from afar
 };
 
-Run run_of(std::span<const PatchExtent> extents) {
+/// Whether maps of the patches show more than their surface.
+bool has_fine_detail(std::span<const Patch> patches) {
+  return std::any_of(patches.begin(), patches.end(), [](const Patch& patch) {
+    return !patch.colours.empty() || patch.normals.scale > 1;
+  });
+}
+
+Run run_of(std::span<const Patch> patches) {
   Run run;
-  Bounds box;
   double coarsest = 0.0;
-  for (const PatchExtent& extent : extents) {
-    const Bounds reach{extent.centre - extent.radius, extent.centre + extent.radius};
-    box = box.empty() ? reach : Bounds{glm::min(box.min, reach.min), glm::max(box.max, reach.max)};
-    coarsest = std::max(coarsest, extent.spacing);
-  }
-  if (box.empty()) return run;
-  run.sphere.centre = 0.5 * (box.min + box.max);
-  for (const PatchExtent& extent : extents) {
-    run.sphere.radius = std::max(run.sphere.radius,
-                                 glm::distance(run.sphere.centre, extent.centre) + extent.radius);
-  }
-  run.spacings = far_spacings(run.sphere, coarsest);
+  for (const Patch& patch : patches) coarsest = std::max(coarsest, patch.spacing);
+  run.model.sphere = sphere_about(patches);
+  run.model.pixels = has_fine_detail(patches) ? kFarPixelsOfMaps : kFarPixels;
+  run.model.spacings = far_spacings(run.model.sphere, coarsest);
   return run;
 }
 
@@ -79,11 +72,10 @@ class ModelUpload {
     Run& run = run_at(placement);
     const Transform& where = placement.transform;
     std::vector<View> near_views;
-    StoredPlacement stored{moved(where, run.sphere), static_cast<std::uint32_t>(levels_.size()), 0,
-                           std::nullopt};
+    StoredPlacement stored{relief::moved(where, run.model),
+                           static_cast<std::uint32_t>(levels_.size()), 0, std::nullopt};
     for (const View& view : views_) {
-      if (run.spacings.empty() || !is_far(view, stored.sphere, where.scale * run.spacings.front()))
-        near_views.push_back(view);
+      if (!is_far(view, stored.model)) near_views.push_back(view);
     }
     if (near_views.size() < views_.size()) {
       const auto far = add_far(placement, run);
@@ -141,8 +133,8 @@ class ModelUpload {
   Run& run_at(const Placement& placement) {
     const auto [found, is_new] = runs_.try_emplace({placement.first, placement.count});
     if (!is_new) return found->second;
-    found->second = run_of(std::span(extents_).subspan(placement.first, placement.count));
-    if (!has_one_material(model_)) found->second.spacings.clear();
+    found->second = run_of(std::span(model_.patches).subspan(placement.first, placement.count));
+    if (!has_one_material(model_)) found->second.model.spacings.clear();
     return found->second;
   }
 
@@ -195,7 +187,7 @@ class ModelUpload {
     if (!run.mesh) {
       const Result<std::uint32_t> added =
           far_.add(gl_, std::span(model_.patches).subspan(placement.first, placement.count),
-                   run.spacings, run.sphere);
+                   run.model.spacings, run.model.sphere);
       if (!added) return added.error();
       run.mesh = *added;
     }
@@ -206,9 +198,7 @@ class ModelUpload {
     frame.axes = placement.transform.rotation;
     frame.spacing = placement.transform.scale * mesh.unit;
     const auto patch = static_cast<std::uint32_t>(patches_.size());
-    StoredPlacement::Far far{*run.mesh, patch, far_.place(patch), {}};
-    for (const StoredFarLevel& level : mesh.levels)
-      far.spacings.push_back(placement.transform.scale * level.spacing);
+    const StoredPlacement::Far far{*run.mesh, patch, far_.place(patch)};
     patches_.push_back(frame);
     rows_.push_back({std::nullopt, first_id_});
     return far;

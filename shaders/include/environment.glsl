@@ -17,11 +17,10 @@ vec3 difference(vec3 along, bool upward) {
 #define RELIEF_SEE(environments, place, along) \
   textureGrad(environments, place, difference(along, false), difference(along, true)).rgb
 #elif defined(RELIEF_MEAN_NORMALS)
-// The level whose texels are as wide as what normals see that differ as those of a mean do: their
-// deviation to one side is about sqrt(1 - length), and reflections differ by twice as much.
+// The level whose texels are as wide as what normals see that are spread so far (far.vert): to
+// either side of their mean, and reflections differ by twice as much as normals.
 float level_of_mean(float size) {
-  float width = 4.0 * sqrt(max(1.0 - normal_length, 0.0));
-  return log2(max(width * size / 1.5708, 1.0));
+  return log2(max(4.0 * normal_spread * size / 1.5708, 1.0));
 }
 #define RELIEF_SEE(environments, place, along) \
   textureLod(environments, place, level_of_mean(float(textureSize(environments, 0).x))).rgb

@@ -1,9 +1,9 @@
 // A model seen from afar: a mesh of means of its samples, shaded once a vertex. (Its triangles are two
 // pixels wide, and a fragment's shader is run for blocks of sixteen.)
-// How long the mean of the unit normals is that a vertex stands for. Light that falls on what is
-// uneven is that much less than on what is even and has their mean.
+// How far the unit normals are spread that a vertex has the mean of: the root of what their mean is
+// shorter than 1.
 #define RELIEF_MEAN_NORMALS
-float normal_length = 1.0;
+float normal_spread = 0.0;
 #define RELIEF_WINDOW window
 vec2 window = vec2(0.0);
 
@@ -50,9 +50,9 @@ void main() {
   gl_Position = fetch_clip_from_grid(patch_index) * vec4(place, 1.0);
   window = (0.5 + 0.5 * gl_Position.xy / gl_Position.w) * frame.viewport.xy;
 
-  vec2 octahedral = vec2(record.w & 0xFFFu, (record.w >> 12) & 0xFFFu) * (2.0 / 4095.0) - 1.0;
+  vec2 octahedral = vec2(record.w & 0x1FFFu, (record.w >> 13) & 0x1FFFu) * (2.0 / 8191.0) - 1.0;
   vec3 facing = to_world(info, unit_from_octahedral(octahedral));
-  normal_length = float(record.w >> 24) / 255.0;
+  normal_spread = float(record.w >> 26) / 63.0;
   float distance = depth_of(info, place);
 #if (RELIEF_FEATURES & RELIEF_FEATURE_COLOURS) != 0u
   vec3 albedo = vec3(unpackHalf2x16(record.y).y, unpackHalf2x16(record.z));

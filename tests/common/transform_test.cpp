@@ -16,7 +16,8 @@ glm::dvec3 node(const Patch& patch, std::uint32_t i, std::uint32_t j) {
   return patch.origin + patch.axes * glm::dvec3(i * patch.spacing, j * patch.spacing, h);
 }
 
-glm::dvec3 moved(const Transform& t, glm::dvec3 p) {
+// Written out again: what it is measured by must not be what is tested.
+glm::dvec3 expected_place(const Transform& t, glm::dvec3 p) {
   return t.translation + t.scale * (t.rotation * p);
 }
 
@@ -51,7 +52,8 @@ TEST(TransformModel, MovesEveryNode) {
     for (std::uint32_t j = 0; j < patch.height; ++j) {
       for (std::uint32_t i = 0; i < patch.width; ++i) {
         // Coordinates up to 1e7, where doubles are 2e-9 apart; a dozen roundings.
-        EXPECT_LT(glm::distance(node(after.patches[p], i, j), moved(kAnywhere, node(patch, i, j))),
+        EXPECT_LT(glm::distance(node(after.patches[p], i, j),
+                                expected_place(kAnywhere, node(patch, i, j))),
                   1e-7);
       }
     }
@@ -113,6 +115,57 @@ TEST(AppendModel, ModelsWithoutPatchesAddNothing) {
   append_model(all, PatchModel{});
   EXPECT_EQ(all.patches.size(), 1U);
   EXPECT_EQ(all.bounds.max, glm::dvec3(1.0));
+}
+
+TEST(AppendModel, ModelsWithoutPatchesHaveBoundsTogether) {
+  // As of scans that an engine draws as they are: cameras look at all of them.
+  PatchModel all;
+  PatchModel one = ball({0, 0, 0}, 1.0);
+  PatchModel other = ball({10, 0, 0}, 2.0);
+  one.patches.clear();
+  other.patches.clear();
+  append_model(all, one);
+  append_model(all, other);
+  EXPECT_EQ(all.bounds.min, glm::dvec3(-1, -2, -2));
+  EXPECT_EQ(all.bounds.max, glm::dvec3(12, 2, 2));
+}
+
+TEST(AddPlacement, HasTheBoundsOfModelsThatWereMovedAndAppended) {
+  const PatchModel model = ball({1, 2, 3}, 0.5);
+  PatchModel placed = model;
+  const PatchModel extent = without_patches(model);
+  placed = PatchModel{};
+  placed.patches = model.patches;
+  PatchModel appended;
+  for (const double x : {0.0, 4.0, -7.0}) {
+    const Transform there{{x, 1.0, 0.0}, rotation_about({0, 1, 1}, 30.0 + x), 1.5};
+    ASSERT_TRUE(add_placement(placed, {0, 1, there, 3}, extent));
+    PatchModel copy = model;
+    copy.patches[0].material = 3;
+    ASSERT_TRUE(transform_model(copy, there));
+    append_model(appended, copy);
+  }
+  EXPECT_EQ(placed.bounds.min, appended.bounds.min);
+  EXPECT_EQ(placed.bounds.max, appended.bounds.max);
+  EXPECT_EQ(placed.bounding_radius, appended.bounding_radius);
+  EXPECT_EQ(placed.spacing, appended.spacing);
+  const PatchModel baked = bake(placed);
+  ASSERT_EQ(baked.patches.size(), 3U);
+  for (std::size_t p = 0; p < 3; ++p) {
+    EXPECT_EQ(baked.patches[p].origin, appended.patches[p].origin);
+    EXPECT_EQ(baked.patches[p].axes, appended.patches[p].axes);
+    EXPECT_EQ(baked.patches[p].spacing, appended.patches[p].spacing);
+    EXPECT_EQ(baked.patches[p].material, 3U);
+  }
+}
+
+TEST(AddPlacement, SaysWhatNumbersCannot) {
+  PatchModel placed;
+  placed.patches = ball({0, 0, 0}, 1.0).patches;
+  placed.patches[0].spacing = 1e35;
+  const PatchModel extent = without_patches(ball({0, 0, 0}, 1.0));
+  EXPECT_FALSE(add_placement(placed, {0, 1, {{}, glm::dmat3(1.0), 1e9}, 0}, extent));
+  EXPECT_TRUE(placed.placements.empty());
 }
 
 }  // namespace

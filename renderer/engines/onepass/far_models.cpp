@@ -13,9 +13,9 @@ std::vector<std::uint32_t> find_far(const PatchStore& store, const View& view) {
   spheres.reserve(store.placements.size());
   for (std::uint32_t p = 0; p < store.placements.size(); ++p) {
     const StoredPlacement& placement = store.placements[p];
-    spheres.push_back(placement.sphere);
+    spheres.push_back(placement.model.sphere);
     if (placement.is_far_in(view) &&
-        sees_sphere(view, placement.sphere.centre, placement.sphere.radius))
+        sees_sphere(view, spheres.back().centre, spheres.back().radius))
       visible.push_back(p);
   }
   return nearest_first(spheres, view, std::move(visible));
@@ -29,7 +29,7 @@ std::vector<ElementsCommand> far_commands(const PatchStore& store, const View& v
     const StoredPlacement& placement = store.placements[p];
     const StoredPlacement::Far& far = *placement.far;
     const StoredFarLevel& level =
-        store.far->meshes[far.mesh].levels[choose_far_level(view, placement.sphere, far.spacings)];
+        store.far->meshes[far.mesh].levels[choose_far_level(view, placement.model)];
     commands.push_back(
         {level.indices, 1, level.first_index, static_cast<GLint>(level.first_vertex), far.number});
   }
