@@ -77,6 +77,12 @@ struct PatchModel {
   bool has_colours = false;
 };
 
+/// Where a sample lies.
+[[nodiscard]] inline glm::dvec3 place_of(const Patch& patch, std::uint32_t i, std::uint32_t j) {
+  return patch.origin + patch.axes * glm::dvec3(i * patch.spacing, j * patch.spacing,
+                                                patch.at(i, j) * patch.height_step);
+}
+
 /// Number of samples (valid grid nodes) of a patch.
 [[nodiscard]] std::size_t count_samples(const Patch& patch);
 

@@ -9,7 +9,8 @@
 
 #include "common/error.h"
 #include "common/patch.h"
-#include "renderer/far_mesh.h"
+#include "renderer/far_levels.h"
+#include "renderer/far_model.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "shaders/include/shared.h"

@@ -50,7 +50,7 @@ struct ModelMaps {
         fine_normals(has_fine_normals(model)) {}
 };
 
-/// Whether models that are seen small enough are drawn from afar (far_mesh.h): where levels of
+/// Whether models that are seen small enough are drawn from afar (far_model.h): where levels of
 /// detail are, but not with semi-transparent surfaces, whose layers only cells find, nor in a split
 /// view, which shows samples.
 [[nodiscard]] inline bool draws_from_afar(const RenderSettings& settings) {

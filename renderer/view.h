@@ -40,7 +40,7 @@ struct View {
   std::uint32_t height = 0;
   double pixels_per_sample = 0.0;  ///< levels of detail: how far apart samples may be seen
   double far_diameter = 0.0;       ///< pixels: models that are seen smaller are drawn from afar
-                                   ///< (renderer/far_mesh.h); 0: none is
+                                   ///< (renderer/far_model.h); 0: none is
 };
 
 /// What the depth values of a view have to tell apart.

@@ -90,7 +90,7 @@ TEST(Placements, AreDrawnSoByEveryEngine) {
     settings.raytrace.samples = 1;
     const RenderResult one = must_render(placed, settings);
     const RenderResult other = must_render(baked, settings);
-    expect_same(one, other, name_of(kEngines, engine));
+    expect_same(one, other, std::string(name_of(kEngines, engine)));
   }
 }
 

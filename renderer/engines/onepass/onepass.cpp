@@ -43,11 +43,12 @@ Engine::Frame Engine::make_splat_frame(const View& view) const {
 Engine::Frame Engine::make_cell_frame(const View& view, const MaterialChoice& materials) const {
   const PatchStore& store = samples_.store();
   const std::vector<std::uint32_t> parts = find_parts(store, view, materials);
+  const std::vector<std::uint32_t> far = find_far(store, view);
   std::vector<std::uint32_t> looked_at;
+  looked_at.reserve(parts.size() + far.size());
   for (const std::uint32_t part : parts) looked_at.push_back(store.cells->parts[part].patch);
   Frame frame;
   frame.cells = make_cell_draws(*gl_, *store.cells, parts);
-  const std::vector<std::uint32_t> far = find_far(store, view);
   for (const std::uint32_t placement : far)
     looked_at.push_back(store.placements[placement].far->patch);
   frame.far_models = far_commands(store, view, far);

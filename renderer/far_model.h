@@ -2,15 +2,13 @@
 // pixels wide. (Drawing a patch costs as much however small it is.)
 #pragma once
 
-#include <cstdint>
-#include <glm/vec2.hpp>
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
 #include "common/patch.h"
 #include "common/placement.h"
-#include "common/points.h"
 #include "renderer/view.h"
 
 namespace relief {
@@ -30,22 +28,6 @@ inline constexpr double kFarPixelsOfMaps = 1.0;  ///< of models with colours or 
 struct Sphere {
   glm::dvec3 centre{0.0};
   double radius = 0.0;
-};
-
-/// The mean of some samples that are near each other and face the same way. Model frame.
-struct FarVertex {
-  glm::dvec3 position{0.0};
-  glm::vec3 normal{0.0F};   ///< the mean of unit vectors: shorter the more they differ
-  glm::vec3 colour{0.0F};   ///< linear
-  std::uint32_t patch = 0;  ///< of one of the samples: in the run of patches
-  glm::vec2 place{0.0F};    ///< grid coordinates of that sample
-};
-
-/// A model as a mesh whose vertices are about `spacing` apart.
-struct FarLevel {
-  double spacing = 0.0;
-  std::vector<FarVertex> vertices;
-  std::vector<Triangle> triangles;  ///< counter-clockwise seen from the normals' tips
 };
 
 /// The sphere about the middle of the samples' bounds that holds all of them.
@@ -72,13 +54,5 @@ struct FarModel {
 
 /// The coarsest level that the view does not show coarse.
 [[nodiscard]] std::size_t choose_far_level(const View& view, const FarModel& model);
-
-/// Makes the levels of a run of patches by vertex clustering (Rossignac and Borrel 1993, "Multi-
-/// resolution 3D approximations for rendering complex scenes"): samples in one cube of a grid
-/// become one vertex, and what is left of the cells' triangles joins these. Samples in a cube whose
-/// normals point to different sides stay apart: a thin sheet keeps both of its sides. Neighbouring
-/// patches overlap, so that their samples share cubes and their meshes close.
-[[nodiscard]] std::vector<FarLevel> make_far_levels(std::span<const Patch> patches,
-                                                    std::span<const double> spacings);
 
 }  // namespace relief

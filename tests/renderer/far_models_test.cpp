@@ -1,5 +1,5 @@
 // Coarse meshes of models seen from afar: what they are made of, and when they are drawn.
-#include "renderer/far_mesh.h"
+#include "renderer/far_levels.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <set>
 
+#include "renderer/far_model.h"
 #include "tests/renderer/pictures.h"
 
 namespace relief {
