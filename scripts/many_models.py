@@ -4,7 +4,7 @@
     scripts/many_models.py dragon.relief 1000 out/thousand.json
     relief render out/thousand.json -o out/thousand.png --frames 9
 
-The first is seen as with --orbit 45,15 and no scene; each copy is turned otherwise. --gap: distance of two
+The first is seen from the side of --orbit 45,15, whole; each copy is turned otherwise. --gap: distance of two
 of them in bounding-box diagonals. With a number of 1 the scene is what a thousand are compared with.
 --relief: the command that reads the model's bounds.
 """
