@@ -17,10 +17,11 @@ vec3 difference(vec3 along, bool upward) {
 #define RELIEF_SEE(environments, place, along) \
   textureGrad(environments, place, difference(along, false), difference(along, true)).rgb
 #elif defined(RELIEF_MEAN_NORMALS)
-// The level whose texels are as wide as what normals see that are spread so far (far.vert): to
-// either side of their mean, and reflections differ by twice as much as normals.
+// The level whose texels are as wide as normals are spread (far.vert). Reflections are spread four
+// times as far from end to end, but refractions less, and at that level glass was five times too
+// bright; with none mirrors were up to three times (docs/decisions.md).
 float level_of_mean(float size) {
-  return log2(max(4.0 * normal_spread * size / 1.5708, 1.0));
+  return log2(max(normal_spread * size / 1.5708, 1.0));
 }
 #define RELIEF_SEE(environments, place, along) \
   textureLod(environments, place, level_of_mean(float(textureSize(environments, 0).x))).rgb
