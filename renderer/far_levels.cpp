@@ -11,6 +11,7 @@
 
 #include "common/octahedral.h"
 #include "common/srgb.h"
+#include "renderer/far_model.h"
 #include "renderer/patch_normals.h"
 #include "shaders/include/shared.h"
 
@@ -37,8 +38,8 @@ struct CubeHash {
   }
 };
 
-/// Samples that become one vertex: their sums, and how far from the middle of their cube the one is
-/// whose place the vertex has.
+/// Samples that become one vertex: their sums, places from the middle of the model, and how far
+/// from the middle of their cube the one is whose place the vertex has.
 struct Cluster {
   FarVertex sum;
   glm::dmat3 normals{0.0};  ///< n n^T
@@ -148,7 +149,8 @@ glm::vec3 mean_at(const AttributeMap<Texel>& map, glm::uvec2 node, const Value& 
 
 /// Adds a patch's samples to the grid; of each node the cluster that it is in, or kNoMaterial for a
 /// hole.
-std::vector<std::uint32_t> add_samples(const Patch& patch, std::uint32_t number, CubeGrid& grid) {
+std::vector<std::uint32_t> add_samples(const Patch& patch, std::uint32_t number, glm::dvec3 middle,
+                                       CubeGrid& grid) {
   const AttributeMap<glm::i16vec2> normals = normal_map_of(patch);
   const glm::mat3 axes(patch.axes);
   std::vector<std::uint32_t> clusters(patch.heights.size(), kNoMaterial);
@@ -164,8 +166,11 @@ std::vector<std::uint32_t> add_samples(const Patch& patch, std::uint32_t number,
                                        return linear_from_srgb8(texel);
                                      });
       Cluster sample;
-      sample.sum = {place_of(patch, i, j), axes * normal, colour, number, glm::vec2(node)};
-      const glm::dvec3 n(glm::normalize(sample.sum.normal));
+      sample.sum = {place_of(patch, i, j) - middle, axes * normal, colour, number, glm::vec2(node)};
+      // A file from strangers may have texels that cancel.
+      const double length = glm::length(normal);
+      const glm::dvec3 n =
+          length > 0.0 ? patch.axes * (glm::dvec3(normal) / length) : patch.axes[2];
       sample.normals = glm::outerProduct(n, n);
       sample.offsets = glm::dot(n, sample.sum.position) * n;
       sample.count = 1.0;
@@ -192,12 +197,13 @@ void add_cells(const Patch& patch, const std::vector<std::uint32_t>& clusters,
   }
 }
 
-FarLevel make_level(double spacing, const CubeGrid& grid, const std::vector<Triangle>& triangles) {
+FarLevel make_level(double spacing, glm::dvec3 middle, const CubeGrid& grid,
+                    const std::vector<Triangle>& triangles) {
   FarLevel level{spacing, {}, triangles};
   level.vertices.reserve(grid.clusters().size());
   for (const Cluster& cluster : grid.clusters()) {
     FarVertex vertex = cluster.sum;
-    vertex.position = place_of(cluster, spacing);
+    vertex.position = middle + place_of(cluster, spacing);
     vertex.normal /= static_cast<float>(cluster.count);
     vertex.colour /= static_cast<float>(cluster.count);
     level.vertices.push_back(vertex);
@@ -211,13 +217,14 @@ std::vector<FarLevel> make_far_levels(std::span<const Patch> patches,
                                       std::span<const double> spacings) {
   std::vector<FarLevel> levels;
   if (spacings.empty()) return levels;
+  const glm::dvec3 middle = sphere_about(patches).centre;
   CubeGrid grid(spacings.front());
   std::vector<Triangle> triangles;
   for (std::uint32_t p = 0; p < patches.size(); ++p) {
-    add_cells(patches[p], add_samples(patches[p], p, grid), triangles);
+    add_cells(patches[p], add_samples(patches[p], p, middle, grid), triangles);
     keep_unique(triangles);
   }
-  levels.push_back(make_level(spacings.front(), grid, triangles));
+  levels.push_back(make_level(spacings.front(), middle, grid, triangles));
   for (const double spacing : spacings.subspan(1)) {
     CubeGrid coarser(spacing);
     std::vector<std::uint32_t> numbers;
@@ -228,7 +235,7 @@ std::vector<FarLevel> make_far_levels(std::span<const Patch> patches,
       add_triangle(numbers[t[0]], numbers[t[1]], numbers[t[2]], triangles);
     keep_unique(triangles);
     grid = std::move(coarser);
-    levels.push_back(make_level(spacing, grid, triangles));
+    levels.push_back(make_level(spacing, middle, grid, triangles));
   }
   return levels;
 }

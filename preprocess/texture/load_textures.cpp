@@ -195,7 +195,7 @@ Status resolve_materials(const fs::path& mesh, Points& points, std::vector<std::
   for (std::uint32_t& material : points.triangle_materials) {
     if (material != kNoMaterial && !known[material]) material = kNoMaterial;
   }
-  const Status loaded = load_normal_maps(mesh, points, notes);
+  Status loaded = load_normal_maps(mesh, points, notes);
   if (loaded) drop_bad_texcoords(points);
   return loaded;
 }

@@ -167,5 +167,33 @@ TEST(FarMesh, ColoursAreMeansOfLight) {
   EXPECT_GT(whole, 0U);
 }
 
+TEST(FarMesh, NormalsThatCancelMakeNoNaN) {
+  PatchModel model = test::height_field(9, [](double, double) { return 0.0; });
+  Patch& patch = model.patches[0];
+  // Two texels a cell: around each node as many lean to one side as to the other.
+  patch.normals = {2 * (patch.width - 1) + 1, 2 * (patch.height - 1) + 1, 2, {}};
+  for (std::uint32_t k = 0; k < patch.normals.width * patch.normals.height; ++k)
+    patch.normals.texels.emplace_back(k % 2 == 0 ? 32767 : -32767, 0);
+  for (const FarVertex& vertex :
+       make_far_levels(model.patches, std::vector{3.0}).front().vertices) {
+    EXPECT_TRUE(std::isfinite(vertex.position.x) && std::isfinite(vertex.position.z));
+    EXPECT_TRUE(std::isfinite(vertex.normal.x) && std::isfinite(vertex.normal.z));
+  }
+}
+
+TEST(FarMesh, IsTheSameFarFromTheOrigin) {
+  PatchModel model = fine_sphere();
+  const std::vector<double> spacings{0.1};
+  const FarLevel here = make_far_levels(model.patches, spacings).front();
+  const glm::dvec3 there(500000.0, 4e6, -3e9);
+  for (Patch& patch : model.patches) patch.origin += there;
+  const FarLevel moved = make_far_levels(model.patches, spacings).front();
+  // Doubles at 3e9 are 5e-7 apart: samples between two cubes may fall into the other.
+  EXPECT_NEAR(static_cast<double>(moved.vertices.size()), static_cast<double>(here.vertices.size()),
+              5.0);
+  for (const FarVertex& vertex : moved.vertices)
+    EXPECT_NEAR(glm::length(vertex.position - there), 1.0, 0.5 * 0.1 * 0.1 + 1e-4);
+}
+
 }  // namespace
 }  // namespace relief
