@@ -158,8 +158,8 @@ TEST(FarMesh, ColoursAreMeansOfLight) {
       patch.colours.texels.emplace_back(i % 2 == 0 ? 0 : 255);
   }
   std::size_t whole = 0;
-  for (const FarVertex& vertex :
-       make_far_levels(model.patches, std::vector{8.0}).front().vertices) {
+  const std::vector<FarLevel> levels = make_far_levels(model.patches, std::vector{8.0});
+  for (const FarVertex& vertex : levels.front().vertices) {
     if (std::abs(vertex.position.x) > 12.0) continue;  // a cube that the border cuts
     ++whole;
     EXPECT_NEAR(vertex.colour.r, 0.5, 1e-6);
@@ -174,8 +174,8 @@ TEST(FarMesh, NormalsThatCancelMakeNoNaN) {
   patch.normals = {2 * (patch.width - 1) + 1, 2 * (patch.height - 1) + 1, 2, {}};
   for (std::uint32_t k = 0; k < patch.normals.width * patch.normals.height; ++k)
     patch.normals.texels.emplace_back(k % 2 == 0 ? 32767 : -32767, 0);
-  for (const FarVertex& vertex :
-       make_far_levels(model.patches, std::vector{3.0}).front().vertices) {
+  const std::vector<FarLevel> levels = make_far_levels(model.patches, std::vector{3.0});
+  for (const FarVertex& vertex : levels.front().vertices) {
     EXPECT_TRUE(std::isfinite(vertex.position.x) && std::isfinite(vertex.position.z));
     EXPECT_TRUE(std::isfinite(vertex.normal.x) && std::isfinite(vertex.normal.z));
   }
