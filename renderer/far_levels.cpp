@@ -11,7 +11,6 @@
 
 #include "common/octahedral.h"
 #include "common/srgb.h"
-#include "renderer/far_model.h"
 #include "renderer/patch_normals.h"
 #include "shaders/include/shared.h"
 
@@ -213,11 +212,11 @@ FarLevel make_level(double spacing, glm::dvec3 middle, const CubeGrid& grid,
 
 }  // namespace
 
-std::vector<FarLevel> make_far_levels(std::span<const Patch> patches,
-                                      std::span<const double> spacings) {
+std::vector<FarLevel> make_far_levels(std::span<const Patch> patches, const FarModel& model) {
   std::vector<FarLevel> levels;
-  if (spacings.empty()) return levels;
-  const glm::dvec3 middle = sphere_about(patches).centre;
+  if (model.spacings.empty()) return levels;
+  const glm::dvec3 middle = model.sphere.centre;
+  const std::span<const double> spacings(model.spacings);
   CubeGrid grid(spacings.front());
   std::vector<Triangle> triangles;
   for (std::uint32_t p = 0; p < patches.size(); ++p) {

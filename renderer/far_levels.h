@@ -9,6 +9,7 @@
 
 #include "common/patch.h"
 #include "common/points.h"
+#include "renderer/far_model.h"
 
 namespace relief {
 
@@ -28,12 +29,13 @@ struct FarLevel {
   std::vector<Triangle> triangles;  ///< counter-clockwise seen from the normals' tips
 };
 
-/// Makes the levels of a run of patches by vertex clustering (Rossignac and Borrel 1993, "Multi-
-/// resolution 3D approximations for rendering complex scenes"): samples in one cube of a grid
-/// become one vertex, and what is left of the cells' triangles joins these. Samples in a cube whose
-/// normals point to different sides stay apart: a thin sheet keeps both of its sides. Neighbouring
-/// patches overlap, so that their samples share cubes and their meshes close.
+/// Makes the levels (FarModel::spacings) of a run of patches, in its frame, by vertex clustering
+/// (Rossignac and Borrel 1993, "Multi- resolution 3D approximations for rendering complex scenes"):
+/// samples in one cube of a grid become one vertex, and what is left of the cells' triangles joins
+/// these. Samples in a cube whose normals point to different sides stay apart: a thin sheet keeps
+/// both of its sides. Neighbouring patches overlap, so that their samples share cubes and their
+/// meshes close.
 [[nodiscard]] std::vector<FarLevel> make_far_levels(std::span<const Patch> patches,
-                                                    std::span<const double> spacings);
+                                                    const FarModel& model);
 
 }  // namespace relief

@@ -54,11 +54,11 @@ VertexArray make_attributes(const Gl& gl, const Buffer& indices, const Buffer& p
 
 }  // namespace
 
-Result<std::uint32_t> FarUpload::add(const Gl& gl, std::span<const Patch> patches,
-                                     std::span<const double> spacings, const Sphere& sphere) {
+Result<std::uint32_t> FarUpload::add(std::span<const Patch> patches, const FarModel& model) {
+  const Sphere& sphere = model.sphere;
   StoredFarMesh mesh{sphere.centre - sphere.radius, 2.0 * sphere.radius / kSteps, {}};
-  for (const FarLevel& level : make_far_levels(patches, spacings)) {
-    mesh.levels.push_back({level.spacing, static_cast<std::uint32_t>(vertices_.size()),
+  for (const FarLevel& level : make_far_levels(patches, model)) {
+    mesh.levels.push_back({static_cast<std::uint32_t>(vertices_.size()),
                            static_cast<std::uint32_t>(indices_.size()),
                            static_cast<std::uint32_t>(3 * level.triangles.size())});
     for (const FarVertex& vertex : level.vertices) {
@@ -67,7 +67,7 @@ Result<std::uint32_t> FarUpload::add(const Gl& gl, std::span<const Patch> patche
     }
     for (const Triangle& t : level.triangles) indices_.insert(indices_.end(), t.begin(), t.end());
   }
-  const auto most = static_cast<std::size_t>(get_limit(gl, GL_MAX_TEXTURE_BUFFER_SIZE));
+  const auto most = static_cast<std::size_t>(get_limit(gl_, GL_MAX_TEXTURE_BUFFER_SIZE));
   if (vertices_.size() > most) {
     return make_error(
         "models seen from afar have {} vertices, more than this OpenGL can draw ({}); draw the "
@@ -83,20 +83,20 @@ std::uint32_t FarUpload::place(std::uint32_t patch) {
   return static_cast<std::uint32_t>(patches_.size() - 1);
 }
 
-FarStore FarUpload::take(const Gl& gl, bool with_sources) {
-  Buffer indices = make_buffer(gl, "far triangles", std::span<const std::uint32_t>(indices_));
-  Buffer patches = make_buffer(gl, "far placements", std::span<const std::uint32_t>(patches_));
-  VertexArray attributes = make_attributes(gl, indices, patches);
+FarStore FarUpload::take(bool with_sources) {
+  Buffer indices = make_buffer(gl_, "far triangles", std::span<const std::uint32_t>(indices_));
+  Buffer patches = make_buffer(gl_, "far placements", std::span<const std::uint32_t>(patches_));
+  VertexArray attributes = make_attributes(gl_, indices, patches);
   FarStore store{
       std::move(meshes_),
-      make_table(gl, "far vertices", GL_RGBA32UI, std::span<const shared::FarVertex>(vertices_)),
+      make_table(gl_, "far vertices", GL_RGBA32UI, std::span<const shared::FarVertex>(vertices_)),
       std::nullopt,
       std::move(indices),
       std::move(patches),
       std::move(attributes)};
   if (with_sources)
     store.sources =
-        make_table(gl, "far sources", GL_RG32UI, std::span<const shared::FarSource>(sources_));
+        make_table(gl_, "far sources", GL_RG32UI, std::span<const shared::FarSource>(sources_));
   return store;
 }
 

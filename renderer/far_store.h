@@ -19,7 +19,6 @@ namespace relief {
 
 /// A level of a mesh on the GPU.
 struct StoredFarLevel {
-  double spacing = 0.0;            ///< model frame
   std::uint32_t first_vertex = 0;  ///< in FarStore::vertices
   std::uint32_t first_index = 0;   ///< in FarStore::indices
   std::uint32_t indices = 0;
@@ -45,10 +44,11 @@ struct FarStore {
 /// Collects the meshes of runs of patches and their placements, and uploads them.
 class FarUpload {
  public:
-  /// Adds a run as meshes of those spacings; returns its number. Fails if OpenGL lets no shader see
-  /// as many vertices.
-  Result<std::uint32_t> add(const Gl& gl, std::span<const Patch> patches,
-                            std::span<const double> spacings, const Sphere& sphere);
+  explicit FarUpload(const Gl& gl) : gl_(gl) {}
+
+  /// Adds the levels of a run; returns its number. Fails if OpenGL lets no shader see as many
+  /// vertices.
+  Result<std::uint32_t> add(std::span<const Patch> patches, const FarModel& model);
 
   /// Adds a placement whose frame is that patch of the store; returns its number.
   std::uint32_t place(std::uint32_t patch);
@@ -57,9 +57,10 @@ class FarUpload {
   [[nodiscard]] bool empty() const { return meshes_.empty(); }
 
   /// Uploads all that was added.
-  FarStore take(const Gl& gl, bool with_sources);
+  FarStore take(bool with_sources);
 
  private:
+  const Gl& gl_;
   std::vector<StoredFarMesh> meshes_;
   std::vector<shared::FarVertex> vertices_;
   std::vector<shared::FarSource> sources_;

@@ -63,7 +63,7 @@ class ModelUpload {
  public:
   ModelUpload(const Gl& gl, const PatchModel& model, const StoreNeeds& needs,
               std::span<const View> views)
-      : gl_(gl), model_(model), needs_(needs), views_(views), grids_(gl, model, needs) {
+      : gl_(gl), model_(model), needs_(needs), views_(views), grids_(gl, model, needs), far_(gl) {
     extents_.reserve(model.patches.size());
     for (const Patch& patch : model.patches) extents_.push_back(extent_of(patch));
   }
@@ -94,11 +94,12 @@ class ModelUpload {
   Result<PatchStore> take() {
     Result<GridMaps> maps = grids_.make_maps();
     if (!maps) return maps.error();
+    Table table = make_patch_table();
     PatchStore store{std::move(placements_),
-                     {},
+                     std::move(patches_),
                      std::move(levels_),
                      grids_.take_pages(),
-                     make_patch_table(),
+                     std::move(table),
                      std::nullopt,
                      std::move(maps->heights),
                      std::move(maps->normals),
@@ -106,13 +107,12 @@ class ModelUpload {
                      std::move(maps->masks),
                      std::nullopt,
                      std::nullopt};
-    store.patches = std::move(patches_);
     if (needs_.cells) {
       store.cells =
           CellStore{std::move(parts_), grids_.take_cells(),
                     make_buffer(gl_, "part places", std::span<const glm::uvec2>(places_))};
     }
-    if (!far_.empty()) store.far = far_.take(gl_, needs_.sources);
+    if (!far_.empty()) store.far = far_.take(needs_.sources);
     if (needs_.splats || !needs_.cells) {
       std::vector<std::uint32_t> indices(store.patches.size());
       std::iota(indices.begin(), indices.end(), 0U);
@@ -130,11 +130,15 @@ class ModelUpload {
     std::uint32_t id = 0;
   };
 
+  /// What its placements share; without what only views from afar ask for where there is none.
   Run& run_at(const Placement& placement) {
     const auto [found, is_new] = runs_.try_emplace({placement.first, placement.count});
     if (!is_new) return found->second;
-    found->second = run_of(std::span(model_.patches).subspan(placement.first, placement.count));
-    if (!has_one_material(model_)) found->second.model.spacings.clear();
+    const bool may_be_far = std::any_of(views_.begin(), views_.end(),
+                                        [](const View& view) { return view.far_diameter > 0.0; }) &&
+                            has_one_material(model_);
+    if (may_be_far)
+      found->second = run_of(std::span(model_.patches).subspan(placement.first, placement.count));
     return found->second;
   }
 
@@ -186,8 +190,7 @@ class ModelUpload {
   Result<StoredPlacement::Far> add_far(const Placement& placement, Run& run) {
     if (!run.mesh) {
       const Result<std::uint32_t> added =
-          far_.add(gl_, std::span(model_.patches).subspan(placement.first, placement.count),
-                   run.model.spacings, run.model.sphere);
+          far_.add(std::span(model_.patches).subspan(placement.first, placement.count), run.model);
       if (!added) return added.error();
       run.mesh = *added;
     }

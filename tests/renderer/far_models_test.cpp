@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <set>
+#include <utility>
 
 #include "renderer/far_model.h"
 #include "tests/renderer/pictures.h"
@@ -35,6 +36,11 @@ TEST(FarSpacings, BeginAtTwoPixelsOrAtTwiceTheModels) {
   EXPECT_FALSE(far_spacings(kUnitSphere, 0.1).empty());
   EXPECT_TRUE(far_spacings(kUnitSphere, 0.5).empty());
   EXPECT_TRUE(far_spacings({{0.0, 0.0, 0.0}, 0.0}, 0.0).empty());
+}
+
+std::vector<FarLevel> levels_of(const PatchModel& model, std::vector<double> spacings) {
+  return make_far_levels(model.patches,
+                         {sphere_about(model.patches), kFarPixels, std::move(spacings)});
 }
 
 /// A view that looks along -z; a pixel is 0.001 at depth 1.
@@ -92,7 +98,7 @@ TEST(FarLevels, AreAsCoarseAsPixelsAllow) {
 TEST(FarMesh, LiesOnTheSurfaceAndCoversItOnce) {
   const PatchModel model = fine_sphere();
   const std::vector<double> spacings = far_spacings(kUnitSphere, 0.01);
-  const std::vector<FarLevel> levels = make_far_levels(model.patches, spacings);
+  const std::vector<FarLevel> levels = levels_of(model, spacings);
   ASSERT_EQ(levels.size(), spacings.size());
   for (const FarLevel& level : levels) {
     const double h = level.spacing;
@@ -136,7 +142,7 @@ TEST(FarMesh, AThinSheetKeepsBothSides) {
   back.origin.z -= 0.1;
   back.axes = glm::dmat3({0, 1, 0}, {1, 0, 0}, {0, 0, -1});
   front.patches.push_back(back);
-  const FarLevel level = make_far_levels(front.patches, std::vector{4.0}).front();
+  const FarLevel level = levels_of(front, {4.0}).front();
   std::size_t up = 0;
   for (const FarVertex& vertex : level.vertices) {
     const bool faces_up = vertex.normal.z > 0.0F;
@@ -158,7 +164,7 @@ TEST(FarMesh, ColoursAreMeansOfLight) {
       patch.colours.texels.emplace_back(i % 2 == 0 ? 0 : 255);
   }
   std::size_t whole = 0;
-  const std::vector<FarLevel> levels = make_far_levels(model.patches, std::vector{8.0});
+  const std::vector<FarLevel> levels = levels_of(model, {8.0});
   for (const FarVertex& vertex : levels.front().vertices) {
     if (std::abs(vertex.position.x) > 12.0) continue;  // a cube that the border cuts
     ++whole;
@@ -174,7 +180,7 @@ TEST(FarMesh, NormalsThatCancelMakeNoNaN) {
   patch.normals = {2 * (patch.width - 1) + 1, 2 * (patch.height - 1) + 1, 2, {}};
   for (std::uint32_t k = 0; k < patch.normals.width * patch.normals.height; ++k)
     patch.normals.texels.emplace_back(k % 2 == 0 ? 32767 : -32767, 0);
-  const std::vector<FarLevel> levels = make_far_levels(model.patches, std::vector{3.0});
+  const std::vector<FarLevel> levels = levels_of(model, {3.0});
   for (const FarVertex& vertex : levels.front().vertices) {
     EXPECT_TRUE(std::isfinite(vertex.position.x) && std::isfinite(vertex.position.z));
     EXPECT_TRUE(std::isfinite(vertex.normal.x) && std::isfinite(vertex.normal.z));
@@ -184,10 +190,10 @@ TEST(FarMesh, NormalsThatCancelMakeNoNaN) {
 TEST(FarMesh, IsTheSameFarFromTheOrigin) {
   PatchModel model = fine_sphere();
   const std::vector<double> spacings{0.1};
-  const FarLevel here = make_far_levels(model.patches, spacings).front();
+  const FarLevel here = levels_of(model, spacings).front();
   const glm::dvec3 there(500000.0, 4e6, -3e9);
   for (Patch& patch : model.patches) patch.origin += there;
-  const FarLevel moved = make_far_levels(model.patches, spacings).front();
+  const FarLevel moved = levels_of(model, spacings).front();
   // Doubles at 3e9 are 5e-7 apart: samples between two cubes may fall into the other.
   EXPECT_NEAR(static_cast<double>(moved.vertices.size()), static_cast<double>(here.vertices.size()),
               5.0);
