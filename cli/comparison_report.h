@@ -1,7 +1,7 @@
 // What `relief compare` says of a comparison: the measured quantities by name, JSON and text.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

@@ -1,7 +1,7 @@
 // What `relief render --explain` tells.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "renderer/explanation.h"

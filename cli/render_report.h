@@ -1,7 +1,7 @@
 // What `relief render` tells about the pictures that it has made.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "cli/render_plan.h"

@@ -17,19 +17,12 @@ function(relief_configure target)
   if(RELIEF_NATIVE)
     target_compile_options(${target} PRIVATE -march=native)
   endif()
-  if(RELIEF_TIDY)
-    set_target_properties(${target} PROPERTIES CXX_CLANG_TIDY "${RELIEF_CLANG_TIDY}")
-  endif()
 endfunction()
 
 # A compiler cache, where there is one, saves most of a second build in another folder.
 find_program(RELIEF_CCACHE ccache)
 if(RELIEF_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${RELIEF_CCACHE}")
-endif()
-
-if(RELIEF_TIDY)
-  find_program(RELIEF_CLANG_TIDY clang-tidy REQUIRED)
 endif()
 
 if(RELIEF_FORMAT_CHECK)

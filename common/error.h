@@ -1,7 +1,7 @@
 // What a user is told when something can't be done.
 #pragma once
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cassert>
 #include <string>

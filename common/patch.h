@@ -8,8 +8,8 @@
 #include <limits>
 #include <vector>
 
+#include "common/bounds.h"
 #include "common/placement.h"
-#include "common/points.h"
 
 namespace relief {
 

@@ -81,18 +81,4 @@ struct Points {
 /// The texture coordinates of a triangle's corners. The points must have texture coordinates.
 [[nodiscard]] CornerTexcoords texcoords_of(const Points& mesh, std::size_t triangle);
 
-/// An axis-aligned box; empty while min > max.
-struct Bounds {
-  glm::dvec3 min{1.0};
-  glm::dvec3 max{-1.0};
-  [[nodiscard]] bool empty() const { return min.x > max.x; }
-};
-
-/// The box about some points; empty if there are none.
-[[nodiscard]] Bounds bounds_of(const std::vector<glm::dvec3>& positions);
-
-/// The radius of the sphere about the centre of `bounds` that holds all the points.
-[[nodiscard]] double bounding_radius(const std::vector<glm::dvec3>& positions,
-                                     const Bounds& bounds);
-
 }  // namespace relief

@@ -11,5 +11,7 @@ stage "configure"
 cmake --preset ci
 stage "build"
 cmake --build --preset ci
+stage "clang-tidy"
+scripts/tidy.py build/ci
 stage "test"
 ctest --preset ci --parallel "$(nproc)"

@@ -61,7 +61,7 @@ class PcdHeaderReader {
       return read_encoding();
     } else if (keyword != "VERSION") {
       return make_error("{}: line {}: {} is no PCD header line; the header is damaged",
-                        source_.name, line_.line_number(), quoted(keyword));
+                        source_.name, line_.line_number(), relief::quoted(keyword));
     }
     return {};
   }
@@ -145,7 +145,7 @@ class PcdHeaderReader {
         return make_error(
             "{}: field {} has type '{}', size {} and count {}, which no PCD file can have; "
             "the header is damaged",
-            source_.name, quoted(fields[i].name), types_[i], sizes_[i], counts_[i]);
+            source_.name, relief::quoted(fields[i].name), types_[i], sizes_[i], counts_[i]);
       }
       fields[i].type = *type;
       fields[i].count = counts_[i];

@@ -132,7 +132,8 @@ std::size_t TextCursor::line_number() const {
 std::string TextCursor::expected(std::string_view what) {
   const std::string_view found = peek();
   if (!found.empty()) {
-    return fmt::format("line {}: expected {}, found {}", line_number(), what, quoted(found));
+    return fmt::format("line {}: expected {}, found {}", line_number(), what,
+                       relief::quoted(found));
   }
   return fmt::format("line {}: expected {}, but the {} ends", line_number(), what,
                      at_ == end_ ? "file" : "line");

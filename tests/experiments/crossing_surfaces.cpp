@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "common/bounds.h"
 #include "preprocess/neighbours.h"
 #include "preprocess/point_radii.h"
 #include "renderer/mesh_of_points.h"

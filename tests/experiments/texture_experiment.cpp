@@ -94,16 +94,16 @@ struct Zoom {
 constexpr Zoom kZooms[] = {{"minification", 0.5}, {"magnification", 4.0}, {"extreme", 16.0}};
 
 /// A view of the subject, and what it should show.
-struct View {
+struct ShownView {
   std::string name;
   Camera camera;
   Truths truths;
 };
 
-std::vector<View> make_views(const Subject& subject, const ContinuousTexture& texture) {
+std::vector<ShownView> make_views(const Subject& subject, const ContinuousTexture& texture) {
   const double spacing =
       std::sqrt(area_of(subject.mesh).world / static_cast<double>(subject.points));
-  std::vector<View> views;
+  std::vector<ShownView> views;
   for (const Zoom& zoom : kZooms) {
     const Camera camera = close_camera(subject, spacing, zoom.pixels);
     views.push_back({zoom.name, camera, render_truth(subject.mesh, texture, camera, kSide)});
@@ -130,7 +130,7 @@ Result<std::string> as_cell(const Image& image, const Truths& truths) {
 
 /// PSNR of the function on the splats itself, against the Gaussian truth: drawn at eight times the
 /// size, where the engine's own low-pass is nothing, and then filtered by a whole Gaussian.
-Result<double> measure_function(const SplatCloud& cloud, const View& view, double cutoff) {
+Result<double> measure_function(const SplatCloud& cloud, const ShownView& view, double cutoff) {
   constexpr std::uint32_t kFiner = 8;
   const auto fine = draw(cloud, view.camera, cutoff, kSide * kFiner);
   if (!fine) return fine.error();
@@ -154,11 +154,11 @@ Status measure(const Subject& subject, const std::string& out) {
   Progress progress;
   const auto texture = ContinuousTexture::from_image(subject.texture);
   if (!texture) return texture.error();
-  const std::vector<View> views = make_views(subject, *texture);
-  const auto path = [&](const View& view, const char* way) {
+  const std::vector<ShownView> views = make_views(subject, *texture);
+  const auto path = [&](const ShownView& view, const char* way) {
     return fmt::format("{}/{}_{:g}_{}_{}.png", out, subject.name, subject.cutoff, view.name, way);
   };
-  for (const View& view : views) {
+  for (const ShownView& view : views) {
     Status written = write_png(path(view, "truth"), view.truths.gaussian.image);
     if (!written) return written;
   }
@@ -172,7 +172,7 @@ Status measure(const Subject& subject, const std::string& out) {
     const SplatCloud cloud = as_cloud(acquired->splats);
     std::string row = fmt::format("| {} | {:g} | {} | {:.4f} |", subject.name, subject.cutoff,
                                   way.name, acquired->report.rms_error);
-    for (const View& view : views) {
+    for (const ShownView& view : views) {
       const auto image = draw(cloud, view.camera, subject.cutoff);
       if (!image) return image.error();
       const auto cell = as_cell(*image, view.truths);

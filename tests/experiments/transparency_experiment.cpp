@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/bounds.h"
 #include "common/image_io.h"
 #include "preprocess/read_points.h"
 #include "renderer/render.h"

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "common/bounds.h"
 #include "common/error.h"
-#include "common/points.h"
 #include "common/progress.h"
 #include "renderer/engines/raytrace/embree.h"
 #include "renderer/engines/raytrace/meet_triangle.h"

@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+"""Runs clang-tidy on every source file of a build, several files at a time.
+
+Most of clang-tidy's time goes into the headers that all files include. So files whose file-local names
+differ are checked as one translation unit; where such a unit does not compile, its files are checked one
+by one. Generated headers must be there: build before.
+
+usage: scripts/tidy.py BUILD_FOLDER
+"""
+
+import concurrent.futures
+import json
+import os
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+# Larger groups save little more, and the last one keeps a core waiting.
+MOST_FILES = 12
+# What is defined where a line begins, as clang-format leaves it: types, tests, functions, constants.
+NAME = re.compile(r"^(?:template <.*>\n)?(?:(?:struct|class|enum class) (\w+)|using (\w+) =|"
+                  r"TEST\w*\((\w+, \w+)|"
+                  r"(?!namespace|using|static_assert|INSTANTIATE)"
+                  r"[a-zA-Z_](?:[\w:<>,&*\[\] ]*[ &*>])?(\w+)(?:\(|\{| =|\[|;))", re.MULTILINE)
+
+
+def names_of(file):
+    """The names that a file may define. One too many costs a group, one too few a second run."""
+    text = re.sub(r"//.*", "", file.read_text())
+    return {next(filter(None, match.groups()), "") for match in NAME.finditer(text)}
+
+
+def flags_of(entry):
+    """The compiler's arguments without the file and what is made of it."""
+    words = shlex.split(entry["command"])
+    words = words[[word.endswith("c++") for word in words].index(True) + 1:]
+    flags = []
+    while words:
+        word = words.pop(0)
+        if word in ("-o", "-MF", "-MT"):
+            words.pop(0)
+        elif word not in ("-c", "-MD", entry["file"]):
+            flags.append(word)
+    return flags
+
+
+def config_of(file):
+    """The nearest .clang-tidy."""
+    return next(folder / ".clang-tidy" for folder in file.parents if (folder / ".clang-tidy").exists())
+
+
+class Group:
+    def __init__(self, flags, config):
+        self.flags, self.config, self.files, self.names = flags, config, [], set()
+
+    def takes(self, flags, config, names):
+        return (self.flags == flags and self.config == config and len(self.files) < MOST_FILES
+                and not names & self.names)
+
+
+def make_groups(entries):
+    groups = []
+    for entry in entries:
+        file = pathlib.Path(entry["file"])
+        flags, config, names = flags_of(entry), config_of(file), names_of(file)
+        group = next((g for g in groups if g.takes(flags, config, names)), None)
+        if group is None:
+            group = Group(flags, config)
+            groups.append(group)
+        group.files.append(file)
+        group.names |= names
+    return groups
+
+
+def run_tidy(file, flags):
+    """Its findings; nothing if there are none."""
+    # Shadowing is what GCC warns of too; here a function's variable may shadow another file's
+    # constant.
+    result = subprocess.run(["clang-tidy", "--quiet", str(file), "--", *flags, "-Wno-shadow"],
+                            stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, check=False)
+    return result.stdout if result.returncode else ""
+
+
+def write_unit(files, unit):
+    """Writes files as one. Not as includes: the analyzer skips what is not in the main file."""
+    lines, places = [], []
+    for file in files:
+        text = file.read_text().splitlines()
+        lines += text
+        places += [f"{file}:{k + 1}" for k in range(len(text))]
+    unit.write_text("\n".join(lines) + "\n")
+    return places
+
+
+def check(group, unit):
+    if len(group.files) > 1:
+        places = write_unit(group.files, unit)
+        findings = re.sub(re.escape(str(unit)) + r":(\d+)", lambda m: places[int(m[1]) - 1],
+                          run_tidy(unit, group.flags))
+        if "[clang-diagnostic-" not in findings:
+            return findings
+        reason = re.search(r"error: (.*) \[clang-diagnostic-", findings)[1]
+        print(f"{len(group.files)} files from {group.files[0].relative_to(ROOT)} on do not compile "
+              f"together, so that each is checked alone: {reason}", flush=True)
+    return "".join(run_tidy(file, group.flags) for file in group.files)
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    build = pathlib.Path(sys.argv[1]).resolve()
+    # A file of several targets once.
+    entries = {entry["file"]: entry
+               for entry in json.loads((build / "compile_commands.json").read_text())
+               if pathlib.Path(entry["file"]).is_relative_to(ROOT)
+               and not pathlib.Path(entry["file"]).is_relative_to(build)}
+    groups = make_groups(entries.values())
+    print(f"clang-tidy: {len(entries)} files in {len(groups)} groups")
+    units = build / "tidy"
+    shutil.rmtree(units, ignore_errors=True)
+    failed = False
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        runs = []
+        for k, group in enumerate(groups):
+            # Beside a copy of its files' configuration, whose parent is the project's.
+            folder = units / group.config.parent.relative_to(ROOT)
+            folder.mkdir(parents=True, exist_ok=True)
+            if group.config.parent != ROOT:
+                shutil.copy(group.config, folder)
+            runs.append(pool.submit(check, group, folder / f"group_{k}.cpp"))
+        for run in runs:
+            findings = run.result()
+            failed = failed or findings != ""
+            print(findings, end="", flush=True)
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == "__main__":
+    main()
