@@ -92,7 +92,8 @@ Plan plan_rows(const Models& models, const RenderSettings& base,
     plan.add(unasked, row, std::nullopt);
   if (sweep) plan.result.swept = name_of(kSwept, sweep->what);
   if (sweep && !converts(*sweep)) {
-    for (const RenderSettings& row : radius_factor_rows(base, sweep->values))
+    const auto rows_of = sweep->what == Swept::RadiusFactor ? radius_factor_rows : level_rows;
+    for (const RenderSettings& row : rows_of(base, sweep->values))
       plan.add(unasked, row, std::nullopt);
   }
   for (std::size_t k = 0; k < models.swept.size(); ++k)
@@ -182,9 +183,8 @@ void add_bench(CLI::App& app, Command& command) {
   sub->add_option_function<std::string>(
          "--sweep", [arguments](const std::string& s) { arguments->sweep = parse_sweep(s); },
          "One quantity with several values instead: the default way, multipass to compare with, "
-         "and "
-         "a row for each value; spacing and height-step convert the scan anew")
-      ->option_text("spacing|height-step|radius-factor=V,V,...");
+         "and a row for each value; spacing and height-step convert the scan anew")
+      ->option_text("spacing|height-step|radius-factor|pixels-per-sample=V,V,...");
   sub->add_flag("--json", picture.json, "Print one JSON object on standard output");
   sub->footer(kExamples);
   sub->callback([arguments, &command] {

@@ -15,6 +15,17 @@ RenderSettings plain(RenderSettings base) {
   return base;
 }
 
+/// What `relief render` does unasked.
+RenderSettings unasked_row(const RenderSettings& base) {
+  const RenderSettings unasked;
+  RenderSettings row = plain(base);
+  row.engine = unasked.engine;
+  row.primitive = unasked.primitive;
+  row.interpolation = unasked.interpolation;
+  row.multipass = unasked.multipass;
+  return row;
+}
+
 /// Pixels a sample: the finest levels, those that are there unasked, twice as coarse ones, and what
 /// is asked for beside them.
 std::vector<double> level_policies(const RenderSettings& base) {
@@ -57,13 +68,7 @@ std::vector<RenderSettings> bench_rows(const RenderSettings& base) {
 }
 
 std::vector<RenderSettings> compared_rows(const RenderSettings& base) {
-  const RenderSettings unasked;
-  RenderSettings row = plain(base);
-  row.engine = unasked.engine;
-  row.primitive = unasked.primitive;
-  row.interpolation = unasked.interpolation;
-  row.multipass = unasked.multipass;
-  std::vector<RenderSettings> rows{row};
+  std::vector<RenderSettings> rows{unasked_row(base)};
   for (const RenderSettings& rival : radius_factor_rows(base, {MultipassSettings{}.radius_factor}))
     rows.push_back(rival);
   return rows;
@@ -80,6 +85,13 @@ std::vector<RenderSettings> radius_factor_rows(const RenderSettings& base,
     row.multipass.radius_factor = factor;
     rows.push_back(row);
   }
+  return rows;
+}
+
+std::vector<RenderSettings> level_rows(const RenderSettings& base,
+                                       const std::vector<double>& pixels) {
+  std::vector<RenderSettings> rows(pixels.size(), unasked_row(base));
+  for (std::size_t k = 0; k < pixels.size(); ++k) rows[k].pixels_per_sample = pixels[k];
   return rows;
 }
 

@@ -23,6 +23,10 @@ namespace relief::cli {
 [[nodiscard]] std::vector<RenderSettings> radius_factor_rows(const RenderSettings& base,
                                                              const std::vector<double>& factors);
 
+/// What `relief render` does unasked but for the pixels a sample.
+[[nodiscard]] std::vector<RenderSettings> level_rows(const RenderSettings& base,
+                                                     const std::vector<double>& pixels);
+
 /// Whether a row is what `relief render` does unasked.
 [[nodiscard]] bool is_default(const RenderSettings& row);
 

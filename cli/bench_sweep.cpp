@@ -1,6 +1,8 @@
 #include "cli/bench_sweep.h"
 
 #include <CLI/Error.hpp>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include "cli/load.h"
@@ -17,6 +19,17 @@ constexpr std::size_t kMostValues = 16;
                              "expected " + list_names(kSwept, "|") + "=VALUE,VALUE,...; " + why);
 }
 
+/// What is not rendered with has no range but that of numbers above 0.
+void check_value(Swept what, std::optional<double> value) {
+  if (what == Swept::PixelsPerSample || what == Swept::RadiusFactor) {
+    const NumberChoice range = what == Swept::RadiusFactor ? kRadiusFactors : kPixelsPerSample;
+    if (!value || *value < range.least || *value > range.most)
+      refuse(fmt::format("values are numbers from {:g} to {:g}", range.least, range.most));
+  } else if (!value || *value <= 0.0) {
+    refuse("values are numbers above 0");
+  }
+}
+
 }  // namespace
 
 Sweep parse_sweep(const std::string& text) {
@@ -27,10 +40,7 @@ Sweep parse_sweep(const std::string& text) {
   for (std::size_t at = sign; at != std::string::npos;) {
     const std::size_t next = text.find(',', at + 1);
     const auto value = parse_number(std::string_view(text).substr(at + 1, next - at - 1));
-    if (!value || *value <= 0.0) refuse("values are numbers above 0");
-    if (*what == Swept::RadiusFactor &&
-        (*value < kRadiusFactors.least || *value > kRadiusFactors.most))
-      refuse("radius factors are 1 to 4");
+    check_value(*what, value);
     sweep.values.push_back(*value);
     at = next;
   }

@@ -158,6 +158,22 @@ TEST_F(BenchCommand, SweepsARadiusFactor) {
   EXPECT_GT(result["rows"][3]["fragments"], result["rows"][2]["fragments"]);
 }
 
+TEST_F(BenchCommand, SweepsPixelsPerSample) {
+  auto arguments = small(write_knot(3000));
+  arguments.insert(arguments.end(), {"--sweep", "pixels-per-sample=0,16"});
+  const json result = parse(run_relief(arguments));
+  EXPECT_EQ(result["sweep"], "pixels-per-sample");
+  const json& rows = result["rows"];
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[0]["default"], true);
+  EXPECT_EQ(rows[2]["level_policy"], "finest");
+  EXPECT_EQ(rows[3]["level_policy"], "at most 16 pixels a sample");
+  for (const json& row : {rows[2], rows[3]}) {
+    EXPECT_EQ(row["engine"], "onepass");
+    EXPECT_EQ(row["primitive"], "cell");
+  }
+}
+
 TEST_F(BenchCommand, RefusesWhatItCanNotDo) {
   expect_refused({"bench", path("none.ply")}, "none.ply");
   const std::string scene = write("square.off", square_off(5));
@@ -166,7 +182,7 @@ TEST_F(BenchCommand, RefusesWhatItCanNotDo) {
   EXPECT_EQ(run_relief({"bench", scene, "--plot", path("plot.png")}).exit_code, 2);
   EXPECT_EQ(run_relief({"bench", scene, "--frames", "0"}).exit_code, 2);
   for (const char* sweep : {"spacing", "spacing=", "spacing=1,", "spacing=0", "spacing=nan",
-                            "colour=1", "radius-factor=9", "=1"})
+                            "colour=1", "radius-factor=9", "pixels-per-sample=-1", "=1"})
     EXPECT_EQ(run_relief({"bench", scene, "--sweep", sweep}).exit_code, 2) << sweep;
   EXPECT_EQ(run_relief({"bench", path("x.relief"), "--sweep", "spacing=1"}).exit_code, 2);
   EXPECT_EQ(run_relief({"bench"}).exit_code, 2);
