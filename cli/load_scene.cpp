@@ -16,9 +16,16 @@
 namespace relief::cli {
 namespace {
 
+/// Where a file's patches lie among a scene's.
+struct PatchRun {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+};
+
 /// A file in the forms that are needed of it. The patches have the bounds in any case.
 struct LoadedFile {
   PatchModel patches;
+  std::optional<PatchRun> run;  ///< once `patches` have been moved into a scene of several models
   std::optional<TriangleMesh> mesh;
   std::optional<SplatCloud> splats;
   bool has_faces = false;  ///< the mesh is the file's own
@@ -82,8 +89,7 @@ Result<LoadedFile> load_scan(const std::filesystem::path& path, const TextureCho
 struct Use {
   Transform where;
   std::uint8_t material = 0;  ///< its number among materials_said
-  bool is_first = true;       ///< of its file
-  bool is_last = true;
+  bool is_last = true;        ///< of its file
 };
 
 /// Moves a file's triangles and points to their place, gives them their material and appends them.
@@ -111,9 +117,9 @@ class Placer {
  public:
   explicit Placer(bool several) : several_(several) {}
 
-  Status place(LoadedFile& file, const std::filesystem::path& path, const Use& use) {
+  Status place(LoadedFile& file, const Use& use) {
     const std::uint32_t patches_before = patches_;
-    Status placed = several_ ? add_place(file.patches, path, use) : move_there(file.patches, use);
+    Status placed = several_ ? add_place(file, use) : move_there(file.patches, use);
     if (!placed) return placed;
     return place_forms(scene_, use.is_last ? std::move(file) : LoadedFile(file), use,
                        patches_before);
@@ -130,15 +136,16 @@ class Placer {
     return moved;
   }
 
-  Status add_place(PatchModel& model, const std::filesystem::path& path, const Use& use) {
-    std::vector<Patch>& all = scene_.patches.patches;
-    if (use.is_first) {
-      runs_[path] = {static_cast<std::uint32_t>(all.size()),
-                     static_cast<std::uint32_t>(model.patches.size())};
+  Status add_place(LoadedFile& file, const Use& use) {
+    PatchModel& model = file.patches;
+    if (!file.run) {
+      std::vector<Patch>& all = scene_.patches.patches;
+      file.run = {static_cast<std::uint32_t>(all.size()),
+                  static_cast<std::uint32_t>(model.patches.size())};
       std::move(model.patches.begin(), model.patches.end(), std::back_inserter(all));
       model = without_patches(model);
     }
-    const auto [first, count] = runs_.at(path);
+    const auto [first, count] = *file.run;
     patches_ += count;
     return add_placement(scene_.patches, {first, count, use.where, use.material}, model);
   }
@@ -146,7 +153,6 @@ class Placer {
   bool several_ = false;
   LoadedScene scene_;
   std::uint32_t patches_ = 0;  ///< of the models so far
-  std::map<std::filesystem::path, std::pair<std::uint32_t, std::uint32_t>> runs_;
 };
 
 }  // namespace
@@ -164,8 +170,7 @@ Result<LoadedScene> load_scene(const std::vector<SceneModel>& models, const Text
   std::map<std::filesystem::path, LoadedFile> loaded;
   Placer placer(models.size() > 1);
   for (const SceneModel& model : models) {
-    const bool is_first = loaded.find(model.file) == loaded.end();
-    if (is_first) {
+    if (loaded.find(model.file) == loaded.end()) {
       auto file = ending(model.file) == ".relief"
                       ? load_patch_file(model.file, forms, progress)
                       : load_scan(model.file, textures, needs, progress);
@@ -173,9 +178,8 @@ Result<LoadedScene> load_scene(const std::vector<SceneModel>& models, const Text
       loaded.emplace(model.file, std::move(*file));
     }
     const auto material = std::find(said.begin(), said.end(), model.material) - said.begin();
-    const Use use{model.transform, static_cast<std::uint8_t>(material), is_first,
-                  --uses[model.file] == 0};
-    const Status placed = placer.place(loaded.at(model.file), model.file, use);
+    const Use use{model.transform, static_cast<std::uint8_t>(material), --uses[model.file] == 0};
+    const Status placed = placer.place(loaded.at(model.file), use);
     if (!placed) return make_error("{}: {}", model.file.string(), placed.error().message);
   }
   return placer.take();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
 
 namespace relief {
 namespace {
@@ -18,10 +19,6 @@ bool straight_colour(const std::array<const Channel*, 4>& channels, std::size_t 
 }
 
 }  // namespace
-
-MeshTexture::MeshTexture(std::uint32_t width, std::uint32_t height, std::vector<glm::u8vec3> texels,
-                         TextureWrap wrap)
-    : levels_(width, height, std::move(texels), wrap) {}
 
 Result<MeshTexture> MeshTexture::from_image(const Image& image, TextureWrap wrap) {
   const std::array<const Channel*, 4> channels{image.find("R"), image.find("G"), image.find("B"),

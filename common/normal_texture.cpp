@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
+#include <vector>
 
 namespace relief {
 namespace {
@@ -24,10 +26,6 @@ glm::vec3 normal_of(const std::array<const Channel*, 3>& channels, const Channel
 }
 
 }  // namespace
-
-NormalTexture::NormalTexture(std::uint32_t width, std::uint32_t height,
-                             std::vector<glm::i16vec3> texels, TextureWrap wrap)
-    : levels_(width, height, std::move(texels), wrap) {}
 
 Result<NormalTexture> NormalTexture::from_image(const Image& image, TextureWrap wrap) {
   const std::array<const Channel*, 3> channels{image.find("R"), image.find("G"), image.find("B")};

@@ -1,13 +1,9 @@
 // The small relief of a surface as a picture of normals that texture coordinates refer to.
 #pragma once
 
-#include <cmath>
-#include <cstdint>
 #include <glm/common.hpp>
 #include <glm/ext/vector_int3_sized.hpp>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <vector>
 
 #include "common/error.h"
 #include "common/image.h"
@@ -15,13 +11,19 @@
 
 namespace relief {
 
+/// Vectors of length 1 or less times 32767. (8 bits, of which many normal maps are made, would add
+/// their rounding of a quarter of a degree at each level.)
+struct NormalTexelCodec {
+  using Texel = glm::i16vec3;
+  static glm::vec3 decode(Texel texel) { return glm::vec3(texel) / 32767.0F; }
+  static Texel encode(glm::vec3 v) { return Texel(glm::round(32767.0F * v)); }
+};
+
 /// A texture of unit vectors with its mip levels, each the mean vector of the one before, which is
 /// shorter where they spread. Relative to a surface (common/mesh_tangents.h) or to a patch.
-class NormalTexture {
+class NormalTexture : public TexturePyramid<NormalTexelCodec> {
  public:
-  /// Unit vectors times 32767 in row-major order, top row first. `width` and `height` above 0.
-  NormalTexture(std::uint32_t width, std::uint32_t height, std::vector<glm::i16vec3> texels,
-                TextureWrap wrap);
+  using TexturePyramid::TexturePyramid;
 
   /// Of a tangent-space normal map, with the channels R, G, B as its file stores them
   /// (Transfer::None), premultiplied where there is an A: (x, y, z) are twice them less 1, x along
@@ -30,31 +32,8 @@ class NormalTexture {
   /// channel is missing or there are no pixels.
   static Result<NormalTexture> from_image(const Image& image, TextureWrap wrap);
 
-  /// A vector of length 1 or less, as TexturePyramid::at.
-  [[nodiscard]] glm::vec3 at(glm::vec2 texcoord) const { return levels_.at(texcoord); }
-
-  /// The same, as TexturePyramid::mean.
-  [[nodiscard]] glm::vec3 mean(glm::vec2 texcoord, glm::vec2 du, glm::vec2 dv) const {
-    return levels_.mean(texcoord, du, dv);
-  }
-
-  [[nodiscard]] std::uint32_t width() const { return levels_.width(); }
-  [[nodiscard]] std::uint32_t height() const { return levels_.height(); }
-
-  /// A vector of length 1 or less as a texel. (8 bits, of which many normal maps are made, would
-  /// add their rounding of a quarter of a degree at each level.)
-  [[nodiscard]] static glm::i16vec3 texel_of(glm::vec3 v) {
-    return glm::i16vec3(glm::round(32767.0F * v));
-  }
-
- private:
-  struct Codec {
-    using Texel = glm::i16vec3;
-    static glm::vec3 decode(Texel texel) { return glm::vec3(texel) / 32767.0F; }
-    static Texel encode(glm::vec3 v) { return texel_of(v); }
-  };
-
-  TexturePyramid<Codec> levels_;
+  /// A vector of length 1 or less as a texel.
+  [[nodiscard]] static Texel texel_of(glm::vec3 v) { return NormalTexelCodec::encode(v); }
 };
 
 }  // namespace relief

@@ -24,29 +24,31 @@ using CornerTangents = std::array<glm::vec4, 3>;
 class MeshTexture;
 class NormalTexture;
 
-/// What a mesh file says about the small relief of some of its triangles.
-struct MeshNormalMap {
-  std::string picture;  ///< the file of its texture, as the file names it; empty: none
-  float scale = 1.0F;   ///< factor on its x and y
-  bool clamps = false;  ///< it does not repeat
-  /// As MeshMaterial has them.
+/// The picture of a texture, undecoded, as a mesh file says it.
+struct MeshPicture {
+  std::string picture;  ///< the texture's file, as the mesh file names it; empty: none
+  bool clamps = false;  ///< the texture does not repeat
+  /// The texture as a file in memory, of formats that hold their pictures; null: `picture`.
   std::shared_ptr<const std::vector<std::byte>> picture_bytes;
+};
+
+/// What a mesh file says about the small relief of some of its triangles.
+struct MeshNormalMap : MeshPicture {
+  /// Files that say a larger scale are not believed: all is steeper then than a height field.
+  static constexpr double kLargestScale = 1000.0;
+
+  float scale = 1.0F;                            ///< factor on its x and y
   std::shared_ptr<const NormalTexture> texture;  ///< null: smooth
   std::string left_out;  ///< why it is not read, a clause; empty: nothing is left out
 };
 
 /// What a mesh file says about the look of some of its triangles: a texture times a colour, and a
 /// normal map.
-struct MeshMaterial {
-  std::string name;           ///< as the file has it
-  glm::vec3 colour{1.0F};     ///< linear, 0 to 1
-  std::string picture;        ///< the texture's file, as the file names it; empty:
-                              ///< none
-  bool has_texcoords = true;  ///< its triangles have texture coordinates
-  bool is_stated = false;     ///< all is said here, not in a material file
-  bool clamps = false;        ///< the texture does not repeat
-  /// The texture as a file in memory, of formats that hold their pictures; null: `picture`.
-  std::shared_ptr<const std::vector<std::byte>> picture_bytes;
+struct MeshMaterial : MeshPicture {
+  std::string name;                            ///< as the file has it
+  glm::vec3 colour{1.0F};                      ///< linear, 0 to 1
+  bool has_texcoords = true;                   ///< its triangles have texture coordinates
+  bool is_stated = false;                      ///< all is said here, not in a material file
   std::shared_ptr<const MeshTexture> texture;  ///< load_textures reads it; null: the colour alone
   MeshNormalMap normals;
 };

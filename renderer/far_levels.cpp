@@ -11,6 +11,7 @@
 
 #include "common/octahedral.h"
 #include "common/srgb.h"
+#include "renderer/node_texels.h"
 #include "renderer/patch_normals.h"
 #include "shaders/include/shared.h"
 
@@ -133,17 +134,10 @@ void keep_unique(std::vector<Triangle>& triangles) {
 
 /// The mean of `value` over the texels that are nearer to a node than to any other.
 template <class Texel, class Value>
-glm::vec3 mean_at(const AttributeMap<Texel>& map, glm::uvec2 node, const Value& value) {
-  const std::uint32_t half = map.scale / 2;
-  const glm::uvec2 first = glm::max(map.scale * node, half) - half;
-  const glm::uvec2 last = glm::min(map.scale * node + half, glm::uvec2(map.width, map.height) - 1U);
-  glm::vec3 sum(0.0F);
-  for (std::uint32_t y = first.y; y <= last.y; ++y) {
-    for (std::uint32_t x = first.x; x <= last.x; ++x)
-      sum += value(map.texels[std::size_t{y} * map.width + x]);
-  }
-  const glm::vec2 texels = last - first + 1U;
-  return sum / (texels.x * texels.y);
+glm::vec3 mean_at(const AttributeMap<Texel>& map, std::uint32_t i, std::uint32_t j,
+                  const Value& value) {
+  const TexelSum texels = sum_about_node(map, i, j, value);
+  return texels.sum / texels.count;
 }
 
 /// Adds a patch's samples to the grid; of each node the cluster that it is in, or kNoMaterial for a
@@ -156,16 +150,14 @@ std::vector<std::uint32_t> add_samples(const Patch& patch, std::uint32_t number,
   for (std::uint32_t j = 0; j < patch.height; ++j) {
     for (std::uint32_t i = 0; i < patch.width; ++i) {
       if (patch.at(i, j) == kHole) continue;
-      const glm::uvec2 node(i, j);
-      const glm::vec3 normal =
-          mean_at(normals, node, [](glm::i16vec2 texel) { return unit_from_snorm16(texel); });
+      const glm::vec3 normal = mean_at(normals, i, j, unit_from_snorm16);
       const glm::vec3 colour = patch.colours.empty()
                                    ? glm::vec3(shared::kNeutralGrey)
-                                   : mean_at(patch.colours, node, [](glm::u8vec3 texel) {
+                                   : mean_at(patch.colours, i, j, [](glm::u8vec3 texel) {
                                        return linear_from_srgb8(texel);
                                      });
       Cluster sample;
-      sample.sum = {place_of(patch, i, j) - middle, axes * normal, colour, number, glm::vec2(node)};
+      sample.sum = {place_of(patch, i, j) - middle, axes * normal, colour, number, glm::vec2(i, j)};
       // A file from strangers may have texels that cancel.
       const double length = glm::length(normal);
       const glm::dvec3 n =

@@ -11,6 +11,7 @@
 #include "common/octahedral.h"
 #include "common/srgb.h"
 #include "renderer/materials.h"
+#include "renderer/node_texels.h"
 #include "renderer/patch_normals.h"
 #include "shaders/include/shared.h"
 
@@ -18,12 +19,6 @@ namespace relief {
 namespace {
 
 constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
-
-/// The texel of a map at a node.
-template <class Texel>
-const Texel& texel_at(const AttributeMap<Texel>& map, std::uint32_t i, std::uint32_t j) {
-  return map.texels[std::size_t{j} * map.scale * map.width + std::size_t{i} * map.scale];
-}
 
 /// Adds a patch's samples and returns for each node which vertex it has become.
 std::vector<std::uint32_t> add_vertices(const Patch& patch, std::uint32_t id, bool coloured,
@@ -33,13 +28,10 @@ std::vector<std::uint32_t> add_vertices(const Patch& patch, std::uint32_t id, bo
   const glm::mat3 axes(patch.axes);
   for (std::uint32_t j = 0; j < patch.height; ++j) {
     for (std::uint32_t i = 0; i < patch.width; ++i) {
-      const std::int32_t height = patch.at(i, j);
-      if (height == kHole) continue;
+      if (patch.at(i, j) == kHole) continue;
       vertices[std::size_t{j} * patch.width + i] =
           static_cast<std::uint32_t>(mesh.positions.size());
-      mesh.positions.push_back(patch.origin + patch.axes * glm::dvec3(i * patch.spacing,
-                                                                      j * patch.spacing,
-                                                                      height * patch.height_step));
+      mesh.positions.push_back(place_of(patch, i, j));
       mesh.normals.push_back(glm::normalize(axes * normal_at_node(normals, i, j)));
       if (coloured) {
         const glm::vec3 colour = patch.colours.empty()

@@ -1,12 +1,12 @@
 #include "renderer/patch_normals.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <vector>
 
 #include "common/continuation.h"
 #include "common/octahedral.h"
+#include "renderer/node_texels.h"
 #include "renderer/samples.h"
 #include "shaders/include/shared.h"
 
@@ -39,16 +39,9 @@ AttributeMap<glm::i16vec2> normal_map_of(const Patch& patch) {
 }
 
 glm::vec3 normal_at_node(const AttributeMap<glm::i16vec2>& map, std::uint32_t i, std::uint32_t j) {
-  const std::uint32_t x = i * map.scale;
-  const std::uint32_t y = j * map.scale;
-  const std::uint32_t half = map.scale / 2;
-  const glm::vec3 middle = unit_from_snorm16(map.texels[std::size_t{y} * map.width + x]);
-  if (half == 0) return middle;
-  glm::vec3 sum(0.0F);
-  for (std::uint32_t b = y - std::min(half, y); b <= std::min(y + half, map.height - 1); ++b) {
-    for (std::uint32_t a = x - std::min(half, x); a <= std::min(x + half, map.width - 1); ++a)
-      sum += unit_from_snorm16(map.texels[std::size_t{b} * map.width + a]);
-  }
+  const glm::vec3 middle = unit_from_snorm16(texel_at(map, i, j));
+  if (map.scale == 1) return middle;
+  const glm::vec3 sum = sum_about_node(map, i, j, unit_from_snorm16).sum;
   const float length = glm::length(sum);
   return length > 1e-3F ? sum / length : middle;
 }

@@ -167,9 +167,7 @@ class GltfReader {
       if (base.baseColorTexture.index >= 0) {
         auto texture = textures_.read(base.baseColorTexture.index);
         if (!texture) return texture.error();
-        material.picture = std::move(texture->picture);
-        material.clamps = texture->clamps;
-        material.picture_bytes = std::move(texture->picture_bytes);
+        static_cast<MeshPicture&>(material) = std::move(*texture);
       }
       auto normals = textures_.read_normals(given.normalTexture, texcoord_set_of(given));
       if (!normals) return normals.error();

@@ -8,13 +8,13 @@
 
 namespace relief {
 
-Result<GltfTexture> GltfTextures::read(int index) {
+Result<MeshPicture> GltfTextures::read(int index) {
   if (index < 0 || static_cast<std::size_t>(index) >= model_.textures.size())
     return make_error("there is no texture {}", index);
   const tinygltf::Texture& texture = model_.textures[static_cast<std::size_t>(index)];
   if (texture.source < 0 || static_cast<std::size_t>(texture.source) >= model_.images.size())
     return make_error("texture {} has no image that can be read", index);
-  GltfTexture out;
+  MeshPicture out;
   if (texture.sampler >= 0 && static_cast<std::size_t>(texture.sampler) < model_.samplers.size()) {
     const tinygltf::Sampler& sampler = model_.samplers[static_cast<std::size_t>(texture.sampler)];
     out.clamps = sampler.wrapS == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE &&
@@ -22,9 +22,7 @@ Result<GltfTexture> GltfTextures::read(int index) {
   }
   auto bytes = picture_of(texture.source);
   if (!bytes) return bytes.error();
-  const tinygltf::Image& image = model_.images[static_cast<std::size_t>(texture.source)];
-  out.picture =
-      image.uri.empty() ? fmt::format("image {}", texture.source) : relief::quoted(image.uri);
+  out.picture = name_of(texture.source);
   out.picture_bytes = std::move(*bytes);
   return out;
 }
@@ -42,13 +40,15 @@ Result<MeshNormalMap> GltfTextures::read_normals(const tinygltf::NormalTextureIn
   }
   auto texture = read(info.index);
   if (!texture) return texture.error();
-  map.picture = std::move(texture->picture);
-  map.clamps = texture->clamps;
-  map.picture_bytes = std::move(texture->picture_bytes);
-  // Beyond that all is steeper than a height field.
-  constexpr double kStrongest = 1000.0;
-  if (std::abs(info.scale) <= kStrongest) map.scale = static_cast<float>(info.scale);
+  static_cast<MeshPicture&>(map) = std::move(*texture);
+  if (std::abs(info.scale) <= MeshNormalMap::kLargestScale)
+    map.scale = static_cast<float>(info.scale);
   return map;
+}
+
+std::string GltfTextures::name_of(int image) const {
+  const std::string& uri = model_.images[static_cast<std::size_t>(image)].uri;
+  return uri.empty() ? fmt::format("image {}", image) : relief::quoted(uri);
 }
 
 Result<std::shared_ptr<const std::vector<std::byte>>> GltfTextures::picture_of(int index) {
@@ -63,9 +63,8 @@ Result<std::shared_ptr<const std::vector<std::byte>>> GltfTextures::picture_of(i
     bytes = *in_buffer;
   }
   if (bytes.empty()) {
-    return make_error(
-        "its texture {} cannot be read; put it beside the file, or use --texture",
-        image.uri.empty() ? fmt::format("image {}", index) : relief::quoted(image.uri));
+    return make_error("its texture {} cannot be read; put it beside the file, or use --texture",
+                      name_of(index));
   }
   picture = std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.end());
   return picture;

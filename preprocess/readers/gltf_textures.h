@@ -13,27 +13,23 @@
 
 namespace relief {
 
-/// A texture, undecoded.
-struct GltfTexture {
-  std::string picture;  ///< its image's name, for messages
-  bool clamps = false;  ///< it does not repeat
-  std::shared_ptr<const std::vector<std::byte>> picture_bytes;
-};
-
 /// Finds textures by their index. No index of the file is trusted; errors are clauses.
 class GltfTextures {
  public:
   /// The model must outlive it, and its images be kept as they are in the file.
   explicit GltfTextures(const tinygltf::Model& model) : model_(model) {}
 
-  /// Textures that show one image share its bytes.
-  Result<GltfTexture> read(int index);
+  /// A texture, undecoded; `picture` is its image's name for messages. Textures that show one image
+  /// share its bytes.
+  Result<MeshPicture> read(int index);
 
   /// The normal map of a material, whose texture coordinates are the set `texcoord_set`: one that
   /// has others is left out, for a point has one texture coordinate.
   Result<MeshNormalMap> read_normals(const tinygltf::NormalTextureInfo& info, int texcoord_set);
 
  private:
+  /// Of an image that there is.
+  [[nodiscard]] std::string name_of(int image) const;
   Result<std::shared_ptr<const std::vector<std::byte>>> picture_of(int index);
 
   const tinygltf::Model& model_;

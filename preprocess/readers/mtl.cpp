@@ -36,9 +36,6 @@ constexpr std::array<MapOption, 13> kMapOptions{{{"-blendu", 1},
                                                  {"-texres", 1},
                                                  {"-type", 1}}};
 
-/// A normal map that is made this much steeper is flat beside it.
-constexpr double kStrongest = 1000.0;
-
 /// An offset of 0, a scale of 1 and a base and gain of 0 1 change nothing; exporters write them.
 bool changes_nothing(std::string_view option, const std::vector<double>& values) {
   const auto all = [&values](double neutral) {
@@ -72,7 +69,8 @@ MapStatement read_map(TextCursor& line) {
       if (option->numbers) values.push_back(value);
       if (!option->numbers && line.word() == "on" && option->name == "-clamp") out.clamps = true;
     }
-    if (option->name == "-bm" && !values.empty() && std::abs(values[0]) <= kStrongest)
+    if (option->name == "-bm" && !values.empty() &&
+        std::abs(values[0]) <= MeshNormalMap::kLargestScale)
       out.strength = static_cast<float>(values[0]);
     if (option->harmless || changes_nothing(option->name, values)) continue;
     if (!out.ignored.empty()) out.ignored += ' ';

@@ -64,7 +64,6 @@ std::vector<FlatTriangle> TriangleSpheres::find_over(const Patch& patch) const {
   const glm::dvec3 local(0.5 * cells,
                          0.5 * (range.x + range.y) * patch.height_step / patch.spacing);
   const glm::dvec3 centre = patch.origin - middle_ + patch.axes * (patch.spacing * local);
-  // Three cells are as far as a texel looks.
   const double radius = patch.spacing * (0.5 * glm::length(glm::dvec3(cells, rise)) + kTexelReach);
   const glm::dmat3 to_local = glm::transpose(patch.axes);
   std::vector<FlatTriangle> found;

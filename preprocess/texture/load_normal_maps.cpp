@@ -2,7 +2,6 @@
 
 #include <map>
 #include <memory>
-#include <new>
 #include <set>
 #include <span>
 #include <tuple>
@@ -12,6 +11,7 @@
 #include "common/image_io.h"
 #include "common/normal_texture.h"
 #include "preprocess/readers/source.h"
+#include "preprocess/texture/decode_texture.h"
 
 namespace relief {
 namespace {
@@ -20,19 +20,12 @@ using SharedTexture = std::shared_ptr<const NormalTexture>;
 
 Result<SharedTexture> decode(const std::string& name, std::span<const std::byte> bytes,
                              TextureWrap wrap) {
-  const auto image = decode_image(name, bytes, Transfer::None);
-  if (!image) return image.error();
-  try {
-    auto texture = NormalTexture::from_image(*image, wrap);
-    if (!texture) return make_error("{}: {}", name, texture.error().message);
-    return std::make_shared<const NormalTexture>(std::move(*texture));
-  } catch (const std::bad_alloc&) {
-    return make_error("{}: the normal map does not fit into memory", name);
-  }
+  return decode_texture<NormalTexture>(name, decode_image(name, bytes, Transfer::None), wrap,
+                                       "normal map");
 }
 
 Result<SharedTexture> read(const std::filesystem::path& mesh, const MeshNormalMap& map) {
-  const TextureWrap wrap = map.clamps ? TextureWrap::Clamp : TextureWrap::Repeat;
+  const TextureWrap wrap = wrap_of(map.clamps);
   if (map.picture_bytes != nullptr)
     return decode(fmt::format("{}: {}", mesh.string(), map.picture), *map.picture_bytes, wrap);
   const auto bytes = read_file(map.picture);

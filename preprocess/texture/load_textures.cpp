@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <new>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -15,6 +14,7 @@
 #include "preprocess/readers/mtl.h"
 #include "preprocess/readers/source.h"
 #include "preprocess/readers/text_cursor.h"
+#include "preprocess/texture/decode_texture.h"
 #include "preprocess/texture/load_normal_maps.h"
 
 namespace relief {
@@ -70,21 +70,8 @@ Result<FoundMaterials> read_material_files(const fs::path& mesh, const Points& p
   return found;
 }
 
-Result<std::shared_ptr<const MeshTexture>> make_texture(const std::string& name,
-                                                        const Result<Image>& image,
-                                                        TextureWrap wrap) {
-  if (!image) return image.error();
-  try {
-    auto texture = MeshTexture::from_image(*image, wrap);
-    if (!texture) return make_error("{}: {}", name, texture.error().message);
-    return std::make_shared<const MeshTexture>(std::move(*texture));
-  } catch (const std::bad_alloc&) {
-    return make_error("{}: the texture does not fit into memory", name);
-  }
-}
-
 Result<std::shared_ptr<const MeshTexture>> read_texture(const fs::path& file, TextureWrap wrap) {
-  return make_texture(file.string(), read_image(file), wrap);
+  return decode_texture<MeshTexture>(file.string(), read_image(file), wrap, "texture");
 }
 
 bool is_finite(const CornerTexcoords& corners) {
@@ -130,8 +117,8 @@ Status read_stated_textures(const fs::path& mesh, Points& points) {
     auto texture = textures.find(key);
     if (texture == textures.end()) {
       const std::string name = fmt::format("{}: {}", mesh.string(), material.picture);
-      auto made = make_texture(name, decode_image(name, *material.picture_bytes),
-                               material.clamps ? TextureWrap::Clamp : TextureWrap::Repeat);
+      auto made = decode_texture<MeshTexture>(name, decode_image(name, *material.picture_bytes),
+                                              wrap_of(material.clamps), "texture");
       if (!made) return made.error();
       texture = textures.emplace(key, std::move(*made)).first;
     }
@@ -174,7 +161,7 @@ Status resolve_materials(const fs::path& mesh, Points& points, std::vector<std::
     const std::pair key(file, said.clamps);
     auto texture = textures.find(key);
     if (texture == textures.end()) {
-      auto read = read_texture(file, said.clamps ? TextureWrap::Clamp : TextureWrap::Repeat);
+      auto read = read_texture(file, wrap_of(said.clamps));
       if (!read) {
         return make_error(
             "{} (the texture of material {} of {}; --texture names another, and none "

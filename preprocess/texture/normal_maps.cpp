@@ -68,11 +68,9 @@ bool NormalMapper::has_map(const std::vector<FlatTriangle>& triangles) const {
 }
 
 void NormalMapper::map(const std::vector<FlatTriangle>& triangles, std::uint32_t scale,
-                       Patch& patch) const {
-  if (!has_map(triangles)) return;
+                       const std::vector<std::uint32_t>& shown, Patch& patch) const {
   AttributeMap<glm::i16vec2> fine;
   shape_map(patch, scale, fine);
-  const std::vector<std::uint32_t> shown = find_shown(patch, scale, triangles);
   std::vector<TriangleNormals> normals;
   normals.reserve(triangles.size());
   for (const FlatTriangle& triangle : triangles)

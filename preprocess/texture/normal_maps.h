@@ -22,16 +22,18 @@ class NormalMapper {
   /// The size of the normal map that a triangle has.
   [[nodiscard]] PictureSize picture_size() const;
 
-  /// Replaces a patch's normals by a map of `scale` texels a cell, if one of `triangles`, those
-  /// over it, has a normal map; otherwise they stay as they are. A texel has the normal of the
-  /// triangle that it shows (find_shown): the mean of the normal map over the texel in the
-  /// triangle's tangent frame, or without a normal map the smooth one. Texels over holes, and those
-  /// that meet no triangle that faces the patch's side, continue their surroundings.
-  void map(const std::vector<FlatTriangle>& triangles, std::uint32_t scale, Patch& patch) const;
-
- private:
+  /// Whether one of a patch's triangles has a normal map. If not, its normals can stay as they are.
   [[nodiscard]] bool has_map(const std::vector<FlatTriangle>& triangles) const;
 
+  /// Replaces a patch's normals by a map of `scale` texels a cell. A texel has the normal of the
+  /// triangle that it shows (`shown`, which find_shown made of `triangles`, those over the patch,
+  /// at that scale): the mean of the normal map over the texel in the triangle's tangent frame, or
+  /// without a normal map the smooth one. Texels over holes, and those that meet no triangle that
+  /// faces the patch's side, continue their surroundings.
+  void map(const std::vector<FlatTriangle>& triangles, std::uint32_t scale,
+           const std::vector<std::uint32_t>& shown, Patch& patch) const;
+
+ private:
   const Points& mesh_;
   std::vector<glm::vec3> normals_;        ///< of its points
   std::vector<CornerTangents> tangents_;  ///< of its triangles

@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "common/continuation.h"
@@ -43,16 +44,13 @@ class TriangleColour {
   std::optional<TexcoordsOverPatch> texcoords_;  ///< with a texture
 };
 
+/// The colours that `triangles` show; `shown` is what find_shown makes of them at that scale.
 AttributeMap<glm::u8vec3> make_map(const Points& mesh, const Patch& patch,
-                                   const std::vector<FlatTriangle>& triangles,
-                                   std::uint32_t scale) {
-  AttributeMap<glm::u8vec3> map{static_cast<std::uint32_t>(map_side(patch.width, scale)),
-                                static_cast<std::uint32_t>(map_side(patch.height, scale)),
-                                scale,
-                                {}};
-  map.texels.resize(std::size_t{map.width} * map.height,
-                    glm::u8vec3(srgb8_from_linear(kNeutralGrey)));
-  const std::vector<std::uint32_t> shown = find_shown(patch, scale, triangles);
+                                   const std::vector<FlatTriangle>& triangles, std::uint32_t scale,
+                                   const std::vector<std::uint32_t>& shown) {
+  AttributeMap<glm::u8vec3> map;
+  shape_map(patch, scale, map);
+  std::fill(map.texels.begin(), map.texels.end(), glm::u8vec3(srgb8_from_linear(kNeutralGrey)));
   std::vector<TriangleColour> colours;
   colours.reserve(triangles.size());
   for (const FlatTriangle& triangle : triangles) colours.emplace_back(mesh, triangle, scale);
@@ -103,8 +101,13 @@ Status map_textures(const Points& mesh, std::uint32_t texels_per_cell, std::vect
   }
   tbb::parallel_for(std::size_t{0}, patches.size(), [&](std::size_t p) {
     if (progress.cancelled()) return;
-    patches[p].colours = make_map(mesh, patches[p], triangles[p], (*scales)[p]);
-    if (mapper) mapper->map(triangles[p], normal_scales[p], patches[p]);
+    const std::uint32_t scale = (*scales)[p];
+    std::vector<std::uint32_t> shown = find_shown(patches[p], scale, triangles[p]);
+    patches[p].colours = make_map(mesh, patches[p], triangles[p], scale, shown);
+    if (mapper && mapper->has_map(triangles[p])) {
+      if (normal_scales[p] != scale) shown = find_shown(patches[p], normal_scales[p], triangles[p]);
+      mapper->map(triangles[p], normal_scales[p], shown, patches[p]);
+    }
     progress.advance(1);
   });
   if (progress.cancelled()) return interrupted_error();

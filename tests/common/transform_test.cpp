@@ -132,9 +132,8 @@ TEST(AppendModel, ModelsWithoutPatchesHaveBoundsTogether) {
 
 TEST(AddPlacement, HasTheBoundsOfModelsThatWereMovedAndAppended) {
   const PatchModel model = ball({1, 2, 3}, 0.5);
-  PatchModel placed = model;
   const PatchModel extent = without_patches(model);
-  placed = PatchModel{};
+  PatchModel placed;
   placed.patches = model.patches;
   PatchModel appended;
   for (const double x : {0.0, 4.0, -7.0}) {

@@ -112,8 +112,7 @@ PatchModel model_of(std::vector<Patch> patches) {
       for (std::uint32_t j = 0; j < patch.height; ++j) {
         for (std::uint32_t i = 0; i < patch.width; ++i) {
           if (patch.at(i, j) == kHole) continue;
-          visit(patch.origin + patch.axes * glm::dvec3(i * patch.spacing, j * patch.spacing,
-                                                       patch.at(i, j) * patch.height_step));
+          visit(place_of(patch, i, j));
         }
       }
     }

@@ -5,6 +5,7 @@
 
 #include "common/srgb.h"
 #include "renderer/materials.h"
+#include "renderer/node_texels.h"
 #include "renderer/patch_normals.h"
 #include "shaders/include/shared.h"
 
@@ -14,22 +15,14 @@ namespace {
 /// Beyond 80 degrees, which no patch that keeps its normal cone reaches, h stays what it is there.
 constexpr double kLeastTiltCosine = 0.17;
 
-template <class Texel>
-Texel at_node(const AttributeMap<Texel>& map, std::uint32_t i, std::uint32_t j) {
-  return map.texels[std::size_t{j} * map.scale * map.width + std::size_t{i} * map.scale];
-}
-
 void append_samples(const Patch& patch, std::uint32_t id, bool coloured, SplatCloud& cloud) {
   const AttributeMap<glm::i16vec2> normals = normal_map_of(patch);
   for (std::uint32_t j = 0; j < patch.height; ++j) {
     for (std::uint32_t i = 0; i < patch.width; ++i) {
-      const std::int32_t height = patch.at(i, j);
-      if (height == kHole) continue;
+      if (patch.at(i, j) == kHole) continue;
       const glm::vec3 normal = normal_at_node(normals, i, j);
       const double cosine = std::max(double{normal.z}, kLeastTiltCosine);
-      cloud.positions.push_back(patch.origin + patch.axes * glm::dvec3(i * patch.spacing,
-                                                                       j * patch.spacing,
-                                                                       height * patch.height_step));
+      cloud.positions.push_back(place_of(patch, i, j));
       cloud.normals.emplace_back(patch.axes * glm::dvec3(normal));
       cloud.radii.push_back(patch.spacing / std::sqrt(cosine));
       cloud.uvs.emplace_back(i, j);
@@ -37,7 +30,7 @@ void append_samples(const Patch& patch, std::uint32_t id, bool coloured, SplatCl
       if (!coloured) continue;
       const glm::vec3 colour = patch.colours.empty()
                                    ? glm::vec3(shared::kNeutralGrey)
-                                   : linear_from_srgb8(at_node(patch.colours, i, j));
+                                   : linear_from_srgb8(texel_at(patch.colours, i, j));
       cloud.colours.emplace_back(colour, 1.0F);
     }
   }

@@ -9,6 +9,7 @@
 #include "shaders/include/shared.h"
 
 namespace relief::multipass {
+
 Result<Sums> make_sums(const Gl& gl, const Targets& targets, std::uint32_t features) {
   const auto make = [&](bool needed, const char* label, GLenum format) {
     return needed ? std::optional<Texture>(
