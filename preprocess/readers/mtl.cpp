@@ -97,7 +97,7 @@ std::optional<glm::vec3> read_colour(TextCursor& line) {
 
 void take_colours(MapStatement map, MtlMaterial& out) {
   out.material.picture = std::move(map.file);
-  out.clamps = map.clamps;
+  out.material.clamps = map.clamps;
   out.ignored_options = std::move(map.ignored);
 }
 

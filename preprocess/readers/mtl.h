@@ -13,7 +13,6 @@ namespace relief {
 /// A material with what Relief does not read of it.
 struct MtlMaterial {
   MeshMaterial material;
-  bool clamps = false;             ///< -clamp on
   std::string ignored_options;     ///< of map_Kd; empty: none that change the picture
   std::string ignored_of_normals;  ///< the same of its normal map
 };

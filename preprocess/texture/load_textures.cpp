@@ -158,10 +158,10 @@ Status resolve_materials(const fs::path& mesh, Points& points, std::vector<std::
     if (said.material.picture.empty() || !material.has_texcoords || points.texcoords.empty())
       continue;
     const fs::path file = resolve_beside(says->second.file, said.material.picture);
-    const std::pair key(file, said.clamps);
+    const std::pair key(file, said.material.clamps);
     auto texture = textures.find(key);
     if (texture == textures.end()) {
-      auto read = read_texture(file, wrap_of(said.clamps));
+      auto read = read_texture(file, wrap_of(said.material.clamps));
       if (!read) {
         return make_error(
             "{} (the texture of material {} of {}; --texture names another, and none "
