@@ -81,8 +81,11 @@ def run_tidy(file, flags):
     # Shadowing is what GCC warns of too; here a function's variable may shadow another file's
     # constant.
     result = subprocess.run(["clang-tidy", "--quiet", str(file), "--", *flags, "-Wno-shadow"],
-                            stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, check=False)
-    return result.stdout if result.returncode else ""
+                            capture_output=True, text=True, check=False)
+    if not result.returncode:
+        return ""
+    # Without findings it has failed itself; then what it complained of counts.
+    return result.stdout or result.stderr or f"clang-tidy failed on {file}\n"
 
 
 def write_unit(files, unit):
