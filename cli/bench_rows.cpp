@@ -15,17 +15,6 @@ RenderSettings plain(RenderSettings base) {
   return base;
 }
 
-/// What `relief render` does unasked.
-RenderSettings unasked_row(const RenderSettings& base) {
-  const RenderSettings unasked;
-  RenderSettings row = plain(base);
-  row.engine = unasked.engine;
-  row.primitive = unasked.primitive;
-  row.interpolation = unasked.interpolation;
-  row.multipass = unasked.multipass;
-  return row;
-}
-
 /// Pixels a sample: the finest levels, those that are there unasked, twice as coarse ones, and what
 /// is asked for beside them.
 std::vector<double> level_policies(const RenderSettings& base) {
@@ -49,14 +38,9 @@ std::vector<RenderSettings> bench_rows(const RenderSettings& base) {
       rows.push_back(row);
     }
   }
-  row.primitive = Primitive::Cell;
-  row.interpolation = RenderSettings{}.interpolation;
-  for (const double pixels : level_policies(base)) {
-    row.pixels_per_sample = pixels;
-    rows.push_back(row);
-  }
+  for (const RenderSettings& cells : level_rows(base, level_policies(base))) rows.push_back(cells);
   row.engine = EngineKind::Multipass;
-  row.pixels_per_sample.reset();
+  row.interpolation = RenderSettings{}.interpolation;
   for (const Primitive primitive : {Primitive::Sprite, Primitive::Quad}) {
     for (const double radius_factor : {1.0, 2.0}) {
       row.primitive = primitive;
@@ -68,7 +52,13 @@ std::vector<RenderSettings> bench_rows(const RenderSettings& base) {
 }
 
 std::vector<RenderSettings> compared_rows(const RenderSettings& base) {
-  std::vector<RenderSettings> rows{unasked_row(base)};
+  const RenderSettings unasked;
+  RenderSettings row = plain(base);
+  row.engine = unasked.engine;
+  row.primitive = unasked.primitive;
+  row.interpolation = unasked.interpolation;
+  row.multipass = unasked.multipass;
+  std::vector<RenderSettings> rows{row};
   for (const RenderSettings& rival : radius_factor_rows(base, {MultipassSettings{}.radius_factor}))
     rows.push_back(rival);
   return rows;
@@ -90,7 +80,11 @@ std::vector<RenderSettings> radius_factor_rows(const RenderSettings& base,
 
 std::vector<RenderSettings> level_rows(const RenderSettings& base,
                                        const std::vector<double>& pixels) {
-  std::vector<RenderSettings> rows(pixels.size(), unasked_row(base));
+  RenderSettings row = plain(base);
+  row.engine = EngineKind::Onepass;
+  row.primitive = Primitive::Cell;
+  row.interpolation = RenderSettings{}.interpolation;
+  std::vector<RenderSettings> rows(pixels.size(), row);
   for (std::size_t k = 0; k < pixels.size(); ++k) rows[k].pixels_per_sample = pixels[k];
   return rows;
 }

@@ -23,7 +23,7 @@ namespace relief::cli {
 [[nodiscard]] std::vector<RenderSettings> radius_factor_rows(const RenderSettings& base,
                                                              const std::vector<double>& factors);
 
-/// What `relief render` does unasked but for the pixels a sample.
+/// Cells of `onepass` with these pixels a sample.
 [[nodiscard]] std::vector<RenderSettings> level_rows(const RenderSettings& base,
                                                      const std::vector<double>& pixels);
 

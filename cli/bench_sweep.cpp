@@ -19,15 +19,17 @@ constexpr std::size_t kMostValues = 16;
                              "expected " + list_names(kSwept, "|") + "=VALUE,VALUE,...; " + why);
 }
 
-/// What is not rendered with has no range but that of numbers above 0.
-void check_value(Swept what, std::optional<double> value) {
-  if (what == Swept::PixelsPerSample || what == Swept::RadiusFactor) {
-    const NumberChoice range = what == Swept::RadiusFactor ? kRadiusFactors : kPixelsPerSample;
-    if (!value || *value < range.least || *value > range.most)
-      refuse(fmt::format("values are numbers from {:g} to {:g}", range.least, range.most));
-  } else if (!value || *value <= 0.0) {
-    refuse("values are numbers above 0");
-  }
+/// None for what a conversion takes: any number above 0.
+std::optional<NumberChoice> range_of(Swept what) {
+  if (what == Swept::RadiusFactor) return kRadiusFactors;
+  if (what == Swept::PixelsPerSample) return kPixelsPerSample;
+  return std::nullopt;
+}
+
+void check_value(std::optional<NumberChoice> range, std::optional<double> value) {
+  if (!range && (!value || *value <= 0.0)) refuse("values are numbers above 0");
+  if (range && (!value || *value < range->least || *value > range->most))
+    refuse(fmt::format("values are numbers from {:g} to {:g}", range->least, range->most));
 }
 
 }  // namespace
@@ -40,7 +42,7 @@ Sweep parse_sweep(const std::string& text) {
   for (std::size_t at = sign; at != std::string::npos;) {
     const std::size_t next = text.find(',', at + 1);
     const auto value = parse_number(std::string_view(text).substr(at + 1, next - at - 1));
-    check_value(*what, value);
+    check_value(range_of(*what), value);
     sweep.values.push_back(*value);
     at = next;
   }

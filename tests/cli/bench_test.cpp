@@ -37,16 +37,18 @@ std::string square_off(int n) {
 
 class BenchCommand : public CliTest {
  protected:
-  static std::vector<std::string> small(const std::string& scene) {
-    return {"bench", scene, "--size", "64x48", "--frames", "1", "--json"};
+  static std::vector<std::string> small(const std::string& scene,
+                                        const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments{"bench",    scene, "--size", "64x48",
+                                       "--frames", "1",   "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
   }
 };
 
 TEST_F(BenchCommand, TellsEachWayToDrawAMesh) {
   const std::string scene = write("square.off", square_off(30));
-  auto arguments = small(scene);
-  arguments.insert(arguments.end(), {"--plot", path("bench.svg")});
-  const json result = parse(run_relief(arguments));
+  const json result = parse(run_relief(small(scene, {"--plot", path("bench.svg")})));
   EXPECT_EQ(result["width"], 64);
   EXPECT_EQ(result["height"], 48);
   EXPECT_EQ(result["frames"], 1);
@@ -130,9 +132,8 @@ TEST_F(BenchCommand, DrawsTheLevelsOfASceneBesideTheDefault) {
 }
 
 TEST_F(BenchCommand, SweepsASpacing) {
-  auto arguments = small(write("square.off", square_off(30)));
-  arguments.insert(arguments.end(), {"--sweep", "spacing=2,0.5"});
-  const json result = parse(run_relief(arguments));
+  const json result =
+      parse(run_relief(small(write("square.off", square_off(30)), {"--sweep", "spacing=2,0.5"})));
   EXPECT_EQ(result["sweep"], "spacing");
   const json& rows = result["rows"];
   ASSERT_EQ(rows.size(), 4U);
@@ -149,9 +150,8 @@ TEST_F(BenchCommand, SweepsASpacing) {
 }
 
 TEST_F(BenchCommand, SweepsARadiusFactor) {
-  auto arguments = small(write_knot(3000));
-  arguments.insert(arguments.end(), {"--sweep", "radius-factor=1.5,3"});
-  const json result = parse(run_relief(arguments));
+  const json result =
+      parse(run_relief(small(write_knot(3000), {"--sweep", "radius-factor=1.5,3"})));
   ASSERT_EQ(result["rows"].size(), 4U);
   EXPECT_EQ(result["rows"][2]["radius_factor"], 1.5);
   EXPECT_EQ(result["rows"][3]["radius_factor"], 3.0);
@@ -159,9 +159,8 @@ TEST_F(BenchCommand, SweepsARadiusFactor) {
 }
 
 TEST_F(BenchCommand, SweepsPixelsPerSample) {
-  auto arguments = small(write_knot(3000));
-  arguments.insert(arguments.end(), {"--sweep", "pixels-per-sample=0,16"});
-  const json result = parse(run_relief(arguments));
+  const json result =
+      parse(run_relief(small(write_knot(3000), {"--sweep", "pixels-per-sample=0,16"})));
   EXPECT_EQ(result["sweep"], "pixels-per-sample");
   const json& rows = result["rows"];
   ASSERT_EQ(rows.size(), 4U);
