@@ -30,7 +30,7 @@ struct FarLevel {
 };
 
 /// Makes the levels (FarModel::spacings) of a run of patches, in its frame, by vertex clustering
-/// (Rossignac and Borrel 1993, "Multi- resolution 3D approximations for rendering complex scenes"):
+/// (Rossignac and Borrel 1993, "Multi-resolution 3D approximations for rendering complex scenes"):
 /// samples in one cube of a grid become one vertex, and what is left of the cells' triangles joins
 /// these. Samples in a cube whose normals point to different sides stay apart: a thin sheet keeps
 /// both of its sides. Neighbouring patches overlap, so that their samples share cubes and their

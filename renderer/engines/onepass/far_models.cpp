@@ -8,6 +8,7 @@
 namespace relief::onepass {
 
 std::vector<std::uint32_t> find_far(const PatchStore& store, const View& view) {
+  if (!store.far) return {};
   std::vector<std::uint32_t> visible;
   std::vector<Sphere> spheres;
   spheres.reserve(store.placements.size());
