@@ -7,13 +7,14 @@
 
 namespace relief {
 
+void extend(Bounds& box, glm::dvec3 point) {
+  box = box.empty() ? Bounds{point, point}
+                    : Bounds{glm::min(box.min, point), glm::max(box.max, point)};
+}
+
 Bounds bounds_of(const std::vector<glm::dvec3>& positions) {
-  if (positions.empty()) return {};
-  Bounds bounds{positions.front(), positions.front()};
-  for (const glm::dvec3& p : positions) {
-    bounds.min = glm::min(bounds.min, p);
-    bounds.max = glm::max(bounds.max, p);
-  }
+  Bounds bounds;
+  for (const glm::dvec3& p : positions) extend(bounds, p);
   return bounds;
 }
 

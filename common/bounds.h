@@ -13,6 +13,9 @@ struct Bounds {
   [[nodiscard]] bool empty() const { return min.x > max.x; }
 };
 
+/// Makes the box the smallest that holds it and a point.
+void extend(Bounds& box, glm::dvec3 point);
+
 /// The box about some points; empty if there are none.
 [[nodiscard]] Bounds bounds_of(const std::vector<glm::dvec3>& positions);
 

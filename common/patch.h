@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "common/bounds.h"
@@ -81,6 +82,18 @@ struct PatchModel {
 [[nodiscard]] inline glm::dvec3 place_of(const Patch& patch, std::uint32_t i, std::uint32_t j) {
   return patch.origin + patch.axes * glm::dvec3(i * patch.spacing, j * patch.spacing,
                                                 patch.at(i, j) * patch.height_step);
+}
+
+/// Calls `visit` with the place of every sample of some patches.
+template <class Visit>
+void for_each_place(std::span<const Patch> patches, const Visit& visit) {
+  for (const Patch& patch : patches) {
+    for (std::uint32_t j = 0; j < patch.height; ++j) {
+      for (std::uint32_t i = 0; i < patch.width; ++i) {
+        if (patch.at(i, j) != kHole) visit(place_of(patch, i, j));
+      }
+    }
+  }
 }
 
 /// Number of samples (valid grid nodes) of a patch.

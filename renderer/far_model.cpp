@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace relief {
@@ -21,22 +20,11 @@ double nearest_pixel(const View& view, const Sphere& model) {
 }  // namespace
 
 Sphere sphere_about(std::span<const Patch> patches) {
-  const auto for_samples = [patches](auto&& visit) {
-    for (const Patch& patch : patches) {
-      for (std::uint32_t j = 0; j < patch.height; ++j) {
-        for (std::uint32_t i = 0; i < patch.width; ++i) {
-          if (patch.at(i, j) != kHole) visit(place_of(patch, i, j));
-        }
-      }
-    }
-  };
   Bounds box;
-  for_samples([&box](glm::dvec3 p) {
-    box = box.empty() ? Bounds{p, p} : Bounds{glm::min(box.min, p), glm::max(box.max, p)};
-  });
+  for_each_place(patches, [&box](glm::dvec3 p) { extend(box, p); });
   if (box.empty()) return {};
   Sphere sphere{0.5 * (box.min + box.max), 0.0};
-  for_samples([&sphere](glm::dvec3 p) {
+  for_each_place(patches, [&sphere](glm::dvec3 p) {
     sphere.radius = std::max(sphere.radius, glm::distance(sphere.centre, p));
   });
   return sphere;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <vector>
@@ -105,25 +104,10 @@ glm::dmat3 axes_about(glm::dvec3 n) {
 
 PatchModel model_of(std::vector<Patch> patches) {
   PatchModel model;
-  glm::dvec3 low(std::numeric_limits<double>::max());
-  glm::dvec3 high(std::numeric_limits<double>::lowest());
-  const auto for_samples = [&patches](const auto& visit) {
-    for (const Patch& patch : patches) {
-      for (std::uint32_t j = 0; j < patch.height; ++j) {
-        for (std::uint32_t i = 0; i < patch.width; ++i) {
-          if (patch.at(i, j) == kHole) continue;
-          visit(place_of(patch, i, j));
-        }
-      }
-    }
-  };
-  for_samples([&](glm::dvec3 p) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  });
-  model.bounds = {low, high};
-  for_samples([&](glm::dvec3 p) {
-    model.bounding_radius = std::max(model.bounding_radius, glm::distance(p, 0.5 * (low + high)));
+  for_each_place(patches, [&](glm::dvec3 p) { extend(model.bounds, p); });
+  const glm::dvec3 middle = 0.5 * (model.bounds.min + model.bounds.max);
+  for_each_place(patches, [&](glm::dvec3 p) {
+    model.bounding_radius = std::max(model.bounding_radius, glm::distance(p, middle));
   });
   model.spacing = patches.empty() ? 0.0 : patches.front().spacing;
   model.has_colours = !patches.empty() && !patches.front().colours.empty();
