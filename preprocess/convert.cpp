@@ -16,7 +16,9 @@
 #include "preprocess/normals.h"
 #include "preprocess/partition.h"
 #include "preprocess/resample.h"
+#include "preprocess/texture/flat_triangles.h"
 #include "preprocess/texture/load_textures.h"
+#include "preprocess/texture/node_normals.h"
 #include "preprocess/texture/sample_mesh.h"
 #include "preprocess/texture/texture_maps.h"
 
@@ -134,6 +136,16 @@ std::vector<std::uint32_t> owners_of(const std::vector<Region>& regions, std::si
   return owner;
 }
 
+void take_mesh_normals(const Points& mesh, std::vector<Patch>& patches, Progress& progress) {
+  progress.begin_stage("normals of triangles", patches.size());
+  const TriangleSpheres spheres(mesh);
+  tbb::parallel_for(std::size_t{0}, patches.size(), [&](std::size_t p) {
+    if (progress.cancelled()) return;
+    take_mesh_normals(mesh, mesh.normals, spheres.find_over(patches[p]), patches[p]);
+    progress.advance(1);
+  });
+}
+
 // Drops small patches that others cover, and those without a sample.
 void drop_redundant(const SurfaceSamples& samples, const NeighbourGraph& graph,
                     std::vector<Region>& regions, std::vector<Patch>& patches) {
@@ -217,6 +229,9 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
     const Status mapped =
         map_textures(mesh, static_cast<std::uint32_t>(options.texels_per_cell), patches, progress);
     if (!mapped) return mapped.error();
+  } else if (!points.triangles.empty()) {
+    take_mesh_normals(points, patches, progress);
+    if (progress.cancelled()) return interrupted_error();
   }
 
   progress.begin_stage("measure", 0);

@@ -5,12 +5,28 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <optional>
+#include <span>
+#include <utility>
 
 namespace relief {
 namespace {
 
 /// In cells squared; what is thinner has no place for a texel.
 constexpr double kLeastArea = 1e-12;
+
+/// More than single precision rounds sums of lengths by.
+constexpr float kRounding = 1.0001F;
+
+/// Interleaves the lowest ten bits of three numbers (Morton 1966).
+std::uint32_t morton_code(glm::uvec3 place) {
+  std::uint32_t code = 0;
+  for (std::uint32_t bit = 0; bit < 10; ++bit) {
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+      code |= (place[axis] >> bit & 1U) << (3 * bit + static_cast<std::uint32_t>(axis));
+  }
+  return code;
+}
 
 double cross(glm::dvec2 a, glm::dvec2 b) {
   return a.x * b.y - a.y * b.x;
@@ -23,6 +39,28 @@ glm::ivec2 height_range(const Patch& patch) {
     if (h != kHole) range = {std::min(range.x, h), std::max(range.y, h)};
   }
   return range;
+}
+
+/// A triangle as a patch sees it; none if it is beside the patch's grid or edge-on.
+std::optional<FlatTriangle> lay_on(const Patch& patch, const Points& mesh, std::uint32_t index) {
+  const glm::dmat3 to_local = glm::transpose(patch.axes);
+  FlatTriangle flat;
+  flat.index = index;
+  glm::dvec2 low(INFINITY);
+  glm::dvec2 high(-INFINITY);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const glm::dvec3 place =
+        to_local * (mesh.positions[mesh.triangles[index][c]] - patch.origin) / patch.spacing;
+    flat.corners[c] = glm::dvec2(place);
+    flat.heights[static_cast<glm::length_t>(c)] = place.z;
+    low = glm::min(low, flat.corners[c]);
+    high = glm::max(high, flat.corners[c]);
+  }
+  const glm::dvec2 cells(patch.width - 1, patch.height - 1);
+  if (low.x > cells.x || low.y > cells.y || high.x < 0.0 || high.y < 0.0) return std::nullopt;
+  flat.twice_area = cross(flat.corners[1] - flat.corners[0], flat.corners[2] - flat.corners[0]);
+  if (std::abs(flat.twice_area) <= kLeastArea) return std::nullopt;
+  return flat;
 }
 
 }  // namespace
@@ -40,53 +78,78 @@ double FlatTriangle::twice_area_in_space() const {
   return glm::length(glm::cross(b, c));
 }
 
+void TriangleSpheres::sort_by_place(std::vector<Sphere>& spheres, const Bounds& bounds) {
+  const glm::dvec3 size = bounds.max - bounds.min;
+  const double scale = 1023.0 / std::max({size.x, size.y, size.z, 1e-300});
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> keys;
+  keys.reserve(spheres.size());
+  for (std::uint32_t k = 0; k < spheres.size(); ++k) {
+    const glm::dvec3 place = (glm::dvec3(spheres[k].centre) + 0.5 * size) * scale;
+    keys.emplace_back(morton_code(glm::uvec3(glm::clamp(place, 0.0, 1023.0))), k);
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<Sphere> sorted;
+  sorted.reserve(spheres.size());
+  for (const auto& [code, k] : keys) sorted.push_back(spheres[k]);
+  spheres = std::move(sorted);
+}
+
+TriangleSpheres::Sphere TriangleSpheres::group_of(std::size_t first) const {
+  const std::span<const Sphere> members =
+      std::span(spheres_).subspan(first, std::min(kGroup, spheres_.size() - first));
+  Sphere group;
+  for (const Sphere& s : members) group.centre += s.centre / static_cast<float>(members.size());
+  for (const Sphere& s : members)
+    group.radius = std::max(group.radius, glm::distance(group.centre, s.centre) + s.radius);
+  group.radius *= kRounding;
+  return group;
+}
+
 TriangleSpheres::TriangleSpheres(const Points& mesh) : mesh_(mesh) {
   const Bounds bounds = bounds_of(mesh.positions);
   middle_ = 0.5 * (bounds.min + bounds.max);
   spheres_.reserve(mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles) {
-    const glm::dvec3 a = mesh.positions[t[0]] - middle_;
-    const glm::dvec3 b = mesh.positions[t[1]] - middle_;
-    const glm::dvec3 c = mesh.positions[t[2]] - middle_;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Triangle& corners = mesh.triangles[t];
+    const glm::dvec3 a = mesh.positions[corners[0]] - middle_;
+    const glm::dvec3 b = mesh.positions[corners[1]] - middle_;
+    const glm::dvec3 c = mesh.positions[corners[2]] - middle_;
     const glm::dvec3 centre = (a + b + c) / 3.0;
     const double radius =
         std::max({glm::distance(a, centre), glm::distance(b, centre), glm::distance(c, centre)});
     // Single precision rounds the centre by less than a millionth of its distance.
     spheres_.push_back(
-        {glm::vec3(centre), static_cast<float>(radius + 1e-6 * glm::length(centre))});
+        {glm::vec3(centre), static_cast<float>(radius + 1e-6 * glm::length(centre)), t});
   }
+  sort_by_place(spheres_, bounds);
+  groups_.reserve(spheres_.size() / kGroup + 1);
+  for (std::size_t k = 0; k < spheres_.size(); k += kGroup) groups_.push_back(group_of(k));
 }
 
 std::vector<FlatTriangle> TriangleSpheres::find_over(const Patch& patch) const {
   const glm::ivec2 range = height_range(patch);
-  const glm::dvec2 cells(patch.width - 1, patch.height - 1);
-  const double rise = (range.y - range.x) * patch.height_step / patch.spacing;
-  const glm::dvec3 local(0.5 * cells,
-                         0.5 * (range.x + range.y) * patch.height_step / patch.spacing);
-  const glm::dvec3 centre = patch.origin - middle_ + patch.axes * (patch.spacing * local);
-  const double radius = patch.spacing * (0.5 * glm::length(glm::dvec3(cells, rise)) + kTexelReach);
-  const glm::dmat3 to_local = glm::transpose(patch.axes);
+  const double to_cells = patch.height_step / patch.spacing;
+  const glm::dvec3 low(0.0, 0.0, range.x * to_cells - kTexelReach);
+  const glm::dvec3 high(patch.width - 1, patch.height - 1, range.y * to_cells + kTexelReach);
+  const glm::mat3 to_box = glm::mat3(glm::transpose(patch.axes));
+  const glm::vec3 centre(patch.origin - middle_ +
+                         patch.axes * (patch.spacing * 0.5 * (low + high)));
+  const glm::vec3 half = glm::vec3(patch.spacing * 0.5 * (high - low)) * kRounding;
+  const auto meets_box = [&](const Sphere& sphere) {
+    const glm::vec3 apart = glm::abs(to_box * (sphere.centre - centre)) - half;
+    return std::max({apart.x, apart.y, apart.z}) <= sphere.radius;
+  };
   std::vector<FlatTriangle> found;
-  for (std::size_t t = 0; t < spheres_.size(); ++t) {
-    const glm::vec3 apart = spheres_[t].centre - glm::vec3(centre);
-    const float reach = spheres_[t].radius + static_cast<float>(radius) * 1.0001F;
-    if (glm::dot(apart, apart) > reach * reach) continue;
-    FlatTriangle flat;
-    flat.index = static_cast<std::uint32_t>(t);
-    glm::dvec2 low(INFINITY);
-    glm::dvec2 high(-INFINITY);
-    for (std::size_t c = 0; c < 3; ++c) {
-      const glm::dvec3 place =
-          to_local * (mesh_.positions[mesh_.triangles[t][c]] - patch.origin) / patch.spacing;
-      flat.corners[c] = glm::dvec2(place);
-      flat.heights[static_cast<glm::length_t>(c)] = place.z;
-      low = glm::min(low, flat.corners[c]);
-      high = glm::max(high, flat.corners[c]);
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    if (!meets_box(groups_[g])) continue;
+    const std::size_t end = std::min((g + 1) * kGroup, spheres_.size());
+    for (std::size_t k = g * kGroup; k < end; ++k) {
+      if (!meets_box(spheres_[k])) continue;
+      if (const auto flat = lay_on(patch, mesh_, spheres_[k].triangle)) found.push_back(*flat);
     }
-    if (low.x > cells.x || low.y > cells.y || high.x < 0.0 || high.y < 0.0) continue;
-    flat.twice_area = cross(flat.corners[1] - flat.corners[0], flat.corners[2] - flat.corners[0]);
-    if (std::abs(flat.twice_area) > kLeastArea) found.push_back(flat);
   }
+  std::sort(found.begin(), found.end(),
+            [](const FlatTriangle& a, const FlatTriangle& b) { return a.index < b.index; });
   return found;
 }
 

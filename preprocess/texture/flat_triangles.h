@@ -40,10 +40,18 @@ class TriangleSpheres {
   struct Sphere {
     glm::vec3 centre{0.0F};  ///< from the middle of the mesh
     float radius = 0.0F;
+    std::uint32_t triangle = 0;
   };
+  /// So that those beside each other are near each other.
+  static void sort_by_place(std::vector<Sphere>& spheres, const Bounds& bounds);
+  [[nodiscard]] Sphere group_of(std::size_t first) const;
+  /// So many spheres have one about them.
+  static constexpr std::size_t kGroup = 32;
+
   const Points& mesh_;
   glm::dvec3 middle_{0.0};
   std::vector<Sphere> spheres_;
+  std::vector<Sphere> groups_;
 };
 
 }  // namespace relief

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "common/continuation.h"
-#include "common/mesh_normals.h"
 #include "common/mesh_tangents.h"
 #include "common/normal_texture.h"
 #include "common/octahedral.h"
@@ -50,8 +49,8 @@ class TriangleNormals {
 
 }  // namespace
 
-NormalMapper::NormalMapper(const Points& mesh)
-    : mesh_(mesh), normals_(vertex_normals(mesh)), tangents_(tangents_of(mesh, normals_)) {}
+NormalMapper::NormalMapper(const Points& mesh, const std::vector<glm::vec3>& normals)
+    : mesh_(mesh), normals_(normals), tangents_(tangents_of(mesh, normals)) {}
 
 PictureSize NormalMapper::picture_size() const {
   return [this](std::uint32_t triangle) {

@@ -16,8 +16,8 @@ namespace relief {
 /// their own. Threads may share one.
 class NormalMapper {
  public:
-  /// The mesh must outlive it.
-  explicit NormalMapper(const Points& mesh);
+  /// `normals`: of the mesh's points (vertex_normals). Both must outlive it.
+  NormalMapper(const Points& mesh, const std::vector<glm::vec3>& normals);
 
   /// The size of the normal map that a triangle has.
   [[nodiscard]] PictureSize picture_size() const;
@@ -35,7 +35,7 @@ class NormalMapper {
 
  private:
   const Points& mesh_;
-  std::vector<glm::vec3> normals_;        ///< of its points
+  const std::vector<glm::vec3>& normals_;
   std::vector<CornerTangents> tangents_;  ///< of its triangles
 };
 

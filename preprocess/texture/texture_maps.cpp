@@ -6,12 +6,14 @@
 #include <optional>
 
 #include "common/continuation.h"
+#include "common/mesh_normals.h"
 #include "common/mesh_tangents.h"
 #include "common/mesh_texture.h"
 #include "common/patch_codec.h"
 #include "common/srgb.h"
 #include "preprocess/texture/flat_triangles.h"
 #include "preprocess/texture/map_scales.h"
+#include "preprocess/texture/node_normals.h"
 #include "preprocess/texture/normal_maps.h"
 #include "preprocess/texture/shown_triangles.h"
 
@@ -91,10 +93,11 @@ Status map_textures(const Points& mesh, std::uint32_t texels_per_cell, std::vect
                     [&](std::size_t p) { triangles[p] = spheres.find_over(patches[p]); });
   const auto scales = scales_of_maps(mesh, patches, triangles, texture_size(mesh), texels_per_cell);
   if (!scales) return scales.error();
+  const std::vector<glm::vec3> normals = vertex_normals(mesh);
   std::optional<NormalMapper> mapper;
   std::vector<std::uint32_t> normal_scales;
   if (has_normal_maps(mesh)) {
-    mapper.emplace(mesh);
+    mapper.emplace(mesh, normals);
     auto chosen = scales_of_maps(mesh, patches, triangles, mapper->picture_size(), texels_per_cell);
     if (!chosen) return chosen.error();
     normal_scales = std::move(*chosen);
@@ -107,6 +110,8 @@ Status map_textures(const Points& mesh, std::uint32_t texels_per_cell, std::vect
     if (mapper && mapper->has_map(triangles[p])) {
       if (normal_scales[p] != scale) shown = find_shown(patches[p], normal_scales[p], triangles[p]);
       mapper->map(triangles[p], normal_scales[p], shown, patches[p]);
+    } else {
+      take_mesh_normals(mesh, normals, triangles[p], patches[p]);
     }
     progress.advance(1);
   });

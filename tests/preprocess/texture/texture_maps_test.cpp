@@ -52,6 +52,7 @@ Patch square_patch(double z, bool upward, glm::dvec3 offset) {
   patch.height_step = 0.01;
   patch.width = patch.height = 9;
   patch.heights.assign(81, 0);
+  patch.normals = {9, 9, 1, std::vector<glm::i16vec2>(81)};
   if (!upward) {
     patch.axes[0] = {-1.0, 0.0, 0.0};
     patch.axes[2] = {0.0, 0.0, -1.0};
