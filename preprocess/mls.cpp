@@ -69,16 +69,16 @@ glm::vec3 unit_or_up(glm::vec3 n) {
 
 }  // namespace
 
-SurfacePoint evaluate_mls(const PatchPoints& points, const PointGrid& lookup, double x, double y,
-                          double spacing) {
-  const std::uint32_t nearest = lookup.nearest(x, y, 16.0 * spacing);
+SurfacePoint evaluate_mls(const PatchPoints& points, const PointGrid& supporting,
+                          const PointGrid& all, double x, double y, double spacing) {
+  const std::uint32_t nearest = supporting.nearest(x, y, 16.0 * spacing);
   if (nearest == PointGrid::kNone) return {0.0, {0, 0, 1}, {0, 0, 1}};
   const glm::dvec3 about(x, y, tangent_height(points, nearest, x, y));
   const double to_nearest = glm::distance(about, points.positions[nearest]);
   const double scale = std::max({kScaleInSpacings * points.spacing[nearest],
                                  kScaleInGridSpacings * spacing, 0.6 * to_nearest});
 
-  Sums sums = accumulate(points, lookup, about, scale, points.normals[nearest]);
+  Sums sums = accumulate(points, all, about, scale, points.normals[nearest]);
   if (!(sums.weight > 0.0)) return {about.z, points.normals[nearest], points.normals[nearest]};
   for (int d = 3; d < 6; ++d) sums.normal_matrix(d, d) += kRidge * sums.weight;
   for (int d = 1; d < 3; ++d) sums.normal_matrix(d, d) += 1e-6 * sums.weight;

@@ -16,9 +16,13 @@ struct SurfacePoint {
 /// to the points around with weights exp(-d^2 / s^2), d the distance in space to a first estimate
 /// of the surface point and s a multiple of the scan's local spacing there. A ridge on the
 /// second-order terms turns the fit into a plane where there are too few points. `spacing` is the
-/// grid's: a scan much finer than the grid is averaged over about a cell. The point must be
+/// grid's: a scan much finer than the grid is averaged over about a cell. The place must be
 /// supported (see support.h).
-[[nodiscard]] SurfacePoint evaluate_mls(const PatchPoints& points, const PointGrid& lookup,
-                                        double x, double y, double spacing);
+///
+/// The estimate is that of the nearest of the points that `supporting` has; the fit uses all near
+/// the surface that `all` has. The others are no estimate: a wall that the base plane sees edge-on
+/// has all its points, from top to bottom, at one place of it.
+[[nodiscard]] SurfacePoint evaluate_mls(const PatchPoints& points, const PointGrid& supporting,
+                                        const PointGrid& all, double x, double y, double spacing);
 
 }  // namespace relief

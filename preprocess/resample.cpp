@@ -111,8 +111,8 @@ Patch resample_region(const SurfaceSamples& samples, const NeighbourGraph& graph
     if (states[m] == NodeState::Hole) continue;
     const auto i = static_cast<std::uint32_t>(m % grid.width);
     const auto j = static_cast<std::uint32_t>(m / grid.width);
-    surface[m] = evaluate_mls(points, all, grid.x0 + i * grid.spacing, grid.y0 + j * grid.spacing,
-                              grid.spacing);
+    surface[m] = evaluate_mls(points, supporting, all, grid.x0 + i * grid.spacing,
+                              grid.y0 + j * grid.spacing, grid.spacing);
   }
 
   double lowest = 0.0;
@@ -122,7 +122,7 @@ Patch resample_region(const SurfaceSamples& samples, const NeighbourGraph& graph
   patch.origin = points.frame.origin + points.frame.axes * glm::dvec3(grid.x0, grid.y0, lowest);
   patch.normals = sample_normals(surface, states, grid, options.normals_from_points);
   if (!colours.empty()) {
-    patch.colours = sample_colours(points, all, states, grid, colours, options.colour_scale);
+    patch.colours = sample_colours(points, supporting, states, grid, colours, options.colour_scale);
   }
   return patch;
 }

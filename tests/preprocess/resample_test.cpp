@@ -84,12 +84,39 @@ TEST(Mls, ReproducesAQuadricExactly) {
   const PatchPoints points = collect_patch_points(scan.samples(), scan.graph, all, {}, 0.0);
   const PointGrid lookup(points, points.size(), kStep);
   for (const glm::dvec2 at : {glm::dvec2(0, 0), glm::dvec2(0.13, -0.21), glm::dvec2(-0.3, 0.3)}) {
-    const SurfacePoint surface = evaluate_mls(points, lookup, at.x, at.y, kStep);
+    const SurfacePoint surface = evaluate_mls(points, lookup, lookup, at.x, at.y, kStep);
     const glm::dvec3 world =
         points.frame.origin + points.frame.axes * glm::dvec3(at.x, at.y, surface.height);
     // The ridge of 0.2 % on the second order is all that is left: curvature 1 over one spacing is
     // 0.0002, of which less than a hundredth may be lost.
     EXPECT_NEAR(world.z, height(world.x, world.y), 2e-6);
+  }
+}
+
+TEST(Mls, AWallFarBelowThatIsSeenEdgeOnIsNoEstimate) {
+  // The surface is z = 0, whose points support samples; the wall x = 0.51 steps, from 3 to 12 steps
+  // below, only steadies fits, but is nearest on the base plane along a line of places.
+  PatchPoints points;
+  const auto add = [&points](glm::dvec3 position, glm::vec3 normal) {
+    points.ids.push_back(static_cast<std::uint32_t>(points.ids.size()));
+    points.positions.push_back(kStep * position);
+    points.normals.push_back(normal);
+    points.spacing.push_back(static_cast<float>(kStep));
+  };
+  for (int j = -10; j <= 10; ++j) {
+    for (int i = -10; i <= 10; ++i) add({i, j, 0.0}, {0.0F, 0.0F, 1.0F});
+  }
+  points.own = points.supporting = points.size();
+  for (int j = -10; j <= 10; ++j) {
+    for (int k = 3; k <= 12; ++k) add({0.51, j, -k}, {0.995F, 0.0F, 0.0998F});
+  }
+  const PointGrid supporting(points, points.supporting, kStep);
+  const PointGrid all(points, points.size(), kStep);
+  for (double y = -3.0; y <= 3.0; y += 0.25) {
+    const SurfacePoint surface =
+        evaluate_mls(points, supporting, all, 0.5 * kStep, y * kStep, kStep);
+    EXPECT_NEAR(surface.height, 0.0, 1e-9) << y;
+    EXPECT_GT(surface.fitted_normal.z, 0.999999F) << y;
   }
 }
 
