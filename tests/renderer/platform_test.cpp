@@ -44,10 +44,12 @@ class Platforms : public testing::Test {
   void SetUp() override { GTEST_FLAG_SET(death_test_style, "threadsafe"); }
   void TearDown() override { std::filesystem::remove_all(folder()); }
 
-  /// The same in the child, which runs the test's body again.
+  /// The same in the child, which runs the test's body again; another in another build, whose tests
+  /// may run at the same time.
   static std::filesystem::path folder() {
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
     return std::filesystem::temp_directory_path() /
-           (std::string("relief-platform-") +
+           ("relief-platform-" + std::to_string(std::filesystem::hash_value(program)) + "-" +
             testing::UnitTest::GetInstance()->current_test_info()->name());
   }
   static std::vector<std::byte> bytes(const std::string& name) {
