@@ -175,7 +175,7 @@ TEST_F(Scenes, SettingsThatAreWrong) {
       {R"("ior": 0.9)", "ior: expected a number from 1 to 4; found 0.9"},
       {R"("ior": 4.1)", "ior: expected a number from 1 to 4; found 4.1"},
       {R"("opacity": 1.5)", "opacity: expected a number from 0 to 1; found 1.5"},
-      {R"("interfaces": 3)", "interfaces: expected a number from 1 to 2; found 3"},
+      {R"("interfaces": 3)", "interfaces: expected 1 or 2; found 3"},
       {R"("interfaces": 1.5)", "interfaces: expected 1 or 2; found 1.5"},
       {R"("interfaces": "2")", "interfaces: expected 1 or 2; found \"2\""},
       {R"("absorption": [0, 0])", "absorption: expected [r, g, b], linear, each from 0 to 100"},
