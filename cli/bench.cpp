@@ -118,6 +118,11 @@ Result<BenchResult> measure(const RenderPlan& scene, const Arguments& arguments)
         "the material split is for relief render: most of the rows of relief bench can't show it; "
         "take lit or mirror");
   }
+  if (has_two_interfaces(*base)) {
+    return make_error(
+        "glass with two interfaces is for relief render: most of the rows of relief bench can't "
+        "show it; take --interfaces 1");
+  }
   auto [job, result] = plan_rows(*models, *base, arguments.sweep);
   job.frames = arguments.picture.frames.value_or(kFrames);
   auto times = bench(job, progress);

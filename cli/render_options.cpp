@@ -100,8 +100,8 @@ void check_material_options(const RenderArguments& arguments) {
     throw CLI::ValidationError("--exposure", "is for a .png; an EXR keeps the light as it is");
   if (ending(arguments.input) == ".json") return;
   const Material material = settings.material.value_or(Material::Lit);
-  if ((settings.ior || settings.absorption) && material != Material::Glass)
-    throw CLI::ValidationError("--ior, --absorption", "are for --material glass");
+  if ((settings.ior || settings.absorption || settings.interfaces) && material != Material::Glass)
+    throw CLI::ValidationError("--ior, --absorption, --interfaces", "are for --material glass");
   if (settings.roughness && material != Material::Mirror && material != Material::Split)
     throw CLI::ValidationError("--roughness", "is for --material mirror and split");
 }
@@ -185,6 +185,9 @@ void add_material_options(CLI::App& sub, SceneSettings& settings) {
          "glass: what it takes of red, green and blue along the body's diameter, as exponents "
          "(0,0,0)")
       ->option_text("R,G,B");
+  add_number(sub, "--interfaces", settings.interfaces, kInterfaceCounts, "1|2",
+             "glass: refracts where light enters, or where it leaves too; 2 is for onepass with "
+             "cells and for raytrace (1)");
   add_number(sub, "--roughness", settings.roughness, kRoughnesses, "R",
              "mirror, split: from 0, smooth, to 1 (0)");
   add_number(sub, "--opacity", settings.opacity, kOpacities, "A",

@@ -8,6 +8,7 @@ MaterialWords overlay_material(MaterialWords base, const MaterialWords& over) {
   if (over.absorption) base.absorption = over.absorption;
   if (over.roughness) base.roughness = over.roughness;
   if (over.opacity) base.opacity = over.opacity;
+  if (over.interfaces) base.interfaces = over.interfaces;
   return base;
 }
 
@@ -19,6 +20,7 @@ MaterialSettings material_of(const MaterialWords& words) {
   constants.absorption = words.absorption.value_or(constants.absorption);
   constants.roughness = static_cast<float>(words.roughness.value_or(constants.roughness));
   constants.opacity = static_cast<float>(words.opacity.value_or(constants.opacity));
+  constants.interfaces = words.interfaces.value_or(constants.interfaces);
   return settings;
 }
 

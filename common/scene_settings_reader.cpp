@@ -104,6 +104,12 @@ MaterialWords read_material(JsonValues& values, const JsonPlace& object) {
   }
   if (const auto place = JsonValues::member(object, "absorption"))
     words.absorption = read_linear_colour(values, *place, kAbsorptions.most);
+  if (const auto place = JsonValues::member(object, "interfaces")) {
+    const double count =
+        values.number(*place, {kInterfaceCounts.least, kInterfaceCounts.most}, "1 or 2");
+    if (count != std::floor(count)) values.refuse_value(*place, "1 or 2");
+    words.interfaces = static_cast<int>(count);
+  }
   const auto read_fraction = [&](std::string_view key, NumberChoice choice) {
     const auto place = JsonValues::member(object, key);
     if (!place) return std::optional<double>();

@@ -21,8 +21,8 @@ SceneSettings read_settings(JsonValues& values, const JsonPlace& object,
                             const std::filesystem::path& folder);
 
 /// The keys of what is said about a material.
-inline constexpr std::array<std::string_view, 5> kMaterialKeys{"material", "ior", "absorption",
-                                                               "roughness", "opacity"};
+inline constexpr std::array<std::string_view, 6> kMaterialKeys{
+    "material", "ior", "absorption", "roughness", "opacity", "interfaces"};
 
 /// What the members of an object say about a material.
 MaterialWords read_material(JsonValues& values, const JsonPlace& object);

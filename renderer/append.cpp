@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "common/bounds.h"
 #include "shaders/include/shared.h"
 
 namespace relief {
@@ -60,6 +61,7 @@ void transform(TriangleMesh& mesh, const Transform& transform) {
     for (glm::vec4& tangent : corners) tangent = {rotation * glm::vec3(tangent), tangent.w};
   }
   for (PatchNormalMap& map : mesh.patch_normals) map.axes = rotation * map.axes;
+  for (MeshBody& body : mesh.bodies) body.diameter *= transform.scale;
 }
 
 void transform(SplatCloud& cloud, const Transform& transform) {
@@ -67,12 +69,22 @@ void transform(SplatCloud& cloud, const Transform& transform) {
   for (double& radius : cloud.radii) radius *= transform.scale;
 }
 
+std::vector<MeshBody> bodies_of(const TriangleMesh& mesh) {
+  if (!mesh.bodies.empty() || mesh.positions.empty()) return mesh.bodies;
+  return {{0, 2.0 * bounding_radius(mesh.positions, bounds_of(mesh.positions))}};
+}
+
 Status append(TriangleMesh& to, TriangleMesh from, std::uint32_t patches_before) {
   const std::size_t before = to.positions.size();
   if (before + from.positions.size() > std::numeric_limits<std::uint32_t>::max())
     return Error{"the scene's meshes have more vertices together than 32 bits count"};
-  append_shared(to, from, patches_before);
   const auto offset = static_cast<std::uint32_t>(before);
+  if (before > 0) {
+    to.bodies = bodies_of(to);
+    for (const MeshBody& body : bodies_of(from))
+      to.bodies.push_back({body.first + offset, body.diameter});
+  }
+  append_shared(to, from, patches_before);
   const Counts triangles{to.triangles.size(), from.triangles.size()};
   for (std::uint32_t& texture : from.triangle_textures) {
     if (texture != kNoMaterial) texture += static_cast<std::uint32_t>(to.textures.size());

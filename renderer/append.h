@@ -1,6 +1,8 @@
 // Meshes and points in their places in a scene, put together.
 #pragma once
 
+#include <vector>
+
 #include "common/transform.h"
 #include "renderer/splat_cloud.h"
 #include "renderer/triangle_mesh.h"
@@ -11,6 +13,9 @@ namespace relief {
 /// scale.
 void transform(TriangleMesh& mesh, const Transform& transform);
 void transform(SplatCloud& cloud, const Transform& transform);
+
+/// The bodies of a mesh, also if it is a single one (then with the sphere about its box's middle).
+[[nodiscard]] std::vector<MeshBody> bodies_of(const TriangleMesh& mesh);
 
 /// Appends `from`. Where only one of them has colours the other's are the neutral grey, where only
 /// one has grid coordinates, patches or materials the other's are 0. Patch ids are `patches_before`

@@ -51,11 +51,13 @@ struct ModelMaps {
 };
 
 /// Whether models that are seen small enough are drawn from afar (far_model.h): where levels of
-/// detail are, but not with semi-transparent surfaces, whose layers only cells find, nor in a split
-/// view, which shows samples.
+/// detail are, but not with semi-transparent surfaces, whose layers only cells find, nor beside
+/// glass with two interfaces, whose far side only they find, nor in a split view, which shows
+/// samples.
 [[nodiscard]] inline bool draws_from_afar(const RenderSettings& settings) {
   return settings.primitive == Primitive::Cell && pixels_per_sample_of(settings) >= 1.0 &&
-         !is_transparent(settings) && !uses(settings, Material::Split);
+         !is_transparent(settings) && !has_two_interfaces(settings) &&
+         !uses(settings, Material::Split);
 }
 
 /// Whether features read normals.
@@ -92,6 +94,7 @@ struct ModelMaps {
   needs.colours = (features & RELIEF_FEATURE_COLOURS) != 0;
   needs.masks = (features & RELIEF_FEATURE_MASKED) != 0;
   needs.sources = (features & (RELIEF_FEATURE_OUT_UV | RELIEF_FEATURE_OUT_PATCH)) != 0;
+  needs.bodies = (features & RELIEF_FEATURE_TWO_INTERFACES) != 0;
   return needs;
 }
 
@@ -109,6 +112,7 @@ template <class FeaturesOf>
     needs.colours = needs.colours || more.colours;
     needs.masks = needs.masks || more.masks;
     needs.sources = needs.sources || more.sources;
+    needs.bodies = needs.bodies || more.bodies;
   }
   return needs;
 }

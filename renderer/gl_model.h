@@ -40,6 +40,9 @@ class GlModel {
   /// than OpenGL allows or an environment can't be read.
   Result<GlPicture> make_picture(const RenderSettings& settings, const Raster& part);
 
+  /// The view of a whole picture, one sample a pixel.
+  [[nodiscard]] View view_of(const RenderSettings& settings) const;
+
   /// Draws it (draw_picture), without reading it back. Fails, too, if OpenGL has complained in a
   /// debug context.
   [[nodiscard]] Result<RenderResult> draw(const GlDrawing& drawing,
@@ -50,7 +53,6 @@ class GlModel {
 
  private:
   GlModel() = default;
-  [[nodiscard]] View view_of(const RenderSettings& settings) const;
   Result<const Texture*> environment_for(const std::filesystem::path& path, float roughness);
   Result<const Texture*> rough_environments_for(const std::filesystem::path& path,
                                                 const std::vector<float>& roughnesses);

@@ -53,6 +53,12 @@ bool is_transparent(const RenderSettings& settings) {
                      [](const MaterialSettings& material) { return is_transparent(material); });
 }
 
+bool has_two_interfaces(const RenderSettings& settings) {
+  const std::vector<MaterialSettings> all = materials_of(settings);
+  return std::any_of(all.begin(), all.end(),
+                     [](const MaterialSettings& material) { return has_two_interfaces(material); });
+}
+
 float roughness_of(const MaterialSettings& material) {
   const bool mirrors = material.kind == Material::Mirror || material.kind == Material::Split;
   return mirrors ? material.constants.roughness : 0.0F;
@@ -73,7 +79,8 @@ shared::MaterialInfo info_of(const MaterialSettings& material,
   const auto found = std::find(roughnesses.begin(), roughnesses.end(), roughness_of(material));
   const auto layer =
       found == roughnesses.end() ? -1.0F : static_cast<float>(found - roughnesses.begin());
-  return {{static_cast<float>(material.kind), material.constants.ior, layer, 0.0F},
+  return {{static_cast<float>(material.kind), material.constants.ior, layer,
+           static_cast<float>(material.constants.interfaces)},
           glm::vec4(material.constants.absorption, material.constants.opacity)};
 }
 

@@ -30,6 +30,14 @@ namespace relief {
 /// Whether some material is such.
 [[nodiscard]] bool is_transparent(const RenderSettings& settings);
 
+/// Whether light is refracted where it leaves a body of this material, too.
+[[nodiscard]] inline bool has_two_interfaces(const MaterialSettings& material) {
+  return material.kind == Material::Glass && material.constants.interfaces > 1;
+}
+
+/// Whether some material is such.
+[[nodiscard]] bool has_two_interfaces(const RenderSettings& settings);
+
 /// 0 of what is no mirror, wholly or in part.
 [[nodiscard]] float roughness_of(const MaterialSettings& material);
 

@@ -4,12 +4,14 @@
 #include <cstdlib>
 #include <limits>
 #include <memory>
+#include <span>
 #include <utility>
 
 #include "common/mesh_texture.h"
 #include "common/normal_texture.h"
 #include "common/octahedral.h"
 #include "common/srgb.h"
+#include "renderer/far_model.h"
 #include "renderer/materials.h"
 #include "renderer/node_texels.h"
 #include "renderer/patch_normals.h"
@@ -153,6 +155,20 @@ Result<TriangleMesh> mesh_of_patches(const PatchModel& model) {
   }
   mesh.materials = materials_of_patches(model, mesh.patches);
   return mesh;
+}
+
+std::vector<MeshBody> bodies_of(const PatchModel& model) {
+  std::vector<MeshBody> bodies;
+  std::uint32_t vertices = 0;
+  for (const Placement& placement : model.placements) {
+    const auto run = std::span(model.patches).subspan(placement.first, placement.count);
+    bodies.push_back({vertices, 2.0 * placement.transform.scale * sphere_about(run).radius});
+    for (const Patch& patch : run) {
+      vertices += static_cast<std::uint32_t>(
+          patch.heights.size() - std::count(patch.heights.begin(), patch.heights.end(), kHole));
+    }
+  }
+  return bodies;
 }
 
 }  // namespace relief

@@ -1,6 +1,8 @@
 // The triangles that corrected interpolation stands for, and that the primitive `cell` draws.
 #pragma once
 
+#include <vector>
+
 #include "common/error.h"
 #include "common/patch.h"
 #include "renderer/triangle_mesh.h"
@@ -18,5 +20,8 @@ namespace relief {
 /// borders of two patches that do not overlap there is nothing, where `onepass` draws splats that
 /// reach half a cell beyond the border. Fails if there are more samples than 32 bits count.
 Result<TriangleMesh> mesh_of_patches(const PatchModel& model);
+
+/// TriangleMesh::bodies of a model with placements, once these are baked.
+[[nodiscard]] std::vector<MeshBody> bodies_of(const PatchModel& model);
 
 }  // namespace relief

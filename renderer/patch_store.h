@@ -30,6 +30,7 @@ struct StoreNeeds {
   bool colours = false;
   bool masks = false;    ///< for coarser levels
   bool sources = false;  ///< which samples the vertices of models seen from afar stand for
+  bool bodies = false;   ///< how large the model is that a patch belongs to
 
   bool operator==(const StoreNeeds&) const = default;
 };
@@ -82,6 +83,8 @@ struct PatchStore {
   std::vector<Table> pages;       ///< sample records; more than one only for a model that is larger
                                   ///< than what OpenGL lets a shader see of one buffer
   Table table;                    ///< shared::PatchInfo, parallel to `patches`
+  std::optional<Table> bodies;    ///< R32F: diameter of the sphere about the model that it belongs
+                                  ///< to (world units), parallel to `patches`
   std::optional<Buffer> indices;  ///< 0, 1, 2 ...: the per-instance attribute that names the patch;
                                   ///< cells alone have CellStore::places instead
   std::optional<Texture> heights;

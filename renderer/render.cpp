@@ -66,6 +66,24 @@ Status check_opacity(const RenderSettings& settings) {
   return {};
 }
 
+/// What leaves a body is known where one surface of it is in front and one behind.
+Status check_interfaces(const RenderSettings& settings) {
+  if (!has_two_interfaces(settings)) return {};
+  const bool cells =
+      settings.engine == EngineKind::Onepass && settings.primitive == Primitive::Cell;
+  if (!cells && settings.engine != EngineKind::Raytrace) {
+    return make_error(
+        "a glass has two interfaces, which engine onepass with primitive cell and engine raytrace "
+        "draw; choose one of them, or one interface");
+  }
+  if (is_transparent(settings)) {
+    return make_error(
+        "glass with two interfaces and a material whose opacity is below 1 can't be in one "
+        "picture; choose one interface, or an opacity of 1");
+  }
+  return {};
+}
+
 /// An engine on OpenGL, in a context of its own.
 Result<std::unique_ptr<PreparedModel>> prepare_on_opengl(const RenderModel& model,
                                                          const EngineViews& views) {
@@ -85,7 +103,10 @@ Result<std::unique_ptr<PreparedModel>> prepare_on_opengl(const RenderModel& mode
 
 /// Rays' triangles of patches, each in each of its places.
 Result<TriangleMesh> triangulate(const PatchModel& patches) {
-  return patches.placements.empty() ? mesh_of_patches(patches) : mesh_of_patches(bake(patches));
+  if (patches.placements.empty()) return mesh_of_patches(patches);
+  auto mesh = mesh_of_patches(bake(patches));
+  if (mesh) mesh->bodies = bodies_of(patches);
+  return mesh;
 }
 
 /// Their samples as splats.
@@ -149,6 +170,7 @@ Status render_views(const RenderModel& model, std::span<const RenderSettings> vi
                     const PictureSink& sink, Progress& progress) {
   for (const RenderSettings& settings : views) {
     if (Status possible = check_opacity(settings); !possible) return possible;
+    if (Status possible = check_interfaces(settings); !possible) return possible;
     const bool traces_mesh = settings.engine == EngineKind::Raytrace && model.mesh != nullptr;
     if (Status possible = check_split_view(settings, !traces_mesh); !possible) return possible;
   }

@@ -10,12 +10,6 @@
 namespace relief {
 namespace {
 
-const LitMaterial& lit_material(const Lighting& lighting, std::size_t material) {
-  const std::vector<LitMaterial>& all = lighting.materials;
-  assert((all.size() == 1 || material < all.size()) && "an index into the table of materials");
-  return all.size() == 1 ? all.front() : all[material];
-}
-
 glm::vec3 shade_glass(const LitMaterial& material, const SeenSurface& surface) {
   const MaterialConstants& constants = material.settings.constants;
   const shared::SplitRay split = shared::split_ray(surface.normal, surface.ray, constants.ior);
@@ -37,6 +31,12 @@ Result<Lighting> make_lighting(const RenderSettings& settings, const View& view,
     lighting.materials.back().cube = *cube;
   }
   return lighting;
+}
+
+const LitMaterial& lit_material(const Lighting& lighting, std::size_t material) {
+  const std::vector<LitMaterial>& all = lighting.materials;
+  assert((all.size() == 1 || material < all.size()) && "an index into the table of materials");
+  return all.size() == 1 ? all.front() : all[material];
 }
 
 const MaterialSettings& material_of(const Lighting& lighting, std::size_t material) {

@@ -33,6 +33,7 @@ Result<Lighting> make_lighting(const RenderSettings& settings, const View& view,
                                EnvironmentCache& environments);
 
 /// The material of that index; where there is but one, that, whatever the index.
+[[nodiscard]] const LitMaterial& lit_material(const Lighting& lighting, std::size_t material);
 [[nodiscard]] const MaterialSettings& material_of(const Lighting& lighting, std::size_t material);
 
 /// A surface as it is seen. World frame.

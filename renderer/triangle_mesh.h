@@ -1,6 +1,7 @@
 // A mesh as the ray tracer takes it.
 #pragma once
 
+#include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -19,6 +20,12 @@ struct PatchNormalMap {
                                                  ///< null: the vertices' normals
   glm::mat3 axes{1.0F};                          ///< the patch's, in the world
   float scale = 1.0F;                            ///< texels a cell
+};
+
+/// The vertices from `first` on, up to the next one's, are those of one model.
+struct MeshBody {
+  std::uint32_t first = 0;
+  double diameter = 0.0;  ///< of the sphere about it, world units
 };
 
 /// Triangles with attributes at their corners. Every vector but `triangles` is empty or as long as
@@ -46,6 +53,8 @@ struct TriangleMesh {
   /// long as `triangles`.
   std::vector<CornerTangents> tangents;
   std::vector<PatchNormalMap> patch_normals;  ///< by patch id; those beyond the last have none
+  /// The models of a scene of several, in the order of their vertices; empty: all is one.
+  std::vector<MeshBody> bodies;
 };
 
 }  // namespace relief

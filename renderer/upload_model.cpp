@@ -86,6 +86,7 @@ class ModelUpload {
       if (Status added = add_near(placement, near_views); !added) return added;
       stored.count = placement.count;
     }
+    diameters_.resize(patches_.size(), 2.0F * static_cast<float>(stored.model.sphere.radius));
     placements_.push_back(std::move(stored));
     first_id_ += placement.count;
     return {};
@@ -101,6 +102,7 @@ class ModelUpload {
                      grids_.take_pages(),
                      std::move(table),
                      std::nullopt,
+                     std::nullopt,
                      std::move(maps->heights),
                      std::move(maps->normals),
                      std::move(maps->colours),
@@ -113,6 +115,8 @@ class ModelUpload {
                     make_buffer(gl_, "part places", std::span<const glm::uvec2>(places_))};
     }
     if (!far_.empty()) store.far = far_.take(needs_.sources);
+    if (needs_.bodies)
+      store.bodies = make_table(gl_, "bodies", GL_R32F, std::span<const float>(diameters_));
     if (needs_.splats || !needs_.cells) {
       std::vector<std::uint32_t> indices(store.patches.size());
       std::iota(indices.begin(), indices.end(), 0U);
@@ -134,11 +138,14 @@ class ModelUpload {
   Run& run_at(const Placement& placement) {
     const auto [found, is_new] = runs_.try_emplace({placement.first, placement.count});
     if (!is_new) return found->second;
+    const auto patches = [&] {
+      return std::span(model_.patches).subspan(placement.first, placement.count);
+    };
+    if (needs_.bodies) found->second.model.sphere = sphere_about(patches());
     const bool may_be_far = std::any_of(views_.begin(), views_.end(),
                                         [](const View& view) { return view.far_diameter > 0.0; }) &&
                             has_one_material(model_);
-    if (may_be_far)
-      found->second = run_of(std::span(model_.patches).subspan(placement.first, placement.count));
+    if (may_be_far) found->second = run_of(patches());
     return found->second;
   }
 
@@ -234,7 +241,8 @@ class ModelUpload {
   std::map<std::pair<std::uint32_t, std::uint32_t>, Run> runs_;
   std::vector<StoredPlacement> placements_;
   std::vector<StoredPatch> patches_;
-  std::vector<Row> rows_;  ///< parallel to `patches_`
+  std::vector<Row> rows_;         ///< parallel to `patches_`
+  std::vector<float> diameters_;  ///< the same: of the model that it belongs to, world units
   std::vector<StoredLevels> levels_;
   std::vector<StoredPart> parts_;
   std::vector<glm::uvec2> places_;

@@ -94,6 +94,21 @@ View view_of_part(const View& picture, const Raster& part) {
   return view;
 }
 
+View with_border(const View& picture, std::uint32_t border) {
+  View view = picture;
+  view.width += 2 * border;
+  view.height += 2 * border;
+  const glm::dvec2 growth =
+      glm::dvec2(view.width, view.height) / glm::dvec2(picture.width, picture.height);
+  view.slope_x *= growth.x;
+  view.slope_y *= growth.y;
+  for (glm::length_t c = 0; c < 4; ++c) {
+    view.projection[c].x /= growth.x;
+    view.projection[c].y /= growth.y;
+  }
+  return view;
+}
+
 glm::dvec3 ray_through(const View& view, glm::dvec2 window) {
   if (view.orthographic) return glm::transpose(view.rotation) * glm::dvec3(0.0, 0.0, -1.0);
   return glm::transpose(view.rotation) * glm::dvec3(place_in_picture(view, window), -1.0);

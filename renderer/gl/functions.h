@@ -42,6 +42,7 @@ class GlContext;
   F(PFNGLENABLEVERTEXARRAYATTRIBPROC, EnableVertexArrayAttrib)         \
   F(PFNGLENDQUERYPROC, EndQuery)                                       \
   F(PFNGLFINISHPROC, Finish)                                           \
+  F(PFNGLFRONTFACEPROC, FrontFace)                                     \
   F(PFNGLGENQUERIESPROC, GenQueries)                                   \
   F(PFNGLGENERATETEXTUREMIPMAPPROC, GenerateTextureMipmap)             \
   F(PFNGLGETERRORPROC, GetError)                                       \

@@ -11,6 +11,9 @@
 #if (RELIEF_FEATURES & RELIEF_FEATURE_SPLIT) != 0u
 #include "include/split_view.h"
 #endif
+#if (RELIEF_FEATURES & RELIEF_FEATURE_TWO_INTERFACES) != 0u
+#include "include/two_interfaces.glsl"
+#endif
 
 #if (RELIEF_FEATURES & RELIEF_FEATURE_MIXED) != 0u
 layout(std140, binding = RELIEF_BIND_MATERIALS) uniform MaterialBlock {
@@ -47,8 +50,13 @@ vec3 shade_mirror(vec3 facing, vec3 ray, float layer) {
 #endif
 
 #if (RELIEF_FEATURES & RELIEF_FEATURE_GLASS) != 0u
-vec3 shade_glass(MaterialInfo material, vec3 normal, vec3 ray) {
+vec3 shade_glass(MaterialInfo material, vec3 normal, vec3 ray, float depth) {
   SplitRay split = split_ray(normal, ray, material.constants.y);
+#if (RELIEF_FEATURES & RELIEF_FEATURE_TWO_INTERFACES) != 0u
+  // A back side is seen from within: from there light leaves at once.
+  if (material.constants.w > 1.0 && dot(normal, ray) <= kBackSide)
+    leave_body(place_through(RELIEF_WINDOW, depth), ray, normal, material.constants.y, split);
+#endif
   return glass(split, material.absorption.rgb, see(split.reflected),
                see(split.refracted));
 }
@@ -91,7 +99,7 @@ vec3 shade_material(int index, vec3 albedo, vec3 normal, vec3 ray, float depth) 
   }
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_GLASS) != 0u
-  vec3 transmission = shade_glass(material, normal, ray);
+  vec3 transmission = shade_glass(material, normal, ray, depth);
   if (kind == kGlass) colour = transmission;
 #endif
 #elif (RELIEF_FEATURES & RELIEF_FEATURE_SPLIT) != 0u
@@ -103,7 +111,7 @@ vec3 shade_material(int index, vec3 albedo, vec3 normal, vec3 ray, float depth) 
 #elif (RELIEF_FEATURES & RELIEF_FEATURE_MIRROR) != 0u
   colour = shade_mirror(facing_normal(normal, ray), ray, -1.0);
 #elif (RELIEF_FEATURES & RELIEF_FEATURE_GLASS) != 0u
-  colour = shade_glass(frame.material, normal, ray);
+  colour = shade_glass(frame.material, normal, ray, depth);
 #endif
   return colour;
 }

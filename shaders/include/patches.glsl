@@ -43,4 +43,5 @@ vec4 fetch_eye(uint patch_index) {
 
 // Whether a pass that shades later has to be told how far away the surface is.
 #define RELIEF_NEEDS_DEPTH \
-  ((RELIEF_FEATURES & (RELIEF_FEATURE_OUT_DEPTH | RELIEF_FEATURE_POINT_LIGHTS)) != 0u)
+  ((RELIEF_FEATURES & (RELIEF_FEATURE_OUT_DEPTH | RELIEF_FEATURE_POINT_LIGHTS | \
+                       RELIEF_FEATURE_TWO_INTERFACES)) != 0u)

@@ -72,12 +72,9 @@ struct SplitRay {
 };
 
 /// Reflection and refraction at one interface (paper 001, section 3.6), unpolarised, by Fresnel's
-/// equations. `ior`: of the glass over what surrounds it, at least 1. A back side is left from
-/// within; there all light is reflected beyond the critical angle.
-RELIEF_FUNCTION SplitRay split_ray(vec3 normal, vec3 ray, float ior) {
-  bool within = dot(normal, ray) > kBackSide;
-  float ratio = within ? ior : 1.0f / ior;
-  vec3 facing = facing_normal(normal, ray);
+/// equations. `facing`: the normal on the ray's side; `ratio`: index of refraction there over that
+/// behind it. Beyond the critical angle all light is reflected.
+RELIEF_FUNCTION SplitRay split_facing(vec3 facing, vec3 ray, float ratio) {
   float before = max(-dot(facing, ray), 0.0f);
   // Snell's law, in a form that is exact for an index of 1; beyond the critical angle 0, for which
   // Fresnel's equations give 1.
@@ -90,8 +87,24 @@ RELIEF_FUNCTION SplitRay split_ray(vec3 normal, vec3 ray, float ior) {
   split.reflected = reflect(ray, facing);
   split.refracted = ratio * ray + (ratio * before - behind) * facing;
   split.reflectance = 0.5f * (across * across + along * along);
-  split.path = within ? before : behind;
+  split.path = behind;
   return split;
+}
+
+/// The same where the eye sees a surface. `ior`: of the glass over what surrounds it, at least 1. A
+/// back side is left from within.
+RELIEF_FUNCTION SplitRay split_ray(vec3 normal, vec3 ray, float ior) {
+  bool within = dot(normal, ray) > kBackSide;
+  vec3 facing = facing_normal(normal, ray);
+  SplitRay split = split_facing(facing, ray, within ? ior : 1.0f / ior);
+  if (within) split.path = max(-dot(facing, ray), 0.0f);
+  return split;
+}
+
+/// The same where a ray within the body meets its surface. `normal`: outward; where an
+/// interpolation leans it against the ray that goes straight on.
+RELIEF_FUNCTION SplitRay split_within(vec3 normal, vec3 ray, float ior) {
+  return split_facing(facing_normal(-normal, ray), ray, ior);
 }
 
 /// The light of a surface of glass, from that which comes along both rays. (That radiance grows

@@ -1,8 +1,8 @@
 // Shades what cells and their border splats have found, once a pixel.
 #define RELIEF_SHADES_PICTURE
 #include "include/counting.glsl"
-#include "include/surface.glsl"
 #include "include/visibility.glsl"
+#include "include/surface.glsl"
 
 layout(binding = RELIEF_TEXTURE_FOUND) uniform usampler2D found_places;
 layout(binding = RELIEF_TEXTURE_VISIBLE_DEPTH) uniform sampler2D visible_depth;
@@ -31,6 +31,9 @@ void main() {
   float patch_number = float(unpack_patch(found));
   if (dFdxFine(patch_number) == 0.0) footprint.xy = dFdxFine(place);
   if (dFdyFine(patch_number) == 0.0) footprint.zw = dFdyFine(place);
+#endif
+#if (RELIEF_FEATURES & RELIEF_FEATURE_TWO_INTERFACES) != 0u
+  body_diameter = texelFetch(bodies, int(unpack_patch(found))).x;
 #endif
   shade_place(fetch_patch(unpack_patch(found)), place, ray, depth, footprint);
 }

@@ -98,6 +98,21 @@ TEST_F(BadInput, SplitViewWhereThereIsNone) {
   expect_refused({"bench", scan, "--material", "split"}, "split");
 }
 
+TEST_F(BadInput, TwoInterfacesWhereThereAreNone) {
+  const std::string scan = write_knot(500);
+  const std::vector<std::string> glass{"--material", "glass", "--interfaces", "2"};
+  const auto with = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), glass.begin(), glass.end());
+    return arguments;
+  };
+  for (const char* engine : {"multipass", "ewa"})
+    expect_refused(with({"render", scan, "-o", path("out.png"), "--engine", engine}),
+                   "two interfaces");
+  expect_refused(with({"render", scan, "-o", path("out.png"), "--primitive", "quad"}),
+                 "two interfaces");
+  expect_refused(with({"bench", scan}), "two interfaces");
+}
+
 TEST_F(BadInput, TooFewPoints) {
   const auto on_parabola = [](int i) {
     return std::to_string(i) + " " + std::to_string(i * i) + " " + std::to_string(i % 3);

@@ -55,7 +55,8 @@ void expect_starts(const std::string& text, const std::string& start) {
 TEST_F(Scenes, EveryKeyIsRead) {
   const Scene scene = must_read(R"({
     "models": [
-      {"file": "a.relief", "material": "glass", "ior": 2, "absorption": [0, 1, 2], "opacity": 0.5},
+      {"file": "a.relief", "material": "glass", "ior": 2, "absorption": [0, 1, 2], "opacity": 0.5,
+       "interfaces": 2},
       {"file": "/b.ply", "transform": {"translation": [1, -2.5, 3e2],
                                        "rotation": {"axis": [0, 0, 2], "degrees": 90}, "scale": 2}}
     ],
@@ -63,7 +64,7 @@ TEST_F(Scenes, EveryKeyIsRead) {
     "interpolation": "direct", "radius-factor": 1.5, "pixels-per-sample": 2.5, "material": "mirror", "env": "sky.hdr",
     "lights": [{"direction": [0, 3, 4]},
                {"position": [1, 2, 3], "colour": [1, 0.5, 0], "intensity": 8}], "ambient": [0, 0.5, 2],
-    "ior": 1.25, "absorption": [1, 0, 100], "roughness": 0.5, "exposure": -1.5,
+    "ior": 1.25, "absorption": [1, 0, 100], "roughness": 0.5, "interfaces": 1, "exposure": -1.5,
     "background": [1, 0.5, 0], "outputs": ["normal", "patch", "colour"], "orbit": [30, -20],
     "views": [
       {"name": "front-1.0_A"},
@@ -76,7 +77,7 @@ TEST_F(Scenes, EveryKeyIsRead) {
   EXPECT_EQ(scene.models[0].transform.scale, 1.0);
   EXPECT_EQ(scene.models[0].transform.rotation, glm::dmat3(1.0));
   EXPECT_EQ(scene.models[0].material,
-            (MaterialWords{Material::Glass, 2.0, glm::vec3(0, 1, 2), std::nullopt, 0.5}));
+            (MaterialWords{Material::Glass, 2.0, glm::vec3(0, 1, 2), std::nullopt, 0.5, 2}));
   EXPECT_EQ(scene.models[1].material, MaterialWords{});
   EXPECT_EQ(scene.models[1].file, "/b.ply");
   EXPECT_EQ(scene.models[1].transform.translation, glm::dvec3(1, -2.5, 300));
@@ -96,6 +97,7 @@ TEST_F(Scenes, EveryKeyIsRead) {
   EXPECT_EQ(all.ior, 1.25);
   EXPECT_EQ(all.absorption, glm::vec3(1, 0, 100));
   EXPECT_EQ(all.roughness, 0.5);
+  EXPECT_EQ(all.interfaces, 1);
   EXPECT_EQ(all.exposure, -1.5);
   EXPECT_EQ(all.environment, folder_ / "sky.hdr");
   ASSERT_EQ(all.lights->size(), 2U);
@@ -173,6 +175,9 @@ TEST_F(Scenes, SettingsThatAreWrong) {
       {R"("ior": 0.9)", "ior: expected a number from 1 to 4; found 0.9"},
       {R"("ior": 4.1)", "ior: expected a number from 1 to 4; found 4.1"},
       {R"("opacity": 1.5)", "opacity: expected a number from 0 to 1; found 1.5"},
+      {R"("interfaces": 3)", "interfaces: expected 1 or 2; found 3"},
+      {R"("interfaces": 1.5)", "interfaces: expected 1 or 2; found 1.5"},
+      {R"("interfaces": "2")", "interfaces: expected 1 or 2; found \"2\""},
       {R"("absorption": [0, 0])", "absorption: expected [r, g, b], linear, each from 0 to 100"},
       {R"("absorption": [0, 0, 101])", "absorption[2]: expected a number from 0 to 100; found 101"},
       {R"("roughness": -0.1)", "roughness: expected a number from 0 to 1; found -0.1"},

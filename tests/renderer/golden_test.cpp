@@ -21,6 +21,7 @@ struct Golden {
   Material material;
   double distance;                   ///< in radii; 0: the whole model
   double orthographic_height = 0.0;  ///< 0: perspective
+  int interfaces = 1;                ///< of Glass
 };
 
 PatchModel model_for(const Golden& golden) {
@@ -36,6 +37,7 @@ RenderSettings settings_for(const Golden& golden, const PatchModel& model) {
   RenderSettings settings = test::small_picture(model, {25.0, 20.0, golden.distance});
   settings.camera.orthographic_height = golden.orthographic_height;
   settings.material = golden.material;
+  settings.constants.interfaces = golden.interfaces;
   settings.background.reset();
   return settings;
 }
@@ -101,6 +103,7 @@ constexpr Golden kMirrorClose{"mirror_close", Material::Mirror, 1.3};
 constexpr Golden kUnlit{"unlit", Material::Unlit, 0.0};
 constexpr Golden kSplit{"split", Material::Split, 1.5};
 constexpr Golden kOrthographic{"orthographic", Material::Lit, 0.0, 2.3};
+constexpr Golden kTwoInterfaces{"two_interfaces", Material::Glass, 0.0, 0.0, 2};
 
 INSTANTIATE_TEST_SUITE_P(All, GoldenImages,
                          testing::Combine(testing::ValuesIn(test::all_ways()),
@@ -113,6 +116,11 @@ INSTANTIATE_TEST_SUITE_P(All, GoldenImages,
 INSTANTIATE_TEST_SUITE_P(Split, GoldenImages,
                          testing::Combine(testing::Values(test::all_ways().back()),
                                           testing::Values(kSplit)),
+                         [](const auto& /*only*/) { return std::string("cells"); });
+
+INSTANTIATE_TEST_SUITE_P(TwoInterfaces, GoldenImages,
+                         testing::Combine(testing::Values(test::all_ways().back()),
+                                          testing::Values(kTwoInterfaces)),
                          [](const auto& /*only*/) { return std::string("cells"); });
 
 INSTANTIATE_TEST_SUITE_P(Orthographic, GoldenImages,

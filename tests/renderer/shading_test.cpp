@@ -178,6 +178,27 @@ TEST(Glass, ReflectsAllLightBeyondTheCriticalAngle) {
   EXPECT_NEAR(glm::dot(within(28.1255).refracted, -leaning(28.1255)), std::sqrt(0.5), 1e-5);
 }
 
+TEST(Glass, IsLeftAsItIsEntered) {
+  // A ray within meets an outward normal on the way out, however flat.
+  for (const double degrees : {0.0, 20.0, 41.0, 60.0, 89.0}) {
+    const shared::SplitRay split = shared::split_within(-leaning(degrees), kDown, 1.5F);
+    const double sine = 1.5 * std::sin(degrees * std::acos(-1.0) / 180.0);
+    if (sine < 1.0) {
+      EXPECT_NEAR(glm::dot(split.refracted, -leaning(degrees)), std::sqrt(1.0 - sine * sine), 1e-5);
+      EXPECT_NEAR(glm::length(split.refracted), 1.0, 1e-6);
+      // What crosses a surface one way is reflected as much the other way.
+      const double outside = std::asin(sine) * 180.0 / std::acos(-1.0);
+      EXPECT_NEAR(split.reflectance, split_at(outside, 1.5F).reflectance, 1e-4) << degrees;
+    } else {
+      EXPECT_NEAR(split.reflectance, 1.0F, 1e-6) << degrees;
+      EXPECT_NEAR(glm::length(split.reflected), 1.0, 1e-6);
+    }
+  }
+  const shared::SplitRay leaned = shared::split_within(-leaning(95.0), kDown, 1.5F);
+  expect_near(glm::normalize(leaned.refracted), kDown, "straight on");
+  EXPECT_NEAR(leaned.reflectance, 0.0F, 1e-6);
+}
+
 TEST(Glass, OfTheIndexOfAirIsNotThere) {
   for (const double degrees : {0.0, 45.0, 89.999, 90.0, 100.0}) {
     const shared::SplitRay split = split_at(degrees, 1.0F);

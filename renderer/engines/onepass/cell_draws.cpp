@@ -46,14 +46,19 @@ CellDraws make_cell_draws(const Gl& gl, const CellStore& store,
   return draws;
 }
 
-void draw_cells(const Gl& gl, const Programs& programs, const CellDraws& draws) {
+void draw_cells(const Gl& gl, const Programs& programs, const CellDraws& draws, SeenFrom seen) {
   assert(programs.rims && "cells have border splats");
+  const bool behind = seen == SeenFrom::Behind;
+  // From the normals' side strips of cells are clockwise, because their first vertex is there
+  // twice, and quads are not.
+  if (behind) gl.Enable(GL_CULL_FACE);
   for (const CellDraws::Page& page : draws.pages)
     draw_strips(gl, programs.main, *page.page, page.cells);
   for (const CellDraws::Page& page : draws.pages) {
     assert((programs.edges || !page.edges) && "what reaches beyond patches has its program");
     if (page.edges) draw_strips(gl, *programs.edges, *page.page, page.edges);
   }
+  if (behind) gl.FrontFace(GL_CW);
   gl.UseProgram(programs.rims->id());
   for (const CellDraws::Page& page : draws.pages) {
     if (!page.rims) continue;
@@ -61,6 +66,9 @@ void draw_cells(const Gl& gl, const Programs& programs, const CellDraws& draws) 
     gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, page.rims->buffer.id());
     gl.MultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, nullptr, page.rims->count, 0);
   }
+  if (!behind) return;
+  gl.FrontFace(GL_CCW);
+  gl.Disable(GL_CULL_FACE);
 }
 
 }  // namespace relief::onepass

@@ -33,8 +33,12 @@ struct CellDraws {
 [[nodiscard]] CellDraws make_cell_draws(const Gl& gl, const CellStore& store,
                                         const std::vector<std::uint32_t>& parts);
 
+/// Which sides of a surface are drawn: both, or that alone which its normals point away from.
+enum class SeenFrom : std::uint8_t { Anywhere, Behind };
+
 /// Runs the programs over them: cells, then what reaches beyond patches, which is mostly hidden by
 /// then, then border splats. The model must be bound (BoundModel).
-void draw_cells(const Gl& gl, const Programs& programs, const CellDraws& draws);
+void draw_cells(const Gl& gl, const Programs& programs, const CellDraws& draws,
+                SeenFrom seen = SeenFrom::Anywhere);
 
 }  // namespace relief::onepass

@@ -12,7 +12,8 @@ Result<Layer> make_layer(const Gl& gl, const Targets& targets, const Texture& co
                          std::uint32_t features) {
   Texture z_buffer =
       make_attachment(gl, "layer depth", GL_DEPTH_COMPONENT32F, targets.width, targets.height);
-  Result<Visibility> visibility = make_visibility(gl, targets, z_buffer, features);
+  Result<Visibility> visibility =
+      make_visibility(gl, {targets.width, targets.height}, z_buffer, features);
   if (!visibility) return visibility.error();
   Framebuffer shading = make_framebuffer(gl, "layer", &z_buffer, {{RELIEF_OUT_COLOUR, &colour}});
   return Layer{std::move(z_buffer), std::move(*visibility), std::move(shading)};

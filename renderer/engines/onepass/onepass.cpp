@@ -68,6 +68,21 @@ void Engine::draw_patches(const Frame& frame) const {
   samples_.draw(*frame.large);
 }
 
+void Engine::draw_back(const GlPicture& picture, const Back& back, PassTimer& timer) const {
+  const ScopedPass pass(*gl_, timer, "back");
+  const Frame frame = make_cell_frame(back.view, back.materials);
+  clear_back(*gl_, back);
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, back.found.framebuffer.id());
+  gl_->Viewport(0, 0, static_cast<GLsizei>(back.view.width),
+                static_cast<GLsizei>(back.view.height));
+  gl_->BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_FRAME, back.uniforms.id());
+  draw_cells(*gl_, programs_, *frame.cells, SeenFrom::Behind);
+  gl_->BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_FRAME, picture.uniforms.id());
+  gl_->Viewport(0, 0, static_cast<GLsizei>(picture.targets.width),
+                static_cast<GLsizei>(picture.targets.height));
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, picture.targets.framebuffer.id());
+}
+
 void Engine::draw_far_models(const Frame& frame, PassTimer& timer) const {
   if (frame.far_models.empty()) return;
   const ScopedPass pass(*gl_, timer, "far models");
@@ -91,9 +106,10 @@ void Engine::shade(const Program& shading, const Visibility& visibility,
   gl_->DepthFunc(GL_GREATER);
 }
 
-void Engine::draw(const GlPicture& picture, const Visibility* visibility,
+void Engine::draw(const GlPicture& picture, const Visibility* visibility, const Back* back,
                   const MaterialChoice& materials, PassTimer& timer) const {
   const BoundModel bound(*gl_, samples_, picture.environment);
+  if (back != nullptr) draw_back(picture, *back, timer);
   const Frame frame = make_frame(picture.view, materials);
   if (!programs_.shading) {
     {
@@ -112,7 +128,9 @@ void Engine::draw(const GlPicture& picture, const Visibility* visibility,
   gl_->BindFramebuffer(GL_FRAMEBUFFER, picture.targets.framebuffer.id());
   {
     const ScopedPass pass(*gl_, timer, "shading");
+    if (back != nullptr) bind_back(*gl_, *back, *samples_.store().bodies);
     shade(*programs_.shading, *visibility, picture.targets.z_buffer);
+    if (back != nullptr) unbind_back(*gl_);
   }
   draw_far_models(frame, timer);
 }

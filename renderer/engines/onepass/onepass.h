@@ -8,6 +8,7 @@
 
 #include "common/error.h"
 #include "renderer/draw_list.h"
+#include "renderer/engines/onepass/back.h"
 #include "renderer/engines/onepass/cell_draws.h"
 #include "renderer/engines/onepass/cell_list.h"
 #include "renderer/engines/onepass/layers.h"
@@ -30,9 +31,9 @@ class Engine {
   static Result<Engine> create(const Gl& gl, const PatchStore& store, std::uint32_t features);
 
   /// Draws one frame of a picture that was cleared; the frame uniforms must be bound. `visibility`:
-  /// made for this picture, where the features ask for it.
-  void draw(const GlPicture& picture, const Visibility* visibility, const MaterialChoice& materials,
-            PassTimer& timer) const;
+  /// made for this picture, where the features ask for it, and `back` likewise.
+  void draw(const GlPicture& picture, const Visibility* visibility, const Back* back,
+            const MaterialChoice& materials, PassTimer& timer) const;
 
   /// Draws semi-transparent patches over a picture whose opaque ones and backdrop are drawn, by
   /// depth peeling: the surface nearest to the eye, then the nearest behind it, and so on.
@@ -53,6 +54,7 @@ class Engine {
   [[nodiscard]] Frame make_cell_frame(const View& view, const MaterialChoice& materials) const;
   [[nodiscard]] Frame make_splat_frame(const View& view) const;
   void draw_patches(const Frame& frame) const;
+  void draw_back(const GlPicture& picture, const Back& back, PassTimer& timer) const;
   void draw_far_models(const Frame& frame, PassTimer& timer) const;
   void shade(const Program& shading, const Visibility& visibility,
              const Texture& visible_depth) const;

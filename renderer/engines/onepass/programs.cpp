@@ -14,7 +14,8 @@ namespace {
 constexpr std::uint32_t kFindingFeatures =
     RELIEF_FEATURE_VISIBILITY | RELIEF_FEATURE_CELL | RELIEF_FEATURE_MASKED |
     RELIEF_FEATURE_CORRECTED | RELIEF_FEATURE_OUT_DEPTH | RELIEF_FEATURE_POINT_LIGHTS |
-    RELIEF_FEATURE_LAYERED | RELIEF_FEATURE_COUNT_FRAGMENTS | RELIEF_FEATURE_ORTHOGRAPHIC;
+    RELIEF_FEATURE_LAYERED | RELIEF_FEATURE_COUNT_FRAGMENTS | RELIEF_FEATURE_ORTHOGRAPHIC |
+    RELIEF_FEATURE_TWO_INTERFACES;
 
 /// What the layers behind the first have nothing to say about.
 constexpr std::uint32_t kOutputFeatures = RELIEF_FEATURE_OUT_NORMAL | RELIEF_FEATURE_OUT_DEPTH |
@@ -31,7 +32,7 @@ std::uint32_t widest_side(const PatchStore& store) {
 constexpr std::uint32_t kFarFeatures =
     ~(RELIEF_FEATURE_CELL | RELIEF_FEATURE_MASKED | RELIEF_FEATURE_CORRECTED |
       RELIEF_FEATURE_VISIBILITY | RELIEF_FEATURE_FINE_COLOURS | RELIEF_FEATURE_FINE_NORMALS |
-      RELIEF_FEATURE_LAYERED);
+      RELIEF_FEATURE_LAYERED | RELIEF_FEATURE_TWO_INTERFACES);
 
 Result<Programs> make_cell_programs(const Gl& gl, const PatchStore& store, std::uint32_t features) {
   // What finds the surface needs nothing of what shades it.

@@ -24,14 +24,26 @@ MaterialChoice materials_that_are(const RenderSettings& settings, bool opaque) {
   return choice;
 }
 
-using SharedVisibility = std::shared_ptr<const Visibility>;
+/// The materials of bodies that light leaves through a second interface.
+MaterialChoice materials_of_bodies(const RenderSettings& settings) {
+  const std::vector<MaterialSettings> all = materials_of(settings);
+  MaterialChoice choice;
+  for (std::size_t i = 0; i < kMaxMaterials; ++i)
+    choice.drawn.push_back(has_two_interfaces(all[i < all.size() ? i : 0]));
+  return choice;
+}
+
+/// What a picture is drawn into beside its targets. Null where its features ask for none.
+struct Buffers {
+  std::shared_ptr<const Visibility> visibility;
+  std::shared_ptr<const Back> back;
+};
 
 /// What draws the patches of those materials with an engine.
-auto draw_with(SharedVisibility visibility, MaterialChoice materials) {
-  return [visibility = std::move(visibility),
-          materials = std::move(materials)](const Engine& drawing) {
-    return [visibility, materials, &drawing](const GlPicture& frame, PassTimer& timer) {
-      drawing.draw(frame, visibility.get(), materials, timer);
+auto draw_with(Buffers buffers, MaterialChoice materials) {
+  return [buffers = std::move(buffers), materials = std::move(materials)](const Engine& drawing) {
+    return [buffers, materials, &drawing](const GlPicture& frame, PassTimer& timer) {
+      drawing.draw(frame, buffers.visibility.get(), buffers.back.get(), materials, timer);
     };
   };
 }
@@ -43,25 +55,36 @@ class Prepared final : public GlPreparedModel {
 
   Result<GlDrawing> make_drawing(const RenderSettings& settings, const Raster& part) override {
     std::uint32_t features = features_of(settings, model().maps());
-    if (!can_be_found(model().store())) features &= ~RELIEF_FEATURE_VISIBILITY;
+    if (!can_be_found(model().store())) {
+      if (has_two_interfaces(settings))
+        return make_error("a scene of more than a million patches can't have two interfaces");
+      features &= ~RELIEF_FEATURE_VISIBILITY;
+    }
     auto picture = model().make_picture(settings, part);
     if (!picture) return picture.error();
     if (is_transparent(settings)) return make_layered(settings, features, std::move(*picture));
-    const auto visibility = visibility_of(*picture, features);
-    if (!visibility) return visibility.error();
+    auto buffers = buffers_of(settings, *picture, features);
+    if (!buffers) return buffers.error();
     return engines_.make_drawing(model(), features, std::move(*picture), !settings.explain,
-                                 draw_with(*visibility, {}));
+                                 draw_with(std::move(*buffers), {}));
   }
 
  private:
-  /// Null where the features ask for none.
-  [[nodiscard]] Result<SharedVisibility> visibility_of(const GlPicture& picture,
-                                                       std::uint32_t features) const {
-    if ((features & RELIEF_FEATURE_VISIBILITY) == 0) return SharedVisibility();
+  [[nodiscard]] Result<Buffers> buffers_of(const RenderSettings& settings, const GlPicture& picture,
+                                           std::uint32_t features) const {
+    Buffers buffers;
+    if ((features & RELIEF_FEATURE_VISIBILITY) == 0) return buffers;
     const Targets& targets = picture.targets;
-    auto made = make_visibility(model().gl(), targets, targets.z_buffer, features);
-    if (!made) return made.error();
-    return std::make_shared<const Visibility>(std::move(*made));
+    auto visibility =
+        make_visibility(model().gl(), {targets.width, targets.height}, targets.z_buffer, features);
+    if (!visibility) return visibility.error();
+    buffers.visibility = std::make_shared<const Visibility>(std::move(*visibility));
+    if ((features & RELIEF_FEATURE_TWO_INTERFACES) == 0) return buffers;
+    auto back =
+        make_back(model().gl(), model().view_of(settings), materials_of_bodies(settings), features);
+    if (!back) return back.error();
+    buffers.back = std::make_shared<const Back>(std::move(*back));
+    return buffers;
   }
 
   /// A picture with semi-transparent materials: the opaque ones first. Its fragments are not
@@ -75,11 +98,11 @@ class Prepared final : public GlPreparedModel {
     const auto layers = std::make_shared<const Layers>(std::move(*made));
     const auto layered = engines_.get(model(), features | RELIEF_FEATURE_LAYERED);
     if (!layered) return layered.error();
-    const auto visibility = visibility_of(picture, features);
-    if (!visibility) return visibility.error();
+    auto buffers = buffers_of(settings, picture, features);
+    if (!buffers) return buffers.error();
     auto drawing =
         engines_.make_drawing(model(), features, std::move(picture), false,
-                              draw_with(*visibility, materials_that_are(settings, true)));
+                              draw_with(std::move(*buffers), materials_that_are(settings, true)));
     if (!drawing) return drawing;
     drawing->draw_over = [layers, materials = materials_that_are(settings, false),
                           &engine = **layered](const GlPicture& frame, PassTimer& timer) {

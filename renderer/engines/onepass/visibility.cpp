@@ -8,17 +8,18 @@
 
 namespace relief::onepass {
 
-Result<Visibility> make_visibility(const Gl& gl, const Targets& targets, const Texture& z_buffer,
-                                   std::uint32_t features) {
+Result<Visibility> make_visibility(const Gl& gl, glm::uvec2 size, const Texture& z_buffer,
+                                   std::uint32_t features, const VisibilityLabels& labels) {
   const auto make = [&](const char* label, GLenum format) {
-    return make_attachment(gl, label, format, targets.width, targets.height);
+    return make_attachment(gl, label, format, size.x, size.y);
   };
-  Texture places = make("places", GL_RG32UI);
+  Texture places = make(labels.places, GL_RG32UI);
   std::optional<Texture> depths;
-  if ((features & (RELIEF_FEATURE_OUT_DEPTH | RELIEF_FEATURE_POINT_LIGHTS)) != 0)
-    depths = make("depths", GL_R32F);
+  if ((features & (RELIEF_FEATURE_OUT_DEPTH | RELIEF_FEATURE_POINT_LIGHTS |
+                   RELIEF_FEATURE_TWO_INTERFACES)) != 0)
+    depths = make(labels.depths, GL_R32F);
   Framebuffer framebuffer =
-      make_framebuffer(gl, "visibility", &z_buffer,
+      make_framebuffer(gl, labels.framebuffer, &z_buffer,
                        {{RELIEF_OUT_FOUND, &places}, {RELIEF_OUT_FOUND_DEPTH, address(depths)}});
   const Status checked = check_errors(gl, "the visibility buffer");
   if (!checked) return checked.error();

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <optional>
 
 #include "common/error.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/patch_store.h"
-#include "renderer/targets.h"
 
 namespace relief::onepass {
 
@@ -20,9 +20,16 @@ struct Visibility {
   Framebuffer framebuffer;        ///< they and the picture's depth buffer
 };
 
-/// Makes it, of the size of `targets`; `z_buffer` must outlive it. Fails if OpenGL lacks memory.
-Result<Visibility> make_visibility(const Gl& gl, const Targets& targets, const Texture& z_buffer,
-                                   std::uint32_t features);
+/// What OpenGL calls the parts of one.
+struct VisibilityLabels {
+  const char* places = "places";
+  const char* depths = "depths";
+  const char* framebuffer = "visibility";
+};
+
+/// Makes it, of the size of a picture; `z_buffer` must outlive it. Fails if OpenGL lacks memory.
+Result<Visibility> make_visibility(const Gl& gl, glm::uvec2 size, const Texture& z_buffer,
+                                   std::uint32_t features, const VisibilityLabels& labels = {});
 
 /// Whether every patch of the store has a number that a place can name.
 [[nodiscard]] bool can_be_found(const PatchStore& store);

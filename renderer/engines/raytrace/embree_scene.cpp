@@ -56,6 +56,15 @@ std::optional<double> enter(const Bounds& whole, glm::dvec3 start, glm::dvec3 di
   return first;
 }
 
+/// Whether a ray meets a triangle from the other side than its vertices' normals point to.
+bool is_leaving(const TriangleMesh& mesh, const Triangle& t, glm::dvec3 direction) {
+  const glm::dvec3 across = glm::cross(mesh.positions[t[1]] - mesh.positions[t[0]],
+                                       mesh.positions[t[2]] - mesh.positions[t[0]]);
+  const glm::vec3 outward = mesh.normals[t[0]] + mesh.normals[t[1]] + mesh.normals[t[2]];
+  const double side = glm::dot(across, direction);
+  return glm::dot(across, glm::dvec3(outward)) < 0.0 ? side < 0.0 : side > 0.0;
+}
+
 Status check_device(RTCDevice device, std::size_t triangles) {
   switch (const RTCError error = rtcGetDeviceError(device)) {
     case RTC_ERROR_NONE:
@@ -93,6 +102,7 @@ struct EmbreeScene::Query : EmbreeContext {
   double entry = 0.0;  ///< depth at which it enters the mesh's box, Embree's unit
   std::optional<Hit> nearest;
   std::vector<Hit>* all = nullptr;  ///< takes all of them, instead of the nearest
+  bool leaving = false;             ///< none but those that it leaves a body through
 };
 
 void EmbreeScene::bound(const RTCBoundsFunctionArguments* asked) {
@@ -126,6 +136,7 @@ void EmbreeScene::meet(const RTCIntersectFunctionNArguments* asked) {
                      corners.positions[t[2]] - query.start},
                     query.direction);
   if (!hit) return;
+  if (query.leaving && !is_leaving(*corners.mesh, t, query.direction)) return;
   if (query.all != nullptr) {
     query.all->push_back(*hit);
     return;
@@ -212,8 +223,17 @@ void EmbreeScene::follow(Query& query) const {
 }
 
 std::optional<Hit> EmbreeScene::find_nearest(const SightRay& ray) const {
+  return find_first(ray, false);
+}
+
+std::optional<Hit> EmbreeScene::find_leaving(const SightRay& ray) const {
+  return find_first(ray, true);
+}
+
+std::optional<Hit> EmbreeScene::find_first(const SightRay& ray, bool leaving) const {
   const double length = glm::length(ray.direction);
   Query query(corners_->scale * ray.start, ray.direction / length);
+  query.leaving = leaving;
   follow(query);
   if (query.nearest) query.nearest->depth /= corners_->scale * length;
   return query.nearest;

@@ -45,6 +45,11 @@ class EmbreeScene {
   /// however the hierarchy was built. The start is 0 unless the scene was built for others.
   [[nodiscard]] std::optional<Hit> find_nearest(const SightRay& ray) const;
 
+  /// The nearest triangle ahead that the ray meets from its normals' other side, as one within a
+  /// body does. The triangle that it starts on is none of them if it goes inward, however rounding
+  /// turns out, nor is a patch that overlaps it.
+  [[nodiscard]] std::optional<Hit> find_leaving(const SightRay& ray) const;
+
   /// All triangles ahead of it, in no order. Clears `hits` first.
   void find_all(const SightRay& ray, std::vector<Hit>& hits) const;
 
@@ -57,6 +62,7 @@ class EmbreeScene {
   EmbreeScene() = default;
   void attach();
   void follow(Query& query) const;
+  [[nodiscard]] std::optional<Hit> find_first(const SightRay& ray, bool leaving) const;
   static void bound(const RTCBoundsFunctionArguments* asked);
   static void meet(const RTCIntersectFunctionNArguments* asked);
 

@@ -14,6 +14,7 @@
 #include "renderer/engines/raytrace/tracer.h"
 #include "renderer/environment_cache.h"
 #include "renderer/film.h"
+#include "renderer/materials.h"
 #include "renderer/median.h"
 #include "renderer/owned_or_borrowed.h"
 
@@ -77,8 +78,9 @@ Result<RenderResult> trace_picture(const TriangleMesh& mesh, EnvironmentCache& e
   auto lighting = make_lighting(settings, view, environments);
   if (!lighting) return lighting.error();
   progress.begin_stage("sort triangles", 0);
+  const bool anywhere = view.orthographic || has_two_interfaces(settings);
   const auto scene = EmbreeScene::build(mesh, settings.camera.eye, progress,
-                                        view.orthographic ? RayStarts::Anywhere : RayStarts::AtEye);
+                                        anywhere ? RayStarts::Anywhere : RayStarts::AtEye);
   if (!scene) return scene.error();
   const Tracer tracer(mesh, *scene, view, std::move(*lighting));
   const std::vector<glm::dvec2> pattern = sample_pattern(settings.raytrace.samples);

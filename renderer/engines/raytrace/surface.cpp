@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 
 #include "common/mesh_tangents.h"
 #include "common/mesh_texture.h"
@@ -102,6 +103,14 @@ glm::vec2 uv_at(const TriangleMesh& mesh, const Hit& at) {
 
 std::uint32_t patch_at(const TriangleMesh& mesh, const Hit& at) {
   return mesh.patches.empty() ? 0 : mesh.patches[mesh.triangles[at.triangle][0]];
+}
+
+double body_at(const std::vector<MeshBody>& bodies, const TriangleMesh& mesh, const Hit& at) {
+  const std::uint32_t vertex = mesh.triangles[at.triangle][0];
+  const auto next =
+      std::upper_bound(bodies.begin(), bodies.end(), vertex,
+                       [](std::uint32_t v, const MeshBody& body) { return v < body.first; });
+  return std::prev(next)->diameter;
 }
 
 std::uint8_t material_at(const TriangleMesh& mesh, const Hit& at) {

@@ -20,6 +20,10 @@ namespace relief::raytrace {
 [[nodiscard]] glm::vec3 normal_at(const TriangleMesh& mesh, const Hit& at);
 [[nodiscard]] glm::vec2 uv_at(const TriangleMesh& mesh, const Hit& at);
 [[nodiscard]] std::uint32_t patch_at(const TriangleMesh& mesh, const Hit& at);
+/// The diameter of the sphere about the model that it belongs to (TriangleMesh::bodies, of which
+/// there are some).
+[[nodiscard]] double body_at(const std::vector<MeshBody>& bodies, const TriangleMesh& mesh,
+                             const Hit& at);
 [[nodiscard]] std::uint8_t material_at(const TriangleMesh& mesh, const Hit& at);
 
 }  // namespace relief::raytrace

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <tuple>
 #include <utility>
 
+#include "renderer/append.h"
+#include "renderer/engines/raytrace/glass_path.h"
 #include "renderer/engines/raytrace/surface.h"
 #include "renderer/materials.h"
+#include "shaders/include/shading.h"
 
 namespace relief::raytrace {
 namespace {
@@ -23,6 +27,11 @@ bool has_transparent_vertex(const TriangleMesh& mesh) {
 bool has_transparent_material(const Lighting& lighting) {
   return std::any_of(lighting.materials.begin(), lighting.materials.end(),
                      [](const LitMaterial& m) { return is_transparent(m.settings); });
+}
+
+bool has_body(const Lighting& lighting) {
+  return std::any_of(lighting.materials.begin(), lighting.materials.end(),
+                     [](const LitMaterial& m) { return has_two_interfaces(m.settings); });
 }
 
 bool touch(const TriangleMesh& mesh, const Hit& a, const Hit& b) {
@@ -50,10 +59,22 @@ Tracer::Tracer(const TriangleMesh& mesh, const EmbreeScene& scene, const View& v
       scene_(&scene),
       view_(view),
       lighting_(std::move(lighting)),
+      bodies_(has_body(lighting_) ? bodies_of(mesh) : std::vector<MeshBody>()),
       transparent_(has_transparent_vertex(mesh) || has_transparent_material(lighting_)) {}
 
 SightRay Tracer::ray_at(glm::dvec2 window) const {
   return {ray_start(view_, window), ray_through(view_, window)};
+}
+
+glm::vec3 Tracer::shade_body(const Hit& at, const SightRay& ray,
+                             const LitMaterial& material) const {
+  const MaterialConstants& constants = material.settings.constants;
+  const glm::vec3 direction(glm::normalize(ray.direction));
+  const shared::SplitRay split = shared::split_ray(normal_at(*mesh_, at), direction, constants.ior);
+  const glm::vec3 passed =
+      light_through({mesh_, scene_, material.cube, constants, body_at(bodies_, *mesh_, at)},
+                    {ray.start + at.depth * ray.direction, glm::dvec3(split.refracted)});
+  return glm::mix(passed, look_up(*material.cube, glm::dvec3(split.reflected)), split.reflectance);
 }
 
 glm::vec4 Tracer::shade_at(const Hit& at, const SightRay& ray) const {
@@ -67,6 +88,9 @@ glm::vec4 Tracer::shade_at(const Hit& at, const SightRay& ray) const {
     surface.uv = uv_at(*mesh_, at);
     surface.patch = patch_at(*mesh_, at);
   }
+  // A back side is seen from within: from there light leaves at once.
+  if (has_two_interfaces(settings) && glm::dot(surface.normal, surface.ray) <= shared::kBackSide)
+    return {shade_body(at, ray, lit_material(lighting_, material)), 1.0F};
   return {shade(lighting_, material, surface), colour.a * settings.constants.opacity};
 }
 

@@ -20,7 +20,8 @@ struct Seen {
 };
 
 /// What rays are traced through, and how what they meet is shaded. Mesh, scene and what the
-/// lighting names must outlive it. Threads may share one.
+/// lighting names must outlive it; with a glass of two interfaces the scene is one for rays that
+/// start anywhere. Threads may share one.
 class Tracer {
  public:
   Tracer(const TriangleMesh& mesh, const EmbreeScene& scene, const View& view, Lighting lighting);
@@ -39,6 +40,8 @@ class Tracer {
 
  private:
   [[nodiscard]] SightRay ray_at(glm::dvec2 window) const;
+  [[nodiscard]] glm::vec3 shade_body(const Hit& at, const SightRay& ray,
+                                     const LitMaterial& material) const;
   [[nodiscard]] glm::vec4 shade_at(const Hit& at, const SightRay& ray) const;
   [[nodiscard]] Seen blend_along(const SightRay& ray) const;
 
@@ -46,7 +49,8 @@ class Tracer {
   const EmbreeScene* scene_;
   View view_;
   Lighting lighting_;
-  bool transparent_;  ///< some vertex or material is not opaque
+  std::vector<MeshBody> bodies_;  ///< of glass with two interfaces, else none
+  bool transparent_;              ///< some vertex or material is not opaque
 };
 
 }  // namespace relief::raytrace
