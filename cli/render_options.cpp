@@ -180,7 +180,7 @@ void add_sides_option(CLI::App& sub, SceneSettings& settings) {
   add_choice(
       sub, "--sides", settings.sides, kSides,
       "onepass, multipass: which sides of the surface are drawn; front is right for closed "
-      "bodies, seen from outside; auto takes it for models that are known to be such (auto)");
+      "bodies, seen from outside; auto takes it for models that are known to be such (both)");
 }
 
 void add_material_options(CLI::App& sub, SceneSettings& settings) {
