@@ -175,6 +175,7 @@ void add_bench(CLI::App& app, Command& command) {
       ->option_text("FILE");
   add_camera_options(*sub, picture.settings);
   add_material_options(*sub, picture.settings);
+  add_sides_option(*sub, picture.settings);
   sub->add_option("--frames", picture.frames, "Timed frames of each row (20)")
       ->check(CLI::Range(1, 100000))
       ->option_text("N");

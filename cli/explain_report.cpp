@@ -62,7 +62,8 @@ Json as_json(const Explanation& explanation) {
     draws.push_back({{"pass", draw.pass},
                      {"program", draw.program},
                      {"primitive", draw.primitive},
-                     {"commands", draw.commands}});
+                     {"commands", draw.commands},
+                     {"front_alone", draw.front_alone}});
   }
   return {{"features", explanation.features},
           {"variants", std::move(variants)},
@@ -86,8 +87,9 @@ std::string as_text(const Explanation& explanation) {
   text += fmt::format("    {:<24} {:>12} bytes in all\n", "", total_bytes(explanation));
   text += fmt::format("  passes: {}\n  draws\n", names(explanation.passes));
   for (const Explanation::Draw& draw : explanation.draws) {
-    text += fmt::format("    {:<24} {}, {}, {} command{}\n", draw.pass, draw.program,
-                        draw.primitive, draw.commands, draw.commands == 1 ? "" : "s");
+    text += fmt::format("    {:<24} {}, {}, {} command{}{}\n", draw.pass, draw.program,
+                        draw.primitive, draw.commands, draw.commands == 1 ? "" : "s",
+                        draw.front_alone ? ", front sides alone" : "");
   }
   return text;
 }

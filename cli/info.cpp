@@ -41,7 +41,8 @@ nlohmann::ordered_json as_json(const PatchFileInfo& info, bool verified) {
                                  {"file_bytes", info.file_bytes},
                                  {"bounds_min", vector(info.bounds.min)},
                                  {"bounds_max", vector(info.bounds.max)},
-                                 {"attributes", info.attributes}};
+                                 {"attributes", info.attributes},
+                                 {"closed", info.is_closed}};
   if (verified) json["verified"] = true;
   return json;
 }
@@ -58,10 +59,12 @@ std::string as_text(const PatchFileInfo& info, const Arguments& arguments) {
       "  spacing     {:.6g}\n"
       "  bounds      {:.9g} {:.9g} {:.9g} to {:.9g} {:.9g} {:.9g}\n"
       "  attributes  {}\n"
+      "  closed      {}\n"
       "  file        {} bytes\n",
       arguments.input.string(), arguments.verify ? ": every byte is right" : "", info.version,
       info.codec, info.patches, info.samples, info.spacing, low.x, low.y, low.z, high.x, high.y,
-      high.z, fmt::join(info.attributes, ", "), info.file_bytes);
+      high.z, fmt::join(info.attributes, ", "), info.is_closed ? "yes" : "not known",
+      info.file_bytes);
 }
 
 /// Decodes every patch, one at a time, so that a file larger than memory can be verified too.

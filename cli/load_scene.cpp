@@ -88,8 +88,9 @@ Result<LoadedFile> load_scan(const std::filesystem::path& path, const TextureCho
 /// One model of a scene.
 struct Use {
   Transform where;
-  std::uint8_t material = 0;  ///< its number among materials_said
-  bool is_last = true;        ///< of its file
+  std::uint8_t material = 0;      ///< its number among materials_said
+  bool is_last = true;            ///< of its file
+  std::optional<bool> is_closed;  ///< instead of what is known of the file
 };
 
 /// Moves a file's triangles and points to their place, gives them their material and appends them.
@@ -130,6 +131,7 @@ class Placer {
  private:
   Status move_there(PatchModel& model, const Use& use) {
     for (Patch& patch : model.patches) patch.material = use.material;
+    model.is_closed = use.is_closed.value_or(model.is_closed);
     patches_ += static_cast<std::uint32_t>(model.patches.size());
     Status moved = transform_model(model, use.where);
     if (moved) append_model(scene_.patches, std::exchange(model, {}));
@@ -147,7 +149,9 @@ class Placer {
     }
     const auto [first, count] = *file.run;
     patches_ += count;
-    return add_placement(scene_.patches, {first, count, use.where, use.material}, model);
+    PatchModel extent = model;
+    extent.is_closed = use.is_closed.value_or(model.is_closed);
+    return add_placement(scene_.patches, {first, count, use.where, use.material}, extent);
   }
 
   bool several_ = false;
@@ -178,7 +182,8 @@ Result<LoadedScene> load_scene(const std::vector<SceneModel>& models, const Text
       loaded.emplace(model.file, std::move(*file));
     }
     const auto material = std::find(said.begin(), said.end(), model.material) - said.begin();
-    const Use use{model.transform, static_cast<std::uint8_t>(material), --uses[model.file] == 0};
+    const Use use{model.transform, static_cast<std::uint8_t>(material), --uses[model.file] == 0,
+                  model.is_closed};
     const Status placed = placer.place(loaded.at(model.file), use);
     if (!placed) return make_error("{}: {}", model.file.string(), placed.error().message);
   }

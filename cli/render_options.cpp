@@ -58,6 +58,7 @@ void add_way_options(CLI::App& sub, SceneSettings& settings) {
   add_choice(sub, "--interpolation", settings.interpolation, kInterpolations,
              "How a fragment finds its place on the patch: direct is faster, corrected more "
              "exact (corrected)");
+  add_sides_option(sub, settings);
 }
 
 void add_picture_options(CLI::App& sub, SceneSettings& settings) {
@@ -120,6 +121,8 @@ void check_engine_options(const RenderArguments& arguments) {
     throw CLI::ValidationError("--pixels-per-sample", "is for --engine onepass");
   if (settings.radius_factor && engine != EngineKind::Multipass)
     throw CLI::ValidationError("--radius-factor", "is for --engine multipass");
+  if (settings.sides && !is_on_opengl(engine))
+    throw CLI::ValidationError("--sides", "is for --engine onepass and multipass");
   if (settings.primitive == Primitive::Cell && engine == EngineKind::Multipass)
     throw CLI::ValidationError("--primitive", "cell is for --engine onepass");
   if (settings.samples && engine == EngineKind::Ewa)
@@ -171,6 +174,13 @@ void add_camera_options(CLI::App& sub, SceneSettings& settings) {
          "whole model. What is behind the plane through the eye is not seen")
       ->option_text("HEIGHT|fit")
       ->excludes("--fov");
+}
+
+void add_sides_option(CLI::App& sub, SceneSettings& settings) {
+  add_choice(
+      sub, "--sides", settings.sides, kSides,
+      "onepass, multipass: which sides of the surface are drawn; front is right for closed "
+      "bodies, seen from outside; auto takes it for models that are known to be such (both)");
 }
 
 void add_material_options(CLI::App& sub, SceneSettings& settings) {

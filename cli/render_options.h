@@ -24,9 +24,10 @@ struct RenderArguments {
 /// Declares the arguments and options of `sub`, which fill `arguments`. It must outlive `sub`.
 void add_render_options(CLI::App& sub, RenderArguments& arguments);
 
-/// Parts of them, for other subcommands: the picture's size and camera; material and environment;
-/// where OpenGL comes from.
+/// Parts of them, for other subcommands: the picture's size and camera; which sides are drawn;
+/// material and environment; where OpenGL comes from.
 void add_camera_options(CLI::App& sub, SceneSettings& settings);
+void add_sides_option(CLI::App& sub, SceneSettings& settings);
 void add_material_options(CLI::App& sub, SceneSettings& settings);
 void add_platform_option(CLI::App& sub, GlPlatform& platform);
 

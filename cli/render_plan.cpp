@@ -41,7 +41,7 @@ std::vector<MaterialSettings> materials_for(const std::vector<MaterialWords>& of
 Result<RenderPlan> make_plan(const RenderArguments& arguments) {
   RenderPlan plan;
   if (ending(arguments.input) != ".json") {
-    plan.models.push_back({arguments.input, {}, {}});
+    plan.models.push_back({arguments.input, {}, {}, {}});
     plan.pictures.push_back({"", arguments.output, arguments.settings, {}});
     return plan;
   }
@@ -115,6 +115,7 @@ Result<RenderSettings> render_settings_for(const Picture& picture, const PatchMo
   const bool splats = settings.engine == EngineKind::Multipass;
   settings.primitive = said.primitive.value_or(splats ? Primitive::Quad : settings.primitive);
   settings.interpolation = said.interpolation.value_or(settings.interpolation);
+  settings.sides = said.sides.value_or(settings.sides);
   const MaterialSettings material = material_of(said);
   settings.material = material.kind;
   settings.constants = material.constants;

@@ -23,6 +23,10 @@ enum class Material : std::uint8_t {
   Split  ///< for demonstration: quarters of the picture as Figure 1(d) of paper 001
 };
 
+/// Which sides of a surface are drawn. Auto: of a model that is known to be closed the front alone,
+/// of others both.
+enum class Sides : std::uint8_t { Auto, Front, Both };
+
 /// The engines that draw patches on OpenGL.
 [[nodiscard]] constexpr bool is_on_opengl(EngineKind engine) {
   return engine == EngineKind::Onepass || engine == EngineKind::Multipass;
@@ -112,6 +116,8 @@ inline constexpr std::array<Named<Primitive>, 3> kPrimitives{
     {{"sprite", Primitive::Sprite}, {"quad", Primitive::Quad}, {"cell", Primitive::Cell}}};
 inline constexpr std::array<Named<Interpolation>, 2> kInterpolations{
     {{"direct", Interpolation::Direct}, {"corrected", Interpolation::Corrected}}};
+inline constexpr std::array<Named<Sides>, 3> kSides{
+    {{"auto", Sides::Auto}, {"front", Sides::Front}, {"both", Sides::Both}}};
 inline constexpr std::array<Named<Material>, 5> kMaterials{{{"unlit", Material::Unlit},
                                                             {"lit", Material::Lit},
                                                             {"mirror", Material::Mirror},

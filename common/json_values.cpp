@@ -90,6 +90,12 @@ std::string JsonValues::text(const JsonPlace& place, std::string_view expected) 
   return {};
 }
 
+bool JsonValues::boolean(const JsonPlace& place) {
+  if (place.value.is_boolean()) return place.value.get<bool>();
+  refuse_value(place, "true or false");
+  return false;
+}
+
 double JsonValues::number(const JsonPlace& place, NumberRange range, std::string_view expected) {
   const double number = place.value.is_number() ? place.value.get<double>() : 0.0;
   if (place.value.is_number() && number >= range.least && number <= range.most) return number;

@@ -60,6 +60,7 @@ class JsonValues {
 
   std::string text(const JsonPlace& place, std::string_view expected);
   double number(const JsonPlace& place, NumberRange range, std::string_view expected);
+  bool boolean(const JsonPlace& place);
   /// A list of numbers in a range; empty where it isn't.
   std::vector<double> numbers(const JsonPlace& place, ListLength length, NumberRange range,
                               std::string_view expected);

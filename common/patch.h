@@ -76,6 +76,8 @@ struct PatchModel {
   double bounding_radius =
       0.0;  ///< of the sphere about the centre of `bounds` that holds all points
   bool has_colours = false;
+  /// The surface is known to enclose a body, normals outward: from outside nobody sees its back.
+  bool is_closed = false;
 };
 
 /// Where a sample lies.

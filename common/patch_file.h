@@ -24,6 +24,7 @@ struct PatchFileInfo {
   Bounds bounds;
   double bounding_radius = 0.0;
   std::vector<std::string> attributes;  ///< "normal", "colour"
+  bool is_closed = false;               ///< as PatchModel::is_closed
 };
 
 /// What the index says of one patch: enough to place it and to cull it before it is read. Terms and

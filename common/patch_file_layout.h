@@ -18,6 +18,9 @@ inline constexpr std::size_t kHeaderBytes = 128;
 inline constexpr std::size_t kPatchRecordBytes = 144;
 inline constexpr std::size_t kChunkRecordBytes = 24;
 
+/// The header's flags; a reader passes over those that it does not know.
+inline constexpr std::uint64_t kClosedFlag = 1;
+
 /// The only codec of version 1: predicted integers in zstd streams.
 inline constexpr std::uint16_t kCodecPredicted = 1;
 
@@ -53,6 +56,7 @@ struct FileHeader {
   double spacing = 0.0;
   Bounds bounds;
   double bounding_radius = 0.0;
+  bool is_closed = false;
 };
 
 struct FileIndex {

@@ -124,6 +124,7 @@ Result<PatchFile> PatchFile::open(const std::filesystem::path& path) {
   info.file_bytes = header->file_bytes;
   info.bounds = header->bounds;
   info.bounding_radius = header->bounding_radius;
+  info.is_closed = header->is_closed;
   const auto has = [&](ChunkType type) {
     return std::any_of(index->chunks.begin(), index->chunks.end(),
                        [type](const ChunkRecord& c) { return c.type == type; });
@@ -197,6 +198,7 @@ Result<PatchModel> PatchFile::read_all(Progress& progress) const {
   model.spacing = s.info.spacing;
   model.bounds = s.info.bounds;
   model.bounding_radius = s.info.bounding_radius;
+  model.is_closed = s.info.is_closed;
   model.patches.resize(s.index.patches.size());
 
   // Of several errors the first patch's is told, whatever the threads do.

@@ -174,6 +174,7 @@ Status write_patch_file(const std::filesystem::path& path, const PatchModel& mod
   header.spacing = model.spacing;
   header.bounds = model.bounds;
   header.bounding_radius = model.bounding_radius;
+  header.is_closed = model.is_closed;
 
   if (Status written = file->write(write_header(header)); !written) return written;
   for (const EncodedPatch& patch : encoded) {

@@ -25,6 +25,7 @@ struct Placement {
   std::uint32_t count = 0;
   Transform transform;
   std::uint8_t material = 0;  ///< instead of Patch::material
+  bool is_closed = false;     ///< instead of PatchModel::is_closed
 };
 
 }  // namespace relief

@@ -38,6 +38,7 @@ SceneSettings overlay(SceneSettings base, const SceneSettings& over) {
   take(base.engine, over.engine);
   take(base.primitive, over.primitive);
   take(base.interpolation, over.interpolation);
+  take(base.sides, over.sides);
   static_cast<MaterialWords&>(base) = overlay_material(base, over);
   take(base.lights, over.lights);
   take(base.ambient, over.ambient);

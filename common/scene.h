@@ -36,6 +36,7 @@ struct SceneSettings : MaterialWords {
   std::optional<EngineKind> engine;
   std::optional<Primitive> primitive;
   std::optional<Interpolation> interpolation;
+  std::optional<Sides> sides;                ///< onepass, multipass
   std::optional<std::vector<Light>> lights;  ///< not empty
   std::optional<glm::vec3> ambient;          ///< linear
   std::optional<std::filesystem::path> environment;
@@ -55,7 +56,8 @@ struct SceneSettings : MaterialWords {
 struct SceneModel {
   std::filesystem::path file;
   Transform transform;
-  MaterialWords material;  ///< counts more than what views say
+  MaterialWords material;         ///< counts more than what views say
+  std::optional<bool> is_closed;  ///< instead of what is known of the file
 };
 
 struct SceneView {

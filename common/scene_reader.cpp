@@ -42,7 +42,7 @@ Transform read_transform(JsonValues& values, const JsonPlace& place) {
 SceneModel read_model(JsonValues& values, const JsonPlace& place, const fs::path& folder) {
   constexpr std::string_view kExpected = "the name of a patch file, a scan or a mesh";
   SceneModel model;
-  std::vector<std::string_view> keys{"file", "transform"};
+  std::vector<std::string_view> keys{"file", "transform", "closed"};
   keys.insert(keys.end(), kMaterialKeys.begin(), kMaterialKeys.end());
   if (!values.object(place, keys)) return model;
   if (const auto file = values.required(place, "file", kExpected)) {
@@ -52,6 +52,8 @@ SceneModel read_model(JsonValues& values, const JsonPlace& place, const fs::path
   }
   if (const auto found = JsonValues::member(place, "transform"))
     model.transform = read_transform(values, *found);
+  if (const auto found = JsonValues::member(place, "closed"))
+    model.is_closed = values.boolean(*found);
   model.material = read_material(values, place);
   return model;
 }

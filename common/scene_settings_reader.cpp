@@ -65,30 +65,12 @@ Outputs read_outputs(JsonValues& values, const JsonPlace& place) {
 }  // namespace
 
 std::vector<std::string_view> with_setting_keys(std::vector<std::string_view> keys) {
-  for (const char* key : {"size",
-                          "orbit",
-                          "eye",
-                          "target",
-                          "up",
-                          "fov",
-                          "orthographic",
-                          "engine",
-                          "primitive",
-                          "interpolation",
-                          "env",
-                          "background",
-                          "outputs",
-                          "pixels-per-sample",
-                          "radius-factor",
-                          "samples",
-                          "filter",
-                          "cutoff",
-                          "layers",
-                          "tau",
-                          "time-budget",
-                          "lights",
-                          "ambient",
-                          "exposure"})
+  for (const char* key :
+       {"size",          "orbit",        "eye",        "target",    "up",
+        "fov",           "orthographic", "engine",     "primitive", "interpolation",
+        "sides",         "env",          "background", "outputs",   "pixels-per-sample",
+        "radius-factor", "samples",      "filter",     "cutoff",    "layers",
+        "tau",           "time-budget",  "lights",     "ambient",   "exposure"})
     keys.emplace_back(key);
   keys.insert(keys.end(), kMaterialKeys.begin(), kMaterialKeys.end());
   return keys;
@@ -145,6 +127,7 @@ SceneSettings read_settings(JsonValues& values, const JsonPlace& object,
   read("engine", settings.engine, named(kEngines));
   read("primitive", settings.primitive, named(kPrimitives));
   read("interpolation", settings.interpolation, named(kInterpolations));
+  read("sides", settings.sides, named(kSides));
   static_cast<MaterialWords&>(settings) = read_material(values, object);
   read("lights", settings.lights, with(read_lights));
   read("ambient", settings.ambient,

@@ -104,6 +104,7 @@ Status transform_model(PatchModel& model, const Transform& transform) {
 void append_model(PatchModel& to, PatchModel from) {
   assert(to.placements.empty() && from.placements.empty() && "patches that stand where they are");
   extend(to, from);
+  to.is_closed = from.is_closed && (to.patches.empty() || to.is_closed);
   if (to.patches.empty()) {
     to.patches = std::move(from.patches);
     return;
@@ -122,12 +123,15 @@ Status add_placement(PatchModel& to, const Placement& placement, const PatchMode
   if (Status possible = transform_model(placed, placement.transform); !possible) return possible;
   extend(to, placed);
   to.placements.push_back(placement);
+  to.placements.back().is_closed = extent.is_closed;
   return {};
 }
 
 PatchModel bake(const PatchModel& model) {
   if (model.placements.empty()) return model;
   PatchModel baked = without_patches(model);
+  baked.is_closed = std::all_of(model.placements.begin(), model.placements.end(),
+                                [](const Placement& placement) { return placement.is_closed; });
   for (const Placement& placement : model.placements) {
     for (std::uint32_t k = 0; k < placement.count; ++k) {
       const Patch& patch = model.patches[placement.first + k];
@@ -145,6 +149,7 @@ PatchModel without_patches(const PatchModel& model) {
   extent.bounds = model.bounds;
   extent.bounding_radius = model.bounding_radius;
   extent.has_colours = model.has_colours;
+  extent.is_closed = model.is_closed;
   return extent;
 }
 

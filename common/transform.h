@@ -35,12 +35,12 @@ Status transform_model(PatchModel& model, const Transform& transform);
 /// Appends the patches of `from`; their ids count on after those of `to`. A patch without colours
 /// stays without, and is drawn in the neutral grey beside coloured ones. The bounds become the box
 /// about both; the bounding sphere is one about both spheres, no larger than the box's. `spacing`
-/// becomes the finer one.
+/// becomes the finer one. Several closed models are together closed.
 void append_model(PatchModel& to, PatchModel from);
 
-/// Puts patches of the model in one more place. `extent`: their bounds, sphere, spacing and whether
-/// they have colours, before they are placed; no patches. A model with placements stands where they
-/// say and nowhere else. Fails as transform_model() does.
+/// Puts patches of the model in one more place. `extent`: their bounds, sphere, spacing, whether
+/// they have colours and are closed, before they are placed; no patches. A model with placements
+/// stands where they say and nowhere else. Fails as transform_model() does.
 Status add_placement(PatchModel& to, const Placement& placement, const PatchModel& extent);
 
 /// Each patch in each of its places, a patch of its own: for what knows no placements.

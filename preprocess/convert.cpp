@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "preprocess/closed_mesh.h"
 #include "preprocess/densify.h"
 #include "preprocess/measure.h"
 #include "preprocess/neighbours.h"
@@ -179,6 +180,7 @@ void count_texels(const std::vector<Patch>& patches, ConvertReport& report) {
 Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& options,
                                        Progress& progress) {
   ConvertResult result;
+  result.model.is_closed = is_closed_mesh(points);
   Points mesh;
   const bool textured = has_triangle_colours(points);
   if (textured) {

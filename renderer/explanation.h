@@ -30,6 +30,7 @@ struct Explanation {
     std::string program;
     std::string primitive;       ///< "points", "triangles", "triangle strip"
     std::uint64_t commands = 0;  ///< of a multi-draw; 1 of a single draw
+    bool front_alone = false;    ///< OpenGL leaves out triangles that face away
   };
 
   std::vector<std::string> features;  ///< of all variants that the frame drew with

@@ -10,6 +10,7 @@
 #include "renderer/materials.h"
 #include "renderer/patch_store.h"
 #include "renderer/render.h"
+#include "renderer/sides.h"
 #include "shaders/include/shared.h"
 
 namespace relief {
@@ -41,13 +42,15 @@ struct ModelMaps {
   bool colours = false;
   bool fine_colours = false;  ///< has_fine_colours
   bool fine_normals = false;  ///< has_fine_normals
+  bool closed = false;        ///< has_closed_bodies
 
   ModelMaps(bool has_colours)  // NOLINT: implicit on purpose, most have no others
       : colours(has_colours) {}
   explicit ModelMaps(const PatchModel& model)
       : colours(model.has_colours),
         fine_colours(model.has_colours && has_fine_colours(model)),
-        fine_normals(has_fine_normals(model)) {}
+        fine_normals(has_fine_normals(model)),
+        closed(has_closed_bodies(model)) {}
 };
 
 /// Whether models that are seen small enough are drawn from afar (far_model.h): where levels of
@@ -75,6 +78,9 @@ struct ModelMaps {
       material_features(settings) | (settings.outputs.normal ? RELIEF_FEATURE_OUT_NORMAL : 0U);
   return shading | (settings.camera.is_orthographic() ? RELIEF_FEATURE_ORTHOGRAPHIC : 0U) |
          (settings.primitive == Primitive::Sprite ? RELIEF_FEATURE_SPRITE : 0U) |
+         (settings.primitive == Primitive::Sprite && may_hide_backs(settings, maps.closed)
+              ? RELIEF_FEATURE_FRONT
+              : 0U) |
          (coloured ? RELIEF_FEATURE_COLOURS : 0U) |
          (coloured && maps.fine_colours ? RELIEF_FEATURE_FINE_COLOURS : 0U) |
          (needs_normals(shading) && maps.fine_normals ? RELIEF_FEATURE_FINE_NORMALS : 0U) |

@@ -11,6 +11,7 @@
 #include "renderer/materials.h"
 #include "renderer/rough_environment.h"
 #include "renderer/sample_draws.h"
+#include "renderer/sides.h"
 
 namespace relief {
 namespace {
@@ -111,6 +112,7 @@ View GlModel::view_of(const RenderSettings& settings) const {
   View view = make_view(settings.camera, settings.width, settings.height, depth_needs_);
   view.pixels_per_sample = pixels_per_sample_of(settings);
   view.far_diameter = draws_from_afar(settings) ? kFarDiameter : 0.0;
+  view.sides = sides_of(settings);
   return view;
 }
 

@@ -17,6 +17,7 @@
 #include "renderer/gl/object.h"
 #include "renderer/levels.h"
 #include "renderer/sample_pages.h"
+#include "renderer/sides.h"
 #include "renderer/view.h"
 
 namespace relief {
@@ -38,7 +39,8 @@ struct StoreNeeds {
 /// What the CPU keeps of a level of a patch on the GPU. World frame, in double precision.
 struct StoredPatch {
   std::uint32_t level = 0;
-  std::uint8_t material = 0;  ///< as Patch::material
+  std::uint8_t material = 0;    ///< as Patch::material
+  std::uint32_t placement = 0;  ///< in PatchStore::placements
   glm::dvec3 origin{0.0};
   glm::dmat3 axes{1.0};
   double spacing = 1.0;
@@ -68,6 +70,8 @@ struct StoredPlacement {
     std::uint32_t number = 0;  ///< in FarStore::patches
   };
   std::optional<Far> far;
+  bool is_mirrored = false;  ///< fronts and backs change places
+  std::optional<Body> body;  ///< if it is known to be closed and some view makes use of that
 
   /// Whether the view draws it from afar.
   [[nodiscard]] bool is_far_in(const View& view) const {

@@ -38,6 +38,7 @@ struct RenderSettings {
   Camera camera;
   Primitive primitive = Primitive::Cell;
   Interpolation interpolation = Interpolation::Corrected;
+  Sides sides = Sides::Both;  ///< of the engines on OpenGL
   Material material = Material::Lit;
   MaterialConstants constants;  ///< of `material`
   /// By Patch::material and its like in meshes and clouds; empty: `material` for all. At most

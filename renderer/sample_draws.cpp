@@ -48,11 +48,11 @@ VertexArray make_vertices(const Gl& gl, const PatchStore& store, bool cells,
 
 /// One page's commands in a buffer.
 template <class Command>
-SampleDraw::Page make_page(const Gl& gl, const Table& records,
-                           const std::vector<Command>& commands) {
+SampleDraw::Page make_page(const Gl& gl, const Table& records, const std::vector<Command>& commands,
+                           bool front_alone) {
   return {records.texture.id(),
           make_buffer(gl, "draw commands", std::span<const Command>(commands)),
-          static_cast<GLsizei>(commands.size())};
+          static_cast<GLsizei>(commands.size()), front_alone};
 }
 
 }  // namespace
@@ -76,23 +76,42 @@ void SampleDraws::look(const View& view, const std::vector<std::uint32_t>& visib
                           views.data());
 }
 
-SampleDraw SampleDraws::make_draw(SampleShape shape,
-                                  const std::vector<std::uint32_t>& patches) const {
+SampleDraw SampleDraws::make_draw(SampleShape shape, const SidedList& patches) const {
   SampleDraw draw{shape, {}};
   for (std::uint32_t p = 0; p < store_->pages.size(); ++p) {
     const Table& records = store_->pages[p];
-    if (shape == SampleShape::Quads) {
-      draw.pages.push_back(make_page(*gl_, records, quad_commands(*store_, patches, p)));
-    } else {
-      const std::uint32_t vertices = shape == SampleShape::Points ? 1 : 3;
-      draw.pages.push_back(make_page(*gl_, records, array_commands(*store_, patches, p, vertices)));
-    }
+    const auto add = [&](const std::vector<std::uint32_t>& list, bool front_alone) {
+      if (list.empty()) return;
+      if (shape == SampleShape::Quads) {
+        draw.pages.push_back(
+            make_page(*gl_, records, quad_commands(*store_, list, p), front_alone));
+      } else {
+        const std::uint32_t vertices = shape == SampleShape::Points ? 1 : 3;
+        draw.pages.push_back(
+            make_page(*gl_, records, array_commands(*store_, list, p, vertices), front_alone));
+      }
+    };
+    add(patches.both, false);
+    add(patches.front, true);
   }
   return draw;
 }
 
-void SampleDraws::draw(const SampleDraw& samples) const {
+void SampleDraws::draw(const SampleDraw& samples, const Program& program) const {
+  const bool points = samples.shape == SampleShape::Points;
+  // OpenGL knows no sides of points.
+  const auto leave_backs_out = [&](bool leave_out) {
+    if (points) {
+      gl_->ProgramUniform1i(program.id(), RELIEF_UNIFORM_FRONT, leave_out ? 1 : 0);
+    } else if (leave_out) {
+      gl_->Enable(GL_CULL_FACE);
+    } else {
+      gl_->Disable(GL_CULL_FACE);
+    }
+  };
+  gl_->UseProgram(program.id());
   for (const SampleDraw::Page& page : samples.pages) {
+    if (page.front_alone) leave_backs_out(true);
     gl_->BindTextureUnit(RELIEF_TEXTURE_SAMPLES, page.records);
     gl_->BindBuffer(GL_DRAW_INDIRECT_BUFFER, page.commands.id());
     if (samples.shape == SampleShape::Quads) {
@@ -101,6 +120,7 @@ void SampleDraws::draw(const SampleDraw& samples) const {
       gl_->MultiDrawArraysIndirect(samples.shape == SampleShape::Points ? GL_POINTS : GL_TRIANGLES,
                                    nullptr, page.count, 0);
     }
+    if (page.front_alone) leave_backs_out(false);
   }
 }
 

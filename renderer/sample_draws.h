@@ -7,6 +7,7 @@
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/patch_store.h"
+#include "renderer/sides.h"
 #include "renderer/view.h"
 
 namespace relief {
@@ -20,6 +21,7 @@ struct SampleDraw {
     GLuint records = 0;  ///< texture of the page's sample records
     Buffer commands;
     GLsizei count = 0;
+    bool front_alone = false;  ///< without the samples that face away
   };
   SampleShape shape = SampleShape::Quads;
   std::vector<Page> pages;
@@ -35,11 +37,11 @@ class SampleDraws {
   void look(const View& view, const std::vector<std::uint32_t>& visible) const;
 
   /// Draws these patches, in this order.
-  [[nodiscard]] SampleDraw make_draw(SampleShape shape,
-                                     const std::vector<std::uint32_t>& patches) const;
+  [[nodiscard]] SampleDraw make_draw(SampleShape shape, const SidedList& patches) const;
 
-  /// Runs the bound program over them. The model must be bound (BoundModel).
-  void draw(const SampleDraw& samples) const;
+  /// Runs the program over them; with points it must have RELIEF_FEATURE_FRONT where some have the
+  /// front alone. The model must be bound (BoundModel).
+  void draw(const SampleDraw& samples, const Program& program) const;
 
   [[nodiscard]] const PatchStore& store() const { return *store_; }
 

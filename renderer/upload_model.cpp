@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -19,7 +20,7 @@ namespace {
 std::vector<Placement> placements_of(const PatchModel& model) {
   if (!model.placements.empty()) return model.placements;
   const std::uint8_t material = model.patches.empty() ? 0 : model.patches.front().material;
-  return {{0, static_cast<std::uint32_t>(model.patches.size()), {}, material}};
+  return {{0, static_cast<std::uint32_t>(model.patches.size()), {}, material, model.is_closed}};
 }
 
 /// A mesh that stands for a model has one material.
@@ -39,6 +40,7 @@ PatchExtent moved(const Transform& transform, const PatchExtent& extent) {
 struct Run {
   FarModel model;                     ///< model frame
   std::optional<std::uint32_t> mesh;  ///< what stands for it, if some view draws it from afar
+  std::optional<Bounds> box;          ///< box_about, once it is asked for
 };
 
 /// Whether maps of the patches show more than their surface.
@@ -73,7 +75,13 @@ class ModelUpload {
     const Transform& where = placement.transform;
     std::vector<View> near_views;
     StoredPlacement stored{relief::moved(where, run.model),
-                           static_cast<std::uint32_t>(levels_.size()), 0, std::nullopt};
+                           static_cast<std::uint32_t>(levels_.size()),
+                           0,
+                           std::nullopt,
+                           glm::determinant(where.rotation) < 0.0,
+                           std::nullopt};
+    if (placement.is_closed && make_use_of_bodies(views_))
+      stored.body = Body{box_of(placement, run), where};
     for (const View& view : views_) {
       if (!is_far(view, stored.model)) near_views.push_back(view);
     }
@@ -149,6 +157,12 @@ class ModelUpload {
     return found->second;
   }
 
+  Bounds box_of(const Placement& placement, Run& run) {
+    if (!run.box)
+      run.box = box_about(std::span(model_.patches).subspan(placement.first, placement.count));
+    return *run.box;
+  }
+
   /// The levels of its patches that the views choose.
   Status add_near(const Placement& placement, std::span<const View> views) {
     for (std::uint32_t k = 0; k < placement.count; ++k) {
@@ -175,6 +189,7 @@ class ModelUpload {
     StoredPatch kept;
     kept.level = grid.level;
     kept.material = material;
+    kept.placement = static_cast<std::uint32_t>(placements_.size());
     kept.origin = frame.origin;
     kept.axes = frame.axes;
     kept.spacing = frame.spacing;
@@ -204,6 +219,7 @@ class ModelUpload {
     const StoredFarMesh& mesh = far_.mesh(*run.mesh);
     StoredPatch frame;
     frame.material = placement.material;
+    frame.placement = static_cast<std::uint32_t>(placements_.size());
     frame.origin = relief::moved(placement.transform, mesh.origin);
     frame.axes = placement.transform.rotation;
     frame.spacing = placement.transform.scale * mesh.unit;

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "common/camera.h"
+#include "common/choices.h"
 #include "common/light.h"
 #include "shaders/include/shared.h"
 
@@ -41,6 +42,7 @@ struct View {
   double pixels_per_sample = 0.0;  ///< levels of detail: how far apart samples may be seen
   double far_diameter = 0.0;       ///< pixels: models that are seen smaller are drawn from afar
                                    ///< (renderer/far_model.h); 0: none is
+  Sides sides = Sides::Both;       ///< that are drawn (renderer/sides.h)
 };
 
 /// What the depth values of a view have to tell apart.

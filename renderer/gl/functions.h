@@ -29,6 +29,7 @@ class GlContext;
   F(PFNGLCREATESHADERPROC, CreateShader)                               \
   F(PFNGLCREATETEXTURESPROC, CreateTextures)                           \
   F(PFNGLCREATEVERTEXARRAYSPROC, CreateVertexArrays)                   \
+  F(PFNGLCULLFACEPROC, CullFace)                                       \
   F(PFNGLDEBUGMESSAGECALLBACKPROC, DebugMessageCallback)               \
   F(PFNGLDELETEFRAMEBUFFERSPROC, DeleteFramebuffers)                   \
   F(PFNGLDELETEPROGRAMPROC, DeleteProgram)                             \
@@ -37,8 +38,6 @@ class GlContext;
   F(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)                   \
   F(PFNGLDEPTHFUNCPROC, DepthFunc)                                     \
   F(PFNGLDEPTHMASKPROC, DepthMask)                                     \
-  F(PFNGLDISABLEPROC, Disable)                                         \
-  F(PFNGLENABLEPROC, Enable)                                           \
   F(PFNGLENABLEVERTEXARRAYATTRIBPROC, EnableVertexArrayAttrib)         \
   F(PFNGLENDQUERYPROC, EndQuery)                                       \
   F(PFNGLFINISHPROC, Finish)                                           \
@@ -87,8 +86,10 @@ class GlContext;
   F(PFNGLBINDVERTEXARRAYPROC, BindVertexArray, bind_vertex_array)                      \
   F(PFNGLDELETEBUFFERSPROC, DeleteBuffers, delete_buffers)                             \
   F(PFNGLDELETETEXTURESPROC, DeleteTextures, delete_textures)                          \
+  F(PFNGLDISABLEPROC, Disable, disable)                                                \
   F(PFNGLDRAWARRAYSPROC, DrawArrays, draw_arrays)                                      \
   F(PFNGLDRAWELEMENTSPROC, DrawElements, draw_elements)                                \
+  F(PFNGLENABLEPROC, Enable, enable)                                                   \
   F(PFNGLMULTIDRAWARRAYSINDIRECTPROC, MultiDrawArraysIndirect, draw_many_arrays)       \
   F(PFNGLMULTIDRAWELEMENTSINDIRECTPROC, MultiDrawElementsIndirect, draw_many_elements) \
   F(PFNGLNAMEDBUFFERSTORAGEPROC, NamedBufferStorage, store_buffer)                     \

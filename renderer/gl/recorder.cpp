@@ -182,6 +182,14 @@ void GlRecorder::end_pass() {
   pass_.clear();
 }
 
+void GlRecorder::enable(GLenum what) {
+  if (what == GL_CULL_FACE) culls_ = true;
+}
+
+void GlRecorder::disable(GLenum what) {
+  if (what == GL_CULL_FACE) culls_ = false;
+}
+
 void GlRecorder::draw_arrays(GLenum mode, GLint /*first*/, GLsizei /*count*/) {
   add_draw(mode, 1);
 }
@@ -220,7 +228,7 @@ void GlRecorder::add_draw(GLenum mode, std::uint64_t commands) {
   for (const auto& [attachment, texture] : framebuffers_[framebuffer_]) mark_texture(texture);
   for (const auto& [base, buffer] : bases_) mark_buffer(buffer);
   for (const auto& [binding, buffer] : vertex_arrays_[vertex_array_]) mark_buffer(buffer);
-  Explanation::Draw draw{pass_, {}, name_of_mode(mode), commands};
+  Explanation::Draw draw{pass_, {}, name_of_mode(mode), commands, culls_};
   if (const auto found = programs_.find(program_); found != programs_.end()) {
     found->second.variant.drawn = true;
     draw.program = found->second.variant.name;

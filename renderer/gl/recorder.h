@@ -57,6 +57,8 @@ class GlRecorder {
   void use_program(GLuint program);
   void begin_pass(GLenum source, GLuint id, GLsizei length, const GLchar* name);
   void end_pass();
+  void enable(GLenum what);
+  void disable(GLenum what);
   void draw_arrays(GLenum mode, GLint first, GLsizei count);
   void draw_elements(GLenum mode, GLsizei count, GLenum type, const void* indices);
   void draw_many_arrays(GLenum mode, const void* commands, GLsizei count, GLsizei stride);
@@ -95,6 +97,7 @@ class GlRecorder {
   GLuint framebuffer_ = 0;
   GLuint vertex_array_ = 0;
   GLuint program_ = 0;
+  bool culls_ = false;
   std::string pass_;
 
   // What the frame did.

@@ -86,6 +86,10 @@ using glm::vec4;
 // Some light is a point: a place and two roots per fragment and light.
 #define RELIEF_FEATURE_POINT_LIGHTS 4194304u
 
+// Sprites of closed bodies are not drawn where they face away from the eye: a product per vertex.
+// (Triangles are left out by OpenGL, which needs no variant.)
+#define RELIEF_FEATURE_FRONT 32768u
+
 // How many lights there are, where the material is lit: a number in the highest bits, so that the
 // loop over them is known when a shader is compiled. A light more is a highlight per fragment.
 #define RELIEF_LIGHTS_SHIFT 27u
@@ -152,6 +156,9 @@ using glm::vec4;
 
 /// Uniform of `onepass`: steps a cell of the places that it notes (visibility.glsl).
 #define RELIEF_UNIFORM_PLACE_STEPS 1
+
+/// Uniform of programs that draw sprites with FRONT: whether this draw leaves the backs out.
+#define RELIEF_UNIFORM_FRONT 2
 
 /// Uniform of the bench's shading bound: the patch that it shades.
 #define RELIEF_UNIFORM_PATCH 0

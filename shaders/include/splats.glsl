@@ -65,6 +65,16 @@ Splat fetch_splat(int record, PatchInfo info, mat4 clip_from_grid, vec4 eye) {
   return splat;
 }
 
+#if (RELIEF_FEATURES & RELIEF_FEATURE_FRONT) != 0u
+layout(location = RELIEF_UNIFORM_FRONT) uniform bool front_alone;
+
+// Whether it is not drawn because its plane faces away from the eye.
+bool is_hidden_back(Splat splat, vec4 eye) {
+  vec3 ray = ray_toward(splat.centre, eye);
+  return front_alone && ray.z - dot(splat.slope, ray.xy) >= 0.0;
+}
+#endif
+
 // Corner 0 to 3 of the parallelogram in the splat's tangent plane over what lies within `reach` of
 // its centre.
 vec3 splat_corner(Splat splat, vec4 reach, int corner) {

@@ -31,4 +31,7 @@ void main() {
   gl_Position =
       box.drawable ? vec4(box.centre, set_back(box.nearest, by), 1.0) : vec4(0.0, 0.0, 2.0, 1.0);
   gl_PointSize = box.size;
+#if (RELIEF_FEATURES & RELIEF_FEATURE_FRONT) != 0u
+  if (is_hidden_back(splat, fetch_eye(patch_index))) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+#endif
 }

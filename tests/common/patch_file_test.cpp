@@ -60,6 +60,7 @@ void expect_same(const PatchModel& a, const PatchModel& b) {
   EXPECT_EQ(a.bounds.max, b.bounds.max);
   EXPECT_EQ(a.bounding_radius, b.bounding_radius);
   EXPECT_EQ(a.has_colours, b.has_colours);
+  EXPECT_EQ(a.is_closed, b.is_closed);
   ASSERT_EQ(a.patches.size(), b.patches.size());
   for (std::size_t p = 0; p < a.patches.size(); ++p) {
     SCOPED_TRACE(p);
@@ -75,6 +76,24 @@ TEST(PatchFile, GivesBackWhatWasWritten) {
     expect_same(model, read_whole(folder / "a.relief"));
   }
   EXPECT_EQ(folder.count(), 1);
+}
+
+TEST(PatchFile, KeepsThatAModelIsClosed) {
+  const ScratchFolder folder;
+  PatchModel model = bumpy_model(2);
+  ASSERT_TRUE(write_patch_file(folder / "open.relief", model));
+  model.is_closed = true;
+  ASSERT_TRUE(write_patch_file(folder / "closed.relief", model));
+  expect_same(model, read_whole(folder / "closed.relief"));
+  EXPECT_TRUE(PatchFile::open(folder / "closed.relief")->info().is_closed);
+  EXPECT_FALSE(PatchFile::open(folder / "open.relief")->info().is_closed);
+  // A bit of the header, and its checksum: files of other models are as they always were.
+  const std::string open = slurp(folder / "open.relief");
+  std::string closed = slurp(folder / "closed.relief");
+  ASSERT_EQ(closed[112], 1);
+  closed[112] = 0;
+  EXPECT_EQ(closed.substr(0, 124), open.substr(0, 124));
+  EXPECT_EQ(closed.substr(128), open.substr(128));
 }
 
 TEST(PatchFile, KeepsOddPatches) {

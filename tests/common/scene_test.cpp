@@ -55,13 +55,13 @@ void expect_starts(const std::string& text, const std::string& start) {
 TEST_F(Scenes, EveryKeyIsRead) {
   const Scene scene = must_read(R"({
     "models": [
-      {"file": "a.relief", "material": "glass", "ior": 2, "absorption": [0, 1, 2], "opacity": 0.5,
+      {"file": "a.relief", "closed": true, "material": "glass", "ior": 2, "absorption": [0, 1, 2], "opacity": 0.5,
        "interfaces": 2},
       {"file": "/b.ply", "transform": {"translation": [1, -2.5, 3e2],
                                        "rotation": {"axis": [0, 0, 2], "degrees": 90}, "scale": 2}}
     ],
     "size": [640, 480], "fov": 30, "engine": "onepass", "primitive": "sprite",
-    "interpolation": "direct", "radius-factor": 1.5, "pixels-per-sample": 2.5, "material": "mirror", "env": "sky.hdr",
+    "interpolation": "direct", "sides": "front", "radius-factor": 1.5, "pixels-per-sample": 2.5, "material": "mirror", "env": "sky.hdr",
     "lights": [{"direction": [0, 3, 4]},
                {"position": [1, 2, 3], "colour": [1, 0.5, 0], "intensity": 8}], "ambient": [0, 0.5, 2],
     "ior": 1.25, "absorption": [1, 0, 100], "roughness": 0.5, "interfaces": 1, "exposure": -1.5,
@@ -79,6 +79,8 @@ TEST_F(Scenes, EveryKeyIsRead) {
   EXPECT_EQ(scene.models[0].material,
             (MaterialWords{Material::Glass, 2.0, glm::vec3(0, 1, 2), std::nullopt, 0.5, 2}));
   EXPECT_EQ(scene.models[1].material, MaterialWords{});
+  EXPECT_EQ(scene.models[0].is_closed, true);
+  EXPECT_FALSE(scene.models[1].is_closed);
   EXPECT_EQ(scene.models[1].file, "/b.ply");
   EXPECT_EQ(scene.models[1].transform.translation, glm::dvec3(1, -2.5, 300));
   EXPECT_EQ(scene.models[1].transform.rotation, rotation_about({0, 0, 1}, 90));
@@ -91,6 +93,7 @@ TEST_F(Scenes, EveryKeyIsRead) {
   EXPECT_EQ(all.engine, EngineKind::Onepass);
   EXPECT_EQ(all.primitive, Primitive::Sprite);
   EXPECT_EQ(all.interpolation, Interpolation::Direct);
+  EXPECT_EQ(all.sides, Sides::Front);
   EXPECT_EQ(all.radius_factor, 1.5);
   EXPECT_EQ(all.pixels_per_sample, 2.5);
   EXPECT_EQ(all.material, Material::Mirror);
@@ -168,6 +171,7 @@ TEST_F(Scenes, SettingsThatAreWrong) {
       {R"("engine": "embree")", "engine: expected onepass"},
       {R"("primitive": "disc")", "primitive: expected sprite, quad, cell; found \"disc\""},
       {R"("interpolation": 1)", "interpolation: expected direct, corrected; found 1"},
+      {R"("sides": "back")", "sides: expected auto, front, both; found \"back\""},
       {R"("pixels-per-sample": 65)", "pixels-per-sample: expected a number from 0 to 64; found 65"},
       {R"("radius-factor": 0.5)", "radius-factor: expected a number from 1 to 4; found 0.5"},
       {R"("material": "gold")",
@@ -222,7 +226,7 @@ TEST_F(Scenes, HaveAtMostSixteenLights) {
 TEST_F(Scenes, ModelsThatAreWrong) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {"", "models: expected a list of models, at least one; found an empty list"},
-      {"3", "models[0]: expected an object with file, transform, material, ior"},
+      {"3", "models[0]: expected an object with file, transform, closed, material, ior"},
       {"{}", "models[0].file: is missing; expected the name of a patch file"},
       {R"({"file": 1})", "models[0].file: expected the name of a patch file"},
       {R"({"file": ""})", "models[0].file: expected the name of a patch file"},
@@ -358,6 +362,7 @@ TEST(SceneSettings, EveryMemberIsOverlaid) {
   over.engine = EngineKind::Onepass;
   over.primitive = Primitive::Quad;
   over.interpolation = Interpolation::Direct;
+  over.sides = Sides::Both;
   over.radius_factor = 1.0;
   over.material = Material::Lit;
   over.ior = 2.0;
@@ -371,9 +376,10 @@ TEST(SceneSettings, EveryMemberIsOverlaid) {
   over.outputs = Outputs{};
   const SceneSettings both = overlay({}, over);
   EXPECT_TRUE(both.size && both.eye && both.target && both.up && both.fov_degrees && both.engine &&
-              both.primitive && both.interpolation && both.radius_factor && both.material &&
-              both.lights && both.ambient && both.ior && both.absorption && both.roughness &&
-              both.exposure && both.environment && both.background && both.outputs);
+              both.primitive && both.interpolation && both.sides && both.radius_factor &&
+              both.material && both.lights && both.ambient && both.ior && both.absorption &&
+              both.roughness && both.exposure && both.environment && both.background &&
+              both.outputs);
 }
 
 TEST(SceneSettings, TheCameraIsOnAnOrbitOrAtTheEye) {

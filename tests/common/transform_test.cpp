@@ -131,7 +131,8 @@ TEST(AppendModel, ModelsWithoutPatchesHaveBoundsTogether) {
 }
 
 TEST(AddPlacement, HasTheBoundsOfModelsThatWereMovedAndAppended) {
-  const PatchModel model = ball({1, 2, 3}, 0.5);
+  PatchModel model = ball({1, 2, 3}, 0.5);
+  model.is_closed = true;
   const PatchModel extent = without_patches(model);
   PatchModel placed;
   placed.patches = model.patches;
@@ -148,7 +149,11 @@ TEST(AddPlacement, HasTheBoundsOfModelsThatWereMovedAndAppended) {
   EXPECT_EQ(placed.bounds.max, appended.bounds.max);
   EXPECT_EQ(placed.bounding_radius, appended.bounding_radius);
   EXPECT_EQ(placed.spacing, appended.spacing);
+  EXPECT_TRUE(appended.is_closed && placed.placements[2].is_closed);
   const PatchModel baked = bake(placed);
+  EXPECT_TRUE(baked.is_closed);
+  append_model(appended, ball({1, 2, 3}, 0.5));
+  EXPECT_FALSE(appended.is_closed);
   ASSERT_EQ(baked.patches.size(), 3U);
   for (std::size_t p = 0; p < 3; ++p) {
     EXPECT_EQ(baked.patches[p].origin, appended.patches[p].origin);

@@ -24,8 +24,9 @@ Result<SplatPrograms> make_programs(const Gl& gl, std::string_view pass, std::ui
   }
   Result<Program> all = make("sprite", "", features);
   if (!all) return all.error();
-  Result<Program> large = make("triangle", "large ",
-                               (features & ~RELIEF_FEATURE_SPRITE) | RELIEF_FEATURE_LARGE_SPRITES);
+  Result<Program> large = make(
+      "triangle", "large ",
+      (features & ~(RELIEF_FEATURE_SPRITE | RELIEF_FEATURE_FRONT)) | RELIEF_FEATURE_LARGE_SPRITES);
   if (!large) return large.error();
   return SplatPrograms{std::move(*all), std::move(*large)};
 }
@@ -47,7 +48,8 @@ Result<Engine> Engine::create(const Gl& gl, const PatchStore& store, std::uint32
   Result<SplatPrograms> accumulation = make_programs(gl, "accumulation", features);
   if (!accumulation) return accumulation.error();
   Result<Program> shading =
-      make_program(gl, "shading", "environment/screen.vert", "multipass/shading.frag", features);
+      make_program(gl, "shading", "environment/screen.vert", "multipass/shading.frag",
+                   features & ~RELIEF_FEATURE_FRONT);
   if (!shading) return shading.error();
   return Engine(gl, store, std::move(*visibility), std::move(*accumulation), std::move(*shading));
 }
@@ -59,13 +61,18 @@ void Engine::draw(const GlPicture& picture, const Sums& sums, double radius_fact
   // The draws of both passes over the samples; the second, if there is one, of large sprites.
   std::vector<SampleDraw> draws;
   if (visibility_.large) {
-    draws.push_back(samples_.make_draw(SampleShape::Points, visible));
+    draws.push_back(
+        samples_.make_draw(SampleShape::Points, by_sides(store, picture.view, visible)));
     const double widest = double{shared::kCoveringSlack} * radius_factor * widest_disc(store);
     const std::vector<std::uint32_t> near =
         find_near(store, picture.view, visible, widest, largest_sprite(*gl_));
-    if (!near.empty()) draws.push_back(samples_.make_draw(SampleShape::Triangles, near));
+    if (!near.empty()) {
+      draws.push_back(
+          samples_.make_draw(SampleShape::Triangles, by_sides(store, picture.view, near)));
+    }
   } else {
-    draws.push_back(samples_.make_draw(SampleShape::Triangles, visible));
+    draws.push_back(
+        samples_.make_draw(SampleShape::Triangles, by_sides(store, picture.view, visible)));
   }
   samples_.look(picture.view, visible);
   {
@@ -92,8 +99,7 @@ void Engine::draw_splats(const SplatPrograms& programs, const std::vector<Sample
   const auto run = [&](const Program& program, const SampleDraw& draw) {
     gl_->ProgramUniform1f(program.id(), RELIEF_UNIFORM_RADIUS_FACTOR,
                           static_cast<GLfloat>(radius_factor));
-    gl_->UseProgram(program.id());
-    samples_.draw(draw);
+    samples_.draw(draw, program);
   };
   run(programs.all, draws.front());
   if (draws.size() > 1) run(*programs.large, draws.back());

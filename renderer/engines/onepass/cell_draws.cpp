@@ -35,13 +35,18 @@ void draw_strips(const Gl& gl, const Program& program, const CellPage& page,
 
 }  // namespace
 
-CellDraws make_cell_draws(const Gl& gl, const CellStore& store,
-                          const std::vector<std::uint32_t>& parts) {
+CellDraws make_cell_draws(const Gl& gl, const CellStore& store, const SidedList& parts) {
   CellDraws draws;
   for (std::uint32_t page = 0; page < store.pages.size(); ++page) {
-    draws.pages.push_back({&store.pages[page], upload(gl, cell_commands(store, parts, page)),
-                           upload(gl, edge_commands(store, parts, page)),
-                           upload(gl, rim_commands(store, parts, page))});
+    const auto add = [&](const std::vector<std::uint32_t>& list, bool front_alone) {
+      if (list.empty()) return;
+      draws.pages.push_back({&store.pages[page], front_alone,
+                             upload(gl, cell_commands(store, list, page)),
+                             upload(gl, edge_commands(store, list, page)),
+                             upload(gl, rim_commands(store, list, page))});
+    };
+    add(parts.both, false);
+    add(parts.front, true);
   }
   return draws;
 }
@@ -51,24 +56,26 @@ void draw_cells(const Gl& gl, const Programs& programs, const CellDraws& draws, 
   const bool behind = seen == SeenFrom::Behind;
   // From the normals' side strips of cells are clockwise, because their first vertex is there
   // twice, and quads are not.
-  if (behind) gl.Enable(GL_CULL_FACE);
-  for (const CellDraws::Page& page : draws.pages)
+  gl.CullFace(behind ? GL_BACK : GL_FRONT);
+  for (const CellDraws::Page& page : draws.pages) {
+    const CulledFaces culled(gl, behind || page.front_alone);
     draw_strips(gl, programs.main, *page.page, page.cells);
+  }
   for (const CellDraws::Page& page : draws.pages) {
     assert((programs.edges || !page.edges) && "what reaches beyond patches has its program");
+    const CulledFaces culled(gl, behind || page.front_alone);
     if (page.edges) draw_strips(gl, *programs.edges, *page.page, page.edges);
   }
-  if (behind) gl.FrontFace(GL_CW);
+  gl.CullFace(behind ? GL_FRONT : GL_BACK);
   gl.UseProgram(programs.rims->id());
   for (const CellDraws::Page& page : draws.pages) {
     if (!page.rims) continue;
+    const CulledFaces culled(gl, behind || page.front_alone);
     bind_page(gl, *page.page);
     gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, page.rims->buffer.id());
     gl.MultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, nullptr, page.rims->count, 0);
   }
-  if (!behind) return;
-  gl.FrontFace(GL_CCW);
-  gl.Disable(GL_CULL_FACE);
+  gl.CullFace(GL_BACK);
 }
 
 }  // namespace relief::onepass

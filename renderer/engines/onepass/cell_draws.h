@@ -9,6 +9,7 @@
 #include "renderer/engines/onepass/programs.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
+#include "renderer/sides.h"
 
 namespace relief::onepass {
 
@@ -22,6 +23,7 @@ struct Commands {
 struct CellDraws {
   struct Page {
     const CellPage* page = nullptr;
+    bool front_alone = false;  ///< without what faces away
     std::optional<Commands> cells;
     std::optional<Commands> edges;
     std::optional<Commands> rims;
@@ -31,7 +33,7 @@ struct CellDraws {
 
 /// Draws these parts, in this order. The store must outlive the draws.
 [[nodiscard]] CellDraws make_cell_draws(const Gl& gl, const CellStore& store,
-                                        const std::vector<std::uint32_t>& parts);
+                                        const SidedList& parts);
 
 /// Which sides of a surface are drawn: both, or that alone which its normals point away from.
 enum class SeenFrom : std::uint8_t { Anywhere, Behind };

@@ -30,13 +30,14 @@ Engine::Frame Engine::make_splat_frame(const View& view) const {
   samples_.look(view, visible);
   Frame frame;
   if (!programs_.large_sprites) {
-    frame.splats = samples_.make_draw(SampleShape::Quads, visible);
+    frame.splats = samples_.make_draw(SampleShape::Quads, by_sides(store, view, visible));
     return frame;
   }
-  frame.splats = samples_.make_draw(SampleShape::Points, visible);
+  frame.splats = samples_.make_draw(SampleShape::Points, by_sides(store, view, visible));
   const std::vector<std::uint32_t> near =
       find_near(store, view, visible, widest_disc(store), largest_sprite(*gl_));
-  if (!near.empty()) frame.large = samples_.make_draw(SampleShape::Quads, near);
+  if (!near.empty())
+    frame.large = samples_.make_draw(SampleShape::Quads, by_sides(store, view, near));
   return frame;
 }
 
@@ -48,7 +49,7 @@ Engine::Frame Engine::make_cell_frame(const View& view, const MaterialChoice& ma
   looked_at.reserve(parts.size() + far.size());
   for (const std::uint32_t part : parts) looked_at.push_back(store.cells->parts[part].patch);
   Frame frame;
-  frame.cells = make_cell_draws(*gl_, *store.cells, parts);
+  frame.cells = make_cell_draws(*gl_, *store.cells, parts_by_sides(store, view, parts));
   for (const std::uint32_t placement : far)
     looked_at.push_back(store.placements[placement].far->patch);
   frame.far_models = far_commands(store, view, far);
@@ -61,11 +62,8 @@ void Engine::draw_patches(const Frame& frame) const {
     draw_cells(*gl_, programs_, *frame.cells);
     return;
   }
-  gl_->UseProgram(programs_.main.id());
-  samples_.draw(*frame.splats);
-  if (!frame.large) return;
-  gl_->UseProgram(programs_.large_sprites->id());
-  samples_.draw(*frame.large);
+  samples_.draw(*frame.splats, programs_.main);
+  if (frame.large) samples_.draw(*frame.large, *programs_.large_sprites);
 }
 
 void Engine::draw_back(const GlPicture& picture, const Back& back, PassTimer& timer) const {

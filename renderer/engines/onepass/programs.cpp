@@ -99,9 +99,9 @@ Result<Programs> make_splat_programs(const Gl& gl, std::uint32_t features) {
   Result<Program> sprites =
       make_program(gl, "sprites", "onepass/sprite.vert", "onepass/sprite.frag", features);
   if (!sprites) return sprites.error();
-  Result<Program> large =
-      make_program(gl, "large sprites", "onepass/large_sprite.vert", "onepass/quad.frag",
-                   (features & ~RELIEF_FEATURE_SPRITE) | RELIEF_FEATURE_LARGE_SPRITES);
+  Result<Program> large = make_program(
+      gl, "large sprites", "onepass/large_sprite.vert", "onepass/quad.frag",
+      (features & ~(RELIEF_FEATURE_SPRITE | RELIEF_FEATURE_FRONT)) | RELIEF_FEATURE_LARGE_SPRITES);
   if (!large) return large.error();
   return Programs{std::move(*sprites), std::move(*large)};
 }

@@ -1,0 +1,122 @@
+#include "preprocess/closed_mesh.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+namespace relief {
+namespace {
+
+/// An edge as a triangle runs through it.
+struct Edge {
+  std::uint64_t ends = 0;  ///< the lesser of its points in the upper half
+  std::uint32_t triangle = 0;
+  bool forward = false;  ///< from the lesser point to the greater
+};
+
+/// The edges of all triangles, those of the same points beside each other.
+std::vector<Edge> sorted_edges(const std::vector<Triangle>& triangles) {
+  std::vector<Edge> edges;
+  edges.reserve(3 * triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::uint32_t from = triangles[t][c];
+      const std::uint32_t to = triangles[t][(c + 1) % 3];
+      edges.push_back({std::uint64_t{std::min(from, to)} << 32U | std::max(from, to),
+                       static_cast<std::uint32_t>(t), from < to});
+    }
+  }
+  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+    return a.ends != b.ends ? a.ends < b.ends : a.triangle < b.triangle;
+  });
+  return edges;
+}
+
+/// Triangles that hang together by edges: a forest whose roots name the pieces.
+class Pieces {
+ public:
+  explicit Pieces(std::size_t triangles) : parents_(triangles) {
+    std::iota(parents_.begin(), parents_.end(), 0U);
+  }
+
+  std::uint32_t root_of(std::uint32_t triangle) {
+    while (parents_[triangle] != triangle)
+      triangle = parents_[triangle] = parents_[parents_[triangle]];
+    return triangle;
+  }
+
+  void join(std::uint32_t a, std::uint32_t b) { parents_[root_of(a)] = root_of(b); }
+
+ private:
+  std::vector<std::uint32_t> parents_;
+};
+
+/// The pieces, if every edge has its two triangles.
+std::optional<Pieces> join_pieces(const std::vector<Triangle>& triangles) {
+  const std::vector<Edge> edges = sorted_edges(triangles);
+  Pieces pieces(triangles.size());
+  for (std::size_t e = 0; e < edges.size(); e += 2) {
+    const bool last = e + 2 >= edges.size();
+    if (e + 1 == edges.size() || edges[e].ends != edges[e + 1].ends ||
+        edges[e].forward == edges[e + 1].forward || (!last && edges[e + 2].ends == edges[e].ends)) {
+      return std::nullopt;
+    }
+    pieces.join(edges[e].triangle, edges[e + 1].triangle);
+  }
+  return pieces;
+}
+
+bool has_lone_points(const Points& mesh) {
+  std::vector<bool> is_corner(mesh.size(), false);
+  for (const Triangle& t : mesh.triangles) {
+    for (const std::uint32_t corner : t) is_corner[corner] = true;
+  }
+  return std::find(is_corner.begin(), is_corner.end(), false) != is_corner.end();
+}
+
+/// Six times the volume that each piece encloses, at its root.
+std::vector<double> volumes_of(const Points& mesh, Pieces& pieces) {
+  std::vector<double> volumes(mesh.triangles.size(), 0.0);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    // Relative to a point of the same piece: coordinates may be large beside the body.
+    const std::uint32_t root = pieces.root_of(t);
+    const glm::dvec3 base = mesh.positions[mesh.triangles[root][0]];
+    const auto corner = [&](std::size_t c) { return mesh.positions[mesh.triangles[t][c]] - base; };
+    volumes[root] += glm::dot(corner(0), glm::cross(corner(1), corner(2)));
+  }
+  return volumes;
+}
+
+/// Whether more than a hundredth of the triangles have given normals against them: of a thin edge
+/// or a scanner's noise some do.
+bool has_normals_against(const Points& mesh) {
+  if (mesh.normals.empty()) return false;
+  std::size_t against = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const glm::dvec3 a = mesh.positions[t[0]];
+    const glm::dvec3 across = glm::cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a);
+    glm::dvec3 given(0.0);
+    for (const std::uint32_t corner : t) given += glm::dvec3(mesh.normals[corner]);
+    if (glm::dot(across, given) < 0.0) ++against;
+  }
+  return 100 * against > mesh.triangles.size();
+}
+
+}  // namespace
+
+bool is_closed_mesh(const Points& mesh) {
+  if (mesh.triangles.empty() || has_lone_points(mesh)) return false;
+  std::optional<Pieces> pieces = join_pieces(mesh.triangles);
+  if (!pieces) return false;
+  const std::vector<double> volumes = volumes_of(mesh, *pieces);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (pieces->root_of(t) == t && !(volumes[t] > 0.0)) return false;
+  }
+  return !has_normals_against(mesh);
+}
+
+}  // namespace relief
