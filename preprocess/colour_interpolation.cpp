@@ -129,8 +129,8 @@ glm::vec3 ColourInterpolation::at(double x, double y, std::uint32_t nearest) con
   const glm::dvec2 place(x, y);
   const double to_nearest = glm::length(glm::dvec2(points_.positions[nearest]) - place);
   const double reach = std::max(kReach * points_.spacing[nearest], 2.0 * to_nearest);
-  thread_local std::vector<std::pair<double, std::uint32_t>> around;
-  around.clear();
+  std::vector<std::pair<double, std::uint32_t>> around;
+  around.reserve(64);
   lookup_.for_each_within(x, y, reach, [&](std::uint32_t p, double /*square*/) {
     around.emplace_back(metric.distance(glm::dvec2(points_.positions[p]) - place), p);
   });

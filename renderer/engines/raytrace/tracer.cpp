@@ -95,7 +95,7 @@ glm::vec4 Tracer::shade_at(const Hit& at, const SightRay& ray) const {
 }
 
 Seen Tracer::blend_along(const SightRay& ray) const {
-  thread_local std::vector<Hit> met;
+  std::vector<Hit> met;
   scene_->find_all(ray, met);
   std::sort(met.begin(), met.end(), [](const Hit& a, const Hit& b) {
     return std::tie(a.depth, a.triangle) < std::tie(b.depth, b.triangle);
