@@ -62,6 +62,13 @@ Outputs read_outputs(JsonValues& values, const JsonPlace& place) {
   return outputs;
 }
 
+int read_count(JsonValues& values, const JsonPlace& place, NumberChoice range,
+               std::string_view expected) {
+  const double n = values.number(place, {range.least, range.most}, expected);
+  if (n != std::floor(n)) values.refuse_value(place, expected);
+  return static_cast<int>(n);
+}
+
 }  // namespace
 
 std::vector<std::string_view> with_setting_keys(std::vector<std::string_view> keys) {
@@ -86,12 +93,8 @@ MaterialWords read_material(JsonValues& values, const JsonPlace& object) {
   }
   if (const auto place = JsonValues::member(object, "absorption"))
     words.absorption = read_linear_colour(values, *place, kAbsorptions.most);
-  if (const auto place = JsonValues::member(object, "interfaces")) {
-    const double count =
-        values.number(*place, {kInterfaceCounts.least, kInterfaceCounts.most}, "1 or 2");
-    if (count != std::floor(count)) values.refuse_value(*place, "1 or 2");
-    words.interfaces = static_cast<int>(count);
-  }
+  if (const auto place = JsonValues::member(object, "interfaces"))
+    words.interfaces = read_count(values, *place, kInterfaceCounts, "1 or 2");
   const auto read_fraction = [&](std::string_view key, NumberChoice choice) {
     const auto place = JsonValues::member(object, key);
     if (!place) return std::optional<double>();
@@ -144,9 +147,7 @@ SceneSettings read_settings(JsonValues& values, const JsonPlace& object,
   };
   const auto count = [&values](NumberChoice range, std::string_view expected) {
     return [&values, range, expected](const JsonPlace& place) {
-      const double n = values.number(place, {range.least, range.most}, expected);
-      if (n != std::floor(n)) values.refuse_value(place, expected);
-      return static_cast<int>(n);
+      return read_count(values, place, range, expected);
     };
   };
   read("pixels-per-sample", settings.pixels_per_sample,

@@ -163,10 +163,7 @@ std::vector<MeshBody> bodies_of(const PatchModel& model) {
   for (const Placement& placement : model.placements) {
     const auto run = std::span(model.patches).subspan(placement.first, placement.count);
     bodies.push_back({vertices, 2.0 * placement.transform.scale * sphere_about(run).radius});
-    for (const Patch& patch : run) {
-      vertices += static_cast<std::uint32_t>(
-          patch.heights.size() - std::count(patch.heights.begin(), patch.heights.end(), kHole));
-    }
+    for (const Patch& patch : run) vertices += static_cast<std::uint32_t>(count_samples(patch));
   }
   return bodies;
 }

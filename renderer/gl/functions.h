@@ -41,7 +41,6 @@ class GlContext;
   F(PFNGLENABLEVERTEXARRAYATTRIBPROC, EnableVertexArrayAttrib)         \
   F(PFNGLENDQUERYPROC, EndQuery)                                       \
   F(PFNGLFINISHPROC, Finish)                                           \
-  F(PFNGLFRONTFACEPROC, FrontFace)                                     \
   F(PFNGLGENQUERIESPROC, GenQueries)                                   \
   F(PFNGLGENERATETEXTUREMIPMAPPROC, GenerateTextureMipmap)             \
   F(PFNGLGETERRORPROC, GetError)                                       \

@@ -278,6 +278,14 @@ PatchModel two_sizes() {
   return placed;
 }
 
+/// Both of them, orthographic along -z.
+RenderSettings picture_of_two(const PatchModel& model, const LinearLight& light) {
+  RenderSettings settings = glass_picture(model, light, 1.5F);
+  settings.camera = {{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 45.0};
+  settings.camera.orthographic_height = 4.2;
+  return settings;
+}
+
 /// The pixel that shows a place on the x axis, orthographic along -z.
 std::size_t pixel_at(const RenderSettings& settings, double x) {
   const double column =
@@ -288,9 +296,7 @@ std::size_t pixel_at(const RenderSettings& settings, double x) {
 TEST(TwoInterfaces, AbsorptionIsOverEachModelsOwnDiameter) {
   const LinearLight light;
   const PatchModel model = two_sizes();
-  RenderSettings settings = glass_picture(model, light, 1.5F);
-  settings.camera = {{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 45.0};
-  settings.camera.orthographic_height = 4.2;
+  RenderSettings settings = picture_of_two(model, light);
   const Expected expected = expect_of({0, 0, 5}, {0, 0, -1}, 1.5);
   for (const EngineKind engine : {EngineKind::Onepass, EngineKind::Raytrace}) {
     settings.engine = engine;
@@ -309,9 +315,7 @@ TEST(TwoInterfaces, AbsorptionIsOverEachModelsOwnDiameter) {
 TEST(TwoInterfaces, EachModelHasItsOwn) {
   const LinearLight light;
   const PatchModel model = two_sizes();
-  RenderSettings settings = glass_picture(model, light, 1.5F);
-  settings.camera = {{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 45.0};
-  settings.camera.orthographic_height = 4.2;
+  RenderSettings settings = picture_of_two(model, light);
   MaterialSettings two{Material::Glass, settings.constants};
   MaterialSettings one = two;
   one.constants.interfaces = 1;
