@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -40,6 +41,7 @@ struct Arguments {
   std::filesystem::path output;
   std::filesystem::path texture;  ///< as texture_choice has it
   ConvertOptions options;
+  PatchFileOptions file;
   bool json = false;
 };
 
@@ -126,7 +128,8 @@ Result<Summary> convert_files(const Arguments& arguments, Progress& progress) {
   // The last moment at which nothing is there yet; writing takes well under a second.
   if (progress.cancelled()) return interrupted_error();
   progress.begin_stage("write", 0);
-  if (const Status written = write_patch_file(arguments.output, converted->model); !written) {
+  if (const Status written = write_patch_file(arguments.output, converted->model, arguments.file);
+      !written) {
     return written.error();
   }
   const auto file = PatchFile::open(arguments.output);
@@ -181,6 +184,22 @@ void add_convert(CLI::App& app, Command& command) {
          "many samples as points)")
       ->check(CLI::PositiveNumber)
       ->option_text("S");
+  sub->add_option("--height-step", arguments->options.height_step,
+                  "What heights are rounded to, in the scan's unit: larger makes a smaller file (a "
+                  "twentieth of the spacing)")
+      ->check(CLI::PositiveNumber)
+      ->option_text("S");
+  sub->add_option("--codec", arguments->file.codec,
+                  "fast: quickest to read and write; compact: about half the bytes of heights, and "
+                  "coarse levels that can be read alone (fast)")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, PatchCodec>{
+          {"fast", PatchCodec::Fast}, {"compact", PatchCodec::Compact}}))
+      ->option_text("fast|compact");
+  sub->add_option("--normal-degrees", arguments->file.normal_degrees,
+                  "With --codec compact: how far normals may be off (0.5); what is as near to the "
+                  "normals of the heights is not kept at all")
+      ->check(CLI::Range(0.1, 90.0))
+      ->option_text("DEG");
   sub->add_option("--cone-degrees", arguments->options.cone_degrees,
                   "Largest angle between a patch's normal and its points' normals; larger makes "
                   "fewer patches")

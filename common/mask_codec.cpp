@@ -3,18 +3,9 @@
 #include <algorithm>
 
 #include "common/residuals.h"
+#include "common/varint.h"
 
 namespace relief {
-namespace {
-
-/// Seven bits a byte, lowest first; the high bit says that more follow (LEB128).
-void append_varint(std::vector<std::uint8_t>& out, std::uint64_t value) {
-  for (; value >= 0x80; value >>= 7U) out.push_back(static_cast<std::uint8_t>(value | 0x80U));
-  out.push_back(static_cast<std::uint8_t>(value));
-}
-
-}  // namespace
-
 void append_mask(std::vector<std::byte>& out, std::span<const std::uint8_t> mask,
                  std::size_t width) {
   std::vector<std::uint8_t> runs;

@@ -1,4 +1,4 @@
-// The .relief patch file, version 1 (docs/patch-file.md). Reading trusts no byte of the file.
+// The .relief patch file (docs/patch-file.md). Reading trusts no byte of the file.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace relief {
 /// What the header and the index of a patch file say; known without reading any patch.
 struct PatchFileInfo {
   std::uint32_t version = 0;
-  std::string codec;
+  std::string codec;  ///< of the heights: "predicted-zstd" (1) or "levels-rans" (2)
   std::uint64_t patches = 0;
   std::uint64_t samples = 0;
   double spacing = 0.0;  ///< as PatchModel::spacing, world units
@@ -45,10 +45,21 @@ struct PatchSummary {
   [[nodiscard]] bool operator==(const PatchSummary&) const = default;
 };
 
+/// How a file is coded: quick to write and read, or in about half the bytes.
+enum class PatchCodec : std::uint8_t { Fast, Compact };
+
+struct PatchFileOptions {
+  PatchCodec codec = PatchCodec::Fast;
+  /// The largest error of normals of Compact, in degrees, 0.1 to 90; Fast always keeps 0.1. Compact
+  /// keeps them relative to the normals of the heights, and none where these are as near.
+  double normal_degrees = 0.5;
+};
+
 /// Writes a model beside `path` and renames it there, so that `path` never holds half a file.
-/// The same model gives the same bytes. Fails with one sentence (no such directory, disk full,
-/// ...).
-Status write_patch_file(const std::filesystem::path& path, const PatchModel& model);
+/// The same model gives the same bytes. Compact rounds where patches stand, so that no sample moves
+/// by more than 0.1 height steps. Fails with one sentence (no such directory, disk full, ...).
+Status write_patch_file(const std::filesystem::path& path, const PatchModel& model,
+                        const PatchFileOptions& options = {});
 
 /// An open patch file: header and index are in memory, patches are read on demand.
 class PatchFile {
@@ -68,6 +79,10 @@ class PatchFile {
 
   /// Reads, checks and decodes one patch; touches no other patch's bytes. Thread-safe.
   [[nodiscard]] Result<Patch> read_patch(std::uint64_t index) const;
+
+  /// As read_patch, but every 2^level-th node each way alone, with a spacing as much larger, and
+  /// without maps. In files that are compact no finer level is decoded. Thread-safe.
+  [[nodiscard]] Result<Patch> read_level(std::uint64_t index, unsigned level) const;
 
   /// Reads all patches (in parallel). Refuses a model that does not fit into this machine's memory.
   [[nodiscard]] Result<PatchModel> read_all(Progress& progress) const;

@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include "common/bytes.h"
+#include "common/compact/compact_index.h"
 
 namespace relief {
 namespace {
@@ -106,6 +107,15 @@ ChunkRecord take_chunk(ByteReader& in) {
   return chunk;
 }
 
+/// Whether the index may have that many bytes; what comes after it relies on that.
+bool index_fits(const FileHeader& header, std::uint64_t bytes) {
+  if (header.version == kCompactVersion) {
+    return header.patches <= bytes / kLeastCompactRecord && header.chunks <= 3ULL * header.patches;
+  }
+  return bytes == header.patches * std::uint64_t{kPatchRecordBytes} +
+                      header.chunks * std::uint64_t{kChunkRecordBytes};
+}
+
 }  // namespace
 
 std::uint32_t crc32(std::span<const std::byte> bytes) {
@@ -165,7 +175,7 @@ std::string find_fault(double spacing, const Bounds& bounds, double bounding_rad
 std::vector<std::byte> write_header(const FileHeader& header) {
   std::vector<std::byte> out;
   for (const std::uint8_t byte : kMagic) append_number(out, byte);
-  append_number(out, kPatchFileVersion);
+  append_number(out, header.version);
   append_number(out, static_cast<std::uint32_t>(kHeaderBytes));
   append_number(out, header.file_bytes);
   append_number(out, header.index_offset);
@@ -183,7 +193,8 @@ std::vector<std::byte> write_header(const FileHeader& header) {
   return out;
 }
 
-std::vector<std::byte> write_index(const FileIndex& index) {
+std::vector<std::byte> write_index(const FileIndex& index, const FileHeader& header) {
+  if (header.version == kCompactVersion) return write_compact_index(index, header);
   std::vector<std::byte> out;
   out.reserve(index.patches.size() * kPatchRecordBytes + index.chunks.size() * kChunkRecordBytes);
   for (const PatchRecord& patch : index.patches) append_patch(out, patch);
@@ -201,10 +212,10 @@ Result<FileHeader> parse_header(std::span<const std::byte> bytes, std::uint64_t 
   }
   if (in.left() < 4) return make_error("{}: the file is truncated within its header", name);
   const auto version = in.take<std::uint32_t>();
-  if (version > kPatchFileVersion) {
+  if (version > kCompactVersion) {
     return make_error(
-        "{}: patch file version {}; this program reads version {}; get a newer relief", name,
-        version, kPatchFileVersion);
+        "{}: patch file version {}; this program reads versions 1 to {}; get a newer relief", name,
+        version, kCompactVersion);
   }
   if (bytes.size() < kHeaderBytes) {
     return make_error("{}: the file is truncated within its header", name);
@@ -217,6 +228,7 @@ Result<FileHeader> parse_header(std::span<const std::byte> bytes, std::uint64_t 
   }
 
   FileHeader header;
+  header.version = version;
   header.file_bytes = in.take<std::uint64_t>();
   header.index_offset = in.take<std::uint64_t>();
   header.patches = in.take<std::uint32_t>();
@@ -234,10 +246,8 @@ Result<FileHeader> parse_header(std::span<const std::byte> bytes, std::uint64_t 
                       file_bytes, header.file_bytes,
                       file_bytes < header.file_bytes ? "truncated" : "damaged");
   }
-  const std::uint64_t index_bytes = header.patches * std::uint64_t{kPatchRecordBytes} +
-                                    header.chunks * std::uint64_t{kChunkRecordBytes};
   if (header.index_offset < kHeaderBytes || header.index_offset > file_bytes ||
-      file_bytes - header.index_offset != index_bytes) {
+      !index_fits(header, file_bytes - header.index_offset)) {
     return make_error(
         "{}: the index of {} patches and {} chunks does not fit at byte {}; the file "
         "is damaged",
@@ -255,6 +265,7 @@ Result<FileIndex> parse_index(std::span<const std::byte> bytes, const FileHeader
   if (crc32(bytes) != header.index_checksum) {
     return make_error("{}: the index's checksum is wrong; the file is damaged", name);
   }
+  if (header.version == kCompactVersion) return parse_compact_index(bytes, header, name);
   ByteReader in(bytes);
   FileIndex index;
   index.patches.reserve(header.patches);

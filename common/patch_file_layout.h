@@ -13,7 +13,9 @@
 
 namespace relief {
 
-inline constexpr std::uint32_t kPatchFileVersion = 1;
+/// Version 1 has an index of fixed records, version 2 a compact one (compact/compact_index.h).
+inline constexpr std::uint32_t kPlainVersion = 1;
+inline constexpr std::uint32_t kCompactVersion = 2;
 inline constexpr std::size_t kHeaderBytes = 128;
 inline constexpr std::size_t kPatchRecordBytes = 144;
 inline constexpr std::size_t kChunkRecordBytes = 24;
@@ -21,8 +23,10 @@ inline constexpr std::size_t kChunkRecordBytes = 24;
 /// The header's flags; a reader passes over those that it does not know.
 inline constexpr std::uint64_t kClosedFlag = 1;
 
-/// The only codec of version 1: predicted integers in zstd streams.
+/// Predicted integers in zstd streams (patch_codec.h).
 inline constexpr std::uint16_t kCodecPredicted = 1;
+/// Levels in rANS streams (compact/compact_codec.h); the only one of version 2.
+inline constexpr std::uint16_t kCodecCompact = 2;
 
 using ChunkType = std::array<char, 4>;
 inline constexpr ChunkType kHeightsChunk{'H', 'G', 'H', 'T'};
@@ -47,6 +51,7 @@ struct PatchRecord {
 };
 
 struct FileHeader {
+  std::uint32_t version = kPlainVersion;
   std::uint64_t file_bytes = 0;
   std::uint64_t index_offset = 0;
   std::uint32_t patches = 0;
@@ -75,7 +80,9 @@ struct FileIndex {
 [[nodiscard]] std::string find_fault(double spacing, const Bounds& bounds, double bounding_radius);
 
 [[nodiscard]] std::vector<std::byte> write_header(const FileHeader& header);
-[[nodiscard]] std::vector<std::byte> write_index(const FileIndex& index);
+
+/// The index in the header's version, of which it takes what patches have in common.
+[[nodiscard]] std::vector<std::byte> write_index(const FileIndex& index, const FileHeader& header);
 
 /// Reads and checks the first kHeaderBytes bytes (or what there is) of a file of `file_bytes`
 /// bytes. Errors are whole sentences that start with `name`.

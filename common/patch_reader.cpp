@@ -8,51 +8,13 @@
 #include <new>
 #include <utility>
 
+#include "common/compact/compact_codec.h"
 #include "common/file.h"
 #include "common/patch_codec.h"
 #include "common/patch_file.h"
 #include "common/patch_file_layout.h"
 
 namespace relief {
-
-struct PatchFile::State {
-  std::string name;
-  RandomAccessFile file;
-  PatchFileInfo info;
-  std::vector<PatchSummary> summaries;
-  FileIndex index;
-
-  [[nodiscard]] const ChunkRecord* find_chunk(const PatchRecord& patch, ChunkType type) const {
-    const auto first = index.chunks.begin() + patch.first_chunk;
-    const auto found = std::find_if(first, first + patch.chunk_count,
-                                    [type](const ChunkRecord& c) { return c.type == type; });
-    return found == first + patch.chunk_count ? nullptr : &*found;
-  }
-
-  /// Reads one chunk and hands its bytes to `decode`, which answers with a clause on failure.
-  template <class Decode>
-  Status read_chunk(std::uint64_t patch, const char* what, const ChunkRecord& chunk,
-                    const Decode& decode) const {
-    if (chunk.codec != kCodecPredicted) {
-      return make_error(
-          "{}: patch {}: its {} are in codec {}, which this program does not know; get a newer "
-          "relief",
-          name, patch, what, chunk.codec);
-    }
-    std::vector<std::byte> bytes(chunk.size);
-    if (Status read = file.read_at(chunk.offset, bytes); !read) return read;
-    if (crc32(bytes) != chunk.checksum) {
-      return make_error(
-          "{}: patch {}: the checksum of its {} (byte {}) is wrong; the file is damaged", name,
-          patch, what, chunk.offset);
-    }
-    if (Status decoded = decode(bytes); !decoded) {
-      return make_error("{}: patch {}: its {} (byte {}) are wrong: {}; the file is damaged", name,
-                        patch, what, chunk.offset, decoded.error().message);
-    }
-    return {};
-  }
-};
 
 namespace {
 
@@ -62,8 +24,36 @@ bool is_map_scale_valid(const PatchSummary& patch, std::uint32_t scale) {
   return scale > 0 && scale * cells + 1 <= kMaxPatchSide;
 }
 
-/// Viewers cull by the index's heights, so that they must be the decoded ones.
-Status check_height_range(const Patch& patch, const PatchSummary& summary) {
+/// What the index says of a patch, without heights and maps.
+Patch empty_patch(const PatchSummary& summary) {
+  Patch patch;
+  patch.origin = summary.origin;
+  patch.axes = summary.axes;
+  patch.spacing = summary.spacing;
+  patch.height_step = summary.height_step;
+  patch.width = summary.width;
+  patch.height = summary.height;
+  return patch;
+}
+
+/// Leaves every 2^level-th node each way, of a patch without maps.
+void keep_level(unsigned level, Patch& patch) {
+  Patch coarse = patch;
+  coarse.width = ((patch.width - 1) >> level) + 1;
+  coarse.height = ((patch.height - 1) >> level) + 1;
+  coarse.spacing = std::ldexp(patch.spacing, static_cast<int>(level));
+  coarse.heights.clear();
+  for (std::uint32_t j = 0; j < coarse.height; ++j) {
+    for (std::uint32_t i = 0; i < coarse.width; ++i) {
+      coarse.heights.push_back(patch.at(i << level, j << level));
+    }
+  }
+  patch = std::move(coarse);
+}
+
+/// Viewers cull by the index's heights, so that they must be the decoded ones (`all` of them; a
+/// coarse level's lie among them).
+Status check_height_range(const Patch& patch, const PatchSummary& summary, bool all) {
   std::int32_t lowest = kMaxHeightRange;
   std::int32_t highest = 0;
   for (const std::int32_t h : patch.heights) {
@@ -72,7 +62,9 @@ Status check_height_range(const Patch& patch, const PatchSummary& summary) {
     highest = std::max(highest, h);
   }
   if (summary.samples == 0) lowest = 0;
-  if (lowest != summary.min_height || highest != summary.max_height) {
+  const bool are_within = lowest >= summary.min_height && highest <= summary.max_height;
+  const bool are_equal = lowest == summary.min_height && highest == summary.max_height;
+  if (all ? !are_equal : !are_within) {
     return make_error("they are {} to {} where the index says {} to {}", lowest, highest,
                       summary.min_height, summary.max_height);
   }
@@ -96,6 +88,66 @@ std::uint64_t memory_bytes() {
 
 }  // namespace
 
+struct PatchFile::State {
+  std::string name;
+  RandomAccessFile file;
+  PatchFileInfo info;
+  std::vector<PatchSummary> summaries;
+  FileIndex index;
+
+  [[nodiscard]] const ChunkRecord* find_chunk(const PatchRecord& patch, ChunkType type) const {
+    const auto first = index.chunks.begin() + patch.first_chunk;
+    const auto found = std::find_if(first, first + patch.chunk_count,
+                                    [type](const ChunkRecord& c) { return c.type == type; });
+    return found == first + patch.chunk_count ? nullptr : &*found;
+  }
+
+  /// Reads one chunk and hands its bytes to `decode`, which answers with a clause on failure.
+  template <class Decode>
+  Status read_chunk(std::uint64_t patch, const char* what, const ChunkRecord& chunk,
+                    const Decode& decode) const {
+    if (chunk.codec != kCodecPredicted && chunk.codec != kCodecCompact) {
+      return make_error(
+          "{}: patch {}: its {} are in codec {}, which this program does not know; get a newer "
+          "relief",
+          name, patch, what, chunk.codec);
+    }
+    std::vector<std::byte> bytes(chunk.size);
+    if (Status read = file.read_at(chunk.offset, bytes); !read) return read;
+    if (crc32(bytes) != chunk.checksum) {
+      return make_error(
+          "{}: patch {}: the checksum of its {} (byte {}) is wrong; the file is damaged", name,
+          patch, what, chunk.offset);
+    }
+    if (Status decoded = decode(bytes); !decoded) {
+      return make_error("{}: patch {}: its {} (byte {}) are wrong: {}; the file is damaged", name,
+                        patch, what, chunk.offset, decoded.error().message);
+    }
+    return {};
+  }
+
+  /// Reads a patch without its maps; of `level` 1 and more every 2^level-th node each way.
+  [[nodiscard]] Result<Patch> read_heights(std::uint64_t number, unsigned level) const {
+    const PatchRecord& record = index.patches[number];
+    Patch patch = empty_patch(record.summary);
+    const ChunkRecord* heights = find_chunk(record, kHeightsChunk);
+    if (heights == nullptr) {
+      return make_error("{}: patch {} has no heights; the file is damaged", name, number);
+    }
+    const auto decode = [&](const std::vector<std::byte>& bytes) -> Status {
+      const std::uint32_t samples = record.summary.samples;
+      const Status decoded = heights->codec == kCodecCompact
+                                 ? decode_heights_compact(bytes, samples, level, patch)
+                                 : decode_heights(bytes, samples, patch);
+      if (!decoded) return decoded;
+      if (heights->codec != kCodecCompact && level > 0) keep_level(level, patch);
+      return check_height_range(patch, record.summary, level == 0);
+    };
+    if (Status read = read_chunk(number, "heights", *heights, decode); !read) return read.error();
+    return patch;
+  }
+};
+
 PatchFile::PatchFile(std::unique_ptr<State> state) : state_(std::move(state)) {}
 PatchFile::PatchFile(PatchFile&&) noexcept = default;
 PatchFile& PatchFile::operator=(PatchFile&&) noexcept = default;
@@ -116,8 +168,8 @@ Result<PatchFile> PatchFile::open(const std::filesystem::path& path) {
   if (!index) return index.error();
 
   PatchFileInfo info;
-  info.version = kPatchFileVersion;
-  info.codec = "predicted-zstd";
+  info.version = header->version;
+  info.codec = header->version == kCompactVersion ? "levels-rans" : "predicted-zstd";
   info.patches = header->patches;
   info.samples = header->samples;
   info.spacing = header->spacing;
@@ -149,41 +201,38 @@ const std::vector<PatchSummary>& PatchFile::patches() const {
 Result<Patch> PatchFile::read_patch(std::uint64_t index) const try {
   const State& s = *state_;
   assert(index < s.index.patches.size() && "the caller looks at info().patches");
+  auto patch = s.read_heights(index, 0);
+  if (!patch) return patch;
   const PatchRecord& record = s.index.patches[index];
-  const PatchSummary& summary = record.summary;
-  Patch patch;
-  patch.origin = summary.origin;
-  patch.axes = summary.axes;
-  patch.spacing = summary.spacing;
-  patch.height_step = summary.height_step;
-  patch.width = summary.width;
-  patch.height = summary.height;
-
-  const ChunkRecord* heights = s.find_chunk(record, kHeightsChunk);
-  if (heights == nullptr) {
-    return make_error("{}: patch {} has no heights; the file is damaged", s.name, index);
-  }
-  if (Status read = s.read_chunk(index, "heights", *heights,
-                                 [&](const auto& bytes) {
-                                   Status decoded = decode_heights(bytes, summary.samples, patch);
-                                   return decoded ? check_height_range(patch, summary) : decoded;
-                                 });
-      !read) {
-    return read.error();
-  }
-  const auto read_map = [&](ChunkType type, const char* what, const auto& decode) -> Status {
+  const auto read_map = [&](ChunkType type, const char* what, const auto& decode,
+                            const auto& decode_compact) -> Status {
     const ChunkRecord* chunk = s.find_chunk(record, type);
     if (chunk == nullptr) return {};
-    if (!is_map_scale_valid(summary, chunk->scale)) {
+    if (!is_map_scale_valid(record.summary, chunk->scale)) {
       return make_error("{}: patch {}: its {} have {} texels a cell; the file is damaged", s.name,
                         index, what, chunk->scale);
     }
-    return s.read_chunk(index, what, *chunk,
-                        [&](const auto& bytes) { return decode(bytes, chunk->scale, patch); });
+    return s.read_chunk(index, what, *chunk, [&](const auto& bytes) {
+      return chunk->codec == kCodecCompact ? decode_compact(bytes, chunk->scale, *patch)
+                                           : decode(bytes, chunk->scale, *patch);
+    });
   };
-  if (Status read = read_map(kNormalsChunk, "normals", decode_normals); !read) return read.error();
-  if (Status read = read_map(kColoursChunk, "colours", decode_colours); !read) return read.error();
+  if (Status read = read_map(kNormalsChunk, "normals", decode_normals, decode_normals_compact);
+      !read) {
+    return read.error();
+  }
+  if (Status read = read_map(kColoursChunk, "colours", decode_colours, decode_colours_compact);
+      !read) {
+    return read.error();
+  }
   return patch;
+} catch (const std::bad_alloc&) {
+  return make_error("{}: there is not enough memory for patch {}", state_->name, index);
+}
+
+Result<Patch> PatchFile::read_level(std::uint64_t index, unsigned level) const try {
+  assert(index < state_->index.patches.size() && "the caller looks at info().patches");
+  return state_->read_heights(index, level);
 } catch (const std::bad_alloc&) {
   return make_error("{}: there is not enough memory for patch {}", state_->name, index);
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "common/compact/compact_codec.h"
+#include "common/compact/compact_index.h"
 #include "common/file.h"
 #include "common/octahedral.h"
 #include "common/patch_codec.h"
@@ -60,12 +62,23 @@ std::string find_fault(const Patch& patch, const PatchSummary& summary) {
   return fault;
 }
 
-/// The cone about the mean normal that holds all kept normals, as they come back from the file.
-void summarise_normals(const Patch& patch, PatchSummary& summary) {
+/// The normals as they come back from the file.
+std::vector<glm::i16vec2> normals_as_read(const Patch& patch, const PatchFileOptions& options) {
+  if (options.codec == PatchCodec::Compact) {
+    return rounded_normals_compact(patch, normal_step(options.normal_degrees));
+  }
+  std::vector<glm::i16vec2> normals = patch.normals.texels;
+  std::transform(normals.begin(), normals.end(), normals.begin(), rounded_normal);
+  return normals;
+}
+
+/// The cone about the mean normal that holds all kept normals.
+void summarise_normals(const Patch& patch, const std::vector<glm::i16vec2>& normals,
+                       PatchSummary& summary) {
   const std::vector<std::uint8_t> kept = kept_texels(patch, patch.normals.scale);
   glm::dvec3 sum(0.0);
   for (std::size_t k = 0; k < kept.size(); ++k) {
-    if (kept[k] != 0) sum += unit_from_snorm16(rounded_normal(patch.normals.texels[k]));
+    if (kept[k] != 0) sum += unit_from_snorm16(normals[k]);
   }
   // Normals that cancel each other have no cone.
   if (glm::length(sum) < 1e-3) return;
@@ -74,8 +87,7 @@ void summarise_normals(const Patch& patch, PatchSummary& summary) {
   float cosine = 1.0F;
   for (std::size_t k = 0; k < kept.size(); ++k) {
     if (kept[k] == 0) continue;
-    cosine = std::min(cosine,
-                      glm::dot(axis, unit_from_snorm16(rounded_normal(patch.normals.texels[k]))));
+    cosine = std::min(cosine, glm::dot(axis, unit_from_snorm16(normals[k])));
   }
   // A little wider than measured, for the rounding of single precision.
   summary.cone_cosine = std::max(cosine - 1e-6F, -1.0F);
@@ -102,26 +114,38 @@ PatchSummary summarise(const Patch& patch) {
   return summary;
 }
 
-EncodedPatch encode(const Patch& patch) {
+EncodedPatch encode(const Patch& patch, const PatchFileOptions& options) {
   EncodedPatch encoded;
   encoded.summary = summarise(patch);
   encoded.fault = find_fault(patch, encoded.summary);
   if (!encoded.fault.empty()) return encoded;
-  encoded.chunks.push_back({kHeightsChunk, 1, encode_heights(patch)});
+  const bool compact = options.codec == PatchCodec::Compact;
+  encoded.chunks.push_back(
+      {kHeightsChunk, 1, compact ? encode_heights_compact(patch) : encode_heights(patch)});
   if (!patch.normals.empty()) {
-    summarise_normals(patch, encoded.summary);
+    summarise_normals(patch, normals_as_read(patch, options), encoded.summary);
     encoded.chunks.push_back(
-        {kNormalsChunk, static_cast<std::uint16_t>(patch.normals.scale), encode_normals(patch)});
+        {kNormalsChunk, static_cast<std::uint16_t>(patch.normals.scale),
+         compact ? encode_normals_compact(patch, normal_step(options.normal_degrees))
+                 : encode_normals(patch)});
   }
   if (!patch.colours.empty()) {
-    encoded.chunks.push_back(
-        {kColoursChunk, static_cast<std::uint16_t>(patch.colours.scale), encode_colours(patch)});
+    encoded.chunks.push_back({kColoursChunk, static_cast<std::uint16_t>(patch.colours.scale),
+                              compact ? encode_colours_compact(patch) : encode_colours(patch)});
   }
   return encoded;
 }
 
+/// Takes what the compact index keeps of the patches' places.
+void round_summaries(const glm::dvec3& base, std::vector<EncodedPatch>& patches) {
+  std::vector<PatchSummary> summaries;
+  for (const EncodedPatch& patch : patches) summaries.push_back(patch.summary);
+  const double step = placement_step(summaries);
+  for (EncodedPatch& patch : patches) patch.summary = rounded_summary(patch.summary, base, step);
+}
+
 /// Gives each chunk its place: patch after patch, without gaps.
-FileIndex lay_out(const std::vector<EncodedPatch>& patches) {
+FileIndex lay_out(const std::vector<EncodedPatch>& patches, PatchCodec codec) {
   FileIndex index;
   std::uint64_t offset = kHeaderBytes;
   for (const EncodedPatch& patch : patches) {
@@ -130,6 +154,7 @@ FileIndex lay_out(const std::vector<EncodedPatch>& patches) {
     for (const EncodedChunk& chunk : patch.chunks) {
       ChunkRecord record;
       record.type = chunk.type;
+      record.codec = codec == PatchCodec::Compact ? kCodecCompact : kCodecPredicted;
       record.scale = chunk.scale;
       record.offset = offset;
       record.size = static_cast<std::uint32_t>(chunk.bytes.size());
@@ -143,7 +168,8 @@ FileIndex lay_out(const std::vector<EncodedPatch>& patches) {
 
 }  // namespace
 
-Status write_patch_file(const std::filesystem::path& path, const PatchModel& model) {
+Status write_patch_file(const std::filesystem::path& path, const PatchModel& model,
+                        const PatchFileOptions& options) {
   if (const auto fault = find_fault(model.spacing, model.bounds, model.bounding_radius);
       !fault.empty()) {
     return make_error("{}: the model cannot be written: {}", path.string(), fault);
@@ -154,16 +180,23 @@ Status write_patch_file(const std::filesystem::path& path, const PatchModel& mod
 
   std::vector<EncodedPatch> encoded(model.patches.size());
   tbb::parallel_for(std::size_t{0}, encoded.size(),
-                    [&](std::size_t i) { encoded[i] = encode(model.patches[i]); });
+                    [&](std::size_t i) { encoded[i] = encode(model.patches[i], options); });
   for (std::size_t i = 0; i < encoded.size(); ++i) {
     if (!encoded[i].fault.empty()) {
       return make_error("{}: patch {} cannot be written: {}", path.string(), i, encoded[i].fault);
     }
   }
 
-  const FileIndex layout = lay_out(encoded);
-  const std::vector<std::byte> index = write_index(layout);
+  const bool compact = options.codec == PatchCodec::Compact;
+  if (compact) round_summaries(index_base(model.bounds), encoded);
+  const FileIndex layout = lay_out(encoded, options.codec);
   FileHeader header;
+  header.version = compact ? kCompactVersion : kPlainVersion;
+  header.spacing = model.spacing;
+  header.bounds = model.bounds;
+  header.bounding_radius = model.bounding_radius;
+  header.is_closed = model.is_closed;
+  const std::vector<std::byte> index = write_index(layout, header);
   header.patches = static_cast<std::uint32_t>(layout.patches.size());
   header.chunks = static_cast<std::uint32_t>(layout.chunks.size());
   header.index_checksum = crc32(index);
@@ -171,10 +204,6 @@ Status write_patch_file(const std::filesystem::path& path, const PatchModel& mod
   for (const ChunkRecord& chunk : layout.chunks) header.index_offset += chunk.size;
   header.file_bytes = header.index_offset + index.size();
   for (const EncodedPatch& patch : encoded) header.samples += patch.summary.samples;
-  header.spacing = model.spacing;
-  header.bounds = model.bounds;
-  header.bounding_radius = model.bounding_radius;
-  header.is_closed = model.is_closed;
 
   if (Status written = file->write(write_header(header)); !written) return written;
   for (const EncodedPatch& patch : encoded) {

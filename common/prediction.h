@@ -1,6 +1,7 @@
 // Predicting integers on a grid with holes from the neighbours that a decoder already has.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -45,29 +46,44 @@ struct Neighbours {
   return at.w + at.n;
 }
 
+/// The median of the western value, the northern one and the plane through both and the one between
+/// (as JPEG-LS does, ITU-T T.87: an edge is not continued beyond what is on either side); as
+/// predict_plane where they are not all there.
+[[nodiscard]] inline std::int32_t predict_median(const Neighbours& at, std::int32_t last) {
+  const std::int32_t plane = predict_plane(at, last);
+  if (!(at.west && at.north && at.north_west)) return plane;
+  return std::clamp(plane, std::min(at.w, at.n), std::max(at.w, at.n));
+}
+
+/// The neighbours of node k, which stands in column i. Reads `values` at kept nodes before k alone.
+[[nodiscard]] inline Neighbours neighbours_at(const KeptGrid& grid,
+                                              std::span<const std::int32_t> values, std::size_t i,
+                                              std::size_t k) {
+  const std::size_t width = grid.width;
+  Neighbours at;
+  at.west = i > 0 && grid.kept[k - 1] != 0;
+  if (at.west) at.w = values[k - 1];
+  if (k >= width) {
+    at.north = grid.kept[k - width] != 0;
+    at.north_west = i > 0 && grid.kept[k - width - 1] != 0;
+    at.north_east = i + 1 < width && grid.kept[k - width + 1] != 0;
+    if (at.north) at.n = values[k - width];
+    if (at.north_west) at.nw = values[k - width - 1];
+    if (at.north_east) at.ne = values[k - width + 1];
+  }
+  return at;
+}
+
 /// Calls `visit(k, prediction)` for each kept node k in scan order; it returns the value there.
 /// Reads `values` only at kept nodes that were visited before.
 template <class Predict, class Visit>
 void visit_predicted(const KeptGrid& grid, std::span<const std::int32_t> values,
                      const Predict& predict, const Visit& visit) {
-  const std::size_t width = grid.width;
   std::int32_t last = 0;
   std::size_t k = 0;
   for (std::size_t j = 0; j < grid.height; ++j) {
-    for (std::size_t i = 0; i < width; ++i, ++k) {
-      if (grid.kept[k] == 0) continue;
-      Neighbours at;
-      at.west = i > 0 && grid.kept[k - 1] != 0;
-      if (at.west) at.w = values[k - 1];
-      if (j > 0) {
-        at.north = grid.kept[k - width] != 0;
-        at.north_west = i > 0 && grid.kept[k - width - 1] != 0;
-        at.north_east = i + 1 < width && grid.kept[k - width + 1] != 0;
-        if (at.north) at.n = values[k - width];
-        if (at.north_west) at.nw = values[k - width - 1];
-        if (at.north_east) at.ne = values[k - width + 1];
-      }
-      last = visit(k, predict(at, last));
+    for (std::size_t i = 0; i < grid.width; ++i, ++k) {
+      if (grid.kept[k] != 0) last = visit(k, predict(neighbours_at(grid, values, i, k), last));
     }
   }
 }

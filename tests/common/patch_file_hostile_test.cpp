@@ -41,8 +41,9 @@ std::string read_failure(const ScratchFolder& folder, const std::string& bytes) 
   return model ? std::string() : without_name(model.error());
 }
 
-std::string valid_bytes(const ScratchFolder& folder, std::uint32_t patches = 2) {
-  EXPECT_TRUE(write_patch_file(folder / "valid.relief", bumpy_model(patches, 1)));
+std::string valid_bytes(const ScratchFolder& folder, std::uint32_t patches = 2,
+                        PatchCodec codec = PatchCodec::Fast) {
+  EXPECT_TRUE(write_patch_file(folder / "valid.relief", bumpy_model(patches, 1), {codec, 0.5}));
   return slurp(folder / "valid.relief");
 }
 
@@ -55,14 +56,22 @@ std::string forged(const std::string& valid,
   FileIndex index = *parse_index(std::span(bytes).subspan(header.index_offset), header, "");
   const std::string chunks = valid.substr(kHeaderBytes, header.index_offset - kHeaderBytes);
   forge(header, index);
-  const std::vector<std::byte> index_bytes = write_index(index);
+  const std::vector<std::byte> index_bytes = write_index(index, header);
   header.index_checksum = crc32(index_bytes);
   return text_of(write_header(header)) + chunks + text_of(index_bytes);
 }
 
-TEST(DamagedPatchFile, IsRefusedWhereverItEnds) {
+/// Both codecs, each with its own index.
+class DamagedPatchFile : public testing::TestWithParam<PatchCodec> {};
+class ForgedChunks : public testing::TestWithParam<PatchCodec> {};
+INSTANTIATE_TEST_SUITE_P(Codecs, DamagedPatchFile,
+                         testing::Values(PatchCodec::Fast, PatchCodec::Compact));
+INSTANTIATE_TEST_SUITE_P(Codecs, ForgedChunks,
+                         testing::Values(PatchCodec::Fast, PatchCodec::Compact));
+
+TEST_P(DamagedPatchFile, IsRefusedWhereverItEnds) {
   const ScratchFolder folder;
-  const std::string bytes = valid_bytes(folder);
+  const std::string bytes = valid_bytes(folder, 2, GetParam());
   ASSERT_EQ(read_failure(folder, bytes), "");
   for (std::size_t length = 0; length < bytes.size(); ++length) {
     ASSERT_NE(read_failure(folder, bytes.substr(0, length)), "") << length;
@@ -70,9 +79,9 @@ TEST(DamagedPatchFile, IsRefusedWhereverItEnds) {
   ASSERT_NE(read_failure(folder, bytes + '\0'), "");
 }
 
-TEST(DamagedPatchFile, IsRefusedWhereverAByteIsWrong) {
+TEST_P(DamagedPatchFile, IsRefusedWhereverAByteIsWrong) {
   const ScratchFolder folder;
-  const std::string bytes = valid_bytes(folder);
+  const std::string bytes = valid_bytes(folder, 2, GetParam());
   for (std::size_t at = 0; at < bytes.size(); ++at) {
     for (const int flip : {0x01, 0x80, 0xFF}) {
       std::string damaged = bytes;
@@ -83,9 +92,9 @@ TEST(DamagedPatchFile, IsRefusedWhereverAByteIsWrong) {
 }
 
 /// Decoders hold even where a checksum was made to fit: every byte of every chunk is tried.
-TEST(ForgedPatchFile, DoesNotCrashTheDecoders) {
+TEST_P(ForgedChunks, DoNotCrashTheDecoders) {
   const ScratchFolder folder;
-  const std::string valid = valid_bytes(folder);
+  const std::string valid = valid_bytes(folder, 2, GetParam());
   std::size_t refused = 0;
   std::size_t tried = 0;
   const auto try_one = [&](std::string bytes) {
@@ -199,10 +208,10 @@ TEST(ForeignPatchFile, IsNamedInOneSentence) {
   std::string bytes = valid_bytes(folder);
   bytes[8] = 7;
   EXPECT_EQ(read_failure(folder, bytes),
-            "patch file version 7; this program reads version 1; get a newer relief");
+            "patch file version 7; this program reads versions 1 to 2; get a newer relief");
   // A newer version may have any header behind its number.
   EXPECT_EQ(read_failure(folder, bytes.substr(0, 12)),
-            "patch file version 7; this program reads version 1; get a newer relief");
+            "patch file version 7; this program reads versions 1 to 2; get a newer relief");
   EXPECT_EQ(read_failure(folder, "ply\nformat ascii 1.0\n"), "is no .relief patch file");
   EXPECT_EQ(read_failure(folder, ""), "the file is empty");
   EXPECT_EQ(read_failure(folder, valid_bytes(folder).substr(0, 40)),
@@ -228,8 +237,8 @@ TEST(ForeignPatchFile, MayHaveChunksThatAreNotKnownYet) {
   // A known type in an unknown codec: refused.
   EXPECT_EQ(
       read_failure(folder,
-                   forged(bytes, [](FileHeader&, FileIndex& index) { index.chunks[3].codec = 2; })),
-      "patch 1: its heights are in codec 2, which this program does not know; get a newer "
+                   forged(bytes, [](FileHeader&, FileIndex& index) { index.chunks[3].codec = 3; })),
+      "patch 1: its heights are in codec 3, which this program does not know; get a newer "
       "relief");
 }
 

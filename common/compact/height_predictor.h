@@ -1,0 +1,75 @@
+// What codec 2 of the patch file expects a height to be, from those around it that are coded
+// already (docs/patch-file.md, "Codec 2").
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace relief {
+
+/// A node relative to the one that is predicted; (0, 0) stands for none.
+struct NodeOffset {
+  std::int8_t i = 0;
+  std::int8_t j = 0;
+};
+
+/// A residual that was coded before on the same level, and its share (in 1/256) in what is
+/// expected.
+struct NearResidual {
+  NodeOffset at;
+  std::uint8_t weight = 0;
+};
+
+inline constexpr std::size_t kMostNeighbours = 10;
+inline constexpr std::size_t kNearResiduals = 5;
+/// Weights of predictions are in 1/1024.
+inline constexpr unsigned kWeightBits = 10;
+
+/// How a height follows from those neighbours that are there.
+struct PredictorRow {
+  std::uint16_t known = 0;  ///< bit k: neighbour k of the stencil is used
+  std::uint16_t error = 0;  ///< the mean magnitude of residuals, in 1/16
+  std::array<std::int16_t, kMostNeighbours> weights{};  ///< their sum is 1024
+};
+
+/// A level is coded in two passes, and each looks at its own neighbours.
+struct HeightPass {
+  std::array<NodeOffset, kMostNeighbours> neighbours;
+  std::array<NearResidual, kNearResiduals> residuals;
+  std::uint32_t error_weight;  ///< of PredictorRow::error in what is expected, in 1/256
+};
+
+/// Nodes with odd i and even j.
+inline constexpr HeightPass kRowPass{
+    {{{-1, 0}, {1, 0}, {-3, 0}, {3, 0}, {0, -2}, {-1, -2}, {1, -2}, {-1, 2}, {1, 2}, {-2, 0}}},
+    {{{{-2, 0}, 68}, {{0, -2}, 46}, {{-2, -2}, 14}, {{2, -2}, 27}, {{0, 0}, 0}}},
+    64};
+/// Nodes with odd j.
+inline constexpr HeightPass kColumnPass{
+    {{{0, -1}, {0, 1}, {0, -3}, {0, 3}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}, {-1, 0}, {0, 0}}},
+    {{{{-1, 0}, 77}, {{-2, 0}, 18}, {{0, -2}, 33}, {{1, -2}, 18}, {{0, 1}, 14}}},
+    48};
+
+/// For all neighbours that may be there the row that is taken: of those whose neighbours are all
+/// there the one with the most of them, and of these the one with the least error.
+class PredictorTable {
+ public:
+  explicit PredictorTable(std::span<const PredictorRow> rows);
+  [[nodiscard]] const PredictorRow& row(std::uint32_t known) const { return rows_[row_of_[known]]; }
+
+ private:
+  std::span<const PredictorRow> rows_;
+  std::array<std::uint16_t, 1U << kMostNeighbours> row_of_{};
+};
+
+struct PredictorTables {
+  PredictorTable rows;     ///< of kRowPass
+  PredictorTable columns;  ///< of kColumnPass
+};
+
+/// The tables of codec 2; made once.
+[[nodiscard]] const PredictorTables& predictor_tables();
+
+}  // namespace relief

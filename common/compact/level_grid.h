@@ -1,0 +1,70 @@
+// The grids on which codec 2 of the patch file works: every 2^level-th node of a patch each way,
+// with room around them, so that looking at neighbours needs no test for the rim.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/patch.h"
+
+namespace relief {
+
+/// One level of a patch. Nodes (-kRim, -kRim) to (width + kRim - 1, height + kRim - 1) may be
+/// looked at; those outside of the grid are no samples.
+struct LevelGrid {
+  static constexpr std::uint32_t kRim = 3;  ///< as far as predictions look (height_predictor.h)
+
+  LevelGrid(std::uint32_t patch_width, std::uint32_t patch_height, unsigned patch_level)
+      : level(patch_level),
+        width(((patch_width - 1) >> patch_level) + 1),
+        height(((patch_height - 1) >> patch_level) + 1),
+        stride(width + 2 * kRim),
+        samples(stride * (height + 2 * kRim)),
+        heights(samples.size()),
+        magnitudes(samples.size()) {}
+
+  unsigned level;  ///< each node is 2^level nodes of the patch from the next
+  std::uint32_t width;
+  std::uint32_t height;
+  std::size_t stride;                    ///< from a node to the one below it
+  std::vector<std::uint8_t> samples;     ///< 1 at samples, else 0
+  std::vector<std::int32_t> heights;     ///< of samples that are coded already
+  std::vector<std::uint8_t> magnitudes;  ///< of the residuals coded on this level, at most 255
+
+  std::int32_t last = 0;  ///< the height that was coded last
+
+  [[nodiscard]] std::size_t node(std::uint32_t i, std::uint32_t j) const {
+    return (j + kRim) * stride + i + kRim;
+  }
+};
+
+/// The coarsest level of a grid: the one that leaves at most two nodes each way.
+[[nodiscard]] inline unsigned coarsest_level(std::uint32_t width, std::uint32_t height) {
+  unsigned level = 0;
+  while (((width - 1) >> level) > 1 || ((height - 1) >> level) > 1) ++level;
+  return level;
+}
+
+/// Sets a level's samples; `mask` is the patch's, row-major.
+inline void mark_samples(std::span<const std::uint8_t> mask, std::size_t width, unsigned level,
+                         LevelGrid& grid) {
+  for (std::uint32_t j = 0; j < grid.height; ++j) {
+    const std::uint8_t* row = &mask[(std::size_t{j} << level) * width];
+    std::uint8_t* marks = &grid.samples[grid.node(0, j)];
+    for (std::uint32_t i = 0; i < grid.width; ++i) marks[i] = row[std::size_t{i} << level];
+  }
+}
+
+/// Copies the heights of the next coarser level to where its nodes are on `fine`.
+inline void take_heights(const LevelGrid& coarse, LevelGrid& fine) {
+  fine.last = coarse.last;
+  for (std::uint32_t j = 0; j < coarse.height; ++j) {
+    const std::int32_t* from = &coarse.heights[coarse.node(0, j)];
+    std::int32_t* to = &fine.heights[fine.node(0, 2 * j)];
+    for (std::uint32_t i = 0; i < coarse.width; ++i) to[std::size_t{2} * i] = from[i];
+  }
+}
+
+}  // namespace relief

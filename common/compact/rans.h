@@ -1,0 +1,105 @@
+// Entropy coding for codec 2 of the patch file: range asymmetric numeral systems (Duda, "Asymmetric
+// numeral systems", arXiv:1311.2540, 2013), one 32-bit state, 16-bit words (docs/patch-file.md,
+// "Codec 2"). What is coded is an interval of 0..4095, as wide as the symbol is probable.
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace relief {
+
+inline constexpr unsigned kProbabilityBits = 12;
+inline constexpr std::uint32_t kProbabilityOne = 1U << kProbabilityBits;
+/// States lie from here to 2^32 - 1; coding starts and decoding ends with this one.
+inline constexpr std::uint32_t kLeastState = 1U << 16U;
+/// The most equally probable bits that one interval holds.
+inline constexpr unsigned kMaxRawBits = kProbabilityBits;
+
+/// The share of the numbers 0..4095 that stands for a symbol.
+struct Interval {
+  std::uint16_t start = 0;
+  std::uint16_t width = 0;  ///< 1 to 4095, or 4096 for what is certain
+};
+
+/// Collects intervals in the order in which they will be decoded.
+class RansEncoder {
+ public:
+  void put(Interval interval) {
+    assert(interval.width > 0 && interval.start + interval.width <= kProbabilityOne);
+    intervals_.push_back(interval);
+  }
+
+  /// `count` bits of equal probability, at most 16.
+  void put_bits(std::uint32_t value, unsigned count) {
+    assert(count <= 16 && value >> count == 0);
+    if (count > kMaxRawBits) {
+      put_bits(value & 0xFFU, 8);
+      put_bits(value >> 8U, count - 8);
+      return;
+    }
+    const std::uint32_t width = kProbabilityOne >> count;
+    put({static_cast<std::uint16_t>(value * width), static_cast<std::uint16_t>(width)});
+  }
+
+  /// Appends the state and the words, both little-endian.
+  void finish(std::vector<std::byte>& out) const;
+
+ private:
+  std::vector<Interval> intervals_;
+};
+
+/// Takes symbols from bytes that may be hostile: past their end it reads zeros, and `is_sound` is
+/// false then.
+class RansDecoder {
+ public:
+  explicit RansDecoder(std::span<const std::byte> bytes) : bytes_(bytes) {
+    const std::uint32_t low = next_word();
+    state_ = low | next_word() << 16U;
+  }
+
+  /// Where the next symbol's interval is to be looked up.
+  [[nodiscard]] std::uint32_t peek() const { return state_ & (kProbabilityOne - 1); }
+
+  /// Goes on behind a symbol whose interval held peek().
+  void advance(Interval interval) {
+    state_ = interval.width * (state_ >> kProbabilityBits) + peek() - interval.start;
+    if (state_ < kLeastState) state_ = state_ << 16U | next_word();
+  }
+
+  std::uint32_t take_bits(unsigned count) {
+    if (count > kMaxRawBits) {
+      const std::uint32_t low = take_bits(8);
+      return low | take_bits(count - 8) << 8U;
+    }
+    const std::uint32_t width = kProbabilityOne >> count;
+    const std::uint32_t value = peek() / width;
+    advance({static_cast<std::uint16_t>(value * width), static_cast<std::uint16_t>(width)});
+    return value;
+  }
+
+  /// Nothing was read that is not there.
+  [[nodiscard]] bool is_sound() const { return at_ <= bytes_.size(); }
+
+  /// Everything was read, and it ended where an encoder begins.
+  [[nodiscard]] bool is_at_end() const { return at_ == bytes_.size() && state_ == kLeastState; }
+
+ private:
+  std::uint32_t next_word() {
+    std::uint32_t word = 0;
+    if (at_ + 2 <= bytes_.size()) {
+      word = std::to_integer<std::uint32_t>(bytes_[at_]) |
+             std::to_integer<std::uint32_t>(bytes_[at_ + 1]) << 8U;
+    }
+    at_ += 2;
+    return word;
+  }
+
+  std::span<const std::byte> bytes_;
+  std::size_t at_ = 0;
+  std::uint32_t state_ = 0;
+};
+
+}  // namespace relief

@@ -1,0 +1,103 @@
+#include "common/compact/residual_classes.h"
+
+#include <algorithm>
+#include <cassert>
+#include <vector>
+
+namespace relief {
+namespace {
+
+// Residuals r are Laplacian: for |r| of 1 on, each is less probable than the one before by the
+// factor q * q / 2^32. The q of the classes up to an expected magnitude of 8: from
+// s = 1 / (2 asinh(1 / 2E)), which gives rounded Laplacian numbers of scale s the magnitude E, in
+// the geometric middle of each class: q = 2^16 exp(-1 / 2s).
+constexpr std::array<std::uint32_t, 32> kHalfSteps{
+    2287,  2799,  3310,  3818,  4557,  5568,  6570,  7561,  8987,  10907, 12769,
+    14568, 17074, 20285, 23214, 25874, 29309, 33291, 36564, 39280, 42483, 45838,
+    48361, 50321, 52500, 54654, 56199, 57361, 58617, 59826, 60675, 61303};
+constexpr std::uint64_t kOne = 1U << 16U;
+
+/// From this class on, those of one octave are those of the octave before with one more bit of
+/// shift.
+constexpr unsigned kFirstShifted = 28;
+
+/// A class's probabilities of its symbols but the escape, in 1/2^32, as long as they are half a
+/// grain wide.
+std::vector<std::uint64_t> probabilities(unsigned number) {
+  std::vector<std::uint64_t> list;
+  const bool shifted = number >= kFirstShifted;
+  const std::uint64_t half = kHalfSteps[shifted ? kFirstShifted + number % 4 : number];
+  const std::uint64_t step = half * half / kOne;
+  // Two residuals for each magnitude, except 0; shifted symbols are one-sided.
+  if (!shifted) list.push_back((kOne - half) * kOne);
+  std::uint64_t p = shifted ? (kOne - step) * kOne : half * (kOne - step) / 2;
+  constexpr std::uint64_t kLeast = (kOne * kOne / ResidualClass::kGrains) / 2;
+  while (p >= kLeast && list.size() + (shifted ? 1 : 2) < ResidualClass::kMostSymbols) {
+    list.push_back(p);
+    if (!shifted) list.push_back(p);
+    p = p * step / kOne;
+  }
+  return list;
+}
+
+ResidualClass make_class(unsigned number) {
+  ResidualClass c;
+  if (number >= kFirstShifted) {
+    c.shift = static_cast<std::uint8_t>(1 + (number - kFirstShifted) / 4);
+  }
+  const std::vector<std::uint64_t> list = probabilities(number);
+  // What is not expected happens more often than a Laplacian says: the escape has a grain more.
+  constexpr std::uint32_t kLeastEscape = 1;
+  std::array<std::uint32_t, ResidualClass::kMostSymbols> widths{};
+  std::uint32_t sum = 0;
+  std::uint64_t left = kOne * kOne;
+  for (std::size_t s = 0; s < list.size(); ++s) {
+    widths[s] = std::max<std::uint32_t>(
+        1, static_cast<std::uint32_t>(list[s] * ResidualClass::kGrains >> 32U));
+    sum += widths[s];
+    left -= list[s];
+  }
+  widths[list.size()] =
+      kLeastEscape + static_cast<std::uint32_t>(left * ResidualClass::kGrains >> 32U);
+  sum += widths[list.size()];
+  // What rounding leaves over or takes goes to the most probable symbol.
+  widths[0] += ResidualClass::kGrains - sum;
+  c.symbols = static_cast<std::uint8_t>(list.size() + 1);
+  std::uint32_t start = 0;
+  for (std::size_t s = 0; s < c.symbols; ++s) {
+    assert(widths[s] > 0 && widths[s] < ResidualClass::kGrains && "every symbol has an interval");
+    c.intervals[s] = {static_cast<std::uint16_t>(start << ResidualClass::kGrainBits),
+                      static_cast<std::uint16_t>(widths[s] << ResidualClass::kGrainBits)};
+    std::fill_n(c.symbol_at.begin() + start, widths[s], static_cast<std::uint8_t>(s));
+    start += widths[s];
+  }
+  return c;
+}
+
+}  // namespace
+
+const std::array<ResidualClass, kResidualClasses>& residual_classes() {
+  static const auto* const kClasses = [] {
+    auto* classes = new std::array<ResidualClass, kResidualClasses>;
+    for (unsigned n = 0; n < kResidualClasses; ++n) (*classes)[n] = make_class(n);
+    return classes;
+  }();
+  return *kClasses;
+}
+
+void put_residual(RansEncoder& out, unsigned residual_class, std::uint16_t residual) {
+  const ResidualClass& c = residual_classes()[residual_class];
+  const std::uint32_t value = std::uint32_t{residual} >> c.shift;
+  const std::uint32_t escape = c.symbols - 1U;
+  out.put(c.intervals[std::min(value, escape)]);
+  if (value >= escape) {
+    // The number of bits of what is left plus one, then these bits without the leading one.
+    const std::uint32_t rest = value - escape + 1;
+    const auto bits = 31U - static_cast<unsigned>(__builtin_clz(rest));
+    out.put_bits(bits, 4);
+    out.put_bits(rest - (1U << bits), bits);
+  }
+  if (c.shift > 0) out.put_bits(residual & ((1U << c.shift) - 1U), c.shift);
+}
+
+}  // namespace relief
