@@ -68,6 +68,9 @@ nlohmann::ordered_json as_json(const Summary& s) {
           {"samples", s.file.samples},
           {"spacing", s.file.spacing},
           {"file_bytes", s.file.file_bytes},
+          {"height_bytes", s.file.height_bytes},
+          {"normal_bytes", s.file.normal_bytes},
+          {"colour_bytes", s.file.colour_bytes},
           {"seconds", s.seconds},
           {"error_rms", s.report.error_rms},
           {"error_max", s.report.error_max},
@@ -198,7 +201,7 @@ void add_convert(CLI::App& app, Command& command) {
   sub->add_option("--normal-degrees", arguments->file.normal_degrees,
                   "With --codec compact: how far normals may be off (0.5); what is as near to the "
                   "normals of the heights is not kept at all")
-      ->check(CLI::Range(0.1, 90.0))
+      ->check(CLI::Range(kLeastNormalDegrees, kMostNormalDegrees))
       ->option_text("DEG");
   sub->add_option("--cone-degrees", arguments->options.cone_degrees,
                   "Largest angle between a patch's normal and its points' normals; larger makes "

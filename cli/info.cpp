@@ -27,18 +27,18 @@ struct Arguments {
   bool json = false;
 };
 
-/// Version 1 of the patch file holds one level of detail.
-constexpr int kLevels = 1;
-
 nlohmann::ordered_json as_json(const PatchFileInfo& info, bool verified) {
   const auto vector = [](glm::dvec3 v) { return nlohmann::ordered_json{v.x, v.y, v.z}; };
   nlohmann::ordered_json json = {{"version", info.version},
                                  {"codec", info.codec},
                                  {"patches", info.patches},
                                  {"samples", info.samples},
-                                 {"levels", kLevels},
+                                 {"levels", info.levels},
                                  {"spacing", info.spacing},
                                  {"file_bytes", info.file_bytes},
+                                 {"height_bytes", info.height_bytes},
+                                 {"normal_bytes", info.normal_bytes},
+                                 {"colour_bytes", info.colour_bytes},
                                  {"bounds_min", vector(info.bounds.min)},
                                  {"bounds_max", vector(info.bounds.max)},
                                  {"attributes", info.attributes},
@@ -60,11 +60,12 @@ std::string as_text(const PatchFileInfo& info, const Arguments& arguments) {
       "  bounds      {:.9g} {:.9g} {:.9g} to {:.9g} {:.9g} {:.9g}\n"
       "  attributes  {}\n"
       "  closed      {}\n"
-      "  file        {} bytes\n",
+      "  levels      {}\n"
+      "  file        {} bytes: {} of heights, {} of normals, {} of colours\n",
       arguments.input.string(), arguments.verify ? ": every byte is right" : "", info.version,
       info.codec, info.patches, info.samples, info.spacing, low.x, low.y, low.z, high.x, high.y,
-      high.z, fmt::join(info.attributes, ", "), info.is_closed ? "yes" : "not known",
-      info.file_bytes);
+      high.z, fmt::join(info.attributes, ", "), info.is_closed ? "yes" : "not known", info.levels,
+      info.file_bytes, info.height_bytes, info.normal_bytes, info.colour_bytes);
 }
 
 /// Decodes every patch, one at a time, so that a file larger than memory can be verified too.

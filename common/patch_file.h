@@ -21,6 +21,10 @@ struct PatchFileInfo {
   std::uint64_t samples = 0;
   double spacing = 0.0;  ///< as PatchModel::spacing, world units
   std::uint64_t file_bytes = 0;
+  std::uint64_t height_bytes = 0;  ///< of all chunks of heights, masks among them
+  std::uint64_t normal_bytes = 0;
+  std::uint64_t colour_bytes = 0;
+  unsigned levels = 1;  ///< that read_level gives of the largest patch without decoding finer ones
   Bounds bounds;
   double bounding_radius = 0.0;
   std::vector<std::string> attributes;  ///< "normal", "colour"
@@ -48,10 +52,14 @@ struct PatchSummary {
 /// How a file is coded: quick to write and read, or in about half the bytes.
 enum class PatchCodec : std::uint8_t { Fast, Compact };
 
+inline constexpr double kLeastNormalDegrees = 0.1;
+inline constexpr double kMostNormalDegrees = 90.0;
+
 struct PatchFileOptions {
   PatchCodec codec = PatchCodec::Fast;
-  /// The largest error of normals of Compact, in degrees, 0.1 to 90; Fast always keeps 0.1. Compact
-  /// keeps them relative to the normals of the heights, and none where these are as near.
+  /// The largest error of normals of Compact, in degrees, from kLeastNormalDegrees, which Fast
+  /// always keeps, to kMostNormalDegrees, which keeps none: all are those of the heights. Where
+  /// these are near enough none is kept anyway.
   double normal_degrees = 0.5;
 };
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "common/compact/compact_codec.h"
+#include "common/compact/level_grid.h"
 #include "common/file.h"
 #include "common/patch_codec.h"
 #include "common/patch_file.h"
@@ -177,6 +178,19 @@ Result<PatchFile> PatchFile::open(const std::filesystem::path& path) {
   info.bounds = header->bounds;
   info.bounding_radius = header->bounding_radius;
   info.is_closed = header->is_closed;
+  const auto bytes_of = [&](ChunkType type) {
+    std::uint64_t sum = 0;
+    for (const ChunkRecord& chunk : index->chunks) sum += chunk.type == type ? chunk.size : 0;
+    return sum;
+  };
+  info.height_bytes = bytes_of(kHeightsChunk);
+  info.normal_bytes = bytes_of(kNormalsChunk);
+  info.colour_bytes = bytes_of(kColoursChunk);
+  for (const PatchRecord& patch : index->patches) {
+    if (header->version != kCompactVersion) break;
+    const unsigned coarsest = coarsest_level(patch.summary.width, patch.summary.height);
+    info.levels = std::max(info.levels, coarsest + 1);
+  }
   const auto has = [&](ChunkType type) {
     return std::any_of(index->chunks.begin(), index->chunks.end(),
                        [type](const ChunkRecord& c) { return c.type == type; });

@@ -114,7 +114,20 @@ PatchSummary summarise(const Patch& patch) {
   return summary;
 }
 
+/// Normals that may be off by a right angle need not be kept: a patch without its own ones.
+EncodedPatch encode(const Patch& patch, const PatchFileOptions& options);
+EncodedPatch encode_without_normals(const Patch& patch, PatchFileOptions options) {
+  Patch plain = patch;
+  take_normals_of_heights(plain);
+  options.normal_degrees = kLeastNormalDegrees;
+  return encode(plain, options);
+}
+
 EncodedPatch encode(const Patch& patch, const PatchFileOptions& options) {
+  const bool keeps_normals = options.normal_degrees < kMostNormalDegrees;
+  if (options.codec == PatchCodec::Compact && !keeps_normals && !patch.normals.empty()) {
+    return encode_without_normals(patch, options);
+  }
   EncodedPatch encoded;
   encoded.summary = summarise(patch);
   encoded.fault = find_fault(patch, encoded.summary);

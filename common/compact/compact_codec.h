@@ -21,6 +21,9 @@ namespace relief {
 Status decode_heights_compact(std::span<const std::byte> bytes, std::uint32_t samples,
                               unsigned level, Patch& patch);
 
+/// Gives a patch the normals of its heights, at its samples.
+void take_normals_of_heights(Patch& patch);
+
 /// The step of 16-bit octahedral coordinates whose rounding turns normals by at most `degrees`, 0.1
 /// to 90.
 [[nodiscard]] std::uint16_t normal_step(double degrees);

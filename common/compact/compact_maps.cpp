@@ -11,6 +11,7 @@
 #include "common/continuation.h"
 #include "common/normals_of_heights.h"
 #include "common/patch_codec.h"
+#include "common/patch_file.h"
 #include "common/prediction.h"
 #include "common/residuals.h"
 
@@ -116,12 +117,6 @@ std::int16_t restored(std::int32_t quotient, std::int32_t step, std::int32_t bas
   return static_cast<std::int16_t>(std::clamp(quotient * step + base, -32767, 32767));
 }
 
-void take_normals_of_heights(Patch& patch) {
-  shape_map(patch, 1, patch.normals);
-  patch.normals.texels = normals_of_heights(patch, 1);
-  continue_over_holes(patch.normals, sample_mask(patch));
-}
-
 NormalFrame frame_of(const Patch& patch, std::uint32_t scale, std::size_t texels,
                      std::uint16_t step) {
   if (scale == 1) return {step, normals_of_heights(patch, 1)};
@@ -133,6 +128,12 @@ std::int32_t predict_normal(const Neighbours& at, std::int32_t last, std::uint32
 }
 
 }  // namespace
+
+void take_normals_of_heights(Patch& patch) {
+  shape_map(patch, 1, patch.normals);
+  patch.normals.texels = normals_of_heights(patch, 1);
+  continue_over_holes(patch.normals, sample_mask(patch));
+}
 
 std::vector<std::byte> encode_normals_compact(const Patch& patch, std::uint16_t step) {
   const auto& map = patch.normals;
@@ -161,8 +162,8 @@ std::vector<std::byte> encode_normals_compact(const Patch& patch, std::uint16_t 
 }
 
 std::uint16_t normal_step(double degrees) {
-  return static_cast<std::uint16_t>(
-      std::lround(std::clamp(degrees, 0.1, 90.0) * 10.0 * kNormalStep));
+  return static_cast<std::uint16_t>(std::lround(
+      std::clamp(degrees, kLeastNormalDegrees, kMostNormalDegrees) * 10.0 * kNormalStep));
 }
 
 std::vector<glm::i16vec2> rounded_normals_compact(const Patch& patch, std::uint16_t step) {

@@ -45,7 +45,12 @@ glm::dmat3 decode_rotation(const RotationCode& code) {
     squares += parts[k] * parts[k];
   }
   parts[largest] = std::sqrt(std::max(0.0, 1.0 - squares));
-  return glm::mat3_cast(glm::normalize(glm::dquat(parts[0], parts[1], parts[2], parts[3])));
+  // A hostile code may be longer than a unit quaternion; the sum of squares makes up for that.
+  const auto [w, x, y, z] = parts;
+  const double s = 2.0 / (w * w + x * x + y * y + z * z);
+  return {1.0 - s * (y * y + z * z), s * (x * y + w * z),       s * (x * z - w * y),
+          s * (x * y - w * z),       1.0 - s * (x * x + z * z), s * (y * z + w * x),
+          s * (x * z + w * y),       s * (y * z - w * x),       1.0 - s * (x * x + y * y)};
 }
 
 }  // namespace relief

@@ -95,15 +95,42 @@ TEST_F(EndToEnd, InfoTellsWhatConvertWrote) {
 
 TEST_F(EndToEnd, TheFileDoesNotDependOnTheThreads) {
   const std::string scan = write_knot(30000);
-  std::vector<std::string> files;
-  for (const char* threads : {"1", "2", "4"}) {
-    const std::string file = path(std::string("knot") + threads + ".relief");
-    run_json({"convert", scan, "-o", file, "--threads", threads});
-    files.push_back(bytes_of(file));
+  for (const char* codec : {"fast", "compact"}) {
+    std::vector<std::string> files;
+    for (const char* threads : {"1", "2", "4"}) {
+      const std::string file = path(std::string("knot") + threads + ".relief");
+      run_json({"convert", scan, "-o", file, "--threads", threads, "--codec", codec});
+      files.push_back(bytes_of(file));
+    }
+    ASSERT_FALSE(files[0].empty());
+    EXPECT_EQ(files[0], files[1]) << codec;
+    EXPECT_EQ(files[0], files[2]) << codec;
   }
-  ASSERT_FALSE(files[0].empty());
-  EXPECT_EQ(files[0], files[1]);
-  EXPECT_EQ(files[0], files[2]);
+}
+
+TEST_F(EndToEnd, CompactFilesHoldTheSameInFewerBytes) {
+  const std::string scan = write_knot(30000);
+  json fast = run_json({"convert", scan, "-o", path("fast.relief")});
+  json compact = run_json({"convert", scan, "-o", path("compact.relief"), "--codec", "compact"});
+  json coarse = run_json({"convert", scan, "-o", path("coarse.relief"), "--codec", "compact",
+                          "--normal-degrees", "90", "--height-step",
+                          std::to_string(fast["spacing"].get<double>() / 10.0)});
+  for (const char* key : {"patches", "samples", "spacing", "psnr_db"}) {
+    EXPECT_EQ(compact[key], fast[key]) << key;
+  }
+  EXPECT_LT(compact["height_bytes"], fast["height_bytes"]);
+  EXPECT_EQ(compact["colour_bytes"].is_number(), true);
+  EXPECT_LT(compact["file_bytes"], 0.8 * fast["file_bytes"].get<double>());
+  EXPECT_EQ(coarse["normal_bytes"], 0);
+  EXPECT_LT(coarse["height_bytes"], compact["height_bytes"]);
+  json info = run_json({"info", path("compact.relief"), "--verify"});
+  EXPECT_EQ(info["version"], 2);
+  EXPECT_EQ(info["codec"], "levels-rans");
+  EXPECT_GT(info["levels"], 3);
+  for (const char* key :
+       {"samples", "file_bytes", "height_bytes", "normal_bytes", "colour_bytes"}) {
+    EXPECT_EQ(info[key], compact[key]) << key;
+  }
 }
 
 TEST_F(EndToEnd, SeveralScansAreOne) {

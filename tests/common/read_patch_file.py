@@ -11,6 +11,8 @@ it calls by ctypes.
 import ctypes
 import ctypes.util
 import math
+import pathlib
+import re
 import struct
 import sys
 import zlib
@@ -239,6 +241,293 @@ def decode_colours(data, patch, scale):
 
 DECODERS = {b"HGHT": decode_heights, b"NRML": decode_normals, b"COLR": decode_colours}
 
+# Codec 2 and the index of version 2.
+
+COMPACT = pathlib.Path(__file__).resolve().parents[2] / "common" / "compact"
+
+
+def table(file, name):
+    """The numbers of one table in a source file."""
+    text = (COMPACT / file).read_text(encoding="ascii")
+    body = re.search(name + r"[^{=]*=?\s*\{(.*?)\};", text, re.S).group(1)
+    return [int(n) for n in re.findall(r"-?\d+", body)]
+
+
+def rows(name):
+    numbers = table("height_predictor_rows.inc", name)
+    return [(r[0], r[1], r[2:]) for r in zip(*[iter(numbers)] * 12)]
+
+
+ROW_NEIGHBOURS = (-1, 0), (1, 0), (-3, 0), (3, 0), (0, -2), (-1, -2), (1, -2), (-1, 2), (1, 2), (-2, 0)
+COLUMN_NEIGHBOURS = (0, -1), (0, 1), (0, -3), (0, 3), (-1, -1), (1, -1), (-1, 1), (1, 1), (-1, 0)
+ROW_RESIDUALS = ((-2, 0), 68), ((0, -2), 46), ((-2, -2), 14), ((2, -2), 27)
+COLUMN_RESIDUALS = ((-1, 0), 77), ((-2, 0), 18), ((0, -2), 33), ((1, -2), 18), ((0, 1), 14)
+ERROR_SCALES = 3, 5, 8, 14, 26, 42, 64
+
+
+def make_class(c):
+    half_steps = table("residual_classes.cpp", "kHalfSteps")
+    h = half_steps[c if c < 28 else 28 + c % 4]
+    t = h * h >> 16
+    if c < 28:
+        shares, p, pair, most = [(65536 - h) * 65536], h * (65536 - t) // 2, 2, 62
+    else:
+        shares, p, pair, most = [], (65536 - t) * 65536, 1, 63
+    while p >= 1 << 21 and len(shares) < most:
+        shares += [p] * pair
+        p = p * t >> 16
+    widths = [max(1, p >> 22) for p in shares] + [1 + ((1 << 32) - sum(shares) >> 22)]
+    widths[0] += 1024 - sum(widths)
+    intervals, start = [], 0
+    for width in widths:
+        intervals.append((4 * start, 4 * width))
+        start += width
+    return (0 if c < 28 else 1 + (c - 28) // 4), intervals
+
+
+class Rans:
+    classes = {}
+
+    def __init__(self, data):
+        self.data, self.state = data, data.take("I")
+
+    def advance(self, start, width):
+        self.state = width * (self.state >> 12) + self.state % 4096 - start
+        if self.state < 65536:
+            self.state = self.state << 16 | self.data.take("H")
+
+    def bits(self, count):
+        if count > 12:
+            low = self.bits(8)
+            return low | self.bits(count - 8) << 8
+        width = 4096 >> count
+        value = self.state % 4096 // width
+        self.advance(value * width, width)
+        return value
+
+    def bit(self, chance):
+        """1 with `chance` of 4096."""
+        one = self.state % 4096 < chance
+        self.advance(*((0, chance) if one else (chance, 4096 - chance)))
+        return int(one)
+
+    def residual(self, expected):
+        """The difference of a residual that is expected to have this magnitude."""
+        octave = expected.bit_length() - 1
+        c = 0 if expected < 8 else min(52, 4 * (octave - 3) + (expected >> octave - 2) % 4)
+        return self.residual_of_class(c)
+
+    def residual_of_class(self, c):
+        if c not in self.classes:
+            self.classes[c] = make_class(c)
+        shift, intervals = self.classes[c]
+        at = self.state % 4096
+        symbol = next(k for k, (s, w) in enumerate(intervals) if s <= at < s + w)
+        self.advance(*intervals[symbol])
+        if symbol == len(intervals) - 1:
+            count = self.bits(4)
+            symbol += (1 << count) - 1 + self.bits(count)
+        return unzigzag(symbol << shift | (self.bits(shift) if shift else 0))
+
+    def end(self):
+        assert self.state == 65536 and self.data.at == len(self.data.data)
+
+
+def decode_compact_mask(rans, width, height):
+    chances = table("compact_mask_chances.inc", "kSampleChances.256.")
+    mask = {}
+    around = (-1, 0), (-2, 0), (2, -1), (1, -1), (0, -1), (-1, -1), (-2, -1), (0, -2)
+    for j in range(height):
+        for i in range(width):
+            n = sum(mask.get((i + x, j + y), 0) << k for k, (x, y) in enumerate(around))
+            mask[i, j] = rans.bit(chances[n])
+    return mask
+
+
+def decode_compact_heights(data, patch, scale):
+    width, height = patch["width"], patch["height"]
+    rans = Rans(data)
+    mask = decode_compact_mask(rans, width, height)
+    assert sum(mask.values()) == patch["samples"]
+    coarsest = 0
+    while max(width - 1, height - 1) >> coarsest > 1:
+        coarsest += 1
+    heights, last = {}, 0
+    for level in range(coarsest, -1, -1):
+        columns, lines = (width - 1 >> level) + 1, (height - 1 >> level) + 1
+        samples = {
+            (i, j)
+            for j in range(lines)
+            for i in range(columns)
+            if mask[i << level, j << level]
+        }
+        if level == coarsest:
+            for node in sorted(samples, key=lambda n: (n[1], n[0])):
+                last = heights[node] = wrap_unsigned(last + rans.residual_of_class(46))
+            continue
+        heights = {(2 * i, 2 * j): h for (i, j), h in heights.items()}
+        magnitudes = {}
+        for neighbours, near, own, name in (
+            (ROW_NEIGHBOURS, ROW_RESIDUALS, 64, "kRowPassRows"),
+            (COLUMN_NEIGHBOURS, COLUMN_RESIDUALS, 48, "kColumnPassRows"),
+        ):
+            is_row_pass = neighbours is ROW_NEIGHBOURS
+            predictors = rows(name)
+            for j in range(0 if is_row_pass else 1, lines, 2):
+                for i in range(1, columns, 2) if is_row_pass else range(columns):
+                    if (i, j) not in samples:
+                        continue
+                    known = sum(
+                        1 << k for k, (x, y) in enumerate(neighbours) if (i + x, j + y) in samples
+                    )
+                    bits, error, weights = min(
+                        (row for row in predictors if not row[0] & ~known),
+                        key=lambda row: (-bin(row[0]).count("1"), row[1]),
+                    )
+                    prediction = last
+                    if bits:
+                        total = sum(
+                            weights[k] * heights[i + x, j + y]
+                            for k, (x, y) in enumerate(neighbours)
+                            if bits >> k & 1
+                        )
+                        prediction = total + 512 >> 10
+                    expected, a = 0, own
+                    for (x, y), weight in near:
+                        expected += weight * magnitudes.get((i + x, j + y), 0)
+                        a += 0 if (i + x, j + y) in samples else weight
+                    expected += a * error * ERROR_SCALES[min(level, 6)] // 64
+                    difference = rans.residual(expected)
+                    magnitudes[i, j] = min(abs(difference), 255)
+                    last = heights[i, j] = wrap_unsigned(prediction + difference)
+    rans.end()
+    patch["heights"] = [heights.get((i, j), HOLE) for j in range(height) for i in range(width)]
+
+
+def decode_compact_map(data, kept, width, channels, predict):
+    rans = Rans(data)
+    values = [[0] * len(kept) for _ in range(channels)]
+    magnitudes = [[0] * len(kept) for _ in range(channels)]
+    last = [0] * channels
+    for k, is_kept in enumerate(kept):
+        if not is_kept:
+            continue
+        i, j = k % width, k // width
+        inside = (
+            (i > 0, k - 1, 3),
+            (j > 0, k - width, 3),
+            (i > 0 and j > 0, k - width - 1, 1),
+            (j > 0 and i + 1 < width, k - width + 1, 1),
+        )
+        around = [(n, w) if there and kept[n] else (None, w) for there, n, w in inside]
+        before = 0
+        for c in range(channels):
+            weight = sum(w for n, w in around if n is not None)
+            total = sum(w * magnitudes[c][n] for n, w in around if n is not None)
+            expected = (total << 8) // weight if weight else 2048
+            if c > 0:
+                expected = (2 * expected + before) // 3
+            w, n, nw, ne = (values[c][n] if n is not None else None for n, _ in around)
+            difference = rans.residual(expected)
+            magnitudes[c][k] = abs(difference)
+            before = abs(difference) << 8
+            last[c] = values[c][k] = wrap_signed(predict(w, n, nw, ne, last[c]) + difference)
+    rans.end()
+    return values
+
+
+def median(w, n, nw, ne, last):
+    prediction = plane(w, n, nw, ne, last)
+    if None in (w, n, nw):
+        return prediction
+    return min(max(prediction, min(w, n)), max(w, n))
+
+
+def decode_compact_normals(data, patch, scale):
+    kept = kept_texels(patch, scale)
+    width = scale * (patch["width"] - 1) + 1
+    step, values = 1, [[0] * len(kept)] * 2
+    if data.data:
+        step = data.take("H")
+        values = decode_compact_map(data, kept, width, 2, mean if scale == 1 else plane)
+    bases = normals_of_heights(patch, 1) if scale == 1 else [(0, 0)] * len(kept)
+    texels = [
+        tuple(min(max(v * step + b, -32767), 32767) for v, b in zip(value, base))
+        for value, base in zip(zip(*values), bases)
+    ]
+    continue_over_holes(texels, kept, width)
+    patch["normals"] = (scale, width, texels)
+
+
+def decode_compact_colours(data, patch, scale):
+    kept = kept_texels(patch, scale)
+    width = scale * (patch["width"] - 1) + 1
+    green, red, blue = decode_compact_map(data, kept, width, 3, median)
+    texels = [((r + g) & 0xFF, g & 0xFF, (b + g) & 0xFF) for g, r, b in zip(green, red, blue)]
+    continue_over_holes(texels, kept, width)
+    patch["colours"] = (scale, width, texels)
+
+
+COMPACT_DECODERS = {
+    b"HGHT": decode_compact_heights,
+    b"NRML": decode_compact_normals,
+    b"COLR": decode_compact_colours,
+}
+
+
+def varint(data):
+    value = shift = 0
+    while True:
+        byte = data.take("B")
+        value |= (byte & 0x7F) << shift
+        shift += 7
+        if byte < 0x80:
+            return value
+
+
+def axes_of(words):
+    left_out = words[0] >> 30
+    parts = []
+    for word in words:
+        number = word & (1 << 30) - 1
+        number -= (number >> 29) << 30
+        parts.append(number / (math.sqrt(2.0) * ((1 << 29) - 1)))
+    parts.insert(left_out, math.sqrt(max(0.0, 1.0 - sum(p * p for p in parts))))
+    w, x, y, z = parts
+    s = 2.0 / (w * w + x * x + y * y + z * z)
+    return [
+        1 - s * (y * y + z * z), s * (x * y + w * z), s * (x * z - w * y),
+        s * (x * y - w * z), 1 - s * (x * x + z * z), s * (y * z + w * x),
+        s * (x * z + w * y), s * (y * z - w * x), 1 - s * (x * x + y * y),
+    ]  # fmt: skip
+
+
+def compact_index(index, spacing, bounds, count):
+    """Patch records as those of version 1 begin, and their chunks."""
+    place_step, model_step = index.take("dd")
+    base = bounds[:3] if bounds[0] <= bounds[3] else (0.0, 0.0, 0.0)
+    records, offset = [], 128
+    for _ in range(count):
+        flags = index.take("B")
+        own_spacing = index.take("d") if flags & 1 else spacing
+        own_step = index.take("d") if flags & 2 else model_step
+        origin = [b + unzigzag(varint(index)) * place_step for b in base]
+        axes = axes_of(index.take("3I"))
+        width, height, samples, _, _ = (varint(index) for _ in range(5))
+        index.take("3b")
+        chunks = []
+        for kind, flag in ((b"HGHT", 0), (b"NRML", 4), (b"COLR", 8)):
+            if flag and not flags & flag:
+                continue
+            scale = varint(index) if flag else 1
+            size = varint(index)
+            checksum = index.take("I") if size else 0
+            chunks.append((kind, 2, scale, offset, size, checksum))
+            offset += size
+        records.append(((*origin, *axes, own_spacing, own_step, width, height, samples), chunks))
+    assert index.at == len(index.data)
+    return records
+
 
 def numbers(values):
     return " ".join("%.17g" % v for v in values)
@@ -260,7 +549,7 @@ def describe(file):
     header = Bytes(file[:128])
     header.take("8s")
     version, header_bytes = header.take("II")
-    assert version == 1 and header_bytes == 128
+    assert version in (1, 2) and header_bytes == 128
     file_bytes, index_offset, patches, chunks, samples = header.take("QQIIQ")
     spacing, *bounds = header.take("7d")
     radius, _ = header.take("dQ")
@@ -270,17 +559,21 @@ def describe(file):
     lines = ["spacing %.17g" % spacing, "bounds " + numbers(bounds), "radius %.17g" % radius]
 
     index = Bytes(file[index_offset:])
-    patch_records = [index.take("14d3I2H2hf2I") for _ in range(patches)]
-    chunk_records = [index.take("4sHHQII") for _ in range(chunks)]
-    for record in patch_records:
+    if version == 1:
+        patch_records = [index.take("14d3I2H2hf2I") for _ in range(patches)]
+        chunk_records = [index.take("4sHHQII") for _ in range(chunks)]
+        records = [(p, chunk_records[p[-2] : p[-2] + p[-1]]) for p in patch_records]
+    else:
+        records = compact_index(index, spacing, bounds, patches)
+    for record, own_chunks in records:
         patch = dict(zip(("spacing", "step", "width", "height", "samples"), record[12:]))
-        first, count = record[-2:]
-        for kind, codec, scale, offset, size, checksum in chunk_records[first : first + count]:
+        for kind, codec, scale, offset, size, checksum in own_chunks:
             data = file[offset : offset + size]
             assert zlib.crc32(data) == checksum
             if kind in DECODERS:
-                assert codec == 1
-                DECODERS[kind](Bytes(data), patch, scale)
+                assert codec in (1, 2)
+                decoders = DECODERS if codec == 1 else COMPACT_DECODERS
+                decoders[kind](Bytes(data), patch, scale)
         width, heights = patch["width"], patch["heights"]
         lines += [
             "patch %d %d spacing %.17g step %.17g"
