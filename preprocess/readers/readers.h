@@ -32,6 +32,12 @@ Result<Points> read_ply(const Source& source);
 /// the default is kept.
 Result<Points> read_pcd(const Source& source);
 
+/// LAS 1.1 to 1.4, point record formats 0 to 10; waveforms and extra bytes are passed over. Left
+/// out are points that the file marks as withheld, or classifies as noise. Of 16-bit colours the
+/// upper byte is kept; where none of the file is above 255, they are 8-bit values and taken as they
+/// are; where all are 0, there are none.
+Result<Points> read_las(const Source& source);
+
 /// Wavefront OBJ: v (also with colours), vn, vt, f with polygons and negative indices, lines
 /// continued with a backslash; names of materials and of their files. A vertex gets the mean of its
 /// corners' normals and its first corner's texture coordinates; triangles keep their own at seams.
@@ -58,6 +64,7 @@ Result<Points> read_xyz(const Source& source);
 /// Whether the first bytes, or the length, are as the format demands.
 [[nodiscard]] bool is_ply(std::string_view text);
 [[nodiscard]] bool is_pcd(std::string_view text);
+[[nodiscard]] bool is_las(std::string_view text);
 [[nodiscard]] bool is_glb(std::string_view text);
 [[nodiscard]] bool is_off(std::string_view text);
 /// The size of the file is just what a binary STL file with its number of facets has. Text never
