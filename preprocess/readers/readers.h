@@ -46,7 +46,8 @@ Result<Points> read_obj(const Source& source);
 /// glTF 2.0, as JSON or binary (.glb), with embedded or external buffers and pictures: all meshes
 /// of the default scene in the places of their nodes; POSITION, NORMAL, TANGENT and the texture
 /// coordinates of base colours; triangles, strips and fans; base colour factor and texture and the
-/// normal map of each material.
+/// normal map of each material. Where all materials are white and without pictures, the colours of
+/// vertices (COLOR_0) count instead.
 /// Sparse accessors, and extensions that a file requires, are refused by name.
 Result<Points> read_gltf(const Source& source);
 
