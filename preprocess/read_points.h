@@ -22,9 +22,9 @@ struct ReadResult {
   std::vector<std::string> notes;       ///< what the user should hear of, a sentence each
 };
 
-/// Reads PLY (ASCII, little- and big-endian), PCD (ascii, binary, binary_compressed), LAS, OBJ,
-/// glTF, OFF, STL (ASCII, binary) or XYZ text, each also gzipped. The format is told from the first
-/// bytes where they tell it, otherwise from the name. Points with non-finite coordinates are
+/// Reads PLY (ASCII, little- and big-endian), PCD (ascii, binary, binary_compressed), LAS, PTX,
+/// OBJ, glTF, OFF, STL (ASCII, binary) or XYZ text, each also gzipped. The format is told from the
+/// first bytes where they tell it, otherwise from the name. Points with non-finite coordinates are
 /// dropped, points at the same position merged (their normals averaged, the first colour and
 /// texture coordinate kept; triangles keep texture seams), triangles renumbered, degenerate
 /// triangles dropped. The file is not trusted: every count is checked against the bytes that are

@@ -33,7 +33,8 @@ Reader reader_by_name(std::string_view name) {
       {".ply", read_ply},    {".pcd", read_pcd},  {".obj", read_obj}, {".off", read_off},
       {".gltf", read_gltf},  {".glb", read_gltf}, {".stl", read_stl}, {".xyz", read_xyz},
       {".txt", read_xyz},    {".csv", read_xyz},  {".asc", read_xyz}, {".pts", read_xyz},
-      {".xyzrgb", read_xyz}, {".xyzn", read_xyz}, {".las", read_las}, {".laz", read_las}};
+      {".xyzrgb", read_xyz}, {".xyzn", read_xyz}, {".las", read_las}, {".laz", read_las},
+      {".ptx", read_ptx}};
   for (const auto& [ending, reader] : readers) {
     if (ending == name) return reader;
   }
@@ -60,7 +61,7 @@ std::string_view other_format(std::string_view text) {
 
 Result<Reader> find_reader(const std::filesystem::path& path, std::string_view text) {
   constexpr std::string_view readable =
-      "PLY, PCD, LAS, OBJ, glTF, OFF, STL and XYZ text, plain or gzipped";
+      "PLY, PCD, LAS, PTX, OBJ, glTF, OFF, STL and XYZ text, plain or gzipped";
   if (const Reader reader = reader_by_content(text)) return reader;
   if (text.starts_with("ASTM-E57")) {
     return make_error(
@@ -76,7 +77,8 @@ Result<Reader> find_reader(const std::filesystem::path& path, std::string_view t
     return make_error("{}: neither its first bytes nor its name tell a format that can be read: {}",
                       path.string(), readable);
   }
-  const bool is_text = reader == read_obj || reader == read_off || reader == read_xyz;
+  const bool is_text =
+      reader == read_obj || reader == read_off || reader == read_xyz || reader == read_ptx;
   if (is_text && text.substr(0, 4096).find('\0') != text.npos) {
     return make_error("{}: has bytes of value 0, so it is not the plain text that its name says",
                       path.string());

@@ -62,6 +62,11 @@ Result<Points> read_stl(const Source& source);
 /// found by find_column_roles. Lines above the numbers and comments (#, //, %) are passed over.
 Result<Points> read_xyz(const Source& source);
 
+/// PTX: scans of columns times rows, each with a matrix that puts its points into the world; x y z
+/// intensity, or with r g b. Points at 0 0 0 are beams that did not come back and become NaN. A
+/// single scan's place is the viewpoint. Known by its name alone.
+Result<Points> read_ptx(const Source& source);
+
 /// Whether the first bytes, or the length, are as the format demands.
 [[nodiscard]] bool is_ply(std::string_view text);
 [[nodiscard]] bool is_pcd(std::string_view text);

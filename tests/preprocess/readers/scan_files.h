@@ -130,6 +130,10 @@ inline std::vector<SampleFile> sample_files() {
                  .extended_records = 1,
                  .points = las_points}),
        true},
+      {"scan.ptx",
+       "2\n2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n5 6 7 1\n"
+       "0 0 1 0.5\n1 0 0 0.5\n0 1.5 0 0.5\n0 0 2 0.5\n",
+       true},
       {"mesh.off", "OFF # made here\n4 2 0\n" + points + faces, true},
       {"ascii.stl", "solid made here\n" + facet + facet + "endsolid\n", false},
       {"binary.stl", stl, true},
