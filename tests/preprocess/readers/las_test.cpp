@@ -29,6 +29,10 @@ TEST(LasTest, ReadsEachPointRecordFormat) {
       file.points = {{{100, -200, 300}, 2, false, {0xFFFF, 0x80FF, 0x0100}},
                      {{-1, 2147483647, INT32_MIN}, 2, false, {0, 0, 0xFE00}}};
       ASSERT_EQ(las_record({}, file.format, 0).size(), sizes[format]);
+      const auto too_short = static_cast<std::uint16_t>(sizes[format] - 1);
+      EXPECT_NE(error("a.las", with_bytes(las_file(file), 105, pack(too_short)))
+                    .find(fmt::format("have at least {}", sizes[format])),
+                std::string::npos);
       const Points points = read("a.las", las_file(file));
       // The very numbers that the format defines: offset + scale * integer, in double.
       EXPECT_EQ(points.positions,
@@ -93,6 +97,7 @@ TEST(LasTest, TellsBytesInColourFieldsFromWords) {
             std::pair(std::vector<u8vec3>({{0, 0, 0}, {0, 0, 1}, {128, 128, 255}}),
                       std::vector<std::string>{
                           "a.las: its colours have 16 bits, of which the upper 8 are taken"}));
+  EXPECT_EQ(colours({{255, 0, 0}, {0, 256, 0}}).first, std::vector<u8vec3>({{0, 0, 0}, {0, 1, 0}}));
   EXPECT_EQ(colours({{0, 0, 0}, {0, 0, 0}}),
             std::pair(std::vector<u8vec3>(), std::vector<std::string>()))
       << "fields that nobody filled in";
