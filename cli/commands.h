@@ -20,6 +20,9 @@ void add_compare(CLI::App& app, Command& command);
 /// relief convert: a scan becomes a patch file.
 void add_convert(CLI::App& app, Command& command);
 
+/// relief export: patches as points or as a mesh, for other programs.
+void add_export(CLI::App& app, Command& command);
+
 /// relief info: what a patch file holds, and whether every byte of it is right.
 void add_info(CLI::App& app, Command& command);
 

@@ -26,8 +26,8 @@ namespace relief::cli {
 namespace {
 
 constexpr const char* kExamples =
-    "Reads PLY, PCD, OBJ, glTF, OFF, STL and XYZ text, each also gzipped. Several files become one "
-    "model:\n"
+    "Reads PLY, PCD, LAS, PTX, OBJ, glTF, OFF, STL and XYZ text, each also gzipped. Several files "
+    "become one model:\n"
     "they are taken as parts of one scan, in the frame that their coordinates are in.\n"
     "In brackets: what is taken where an option is not given.\n"
     "\n"
@@ -60,6 +60,7 @@ nlohmann::ordered_json as_json(const Summary& s) {
   // nlohmann writes numbers that are not finite (the PSNR of a perfect plane) as null.
   return {{"points", s.report.points},
           {"points_dropped", s.read.dropped_nonfinite},
+          {"points_left_out", s.read.left_out},
           {"duplicates_merged", s.read.merged_duplicates},
           {"normals_estimated", s.report.normals_estimated},
           {"points_added", s.report.points_added},

@@ -106,7 +106,7 @@ Result<ReadResult> load_mesh(const std::filesystem::path& path, const TextureCho
                              Progress& progress) {
   auto read = read_points(path, progress);
   if (!read) return read;
-  std::vector<std::string> notes;
+  std::vector<std::string> notes = std::move(read->notes);
   const Status loaded = load_textures(path, textures, read->points, notes);
   for (const std::string& text : notes) note(text);
   if (!loaded) return loaded.error();
@@ -123,6 +123,7 @@ Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
     if (!scan) return scan.error();
     all.points_in_file += scan->points_in_file;
     all.dropped_nonfinite += scan->dropped_nonfinite;
+    all.left_out += scan->left_out;
     all.merged_duplicates += scan->merged_duplicates;
     if (all.points.size() + scan->points.size() > UINT32_MAX) {
       return make_error("{}: with it the scans have more than {} points; convert fewer at a time",

@@ -14,6 +14,7 @@ constexpr const char* kExamples =
     "  relief info dragon.relief --verify\n"
     "  relief render dragon.relief -o dragon.png --orbit 30,20\n"
     "  relief render dragon.relief -o dragon.exr --material mirror --env studio.hdr\n"
+    "  relief export dragon.relief -o dragon.glb\n"
     "  relief compare dragon.exr truth.exr --heatmap difference.png\n"
     "  relief bench dragon.ply.gz --plot bench.svg\n"
     "\n"
@@ -31,6 +32,7 @@ int run(int argc, char** argv) {
   relief::cli::Command command;
   relief::cli::add_convert(app, command);
   relief::cli::add_info(app, command);
+  relief::cli::add_export(app, command);
   relief::cli::add_render(app, command);
   relief::cli::add_compare(app, command);
   relief::cli::add_bench(app, command);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "common/file.h"
+#include "common/srgb.h"
 #include "preprocess/readers/gltf_accessor.h"
 #include "preprocess/readers/gltf_tangents.h"
 #include "preprocess/readers/gltf_textures.h"
@@ -112,6 +113,7 @@ class GltfReader {
     if (Status done = read_scene(); !done) return wrong(done);
     if (points_.size() >= kNoPoint) return too_many_points(source_, points_.size());
     if (!has_normals_) points_.normals.clear();
+    choose_colours();
     if (!has_texcoords_) points_.texcoords.clear();
     if (!tangents_.empty()) points_.corner_tangents = by_corner(tangents_, points_.triangles);
     return std::move(points_);
@@ -244,6 +246,7 @@ class GltfReader {
       points_.positions.emplace_back(placed * glm::dvec4(p[0], p[1], p[2], 1.0));
     }
     if (Status done = read_normals(attribute("NORMAL"), count, placed); !done) return done;
+    if (Status done = read_colours(attribute("COLOR_0"), count); !done) return done;
     const bool is_material = primitive.material >= 0 &&
                              static_cast<std::size_t>(primitive.material) < model_.materials.size();
     std::string name = "TEXCOORD_0";
@@ -272,6 +275,35 @@ class GltfReader {
     }
     has_normals_ = true;
     return {};
+  }
+
+  /// Of the vertices, linear and perhaps with alpha. They count where all have them.
+  Status read_colours(int index, std::size_t count) {
+    if (index < 0 || static_cast<std::size_t>(index) >= model_.accessors.size()) return {};
+    const int type = model_.accessors[static_cast<std::size_t>(index)].type;
+    const std::size_t components = type == TINYGLTF_TYPE_VEC4 ? 4 : 3;
+    const auto colours = read_accessor(model_, index, static_cast<int>(components));
+    if (!colours) return colours.error();
+    for (std::size_t k = 0; k < std::min(count, colours->size() / components); ++k) {
+      const double* c = colours->data() + components * k;
+      points_.colours.push_back(srgb8_from_linear(glm::vec3(c[0], c[1], c[2])));
+    }
+    return {};
+  }
+
+  /// Colours of vertices are a factor of those of materials: alone they count where these are
+  /// white, which is what exporters of coloured points write.
+  void choose_colours() {
+    const bool all_white = std::ranges::all_of(points_.materials, [](const MeshMaterial& m) {
+      return m.colour == glm::vec3(1.0F) && m.picture.empty() && m.picture_bytes == nullptr &&
+             m.normals.picture.empty() && m.normals.picture_bytes == nullptr;
+    });
+    if (points_.colours.size() != points_.size() || !all_white) {
+      points_.colours.clear();
+    } else {
+      points_.materials.clear();
+      points_.triangle_materials.clear();
+    }
   }
 
   /// glTF counts v downward.

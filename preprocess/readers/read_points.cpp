@@ -36,11 +36,15 @@ Result<ReadResult> read_and_clean(const std::filesystem::path& path, std::vector
   const auto reader = find_reader(path, text);
   if (!reader) return reader.error();
   progress.begin_stage("read", text.size());
-  auto points = (*reader)({name, text, progress});
+  ReadRemarks remarks;
+  auto points = (*reader)({name, text, progress, remarks});
   if (!points) return points.error();
   bytes = std::vector<std::byte>();  // frees; = {} would keep the memory
 
   ReadResult result = clean_points(std::move(*points));
+  result.points_in_file += remarks.left_out;
+  result.left_out = remarks.left_out;
+  result.notes = std::move(remarks.notes);
   if (result.points.positions.empty()) {
     return result.dropped_nonfinite == 0
                ? make_error("{}: holds no points", name)

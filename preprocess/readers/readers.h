@@ -32,6 +32,12 @@ Result<Points> read_ply(const Source& source);
 /// the default is kept.
 Result<Points> read_pcd(const Source& source);
 
+/// LAS 1.1 to 1.4, point record formats 0 to 10; waveforms and extra bytes are passed over. Left
+/// out are points that the file marks as withheld, or classifies as noise. Of 16-bit colours the
+/// upper byte is kept; where none of the file is above 255, they are 8-bit values and taken as they
+/// are; where all are 0, there are none.
+Result<Points> read_las(const Source& source);
+
 /// Wavefront OBJ: v (also with colours), vn, vt, f with polygons and negative indices, lines
 /// continued with a backslash; names of materials and of their files. A vertex gets the mean of its
 /// corners' normals and its first corner's texture coordinates; triangles keep their own at seams.
@@ -40,7 +46,8 @@ Result<Points> read_obj(const Source& source);
 /// glTF 2.0, as JSON or binary (.glb), with embedded or external buffers and pictures: all meshes
 /// of the default scene in the places of their nodes; POSITION, NORMAL, TANGENT and the texture
 /// coordinates of base colours; triangles, strips and fans; base colour factor and texture and the
-/// normal map of each material.
+/// normal map of each material. Where all materials are white and without pictures, the colours of
+/// vertices (COLOR_0) count instead.
 /// Sparse accessors, and extensions that a file requires, are refused by name.
 Result<Points> read_gltf(const Source& source);
 
@@ -55,9 +62,15 @@ Result<Points> read_stl(const Source& source);
 /// found by find_column_roles. Lines above the numbers and comments (#, //, %) are passed over.
 Result<Points> read_xyz(const Source& source);
 
+/// PTX: scans of columns times rows, each with a matrix that puts its points into the world; x y z
+/// intensity, or with r g b. Points at 0 0 0 are beams that did not come back and become NaN. A
+/// single scan's place is the viewpoint. Known by its name alone.
+Result<Points> read_ptx(const Source& source);
+
 /// Whether the first bytes, or the length, are as the format demands.
 [[nodiscard]] bool is_ply(std::string_view text);
 [[nodiscard]] bool is_pcd(std::string_view text);
+[[nodiscard]] bool is_las(std::string_view text);
 [[nodiscard]] bool is_glb(std::string_view text);
 [[nodiscard]] bool is_off(std::string_view text);
 /// The size of the file is just what a binary STL file with its number of facets has. Text never

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "common/error.h"
 #include "common/points.h"
@@ -12,11 +13,19 @@
 
 namespace relief {
 
+/// What a reader tells beside the points.
+struct ReadRemarks {
+  std::uint64_t left_out = 0;  ///< points that the file itself says not to use
+  std::vector<std::string>
+      notes;  ///< for the user, a sentence each that begins with the file's name
+};
+
 /// A scan's bytes, decompressed. They are not trusted.
 struct Source {
   std::string name;       ///< path, with which each error begins
   std::string_view text;  ///< the whole file, text or not
   Progress& progress;
+  ReadRemarks& remarks;
 };
 
 /// Tells the progress how far a reader is, and the reader whether it shall stop. Cheap enough to be

@@ -74,6 +74,35 @@ void expect_triangle(const Points& points) {
   EXPECT_EQ(points.materials[points.triangle_materials[0]].colour, glm::vec3(1.0F, 0.5F, 0.0F));
 }
 
+/// The same with colours as bytes for its vertices, in the place of its texture coordinates.
+std::string coloured(const std::string& factor) {
+  std::string text = embedded();
+  const auto put = [&text](const std::string& what, const std::string& by) {
+    const auto at = text.find(what);
+    ASSERT_NE(at, text.npos) << what;
+    text.replace(at, what.size(), by);
+  };
+  const std::string bytes = triangle_bytes();
+  const std::string colours = std::string("\xFF\x00\x37\x00\x00\xFF\x00\x00\x01\x01\x01\x00", 12);
+  put(base64(bytes), base64(bytes.substr(0, 36) + colours + bytes.substr(48)));
+  put(R"("componentType": 5126, "count": 3, "type": "VEC2")",
+      R"("componentType": 5121, "normalized": true, "count": 3, "type": "VEC4")");
+  put("TEXCOORD_0", "COLOR_0");
+  put("[1, 0.5, 0, 1]", factor);
+  return text;
+}
+
+TEST(Gltf, ColoursOfVerticesCountWhereMaterialsAreWhite) {
+  const Points points = test::read("a.gltf", coloured("[1, 1, 1, 1]"));
+  // Linear: 0x37 of 255 is 0.2157, which is sRGB 128.0.
+  EXPECT_EQ(points.colours, (std::vector<glm::u8vec3>{{255, 0, 128}, {0, 255, 0}, {13, 13, 13}}));
+  EXPECT_TRUE(points.materials.empty());
+  EXPECT_TRUE(points.triangle_materials.empty());
+  const Points tinted = test::read("a.gltf", coloured("[1, 0.5, 0, 1]"));
+  EXPECT_TRUE(tinted.colours.empty());
+  EXPECT_FALSE(tinted.materials.empty());
+}
+
 TEST(Gltf, TextAndBinaryAreTheSame) {
   expect_triangle(test::read("a.gltf", embedded()));
   expect_triangle(test::read("a.glb", binary()));

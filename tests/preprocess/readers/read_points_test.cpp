@@ -42,7 +42,8 @@ TEST(ReadBytesTest, ReadsEachFormatPlainAndGzipped) {
 
 TEST(ReadBytesTest, TheBytesCountMoreThanTheName) {
   for (const SampleFile& file : sample_files()) {
-    if (file.name.ends_with(".obj") || file.name.ends_with(".xyz") || file.name.ends_with(".csv"))
+    if (file.name.ends_with(".obj") || file.name.ends_with(".ptx") || file.name.ends_with(".xyz") ||
+        file.name.ends_with(".csv"))
       continue;
     EXPECT_EQ(read("a.obj", file.bytes).positions, read(file.name, file.bytes).positions)
         << file.name;
@@ -80,12 +81,12 @@ TEST(ReadBytesTest, SaysWhatCannotBeRead) {
             "a.ply: does not begin with 'ply', so it is not a PLY file");
   EXPECT_EQ(
       error("a.foo", "1 2 3\n"),
-      "a.foo: neither its first bytes nor its name tell a format that can be read: PLY, PCD, OBJ, "
-      "glTF, OFF, STL and XYZ text, plain or gzipped");
+      "a.foo: neither its first bytes nor its name tell a format that can be read: PLY, PCD, LAS, "
+      "PTX, OBJ, glTF, OFF, STL and XYZ text, plain or gzipped");
   EXPECT_EQ(
-      error("a.las", "LASF....."),
-      "a.las: is a LAS or LAZ file, which cannot be read; PLY, PCD, OBJ, glTF, OFF, STL and XYZ "
-      "text, plain or gzipped can");
+      error("a.zip", "PK\x03\x04..."),
+      "a.zip: is a ZIP archive, which cannot be read; PLY, PCD, LAS, PTX, OBJ, glTF, OFF, STL and "
+      "XYZ text, plain or gzipped can");
   EXPECT_EQ(error("a.xyz", {"1\0 2\0 3\0\n\0", 9}),
             "a.xyz: has bytes of value 0, so it is not the plain text that its name says");
   EXPECT_EQ(error("a.xyz", "nan nan nan\ninf 0 0\n"),

@@ -5,13 +5,13 @@
 #include <zlib.h>
 
 #include <array>
-#include <bit>
-#include <cstring>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "preprocess/readers/readers.h"
+#include "tests/preprocess/readers/las_files.h"
+#include "tests/preprocess/readers/pack.h"
 
 namespace relief::test {
 
@@ -38,28 +38,6 @@ inline std::string error(const std::string& name, std::string_view bytes) {
   if (result) return "no error";
   EXPECT_TRUE(result.error().message.starts_with(name + ": ")) << result.error().message;
   return result.error().message;
-}
-
-enum class ByteOrder { Little, Big };
-
-/// The bytes of numbers, one after the other.
-template <class... Numbers>
-std::string pack(ByteOrder order, Numbers... numbers) {
-  std::string bytes;
-  const auto append = [&](auto number) {
-    std::string one(sizeof(number), '\0');
-    std::memcpy(one.data(), &number, sizeof(number));
-    const bool native =
-        (std::endian::native == std::endian::little) == (order == ByteOrder::Little);
-    bytes += native ? one : std::string(one.rbegin(), one.rend());
-  };
-  (append(numbers), ...);
-  return bytes;
-}
-
-template <class... Numbers>
-std::string pack(Numbers... numbers) {
-  return pack(ByteOrder::Little, numbers...);
 }
 
 /// One gzip member.
@@ -128,6 +106,8 @@ inline std::vector<SampleFile> sample_files() {
   for (const float z : {0.F, 2.F}) {
     stl += pack(0.F, 0.F, 1.F, 0.F, 0.F, z, 1.F, 0.F, z, 0.F, 1.5F, z, std::uint16_t{0});
   }
+  const std::vector<LasPoint> las_points = {
+      {{0, 0, 0}}, {{100, 0, 0}}, {{0, 150, 0}}, {{0, 0, 200}}};
   const std::string facet =
       "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1.5 "
       "0\nendloop\nendfacet\n";
@@ -140,6 +120,19 @@ inline std::vector<SampleFile> sample_files() {
       {"packed.pcd",
        pcd_header(4, "binary_compressed") +
            pack(static_cast<std::uint32_t>(packed.size()), std::uint32_t{48}) + packed,
+       true},
+      {"points.las", las_file({.format = 2, .points = las_points}), true},
+      {"points14.las",
+       las_file({.minor = 4,
+                 .format = 7,
+                 .extra_bytes = 3,
+                 .records = 2,
+                 .extended_records = 1,
+                 .points = las_points}),
+       true},
+      {"scan.ptx",
+       "2\n2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n5 6 7 1\n"
+       "0 0 1 0.5\n1 0 0 0.5\n0 1.5 0 0.5\n0 0 2 0.5\n",
        true},
       {"mesh.off", "OFF # made here\n4 2 0\n" + points + faces, true},
       {"ascii.stl", "solid made here\n" + facet + facet + "endsolid\n", false},

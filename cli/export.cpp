@@ -1,0 +1,172 @@
+// relief export: the surface of patches as a file that other programs read.
+#include "common/export/export.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/load.h"
+#include "cli/paths.h"
+#include "common/srgb.h"
+#include "renderer/mesh_of_patches.h"
+
+namespace relief::cli {
+namespace {
+
+constexpr const char* kExamples =
+    "Points are the samples of the patches; a mesh is these with the triangles that\n"
+    "`relief render --engine raytrace` meets. Patches are not joined, and overlap by a margin.\n"
+    "Normals and colours are those at the samples; coordinates are the scan's.\n"
+    "In brackets: what is taken where an option is not given.\n"
+    "\n"
+    "Examples:\n"
+    "  relief export dragon.relief -o dragon.ply\n"
+    "  relief export dragon.relief -o dragon.glb\n"
+    "  relief export dragon.relief -o dragon.ply --as mesh --json";
+
+struct Arguments {
+  std::filesystem::path input;
+  std::filesystem::path output;
+  std::string as;  ///< "mesh", "points"; empty: what the format is most used for
+  bool json = false;
+};
+
+/// A format that can be written.
+struct Format {
+  std::string_view ending;
+  Status (*write)(const std::filesystem::path&, const ExportRequest&, Progress&);
+  bool is_mesh;  ///< unasked
+};
+constexpr Format kFormats[] = {
+    {".ply", export_ply, false}, {".obj", export_obj, true}, {".glb", export_glb, true}};
+
+const Format* format_of(const std::filesystem::path& output) {
+  for (const Format& format : kFormats) {
+    if (format.ending == ending(output)) return &format;
+  }
+  return nullptr;
+}
+
+struct Summary {
+  std::string_view as;
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  bool normals = true;
+  bool colours = false;
+  std::uint64_t file_bytes = 0;
+  double seconds = 0.0;
+};
+
+Points points_of(TriangleMesh mesh, bool with_triangles) {
+  Points points;
+  points.positions = std::move(mesh.positions);
+  points.normals = std::move(mesh.normals);
+  points.colours.reserve(mesh.colours.size());
+  for (const glm::vec4 colour : mesh.colours)
+    points.colours.push_back(srgb8_from_linear(glm::vec3(colour)));
+  if (with_triangles) points.triangles = std::move(mesh.triangles);
+  return points;
+}
+
+Result<Summary> export_file(const Arguments& arguments, Progress& progress) {
+  const Format& format = *format_of(arguments.output);
+  auto model = load_model(arguments.input, progress);
+  if (!model) return model.error();
+  const bool as_mesh = arguments.as.empty() ? format.is_mesh : arguments.as == "mesh";
+  const bool is_closed = model->is_closed;
+  // Heights are coded in steps of a twentieth of the spacing; a fiftieth of such a step more does
+  // not show.
+  const double tolerance = model->spacing / 1000.0;
+  progress.begin_stage("mesh", 0);
+  auto mesh = mesh_of_patches(*model);
+  if (!mesh) return make_error("{}: {}", arguments.input.string(), mesh.error().message);
+  *model = {};  // as large as what is made of it
+  const Points points = points_of(std::move(*mesh), as_mesh);
+  if (points.positions.empty())
+    return make_error("{}: has no samples to export", arguments.input.string());
+  if (as_mesh && points.triangles.empty()) {
+    return make_error("{}: has no triangles, only single samples; export them with --as points",
+                      arguments.input.string());
+  }
+  const Status written = format.write(arguments.output, {points, tolerance, is_closed}, progress);
+  if (!written) return written.error();
+  std::error_code ignored;
+  return Summary{
+      as_mesh ? "mesh" : "points", points.size(),
+      points.triangles.size(),     !points.normals.empty(),
+      !points.colours.empty(),     std::filesystem::file_size(arguments.output, ignored)};
+}
+
+nlohmann::ordered_json as_json(const Summary& s, const Arguments& arguments) {
+  return {{"output", arguments.output.string()},
+          {"as", s.as},
+          {"vertices", s.vertices},
+          {"triangles", s.triangles},
+          {"normals", s.normals},
+          {"colours", s.colours},
+          {"file_bytes", s.file_bytes},
+          {"seconds", s.seconds}};
+}
+
+std::string as_text(const Summary& s, const Arguments& arguments) {
+  return fmt::format(
+      "{}\n"
+      "  as          {}\n"
+      "  vertices    {}\n"
+      "  triangles   {}\n"
+      "  attributes  normal{}\n"
+      "  file        {} bytes\n"
+      "  time        {:.2f} s\n",
+      arguments.output.string(), s.as, s.vertices, s.triangles, s.colours ? ", colour" : "",
+      s.file_bytes, s.seconds);
+}
+
+int run(const Arguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
+  if (const Status writable = check_output(arguments.output, {arguments.input}); !writable) {
+    return fail(writable.error());
+  }
+  ConsoleProgress progress;
+  auto summary = export_file(arguments, progress);
+  progress.finish();
+  if (!summary) return fail(summary.error());
+  summary->seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return arguments.json ? print_json(as_json(*summary, arguments))
+                        : print_result(as_text(*summary, arguments));
+}
+
+}  // namespace
+
+void add_export(CLI::App& app, Command& command) {
+  auto* sub = app.add_subcommand("export", "Write patches as points or as a mesh");
+  const auto arguments = std::make_shared<Arguments>();
+  sub->add_option("PATCHES", arguments->input,
+                  "A patch file (.relief), or a scan or mesh, converted in memory")
+      ->required()
+      ->option_text("FILE");
+  sub->add_option("-o,--output", arguments->output, "The file to write (.ply, .obj or .glb)")
+      ->required()
+      ->check([](const std::string& name) {
+        return format_of(name) != nullptr
+                   ? std::string()
+                   : std::string("expected a name that ends in .ply, .obj or .glb");
+      })
+      ->option_text("FILE (required)");
+  sub->add_option("--as", arguments->as,
+                  "What to write (points in a .ply, a mesh in an .obj or a .glb)")
+      ->check(CLI::IsMember({"mesh", "points"}))
+      ->option_text("mesh|points");
+  sub->add_flag("--json", arguments->json, "Print one JSON object on standard output");
+  sub->footer(kExamples);
+  sub->callback([arguments, &command] { command = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace relief::cli

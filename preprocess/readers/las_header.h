@@ -1,0 +1,31 @@
+// What a LAS file says it holds.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+#include "preprocess/readers/source.h"
+
+namespace relief {
+
+/// A point's place is offset + scale * (its three integers).
+struct LasHeader {
+  std::uint32_t format = 0;  ///< point record format, 0 to 10
+  std::size_t body = 0;      ///< byte of the first point
+  std::size_t stride = 0;    ///< bytes per point, extra bytes included
+  std::uint64_t points = 0;
+  glm::dvec3 scale{1.0};
+  glm::dvec3 offset{0.0};
+
+  /// Formats 6 to 10 have flags and classes in bytes of their own.
+  [[nodiscard]] bool is_wide() const { return format >= 6; }
+  /// Where a point's red, green and blue begin; 0: it has none.
+  [[nodiscard]] std::size_t colour_at() const;
+};
+
+/// Reads and checks the header (LAS 1.1 to 1.4, ASPRS): what it states fits into the file, the
+/// variable length records too, and all of the points are there.
+Result<LasHeader> read_las_header(const Source& source);
+
+}  // namespace relief
