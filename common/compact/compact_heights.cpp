@@ -85,6 +85,11 @@ std::vector<std::byte> encode_heights_compact(const Patch& patch) {
 
 Status decode_heights_compact(std::span<const std::byte> bytes, std::uint32_t samples,
                               unsigned level, Patch& patch) {
+  // A node of the mask takes log2(4096 / 4095) bits at least: a chunk of fewer bytes is a bomb,
+  // which would be seen only behind the whole mask.
+  constexpr std::uint64_t kMostNodesPerByte = 32768;
+  const std::uint64_t nodes = std::uint64_t{patch.width} * patch.height;
+  if (nodes / kMostNodesPerByte > bytes.size()) return make_error("they are too few for the mask");
   RansDecoder in(bytes);
   const std::vector<std::uint8_t> mask = take_mask(in, patch.width, patch.height);
   if (!in.is_sound()) return make_error("they end within the mask");

@@ -189,6 +189,23 @@ TEST(CompactHeights, HoldOnHostileBytes) {
   EXPECT_EQ(refused, 2000U);
 }
 
+/// A grid as large as can be without samples takes 12 KB; less is refused before it is decoded.
+TEST(CompactHeights, AreNoBombs) {
+  Patch patch;
+  patch.width = kMaxPatchSide;
+  patch.height = 1024;
+  patch.heights.assign(std::size_t{patch.width} * patch.height, kHole);
+  std::vector<std::byte> bytes = encode_heights_compact(patch);
+  Patch read = without_heights(patch);
+  ASSERT_TRUE(decode_heights_compact(bytes, 0, 0, read));
+  EXPECT_EQ(read.heights, patch.heights);
+  bytes.resize(500);
+  read = without_heights(patch);
+  const Status decoded = decode_heights_compact(bytes, 0, 0, read);
+  ASSERT_FALSE(decoded);
+  EXPECT_EQ(decoded.error().message, "they are too few for the mask");
+}
+
 PatchModel read_whole(const std::filesystem::path& path) {
   const auto file = PatchFile::open(path);
   EXPECT_TRUE(file) << file.error().message;
