@@ -137,9 +137,9 @@ struct PatchFile::State {
     }
     const auto decode = [&](const std::vector<std::byte>& bytes) -> Status {
       const std::uint32_t samples = record.summary.samples;
-      const Status decoded = heights->codec == kCodecCompact
-                                 ? decode_heights_compact(bytes, samples, level, patch)
-                                 : decode_heights(bytes, samples, patch);
+      Status decoded = heights->codec == kCodecCompact
+                           ? decode_heights_compact(bytes, samples, level, patch)
+                           : decode_heights(bytes, samples, patch);
       if (!decoded) return decoded;
       if (heights->codec != kCodecCompact && level > 0) keep_level(level, patch);
       return check_height_range(patch, record.summary, level == 0);

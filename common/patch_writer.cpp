@@ -152,6 +152,7 @@ EncodedPatch encode(const Patch& patch, const PatchFileOptions& options) {
 /// Takes what the compact index keeps of the patches' places.
 void round_summaries(const glm::dvec3& base, std::vector<EncodedPatch>& patches) {
   std::vector<PatchSummary> summaries;
+  summaries.reserve(patches.size());
   for (const EncodedPatch& patch : patches) summaries.push_back(patch.summary);
   const double step = placement_step(summaries);
   for (EncodedPatch& patch : patches) patch.summary = rounded_summary(patch.summary, base, step);

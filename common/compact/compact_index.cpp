@@ -99,6 +99,7 @@ PatchSummary rounded_summary(const PatchSummary& patch, const glm::dvec3& base, 
 
 std::vector<std::byte> write_compact_index(const FileIndex& index, const FileHeader& header) {
   std::vector<PatchSummary> summaries;
+  summaries.reserve(index.patches.size());
   for (const PatchRecord& patch : index.patches) summaries.push_back(patch.summary);
   const double step = placement_step(summaries);
   const double height_step = common_height_step(index);

@@ -191,7 +191,7 @@ Status decode_normals_compact(std::span<const std::byte> bytes, std::uint32_t sc
   auto& map = patch.normals;
   shape_map(patch, scale, map);
   std::array<std::vector<std::int32_t>, 2> values;
-  const Status decoded = decode_map(
+  Status decoded = decode_map(
       in.take_bytes(in.left()), {map.width, map.height, kept},
       [scale](const Neighbours& at, std::int32_t last) { return predict_normal(at, last, scale); },
       values);
@@ -227,7 +227,7 @@ Status decode_colours_compact(std::span<const std::byte> bytes, std::uint32_t sc
   auto& map = patch.colours;
   shape_map(patch, scale, map);
   std::array<std::vector<std::int32_t>, 3> values;
-  const Status decoded = decode_map(bytes, {map.width, map.height, kept}, predict_median, values);
+  Status decoded = decode_map(bytes, {map.width, map.height, kept}, predict_median, values);
   if (!decoded) return decoded;
   for (std::size_t k = 0; k < kept.size(); ++k) {
     if (kept[k] == 0) continue;

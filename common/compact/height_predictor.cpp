@@ -24,9 +24,9 @@ PredictorTable::PredictorTable(std::span<const PredictorRow> rows) : rows_(rows)
 }
 
 const PredictorTables& predictor_tables() {
-  static const PredictorTables kTables{PredictorTable(kRowPassRows),
-                                       PredictorTable(kColumnPassRows)};
-  return kTables;
+  static const PredictorTables tables{PredictorTable(kRowPassRows),
+                                      PredictorTable(kColumnPassRows)};
+  return tables;
 }
 
 }  // namespace relief

@@ -77,12 +77,12 @@ ResidualClass make_class(unsigned number) {
 }  // namespace
 
 const std::array<ResidualClass, kResidualClasses>& residual_classes() {
-  static const auto* const kClasses = [] {
-    auto* classes = new std::array<ResidualClass, kResidualClasses>;
-    for (unsigned n = 0; n < kResidualClasses; ++n) (*classes)[n] = make_class(n);
-    return classes;
+  static const auto classes = [] {
+    std::array<ResidualClass, kResidualClasses> made;
+    for (unsigned n = 0; n < kResidualClasses; ++n) made[n] = make_class(n);
+    return made;
   }();
-  return *kClasses;
+  return classes;
 }
 
 void put_residual(RansEncoder& out, unsigned residual_class, std::uint16_t residual) {
