@@ -120,10 +120,10 @@ std::vector<Patch> resample_all(const SurfaceSamples& samples, const NeighbourGr
                                 const ResampleOptions& options, Progress& progress) {
   progress.begin_stage("resample", samples.positions.size());
   std::vector<Patch> patches(regions.size());
-  const std::vector<float> cosines = own_cosines(samples, regions);
+  const Membership membership = membership_of(samples, regions);
   tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t r) {
     if (progress.cancelled()) return;
-    patches[r] = resample_region(samples, graph, regions[r], cosines, colours, options);
+    patches[r] = resample_region(samples, graph, regions[r], membership, colours, options);
     progress.advance(regions[r].points.size());
   });
   return patches;

@@ -41,10 +41,9 @@ struct PatchPoints {
 /// Collects a region's points and those around it that lie on the same sheet, up to `margin` world
 /// units away on the base plane, over the neighbour graph (the papers' epsilon neighbourhood). The
 /// frame's first two axes run along the smallest rectangle around the region's own points.
-/// `own_cosines`: of all points, as of that function; not read where `margin` is 0.
+/// `membership` of all points; not read where `margin` is 0, which collects none around.
 [[nodiscard]] PatchPoints collect_patch_points(const SurfaceSamples& samples,
                                                const NeighbourGraph& graph, const Region& region,
-                                               const std::vector<float>& own_cosines,
-                                               double margin);
+                                               const Membership& membership, double margin);
 
 }  // namespace relief
