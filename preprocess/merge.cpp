@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
+#include <glm/trigonometric.hpp>
+#include <memory>
 #include <numbers>
 #include <queue>
 
+#include "preprocess/normal_spread.h"
 #include "preprocess/partition.h"
 
 namespace relief {
@@ -15,16 +17,52 @@ constexpr std::uint32_t kNoCluster = 0xFFFFFFFFU;
 // The neighbours that make a border between two regions.
 constexpr std::uint32_t kBorderNeighbours = 8;
 
+// A union of more points is first tried by the outermost normals, which takes as long as the test of
+// some hundreds of points. (On the Dragon the others are a tenth of all the points that are tried.)
+constexpr std::size_t kManyPoints = 400;
+
 constexpr double kCompactnessWeight = 0.01;
 constexpr double kSizeWeight = 2.0;
+
+/// The lengths of a cluster's borders with its neighbours: few, so a list does, by their numbers.
+class Borders {
+ public:
+  struct Border {
+    std::uint32_t other;
+    double length;
+  };
+
+  double& operator[](std::uint32_t other) {
+    const auto at = place_of(other);
+    if (at != list_.end() && at->other == other) return at->length;
+    return list_.insert(at, {other, 0.0})->length;
+  }
+
+  void erase(std::uint32_t other) {
+    const auto at = place_of(other);
+    if (at != list_.end() && at->other == other) list_.erase(at);
+  }
+
+  [[nodiscard]] auto begin() const { return list_.begin(); }
+  [[nodiscard]] auto end() const { return list_.end(); }
+
+ private:
+  std::vector<Border>::iterator place_of(std::uint32_t other) {
+    return std::lower_bound(list_.begin(), list_.end(), other,
+                            [](const Border& b, std::uint32_t o) { return b.other < o; });
+  }
+
+  std::vector<Border> list_;
+};
 
 // A region while it grows.
 struct Cluster {
   Region region;
-  double area = 0.0;                        // sum of squared local spacings
-  glm::dvec3 area_normal{0.0};              // sum of those times normals
-  double perimeter = 0.0;                   // sum of `borders`
-  std::map<std::uint32_t, double> borders;  // length of the border with each neighbour
+  double area = 0.0;             // sum of squared local spacings
+  glm::dvec3 area_normal{0.0};   // sum of those times normals
+  double perimeter = 0.0;        // sum of `borders`
+  Borders borders;
+  std::unique_ptr<NormalSpread> spread;  // once it was asked for
   std::uint32_t version = 0;
 };
 
@@ -45,7 +83,10 @@ class Merger {
  public:
   Merger(const SurfaceSamples& samples, const NeighbourGraph& graph, const MergeRule& rule,
          std::vector<Region> regions)
-      : samples_(samples), test_(samples, rule.limits), small_points_(rule.small_points) {
+      : samples_(samples),
+        test_(samples, rule.limits),
+        cos_cone_(std::cos(glm::radians(rule.limits.cone_degrees))),
+        small_points_(rule.small_points) {
     clusters_.resize(regions.size());
     std::vector<std::uint32_t> owner(samples.positions.size(), kNoCluster);
     for (std::uint32_t c = 0; c < regions.size(); ++c) {
@@ -129,10 +170,18 @@ class Merger {
     }
   }
 
+  const NormalSpread& spread_of(Cluster& cluster) {
+    if (!cluster.spread)
+      cluster.spread = std::make_unique<NormalSpread>(samples_.normals, cluster.region.points);
+    return *cluster.spread;
+  }
+
   bool try_merge(std::uint32_t ia, std::uint32_t ib) {
     if (clusters_[ia].region.points.size() < clusters_[ib].region.points.size()) std::swap(ia, ib);
     Cluster& a = clusters_[ia];
     Cluster& b = clusters_[ib];
+    const bool many = a.region.points.size() + b.region.points.size() > kManyPoints;
+    if (many && NormalSpread::exceed(spread_of(a), spread_of(b), cos_cone_)) return false;
     std::vector<std::uint32_t> points(a.region.points.size() + b.region.points.size());
     std::merge(a.region.points.begin(), a.region.points.end(), b.region.points.begin(),
                b.region.points.end(), points.begin());
@@ -140,6 +189,11 @@ class Merger {
     if (!normal) return false;
 
     a.region = {std::move(points), *normal};
+    if (many) {
+      a.spread->add(*b.spread);
+    } else {
+      a.spread.reset();
+    }
     a.area += b.area;
     a.area_normal += b.area_normal;
     a.perimeter = std::max(a.perimeter + b.perimeter - 2.0 * b.borders[ia], 0.0);
@@ -152,13 +206,16 @@ class Merger {
     }
     a.borders.erase(ib);
     ++a.version;
-    b = Cluster{{}, 0.0, glm::dvec3(0.0), 0.0, {}, b.version + 1};
+    const std::uint32_t next_version = b.version + 1;
+    b = Cluster{};
+    b.version = next_version;
     push_candidates(ia, false);
     return true;
   }
 
   SurfaceSamples samples_;
   RegionTest test_;
+  double cos_cone_;
   std::size_t small_points_;
   std::vector<Cluster> clusters_;
   std::priority_queue<Candidate> queue_;
