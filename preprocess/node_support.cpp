@@ -92,13 +92,14 @@ bool is_supported(const PatchPoints& points, const PointGrid& lookup, double x, 
 
 template <class Fn>
 void NodeSupport::for_nodes_within(glm::dvec3 point, double radius, const Fn& fn) {
-  // A node too many at either end: what is beyond the radius is told by its distance.
+  // A little outward, against rounding: what is beyond the radius is told by its distance.
+  constexpr double slack = 1e-6;
   const auto first = [&](double low) {
-    return static_cast<std::uint32_t>(std::max(0.0, low / grid_.spacing - 1.0));
+    return static_cast<std::uint32_t>(std::max(0.0, low / grid_.spacing + 1.0 - slack));
   };
   const auto end = [&](double high, std::uint32_t side) {
     return static_cast<std::uint32_t>(
-        std::clamp(high / grid_.spacing + 2.0, 0.0, static_cast<double>(side)));
+        std::clamp(high / grid_.spacing + 1.0 + slack, 0.0, static_cast<double>(side)));
   };
   const std::uint32_t i0 = first(point.x - radius - grid_.x0);
   const std::uint32_t i1 = end(point.x + radius - grid_.x0, grid_.width);

@@ -21,8 +21,6 @@ constexpr float kSteepOwnCosine = 0.6F;
 constexpr float kLeastShareOfOwnCosine = 0.5F;
 // Nor is the margin followed beyond this slope (80 degrees).
 constexpr float kLeastMarginCosine = 0.17F;
-// Steepest slope that a tangent plane is followed to (84 degrees, the limit of all regions).
-constexpr float kLeastCosine = 0.1F;
 
 /// The points without those that can't be the farthest in any direction: well inside the octagon
 /// of the farthest ones in eight.
@@ -161,13 +159,6 @@ float least_support_cosine(float own_cosine) {
 }
 
 }  // namespace
-
-double tangent_height(const PatchPoints& points, std::uint32_t point, double x, double y) {
-  const glm::dvec3 p = points.positions[point];
-  const glm::vec3 n = points.normals[point];
-  const double steep = std::max(n.z, kLeastCosine);
-  return p.z - (n.x * (x - p.x) + n.y * (y - p.y)) / steep;
-}
 
 PatchPoints collect_patch_points(const SurfaceSamples& samples, const NeighbourGraph& graph,
                                  const Region& region, const Membership& membership,
