@@ -180,7 +180,8 @@ void count_texels(const std::vector<Patch>& patches, ConvertReport& report) {
 Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& options,
                                        Progress& progress) {
   ConvertResult result;
-  result.model.is_closed = is_closed_mesh(points);
+  const MeshEdges edges(points);
+  result.model.is_closed = is_closed_mesh(points, edges);
   Points mesh;
   const bool textured = has_triangle_colours(points);
   if (textured) {
@@ -198,7 +199,7 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
 
   progress.begin_stage("normals", 0);
   const LocalFrames frames = fit_local_frames(points.positions, graph);
-  const NormalsReport normals = complete_normals(points, graph, frames);
+  const NormalsReport normals = complete_normals(points, graph, frames, textured ? nullptr : &edges);
   result.report.normals_estimated = normals.estimated;
   result.report.normals_repaired = normals.repaired;
   if (progress.cancelled()) return interrupted_error();
