@@ -3,11 +3,13 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 #include <utility>
 
 #include "preprocess/closed_mesh.h"
@@ -137,9 +139,30 @@ std::vector<std::uint32_t> owners_of(const std::vector<Region>& regions, std::si
   return owner;
 }
 
-void take_mesh_normals(const Points& mesh, std::vector<Patch>& patches, Progress& progress) {
-  progress.begin_stage("normals of triangles", patches.size());
-  const TriangleSpheres spheres(mesh);
+/// The spheres about a mesh's triangles, made while something else goes on: merging takes one thread.
+class SpheresInTime {
+ public:
+  /// None of a mesh without triangles. The mesh's positions and triangles must stay as they are.
+  explicit SpheresInTime(const Points& mesh) {
+    if (mesh.triangles.empty()) return;
+    task_.run([this, &mesh] { spheres_.emplace(mesh); });
+  }
+  SpheresInTime(const SpheresInTime&) = delete;
+  SpheresInTime& operator=(const SpheresInTime&) = delete;
+  ~SpheresInTime() { task_.wait(); }
+
+  const std::optional<TriangleSpheres>& get() {
+    task_.wait();
+    return spheres_;
+  }
+
+ private:
+  tbb::task_group task_;
+  std::optional<TriangleSpheres> spheres_;
+};
+
+void take_mesh_normals(const Points& mesh, const TriangleSpheres& spheres,
+                       std::vector<Patch>& patches, Progress& progress) {
   tbb::parallel_for(std::size_t{0}, patches.size(), [&](std::size_t p) {
     if (progress.cancelled()) return;
     take_mesh_normals(mesh, mesh.normals, spheres.find_over(patches[p]), patches[p]);
@@ -204,6 +227,7 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   result.report.normals_repaired = normals.repaired;
   if (progress.cancelled()) return interrupted_error();
 
+  SpheresInTime spheres(points);
   const std::vector<glm::vec3> smooth = smooth_normals(points.normals, graph);
   const SurfaceSamples smooth_samples{points.positions, smooth, graph.spacing, frames.roughness};
   const double cone = options.cone_degrees > 0.0 ? options.cone_degrees : kDefaultConeDegrees;
@@ -233,7 +257,8 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
         map_textures(mesh, static_cast<std::uint32_t>(options.texels_per_cell), patches, progress);
     if (!mapped) return mapped.error();
   } else if (!points.triangles.empty()) {
-    take_mesh_normals(points, patches, progress);
+    progress.begin_stage("normals of triangles", patches.size());
+    take_mesh_normals(points, *spheres.get(), patches, progress);
     if (progress.cancelled()) return interrupted_error();
   }
 

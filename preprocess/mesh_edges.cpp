@@ -32,7 +32,9 @@ void count(std::span<const EdgeUse> uses, Census& census) {
 
 }  // namespace
 
-MeshEdges::MeshEdges(const Points& mesh) : starts_(mesh.size() + 1, 0) {
+MeshEdges::MeshEdges(const Points& mesh) {
+  if (mesh.triangles.empty()) return;  // a large scan needs no table
+  starts_.assign(mesh.size() + 1, 0);
   const auto for_each_edge = [&mesh](const auto& fn) {
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
       const Triangle& corners = mesh.triangles[t];
