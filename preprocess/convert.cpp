@@ -139,7 +139,8 @@ std::vector<std::uint32_t> owners_of(const std::vector<Region>& regions, std::si
   return owner;
 }
 
-/// The spheres about a mesh's triangles, made while something else goes on: merging takes one thread.
+/// The spheres about a mesh's triangles, made while something else goes on: merging takes one
+/// thread.
 class SpheresInTime {
  public:
   /// None of a mesh without triangles. The mesh's positions and triangles must stay as they are.
@@ -222,7 +223,8 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
 
   progress.begin_stage("normals", 0);
   const LocalFrames frames = fit_local_frames(points.positions, graph);
-  const NormalsReport normals = complete_normals(points, graph, frames, textured ? nullptr : &edges);
+  const NormalsReport normals =
+      complete_normals(points, graph, frames, textured ? nullptr : &edges);
   result.report.normals_estimated = normals.estimated;
   result.report.normals_repaired = normals.repaired;
   if (progress.cancelled()) return interrupted_error();

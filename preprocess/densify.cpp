@@ -23,7 +23,8 @@ double total_area(const Points& points) {
   tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t k) {
     const Triangle& t = points.triangles[k];
     const glm::dvec3 a = points.positions[t[0]];
-    areas[k] = 0.5 * glm::length(glm::cross(points.positions[t[1]] - a, points.positions[t[2]] - a));
+    areas[k] =
+        0.5 * glm::length(glm::cross(points.positions[t[1]] - a, points.positions[t[2]] - a));
   });
   return std::accumulate(areas.begin(), areas.end(), 0.0);
 }
@@ -68,8 +69,8 @@ void append(Points& points, const Triangle& t, glm::dvec3 w) {
 }
 
 /// Calls `add(triangle, weights)` for the points on large ones of `triangles`, about `step` apart:
-/// first those of edges that no earlier triangle had, then rows parallel to the longest edge. Ends when
-/// `add` returns false, and returns whether it never did.
+/// first those of edges that no earlier triangle had, then rows parallel to the longest edge. Ends
+/// when `add` returns false, and returns whether it never did.
 template <class Add>
 bool for_each_added(const Points& points, const std::vector<std::uint32_t>& triangles,
                     double longest_left_alone, double step, const Add& add) {

@@ -82,12 +82,11 @@ int empty_run(std::uint8_t octants) {
 bool is_supported(const PatchPoints& points, const PointGrid& lookup, double x, double y,
                   double spacing) {
   bool close = false;
-  lookup.for_each_within(
-      x, y, kReachInSpacings * spacing, [&](std::uint32_t p, double plane_squared) {
-        close = close || is_close(points, p, x, y, plane_squared, spacing);
-      });
-  return close ||
-         is_surrounded(points, lookup, x, y, spacing, kWidestSparseInSpacings * spacing);
+  lookup.for_each_within(x, y, kReachInSpacings * spacing,
+                         [&](std::uint32_t p, double plane_squared) {
+                           close = close || is_close(points, p, x, y, plane_squared, spacing);
+                         });
+  return close || is_surrounded(points, lookup, x, y, spacing, kWidestSparseInSpacings * spacing);
 }
 
 template <class Fn>
@@ -119,14 +118,14 @@ NodeSupport::NodeSupport(const PatchPoints& points, const PointGrid& lookup, con
     : points_(points), lookup_(lookup), grid_(grid), octants_(grid.size(), 0) {
   const double spacing = grid.spacing;
   for (std::uint32_t p = 0; p < lookup.size(); ++p) {
-    for_nodes_within(points.positions[p], kReachInSpacings * spacing,
-                     [&](std::uint8_t& octants, std::uint32_t i, std::uint32_t j, double dx,
-                         double dy) {
-                       if (is_close(points, p, grid.x0 + i * spacing, grid.y0 + j * spacing,
-                                    dx * dx + dy * dy, spacing)) {
-                         octants = kAllOctants;
-                       }
-                     });
+    for_nodes_within(
+        points.positions[p], kReachInSpacings * spacing,
+        [&](std::uint8_t& octants, std::uint32_t i, std::uint32_t j, double dx, double dy) {
+          if (is_close(points, p, grid.x0 + i * spacing, grid.y0 + j * spacing, dx * dx + dy * dy,
+                       spacing)) {
+            octants = kAllOctants;
+          }
+        });
   }
   for (std::uint32_t p = 0; p < lookup.size(); ++p) {
     const double reach =
@@ -145,8 +144,8 @@ bool NodeSupport::is_supported(std::uint32_t i, std::uint32_t j) const {
                 1.01 * kWidestSector < std::numbers::pi);
   if (run <= 1) return true;
   if (run >= 4) return false;
-  return is_surrounded(points_, lookup_, grid_.x0 + i * grid_.spacing,
-                       grid_.y0 + j * grid_.spacing, grid_.spacing, widest_reach_);
+  return is_surrounded(points_, lookup_, grid_.x0 + i * grid_.spacing, grid_.y0 + j * grid_.spacing,
+                       grid_.spacing, widest_reach_);
 }
 
 }  // namespace relief

@@ -39,16 +39,16 @@ std::vector<glm::dvec2> near_hull(const std::vector<glm::dvec2>& points) {
     }
   }
   // What rounds to as far as a corner must stay.
-  const double rounding = 1e-9 * (glm::distance(corners[0], corners[4]) +
-                                  glm::distance(corners[2], corners[6]));
+  const double rounding =
+      1e-9 * (glm::distance(corners[0], corners[4]) + glm::distance(corners[2], corners[6]));
   std::vector<glm::dvec2> near;
   for (const glm::dvec2 p : points) {
     bool inside = true;
     for (std::size_t d = 0; d < corners.size() && inside; ++d) {
       const glm::dvec2 side = corners[(d + 1) % corners.size()] - corners[d];
       const glm::dvec2 to = p - corners[d];
-      inside = side == glm::dvec2(0.0) ||
-               side.x * to.y - side.y * to.x > rounding * glm::length(side);
+      inside =
+          side == glm::dvec2(0.0) || side.x * to.y - side.y * to.x > rounding * glm::length(side);
     }
     if (!inside) near.push_back(p);
   }
@@ -177,7 +177,8 @@ PatchPoints collect_patch_points(const SurfaceSamples& samples, const NeighbourG
   const auto margin_begin = out.ids.begin() + static_cast<std::ptrdiff_t>(out.own);
   std::sort(margin_begin, out.ids.end());
   const auto steep = std::stable_partition(margin_begin, out.ids.end(), [&](std::uint32_t i) {
-    return glm::dot(samples.normals[i], region.normal) >= least_support_cosine(membership.cosine[i]);
+    return glm::dot(samples.normals[i], region.normal) >=
+           least_support_cosine(membership.cosine[i]);
   });
   out.supporting = static_cast<std::size_t>(steep - out.ids.begin());
 

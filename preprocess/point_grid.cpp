@@ -5,8 +5,7 @@
 
 namespace relief {
 
-PointGrid::PointGrid(const PatchPoints& points, std::size_t count, double cell)
-    : cell_(cell) {
+PointGrid::PointGrid(const PatchPoints& points, std::size_t count, double cell) : cell_(cell) {
   low_x_ = low_y_ = std::numeric_limits<double>::infinity();
   double high_x = -low_x_;
   double high_y = -low_y_;

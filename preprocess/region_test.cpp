@@ -79,8 +79,7 @@ std::optional<glm::vec3> RegionTest::fit_cone(std::span<const std::uint32_t> poi
     }
     if (least >= cos_cone_) return axis;
     // 25 degrees beyond the cone are not won back by moving the axis, as it starts near the middle.
-    if (step == 1 &&
-        std::acos(std::clamp(least, -1.0F, 1.0F)) > cone_ + glm::radians(25.0F)) {
+    if (step == 1 && std::acos(std::clamp(least, -1.0F, 1.0F)) > cone_ + glm::radians(25.0F)) {
       return std::nullopt;
     }
     axis = glm::normalize(axis + (worst - axis) / static_cast<float>(step + 3));
