@@ -139,8 +139,8 @@ std::vector<std::uint32_t> owners_of(const std::vector<Region>& regions, std::si
   return owner;
 }
 
-/// The spheres about a mesh's triangles, made while something else goes on: merging takes one
-/// thread.
+/// The spheres about a mesh's triangles, made while something else goes on: building a kd-tree
+/// takes one thread.
 class SpheresInTime {
  public:
   /// None of a mesh without triangles. The mesh's positions and triangles must stay as they are.
@@ -217,6 +217,7 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   result.report.points = points.size();
   result.report.points_added = densify_triangles(points);
 
+  SpheresInTime spheres(points);
   progress.begin_stage("neighbours", 0);
   const NeighbourGraph graph = find_neighbours(points.positions, kSurfaceNeighbours);
   if (progress.cancelled()) return interrupted_error();
@@ -229,7 +230,6 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   result.report.normals_repaired = normals.repaired;
   if (progress.cancelled()) return interrupted_error();
 
-  SpheresInTime spheres(points);
   const std::vector<glm::vec3> smooth = smooth_normals(points.normals, graph);
   const SurfaceSamples smooth_samples{points.positions, smooth, graph.spacing, frames.roughness};
   const double cone = options.cone_degrees > 0.0 ? options.cone_degrees : kDefaultConeDegrees;
