@@ -5,36 +5,11 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <numeric>
-#include <optional>
+#include <span>
 #include <vector>
 
 namespace relief {
 namespace {
-
-/// An edge as a triangle runs through it.
-struct Edge {
-  std::uint64_t ends = 0;  ///< the lesser of its points in the upper half
-  std::uint32_t triangle = 0;
-  bool forward = false;  ///< from the lesser point to the greater
-};
-
-/// The edges of all triangles, those of the same points beside each other.
-std::vector<Edge> sorted_edges(const std::vector<Triangle>& triangles) {
-  std::vector<Edge> edges;
-  edges.reserve(3 * triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::uint32_t from = triangles[t][c];
-      const std::uint32_t to = triangles[t][(c + 1) % 3];
-      edges.push_back({std::uint64_t{std::min(from, to)} << 32U | std::max(from, to),
-                       static_cast<std::uint32_t>(t), from < to});
-    }
-  }
-  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
-    return a.ends != b.ends ? a.ends < b.ends : a.triangle < b.triangle;
-  });
-  return edges;
-}
 
 /// Triangles that hang together by edges: a forest whose roots name the pieces.
 class Pieces {
@@ -55,17 +30,13 @@ class Pieces {
   std::vector<std::uint32_t> parents_;
 };
 
-/// The pieces, if every edge has its two triangles.
-std::optional<Pieces> join_pieces(const std::vector<Triangle>& triangles) {
-  const std::vector<Edge> edges = sorted_edges(triangles);
-  Pieces pieces(triangles.size());
-  for (std::size_t e = 0; e < edges.size(); e += 2) {
-    const bool last = e + 2 >= edges.size();
-    if (e + 1 == edges.size() || edges[e].ends != edges[e + 1].ends ||
-        edges[e].forward == edges[e + 1].forward || (!last && edges[e + 2].ends == edges[e].ends)) {
-      return std::nullopt;
-    }
-    pieces.join(edges[e].triangle, edges[e + 1].triangle);
+/// The pieces of a mesh in which every edge has its two triangles.
+Pieces join_pieces(const Points& mesh, const MeshEdges& edges) {
+  Pieces pieces(mesh.triangles.size());
+  for (std::uint32_t p = 0; p < mesh.size(); ++p) {
+    const std::span<const EdgeUse> uses = edges.of(p);
+    for (std::size_t e = 0; e < uses.size(); e += 2)
+      pieces.join(uses[e].triangle, uses[e + 1].triangle);
   }
   return pieces;
 }
@@ -108,13 +79,12 @@ bool has_normals_against(const Points& mesh) {
 
 }  // namespace
 
-bool is_closed_mesh(const Points& mesh) {
-  if (mesh.triangles.empty() || has_lone_points(mesh)) return false;
-  std::optional<Pieces> pieces = join_pieces(mesh.triangles);
-  if (!pieces) return false;
-  const std::vector<double> volumes = volumes_of(mesh, *pieces);
+bool is_closed_mesh(const Points& mesh, const MeshEdges& edges) {
+  if (mesh.triangles.empty() || !edges.all_have_two() || has_lone_points(mesh)) return false;
+  Pieces pieces = join_pieces(mesh, edges);
+  const std::vector<double> volumes = volumes_of(mesh, pieces);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (pieces->root_of(t) == t && !(volumes[t] > 0.0)) return false;
+    if (pieces.root_of(t) == t && !(volumes[t] > 0.0)) return false;
   }
   return !has_normals_against(mesh);
 }

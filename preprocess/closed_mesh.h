@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/points.h"
+#include "preprocess/mesh_edges.h"
 
 namespace relief {
 
@@ -9,7 +10,7 @@ namespace relief {
 /// outward: every point is a corner, every edge is one of exactly two triangles, which run through
 /// it in opposite directions, and every piece encloses a positive volume. (A body with a hollow in
 /// it is not: the hollow's volume is negative.) Normals that the mesh has must not point against
-/// its triangles: patches follow them. False without triangles.
-[[nodiscard]] bool is_closed_mesh(const Points& mesh);
+/// its triangles: patches follow them. False without triangles. `edges` are the mesh's.
+[[nodiscard]] bool is_closed_mesh(const Points& mesh, const MeshEdges& edges);
 
 }  // namespace relief

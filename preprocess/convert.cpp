@@ -3,11 +3,13 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 #include <utility>
 
 #include "preprocess/closed_mesh.h"
@@ -120,10 +122,10 @@ std::vector<Patch> resample_all(const SurfaceSamples& samples, const NeighbourGr
                                 const ResampleOptions& options, Progress& progress) {
   progress.begin_stage("resample", samples.positions.size());
   std::vector<Patch> patches(regions.size());
-  const std::vector<float> cosines = own_cosines(samples, regions);
+  const Membership membership = membership_of(samples, regions);
   tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t r) {
     if (progress.cancelled()) return;
-    patches[r] = resample_region(samples, graph, regions[r], cosines, colours, options);
+    patches[r] = resample_region(samples, graph, regions[r], membership, colours, options);
     progress.advance(regions[r].points.size());
   });
   return patches;
@@ -137,9 +139,31 @@ std::vector<std::uint32_t> owners_of(const std::vector<Region>& regions, std::si
   return owner;
 }
 
-void take_mesh_normals(const Points& mesh, std::vector<Patch>& patches, Progress& progress) {
-  progress.begin_stage("normals of triangles", patches.size());
-  const TriangleSpheres spheres(mesh);
+/// The spheres about a mesh's triangles, made while something else goes on: building a kd-tree
+/// takes one thread.
+class SpheresInTime {
+ public:
+  /// None of a mesh without triangles. The mesh's positions and triangles must stay as they are.
+  explicit SpheresInTime(const Points& mesh) {
+    if (mesh.triangles.empty()) return;
+    task_.run([this, &mesh] { spheres_.emplace(mesh); });
+  }
+  SpheresInTime(const SpheresInTime&) = delete;
+  SpheresInTime& operator=(const SpheresInTime&) = delete;
+  ~SpheresInTime() { task_.wait(); }
+
+  const std::optional<TriangleSpheres>& get() {
+    task_.wait();
+    return spheres_;
+  }
+
+ private:
+  tbb::task_group task_;
+  std::optional<TriangleSpheres> spheres_;
+};
+
+void take_mesh_normals(const Points& mesh, const TriangleSpheres& spheres,
+                       std::vector<Patch>& patches, Progress& progress) {
   tbb::parallel_for(std::size_t{0}, patches.size(), [&](std::size_t p) {
     if (progress.cancelled()) return;
     take_mesh_normals(mesh, mesh.normals, spheres.find_over(patches[p]), patches[p]);
@@ -180,7 +204,8 @@ void count_texels(const std::vector<Patch>& patches, ConvertReport& report) {
 Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& options,
                                        Progress& progress) {
   ConvertResult result;
-  result.model.is_closed = is_closed_mesh(points);
+  const MeshEdges edges(points);
+  result.model.is_closed = is_closed_mesh(points, edges);
   Points mesh;
   const bool textured = has_triangle_colours(points);
   if (textured) {
@@ -192,13 +217,15 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   result.report.points = points.size();
   result.report.points_added = densify_triangles(points);
 
+  SpheresInTime spheres(points);
   progress.begin_stage("neighbours", 0);
   const NeighbourGraph graph = find_neighbours(points.positions, kSurfaceNeighbours);
   if (progress.cancelled()) return interrupted_error();
 
   progress.begin_stage("normals", 0);
   const LocalFrames frames = fit_local_frames(points.positions, graph);
-  const NormalsReport normals = complete_normals(points, graph, frames);
+  const NormalsReport normals =
+      complete_normals(points, graph, frames, textured ? nullptr : &edges);
   result.report.normals_estimated = normals.estimated;
   result.report.normals_repaired = normals.repaired;
   if (progress.cancelled()) return interrupted_error();
@@ -232,7 +259,8 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
         map_textures(mesh, static_cast<std::uint32_t>(options.texels_per_cell), patches, progress);
     if (!mapped) return mapped.error();
   } else if (!points.triangles.empty()) {
-    take_mesh_normals(points, patches, progress);
+    progress.begin_stage("normals of triangles", patches.size());
+    take_mesh_normals(points, *spheres.get(), patches, progress);
     if (progress.cancelled()) return interrupted_error();
   }
 

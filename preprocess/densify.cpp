@@ -1,9 +1,12 @@
 #include "preprocess/densify.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <unordered_set>
 
 namespace relief {
@@ -16,12 +19,31 @@ constexpr double kLongEdge = 2.5;
 constexpr std::size_t kMostAddedPerPoint = 4;
 
 double total_area(const Points& points) {
-  double area = 0.0;
-  for (const Triangle& t : points.triangles) {
+  std::vector<double> areas(points.triangles.size());
+  tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t k) {
+    const Triangle& t = points.triangles[k];
     const glm::dvec3 a = points.positions[t[0]];
-    area += 0.5 * glm::length(glm::cross(points.positions[t[1]] - a, points.positions[t[2]] - a));
+    areas[k] =
+        0.5 * glm::length(glm::cross(points.positions[t[1]] - a, points.positions[t[2]] - a));
+  });
+  return std::accumulate(areas.begin(), areas.end(), 0.0);
+}
+
+/// The triangles that have an edge longer than `limit`, in their order.
+std::vector<std::uint32_t> with_long_edges(const Points& points, double limit) {
+  std::vector<std::uint8_t> is_long(points.triangles.size());
+  tbb::parallel_for(std::size_t{0}, is_long.size(), [&](std::size_t k) {
+    const Triangle& t = points.triangles[k];
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double length = glm::distance(points.positions[t[c]], points.positions[t[(c + 1) % 3]]);
+      if (length > limit) is_long[k] = 1;
+    }
+  });
+  std::vector<std::uint32_t> triangles;
+  for (std::uint32_t k = 0; k < is_long.size(); ++k) {
+    if (is_long[k] != 0) triangles.push_back(k);
   }
-  return area;
+  return triangles;
 }
 
 // Pieces of about `step` that a length is cut into; hostile lengths are cut into no more than 4096.
@@ -46,13 +68,15 @@ void append(Points& points, const Triangle& t, glm::dvec3 w) {
   if (!points.texcoords.empty()) points.texcoords.push_back(mix(points.texcoords, glm::vec2(0.0F)));
 }
 
-/// Calls `add(triangle, weights)` for the points on large triangles, about `step` apart: first
-/// those of edges that no earlier triangle had, then rows parallel to the longest edge. Ends when
-/// `add` returns false, and returns whether it never did.
+/// Calls `add(triangle, weights)` for the points on large ones of `triangles`, about `step` apart:
+/// first those of edges that no earlier triangle had, then rows parallel to the longest edge. Ends
+/// when `add` returns false, and returns whether it never did.
 template <class Add>
-bool for_each_added(const Points& points, double longest_left_alone, double step, const Add& add) {
+bool for_each_added(const Points& points, const std::vector<std::uint32_t>& triangles,
+                    double longest_left_alone, double step, const Add& add) {
   std::unordered_set<std::uint64_t> edges_done;
-  for (const Triangle& t : points.triangles) {
+  for (const std::uint32_t k : triangles) {
+    const Triangle& t = points.triangles[k];
     std::size_t longest = 0;
     std::array<double, 3> lengths{};  // of the edge from corner c to the next
     for (std::size_t c = 0; c < 3; ++c) {
@@ -95,17 +119,18 @@ std::size_t densify_triangles(Points& points) {
   const double spacing = std::sqrt(total_area(points) / static_cast<double>(given));
   // No area, or more than doubles hold: there is no spacing to fill triangles at.
   if (!(spacing > 0.0) || !std::isfinite(spacing)) return 0;
+  const std::vector<std::uint32_t> large = with_long_edges(points, kLongEdge * spacing);
   // Counted only as far as allowed: needles could ask for thousands of points each.
   const auto fits = [&](double step) {
     std::size_t count = 0;
-    return for_each_added(points, kLongEdge * step, step, [&](const Triangle&, glm::dvec3) {
+    return for_each_added(points, large, kLongEdge * step, step, [&](const Triangle&, glm::dvec3) {
       return ++count <= kMostAddedPerPoint * given;
     });
   };
   // Too many: coarser everywhere, instead of leaving some triangles empty.
   double step = spacing;
   while (!fits(step)) step *= 1.5;
-  for_each_added(points, kLongEdge * step, step, [&](const Triangle& t, glm::dvec3 w) {
+  for_each_added(points, large, kLongEdge * step, step, [&](const Triangle& t, glm::dvec3 w) {
     append(points, t, w);
     return true;
   });

@@ -52,9 +52,11 @@ Sums accumulate(const PatchPoints& points, const PointGrid& lookup, glm::dvec3 a
         const double dy = (points.positions[p].y - about.y) / scale;
         Vector6 basis;
         basis << 1.0, dx, dy, dx * dx, dx * dy, dy * dy;
-        sums.normal_matrix.selfadjointView<Eigen::Lower>().rankUpdate(basis, w);
+        const Vector6 weighted = w * basis;
         const glm::vec3 n = points.normals[p];
-        sums.right_side += w * basis * Eigen::RowVector4d(dz / scale, n.x, n.y, n.z);
+        // All of the matrix, of which one half is read: shorter than to leave the other out.
+        sums.normal_matrix.noalias() += basis * weighted.transpose();
+        sums.right_side.noalias() += weighted * Eigen::RowVector4d(dz / scale, n.x, n.y, n.z);
         sums.weight += w;
         sums.tangent += w * (tangent_height(points, p, about.x, about.y) - about.z);
         sums.normal += static_cast<float>(w) * points.normals[p];

@@ -7,7 +7,6 @@
 #include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <unordered_map>
 
 #include "common/mesh_normals.h"
 
@@ -51,27 +50,6 @@ PlaneFit fit_plane(const std::vector<glm::dvec3>& positions, std::size_t centre,
 bool usable(glm::vec3 n) {
   const float length = glm::length(n);
   return std::isfinite(length) && length > 1e-12F;
-}
-
-// Share of inner edges that two triangles run through in the same direction: 0 on an oriented mesh.
-double misoriented_edges(const Points& points) {
-  std::unordered_map<std::uint64_t, int> direction;
-  direction.reserve(points.triangles.size() * 2);
-  std::uint64_t inner = 0;
-  std::uint64_t bad = 0;
-  for (const Triangle& t : points.triangles) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::uint32_t a = t[c];
-      const std::uint32_t b = t[(c + 1) % 3];
-      const int way = a < b ? 1 : -1;
-      const auto [it, fresh] =
-          direction.try_emplace(std::uint64_t{std::min(a, b)} << 32 | std::max(a, b), way);
-      if (fresh) continue;
-      ++inner;
-      if (it->second == way) ++bad;
-    }
-  }
-  return inner > 0 ? static_cast<double>(bad) / static_cast<double>(inner) : 1.0;
 }
 
 // Points whose normal is not usable take their frame's, on the side that most neighbours are on.
@@ -174,9 +152,11 @@ NormalsReport check_given(Points& points, const NeighbourGraph& graph, const Loc
   return report;
 }
 
-bool faces_are_oriented(const Points& points) {
+bool faces_are_oriented(const Points& points, const MeshEdges* edges) {
+  if (points.triangles.empty()) return false;
+  const double misoriented = edges ? edges->misoriented() : MeshEdges(points).misoriented();
   // Real meshes have a few bad edges at non-manifold spots; a soup has half of them.
-  return !points.triangles.empty() && misoriented_edges(points) < 0.05;
+  return misoriented < 0.05;
 }
 
 }  // namespace
@@ -200,7 +180,7 @@ LocalFrames fit_local_frames(const std::vector<glm::dvec3>& positions,
 }
 
 NormalsReport complete_normals(Points& points, const NeighbourGraph& graph,
-                               const LocalFrames& frames) {
+                               const LocalFrames& frames, const MeshEdges* edges) {
   const auto has_normal = [&] {
     return std::any_of(points.normals.begin(), points.normals.end(), usable);
   };
@@ -208,7 +188,7 @@ NormalsReport complete_normals(Points& points, const NeighbourGraph& graph,
 
   NormalsReport report;
   report.estimated = true;
-  if (faces_are_oriented(points)) {
+  if (faces_are_oriented(points, edges)) {
     points.normals = normals_from_triangles(points);
     std::vector<std::uint8_t> missing(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) missing[i] = usable(points.normals[i]) ? 0 : 1;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/points.h"
+#include "preprocess/mesh_edges.h"
 #include "preprocess/neighbours.h"
 
 namespace relief {
@@ -28,9 +29,9 @@ struct LocalFrames {
 
 /// Makes `points.normals` unit vectors, one per point: the given ones where they hold (zero, NaN
 /// and inconsistent ones repaired), else those of the triangles, else local frames oriented by
-/// orient_normals.
+/// orient_normals. `edges`: of the points' triangles, where they are known already.
 NormalsReport complete_normals(Points& points, const NeighbourGraph& graph,
-                               const LocalFrames& frames);
+                               const LocalFrames& frames, const MeshEdges* edges = nullptr);
 
 /// Flips unit normals so that neighbours agree: minimum spanning forest over the neighbour graph
 /// (Hoppe et al. 1992). Each connected component then faces the viewpoint if there is one,

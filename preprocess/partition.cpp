@@ -21,14 +21,17 @@ std::size_t small_points(std::size_t points) {
 
 }  // namespace
 
-std::vector<float> own_cosines(const SurfaceSamples& samples, const std::vector<Region>& regions) {
-  std::vector<float> cosines(samples.normals.size(), 1.0F);
-  for (const Region& region : regions) {
-    for (const std::uint32_t i : region.points) {
-      cosines[i] = glm::dot(samples.normals[i], region.normal);
+Membership membership_of(const SurfaceSamples& samples, const std::vector<Region>& regions) {
+  const std::size_t points = samples.normals.size();
+  Membership membership{{}, std::vector<float>(points, 1.0F)};
+  membership.region.assign(points, static_cast<std::uint32_t>(regions.size()));
+  for (std::uint32_t r = 0; r < regions.size(); ++r) {
+    for (const std::uint32_t i : regions[r].points) {
+      membership.region[i] = r;
+      membership.cosine[i] = glm::dot(samples.normals[i], regions[r].normal);
     }
   }
-  return cosines;
+  return membership;
 }
 
 std::vector<Region> partition(const SurfaceSamples& samples, const NeighbourGraph& graph,

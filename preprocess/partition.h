@@ -14,10 +14,15 @@ struct Region {
   glm::vec3 normal{0.0F};             ///< of the base plane, unit
 };
 
-/// For each point the cosine of the angle between its normal and the base-plane normal of the
-/// region it belongs to; 1 where it belongs to none.
-[[nodiscard]] std::vector<float> own_cosines(const SurfaceSamples& samples,
-                                             const std::vector<Region>& regions);
+/// What each point has to do with the region it belongs to.
+struct Membership {
+  std::vector<std::uint32_t> region;  ///< its index; the number of regions where it is in none
+  std::vector<float> cosine;  ///< of the angle between the point's normal and the base-plane normal
+                              ///< of its region; 1 where it is in none
+};
+
+[[nodiscard]] Membership membership_of(const SurfaceSamples& samples,
+                                       const std::vector<Region>& regions);
 
 /// Splits (Pauly and Gross 2001): cuts a point set through its centroid, across its direction of
 /// greatest variance, again and again until each piece passes the test; pieces that are not

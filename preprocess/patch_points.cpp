@@ -1,11 +1,11 @@
 #include "preprocess/patch_points.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
-#include <unordered_map>
 
 namespace relief {
 namespace {
@@ -21,8 +21,39 @@ constexpr float kSteepOwnCosine = 0.6F;
 constexpr float kLeastShareOfOwnCosine = 0.5F;
 // Nor is the margin followed beyond this slope (80 degrees).
 constexpr float kLeastMarginCosine = 0.17F;
-// Steepest slope that a tangent plane is followed to (84 degrees, the limit of all regions).
-constexpr float kLeastCosine = 0.1F;
+
+/// The points without those that can't be the farthest in any direction: well inside the octagon
+/// of the farthest ones in eight.
+std::vector<glm::dvec2> near_hull(const std::vector<glm::dvec2>& points) {
+  constexpr std::array<glm::dvec2, 8> directions{
+      {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+  std::array<glm::dvec2, 8> corners{};
+  std::array<double, 8> farthest{};
+  farthest.fill(-std::numeric_limits<double>::infinity());
+  for (const glm::dvec2 p : points) {
+    for (std::size_t d = 0; d < directions.size(); ++d) {
+      const double along = p.x * directions[d].x + p.y * directions[d].y;
+      if (along <= farthest[d]) continue;
+      farthest[d] = along;
+      corners[d] = p;
+    }
+  }
+  // What rounds to as far as a corner must stay.
+  const double rounding =
+      1e-9 * (glm::distance(corners[0], corners[4]) + glm::distance(corners[2], corners[6]));
+  std::vector<glm::dvec2> near;
+  for (const glm::dvec2 p : points) {
+    bool inside = true;
+    for (std::size_t d = 0; d < corners.size() && inside; ++d) {
+      const glm::dvec2 side = corners[(d + 1) % corners.size()] - corners[d];
+      const glm::dvec2 to = p - corners[d];
+      inside =
+          side == glm::dvec2(0.0) || side.x * to.y - side.y * to.x > rounding * glm::length(side);
+    }
+    if (!inside) near.push_back(p);
+  }
+  return near;
+}
 
 // Directions along the smallest rectangle around the projected points: 45 turns of 2 degrees come
 // within 1 % of the best area.
@@ -38,6 +69,7 @@ void turn_to_smallest_rectangle(const SurfaceSamples& samples, const Region& reg
     const glm::dvec3 d = samples.positions[i] - base;
     projected.emplace_back(glm::dot(d, u), glm::dot(d, v));
   }
+  projected = near_hull(projected);
   for (int turn = 0; turn < kTurns; ++turn) {
     const double angle = turn * (std::numbers::pi / 2.0) / kTurns;
     const double c = std::cos(angle);
@@ -58,26 +90,62 @@ void turn_to_smallest_rectangle(const SurfaceSamples& samples, const Region& reg
   u = glm::normalize(best_u);
 }
 
+/// A set of points. Open addressing, at most half full.
+class PointSet {
+ public:
+  [[nodiscard]] bool has(std::uint32_t point) const { return slots_[slot_of(point)] == point; }
+
+  void add(std::uint32_t point) {
+    slots_[slot_of(point)] = point;
+    if (2 * ++count_ <= slots_.size()) return;
+    std::vector<std::uint32_t> old(2 * slots_.size(), kEmpty);
+    old.swap(slots_);
+    for (const std::uint32_t p : old) {
+      if (p != kEmpty) slots_[slot_of(p)] = p;
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t kEmpty = std::numeric_limits<std::uint32_t>::max();
+
+  /// Where the point is, or where it would be put.
+  [[nodiscard]] std::size_t slot_of(std::uint32_t point) const {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t slot = (point * 0x9E3779B97F4A7C15ULL >> 32U) & mask;
+    while (slots_[slot] != kEmpty && slots_[slot] != point) slot = (slot + 1) & mask;
+    return slot;
+  }
+
+  std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(1024, kEmpty);
+  std::size_t count_ = 0;
+};
+
 // Grows outward from the region over the neighbour graph. Each reached point remembers the region's
 // point it was reached from; the distance to that one on the base plane is what `margin` limits.
 void grow_margin(const SurfaceSamples& samples, const NeighbourGraph& graph, const Region& region,
-                 double margin, std::vector<std::uint32_t>& ids) {
-  std::unordered_map<std::uint32_t, std::uint32_t> source;
-  source.reserve(region.points.size() * 2);
-  for (const std::uint32_t i : region.points) source.emplace(i, i);
-  std::vector<std::uint32_t> front = region.points;
+                 const std::vector<std::uint32_t>& region_of, double margin,
+                 std::vector<std::uint32_t>& ids) {
+  struct Reached {
+    std::uint32_t point;
+    std::uint32_t from;
+  };
+  const std::uint32_t own = region_of[region.points.front()];
+  PointSet seen;
+  std::vector<Reached> front;
+  front.reserve(region.points.size());
+  for (const std::uint32_t i : region.points) front.push_back({i, i});
   while (!front.empty()) {
-    std::vector<std::uint32_t> next;
-    for (const std::uint32_t i : front) {
-      const std::uint32_t from = source[i];
+    std::vector<Reached> next;
+    for (const auto [i, from] : front) {
       for (const std::uint32_t j : graph.of(i)) {
+        if (region_of[j] == own || seen.has(j)) continue;
         const glm::dvec3 step = samples.positions[j] - samples.positions[from];
         const double rise = glm::dot(step, glm::dvec3(region.normal));
         if (glm::dot(step, step) - rise * rise > margin * margin) continue;
         if (glm::dot(samples.normals[j], region.normal) < kLeastMarginCosine) continue;
         if (!on_one_sheet(samples, i, j)) continue;
-        if (!source.emplace(j, from).second) continue;
-        next.push_back(j);
+        seen.add(j);
+        next.push_back({j, from});
         ids.push_back(j);
       }
     }
@@ -92,15 +160,8 @@ float least_support_cosine(float own_cosine) {
 
 }  // namespace
 
-double tangent_height(const PatchPoints& points, std::uint32_t point, double x, double y) {
-  const glm::dvec3 p = points.positions[point];
-  const glm::vec3 n = points.normals[point];
-  const double steep = std::max(n.z, kLeastCosine);
-  return p.z - (n.x * (x - p.x) + n.y * (y - p.y)) / steep;
-}
-
 PatchPoints collect_patch_points(const SurfaceSamples& samples, const NeighbourGraph& graph,
-                                 const Region& region, const std::vector<float>& own_cosines,
+                                 const Region& region, const Membership& membership,
                                  double margin) {
   PatchPoints out;
   const glm::dvec3 n = glm::normalize(glm::dvec3(region.normal));
@@ -112,11 +173,12 @@ PatchPoints collect_patch_points(const SurfaceSamples& samples, const NeighbourG
 
   out.ids = region.points;
   out.own = region.points.size();
-  grow_margin(samples, graph, region, margin, out.ids);
+  if (margin > 0.0) grow_margin(samples, graph, region, membership.region, margin, out.ids);
   const auto margin_begin = out.ids.begin() + static_cast<std::ptrdiff_t>(out.own);
   std::sort(margin_begin, out.ids.end());
   const auto steep = std::stable_partition(margin_begin, out.ids.end(), [&](std::uint32_t i) {
-    return glm::dot(samples.normals[i], region.normal) >= least_support_cosine(own_cosines[i]);
+    return glm::dot(samples.normals[i], region.normal) >=
+           least_support_cosine(membership.cosine[i]);
   });
   out.supporting = static_cast<std::size_t>(steep - out.ids.begin());
 
@@ -126,6 +188,9 @@ PatchPoints collect_patch_points(const SurfaceSamples& samples, const NeighbourG
   out.frame.origin = base + centroid / static_cast<double>(out.own);
 
   const glm::mat3 to_local(glm::transpose(out.frame.axes));
+  out.positions.reserve(out.size());
+  out.normals.reserve(out.size());
+  out.spacing.reserve(out.size());
   for (const std::uint32_t i : out.ids) {
     out.positions.push_back(out.frame.to_local(samples.positions[i]));
     out.normals.push_back(to_local * samples.normals[i]);

@@ -1,6 +1,7 @@
 // The points of one region, and of its surroundings, in the frame of the patch they become.
 #pragma once
 
+#include <algorithm>
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <vector>
@@ -35,16 +36,22 @@ struct PatchPoints {
 };
 
 /// The height above (x, y) of a point's tangent plane, followed to slopes of 84 degrees at most.
-[[nodiscard]] double tangent_height(const PatchPoints& points, std::uint32_t point, double x,
-                                    double y);
+[[nodiscard]] inline double tangent_height(const PatchPoints& points, std::uint32_t point, double x,
+                                           double y) {
+  // The cosine of 84 degrees, the limit of all regions.
+  constexpr float least_cosine = 0.1F;
+  const glm::dvec3 p = points.positions[point];
+  const glm::vec3 n = points.normals[point];
+  const double steep = std::max(n.z, least_cosine);
+  return p.z - (n.x * (x - p.x) + n.y * (y - p.y)) / steep;
+}
 
 /// Collects a region's points and those around it that lie on the same sheet, up to `margin` world
 /// units away on the base plane, over the neighbour graph (the papers' epsilon neighbourhood). The
 /// frame's first two axes run along the smallest rectangle around the region's own points.
-/// `own_cosines`: of all points, as of that function; not read where `margin` is 0.
+/// `membership` of all points; not read where `margin` is 0, which collects none around.
 [[nodiscard]] PatchPoints collect_patch_points(const SurfaceSamples& samples,
                                                const NeighbourGraph& graph, const Region& region,
-                                               const std::vector<float>& own_cosines,
-                                               double margin);
+                                               const Membership& membership, double margin);
 
 }  // namespace relief

@@ -5,8 +5,7 @@
 
 namespace relief {
 
-PointGrid::PointGrid(const PatchPoints& points, std::size_t count, double cell)
-    : points_(points), cell_(cell) {
+PointGrid::PointGrid(const PatchPoints& points, std::size_t count, double cell) : cell_(cell) {
   low_x_ = low_y_ = std::numeric_limits<double>::infinity();
   double high_x = -low_x_;
   double high_y = -low_y_;
@@ -33,19 +32,12 @@ PointGrid::PointGrid(const PatchPoints& points, std::size_t count, double cell)
   for (std::size_t b = 1; b < starts_.size(); ++b) starts_[b] += starts_[b - 1];
   std::vector<std::uint32_t> cursor(starts_.begin(), starts_.end() - 1);
   sorted_.resize(count);
+  places_.resize(count);
   for (std::size_t p = 0; p < count; ++p) {
-    sorted_[cursor[bucket(p)]++] = static_cast<std::uint32_t>(p);
+    const std::uint32_t place = cursor[bucket(p)]++;
+    sorted_[place] = static_cast<std::uint32_t>(p);
+    places_[place] = glm::dvec2(points.positions[p]);
   }
-}
-
-std::int64_t PointGrid::column(double x) const {
-  return static_cast<std::int64_t>(
-      std::clamp(std::floor((x - low_x_) / cell_), 0.0, static_cast<double>(columns_ - 1)));
-}
-
-std::int64_t PointGrid::row(double y) const {
-  return static_cast<std::int64_t>(
-      std::clamp(std::floor((y - low_y_) / cell_), 0.0, static_cast<double>(rows_ - 1)));
 }
 
 std::uint32_t PointGrid::nearest(double x, double y, double radius) const {

@@ -20,6 +20,13 @@ constexpr double kToleranceInRoughness = 2.0;
 constexpr double kLongestHop = 6.0;
 // More points in one cell than this need not all be compared with each other.
 constexpr int kMaxCompared = 8;
+// What single precision leaves of a unit vector's length squared, or less.
+constexpr double kSurelyWithin = 0.99999;
+
+std::int32_t floor_to_int(double value) {
+  const auto cut = static_cast<std::int32_t>(value);
+  return static_cast<double>(cut) > value ? cut - 1 : cut;
+}
 
 }  // namespace
 
@@ -44,11 +51,14 @@ bool on_one_sheet(const SurfaceSamples& samples, std::uint32_t i, std::uint32_t 
 RegionTest::RegionTest(const SurfaceSamples& samples, const RegionLimits& limits)
     : samples_(samples),
       cos_cone_(static_cast<float>(std::cos(glm::radians(limits.cone_degrees)))),
+      cone_(std::acos(cos_cone_)),
       sheet_tolerance_(limits.sheet_tolerance) {}
 
-std::optional<glm::vec3> RegionTest::fit_cone(std::span<const std::uint32_t> points) const {
+std::optional<glm::vec3> RegionTest::fit_cone(std::span<const std::uint32_t> points) {
   glm::vec3 sum(0.0F);
+  normals_.clear();
   for (const std::uint32_t i : points) {
+    normals_.push_back(samples_.normals[i]);
     sum += samples_.spacing[i] * samples_.spacing[i] * samples_.normals[i];
   }
   const float length = glm::length(sum);
@@ -59,21 +69,20 @@ std::optional<glm::vec3> RegionTest::fit_cone(std::span<const std::uint32_t> poi
   constexpr int kSteps = 12;
   for (int step = 1; step <= kSteps; ++step) {
     float least = 2.0F;
-    std::uint32_t worst = points.front();
-    for (const std::uint32_t i : points) {
-      const float c = glm::dot(axis, samples_.normals[i]);
+    glm::vec3 worst = normals_.front();
+    for (const glm::vec3 n : normals_) {
+      const float c = glm::dot(axis, n);
       if (c < least) {
         least = c;
-        worst = i;
+        worst = n;
       }
     }
     if (least >= cos_cone_) return axis;
     // 25 degrees beyond the cone are not won back by moving the axis, as it starts near the middle.
-    if (step == 1 &&
-        std::acos(std::clamp(least, -1.0F, 1.0F)) > std::acos(cos_cone_) + glm::radians(25.0F)) {
+    if (step == 1 && std::acos(std::clamp(least, -1.0F, 1.0F)) > cone_ + glm::radians(25.0F)) {
       return std::nullopt;
     }
-    axis = glm::normalize(axis + (samples_.normals[worst] - axis) / static_cast<float>(step + 3));
+    axis = glm::normalize(axis + (worst - axis) / static_cast<float>(step + 3));
   }
   return std::nullopt;
 }
@@ -94,30 +103,36 @@ bool RegionTest::single_valued(std::span<const std::uint32_t> points, glm::vec3 
   const double tolerance =
       std::max(sheet_tolerance_ * spacing, kToleranceInRoughness * roughness / count);
 
+  // What the table's order asks for at random is brought together first.
+  places_.clear();
+  keys_.clear();
+  const glm::dvec3 base = samples_.positions[points.front()];
+  for (const std::uint32_t i : points) {
+    const glm::dvec3 d = samples_.positions[i] - base;
+    const auto x = floor_to_int(glm::dot(d, u) / cell);
+    const auto y = floor_to_int(glm::dot(d, v) / cell);
+    places_.push_back(samples_.positions[i]);
+    keys_.push_back(std::uint64_t{static_cast<std::uint32_t>(x)} << 32 |
+                    static_cast<std::uint32_t>(y));
+  }
+
   const std::size_t capacity = std::bit_ceil(points.size() * 2);
   table_.assign(capacity, kNone);
-  keys_.resize(points.size());
   next_.resize(points.size());
-  const glm::dvec3 base = samples_.positions[points.front()];
   for (std::uint32_t m = 0; m < points.size(); ++m) {
-    const std::uint32_t i = points[m];
-    const glm::dvec3 d = samples_.positions[i] - base;
-    const auto x = static_cast<std::int32_t>(std::floor(glm::dot(d, u) / cell));
-    const auto y = static_cast<std::int32_t>(std::floor(glm::dot(d, v) / cell));
-    const std::uint64_t key =
-        std::uint64_t{static_cast<std::uint32_t>(x)} << 32 | static_cast<std::uint32_t>(y);
+    const std::uint64_t key = keys_[m];
     std::size_t slot = (key * 0x9E3779B97F4A7C15ULL >> 20) & (capacity - 1);
     while (table_[slot] != kNone && keys_[table_[slot]] != key) slot = (slot + 1) & (capacity - 1);
-    keys_[m] = key;
     next_[m] = table_[slot];
     table_[slot] = m;
     int compared = 0;
     for (std::uint32_t o = next_[m]; o != kNone && compared < kMaxCompared;
          o = next_[o], ++compared) {
-      const std::uint32_t j = points[o];
-      const glm::vec3 mean = glm::normalize(samples_.normals[i] + samples_.normals[j]);
-      const double off = glm::dot(glm::dvec3(mean), samples_.positions[i] - samples_.positions[j]);
-      if (std::abs(off) > tolerance) return false;
+      const glm::dvec3 apart = places_[m] - places_[o];
+      // Most are nearer to each other than they may be off: the mean normal is unit to rounding.
+      if (glm::dot(apart, apart) < kSurelyWithin * tolerance * tolerance) continue;
+      const glm::vec3 mean = glm::normalize(normals_[m] + normals_[o]);
+      if (std::abs(glm::dot(glm::dvec3(mean), apart)) > tolerance) return false;
     }
   }
   return true;

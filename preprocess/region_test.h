@@ -50,14 +50,18 @@ class RegionTest {
   [[nodiscard]] std::optional<glm::vec3> fit(std::span<const std::uint32_t> points);
 
   /// Test 1 alone, over unit normals that stand for the points.
-  [[nodiscard]] std::optional<glm::vec3> fit_cone(std::span<const std::uint32_t> points) const;
+  [[nodiscard]] std::optional<glm::vec3> fit_cone(std::span<const std::uint32_t> points);
 
  private:
+  /// Of the points whose cone was just fitted.
   [[nodiscard]] bool single_valued(std::span<const std::uint32_t> points, glm::vec3 normal);
 
   SurfaceSamples samples_;
   float cos_cone_;
+  float cone_;
   double sheet_tolerance_;
+  std::vector<glm::vec3> normals_;
+  std::vector<glm::dvec3> places_;
   std::vector<std::uint32_t> table_;
   std::vector<std::uint64_t> keys_;
   std::vector<std::uint32_t> next_;

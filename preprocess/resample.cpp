@@ -87,10 +87,10 @@ double bucket_side(const PatchPoints& points, double spacing) {
 }  // namespace
 
 Patch resample_region(const SurfaceSamples& samples, const NeighbourGraph& graph,
-                      const Region& region, const std::vector<float>& own_cosines,
+                      const Region& region, const Membership& membership,
                       const std::vector<glm::u8vec3>& colours, const ResampleOptions& options) {
   const double margin = (options.overlap_cells + kFitReachInSpacings) * options.spacing;
-  const PatchPoints points = collect_patch_points(samples, graph, region, own_cosines, margin);
+  const PatchPoints points = collect_patch_points(samples, graph, region, membership, margin);
   const double bucket = bucket_side(points, options.spacing);
   const PointGrid own(points, points.own, bucket);
   const PointGrid supporting(points, points.supporting, bucket);
@@ -132,11 +132,12 @@ double choose_spacing(const SurfaceSamples& samples, const NeighbourGraph& graph
   double area = 0.0;
   const auto count = static_cast<double>(target);
   std::vector<PatchPoints> points(regions.size());
-  for (std::size_t r = 0; r < regions.size(); ++r) {
+  tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t r) {
     points[r] = collect_patch_points(samples, graph, regions[r], {}, 0.0);
-    for (std::size_t p = 0; p < points[r].own; ++p) {
-      area +=
-          double{points[r].spacing[p]} * points[r].spacing[p] * std::abs(points[r].normals[p].z);
+  });
+  for (const PatchPoints& region : points) {
+    for (std::size_t p = 0; p < region.own; ++p) {
+      area += double{region.spacing[p]} * region.spacing[p] * std::abs(region.normals[p].z);
     }
   }
   double spacing = std::sqrt(area / count);

@@ -15,10 +15,10 @@ struct ResampleOptions {
 };
 
 /// Resamples one region (paper 001, section 3.1): support, then heights, then normals and colours.
-/// `own_cosines` is as of that function; `colours` is empty or one per point of the scan. The patch
+/// `membership` of all points; `colours` is empty or one per point of the scan. The patch
 /// is cropped to its samples; it has none (width 0) if nothing supports any.
 [[nodiscard]] Patch resample_region(const SurfaceSamples& samples, const NeighbourGraph& graph,
-                                    const Region& region, const std::vector<float>& own_cosines,
+                                    const Region& region, const Membership& membership,
                                     const std::vector<glm::u8vec3>& colours,
                                     const ResampleOptions& options);
 

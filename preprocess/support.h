@@ -24,13 +24,6 @@ enum class NodeState : std::uint8_t { Hole, Own, Margin };
 /// limited to kMaxPatchSide by a coarser spacing if need be.
 [[nodiscard]] PatchGrid lay_grid(const PatchPoints& points, double spacing, int overlap_cells);
 
-/// True if the points of `lookup` support a sample at (x, y): one lies within 0.9 spacings on the
-/// base plane; or, in sparse spots, those around surround it closely enough to interpolate between
-/// them. So borders are extrapolated by less than one spacing, and gaps wider than about three
-/// local spacings stay gaps.
-[[nodiscard]] bool is_supported(const PatchPoints& points, const PointGrid& lookup, double x,
-                                double y, double spacing);
-
 /// Lookups over the points of one patch: its own, those that support samples, and all.
 struct PatchLookups {
   const PointGrid& own;

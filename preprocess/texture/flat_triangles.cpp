@@ -139,17 +139,20 @@ std::vector<FlatTriangle> TriangleSpheres::find_over(const Patch& patch) const {
     const glm::vec3 apart = glm::abs(to_box * (sphere.centre - centre)) - half;
     return std::max({apart.x, apart.y, apart.z}) <= sphere.radius;
   };
-  std::vector<FlatTriangle> found;
+  std::vector<std::uint32_t> near;
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     if (!meets_box(groups_[g])) continue;
     const std::size_t end = std::min((g + 1) * kGroup, spheres_.size());
     for (std::size_t k = g * kGroup; k < end; ++k) {
-      if (!meets_box(spheres_[k])) continue;
-      if (const auto flat = lay_on(patch, mesh_, spheres_[k].triangle)) found.push_back(*flat);
+      if (meets_box(spheres_[k])) near.push_back(spheres_[k].triangle);
     }
   }
-  std::sort(found.begin(), found.end(),
-            [](const FlatTriangle& a, const FlatTriangle& b) { return a.index < b.index; });
+  std::sort(near.begin(), near.end());
+  std::vector<FlatTriangle> found;
+  found.reserve(near.size());
+  for (const std::uint32_t t : near) {
+    if (const auto flat = lay_on(patch, mesh_, t)) found.push_back(*flat);
+  }
   return found;
 }
 

@@ -37,49 +37,53 @@ Points both(Points a, const Points& b) {
   return a;
 }
 
+bool is_closed(const Points& mesh) {
+  return is_closed_mesh(mesh, MeshEdges(mesh));
+}
+
 TEST(ClosedMesh, IsABodyWhereverItStands) {
-  EXPECT_TRUE(is_closed_mesh(box()));
-  EXPECT_TRUE(is_closed_mesh(box({5e6, -3e6, 1e6}, {5e6 + 1.0, -3e6 + 0.5, 1e6 + 2.0})));
-  EXPECT_TRUE(is_closed_mesh(both(box(), box(glm::dvec3(2.0), glm::dvec3(3.0)))));
+  EXPECT_TRUE(is_closed(box()));
+  EXPECT_TRUE(is_closed(box({5e6, -3e6, 1e6}, {5e6 + 1.0, -3e6 + 0.5, 1e6 + 2.0})));
+  EXPECT_TRUE(is_closed(both(box(), box(glm::dvec3(2.0), glm::dvec3(3.0)))));
 }
 
 TEST(ClosedMesh, IsNotWithATriangleMissingTwiceOrFlipped) {
   for (std::size_t t = 0; t < box().triangles.size(); ++t) {
     Points missing = box();
     missing.triangles.erase(missing.triangles.begin() + static_cast<std::ptrdiff_t>(t));
-    EXPECT_FALSE(is_closed_mesh(missing)) << t;
+    EXPECT_FALSE(is_closed(missing)) << t;
     Points flipped = box();
     std::swap(flipped.triangles[t][1], flipped.triangles[t][2]);
-    EXPECT_FALSE(is_closed_mesh(flipped)) << t;
+    EXPECT_FALSE(is_closed(flipped)) << t;
     Points twice = box();
     twice.triangles.push_back(twice.triangles[t]);
-    EXPECT_FALSE(is_closed_mesh(twice)) << t;
+    EXPECT_FALSE(is_closed(twice)) << t;
   }
 }
 
 TEST(ClosedMesh, IsNotInsideOutInAnyPiece) {
   const Points small = box(glm::dvec3(2.0), glm::dvec3(2.5));
-  EXPECT_FALSE(is_closed_mesh(turned_inside_out(box())));
-  EXPECT_FALSE(is_closed_mesh(both(box(), turned_inside_out(small))));
-  EXPECT_FALSE(is_closed_mesh(both(turned_inside_out(small), box())));
+  EXPECT_FALSE(is_closed(turned_inside_out(box())));
+  EXPECT_FALSE(is_closed(both(box(), turned_inside_out(small))));
+  EXPECT_FALSE(is_closed(both(turned_inside_out(small), box())));
 }
 
 TEST(ClosedMesh, IsNotIfPointsOrNormalsSayOtherwise) {
-  EXPECT_FALSE(is_closed_mesh(Points{}));
+  EXPECT_FALSE(is_closed(Points{}));
   Points scan = box();
   scan.triangles.clear();
-  EXPECT_FALSE(is_closed_mesh(scan));
+  EXPECT_FALSE(is_closed(scan));
   Points lone = box();
   lone.positions.emplace_back(9.0, 9.0, 9.0);
-  EXPECT_FALSE(is_closed_mesh(lone));
+  EXPECT_FALSE(is_closed(lone));
   Points outward = box();
   Points inward = box();
   for (const glm::dvec3 p : box().positions) {
     outward.normals.emplace_back(p - 0.5);
     inward.normals.emplace_back(0.5 - p);
   }
-  EXPECT_TRUE(is_closed_mesh(outward));
-  EXPECT_FALSE(is_closed_mesh(inward));
+  EXPECT_TRUE(is_closed(outward));
+  EXPECT_FALSE(is_closed(inward));
 }
 
 /// Faces that have points of their own, as STL has them, are one body once these are merged.
@@ -106,7 +110,7 @@ TEST(ClosedMesh, IsNotedByAConversion) {
       }
     }
   }
-  EXPECT_FALSE(is_closed_mesh(soup));
+  EXPECT_FALSE(is_closed(soup));
   Progress progress;
   Points merged = clean_points(soup).points;
   const auto closed = convert(merged, {}, progress);

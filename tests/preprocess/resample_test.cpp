@@ -22,9 +22,9 @@ struct Partitioned : test::Prepared {
 
   [[nodiscard]] std::vector<Patch> patches(const ResampleOptions& options) const {
     std::vector<Patch> out;
-    const std::vector<float> cosines = own_cosines(samples(), regions);
+    const Membership membership = membership_of(samples(), regions);
     for (const Region& region : regions) {
-      out.push_back(resample_region(samples(), graph, region, cosines, points.colours, options));
+      out.push_back(resample_region(samples(), graph, region, membership, points.colours, options));
     }
     return out;
   }

@@ -4,6 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "preprocess/node_support.h"
 
 namespace relief {
 namespace {
@@ -70,6 +75,38 @@ TEST(Support, ClosesASlitBetweenMarginsWhereSteepPointsAre) {
   const std::vector<NodeState> none{kOwn,      kOwn, kOwn, kHoleNode, kHoleNode,
                                     kHoleNode, kOwn, kOwn, kOwn,      kOwn};
   EXPECT_EQ(closer.middle_row(0), none);
+}
+
+TEST(Support, OfANodeIsTheSameAskedOfThePoints) {
+  // Points at random, denser to the right, with a gap; 20 nodes beyond them on all sides.
+  std::mt19937 random(8);
+  const auto next = [&random] { return static_cast<double>(random()) * 0x1p-32; };
+  PatchPoints points;
+  for (std::uint32_t k = 0; k < 1500; ++k) {
+    const glm::dvec3 place(30.0 * std::sqrt(next()), 30.0 * next(), 4.0 * next());
+    if (glm::distance(glm::dvec2(place), glm::dvec2(20.0, 15.0)) < 4.0) continue;
+    points.ids.push_back(k);
+    points.positions.push_back(place);
+    points.normals.emplace_back(0.0F, 0.0F, 1.0F);
+    points.spacing.push_back(static_cast<float>(0.2 + 2.0 * next()));
+  }
+  const PointGrid lookup(points, points.size(), 1.0);
+  for (const double spacing : {0.4, 1.0, 2.3}) {
+    const auto side = static_cast<std::uint32_t>(70.0 / spacing);
+    const PatchGrid grid{-20.0, -20.0, spacing, side, side};
+    const NodeSupport nodes(points, lookup, grid);
+    std::size_t supported = 0;
+    for (std::uint32_t j = 0; j < side; ++j) {
+      for (std::uint32_t i = 0; i < side; ++i) {
+        const bool truth =
+            is_supported(points, lookup, grid.x0 + i * spacing, grid.y0 + j * spacing, spacing);
+        ASSERT_EQ(nodes.is_supported(i, j), truth) << spacing << ": " << i << ", " << j;
+        supported += truth ? 1 : 0;
+      }
+    }
+    EXPECT_GT(supported, grid.size() / 20);
+    EXPECT_LT(supported, grid.size() / 2);
+  }
 }
 
 }  // namespace
