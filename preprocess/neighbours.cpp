@@ -31,10 +31,13 @@ NeighbourGraph find_neighbours(const std::vector<glm::dvec3>& positions, std::ui
   const std::uint32_t density_k = std::min(kDensityNeighbours, graph.k);
   std::vector<float> raw_spacing(n);
 
+  // In the order of the tree's leaves, so that what one search has read is there for the next.
+  const auto& order = tree.vAcc;
   tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, n, 1024), [&](const auto& range) {
     std::vector<std::uint32_t> found(graph.k + 1);
     std::vector<double> squared(graph.k + 1);
-    for (std::uint32_t i = range.begin(); i != range.end(); ++i) {
+    for (std::uint32_t place = range.begin(); place != range.end(); ++place) {
+      const std::uint32_t i = order[place];
       const std::size_t count =
           tree.knnSearch(&positions[i].x, graph.k + 1, found.data(), squared.data());
       std::uint32_t* out = graph.indices.data() + std::size_t{i} * graph.k;
