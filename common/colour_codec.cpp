@@ -27,7 +27,7 @@ std::uint8_t zigzag8(std::int32_t difference) {
 
 }  // namespace
 
-std::vector<std::byte> encode_colours(const Patch& patch) {
+std::vector<std::byte> encode_colours(const Patch& patch, ZstdContexts& zstd) {
   const auto& map = patch.colours;
   const std::vector<std::uint8_t> kept = kept_texels(patch, map.scale);
   std::vector<std::byte> bytes;
@@ -43,12 +43,13 @@ std::vector<std::byte> encode_colours(const Patch& patch) {
                       residuals.push_back(zigzag8(values[k] - prediction));
                       return values[k];
                     });
-    append_stream(bytes, residuals);
+    append_stream(bytes, residuals, zstd);
   }
   return bytes;
 }
 
-Status decode_colours(std::span<const std::byte> bytes, std::uint32_t scale, Patch& patch) {
+Status decode_colours(std::span<const std::byte> bytes, std::uint32_t scale, Patch& patch,
+                      ZstdContexts& zstd) {
   ByteReader in(bytes);
   const std::vector<std::uint8_t> kept = kept_texels(patch, scale);
   const auto count = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), 1));
@@ -56,7 +57,7 @@ Status decode_colours(std::span<const std::byte> bytes, std::uint32_t scale, Pat
   shape_map(patch, scale, map);
   std::vector<std::int32_t> values(kept.size());
   for (const ColourPlane plane : kColourPlanes) {
-    const auto stream = take_stream(in, count);
+    const auto stream = take_stream(in, count, zstd);
     if (!stream) return stream.error();
     const std::vector<std::uint16_t> residuals(stream->begin(), stream->end());
     undo_predicted(

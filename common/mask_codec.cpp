@@ -6,8 +6,8 @@
 #include "common/varint.h"
 
 namespace relief {
-void append_mask(std::vector<std::byte>& out, std::span<const std::uint8_t> mask,
-                 std::size_t width) {
+void append_mask(std::vector<std::byte>& out, std::span<const std::uint8_t> mask, std::size_t width,
+                 ZstdContexts& zstd) {
   std::vector<std::uint8_t> runs;
   std::uint8_t state = 0;
   std::size_t start = 0;
@@ -18,13 +18,14 @@ void append_mask(std::vector<std::byte>& out, std::span<const std::uint8_t> mask
     state = change;
     start = k;
   }
-  append_sized_stream(out, runs);
+  append_sized_stream(out, runs, zstd);
 }
 
-Result<std::vector<std::uint8_t>> take_mask(ByteReader& in, std::size_t width, std::size_t height) {
+Result<std::vector<std::uint8_t>> take_mask(ByteReader& in, std::size_t width, std::size_t height,
+                                            ZstdContexts& zstd) {
   const std::size_t nodes = width * height;
   // Each run but the first is at least one node long and one of n nodes takes at most n bytes.
-  const auto runs = take_sized_stream(in, nodes + 1);
+  const auto runs = take_sized_stream(in, nodes + 1, zstd);
   if (!runs) return runs.error();
 
   std::vector<std::uint8_t> mask(nodes, 0);

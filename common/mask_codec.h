@@ -8,15 +8,17 @@
 
 #include "common/bytes.h"
 #include "common/error.h"
+#include "common/zstd_contexts.h"
 
 namespace relief {
 
 /// Appends a row-major mask of ones and zeros. A node is coded by whether it differs from the node
 /// north of it, so that only where a border leans does anything cost.
-void append_mask(std::vector<std::byte>& out, std::span<const std::uint8_t> mask,
-                 std::size_t width);
+void append_mask(std::vector<std::byte>& out, std::span<const std::uint8_t> mask, std::size_t width,
+                 ZstdContexts& zstd);
 
 /// The inverse of append_mask. Safe on hostile bytes: allocates at most 2 bytes a node.
-Result<std::vector<std::uint8_t>> take_mask(ByteReader& in, std::size_t width, std::size_t height);
+Result<std::vector<std::uint8_t>> take_mask(ByteReader& in, std::size_t width, std::size_t height,
+                                            ZstdContexts& zstd);
 
 }  // namespace relief

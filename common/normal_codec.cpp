@@ -21,7 +21,8 @@ std::int32_t rounded_quotient(std::int32_t value) {
   return value >= 0 ? (value + kHalf) / kNormalStep : -((kHalf - value) / kNormalStep);
 }
 
-std::vector<std::byte> encode(const Patch& patch, const KeptGrid& grid, NormalPredictor predictor) {
+std::vector<std::byte> encode(const Patch& patch, const KeptGrid& grid, NormalPredictor predictor,
+                              ZstdContexts& zstd) {
   const auto& texels = patch.normals.texels;
   std::vector<glm::i16vec2> bases(texels.size(), glm::i16vec2(0));
   if (predictor == NormalPredictor::Heights) bases = normals_of_heights(patch, kNormalStep);
@@ -39,7 +40,7 @@ std::vector<std::byte> encode(const Patch& patch, const KeptGrid& grid, NormalPr
   std::vector<std::byte> bytes;
   append_number(bytes, kNormalStep);
   append_number(bytes, static_cast<std::uint8_t>(predictor));
-  append_residuals(bytes, residuals);
+  append_residuals(bytes, residuals, zstd);
   return bytes;
 }
 
@@ -50,17 +51,18 @@ glm::i16vec2 rounded_normal(glm::i16vec2 normal) {
           static_cast<std::int16_t>(rounded_quotient(normal.y) * kNormalStep)};
 }
 
-std::vector<std::byte> encode_normals(const Patch& patch) {
+std::vector<std::byte> encode_normals(const Patch& patch, ZstdContexts& zstd) {
   const auto& map = patch.normals;
   const std::vector<std::uint8_t> kept = kept_texels(patch, map.scale);
   const KeptGrid grid{map.width, map.height, kept};
-  std::vector<std::byte> plane = encode(patch, grid, NormalPredictor::Plane);
+  std::vector<std::byte> plane = encode(patch, grid, NormalPredictor::Plane, zstd);
   if (map.scale > 1) return plane;
-  std::vector<std::byte> heights = encode(patch, grid, NormalPredictor::Heights);
+  std::vector<std::byte> heights = encode(patch, grid, NormalPredictor::Heights, zstd);
   return heights.size() < plane.size() ? heights : plane;
 }
 
-Status decode_normals(std::span<const std::byte> bytes, std::uint32_t scale, Patch& patch) {
+Status decode_normals(std::span<const std::byte> bytes, std::uint32_t scale, Patch& patch,
+                      ZstdContexts& zstd) {
   ByteReader in(bytes);
   if (in.left() < 3) return make_error("their step and predictor are missing");
   const std::int32_t step = in.take<std::uint16_t>();
@@ -73,7 +75,7 @@ Status decode_normals(std::span<const std::byte> bytes, std::uint32_t scale, Pat
   }
   const std::vector<std::uint8_t> kept = kept_texels(patch, scale);
   const auto count = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), 1));
-  const auto residuals = take_residuals(in, 2 * count);
+  const auto residuals = take_residuals(in, 2 * count, zstd);
   if (!residuals) return residuals.error();
   if (Status end = check_end(in); !end) return end;
 

@@ -35,33 +35,32 @@ std::vector<std::uint8_t> kept_texels(const Patch& patch, std::uint32_t scale) {
   return kept;
 }
 
-std::vector<std::byte> encode_heights(const Patch& patch) {
+std::vector<std::byte> encode_heights(const Patch& patch, ZstdContexts& zstd) {
   const std::vector<std::uint8_t> mask = sample_mask(patch);
   std::vector<std::byte> bytes;
-  append_mask(bytes, mask, patch.width);
+  append_mask(bytes, mask, patch.width, zstd);
   std::vector<std::uint16_t> residuals;
   residuals.reserve(mask.size());
   append_predicted({patch.width, patch.height, mask}, patch.heights, predict_plane, residuals);
-  append_residuals(bytes, residuals);
+  append_residuals(bytes, residuals, zstd);
   return bytes;
 }
 
-Status decode_heights(std::span<const std::byte> bytes, std::uint32_t samples, Patch& patch) {
+Status decode_heights(std::span<const std::byte> bytes, std::uint32_t samples, Patch& patch,
+                      ZstdContexts& zstd) {
   ByteReader in(bytes);
-  const auto mask = take_mask(in, patch.width, patch.height);
+  const auto mask = take_mask(in, patch.width, patch.height, zstd);
   if (!mask) return mask.error();
   const auto marked = static_cast<std::size_t>(std::count(mask->begin(), mask->end(), 1));
   if (marked != samples) {
     return make_error("the mask has {} samples where the index says {}", marked, samples);
   }
-  const auto residuals = take_residuals(in, marked);
+  const auto residuals = take_residuals(in, marked, zstd);
   if (!residuals) return residuals.error();
   if (Status end = check_end(in); !end) return end;
 
   patch.heights.assign(mask->size(), kHole);
-  undo_predicted(
-      {patch.width, patch.height, *mask}, *residuals, predict_plane,
-      [](std::uint16_t bits) { return std::int32_t{bits}; }, patch.heights);
+  undo_plane({patch.width, patch.height, *mask}, *residuals, patch.heights);
   if (std::any_of(patch.heights.begin(), patch.heights.end(),
                   [](std::int32_t h) { return h > kMaxHeightRange; })) {
     return make_error("a height lies above {}", kMaxHeightRange);

@@ -10,6 +10,7 @@
 
 #include "common/error.h"
 #include "common/patch.h"
+#include "common/zstd_contexts.h"
 
 namespace relief {
 
@@ -25,27 +26,30 @@ inline constexpr std::uint16_t kNormalStep = 26;
 /// node that touches a sample. Row-major, 1 or 0. For scale 1 these are the samples.
 [[nodiscard]] std::vector<std::uint8_t> kept_texels(const Patch& patch, std::uint32_t scale);
 
-[[nodiscard]] std::vector<std::byte> encode_heights(const Patch& patch);
+[[nodiscard]] std::vector<std::byte> encode_heights(const Patch& patch, ZstdContexts& zstd);
 
 /// Sets `patch.heights`; width and height are set already. `samples` is how many of the nodes have
 /// to be samples.
-Status decode_heights(std::span<const std::byte> bytes, std::uint32_t samples, Patch& patch);
+Status decode_heights(std::span<const std::byte> bytes, std::uint32_t samples, Patch& patch,
+                      ZstdContexts& zstd);
 
 /// Rounds normals to kNormalStep; texels that are not kept are lost.
-[[nodiscard]] std::vector<std::byte> encode_normals(const Patch& patch);
+[[nodiscard]] std::vector<std::byte> encode_normals(const Patch& patch, ZstdContexts& zstd);
 
 /// Sets `patch.normals`; the heights are decoded already. Texels that were not kept continue the
 /// others.
-Status decode_normals(std::span<const std::byte> bytes, std::uint32_t scale, Patch& patch);
+Status decode_normals(std::span<const std::byte> bytes, std::uint32_t scale, Patch& patch,
+                      ZstdContexts& zstd);
 
 /// The normal as it comes back from the file.
 [[nodiscard]] glm::i16vec2 rounded_normal(glm::i16vec2 normal);
 
 /// Keeps colours exactly; texels that are not kept are lost.
-[[nodiscard]] std::vector<std::byte> encode_colours(const Patch& patch);
+[[nodiscard]] std::vector<std::byte> encode_colours(const Patch& patch, ZstdContexts& zstd);
 
 /// As decode_normals, for `patch.colours`.
-Status decode_colours(std::span<const std::byte> bytes, std::uint32_t scale, Patch& patch);
+Status decode_colours(std::span<const std::byte> bytes, std::uint32_t scale, Patch& patch,
+                      ZstdContexts& zstd);
 
 /// Sizes a map for `patch`.
 template <class Texel>

@@ -13,6 +13,8 @@
 
 namespace relief {
 
+class ZstdContexts;
+
 /// What the header and the index of a patch file say; known without reading any patch.
 struct PatchFileInfo {
   std::uint32_t version = 0;
@@ -96,6 +98,8 @@ class PatchFile {
   [[nodiscard]] Result<PatchModel> read_all(Progress& progress) const;
 
  private:
+  [[nodiscard]] Result<Patch> read_patch(std::uint64_t index, ZstdContexts& zstd) const;
+
   struct State;
   explicit PatchFile(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;

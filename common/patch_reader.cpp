@@ -1,4 +1,5 @@
 // Reading a patch file, all of it or patch by patch.
+#include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <unistd.h>
 
@@ -128,7 +129,8 @@ struct PatchFile::State {
   }
 
   /// Reads a patch without its maps; of `level` 1 and more every 2^level-th node each way.
-  [[nodiscard]] Result<Patch> read_heights(std::uint64_t number, unsigned level) const {
+  [[nodiscard]] Result<Patch> read_heights(std::uint64_t number, unsigned level,
+                                           ZstdContexts& zstd) const {
     const PatchRecord& record = index.patches[number];
     Patch patch = empty_patch(record.summary);
     const ChunkRecord* heights = find_chunk(record, kHeightsChunk);
@@ -139,7 +141,7 @@ struct PatchFile::State {
       const std::uint32_t samples = record.summary.samples;
       Status decoded = heights->codec == kCodecCompact
                            ? decode_heights_compact(bytes, samples, level, patch)
-                           : decode_heights(bytes, samples, patch);
+                           : decode_heights(bytes, samples, patch, zstd);
       if (!decoded) return decoded;
       if (heights->codec != kCodecCompact && level > 0) keep_level(level, patch);
       return check_height_range(patch, record.summary, level == 0);
@@ -212,10 +214,15 @@ const std::vector<PatchSummary>& PatchFile::patches() const {
   return state_->summaries;
 }
 
-Result<Patch> PatchFile::read_patch(std::uint64_t index) const try {
+Result<Patch> PatchFile::read_patch(std::uint64_t index) const {
+  ZstdContexts zstd;
+  return read_patch(index, zstd);
+}
+
+Result<Patch> PatchFile::read_patch(std::uint64_t index, ZstdContexts& zstd) const try {
   const State& s = *state_;
   assert(index < s.index.patches.size() && "the caller looks at info().patches");
-  auto patch = s.read_heights(index, 0);
+  auto patch = s.read_heights(index, 0, zstd);
   if (!patch) return patch;
   const PatchRecord& record = s.index.patches[index];
   const auto read_map = [&](ChunkType type, const char* what, const auto& decode,
@@ -228,7 +235,7 @@ Result<Patch> PatchFile::read_patch(std::uint64_t index) const try {
     }
     return s.read_chunk(index, what, *chunk, [&](const auto& bytes) {
       return chunk->codec == kCodecCompact ? decode_compact(bytes, chunk->scale, *patch)
-                                           : decode(bytes, chunk->scale, *patch);
+                                           : decode(bytes, chunk->scale, *patch, zstd);
     });
   };
   if (Status read = read_map(kNormalsChunk, "normals", decode_normals, decode_normals_compact);
@@ -246,7 +253,8 @@ Result<Patch> PatchFile::read_patch(std::uint64_t index) const try {
 
 Result<Patch> PatchFile::read_level(std::uint64_t index, unsigned level) const try {
   assert(index < state_->index.patches.size() && "the caller looks at info().patches");
-  return state_->read_heights(index, level);
+  ZstdContexts zstd;
+  return state_->read_heights(index, level, zstd);
 } catch (const std::bad_alloc&) {
   return make_error("{}: there is not enough memory for patch {}", state_->name, index);
 }
@@ -265,13 +273,14 @@ Result<PatchModel> PatchFile::read_all(Progress& progress) const {
   model.patches.resize(s.index.patches.size());
 
   // Of several errors the first patch's is told, whatever the threads do.
+  tbb::enumerable_thread_specific<ZstdContexts> zstd;
   std::mutex mutex;
   std::size_t failed = model.patches.size();
   Error error;
   progress.begin_stage("reading patches", model.patches.size());
   tbb::parallel_for(std::size_t{0}, model.patches.size(), [&](std::size_t i) {
     if (progress.cancelled()) return;
-    auto patch = read_patch(i);
+    auto patch = read_patch(i, zstd.local());
     if (patch) {
       model.patches[i] = *std::move(patch);
     } else {

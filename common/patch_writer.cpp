@@ -1,4 +1,5 @@
 // Writing a patch file: encode all patches in parallel, then lay them out in order.
+#include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
@@ -115,18 +116,19 @@ PatchSummary summarise(const Patch& patch) {
 }
 
 /// Normals that may be off by a right angle need not be kept: a patch without its own ones.
-EncodedPatch encode(const Patch& patch, const PatchFileOptions& options);
-EncodedPatch encode_without_normals(const Patch& patch, PatchFileOptions options) {
+EncodedPatch encode(const Patch& patch, const PatchFileOptions& options, ZstdContexts& zstd);
+EncodedPatch encode_without_normals(const Patch& patch, PatchFileOptions options,
+                                    ZstdContexts& zstd) {
   Patch plain = patch;
   take_normals_of_heights(plain);
   options.normal_degrees = kLeastNormalDegrees;
-  return encode(plain, options);
+  return encode(plain, options, zstd);
 }
 
-EncodedPatch encode(const Patch& patch, const PatchFileOptions& options) {
+EncodedPatch encode(const Patch& patch, const PatchFileOptions& options, ZstdContexts& zstd) {
   const bool keeps_normals = options.normal_degrees < kMostNormalDegrees;
   if (options.codec == PatchCodec::Compact && !keeps_normals && !patch.normals.empty()) {
-    return encode_without_normals(patch, options);
+    return encode_without_normals(patch, options, zstd);
   }
   EncodedPatch encoded;
   encoded.summary = summarise(patch);
@@ -134,17 +136,18 @@ EncodedPatch encode(const Patch& patch, const PatchFileOptions& options) {
   if (!encoded.fault.empty()) return encoded;
   const bool compact = options.codec == PatchCodec::Compact;
   encoded.chunks.push_back(
-      {kHeightsChunk, 1, compact ? encode_heights_compact(patch) : encode_heights(patch)});
+      {kHeightsChunk, 1, compact ? encode_heights_compact(patch) : encode_heights(patch, zstd)});
   if (!patch.normals.empty()) {
     summarise_normals(patch, normals_as_read(patch, options), encoded.summary);
     encoded.chunks.push_back(
         {kNormalsChunk, static_cast<std::uint16_t>(patch.normals.scale),
          compact ? encode_normals_compact(patch, normal_step(options.normal_degrees))
-                 : encode_normals(patch)});
+                 : encode_normals(patch, zstd)});
   }
   if (!patch.colours.empty()) {
-    encoded.chunks.push_back({kColoursChunk, static_cast<std::uint16_t>(patch.colours.scale),
-                              compact ? encode_colours_compact(patch) : encode_colours(patch)});
+    encoded.chunks.push_back(
+        {kColoursChunk, static_cast<std::uint16_t>(patch.colours.scale),
+         compact ? encode_colours_compact(patch) : encode_colours(patch, zstd)});
   }
   return encoded;
 }
@@ -193,8 +196,10 @@ Status write_patch_file(const std::filesystem::path& path, const PatchModel& mod
   if (!file) return file.error();
 
   std::vector<EncodedPatch> encoded(model.patches.size());
-  tbb::parallel_for(std::size_t{0}, encoded.size(),
-                    [&](std::size_t i) { encoded[i] = encode(model.patches[i], options); });
+  tbb::enumerable_thread_specific<ZstdContexts> zstd;
+  tbb::parallel_for(std::size_t{0}, encoded.size(), [&](std::size_t i) {
+    encoded[i] = encode(model.patches[i], options, zstd.local());
+  });
   for (std::size_t i = 0; i < encoded.size(); ++i) {
     if (!encoded[i].fault.empty()) {
       return make_error("{}: patch {} cannot be written: {}", path.string(), i, encoded[i].fault);

@@ -10,30 +10,37 @@
 
 #include "common/bytes.h"
 #include "common/error.h"
+#include "common/zstd_contexts.h"
 
 namespace relief {
 
 /// Appends `bytes` as a stream: its compressed size in 4 bytes, then a zstd frame; size 0 if all
 /// bytes are zero.
-void append_stream(std::vector<std::byte>& out, std::span<const std::uint8_t> bytes);
+void append_stream(std::vector<std::byte>& out, std::span<const std::uint8_t> bytes,
+                   ZstdContexts& zstd);
 
 /// Takes a stream whose decoded size is known. Safe on hostile bytes: allocates `decoded_size`
 /// bytes and no more. An error is a clause without the file's name ("the stream ...").
-Result<std::vector<std::uint8_t>> take_stream(ByteReader& in, std::size_t decoded_size);
+Result<std::vector<std::uint8_t>> take_stream(ByteReader& in, std::size_t decoded_size,
+                                              ZstdContexts& zstd);
 
 /// Appends `bytes` as a stream that tells its decoded size: as append_stream, but size 0 only if
 /// there are no bytes at all.
-void append_sized_stream(std::vector<std::byte>& out, std::span<const std::uint8_t> bytes);
+void append_sized_stream(std::vector<std::byte>& out, std::span<const std::uint8_t> bytes,
+                         ZstdContexts& zstd);
 
 /// Takes what append_sized_stream appended, refusing more than `largest` bytes.
-Result<std::vector<std::uint8_t>> take_sized_stream(ByteReader& in, std::size_t largest);
+Result<std::vector<std::uint8_t>> take_sized_stream(ByteReader& in, std::size_t largest,
+                                                    ZstdContexts& zstd);
 
 /// Appends 16-bit residuals as two streams, low bytes and high bytes: the high ones are nearly
 /// always zero and then cost nothing.
-void append_residuals(std::vector<std::byte>& out, std::span<const std::uint16_t> residuals);
+void append_residuals(std::vector<std::byte>& out, std::span<const std::uint16_t> residuals,
+                      ZstdContexts& zstd);
 
 /// The inverse of append_residuals, for `count` residuals.
-Result<std::vector<std::uint16_t>> take_residuals(ByteReader& in, std::size_t count);
+Result<std::vector<std::uint16_t>> take_residuals(ByteReader& in, std::size_t count,
+                                                  ZstdContexts& zstd);
 
 /// Fails if anything is left when everything should be decoded: writer and reader disagree.
 Status check_end(const ByteReader& in);
