@@ -1,6 +1,7 @@
 #include "common/compact/residual_classes.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <vector>
 
@@ -93,7 +94,7 @@ void put_residual(RansEncoder& out, unsigned residual_class, std::uint16_t resid
   if (value >= escape) {
     // The number of bits of what is left plus one, then these bits without the leading one.
     const std::uint32_t rest = value - escape + 1;
-    const auto bits = 31U - static_cast<unsigned>(__builtin_clz(rest));
+    const auto bits = static_cast<unsigned>(std::bit_width(rest)) - 1U;
     out.put_bits(bits, 4);
     out.put_bits(rest - (1U << bits), bits);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 
 #include "common/compact/rans.h"
@@ -17,7 +18,7 @@ inline constexpr unsigned kResidualClasses = 53;
   // From 1/32 on: less than that the most certain prediction does not expect.
   constexpr unsigned kLeastOctave = 3;
   if (expectation < (1U << kLeastOctave)) return 0;
-  const auto octave = 31U - static_cast<unsigned>(__builtin_clz(expectation));
+  const auto octave = static_cast<unsigned>(std::bit_width(expectation)) - 1U;
   const std::uint32_t quarter = (expectation >> (octave - 2)) & 3U;
   const unsigned number = 4 * (octave - kLeastOctave) + quarter;
   return number < kResidualClasses ? number : kResidualClasses - 1;
