@@ -116,6 +116,36 @@ bool index_fits(const FileHeader& header, std::uint64_t bytes) {
                       header.chunks * std::uint64_t{kChunkRecordBytes};
 }
 
+/// The index of version 1.
+Result<FileIndex> parse_plain_index(std::span<const std::byte> bytes, const FileHeader& header,
+                                    const std::string& name) {
+  ByteReader in(bytes);
+  FileIndex index;
+  index.patches.reserve(header.patches);
+  index.chunks.reserve(header.chunks);
+  for (std::uint32_t i = 0; i < header.patches; ++i) {
+    const PatchRecord patch = take_patch(in);
+    std::string fault = find_fault(patch.summary);
+    if (fault.empty() && std::uint64_t{patch.first_chunk} + patch.chunk_count > header.chunks) {
+      fault = "its chunks are not in the index";
+    }
+    if (!fault.empty()) {
+      return make_error("{}: patch {} is wrong: {}; the file is damaged", name, i, fault);
+    }
+    index.patches.push_back(patch);
+  }
+  for (std::uint32_t i = 0; i < header.chunks; ++i) {
+    const ChunkRecord chunk = take_chunk(in);
+    if (chunk.offset < kHeaderBytes || chunk.offset > header.index_offset ||
+        chunk.size > header.index_offset - chunk.offset) {
+      return make_error("{}: chunk {} lies outside of the file's data; the file is damaged", name,
+                        i);
+    }
+    index.chunks.push_back(chunk);
+  }
+  return index;
+}
+
 }  // namespace
 
 std::uint32_t crc32(std::span<const std::byte> bytes) {
@@ -265,37 +295,15 @@ Result<FileIndex> parse_index(std::span<const std::byte> bytes, const FileHeader
   if (crc32(bytes) != header.index_checksum) {
     return make_error("{}: the index's checksum is wrong; the file is damaged", name);
   }
-  if (header.version == kCompactVersion) return parse_compact_index(bytes, header, name);
-  ByteReader in(bytes);
-  FileIndex index;
-  index.patches.reserve(header.patches);
-  index.chunks.reserve(header.chunks);
+  auto index = header.version == kCompactVersion ? parse_compact_index(bytes, header, name)
+                                                 : parse_plain_index(bytes, header, name);
+  if (!index) return index;
   std::uint64_t samples = 0;
-  for (std::uint32_t i = 0; i < header.patches; ++i) {
-    const PatchRecord patch = take_patch(in);
-    std::string fault = find_fault(patch.summary);
-    if (fault.empty() && std::uint64_t{patch.first_chunk} + patch.chunk_count > header.chunks) {
-      fault = "its chunks are not in the index";
-    }
-    if (!fault.empty()) {
-      return make_error("{}: patch {} is wrong: {}; the file is damaged", name, i, fault);
-    }
-    samples += patch.summary.samples;
-    index.patches.push_back(patch);
-  }
+  for (const PatchRecord& patch : index->patches) samples += patch.summary.samples;
   if (samples != header.samples) {
     return make_error(
         "{}: the patches have {} samples where the header says {}; the file is damaged", name,
         samples, header.samples);
-  }
-  for (std::uint32_t i = 0; i < header.chunks; ++i) {
-    const ChunkRecord chunk = take_chunk(in);
-    if (chunk.offset < kHeaderBytes || chunk.offset > header.index_offset ||
-        chunk.size > header.index_offset - chunk.offset) {
-      return make_error("{}: chunk {} lies outside of the file's data; the file is damaged", name,
-                        i);
-    }
-    index.chunks.push_back(chunk);
   }
   return index;
 }

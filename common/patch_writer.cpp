@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 
 #include "common/compact/compact_codec.h"
-#include "common/compact/compact_index.h"
 #include "common/file.h"
 #include "common/octahedral.h"
 #include "common/patch_codec.h"
@@ -152,15 +151,6 @@ EncodedPatch encode(const Patch& patch, const PatchFileOptions& options, ZstdCon
   return encoded;
 }
 
-/// Takes what the compact index keeps of the patches' places.
-void round_summaries(const glm::dvec3& base, std::vector<EncodedPatch>& patches) {
-  std::vector<PatchSummary> summaries;
-  summaries.reserve(patches.size());
-  for (const EncodedPatch& patch : patches) summaries.push_back(patch.summary);
-  const double step = placement_step(summaries);
-  for (EncodedPatch& patch : patches) patch.summary = rounded_summary(patch.summary, base, step);
-}
-
 /// Gives each chunk its place: patch after patch, without gaps.
 FileIndex lay_out(const std::vector<EncodedPatch>& patches, PatchCodec codec) {
   FileIndex index;
@@ -207,7 +197,6 @@ Status write_patch_file(const std::filesystem::path& path, const PatchModel& mod
   }
 
   const bool compact = options.codec == PatchCodec::Compact;
-  if (compact) round_summaries(index_base(model.bounds), encoded);
   const FileIndex layout = lay_out(encoded, options.codec);
   FileHeader header;
   header.version = compact ? kCompactVersion : kPlainVersion;

@@ -57,4 +57,9 @@ Status check_end(const ByteReader& in);
   return static_cast<std::uint16_t>((residual >> 1U) ^ ((residual & 1U) != 0 ? 0xFFFFU : 0U));
 }
 
+/// A difference modulo 2^16, within -32768 to 32767.
+[[nodiscard]] constexpr std::int32_t wrapped(std::int32_t difference) {
+  return static_cast<std::int16_t>(static_cast<std::uint16_t>(difference));
+}
+
 }  // namespace relief

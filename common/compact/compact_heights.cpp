@@ -12,10 +12,6 @@
 namespace relief {
 namespace {
 
-std::int32_t wrapped(std::int32_t difference) {
-  return static_cast<std::int16_t>(static_cast<std::uint16_t>(difference));
-}
-
 /// Copies a level's heights from the patch, for writing.
 void read_level(const Patch& patch, unsigned level, LevelGrid& grid) {
   for (std::uint32_t j = 0; j < grid.height; ++j) {

@@ -32,7 +32,7 @@ glm::dvec3 steps_of(const glm::dvec3& place, const glm::dvec3& base, double step
   return glm::round((place - base) / step);
 }
 
-/// The patches' most frequent spacing or height step: the first one's, as all have the same.
+/// The height step that need not be said again: the first patch's, as most models have one alone.
 double common_height_step(const FileIndex& index) {
   return index.patches.empty() ? 1.0 : index.patches.front().summary.height_step;
 }
@@ -60,19 +60,20 @@ bool take_chunk(ByteReader& in, const FileHeader& header, ChunkRecord& chunk,
   return true;
 }
 
-}  // namespace
-
+/// What places are relative to.
 glm::dvec3 index_base(const Bounds& bounds) {
   return bounds.empty() ? glm::dvec3(0.0) : bounds.min;
 }
 
-double placement_step(std::span<const PatchSummary> patches) {
+/// Steps in which places are kept; 1 for a model without patches.
+double placement_step(const std::vector<PatchRecord>& patches) {
   if (patches.empty()) return 1.0;
-  double least = patches.front().height_step;
-  for (const PatchSummary& patch : patches) least = std::min(least, patch.height_step);
+  double least = patches.front().summary.height_step;
+  for (const PatchRecord& patch : patches) least = std::min(least, patch.summary.height_step);
   return std::exp2(std::floor(std::log2(least / 16.0)));
 }
 
+/// What is left of a patch's place, axes and normal cone.
 PatchSummary rounded_summary(const PatchSummary& patch, const glm::dvec3& base, double step) {
   PatchSummary rounded = patch;
   const glm::dvec3 places = steps_of(patch.origin, base, step);
@@ -97,18 +98,17 @@ PatchSummary rounded_summary(const PatchSummary& patch, const glm::dvec3& base, 
   return rounded;
 }
 
+}  // namespace
+
 std::vector<std::byte> write_compact_index(const FileIndex& index, const FileHeader& header) {
-  std::vector<PatchSummary> summaries;
-  summaries.reserve(index.patches.size());
-  for (const PatchRecord& patch : index.patches) summaries.push_back(patch.summary);
-  const double step = placement_step(summaries);
+  const double step = placement_step(index.patches);
   const double height_step = common_height_step(index);
   const glm::dvec3 base = index_base(header.bounds);
   std::vector<std::byte> out;
   append_number(out, step);
   append_number(out, height_step);
   for (const PatchRecord& record : index.patches) {
-    const PatchSummary& patch = record.summary;
+    const PatchSummary patch = rounded_summary(record.summary, base, step);
     const std::span chunks(&index.chunks[record.first_chunk], record.chunk_count);
     const auto chunk_of = [&](ChunkType type) {
       const auto found = std::find_if(chunks.begin(), chunks.end(),
@@ -161,7 +161,6 @@ Result<FileIndex> parse_compact_index(std::span<const std::byte> bytes, const Fi
   FileIndex index;
   index.patches.reserve(header.patches);
   std::uint64_t offset = kHeaderBytes;
-  std::uint64_t samples = 0;
   for (std::uint32_t p = 0; p < header.patches; ++p) {
     constexpr const char* kEnd = "the index ends within it";
     PatchRecord record;
@@ -204,7 +203,6 @@ Result<FileIndex> parse_compact_index(std::span<const std::byte> bytes, const Fi
     if (const std::string fault = find_fault(patch); !fault.empty()) {
       return damaged(p, fault.c_str());
     }
-    samples += patch.samples;
 
     record.first_chunk = static_cast<std::uint32_t>(index.chunks.size());
     for (const auto& [flag, type] : {std::pair{std::uint8_t{0}, kHeightsChunk},
@@ -228,11 +226,6 @@ Result<FileIndex> parse_compact_index(std::span<const std::byte> bytes, const Fi
   }
   if (in.left() > 0 || offset != header.index_offset) {
     return make_error("{}: the index does not end where it should; the file is damaged", name);
-  }
-  if (samples != header.samples) {
-    return make_error(
-        "{}: the patches have {} samples where the header says {}; the file is damaged", name,
-        samples, header.samples);
   }
   return index;
 }

@@ -21,10 +21,6 @@ namespace {
 /// Where nothing is known yet, residuals of this magnitude are expected, in 1/256.
 constexpr std::uint32_t kFirstExpectation = 8 << kExpectationBits;
 
-std::int32_t wrapped(std::int32_t difference) {
-  return static_cast<std::int16_t>(static_cast<std::uint16_t>(difference));
-}
-
 /// The magnitude, in 1/256, that the residuals of one channel have around texel k: those to the
 /// west and north count three times as much as those to the north-west and north-east.
 std::uint32_t expectation_at(const Neighbours& magnitudes) {
@@ -70,13 +66,11 @@ void visit_map(const KeptGrid& grid, const std::array<std::vector<std::int32_t>,
 template <std::size_t Channels, class Predict>
 std::vector<std::byte> encode_map(const KeptGrid& grid,
                                   const std::array<std::vector<std::int32_t>, Channels>& values,
-                                  const Predict& predict, bool& is_zero) {
+                                  const Predict& predict) {
   RansEncoder out;
-  is_zero = true;
   visit_map(grid, values, predict,
             [&](std::size_t c, std::size_t k, std::int32_t prediction, unsigned residual_class) {
               const std::int32_t r = wrapped(values[c][k] - prediction);
-              is_zero = is_zero && values[c][k] == 0;
               put_residual(out, residual_class, zigzag(static_cast<std::uint16_t>(r)));
               return r;
             });
@@ -149,12 +143,13 @@ std::vector<std::byte> encode_normals_compact(const Patch& patch, std::uint16_t 
       }
     }
   }
-  bool is_zero = false;
-  std::vector<std::byte> coded = encode_map(
+  const auto is_zero = [](const std::vector<std::int32_t>& channel) {
+    return std::all_of(channel.begin(), channel.end(), [](std::int32_t v) { return v == 0; });
+  };
+  if (map.scale == 1 && is_zero(values[0]) && is_zero(values[1])) return {};
+  const std::vector<std::byte> coded = encode_map(
       {map.width, map.height, kept}, values,
-      [&](const Neighbours& at, std::int32_t last) { return predict_normal(at, last, map.scale); },
-      is_zero);
-  if (is_zero && map.scale == 1) return {};
+      [&](const Neighbours& at, std::int32_t last) { return predict_normal(at, last, map.scale); });
   std::vector<std::byte> bytes;
   append_number(bytes, step);
   bytes.insert(bytes.end(), coded.begin(), coded.end());
@@ -218,8 +213,7 @@ std::vector<std::byte> encode_colours_compact(const Patch& patch) {
     values[1][k] = c.r - c.g;
     values[2][k] = c.b - c.g;
   }
-  bool is_zero = false;
-  return encode_map({map.width, map.height, kept}, values, predict_median, is_zero);
+  return encode_map({map.width, map.height, kept}, values, predict_median);
 }
 
 Status decode_colours_compact(std::span<const std::byte> bytes, std::uint32_t scale, Patch& patch) {

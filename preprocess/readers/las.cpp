@@ -8,14 +8,9 @@
 namespace relief {
 namespace {
 
-template <class Number>
-Number whole(const char* bytes) {
-  return detail::load<Number, std::make_unsigned_t<Number>, false>(bytes);
-}
-
 glm::u16vec3 colour_of(const char* record, std::size_t at) {
-  return {whole<std::uint16_t>(record + at), whole<std::uint16_t>(record + at + 2),
-          whole<std::uint16_t>(record + at + 4)};
+  return {load_whole<std::uint16_t>(record + at), load_whole<std::uint16_t>(record + at + 2),
+          load_whole<std::uint16_t>(record + at + 4)};
 }
 
 /// What the 16-bit colour fields of a file hold. Files do not say it; the largest value tells it.
@@ -45,13 +40,13 @@ struct LeftOut {
 
   /// Whether this point is one, which is then counted.
   bool takes(const char* record, bool is_wide) {
-    const auto flags = whole<std::uint8_t>(record + 15);
+    const auto flags = load_whole<std::uint8_t>(record + 15);
     if ((flags & (is_wide ? 0x04U : 0x80U)) != 0) {
       ++withheld;
       return true;
     }
     // Class 18, high noise, is only defined where classes have a byte of their own.
-    const auto point_class = is_wide ? whole<std::uint8_t>(record + 16) : flags & 0x1FU;
+    const auto point_class = is_wide ? load_whole<std::uint8_t>(record + 16) : flags & 0x1FU;
     const bool is_noise = point_class == 7 || (is_wide && point_class == 18);
     noise += is_noise ? 1U : 0U;
     return is_noise;
@@ -92,8 +87,8 @@ Result<Points> read_las(const Source& source) {
     if (!meter.advance_to(at)) return interrupted_error();
     const char* const record = source.text.data() + at;
     if (left_out.takes(record, header->is_wide())) continue;
-    const glm::dvec3 steps(whole<std::int32_t>(record), whole<std::int32_t>(record + 4),
-                           whole<std::int32_t>(record + 8));
+    const glm::dvec3 steps(load_whole<std::int32_t>(record), load_whole<std::int32_t>(record + 4),
+                           load_whole<std::int32_t>(record + 8));
     points.positions.push_back(header->offset + header->scale * steps);
     if (colours != Colours::None) {
       const glm::u16vec3 c = colour_of(record, header->colour_at());

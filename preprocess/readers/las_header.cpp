@@ -61,7 +61,7 @@ class LasHeaderReader {
   }
   template <class Number>
   [[nodiscard]] Number whole(std::size_t at) const {
-    return detail::load<Number, Number, false>(source_.text.data() + at);
+    return load_whole<Number>(source_.text.data() + at);
   }
 
   Error damaged(std::size_t at, std::string_view what) const {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <bit>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 namespace relief {
 
@@ -42,6 +44,12 @@ template <class Number, class Bits, bool BigEndian>
   return std::bit_cast<Number>(bits);
 }
 }  // namespace detail
+
+/// A little-endian whole number.
+template <std::integral Number>
+[[nodiscard]] Number load_whole(const char* bytes) {
+  return detail::load<Number, std::make_unsigned_t<Number>, false>(bytes);
+}
 
 /// Reads size_of(type) bytes. 64-bit integers above 2^53 are rounded; nothing else is.
 template <bool BigEndian>

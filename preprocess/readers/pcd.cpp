@@ -104,7 +104,7 @@ Result<Points> read_records(const Source& source, const PcdHeader& header, const
     for (std::size_t f = 0; f < header.fields.size(); ++f) {
       const char* const bytes = body.data() + field_start[f] + i * field_step[f];
       if (f == layout.packed_colour) {
-        unpack_colour(detail::load<std::uint32_t, std::uint32_t, false>(bytes), record);
+        unpack_colour(load_whole<std::uint32_t>(bytes), record);
       } else if (layout.roles[f] != Other) {
         record[layout.roles[f]] = load_number<false>(header.fields[f].type, bytes);
       }
@@ -128,8 +128,8 @@ Result<Points> read_compressed(const Source& source, const PcdHeader& header,
                                const PcdLayout& layout) {
   std::string_view packed = source.text.substr(header.body);
   if (packed.size() < 8) return too_short(source, header, packed.size());
-  const auto packed_size = detail::load<std::uint32_t, std::uint32_t, false>(packed.data());
-  const auto size = detail::load<std::uint32_t, std::uint32_t, false>(packed.data() + 4);
+  const auto packed_size = load_whole<std::uint32_t>(packed.data());
+  const auto size = load_whole<std::uint32_t>(packed.data() + 4);
   packed.remove_prefix(8);
   if (packed_size > packed.size() || size > kLzfLargestRatio * packed_size ||
       size / header.stride != header.points || size % header.stride != 0) {

@@ -12,7 +12,7 @@ constexpr std::size_t kHeader = 80;
 constexpr std::size_t kFacet = 50;  // normal, three corners, two bytes of attributes
 
 std::uint64_t stated_facets(std::string_view text) {
-  return detail::load<std::uint32_t, std::uint32_t, false>(text.data() + kHeader);
+  return load_whole<std::uint32_t>(text.data() + kHeader);
 }
 
 Result<Points> read_binary(const Source& source) {

@@ -11,6 +11,7 @@
 #include "common/compact/rotation_code.h"
 #include "common/patch_codec.h"
 #include "common/patch_file.h"
+#include "tests/common/read_whole.h"
 #include "tests/common/sample_models.h"
 
 namespace relief {
@@ -19,6 +20,7 @@ namespace {
 using test::bumpy_model;
 using test::bumpy_patch;
 using test::PatchShape;
+using test::read_whole;
 using test::ScratchFolder;
 
 TEST(Rans, GivesBackIntervalsAndBits) {
@@ -204,15 +206,6 @@ TEST(CompactHeights, AreNoBombs) {
   const Status decoded = decode_heights_compact(bytes, 0, 0, read);
   ASSERT_FALSE(decoded);
   EXPECT_EQ(decoded.error().message, "they are too few for the mask");
-}
-
-PatchModel read_whole(const std::filesystem::path& path) {
-  const auto file = PatchFile::open(path);
-  EXPECT_TRUE(file) << file.error().message;
-  Progress progress;
-  auto model = file->read_all(progress);
-  EXPECT_TRUE(model) << model.error().message;
-  return *std::move(model);
 }
 
 PatchFileOptions compact(double normal_degrees) {

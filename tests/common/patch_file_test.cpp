@@ -7,6 +7,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "common/patch_codec.h"
+#include "tests/common/read_whole.h"
 #include "tests/common/sample_models.h"
 
 namespace relief {
@@ -15,17 +16,9 @@ namespace {
 using test::bumpy_model;
 using test::bumpy_patch;
 using test::PatchShape;
+using test::read_whole;
 using test::ScratchFolder;
 using test::slurp;
-
-PatchModel read_whole(const std::filesystem::path& path) {
-  const auto file = PatchFile::open(path);
-  EXPECT_TRUE(file) << file.error().message;
-  Progress progress;
-  auto model = file->read_all(progress);
-  EXPECT_TRUE(model) << model.error().message;
-  return *std::move(model);
-}
 
 /// The texels that the file keeps are what `stored` makes of those that went in.
 template <class Texel, class Stored>
