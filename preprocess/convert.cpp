@@ -14,11 +14,11 @@
 
 #include "preprocess/closed_mesh.h"
 #include "preprocess/densify.h"
+#include "preprocess/find_regions.h"
 #include "preprocess/measure.h"
 #include "preprocess/neighbours.h"
 #include "preprocess/normals.h"
-#include "preprocess/partition.h"
-#include "preprocess/resample.h"
+#include "preprocess/region_patches.h"
 #include "preprocess/texture/flat_triangles.h"
 #include "preprocess/texture/load_textures.h"
 #include "preprocess/texture/node_normals.h"
@@ -28,23 +28,11 @@
 namespace relief {
 namespace {
 
-// The widest cone that still resamples well: 75 degrees stretch samples by 1 / cos 75 = 3.9 at
-// most.
-constexpr double kDefaultConeDegrees = 75.0;
 // Heights are rounded to a twentieth of a spacing (DESIGN.md).
 constexpr double kDefaultStepsPerSpacing = 20.0;
 // Grids beyond this many nodes per point come from a mistaken spacing, not from a scan.
 constexpr double kMostNodesPerPoint = 4096.0;
 constexpr double kMostNodes = 4e9;
-// Patches of fewer points are looked at for being covered by others; smaller ones than the least
-// are no surface.
-constexpr std::size_t kSmallPatchPoints = 64;
-constexpr std::size_t kLeastPatchPoints = 4;
-// A cloud of outliers: the eighth neighbour is this much farther than the scan's median one, and
-// the plane through the neighbourhood is left by more than this share of that distance (a ball of
-// points has 0.2 to 0.3, a surface that bends by 60 degrees across its neighbourhood 0.08).
-constexpr float kSparseInMedians = 4.0F;
-constexpr float kRoughShare = 0.08F;
 
 // Points on one line span no surface: the second principal variance vanishes beside the first.
 bool on_one_line(const std::vector<glm::dvec3>& positions, const Bounds& bounds) {
@@ -95,50 +83,6 @@ Status check_spacing(const std::vector<Region>& regions, const SurfaceSamples& s
   return {};
 }
 
-// The points that can be part of a surface: all but clouds of outliers, which are much sparser than
-// the scan and not flat either. (Single outliers are connected to nothing and make no region.)
-std::vector<std::uint32_t> surface_points(const std::vector<glm::dvec3>& positions,
-                                          const NeighbourGraph& graph, const LocalFrames& frames) {
-  std::vector<float> to_eighth(positions.size());
-  for (std::uint32_t i = 0; i < positions.size(); ++i) {
-    const std::uint32_t eighth = graph.of(i)[std::min(graph.k, 8U) - 1];
-    to_eighth[i] = static_cast<float>(glm::distance(positions[i], positions[eighth]));
-  }
-  std::vector<float> sorted = to_eighth;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  std::vector<std::uint32_t> points;
-  for (std::uint32_t i = 0; i < positions.size(); ++i) {
-    const bool scattered = to_eighth[i] > kSparseInMedians * *middle &&
-                           frames.roughness[i] > kRoughShare * to_eighth[i];
-    if (!scattered) points.push_back(i);
-  }
-  return points;
-}
-
-std::vector<Patch> resample_all(const SurfaceSamples& samples, const NeighbourGraph& graph,
-                                const std::vector<Region>& regions,
-                                const std::vector<glm::u8vec3>& colours,
-                                const ResampleOptions& options, Progress& progress) {
-  progress.begin_stage("resample", samples.positions.size());
-  std::vector<Patch> patches(regions.size());
-  const Membership membership = membership_of(samples, regions);
-  tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t r) {
-    if (progress.cancelled()) return;
-    patches[r] = resample_region(samples, graph, regions[r], membership, colours, options);
-    progress.advance(regions[r].points.size());
-  });
-  return patches;
-}
-
-std::vector<std::uint32_t> owners_of(const std::vector<Region>& regions, std::size_t points) {
-  std::vector<std::uint32_t> owner(points, static_cast<std::uint32_t>(regions.size()));
-  for (std::uint32_t r = 0; r < regions.size(); ++r) {
-    for (const std::uint32_t i : regions[r].points) owner[i] = r;
-  }
-  return owner;
-}
-
 /// The spheres about a mesh's triangles, made while something else goes on: building a kd-tree
 /// takes one thread.
 class SpheresInTime {
@@ -169,26 +113,6 @@ void take_mesh_normals(const Points& mesh, const TriangleSpheres& spheres,
     take_mesh_normals(mesh, mesh.normals, spheres.find_over(patches[p]), patches[p]);
     progress.advance(1);
   });
-}
-
-// Drops small patches that others cover, and those without a sample.
-void drop_redundant(const SurfaceSamples& samples, const NeighbourGraph& graph,
-                    std::vector<Region>& regions, std::vector<Patch>& patches) {
-  std::vector<std::vector<std::uint32_t>> own_points;
-  own_points.reserve(regions.size());
-  for (const Region& region : regions) own_points.push_back(region.points);
-  const std::vector<std::uint8_t> redundant =
-      find_redundant(samples.positions, graph, owners_of(regions, samples.positions.size()),
-                     own_points, patches, kSmallPatchPoints);
-  std::vector<Region> kept_regions;
-  std::vector<Patch> kept_patches;
-  for (std::size_t r = 0; r < regions.size(); ++r) {
-    if (redundant[r] != 0 || patches[r].heights.empty()) continue;
-    kept_regions.push_back(std::move(regions[r]));
-    kept_patches.push_back(std::move(patches[r]));
-  }
-  regions = std::move(kept_regions);
-  patches = std::move(kept_patches);
 }
 
 void count_texels(const std::vector<Patch>& patches, ConvertReport& report) {
@@ -230,12 +154,8 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   result.report.normals_repaired = normals.repaired;
   if (progress.cancelled()) return interrupted_error();
 
-  const std::vector<glm::vec3> smooth = smooth_normals(points.normals, graph);
-  const SurfaceSamples smooth_samples{points.positions, smooth, graph.spacing, frames.roughness};
-  const double cone = options.cone_degrees > 0.0 ? options.cone_degrees : kDefaultConeDegrees;
-  std::vector<Region> regions = partition(
-      smooth_samples, graph, surface_points(points.positions, graph, frames), cone, progress);
-  std::erase_if(regions, [](const Region& r) { return r.points.size() < kLeastPatchPoints; });
+  std::vector<Region> regions =
+      find_regions(points, points.size(), graph, frames, options.cone_degrees, progress);
   if (progress.cancelled()) return interrupted_error();
 
   const SurfaceSamples samples{points.positions, points.normals, graph.spacing, frames.roughness};
@@ -249,9 +169,8 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
                                  static_cast<std::uint32_t>(options.colour_scale),
                                  !normals.estimated};
   std::vector<Patch> patches =
-      resample_all(samples, graph, regions, points.colours, resample, progress);
+      make_patches(samples, graph, points.colours, resample, regions, progress);
   if (progress.cancelled()) return interrupted_error();
-  drop_redundant(samples, graph, regions, patches);
   if (patches.empty()) return make_error("the points are too scattered to be a surface");
 
   if (textured) {
