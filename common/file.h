@@ -62,6 +62,8 @@ class RandomAccessFile {
   ~RandomAccessFile();
 
   [[nodiscard]] std::uint64_t size() const { return size_; }
+  /// Of the operating system; stays the file's own.
+  [[nodiscard]] int descriptor() const { return descriptor_; }
   /// Fills `bytes` from `offset`. Fails if the file ends before. Thread-safe.
   Status read_at(std::uint64_t offset, std::span<std::byte> bytes) const;
 

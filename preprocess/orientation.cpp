@@ -96,8 +96,8 @@ std::vector<Edge> collect_edges(const Points& points, const NeighbourGraph& grap
 
 }  // namespace
 
-void orient_normals(const Points& points, const NeighbourGraph& graph,
-                    std::vector<glm::vec3>& normals) {
+Sheets orient_normals(const Points& points, const NeighbourGraph& graph,
+                      std::vector<glm::vec3>& normals) {
   const std::size_t n = points.size();
   SignedForest forest(n);
   for (const Edge& edge : collect_edges(points, graph, normals)) {
@@ -107,36 +107,23 @@ void orient_normals(const Points& points, const NeighbourGraph& graph,
     forest.join(a, b, glm::dot(normals[edge.a], normals[edge.b]) < 0.0F);
   }
 
-  // Components: sum up area, centroid and flux, each relative to its root's sign.
-  std::vector<SignedForest::Root> roots(n);
-  std::vector<double> area(n, 0.0);
-  std::vector<glm::dvec3> centroid(n, glm::dvec3(0.0));
+  constexpr auto kUnnumbered = static_cast<std::uint32_t>(-1);
+  Sheets sheets{std::vector<std::uint32_t>(n), 0};
+  std::vector<std::uint32_t> number_of_root(n, kUnnumbered);
   for (std::uint32_t i = 0; i < n; ++i) {
-    roots[i] = forest.find(i);
-    const double a = double{graph.spacing[i]} * graph.spacing[i];
-    area[roots[i].root] += a;
-    centroid[roots[i].root] += a * points.positions[i];
+    const SignedForest::Root root = forest.find(i);
+    if (root.flipped) normals[i] = -normals[i];
+    std::uint32_t& number = number_of_root[root.root];
+    if (number == kUnnumbered) number = sheets.count++;
+    sheets.of_point[i] = number;
   }
-  std::vector<double> flux(n, 0.0);
-  std::vector<double> upward(n, 0.0);
+  const std::vector<SheetSums> sums =
+      sum_up(points, n, normals, graph.spacing, sheets, points.positions.front());
   for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t root = roots[i].root;
-    const double a = double{graph.spacing[i]} * graph.spacing[i];
-    const glm::dvec3 normal(roots[i].flipped ? -normals[i] : normals[i]);
-    const glm::dvec3 arm = points.viewpoint
-                               ? glm::normalize(*points.viewpoint - points.positions[i])
-                               : points.positions[i] - centroid[root] / area[root];
-    flux[root] += a * glm::dot(arm, normal);
-    upward[root] += a * (normal.z + 1e-3 * normal.y + 1e-6 * normal.x);
+    if (faces_inward(sums[sheets.of_point[i]], points.viewpoint.has_value()))
+      normals[i] = -normals[i];
   }
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t root = roots[i].root;
-    // A flat sheet has no outside; there +Z decides so that the result is at least predictable.
-    const double scale = area[root] * std::sqrt(area[root]);
-    const bool decided = std::abs(flux[root]) > 1e-3 * scale;
-    const bool inward = decided ? flux[root] < 0.0 : upward[root] < 0.0;
-    if (roots[i].flipped != inward) normals[i] = -normals[i];
-  }
+  return sheets;
 }
 
 }  // namespace relief

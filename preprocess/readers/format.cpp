@@ -86,4 +86,8 @@ Result<Reader> find_reader(const std::filesystem::path& path, std::string_view t
   return reader;
 }
 
+bool reads_in_blocks(Reader reader) {
+  return reader == read_ply || reader == read_las || reader == read_xyz;
+}
+
 }  // namespace relief

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,12 @@ namespace relief {
 
 /// Whether `bytes` begin as a gzip file does.
 [[nodiscard]] bool is_gzip(std::span<const std::byte> bytes);
+
+/// Decompresses all members of a gzip file and hands them to `take` in pieces, whose failure ends
+/// it. `name` begins errors.
+Status gunzip_pieces(const std::string& name, std::span<const std::byte> bytes,
+                     const Progress& progress,
+                     const std::function<Status(std::span<const std::byte>)>& take);
 
 /// Decompresses all members of a gzip file. The size that the file claims is not trusted: memory is
 /// taken as bytes come, and a file that grows beyond `limit` bytes is refused. `name` begins
