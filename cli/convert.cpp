@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
+#include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -11,6 +12,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,7 @@
 #include "cli/load.h"
 #include "cli/paths.h"
 #include "common/patch_file.h"
+#include "preprocess/convert_tiles.h"
 #include "preprocess/texture/texture_maps.h"
 
 namespace relief::cli {
@@ -42,6 +45,7 @@ struct Arguments {
   std::filesystem::path texture;  ///< as texture_choice has it
   ConvertOptions options;
   PatchFileOptions file;
+  std::uint64_t memory = 0;  ///< bytes; 0: as it takes
   bool json = false;
 };
 
@@ -50,9 +54,17 @@ struct Summary {
   ReadResult read;  ///< its points are gone: they were converted
   ConvertReport report;
   PatchFileInfo file;
+  std::optional<TiledResult> tiled;  ///< if it was converted in tiles
   double seconds = 0.0;
   std::vector<ConsoleProgress::Stage> stages;
 };
+
+/// The most memory that this process has had.
+std::uint64_t peak_bytes() {
+  struct rusage usage {};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
 
 nlohmann::ordered_json as_json(const Summary& s) {
   nlohmann::ordered_json stages = nlohmann::ordered_json::object();
@@ -81,6 +93,10 @@ nlohmann::ordered_json as_json(const Summary& s) {
           {"colour_texels", s.report.colour_texels},
           {"normal_texels_per_cell", s.report.normal_texels_per_cell},
           {"normal_texels", s.report.normal_texels},
+          {"tiles", s.tiled ? s.tiled->tiles : 1},
+          {"tiles_found", s.tiled ? s.tiled->tiles_found : 0},
+          {"halo_points", s.tiled ? s.tiled->halo_points : 0},
+          {"peak_bytes", peak_bytes()},
           {"stage_seconds", stages}};
 }
 
@@ -95,6 +111,10 @@ std::string as_text(const Summary& s, const std::filesystem::path& output) {
                                   ? "none"
                                   : fmt::format("{} texels, up to {} a cell along a side",
                                                 s.report.colour_texels, s.report.texels_per_cell);
+  const std::string tiles =
+      s.tiled ? fmt::format("  tiles             {}, {} of them from an earlier run\n",
+                            s.tiled->tiles, s.tiled->tiles_found)
+              : "";
   std::string text = fmt::format(
       "{}\n"
       "  points            {} ({} not finite dropped, {} duplicates merged)\n"
@@ -107,11 +127,12 @@ std::string as_text(const Summary& s, const std::filesystem::path& output) {
       "  uncovered points  {}\n"
       "  colours           {}\n"
       "  file              {} bytes, {:.2f} bits per sample\n"
+      "{}"
       "  time              {:.2f} s",
       output.string(), s.report.points, s.read.dropped_nonfinite, s.read.merged_duplicates, normals,
       s.file.patches, s.file.samples, s.file.spacing, s.report.error_rms, s.report.error_max,
       s.report.psnr_db, s.report.uncovered_points, colours, s.file.file_bytes,
-      8.0 * static_cast<double>(s.file.file_bytes) / static_cast<double>(s.file.samples),
+      8.0 * static_cast<double>(s.file.file_bytes) / static_cast<double>(s.file.samples), tiles,
       s.seconds);
   const char* separator = ": ";
   for (const auto& stage : s.stages) {
@@ -121,8 +142,39 @@ std::string as_text(const Summary& s, const std::filesystem::path& output) {
   return text + "\n";
 }
 
-/// Reads, converts, writes and looks at what was written.
+/// Looks at what was written.
+Result<Summary> summarise(const Arguments& arguments, Summary summary) {
+  const auto file = PatchFile::open(arguments.output);
+  if (!file) return file.error();
+  summary.file = file->info();
+  return summary;
+}
+
+/// Converts in tiles; nothing if the scan is small enough for memory.
+Result<std::optional<Summary>> convert_larger(const Arguments& arguments, Progress& progress) {
+  auto tiled = convert_tiles(arguments.inputs, arguments.output, arguments.options, arguments.file,
+                             {arguments.memory}, progress);
+  if (!tiled) return tiled.error();
+  if (!*tiled) return std::optional<Summary>();
+  Summary summary;
+  for (const std::string& text : (*tiled)->notes) note(text);
+  summary.report = (*tiled)->report;
+  summary.read.dropped_nonfinite = (*tiled)->counts.nonfinite;
+  summary.read.left_out = (*tiled)->counts.left_out;
+  summary.read.merged_duplicates = (*tiled)->duplicates;
+  summary.tiled = std::move(**tiled);
+  auto done = summarise(arguments, std::move(summary));
+  if (!done) return done.error();
+  return std::optional(std::move(*done));
+}
+
+/// Reads, converts and writes.
 Result<Summary> convert_files(const Arguments& arguments, Progress& progress) {
+  if (arguments.memory > 0) {
+    auto larger = convert_larger(arguments, progress);
+    if (!larger) return larger.error();
+    if (*larger) return std::move(**larger);
+  }
   auto read = load_points(arguments.inputs, texture_choice(arguments.texture), progress);
   if (!read) return read.error();
   auto converted = convert(std::move(read->points), arguments.options, progress);
@@ -136,19 +188,23 @@ Result<Summary> convert_files(const Arguments& arguments, Progress& progress) {
       !written) {
     return written.error();
   }
-  const auto file = PatchFile::open(arguments.output);
-  if (!file) return file.error();
   Summary summary;
   summary.read = std::move(*read);
   summary.report = converted->report;
-  summary.file = file->info();
-  return summary;
+  return summarise(arguments, std::move(summary));
 }
 
 std::vector<std::filesystem::path> files_read(const Arguments& arguments) {
   std::vector<std::filesystem::path> files = arguments.inputs;
   if (!arguments.texture.empty()) files.push_back(arguments.texture);
   return files;
+}
+
+/// What is left of a conversion that ended early.
+std::string kept_by(const Arguments& arguments) {
+  if (arguments.memory == 0 || !has_kept_tiles(arguments.output)) return {};
+  return fmt::format("what is done is kept in {}.parts, and the same command goes on from there",
+                     arguments.output.string());
 }
 
 int run(const Arguments& arguments) {
@@ -163,7 +219,7 @@ int run(const Arguments& arguments) {
   ConsoleProgress progress;
   auto summary = convert_files(arguments, progress);
   const auto& stages = progress.finish();
-  if (!summary) return fail(summary.error());
+  if (!summary) return fail(summary.error(), kept_by(arguments));
   summary->stages = stages;
   summary->seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -224,6 +280,14 @@ void add_convert(CLI::App& app, Command& command) {
                   "two for each patch that keeps the texture's own)")
       ->check(CLI::Range(1U, kMostTexelsPerCell))
       ->option_text("N");
+  sub->add_option(
+         "--memory", arguments->memory,
+         "Most memory to take, 256M or more: a scan that needs more is converted in tiles, "
+         "kept in OUT.parts until the end; if it is stopped or killed the same command "
+         "goes on from there. Triangles and textures are not used then (as it takes)")
+      ->transform(CLI::AsSizeValue(false))
+      ->check(CLI::Range(kLeastTileMemory, std::uint64_t{1} << 50U))
+      ->option_text("BYTES");
   sub->add_option("--threads", arguments->options.threads,
                   "Threads; the file is the same with any number (all cores)")
       ->check(CLI::Range(1, 1024))

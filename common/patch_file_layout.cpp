@@ -6,9 +6,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <utility>
 
 #include "common/bytes.h"
 #include "common/compact/compact_index.h"
+#include "common/file.h"
 
 namespace relief {
 namespace {
@@ -306,6 +308,19 @@ Result<FileIndex> parse_index(std::span<const std::byte> bytes, const FileHeader
         samples, header.samples);
   }
   return index;
+}
+
+Result<FileLayout> read_layout(const RandomAccessFile& file, const std::string& name) {
+  if (file.size() == 0) return make_error("{}: the file is empty", name);
+  std::vector<std::byte> bytes(std::min<std::uint64_t>(file.size(), kHeaderBytes));
+  if (Status read = file.read_at(0, bytes); !read) return read.error();
+  const auto header = parse_header(bytes, file.size(), name);
+  if (!header) return header.error();
+  bytes.resize(header->file_bytes - header->index_offset);
+  if (Status read = file.read_at(header->index_offset, bytes); !read) return read.error();
+  auto index = parse_index(bytes, *header, name);
+  if (!index) return index.error();
+  return FileLayout{*header, std::move(*index)};
 }
 
 }  // namespace relief

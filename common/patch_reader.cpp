@@ -160,50 +160,45 @@ Result<PatchFile> PatchFile::open(const std::filesystem::path& path) {
   const std::string name = path.string();
   auto file = RandomAccessFile::open(path);
   if (!file) return file.error();
-  if (file->size() == 0) return make_error("{}: the file is empty", name);
-  std::vector<std::byte> bytes(std::min<std::uint64_t>(file->size(), kHeaderBytes));
-  if (Status read = file->read_at(0, bytes); !read) return read.error();
-  const auto header = parse_header(bytes, file->size(), name);
-  if (!header) return header.error();
-  bytes.resize(header->file_bytes - header->index_offset);
-  if (Status read = file->read_at(header->index_offset, bytes); !read) return read.error();
-  auto index = parse_index(bytes, *header, name);
-  if (!index) return index.error();
+  auto layout = read_layout(*file, name);
+  if (!layout) return layout.error();
+  const FileHeader& header = layout->header;
+  FileIndex& index = layout->index;
 
   PatchFileInfo info;
-  info.version = header->version;
-  info.codec = header->version == kCompactVersion ? "levels-rans" : "predicted-zstd";
-  info.patches = header->patches;
-  info.samples = header->samples;
-  info.spacing = header->spacing;
-  info.file_bytes = header->file_bytes;
-  info.bounds = header->bounds;
-  info.bounding_radius = header->bounding_radius;
-  info.is_closed = header->is_closed;
+  info.version = header.version;
+  info.codec = header.version == kCompactVersion ? "levels-rans" : "predicted-zstd";
+  info.patches = header.patches;
+  info.samples = header.samples;
+  info.spacing = header.spacing;
+  info.file_bytes = header.file_bytes;
+  info.bounds = header.bounds;
+  info.bounding_radius = header.bounding_radius;
+  info.is_closed = header.is_closed;
   const auto bytes_of = [&](ChunkType type) {
     std::uint64_t sum = 0;
-    for (const ChunkRecord& chunk : index->chunks) sum += chunk.type == type ? chunk.size : 0;
+    for (const ChunkRecord& chunk : index.chunks) sum += chunk.type == type ? chunk.size : 0;
     return sum;
   };
   info.height_bytes = bytes_of(kHeightsChunk);
   info.normal_bytes = bytes_of(kNormalsChunk);
   info.colour_bytes = bytes_of(kColoursChunk);
-  for (const PatchRecord& patch : index->patches) {
-    if (header->version != kCompactVersion) break;
+  for (const PatchRecord& patch : index.patches) {
+    if (header.version != kCompactVersion) break;
     const unsigned coarsest = coarsest_level(patch.summary.width, patch.summary.height);
     info.levels = std::max(info.levels, coarsest + 1);
   }
   const auto has = [&](ChunkType type) {
-    return std::any_of(index->chunks.begin(), index->chunks.end(),
+    return std::any_of(index.chunks.begin(), index.chunks.end(),
                        [type](const ChunkRecord& c) { return c.type == type; });
   };
   if (has(kNormalsChunk)) info.attributes.emplace_back("normal");
   if (has(kColoursChunk)) info.attributes.emplace_back("colour");
   std::vector<PatchSummary> summaries;
-  summaries.reserve(index->patches.size());
-  for (const PatchRecord& patch : index->patches) summaries.push_back(patch.summary);
+  summaries.reserve(index.patches.size());
+  for (const PatchRecord& patch : index.patches) summaries.push_back(patch.summary);
   return PatchFile(std::make_unique<State>(
-      State{name, *std::move(file), std::move(info), std::move(summaries), *std::move(index)}));
+      State{name, *std::move(file), std::move(info), std::move(summaries), std::move(index)}));
 }
 
 const PatchFileInfo& PatchFile::info() const {

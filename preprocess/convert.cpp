@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "preprocess/closed_mesh.h"
+#include "preprocess/convert_stages.h"
 #include "preprocess/densify.h"
 #include "preprocess/find_regions.h"
 #include "preprocess/measure.h"
@@ -27,12 +28,6 @@
 
 namespace relief {
 namespace {
-
-// Heights are rounded to a twentieth of a spacing (DESIGN.md).
-constexpr double kDefaultStepsPerSpacing = 20.0;
-// Grids beyond this many nodes per point come from a mistaken spacing, not from a scan.
-constexpr double kMostNodesPerPoint = 4096.0;
-constexpr double kMostNodes = 4e9;
 
 // Points on one line span no surface: the second principal variance vanishes beside the first.
 bool on_one_line(const std::vector<glm::dvec3>& positions, const Bounds& bounds) {
@@ -64,23 +59,14 @@ Status check_points(const std::vector<glm::dvec3>& positions) {
   return {};
 }
 
-// The nodes that the regions' bounding rectangles will hold, roughly.
-Status check_spacing(const std::vector<Region>& regions, const SurfaceSamples& samples,
-                     double spacing) {
-  double nodes = 0.0;
+// The area of all regions, as their points' local spacings tell it.
+double area_of(const std::vector<Region>& regions, const SurfaceSamples& samples) {
+  double area = 0.0;
   for (const Region& region : regions) {
-    for (const std::uint32_t i : region.points) {
-      const double s = samples.spacing[i] / spacing;
-      nodes += s * s;
-    }
+    for (const std::uint32_t i : region.points)
+      area += double{samples.spacing[i]} * samples.spacing[i];
   }
-  const auto points = static_cast<double>(samples.positions.size());
-  if (nodes > std::min(kMostNodes, kMostNodesPerPoint * points)) {
-    return make_error(
-        "a spacing of {} would give about {:.1e} samples for {} points; choose a larger --spacing",
-        spacing, nodes, samples.positions.size());
-  }
-  return {};
+  return area;
 }
 
 /// The spheres about a mesh's triangles, made while something else goes on: building a kd-tree
@@ -113,16 +99,6 @@ void take_mesh_normals(const Points& mesh, const TriangleSpheres& spheres,
     take_mesh_normals(mesh, mesh.normals, spheres.find_over(patches[p]), patches[p]);
     progress.advance(1);
   });
-}
-
-void count_texels(const std::vector<Patch>& patches, ConvertReport& report) {
-  for (const Patch& patch : patches) {
-    report.colour_texels += patch.colours.texels.size();
-    if (!patch.colours.empty())
-      report.texels_per_cell = std::max(report.texels_per_cell, patch.colours.scale);
-    report.normal_texels += patch.normals.texels.size();
-    report.normal_texels_per_cell = std::max(report.normal_texels_per_cell, patch.normals.scale);
-  }
 }
 
 Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& options,
@@ -162,12 +138,9 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   const double spacing = options.spacing > 0.0
                              ? options.spacing
                              : choose_spacing(samples, graph, regions, result.report.points);
-  if (const Status ok = check_spacing(regions, samples, spacing); !ok) return ok.error();
-  const double step =
-      options.height_step > 0.0 ? options.height_step : spacing / kDefaultStepsPerSpacing;
-  const ResampleOptions resample{spacing, step, options.overlap_cells,
-                                 static_cast<std::uint32_t>(options.colour_scale),
-                                 !normals.estimated};
+  if (const Status ok = check_spacing(spacing, area_of(regions, samples), points.size()); !ok)
+    return ok.error();
+  const ResampleOptions resample = resample_options(options, spacing, normals.estimated);
   std::vector<Patch> patches =
       make_patches(samples, graph, points.colours, resample, regions, progress);
   if (progress.cancelled()) return interrupted_error();
@@ -202,6 +175,39 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
 }
 
 }  // namespace
+
+Status check_spacing(double spacing, double area, std::uint64_t points) {
+  // Grids beyond this many nodes per point come from a mistaken spacing, not from a scan.
+  constexpr double most_nodes_per_point = 4096.0;
+  constexpr double most_nodes = 4e9;
+  const double nodes = area / (spacing * spacing);
+  if (nodes > std::min(most_nodes, most_nodes_per_point * static_cast<double>(points))) {
+    return make_error(
+        "a spacing of {} would give about {:.1e} samples for {} points; choose a larger --spacing",
+        spacing, nodes, points);
+  }
+  return {};
+}
+
+ResampleOptions resample_options(const ConvertOptions& options, double spacing,
+                                 bool normals_estimated) {
+  // Heights are rounded to a twentieth of a spacing (DESIGN.md).
+  constexpr double default_steps_per_spacing = 20.0;
+  const double step =
+      options.height_step > 0.0 ? options.height_step : spacing / default_steps_per_spacing;
+  return {spacing, step, options.overlap_cells, static_cast<std::uint32_t>(options.colour_scale),
+          !normals_estimated};
+}
+
+void count_texels(const std::vector<Patch>& patches, ConvertReport& report) {
+  for (const Patch& patch : patches) {
+    report.colour_texels += patch.colours.texels.size();
+    if (!patch.colours.empty())
+      report.texels_per_cell = std::max(report.texels_per_cell, patch.colours.scale);
+    report.normal_texels += patch.normals.texels.size();
+    report.normal_texels_per_cell = std::max(report.normal_texels_per_cell, patch.normals.scale);
+  }
+}
 
 Result<ConvertResult> convert(Points points, const ConvertOptions& options, Progress& progress) {
   // The few vertices of a mesh with materials are not what is converted.

@@ -33,6 +33,8 @@ struct ReadResult {
 Result<ReadResult> read_points(const std::filesystem::path& path, Progress& progress);
 
 /// Drops non-finite points and merges duplicates, as read_points does; for points made elsewhere.
-ReadResult clean_points(Points points);
+/// `number`, if given, gets each point's place among those that are left, UINT32_MAX if it was
+/// dropped.
+ReadResult clean_points(Points points, std::vector<std::uint32_t>* number = nullptr);
 
 }  // namespace relief

@@ -103,7 +103,7 @@ void keep_seams(Points& points) {
 
 }  // namespace
 
-ReadResult clean_points(Points points) {
+ReadResult clean_points(Points points, std::vector<std::uint32_t>* number) {
   assert(points.size() < kNoPoint &&
          "readers and callers refuse more points than 32 bits can index");
   ReadResult result;
@@ -143,6 +143,7 @@ ReadResult clean_points(Points points) {
     compact(points.texcoords, kept);
   }
   result.points = std::move(points);
+  if (number != nullptr) *number = std::move(new_index);
   return result;
 }
 

@@ -29,8 +29,7 @@ bool is_gzip(std::span<const std::byte> bytes) {
 }
 
 Status gunzip_pieces(const std::string& name, std::span<const std::byte> bytes,
-                     const Progress& progress,
-                     const std::function<Status(std::span<const std::byte>)>& take) {
+                     const Progress& progress, const TakePiece& take) {
   z_stream stream{};
   constexpr int gzip_only = 16 + MAX_WBITS;
   if (inflateInit2(&stream, gzip_only) != Z_OK) {
@@ -49,8 +48,8 @@ Status gunzip_pieces(const std::string& name, std::span<const std::byte> bytes,
     const uInt in_before = stream.avail_in;
     const int code = inflate(&stream, Z_NO_FLUSH);
     used += in_before - stream.avail_in;
-    if (Status taken = take(std::span(piece).first(piece.size() - stream.avail_out)); !taken)
-      return taken;
+    const auto made = std::span(piece).first(piece.size() - stream.avail_out);
+    if (Status taken = take(made, used); !taken) return taken;
     if (code == Z_STREAM_END) {
       const auto left = bytes.subspan(used);
       if (only_zeros(left)) return {};
@@ -76,7 +75,7 @@ Result<std::vector<std::byte>> gunzip(const std::string& name, std::span<const s
                                       std::uint64_t limit, const Progress& progress) {
   std::vector<std::byte> out;
   const Status unpacked =
-      gunzip_pieces(name, bytes, progress, [&](std::span<const std::byte> piece) -> Status {
+      gunzip_pieces(name, bytes, progress, [&](std::span<const std::byte> piece, std::size_t) -> Status {
         if (piece.size() > limit - out.size()) {
           return make_error(
               "{}: decompresses to more than {} MB, which this machine's memory cannot hold", name,

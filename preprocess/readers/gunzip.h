@@ -14,11 +14,13 @@ namespace relief {
 /// Whether `bytes` begin as a gzip file does.
 [[nodiscard]] bool is_gzip(std::span<const std::byte> bytes);
 
-/// Decompresses all members of a gzip file and hands them to `take` in pieces, whose failure ends
-/// it. `name` begins errors.
+/// Takes what was unpacked, piece by piece; `used`: packed bytes that it came from, all in all.
+using TakePiece = std::function<Status(std::span<const std::byte> piece, std::size_t used)>;
+
+/// Decompresses all members of a gzip file and hands them to `take`, whose failure ends it. `name`
+/// begins errors.
 Status gunzip_pieces(const std::string& name, std::span<const std::byte> bytes,
-                     const Progress& progress,
-                     const std::function<Status(std::span<const std::byte>)>& take);
+                     const Progress& progress, const TakePiece& take);
 
 /// Decompresses all members of a gzip file. The size that the file claims is not trusted: memory is
 /// taken as bytes come, and a file that grows beyond `limit` bytes is refused. `name` begins
