@@ -141,8 +141,8 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   if (const Status ok = check_spacing(spacing, area_of(regions, samples), points.size()); !ok)
     return ok.error();
   const ResampleOptions resample = resample_options(options, spacing, normals.estimated);
-  std::vector<Patch> patches =
-      make_patches(samples, graph, points.colours, resample, regions, progress);
+  std::vector<Patch> patches = make_patches(samples, graph, membership_of(samples, regions),
+                                            points.colours, resample, regions, progress);
   if (progress.cancelled()) return interrupted_error();
   if (patches.empty()) return make_error("the points are too scattered to be a surface");
 

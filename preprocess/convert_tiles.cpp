@@ -92,8 +92,9 @@ class TileConversion {
     if (progress_.cancelled()) return interrupted_error();
     StateWriter rim;
     rim.put(rim_of(*loaded, made));
-    // The survey's file says that both are there.
+    // The survey's file says that all three are there.
     if (Status saved = rim.save(job_.rim(tile)); !saved) return saved;
+    if (Status saved = save_cosines(job_.cosines(tile), made); !saved) return saved;
     return save_survey(job_.survey(tile), made);
   }
 
@@ -166,9 +167,12 @@ class TileConversion {
     merge_duplicates(*loaded);
     auto survey = load_survey(job_.survey(tile));
     if (!survey) return survey.error();
+    const auto cosines =
+        halo_cosines(*loaded, [&](std::uint32_t home) { return load_cosines(job_.cosines(home)); });
+    if (!cosines) return cosines.error();
     QuietProgress quiet(progress_);
-    TilePatches made = resample_tile(std::move(*loaded), std::move(*survey), turns_[tile], options_,
-                                     spacing_, !scan_.attributes.normals, quiet);
+    TilePatches made = resample_tile(std::move(*loaded), std::move(*survey), turns_[tile], *cosines,
+                                     options_, spacing_, !scan_.attributes.normals, quiet);
     if (progress_.cancelled()) return interrupted_error();
     if (Status saved = save_report(job_.part_report(tile), made); !saved) return saved;
     PatchModel model;

@@ -39,6 +39,15 @@ std::vector<std::uint32_t> surface_points(const std::vector<glm::dvec3>& positio
   return points;
 }
 
+// Whether a region goes on among the points around, which are those from `count` on.
+bool goes_on_around(const SurfaceSamples& samples, const NeighbourGraph& graph,
+                    const Region& region, std::size_t count) {
+  return std::ranges::any_of(region.points, [&](std::uint32_t i) {
+    return std::ranges::any_of(
+        graph.of(i), [&](std::uint32_t j) { return j >= count && on_one_sheet(samples, i, j); });
+  });
+}
+
 }  // namespace
 
 std::vector<Region> find_regions(const Points& points, std::size_t count,
@@ -49,7 +58,9 @@ std::vector<Region> find_regions(const Points& points, std::size_t count,
   const double cone = cone_degrees > 0.0 ? cone_degrees : kDefaultConeDegrees;
   std::vector<Region> regions = partition(
       samples, graph, surface_points(points.positions, count, graph, frames), cone, progress);
-  std::erase_if(regions, [](const Region& r) { return r.points.size() < kLeastPatchPoints; });
+  std::erase_if(regions, [&](const Region& r) {
+    return r.points.size() < kLeastPatchPoints && !goes_on_around(samples, graph, r, count);
+  });
   return regions;
 }
 

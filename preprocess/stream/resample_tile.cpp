@@ -1,5 +1,7 @@
 #include "preprocess/stream/resample_tile.h"
 
+#include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "preprocess/convert_stages.h"
@@ -39,7 +41,8 @@ std::vector<Region> turn_regions(TileSurvey& survey, const std::vector<std::uint
 }  // namespace
 
 TilePatches resample_tile(TilePoints tile, TileSurvey survey,
-                          const std::vector<std::uint8_t>& turns, const ConvertOptions& options,
+                          const std::vector<std::uint8_t>& turns,
+                          const std::vector<float>& halo_cosines, const ConvertOptions& options,
                           double spacing, bool normals_estimated, Progress& progress) {
   TilePatches made;
   made.points = tile.own;
@@ -55,8 +58,13 @@ TilePatches resample_tile(TilePoints tile, TileSurvey survey,
   if (progress.cancelled()) return made;
   const SurfaceSamples samples{tile.points.positions, survey.normals, graph.spacing,
                                survey.roughness};
+  // How steep the halo's points are to their own patches decides about margins at the border.
+  Membership membership = membership_of(samples, regions);
+  assert(halo_cosines.size() == tile.home.size());
+  std::ranges::copy(halo_cosines,
+                    membership.cosine.begin() + static_cast<std::ptrdiff_t>(tile.own));
   made.patches =
-      make_patches(samples, graph, tile.points.colours,
+      make_patches(samples, graph, membership, tile.points.colours,
                    resample_options(options, spacing, normals_estimated), regions, progress);
   if (progress.cancelled()) return made;
   const Fidelity fidelity = measure_fidelity(tile.points.positions, tile.own, graph,

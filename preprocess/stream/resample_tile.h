@@ -24,10 +24,12 @@ struct TilePatches {
 };
 
 /// Makes a tile's patches from its points, as survey_tile left them, with the normals and regions
-/// of its survey, whose sheets are turned round as `turns` says (one for each). In part if the user
+/// of its survey, whose sheets are turned round as `turns` says (one for each). `halo_cosines`: of
+/// each of the halo's points, as TileSurvey has it where it is at home. In part if the user
 /// interrupts.
 [[nodiscard]] TilePatches resample_tile(TilePoints tile, TileSurvey survey,
                                         const std::vector<std::uint8_t>& turns,
+                                        const std::vector<float>& halo_cosines,
                                         const ConvertOptions& options, double spacing,
                                         bool normals_estimated, Progress& progress);
 

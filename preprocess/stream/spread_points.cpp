@@ -126,6 +126,10 @@ Status spread(const std::vector<fs::path>& files, const TileJob& job, const Spre
 
 }  // namespace
 
+std::uint64_t memory_for(std::uint64_t points) {
+  return kBaseBytes + points * kBytesPerPoint;
+}
+
 Result<std::optional<SpreadScan>> spread_points(const std::vector<fs::path>& files,
                                                 const TileJob& job, const SpreadOptions& options,
                                                 Progress& progress) {
@@ -153,7 +157,7 @@ Result<std::optional<SpreadScan>> spread_points(const std::vector<fs::path>& fil
     return make_error(
         "{}: --memory must be {} MB or more: {} points are too near to each other "
         "to be cut apart",
-        files.front().string(), (largest * kBytesPerPoint + kBaseBytes) / 1'000'000 + 1, largest);
+        files.front().string(), memory_for(largest) / 1'000'000 + 1, largest);
   }
   if (Status saved = save(scan, job.layout()); !saved) return saved.error();
   return std::optional(std::move(scan));

@@ -25,6 +25,9 @@ struct SpreadScan {
   std::vector<std::string> notes;
 };
 
+/// The memory that a conversion of so many points at once is taken to need, bytes.
+[[nodiscard]] std::uint64_t memory_for(std::uint64_t points);
+
 struct SpreadOptions {
   std::uint64_t memory_bytes = 0;
   std::uint64_t most_tile_points = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 #include <tuple>
 
 #include "preprocess/find_regions.h"
@@ -31,6 +32,22 @@ std::vector<std::uint32_t> merge_duplicates(TilePoints& tile) {
   return number;
 }
 
+namespace {
+
+std::vector<float> own_cosines(const TilePoints& tile, const TileSurvey& survey,
+                               const std::vector<Region>& regions) {
+  const std::size_t count = survey.number.empty() ? tile.own : survey.number.size();
+  std::vector<float> cosines(count, 1.0F);
+  for (std::size_t in_file = 0; in_file < count; ++in_file) {
+    const std::size_t i = survey.number.empty() ? in_file : survey.number[in_file];
+    if (survey.region[i] != kNoRegion)
+      cosines[in_file] = glm::dot(tile.points.normals[i], regions[survey.region[i]].normal);
+  }
+  return cosines;
+}
+
+}  // namespace
+
 TileSurvey survey_tile(TilePoints& tile, const SurveyOptions& options, Progress& progress) {
   TileSurvey survey;
   survey.number = merge_duplicates(tile);
@@ -41,6 +58,7 @@ TileSurvey survey_tile(TilePoints& tile, const SurveyOptions& options, Progress&
   if (points.size() < kLeastSurfacePoints) {
     survey.normals.assign(points.size(), glm::vec3(0.0F, 0.0F, 1.0F));
     survey.roughness.assign(points.size(), 0.0F);
+    survey.cosines = own_cosines(tile, survey, {});
     return survey;
   }
 
@@ -68,9 +86,38 @@ TileSurvey survey_tile(TilePoints& tile, const SurveyOptions& options, Progress&
     const double spacing = choose_spacing(samples, graph, regions, tile.own);
     survey.area = static_cast<double>(tile.own) * spacing * spacing;
   }
+  survey.cosines = own_cosines(tile, survey, regions);
   survey.normals = points.normals;
   survey.roughness = std::move(frames.roughness);
   return survey;
+}
+
+Result<std::vector<float>> halo_cosines(
+    const TilePoints& tile,
+    const std::function<Result<std::vector<float>>(std::uint32_t tile)>& load) {
+  std::map<std::uint32_t, std::vector<std::size_t>> by_home;
+  for (std::size_t h = 0; h < tile.home.size(); ++h) by_home[tile.home[h].tile].push_back(h);
+  std::vector<float> cosines(tile.home.size());
+  for (const auto& [home, points] : by_home) {
+    const auto of_home = load(home);
+    if (!of_home) return of_home.error();
+    for (const std::size_t h : points) cosines[h] = (*of_home)[tile.home[h].point];
+  }
+  return cosines;
+}
+
+Status save_cosines(const std::filesystem::path& path, const TileSurvey& survey) {
+  StateWriter state;
+  state.put(survey.cosines);
+  return state.save(path);
+}
+
+Result<std::vector<float>> load_cosines(const std::filesystem::path& path) {
+  auto state = StateReader::open(path);
+  if (!state) return state.error();
+  std::vector<float> cosines;
+  if (!state->take(cosines)) return wrong_state(path);
+  return cosines;
 }
 
 std::vector<RimPoint> rim_of(const TilePoints& tile, const TileSurvey& survey) {

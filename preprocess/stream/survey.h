@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 #include "common/progress.h"
@@ -26,9 +27,12 @@ struct TileSurvey {
   std::vector<SheetSums> sums;            ///< of each sheet's own points
   std::vector<std::uint32_t> region;      ///< of the tile's own points
   std::vector<glm::vec3> region_normals;  ///< as Region has them
-  std::uint64_t normals_repaired = 0;     ///< of given ones, the halo's among them
-  double area = 0.0;                      ///< that a grid's samples cover, world units squared
-  double radius = 0.0;                    ///< of the own points about the scan's centre
+  /// Of each point in the tile's own file, as Membership has it; kept in a file of its own, as it
+  /// is what other tiles want to know.
+  std::vector<float> cosines;
+  std::uint64_t normals_repaired = 0;  ///< of given ones, the halo's among them
+  double area = 0.0;                   ///< that a grid's samples cover, world units squared
+  double radius = 0.0;                 ///< of the own points about the scan's centre
 };
 
 /// A halo's point: what its home tile may know of it too.
@@ -52,6 +56,15 @@ struct SurveyOptions {
 /// no regions. In part if the user interrupts. `tile` gets what is left, with normals.
 [[nodiscard]] TileSurvey survey_tile(TilePoints& tile, const SurveyOptions& options,
                                      Progress& progress);
+
+/// Of a tile's halo, the cosines that the surveys of the points' homes have: `load` gives those of
+/// a tile.
+Result<std::vector<float>> halo_cosines(
+    const TilePoints& tile,
+    const std::function<Result<std::vector<float>>(std::uint32_t tile)>& load);
+
+Status save_cosines(const std::filesystem::path& path, const TileSurvey& survey);
+Result<std::vector<float>> load_cosines(const std::filesystem::path& path);
 
 /// The halo's points, sorted by home.
 [[nodiscard]] std::vector<RimPoint> rim_of(const TilePoints& tile, const TileSurvey& survey);

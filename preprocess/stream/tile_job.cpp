@@ -119,6 +119,10 @@ fs::path TileJob::rim(std::size_t tile) const {
   return folder_ / fmt::format("rim-{}", tile);
 }
 
+fs::path TileJob::cosines(std::size_t tile) const {
+  return folder_ / fmt::format("cosines-{}", tile);
+}
+
 fs::path TileJob::part(std::size_t tile) const {
   return folder_ / fmt::format("part-{}.relief", tile);
 }

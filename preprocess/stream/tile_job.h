@@ -38,6 +38,7 @@ class TileJob {
   [[nodiscard]] std::filesystem::path turns() const { return folder_ / "turns"; }
   [[nodiscard]] std::filesystem::path survey(std::size_t tile) const;
   [[nodiscard]] std::filesystem::path rim(std::size_t tile) const;
+  [[nodiscard]] std::filesystem::path cosines(std::size_t tile) const;
   [[nodiscard]] std::filesystem::path part(std::size_t tile) const;
   [[nodiscard]] std::filesystem::path part_report(std::size_t tile) const;
 
