@@ -159,8 +159,8 @@ Result<std::optional<Summary>> convert_larger(const Arguments& arguments, Progre
   Summary summary;
   for (const std::string& text : (*tiled)->notes) note(text);
   summary.report = (*tiled)->report;
-  summary.read.dropped_nonfinite = (*tiled)->counts.nonfinite;
-  summary.read.left_out = (*tiled)->counts.left_out;
+  summary.read.dropped_nonfinite = (*tiled)->nonfinite;
+  summary.read.left_out = (*tiled)->left_out;
   summary.read.merged_duplicates = (*tiled)->duplicates;
   summary.tiled = std::move(**tiled);
   auto done = summarise(arguments, std::move(summary));

@@ -213,13 +213,17 @@ class TileConversion {
     report.error_rms = std::sqrt(all.sum_of_squares / static_cast<double>(all.points));
     report.psnr_db =
         20.0 * std::log10(glm::distance(scan_.bounds.min, scan_.bounds.max) / report.error_rms);
-    result_.counts = scan_.read;
+    result_.nonfinite = scan_.read.nonfinite;
+    result_.left_out = scan_.read.left_out;
     result_.duplicates = duplicates_;
     result_.tiles = tile_count();
     result_.notes = scan_.notes;
     if (progress_.cancelled()) return interrupted_error();
     const Status joined = join_patch_files(job_.joined(), parts, {spacing_, scan_.bounds, radius_});
-    if (!joined) return joined;
+    if (!joined) {
+      return make_error("{}; if that comes again, remove {} and convert anew",
+                        joined.error().message, job_.folder().string());
+    }
     return move_into_place(job_.joined(), output);
   }
 

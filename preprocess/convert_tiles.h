@@ -9,7 +9,6 @@
 
 #include "common/patch_file.h"
 #include "preprocess/convert.h"
-#include "preprocess/stream/scan_blocks.h"
 
 namespace relief {
 
@@ -26,8 +25,9 @@ struct TileOptions {
 /// What a conversion in tiles made.
 struct TiledResult {
   ConvertReport report;  ///< `normals_repaired` counts the points near tiles' borders for each tile
-  ScanCounts counts;
-  std::uint64_t duplicates = 0;  ///< merged
+  std::uint64_t nonfinite = 0;   ///< points dropped
+  std::uint64_t left_out = 0;    ///< points marked as withheld or noise (LAS)
+  std::uint64_t duplicates = 0;  ///< points merged
   std::uint64_t tiles = 0;
   std::uint64_t halo_points = 0;   ///< that tiles have of others, all in all
   std::uint64_t tiles_found = 0;   ///< that an earlier run had finished

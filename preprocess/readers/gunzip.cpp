@@ -74,14 +74,16 @@ Status gunzip_pieces(const std::string& name, std::span<const std::byte> bytes,
 Result<std::vector<std::byte>> gunzip(const std::string& name, std::span<const std::byte> bytes,
                                       std::uint64_t limit, const Progress& progress) {
   std::vector<std::byte> out;
-  const Status unpacked =
-      gunzip_pieces(name, bytes, progress, [&](std::span<const std::byte> piece, std::size_t) -> Status {
+  const Status unpacked = gunzip_pieces(
+      name, bytes, progress, [&](std::span<const std::byte> piece, std::size_t) -> Status {
         if (piece.size() > limit - out.size()) {
           return make_error(
               "{}: decompresses to more than {} MB, which this machine's memory cannot hold", name,
               limit / 1'000'000);
         }
-        out.insert(out.end(), piece.begin(), piece.end());
+        const std::size_t at = out.size();
+        out.resize(at + piece.size());
+        std::ranges::copy(piece, out.begin() + static_cast<std::ptrdiff_t>(at));
         return {};
       });
   if (!unpacked) return unpacked.error();

@@ -108,6 +108,25 @@ TEST_F(EndToEnd, TheFileDoesNotDependOnTheThreads) {
   }
 }
 
+TEST_F(EndToEnd, WhatFitsIntoTheMemoryIsTheSameAsEver) {
+  const std::string scan = write_knot(20000);
+  run_json({"convert", scan, "-o", path("a.relief")});
+  const json limited = run_json({"convert", scan, "-o", path("b.relief"), "--memory", "256M"});
+  EXPECT_EQ(limited["tiles"], 1);
+  EXPECT_EQ(bytes_of(path("a.relief")), bytes_of(path("b.relief")));
+}
+
+TEST_F(EndToEnd, LargerScansAreConvertedInTilesWithinTheMemory) {
+  const json result =
+      run_json({"convert", write_knot(500000), "-o", path("knot.relief"), "--memory", "256M"});
+  EXPECT_GE(result["tiles"], 2);
+  EXPECT_EQ(result["tiles_found"], 0);
+  EXPECT_GT(result["halo_points"], 0);
+  EXPECT_EQ(result["uncovered_points"], 0);
+  EXPECT_LT(result["peak_bytes"], std::int64_t{256} << 20);
+  EXPECT_FALSE(std::filesystem::exists(path("knot.relief.parts")));
+}
+
 TEST_F(EndToEnd, CompactFilesHoldTheSameInFewerBytes) {
   const std::string scan = write_knot(30000);
   json fast = run_json({"convert", scan, "-o", path("fast.relief")});
