@@ -12,7 +12,7 @@ group() {
       libfmt-dev libcli11-dev nlohmann-json3-dev libzstd-dev zlib1g-dev libopenexr-dev libpng-dev libturbojpeg0-dev libtinygltf-dev \
       libembree-dev libegl-dev libgl-dev ;;
     run) echo libegl1 libgl1-mesa-dri libosmesa6 ;;  # opened while running; Mesa draws without a GPU
-    test) echo libgtest-dev clang-tidy clang-format python3 ;;
+    test) echo libgtest-dev clang-tidy clang-format clang-14 libclang-rt-14-dev python3 ;;  # -rt: libFuzzer
     demo) echo npm ca-certificates ;;                # the Dragon comes in an npm package
     *) echo "packages.sh: no group '$1'; there are build, run, test and demo" >&2; return 2 ;;
   esac
