@@ -26,7 +26,8 @@ namespace relief::cli {
 namespace {
 
 constexpr const char* kExamples =
-    "Reads PLY, PCD, LAS, PTX, OBJ, glTF, OFF, STL and XYZ text, each also gzipped. Several files "
+    "Reads PLY, PCD, LAS, PTX, OBJ, glTF, Draco, OFF, STL and XYZ text, each also gzipped. Several "
+    "files "
     "become one model:\n"
     "they are taken as parts of one scan, in the frame that their coordinates are in.\n"
     "In brackets: what is taken where an option is not given.\n"

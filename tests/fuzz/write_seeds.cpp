@@ -8,6 +8,7 @@
 #include "common/image_formats.h"
 #include "common/patch_file.h"
 #include "tests/common/sample_models.h"
+#include "tests/preprocess/readers/drc_files.h"
 #include "tests/preprocess/readers/gltf_files.h"
 #include "tests/preprocess/readers/scan_files.h"
 
@@ -56,6 +57,11 @@ void add_scans(const Seeds& seeds) {
             "newmtl two\nKd 0.5\nnorm -bm 0.5 normals.png\nmap_Bump -mm 0 1 -s 2 2 2 bump.png\n");
   seeds.add("gltf", "embedded.gltf", embedded());
   seeds.add("gltf", "binary.glb", binary_gltf());
+  for (const auto method :
+       {draco::POINT_CLOUD_SEQUENTIAL_ENCODING, draco::POINT_CLOUD_KD_TREE_ENCODING})
+    seeds.add("drc", fmt::format("cloud{}", static_cast<int>(method)), drc_cloud(method));
+  for (const auto method : {draco::MESH_SEQUENTIAL_ENCODING, draco::MESH_EDGEBREAKER_ENCODING})
+    seeds.add("drc", fmt::format("mesh{}", static_cast<int>(method)), drc_mesh(method));
   seeds.add("gunzip", "too_large.gz", gzip(std::string(100000, 'x')));
   seeds.add("gunzip", "two_members.gz", gzip("one") + gzip(std::string(1000, 'x')));
 }
