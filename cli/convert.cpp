@@ -20,7 +20,9 @@
 #include "cli/load.h"
 #include "cli/paths.h"
 #include "common/patch_file.h"
+#include "preprocess/outliers.h"
 #include "preprocess/texture/texture_maps.h"
+#include "preprocess/thin.h"
 
 namespace relief::cli {
 namespace {
@@ -43,12 +45,16 @@ struct Arguments {
   std::filesystem::path texture;  ///< as texture_choice has it
   ConvertOptions options;
   PatchFileOptions file;
+  bool clean = false;
+  double thin = 0.0;  ///< side of the cubes, scan's unit; 0: no thinning
   bool json = false;
 };
 
 /// Everything that `relief convert` measured.
 struct Summary {
   ReadResult read;  ///< its points are gone: they were converted
+  OutlierReport outliers;
+  std::uint64_t thinned = 0;
   ConvertReport report;
   PatchFileInfo file;
   double seconds = 0.0;
@@ -63,6 +69,9 @@ nlohmann::ordered_json as_json(const Summary& s) {
           {"points_dropped", s.read.dropped_nonfinite},
           {"points_left_out", s.read.left_out},
           {"duplicates_merged", s.read.merged_duplicates},
+          {"outliers_removed", s.outliers.sparse},
+          {"cluster_points_removed", s.outliers.cluster},
+          {"points_thinned", s.thinned},
           {"normals_estimated", s.report.normals_estimated},
           {"points_added", s.report.points_added},
           {"normals_repaired", s.report.normals_repaired},
@@ -119,6 +128,9 @@ std::string as_text(const Summary& s, const std::filesystem::path& output) {
     text += fmt::format("{}{} {:.2f}", separator, stage.name, stage.seconds);
     separator = ", ";
   }
+  if (s.outliers.sparse + s.outliers.cluster + s.thinned > 0)
+    text += fmt::format("\n  taken away        {} outliers, {} in small clusters, {} by thinning",
+                        s.outliers.sparse, s.outliers.cluster, s.thinned);
   return text + "\n";
 }
 
@@ -126,6 +138,10 @@ std::string as_text(const Summary& s, const std::filesystem::path& output) {
 Result<Summary> convert_files(const Arguments& arguments, Progress& progress) {
   auto read = load_points(arguments.inputs, texture_choice(arguments.texture), progress);
   if (!read) return read.error();
+  Summary summary;
+  if (arguments.clean) summary.outliers = remove_outliers(read->points, progress);
+  if (progress.cancelled()) return interrupted_error();
+  if (arguments.thin > 0.0) summary.thinned = thin_points(read->points, arguments.thin);
   auto converted = convert(std::move(read->points), arguments.options, progress);
   if (!converted) {
     return make_error("{}: {}", arguments.inputs.front().string(), converted.error().message);
@@ -139,7 +155,6 @@ Result<Summary> convert_files(const Arguments& arguments, Progress& progress) {
   }
   const auto file = PatchFile::open(arguments.output);
   if (!file) return file.error();
-  Summary summary;
   summary.read = std::move(*read);
   summary.report = converted->report;
   summary.file = file->info();
@@ -205,6 +220,13 @@ void add_convert(CLI::App& app, Command& command) {
                   "normals of the heights is not kept at all")
       ->check(CLI::Range(kLeastNormalDegrees, kMostNormalDegrees))
       ->option_text("DEG");
+  sub->add_flag(
+      "--clean", arguments->clean,
+      "Take away outliers: points far from their neighbours, and clusters of fewer than 50");
+  sub->add_option("--thin", arguments->thin,
+                  "Take away all points but one in each cube of this side, in the scan's unit")
+      ->check(CLI::PositiveNumber)
+      ->option_text("S");
   sub->add_option("--cone-degrees", arguments->options.cone_degrees,
                   "Largest angle between a patch's normal and its points' normals; larger makes "
                   "fewer patches")

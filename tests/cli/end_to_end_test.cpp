@@ -142,6 +142,27 @@ TEST_F(EndToEnd, SeveralScansAreOne) {
   EXPECT_EQ(bytes_of(path("once.relief")), bytes_of(path("twice.relief")));
 }
 
+TEST_F(EndToEnd, WhatCleaningAndThinningTakeIsTold) {
+  const std::string scan = write_knot(5000);
+  const std::string far_off = path("far.xyz");
+  std::ofstream(far_off) << "9 9 9\n-9 9 9\n";
+  const std::vector<std::string> both = {"convert", scan, far_off, "-o", path("a.relief")};
+  json plain = run_json(both);
+  EXPECT_EQ(plain["outliers_removed"], 0);
+  EXPECT_EQ(plain["points_thinned"], 0);
+  auto words = both;
+  words.insert(words.end(), {"--clean", "--thin", "0.2"});
+  json less = run_json(words);
+  EXPECT_EQ(less["outliers_removed"], 2);
+  EXPECT_GT(less["points_thinned"], 500);
+  EXPECT_EQ(int(less["points"]) + int(less["points_thinned"]) + 2, int(plain["points"]));
+  const Outcome told = run_relief(words);
+  EXPECT_NE(told.out.find("taken away        2 outliers, 0 in small clusters"), std::string::npos)
+      << told.out;
+  words.back() = "0";
+  EXPECT_EQ(run_relief(words).exit_code, 2);
+}
+
 TEST_F(EndToEnd, PointsThatAreNoneAreCounted) {
   std::string scan;
   for (int i = 0; i < 900; ++i) {
