@@ -1,6 +1,7 @@
 // The main job from a scan to a picture, through the command alone.
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -155,7 +156,8 @@ TEST_F(EndToEnd, WhatCleaningAndThinningTakeIsTold) {
   json less = run_json(words);
   EXPECT_EQ(less["outliers_removed"], 2);
   EXPECT_GT(less["points_thinned"], 500);
-  EXPECT_EQ(int(less["points"]) + int(less["points_thinned"]) + 2, int(plain["points"]));
+  EXPECT_EQ(less["points"].get<int>() + less["points_thinned"].get<int>() + 2,
+            plain["points"].get<int>());
   const Outcome told = run_relief(words);
   EXPECT_NE(told.out.find("taken away        2 outliers, 0 in small clusters"), std::string::npos)
       << told.out;
