@@ -31,12 +31,15 @@ constexpr const char* kExamples =
     "Reads PLY, PCD, LAS, PTX, OBJ, glTF, Draco, OFF, STL and XYZ text, each also gzipped. Several "
     "files "
     "become one model:\n"
-    "they are taken as parts of one scan, in the frame that their coordinates are in.\n"
+    "they are taken as parts of one scan, in the frame that their coordinates are in. A .conf file "
+    "(bun.conf)\n"
+    "names range scans beside it and where each stands.\n"
     "In brackets: what is taken where an option is not given.\n"
     "\n"
     "Examples:\n"
     "  relief convert dragon.ply.gz -o dragon.relief\n"
     "  relief convert scan1.pcd scan2.pcd -o room.relief --spacing 0.01\n"
+    "  relief convert range/bun.conf -o bunny.relief --clean\n"
     "  relief convert dragon.ply.gz -o dragon.relief --json > dragon.json";
 
 struct Arguments {

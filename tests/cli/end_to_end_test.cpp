@@ -143,10 +143,31 @@ TEST_F(EndToEnd, SeveralScansAreOne) {
   EXPECT_EQ(bytes_of(path("once.relief")), bytes_of(path("twice.relief")));
 }
 
+TEST_F(EndToEnd, ScansStandWhereTheirConfSays) {
+  // The same scan twice, once moved by 100: its whole width lies between.
+  const std::string scan = write_knot(3000);
+  const std::string name = std::filesystem::path(scan).filename().string();
+  const std::string conf = path("knots.conf");
+  std::ofstream(conf) << "bmesh " << name << " 0 0 0 0 0 0 1\nbmesh " << name
+                      << " 100 0 0 0 0 0 1\n";
+  const json one = run_json({"convert", scan, "-o", path("one.relief")});
+  const json two = run_json({"convert", conf, "-o", path("two.relief")});
+  EXPECT_EQ(two["points"].get<int>(), 2 * one["points"].get<int>());
+  const auto width = [this](const char* file) {
+    const json info = run_json({"info", path(file)});
+    return info["bounds_max"][0].get<double>() - info["bounds_min"][0].get<double>();
+  };
+  EXPECT_NEAR(width("two.relief"), width("one.relief") + 100.0, 1e-9);
+  std::ofstream(conf) << "bmesh nothing.ply 0 0 0 0 0 0 1\n";
+  const Outcome missing = run_relief({"convert", conf, "-o", path("two.relief")});
+  EXPECT_EQ(missing.exit_code, 1);
+  EXPECT_NE(missing.err.find("nothing.ply"), std::string::npos) << missing.err;
+}
+
 TEST_F(EndToEnd, WhatCleaningAndThinningTakeIsTold) {
   const std::string scan = write_knot(5000);
-  const std::string far_off = path("far.xyz");
-  std::ofstream(far_off) << "9 9 9\n-9 9 9\n";
+  const std::string far_off = path("far.csv");
+  std::ofstream(far_off) << "x,y,z,r,g,b\n9,9,9,1,2,3\n-9,9,9,1,2,255\n";
   const std::vector<std::string> both = {"convert", scan, far_off, "-o", path("a.relief")};
   json plain = run_json(both);
   EXPECT_EQ(plain["outliers_removed"], 0);

@@ -55,6 +55,9 @@ void add_scans(const Seeds& seeds) {
   seeds.add("mtl", "two.mtl",
             "newmtl one\nKd 1 0.5 0\nmap_Kd -clamp on -o 0 0 0 my picture.png\n"
             "newmtl two\nKd 0.5\nnorm -bm 0.5 normals.png\nmap_Bump -mm 0 1 -s 2 2 2 bump.png\n");
+  seeds.add("poses", "two.conf",
+            "camera 0 0 -1 0 0 0 1\nbmesh a.ply 0 0 0 0 0 0 1\n"
+            "bmesh scans/b.ply 1 2 3 0.5 0.5 0.5 0.5\n");
   seeds.add("gltf", "embedded.gltf", embedded());
   seeds.add("gltf", "binary.glb", binary_gltf());
   for (const auto method :
