@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
-#include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -19,24 +18,31 @@
 #include "cli/acquire.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/convert_report.h"
 #include "cli/load.h"
 #include "cli/paths.h"
 #include "common/patch_file.h"
 #include "preprocess/convert_tiles.h"
+#include "preprocess/outliers.h"
 #include "preprocess/texture/texture_maps.h"
+#include "preprocess/thin.h"
 
 namespace relief::cli {
 namespace {
 
 constexpr const char* kExamples =
-    "Reads PLY, PCD, LAS, PTX, OBJ, glTF, OFF, STL and XYZ text, each also gzipped. Several files "
+    "Reads PLY, PCD, LAS, PTX, OBJ, glTF, Draco, OFF, STL and XYZ text, each also gzipped. Several "
+    "files "
     "become one model:\n"
-    "they are taken as parts of one scan, in the frame that their coordinates are in.\n"
+    "they are taken as parts of one scan, in the frame that their coordinates are in. A .conf file "
+    "(bun.conf)\n"
+    "names range scans beside it and where each stands.\n"
     "In brackets: what is taken where an option is not given.\n"
     "\n"
     "Examples:\n"
     "  relief convert dragon.ply.gz -o dragon.relief\n"
     "  relief convert scan1.pcd scan2.pcd -o room.relief --spacing 0.01\n"
+    "  relief convert range/bun.conf -o bunny.relief --clean\n"
     "  relief convert dragon.ply.gz -o dragon.relief --json > dragon.json";
 
 struct Arguments {
@@ -46,104 +52,13 @@ struct Arguments {
   ConvertOptions options;
   PatchFileOptions file;
   std::uint64_t memory = 0;  ///< bytes; 0: as it takes
+  bool clean = false;
+  double thin = 0.0;  ///< side of the cubes, scan's unit; 0: no thinning
   bool json = false;
 };
 
-/// Everything that `relief convert` measured.
-struct Summary {
-  ReadResult read;  ///< its points are gone: they were converted
-  ConvertReport report;
-  PatchFileInfo file;
-  std::optional<TiledResult> tiled;  ///< if it was converted in tiles
-  double seconds = 0.0;
-  std::vector<ConsoleProgress::Stage> stages;
-};
-
-/// The most memory that this process has had.
-std::uint64_t peak_bytes() {
-  struct rusage usage {};
-  ::getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
-}
-
-nlohmann::ordered_json as_json(const Summary& s) {
-  nlohmann::ordered_json stages = nlohmann::ordered_json::object();
-  for (const auto& stage : s.stages) stages[stage.name] = stage.seconds;
-  // nlohmann writes numbers that are not finite (the PSNR of a perfect plane) as null.
-  return {{"points", s.report.points},
-          {"points_dropped", s.read.dropped_nonfinite},
-          {"points_left_out", s.read.left_out},
-          {"duplicates_merged", s.read.merged_duplicates},
-          {"normals_estimated", s.report.normals_estimated},
-          {"points_added", s.report.points_added},
-          {"normals_repaired", s.report.normals_repaired},
-          {"patches", s.file.patches},
-          {"samples", s.file.samples},
-          {"spacing", s.file.spacing},
-          {"file_bytes", s.file.file_bytes},
-          {"height_bytes", s.file.height_bytes},
-          {"normal_bytes", s.file.normal_bytes},
-          {"colour_bytes", s.file.colour_bytes},
-          {"seconds", s.seconds},
-          {"error_rms", s.report.error_rms},
-          {"error_max", s.report.error_max},
-          {"psnr_db", s.report.psnr_db},
-          {"uncovered_points", s.report.uncovered_points},
-          {"texels_per_cell", s.report.texels_per_cell},
-          {"colour_texels", s.report.colour_texels},
-          {"normal_texels_per_cell", s.report.normal_texels_per_cell},
-          {"normal_texels", s.report.normal_texels},
-          {"tiles", s.tiled ? s.tiled->tiles : 1},
-          {"tiles_found", s.tiled ? s.tiled->tiles_found : 0},
-          {"halo_points", s.tiled ? s.tiled->halo_points : 0},
-          {"peak_bytes", peak_bytes()},
-          {"stage_seconds", stages}};
-}
-
-std::string as_text(const Summary& s, const std::filesystem::path& output) {
-  std::string normals = s.report.normals_estimated
-                            ? "estimated"
-                            : fmt::format("given, {} repaired", s.report.normals_repaired);
-  if (s.report.normal_texels_per_cell > 1)
-    normals += fmt::format("; {} texels, up to {} a cell along a side", s.report.normal_texels,
-                           s.report.normal_texels_per_cell);
-  const std::string colours = s.report.texels_per_cell == 0
-                                  ? "none"
-                                  : fmt::format("{} texels, up to {} a cell along a side",
-                                                s.report.colour_texels, s.report.texels_per_cell);
-  const std::string tiles =
-      s.tiled ? fmt::format("  tiles             {}, {} of them from an earlier run\n",
-                            s.tiled->tiles, s.tiled->tiles_found)
-              : "";
-  std::string text = fmt::format(
-      "{}\n"
-      "  points            {} ({} not finite dropped, {} duplicates merged)\n"
-      "  normals           {}\n"
-      "  patches           {}\n"
-      "  samples           {}\n"
-      "  spacing           {:.6g}\n"
-      "  error             {:.3g} rms, {:.3g} at most\n"
-      "  psnr              {:.2f} dB\n"
-      "  uncovered points  {}\n"
-      "  colours           {}\n"
-      "  file              {} bytes, {:.2f} bits per sample\n"
-      "{}"
-      "  time              {:.2f} s",
-      output.string(), s.report.points, s.read.dropped_nonfinite, s.read.merged_duplicates, normals,
-      s.file.patches, s.file.samples, s.file.spacing, s.report.error_rms, s.report.error_max,
-      s.report.psnr_db, s.report.uncovered_points, colours, s.file.file_bytes,
-      8.0 * static_cast<double>(s.file.file_bytes) / static_cast<double>(s.file.samples), tiles,
-      s.seconds);
-  const char* separator = ": ";
-  for (const auto& stage : s.stages) {
-    text += fmt::format("{}{} {:.2f}", separator, stage.name, stage.seconds);
-    separator = ", ";
-  }
-  return text + "\n";
-}
-
 /// Looks at what was written.
-Result<Summary> summarise(const Arguments& arguments, Summary summary) {
+Result<ConvertSummary> summarise(const Arguments& arguments, ConvertSummary summary) {
   const auto file = PatchFile::open(arguments.output);
   if (!file) return file.error();
   summary.file = file->info();
@@ -151,12 +66,13 @@ Result<Summary> summarise(const Arguments& arguments, Summary summary) {
 }
 
 /// Converts in tiles; nothing if the scan is small enough for memory.
-Result<std::optional<Summary>> convert_larger(const Arguments& arguments, Progress& progress) {
+Result<std::optional<ConvertSummary>> convert_larger(const Arguments& arguments,
+                                                     Progress& progress) {
   auto tiled = convert_tiles(arguments.inputs, arguments.output, arguments.options, arguments.file,
                              {arguments.memory}, progress);
   if (!tiled) return tiled.error();
-  if (!*tiled) return std::optional<Summary>();
-  Summary summary;
+  if (!*tiled) return std::optional<ConvertSummary>();
+  ConvertSummary summary;
   for (const std::string& text : (*tiled)->notes) note(text);
   summary.report = (*tiled)->report;
   summary.read.dropped_nonfinite = (*tiled)->nonfinite;
@@ -169,7 +85,7 @@ Result<std::optional<Summary>> convert_larger(const Arguments& arguments, Progre
 }
 
 /// Reads, converts and writes.
-Result<Summary> convert_files(const Arguments& arguments, Progress& progress) {
+Result<ConvertSummary> convert_files(const Arguments& arguments, Progress& progress) {
   if (arguments.memory > 0) {
     auto larger = convert_larger(arguments, progress);
     if (!larger) return larger.error();
@@ -177,6 +93,10 @@ Result<Summary> convert_files(const Arguments& arguments, Progress& progress) {
   }
   auto read = load_points(arguments.inputs, texture_choice(arguments.texture), progress);
   if (!read) return read.error();
+  ConvertSummary summary;
+  if (arguments.clean) summary.outliers = remove_outliers(read->points, progress);
+  if (progress.cancelled()) return interrupted_error();
+  if (arguments.thin > 0.0) summary.thinned = thin_points(read->points, arguments.thin);
   auto converted = convert(std::move(read->points), arguments.options, progress);
   if (!converted) {
     return make_error("{}: {}", arguments.inputs.front().string(), converted.error().message);
@@ -188,7 +108,6 @@ Result<Summary> convert_files(const Arguments& arguments, Progress& progress) {
       !written) {
     return written.error();
   }
-  Summary summary;
   summary.read = std::move(*read);
   summary.report = converted->report;
   return summarise(arguments, std::move(summary));
@@ -223,8 +142,8 @@ int run(const Arguments& arguments) {
   summary->stages = stages;
   summary->seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return arguments.json ? print_json(as_json(*summary))
-                        : print_result(as_text(*summary, arguments.output));
+  return arguments.json ? print_json(convert_json(*summary))
+                        : print_result(convert_text(*summary, arguments.output));
 }
 
 }  // namespace
@@ -260,6 +179,14 @@ void add_convert(CLI::App& app, Command& command) {
                   "normals of the heights is not kept at all")
       ->check(CLI::Range(kLeastNormalDegrees, kMostNormalDegrees))
       ->option_text("DEG");
+  auto* const clean = sub->add_flag(
+      "--clean", arguments->clean,
+      "Take away outliers: points far from their neighbours, and clusters of fewer than 50");
+  auto* const thin =
+      sub->add_option("--thin", arguments->thin,
+                      "Take away all points but one in each cube of this side, in the scan's unit")
+          ->check(CLI::PositiveNumber)
+          ->option_text("S");
   sub->add_option("--cone-degrees", arguments->options.cone_degrees,
                   "Largest angle between a patch's normal and its points' normals; larger makes "
                   "fewer patches")
@@ -285,6 +212,8 @@ void add_convert(CLI::App& app, Command& command) {
          "Most memory to take, 256M or more: a scan that needs more is converted in tiles, "
          "kept in OUT.parts until the end; if it is stopped or killed the same command "
          "goes on from there. Triangles and textures are not used then (as it takes)")
+      ->excludes(clean)
+      ->excludes(thin)
       ->transform(CLI::AsSizeValue(false))
       ->check(CLI::Range(kLeastTileMemory, std::uint64_t{1} << 50U))
       ->option_text("BYTES");

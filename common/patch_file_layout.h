@@ -79,6 +79,10 @@ struct FileLayout {
 /// CRC-32 of ISO 3309, as in gzip and PNG.
 [[nodiscard]] std::uint32_t crc32(std::span<const std::byte> bytes);
 
+/// Whether `bytes` have this crc32. Where the fuzz targets are built they always have: no fuzzer
+/// gets past a checksum.
+[[nodiscard]] bool has_checksum(std::span<const std::byte> bytes, std::uint32_t checksum);
+
 /// What speaks against a patch's placement or size, as a clause; empty if nothing does.
 [[nodiscard]] std::string find_fault(const PatchSummary& patch);
 

@@ -20,10 +20,16 @@ namespace relief {
 
 namespace {
 
+#ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
+constexpr std::uint32_t kMostMapTexels = 256;  // large maps are slow and find nothing more
+#else
+constexpr std::uint32_t kMostMapTexels = kMaxPatchSide;
+#endif
+
 /// Whether a map of so many texels a cell stays within the limits.
 bool is_map_scale_valid(const PatchSummary& patch, std::uint32_t scale) {
   const std::uint64_t cells = std::max(patch.width, patch.height) - 1;
-  return scale > 0 && scale * cells + 1 <= kMaxPatchSide;
+  return scale > 0 && scale * cells + 1 <= kMostMapTexels;
 }
 
 /// What the index says of a patch, without heights and maps.
@@ -77,8 +83,16 @@ Status check_height_range(const Patch& patch, const PatchSummary& summary, bool 
 std::uint64_t decoded_bytes(const FileIndex& index) {
   std::uint64_t bytes = 0;
   for (const PatchRecord& patch : index.patches) {
-    const std::uint64_t nodes = std::uint64_t{patch.summary.width} * patch.summary.height;
-    bytes += nodes * (sizeof(std::int32_t) + (patch.chunk_count > 1 ? sizeof(glm::i16vec2) : 0));
+    const PatchSummary& summary = patch.summary;
+    bytes += std::uint64_t{summary.width} * summary.height * sizeof(std::int32_t);
+    for (std::uint32_t c = patch.first_chunk; c < patch.first_chunk + patch.chunk_count; ++c) {
+      const ChunkRecord& chunk = index.chunks[c];
+      if (!is_map_scale_valid(summary, chunk.scale)) continue;  // read_patch refuses it
+      const auto texels = [&](std::uint64_t nodes) { return chunk.scale * (nodes - 1) + 1; };
+      const std::uint64_t area = texels(summary.width) * texels(summary.height);
+      if (chunk.type == kNormalsChunk) bytes += area * sizeof(glm::i16vec2);
+      if (chunk.type == kColoursChunk) bytes += area * sizeof(glm::u8vec3);
+    }
   }
   return bytes;
 }
@@ -116,7 +130,7 @@ struct PatchFile::State {
     }
     std::vector<std::byte> bytes(chunk.size);
     if (Status read = file.read_at(chunk.offset, bytes); !read) return read;
-    if (crc32(bytes) != chunk.checksum) {
+    if (!has_checksum(bytes, chunk.checksum)) {
       return make_error(
           "{}: patch {}: the checksum of its {} (byte {}) is wrong; the file is damaged", name,
           patch, what, chunk.offset);

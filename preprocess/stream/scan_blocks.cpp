@@ -9,6 +9,7 @@
 
 #include "common/file.h"
 #include "common/mapped_file.h"
+#include "preprocess/keep_points.h"
 #include "preprocess/readers/format.h"
 #include "preprocess/readers/gunzip.h"
 
@@ -25,25 +26,12 @@ bool is_finite(glm::dvec3 p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-template <class T>
-void keep_listed(const std::vector<std::uint32_t>& kept, std::vector<T>& values) {
-  if (values.empty()) return;
-  for (std::size_t i = 0; i < kept.size(); ++i) values[i] = values[kept[i]];
-  values.resize(kept.size());
-}
-
 void drop_nonfinite(Points& points, ScanCounts& counts) {
-  std::vector<std::uint32_t> kept;
-  kept.reserve(points.size());
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    if (is_finite(points.positions[i])) kept.push_back(i);
-  }
-  counts.points += kept.size();
-  if (kept.size() == points.size()) return;
-  counts.nonfinite += points.size() - kept.size();
-  keep_listed(kept, points.positions);
-  keep_listed(kept, points.normals);
-  keep_listed(kept, points.colours);
+  std::vector<std::uint8_t> dropped(points.size());
+  for (std::size_t i = 0; i < dropped.size(); ++i)
+    dropped[i] = is_finite(points.positions[i]) ? 0 : 1;
+  counts.nonfinite += drop_points(points, dropped);
+  counts.points += points.size();
 }
 
 /// Hands a reader's blocks on, and lets go of the memory of what was read.
