@@ -48,6 +48,20 @@ bool on_one_sheet(const SurfaceSamples& samples, std::uint32_t i, std::uint32_t 
              std::max(kSheetTolerance * spacing, kToleranceInRoughness * rough);
 }
 
+SheetScale sheet_scale(const SurfaceSamples& samples, std::span<const std::uint32_t> points,
+                       double sheet_tolerance) {
+  double area = 0.0;
+  double roughness = 0.0;
+  for (const std::uint32_t i : points) {
+    area += double{samples.spacing[i]} * samples.spacing[i];
+    roughness += samples.roughness[i];
+  }
+  const auto count = static_cast<double>(points.size());
+  const double spacing = std::sqrt(area / count);
+  return {kCellInSpacings * spacing,
+          std::max(sheet_tolerance * spacing, kToleranceInRoughness * roughness / count)};
+}
+
 RegionTest::RegionTest(const SurfaceSamples& samples, const RegionLimits& limits)
     : samples_(samples),
       cos_cone_(static_cast<float>(std::cos(glm::radians(limits.cone_degrees)))),
@@ -91,17 +105,7 @@ bool RegionTest::single_valued(std::span<const std::uint32_t> points, glm::vec3 
   glm::dvec3 u;
   glm::dvec3 v;
   complete_frame(glm::dvec3(normal), u, v);
-  double area = 0.0;
-  double roughness = 0.0;
-  for (const std::uint32_t i : points) {
-    area += double{samples_.spacing[i]} * samples_.spacing[i];
-    roughness += samples_.roughness[i];
-  }
-  const auto count = static_cast<double>(points.size());
-  const double spacing = std::sqrt(area / count);
-  const double cell = kCellInSpacings * spacing;
-  const double tolerance =
-      std::max(sheet_tolerance_ * spacing, kToleranceInRoughness * roughness / count);
+  const auto [cell, tolerance] = sheet_scale(samples_, points, sheet_tolerance_);
 
   // What the table's order asks for at random is brought together first.
   places_.clear();

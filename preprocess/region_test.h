@@ -29,6 +29,16 @@ inline constexpr double kSheetTolerance = 1.1;
 /// tangent plane. What connects regions, and what separates sheets that lie close.
 [[nodiscard]] bool on_one_sheet(const SurfaceSamples& samples, std::uint32_t i, std::uint32_t j);
 
+/// What tells sheets apart in a set of points.
+struct SheetScale {
+  double cell = 0.0;       ///< side of the base plane's cells whose points are compared
+  double tolerance = 0.0;  ///< how far two of them may be off each other's tangent plane
+};
+
+/// `sheet_tolerance`: as in RegionLimits.
+[[nodiscard]] SheetScale sheet_scale(const SurfaceSamples& samples,
+                                     std::span<const std::uint32_t> points, double sheet_tolerance);
+
 /// How far a region may go.
 struct RegionLimits {
   double cone_degrees = 0.0;  ///< largest angle between base-plane normal and point normal
