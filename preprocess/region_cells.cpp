@@ -42,8 +42,8 @@ RegionCells::Plane RegionCells::plane_of(const Region& region) const {
 }
 
 std::uint64_t RegionCells::key_of(std::uint32_t point, std::uint32_t region) const {
-  // 20 bits for each coordinate: cells so far apart that they wrap around to one are not compared
-  // in earnest, as their points are far apart too and only refuse the move.
+  // 20 bits for each coordinate: a cell a million cells away is taken for the same one, and then
+  // only refuses the move.
   constexpr std::uint64_t bits = (1U << 20U) - 1U;
   const Plane& plane = planes_[region];
   const glm::dvec3 d = samples_.positions[point] - plane.base;
@@ -54,7 +54,8 @@ std::uint64_t RegionCells::key_of(std::uint32_t point, std::uint32_t region) con
 }
 
 std::size_t RegionCells::slot_of(std::uint64_t key) const {
-  return (key * 0x9E3779B97F4A7C15ULL >> 20U) & (first_.size() - 1);
+  // The product's high bits: all of the key's are in them, the region's too.
+  return (key * 0x9E3779B97F4A7C15ULL >> 32U) & (first_.size() - 1);
 }
 
 void RegionCells::insert(std::uint32_t point) {
