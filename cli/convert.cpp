@@ -193,6 +193,9 @@ void add_convert(CLI::App& app, Command& command) {
                   "twentieth of the spacing)")
       ->check(CLI::PositiveNumber)
       ->option_text("S");
+  sub->add_flag("--adaptive-spacing", arguments->options.adaptive_spacing,
+                "Each patch's spacing follows the scan's density there, up to 8 to 1; --spacing is "
+                "then that of the usual density");
   sub->add_option("--codec", arguments->file.codec,
                   "fast: quickest to read and write; compact: about half the bytes of heights, and "
                   "coarse levels that can be read alone (fast)")

@@ -18,6 +18,7 @@
 #include "preprocess/neighbours.h"
 #include "preprocess/normals.h"
 #include "preprocess/partition.h"
+#include "preprocess/patch_spacing.h"
 #include "preprocess/resample.h"
 #include "preprocess/texture/flat_triangles.h"
 #include "preprocess/texture/load_textures.h"
@@ -31,8 +32,6 @@ namespace {
 // 70 degrees stretch samples by 1 / cos 70 = 2.9 at most. 75 make a tenth fewer patches, and more
 // spikes at silhouettes (docs/decisions.md).
 constexpr double kDefaultConeDegrees = 70.0;
-// Heights are rounded to a twentieth of a spacing (DESIGN.md).
-constexpr double kDefaultStepsPerSpacing = 20.0;
 // Grids beyond this many nodes per point come from a mistaken spacing, not from a scan.
 constexpr double kMostNodesPerPoint = 4096.0;
 constexpr double kMostNodes = 4e9;
@@ -118,6 +117,7 @@ std::vector<std::uint32_t> surface_points(const std::vector<glm::dvec3>& positio
 
 std::vector<Patch> resample_all(const SurfaceSamples& samples, const NeighbourGraph& graph,
                                 const std::vector<Region>& regions,
+                                const std::vector<double>& factors,
                                 const std::vector<glm::u8vec3>& colours,
                                 const ResampleOptions& options, Progress& progress) {
   progress.begin_stage("resample", samples.positions.size());
@@ -125,7 +125,9 @@ std::vector<Patch> resample_all(const SurfaceSamples& samples, const NeighbourGr
   const Membership membership = membership_of(samples, regions);
   tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t r) {
     if (progress.cancelled()) return;
-    patches[r] = resample_region(samples, graph, regions[r], membership, colours, options);
+    ResampleOptions own = options;
+    own.spacing *= factors[r];
+    patches[r] = resample_region(samples, graph, regions[r], membership, colours, own);
     progress.advance(regions[r].points.size());
   });
   return patches;
@@ -233,23 +235,25 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   const std::vector<glm::vec3> smooth = smooth_normals(points.normals, graph);
   const SurfaceSamples smooth_samples{points.positions, smooth, graph.spacing, frames.roughness};
   const double cone = options.cone_degrees > 0.0 ? options.cone_degrees : kDefaultConeDegrees;
-  std::vector<Region> regions = partition(
-      smooth_samples, graph, surface_points(points.positions, graph, frames), cone, progress);
+  std::vector<Region> regions =
+      partition(smooth_samples, graph, surface_points(points.positions, graph, frames), cone,
+                progress, options.adaptive_spacing ? kWidestDensityRatio : 0.0);
   std::erase_if(regions, [](const Region& r) { return r.points.size() < kLeastPatchPoints; });
   if (progress.cancelled()) return interrupted_error();
 
   const SurfaceSamples samples{points.positions, points.normals, graph.spacing, frames.roughness};
-  const double spacing = options.spacing > 0.0
-                             ? options.spacing
-                             : choose_spacing(samples, graph, regions, result.report.points);
+  const std::vector<double> factors = options.adaptive_spacing
+                                          ? spacing_factors(samples, regions)
+                                          : std::vector<double>(regions.size(), 1.0);
+  const double spacing = options.spacing > 0.0 ? options.spacing
+                                               : choose_spacing(samples, graph, regions, factors,
+                                                                result.report.points);
   if (const Status ok = check_spacing(regions, samples, spacing); !ok) return ok.error();
-  const double step =
-      options.height_step > 0.0 ? options.height_step : spacing / kDefaultStepsPerSpacing;
-  const ResampleOptions resample{spacing, step, options.overlap_cells,
+  const ResampleOptions resample{spacing, options.height_step, options.overlap_cells,
                                  static_cast<std::uint32_t>(options.colour_scale),
                                  !normals.estimated};
   std::vector<Patch> patches =
-      resample_all(samples, graph, regions, points.colours, resample, progress);
+      resample_all(samples, graph, regions, factors, points.colours, resample, progress);
   if (progress.cancelled()) return interrupted_error();
   drop_redundant(samples, graph, regions, patches);
   if (patches.empty()) return make_error("the points are too scattered to be a surface");

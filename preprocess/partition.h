@@ -52,9 +52,10 @@ struct MergeRule {
 /// Split and merge; move borders and merge what that has made possible, twice; then merge under
 /// wider limits what stayed small: spots where the scan is rough are no reason for a patch each.
 /// Few, compact regions, largest first. Only `points` are partitioned.
+/// `density_ratio`: as in RegionLimits.
 [[nodiscard]] std::vector<Region> partition(const SurfaceSamples& samples,
                                             const NeighbourGraph& graph,
                                             std::vector<std::uint32_t> points, double cone_degrees,
-                                            Progress& progress);
+                                            Progress& progress, double density_ratio = 0.0);
 
 }  // namespace relief
