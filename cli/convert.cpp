@@ -168,6 +168,10 @@ void add_convert(CLI::App& app, Command& command) {
                   "twentieth of the spacing)")
       ->check(CLI::PositiveNumber)
       ->option_text("S");
+  auto* const adaptive = sub->add_flag(
+      "--adaptive-spacing", arguments->options.adaptive_spacing,
+      "Each patch's spacing follows the scan's density there, up to 8 to 1; --spacing is "
+      "then that of the usual density");
   sub->add_option("--codec", arguments->file.codec,
                   "fast: quickest to read and write; compact: about half the bytes of heights, and "
                   "coarse levels that can be read alone (fast)")
@@ -212,6 +216,7 @@ void add_convert(CLI::App& app, Command& command) {
          "Most memory to take, 256M or more: a scan that needs more is converted in tiles, "
          "kept in OUT.parts until the end; if it is stopped or killed the same command "
          "goes on from there. Triangles and textures are not used then (as it takes)")
+      ->excludes(adaptive)
       ->excludes(clean)
       ->excludes(thin)
       ->transform(CLI::AsSizeValue(false))

@@ -19,6 +19,7 @@
 #include "preprocess/measure.h"
 #include "preprocess/neighbours.h"
 #include "preprocess/normals.h"
+#include "preprocess/patch_spacing.h"
 #include "preprocess/region_patches.h"
 #include "preprocess/texture/flat_triangles.h"
 #include "preprocess/texture/load_textures.h"
@@ -131,18 +132,22 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   if (progress.cancelled()) return interrupted_error();
 
   std::vector<Region> regions =
-      find_regions(points, points.size(), graph, frames, options.cone_degrees, progress);
+      find_regions(points, points.size(), graph, frames,
+                   {options.cone_degrees, options.adaptive_spacing}, progress);
   if (progress.cancelled()) return interrupted_error();
 
   const SurfaceSamples samples{points.positions, points.normals, graph.spacing, frames.roughness};
-  const double spacing = options.spacing > 0.0
-                             ? options.spacing
-                             : choose_spacing(samples, graph, regions, result.report.points);
+  const std::vector<double> factors = options.adaptive_spacing
+                                          ? spacing_factors(samples, regions)
+                                          : std::vector<double>(regions.size(), 1.0);
+  const double spacing = options.spacing > 0.0 ? options.spacing
+                                               : choose_spacing(samples, graph, regions, factors,
+                                                                result.report.points);
   if (const Status ok = check_spacing(spacing, area_of(regions, samples), points.size()); !ok)
     return ok.error();
-  const ResampleOptions resample = resample_options(options, spacing, normals.estimated);
-  std::vector<Patch> patches = make_patches(samples, graph, membership_of(samples, regions),
-                                            points.colours, resample, regions, progress);
+  std::vector<Patch> patches =
+      make_patches(samples, graph, membership_of(samples, regions), factors, points.colours,
+                   resample_options(options, spacing, normals.estimated), regions, progress);
   if (progress.cancelled()) return interrupted_error();
   if (patches.empty()) return make_error("the points are too scattered to be a surface");
 
@@ -191,12 +196,8 @@ Status check_spacing(double spacing, double area, std::uint64_t points) {
 
 ResampleOptions resample_options(const ConvertOptions& options, double spacing,
                                  bool normals_estimated) {
-  // Heights are rounded to a twentieth of a spacing (DESIGN.md).
-  constexpr double default_steps_per_spacing = 20.0;
-  const double step =
-      options.height_step > 0.0 ? options.height_step : spacing / default_steps_per_spacing;
-  return {spacing, step, options.overlap_cells, static_cast<std::uint32_t>(options.colour_scale),
-          !normals_estimated};
+  return {spacing, options.height_step, options.overlap_cells,
+          static_cast<std::uint32_t>(options.colour_scale), !normals_estimated};
 }
 
 void count_texels(const std::vector<Patch>& patches, ConvertReport& report) {

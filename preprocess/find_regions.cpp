@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "preprocess/patch_spacing.h"
+
 namespace relief {
 namespace {
 
-// The widest cone that still resamples well: 75 degrees stretch samples by 1 / cos 75 = 3.9 at
-// most.
-constexpr double kDefaultConeDegrees = 75.0;
+// 70 degrees stretch samples by 1 / cos 70 = 2.9 at most. 75 make a tenth fewer patches, and more
+// spikes at silhouettes (docs/decisions.md).
+constexpr double kDefaultConeDegrees = 70.0;
 // Regions of fewer points are no surface.
 constexpr std::size_t kLeastPatchPoints = 4;
 // A cloud of outliers: the eighth neighbour is this much farther than the scan's median one, and
@@ -52,10 +54,10 @@ bool goes_on_around(const SurfaceSamples& samples, const NeighbourGraph& graph,
 
 std::vector<Region> find_regions(const Points& points, std::size_t count,
                                  const NeighbourGraph& graph, const LocalFrames& frames,
-                                 double cone_degrees, Progress& progress) {
+                                 const FindRegionsOptions& options, Progress& progress) {
   const std::vector<glm::vec3> smooth = smooth_normals(points.normals, graph);
   const SurfaceSamples samples{points.positions, smooth, graph.spacing, frames.roughness};
-  const double cone = cone_degrees > 0.0 ? cone_degrees : kDefaultConeDegrees;
+  const double cone = options.cone_degrees > 0.0 ? options.cone_degrees : kDefaultConeDegrees;
   std::vector<Region> regions = partition(
       samples, graph, surface_points(points.positions, count, graph, frames), cone, progress);
   std::erase_if(regions, [&](const Region& r) {

@@ -5,12 +5,18 @@
 
 namespace relief {
 
+struct FindRegionsOptions {
+  double cone_degrees = 0.0;  ///< 0: default
+  bool keeps_densities_apart = false;
+};
+
 /// The regions of a scan's first `count` points, with those after them as what is around. Left out
-/// are clouds of outliers, and pieces too small to be a surface. Normals are unit; a cone of 0
-/// degrees is the default's. Empty or in part if the user interrupts.
+/// are clouds of outliers, and pieces too small to be a surface. Normals are unit. In part if the
+/// user interrupts.
 [[nodiscard]] std::vector<Region> find_regions(const Points& points, std::size_t count,
                                                const NeighbourGraph& graph,
-                                               const LocalFrames& frames, double cone_degrees,
+                                               const LocalFrames& frames,
+                                               const FindRegionsOptions& options,
                                                Progress& progress);
 
 }  // namespace relief

@@ -14,13 +14,16 @@ constexpr std::size_t kSmallPatchPoints = 64;
 
 std::vector<Patch> resample_all(const SurfaceSamples& samples, const NeighbourGraph& graph,
                                 const std::vector<Region>& regions, const Membership& membership,
+                                const std::vector<double>& factors,
                                 const std::vector<glm::u8vec3>& colours,
                                 const ResampleOptions& options, Progress& progress) {
   progress.begin_stage("resample", samples.positions.size());
   std::vector<Patch> patches(regions.size());
   tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t r) {
     if (progress.cancelled()) return;
-    patches[r] = resample_region(samples, graph, regions[r], membership, colours, options);
+    ResampleOptions own = options;
+    own.spacing *= factors[r];
+    patches[r] = resample_region(samples, graph, regions[r], membership, colours, own);
     progress.advance(regions[r].points.size());
   });
   return patches;
@@ -57,12 +60,12 @@ std::vector<std::uint32_t> owners_of(const std::vector<Region>& regions, std::si
 }
 
 std::vector<Patch> make_patches(const SurfaceSamples& samples, const NeighbourGraph& graph,
-                                const Membership& membership,
+                                const Membership& membership, const std::vector<double>& factors,
                                 const std::vector<glm::u8vec3>& colours,
                                 const ResampleOptions& options, std::vector<Region>& regions,
                                 Progress& progress) {
   std::vector<Patch> patches =
-      resample_all(samples, graph, regions, membership, colours, options, progress);
+      resample_all(samples, graph, regions, membership, factors, colours, options, progress);
   if (!progress.cancelled()) drop_redundant(samples, graph, regions, patches);
   return patches;
 }

@@ -63,9 +63,9 @@ TilePatches resample_tile(TilePoints tile, TileSurvey survey,
   assert(halo_cosines.size() == tile.home.size());
   std::ranges::copy(halo_cosines,
                     membership.cosine.begin() + static_cast<std::ptrdiff_t>(tile.own));
-  made.patches =
-      make_patches(samples, graph, membership, tile.points.colours,
-                   resample_options(options, spacing, normals_estimated), regions, progress);
+  made.patches = make_patches(
+      samples, graph, membership, std::vector<double>(regions.size(), 1.0), tile.points.colours,
+      resample_options(options, spacing, normals_estimated), regions, progress);
   if (progress.cancelled()) return made;
   const Fidelity fidelity = measure_fidelity(tile.points.positions, tile.own, graph,
                                              owners_of(regions, tile.points.size()), made.patches);

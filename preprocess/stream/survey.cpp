@@ -75,7 +75,7 @@ TileSurvey survey_tile(TilePoints& tile, const SurveyOptions& options, Progress&
   if (progress.cancelled()) return survey;
 
   const std::vector<Region> regions =
-      find_regions(points, tile.own, graph, frames, options.cone_degrees, progress);
+      find_regions(points, tile.own, graph, frames, {options.cone_degrees}, progress);
   if (progress.cancelled()) return survey;
   for (std::uint32_t r = 0; r < regions.size(); ++r) {
     for (const std::uint32_t i : regions[r].points) survey.region[i] = r;
@@ -83,7 +83,8 @@ TileSurvey survey_tile(TilePoints& tile, const SurveyOptions& options, Progress&
   }
   if (options.find_area && !regions.empty()) {
     const SurfaceSamples samples{points.positions, points.normals, graph.spacing, frames.roughness};
-    const double spacing = choose_spacing(samples, graph, regions, tile.own);
+    const double spacing =
+        choose_spacing(samples, graph, regions, std::vector<double>(regions.size(), 1.0), tile.own);
     survey.area = static_cast<double>(tile.own) * spacing * spacing;
   }
   survey.cosines = own_cosines(tile, survey, regions);
