@@ -11,29 +11,38 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/acquire.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/convert_report.h"
 #include "cli/load.h"
 #include "cli/paths.h"
 #include "common/patch_file.h"
+#include "preprocess/convert_tiles.h"
+#include "preprocess/outliers.h"
 #include "preprocess/texture/texture_maps.h"
+#include "preprocess/thin.h"
 
 namespace relief::cli {
 namespace {
 
 constexpr const char* kExamples =
-    "Reads PLY, PCD, LAS, PTX, OBJ, glTF, OFF, STL and XYZ text, each also gzipped. Several files "
+    "Reads PLY, PCD, LAS, PTX, OBJ, glTF, Draco, OFF, STL and XYZ text, each also gzipped. Several "
+    "files "
     "become one model:\n"
-    "they are taken as parts of one scan, in the frame that their coordinates are in.\n"
+    "they are taken as parts of one scan, in the frame that their coordinates are in. A .conf file "
+    "(bun.conf)\n"
+    "names range scans beside it and where each stands.\n"
     "In brackets: what is taken where an option is not given.\n"
     "\n"
     "Examples:\n"
     "  relief convert dragon.ply.gz -o dragon.relief\n"
     "  relief convert scan1.pcd scan2.pcd -o room.relief --spacing 0.01\n"
+    "  relief convert range/bun.conf -o bunny.relief --clean\n"
     "  relief convert dragon.ply.gz -o dragon.relief --json > dragon.json";
 
 struct Arguments {
@@ -42,89 +51,52 @@ struct Arguments {
   std::filesystem::path texture;  ///< as texture_choice has it
   ConvertOptions options;
   PatchFileOptions file;
+  std::uint64_t memory = 0;  ///< bytes; 0: as it takes
+  bool clean = false;
+  double thin = 0.0;  ///< side of the cubes, scan's unit; 0: no thinning
   bool json = false;
 };
 
-/// Everything that `relief convert` measured.
-struct Summary {
-  ReadResult read;  ///< its points are gone: they were converted
-  ConvertReport report;
-  PatchFileInfo file;
-  double seconds = 0.0;
-  std::vector<ConsoleProgress::Stage> stages;
-};
-
-nlohmann::ordered_json as_json(const Summary& s) {
-  nlohmann::ordered_json stages = nlohmann::ordered_json::object();
-  for (const auto& stage : s.stages) stages[stage.name] = stage.seconds;
-  // nlohmann writes numbers that are not finite (the PSNR of a perfect plane) as null.
-  return {{"points", s.report.points},
-          {"points_dropped", s.read.dropped_nonfinite},
-          {"points_left_out", s.read.left_out},
-          {"duplicates_merged", s.read.merged_duplicates},
-          {"normals_estimated", s.report.normals_estimated},
-          {"points_added", s.report.points_added},
-          {"normals_repaired", s.report.normals_repaired},
-          {"patches", s.file.patches},
-          {"samples", s.file.samples},
-          {"spacing", s.file.spacing},
-          {"file_bytes", s.file.file_bytes},
-          {"height_bytes", s.file.height_bytes},
-          {"normal_bytes", s.file.normal_bytes},
-          {"colour_bytes", s.file.colour_bytes},
-          {"seconds", s.seconds},
-          {"error_rms", s.report.error_rms},
-          {"error_max", s.report.error_max},
-          {"psnr_db", s.report.psnr_db},
-          {"uncovered_points", s.report.uncovered_points},
-          {"texels_per_cell", s.report.texels_per_cell},
-          {"colour_texels", s.report.colour_texels},
-          {"normal_texels_per_cell", s.report.normal_texels_per_cell},
-          {"normal_texels", s.report.normal_texels},
-          {"stage_seconds", stages}};
+/// Looks at what was written.
+Result<ConvertSummary> summarise(const Arguments& arguments, ConvertSummary summary) {
+  const auto file = PatchFile::open(arguments.output);
+  if (!file) return file.error();
+  summary.file = file->info();
+  return summary;
 }
 
-std::string as_text(const Summary& s, const std::filesystem::path& output) {
-  std::string normals = s.report.normals_estimated
-                            ? "estimated"
-                            : fmt::format("given, {} repaired", s.report.normals_repaired);
-  if (s.report.normal_texels_per_cell > 1)
-    normals += fmt::format("; {} texels, up to {} a cell along a side", s.report.normal_texels,
-                           s.report.normal_texels_per_cell);
-  const std::string colours = s.report.texels_per_cell == 0
-                                  ? "none"
-                                  : fmt::format("{} texels, up to {} a cell along a side",
-                                                s.report.colour_texels, s.report.texels_per_cell);
-  std::string text = fmt::format(
-      "{}\n"
-      "  points            {} ({} not finite dropped, {} duplicates merged)\n"
-      "  normals           {}\n"
-      "  patches           {}\n"
-      "  samples           {}\n"
-      "  spacing           {:.6g}\n"
-      "  error             {:.3g} rms, {:.3g} at most\n"
-      "  psnr              {:.2f} dB\n"
-      "  uncovered points  {}\n"
-      "  colours           {}\n"
-      "  file              {} bytes, {:.2f} bits per sample\n"
-      "  time              {:.2f} s",
-      output.string(), s.report.points, s.read.dropped_nonfinite, s.read.merged_duplicates, normals,
-      s.file.patches, s.file.samples, s.file.spacing, s.report.error_rms, s.report.error_max,
-      s.report.psnr_db, s.report.uncovered_points, colours, s.file.file_bytes,
-      8.0 * static_cast<double>(s.file.file_bytes) / static_cast<double>(s.file.samples),
-      s.seconds);
-  const char* separator = ": ";
-  for (const auto& stage : s.stages) {
-    text += fmt::format("{}{} {:.2f}", separator, stage.name, stage.seconds);
-    separator = ", ";
+/// Converts in tiles; nothing if the scan is small enough for memory.
+Result<std::optional<ConvertSummary>> convert_larger(const Arguments& arguments,
+                                                     Progress& progress) {
+  auto tiled = convert_tiles(arguments.inputs, arguments.output, arguments.options, arguments.file,
+                             {arguments.memory}, progress);
+  if (!tiled) return tiled.error();
+  if (!*tiled) return std::optional<ConvertSummary>();
+  ConvertSummary summary;
+  for (const std::string& text : (*tiled)->notes) note(text);
+  summary.report = (*tiled)->report;
+  summary.read.dropped_nonfinite = (*tiled)->nonfinite;
+  summary.read.left_out = (*tiled)->left_out;
+  summary.read.merged_duplicates = (*tiled)->duplicates;
+  summary.tiled = std::move(**tiled);
+  auto done = summarise(arguments, std::move(summary));
+  if (!done) return done.error();
+  return std::optional(std::move(*done));
+}
+
+/// Reads, converts and writes.
+Result<ConvertSummary> convert_files(const Arguments& arguments, Progress& progress) {
+  if (arguments.memory > 0) {
+    auto larger = convert_larger(arguments, progress);
+    if (!larger) return larger.error();
+    if (*larger) return std::move(**larger);
   }
-  return text + "\n";
-}
-
-/// Reads, converts, writes and looks at what was written.
-Result<Summary> convert_files(const Arguments& arguments, Progress& progress) {
   auto read = load_points(arguments.inputs, texture_choice(arguments.texture), progress);
   if (!read) return read.error();
+  ConvertSummary summary;
+  if (arguments.clean) summary.outliers = remove_outliers(read->points, progress);
+  if (progress.cancelled()) return interrupted_error();
+  if (arguments.thin > 0.0) summary.thinned = thin_points(read->points, arguments.thin);
   auto converted = convert(std::move(read->points), arguments.options, progress);
   if (!converted) {
     return make_error("{}: {}", arguments.inputs.front().string(), converted.error().message);
@@ -136,19 +108,22 @@ Result<Summary> convert_files(const Arguments& arguments, Progress& progress) {
       !written) {
     return written.error();
   }
-  const auto file = PatchFile::open(arguments.output);
-  if (!file) return file.error();
-  Summary summary;
   summary.read = std::move(*read);
   summary.report = converted->report;
-  summary.file = file->info();
-  return summary;
+  return summarise(arguments, std::move(summary));
 }
 
 std::vector<std::filesystem::path> files_read(const Arguments& arguments) {
   std::vector<std::filesystem::path> files = arguments.inputs;
   if (!arguments.texture.empty()) files.push_back(arguments.texture);
   return files;
+}
+
+/// What is left of a conversion that ended early.
+std::string kept_by(const Arguments& arguments) {
+  if (arguments.memory == 0 || !has_kept_tiles(arguments.output)) return {};
+  return fmt::format("what is done is kept in {}.parts, and the same command goes on from there",
+                     arguments.output.string());
 }
 
 int run(const Arguments& arguments) {
@@ -163,12 +138,12 @@ int run(const Arguments& arguments) {
   ConsoleProgress progress;
   auto summary = convert_files(arguments, progress);
   const auto& stages = progress.finish();
-  if (!summary) return fail(summary.error());
+  if (!summary) return fail(summary.error(), kept_by(arguments));
   summary->stages = stages;
   summary->seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return arguments.json ? print_json(as_json(*summary))
-                        : print_result(as_text(*summary, arguments.output));
+  return arguments.json ? print_json(convert_json(*summary))
+                        : print_result(convert_text(*summary, arguments.output));
 }
 
 }  // namespace
@@ -193,6 +168,10 @@ void add_convert(CLI::App& app, Command& command) {
                   "twentieth of the spacing)")
       ->check(CLI::PositiveNumber)
       ->option_text("S");
+  auto* const adaptive = sub->add_flag(
+      "--adaptive-spacing", arguments->options.adaptive_spacing,
+      "Each patch's spacing follows the scan's density there, up to 8 to 1; --spacing is "
+      "then that of the usual density");
   sub->add_option("--codec", arguments->file.codec,
                   "fast: quickest to read and write; compact: about half the bytes of heights, and "
                   "coarse levels that can be read alone (fast)")
@@ -204,6 +183,14 @@ void add_convert(CLI::App& app, Command& command) {
                   "normals of the heights is not kept at all")
       ->check(CLI::Range(kLeastNormalDegrees, kMostNormalDegrees))
       ->option_text("DEG");
+  auto* const clean = sub->add_flag(
+      "--clean", arguments->clean,
+      "Take away outliers: points far from their neighbours, and clusters of fewer than 50");
+  auto* const thin =
+      sub->add_option("--thin", arguments->thin,
+                      "Take away all points but one in each cube of this side, in the scan's unit")
+          ->check(CLI::PositiveNumber)
+          ->option_text("S");
   sub->add_option("--cone-degrees", arguments->options.cone_degrees,
                   "Largest angle between a patch's normal and its points' normals; larger makes "
                   "fewer patches")
@@ -224,6 +211,17 @@ void add_convert(CLI::App& app, Command& command) {
                   "two for each patch that keeps the texture's own)")
       ->check(CLI::Range(1U, kMostTexelsPerCell))
       ->option_text("N");
+  sub->add_option(
+         "--memory", arguments->memory,
+         "Most memory to take, 256M or more: a scan that needs more is converted in tiles, "
+         "kept in OUT.parts until the end; if it is stopped or killed the same command "
+         "goes on from there. Triangles and textures are not used then (as it takes)")
+      ->excludes(adaptive)
+      ->excludes(clean)
+      ->excludes(thin)
+      ->transform(CLI::AsSizeValue(false))
+      ->check(CLI::Range(kLeastTileMemory, std::uint64_t{1} << 50U))
+      ->option_text("BYTES");
   sub->add_option("--threads", arguments->options.threads,
                   "Threads; the file is the same with any number (all cores)")
       ->check(CLI::Range(1, 1024))

@@ -2,18 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "cli/console.h"
 #include "cli/paths.h"
+#include "common/file.h"
 #include "common/patch_file.h"
 #include "common/srgb.h"
 #include "preprocess/convert.h"
 #include "preprocess/neighbours.h"
 #include "preprocess/normals.h"
 #include "preprocess/point_radii.h"
+#include "preprocess/scan_poses.h"
 
 namespace relief::cli {
 namespace {
@@ -113,14 +116,50 @@ Result<ReadResult> load_mesh(const std::filesystem::path& path, const TextureCho
   return read;
 }
 
+namespace {
+
+/// A file, and where its points stand if a .conf file says so.
+struct ScanFile {
+  std::filesystem::path path;
+  std::optional<ScanPose> pose;
+};
+
+/// The files themselves, with the scans that .conf files name in place of these.
+Result<std::vector<ScanFile>> list_scans(const std::vector<std::filesystem::path>& paths) {
+  std::vector<ScanFile> scans;
+  for (const auto& path : paths) {
+    if (ending(path) != ".conf") {
+      scans.push_back({path, std::nullopt});
+      continue;
+    }
+    const auto bytes = read_file(path);
+    if (!bytes) return bytes.error();
+    const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    const auto poses = read_scan_poses(path.string(), text);
+    if (!poses) return poses.error();
+    for (const ScanPose& pose : *poses) {
+      const auto scan = find_scan(path, pose);
+      if (!scan) return scan.error();
+      scans.push_back({*scan, pose});
+    }
+  }
+  return scans;
+}
+
+}  // namespace
+
 Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
                                const TextureChoice& textures, Progress& progress) {
-  if (paths.size() == 1) return load_mesh(paths.front(), textures, progress);
+  const auto scans = list_scans(paths);
+  if (!scans) return scans.error();
+  if (scans->size() == 1 && !scans->front().pose)
+    return load_mesh(paths.front(), textures, progress);
   ReadResult all;
   LeftOut left_out;
-  for (const auto& path : paths) {
+  for (const auto& [path, pose] : *scans) {
     auto scan = load_mesh(path, textures, progress);
     if (!scan) return scan.error();
+    if (pose) place_scan(*pose, scan->points);
     all.points_in_file += scan->points_in_file;
     all.dropped_nonfinite += scan->dropped_nonfinite;
     all.left_out += scan->left_out;

@@ -8,7 +8,7 @@ set(RELIEF_PUBLIC_HEADERS
   common/octahedral.h common/patch.h common/patch_file.h
   common/placement.h common/points.h common/progress.h common/scene.h
   common/srgb.h common/texture_pyramid.h common/transform.h common/version.h
-  preprocess/convert.h preprocess/read_points.h
+  preprocess/convert.h preprocess/convert_tiles.h preprocess/read_points.h
   renderer/engines/ewa/settings.h renderer/engines/multipass/settings.h
   renderer/engines/raytrace/settings.h
   renderer/explanation.h renderer/mesh_of_points.h renderer/render.h renderer/splat_cloud.h renderer/triangle_mesh.h)

@@ -218,4 +218,12 @@ Status write_file_atomically(const fs::path& path, std::span<const std::byte> by
   return file->commit();
 }
 
+Status move_into_place(const fs::path& file, const fs::path& path) {
+  if (::rename(file.c_str(), follow_links(path).c_str()) != 0) {
+    return make_error("{}: cannot be written: {}; what was to be written is {}", path.string(),
+                      reason(errno), file.string());
+  }
+  return {};
+}
+
 }  // namespace relief

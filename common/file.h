@@ -21,6 +21,9 @@ Result<std::vector<std::byte>> read_file(const std::filesystem::path& path);
 /// older `path` stays as it was and one sentence says what happened.
 Status write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
+/// Renames a file that is whole to `path`, on the same disk; a symbolic link is followed.
+Status move_into_place(const std::filesystem::path& file, const std::filesystem::path& path);
+
 /// The same in pieces, for what should not be held in memory as a whole: create, write, commit.
 /// Without a commit the destructor removes the temporary file, so that an early return leaves
 /// nothing behind. A symbolic link is followed; a device or a directory is refused.
@@ -62,6 +65,8 @@ class RandomAccessFile {
   ~RandomAccessFile();
 
   [[nodiscard]] std::uint64_t size() const { return size_; }
+  /// Of the operating system; stays the file's own.
+  [[nodiscard]] int descriptor() const { return descriptor_; }
   /// Fills `bytes` from `offset`. Fails if the file ends before. Thread-safe.
   Status read_at(std::uint64_t offset, std::span<std::byte> bytes) const;
 

@@ -128,6 +128,33 @@ Result<std::vector<Channel>> list_channels(const Imf::Header& header) {
   return channels;
 }
 
+/// Whether all attributes of the headers lie within the file: OpenEXR allocates for each as many
+/// bytes as it says to have, up to 2 GiB.
+bool attributes_fit(std::span<const std::byte> bytes) {
+  const bool has_parts = std::to_integer<unsigned>(bytes[5] & std::byte{0x10}) != 0;
+  std::size_t at = 8;
+  const auto ends_here = [&] { return at < bytes.size() && bytes[at] == std::byte{0}; };
+  const auto skip_text = [&] {
+    const auto end =
+        std::find(bytes.begin() + static_cast<std::ptrdiff_t>(at), bytes.end(), std::byte{0});
+    at = std::min(static_cast<std::size_t>(end - bytes.begin()) + 1, bytes.size());
+  };
+  do {
+    for (; !ends_here();) {
+      skip_text();  // its name
+      skip_text();  // its type
+      std::int32_t size = 0;
+      if (bytes.size() - at < sizeof(size)) return false;
+      std::memcpy(&size, bytes.data() + at, sizeof(size));
+      at += sizeof(size);
+      if (size < 0 || bytes.size() - at < static_cast<std::size_t>(size)) return false;
+      at += static_cast<std::size_t>(size);
+    }
+    ++at;
+  } while (has_parts && !ends_here());  // the header of a further part
+  return true;
+}
+
 /// OpenEXR allocates by what the header says, so the header is looked at alone first.
 std::optional<Error> check_header(std::span<const std::byte> bytes) {
   // A magic number and a version of 4 bytes each come before the header.
@@ -136,6 +163,7 @@ std::optional<Error> check_header(std::span<const std::byte> bytes) {
   if (std::to_integer<unsigned>(bytes[5] & std::byte{0x08}) != 0) {
     return make_error("it holds deep pixels; flatten it first");
   }
+  if (!attributes_fit(bytes)) return make_error("its header says to be longer than the file");
   MemoryInput stream(bytes);
   stream.seekg(8);
   Imf::Header header;

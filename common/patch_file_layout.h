@@ -13,6 +13,8 @@
 
 namespace relief {
 
+class RandomAccessFile;
+
 /// Version 1 has an index of fixed records, version 2 a compact one (compact/compact_index.h).
 inline constexpr std::uint32_t kPlainVersion = 1;
 inline constexpr std::uint32_t kCompactVersion = 2;
@@ -69,8 +71,17 @@ struct FileIndex {
   std::vector<ChunkRecord> chunks;
 };
 
+struct FileLayout {
+  FileHeader header;
+  FileIndex index;
+};
+
 /// CRC-32 of ISO 3309, as in gzip and PNG.
 [[nodiscard]] std::uint32_t crc32(std::span<const std::byte> bytes);
+
+/// Whether `bytes` have this crc32. Where the fuzz targets are built they always have: no fuzzer
+/// gets past a checksum.
+[[nodiscard]] bool has_checksum(std::span<const std::byte> bytes, std::uint32_t checksum);
 
 /// What speaks against a patch's placement or size, as a clause; empty if nothing does.
 [[nodiscard]] std::string find_fault(const PatchSummary& patch);
@@ -92,5 +103,8 @@ Result<FileHeader> parse_header(std::span<const std::byte> bytes, std::uint64_t 
 /// Reads and checks the index, whose size was found right by parse_header.
 Result<FileIndex> parse_index(std::span<const std::byte> bytes, const FileHeader& header,
                               const std::string& name);
+
+/// Reads and checks header and index of an open file.
+Result<FileLayout> read_layout(const RandomAccessFile& file, const std::string& name);
 
 }  // namespace relief

@@ -20,10 +20,16 @@ namespace relief {
 
 namespace {
 
+#ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
+constexpr std::uint32_t kMostMapTexels = 256;  // large maps are slow and find nothing more
+#else
+constexpr std::uint32_t kMostMapTexels = kMaxPatchSide;
+#endif
+
 /// Whether a map of so many texels a cell stays within the limits.
 bool is_map_scale_valid(const PatchSummary& patch, std::uint32_t scale) {
   const std::uint64_t cells = std::max(patch.width, patch.height) - 1;
-  return scale > 0 && scale * cells + 1 <= kMaxPatchSide;
+  return scale > 0 && scale * cells + 1 <= kMostMapTexels;
 }
 
 /// What the index says of a patch, without heights and maps.
@@ -77,8 +83,16 @@ Status check_height_range(const Patch& patch, const PatchSummary& summary, bool 
 std::uint64_t decoded_bytes(const FileIndex& index) {
   std::uint64_t bytes = 0;
   for (const PatchRecord& patch : index.patches) {
-    const std::uint64_t nodes = std::uint64_t{patch.summary.width} * patch.summary.height;
-    bytes += nodes * (sizeof(std::int32_t) + (patch.chunk_count > 1 ? sizeof(glm::i16vec2) : 0));
+    const PatchSummary& summary = patch.summary;
+    bytes += std::uint64_t{summary.width} * summary.height * sizeof(std::int32_t);
+    for (std::uint32_t c = patch.first_chunk; c < patch.first_chunk + patch.chunk_count; ++c) {
+      const ChunkRecord& chunk = index.chunks[c];
+      if (!is_map_scale_valid(summary, chunk.scale)) continue;  // read_patch refuses it
+      const auto texels = [&](std::uint64_t nodes) { return chunk.scale * (nodes - 1) + 1; };
+      const std::uint64_t area = texels(summary.width) * texels(summary.height);
+      if (chunk.type == kNormalsChunk) bytes += area * sizeof(glm::i16vec2);
+      if (chunk.type == kColoursChunk) bytes += area * sizeof(glm::u8vec3);
+    }
   }
   return bytes;
 }
@@ -116,7 +130,7 @@ struct PatchFile::State {
     }
     std::vector<std::byte> bytes(chunk.size);
     if (Status read = file.read_at(chunk.offset, bytes); !read) return read;
-    if (crc32(bytes) != chunk.checksum) {
+    if (!has_checksum(bytes, chunk.checksum)) {
       return make_error(
           "{}: patch {}: the checksum of its {} (byte {}) is wrong; the file is damaged", name,
           patch, what, chunk.offset);
@@ -160,50 +174,45 @@ Result<PatchFile> PatchFile::open(const std::filesystem::path& path) {
   const std::string name = path.string();
   auto file = RandomAccessFile::open(path);
   if (!file) return file.error();
-  if (file->size() == 0) return make_error("{}: the file is empty", name);
-  std::vector<std::byte> bytes(std::min<std::uint64_t>(file->size(), kHeaderBytes));
-  if (Status read = file->read_at(0, bytes); !read) return read.error();
-  const auto header = parse_header(bytes, file->size(), name);
-  if (!header) return header.error();
-  bytes.resize(header->file_bytes - header->index_offset);
-  if (Status read = file->read_at(header->index_offset, bytes); !read) return read.error();
-  auto index = parse_index(bytes, *header, name);
-  if (!index) return index.error();
+  auto layout = read_layout(*file, name);
+  if (!layout) return layout.error();
+  const FileHeader& header = layout->header;
+  FileIndex& index = layout->index;
 
   PatchFileInfo info;
-  info.version = header->version;
-  info.codec = header->version == kCompactVersion ? "levels-rans" : "predicted-zstd";
-  info.patches = header->patches;
-  info.samples = header->samples;
-  info.spacing = header->spacing;
-  info.file_bytes = header->file_bytes;
-  info.bounds = header->bounds;
-  info.bounding_radius = header->bounding_radius;
-  info.is_closed = header->is_closed;
+  info.version = header.version;
+  info.codec = header.version == kCompactVersion ? "levels-rans" : "predicted-zstd";
+  info.patches = header.patches;
+  info.samples = header.samples;
+  info.spacing = header.spacing;
+  info.file_bytes = header.file_bytes;
+  info.bounds = header.bounds;
+  info.bounding_radius = header.bounding_radius;
+  info.is_closed = header.is_closed;
   const auto bytes_of = [&](ChunkType type) {
     std::uint64_t sum = 0;
-    for (const ChunkRecord& chunk : index->chunks) sum += chunk.type == type ? chunk.size : 0;
+    for (const ChunkRecord& chunk : index.chunks) sum += chunk.type == type ? chunk.size : 0;
     return sum;
   };
   info.height_bytes = bytes_of(kHeightsChunk);
   info.normal_bytes = bytes_of(kNormalsChunk);
   info.colour_bytes = bytes_of(kColoursChunk);
-  for (const PatchRecord& patch : index->patches) {
-    if (header->version != kCompactVersion) break;
+  for (const PatchRecord& patch : index.patches) {
+    if (header.version != kCompactVersion) break;
     const unsigned coarsest = coarsest_level(patch.summary.width, patch.summary.height);
     info.levels = std::max(info.levels, coarsest + 1);
   }
   const auto has = [&](ChunkType type) {
-    return std::any_of(index->chunks.begin(), index->chunks.end(),
+    return std::any_of(index.chunks.begin(), index.chunks.end(),
                        [type](const ChunkRecord& c) { return c.type == type; });
   };
   if (has(kNormalsChunk)) info.attributes.emplace_back("normal");
   if (has(kColoursChunk)) info.attributes.emplace_back("colour");
   std::vector<PatchSummary> summaries;
-  summaries.reserve(index->patches.size());
-  for (const PatchRecord& patch : index->patches) summaries.push_back(patch.summary);
+  summaries.reserve(index.patches.size());
+  for (const PatchRecord& patch : index.patches) summaries.push_back(patch.summary);
   return PatchFile(std::make_unique<State>(
-      State{name, *std::move(file), std::move(info), std::move(summaries), *std::move(index)}));
+      State{name, *std::move(file), std::move(info), std::move(summaries), std::move(index)}));
 }
 
 const PatchFileInfo& PatchFile::info() const {

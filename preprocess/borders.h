@@ -7,6 +7,9 @@
 
 namespace relief {
 
+/// The neighbours that make a border between two regions.
+inline constexpr std::uint32_t kBorderNeighbours = 8;
+
 /// The lengths of a cluster's borders with its neighbours: few, so a list does, by their numbers.
 class Borders {
  public:

@@ -13,12 +13,14 @@
 #include <utility>
 
 #include "preprocess/closed_mesh.h"
+#include "preprocess/convert_stages.h"
 #include "preprocess/densify.h"
+#include "preprocess/find_regions.h"
 #include "preprocess/measure.h"
 #include "preprocess/neighbours.h"
 #include "preprocess/normals.h"
-#include "preprocess/partition.h"
-#include "preprocess/resample.h"
+#include "preprocess/patch_spacing.h"
+#include "preprocess/region_patches.h"
 #include "preprocess/texture/flat_triangles.h"
 #include "preprocess/texture/load_textures.h"
 #include "preprocess/texture/node_normals.h"
@@ -27,24 +29,6 @@
 
 namespace relief {
 namespace {
-
-// The widest cone that still resamples well: 75 degrees stretch samples by 1 / cos 75 = 3.9 at
-// most.
-constexpr double kDefaultConeDegrees = 75.0;
-// Heights are rounded to a twentieth of a spacing (DESIGN.md).
-constexpr double kDefaultStepsPerSpacing = 20.0;
-// Grids beyond this many nodes per point come from a mistaken spacing, not from a scan.
-constexpr double kMostNodesPerPoint = 4096.0;
-constexpr double kMostNodes = 4e9;
-// Patches of fewer points are looked at for being covered by others; smaller ones than the least
-// are no surface.
-constexpr std::size_t kSmallPatchPoints = 64;
-constexpr std::size_t kLeastPatchPoints = 4;
-// A cloud of outliers: the eighth neighbour is this much farther than the scan's median one, and
-// the plane through the neighbourhood is left by more than this share of that distance (a ball of
-// points has 0.2 to 0.3, a surface that bends by 60 degrees across its neighbourhood 0.08).
-constexpr float kSparseInMedians = 4.0F;
-constexpr float kRoughShare = 0.08F;
 
 // Points on one line span no surface: the second principal variance vanishes beside the first.
 bool on_one_line(const std::vector<glm::dvec3>& positions, const Bounds& bounds) {
@@ -76,67 +60,14 @@ Status check_points(const std::vector<glm::dvec3>& positions) {
   return {};
 }
 
-// The nodes that the regions' bounding rectangles will hold, roughly.
-Status check_spacing(const std::vector<Region>& regions, const SurfaceSamples& samples,
-                     double spacing) {
-  double nodes = 0.0;
+// The area of all regions, as their points' local spacings tell it.
+double area_of(const std::vector<Region>& regions, const SurfaceSamples& samples) {
+  double area = 0.0;
   for (const Region& region : regions) {
-    for (const std::uint32_t i : region.points) {
-      const double s = samples.spacing[i] / spacing;
-      nodes += s * s;
-    }
+    for (const std::uint32_t i : region.points)
+      area += double{samples.spacing[i]} * samples.spacing[i];
   }
-  const auto points = static_cast<double>(samples.positions.size());
-  if (nodes > std::min(kMostNodes, kMostNodesPerPoint * points)) {
-    return make_error(
-        "a spacing of {} would give about {:.1e} samples for {} points; choose a larger --spacing",
-        spacing, nodes, samples.positions.size());
-  }
-  return {};
-}
-
-// The points that can be part of a surface: all but clouds of outliers, which are much sparser than
-// the scan and not flat either. (Single outliers are connected to nothing and make no region.)
-std::vector<std::uint32_t> surface_points(const std::vector<glm::dvec3>& positions,
-                                          const NeighbourGraph& graph, const LocalFrames& frames) {
-  std::vector<float> to_eighth(positions.size());
-  for (std::uint32_t i = 0; i < positions.size(); ++i) {
-    const std::uint32_t eighth = graph.of(i)[std::min(graph.k, 8U) - 1];
-    to_eighth[i] = static_cast<float>(glm::distance(positions[i], positions[eighth]));
-  }
-  std::vector<float> sorted = to_eighth;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  std::vector<std::uint32_t> points;
-  for (std::uint32_t i = 0; i < positions.size(); ++i) {
-    const bool scattered = to_eighth[i] > kSparseInMedians * *middle &&
-                           frames.roughness[i] > kRoughShare * to_eighth[i];
-    if (!scattered) points.push_back(i);
-  }
-  return points;
-}
-
-std::vector<Patch> resample_all(const SurfaceSamples& samples, const NeighbourGraph& graph,
-                                const std::vector<Region>& regions,
-                                const std::vector<glm::u8vec3>& colours,
-                                const ResampleOptions& options, Progress& progress) {
-  progress.begin_stage("resample", samples.positions.size());
-  std::vector<Patch> patches(regions.size());
-  const Membership membership = membership_of(samples, regions);
-  tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t r) {
-    if (progress.cancelled()) return;
-    patches[r] = resample_region(samples, graph, regions[r], membership, colours, options);
-    progress.advance(regions[r].points.size());
-  });
-  return patches;
-}
-
-std::vector<std::uint32_t> owners_of(const std::vector<Region>& regions, std::size_t points) {
-  std::vector<std::uint32_t> owner(points, static_cast<std::uint32_t>(regions.size()));
-  for (std::uint32_t r = 0; r < regions.size(); ++r) {
-    for (const std::uint32_t i : regions[r].points) owner[i] = r;
-  }
-  return owner;
+  return area;
 }
 
 /// The spheres about a mesh's triangles, made while something else goes on: building a kd-tree
@@ -171,36 +102,6 @@ void take_mesh_normals(const Points& mesh, const TriangleSpheres& spheres,
   });
 }
 
-// Drops small patches that others cover, and those without a sample.
-void drop_redundant(const SurfaceSamples& samples, const NeighbourGraph& graph,
-                    std::vector<Region>& regions, std::vector<Patch>& patches) {
-  std::vector<std::vector<std::uint32_t>> own_points;
-  own_points.reserve(regions.size());
-  for (const Region& region : regions) own_points.push_back(region.points);
-  const std::vector<std::uint8_t> redundant =
-      find_redundant(samples.positions, graph, owners_of(regions, samples.positions.size()),
-                     own_points, patches, kSmallPatchPoints);
-  std::vector<Region> kept_regions;
-  std::vector<Patch> kept_patches;
-  for (std::size_t r = 0; r < regions.size(); ++r) {
-    if (redundant[r] != 0 || patches[r].heights.empty()) continue;
-    kept_regions.push_back(std::move(regions[r]));
-    kept_patches.push_back(std::move(patches[r]));
-  }
-  regions = std::move(kept_regions);
-  patches = std::move(kept_patches);
-}
-
-void count_texels(const std::vector<Patch>& patches, ConvertReport& report) {
-  for (const Patch& patch : patches) {
-    report.colour_texels += patch.colours.texels.size();
-    if (!patch.colours.empty())
-      report.texels_per_cell = std::max(report.texels_per_cell, patch.colours.scale);
-    report.normal_texels += patch.normals.texels.size();
-    report.normal_texels_per_cell = std::max(report.normal_texels_per_cell, patch.normals.scale);
-  }
-}
-
 Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& options,
                                        Progress& progress) {
   ConvertResult result;
@@ -230,28 +131,24 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   result.report.normals_repaired = normals.repaired;
   if (progress.cancelled()) return interrupted_error();
 
-  const std::vector<glm::vec3> smooth = smooth_normals(points.normals, graph);
-  const SurfaceSamples smooth_samples{points.positions, smooth, graph.spacing, frames.roughness};
-  const double cone = options.cone_degrees > 0.0 ? options.cone_degrees : kDefaultConeDegrees;
-  std::vector<Region> regions = partition(
-      smooth_samples, graph, surface_points(points.positions, graph, frames), cone, progress);
-  std::erase_if(regions, [](const Region& r) { return r.points.size() < kLeastPatchPoints; });
+  std::vector<Region> regions =
+      find_regions(points, points.size(), graph, frames,
+                   {options.cone_degrees, options.adaptive_spacing}, progress);
   if (progress.cancelled()) return interrupted_error();
 
   const SurfaceSamples samples{points.positions, points.normals, graph.spacing, frames.roughness};
-  const double spacing = options.spacing > 0.0
-                             ? options.spacing
-                             : choose_spacing(samples, graph, regions, result.report.points);
-  if (const Status ok = check_spacing(regions, samples, spacing); !ok) return ok.error();
-  const double step =
-      options.height_step > 0.0 ? options.height_step : spacing / kDefaultStepsPerSpacing;
-  const ResampleOptions resample{spacing, step, options.overlap_cells,
-                                 static_cast<std::uint32_t>(options.colour_scale),
-                                 !normals.estimated};
+  const std::vector<double> factors = options.adaptive_spacing
+                                          ? spacing_factors(samples, regions)
+                                          : std::vector<double>(regions.size(), 1.0);
+  const double spacing = options.spacing > 0.0 ? options.spacing
+                                               : choose_spacing(samples, graph, regions, factors,
+                                                                result.report.points);
+  if (const Status ok = check_spacing(spacing, area_of(regions, samples), points.size()); !ok)
+    return ok.error();
   std::vector<Patch> patches =
-      resample_all(samples, graph, regions, points.colours, resample, progress);
+      make_patches(samples, graph, membership_of(samples, regions), factors, points.colours,
+                   resample_options(options, spacing, normals.estimated), regions, progress);
   if (progress.cancelled()) return interrupted_error();
-  drop_redundant(samples, graph, regions, patches);
   if (patches.empty()) return make_error("the points are too scattered to be a surface");
 
   if (textured) {
@@ -283,6 +180,35 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
 }
 
 }  // namespace
+
+Status check_spacing(double spacing, double area, std::uint64_t points) {
+  // Grids beyond this many nodes per point come from a mistaken spacing, not from a scan.
+  constexpr double most_nodes_per_point = 4096.0;
+  constexpr double most_nodes = 4e9;
+  const double nodes = area / (spacing * spacing);
+  if (nodes > std::min(most_nodes, most_nodes_per_point * static_cast<double>(points))) {
+    return make_error(
+        "a spacing of {} would give about {:.1e} samples for {} points; choose a larger --spacing",
+        spacing, nodes, points);
+  }
+  return {};
+}
+
+ResampleOptions resample_options(const ConvertOptions& options, double spacing,
+                                 bool normals_estimated) {
+  return {spacing, options.height_step, options.overlap_cells,
+          static_cast<std::uint32_t>(options.colour_scale), !normals_estimated};
+}
+
+void count_texels(const std::vector<Patch>& patches, ConvertReport& report) {
+  for (const Patch& patch : patches) {
+    report.colour_texels += patch.colours.texels.size();
+    if (!patch.colours.empty())
+      report.texels_per_cell = std::max(report.texels_per_cell, patch.colours.scale);
+    report.normal_texels += patch.normals.texels.size();
+    report.normal_texels_per_cell = std::max(report.normal_texels_per_cell, patch.normals.scale);
+  }
+}
 
 Result<ConvertResult> convert(Points points, const ConvertOptions& options, Progress& progress) {
   // The few vertices of a mesh with materials are not what is converted.

@@ -14,12 +14,14 @@ struct ConvertOptions {
   double spacing = 0.0;  ///< grid step in world units; 0: about as many samples as points
   double cone_degrees =
       0.0;  ///< largest angle between a patch's normal and its points' normals; 0: default
-  int overlap_cells = 1;     ///< width of the overlap margin, in grid cells
-  double height_step = 0.0;  ///< world units per height index; 0: spacing / 20
-  int colour_scale = 2;      ///< colour texels per grid cell along each side, of coloured points
-  int texels_per_cell = 0;   ///< the same of a mesh with textures or materials, and normal texels
+  int overlap_cells = 1;          ///< width of the overlap margin, in grid cells
+  double height_step = 0.0;       ///< world units per height index; 0: spacing / 20
+  bool adaptive_spacing = false;  ///< each patch's spacing follows the scan's density there, up to
+                                  ///< 8 to 1; `spacing` is then what is usual
+  int colour_scale = 2;     ///< colour texels per grid cell along each side, of coloured points
+  int texels_per_cell = 0;  ///< the same of a mesh with textures or materials, and normal texels
                             ///< of one with normal maps, 1 to 64; 0: what keeps them (map_textures)
-  int threads = 0;  ///< 0: all cores. The result does not depend on it.
+  int threads = 0;          ///< 0: all cores. The result does not depend on it.
 };
 
 /// How well the patches render the points they came from.

@@ -20,9 +20,6 @@ namespace {
 
 constexpr std::uint32_t kNoCluster = 0xFFFFFFFFU;
 
-// The neighbours that make a border between two regions.
-constexpr std::uint32_t kBorderNeighbours = 8;
-
 // A union of more points is first tried by the outermost normals, which takes as long as the test
 // of some hundreds of points. (On the Dragon the others are a tenth of all the points that are
 // tried.)

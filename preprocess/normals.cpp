@@ -138,7 +138,7 @@ NormalsReport check_given(Points& points, const NeighbourGraph& graph, const Loc
   fill_missing(points, graph, frames, points.normals, missing);
   if (opposed_pairs(graph, frames, points.normals) > kUnorientedShare) {
     const std::vector<glm::vec3> before = points.normals;
-    orient_normals(points, graph, points.normals);
+    report.sheets = orient_normals(points, graph, points.normals);
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (glm::dot(before[i], points.normals[i]) < 0.0F) repaired[i] = 1;
     }
@@ -199,7 +199,7 @@ NormalsReport complete_normals(Points& points, const NeighbourGraph& graph,
     }
   } else {
     points.normals = frames.normals;
-    orient_normals(points, graph, points.normals);
+    report.sheets = orient_normals(points, graph, points.normals);
   }
   return report;
 }

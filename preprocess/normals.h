@@ -7,12 +7,14 @@
 #include "common/points.h"
 #include "preprocess/mesh_edges.h"
 #include "preprocess/neighbours.h"
+#include "preprocess/sheets.h"
 
 namespace relief {
 
 struct NormalsReport {
   bool estimated = false;      ///< the scan had no normals
   std::uint64_t repaired = 0;  ///< given normals that were zero, NaN or inconsistent
+  Sheets sheets;               ///< of normals that were oriented here; else empty
 };
 
 /// The tangent plane of each point by principal component analysis of its neighbours.
@@ -35,9 +37,9 @@ NormalsReport complete_normals(Points& points, const NeighbourGraph& graph,
 
 /// Flips unit normals so that neighbours agree: minimum spanning forest over the neighbour graph
 /// (Hoppe et al. 1992). Each connected component then faces the viewpoint if there is one,
-/// otherwise outward (positive flux about its centroid: exact for closed surfaces).
-void orient_normals(const Points& points, const NeighbourGraph& graph,
-                    std::vector<glm::vec3>& normals);
+/// otherwise outward (faces_inward). Gives the components.
+Sheets orient_normals(const Points& points, const NeighbourGraph& graph,
+                      std::vector<glm::vec3>& normals);
 
 /// Unit normals averaged over each point's neighbours on the same side: what the partition looks
 /// at, so that noise makes no patches.

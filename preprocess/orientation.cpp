@@ -4,9 +4,9 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numeric>
 
 #include "preprocess/normals.h"
+#include "preprocess/signed_forest.h"
 
 namespace relief {
 namespace {
@@ -20,51 +20,6 @@ struct Edge {
     if (cost != o.cost) return cost < o.cost;
     return a != o.a ? a < o.a : b < o.b;
   }
-};
-
-// Union-find whose links carry whether the child's normal is flipped relative to its parent's.
-class SignedForest {
- public:
-  explicit SignedForest(std::size_t n) : parent_(n), flipped_(n, 0), size_(n, 1) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
-
-  struct Root {
-    std::uint32_t root;
-    bool flipped;  // relative to the root
-  };
-
-  Root find(std::uint32_t i) {
-    // Two passes: find the root with the sign on the way, then hang every node below it.
-    std::uint32_t root = i;
-    bool flipped = false;
-    while (parent_[root] != root) {
-      flipped ^= flipped_[root] != 0;
-      root = parent_[root];
-    }
-    bool sign = flipped;
-    while (parent_[i] != root && parent_[i] != i) {
-      const std::uint32_t next = parent_[i];
-      const bool own = flipped_[i] != 0;
-      parent_[i] = root;
-      flipped_[i] = sign ? 1 : 0;
-      sign ^= own;
-      i = next;
-    }
-    return {root, flipped};
-  }
-
-  void join(Root a, Root b, bool flip_between) {
-    if (size_[a.root] < size_[b.root]) std::swap(a, b);
-    parent_[b.root] = a.root;
-    flipped_[b.root] = (a.flipped ^ b.flipped ^ flip_between) ? 1 : 0;
-    size_[a.root] += size_[b.root];
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-  std::vector<std::uint8_t> flipped_;
-  std::vector<std::uint32_t> size_;
 };
 
 // Hoppe's cost 1 - |n_a . n_b|, plus a term that keeps the tree on the surface: an edge that leaves
@@ -96,8 +51,8 @@ std::vector<Edge> collect_edges(const Points& points, const NeighbourGraph& grap
 
 }  // namespace
 
-void orient_normals(const Points& points, const NeighbourGraph& graph,
-                    std::vector<glm::vec3>& normals) {
+Sheets orient_normals(const Points& points, const NeighbourGraph& graph,
+                      std::vector<glm::vec3>& normals) {
   const std::size_t n = points.size();
   SignedForest forest(n);
   for (const Edge& edge : collect_edges(points, graph, normals)) {
@@ -107,36 +62,23 @@ void orient_normals(const Points& points, const NeighbourGraph& graph,
     forest.join(a, b, glm::dot(normals[edge.a], normals[edge.b]) < 0.0F);
   }
 
-  // Components: sum up area, centroid and flux, each relative to its root's sign.
-  std::vector<SignedForest::Root> roots(n);
-  std::vector<double> area(n, 0.0);
-  std::vector<glm::dvec3> centroid(n, glm::dvec3(0.0));
+  constexpr auto kUnnumbered = static_cast<std::uint32_t>(-1);
+  Sheets sheets{std::vector<std::uint32_t>(n), 0};
+  std::vector<std::uint32_t> number_of_root(n, kUnnumbered);
   for (std::uint32_t i = 0; i < n; ++i) {
-    roots[i] = forest.find(i);
-    const double a = double{graph.spacing[i]} * graph.spacing[i];
-    area[roots[i].root] += a;
-    centroid[roots[i].root] += a * points.positions[i];
+    const SignedForest::Root root = forest.find(i);
+    if (root.flipped) normals[i] = -normals[i];
+    std::uint32_t& number = number_of_root[root.root];
+    if (number == kUnnumbered) number = sheets.count++;
+    sheets.of_point[i] = number;
   }
-  std::vector<double> flux(n, 0.0);
-  std::vector<double> upward(n, 0.0);
+  const std::vector<SheetSums> sums =
+      sum_up(points, n, normals, graph.spacing, sheets, points.positions.front());
   for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t root = roots[i].root;
-    const double a = double{graph.spacing[i]} * graph.spacing[i];
-    const glm::dvec3 normal(roots[i].flipped ? -normals[i] : normals[i]);
-    const glm::dvec3 arm = points.viewpoint
-                               ? glm::normalize(*points.viewpoint - points.positions[i])
-                               : points.positions[i] - centroid[root] / area[root];
-    flux[root] += a * glm::dot(arm, normal);
-    upward[root] += a * (normal.z + 1e-3 * normal.y + 1e-6 * normal.x);
+    if (faces_inward(sums[sheets.of_point[i]], points.viewpoint.has_value()))
+      normals[i] = -normals[i];
   }
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t root = roots[i].root;
-    // A flat sheet has no outside; there +Z decides so that the result is at least predictable.
-    const double scale = area[root] * std::sqrt(area[root]);
-    const bool decided = std::abs(flux[root]) > 1e-3 * scale;
-    const bool inward = decided ? flux[root] < 0.0 : upward[root] < 0.0;
-    if (roots[i].flipped != inward) normals[i] = -normals[i];
-  }
+  return sheets;
 }
 
 }  // namespace relief

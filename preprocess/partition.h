@@ -31,6 +31,11 @@ struct Membership {
                                         std::vector<std::uint32_t> points,
                                         const RegionLimits& limits, Progress& progress);
 
+/// Parts regions into the pieces that are connected over the neighbour graph.
+[[nodiscard]] std::vector<Region> part_components(const SurfaceSamples& samples,
+                                                  const NeighbourGraph& graph,
+                                                  const std::vector<Region>& regions);
+
 /// What may be merged.
 struct MergeRule {
   RegionLimits limits;  ///< that the union must keep
@@ -44,12 +49,13 @@ struct MergeRule {
                                         std::vector<Region> regions, const MergeRule& rule,
                                         Progress& progress);
 
-/// Split, then merge, then merge once more under wider limits what stayed small: spots where the
-/// scan is rough are no reason for a patch each. Few, compact regions, largest first.
-/// Only `points` are partitioned.
+/// Split and merge; move borders and merge what that has made possible, twice; then merge under
+/// wider limits what stayed small: spots where the scan is rough are no reason for a patch each.
+/// Few, compact regions, largest first. Only `points` are partitioned.
+/// `density_ratio`: as in RegionLimits.
 [[nodiscard]] std::vector<Region> partition(const SurfaceSamples& samples,
                                             const NeighbourGraph& graph,
                                             std::vector<std::uint32_t> points, double cone_degrees,
-                                            Progress& progress);
+                                            Progress& progress, double density_ratio = 0.0);
 
 }  // namespace relief

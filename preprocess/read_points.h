@@ -23,16 +23,18 @@ struct ReadResult {
 };
 
 /// Reads PLY (ASCII, little- and big-endian), PCD (ascii, binary, binary_compressed), LAS, PTX,
-/// OBJ, glTF, OFF, STL (ASCII, binary) or XYZ text, each also gzipped. The format is told from the
-/// first bytes where they tell it, otherwise from the name. Points with non-finite coordinates are
-/// dropped, points at the same position merged (their normals averaged, the first colour and
-/// texture coordinate kept; triangles keep texture seams), triangles renumbered, degenerate
-/// triangles dropped. The file is not trusted: every count is checked against the bytes that are
-/// left before anything is allocated for it. Fails with one sentence: file, line or byte, what was
-/// expected.
+/// OBJ, glTF, Draco, OFF, STL (ASCII, binary) or XYZ text, each also gzipped. The format is told
+/// from the first bytes where they tell it, otherwise from the name. Points with non-finite
+/// coordinates are dropped, points at the same position merged (their normals averaged, the first
+/// colour and texture coordinate kept; triangles keep texture seams), triangles renumbered,
+/// degenerate triangles dropped. The file is not trusted: every count is checked against the bytes
+/// that are left before anything is allocated for it. Fails with one sentence: file, line or byte,
+/// what was expected.
 Result<ReadResult> read_points(const std::filesystem::path& path, Progress& progress);
 
 /// Drops non-finite points and merges duplicates, as read_points does; for points made elsewhere.
-ReadResult clean_points(Points points);
+/// `number`, if given, gets each point's place among those that are left, UINT32_MAX if it was
+/// dropped.
+ReadResult clean_points(Points points, std::vector<std::uint32_t>* number = nullptr);
 
 }  // namespace relief

@@ -48,11 +48,26 @@ bool on_one_sheet(const SurfaceSamples& samples, std::uint32_t i, std::uint32_t 
              std::max(kSheetTolerance * spacing, kToleranceInRoughness * rough);
 }
 
+SheetScale sheet_scale(const SurfaceSamples& samples, std::span<const std::uint32_t> points,
+                       double sheet_tolerance) {
+  double area = 0.0;
+  double roughness = 0.0;
+  for (const std::uint32_t i : points) {
+    area += double{samples.spacing[i]} * samples.spacing[i];
+    roughness += samples.roughness[i];
+  }
+  const auto count = static_cast<double>(points.size());
+  const double spacing = std::sqrt(area / count);
+  return {kCellInSpacings * spacing,
+          std::max(sheet_tolerance * spacing, kToleranceInRoughness * roughness / count)};
+}
+
 RegionTest::RegionTest(const SurfaceSamples& samples, const RegionLimits& limits)
     : samples_(samples),
       cos_cone_(static_cast<float>(std::cos(glm::radians(limits.cone_degrees)))),
       cone_(std::acos(cos_cone_)),
-      sheet_tolerance_(limits.sheet_tolerance) {}
+      sheet_tolerance_(limits.sheet_tolerance),
+      density_ratio_(limits.density_ratio) {}
 
 std::optional<glm::vec3> RegionTest::fit_cone(std::span<const std::uint32_t> points) {
   glm::vec3 sum(0.0F);
@@ -91,17 +106,7 @@ bool RegionTest::single_valued(std::span<const std::uint32_t> points, glm::vec3 
   glm::dvec3 u;
   glm::dvec3 v;
   complete_frame(glm::dvec3(normal), u, v);
-  double area = 0.0;
-  double roughness = 0.0;
-  for (const std::uint32_t i : points) {
-    area += double{samples_.spacing[i]} * samples_.spacing[i];
-    roughness += samples_.roughness[i];
-  }
-  const auto count = static_cast<double>(points.size());
-  const double spacing = std::sqrt(area / count);
-  const double cell = kCellInSpacings * spacing;
-  const double tolerance =
-      std::max(sheet_tolerance_ * spacing, kToleranceInRoughness * roughness / count);
+  const auto [cell, tolerance] = sheet_scale(samples_, points, sheet_tolerance_);
 
   // What the table's order asks for at random is brought together first.
   places_.clear();
@@ -138,7 +143,20 @@ bool RegionTest::single_valued(std::span<const std::uint32_t> points, glm::vec3 
   return true;
 }
 
+bool RegionTest::even_enough(std::span<const std::uint32_t> points) {
+  if (density_ratio_ <= 0.0) return true;
+  spacings_.clear();
+  for (const std::uint32_t i : points) spacings_.push_back(samples_.spacing[i]);
+  const auto tenth = static_cast<std::ptrdiff_t>(spacings_.size() / 10);
+  const auto fine = spacings_.begin() + tenth;
+  const auto coarse = spacings_.end() - 1 - tenth;
+  std::nth_element(spacings_.begin(), fine, spacings_.end());
+  std::nth_element(fine, coarse, spacings_.end());
+  return *coarse <= density_ratio_ * *fine;
+}
+
 std::optional<glm::vec3> RegionTest::fit(std::span<const std::uint32_t> points) {
+  if (!even_enough(points)) return std::nullopt;
   const std::optional<glm::vec3> axis = fit_cone(points);
   if (!axis || !single_valued(points, *axis)) return std::nullopt;
   return axis;

@@ -13,6 +13,8 @@
 namespace relief {
 namespace {
 
+// Heights are rounded to a twentieth of a spacing (DESIGN.md).
+constexpr double kDefaultStepsPerSpacing = 20.0;
 // Margin nodes need points a little beyond them for their fits.
 constexpr double kFitReachInSpacings = 2.5;
 
@@ -116,7 +118,9 @@ Patch resample_region(const SurfaceSamples& samples, const NeighbourGraph& graph
   }
 
   double lowest = 0.0;
-  store_heights(surface, states, options.height_step, patch, lowest);
+  const double step =
+      options.height_step > 0.0 ? options.height_step : options.spacing / kDefaultStepsPerSpacing;
+  store_heights(surface, states, step, patch, lowest);
   patch.spacing = grid.spacing;
   patch.axes = points.frame.axes;
   patch.origin = points.frame.origin + points.frame.axes * glm::dvec3(grid.x0, grid.y0, lowest);
@@ -128,16 +132,19 @@ Patch resample_region(const SurfaceSamples& samples, const NeighbourGraph& graph
 }
 
 double choose_spacing(const SurfaceSamples& samples, const NeighbourGraph& graph,
-                      const std::vector<Region>& regions, std::size_t target) {
+                      const std::vector<Region>& regions, const std::vector<double>& factors,
+                      std::size_t target) {
   double area = 0.0;
   const auto count = static_cast<double>(target);
   std::vector<PatchPoints> points(regions.size());
   tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t r) {
     points[r] = collect_patch_points(samples, graph, regions[r], {}, 0.0);
   });
-  for (const PatchPoints& region : points) {
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    const PatchPoints& region = points[r];
+    const double cells = factors[r] * factors[r];
     for (std::size_t p = 0; p < region.own; ++p) {
-      area += double{region.spacing[p]} * region.spacing[p] * std::abs(region.normals[p].z);
+      area += double{region.spacing[p]} * region.spacing[p] * std::abs(region.normals[p].z) / cells;
     }
   }
   double spacing = std::sqrt(area / count);
@@ -146,8 +153,8 @@ double choose_spacing(const SurfaceSamples& samples, const NeighbourGraph& graph
   for (int round = 0; round < 2; ++round) {
     std::vector<std::size_t> nodes(regions.size(), 0);
     tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t r) {
-      const PointGrid own(points[r], points[r].own, bucket_side(points[r], spacing));
-      const PatchGrid grid = lay_grid(points[r], spacing, 0);
+      const PointGrid own(points[r], points[r].own, bucket_side(points[r], factors[r] * spacing));
+      const PatchGrid grid = lay_grid(points[r], factors[r] * spacing, 0);
       const std::vector<NodeState> states = find_support(points[r], {own, own, own}, grid, 0);
       nodes[r] = states.size() - static_cast<std::size_t>(
                                      std::count(states.begin(), states.end(), NodeState::Hole));

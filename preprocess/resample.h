@@ -8,7 +8,7 @@ namespace relief {
 
 struct ResampleOptions {
   double spacing = 0.0;              ///< grid step, world units
-  double height_step = 0.0;          ///< world units per height index
+  double height_step = 0.0;          ///< world units per height index; 0: spacing / 20
   int overlap_cells = 1;             ///< width of the overlap margin
   std::uint32_t colour_scale = 1;    ///< colour texels per grid cell along each side
   bool normals_from_points = false;  ///< the points' own normals instead of the fitted surface's
@@ -23,8 +23,9 @@ struct ResampleOptions {
                                     const ResampleOptions& options);
 
 /// The grid spacing at which the regions have about `target` samples of their own (margins apart),
-/// world units.
+/// world units. `factors`: each region's own spacing in such (spacing_factors).
 [[nodiscard]] double choose_spacing(const SurfaceSamples& samples, const NeighbourGraph& graph,
-                                    const std::vector<Region>& regions, std::size_t target);
+                                    const std::vector<Region>& regions,
+                                    const std::vector<double>& factors, std::size_t target);
 
 }  // namespace relief

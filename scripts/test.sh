@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# `make test`: builds with everything enforced (warnings, clang-tidy, clang-format), runs all tests.
+# `make test`: builds with everything enforced (warnings, clang-tidy, clang-format), runs all tests,
+# and each fuzz target for half a minute.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -15,3 +16,5 @@ stage "clang-tidy"
 scripts/tidy.py build/ci
 stage "test"
 ctest --preset ci --parallel "$(nproc)"
+stage "fuzz"
+scripts/fuzz.sh 30

@@ -5,6 +5,7 @@
 #include <glm/vector_relational.hpp>
 #include <utility>
 
+#include "preprocess/keep_points.h"
 #include "preprocess/read_points.h"
 #include "preprocess/readers/source.h"
 
@@ -52,41 +53,6 @@ class SeenPositions {
   std::uint64_t mask_;
 };
 
-/// Closes the gaps that dropped points leave. `kept` lists the points to keep, ascending.
-template <class T>
-void compact(std::vector<T>& values, const std::vector<std::uint32_t>& kept) {
-  if (values.empty()) return;
-  for (std::size_t i = 0; i < kept.size(); ++i) values[i] = values[kept[i]];
-  values.resize(kept.size());
-}
-
-/// Renumbers triangles and drops those that have lost a corner, name a point that does not exist or
-/// have two corners in one point.
-void renumber(Points& points, const std::vector<std::uint32_t>& new_index) {
-  std::vector<Triangle>& triangles = points.triangles;
-  std::size_t left = 0;
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    Triangle t = triangles[i];
-    for (std::uint32_t& corner : t) {
-      corner = corner < new_index.size() ? new_index[corner] : kNoPoint;
-    }
-    const bool whole = std::ranges::find(t, kNoPoint) == t.end();
-    if (!whole || t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
-    if (!points.corner_texcoords.empty()) {
-      points.corner_texcoords[left] = points.corner_texcoords[i];
-    }
-    if (!points.corner_tangents.empty()) points.corner_tangents[left] = points.corner_tangents[i];
-    if (!points.triangle_materials.empty()) {
-      points.triangle_materials[left] = points.triangle_materials[i];
-    }
-    triangles[left++] = t;
-  }
-  triangles.resize(left);
-  if (!points.corner_texcoords.empty()) points.corner_texcoords.resize(left);
-  if (!points.corner_tangents.empty()) points.corner_tangents.resize(left);
-  if (!points.triangle_materials.empty()) points.triangle_materials.resize(left);
-}
-
 /// Formats with one texture coordinate a point write the points of a seam once for each side.
 /// Merged they would keep one side's, so the triangles get their corners' own.
 void keep_seams(Points& points) {
@@ -103,7 +69,7 @@ void keep_seams(Points& points) {
 
 }  // namespace
 
-ReadResult clean_points(Points points) {
+ReadResult clean_points(Points points, std::vector<std::uint32_t>* number) {
   assert(points.size() < kNoPoint &&
          "readers and callers refuse more points than 32 bits can index");
   ReadResult result;
@@ -135,14 +101,9 @@ ReadResult clean_points(Points points) {
     }
   }
   if (seam && points.corner_texcoords.empty()) keep_seams(points);
-  renumber(points, new_index);
-  if (kept.size() < count) {
-    compact(points.positions, kept);
-    compact(points.normals, kept);
-    compact(points.colours, kept);
-    compact(points.texcoords, kept);
-  }
+  keep_points(points, kept, new_index);
   result.points = std::move(points);
+  if (number != nullptr) *number = std::move(new_index);
   return result;
 }
 

@@ -25,6 +25,7 @@ Reader reader_by_content(std::string_view text) {
   if (is_binary_stl(text) || is_ascii_stl(text)) return read_stl;
   if (is_off(text)) return read_off;
   if (is_glb(text)) return read_gltf;
+  if (is_drc(text)) return read_drc;
   return nullptr;
 }
 
@@ -34,7 +35,7 @@ Reader reader_by_name(std::string_view name) {
       {".gltf", read_gltf},  {".glb", read_gltf}, {".stl", read_stl}, {".xyz", read_xyz},
       {".txt", read_xyz},    {".csv", read_xyz},  {".asc", read_xyz}, {".pts", read_xyz},
       {".xyzrgb", read_xyz}, {".xyzn", read_xyz}, {".las", read_las}, {".laz", read_las},
-      {".ptx", read_ptx}};
+      {".ptx", read_ptx},    {".drc", read_drc}};
   for (const auto& [ending, reader] : readers) {
     if (ending == name) return reader;
   }
@@ -61,7 +62,7 @@ std::string_view other_format(std::string_view text) {
 
 Result<Reader> find_reader(const std::filesystem::path& path, std::string_view text) {
   constexpr std::string_view readable =
-      "PLY, PCD, LAS, PTX, OBJ, glTF, OFF, STL and XYZ text, plain or gzipped";
+      "PLY, PCD, LAS, PTX, OBJ, glTF, Draco, OFF, STL and XYZ text, plain or gzipped";
   if (const Reader reader = reader_by_content(text)) return reader;
   if (text.starts_with("ASTM-E57")) {
     return make_error(
@@ -84,6 +85,10 @@ Result<Reader> find_reader(const std::filesystem::path& path, std::string_view t
                       path.string());
   }
   return reader;
+}
+
+bool reads_in_blocks(Reader reader) {
+  return reader == read_ply || reader == read_las || reader == read_xyz;
 }
 
 }  // namespace relief

@@ -17,4 +17,7 @@ using Reader = Result<Points> (*)(const Source&);
 /// that the file has and that cannot.
 Result<Reader> find_reader(const std::filesystem::path& path, std::string_view text);
 
+/// Whether a reader knows a Source's sink.
+[[nodiscard]] bool reads_in_blocks(Reader reader);
+
 }  // namespace relief

@@ -28,8 +28,8 @@ bool is_gzip(std::span<const std::byte> bytes) {
          std::to_integer<unsigned>(bytes[1]) == kMagic[1];
 }
 
-Result<std::vector<std::byte>> gunzip(const std::string& name, std::span<const std::byte> bytes,
-                                      std::uint64_t limit, const Progress& progress) {
+Status gunzip_pieces(const std::string& name, std::span<const std::byte> bytes,
+                     const Progress& progress, const TakePiece& take) {
   z_stream stream{};
   constexpr int gzip_only = 16 + MAX_WBITS;
   if (inflateInit2(&stream, gzip_only) != Z_OK) {
@@ -37,30 +37,22 @@ Result<std::vector<std::byte>> gunzip(const std::string& name, std::span<const s
   }
   const std::unique_ptr<z_stream, EndInflate> end_inflate(&stream);
 
-  std::vector<std::byte> out;
+  std::vector<std::byte> piece(kStep);
   std::size_t used = 0;  // of bytes
-  std::size_t made = 0;  // of out
   for (;;) {
     if (progress.cancelled()) return interrupted_error();
-    if (made == out.size())
-      out.resize(std::min<std::uint64_t>(std::max(kStep, 2 * made), limit + 1));
     stream.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(bytes.data() + used));
     stream.avail_in = static_cast<uInt>(std::min(kStep, bytes.size() - used));
-    stream.next_out = reinterpret_cast<Bytef*>(out.data() + made);
-    stream.avail_out = static_cast<uInt>(std::min(kStep, out.size() - made));
+    stream.next_out = reinterpret_cast<Bytef*>(piece.data());
+    stream.avail_out = static_cast<uInt>(piece.size());
     const uInt in_before = stream.avail_in;
-    const uInt out_before = stream.avail_out;
     const int code = inflate(&stream, Z_NO_FLUSH);
     used += in_before - stream.avail_in;
-    made += out_before - stream.avail_out;
-    if (made > limit) {
-      return make_error(
-          "{}: decompresses to more than {} MB, which this machine's memory cannot hold", name,
-          limit / 1'000'000);
-    }
+    const auto made = std::span(piece).first(piece.size() - stream.avail_out);
+    if (Status taken = take(made, used); !taken) return taken;
     if (code == Z_STREAM_END) {
       const auto left = bytes.subspan(used);
-      if (only_zeros(left)) break;
+      if (only_zeros(left)) return {};
       if (!is_gzip(left)) {
         return make_error(
             "{}: byte {}: the compressed data is followed by something else; the file "
@@ -77,7 +69,24 @@ Result<std::vector<std::byte>> gunzip(const std::string& name, std::span<const s
       return make_error("{}: the compressed data ends early; the file is truncated", name);
     }
   }
-  out.resize(made);
+}
+
+Result<std::vector<std::byte>> gunzip(const std::string& name, std::span<const std::byte> bytes,
+                                      std::uint64_t limit, const Progress& progress) {
+  std::vector<std::byte> out;
+  const Status unpacked = gunzip_pieces(
+      name, bytes, progress, [&](std::span<const std::byte> piece, std::size_t) -> Status {
+        if (piece.size() > limit - out.size()) {
+          return make_error(
+              "{}: decompresses to more than {} MB, which this machine's memory cannot hold", name,
+              limit / 1'000'000);
+        }
+        const std::size_t at = out.size();
+        out.resize(at + piece.size());
+        std::ranges::copy(piece, out.begin() + static_cast<std::ptrdiff_t>(at));
+        return {};
+      });
+  if (!unpacked) return unpacked.error();
   return out;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,14 @@ namespace relief {
 
 /// Whether `bytes` begin as a gzip file does.
 [[nodiscard]] bool is_gzip(std::span<const std::byte> bytes);
+
+/// Takes what was unpacked, piece by piece; `used`: packed bytes that it came from, all in all.
+using TakePiece = std::function<Status(std::span<const std::byte> piece, std::size_t used)>;
+
+/// Decompresses all members of a gzip file and hands them to `take`, whose failure ends it. `name`
+/// begins errors.
+Status gunzip_pieces(const std::string& name, std::span<const std::byte> bytes,
+                     const Progress& progress, const TakePiece& take);
 
 /// Decompresses all members of a gzip file. The size that the file claims is not trusted: memory is
 /// taken as bytes come, and a file that grows beyond `limit` bytes is refused. `name` begins

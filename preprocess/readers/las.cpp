@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "preprocess/readers/las_header.h"
 #include "preprocess/readers/number_type.h"
@@ -25,6 +26,8 @@ Colours find_colours(const Source& source, const LasHeader& header) {
   Colours found = Colours::None;
   const char* record = source.text.data() + header.body;
   for (std::uint64_t i = 0; i < header.points; ++i, record += header.stride) {
+    if (source.sink != nullptr && i % PointSink::kBlockPoints == 0)
+      source.sink->pass(header.body + i * header.stride);
     const glm::u16vec3 c = colour_of(record, header.colour_at());
     const auto largest = std::max({c.x, c.y, c.z});
     if (largest > 255) return Colours::Words;
@@ -76,8 +79,12 @@ Result<Points> read_las(const Source& source) {
   if (!header) return header.error();
   const Colours colours = find_colours(source, *header);
   Points points;
-  points.positions.reserve(header->points);
-  if (colours != Colours::None) points.colours.reserve(header->points);
+  std::uint64_t given = 0;  // to the sink
+  const std::uint64_t most = source.sink != nullptr
+                                 ? std::min<std::uint64_t>(header->points, PointSink::kBlockPoints)
+                                 : header->points;
+  points.positions.reserve(most);
+  if (colours != Colours::None) points.colours.reserve(most);
   // The upper byte is right for both ways to make 16 bits of a byte: times 256 and times 257.
   const unsigned shift = colours == Colours::Words ? 8 : 0;
   LeftOut left_out;
@@ -94,9 +101,13 @@ Result<Points> read_las(const Source& source) {
       const glm::u16vec3 c = colour_of(record, header->colour_at());
       points.colours.emplace_back(c.x >> shift, c.y >> shift, c.z >> shift);
     }
+    if (source.sink != nullptr && points.size() == PointSink::kBlockPoints) {
+      given += points.size();
+      if (Status taken = source.sink->take(std::exchange(points, {})); !taken) return taken.error();
+    }
   }
   tell(source, colours, left_out);
-  if (points.positions.empty() && source.remarks.left_out > 0) {
+  if (points.size() + given == 0 && source.remarks.left_out > 0) {
     return make_error("{}: holds no points to use: all {} are marked as withheld or noise",
                       source.name, header->points);
   }

@@ -28,6 +28,12 @@ class PlyBody {
   Result<Points> read() {
     for (const PlyElement& element : header_.elements) {
       if (element.properties.empty()) continue;
+      if (has_vertices_ && source_.sink != nullptr) {
+        source_.remarks.notes.push_back(
+            fmt::format("{}: its {} elements '{}' are not used with --memory", source_.name,
+                        element.count, element.name));
+        continue;
+      }
       if (Status fits = check_count(element); !fits) return fits.error();
       const Status status = element.name == "vertex" ? read_vertices(element) : read_lists(element);
       if (!status) return status.error();
@@ -75,12 +81,16 @@ class PlyBody {
     }
     if (element.count >= kNoPoint) return too_many_points(source_, element.count);
 
-    PointCollector points(layout, colour_numbers, element.count);
+    has_vertices_ = true;
+    const std::uint64_t most = source_.sink != nullptr ? PointSink::kBlockPoints : element.count;
+    PointCollector points(layout, colour_numbers, std::min(most, element.count));
     PointRecord record{};
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (!read_vertex(element, roles, record)) return failure(element, i);
       if (!meter_.advance_to(values_.offset())) return interrupted_error();
       points.add(record);
+      if (!points.is_block(source_)) continue;
+      if (Status given = points.give_block(source_); !given) return given;
     }
     // Faces may have come before the vertices.
     std::vector<Triangle> triangles = std::move(points_.triangles);
@@ -111,8 +121,9 @@ class PlyBody {
         const bool wanted = (faces || strips) && property.count_type &&
                             (property.name == "vertex_indices" || property.name == "vertex_index");
         if (!(wanted ? read_list(property) : skip_property(property))) return failure(element, i);
-        if (wanted && strips) append_strips(list_, points_.triangles);
-        if (wanted && faces) append_polygon(list_, points_.triangles);
+        if (!wanted || source_.sink != nullptr) continue;
+        if (strips) append_strips(list_, points_.triangles);
+        if (faces) append_polygon(list_, points_.triangles);
       }
       if (!values_.end_element()) return failure(element, i);
       if (!meter_.advance_to(values_.offset())) return interrupted_error();
@@ -161,6 +172,7 @@ class PlyBody {
   Points points_;
   std::vector<std::uint32_t> list_;
   bool impossible_list_ = false;
+  bool has_vertices_ = false;  ///< they were read, or the sink has them
 };
 
 }  // namespace

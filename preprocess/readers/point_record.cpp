@@ -65,8 +65,22 @@ void PointCollector::add(const PointRecord& record) {
 }
 
 Points PointCollector::finish() {
-  points_.colours = to_colours(colours_, colour_numbers_);
-  return std::move(points_);
+  points_.colours =
+      to_colours(colours_, colour_scale_.value_or(find_colour_scale(colours_, colour_numbers_)));
+  colours_.clear();
+  return std::exchange(points_, {});
+}
+
+Status PointCollector::give_block(const Source& source) {
+  const float scale = find_colour_scale(colours_, colour_numbers_);
+  if (!colour_scale_) colour_scale_ = scale;
+  if (scale < *colour_scale_) {
+    return make_error(
+        "{}: its first {} points have colours up to {:g}, later ones larger; without --memory they "
+        "can be read",
+        source.name, PointSink::kBlockPoints, 255.0F / *colour_scale_);
+  }
+  return source.sink->take(finish());
 }
 
 }  // namespace relief

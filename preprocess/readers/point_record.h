@@ -3,11 +3,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "common/points.h"
 #include "preprocess/readers/colours.h"
+#include "preprocess/readers/source.h"
 
 namespace relief {
 
@@ -46,11 +48,20 @@ class PointCollector {
   void add(const PointRecord& record);
   [[nodiscard]] Points finish();
 
+  /// Whether the source's sink, if it has one, shall have what is there.
+  [[nodiscard]] bool is_block(const Source& source) const {
+    return source.sink != nullptr && points_.positions.size() >= PointSink::kBlockPoints;
+  }
+  /// Gives the sink what is there. The first block tells the scale of colours; fails if later ones
+  /// do not fit into it.
+  Status give_block(const Source& source);
+
  private:
   RecordLayout layout_;
   ColourNumbers colour_numbers_;
   Points points_;
   std::vector<glm::vec3> colours_;
+  std::optional<float> colour_scale_;  ///< once a block has told it
 };
 
 }  // namespace relief

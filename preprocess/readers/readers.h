@@ -54,6 +54,10 @@ Result<Points> read_gltf(const Source& source);
 /// OFF as text, with the prefixes ST, C and N, with or without the keyword.
 Result<Points> read_off(const Source& source);
 
+/// Draco (.drc) of bitstream 2.2 and later, point clouds and meshes: positions, normals, colours,
+/// texture coordinates, triangles.
+Result<Points> read_drc(const Source& source);
+
 /// STL, ASCII or binary. Each facet brings its own three points; clean_points merges them. Facet
 /// normals are not read: the triangles have them.
 Result<Points> read_stl(const Source& source);
@@ -72,6 +76,7 @@ Result<Points> read_ptx(const Source& source);
 [[nodiscard]] bool is_pcd(std::string_view text);
 [[nodiscard]] bool is_las(std::string_view text);
 [[nodiscard]] bool is_glb(std::string_view text);
+[[nodiscard]] bool is_drc(std::string_view text);
 [[nodiscard]] bool is_off(std::string_view text);
 /// The size of the file is just what a binary STL file with its number of facets has. Text never
 /// passes: its 81st to 84th characters, taken as a number, ask for 25 GB or more.

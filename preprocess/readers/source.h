@@ -20,19 +20,39 @@ struct ReadRemarks {
       notes;  ///< for the user, a sentence each that begins with the file's name
 };
 
+/// Takes a file's points block by block, where all of them together are too many for memory.
+class PointSink {
+ public:
+  /// Enough that a block's columns and colours tell what they mean.
+  static constexpr std::size_t kBlockPoints = std::size_t{1} << 16U;
+
+  PointSink() = default;
+  virtual ~PointSink() = default;
+  PointSink(const PointSink&) = delete;
+  PointSink& operator=(const PointSink&) = delete;
+
+  /// The next points of the file, in its order.
+  virtual Status take(Points block) = 0;
+  /// Bytes before `offset` are not needed any more, unless the reader begins again.
+  virtual void pass(std::size_t /*offset*/) {}
+};
+
 /// A scan's bytes, decompressed. They are not trusted.
 struct Source {
   std::string name;       ///< path, with which each error begins
   std::string_view text;  ///< the whole file, text or not
   Progress& progress;
   ReadRemarks& remarks;
+  /// Where reads_in_blocks says so, takes the points; those that the reader returns come after
+  /// them, and triangles are left out. Null: the reader returns all.
+  PointSink* sink = nullptr;
 };
 
 /// Tells the progress how far a reader is, and the reader whether it shall stop. Cheap enough to be
 /// asked for every line.
 class ReadMeter {
  public:
-  explicit ReadMeter(const Source& source) : progress_(source.progress) {}
+  explicit ReadMeter(const Source& source) : progress_(source.progress), sink_(source.sink) {}
 
   /// `offset`: bytes read so far. False: return interrupted_error().
   [[nodiscard]] bool advance_to(std::size_t offset) {
@@ -46,10 +66,12 @@ class ReadMeter {
   [[nodiscard]] bool report(std::size_t offset) {
     progress_.advance(offset - told_);
     told_ = offset;
+    if (sink_ != nullptr) sink_->pass(offset);
     return !progress_.cancelled();
   }
 
   Progress& progress_;
+  PointSink* sink_;
   std::size_t told_ = 0;
 };
 

@@ -1,3 +1,4 @@
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -29,13 +30,15 @@ class XyzReader {
       if (!meter.advance_to(line_.offset())) return interrupted_error();
       if (Status status = read_line(); !status) return status.error();
     }
-    if (table_.rows() == 0) return make_error("{}: holds no points", source_.name);
-    if (stated_ > table_.rows()) {
+    const std::uint64_t rows = given_ + table_.rows();
+    if (rows == 0) return make_error("{}: holds no points", source_.name);
+    if (stated_ > rows) {
       return make_error("{}: states {} points, but has {}; the file is truncated", source_.name,
-                        stated_, table_.rows());
+                        stated_, rows);
     }
-    if (table_.rows() >= kNoPoint) return too_many_points(source_, table_.rows());
-    return collect();
+    if (rows >= kNoPoint) return too_many_points(source_, rows);
+    collect();
+    return collector_->finish();
   }
 
  private:
@@ -113,30 +116,42 @@ class XyzReader {
           table_.columns < 3 ? "3 or more" : std::to_string(table_.columns), row.size());
     }
     table_.numbers.insert(table_.numbers.end(), row.begin(), row.end());
-    return {};
+    if (source_.sink == nullptr || table_.rows() < PointSink::kBlockPoints) return {};
+    collect();
+    return collector_->give_block(source_);
   }
 
-  Points collect() {
+  /// Moves the table's rows to the collector. The first ones tell what the columns mean.
+  void collect() {
+    if (!collector_) find_columns();
+    PointRecord record{};
+    for (std::size_t i = 0; i < table_.rows(); ++i) {
+      for (std::size_t c = 0; c < table_.columns; ++c) record[roles_[c]] = table_.row(i)[c];
+      collector_->add(record);
+    }
+    given_ += table_.rows();
+    table_.numbers.clear();
+  }
+
+  void find_columns() {
     const std::string path = lower_case(source_.name);
     std::string_view name = path;
     if (name.ends_with(".gz")) name.remove_suffix(3);
     const std::size_t dot = name.rfind('.');
     const std::string_view extension = dot == name.npos ? "" : name.substr(dot);
-    const ColumnRoles found = find_column_roles(table_, names_, extension);
+    ColumnRoles found = find_column_roles(table_, names_, extension);
     RecordLayout layout;
     for (const Role role : found.roles) layout.add(role);
-    PointCollector points(layout, found.colour_numbers, table_.rows());
-    PointRecord record{};
-    for (std::size_t i = 0; i < table_.rows(); ++i) {
-      for (std::size_t c = 0; c < table_.columns; ++c) record[found.roles[c]] = table_.row(i)[c];
-      points.add(record);
-    }
-    return points.finish();
+    collector_.emplace(layout, found.colour_numbers, table_.rows());
+    roles_ = std::move(found.roles);
   }
 
   const Source& source_;
   TextCursor line_;
   NumberTable table_;
+  std::optional<PointCollector> collector_;  ///< once the columns are known
+  std::vector<Role> roles_;                  ///< per column
+  std::uint64_t given_ = 0;                  ///< rows that the collector has had
   std::string_view names_;
   std::size_t header_lines_ = 0;
   std::uint64_t stated_ = 0;

@@ -203,6 +203,22 @@ TEST_F(BadInput, InterruptedConversion) {
   EXPECT_EQ(files(), before);
 }
 
+TEST_F(BadInput, InterruptedConversionInTiles) {
+  const std::string scan = write_knot(500000);
+  RunOptions options;
+  options.terminal = true;
+  options.interrupt_at = "resample";
+  const Outcome run =
+      run_relief({"convert", scan, "-o", path("out.relief"), "--memory", "256M"}, options);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.err.find("relief: interrupted; what is done is kept in " + path("out.relief") +
+                         ".parts, and the same command goes on from there"),
+            std::string::npos)
+      << run.err;
+  EXPECT_FALSE(std::filesystem::exists(path("out.relief")));
+  EXPECT_TRUE(std::filesystem::exists(path("out.relief.parts")));
+}
+
 TEST_F(BadInput, DamagedPatchFile) {
   ASSERT_EQ(run_relief({"convert", write_knot(500), "-o", path("good.relief")}).exit_code, 0);
   const std::string good = bytes_of(path("good.relief"));

@@ -1,6 +1,7 @@
 // The main job from a scan to a picture, through the command alone.
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -108,6 +109,25 @@ TEST_F(EndToEnd, TheFileDoesNotDependOnTheThreads) {
   }
 }
 
+TEST_F(EndToEnd, WhatFitsIntoTheMemoryIsTheSameAsEver) {
+  const std::string scan = write_knot(20000);
+  run_json({"convert", scan, "-o", path("a.relief")});
+  const json limited = run_json({"convert", scan, "-o", path("b.relief"), "--memory", "256M"});
+  EXPECT_EQ(limited["tiles"], 1);
+  EXPECT_EQ(bytes_of(path("a.relief")), bytes_of(path("b.relief")));
+}
+
+TEST_F(EndToEnd, LargerScansAreConvertedInTilesWithinTheMemory) {
+  const json result =
+      run_json({"convert", write_knot(500000), "-o", path("knot.relief"), "--memory", "256M"});
+  EXPECT_GE(result["tiles"], 2);
+  EXPECT_EQ(result["tiles_found"], 0);
+  EXPECT_GT(result["halo_points"], 0);
+  EXPECT_EQ(result["uncovered_points"], 0);
+  EXPECT_LT(result["peak_bytes"], std::int64_t{256} << 20);
+  EXPECT_FALSE(std::filesystem::exists(path("knot.relief.parts")));
+}
+
 TEST_F(EndToEnd, CompactFilesHoldTheSameInFewerBytes) {
   const std::string scan = write_knot(30000);
   json fast = run_json({"convert", scan, "-o", path("fast.relief")});
@@ -140,6 +160,49 @@ TEST_F(EndToEnd, SeveralScansAreOne) {
   EXPECT_EQ(twice["points"], once["points"]);
   EXPECT_EQ(twice["duplicates_merged"], once["points"]);
   EXPECT_EQ(bytes_of(path("once.relief")), bytes_of(path("twice.relief")));
+}
+
+TEST_F(EndToEnd, ScansStandWhereTheirConfSays) {
+  // The same scan twice, once moved by 100: its whole width lies between.
+  const std::string scan = write_knot(3000);
+  const std::string name = std::filesystem::path(scan).filename().string();
+  const std::string conf = path("knots.conf");
+  std::ofstream(conf) << "bmesh " << name << " 0 0 0 0 0 0 1\nbmesh " << name
+                      << " 100 0 0 0 0 0 1\n";
+  const json one = run_json({"convert", scan, "-o", path("one.relief")});
+  const json two = run_json({"convert", conf, "-o", path("two.relief")});
+  EXPECT_EQ(two["points"].get<int>(), 2 * one["points"].get<int>());
+  const auto width = [this](const char* file) {
+    const json info = run_json({"info", path(file)});
+    return info["bounds_max"][0].get<double>() - info["bounds_min"][0].get<double>();
+  };
+  EXPECT_NEAR(width("two.relief"), width("one.relief") + 100.0, 1e-9);
+  std::ofstream(conf) << "bmesh nothing.ply 0 0 0 0 0 0 1\n";
+  const Outcome missing = run_relief({"convert", conf, "-o", path("two.relief")});
+  EXPECT_EQ(missing.exit_code, 1);
+  EXPECT_NE(missing.err.find("nothing.ply"), std::string::npos) << missing.err;
+}
+
+TEST_F(EndToEnd, WhatCleaningAndThinningTakeIsTold) {
+  const std::string scan = write_knot(5000);
+  const std::string far_off = path("far.csv");
+  std::ofstream(far_off) << "x,y,z,r,g,b\n9,9,9,1,2,3\n-9,9,9,1,2,255\n";
+  const std::vector<std::string> both = {"convert", scan, far_off, "-o", path("a.relief")};
+  json plain = run_json(both);
+  EXPECT_EQ(plain["outliers_removed"], 0);
+  EXPECT_EQ(plain["points_thinned"], 0);
+  auto words = both;
+  words.insert(words.end(), {"--clean", "--thin", "0.2"});
+  json less = run_json(words);
+  EXPECT_EQ(less["outliers_removed"], 2);
+  EXPECT_GT(less["points_thinned"], 500);
+  EXPECT_EQ(less["points"].get<int>() + less["points_thinned"].get<int>() + 2,
+            plain["points"].get<int>());
+  const Outcome told = run_relief(words);
+  EXPECT_NE(told.out.find("taken away        2 outliers, 0 in small clusters"), std::string::npos)
+      << told.out;
+  words.back() = "0";
+  EXPECT_EQ(run_relief(words).exit_code, 2);
 }
 
 TEST_F(EndToEnd, PointsThatAreNoneAreCounted) {

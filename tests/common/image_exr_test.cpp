@@ -136,6 +136,24 @@ TEST(Exr, RefusesHostileSizes) {
   }
 }
 
+TEST(Exr, RefusesAttributesBeyondItsEnd) {
+  // OpenEXR took 0x3700_0000 bytes for the attribute before it saw that 3 follow.
+  const ScratchFolder folder;
+  const std::string start =
+      std::string("\x76\x2F\x31\x01\x02\0\0\0", 8) + std::string("name\0type\0", 10);
+  const std::string bytes = start + std::string(
+                                        "\0\0\0\x37"
+                                        "abc",
+                                        7);
+  spill(folder / "a.exr", bytes);
+  EXPECT_NE(failure(folder / "a.exr").find("longer than the file"), std::string::npos);
+  // The same in the second of several headers.
+  std::string parts = start + std::string("\1\0\0\0x\0", 6) + bytes.substr(8);
+  parts[5] = 0x10;
+  spill(folder / "a.exr", parts);
+  EXPECT_NE(failure(folder / "a.exr").find("longer than the file"), std::string::npos);
+}
+
 TEST(Exr, RefusesEveryTruncationAndSurvivesEveryFlip) {
   const ScratchFolder folder;
   const std::string bytes = exr_with_window(folder, 1, 1);

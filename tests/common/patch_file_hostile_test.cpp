@@ -203,6 +203,24 @@ TEST(ForgedPatchFile, CannotAskForMoreThanTheMachineHas) {
       << read_failure(folder, bytes);
 }
 
+/// The same of maps: 16129 x 16129 texels a patch, which need not be there to be counted.
+TEST(ForgedPatchFile, CannotAskForMapsBeyondTheMachinesMemory) {
+  const ScratchFolder folder;
+  PatchModel model = bumpy_model(1, 1);
+  model.patches[0] = test::bumpy_patch({.width = 257, .height = 257, .normals = 0, .colours = 1});
+  ASSERT_TRUE(write_patch_file(folder / "valid.relief", model));
+  const std::string bytes =
+      forged(slurp(folder / "valid.relief"), [](FileHeader& header, FileIndex& index) {
+        index.chunks[1].scale = 63;
+        index.patches.resize(16384, index.patches[0]);
+        header.patches = 16384;
+        header.samples = 16384 * std::uint64_t{index.patches[0].summary.samples};
+        header.file_bytes += 16383 * kPatchRecordBytes;
+      });
+  EXPECT_EQ(read_failure(folder, bytes).find("the patches take 12198"), 0U)
+      << read_failure(folder, bytes);
+}
+
 TEST(ForeignPatchFile, IsNamedInOneSentence) {
   const ScratchFolder folder;
   std::string bytes = valid_bytes(folder);

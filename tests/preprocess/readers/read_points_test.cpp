@@ -82,11 +82,11 @@ TEST(ReadBytesTest, SaysWhatCannotBeRead) {
   EXPECT_EQ(
       error("a.foo", "1 2 3\n"),
       "a.foo: neither its first bytes nor its name tell a format that can be read: PLY, PCD, LAS, "
-      "PTX, OBJ, glTF, OFF, STL and XYZ text, plain or gzipped");
-  EXPECT_EQ(
-      error("a.zip", "PK\x03\x04..."),
-      "a.zip: is a ZIP archive, which cannot be read; PLY, PCD, LAS, PTX, OBJ, glTF, OFF, STL and "
-      "XYZ text, plain or gzipped can");
+      "PTX, OBJ, glTF, Draco, OFF, STL and XYZ text, plain or gzipped");
+  EXPECT_EQ(error("a.zip", "PK\x03\x04..."),
+            "a.zip: is a ZIP archive, which cannot be read; PLY, PCD, LAS, PTX, OBJ, glTF, Draco, "
+            "OFF, STL and "
+            "XYZ text, plain or gzipped can");
   EXPECT_EQ(error("a.xyz", {"1\0 2\0 3\0\n\0", 9}),
             "a.xyz: has bytes of value 0, so it is not the plain text that its name says");
   EXPECT_EQ(error("a.xyz", "nan nan nan\ninf 0 0\n"),

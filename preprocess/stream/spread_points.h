@@ -1,0 +1,44 @@
+// The points of a scan that is larger than memory, spread over tiles on disk.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/progress.h"
+#include "preprocess/stream/scan_blocks.h"
+#include "preprocess/stream/tile_files.h"
+#include "preprocess/stream/tile_job.h"
+
+namespace relief {
+
+/// A scan whose points are in its tiles' files.
+struct SpreadScan {
+  TileLayout layout;
+  std::vector<TileCount> counts;  ///< of each tile
+  ScanAttributes attributes;
+  Bounds bounds;
+  std::optional<glm::dvec3> viewpoint;  ///< where the scanner stood, if the one file says so
+  ScanCounts read;
+  std::vector<std::string> notes;
+};
+
+/// The memory that a conversion of so many points at once is taken to need, bytes.
+[[nodiscard]] std::uint64_t memory_for(std::uint64_t points);
+
+struct SpreadOptions {
+  std::uint64_t memory_bytes = 0;
+  std::uint64_t most_tile_points = 0;
+  double grid_spacing = 0.0;  ///< 0: not known yet
+};
+
+/// Reads the files twice: once to see where points are, once to put each into its tile. If the job
+/// has that done already, nothing is read. Nothing is given if a conversion of all points at once
+/// keeps to the memory. Fails if a tile has more points than the memory allows.
+Result<std::optional<SpreadScan>> spread_points(const std::vector<std::filesystem::path>& files,
+                                                const TileJob& job, const SpreadOptions& options,
+                                                Progress& progress);
+
+}  // namespace relief

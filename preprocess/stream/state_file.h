@@ -1,0 +1,79 @@
+// What a conversion in tiles keeps on disk from step to step, so that a later run can go on from
+// there. Of this machine and this version alone; a checksum tells damage.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <filesystem>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "common/error.h"
+
+namespace relief {
+
+/// Collects numbers and lists of them, then writes them at once.
+class StateWriter {
+ public:
+  template <class T>
+  requires std::is_trivially_copyable_v<T>
+  void put(const T& value) { append(std::as_bytes(std::span(&value, 1))); }
+
+  template <class T>
+  void put(const std::vector<T>& list) {
+    put(std::uint64_t{list.size()});
+    append(std::as_bytes(std::span(list)));
+  }
+
+  /// Writes beside and renames: `path` is whole or not there.
+  Status save(const std::filesystem::path& path) const;
+
+ private:
+  void append(std::span<const std::byte> bytes) {
+    const std::size_t at = bytes_.size();
+    bytes_.resize(at + bytes.size());
+    if (!bytes.empty()) std::memcpy(bytes_.data() + at, bytes.data(), bytes.size());
+  }
+
+  std::vector<std::byte> bytes_;
+};
+
+/// Reads what StateWriter wrote, in the same order.
+class StateReader {
+ public:
+  /// Fails with one sentence if the file is missing or damaged.
+  static Result<StateReader> open(const std::filesystem::path& path);
+
+  /// False if the file has no such value: it is of another version.
+  template <class T>
+  requires std::is_trivially_copyable_v<T>
+  [[nodiscard]] bool take(T& value) {
+    if (left() < sizeof(T)) return false;
+    std::memcpy(&value, bytes_.data() + at_, sizeof(T));
+    at_ += sizeof(T);
+    return true;
+  }
+
+  template <class T>
+  [[nodiscard]] bool take(std::vector<T>& list) {
+    std::uint64_t count = 0;
+    if (!take(count) || count > left() / sizeof(T)) return false;
+    list.resize(count);
+    if (count > 0) std::memcpy(list.data(), bytes_.data() + at_, count * sizeof(T));
+    at_ += count * sizeof(T);
+    return true;
+  }
+
+ private:
+  explicit StateReader(std::vector<std::byte> bytes) : bytes_(std::move(bytes)) {}
+  [[nodiscard]] std::size_t left() const { return bytes_.size() - at_; }
+
+  std::vector<std::byte> bytes_;
+  std::size_t at_ = 0;
+};
+
+/// For a state file that is whole but not what this program writes.
+[[nodiscard]] Error wrong_state(const std::filesystem::path& path);
+
+}  // namespace relief

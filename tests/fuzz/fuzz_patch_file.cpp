@@ -1,0 +1,34 @@
+// Fuzzes the patch file of both versions: header, index, patches and their coarse levels.
+#include "common/patch_file.h"
+#include "tests/fuzz/memory_file.h"
+
+namespace relief::fuzz {
+namespace {
+
+void check(const Patch& patch) {
+  require(patch.heights.size() == std::size_t{patch.width} * patch.height);
+  require(patch.normals.texels.size() == std::size_t{patch.normals.width} * patch.normals.height);
+  require(patch.colours.texels.size() == std::size_t{patch.colours.width} * patch.colours.height);
+}
+
+}  // namespace
+}  // namespace relief::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);  // NOLINT
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const relief::fuzz::MemoryFile bytes(data, size);
+  const auto file = relief::PatchFile::open(bytes.path());
+  if (!file) return 0;
+  // The index tells beforehand what a patch takes. Large ones are slow here and find nothing more.
+  constexpr std::uint64_t kMostNodes = 4096;
+  constexpr std::size_t kMostPatches = 4;
+  for (std::size_t i = 0; i < std::min(file->patches().size(), kMostPatches); ++i) {
+    const relief::PatchSummary& summary = file->patches()[i];
+    if (std::uint64_t{summary.width} * summary.height > kMostNodes) continue;
+    if (const auto patch = file->read_patch(i)) relief::fuzz::check(*patch);
+    for (unsigned level = 0; level <= file->info().levels; ++level) {
+      if (const auto patch = file->read_level(i, level)) relief::fuzz::check(*patch);
+    }
+  }
+  return 0;
+}
