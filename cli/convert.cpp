@@ -95,6 +95,8 @@ Result<ConvertSummary> convert_files(const Arguments& arguments, Progress& progr
   if (!read) return read.error();
   ConvertSummary summary;
   if (arguments.clean) summary.outliers = remove_outliers(read->points, progress);
+  if (summary.outliers.were_too_many)
+    note("more than half of the points look like outliers; --clean took none away");
   if (progress.cancelled()) return interrupted_error();
   if (arguments.thin > 0.0) summary.thinned = thin_points(read->points, arguments.thin);
   auto converted = convert(std::move(read->points), arguments.options, progress);

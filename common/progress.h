@@ -27,6 +27,17 @@ class Progress {
   [[nodiscard]] virtual bool cancelled() const { return false; }
 };
 
+/// Of a job within another one, whose stages are not to be told: passes on that the user wants to
+/// stop.
+class QuietProgress final : public Progress {
+ public:
+  explicit QuietProgress(const Progress& outer) : outer_(outer) {}
+  [[nodiscard]] bool cancelled() const override { return outer_.cancelled(); }
+
+ private:
+  const Progress& outer_;
+};
+
 /// What a job returns when it was asked to stop.
 [[nodiscard]] inline Error interrupted_error() {
   return Error{"interrupted"};

@@ -120,8 +120,8 @@ OutlierReport remove_outliers(Points& points, Progress& progress) {
   const auto count = [](const std::vector<std::uint8_t>& marks) {
     return static_cast<std::uint64_t>(std::ranges::count(marks, 1));
   };
-  report = {count(dropped), count(small)};
-  if (2 * (report.sparse + report.cluster) > points.size()) return {};
+  report = {count(dropped), count(small), false};
+  if (2 * (report.sparse + report.cluster) > points.size()) return {0, 0, true};
   for (std::size_t i = 0; i < small.size(); ++i) dropped[i] |= small[i];
   drop_points(points, dropped);
   return report;

@@ -10,8 +10,9 @@ namespace relief {
 
 /// How many points were taken away, and why.
 struct OutlierReport {
-  std::uint64_t sparse = 0;   ///< farther from their neighbours than the scan or these are
-  std::uint64_t cluster = 0;  ///< in clusters too small to be a surface
+  std::uint64_t sparse = 0;    ///< farther from their neighbours than the scan or these are
+  std::uint64_t cluster = 0;   ///< in clusters too small to be a surface
+  bool were_too_many = false;  ///< more than half would have gone, so none was taken away
 };
 
 /// Takes away points that are no part of a surface, and the triangles at them.

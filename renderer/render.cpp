@@ -20,16 +20,6 @@
 namespace relief {
 namespace {
 
-/// Passes on that the user wants to stop; where several views are drawn the bar counts those alone.
-class QuietProgress final : public Progress {
- public:
-  explicit QuietProgress(const Progress& outer) : outer_(outer) {}
-  [[nodiscard]] bool cancelled() const override { return outer_.cancelled(); }
-
- private:
-  const Progress& outer_;
-};
-
 /// The views of one engine.
 struct EngineViews {
   EngineKind engine = EngineKind::Onepass;

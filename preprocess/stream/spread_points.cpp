@@ -130,6 +130,12 @@ std::uint64_t memory_for(std::uint64_t points) {
   return kBaseBytes + points * kBytesPerPoint;
 }
 
+std::uint64_t tile_points(const SpreadOptions& options) {
+  const double with_halo = static_cast<double>(points_for(options.memory_bytes));
+  return std::min(static_cast<std::uint64_t>(with_halo / (1.0 + kHaloShare)),
+                  options.most_tile_points);
+}
+
 Result<std::optional<SpreadScan>> spread_points(const std::vector<fs::path>& files,
                                                 const TileJob& job, const SpreadOptions& options,
                                                 Progress& progress) {
@@ -146,10 +152,7 @@ Result<std::optional<SpreadScan>> spread_points(const std::vector<fs::path>& fil
   if (scan.read.points <= std::max<std::uint64_t>(most, kLeastSurfacePoints))
     return std::optional<SpreadScan>();
 
-  const auto tile_points =
-      static_cast<std::uint64_t>(static_cast<double>(most) / (1.0 + kHaloShare));
-  scan.layout = lay_tiles(seen->sample, std::min(tile_points, options.most_tile_points),
-                          options.grid_spacing);
+  scan.layout = lay_tiles(seen->sample, tile_points(options), options.grid_spacing);
   if (Status done = spread(files, job, options, scan, progress); !done) return done.error();
   std::uint64_t largest = 0;
   for (const TileCount& count : scan.counts) largest = std::max(largest, count.own + count.halo);

@@ -34,6 +34,9 @@ struct SpreadOptions {
   double grid_spacing = 0.0;  ///< 0: not known yet
 };
 
+/// About how many points a tile may have.
+[[nodiscard]] std::uint64_t tile_points(const SpreadOptions& options);
+
 /// Reads the files twice: once to see where points are, once to put each into its tile. If the job
 /// has that done already, nothing is read. Nothing is given if a conversion of all points at once
 /// keeps to the memory. Fails if a tile has more points than the memory allows.

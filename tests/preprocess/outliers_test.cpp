@@ -39,6 +39,7 @@ TEST(Outliers, NothingGoesFromACleanSurface) {
   Progress progress;
   const OutlierReport report = remove_outliers(points, progress);
   EXPECT_EQ(report.sparse + report.cluster, 0U);
+  EXPECT_FALSE(report.were_too_many);
   EXPECT_EQ(points.positions, plane().positions);
   EXPECT_EQ(points.triangles.size(), plane().triangles.size());
 }
@@ -86,6 +87,7 @@ TEST(Outliers, AScanThatIsAllDustStays) {
   for (int k = 0; k < 40; ++k) add(points, {k * k * 1.0, (k * 7) % 11, (k * 5) % 13});
   Progress progress;
   const OutlierReport report = remove_outliers(points, progress);
+  EXPECT_TRUE(report.were_too_many);
   EXPECT_EQ(report.sparse + report.cluster, 0U);
   EXPECT_EQ(points.size(), 40U);
 }
