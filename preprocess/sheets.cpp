@@ -4,6 +4,15 @@
 #include <glm/geometric.hpp>
 
 namespace relief {
+namespace {
+
+// Of a sheet's area, what its normals add up to if it is open and faces one way; flux over area to
+// the power of 1.5 that tells the outside of such a sheet, and of any other.
+constexpr double kOpenShare = 0.5;
+constexpr double kBentFlux = 0.05;
+constexpr double kLeastFlux = 1e-3;
+
+}  // namespace
 
 void SheetSums::add(const SheetSums& other, bool turned) {
   const double sign = turned ? -1.0 : 1.0;
@@ -40,10 +49,12 @@ bool faces_inward(const SheetSums& sheet, bool has_viewpoint) {
   const double flux = has_viewpoint
                           ? sheet.to_viewpoint
                           : sheet.flux - glm::dot(sheet.area_normal, sheet.moment / sheet.area);
-  // A flat sheet has no outside; there +Z decides so that the result is at least predictable.
-  const double scale = sheet.area * std::sqrt(sheet.area);
-  if (std::abs(flux) > 1e-3 * scale) return flux < 0.0;
+  // An open sheet that hardly bends, as a terrain is, has no outside: +Z decides. (Normals of a
+  // closed surface add up to nothing; half a sphere has half its area and 0.3 of its scale.)
   const glm::dvec3 n = sheet.area_normal;
+  const double scale = sheet.area * std::sqrt(sheet.area);
+  const bool is_open = glm::length(n) > kOpenShare * sheet.area;
+  if (std::abs(flux) > (is_open ? kBentFlux : kLeastFlux) * scale) return flux < 0.0;
   return n.z + 1e-3 * n.y + 1e-6 * n.x < 0.0;
 }
 

@@ -37,7 +37,8 @@ struct SheetSums {
                                             const glm::dvec3& base);
 
 /// Whether a sheet's normals are to be turned round so that they face the viewpoint, if there is
-/// one, otherwise outward: positive flux about the centroid, exact for closed surfaces.
+/// one, otherwise outward: positive flux about the centroid, exact for closed surfaces; open sheets
+/// that hardly bend, as terrains, face +Z.
 [[nodiscard]] bool faces_inward(const SheetSums& sheet, bool has_viewpoint);
 
 }  // namespace relief

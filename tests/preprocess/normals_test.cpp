@@ -106,6 +106,28 @@ TEST(Normals, GivenOnesOfRandomSignAreOriented) {
   EXPECT_LT(done.report.repaired, 3000U);
 }
 
+/// The least z of all normals.
+float lowest(const Points& points) {
+  float least = 1.0F;
+  for (const glm::vec3& n : points.normals) least = std::min(least, n.z);
+  return least;
+}
+
+// A hollow's middle lies below its rim, so that its outside would be underneath.
+TEST(Normals, TerrainsFaceUpHillsAndHollowsAlike) {
+  for (const double relief : {0.1, -0.1}) {
+    Points points = test::sample_height_field(
+        1.0, 0.03, [&](double x, double y) { return relief * std::exp(-2.0 * (x * x + y * y)); });
+    EXPECT_GT(lowest(complete(std::move(points)).points), 0.9F) << relief;
+  }
+}
+
+TEST(Normals, OpenSheetsThatBendFaceOutward) {
+  Points points = test::sample_sphere(8000);
+  std::erase_if(points.positions, [](const glm::dvec3& p) { return p.z > 0.0; });
+  EXPECT_GT(worst_cosine(complete(std::move(points)).points, test::Sphere{}), 0.95);
+}
+
 TEST(Normals, GoodGivenOnesAreKeptAsTheyAre) {
   Points points = test::sample_sphere(3000);
   // Bent by 20 degrees, as a bump map would: consistent, so none of our business.
