@@ -1,6 +1,7 @@
 #include "common/patch_codec.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "common/bytes.h"
 #include "common/mask_codec.h"
@@ -17,6 +18,7 @@ std::vector<std::uint8_t> sample_mask(const Patch& patch) {
 }
 
 std::vector<std::uint8_t> kept_texels(const Patch& patch, std::uint32_t scale) {
+  assert(scale > 0 && "a map has a texel a cell or more");
   std::vector<std::uint8_t> mask = sample_mask(patch);
   if (scale == 1) return mask;
   const std::size_t width = std::size_t{scale} * (patch.width - 1) + 1;

@@ -86,15 +86,17 @@ class Joiner {
     if (!state) return state.error();
     std::vector<RimPoint> rim;
     if (!state->take(rim)) return wrong_state(tiles_[other].rim);
-    const auto of_home = std::ranges::equal_range(
-        rim, home, {}, [](const RimPoint& point) { return point.home.tile; });
-    for (const RimPoint& seen : of_home) {
+    const auto is_before = [](const RimPoint& point, std::uint32_t tile) {
+      return point.home.tile < tile;
+    };
+    auto seen = std::lower_bound(rim.begin(), rim.end(), home, is_before);
+    for (; seen != rim.end() && seen->home.tile == home; ++seen) {
       const std::uint32_t i =
-          survey.number.empty() ? seen.home.point : survey.number[seen.home.point];
+          survey.number.empty() ? seen->home.point : survey.number[seen->home.point];
       const std::uint32_t a = number_of(home, count_[home] > 0 ? survey.sheets.of_point[i] : 0);
-      const std::uint32_t b = number_of(other, seen.sheet);
+      const std::uint32_t b = number_of(other, seen->sheet);
       const std::uint64_t pair = std::uint64_t{std::min(a, b)} << 32U | std::max(a, b);
-      votes_[pair] += glm::dot(survey.normals[i], seen.normal) < 0.0F ? -1 : 1;
+      votes_[pair] += glm::dot(survey.normals[i], seen->normal) < 0.0F ? -1 : 1;
     }
     return {};
   }
