@@ -11,6 +11,8 @@ namespace {
 constexpr unsigned kMagic[] = {0x1F, 0x8B};
 /// zlib's own window is 32 KiB; it takes and gives at most 4 GiB a call.
 constexpr std::size_t kStep = std::size_t{1} << 20U;
+/// What is unpacked at a time.
+constexpr std::size_t kPieceBytes = std::size_t{64} << 10U;
 
 struct EndInflate {
   void operator()(z_stream* stream) const { inflateEnd(stream); }
@@ -37,7 +39,7 @@ Status gunzip_pieces(const std::string& name, std::span<const std::byte> bytes,
   }
   const std::unique_ptr<z_stream, EndInflate> end_inflate(&stream);
 
-  std::vector<std::byte> piece(kStep);
+  std::vector<std::byte> piece(kPieceBytes);
   std::size_t used = 0;  // of bytes
   for (;;) {
     if (progress.cancelled()) return interrupted_error();
