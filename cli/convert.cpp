@@ -123,9 +123,10 @@ std::vector<std::filesystem::path> files_read(const Arguments& arguments) {
 
 /// What is left of a conversion that ended early.
 std::string kept_by(const Arguments& arguments) {
-  if (arguments.memory == 0 || !has_kept_tiles(arguments.output)) return {};
-  return fmt::format("what is done is kept in {}.parts, and the same command goes on from there",
-                     arguments.output.string());
+  const auto kept = find_kept_tiles(arguments.output);
+  if (arguments.memory == 0 || !kept) return {};
+  return fmt::format("what is done is kept in {}, and the same command goes on from there",
+                     kept->string());
 }
 
 int run(const Arguments& arguments) {

@@ -1,8 +1,6 @@
 #include "preprocess/convert.h"
 
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
 #include <Eigen/Eigenvalues>
@@ -26,6 +24,7 @@
 #include "preprocess/texture/node_normals.h"
 #include "preprocess/texture/sample_mesh.h"
 #include "preprocess/texture/texture_maps.h"
+#include "preprocess/thread_limit.h"
 
 namespace relief {
 namespace {
@@ -181,46 +180,12 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
 
 }  // namespace
 
-Status check_spacing(double spacing, double area, std::uint64_t points) {
-  // Grids beyond this many nodes per point come from a mistaken spacing, not from a scan.
-  constexpr double most_nodes_per_point = 4096.0;
-  constexpr double most_nodes = 4e9;
-  const double nodes = area / (spacing * spacing);
-  if (nodes > std::min(most_nodes, most_nodes_per_point * static_cast<double>(points))) {
-    return make_error(
-        "a spacing of {} would give about {:.1e} samples for {} points; choose a larger --spacing",
-        spacing, nodes, points);
-  }
-  return {};
-}
-
-ResampleOptions resample_options(const ConvertOptions& options, double spacing,
-                                 bool normals_estimated) {
-  return {spacing, options.height_step, options.overlap_cells,
-          static_cast<std::uint32_t>(options.colour_scale), !normals_estimated};
-}
-
-void count_texels(const std::vector<Patch>& patches, ConvertReport& report) {
-  for (const Patch& patch : patches) {
-    report.colour_texels += patch.colours.texels.size();
-    if (!patch.colours.empty())
-      report.texels_per_cell = std::max(report.texels_per_cell, patch.colours.scale);
-    report.normal_texels += patch.normals.texels.size();
-    report.normal_texels_per_cell = std::max(report.normal_texels_per_cell, patch.normals.scale);
-  }
-}
-
 Result<ConvertResult> convert(Points points, const ConvertOptions& options, Progress& progress) {
   // The few vertices of a mesh with materials are not what is converted.
   if (!has_triangle_colours(points)) {
     if (const Status ok = check_points(points.positions); !ok) return ok.error();
   }
-  const int threads =
-      options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
-  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(threads));
-  tbb::task_arena arena(threads);
-  return arena.execute([&] { return convert_in_arena(points, options, progress); });
+  return with_threads(options.threads, [&] { return convert_in_arena(points, options, progress); });
 }
 
 }  // namespace relief

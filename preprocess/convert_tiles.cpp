@@ -1,9 +1,6 @@
 #include "preprocess/convert_tiles.h"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
-
 #include <system_error>
 #include <utility>
 
@@ -11,6 +8,7 @@
 #include "preprocess/stream/spread_points.h"
 #include "preprocess/stream/tile_conversion.h"
 #include "preprocess/stream/tile_job.h"
+#include "preprocess/thread_limit.h"
 
 namespace relief {
 namespace {
@@ -54,12 +52,7 @@ Result<std::optional<TiledResult>> convert_tiles(
   if (!scan || !*scan) job->remove();  // what there is, is not worth to go on from
   if (!scan) return scan.error();
   if (!*scan) return std::optional<TiledResult>();
-  const int threads =
-      options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
-  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(threads));
-  tbb::task_arena arena(threads);
-  auto result = arena.execute([&] {
+  auto result = with_threads(options.threads, [&] {
     return convert_spread({files.front().string(), *job, std::move(**scan), options, file_options},
                           output, progress);
   });
@@ -68,8 +61,9 @@ Result<std::optional<TiledResult>> convert_tiles(
   return std::optional(std::move(*result));
 }
 
-bool has_kept_tiles(const fs::path& output) {
-  return fs::exists(TileJob::folder_of(output));
+std::optional<fs::path> find_kept_tiles(const fs::path& output) {
+  fs::path folder = TileJob::folder_of(output);
+  return fs::exists(folder) ? std::optional(std::move(folder)) : std::nullopt;
 }
 
 }  // namespace relief

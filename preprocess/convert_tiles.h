@@ -50,7 +50,8 @@ Result<std::optional<TiledResult>> convert_tiles(const std::vector<std::filesyst
                                                  const TileOptions& tile_options,
                                                  Progress& progress);
 
-/// Whether a conversion to `output` left something to go on from.
-[[nodiscard]] bool has_kept_tiles(const std::filesystem::path& output);
+/// Where a conversion to `output` left something to go on from; nothing if it did not.
+[[nodiscard]] std::optional<std::filesystem::path> find_kept_tiles(
+    const std::filesystem::path& output);
 
 }  // namespace relief

@@ -12,7 +12,6 @@
 namespace relief {
 namespace {
 
-constexpr double kUncoveredInSpacings = 2.0;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 // Height and slope of the surface over a cell, in grid units.

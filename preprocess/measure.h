@@ -9,6 +9,9 @@
 
 namespace relief {
 
+/// Points farther than so many spacings from every patch are uncovered.
+inline constexpr double kUncoveredInSpacings = 2.0;
+
 /// The distance of a world point to a patch's bilinear surface along its normal (world units):
 /// within a cell of four samples the bilinear height, in a cell of three the plane through them,
 /// elsewhere the distance to the nearest sample within two cells. Nothing if there is none.

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numeric>
 #include <vector>
 
 #include "preprocess/keep_points.h"
 #include "preprocess/neighbours.h"
+#include "preprocess/signed_forest.h"
 
 namespace relief {
 namespace {
@@ -65,46 +65,27 @@ std::vector<std::uint8_t> find_sparse(const std::vector<float>& means,
   return sparse;
 }
 
-/// Sets of points, of which a set's lowest is its root.
-class Clusters {
- public:
-  explicit Clusters(std::size_t points) : parents_(points) {
-    std::iota(parents_.begin(), parents_.end(), 0U);
-  }
-
-  std::uint32_t root(std::uint32_t i) {
-    while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
-    return i;
-  }
-
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parents_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parents_;
-};
-
 std::vector<std::uint8_t> find_small_clusters(const std::vector<glm::dvec3>& positions,
                                               const NeighbourGraph& graph,
                                               const std::vector<std::uint8_t>& sparse) {
   const auto count = static_cast<std::uint32_t>(positions.size());
-  Clusters clusters(count);
+  SignedForest clusters(count);  // nothing in it is turned round
   for (std::uint32_t i = 0; i < count; ++i) {
     if (sparse[i] != 0) continue;
     for (const std::uint32_t j : graph.of(i)) {
       const float reach = kLinkSpacings * std::min(graph.spacing[i], graph.spacing[j]);
-      if (sparse[j] == 0 && glm::distance(positions[i], positions[j]) <= double{reach})
-        clusters.join(i, j);
+      if (sparse[j] != 0 || glm::distance(positions[i], positions[j]) > double{reach}) continue;
+      const SignedForest::Root a = clusters.find(i);
+      const SignedForest::Root b = clusters.find(j);
+      if (a.root != b.root) clusters.join(a, b, false);
     }
   }
   std::vector<std::uint32_t> sizes(count, 0);
-  for (std::uint32_t i = 0; i < count; ++i) sizes[clusters.root(i)] += sparse[i] == 0 ? 1U : 0U;
+  for (std::uint32_t i = 0; i < count; ++i)
+    sizes[clusters.find(i).root] += sparse[i] == 0 ? 1U : 0U;
   std::vector<std::uint8_t> small(count);
   for (std::uint32_t i = 0; i < count; ++i)
-    small[i] = sparse[i] == 0 && sizes[clusters.root(i)] < kLeastCluster;
+    small[i] = sparse[i] == 0 && sizes[clusters.find(i).root] < kLeastCluster;
   return small;
 }
 

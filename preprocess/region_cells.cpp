@@ -31,7 +31,6 @@ RegionCells::RegionCells(const SurfaceSamples& samples, const std::vector<Region
 RegionCells::Plane RegionCells::plane_of(const Region& region) const {
   Plane plane;
   plane.normal = region.normal;
-  plane.points = region.points.size();
   plane.base = samples_.positions[region.points.front()];
   const SheetScale scale = sheet_scale(samples_, region.points, kSheetTolerance);
   plane.tolerance = scale.tolerance;
@@ -83,10 +82,8 @@ bool RegionCells::is_on_its_sheet(std::uint32_t point, std::uint32_t region) con
 
 void RegionCells::move(std::uint32_t point, std::uint32_t region) {
   remove(point);
-  --planes_[owner_[point]].points;
   owner_[point] = region;
   keys_[point] = key_of(point, region);
-  ++planes_[region].points;
   insert(point);
 }
 

@@ -18,8 +18,6 @@ class RegionCells {
   [[nodiscard]] std::uint32_t owner(std::uint32_t point) const { return owner_[point]; }
   [[nodiscard]] std::size_t size() const { return owner_.size(); }
   [[nodiscard]] glm::vec3 normal(std::uint32_t region) const { return planes_[region].normal; }
-  /// How many points a region has.
-  [[nodiscard]] std::size_t count(std::uint32_t region) const { return planes_[region].points; }
 
   /// Whether the point lies on one sheet with the region's points in its cell.
   [[nodiscard]] bool is_on_its_sheet(std::uint32_t point, std::uint32_t region) const;
@@ -36,7 +34,6 @@ class RegionCells {
     glm::dvec3 v{0.0};
     glm::vec3 normal{0.0F};
     double tolerance = 0.0;
-    std::size_t points = 0;
   };
 
   [[nodiscard]] Plane plane_of(const Region& region) const;

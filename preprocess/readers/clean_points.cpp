@@ -12,14 +12,6 @@
 namespace relief {
 namespace {
 
-bool is_finite(glm::dvec3 p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
-bool is_finite(glm::vec3 v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 /// Mixes the bits of three doubles (the finaliser of SplitMix64 after each).
 std::uint64_t hash(glm::dvec3 p) {
   std::uint64_t h = 0;

@@ -46,10 +46,8 @@ class Joiner {
       count_.push_back(survey->sheets.count);
       has_surface_.push_back(survey->region_normals.empty() ? 0 : 1);
       sums_.insert(sums_.end(), survey->sums.begin(), survey->sums.end());
-      auto state = StateReader::open(tile.rim);
-      if (!state) return state.error();
       std::vector<RimPoint> rim;
-      if (!state->take(rim)) return wrong_state(tile.rim);
+      if (Status loaded = load_state(tile.rim, std::tie(rim)); !loaded) return loaded;
       homes_.emplace_back();
       for (const RimPoint& point : rim) {
         if (homes_.back().empty() || homes_.back().back() != point.home.tile)
@@ -65,6 +63,8 @@ class Joiner {
 
   /// Home by home, so that two tiles' files at most are in memory.
   Status count_votes(const Progress& progress) {
+    const bool all_are_given = sums_.size() == 1;
+    if (all_are_given) return {};
     for (std::uint32_t home = 0; home < tiles_.size(); ++home) {
       if (has_surface_[home] == 0) continue;
       if (progress.cancelled()) return interrupted_error();
@@ -82,10 +82,8 @@ class Joiner {
   }
 
   Status count_votes_between(std::uint32_t home, const TileSurvey& survey, std::size_t other) {
-    auto state = StateReader::open(tiles_[other].rim);
-    if (!state) return state.error();
     std::vector<RimPoint> rim;
-    if (!state->take(rim)) return wrong_state(tiles_[other].rim);
+    if (Status loaded = load_state(tiles_[other].rim, std::tie(rim)); !loaded) return loaded;
     const auto is_before = [](const RimPoint& point, std::uint32_t tile) {
       return point.home.tile < tile;
     };

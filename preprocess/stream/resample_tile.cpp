@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <tuple>
 #include <utility>
 
 #include "preprocess/convert_stages.h"
@@ -11,6 +12,12 @@
 
 namespace relief {
 namespace {
+
+/// What a report has: all but the patches.
+template <class Tile>
+auto fields_of(Tile& t) {
+  return std::tie(t.patch_count, t.points, t.sum_of_squares, t.error_max, t.uncovered, t.texels);
+}
 
 /// The survey's regions, and its normals on the sides that `turns` gives them. A region's points
 /// agree with each other in the survey already: it turns as most of them do.
@@ -49,7 +56,7 @@ TilePatches resample_tile(TilePoints tile, TileSurvey survey,
   if (survey.region_normals.empty()) {
     // Nothing is a surface here: all are as far off as measure_fidelity takes such points to be.
     made.uncovered = tile.own;
-    made.error_max = tile.own > 0 ? 2.0 * spacing : 0.0;
+    made.error_max = tile.own > 0 ? kUncoveredInSpacings * spacing : 0.0;
     made.sum_of_squares = static_cast<double>(tile.own) * made.error_max * made.error_max;
     return made;
   }
@@ -78,24 +85,12 @@ TilePatches resample_tile(TilePoints tile, TileSurvey survey,
 }
 
 Status save_report(const std::filesystem::path& path, const TilePatches& tile) {
-  StateWriter state;
-  state.put(tile.patch_count);
-  state.put(tile.points);
-  state.put(tile.sum_of_squares);
-  state.put(tile.error_max);
-  state.put(tile.uncovered);
-  state.put(tile.texels);
-  return state.save(path);
+  return save_state(path, fields_of(tile));
 }
 
 Result<TilePatches> load_report(const std::filesystem::path& path) {
-  auto state = StateReader::open(path);
-  if (!state) return state.error();
   TilePatches tile;
-  const bool whole = state->take(tile.patch_count) && state->take(tile.points) &&
-                     state->take(tile.sum_of_squares) && state->take(tile.error_max) &&
-                     state->take(tile.uncovered) && state->take(tile.texels);
-  if (!whole) return wrong_state(path);
+  if (Status loaded = load_state(path, fields_of(tile)); !loaded) return loaded.error();
   return tile;
 }
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <new>
 #include <stdexcept>
 #include <utility>
@@ -22,10 +21,6 @@ namespace fs = std::filesystem;
 // while they are read (a binary PCD of x, y, z as floats: 12 bytes become 24, beside the file).
 constexpr std::uint64_t kMemoryPerFileByte = 4;
 
-bool is_finite(glm::dvec3 p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
 void drop_nonfinite(Points& points, ScanCounts& counts) {
   std::vector<std::uint8_t> dropped(points.size());
   for (std::size_t i = 0; i < dropped.size(); ++i)
@@ -37,19 +32,18 @@ void drop_nonfinite(Points& points, ScanCounts& counts) {
 /// Hands a reader's blocks on, and lets go of the memory of what was read.
 class FileSink final : public PointSink {
  public:
-  FileSink(const MappedFile& file, std::size_t number, const TakePoints& take, ScanCounts& counts)
-      : file_(file), number_(number), take_(take), counts_(counts) {}
+  FileSink(const MappedFile& file, const TakePoints& take, ScanCounts& counts)
+      : file_(file), take_(take), counts_(counts) {}
 
   Status take(Points block) override {
     block.texcoords.clear();
     drop_nonfinite(block, counts_);
-    return take_(number_, std::move(block));
+    return take_(std::move(block));
   }
   void pass(std::size_t offset) override { file_.release_before(offset); }
 
  private:
   const MappedFile& file_;
-  std::size_t number_;
   const TakePoints& take_;
   ScanCounts& counts_;
 };
@@ -73,9 +67,9 @@ Result<MappedFile> open_unpacked(const fs::path& path, const fs::path& unpacked,
   return MappedFile::open(unpacked);
 }
 
-Status read_file_blocks(const fs::path& path, const MappedFile& file, std::size_t number,
-                        std::uint64_t memory, const TakePoints& take, ScanCounts& counts,
-                        std::vector<std::string>& notes, Progress& progress) {
+Status read_file_blocks(const fs::path& path, const MappedFile& file, std::uint64_t memory,
+                        const TakePoints& take, ScanCounts& counts, std::vector<std::string>& notes,
+                        Progress& progress) {
   std::string_view text(reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size());
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   const auto reader = find_reader(path, text);
@@ -88,7 +82,7 @@ Status read_file_blocks(const fs::path& path, const MappedFile& file, std::size_
         path.string(), text.size() / 1'000'000);
   }
   ReadRemarks remarks;
-  FileSink sink(file, number, take, counts);
+  FileSink sink(file, take, counts);
   auto rest = (*reader)({path.string(), text, progress, remarks, in_blocks ? &sink : nullptr});
   if (!rest) return rest.error();
   if (!rest->triangles.empty()) {
@@ -112,8 +106,7 @@ Result<ScanCounts> read_blocks(const std::vector<fs::path>& files, const fs::pat
     try {
       const auto file = open_unpacked(path, folder / fmt::format("unpacked-{}", number), progress);
       if (!file) return file.error();
-      const Status read =
-          read_file_blocks(path, *file, number, memory, take, counts, notes, progress);
+      const Status read = read_file_blocks(path, *file, memory, take, counts, notes, progress);
       if (!read) return read.error();
     } catch (const std::bad_alloc&) {
       return make_error("{}: there is not enough memory to read it", path.string());

@@ -20,8 +20,8 @@ struct ScanCounts {
   std::uint64_t left_out = 0;   ///< marked in a file as withheld or noise (LAS)
 };
 
-/// Takes the next points of the file with this number.
-using TakePoints = std::function<Status(std::size_t file, Points block)>;
+/// Takes the next points.
+using TakePoints = std::function<Status(Points block)>;
 
 /// Reads files one after another and hands their points on, in their order, all of them finite. Of
 /// PLY, LAS and XYZ text only a block is in memory at a time; other formats are read as a whole,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "preprocess/neighbours.h"
@@ -35,8 +36,10 @@ struct Look {
       sample.add(p);
       extend(bounds, p);
     }
-    (block.normals.empty() ? attributes.normals : some_normals) = !block.normals.empty();
-    (block.colours.empty() ? attributes.colours : some_colours) = !block.colours.empty();
+    attributes.normals = attributes.normals && !block.normals.empty();
+    attributes.colours = attributes.colours && !block.colours.empty();
+    some_normals = some_normals || !block.normals.empty();
+    some_colours = some_colours || !block.colours.empty();
     viewpoint = block.viewpoint;
   }
 };
@@ -52,30 +55,11 @@ std::uint64_t points_for(std::uint64_t memory) {
   return memory > kBaseBytes ? (memory - kBaseBytes) / kBytesPerPoint : 0;
 }
 
-Status save(const SpreadScan& scan, const fs::path& path) {
-  StateWriter state;
-  scan.layout.save(state);
-  state.put(scan.counts);
-  state.put(scan.attributes);
-  state.put(scan.bounds);
-  state.put(scan.viewpoint.has_value());
-  state.put(scan.viewpoint.value_or(glm::dvec3(0.0)));
-  state.put(scan.read);
-  return state.save(path);
-}
-
-Result<SpreadScan> load(const fs::path& path) {
-  auto state = StateReader::open(path);
-  if (!state) return state.error();
-  SpreadScan scan;
-  bool has_viewpoint = false;
-  glm::dvec3 viewpoint(0.0);
-  const bool whole = scan.layout.load(*state) && state->take(scan.counts) &&
-                     state->take(scan.attributes) && state->take(scan.bounds) &&
-                     state->take(has_viewpoint) && state->take(viewpoint) && state->take(scan.read);
-  if (!whole || scan.counts.size() != scan.layout.tiles.size()) return wrong_state(path);
-  if (has_viewpoint) scan.viewpoint = viewpoint;
-  return scan;
+/// What the layout's file has: all but the notes, which the first run has told.
+template <class Scan>
+auto fields_of(Scan& s) {
+  return std::tie(s.layout.cuts, s.layout.tiles, s.layout.largest_halo, s.counts, s.attributes,
+                  s.bounds, s.viewpoint, s.read);
 }
 
 /// The first reading.
@@ -85,7 +69,7 @@ Result<Look> look(const std::vector<fs::path>& files, const TileJob& job,
   progress.begin_stage("look", bytes_of(files));
   const auto read = read_blocks(
       files, job.folder(), options.memory_bytes,
-      [&](std::size_t, const Points& block) -> Status {
+      [&](const Points& block) -> Status {
         seen.take(block);
         return {};
       },
@@ -113,7 +97,7 @@ Status spread(const std::vector<fs::path>& files, const TileJob& job, const Spre
   std::vector<std::string> told_before;
   const auto read = read_blocks(
       files, job.folder(), options.memory_bytes,
-      [&](std::size_t, const Points& block) { return tiles.add(block); }, told_before, progress);
+      [&](const Points& block) { return tiles.add(block); }, told_before, progress);
   if (!read) return read.error();
   if (read->points != scan.read.points) {
     return make_error("{}: had {} points at first and now {}; convert when it stays as it is",
@@ -140,9 +124,9 @@ Result<std::optional<SpreadScan>> spread_points(const std::vector<fs::path>& fil
                                                 const TileJob& job, const SpreadOptions& options,
                                                 Progress& progress) {
   if (fs::exists(job.layout())) {
-    auto known = load(job.layout());
-    if (!known) return known.error();
-    return std::optional(std::move(*known));
+    SpreadScan known;
+    if (Status loaded = load_state(job.layout(), fields_of(known)); !loaded) return loaded.error();
+    return std::optional(std::move(known));
   }
   if (Status cleared = job.clear(); !cleared) return cleared.error();
   SpreadScan scan;
@@ -162,7 +146,7 @@ Result<std::optional<SpreadScan>> spread_points(const std::vector<fs::path>& fil
         "to be cut apart",
         files.front().string(), memory_for(largest) / 1'000'000 + 1, largest);
   }
-  if (Status saved = save(scan, job.layout()); !saved) return saved.error();
+  if (Status saved = save_state(job.layout(), fields_of(scan)); !saved) return saved.error();
   return std::optional(std::move(scan));
 }
 

@@ -2,10 +2,12 @@
 // there. Of this machine and this version alone; a checksum tells damage.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <filesystem>
 #include <span>
+#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -23,7 +25,11 @@ class StateWriter {
   template <class T>
   void put(const std::vector<T>& list) {
     put(std::uint64_t{list.size()});
-    append(std::as_bytes(std::span(list)));
+    if constexpr (std::is_trivially_copyable_v<T>) {
+      append(std::as_bytes(std::span(list)));
+    } else {
+      for (const T& item : list) put(item);
+    }
   }
 
   /// Writes beside and renames: `path` is whole or not there.
@@ -58,11 +64,18 @@ class StateReader {
   template <class T>
   [[nodiscard]] bool take(std::vector<T>& list) {
     std::uint64_t count = 0;
-    if (!take(count) || count > left() / sizeof(T)) return false;
-    list.resize(count);
-    if (count > 0) std::memcpy(list.data(), bytes_.data() + at_, count * sizeof(T));
-    at_ += count * sizeof(T);
-    return true;
+    if constexpr (std::is_trivially_copyable_v<T>) {
+      if (!take(count) || count > left() / sizeof(T)) return false;
+      list.resize(count);
+      if (count > 0) std::memcpy(list.data(), bytes_.data() + at_, count * sizeof(T));
+      at_ += count * sizeof(T);
+      return true;
+    } else {
+      // Each item has its own count.
+      if (!take(count) || count > left() / sizeof(std::uint64_t)) return false;
+      list.resize(count);
+      return std::all_of(list.begin(), list.end(), [this](T& item) { return take(item); });
+    }
   }
 
  private:
@@ -75,5 +88,23 @@ class StateReader {
 
 /// For a state file that is whole but not what this program writes.
 [[nodiscard]] Error wrong_state(const std::filesystem::path& path);
+
+/// Writes a file of these values (std::tie), whole or not at all.
+template <class... Values>
+Status save_state(const std::filesystem::path& path, const std::tuple<Values&...>& values) {
+  StateWriter state;
+  std::apply([&](const auto&... value) { (state.put(value), ...); }, values);
+  return state.save(path);
+}
+
+/// Reads what save_state wrote of the same values.
+template <class... Values>
+Status load_state(const std::filesystem::path& path, const std::tuple<Values&...>& values) {
+  auto state = StateReader::open(path);
+  if (!state) return state.error();
+  const bool whole =
+      std::apply([&](auto&... value) { return (state->take(value) && ...); }, values);
+  return whole ? Status{} : wrong_state(path);
+}
 
 }  // namespace relief

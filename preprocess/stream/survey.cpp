@@ -34,6 +34,13 @@ std::vector<std::uint32_t> merge_duplicates(TilePoints& tile) {
 
 namespace {
 
+/// What a survey's file has: all but the cosines.
+template <class Survey>
+auto fields_of(Survey& s) {
+  return std::tie(s.number, s.normals, s.roughness, s.sheets.of_point, s.sheets.count, s.sums,
+                  s.region, s.region_normals, s.normals_repaired, s.area, s.radius);
+}
+
 std::vector<float> own_cosines(const TilePoints& tile, const TileSurvey& survey,
                                const std::vector<Region>& regions) {
   const std::size_t count = survey.number.empty() ? tile.own : survey.number.size();
@@ -107,20 +114,6 @@ Result<std::vector<float>> halo_cosines(
   return cosines;
 }
 
-Status save_cosines(const std::filesystem::path& path, const TileSurvey& survey) {
-  StateWriter state;
-  state.put(survey.cosines);
-  return state.save(path);
-}
-
-Result<std::vector<float>> load_cosines(const std::filesystem::path& path) {
-  auto state = StateReader::open(path);
-  if (!state) return state.error();
-  std::vector<float> cosines;
-  if (!state->take(cosines)) return wrong_state(path);
-  return cosines;
-}
-
 std::vector<RimPoint> rim_of(const TilePoints& tile, const TileSurvey& survey) {
   std::vector<RimPoint> rim;
   rim.reserve(tile.home.size());
@@ -136,32 +129,12 @@ std::vector<RimPoint> rim_of(const TilePoints& tile, const TileSurvey& survey) {
 }
 
 Status save_survey(const std::filesystem::path& path, const TileSurvey& survey) {
-  StateWriter state;
-  state.put(survey.number);
-  state.put(survey.normals);
-  state.put(survey.roughness);
-  state.put(survey.sheets.of_point);
-  state.put(survey.sheets.count);
-  state.put(survey.sums);
-  state.put(survey.region);
-  state.put(survey.region_normals);
-  state.put(survey.normals_repaired);
-  state.put(survey.area);
-  state.put(survey.radius);
-  return state.save(path);
+  return save_state(path, fields_of(survey));
 }
 
 Result<TileSurvey> load_survey(const std::filesystem::path& path) {
-  auto state = StateReader::open(path);
-  if (!state) return state.error();
   TileSurvey survey;
-  const bool whole = state->take(survey.number) && state->take(survey.normals) &&
-                     state->take(survey.roughness) && state->take(survey.sheets.of_point) &&
-                     state->take(survey.sheets.count) && state->take(survey.sums) &&
-                     state->take(survey.region) && state->take(survey.region_normals) &&
-                     state->take(survey.normals_repaired) && state->take(survey.area) &&
-                     state->take(survey.radius);
-  if (!whole) return wrong_state(path);
+  if (Status loaded = load_state(path, fields_of(survey)); !loaded) return loaded.error();
   return survey;
 }
 

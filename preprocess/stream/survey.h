@@ -63,9 +63,6 @@ Result<std::vector<float>> halo_cosines(
     const TilePoints& tile,
     const std::function<Result<std::vector<float>>(std::uint32_t tile)>& load);
 
-Status save_cosines(const std::filesystem::path& path, const TileSurvey& survey);
-Result<std::vector<float>> load_cosines(const std::filesystem::path& path);
-
 /// The halo's points, sorted by home.
 [[nodiscard]] std::vector<RimPoint> rim_of(const TilePoints& tile, const TileSurvey& survey);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -70,35 +71,31 @@ class TileConversion {
     const SurveyOptions survey_options{options_.cone_degrees, options_.spacing == 0.0, centre_};
     const TileSurvey made = survey_tile(*loaded, survey_options, quiet);
     if (progress_.cancelled()) return interrupted_error();
-    StateWriter rim;
-    rim.put(rim_of(*loaded, made));
+    const std::vector<RimPoint> rim = rim_of(*loaded, made);
     // The survey's file says that all three are there.
-    if (Status saved = rim.save(job_.rim(tile)); !saved) return saved;
-    if (Status saved = save_cosines(job_.cosines(tile), made); !saved) return saved;
+    if (Status saved = save_state(job_.rim(tile), std::tie(rim)); !saved) return saved;
+    if (Status saved = save_state(job_.cosines(tile), std::tie(made.cosines)); !saved) return saved;
     return save_survey(job_.survey(tile), made);
   }
+
+  /// What the file of turns has.
+  auto orientation() { return std::tie(area_, radius_, repaired_, duplicates_, turns_); }
 
   /// Which sheets turn round, and what else is only known when all tiles have been looked at.
   Status orient() {
     progress_.begin_stage("orient", 0);
-    if (!fs::exists(job_.turns())) {
-      if (Status done = orient_all(); !done) return done;
-    }
-    auto state = StateReader::open(job_.turns());
-    if (!state) return state.error();
-    bool whole = state->take(area_) && state->take(radius_) && state->take(repaired_) &&
-                 state->take(duplicates_);
-    turns_.resize(tile_count());
-    for (std::vector<std::uint8_t>& turns : turns_) whole = whole && state->take(turns);
-    return whole ? Status{} : wrong_state(job_.turns());
+    if (!fs::exists(job_.turns())) return orient_all();
+    if (Status loaded = load_state(job_.turns(), orientation()); !loaded) return loaded;
+    return turns_.size() == tile_count() ? Status{} : wrong_state(job_.turns());
   }
 
   Status orient_all() {
     std::vector<SurveyPaths> paths;
     for (std::uint32_t tile = 0; tile < tile_count(); ++tile)
       paths.push_back({job_.survey(tile), job_.rim(tile)});
-    const auto turns = join_sheets(paths, scan_.viewpoint.has_value(), progress_);
+    auto turns = join_sheets(paths, scan_.viewpoint.has_value(), progress_);
     if (!turns) return turns.error();
+    turns_ = std::move(*turns);
     for (std::uint32_t tile = 0; tile < tile_count(); ++tile) {
       const auto survey = load_survey(job_.survey(tile));
       if (!survey) return survey.error();
@@ -107,13 +104,7 @@ class TileConversion {
       repaired_ += survey->normals_repaired;
       duplicates_ += scan_.counts[tile].own - survey->region.size();
     }
-    StateWriter state;
-    state.put(area_);
-    state.put(radius_);
-    state.put(repaired_);
-    state.put(duplicates_);
-    for (const std::vector<std::uint8_t>& of_tile : *turns) state.put(of_tile);
-    return state.save(job_.turns());
+    return save_state(job_.turns(), orientation());
   }
 
   Status choose_grid() {
@@ -147,8 +138,11 @@ class TileConversion {
     merge_duplicates(*loaded);
     auto survey = load_survey(job_.survey(tile));
     if (!survey) return survey.error();
-    const auto cosines =
-        halo_cosines(*loaded, [&](std::uint32_t home) { return load_cosines(job_.cosines(home)); });
+    const auto cosines = halo_cosines(*loaded, [&](std::uint32_t home) {
+      std::vector<float> of_home;
+      const Status read = load_state(job_.cosines(home), std::tie(of_home));
+      return read ? Result(std::move(of_home)) : read.error();
+    });
     if (!cosines) return cosines.error();
     QuietProgress quiet(progress_);
     TilePatches made = resample_tile(std::move(*loaded), std::move(*survey), turns_[tile], *cosines,

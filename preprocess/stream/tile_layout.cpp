@@ -7,7 +7,6 @@
 #include <span>
 
 #include "preprocess/neighbours.h"
-#include "preprocess/stream/state_file.h"
 
 namespace relief {
 namespace {
@@ -151,16 +150,6 @@ void TileLayout::find_halos_below(std::int32_t node, glm::dvec3 point, std::uint
   const Cut& cut = cuts[static_cast<std::size_t>(node)];
   if (point[cut.axis] <= cut.at + largest_halo) find_halos_below(cut.left, point, own, found);
   if (point[cut.axis] >= cut.at - largest_halo) find_halos_below(cut.right, point, own, found);
-}
-
-void TileLayout::save(StateWriter& state) const {
-  state.put(cuts);
-  state.put(tiles);
-  state.put(largest_halo);
-}
-
-bool TileLayout::load(StateReader& state) {
-  return state.take(cuts) && state.take(tiles) && state.take(largest_halo);
 }
 
 void PointSample::add(glm::dvec3 point) {

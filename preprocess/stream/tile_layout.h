@@ -10,9 +10,6 @@
 
 namespace relief {
 
-class StateReader;
-class StateWriter;
-
 /// A part of space, half open, infinite where the scan ends; and how far around it points are
 /// needed so that its own are neighboured as in the whole scan, world units.
 struct Tile {
@@ -37,9 +34,6 @@ struct TileLayout {
   [[nodiscard]] std::uint32_t tile_of(glm::dvec3 point) const;
   /// The tiles in whose halo a point is that is in `own`.
   void find_halos(glm::dvec3 point, std::uint32_t own, std::vector<std::uint32_t>& found) const;
-
-  void save(StateWriter& state) const;
-  [[nodiscard]] bool load(StateReader& state);
 
  private:
   void find_halos_below(std::int32_t node, glm::dvec3 point, std::uint32_t own,

@@ -250,7 +250,7 @@ TEST(ConvertTiles, GoesOnWhereItWasStopped) {
     EXPECT_FALSE(fs::exists(output));
     must_convert(scan, output);
     EXPECT_TRUE(slurp(output) == expected);
-    EXPECT_FALSE(has_kept_tiles(output));
+    EXPECT_FALSE(find_kept_tiles(output));
     fs::remove(output);
   }
 }

@@ -28,7 +28,7 @@ Gathered gather(const std::vector<std::filesystem::path>& files, const ScratchFo
   Progress progress;
   const auto counts = read_blocks(
       files, folder.path(), std::uint64_t{1} << 30U,
-      [&](std::size_t, const Points& block) -> Status {
+      [&](const Points& block) -> Status {
         if (block.size() == 0) return {};
         ++all.blocks;
         Points& to = all.points;
@@ -48,8 +48,7 @@ std::string gather_error(const std::filesystem::path& file, const ScratchFolder&
   Progress progress;
   std::vector<std::string> notes;
   const auto counts = read_blocks(
-      {file}, folder.path(), memory, [](std::size_t, const Points&) -> Status { return {}; }, notes,
-      progress);
+      {file}, folder.path(), memory, [](const Points&) -> Status { return {}; }, notes, progress);
   return counts ? "no error" : counts.error().message;
 }
 

@@ -1,0 +1,36 @@
+#include "preprocess/convert_stages.h"
+
+#include <algorithm>
+
+namespace relief {
+
+Status check_spacing(double spacing, double area, std::uint64_t points) {
+  // Grids beyond this many nodes per point come from a mistaken spacing, not from a scan.
+  constexpr double most_nodes_per_point = 4096.0;
+  constexpr double most_nodes = 4e9;
+  const double nodes = area / (spacing * spacing);
+  if (nodes > std::min(most_nodes, most_nodes_per_point * static_cast<double>(points))) {
+    return make_error(
+        "a spacing of {} would give about {:.1e} samples for {} points; choose a larger --spacing",
+        spacing, nodes, points);
+  }
+  return {};
+}
+
+ResampleOptions resample_options(const ConvertOptions& options, double spacing,
+                                 bool normals_estimated) {
+  return {spacing, options.height_step, options.overlap_cells,
+          static_cast<std::uint32_t>(options.colour_scale), !normals_estimated};
+}
+
+void count_texels(const std::vector<Patch>& patches, ConvertReport& report) {
+  for (const Patch& patch : patches) {
+    report.colour_texels += patch.colours.texels.size();
+    if (!patch.colours.empty())
+      report.texels_per_cell = std::max(report.texels_per_cell, patch.colours.scale);
+    report.normal_texels += patch.normals.texels.size();
+    report.normal_texels_per_cell = std::max(report.normal_texels_per_cell, patch.normals.scale);
+  }
+}
+
+}  // namespace relief
