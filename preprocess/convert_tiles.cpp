@@ -86,8 +86,14 @@ Result<std::optional<TiledResult>> convert_tiles(
   if (!scan || !*scan) job->remove();  // what there is, is not worth to go on from
   if (!scan) return scan.error();
   if (!*scan) return std::optional<TiledResult>();
-  const TiledModel plan{files.front().string(),     *job, **scan, options, file_options, 0.0,
-                        tile_points(spread_options)};
+  const TiledModel plan{files.front().string(),
+                        *job,
+                        **scan,
+                        options,
+                        file_options,
+                        0.0,
+                        tile_points(spread_options),
+                        tile_options.overview_samples};
   auto result = with_threads(
       options.threads, [&] { return convert_all(plan, tile_options.overviews, output, progress); });
   if (!result) return result.error();

@@ -21,6 +21,9 @@ struct TileOptions {
   /// that is enough for these.
   std::uint64_t most_tile_points = std::uint64_t{1} << 20U;
   bool overviews = true;  ///< coarser patches, for viewers that are far away
+  /// The coarsest overview has at most so many: less than a picture has pixels, read and drawn in a
+  /// few milliseconds.
+  std::uint64_t overview_samples = std::uint64_t{1} << 16U;
 };
 
 /// What a conversion in tiles made.

@@ -15,34 +15,45 @@
 namespace relief {
 namespace {
 
-/// Splats reach that far beyond samples at a patch's border (renderer/splat_reach.h), and levels of
-/// cells by one of their own cells, whose samples are seen kPixelsPerSampleOfCells apart.
+/// Splats reach less far beyond samples at a patch's border (renderer/splat_reach.h).
 constexpr double kReachInSpacings = 8.0;
+
+/// Coarser levels of a patch reach beyond it by up to two of their cells, whose samples are seen
+/// pixels_per_sample_of() apart.
+constexpr double kReachInCells = 2.0;
 
 /// An overview has one normal and one colour a sample: farther apart than pixels they would blur.
 constexpr double kPixelsPerOverviewSample = 1.0;
 
-/// A box's sphere where the model stands.
+/// A sphere about samples, world frame of the file.
 struct Ball {
   glm::dvec3 centre{0.0};
-  double radius = 0.0;
+  double radius = 0.0;  ///< less than 0: there are no samples
 };
 
-Ball ball_of(const Bounds& box, double spacing, const Transform& place) {
-  const double reach = kReachInSpacings * spacing;
-  return {moved(place, (box.min + box.max) / 2.0),
-          place.scale * (glm::distance(box.min, box.max) / 2.0 + reach)};
+Ball ball_of(const Bounds& box) {
+  if (box.empty()) return {glm::dvec3(0.0), -1.0};
+  return {(box.min + box.max) / 2.0, glm::distance(box.min, box.max) / 2.0};
 }
 
-bool sees(const Onlooker& onlooker, const Bounds& box, double spacing) {
-  if (box.empty()) return false;
-  const Ball ball = ball_of(box, spacing, onlooker.place);
-  return sees_sphere(onlooker.view, ball.centre, ball.radius);
+Ball ball_of(const PatchSummary& patch) {
+  if (patch.samples == 0) return {glm::dvec3(0.0), -1.0};
+  const glm::dvec3 low(0.0, 0.0, patch.min_height * patch.height_step);
+  const glm::dvec3 high((patch.width - 1) * patch.spacing, (patch.height - 1) * patch.spacing,
+                        patch.max_height * patch.height_step);
+  return {patch.origin + patch.axes * ((low + high) / 2.0), glm::distance(low, high) / 2.0};
 }
 
-bool is_seen(std::span<const Onlooker> onlookers, const Bounds& box, double spacing) {
+/// Whether samples `spacing` apart can be in the picture.
+bool sees(const Onlooker& onlooker, const Ball& ball, double spacing) {
+  const double radius = onlooker.place.scale * (ball.radius + kReachInSpacings * spacing);
+  return ball.radius >= 0.0 &&
+         sees_sphere(onlooker.view, moved(onlooker.place, ball.centre), radius);
+}
+
+bool is_seen(std::span<const Onlooker> onlookers, const Ball& ball, double spacing) {
   return std::any_of(onlookers.begin(), onlookers.end(),
-                     [&](const Onlooker& onlooker) { return sees(onlooker, box, spacing); });
+                     [&](const Onlooker& onlooker) { return sees(onlooker, ball, spacing); });
 }
 
 /// Whether a box's samples, where it is nearest to the eye, are as near to each other as asked for.
@@ -91,11 +102,11 @@ std::vector<Onlooker> onlookers_of(std::span<const RenderSettings> pictures,
   for (const RenderSettings& picture : pictures) {
     View view = make_view(picture.camera, picture.width, picture.height,
                           {1.0, extent.bounds, extent.spacing});
-    if (has_two_interfaces(picture)) {
-      const std::uint32_t longer = std::max(picture.width, picture.height);
-      view =
-          with_border(view, static_cast<std::uint32_t>(std::ceil(onepass::kBackBorder * longer)));
-    }
+    // What is refracted may be beside the picture.
+    const double beside = has_two_interfaces(picture) ? onepass::kBackBorder : 0.0;
+    const double border = kReachInCells * pixels_per_sample_of(picture) +
+                          beside * std::max(picture.width, picture.height);
+    view = with_border(view, static_cast<std::uint32_t>(std::ceil(border)));
     const double pixels = std::min(kPixelsPerOverviewSample, pixels_per_sample_of(picture)) /
                           samples_a_side(picture.samples);
     for (const Transform& place : places) onlookers.push_back({view, place, pixels});
@@ -114,12 +125,13 @@ std::vector<std::uint32_t> choose_tiles(std::span<const TreeTile> tiles,
     open.pop_back();
     const Bounds& box = boxes[t];
     const double spacing = tiles[t].spacing;
-    if (!is_seen(onlookers, box, spacing)) continue;
+    const Ball ball = ball_of(box);
+    if (!is_seen(onlookers, ball, spacing)) continue;
     // What is too scattered for an overview may still be there in its children.
     const bool is_enough =
         children[t].empty() || (tiles[t].samples > 0 &&
                                 std::all_of(onlookers.begin(), onlookers.end(), [&](const auto& o) {
-                                  return !sees(o, box, spacing) || is_fine_enough(o, box, spacing);
+                                  return !sees(o, ball, spacing) || is_fine_enough(o, box, spacing);
                                 }));
     if (is_enough) {
       chosen.push_back(t);
@@ -147,7 +159,7 @@ Result<PartialModel> read_in_view(const PatchTree& tree, std::span<const Onlooke
     std::vector<std::uint64_t> seen;
     for (std::uint64_t p = 0; p < file->patches().size(); ++p) {
       const PatchSummary& patch = file->patches()[p];
-      if (is_seen(onlookers, box_of(patch), patch.spacing)) seen.push_back(p);
+      if (is_seen(onlookers, ball_of(patch), patch.spacing)) seen.push_back(p);
     }
     progress.advance(file->patches().size() - seen.size());
     bytes += file->decoded_bytes(seen);

@@ -13,9 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The coarsest level has at most so many samples: less than a picture has pixels, read and drawn
-/// in a few milliseconds.
-constexpr std::uint64_t kFewSamples = std::uint64_t{1} << 16U;
 /// A level that leaves more than this share of the samples of the one below is not worth its bytes:
 /// what is left are borders of patches.
 constexpr double kMostLeft = 0.6;
@@ -129,7 +126,7 @@ Result<std::vector<TreePart>> make_overviews(const TiledModel& model, Progress& 
   progress.begin_stage("overviews",
                        static_cast<std::uint64_t>(levels.back().all_samples * 2.0 / 3.0));
   PartProgress inner(progress);
-  while (levels.back().all_samples > static_cast<double>(kFewSamples) &&
+  while (levels.back().all_samples > static_cast<double>(model.overview_samples) &&
          levels.size() < kMostTreeLevels) {
     auto level = make_level(model, levels.back(), static_cast<unsigned>(levels.size()), inner);
     if (!level) return level.error();

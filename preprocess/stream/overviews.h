@@ -21,8 +21,9 @@ struct TiledModel {
   const SpreadScan& scan;
   const ConvertOptions& options;
   const PatchFileOptions& file_options;
-  double spacing = 0.0;           ///< world units
-  std::uint64_t tile_points = 0;  ///< about how many points a tile may have
+  double spacing = 0.0;                ///< world units
+  std::uint64_t tile_points = 0;       ///< about how many points a tile may have
+  std::uint64_t overview_samples = 0;  ///< as in TileOptions
 };
 
 /// Makes the overviews: level after level, each of twice the spacing of the one below, in as few
