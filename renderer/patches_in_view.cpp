@@ -93,7 +93,7 @@ std::vector<std::vector<std::uint32_t>> children_of(std::span<const TreeTile> ti
 }  // namespace
 
 bool can_choose_patches(const RenderSettings& settings) {
-  return settings.engine == EngineKind::Onepass && pixels_per_sample_of(settings) > 0.0;
+  return is_on_opengl(settings.engine);
 }
 
 std::vector<Onlooker> onlookers_of(std::span<const RenderSettings> pictures,

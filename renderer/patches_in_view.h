@@ -18,12 +18,12 @@ namespace relief {
 struct Onlooker {
   View view;
   Transform place;
-  /// Samples may be seen this far apart, in pixels.
+  /// Samples may be seen this far apart, in pixels; 0: they are to be the finest.
   double pixels = 1.0;
 };
 
-/// Whether a picture can do with some of a file's patches. Others look at all: what is drawn at the
-/// finest level, and what follows rays.
+/// Whether a picture can do with some of a file's patches: if it is drawn by OpenGL. Rays meet what
+/// is not in the picture, and splats of points are a truth that is to be whole.
 [[nodiscard]] bool can_choose_patches(const RenderSettings& settings);
 
 /// Each of the pictures of each place. `extent`: of all that is drawn.

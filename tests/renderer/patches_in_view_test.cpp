@@ -151,14 +151,16 @@ TEST(PatchesInView, ChildrenStandInForATileWithoutSamples) {
   expect_cover(tiles, chosen, [](double, double) { return true; });
 }
 
-TEST(PatchesInView, OnlyOnepassWithLevelsCanChoose) {
-  RenderSettings settings;
-  EXPECT_TRUE(can_choose_patches(settings));
+TEST(PatchesInView, WhatIsDrawnAtItsFinestHasNoOverviews) {
+  const auto tiles = quad_tree();
+  RenderSettings settings = looking({8, 8, 165}, {8, 8, 0});
   settings.pixels_per_sample = 0.0;
-  EXPECT_FALSE(can_choose_patches(settings));
+  EXPECT_EQ(chosen_by(tiles, {settings}).size(), 256U);
   settings.pixels_per_sample.reset();
   settings.primitive = Primitive::Quad;
-  EXPECT_FALSE(can_choose_patches(settings));
+  EXPECT_EQ(chosen_by(tiles, {settings}).size(), 256U);
+  settings.engine = EngineKind::Multipass;
+  EXPECT_TRUE(can_choose_patches(settings));
   settings.engine = EngineKind::Raytrace;
   EXPECT_FALSE(can_choose_patches(settings));
 }
