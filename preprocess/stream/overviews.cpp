@@ -1,6 +1,9 @@
 #include "preprocess/stream/overviews.h"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <cmath>
+#include <numeric>
 #include <system_error>
 #include <utility>
 
@@ -44,13 +47,17 @@ Status spread_level(const Level& below, TileWriter& tiles, SpreadScan& scan,
   for (std::uint32_t tile = 0; tile < below.scan.counts.size(); ++tile) {
     const auto file = PatchFile::open(below.folder.part(tile));
     if (!file) return file.error();
-    for (std::uint64_t p = 0; p < file->info().patches; ++p) {
-      if (progress.cancelled()) return interrupted_error();
-      const auto patch = file->read_patch(p);
-      if (!patch) return patch.error();
-      const Points points = coarse_points(*patch);
-      scan.read.points += points.size();
-      if (Status added = tiles.add(points); !added) return added;
+    std::vector<std::uint64_t> all(file->patches().size());
+    std::iota(all.begin(), all.end(), 0U);
+    QuietProgress quiet(progress);
+    const auto patches = file->read_patches(all, quiet);
+    if (!patches) return patches.error();
+    std::vector<Points> points(patches->size());
+    tbb::parallel_for(std::size_t{0}, points.size(),
+                      [&](std::size_t p) { points[p] = coarse_points((*patches)[p]); });
+    for (const Points& of_patch : points) {
+      scan.read.points += of_patch.size();
+      if (Status added = tiles.add(of_patch); !added) return added;
     }
   }
   return tiles.finish();
