@@ -27,7 +27,7 @@ struct Candidate {
 
 /// Candidates, best first. Nine of ten are void before their turn (on the Dragon 520,000 of
 /// 579,000): they lie unsorted with those that cost about the same until it is the turn of these,
-/// and are left out then. One heap of all took three times as long.
+/// and are left out then.
 class CandidateQueue {
  public:
   void push(const Candidate& candidate) {

@@ -29,8 +29,8 @@ class LeafPositions {
 };
 
 /// Finds the k nearest others of a position: what nanoflann's knnSearch finds, in the same order
-/// where distances are equal, in three quarters of the time (Dragon). The search before, of a position that is
-/// near, tells how far the farthest can be at most.
+/// where distances are equal, in three quarters of the time (Dragon). The search before, of a
+/// position that is near, tells how far the farthest can be at most.
 class NearestSearch {
  public:
   /// `k` below the number of positions.
