@@ -41,12 +41,13 @@ Pieces join_pieces(const Points& mesh, const MeshEdges& edges) {
   return pieces;
 }
 
-bool has_lone_points(const Points& mesh) {
+bool has_lone_points(const Points& mesh, std::size_t given) {
   std::vector<bool> is_corner(mesh.size(), false);
   for (const Triangle& t : mesh.triangles) {
     for (const std::uint32_t corner : t) is_corner[corner] = true;
   }
-  return std::find(is_corner.begin(), is_corner.end(), false) != is_corner.end();
+  const auto end = is_corner.begin() + static_cast<std::ptrdiff_t>(given);
+  return std::find(is_corner.begin(), end, false) != end;
 }
 
 /// Six times the volume that each piece encloses, at its root.
@@ -79,8 +80,8 @@ bool has_normals_against(const Points& mesh) {
 
 }  // namespace
 
-bool is_closed_mesh(const Points& mesh, const MeshEdges& edges) {
-  if (mesh.triangles.empty() || !edges.all_have_two() || has_lone_points(mesh)) return false;
+bool is_closed_mesh(const Points& mesh, std::size_t given, const MeshEdges& edges) {
+  if (mesh.triangles.empty() || !edges.all_have_two() || has_lone_points(mesh, given)) return false;
   Pieces pieces = join_pieces(mesh, edges);
   const std::vector<double> volumes = volumes_of(mesh, pieces);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {

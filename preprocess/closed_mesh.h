@@ -10,7 +10,8 @@ namespace relief {
 /// outward: every point is a corner, every edge is one of exactly two triangles, which run through
 /// it in opposite directions, and every piece encloses a positive volume. (A body with a hollow in
 /// it is not: the hollow's volume is negative.) Normals that the mesh has must not point against
-/// its triangles: patches follow them. False without triangles. `edges` are the mesh's.
-[[nodiscard]] bool is_closed_mesh(const Points& mesh, const MeshEdges& edges);
+/// its triangles: patches follow them. False without triangles. `edges` are the mesh's; its
+/// first `given` points are looked at, what was added to triangles later is not.
+[[nodiscard]] bool is_closed_mesh(const Points& mesh, std::size_t given, const MeshEdges& edges);
 
 }  // namespace relief

@@ -13,25 +13,28 @@ std::vector<Region> pieces_of(const SurfaceSamples& samples, const NeighbourGrap
                               const Region& region, const std::vector<std::uint32_t>& region_of,
                               std::vector<std::uint8_t>& done) {
   std::vector<Region> pieces;
-  std::vector<std::uint32_t> stack;
+  std::vector<std::uint32_t> reached;  // from the seed
+  std::vector<std::uint32_t> waiting;  // those whose neighbours were not looked at yet
   for (const std::uint32_t seed : region.points) {
     if (done[seed] != 0) continue;
-    Region piece{{}, region.normal};
     done[seed] = 1;
-    stack.push_back(seed);
-    while (!stack.empty()) {
-      const std::uint32_t i = stack.back();
-      stack.pop_back();
-      piece.points.push_back(i);
+    reached.assign(1, seed);
+    waiting.assign(1, seed);
+    while (!waiting.empty()) {
+      const std::uint32_t i = waiting.back();
+      waiting.pop_back();
       for (const std::uint32_t j : graph.of(i)) {
         if (region_of[j] != region_of[seed] || done[j] != 0) continue;
         if (!on_one_sheet(samples, i, j)) continue;
         done[j] = 1;
-        stack.push_back(j);
+        reached.push_back(j);
+        waiting.push_back(j);
       }
+      // Most regions are whole, and small ones are known to be after a point or two.
+      if (reached.size() == region.points.size()) return {region};
     }
-    std::sort(piece.points.begin(), piece.points.end());
-    pieces.push_back(std::move(piece));
+    std::sort(reached.begin(), reached.end());
+    pieces.push_back({reached, region.normal});
   }
   return pieces;
 }

@@ -69,26 +69,36 @@ double area_of(const std::vector<Region>& regions, const SurfaceSamples& samples
   return area;
 }
 
-/// The spheres about a mesh's triangles, made while something else goes on: building a kd-tree
-/// takes one thread.
-class SpheresInTime {
+/// What a mesh's triangles tell, found while something else goes on: reading its edges and building
+/// a kd-tree take one thread each.
+class MeshInTime {
  public:
-  /// None of a mesh without triangles. The mesh's positions and triangles must stay as they are.
-  explicit SpheresInTime(const Points& mesh) {
+  /// Nothing of a mesh without triangles. Its first `given` points are the file's. Positions and
+  /// triangles must stay as they are; normals, too, until `wait`.
+  MeshInTime(const Points& mesh, std::size_t given) {
     if (mesh.triangles.empty()) return;
-    task_.run([this, &mesh] { spheres_.emplace(mesh); });
+    tasks_.run([this, &mesh] { spheres_.emplace(mesh); });
+    tasks_.run([this, &mesh, given] {
+      const MeshEdges edges(mesh);
+      is_closed_ = is_closed_mesh(mesh, given, edges);
+      normals_ = normals_of_faces(mesh, edges);
+    });
   }
-  SpheresInTime(const SpheresInTime&) = delete;
-  SpheresInTime& operator=(const SpheresInTime&) = delete;
-  ~SpheresInTime() { task_.wait(); }
+  MeshInTime(const MeshInTime&) = delete;
+  MeshInTime& operator=(const MeshInTime&) = delete;
+  ~MeshInTime() { wait(); }
 
-  const std::optional<TriangleSpheres>& get() {
-    task_.wait();
-    return spheres_;
-  }
+  void wait() { tasks_.wait(); }
+
+  // After `wait`.
+  [[nodiscard]] bool is_closed() const { return is_closed_; }
+  [[nodiscard]] const std::vector<glm::vec3>& normals() const { return normals_; }
+  [[nodiscard]] const TriangleSpheres& spheres() const { return *spheres_; }
 
  private:
-  tbb::task_group task_;
+  tbb::task_group tasks_;
+  bool is_closed_ = false;
+  std::vector<glm::vec3> normals_;
   std::optional<TriangleSpheres> spheres_;
 };
 
@@ -104,11 +114,10 @@ void take_mesh_normals(const Points& mesh, const TriangleSpheres& spheres,
 Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& options,
                                        Progress& progress) {
   ConvertResult result;
-  const MeshEdges edges(points);
-  result.model.is_closed = is_closed_mesh(points, edges);
   Points mesh;
   const bool textured = has_triangle_colours(points);
   if (textured) {
+    result.model.is_closed = is_closed_mesh(points, points.size(), MeshEdges(points));
     progress.begin_stage("sample mesh", 0);
     auto sampled = sample_mesh(points, options.spacing);
     if (!sampled) return sampled.error();
@@ -117,15 +126,16 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   result.report.points = points.size();
   result.report.points_added = densify_triangles(points);
 
-  SpheresInTime spheres(points);
+  MeshInTime in_time(points, result.report.points);
   progress.begin_stage("neighbours", 0);
   const NeighbourGraph graph = find_neighbours(points.positions, kSurfaceNeighbours);
   if (progress.cancelled()) return interrupted_error();
 
   progress.begin_stage("normals", 0);
   const LocalFrames frames = fit_local_frames(points.positions, graph);
-  const NormalsReport normals =
-      complete_normals(points, graph, frames, textured ? nullptr : &edges);
+  in_time.wait();
+  if (!textured) result.model.is_closed = in_time.is_closed();
+  const NormalsReport normals = complete_normals(points, graph, frames, &in_time.normals());
   result.report.normals_estimated = normals.estimated;
   result.report.normals_repaired = normals.repaired;
   if (progress.cancelled()) return interrupted_error();
@@ -156,7 +166,7 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
     if (!mapped) return mapped.error();
   } else if (!points.triangles.empty()) {
     progress.begin_stage("normals of triangles", patches.size());
-    take_mesh_normals(points, *spheres.get(), patches, progress);
+    take_mesh_normals(points, in_time.spheres(), patches, progress);
     if (progress.cancelled()) return interrupted_error();
   }
 

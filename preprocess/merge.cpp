@@ -9,9 +9,9 @@
 #include <memory>
 #include <numbers>
 #include <optional>
-#include <queue>
 
 #include "preprocess/borders.h"
+#include "preprocess/candidate_queue.h"
 #include "preprocess/normal_spread.h"
 #include "preprocess/partition.h"
 
@@ -42,19 +42,6 @@ struct Cluster {
   Borders borders;
   std::unique_ptr<NormalSpread> spread;  // once it was asked for
   std::uint32_t version = 0;
-};
-
-struct Candidate {
-  double cost;
-  std::uint32_t a;
-  std::uint32_t b;
-  std::uint32_t version_a;
-  std::uint32_t version_b;
-
-  bool operator<(const Candidate& o) const {  // std::priority_queue wants the best last
-    if (cost != o.cost) return cost > o.cost;
-    return a != o.a ? a > o.a : b > o.b;
-  }
 };
 
 /// What came of trying to put a pair together.
@@ -105,8 +92,8 @@ class Merger {
         try_all(trials);
       }
       // What merges have made possible since the trials may be better.
-      drop_void();
-      if (!queue_.empty() && trials[next].candidate < queue_.top()) {
+      const Candidate* best = best_candidate();
+      if (best != nullptr && trials[next].candidate.is_worse_than(*best)) {
         std::vector<Trial> better = take_best(1);
         try_all(better);
         if (settle(better.front())) progress.advance(1);
@@ -142,8 +129,13 @@ class Merger {
         // A point beside a straight border has about 3 of its 8 neighbours beyond it; both sides
         // count.
         const double length = double{samples_.spacing[i]} / 6.0;
-        clusters_[owner[i]].borders[other] += length;
-        clusters_[other].borders[owner[i]] += length;
+        clusters_[std::min(owner[i], other)].borders[std::max(owner[i], other)] += length;
+      }
+    }
+    // Borders are the same from both sides: told of the lower cluster, then copied.
+    for (std::uint32_t c = 0; c < clusters_.size(); ++c) {
+      for (const auto& [other, length] : clusters_[c].borders) {
+        if (other > c) clusters_[other].borders[c] = length;
       }
     }
   }
@@ -180,16 +172,17 @@ class Merger {
     return clusters_[c.a].version == c.version_a && clusters_[c.b].version == c.version_b;
   }
 
-  /// Candidates that merges have made void are not the queue's best.
-  void drop_void() {
-    while (!queue_.empty() && !is_current(queue_.top())) queue_.pop();
+  [[nodiscard]] const Candidate* best_candidate() {
+    return queue_.best([this](const Candidate& c) { return is_current(c); });
   }
 
   /// Takes up to `count` of the best candidates.
   std::vector<Trial> take_best(std::size_t count) {
     std::vector<Trial> trials;
-    for (drop_void(); !queue_.empty() && trials.size() < count; drop_void()) {
-      trials.push_back({queue_.top(), {}, {}});
+    while (trials.size() < count) {
+      const Candidate* best = best_candidate();
+      if (best == nullptr) break;
+      trials.push_back({*best, {}, {}});
       queue_.pop();
     }
     return trials;
@@ -261,7 +254,7 @@ class Merger {
   double cos_cone_;
   std::size_t small_points_;
   std::vector<Cluster> clusters_;
-  std::priority_queue<Candidate> queue_;
+  CandidateQueue queue_;
   std::size_t alive_ = 0;
   double total_area_ = 0.0;
 };

@@ -2,8 +2,10 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <span>
 
 namespace relief {
 namespace {
@@ -26,41 +28,124 @@ constexpr float kLeastLikeness = 0.5F;
 // Fitted normals may leave the mean normal by up to 37 degrees; further is an overshoot.
 constexpr float kLeastAgreement = 0.8F;
 
-using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Right = Eigen::Matrix<double, 6, 4>;
 
+/// Two doubles that the processor works on at once.
+using Pair = double __attribute__((vector_size(16)));
+
+/// What a point adds to a fit.
+struct Term {
+  std::array<Pair, 3> basis;     // of the polynomial, there
+  std::array<Pair, 3> weighted;  // that times the point's weight
+  std::array<double, 4> values;  // its height, then the components of its normal
+};
+
+/// The sums of a fit. Terms are taken in one by one, which is what rounding sees, but the sums of
+/// many stay in registers: half of the matrix fills them, the right side does again.
 struct Sums {
-  Matrix6 normal_matrix = Matrix6::Zero();
+  Matrix6 normal_matrix = Matrix6::Zero();  // the lower half of it
   Right right_side = Right::Zero();  // heights, then the three components of the points' normals
   double weight = 0.0;
   double tangent = 0.0;  // weighted heights of tangent planes: the cheap implicit surface
   glm::vec3 normal{0.0F};
+
+  void add(std::span<const Term> terms) {
+    add_to_matrix(terms);
+    add_to_right_side(terms);
+  }
+
+ private:
+  void add_to_matrix(std::span<const Term> terms) {
+    std::array<std::array<Pair, 3>, 6> columns;
+    for (int c = 0; c < 6; ++c) {
+      for (int r = c / 2; r < 3; ++r) columns[c][r] = pair_of(normal_matrix, r, c);
+    }
+    for (const Term& term : terms) {
+      for (int c = 0; c < 6; ++c) {
+        for (int r = c / 2; r < 3; ++r)
+          columns[c][r] += term.weighted[c / 2][c % 2] * term.basis[r];
+      }
+    }
+    for (int c = 0; c < 6; ++c) {
+      for (int r = c / 2; r < 3; ++r) set_pair(columns[c][r], r, c, normal_matrix);
+    }
+  }
+
+  void add_to_right_side(std::span<const Term> terms) {
+    std::array<std::array<Pair, 3>, 4> columns;
+    for (int c = 0; c < 4; ++c) {
+      for (int r = 0; r < 3; ++r) columns[c][r] = pair_of(right_side, r, c);
+    }
+    for (const Term& term : terms) {
+      for (int c = 0; c < 4; ++c) {
+        for (int r = 0; r < 3; ++r) columns[c][r] += term.values[c] * term.weighted[r];
+      }
+    }
+    for (int c = 0; c < 4; ++c) {
+      for (int r = 0; r < 3; ++r) set_pair(columns[c][r], r, c, right_side);
+    }
+  }
+
+  template <class Matrix>
+  static Pair pair_of(const Matrix& matrix, int pair, int column) {
+    return Pair{matrix(2 * pair, column), matrix(2 * pair + 1, column)};
+  }
+  template <class Matrix>
+  static void set_pair(Pair value, int pair, int column, Matrix& matrix) {
+    matrix(2 * pair, column) = value[0];
+    matrix(2 * pair + 1, column) = value[1];
+  }
 };
+
+/// A point with a say in a fit.
+struct Found {
+  std::uint32_t point;
+  double dz;       // above the spot
+  double squared;  // distance, in scales
+};
+
+/// Points are taken so many at a time; most fits have 15 to 25.
+constexpr std::size_t kBatch = 32;
+
+/// Takes points in.
+void take_in(const PatchPoints& points, std::span<const Found> found, glm::dvec3 about,
+             double scale, Sums& sums) {
+  std::array<Term, kBatch> terms;
+  for (std::size_t f = 0; f < found.size(); ++f) {
+    const auto [p, dz, squared] = found[f];
+    const double w = std::exp(-squared);
+    const double dx = (points.positions[p].x - about.x) / scale;
+    const double dy = (points.positions[p].y - about.y) / scale;
+    const glm::vec3 n = points.normals[p];
+    Term& term = terms[f];
+    term.basis = {Pair{1.0, dx}, Pair{dy, dx * dx}, Pair{dx * dy, dy * dy}};
+    for (std::size_t r = 0; r < 3; ++r) term.weighted[r] = w * term.basis[r];
+    term.values = {dz / scale, n.x, n.y, n.z};
+    sums.weight += w;
+    sums.tangent += w * (tangent_height(points, p, about.x, about.y) - about.z);
+    sums.normal += static_cast<float>(w) * n;
+  }
+  sums.add(std::span(terms).first(found.size()));
+}
 
 Sums accumulate(const PatchPoints& points, const PointGrid& lookup, glm::dvec3 about, double scale,
                 glm::vec3 normal) {
   Sums sums;
-  lookup.for_each_within(
-      about.x, about.y, kCutoff * scale, [&](std::uint32_t p, double plane_squared) {
-        const double dz = points.positions[p].z - about.z;
-        const double squared = (plane_squared + dz * dz) / (scale * scale);
-        if (squared > kCutoff * kCutoff) return;
-        if (glm::dot(normal, points.normals[p]) < kLeastLikeness) return;
-        const double w = std::exp(-squared);
-        const double dx = (points.positions[p].x - about.x) / scale;
-        const double dy = (points.positions[p].y - about.y) / scale;
-        Vector6 basis;
-        basis << 1.0, dx, dy, dx * dx, dx * dy, dy * dy;
-        const Vector6 weighted = w * basis;
-        const glm::vec3 n = points.normals[p];
-        // All of the matrix, of which one half is read: shorter than to leave the other out.
-        sums.normal_matrix.noalias() += basis * weighted.transpose();
-        sums.right_side.noalias() += weighted * Eigen::RowVector4d(dz / scale, n.x, n.y, n.z);
-        sums.weight += w;
-        sums.tangent += w * (tangent_height(points, p, about.x, about.y) - about.z);
-        sums.normal += static_cast<float>(w) * points.normals[p];
-      });
+  std::array<Found, kBatch> found;
+  std::size_t count = 0;
+  lookup.for_each_within(about.x, about.y, kCutoff * scale,
+                         [&](std::uint32_t p, double plane_squared) {
+                           const double dz = points.positions[p].z - about.z;
+                           const double squared = (plane_squared + dz * dz) / (scale * scale);
+                           if (squared > kCutoff * kCutoff) return;
+                           if (glm::dot(normal, points.normals[p]) < kLeastLikeness) return;
+                           found[count++] = {p, dz, squared};
+                           if (count < kBatch) return;
+                           take_in(points, found, about, scale, sums);
+                           count = 0;
+                         });
+  take_in(points, std::span(found).first(count), about, scale, sums);
   return sums;
 }
 

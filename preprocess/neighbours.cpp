@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "preprocess/nearest_search.h"
 #include "preprocess/position_tree.h"
 
 namespace relief {
@@ -32,24 +33,17 @@ NeighbourGraph find_neighbours(const std::vector<glm::dvec3>& positions, std::ui
   std::vector<float> raw_spacing(n);
 
   // In the order of the tree's leaves, so that what one search has read is there for the next.
+  const LeafPositions leaves(tree, positions);
   const auto& order = tree.vAcc;
   tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, n, 1024), [&](const auto& range) {
-    std::vector<std::uint32_t> found(graph.k + 1);
-    std::vector<double> squared(graph.k + 1);
+    NearestSearch nearest(tree, leaves, graph.k);
     for (std::uint32_t place = range.begin(); place != range.end(); ++place) {
+      nearest.find(place);
       const std::uint32_t i = order[place];
-      const std::size_t count =
-          tree.knnSearch(&positions[i].x, graph.k + 1, found.data(), squared.data());
       std::uint32_t* out = graph.indices.data() + std::size_t{i} * graph.k;
-      std::uint32_t kept = 0;
-      double density_radius2 = 0.0;
-      for (std::size_t m = 0; m < count && kept < graph.k; ++m) {
-        if (found[m] == i) continue;
-        out[kept++] = found[m];
-        if (kept == density_k) density_radius2 = squared[m];
-      }
-      raw_spacing[i] =
-          static_cast<float>(std::sqrt(std::numbers::pi * density_radius2 / density_k));
+      for (std::uint32_t m = 0; m < graph.k; ++m) out[m] = order[nearest.place(m)];
+      raw_spacing[i] = static_cast<float>(
+          std::sqrt(std::numbers::pi * nearest.squared(density_k - 1) / density_k));
     }
   });
 

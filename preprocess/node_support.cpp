@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
 namespace relief {
@@ -89,6 +90,14 @@ bool is_supported(const PatchPoints& points, const PointGrid& lookup, double x, 
   return close || is_surrounded(points, lookup, x, y, spacing, kWidestSparseInSpacings * spacing);
 }
 
+bool NodeSupport::have_all_octants(std::size_t begin, std::size_t end) const {
+  if (begin >= end || end - begin > sizeof(std::uint64_t)) return false;
+  std::uint64_t eight = 0;
+  std::memcpy(&eight, octants_.data() + begin, sizeof eight);
+  const auto beyond = static_cast<unsigned>(8 * (sizeof eight - (end - begin)));
+  return (std::endian::native == std::endian::little ? ~eight << beyond : ~eight >> beyond) == 0;
+}
+
 template <class Fn>
 void NodeSupport::for_nodes_within(glm::dvec3 point, double radius, const Fn& fn) {
   // A little outward, against rounding: what is beyond the radius is told by its distance.
@@ -104,6 +113,8 @@ void NodeSupport::for_nodes_within(glm::dvec3 point, double radius, const Fn& fn
   const std::uint32_t i1 = end(point.x + radius - grid_.x0, grid_.width);
   const std::uint32_t j1 = end(point.y + radius - grid_.y0, grid_.height);
   for (std::uint32_t j = first(point.y - radius - grid_.y0); j < j1; ++j) {
+    if (have_all_octants(std::size_t{j} * grid_.width + i0, std::size_t{j} * grid_.width + i1))
+      continue;
     const double dy = point.y - (grid_.y0 + j * grid_.spacing);
     for (std::uint32_t i = i0; i < i1; ++i) {
       std::uint8_t& octants = octants_[std::size_t{j} * grid_.width + i];
@@ -115,7 +126,10 @@ void NodeSupport::for_nodes_within(glm::dvec3 point, double radius, const Fn& fn
 }
 
 NodeSupport::NodeSupport(const PatchPoints& points, const PointGrid& lookup, const PatchGrid& grid)
-    : points_(points), lookup_(lookup), grid_(grid), octants_(grid.size(), 0) {
+    : points_(points),
+      lookup_(lookup),
+      grid_(grid),
+      octants_(grid.size() + sizeof(std::uint64_t), 0) {
   const double spacing = grid.spacing;
   for (std::uint32_t p = 0; p < lookup.size(); ++p) {
     for_nodes_within(

@@ -30,11 +30,14 @@ class NodeSupport {
   /// nodes within `radius` of it on the base plane that have not all octants yet.
   template <class Fn>
   void for_nodes_within(glm::dvec3 point, double radius, const Fn& fn);
+  /// True only if a few nodes beside each other all have all octants.
+  [[nodiscard]] bool have_all_octants(std::size_t begin, std::size_t end) const;
 
   const PatchPoints& points_;
   const PointGrid& lookup_;
   const PatchGrid& grid_;
-  std::vector<std::uint8_t> octants_;  ///< of each node a bit for each eighth of a turn
+  std::vector<std::uint8_t> octants_;  ///< of each node a bit for each eighth of a turn; then
+                                       ///< some of none, so that eight can be read at once
   double widest_reach_ = 0.0;
 };
 

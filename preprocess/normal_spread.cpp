@@ -24,6 +24,8 @@ std::array<glm::vec3, N> even_directions() {
 
 /// Normals and axes are unit to single precision, and so are the dots that RegionTest takes.
 constexpr double kRounding = 1e-5;
+/// So many normals of a set are looked at: 64 products each.
+constexpr std::size_t kMostNormals = 256;
 /// Most sets are decided within ten; the limit is for those that just fit.
 constexpr int kMostSteps = 32;
 
@@ -36,7 +38,9 @@ NormalSpread::NormalSpread(const std::vector<glm::vec3>& normals,
   farthest.fill(-2.0F);
   std::array<std::uint32_t, kDirections> which;
   which.fill(points.front());
-  for (const std::uint32_t i : points) {
+  const std::size_t step = (points.size() + kMostNormals - 1) / kMostNormals;
+  for (std::size_t p = 0; p < points.size(); p += step) {
+    const std::uint32_t i = points[p];
     const glm::vec3 n = normals[i];
     for (std::size_t d = 0; d < kDirections; ++d) {
       const float along = glm::dot(n, directions[d]);

@@ -10,7 +10,8 @@
 
 namespace relief {
 
-/// Of a set of unit normals those that go farthest in each of 64 directions.
+/// Of a set of unit normals those that go farthest in each of 64 directions; of a large set those
+/// of an even sample, which can tell no less surely that a cone does not hold them.
 class NormalSpread {
  public:
   NormalSpread(const std::vector<glm::vec3>& normals, std::span<const std::uint32_t> points);

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "common/mesh_normals.h"
 
@@ -152,11 +153,11 @@ NormalsReport check_given(Points& points, const NeighbourGraph& graph, const Loc
   return report;
 }
 
-bool faces_are_oriented(const Points& points, const MeshEdges* edges) {
-  if (points.triangles.empty()) return false;
-  const double misoriented = edges ? edges->misoriented() : MeshEdges(points).misoriented();
-  // Real meshes have a few bad edges at non-manifold spots; a soup has half of them.
-  return misoriented < 0.05;
+// Real meshes have a few bad edges at non-manifold spots; a soup has half of them.
+constexpr double kMostMisoriented = 0.05;
+
+bool has_normal(const Points& points) {
+  return std::any_of(points.normals.begin(), points.normals.end(), usable);
 }
 
 }  // namespace
@@ -179,17 +180,22 @@ LocalFrames fit_local_frames(const std::vector<glm::dvec3>& positions,
   return frames;
 }
 
+std::vector<glm::vec3> normals_of_faces(const Points& points, const MeshEdges& edges) {
+  if (points.triangles.empty() || has_normal(points) || edges.misoriented() >= kMostMisoriented)
+    return {};
+  return normals_from_triangles(points);
+}
+
 NormalsReport complete_normals(Points& points, const NeighbourGraph& graph,
-                               const LocalFrames& frames, const MeshEdges* edges) {
-  const auto has_normal = [&] {
-    return std::any_of(points.normals.begin(), points.normals.end(), usable);
-  };
-  if (has_normal()) return check_given(points, graph, frames);
+                               const LocalFrames& frames, const std::vector<glm::vec3>* of_faces) {
+  if (has_normal(points)) return check_given(points, graph, frames);
 
   NormalsReport report;
   report.estimated = true;
-  if (faces_are_oriented(points, edges)) {
-    points.normals = normals_from_triangles(points);
+  std::vector<glm::vec3> normals =
+      of_faces != nullptr ? *of_faces : normals_of_faces(points, MeshEdges(points));
+  if (!normals.empty()) {
+    points.normals = std::move(normals);
     std::vector<std::uint8_t> missing(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) missing[i] = usable(points.normals[i]) ? 0 : 1;
     fill_missing(points, graph, frames, points.normals, missing);

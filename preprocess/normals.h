@@ -31,9 +31,14 @@ struct LocalFrames {
 
 /// Makes `points.normals` unit vectors, one per point: the given ones where they hold (zero, NaN
 /// and inconsistent ones repaired), else those of the triangles, else local frames oriented by
-/// orient_normals. `edges`: of the points' triangles, where they are known already.
+/// orient_normals. `of_faces`: what normals_of_faces gives, where it is known already.
 NormalsReport complete_normals(Points& points, const NeighbourGraph& graph,
-                               const LocalFrames& frames, const MeshEdges* edges = nullptr);
+                               const LocalFrames& frames,
+                               const std::vector<glm::vec3>* of_faces = nullptr);
+
+/// The normals of the points' triangles, if these are oriented and the points have no normals of
+/// their own; otherwise none. `edges` are those of the triangles.
+[[nodiscard]] std::vector<glm::vec3> normals_of_faces(const Points& points, const MeshEdges& edges);
 
 /// Flips unit normals so that neighbours agree: minimum spanning forest over the neighbour graph
 /// (Hoppe et al. 1992). Each connected component then faces the viewpoint if there is one,

@@ -71,9 +71,10 @@ RegionTest::RegionTest(const SurfaceSamples& samples, const RegionLimits& limits
 
 std::optional<glm::vec3> RegionTest::fit_cone(std::span<const std::uint32_t> points) {
   glm::vec3 sum(0.0F);
-  normals_.clear();
-  for (const std::uint32_t i : points) {
-    normals_.push_back(samples_.normals[i]);
+  normals_.resize(points.size());
+  for (std::size_t m = 0; m < points.size(); ++m) {
+    const std::uint32_t i = points[m];
+    normals_.set(m, samples_.normals[i]);
     sum += samples_.spacing[i] * samples_.spacing[i] * samples_.normals[i];
   }
   const float length = glm::length(sum);
@@ -83,20 +84,13 @@ std::optional<glm::vec3> RegionTest::fit_cone(std::span<const std::uint32_t> poi
   // smallest enclosing cap. 12 steps come within about a degree.
   constexpr int kSteps = 12;
   for (int step = 1; step <= kSteps; ++step) {
-    float least = 2.0F;
-    glm::vec3 worst = normals_.front();
-    for (const glm::vec3 n : normals_) {
-      const float c = glm::dot(axis, n);
-      if (c < least) {
-        least = c;
-        worst = n;
-      }
-    }
+    const float least = normals_.least_cosine(axis);
     if (least >= cos_cone_) return axis;
     // 25 degrees beyond the cone are not won back by moving the axis, as it starts near the middle.
     if (step == 1 && std::acos(std::clamp(least, -1.0F, 1.0F)) > cone_ + glm::radians(25.0F)) {
       return std::nullopt;
     }
+    const glm::vec3 worst = normals_.at(normals_.find(axis, least));
     axis = glm::normalize(axis + (worst - axis) / static_cast<float>(step + 3));
   }
   return std::nullopt;
@@ -114,8 +108,9 @@ bool RegionTest::single_valued(std::span<const std::uint32_t> points, glm::vec3 
   const glm::dvec3 base = samples_.positions[points.front()];
   for (const std::uint32_t i : points) {
     const glm::dvec3 d = samples_.positions[i] - base;
-    const auto x = floor_to_int(glm::dot(d, u) / cell);
-    const auto y = floor_to_int(glm::dot(d, v) / cell);
+    const glm::dvec2 at = glm::dvec2(glm::dot(d, u), glm::dot(d, v)) / cell;
+    const auto x = floor_to_int(at.x);
+    const auto y = floor_to_int(at.y);
     places_.push_back(samples_.positions[i]);
     keys_.push_back(std::uint64_t{static_cast<std::uint32_t>(x)} << 32 |
                     static_cast<std::uint32_t>(y));
@@ -136,7 +131,7 @@ bool RegionTest::single_valued(std::span<const std::uint32_t> points, glm::vec3 
       const glm::dvec3 apart = places_[m] - places_[o];
       // Most are nearer to each other than they may be off: the mean normal is unit to rounding.
       if (glm::dot(apart, apart) < kSurelyWithin * tolerance * tolerance) continue;
-      const glm::vec3 mean = glm::normalize(normals_[m] + normals_[o]);
+      const glm::vec3 mean = glm::normalize(normals_.at(m) + normals_.at(o));
       if (std::abs(glm::dot(glm::dvec3(mean), apart)) > tolerance) return false;
     }
   }

@@ -8,6 +8,7 @@
 
 #include "common/points.h"
 #include "preprocess/neighbours.h"
+#include "preprocess/normal_list.h"
 #include "preprocess/normals.h"
 
 namespace relief {
@@ -77,7 +78,7 @@ class RegionTest {
   double sheet_tolerance_;
   double density_ratio_;
   std::vector<float> spacings_;
-  std::vector<glm::vec3> normals_;
+  NormalList normals_;
   std::vector<glm::dvec3> places_;
   std::vector<std::uint32_t> table_;
   std::vector<std::uint64_t> keys_;

@@ -18,6 +18,17 @@ struct EndInflate {
   void operator()(z_stream* stream) const { inflateEnd(stream); }
 };
 
+/// Text of numbers is seldom packed tighter.
+constexpr std::size_t kLikelyRatio = 8;
+
+/// What the end of the file says of its size: a hint, as are others of a file with several members.
+std::uint64_t stated_size(std::span<const std::byte> bytes) {
+  std::uint64_t size = 0;
+  for (const std::byte b : bytes.last(std::min<std::size_t>(4, bytes.size())))
+    size = size >> 8U | std::to_integer<std::uint64_t>(b) << 24U;
+  return size;
+}
+
 /// gzip pads with zeros on tapes and in blocks.
 bool only_zeros(std::span<const std::byte> bytes) {
   return std::ranges::all_of(bytes, [](std::byte b) { return b == std::byte{0}; });
@@ -76,6 +87,7 @@ Status gunzip_pieces(const std::string& name, std::span<const std::byte> bytes,
 Result<std::vector<std::byte>> gunzip(const std::string& name, std::span<const std::byte> bytes,
                                       std::uint64_t limit, const Progress& progress) {
   std::vector<std::byte> out;
+  out.reserve(std::min<std::uint64_t>({stated_size(bytes), kLikelyRatio * bytes.size(), limit}));
   const Status unpacked = gunzip_pieces(
       name, bytes, progress, [&](std::span<const std::byte> piece, std::size_t) -> Status {
         if (piece.size() > limit - out.size()) {
@@ -83,9 +95,7 @@ Result<std::vector<std::byte>> gunzip(const std::string& name, std::span<const s
               "{}: decompresses to more than {} MB, which this machine's memory cannot hold", name,
               limit / 1'000'000);
         }
-        const std::size_t at = out.size();
-        out.resize(at + piece.size());
-        std::ranges::copy(piece, out.begin() + static_cast<std::ptrdiff_t>(at));
+        out.insert(out.end(), piece.begin(), piece.end());
         return {};
       });
   if (!unpacked) return unpacked.error();

@@ -22,9 +22,9 @@ using TakePiece = std::function<Status(std::span<const std::byte> piece, std::si
 Status gunzip_pieces(const std::string& name, std::span<const std::byte> bytes,
                      const Progress& progress, const TakePiece& take);
 
-/// Decompresses all members of a gzip file. The size that the file claims is not trusted: memory is
-/// taken as bytes come, and a file that grows beyond `limit` bytes is refused. `name` begins
-/// errors.
+/// Decompresses all members of a gzip file. The size that the file claims is not trusted: no more
+/// than eight times the packed bytes is set aside for it, memory is else taken as bytes come, and a
+/// file that grows beyond `limit` bytes is refused. `name` begins errors.
 Result<std::vector<std::byte>> gunzip(const std::string& name, std::span<const std::byte> bytes,
                                       std::uint64_t limit, const Progress& progress);
 

@@ -1,11 +1,11 @@
 #include "preprocess/texture/flat_triangles.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <optional>
 #include <span>
 #include <utility>
 
@@ -41,26 +41,57 @@ glm::ivec2 height_range(const Patch& patch) {
   return range;
 }
 
-/// A triangle as a patch sees it; none if it is beside the patch's grid or edge-on.
-std::optional<FlatTriangle> lay_on(const Patch& patch, const Points& mesh, std::uint32_t index) {
-  const glm::dmat3 to_local = glm::transpose(patch.axes);
-  FlatTriangle flat;
-  flat.index = index;
-  glm::dvec2 low(INFINITY);
-  glm::dvec2 high(-INFINITY);
-  for (std::size_t c = 0; c < 3; ++c) {
-    const glm::dvec3 place =
-        to_local * (mesh.positions[mesh.triangles[index][c]] - patch.origin) / patch.spacing;
-    flat.corners[c] = glm::dvec2(place);
-    flat.heights[static_cast<glm::length_t>(c)] = place.z;
-    low = glm::min(low, flat.corners[c]);
-    high = glm::max(high, flat.corners[c]);
+/// Sees triangles as a patch does.
+class View {
+ public:
+  View(const Patch& patch, const Points& mesh)
+      : mesh_(mesh),
+        to_local_(glm::transpose(patch.axes)),
+        origin_(patch.origin),
+        spacing_(patch.spacing),
+        cells_(patch.width - 1, patch.height - 1) {}
+
+  /// Adds a triangle, unless it is beside the patch's grid or edge-on.
+  void add(std::uint32_t index, std::vector<FlatTriangle>& to) const {
+    FlatTriangle flat;
+    flat.index = index;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const glm::dvec3 place =
+          to_local_ * (mesh_.positions[mesh_.triangles[index][c]] - origin_) / spacing_;
+      flat.corners[c] = glm::dvec2(place);
+      flat.heights[static_cast<glm::length_t>(c)] = place.z;
+    }
+    const auto& p = flat.corners;
+    const glm::dvec2 low = glm::min(glm::min(p[0], p[1]), p[2]);
+    const glm::dvec2 high = glm::max(glm::max(p[0], p[1]), p[2]);
+    if (low.x > cells_.x || low.y > cells_.y || high.x < 0.0 || high.y < 0.0) return;
+    flat.twice_area = cross(p[1] - p[0], p[2] - p[0]);
+    if (std::abs(flat.twice_area) > kLeastArea) to.push_back(flat);
   }
-  const glm::dvec2 cells(patch.width - 1, patch.height - 1);
-  if (low.x > cells.x || low.y > cells.y || high.x < 0.0 || high.y < 0.0) return std::nullopt;
-  flat.twice_area = cross(flat.corners[1] - flat.corners[0], flat.corners[2] - flat.corners[0]);
-  if (std::abs(flat.twice_area) <= kLeastArea) return std::nullopt;
-  return flat;
+
+ private:
+  const Points& mesh_;
+  glm::dmat3 to_local_;
+  glm::dvec3 origin_;
+  double spacing_;
+  glm::dvec2 cells_;
+};
+
+/// Sorts numbers below `end`. Where they are many a bit for each is quicker than comparing them.
+void sort_numbers(std::vector<std::uint32_t>& numbers, std::size_t end) {
+  constexpr std::size_t kFew = 64;
+  if (numbers.size() < end / kFew) {
+    std::ranges::sort(numbers);
+    return;
+  }
+  std::vector<std::uint64_t> bits(end / 64 + 1, 0);
+  for (const std::uint32_t n : numbers) bits[n / 64] |= std::uint64_t{1} << n % 64;
+  auto out = numbers.begin();
+  for (std::size_t word = 0; word < bits.size(); ++word) {
+    for (std::uint64_t left = bits[word]; left != 0; left &= left - 1)
+      *out++ = static_cast<std::uint32_t>(64 * word) +
+               static_cast<std::uint32_t>(std::countr_zero(left));
+  }
 }
 
 }  // namespace
@@ -94,15 +125,20 @@ void TriangleSpheres::sort_by_place(std::vector<Sphere>& spheres, const Bounds& 
   spheres = std::move(sorted);
 }
 
-TriangleSpheres::Sphere TriangleSpheres::group_of(std::size_t first) const {
-  const std::span<const Sphere> members =
-      std::span(spheres_).subspan(first, std::min(kGroup, spheres_.size() - first));
-  Sphere group;
-  for (const Sphere& s : members) group.centre += s.centre / static_cast<float>(members.size());
-  for (const Sphere& s : members)
-    group.radius = std::max(group.radius, glm::distance(group.centre, s.centre) + s.radius);
-  group.radius *= kRounding;
-  return group;
+std::vector<TriangleSpheres::Sphere> TriangleSpheres::group(const std::vector<Sphere>& spheres) {
+  std::vector<Sphere> groups;
+  groups.reserve(spheres.size() / kGroup + 1);
+  for (std::size_t first = 0; first < spheres.size(); first += kGroup) {
+    const std::span<const Sphere> members =
+        std::span(spheres).subspan(first, std::min(kGroup, spheres.size() - first));
+    Sphere group;
+    for (const Sphere& s : members) group.centre += s.centre / static_cast<float>(members.size());
+    for (const Sphere& s : members)
+      group.radius = std::max(group.radius, glm::distance(group.centre, s.centre) + s.radius);
+    group.radius *= kRounding;
+    groups.push_back(group);
+  }
+  return groups;
 }
 
 TriangleSpheres::TriangleSpheres(const Points& mesh) : mesh_(mesh) {
@@ -122,8 +158,8 @@ TriangleSpheres::TriangleSpheres(const Points& mesh) : mesh_(mesh) {
         {glm::vec3(centre), static_cast<float>(radius + 1e-6 * glm::length(centre)), t});
   }
   sort_by_place(spheres_, bounds);
-  groups_.reserve(spheres_.size() / kGroup + 1);
-  for (std::size_t k = 0; k < spheres_.size(); k += kGroup) groups_.push_back(group_of(k));
+  groups_ = group(spheres_);
+  blocks_ = group(groups_);
 }
 
 std::vector<FlatTriangle> TriangleSpheres::find_over(const Patch& patch) const {
@@ -139,20 +175,25 @@ std::vector<FlatTriangle> TriangleSpheres::find_over(const Patch& patch) const {
     const glm::vec3 apart = glm::abs(to_box * (sphere.centre - centre)) - half;
     return std::max({apart.x, apart.y, apart.z}) <= sphere.radius;
   };
-  std::vector<std::uint32_t> near;
-  for (std::size_t g = 0; g < groups_.size(); ++g) {
-    if (!meets_box(groups_[g])) continue;
-    const std::size_t end = std::min((g + 1) * kGroup, spheres_.size());
-    for (std::size_t k = g * kGroup; k < end; ++k) {
-      if (meets_box(spheres_[k])) near.push_back(spheres_[k].triangle);
+  const auto for_each_met = [&](const std::vector<Sphere>& spheres, std::size_t group,
+                                const auto& fn) {
+    const std::size_t end = std::min((group + 1) * kGroup, spheres.size());
+    for (std::size_t k = group * kGroup; k < end; ++k) {
+      if (meets_box(spheres[k])) fn(k);
     }
+  };
+  std::vector<std::uint32_t> near;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (!meets_box(blocks_[b])) continue;
+    for_each_met(groups_, b, [&](std::size_t g) {
+      for_each_met(spheres_, g, [&](std::size_t k) { near.push_back(spheres_[k].triangle); });
+    });
   }
-  std::sort(near.begin(), near.end());
+  sort_numbers(near, spheres_.size());
   std::vector<FlatTriangle> found;
   found.reserve(near.size());
-  for (const std::uint32_t t : near) {
-    if (const auto flat = lay_on(patch, mesh_, t)) found.push_back(*flat);
-  }
+  const View view(patch, mesh_);
+  for (const std::uint32_t t : near) view.add(t, found);
   return found;
 }
 

@@ -44,14 +44,15 @@ class TriangleSpheres {
   };
   /// So that those beside each other are near each other.
   static void sort_by_place(std::vector<Sphere>& spheres, const Bounds& bounds);
-  [[nodiscard]] Sphere group_of(std::size_t first) const;
   /// So many spheres have one about them.
   static constexpr std::size_t kGroup = 32;
+  static std::vector<Sphere> group(const std::vector<Sphere>& spheres);
 
   const Points& mesh_;
   glm::dvec3 middle_{0.0};
   std::vector<Sphere> spheres_;
-  std::vector<Sphere> groups_;
+  std::vector<Sphere> groups_;  ///< about spheres_
+  std::vector<Sphere> blocks_;  ///< about groups_
 };
 
 }  // namespace relief

@@ -59,12 +59,18 @@ std::vector<std::uint32_t> find_shown(const Patch& patch, std::uint32_t texels_p
   std::vector<std::uint32_t> shown(std::size_t{width} * height, kNoTriangle);
   std::vector<float> least(shown.size(), std::numeric_limits<float>::infinity());
   const double scale = texels_per_cell;
-  const auto first = [scale](double low) {
-    return static_cast<std::uint32_t>(std::max(0.0, std::ceil(low * scale - 1e-6)));
+  // Whole texels of the map, most often none of them.
+  const auto first = [scale](double low, std::uint32_t side) {
+    const double at = low * scale - 1e-6;
+    if (!(at > 0.0)) return std::uint32_t{0};
+    if (at >= side) return side;
+    const auto below = static_cast<std::uint32_t>(at);
+    return below < at ? below + 1 : below;
   };
-  const auto last = [scale](double high, std::uint32_t side) {
-    return static_cast<std::uint32_t>(
-        std::clamp(std::floor(high * scale + 1e-6) + 1.0, 0.0, static_cast<double>(side)));
+  const auto end = [scale](double high, std::uint32_t side) {
+    const double at = high * scale + 1e-6;
+    if (!(at >= 0.0)) return std::uint32_t{0};
+    return at < side ? static_cast<std::uint32_t>(at) + 1 : side;
   };
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     const FlatTriangle& triangle = triangles[t];
@@ -72,8 +78,11 @@ std::vector<std::uint32_t> find_shown(const Patch& patch, std::uint32_t texels_p
     const auto [left, right] = std::minmax({p[0].x, p[1].x, p[2].x});
     const auto [low, high] = std::minmax({p[0].y, p[1].y, p[2].y});
     const double penalty = triangle.twice_area > 0.0 ? 0.0 : kFacingAway;
-    for (std::uint32_t b = first(low); b < last(high, height); ++b) {
-      for (std::uint32_t a = first(left); a < last(right, width); ++a) {
+    const std::uint32_t a0 = first(left, width);
+    const std::uint32_t a1 = end(right, width);
+    const std::uint32_t b1 = end(high, height);
+    for (std::uint32_t b = first(low, height); b < b1; ++b) {
+      for (std::uint32_t a = a0; a < a1; ++a) {
         const glm::dvec2 place(a / scale, b / scale);
         const glm::dvec3 weights = triangle.weights_at(place);
         if (std::min({weights.x, weights.y, weights.z}) < kOnEdge) continue;

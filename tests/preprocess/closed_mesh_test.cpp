@@ -38,7 +38,7 @@ Points both(Points a, const Points& b) {
 }
 
 bool is_closed(const Points& mesh) {
-  return is_closed_mesh(mesh, MeshEdges(mesh));
+  return is_closed_mesh(mesh, mesh.size(), MeshEdges(mesh));
 }
 
 TEST(ClosedMesh, IsABodyWhereverItStands) {
