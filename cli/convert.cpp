@@ -51,7 +51,7 @@ struct Arguments {
   std::filesystem::path texture;  ///< as texture_choice has it
   ConvertOptions options;
   PatchFileOptions file;
-  std::uint64_t memory = 0;  ///< bytes; 0: as it takes
+  TileOptions tiles{.memory_bytes = 0};  ///< 0: as it takes, in one piece
   bool clean = false;
   double thin = 0.0;  ///< side of the cubes, scan's unit; 0: no thinning
   bool json = false;
@@ -69,7 +69,7 @@ Result<ConvertSummary> summarise(const Arguments& arguments, ConvertSummary summ
 Result<std::optional<ConvertSummary>> convert_larger(const Arguments& arguments,
                                                      Progress& progress) {
   auto tiled = convert_tiles(arguments.inputs, arguments.output, arguments.options, arguments.file,
-                             {arguments.memory}, progress);
+                             arguments.tiles, progress);
   if (!tiled) return tiled.error();
   if (!*tiled) return std::optional<ConvertSummary>();
   ConvertSummary summary;
@@ -86,7 +86,7 @@ Result<std::optional<ConvertSummary>> convert_larger(const Arguments& arguments,
 
 /// Reads, converts and writes.
 Result<ConvertSummary> convert_files(const Arguments& arguments, Progress& progress) {
-  if (arguments.memory > 0) {
+  if (arguments.tiles.memory_bytes > 0) {
     auto larger = convert_larger(arguments, progress);
     if (!larger) return larger.error();
     if (*larger) return std::move(**larger);
@@ -124,7 +124,7 @@ std::vector<std::filesystem::path> files_read(const Arguments& arguments) {
 /// What is left of a conversion that ended early.
 std::string kept_by(const Arguments& arguments) {
   const auto kept = find_kept_tiles(arguments.output);
-  if (arguments.memory == 0 || !kept) return {};
+  if (arguments.tiles.memory_bytes == 0 || !kept) return {};
   return fmt::format("what is done is kept in {}, and the same command goes on from there",
                      kept->string());
 }
@@ -214,17 +214,23 @@ void add_convert(CLI::App& app, Command& command) {
                   "two for each patch that keeps the texture's own)")
       ->check(CLI::Range(1U, kMostTexelsPerCell))
       ->option_text("N");
-  sub->add_option(
-         "--memory", arguments->memory,
-         "Most memory to take, 256M or more: a scan that needs more is converted in tiles, "
-         "kept in OUT.parts until the end; if it is stopped or killed the same command "
-         "goes on from there. Triangles and textures are not used then (as it takes)")
-      ->excludes(adaptive)
-      ->excludes(clean)
-      ->excludes(thin)
-      ->transform(CLI::AsSizeValue(false))
-      ->check(CLI::Range(kLeastTileMemory, std::uint64_t{1} << 50U))
-      ->option_text("BYTES");
+  auto* const memory =
+      sub->add_option(
+             "--memory", arguments->tiles.memory_bytes,
+             "Most memory to take, 256M or more: a scan that needs more is converted in tiles, "
+             "kept in OUT.parts until the end; if it is stopped or killed the same command "
+             "goes on from there. Triangles and textures are not used then (as it takes)")
+          ->excludes(adaptive)
+          ->excludes(clean)
+          ->excludes(thin)
+          ->transform(CLI::AsSizeValue(false))
+          ->check(CLI::Range(kLeastTileMemory, std::uint64_t{1} << 50U))
+          ->option_text("BYTES");
+  sub->add_flag_callback(
+         "--no-overviews", [arguments] { arguments->tiles.overviews = false; },
+         "With --memory: without coarser patches over the model's own, by which a large "
+         "model is drawn from afar without reading all of it; a quarter fewer bytes")
+      ->needs(memory);
   sub->add_option("--threads", arguments->options.threads,
                   "Threads; the file is the same with any number (all cores)")
       ->check(CLI::Range(1, 1024))

@@ -3,15 +3,18 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "common/patch.h"
 #include "common/patch_file.h"
+#include "common/patch_tree.h"
 
 namespace relief::cli {
 namespace {
@@ -27,7 +30,32 @@ struct Arguments {
   bool json = false;
 };
 
-nlohmann::ordered_json as_json(const PatchFileInfo& info, bool verified) {
+/// A level of a file with tiles.
+struct LevelSums {
+  std::uint64_t tiles = 0;
+  std::uint64_t patches = 0;
+  std::uint64_t samples = 0;
+  std::uint64_t bytes = 0;
+  double spacing = 0.0;
+};
+
+/// From the model's own patches to the coarsest overview.
+std::vector<LevelSums> levels_of(const PatchTree& tree) {
+  std::vector<LevelSums> levels;
+  for (const TreeTile& tile : tree.tiles()) {
+    levels.resize(std::max<std::size_t>(levels.size(), tile.level + 1));
+    LevelSums& level = levels[tile.level];
+    ++level.tiles;
+    level.patches += tile.patches;
+    level.samples += tile.samples;
+    level.bytes += tile.bytes;
+    level.spacing = tile.spacing;
+  }
+  return levels;
+}
+
+nlohmann::ordered_json as_json(const PatchFileInfo& info, const std::vector<LevelSums>& levels,
+                               bool verified) {
   const auto vector = [](glm::dvec3 v) { return nlohmann::ordered_json{v.x, v.y, v.z}; };
   nlohmann::ordered_json json = {{"version", info.version},
                                  {"codec", info.codec},
@@ -42,15 +70,25 @@ nlohmann::ordered_json as_json(const PatchFileInfo& info, bool verified) {
                                  {"bounds_min", vector(info.bounds.min)},
                                  {"bounds_max", vector(info.bounds.max)},
                                  {"attributes", info.attributes},
-                                 {"closed", info.is_closed}};
+                                 {"closed", info.is_closed},
+                                 {"tiles", levels.front().tiles}};
+  json["overviews"] = nlohmann::ordered_json::array();
+  for (std::size_t l = 1; l < levels.size(); ++l) {
+    json["overviews"].push_back({{"tiles", levels[l].tiles},
+                                 {"patches", levels[l].patches},
+                                 {"samples", levels[l].samples},
+                                 {"spacing", levels[l].spacing},
+                                 {"bytes", levels[l].bytes}});
+  }
   if (verified) json["verified"] = true;
   return json;
 }
 
-std::string as_text(const PatchFileInfo& info, const Arguments& arguments) {
+std::string as_text(const PatchFileInfo& info, const std::vector<LevelSums>& levels,
+                    const Arguments& arguments) {
   const auto& low = info.bounds.min;
   const auto& high = info.bounds.max;
-  return fmt::format(
+  std::string text = fmt::format(
       "{}{}\n"
       "  version     {}\n"
       "  codec       {}\n"
@@ -66,24 +104,38 @@ std::string as_text(const PatchFileInfo& info, const Arguments& arguments) {
       info.codec, info.patches, info.samples, info.spacing, low.x, low.y, low.z, high.x, high.y,
       high.z, fmt::join(info.attributes, ", "), info.is_closed ? "yes" : "not known", info.levels,
       info.file_bytes, info.height_bytes, info.normal_bytes, info.colour_bytes);
+  if (levels.front().tiles > 1) text += fmt::format("  tiles       {}\n", levels.front().tiles);
+  for (std::size_t l = 1; l < levels.size(); ++l) {
+    text += fmt::format(
+        "  overview {}  {} tiles, {} patches, {} samples, spacing {:.6g}, {} bytes\n", l,
+        levels[l].tiles, levels[l].patches, levels[l].samples, levels[l].spacing, levels[l].bytes);
+  }
+  return text;
 }
 
-/// Decodes every patch, one at a time, so that a file larger than memory can be verified too.
-Status verify(const PatchFile& file, const std::string& name) {
+/// Decodes every patch of every tile, one at a time, so that a file larger than memory can be
+/// verified too.
+Status verify(const PatchTree& tree, const std::string& name) {
   ConsoleProgress progress;
-  progress.begin_stage("verify", file.info().patches);
-  std::uint64_t samples = 0;
-  for (std::uint64_t i = 0; i < file.info().patches; ++i) {
-    if (progress.cancelled()) return interrupted_error();
-    const auto patch = file.read_patch(i);
-    if (!patch) return patch.error();
-    samples += count_samples(*patch);
-    progress.advance(1);
-  }
-  if (samples != file.info().samples) {
-    return make_error(
-        "{}: the header promises {} samples, the patches hold {}; the file is damaged", name,
-        file.info().samples, samples);
+  std::uint64_t patches = 0;
+  for (const TreeTile& tile : tree.tiles()) patches += tile.patches;
+  progress.begin_stage("verify", patches);
+  for (std::uint32_t t = 0; t < tree.tiles().size(); ++t) {
+    const auto file = tree.open_tile(t);
+    if (!file) return file.error();
+    std::uint64_t samples = 0;
+    for (std::uint64_t i = 0; i < file->info().patches; ++i) {
+      if (progress.cancelled()) return interrupted_error();
+      const auto patch = file->read_patch(i);
+      if (!patch) return patch.error();
+      samples += count_samples(*patch);
+      progress.advance(1);
+    }
+    if (samples != file->info().samples) {
+      return make_error(
+          "{}: the header promises {} samples, the patches hold {}; the file is damaged", name,
+          file->info().samples, samples);
+    }
   }
   return {};
 }
@@ -91,13 +143,16 @@ Status verify(const PatchFile& file, const std::string& name) {
 int run(const Arguments& arguments) {
   const auto file = PatchFile::open(arguments.input);
   if (!file) return fail(file.error());
+  const auto tree = PatchTree::open(arguments.input);
+  if (!tree) return fail(tree.error());
   if (arguments.verify) {
-    if (const Status right = verify(*file, arguments.input.string()); !right) {
+    if (const Status right = verify(*tree, arguments.input.string()); !right) {
       return fail(right.error());
     }
   }
-  return arguments.json ? print_json(as_json(file->info(), arguments.verify))
-                        : print_result(as_text(file->info(), arguments));
+  const std::vector<LevelSums> levels = levels_of(*tree);
+  return arguments.json ? print_json(as_json(file->info(), levels, arguments.verify))
+                        : print_result(as_text(file->info(), levels, arguments));
 }
 
 }  // namespace

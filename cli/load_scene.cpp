@@ -1,17 +1,23 @@
 #include "cli/load_scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <map>
 #include <utility>
 
+#include "cli/console.h"
 #include "cli/load.h"
 #include "cli/paths.h"
+#include "common/patch_tree.h"
+#include "common/transform.h"
 #include "preprocess/convert.h"
 #include "renderer/append.h"
 #include "renderer/engines/ewa/splats_of_samples.h"
 #include "renderer/mesh_of_patches.h"
 #include "renderer/mesh_of_points.h"
+#include "renderer/patches_in_view.h"
 
 namespace relief::cli {
 namespace {
@@ -159,34 +165,111 @@ class Placer {
   std::uint32_t patches_ = 0;  ///< of the models so far
 };
 
-}  // namespace
-
-Result<LoadedScene> load_scene(const std::vector<SceneModel>& models, const TextureChoice& textures,
-                               EngineNeeds needs, Progress& progress) {
-  bool has_scans = false;
+/// Calls `place` with each model's file and use.
+template <class Place>
+Status place_models(const std::vector<SceneModel>& models, const Place& place) {
   std::map<std::filesystem::path, std::size_t> uses;
-  for (const SceneModel& model : models) {
-    ++uses[model.file];
-    has_scans |= ending(model.file) != ".relief";
-  }
-  const Forms forms{needs.raytrace && has_scans, needs.ewa && has_scans};
+  for (const SceneModel& model : models) ++uses[model.file];
   const std::vector<MaterialWords> said = materials_said(models);
-  std::map<std::filesystem::path, LoadedFile> loaded;
-  Placer placer(models.size() > 1);
   for (const SceneModel& model : models) {
-    if (loaded.find(model.file) == loaded.end()) {
-      auto file = ending(model.file) == ".relief"
-                      ? load_patch_file(model.file, forms, progress)
-                      : load_scan(model.file, textures, needs, progress);
-      if (!file) return file.error();
-      loaded.emplace(model.file, std::move(*file));
-    }
     const auto material = std::find(said.begin(), said.end(), model.material) - said.begin();
     const Use use{model.transform, static_cast<std::uint8_t>(material), --uses[model.file] == 0,
                   model.is_closed};
-    const Status placed = placer.place(loaded.at(model.file), use);
+    const Status placed = place(model.file, use);
     if (!placed) return make_error("{}: {}", model.file.string(), placed.error().message);
   }
+  return {};
+}
+
+using LoadedFiles = std::map<std::filesystem::path, LoadedFile>;
+using TreeFiles = std::map<std::filesystem::path, PatchTree>;
+
+/// The patch files that have tiles, opened.
+Result<TreeFiles> open_trees(const std::vector<SceneModel>& models) {
+  TreeFiles trees;
+  for (const SceneModel& model : models) {
+    if (ending(model.file) != ".relief" || trees.find(model.file) != trees.end()) continue;
+    auto tree = PatchTree::open(model.file);
+    if (!tree) return tree.error();
+    if (tree->tiles().size() > 1) trees.emplace(model.file, std::move(*tree));
+  }
+  return trees;
+}
+
+/// The scene's bounds, of which no patch of the trees has been read.
+Result<PatchModel> extent_of(const std::vector<SceneModel>& models, const LoadedFiles& loaded,
+                             const TreeFiles& trees) {
+  Placer placer(models.size() > 1);
+  const Status placed = place_models(models, [&](const auto& path, const Use& use) {
+    const auto tree = trees.find(path);
+    LoadedFile file;
+    file.patches =
+        tree == trees.end() ? without_patches(loaded.at(path).patches) : tree->second.extent();
+    return placer.place(file, use);
+  });
+  if (!placed) return placed.error();
+  return placer.take().patches;
+}
+
+/// Reads what the pictures show of the trees; what is read at all if nobody knows that.
+Status load_trees(const std::vector<SceneModel>& models, const TreeFiles& trees,
+                  const PicturesOf& pictures_of, LoadedFiles& loaded, Progress& progress) {
+  const auto extent = extent_of(models, loaded, trees);
+  if (!extent) return extent.error();
+  const auto pictures = pictures_of(*extent);
+  if (!pictures) return pictures.error();
+  const bool choose = std::all_of(pictures->begin(), pictures->end(), can_choose_patches);
+  for (const auto& [path, tree] : trees) {
+    if (!choose) {
+      auto model = load_model(path, progress);
+      if (!model) return model.error();
+      loaded[path].patches = std::move(*model);
+      continue;
+    }
+    std::vector<Transform> places;
+    for (const SceneModel& model : models) {
+      if (model.file == path) places.push_back(model.transform);
+    }
+    auto read = read_in_view(tree, onlookers_of(*pictures, places, *extent), progress);
+    if (!read) return read.error();
+    note(fmt::format("{}: {} of {} tiles are read for this, {} patches with {} samples",
+                     path.string(), read->tiles, tree.tiles().size(), read->model.patches.size(),
+                     read->samples));
+    loaded[path].patches = std::move(read->model);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<LoadedScene> load_scene(const std::vector<SceneModel>& models, const TextureChoice& textures,
+                               EngineNeeds needs, Progress& progress, const PicturesOf& pictures) {
+  const bool has_scans = std::any_of(models.begin(), models.end(), [](const SceneModel& model) {
+    return ending(model.file) != ".relief";
+  });
+  const Forms forms{needs.raytrace && has_scans, needs.ewa && has_scans};
+  // What follows rays or splats points takes all patches.
+  const bool may_choose = pictures && !needs.raytrace && !needs.ewa;
+  const auto trees = may_choose ? open_trees(models) : Result(TreeFiles());
+  if (!trees) return trees.error();
+
+  LoadedFiles loaded;
+  for (const SceneModel& model : models) {
+    if (loaded.find(model.file) != loaded.end() || trees->find(model.file) != trees->end())
+      continue;
+    auto file = ending(model.file) == ".relief" ? load_patch_file(model.file, forms, progress)
+                                                : load_scan(model.file, textures, needs, progress);
+    if (!file) return file.error();
+    loaded.emplace(model.file, std::move(*file));
+  }
+  if (!trees->empty()) {
+    const Status read = load_trees(models, *trees, pictures, loaded, progress);
+    if (!read) return read.error();
+  }
+  Placer placer(models.size() > 1);
+  const Status placed = place_models(
+      models, [&](const auto& path, const Use& use) { return placer.place(loaded.at(path), use); });
+  if (!placed) return placed.error();
   return placer.take();
 }
 

@@ -1,6 +1,7 @@
 // The models of a scene in memory, in the forms that its views' engines draw.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -33,11 +34,17 @@ struct LoadedScene {
   }
 };
 
+/// The pictures that are to be made of a scene, once it is known where it is.
+using PicturesOf = std::function<Result<std::vector<RenderSettings>>(const PatchModel& extent)>;
+
 /// Reads the models and puts them in their places. A file that several of them name is read once. A
 /// scan or mesh is converted with the default options where an engine draws its patches: `onepass`,
 /// `multipass`, and `raytrace` where it has no triangles; `raytrace` takes its triangles, `ewa` its
-/// points as they are. `textures`: of scans and meshes.
+/// points as they are. `textures`: of scans and meshes. Of patch files with tiles only what
+/// `pictures` show is read, if all of these can do with that (renderer/patches_in_view.h); without
+/// it all is.
 Result<LoadedScene> load_scene(const std::vector<SceneModel>& models, const TextureChoice& textures,
-                               EngineNeeds needs, Progress& progress);
+                               EngineNeeds needs, Progress& progress,
+                               const PicturesOf& pictures = {});
 
 }  // namespace relief::cli

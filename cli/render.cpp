@@ -62,12 +62,24 @@ EngineNeeds needs_of(const RenderPlan& plan) {
   return needs;
 }
 
+Result<std::vector<RenderSettings>> views_of(const RenderPlan& plan, const PatchModel& extent,
+                                             const RenderArguments& arguments) {
+  std::vector<RenderSettings> views;
+  for (const Picture& picture : plan.pictures) {
+    auto settings = render_settings_for(picture, extent, arguments);
+    if (!settings) return settings.error();
+    views.push_back(std::move(*settings));
+  }
+  return views;
+}
+
 Result<LoadedScene> load(const RenderPlan& plan, const RenderArguments& arguments,
                          Progress& progress) {
   const EngineNeeds needs = needs_of(plan);
   const TextureChoice textures = texture_choice(arguments.texture.file);
   if (!needs.ewa || textures.picture.empty())
-    return load_scene(plan.models, textures, needs, progress);
+    return load_scene(plan.models, textures, needs, progress,
+                      [&](const PatchModel& extent) { return views_of(plan, extent, arguments); });
   auto splats = acquire_splats(arguments.input, arguments.texture,
                                arguments.settings.cutoff.value_or(EwaSettings{}.cutoff), progress);
   if (!splats) return splats.error();
@@ -86,22 +98,18 @@ Result<std::vector<WrittenPicture>> make_pictures(const RenderPlan& plan,
   const auto scene = load(plan, arguments, progress);
   if (!scene) return scene.error();
   if (progress.cancelled()) return interrupted_error();
-  std::vector<RenderSettings> views;
-  for (const Picture& picture : plan.pictures) {
-    const auto settings = render_settings_for(picture, scene->patches, arguments);
-    if (!settings) return settings.error();
-    views.push_back(*settings);
-  }
-  std::vector<WrittenPicture> written(views.size());
+  const auto views = views_of(plan, scene->patches, arguments);
+  if (!views) return views.error();
+  std::vector<WrittenPicture> written(views->size());
   const Status done = render_views(
-      scene->forms(), views,
+      scene->forms(), *views,
       [&](std::size_t view, RenderResult result) {
         const Picture& picture = plan.pictures[view];
         Status saved =
             write_picture(picture.output, result.image, picture.settings.exposure.value_or(0.0));
         if (!saved) return saved;
         result.image.channels.clear();
-        written[view] = {views[view], std::move(result)};
+        written[view] = {(*views)[view], std::move(result)};
         ++count;
         return Status();
       },

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 namespace relief {
 
 class ZstdContexts;
+struct TreeTile;
 
 /// What the header and the index of a patch file say; known without reading any patch.
 struct PatchFileInfo {
@@ -51,6 +53,9 @@ struct PatchSummary {
   [[nodiscard]] bool operator==(const PatchSummary&) const = default;
 };
 
+/// A box about all samples that the patch can have by its summary, world.
+[[nodiscard]] Bounds box_of(const PatchSummary& patch);
+
 /// How a file is coded: quick to write and read, or in about half the bytes.
 enum class PatchCodec : std::uint8_t { Fast, Compact };
 
@@ -71,17 +76,23 @@ struct PatchFileOptions {
 Status write_patch_file(const std::filesystem::path& path, const PatchModel& model,
                         const PatchFileOptions& options = {});
 
-/// An open patch file: header and index are in memory, patches are read on demand.
+/// An open patch file: header and index are in memory, patches are read on demand. Of a file with
+/// tiles it has the model's own patches, of all tiles, and no coarser ones.
 class PatchFile {
  public:
   /// Opens and checks header and index. One sentence if the file is missing, no patch file, of a
   /// newer version, truncated or inconsistent.
   static Result<PatchFile> open(const std::filesystem::path& path);
 
+  /// The same of one of a file's tiles alone: PatchTree::open_tile().
+  static Result<PatchFile> open_tile(const std::filesystem::path& path, const TreeTile& tile);
+
   PatchFile(PatchFile&&) noexcept;
   PatchFile& operator=(PatchFile&&) noexcept;
   ~PatchFile();
 
+  /// The file's name, as errors begin.
+  [[nodiscard]] const std::string& name() const;
   [[nodiscard]] const PatchFileInfo& info() const;
 
   /// One for each patch.
@@ -89,20 +100,31 @@ class PatchFile {
 
   /// Reads, checks and decodes one patch; touches no other patch's bytes. Thread-safe.
   [[nodiscard]] Result<Patch> read_patch(std::uint64_t index) const;
+  /// The same, quicker for who reads many; `zstd` is one thread's.
+  [[nodiscard]] Result<Patch> read_patch(std::uint64_t index, ZstdContexts& zstd) const;
+
+  /// What decoded patches take, at least.
+  [[nodiscard]] std::uint64_t decoded_bytes(std::span<const std::uint64_t> patches) const;
 
   /// As read_patch, but every 2^level-th node each way alone, with a spacing as much larger, and
   /// without maps. In files that are compact no finer level is decoded. Thread-safe.
   [[nodiscard]] Result<Patch> read_level(std::uint64_t index, unsigned level) const;
 
+  /// Reads some patches (in parallel), in their order. The caller looks at fits_memory() first.
+  [[nodiscard]] Result<std::vector<Patch>> read_patches(std::span<const std::uint64_t> patches,
+                                                        Progress& progress) const;
+
   /// Reads all patches (in parallel). Refuses a model that does not fit into this machine's memory.
   [[nodiscard]] Result<PatchModel> read_all(Progress& progress) const;
 
  private:
-  [[nodiscard]] Result<Patch> read_patch(std::uint64_t index, ZstdContexts& zstd) const;
-
   struct State;
   explicit PatchFile(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
+
+/// Refuses patches that would take more than this machine's memory, in a sentence that begins with
+/// `name`.
+Status fits_memory(const std::string& name, std::uint64_t decoded_bytes);
 
 }  // namespace relief

@@ -111,6 +111,8 @@ ChunkRecord take_chunk(ByteReader& in) {
 
 /// Whether the index may have that many bytes; what comes after it relies on that.
 bool index_fits(const FileHeader& header, std::uint64_t bytes) {
+  if (header.version == kTreeVersion)
+    return bytes == header.chunks * std::uint64_t{kTileRecordBytes};
   if (header.version == kCompactVersion) {
     return header.patches <= bytes / kLeastCompactRecord && header.chunks <= 3ULL * header.patches;
   }
@@ -169,6 +171,19 @@ bool has_checksum([[maybe_unused]] std::span<const std::byte> bytes,
 #else
   return crc32(bytes) == checksum;
 #endif
+}
+
+Bounds box_of(const PatchSummary& patch) {
+  Bounds box;
+  for (const double i : {0.0, patch.width - 1.0}) {
+    for (const double j : {0.0, patch.height - 1.0}) {
+      for (const std::uint16_t h : {patch.min_height, patch.max_height}) {
+        extend(box, patch.origin + patch.axes * glm::dvec3(i * patch.spacing, j * patch.spacing,
+                                                           h * patch.height_step));
+      }
+    }
+  }
+  return box;
 }
 
 std::string find_fault(const PatchSummary& patch) {
@@ -253,10 +268,10 @@ Result<FileHeader> parse_header(std::span<const std::byte> bytes, std::uint64_t 
   }
   if (in.left() < 4) return make_error("{}: the file is truncated within its header", name);
   const auto version = in.take<std::uint32_t>();
-  if (version > kCompactVersion) {
+  if (version > kTreeVersion) {
     return make_error(
         "{}: patch file version {}; this program reads versions 1 to {}; get a newer relief", name,
-        version, kCompactVersion);
+        version, kTreeVersion);
   }
   if (bytes.size() < kHeaderBytes) {
     return make_error("{}: the file is truncated within its header", name);
@@ -318,16 +333,26 @@ Result<FileIndex> parse_index(std::span<const std::byte> bytes, const FileHeader
   return index;
 }
 
-Result<FileLayout> read_layout(const RandomAccessFile& file, const std::string& name) {
-  if (file.size() == 0) return make_error("{}: the file is empty", name);
-  std::vector<std::byte> bytes(std::min<std::uint64_t>(file.size(), kHeaderBytes));
-  if (Status read = file.read_at(0, bytes); !read) return read.error();
-  const auto header = parse_header(bytes, file.size(), name);
+Result<FileHeader> read_header(const RandomAccessFile& file, FileRange range,
+                               const std::string& name) {
+  if (range.bytes == 0) return make_error("{}: the file is empty", name);
+  std::vector<std::byte> bytes(std::min<std::uint64_t>(range.bytes, kHeaderBytes));
+  if (Status read = file.read_at(range.offset, bytes); !read) return read.error();
+  return parse_header(bytes, range.bytes, name);
+}
+
+Result<FileLayout> read_layout(const RandomAccessFile& file, FileRange range,
+                               const std::string& name) {
+  const auto header = read_header(file, range, name);
   if (!header) return header.error();
-  bytes.resize(header->file_bytes - header->index_offset);
-  if (Status read = file.read_at(header->index_offset, bytes); !read) return read.error();
+  if (header->version == kTreeVersion)
+    return make_error("{}: its tiles have tiles of their own; the file is damaged", name);
+  std::vector<std::byte> bytes(header->file_bytes - header->index_offset);
+  if (Status read = file.read_at(range.offset + header->index_offset, bytes); !read)
+    return read.error();
   auto index = parse_index(bytes, *header, name);
   if (!index) return index.error();
+  for (ChunkRecord& chunk : index->chunks) chunk.offset += range.offset;
   return FileLayout{*header, std::move(*index)};
 }
 

@@ -16,11 +16,14 @@ namespace relief {
 class RandomAccessFile;
 
 /// Version 1 has an index of fixed records, version 2 a compact one (compact/compact_index.h).
+/// Version 3 has tiles, each a file of version 1 or 2 in itself (patch_tree_layout.h).
 inline constexpr std::uint32_t kPlainVersion = 1;
 inline constexpr std::uint32_t kCompactVersion = 2;
+inline constexpr std::uint32_t kTreeVersion = 3;
 inline constexpr std::size_t kHeaderBytes = 128;
 inline constexpr std::size_t kPatchRecordBytes = 144;
 inline constexpr std::size_t kChunkRecordBytes = 24;
+inline constexpr std::size_t kTileRecordBytes = 84;
 
 /// The header's flags; a reader passes over those that it does not know.
 inline constexpr std::uint64_t kClosedFlag = 1;
@@ -52,6 +55,7 @@ struct PatchRecord {
   std::uint32_t chunk_count = 0;
 };
 
+/// What there is of version 3 is that of its tiles of level 0; in place of chunks it counts tiles.
 struct FileHeader {
   std::uint32_t version = kPlainVersion;
   std::uint64_t file_bytes = 0;
@@ -74,6 +78,12 @@ struct FileIndex {
 struct FileLayout {
   FileHeader header;
   FileIndex index;
+};
+
+/// Bytes of an open file.
+struct FileRange {
+  std::uint64_t offset = 0;
+  std::uint64_t bytes = 0;
 };
 
 /// CRC-32 of ISO 3309, as in gzip and PNG.
@@ -104,7 +114,13 @@ Result<FileHeader> parse_header(std::span<const std::byte> bytes, std::uint64_t 
 Result<FileIndex> parse_index(std::span<const std::byte> bytes, const FileHeader& header,
                               const std::string& name);
 
-/// Reads and checks header and index of an open file.
-Result<FileLayout> read_layout(const RandomAccessFile& file, const std::string& name);
+/// Reads and checks the header of what begins at `range`, a whole patch file.
+Result<FileHeader> read_header(const RandomAccessFile& file, FileRange range,
+                               const std::string& name);
+
+/// Reads and checks header and index of a patch file of version 1 or 2 that is a range of an open
+/// file. Offsets of chunks are those in the open file; the header's are of the range.
+Result<FileLayout> read_layout(const RandomAccessFile& file, FileRange range,
+                               const std::string& name);
 
 }  // namespace relief

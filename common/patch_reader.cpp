@@ -1,11 +1,7 @@
-// Reading a patch file, all of it or patch by patch.
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <unistd.h>
-
+// Reading a patch file patch by patch.
 #include <algorithm>
 #include <cmath>
-#include <mutex>
+#include <glm/vector_relational.hpp>
 #include <new>
 #include <utility>
 
@@ -15,6 +11,8 @@
 #include "common/patch_codec.h"
 #include "common/patch_file.h"
 #include "common/patch_file_layout.h"
+#include "common/patch_tree_layout.h"
+#include "common/zstd_contexts.h"
 
 namespace relief {
 
@@ -79,27 +77,70 @@ Status check_height_range(const Patch& patch, const PatchSummary& summary, bool 
   return {};
 }
 
-/// Bytes of the decoded model, at least.
-std::uint64_t decoded_bytes(const FileIndex& index) {
-  std::uint64_t bytes = 0;
-  for (const PatchRecord& patch : index.patches) {
-    const PatchSummary& summary = patch.summary;
-    bytes += std::uint64_t{summary.width} * summary.height * sizeof(std::int32_t);
-    for (std::uint32_t c = patch.first_chunk; c < patch.first_chunk + patch.chunk_count; ++c) {
-      const ChunkRecord& chunk = index.chunks[c];
-      if (!is_map_scale_valid(summary, chunk.scale)) continue;  // read_patch refuses it
-      const auto texels = [&](std::uint64_t nodes) { return chunk.scale * (nodes - 1) + 1; };
-      const std::uint64_t area = texels(summary.width) * texels(summary.height);
-      if (chunk.type == kNormalsChunk) bytes += area * sizeof(glm::i16vec2);
-      if (chunk.type == kColoursChunk) bytes += area * sizeof(glm::u8vec3);
-    }
+/// What header and index say of the file's patches.
+PatchFileInfo info_of(const FileHeader& header, const FileIndex& index) {
+  PatchFileInfo info;
+  info.version = header.version;
+  const bool compact = std::any_of(index.chunks.begin(), index.chunks.end(),
+                                   [](const ChunkRecord& c) { return c.codec == kCodecCompact; });
+  info.codec = compact ? "levels-rans" : "predicted-zstd";
+  info.patches = header.patches;
+  info.samples = header.samples;
+  info.spacing = header.spacing;
+  info.file_bytes = header.file_bytes;
+  info.bounds = header.bounds;
+  info.bounding_radius = header.bounding_radius;
+  info.is_closed = header.is_closed;
+  bool has_normals = false;
+  bool has_colours = false;
+  for (const ChunkRecord& chunk : index.chunks) {
+    info.height_bytes += chunk.type == kHeightsChunk ? chunk.size : 0;
+    info.normal_bytes += chunk.type == kNormalsChunk ? chunk.size : 0;
+    info.colour_bytes += chunk.type == kColoursChunk ? chunk.size : 0;
+    has_normals |= chunk.type == kNormalsChunk;
+    has_colours |= chunk.type == kColoursChunk;
   }
-  return bytes;
+  for (const PatchRecord& patch : index.patches) {
+    if (!compact) break;
+    const unsigned coarsest = coarsest_level(patch.summary.width, patch.summary.height);
+    info.levels = std::max(info.levels, coarsest + 1);
+  }
+  if (has_normals) info.attributes.emplace_back("normal");
+  if (has_colours) info.attributes.emplace_back("colour");
+  return info;
 }
 
-std::uint64_t memory_bytes() {
-  return static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
-         static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+/// Adds a tile's patches to those of the tiles before.
+void append_index(FileIndex from, FileIndex& to) {
+  const auto before = static_cast<std::uint32_t>(to.chunks.size());
+  for (PatchRecord& patch : from.patches) {
+    patch.first_chunk += before;
+    to.patches.push_back(patch);
+  }
+  to.chunks.insert(to.chunks.end(), from.chunks.begin(), from.chunks.end());
+}
+
+/// Whether a box holds another one, but for the rounding of their sides.
+bool holds(const Bounds& box, const Bounds& inner, double slack) {
+  return inner.empty() ||
+         (!box.empty() && glm::all(glm::lessThanEqual(box.min - slack, inner.min)) &&
+          glm::all(glm::greaterThanEqual(box.max + slack, inner.max)));
+}
+
+/// Reads a tile's index, and whether it is what the list of tiles promises: what is not seen by
+/// that is not read.
+Result<FileLayout> read_tile(const RandomAccessFile& file, const TreeTile& tile,
+                             const std::string& name) {
+  auto layout = read_layout(file, {tile.offset, tile.bytes}, name);
+  if (!layout) return layout;
+  const FileHeader& header = layout->header;
+  if (header.patches != tile.patches || header.samples != tile.samples ||
+      header.spacing != tile.spacing || !holds(tile.box, box_of(layout->index), tile.spacing)) {
+    return make_error(
+        "{}: the tile at byte {} is not what the list of tiles says; the file is damaged", name,
+        tile.offset);
+  }
+  return layout;
 }
 
 }  // namespace
@@ -110,6 +151,15 @@ struct PatchFile::State {
   PatchFileInfo info;
   std::vector<PatchSummary> summaries;
   FileIndex index;
+
+  State(std::string file_name, RandomAccessFile opened, FileLayout layout)
+      : name(std::move(file_name)),
+        file(std::move(opened)),
+        info(info_of(layout.header, layout.index)),
+        index(std::move(layout.index)) {
+    summaries.reserve(index.patches.size());
+    for (const PatchRecord& patch : index.patches) summaries.push_back(patch.summary);
+  }
 
   [[nodiscard]] const ChunkRecord* find_chunk(const PatchRecord& patch, ChunkType type) const {
     const auto first = index.chunks.begin() + patch.first_chunk;
@@ -171,48 +221,42 @@ PatchFile& PatchFile::operator=(PatchFile&&) noexcept = default;
 PatchFile::~PatchFile() = default;
 
 Result<PatchFile> PatchFile::open(const std::filesystem::path& path) {
-  const std::string name = path.string();
   auto file = RandomAccessFile::open(path);
   if (!file) return file.error();
-  auto layout = read_layout(*file, name);
-  if (!layout) return layout.error();
-  const FileHeader& header = layout->header;
-  FileIndex& index = layout->index;
-
-  PatchFileInfo info;
-  info.version = header.version;
-  info.codec = header.version == kCompactVersion ? "levels-rans" : "predicted-zstd";
-  info.patches = header.patches;
-  info.samples = header.samples;
-  info.spacing = header.spacing;
-  info.file_bytes = header.file_bytes;
-  info.bounds = header.bounds;
-  info.bounding_radius = header.bounding_radius;
-  info.is_closed = header.is_closed;
-  const auto bytes_of = [&](ChunkType type) {
-    std::uint64_t sum = 0;
-    for (const ChunkRecord& chunk : index.chunks) sum += chunk.type == type ? chunk.size : 0;
-    return sum;
-  };
-  info.height_bytes = bytes_of(kHeightsChunk);
-  info.normal_bytes = bytes_of(kNormalsChunk);
-  info.colour_bytes = bytes_of(kColoursChunk);
-  for (const PatchRecord& patch : index.patches) {
-    if (header.version != kCompactVersion) break;
-    const unsigned coarsest = coarsest_level(patch.summary.width, patch.summary.height);
-    info.levels = std::max(info.levels, coarsest + 1);
+  const std::string name = path.string();
+  auto header = read_header(*file, {0, file->size()}, name);
+  if (!header) return header.error();
+  if (header->version != kTreeVersion) {
+    auto layout = read_layout(*file, {0, file->size()}, name);
+    if (!layout) return layout.error();
+    return PatchFile(std::make_unique<State>(name, std::move(*file), std::move(*layout)));
   }
-  const auto has = [&](ChunkType type) {
-    return std::any_of(index.chunks.begin(), index.chunks.end(),
-                       [type](const ChunkRecord& c) { return c.type == type; });
-  };
-  if (has(kNormalsChunk)) info.attributes.emplace_back("normal");
-  if (has(kColoursChunk)) info.attributes.emplace_back("colour");
-  std::vector<PatchSummary> summaries;
-  summaries.reserve(index.patches.size());
-  for (const PatchRecord& patch : index.patches) summaries.push_back(patch.summary);
-  return PatchFile(std::make_unique<State>(
-      State{name, *std::move(file), std::move(info), std::move(summaries), std::move(index)}));
+  const auto tree = read_tree_layout(*file, name);
+  if (!tree) return tree.error();
+  FileLayout whole{tree->header, {}};
+  for (const TreeTile& tile : tree->tiles) {
+    if (tile.level > 0) continue;
+    auto layout = read_tile(*file, tile, name);
+    if (!layout) return layout.error();
+    if (whole.index.chunks.size() + layout->index.chunks.size() > UINT32_MAX)
+      return make_error("{}: has more than {} chunks; its tiles can be read one by one", name,
+                        UINT32_MAX);
+    append_index(std::move(layout->index), whole.index);
+  }
+  return PatchFile(std::make_unique<State>(name, std::move(*file), std::move(whole)));
+}
+
+Result<PatchFile> PatchFile::open_tile(const std::filesystem::path& path, const TreeTile& tile) {
+  auto file = RandomAccessFile::open(path);
+  if (!file) return file.error();
+  const std::string name = path.string();
+  auto layout = read_tile(*file, tile, name);
+  if (!layout) return layout.error();
+  return PatchFile(std::make_unique<State>(name, std::move(*file), std::move(*layout)));
+}
+
+const std::string& PatchFile::name() const {
+  return state_->name;
 }
 
 const PatchFileInfo& PatchFile::info() const {
@@ -268,44 +312,23 @@ Result<Patch> PatchFile::read_level(std::uint64_t index, unsigned level) const t
   return make_error("{}: there is not enough memory for patch {}", state_->name, index);
 }
 
-Result<PatchModel> PatchFile::read_all(Progress& progress) const {
-  const State& s = *state_;
-  if (const std::uint64_t needed = decoded_bytes(s.index); needed > memory_bytes()) {
-    return make_error("{}: the patches take {} MB of memory, but this machine has {} MB", s.name,
-                      needed >> 20U, memory_bytes() >> 20U);
-  }
-  PatchModel model;
-  model.spacing = s.info.spacing;
-  model.bounds = s.info.bounds;
-  model.bounding_radius = s.info.bounding_radius;
-  model.is_closed = s.info.is_closed;
-  model.patches.resize(s.index.patches.size());
-
-  // Of several errors the first patch's is told, whatever the threads do.
-  tbb::enumerable_thread_specific<ZstdContexts> zstd;
-  std::mutex mutex;
-  std::size_t failed = model.patches.size();
-  Error error;
-  progress.begin_stage("reading patches", model.patches.size());
-  tbb::parallel_for(std::size_t{0}, model.patches.size(), [&](std::size_t i) {
-    if (progress.cancelled()) return;
-    auto patch = read_patch(i, zstd.local());
-    if (patch) {
-      model.patches[i] = *std::move(patch);
-    } else {
-      const std::scoped_lock lock(mutex);
-      if (i < failed) {
-        failed = i;
-        error = patch.error();
-      }
+std::uint64_t PatchFile::decoded_bytes(std::span<const std::uint64_t> patches) const {
+  const FileIndex& index = state_->index;
+  std::uint64_t bytes = 0;
+  for (const std::uint64_t number : patches) {
+    const PatchRecord& patch = index.patches[number];
+    const PatchSummary& summary = patch.summary;
+    bytes += std::uint64_t{summary.width} * summary.height * sizeof(std::int32_t);
+    for (std::uint32_t c = patch.first_chunk; c < patch.first_chunk + patch.chunk_count; ++c) {
+      const ChunkRecord& chunk = index.chunks[c];
+      if (!is_map_scale_valid(summary, chunk.scale)) continue;  // read_patch refuses it
+      const auto texels = [&](std::uint64_t nodes) { return chunk.scale * (nodes - 1) + 1; };
+      const std::uint64_t area = texels(summary.width) * texels(summary.height);
+      if (chunk.type == kNormalsChunk) bytes += area * sizeof(glm::i16vec2);
+      if (chunk.type == kColoursChunk) bytes += area * sizeof(glm::u8vec3);
     }
-    progress.advance(1);
-  });
-  if (progress.cancelled()) return interrupted_error();
-  if (failed < model.patches.size()) return error;
-  model.has_colours = std::any_of(model.patches.begin(), model.patches.end(),
-                                  [](const Patch& p) { return !p.colours.empty(); });
-  return model;
+  }
+  return bytes;
 }
 
 }  // namespace relief

@@ -38,6 +38,17 @@ class QuietProgress final : public Progress {
   const Progress& outer_;
 };
 
+/// Of a part of a job: its stages are not told, but its units are units of the outer job's.
+class PartProgress final : public Progress {
+ public:
+  explicit PartProgress(Progress& outer) : outer_(outer) {}
+  void advance(std::uint64_t units) override { outer_.advance(units); }
+  [[nodiscard]] bool cancelled() const override { return outer_.cancelled(); }
+
+ private:
+  Progress& outer_;
+};
+
 /// What a job returns when it was asked to stop.
 [[nodiscard]] inline Error interrupted_error() {
   return Error{"interrupted"};

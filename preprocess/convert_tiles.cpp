@@ -4,7 +4,9 @@
 #include <system_error>
 #include <utility>
 
+#include "common/file.h"
 #include "common/version.h"
+#include "preprocess/stream/overviews.h"
 #include "preprocess/stream/spread_points.h"
 #include "preprocess/stream/tile_conversion.h"
 #include "preprocess/stream/tile_job.h"
@@ -15,13 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is converted, and how: all that the result depends on.
+/// What is converted, and how: all that the tiles depend on.
 Result<std::string> fingerprint_of(const std::vector<fs::path>& files,
                                    const ConvertOptions& options,
                                    const PatchFileOptions& file_options,
                                    const SpreadOptions& spread_options) {
   std::string text = fmt::format(
-      "relief {} tiles 1\nspacing {} cone {} overlap {} step {} colours {}\ncodec {} normals {}\n"
+      "relief {} tiles 2\nspacing {} cone {} overlap {} step {} colours {}\ncodec {} normals {}\n"
       "tile {}\n",
       kVersion, options.spacing, options.cone_degrees, options.overlap_cells, options.height_step,
       options.colour_scale, static_cast<int>(file_options.codec), file_options.normal_degrees,
@@ -35,6 +37,38 @@ Result<std::string> fingerprint_of(const std::vector<fs::path>& files,
                         time.time_since_epoch().count());
   }
   return text;
+}
+
+/// The tiles' own patches alone.
+std::vector<TreePart> own_parts(const TileJob& job, std::size_t tiles) {
+  std::vector<TreePart> parts;
+  for (std::size_t tile = 0; tile < tiles; ++tile) parts.push_back({job.part(tile)});
+  return parts;
+}
+
+/// From tiles of points to the patch file.
+Result<TiledResult> convert_all(const TiledModel& plan, bool overviews, const fs::path& output,
+                                Progress& progress) {
+  auto converted =
+      convert_spread({plan.name, plan.job, plan.scan, plan.options, plan.file_options}, progress);
+  if (!converted) return converted.error();
+  if (converted->patches == 0)
+    return make_error("{}: the points are too scattered to be a surface", plan.name);
+  TiledModel model = plan;
+  model.spacing = converted->extent.spacing;
+  auto parts = overviews ? make_overviews(model, progress)
+                         : Result(own_parts(plan.job, plan.scan.counts.size()));
+  if (!parts) return parts.error();
+
+  progress.begin_stage("write", 0);
+  if (progress.cancelled()) return interrupted_error();
+  const Status written = write_patch_tree(plan.job.whole(), *parts, converted->extent);
+  if (!written) {
+    return make_error("{}; if that comes again, remove {} and convert anew",
+                      written.error().message, plan.job.folder().string());
+  }
+  const Status moved = move_into_place(plan.job.whole(), output);
+  return moved ? Result(std::move(converted->result)) : moved.error();
 }
 
 }  // namespace
@@ -52,10 +86,16 @@ Result<std::optional<TiledResult>> convert_tiles(
   if (!scan || !*scan) job->remove();  // what there is, is not worth to go on from
   if (!scan) return scan.error();
   if (!*scan) return std::optional<TiledResult>();
-  auto result = with_threads(options.threads, [&] {
-    return convert_spread({files.front().string(), *job, std::move(**scan), options, file_options},
-                          output, progress);
-  });
+  const TiledModel plan{files.front().string(),
+                        *job,
+                        **scan,
+                        options,
+                        file_options,
+                        0.0,
+                        tile_points(spread_options),
+                        tile_options.overview_samples};
+  auto result = with_threads(
+      options.threads, [&] { return convert_all(plan, tile_options.overviews, output, progress); });
   if (!result) return result.error();
   job->remove();
   return std::optional(std::move(*result));

@@ -20,6 +20,10 @@ struct TileOptions {
   /// Larger tiles are not made, whatever the memory: so the result is the same with any memory
   /// that is enough for these.
   std::uint64_t most_tile_points = std::uint64_t{1} << 20U;
+  bool overviews = true;  ///< coarser patches, for viewers that are far away
+  /// The coarsest overview has at most so many: less than a picture has pixels, read and drawn in a
+  /// few milliseconds.
+  std::uint64_t overview_samples = std::uint64_t{1} << 16U;
 };
 
 /// What a conversion in tiles made.
@@ -38,7 +42,8 @@ struct TiledResult {
 /// fit into memory: then convert() is to be used, which also takes triangles and textures.
 ///
 /// The scan is cut into tiles, each with a halo of its neighbours' points; patches end at tiles'
-/// borders and overlap there as they do everywhere. What is done is kept in the folder
+/// borders and overlap there as they do everywhere. Over them come overviews, tiles of coarser
+/// patches (common/patch_tree.h). What is done is kept in the folder
 /// `output`.parts until the end: a conversion that was interrupted or killed goes on from there
 /// when it is started again with the same files, options and program, and gives the same bytes.
 /// Those depend neither on threads nor, if it is enough for the largest tiles, on memory. Fails

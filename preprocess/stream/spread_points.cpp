@@ -55,7 +55,6 @@ std::uint64_t points_for(std::uint64_t memory) {
   return memory > kBaseBytes ? (memory - kBaseBytes) / kBytesPerPoint : 0;
 }
 
-/// What the layout's file has: all but the notes, which the first run has told.
 template <class Scan>
 auto fields_of(Scan& s) {
   return std::tie(s.layout.cuts, s.layout.tiles, s.layout.largest_halo, s.counts, s.attributes,
@@ -110,6 +109,16 @@ Status spread(const std::vector<fs::path>& files, const TileJob& job, const Spre
 
 }  // namespace
 
+Status save_scan(const fs::path& path, const SpreadScan& scan) {
+  return save_state(path, fields_of(scan));
+}
+
+Result<SpreadScan> load_scan(const fs::path& path) {
+  SpreadScan scan;
+  if (Status loaded = load_state(path, fields_of(scan)); !loaded) return loaded.error();
+  return scan;
+}
+
 std::uint64_t memory_for(std::uint64_t points) {
   return kBaseBytes + points * kBytesPerPoint;
 }
@@ -124,9 +133,9 @@ Result<std::optional<SpreadScan>> spread_points(const std::vector<fs::path>& fil
                                                 const TileJob& job, const SpreadOptions& options,
                                                 Progress& progress) {
   if (fs::exists(job.layout())) {
-    SpreadScan known;
-    if (Status loaded = load_state(job.layout(), fields_of(known)); !loaded) return loaded.error();
-    return std::optional(std::move(known));
+    auto known = load_scan(job.layout());
+    if (!known) return known.error();
+    return std::optional(std::move(*known));
   }
   if (Status cleared = job.clear(); !cleared) return cleared.error();
   SpreadScan scan;
@@ -146,7 +155,7 @@ Result<std::optional<SpreadScan>> spread_points(const std::vector<fs::path>& fil
         "to be cut apart",
         files.front().string(), memory_for(largest) / 1'000'000 + 1, largest);
   }
-  if (Status saved = save_state(job.layout(), fields_of(scan)); !saved) return saved.error();
+  if (Status saved = save_scan(job.layout(), scan); !saved) return saved.error();
   return std::optional(std::move(scan));
 }
 

@@ -25,6 +25,10 @@ struct SpreadScan {
   std::vector<std::string> notes;
 };
 
+/// What is kept of it but the notes, which the first run has told.
+Status save_scan(const std::filesystem::path& path, const SpreadScan& scan);
+Result<SpreadScan> load_scan(const std::filesystem::path& path);
+
 /// The memory that a conversion of so many points at once is taken to need, bytes.
 [[nodiscard]] std::uint64_t memory_for(std::uint64_t points);
 

@@ -7,8 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "common/file.h"
-#include "common/patch_file_join.h"
 #include "preprocess/convert_stages.h"
 #include "preprocess/stream/join_sheets.h"
 #include "preprocess/stream/resample_tile.h"
@@ -23,32 +21,34 @@ namespace fs = std::filesystem;
 
 class TileConversion {
  public:
-  TileConversion(TileTask task, Progress& progress)
-      : name_(std::move(task.name)),
-        job_(task.job),
-        scan_(std::move(task.scan)),
+  TileConversion(const TileTask& task, Progress& progress)
+      : name_(task.name),
+        folder_(task.folder),
+        scan_(task.scan),
         options_(task.options),
         file_options_(task.file_options),
         progress_(progress),
         centre_((scan_.bounds.min + scan_.bounds.max) / 2.0) {}
 
-  Result<TiledResult> run(const fs::path& output) {
-    for (const auto step : {&TileConversion::survey, &TileConversion::orient,
-                            &TileConversion::choose_grid, &TileConversion::resample}) {
+  Result<ConvertedTiles> run() {
+    for (const auto step :
+         {&TileConversion::survey, &TileConversion::orient, &TileConversion::choose_grid,
+          &TileConversion::resample, &TileConversion::sum_up}) {
       if (Status done = (this->*step)(); !done) return done.error();
     }
-    if (Status done = join(output); !done) return done.error();
-    return std::move(result_);
+    return ConvertedTiles{std::move(result_), extent(), patches_};
   }
 
  private:
   [[nodiscard]] std::uint32_t tile_count() const {
     return static_cast<std::uint32_t>(scan_.counts.size());
   }
-  [[nodiscard]] bool is_resampled(std::uint32_t tile) const { return fs::exists(job_.part(tile)); }
+  [[nodiscard]] bool is_resampled(std::uint32_t tile) const {
+    return fs::exists(folder_.part(tile));
+  }
 
   Result<TilePoints> load(std::uint32_t tile) const {
-    auto loaded = load_tile(job_.folder(), tile, scan_.counts[tile], scan_.attributes);
+    auto loaded = load_tile(folder_.folder(), tile, scan_.counts[tile], scan_.attributes);
     if (loaded) loaded->points.viewpoint = scan_.viewpoint;
     return loaded;
   }
@@ -56,7 +56,7 @@ class TileConversion {
   Status survey() {
     progress_.begin_stage("survey", scan_.read.points);
     for (std::uint32_t tile = 0; tile < tile_count(); ++tile) {
-      if (!fs::exists(job_.survey(tile)) && !fs::exists(job_.turns())) {
+      if (!fs::exists(folder_.survey(tile)) && !fs::exists(folder_.turns())) {
         if (Status done = survey_one(tile); !done) return done;
       }
       progress_.advance(scan_.counts[tile].own);
@@ -73,9 +73,10 @@ class TileConversion {
     if (progress_.cancelled()) return interrupted_error();
     const std::vector<RimPoint> rim = rim_of(*loaded, made);
     // The survey's file says that all three are there.
-    if (Status saved = save_state(job_.rim(tile), std::tie(rim)); !saved) return saved;
-    if (Status saved = save_state(job_.cosines(tile), std::tie(made.cosines)); !saved) return saved;
-    return save_survey(job_.survey(tile), made);
+    if (Status saved = save_state(folder_.rim(tile), std::tie(rim)); !saved) return saved;
+    if (Status saved = save_state(folder_.cosines(tile), std::tie(made.cosines)); !saved)
+      return saved;
+    return save_survey(folder_.survey(tile), made);
   }
 
   /// What the file of turns has.
@@ -84,27 +85,27 @@ class TileConversion {
   /// Which sheets turn round, and what else is only known when all tiles have been looked at.
   Status orient() {
     progress_.begin_stage("orient", 0);
-    if (!fs::exists(job_.turns())) return orient_all();
-    if (Status loaded = load_state(job_.turns(), orientation()); !loaded) return loaded;
-    return turns_.size() == tile_count() ? Status{} : wrong_state(job_.turns());
+    if (!fs::exists(folder_.turns())) return orient_all();
+    if (Status loaded = load_state(folder_.turns(), orientation()); !loaded) return loaded;
+    return turns_.size() == tile_count() ? Status{} : wrong_state(folder_.turns());
   }
 
   Status orient_all() {
     std::vector<SurveyPaths> paths;
     for (std::uint32_t tile = 0; tile < tile_count(); ++tile)
-      paths.push_back({job_.survey(tile), job_.rim(tile)});
+      paths.push_back({folder_.survey(tile), folder_.rim(tile)});
     auto turns = join_sheets(paths, scan_.viewpoint.has_value(), progress_);
     if (!turns) return turns.error();
     turns_ = std::move(*turns);
     for (std::uint32_t tile = 0; tile < tile_count(); ++tile) {
-      const auto survey = load_survey(job_.survey(tile));
+      const auto survey = load_survey(folder_.survey(tile));
       if (!survey) return survey.error();
       area_ += survey->area;
       radius_ = std::max(radius_, survey->radius);
       repaired_ += survey->normals_repaired;
       duplicates_ += scan_.counts[tile].own - survey->region.size();
     }
-    return save_state(job_.turns(), orientation());
+    return save_state(folder_.turns(), orientation());
   }
 
   Status choose_grid() {
@@ -126,7 +127,7 @@ class TileConversion {
       } else if (Status done = resample_one(tile); !done) {
         return done;
       }
-      remove_tile(job_.folder(), tile);
+      remove_tile(folder_.folder(), tile);
       progress_.advance(scan_.counts[tile].own);
     }
     return {};
@@ -136,11 +137,11 @@ class TileConversion {
     auto loaded = load(tile);
     if (!loaded) return loaded.error();
     merge_duplicates(*loaded);
-    auto survey = load_survey(job_.survey(tile));
+    auto survey = load_survey(folder_.survey(tile));
     if (!survey) return survey.error();
     const auto cosines = halo_cosines(*loaded, [&](std::uint32_t home) {
       std::vector<float> of_home;
-      const Status read = load_state(job_.cosines(home), std::tie(of_home));
+      const Status read = load_state(folder_.cosines(home), std::tie(of_home));
       return read ? Result(std::move(of_home)) : read.error();
     });
     if (!cosines) return cosines.error();
@@ -148,23 +149,26 @@ class TileConversion {
     TilePatches made = resample_tile(std::move(*loaded), std::move(*survey), turns_[tile], *cosines,
                                      options_, spacing_, !scan_.attributes.normals, quiet);
     if (progress_.cancelled()) return interrupted_error();
-    if (Status saved = save_report(job_.part_report(tile), made); !saved) return saved;
-    PatchModel model;
+    if (Status saved = save_report(folder_.part_report(tile), made); !saved) return saved;
+    PatchModel model = extent();
     model.patches = std::move(made.patches);
+    return write_patch_file(folder_.part(tile), model, file_options_);
+  }
+
+  [[nodiscard]] PatchModel extent() const {
+    PatchModel model;
     model.spacing = spacing_;
     model.bounds = scan_.bounds;
     model.bounding_radius = radius_;
     model.has_colours = scan_.attributes.colours;
-    return write_patch_file(job_.part(tile), model, file_options_);
+    return model;
   }
 
-  Status join(const fs::path& output) {
-    progress_.begin_stage("write", 0);
-    std::vector<fs::path> parts;
+  Status sum_up() {
     TilePatches all;  // its sums
     ConvertReport& report = result_.report;
     for (std::uint32_t tile = 0; tile < tile_count(); ++tile) {
-      const auto one = load_report(job_.part_report(tile));
+      const auto one = load_report(folder_.part_report(tile));
       if (!one) return one.error();
       all.patch_count += one->patch_count;
       all.points += one->points;
@@ -177,10 +181,8 @@ class TileConversion {
       report.normal_texels_per_cell =
           std::max(report.normal_texels_per_cell, one->texels.normal_texels_per_cell);
       result_.halo_points += scan_.counts[tile].halo;
-      parts.push_back(job_.part(tile));
     }
-    if (all.patch_count == 0)
-      return make_error("{}: the points are too scattered to be a surface", name_);
+    patches_ = all.patch_count;
     report.points = all.points;
     report.normals_repaired = repaired_;
     report.normals_estimated = !scan_.attributes.normals;
@@ -192,18 +194,12 @@ class TileConversion {
     result_.duplicates = duplicates_;
     result_.tiles = tile_count();
     result_.notes = scan_.notes;
-    if (progress_.cancelled()) return interrupted_error();
-    const Status joined = join_patch_files(job_.joined(), parts, {spacing_, scan_.bounds, radius_});
-    if (!joined) {
-      return make_error("{}; if that comes again, remove {} and convert anew",
-                        joined.error().message, job_.folder().string());
-    }
-    return move_into_place(job_.joined(), output);
+    return {};
   }
 
-  std::string name_;
-  const TileJob& job_;
-  SpreadScan scan_;
+  const std::string& name_;
+  const TileFolder& folder_;
+  const SpreadScan& scan_;
   const ConvertOptions& options_;
   const PatchFileOptions& file_options_;
   Progress& progress_;
@@ -216,12 +212,13 @@ class TileConversion {
   std::uint64_t duplicates_ = 0;
   double spacing_ = 0.0;
   TiledResult result_;
+  std::uint64_t patches_ = 0;
 };
 
 }  // namespace
 
-Result<TiledResult> convert_spread(TileTask task, const fs::path& output, Progress& progress) {
-  return TileConversion(std::move(task), progress).run(output);
+Result<ConvertedTiles> convert_spread(const TileTask& task, Progress& progress) {
+  return TileConversion(task, progress).run();
 }
 
 }  // namespace relief

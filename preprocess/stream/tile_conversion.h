@@ -1,4 +1,4 @@
-// From a scan's tiles on disk to its patch file.
+// From tiles of points on disk to tiles of patches.
 #pragma once
 
 #include <filesystem>
@@ -11,18 +11,26 @@
 
 namespace relief {
 
-/// What is converted: the job's tiles, and how. `name`, of the first file, begins errors.
+/// What is converted: the tiles whose points are in `folder`, and how. `name`, of the first file,
+/// begins errors.
 struct TileTask {
   std::string name;
-  const TileJob& job;
-  SpreadScan scan;
+  const TileFolder& folder;
+  const SpreadScan& scan;
   const ConvertOptions& options;
   const PatchFileOptions& file_options;
 };
 
+/// What the parts in the folder are together.
+struct ConvertedTiles {
+  TiledResult result;
+  PatchModel extent;  ///< spacing, bounds and sphere, no patches
+  std::uint64_t patches = 0;
+};
+
 /// Looks at each tile, makes their normals agree, chooses the spacing, resamples each tile, and
-/// joins what came of it to `output`; what the job has done already is not done again.
-Result<TiledResult> convert_spread(TileTask task, const std::filesystem::path& output,
-                                   Progress& progress);
+/// leaves each tile's patches in the folder (TileFolder::part); what is there already is not made
+/// again.
+Result<ConvertedTiles> convert_spread(const TileTask& task, Progress& progress);
 
 }  // namespace relief

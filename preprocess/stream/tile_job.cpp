@@ -27,6 +27,13 @@ bool is_temporary(const fs::path& path) {
   return name.starts_with(".relief-") && name.ends_with(".tmp");
 }
 
+void remove_temporary(const fs::path& folder) {
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, ignored)) {
+    if (is_temporary(entry.path())) fs::remove(entry.path(), ignored);
+  }
+}
+
 /// Whether a folder has anything in it that is not relief's.
 bool is_foreign(const fs::path& folder) {
   std::error_code error;
@@ -80,7 +87,7 @@ Result<TileJob> TileJob::open(const fs::path& output, const std::string& fingerp
     const auto bytes = std::as_bytes(std::span(fingerprint));
     job.is_resumed_ = known && std::ranges::equal(*known, bytes);
     if (job.is_resumed_) {
-      job.remove_temporary();
+      remove_temporary(folder);
       return job;
     }
     if (Status cleared = job.clear(); !cleared) return cleared.error();
@@ -96,7 +103,7 @@ fs::path TileJob::folder_of(const fs::path& output) {
 }
 
 TileJob::TileJob(TileJob&& other) noexcept
-    : folder_(std::move(other.folder_)),
+    : TileFolder(std::move(other.folder_)),
       lock_(std::exchange(other.lock_, -1)),
       is_resumed_(other.is_resumed_) {}
 
@@ -111,31 +118,28 @@ TileJob::~TileJob() {
   if (lock_ >= 0) ::close(lock_);
 }
 
-fs::path TileJob::survey(std::size_t tile) const {
+fs::path TileFolder::survey(std::size_t tile) const {
   return folder_ / fmt::format("survey-{}", tile);
 }
 
-fs::path TileJob::rim(std::size_t tile) const {
+fs::path TileFolder::rim(std::size_t tile) const {
   return folder_ / fmt::format("rim-{}", tile);
 }
 
-fs::path TileJob::cosines(std::size_t tile) const {
+fs::path TileFolder::cosines(std::size_t tile) const {
   return folder_ / fmt::format("cosines-{}", tile);
 }
 
-fs::path TileJob::part(std::size_t tile) const {
+fs::path TileFolder::part(std::size_t tile) const {
   return folder_ / fmt::format("part-{}.relief", tile);
 }
 
-fs::path TileJob::part_report(std::size_t tile) const {
+fs::path TileFolder::part_report(std::size_t tile) const {
   return folder_ / fmt::format("report-{}", tile);
 }
 
-void TileJob::remove_temporary() const {
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder_, ignored)) {
-    if (is_temporary(entry.path())) fs::remove(entry.path(), ignored);
-  }
+TileFolder TileJob::overview(unsigned level) const {
+  return TileFolder(folder_ / fmt::format("overview-{}", level));
 }
 
 Status TileJob::clear() const {

@@ -10,9 +10,27 @@
 
 namespace relief {
 
+/// Where a conversion keeps what is done of some tiles.
+class TileFolder {
+ public:
+  explicit TileFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  [[nodiscard]] std::filesystem::path layout() const { return folder_ / "layout"; }
+  [[nodiscard]] std::filesystem::path turns() const { return folder_ / "turns"; }
+  [[nodiscard]] std::filesystem::path survey(std::size_t tile) const;
+  [[nodiscard]] std::filesystem::path rim(std::size_t tile) const;
+  [[nodiscard]] std::filesystem::path cosines(std::size_t tile) const;
+  [[nodiscard]] std::filesystem::path part(std::size_t tile) const;
+  [[nodiscard]] std::filesystem::path part_report(std::size_t tile) const;
+
+ protected:
+  std::filesystem::path folder_;
+};
+
 /// A conversion's own folder, beside its output and on the same disk. It stays when the conversion
 /// ends early, so that the same conversion can go on; nobody else works in it meanwhile.
-class TileJob {
+class TileJob : public TileFolder {
  public:
   /// Opens the folder of the conversion to `output`, or makes it. `fingerprint` says what is
   /// converted and how: what another conversion left there is removed first. Fails with one
@@ -29,18 +47,13 @@ class TileJob {
   TileJob& operator=(const TileJob&) = delete;
   ~TileJob();
 
-  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   /// Whether an earlier run has left something.
   [[nodiscard]] bool is_resumed() const { return is_resumed_; }
 
-  [[nodiscard]] std::filesystem::path layout() const { return folder_ / "layout"; }
-  [[nodiscard]] std::filesystem::path joined() const { return folder_ / "joined.relief"; }
-  [[nodiscard]] std::filesystem::path turns() const { return folder_ / "turns"; }
-  [[nodiscard]] std::filesystem::path survey(std::size_t tile) const;
-  [[nodiscard]] std::filesystem::path rim(std::size_t tile) const;
-  [[nodiscard]] std::filesystem::path cosines(std::size_t tile) const;
-  [[nodiscard]] std::filesystem::path part(std::size_t tile) const;
-  [[nodiscard]] std::filesystem::path part_report(std::size_t tile) const;
+  /// The whole file, before it is moved to its place.
+  [[nodiscard]] std::filesystem::path whole() const { return folder_ / "whole.relief"; }
+  /// The folder within for the tiles of a coarser level, 1 or more.
+  [[nodiscard]] TileFolder overview(unsigned level) const;
 
   /// Removes all but the fingerprint, to begin anew.
   Status clear() const;
@@ -49,10 +62,8 @@ class TileJob {
 
  private:
   TileJob(std::filesystem::path folder, int lock, bool is_resumed)
-      : folder_(std::move(folder)), lock_(lock), is_resumed_(is_resumed) {}
-  void remove_temporary() const;
+      : TileFolder(std::move(folder)), lock_(lock), is_resumed_(is_resumed) {}
 
-  std::filesystem::path folder_;
   int lock_ = -1;  ///< a descriptor of the folder
   bool is_resumed_ = false;
 };

@@ -115,6 +115,50 @@ class Layouter {
   TileLayout layout_;
 };
 
+/// Cuts of a layout again, but for those that are needed no more.
+class Coarsener {
+ public:
+  Coarsener(const TileLayout& from, std::span<const double> load, double most, double grid_spacing)
+      : from_(from), load_(load), most_(most), grid_spacing_(grid_spacing) {}
+
+  TileLayout run() {
+    lay(from_.cuts.empty() ? ~0 : 0, {glm::dvec3(-kInfinity), glm::dvec3(kInfinity)});
+    layout_.largest_halo = kHaloInSpacings * grid_spacing_;
+    return std::move(layout_);
+  }
+
+ private:
+  [[nodiscard]] double load_below(std::int32_t node) const {
+    if (node < 0) return load_[static_cast<std::size_t>(~node)];
+    const TileLayout::Cut& cut = from_.cuts[static_cast<std::size_t>(node)];
+    return load_below(cut.left) + load_below(cut.right);
+  }
+
+  std::int32_t lay(std::int32_t node, const Bounds& region) {
+    if (node < 0 || load_below(node) <= most_) {
+      layout_.tiles.push_back({region, kHaloInSpacings * grid_spacing_});
+      return ~static_cast<std::int32_t>(layout_.tiles.size() - 1);
+    }
+    const TileLayout::Cut cut = from_.cuts[static_cast<std::size_t>(node)];
+    const std::size_t number = layout_.cuts.size();
+    layout_.cuts.push_back(cut);
+    Bounds below = region;
+    Bounds above = region;
+    below.max[cut.axis] = above.min[cut.axis] = cut.at;
+    const std::int32_t left = lay(cut.left, below);
+    const std::int32_t right = lay(cut.right, above);
+    layout_.cuts[number].left = left;
+    layout_.cuts[number].right = right;
+    return static_cast<std::int32_t>(number);
+  }
+
+  const TileLayout& from_;
+  std::span<const double> load_;
+  double most_;
+  double grid_spacing_;
+  TileLayout layout_;
+};
+
 bool is_in_halo(const Tile& tile, glm::dvec3 p) {
   for (int axis = 0; axis < 3; ++axis) {
     if (p[axis] < tile.region.min[axis] - tile.halo || p[axis] > tile.region.max[axis] + tile.halo)
@@ -132,6 +176,18 @@ std::uint32_t TileLayout::tile_of(glm::dvec3 point) const {
     node = point[cut.axis] < cut.at ? cut.left : cut.right;
   }
   return static_cast<std::uint32_t>(~node);
+}
+
+std::uint32_t TileLayout::tile_about(const Tile& finer) const {
+  glm::dvec3 inside(0.0);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::isfinite(finer.region.min[axis])) {
+      inside[axis] = finer.region.min[axis];
+    } else if (std::isfinite(finer.region.max[axis])) {
+      inside[axis] = std::nextafter(finer.region.max[axis], -kInfinity);
+    }
+  }
+  return tile_of(inside);
 }
 
 void TileLayout::find_halos(glm::dvec3 point, std::uint32_t own,
@@ -163,6 +219,11 @@ void PointSample::add(glm::dvec3 point) {
 
 TileLayout lay_tiles(const PointSample& sample, std::uint64_t tile_points, double grid_spacing) {
   return Layouter(sample, tile_points, grid_spacing).run();
+}
+
+TileLayout coarser_layout(const TileLayout& layout, std::span<const double> load, double most,
+                          double grid_spacing) {
+  return Coarsener(layout, load, most, grid_spacing).run();
 }
 
 }  // namespace relief

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "common/bounds.h"
@@ -32,6 +33,9 @@ struct TileLayout {
   double largest_halo = 0.0;
 
   [[nodiscard]] std::uint32_t tile_of(glm::dvec3 point) const;
+  /// The tile of a finer layout's tile: the one that it lies in if that layout's cuts are these
+  /// and more.
+  [[nodiscard]] std::uint32_t tile_about(const Tile& finer) const;
   /// The tiles in whose halo a point is that is in `own`.
   void find_halos(glm::dvec3 point, std::uint32_t own, std::vector<std::uint32_t>& found) const;
 
@@ -60,5 +64,10 @@ class PointSample {
 /// neighbourhoods reach at the scan's local spacing, or at the grid's (0: not known).
 [[nodiscard]] TileLayout lay_tiles(const PointSample& sample, std::uint64_t tile_points,
                                    double grid_spacing);
+
+/// The same cuts, but those whose tiles have, with `load` of each tile, no more than `most`
+/// together: these are one tile. Halos are as lay_tiles makes them for that spacing.
+[[nodiscard]] TileLayout coarser_layout(const TileLayout& layout, std::span<const double> load,
+                                        double most, double grid_spacing);
 
 }  // namespace relief

@@ -126,6 +126,34 @@ TEST_F(EndToEnd, LargerScansAreConvertedInTilesWithinTheMemory) {
   EXPECT_EQ(result["uncovered_points"], 0);
   EXPECT_LT(result["peak_bytes"], std::int64_t{256} << 20);
   EXPECT_FALSE(std::filesystem::exists(path("knot.relief.parts")));
+
+  const json info = run_json({"info", path("knot.relief"), "--verify"});
+  EXPECT_EQ(info["version"], 3);
+  EXPECT_EQ(info["tiles"], result["tiles"]);
+  ASSERT_GE(info["overviews"].size(), 2U);  // of half a million samples, down to 65,536
+  double spacing = info["spacing"];
+  for (const json& level : info["overviews"])
+    EXPECT_DOUBLE_EQ(level["spacing"].get<double>(), spacing *= 2.0);
+  // From afar the coarsest level alone is read, and the picture is that of all patches.
+  const std::vector<std::string> render{"render",  path("knot.relief"), "--size",   "400x400",
+                                        "--orbit", "30,40,12",          "--frames", "1",
+                                        "-o"};
+  const auto rendered = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = render;
+    arguments.push_back(path(name));
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_relief(arguments);
+  };
+  const Outcome far = rendered("far.exr", {});
+  EXPECT_EQ(far.exit_code, 0) << far.err;
+  EXPECT_NE(far.err.find("tiles are read for this"), std::string::npos) << far.err;
+  EXPECT_EQ(rendered("all.exr", {"--pixels-per-sample", "0"}).exit_code, 0);
+  const json compared = run_json({"compare", path("far.exr"), path("all.exr"), "--flip", "ldr"});
+  // Where the silhouettes of three parts of the knot cross, a pixel between them is open in one
+  // picture and not in the other.
+  EXPECT_LE(compared["holes"], 1);
+  // 120 pixels across, of normals that differ from pixel to pixel: 35 dB with means of them.
+  EXPECT_GT(compared["psnr_db"], 30.0);
 }
 
 TEST_F(EndToEnd, CompactFilesHoldTheSameInFewerBytes) {

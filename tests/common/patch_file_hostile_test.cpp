@@ -226,10 +226,10 @@ TEST(ForeignPatchFile, IsNamedInOneSentence) {
   std::string bytes = valid_bytes(folder);
   bytes[8] = 7;
   EXPECT_EQ(read_failure(folder, bytes),
-            "patch file version 7; this program reads versions 1 to 2; get a newer relief");
+            "patch file version 7; this program reads versions 1 to 3; get a newer relief");
   // A newer version may have any header behind its number.
   EXPECT_EQ(read_failure(folder, bytes.substr(0, 12)),
-            "patch file version 7; this program reads versions 1 to 2; get a newer relief");
+            "patch file version 7; this program reads versions 1 to 3; get a newer relief");
   EXPECT_EQ(read_failure(folder, "ply\nformat ascii 1.0\n"), "is no .relief patch file");
   EXPECT_EQ(read_failure(folder, ""), "the file is empty");
   EXPECT_EQ(read_failure(folder, valid_bytes(folder).substr(0, 40)),

@@ -549,7 +549,7 @@ def describe(file):
     header = Bytes(file[:128])
     header.take("8s")
     version, header_bytes = header.take("II")
-    assert version in (1, 2) and header_bytes == 128
+    assert version in (1, 2, 3) and header_bytes == 128
     file_bytes, index_offset, patches, chunks, samples = header.take("QQIIQ")
     spacing, *bounds = header.take("7d")
     radius, _ = header.take("dQ")
@@ -559,6 +559,8 @@ def describe(file):
     lines = ["spacing %.17g" % spacing, "bounds " + numbers(bounds), "radius %.17g" % radius]
 
     index = Bytes(file[index_offset:])
+    if version == 3:
+        return "\n".join(lines) + "\n" + describe_tiles(file, index, chunks)
     if version == 1:
         patch_records = [index.take("14d3I2H2hf2I") for _ in range(patches)]
         chunk_records = [index.take("4sHHQII") for _ in range(chunks)]
@@ -586,6 +588,22 @@ def describe(file):
             lines.append(" ".join("." if h is HOLE else str(h) for h in row))
         lines += describe_map("normals", patch) + describe_map("colours", patch)
     return "\n".join(lines) + "\n"
+
+
+def describe_tiles(file, index, count):
+    text = ""
+    offset = 128
+    for _ in range(count):
+        size, _, _, parent, level = index.take("QQIII")
+        spacing, *box = index.take("7d")
+        text += "tile of level %d under %s\n" % (
+            level,
+            "none" if parent == 0xFFFFFFFF else parent,
+        )
+        text += "box %s\n" % numbers(box)
+        text += describe(file[offset : offset + size])
+        offset += size
+    return text
 
 
 def main():

@@ -1,5 +1,6 @@
-// Fuzzes the patch file of both versions: header, index, patches and their coarse levels.
+// Fuzzes the patch file of all versions: header, index, tiles, patches and their coarse levels.
 #include "common/patch_file.h"
+#include "common/patch_tree.h"
 #include "tests/fuzz/memory_file.h"
 
 namespace relief::fuzz {
@@ -11,6 +12,20 @@ void check(const Patch& patch) {
   require(patch.colours.texels.size() == std::size_t{patch.colours.width} * patch.colours.height);
 }
 
+void read(const PatchFile& file) {
+  // The index tells beforehand what a patch takes. Large ones are slow here and find nothing more.
+  constexpr std::uint64_t kMostNodes = 4096;
+  constexpr std::size_t kMostPatches = 4;
+  for (std::size_t i = 0; i < std::min(file.patches().size(), kMostPatches); ++i) {
+    const PatchSummary& summary = file.patches()[i];
+    if (std::uint64_t{summary.width} * summary.height > kMostNodes) continue;
+    if (const auto patch = file.read_patch(i)) check(*patch);
+    for (unsigned level = 0; level <= file.info().levels; ++level) {
+      if (const auto patch = file.read_level(i, level)) check(*patch);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace relief::fuzz
 
@@ -18,17 +33,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const relief::fuzz::MemoryFile bytes(data, size);
   const auto file = relief::PatchFile::open(bytes.path());
-  if (!file) return 0;
-  // The index tells beforehand what a patch takes. Large ones are slow here and find nothing more.
-  constexpr std::uint64_t kMostNodes = 4096;
-  constexpr std::size_t kMostPatches = 4;
-  for (std::size_t i = 0; i < std::min(file->patches().size(), kMostPatches); ++i) {
-    const relief::PatchSummary& summary = file->patches()[i];
-    if (std::uint64_t{summary.width} * summary.height > kMostNodes) continue;
-    if (const auto patch = file->read_patch(i)) relief::fuzz::check(*patch);
-    for (unsigned level = 0; level <= file->info().levels; ++level) {
-      if (const auto patch = file->read_level(i, level)) relief::fuzz::check(*patch);
-    }
+  if (file) relief::fuzz::read(*file);
+  const auto tree = relief::PatchTree::open(bytes.path());
+  constexpr std::uint32_t kMostTiles = 4;
+  for (std::uint32_t t = 0; tree && t < std::min<std::size_t>(tree->tiles().size(), kMostTiles);
+       ++t) {
+    const auto tile = tree->open_tile(t);
+    if (tile) relief::fuzz::read(*tile);
   }
   return 0;
 }

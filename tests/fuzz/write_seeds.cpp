@@ -70,7 +70,7 @@ void add_scans(const Seeds& seeds) {
 }
 
 void add_patch_files(const Seeds& seeds, const fs::path& test_data) {
-  for (const char* name : {"version1.relief", "version2.relief"})
+  for (const char* name : {"version1.relief", "version2.relief", "version3.relief"})
     seeds.add("patch_file", name, slurp(test_data / name));
   const ScratchFolder scratch;
   for (const PatchCodec codec : {PatchCodec::Fast, PatchCodec::Compact}) {

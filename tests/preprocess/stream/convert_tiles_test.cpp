@@ -12,6 +12,7 @@
 #include "tests/common/read_whole.h"
 #include "tests/common/sample_models.h"
 #include "tests/preprocess/readers/pack.h"
+#include "tests/preprocess/stream/write_ply.h"
 #include "tests/preprocess/surfaces.h"
 
 namespace relief {
@@ -22,29 +23,11 @@ using test::read_whole;
 using test::ScratchFolder;
 using test::slurp;
 using test::spill;
-
-void write_ply(const fs::path& path, const Points& points) {
-  std::string text = fmt::format(
-      "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double "
-      "y\nproperty double z\n{}{}end_header\n",
-      points.size(),
-      points.normals.empty() ? "" : "property float nx\nproperty float ny\nproperty float nz\n",
-      points.colours.empty() ? ""
-                             : "property uchar red\nproperty uchar green\nproperty uchar blue\n");
-  const auto append = [&](const auto& value) {
-    text.append(reinterpret_cast<const char*>(&value), sizeof(value));
-  };
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    append(points.positions[i]);
-    if (!points.normals.empty()) append(points.normals[i]);
-    if (!points.colours.empty()) append(points.colours[i]);
-  }
-  spill(path, text);
-}
+using test::write_ply;
 
 /// Small tiles, of scans of more than 24,000 points.
 TileOptions tiles_of(std::uint64_t points) {
-  return {memory_for(24000), points};
+  return {memory_for(24000), points, true, 4000};
 }
 
 Result<std::optional<TiledResult>> try_convert(const fs::path& scan, const fs::path& output,

@@ -101,5 +101,35 @@ TEST(TileLayout, PointsThatAllCoincideAreOneTile) {
   EXPECT_EQ(layout.tile_of(glm::dvec3(7.0)), 0U);
 }
 
+TEST(TileLayout, CoarserTilesAreWholeOnes) {
+  const std::vector<glm::dvec3> points = test::sample_sphere(30000).positions;
+  const TileLayout fine = lay(points, 2000);
+  ASSERT_EQ(fine.tiles.size(), 16U);
+  // Each has a quarter of about 1,900 points, and one has many more.
+  std::vector<double> load(fine.tiles.size(), 470.0);
+  load[5] = 3000.0;
+  const TileLayout coarse = coarser_layout(fine, load, 2000.0, 0.1);
+  std::vector<double> together(coarse.tiles.size());
+  for (std::size_t t = 0; t < fine.tiles.size(); ++t)
+    together[coarse.tile_about(fine.tiles[t])] += load[t];
+  // Fours but where the full one is: it and its sibling alone, the two beside them together.
+  std::ranges::sort(together);
+  EXPECT_EQ(together, (std::vector<double>{470.0, 940.0, 1880.0, 1880.0, 1880.0, 3000.0}));
+  EXPECT_DOUBLE_EQ(coarse.largest_halo, 1.2);
+  for (const glm::dvec3& p : points) {
+    const std::uint32_t tile = coarse.tile_of(p);
+    ASSERT_EQ(tile, coarse.tile_about(fine.tiles[fine.tile_of(p)]));
+    ASSERT_TRUE(is_within(coarse.tiles[tile].region, p, 0.0));
+  }
+}
+
+TEST(TileLayout, AllIsOneTileWhereThatIsEnough) {
+  const TileLayout fine = lay(test::sample_sphere(30000).positions, 4000);
+  const TileLayout whole = coarser_layout(fine, std::vector<double>(8, 1.0), 8.0, 0.1);
+  EXPECT_EQ(whole.tiles.size(), 1U);
+  EXPECT_EQ(whole.tile_of({1e9, -1e9, 0.0}), 0U);
+  EXPECT_EQ(coarser_layout(whole, std::vector<double>(1, 5.0), 1.0, 0.2).tiles.size(), 1U);
+}
+
 }  // namespace
 }  // namespace relief
