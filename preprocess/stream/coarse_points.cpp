@@ -40,7 +40,7 @@ void add_node(const Patch& patch, std::uint32_t i, std::uint32_t j, BlockSums& s
   sums.place += glm::dvec3(i, j, height);
   ++sums.samples;
   const auto& normals = patch.normals;
-  const std::size_t at = std::size_t{j} * normals.scale * normals.width + i * normals.scale;
+  const std::size_t at = (std::size_t{j} * normals.width + std::size_t{i}) * normals.scale;
   sums.normal += unit_from_snorm16(normals.texels[at]);
   if (!patch.colours.empty()) add_texels(patch.colours, i, j, sums);
 }

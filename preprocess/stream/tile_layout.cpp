@@ -128,8 +128,13 @@ class Coarsener {
   }
 
  private:
+  static std::size_t tile_number(std::int32_t node) {
+    const std::int32_t tile = ~node;
+    return static_cast<std::size_t>(tile);
+  }
+
   [[nodiscard]] double load_below(std::int32_t node) const {
-    if (node < 0) return load_[static_cast<std::size_t>(~node)];
+    if (node < 0) return load_[tile_number(node)];
     const TileLayout::Cut& cut = from_.cuts[static_cast<std::size_t>(node)];
     return load_below(cut.left) + load_below(cut.right);
   }

@@ -13,7 +13,6 @@ namespace relief {
 namespace {
 
 using test::bumpy_model;
-using test::bytes_of;
 using test::read_whole;
 using test::ScratchFolder;
 using test::slurp;
