@@ -36,9 +36,9 @@ struct PredictorRow {
 
 /// A level is coded in two passes, and each looks at its own neighbours.
 struct HeightPass {
-  std::int8_t first;  ///< its first column and from each to the next
-  std::int8_t step;
-  std::int8_t first_row;  ///< every second one from there
+  std::uint32_t first;      ///< its first column
+  int step;                 ///< from each of its columns to the next
+  std::uint32_t first_row;  ///< every second one from there
   std::array<NodeOffset, kMostNeighbours> neighbours;
   std::array<NearResidual, kNearResiduals> residuals;
   std::uint32_t error_weight;  ///< of PredictorRow::error in what is expected, in 1/256
