@@ -45,7 +45,11 @@ Result<std::vector<std::uint8_t>> take_mask(ByteReader& in, std::size_t width, s
     state ^= 1U;
   }
   std::fill(mask.begin() + static_cast<std::ptrdiff_t>(at), mask.end(), state);
-  for (std::size_t k = width; k < nodes; ++k) mask[k] ^= mask[k - width];
+  for (std::size_t k = width; k < nodes; k += width) {
+    const std::uint8_t* const north = &mask[k - width];
+    std::uint8_t* __restrict row = &mask[k];
+    for (std::size_t i = 0; i < width; ++i) row[i] ^= north[i];
+  }
   return mask;
 }
 

@@ -1,10 +1,12 @@
 #include "common/patch_codec.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 #include "common/bytes.h"
 #include "common/mask_codec.h"
+#include "common/plane_rows.h"
 #include "common/prediction.h"
 #include "common/residuals.h"
 
@@ -15,6 +17,24 @@ std::vector<std::uint8_t> sample_mask(const Patch& patch) {
   std::transform(patch.heights.begin(), patch.heights.end(), mask.begin(),
                  [](std::int32_t h) { return static_cast<std::uint8_t>(h != kHole ? 1 : 0); });
   return mask;
+}
+
+std::uint32_t count_marked(std::span<const std::uint8_t> mask) {
+  // In bytes, as long as they hold the sums: SIMD adds sixteen at a time.
+  constexpr std::size_t kLanes = 16;
+  std::uint32_t sum = 0;
+  while (mask.size() >= kLanes) {
+    const std::size_t blocks = std::min<std::size_t>(mask.size() / kLanes, 255);
+    std::array<std::uint8_t, kLanes> sums{};
+    for (std::size_t b = 0; b < blocks; ++b) {
+      for (std::size_t l = 0; l < kLanes; ++l)
+        sums[l] = static_cast<std::uint8_t>(sums[l] + mask[b * kLanes + l]);
+    }
+    for (const std::uint8_t s : sums) sum += s;
+    mask = mask.subspan(blocks * kLanes);
+  }
+  for (const std::uint8_t m : mask) sum += m;
+  return sum;
 }
 
 std::vector<std::uint8_t> kept_texels(const Patch& patch, std::uint32_t scale) {
@@ -53,18 +73,17 @@ Status decode_heights(std::span<const std::byte> bytes, std::uint32_t samples, P
   ByteReader in(bytes);
   const auto mask = take_mask(in, patch.width, patch.height, zstd);
   if (!mask) return mask.error();
-  const auto marked = static_cast<std::size_t>(std::count(mask->begin(), mask->end(), 1));
+  const std::uint32_t marked = count_marked(*mask);
   if (marked != samples) {
     return make_error("the mask has {} samples where the index says {}", marked, samples);
   }
-  const auto residuals = take_residuals(in, marked, zstd);
-  if (!residuals) return residuals.error();
+  const auto differences = take_differences(in, marked, kDifferencePadding, zstd);
+  if (!differences) return differences.error();
   if (Status end = check_end(in); !end) return end;
 
-  patch.heights.assign(mask->size(), kHole);
-  undo_plane({patch.width, patch.height, *mask}, *residuals, patch.heights);
-  if (std::any_of(patch.heights.begin(), patch.heights.end(),
-                  [](std::int32_t h) { return h > kMaxHeightRange; })) {
+  patch.heights.resize(mask->size());
+  static_assert(kMaxHeightRange == 65534);
+  if (undo_plane({patch.width, patch.height, *mask}, *differences, kHole, patch.heights)) {
     return make_error("a height lies above {}", kMaxHeightRange);
   }
   return {};

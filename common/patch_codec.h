@@ -22,6 +22,9 @@ inline constexpr std::uint16_t kNormalStep = 26;
 /// 1 for each node that is a sample, 0 for holes. Row-major.
 [[nodiscard]] std::vector<std::uint8_t> sample_mask(const Patch& patch);
 
+/// How many are 1 in a mask of 0 and 1.
+[[nodiscard]] std::uint32_t count_marked(std::span<const std::uint8_t> mask);
+
 /// Which texels of a map of `scale` texels per cell are kept: those in a cell, on an edge or on a
 /// node that touches a sample. Row-major, 1 or 0. For scale 1 these are the samples.
 [[nodiscard]] std::vector<std::uint8_t> kept_texels(const Patch& patch, std::uint32_t scale);

@@ -42,6 +42,11 @@ void append_residuals(std::vector<std::byte>& out, std::span<const std::uint16_t
 Result<std::vector<std::uint16_t>> take_residuals(ByteReader& in, std::size_t count,
                                                   ZstdContexts& zstd);
 
+/// As take_residuals, but gives the differences that they stand for (unzigzag), and `padding` zeros
+/// behind them.
+Result<std::vector<std::uint16_t>> take_differences(ByteReader& in, std::size_t count,
+                                                    std::size_t padding, ZstdContexts& zstd);
+
 /// Fails if anything is left when everything should be decoded: writer and reader disagree.
 Status check_end(const ByteReader& in);
 
@@ -55,6 +60,11 @@ Status check_end(const ByteReader& in);
 /// The inverse of zigzag.
 [[nodiscard]] constexpr std::uint16_t unzigzag(std::uint16_t residual) {
   return static_cast<std::uint16_t>((residual >> 1U) ^ ((residual & 1U) != 0 ? 0xFFFFU : 0U));
+}
+
+/// The magnitude of the difference of which `residual` is the zigzag number.
+[[nodiscard]] constexpr std::uint32_t magnitude_of(std::uint32_t residual) {
+  return (residual + 1) / 2;
 }
 
 /// A difference modulo 2^16, within -32768 to 32767.

@@ -87,7 +87,7 @@ Status decode_map(std::span<const std::byte> bytes, const KeptGrid& grid, const 
   const auto& classes = residual_classes();
   visit_map(grid, values, predict,
             [&](std::size_t c, std::size_t k, std::int32_t prediction, unsigned residual_class) {
-              const std::uint16_t r = unzigzag(take_residual(in, classes[residual_class]));
+              const std::uint16_t r = unzigzag(take_residual(in, classes, residual_class));
               values[c][k] = wrapped(prediction + r);
               return wrapped(r);
             });

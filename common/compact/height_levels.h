@@ -11,16 +11,20 @@
 #include <vector>
 
 #include "common/compact/height_predictor.h"
+#include "common/compact/height_rows.h"
 #include "common/compact/level_grid.h"
 #include "common/compact/residual_classes.h"
 
 namespace relief {
 
-/// What is expected of one height.
+/// What is expected of one height, which is less kHeightBase as those of a LevelGrid are.
 struct Expectation {
   std::int32_t height = 0;
   unsigned residual_class = 0;
 };
+
+/// Larger residuals are as large to those that are expected to be like them.
+inline constexpr std::uint32_t kMostMagnitude = 255;
 
 /// The class of the coarsest level's residuals, which follow from next to nothing.
 inline constexpr unsigned kCoarsestClass = 46;
@@ -29,111 +33,88 @@ inline constexpr unsigned kCoarsestClass = 46;
 /// what they are on each level, in quarters; the last for all coarser ones too.
 inline constexpr std::array<std::uint32_t, 7> kErrorScales{3, 5, 8, 14, 26, 42, 64};
 
-/// The rows about one node: row(j)[i] is what an array of the level holds there.
-template <class Value>
-struct RowsAbout {
-  const Value* node;
-  std::ptrdiff_t stride;
-  [[nodiscard]] const Value& at(NodeOffset offset) const {
-    return node[offset.j * stride + offset.i];
-  }
-};
-
-/// Calls `use(k)` for each k below `Count`, each in its own code.
-template <std::size_t Count, class Use>
-inline void unrolled(const Use& use) {
-  [&]<std::size_t... K>(std::index_sequence<K...>) {
-    (use(std::integral_constant<std::size_t, K>()), ...);
-  }
-  (std::make_index_sequence<Count>());
-}
-
-/// Sets `inside[i]` to 1 for the nodes of a row all of whose neighbours and near residuals are
-/// samples: most of them, and of these the same is expected in fewer steps.
+/// How much of the errors of a pass's rows is expected, in 1/256, by the bits of the near residuals
+/// whose nodes are samples: what those that are missing would have said.
 template <const HeightPass& Pass>
-void find_inside(const LevelGrid& grid, std::uint32_t j, std::vector<std::uint8_t>& inside) {
-  const RowsAbout<std::uint8_t> first{&grid.samples[grid.node(0, j)],
-                                      static_cast<std::ptrdiff_t>(grid.stride)};
-  // Through pointers of their own, as bytes may be parts of anything and nothing would stay in
-  // registers (this took a third of the time).
-  std::uint8_t* const to = inside.data();
-  const std::size_t width = grid.width;
-  for (std::size_t i = 0; i < width; ++i) {
-    std::uint8_t all = first.node[i];
-    unrolled<kMostNeighbours>([&](auto k) { all &= (&first.at(Pass.neighbours[k]))[i]; });
-    unrolled<kNearResiduals>([&](auto k) { all &= (&first.at(Pass.residuals[k].at))[i]; });
-    to[i] = all;
+inline constexpr auto kErrorWeights = [] {
+  std::array<std::uint32_t, 1U << kNearResiduals> weights{};
+  for (std::size_t bits = 0; bits < weights.size(); ++bits) {
+    weights[bits] = Pass.error_weight;
+    for (std::size_t k = 0; k < kNearResiduals; ++k)
+      weights[bits] += (bits >> k & 1U) != 0 ? 0U : Pass.residuals[k].weight;
   }
-}
+  return weights;
+}();
 
-/// Visits the samples of a level's pass (columns i0, i0 + di ... of rows j0, j0 + 2 ...):
-/// `code(height, expectation)` sets or reads the height and returns the residual.
+/// Visits the samples of a level's pass: `code(height, expectation)` sets or reads the height and
+/// returns the magnitude of the residual, at most kMostMagnitude. It is taken and given back by
+/// value, so that a decoder's state stays in registers.
 template <const HeightPass& Pass, class Code>
-void visit_pass(const PredictorTable& table, std::uint32_t i0, std::uint32_t di, std::uint32_t j0,
-                LevelGrid& grid, const Code& code) {
-  const auto stride = static_cast<std::ptrdiff_t>(grid.stride);
+[[nodiscard]] Code visit_pass(const PredictorTable& table, LevelGrid& grid, Code code) {
+  using Row = HeightRow<Pass>;
+  constexpr std::uint32_t kOfBefore = weight_at(Pass, -Pass.step, 0);
+  constexpr std::uint32_t kOfSecond = weight_at(Pass, -2 * Pass.step, 0);
+  constexpr std::uint32_t kNeighbourBits = (1U << kMostNeighbours) - 1U;
+  const ResidualClasses& classes = residual_classes();
   const std::uint32_t error_scale = kErrorScales[std::min<std::size_t>(grid.level, 6)];
-  const PredictorRow all = table.row((1U << kMostNeighbours) - 1U);
-  const std::uint32_t error_of_all = Pass.error_weight * all.error * error_scale / 64;
-  std::vector<std::uint8_t> inside(grid.width);
-  const std::uint32_t width = grid.width;
+  const PredictorRow& of_all = table.row(kNeighbourBits);
+  const std::int32_t all_of_last = of_all.weights[Row::kBefore];
+  const std::uint32_t error_of_all = Pass.error_weight * of_all.error * error_scale / 64;
+  Row row(grid, of_all);
   std::int32_t last = grid.last;
-  for (std::uint32_t j = j0; j < grid.height; j += 2) {
-    find_inside<Pass>(grid, j, inside);
-    const std::uint8_t* const is_inside = inside.data();
-    const std::uint8_t* const sample_row = &grid.samples[grid.node(0, j)];
-    std::int32_t* const height_row = &grid.heights[grid.node(0, j)];
-    std::uint8_t* const magnitude_row = &grid.magnitudes[grid.node(0, j)];
-    for (std::uint32_t i = i0; i < width; i += di) {
-      if (sample_row[i] == 0) continue;
-      const RowsAbout<std::uint8_t> samples{sample_row + i, stride};
-      const RowsAbout<std::int32_t> heights{height_row + i, stride};
-      const RowsAbout<std::uint8_t> magnitudes{magnitude_row + i, stride};
-      std::uint32_t expected = 0;
-      unrolled<kNearResiduals>([&](auto k) {
-        constexpr NearResidual kNear = Pass.residuals[k];
-        if constexpr (kNear.weight > 0)
-          expected += kNear.weight * std::uint32_t{magnitudes.at(kNear.at)};
-      });
-      std::int32_t sum = 1 << (kWeightBits - 1);
-      if (is_inside[i] != 0) {
-        unrolled<kMostNeighbours>(
-            [&](auto k) { sum += all.weights[k] * heights.at(Pass.neighbours[k]); });
-        sum >>= kWeightBits;
-        expected += error_of_all;
-      } else {
-        std::uint32_t known = 0;
-        unrolled<kMostNeighbours>(
-            [&](auto k) { known |= std::uint32_t{samples.at(Pass.neighbours[k])} << k; });
-        const PredictorRow& row = table.row(known);
-        unrolled<kMostNeighbours>(
-            [&](auto k) { sum += row.weights[k] * heights.at(Pass.neighbours[k]); });
-        sum = row.known != 0 ? sum >> kWeightBits : last;
-        std::uint32_t error_weight = Pass.error_weight;
-        unrolled<kNearResiduals>([&](auto k) {
-          constexpr NearResidual kNear = Pass.residuals[k];
-          error_weight += samples.at(kNear.at) != 0 ? 0 : kNear.weight;
-        });
-        expected += error_weight * row.error * error_scale / 64;
+  for (std::uint32_t j = Pass.first_row; j < grid.height; j += 2) {
+    row.go_to(grid, j);
+    const std::size_t first = grid.node(Pass.first, j);
+    const std::uint8_t* const samples = &grid.samples[first];
+    std::int16_t* const heights = &grid.heights[first];
+    std::uint8_t* const magnitudes = &grid.magnitudes[first];
+    const std::size_t nodes = (grid.width - Pass.first + Pass.step - 1) / Pass.step;
+    // Of the node visited before this one and of the one before that; 0 where no sample is.
+    std::uint32_t before = 0;
+    std::uint32_t second = 0;
+    for (std::size_t n = 0; n < nodes; ++n) {
+      const std::size_t i = n * Pass.step;
+      if (samples[i] == 0) {
+        second = before;
+        before = 0;
+        continue;
       }
-      const std::int32_t r = code(height_row[i], Expectation{sum, class_of(expected)});
-      magnitude_row[i] = static_cast<std::uint8_t>(std::min(std::abs(r), 255));
-      last = height_row[i];
+      std::int32_t height = 1 << (kWeightBits - 1);
+      std::uint32_t magnitude = row.near(n);
+      const std::uint32_t known = row.known(n);
+      if (known == Row::kAll) {
+        height += row.sum(n) + all_of_last * last;
+        magnitude += error_of_all;
+      } else {
+        const PredictorRow& weights = table.row(known & kNeighbourBits);
+        // The height before is the last one, where there is one; without neighbours, too.
+        const std::int32_t of_last =
+            weights.known != 0 ? weights.weights[Row::kBefore] : 1 << kWeightBits;
+        height += row.sum(n, weights) + of_last * last;
+        magnitude +=
+            kErrorWeights<Pass>[known >> kMostNeighbours] * weights.error * error_scale / 64;
+      }
+      magnitude += kOfBefore * before + kOfSecond * second;
+      second = before;
+      before = code(heights[i], Expectation{height >> kWeightBits, classes.number_of(magnitude)});
+      last = heights[i];
+      magnitudes[i] = static_cast<std::uint8_t>(before);
     }
   }
   grid.last = last;
+  return code;
 }
 
 /// Visits the samples of a level that are on no coarser one.
 template <class Code>
-void visit_level(const PredictorTables& tables, LevelGrid& grid, const Code& code) {
-  visit_pass<kRowPass>(tables.rows, 1, 2, 0, grid, code);
-  visit_pass<kColumnPass>(tables.columns, 0, 1, 1, grid, code);
+[[nodiscard]] Code visit_level(const PredictorTables& tables, LevelGrid& grid, Code code) {
+  code = visit_pass<kRowPass>(tables.rows, grid, std::move(code));
+  return visit_pass<kColumnPass>(tables.columns, grid, std::move(code));
 }
 
 /// Visits the at most four samples of the coarsest level; each is expected as the one before.
 template <class Code>
-void visit_coarsest(LevelGrid& grid, const Code& code) {
+[[nodiscard]] Code visit_coarsest(LevelGrid& grid, Code code) {
   for (std::uint32_t j = 0; j < grid.height; ++j) {
     for (std::uint32_t i = 0; i < grid.width; ++i) {
       const std::size_t node = grid.node(i, j);
@@ -142,6 +123,7 @@ void visit_coarsest(LevelGrid& grid, const Code& code) {
       grid.last = grid.heights[node];
     }
   }
+  return code;
 }
 
 }  // namespace relief

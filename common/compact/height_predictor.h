@@ -36,6 +36,9 @@ struct PredictorRow {
 
 /// A level is coded in two passes, and each looks at its own neighbours.
 struct HeightPass {
+  std::uint32_t first;      ///< its first column
+  int step;                 ///< from each of its columns to the next
+  std::uint32_t first_row;  ///< every second one from there
   std::array<NodeOffset, kMostNeighbours> neighbours;
   std::array<NearResidual, kNearResiduals> residuals;
   std::uint32_t error_weight;  ///< of PredictorRow::error in what is expected, in 1/256
@@ -43,14 +46,28 @@ struct HeightPass {
 
 /// Nodes with odd i and even j.
 inline constexpr HeightPass kRowPass{
+    1,
+    2,
+    0,
     {{{-1, 0}, {1, 0}, {-3, 0}, {3, 0}, {0, -2}, {-1, -2}, {1, -2}, {-1, 2}, {1, 2}, {-2, 0}}},
     {{{{-2, 0}, 68}, {{0, -2}, 46}, {{-2, -2}, 14}, {{2, -2}, 27}, {{0, 0}, 0}}},
     64};
 /// Nodes with odd j.
 inline constexpr HeightPass kColumnPass{
+    0,
+    1,
+    1,
     {{{0, -1}, {0, 1}, {0, -3}, {0, 3}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}, {-1, 0}, {0, 0}}},
     {{{{-1, 0}, 77}, {{-2, 0}, 18}, {{0, -2}, 33}, {{1, -2}, 18}, {{0, 1}, 14}}},
     48};
+
+/// The share of the residual at a node in what a pass expects.
+[[nodiscard]] constexpr std::uint32_t weight_at(const HeightPass& pass, int i, int j) {
+  for (const NearResidual& near : pass.residuals) {
+    if (near.at.i == i && near.at.j == j) return near.weight;
+  }
+  return 0;
+}
 
 /// For all neighbours that may be there the row that is taken: of those whose neighbours are all
 /// there the one with the most of them, and of these the one with the least error.

@@ -2,6 +2,7 @@
 // with room around them, so that looking at neighbours needs no test for the rim.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -15,13 +16,20 @@ namespace relief {
 /// looked at; those outside of the grid are no samples.
 struct LevelGrid {
   static constexpr std::uint32_t kRim = 3;  ///< as far as predictions look (height_predictor.h)
+  /// Heights are kept less this, as signed numbers of 16 bits: SIMD multiplies those in one step.
+  static constexpr std::int32_t kHeightBase = 32768;
+  /// Rows are looked at in blocks of this many nodes; what is behind the last row's end is read.
+  static constexpr std::uint32_t kBlock = 16;
+  static constexpr std::size_t padded(std::size_t width) {
+    return (width + kBlock - 1) / kBlock * kBlock;
+  }
 
   LevelGrid(std::uint32_t patch_width, std::uint32_t patch_height, unsigned patch_level)
       : level(patch_level),
         width(((patch_width - 1) >> patch_level) + 1),
         height(((patch_height - 1) >> patch_level) + 1),
         stride(width + 2 * kRim),
-        samples(stride * (height + 2 * kRim)),
+        samples(stride * (height + 2 * kRim) + kBlock),
         heights(samples.size()),
         magnitudes(samples.size()) {}
 
@@ -30,10 +38,10 @@ struct LevelGrid {
   std::uint32_t height;
   std::size_t stride;                    ///< from a node to the one below it
   std::vector<std::uint8_t> samples;     ///< 1 at samples, else 0
-  std::vector<std::int32_t> heights;     ///< of samples that are coded already
+  std::vector<std::int16_t> heights;     ///< of samples that are coded already
   std::vector<std::uint8_t> magnitudes;  ///< of the residuals coded on this level, at most 255
 
-  std::int32_t last = 0;  ///< the height that was coded last
+  std::int32_t last = -kHeightBase;  ///< the height that was coded last
 
   [[nodiscard]] std::size_t node(std::uint32_t i, std::uint32_t j) const {
     return (j + kRim) * stride + i + kRim;
@@ -52,8 +60,12 @@ inline void mark_samples(std::span<const std::uint8_t> mask, std::size_t width, 
                          LevelGrid& grid) {
   for (std::uint32_t j = 0; j < grid.height; ++j) {
     const std::uint8_t* row = &mask[(std::size_t{j} << level) * width];
-    std::uint8_t* marks = &grid.samples[grid.node(0, j)];
-    for (std::uint32_t i = 0; i < grid.width; ++i) marks[i] = row[std::size_t{i} << level];
+    std::uint8_t* __restrict marks = &grid.samples[grid.node(0, j)];
+    if (level == 0) {
+      std::copy_n(row, grid.width, marks);
+    } else {
+      for (std::size_t i = 0; i < grid.width; ++i) marks[i] = row[i << level];
+    }
   }
 }
 
@@ -61,8 +73,8 @@ inline void mark_samples(std::span<const std::uint8_t> mask, std::size_t width, 
 inline void take_heights(const LevelGrid& coarse, LevelGrid& fine) {
   fine.last = coarse.last;
   for (std::uint32_t j = 0; j < coarse.height; ++j) {
-    const std::int32_t* from = &coarse.heights[coarse.node(0, j)];
-    std::int32_t* to = &fine.heights[fine.node(0, 2 * j)];
+    const std::int16_t* from = &coarse.heights[coarse.node(0, j)];
+    std::int16_t* to = &fine.heights[fine.node(0, 2 * j)];
     for (std::uint32_t i = 0; i < coarse.width; ++i) to[std::size_t{2} * i] = from[i];
   }
 }

@@ -32,8 +32,8 @@ std::vector<std::uint64_t> probabilities(unsigned number) {
   // Two residuals for each magnitude, except 0; shifted symbols are one-sided.
   if (!shifted) list.push_back((kOne - half) * kOne);
   std::uint64_t p = shifted ? (kOne - step) * kOne : half * (kOne - step) / 2;
-  constexpr std::uint64_t kLeast = (kOne * kOne / ResidualClass::kGrains) / 2;
-  while (p >= kLeast && list.size() + (shifted ? 1 : 2) < ResidualClass::kMostSymbols) {
+  constexpr std::uint64_t kLeast = (kOne * kOne / ResidualClasses::kGrains) / 2;
+  while (p >= kLeast && list.size() + (shifted ? 1 : 2) < ResidualClasses::kMostSymbols) {
     list.push_back(p);
     if (!shifted) list.push_back(p);
     p = p * step / kOne;
@@ -41,56 +41,60 @@ std::vector<std::uint64_t> probabilities(unsigned number) {
   return list;
 }
 
-ResidualClass make_class(unsigned number) {
-  ResidualClass c;
+void make_class(unsigned number, ResidualClasses& classes) {
   if (number >= kFirstShifted) {
-    c.shift = static_cast<std::uint8_t>(1 + (number - kFirstShifted) / 4);
+    classes.shift[number] = static_cast<std::uint8_t>(1 + (number - kFirstShifted) / 4);
   }
   const std::vector<std::uint64_t> list = probabilities(number);
   // What is not expected happens more often than a Laplacian says: the escape has a grain more.
   constexpr std::uint32_t kLeastEscape = 1;
-  std::array<std::uint32_t, ResidualClass::kMostSymbols> widths{};
+  std::array<std::uint32_t, ResidualClasses::kMostSymbols> widths{};
   std::uint32_t sum = 0;
   std::uint64_t left = kOne * kOne;
   for (std::size_t s = 0; s < list.size(); ++s) {
     widths[s] = std::max<std::uint32_t>(
-        1, static_cast<std::uint32_t>(list[s] * ResidualClass::kGrains >> 32U));
+        1, static_cast<std::uint32_t>(list[s] * ResidualClasses::kGrains >> 32U));
     sum += widths[s];
     left -= list[s];
   }
   widths[list.size()] =
-      kLeastEscape + static_cast<std::uint32_t>(left * ResidualClass::kGrains >> 32U);
+      kLeastEscape + static_cast<std::uint32_t>(left * ResidualClasses::kGrains >> 32U);
   sum += widths[list.size()];
   // What rounding leaves over or takes goes to the most probable symbol.
-  widths[0] += ResidualClass::kGrains - sum;
-  c.symbols = static_cast<std::uint8_t>(list.size() + 1);
+  widths[0] += ResidualClasses::kGrains - sum;
+  classes.escape[number] = static_cast<std::uint8_t>(list.size());
+  classes.plain[number] = classes.shift[number] == 0 ? classes.escape[number] : 0;
   std::uint32_t start = 0;
-  for (std::size_t s = 0; s < c.symbols; ++s) {
-    assert(widths[s] > 0 && widths[s] < ResidualClass::kGrains && "every symbol has an interval");
-    c.intervals[s] = {static_cast<std::uint16_t>(start << ResidualClass::kGrainBits),
-                      static_cast<std::uint16_t>(widths[s] << ResidualClass::kGrainBits)};
-    std::fill_n(c.symbol_at.begin() + start, widths[s], static_cast<std::uint8_t>(s));
+  for (std::size_t s = 0; s <= list.size(); ++s) {
+    assert(widths[s] > 0 && widths[s] < ResidualClasses::kGrains && "every symbol has an interval");
+    classes.intervals[number][s] = {
+        static_cast<std::uint16_t>(start << ResidualClasses::kGrainBits),
+        static_cast<std::uint16_t>(widths[s] << ResidualClasses::kGrainBits)};
+    std::fill_n(classes.symbol_at[number].begin() + start, widths[s], static_cast<std::uint8_t>(s));
     start += widths[s];
   }
-  return c;
 }
 
 }  // namespace
 
-const std::array<ResidualClass, kResidualClasses>& residual_classes() {
-  static const auto classes = [] {
-    std::array<ResidualClass, kResidualClasses> made;
-    for (unsigned n = 0; n < kResidualClasses; ++n) made[n] = make_class(n);
+const ResidualClasses& residual_classes() {
+  static const ResidualClasses classes = [] {
+    ResidualClasses made;
+    for (unsigned n = 0; n < kResidualClasses; ++n) make_class(n, made);
+    for (std::uint32_t e = 0; e < kQuickExpectations; ++e) {
+      made.quick[e] = static_cast<std::uint8_t>(class_of(e));
+    }
     return made;
   }();
   return classes;
 }
 
 void put_residual(RansEncoder& out, unsigned residual_class, std::uint16_t residual) {
-  const ResidualClass& c = residual_classes()[residual_class];
-  const std::uint32_t value = std::uint32_t{residual} >> c.shift;
-  const std::uint32_t escape = c.symbols - 1U;
-  out.put(c.intervals[std::min(value, escape)]);
+  const ResidualClasses& classes = residual_classes();
+  const unsigned shift = classes.shift[residual_class];
+  const std::uint32_t value = std::uint32_t{residual} >> shift;
+  const std::uint32_t escape = classes.escape[residual_class];
+  out.put(classes.intervals[residual_class][std::min(value, escape)]);
   if (value >= escape) {
     // The number of bits of what is left plus one, then these bits without the leading one.
     const std::uint32_t rest = value - escape + 1;
@@ -98,7 +102,7 @@ void put_residual(RansEncoder& out, unsigned residual_class, std::uint16_t resid
     out.put_bits(bits, 4);
     out.put_bits(rest - (1U << bits), bits);
   }
-  if (c.shift > 0) out.put_bits(residual & ((1U << c.shift) - 1U), c.shift);
+  if (shift > 0) out.put_bits(residual & ((1U << shift) - 1U), shift);
 }
 
 }  // namespace relief

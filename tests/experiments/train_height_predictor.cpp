@@ -142,19 +142,23 @@ void train_heights(const std::vector<Scan>& scans, std::vector<PredictorRow>& ro
           mark_samples(mask, patch.width, level, grid);
           for (std::uint32_t j = 0; j < grid.height; ++j) {
             for (std::uint32_t i = 0; i < grid.width; ++i) {
-              if (grid.samples[grid.node(i, j)] != 0)
-                grid.heights[grid.node(i, j)] = patch.at(i << level, j << level);
+              if (grid.samples[grid.node(i, j)] != 0) {
+                grid.heights[grid.node(i, j)] = static_cast<std::int16_t>(
+                    patch.at(i << level, j << level) - LevelGrid::kHeightBase);
+              }
             }
           }
           const auto see = [&](const HeightPass& pass, Patterns& patterns) {
-            return [&](const std::int32_t& height, Expectation e) {
+            return [&](const std::int16_t& height, Expectation e) {
               const auto node = static_cast<std::size_t>(&height - grid.heights.data());
               learn(pass, grid, node, e, weight, patterns);
-              return height - e.height;
+              const auto magnitude = static_cast<std::uint32_t>(std::abs(height - e.height));
+              return std::min(magnitude, kMostMagnitude);
             };
           };
-          visit_pass<kRowPass>(tables.rows, 1, 2, 0, grid, see(kRowPass, row_patterns));
-          visit_pass<kColumnPass>(tables.columns, 0, 1, 1, grid, see(kColumnPass, column_patterns));
+          static_cast<void>(visit_pass<kRowPass>(tables.rows, grid, see(kRowPass, row_patterns)));
+          static_cast<void>(
+              visit_pass<kColumnPass>(tables.columns, grid, see(kColumnPass, column_patterns)));
         }
       }
     }
