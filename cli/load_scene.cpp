@@ -3,17 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <utility>
 
 #include "cli/console.h"
 #include "cli/load.h"
 #include "cli/paths.h"
+#include "cli/place_models.h"
 #include "common/patch_tree.h"
 #include "common/transform.h"
 #include "preprocess/convert.h"
-#include "renderer/append.h"
 #include "renderer/engines/ewa/splats_of_samples.h"
 #include "renderer/mesh_of_patches.h"
 #include "renderer/mesh_of_points.h"
@@ -21,21 +20,6 @@
 
 namespace relief::cli {
 namespace {
-
-/// Where a file's patches lie among a scene's.
-struct PatchRun {
-  std::uint32_t first = 0;
-  std::uint32_t count = 0;
-};
-
-/// A file in the forms that are needed of it. The patches have the bounds in any case.
-struct LoadedFile {
-  PatchModel patches;
-  std::optional<PatchRun> run;  ///< once `patches` have been moved into a scene of several models
-  std::optional<TriangleMesh> mesh;
-  std::optional<SplatCloud> splats;
-  bool has_faces = false;  ///< the mesh is the file's own
-};
 
 /// Whether engines draw something else of the scene than patches. If not, they make what they need
 /// of the patches themselves.
@@ -89,96 +73,6 @@ Result<LoadedFile> load_scan(const std::filesystem::path& path, const TextureCho
   const Status made = add_mesh_of_patches(file, path);
   if (!made) return made.error();
   return file;
-}
-
-/// One model of a scene.
-struct Use {
-  Transform where;
-  std::uint8_t material = 0;      ///< its number among materials_said
-  bool is_last = true;            ///< of its file
-  std::optional<bool> is_closed;  ///< instead of what is known of the file
-};
-
-/// Moves a file's triangles and points to their place, gives them their material and appends them.
-/// `patches_before`: how many patches the models before have.
-Status place_forms(LoadedScene& scene, LoadedFile file, const Use& use,
-                   std::uint32_t patches_before) {
-  if (file.splats) {
-    transform(*file.splats, use.where);
-    if (use.material != 0)
-      file.splats->materials.assign(file.splats->positions.size(), use.material);
-    if (!scene.splats) scene.splats.emplace();
-    append(*scene.splats, std::move(*file.splats), patches_before);
-  }
-  if (!file.mesh) return {};
-  scene.mesh_is_input = file.has_faces && (!scene.mesh || scene.mesh_is_input);
-  transform(*file.mesh, use.where);
-  if (use.material != 0) file.mesh->materials.assign(file.mesh->positions.size(), use.material);
-  if (!scene.mesh) scene.mesh.emplace();
-  return append(*scene.mesh, std::move(*file.mesh), patches_before);
-}
-
-/// Puts models in their places. The only one of a scene is moved there; of several the patches are
-/// kept once, wherever they stand.
-class Placer {
- public:
-  explicit Placer(bool several) : several_(several) {}
-
-  Status place(LoadedFile& file, const Use& use) {
-    const std::uint32_t patches_before = patches_;
-    Status placed = several_ ? add_place(file, use) : move_there(file.patches, use);
-    if (!placed) return placed;
-    return place_forms(scene_, use.is_last ? std::move(file) : LoadedFile(file), use,
-                       patches_before);
-  }
-
-  LoadedScene take() { return std::move(scene_); }
-
- private:
-  Status move_there(PatchModel& model, const Use& use) {
-    for (Patch& patch : model.patches) patch.material = use.material;
-    model.is_closed = use.is_closed.value_or(model.is_closed);
-    patches_ += static_cast<std::uint32_t>(model.patches.size());
-    Status moved = transform_model(model, use.where);
-    if (moved) append_model(scene_.patches, std::exchange(model, {}));
-    return moved;
-  }
-
-  Status add_place(LoadedFile& file, const Use& use) {
-    PatchModel& model = file.patches;
-    if (!file.run) {
-      std::vector<Patch>& all = scene_.patches.patches;
-      file.run = {static_cast<std::uint32_t>(all.size()),
-                  static_cast<std::uint32_t>(model.patches.size())};
-      std::move(model.patches.begin(), model.patches.end(), std::back_inserter(all));
-      model = without_patches(model);
-    }
-    const auto [first, count] = *file.run;
-    patches_ += count;
-    PatchModel extent = model;
-    extent.is_closed = use.is_closed.value_or(model.is_closed);
-    return add_placement(scene_.patches, {first, count, use.where, use.material}, extent);
-  }
-
-  bool several_ = false;
-  LoadedScene scene_;
-  std::uint32_t patches_ = 0;  ///< of the models so far
-};
-
-/// Calls `place` with each model's file and use.
-template <class Place>
-Status place_models(const std::vector<SceneModel>& models, const Place& place) {
-  std::map<std::filesystem::path, std::size_t> uses;
-  for (const SceneModel& model : models) ++uses[model.file];
-  const std::vector<MaterialWords> said = materials_said(models);
-  for (const SceneModel& model : models) {
-    const auto material = std::find(said.begin(), said.end(), model.material) - said.begin();
-    const Use use{model.transform, static_cast<std::uint8_t>(material), --uses[model.file] == 0,
-                  model.is_closed};
-    const Status placed = place(model.file, use);
-    if (!placed) return make_error("{}: {}", model.file.string(), placed.error().message);
-  }
-  return {};
 }
 
 using LoadedFiles = std::map<std::filesystem::path, LoadedFile>;

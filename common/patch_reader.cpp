@@ -1,7 +1,6 @@
 // Reading a patch file patch by patch.
 #include <algorithm>
 #include <cmath>
-#include <glm/vector_relational.hpp>
 #include <new>
 #include <utility>
 
@@ -81,8 +80,9 @@ Status check_height_range(const Patch& patch, const PatchSummary& summary, bool 
 PatchFileInfo info_of(const FileHeader& header, const FileIndex& index) {
   PatchFileInfo info;
   info.version = header.version;
-  const bool compact = std::any_of(index.chunks.begin(), index.chunks.end(),
-                                   [](const ChunkRecord& c) { return c.codec == kCodecCompact; });
+  const bool compact = header.version == kCompactVersion ||
+                       std::any_of(index.chunks.begin(), index.chunks.end(),
+                                   [](const auto& chunk) { return chunk.codec == kCodecCompact; });
   info.codec = compact ? "levels-rans" : "predicted-zstd";
   info.patches = header.patches;
   info.samples = header.samples;
@@ -108,39 +108,6 @@ PatchFileInfo info_of(const FileHeader& header, const FileIndex& index) {
   if (has_normals) info.attributes.emplace_back("normal");
   if (has_colours) info.attributes.emplace_back("colour");
   return info;
-}
-
-/// Adds a tile's patches to those of the tiles before.
-void append_index(FileIndex from, FileIndex& to) {
-  const auto before = static_cast<std::uint32_t>(to.chunks.size());
-  for (PatchRecord& patch : from.patches) {
-    patch.first_chunk += before;
-    to.patches.push_back(patch);
-  }
-  to.chunks.insert(to.chunks.end(), from.chunks.begin(), from.chunks.end());
-}
-
-/// Whether a box holds another one, but for the rounding of their sides.
-bool holds(const Bounds& box, const Bounds& inner, double slack) {
-  return inner.empty() ||
-         (!box.empty() && glm::all(glm::lessThanEqual(box.min - slack, inner.min)) &&
-          glm::all(glm::greaterThanEqual(box.max + slack, inner.max)));
-}
-
-/// Reads a tile's index, and whether it is what the list of tiles promises: what is not seen by
-/// that is not read.
-Result<FileLayout> read_tile(const RandomAccessFile& file, const TreeTile& tile,
-                             const std::string& name) {
-  auto layout = read_layout(file, {tile.offset, tile.bytes}, name);
-  if (!layout) return layout;
-  const FileHeader& header = layout->header;
-  if (header.patches != tile.patches || header.samples != tile.samples ||
-      header.spacing != tile.spacing || !holds(tile.box, box_of(layout->index), tile.spacing)) {
-    return make_error(
-        "{}: the tile at byte {} is not what the list of tiles says; the file is damaged", name,
-        tile.offset);
-  }
-  return layout;
 }
 
 }  // namespace
@@ -224,26 +191,9 @@ Result<PatchFile> PatchFile::open(const std::filesystem::path& path) {
   auto file = RandomAccessFile::open(path);
   if (!file) return file.error();
   const std::string name = path.string();
-  auto header = read_header(*file, {0, file->size()}, name);
-  if (!header) return header.error();
-  if (header->version != kTreeVersion) {
-    auto layout = read_layout(*file, {0, file->size()}, name);
-    if (!layout) return layout.error();
-    return PatchFile(std::make_unique<State>(name, std::move(*file), std::move(*layout)));
-  }
-  const auto tree = read_tree_layout(*file, name);
-  if (!tree) return tree.error();
-  FileLayout whole{tree->header, {}};
-  for (const TreeTile& tile : tree->tiles) {
-    if (tile.level > 0) continue;
-    auto layout = read_tile(*file, tile, name);
-    if (!layout) return layout.error();
-    if (whole.index.chunks.size() + layout->index.chunks.size() > UINT32_MAX)
-      return make_error("{}: has more than {} chunks; its tiles can be read one by one", name,
-                        UINT32_MAX);
-    append_index(std::move(layout->index), whole.index);
-  }
-  return PatchFile(std::make_unique<State>(name, std::move(*file), std::move(whole)));
+  auto layout = read_own_layout(*file, name);
+  if (!layout) return layout.error();
+  return PatchFile(std::make_unique<State>(name, std::move(*file), std::move(*layout)));
 }
 
 Result<PatchFile> PatchFile::open_tile(const std::filesystem::path& path, const TreeTile& tile) {

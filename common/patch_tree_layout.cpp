@@ -1,22 +1,15 @@
 #include "common/patch_tree_layout.h"
 
+#include <algorithm>
 #include <cmath>
+#include <glm/vector_relational.hpp>
+#include <utility>
 
-#include "common/bytes.h"
 #include "common/file.h"
+#include "common/vector_bytes.h"
 
 namespace relief {
 namespace {
-
-void append_vector(std::vector<std::byte>& out, const glm::dvec3& v) {
-  for (glm::length_t c = 0; c < 3; ++c) append_number(out, v[c]);
-}
-
-glm::dvec3 take_vector(ByteReader& in) {
-  glm::dvec3 v;
-  for (glm::length_t c = 0; c < 3; ++c) v[c] = in.take<double>();
-  return v;
-}
 
 TreeTile take_tile(ByteReader& in) {
   TreeTile tile;
@@ -74,6 +67,23 @@ Result<TreeTile> whole_file(const RandomAccessFile& file, const std::string& nam
   return tile;
 }
 
+/// Adds a tile's patches to those of the tiles before.
+void append_index(const FileIndex& from, FileIndex& to) {
+  const auto before = static_cast<std::uint32_t>(to.chunks.size());
+  for (PatchRecord patch : from.patches) {
+    patch.first_chunk += before;
+    to.patches.push_back(patch);
+  }
+  to.chunks.insert(to.chunks.end(), from.chunks.begin(), from.chunks.end());
+}
+
+/// Whether a box holds another one, but for the rounding of their sides.
+bool holds(const Bounds& box, const Bounds& inner, double slack) {
+  return inner.empty() ||
+         (!box.empty() && glm::all(glm::lessThanEqual(box.min - slack, inner.min)) &&
+          glm::all(glm::greaterThanEqual(box.max + slack, inner.max)));
+}
+
 }  // namespace
 
 std::vector<std::byte> write_tree_index(std::span<const TreeTile> tiles) {
@@ -128,6 +138,40 @@ Result<TreeLayout> read_tree_layout(const RandomAccessFile& file, const std::str
   auto tiles = parse_tree_index(bytes, *header, name);
   if (!tiles) return tiles.error();
   return TreeLayout{*header, std::move(*tiles)};
+}
+
+Result<FileLayout> read_tile(const RandomAccessFile& file, const TreeTile& tile,
+                             const std::string& name) {
+  auto layout = read_layout(file, {tile.offset, tile.bytes}, name);
+  if (!layout) return layout;
+  const FileHeader& header = layout->header;
+  if (header.patches != tile.patches || header.samples != tile.samples ||
+      header.spacing != tile.spacing || !holds(tile.box, box_of(layout->index), tile.spacing)) {
+    return make_error(
+        "{}: the tile at byte {} is not what the list of tiles says; the file is damaged", name,
+        tile.offset);
+  }
+  return layout;
+}
+
+Result<FileLayout> read_own_layout(const RandomAccessFile& file, const std::string& name) {
+  auto header = read_header(file, {0, file.size()}, name);
+  if (!header) return header.error();
+  if (header->version != kTreeVersion) return read_layout(file, {0, file.size()}, name);
+  const auto tree = read_tree_layout(file, name);
+  if (!tree) return tree.error();
+  FileLayout whole{tree->header, {}};
+  for (const TreeTile& tile : tree->tiles) {
+    if (tile.level > 0) continue;
+    auto layout = read_tile(file, tile, name);
+    if (!layout) return layout.error();
+    if (whole.index.chunks.size() + layout->index.chunks.size() > UINT32_MAX) {
+      return make_error("{}: has more than {} chunks; its tiles can be read one by one", name,
+                        UINT32_MAX);
+    }
+    append_index(layout->index, whole.index);
+  }
+  return whole;
 }
 
 Bounds box_of(const FileIndex& index) {

@@ -30,6 +30,14 @@ struct TreeLayout {
 };
 Result<TreeLayout> read_tree_layout(const RandomAccessFile& file, const std::string& name);
 
+/// Reads a tile's header and index, as read_layout does, and whether they are what the list of
+/// tiles says: others rely on that without opening the tile.
+Result<FileLayout> read_tile(const RandomAccessFile& file, const TreeTile& tile,
+                             const std::string& name);
+
+/// Reads the header, and the index of the model's own patches: of all tiles of level 0 together.
+Result<FileLayout> read_own_layout(const RandomAccessFile& file, const std::string& name);
+
 /// The box about all samples that an index tells of.
 [[nodiscard]] Bounds box_of(const FileIndex& index);
 
