@@ -229,7 +229,7 @@ void add_convert(CLI::App& app, Command& command) {
   sub->add_flag_callback(
          "--no-overviews", [arguments] { arguments->tiles.overviews = false; },
          "With --memory: without coarser patches over the model's own, by which a large "
-         "model is drawn from afar without reading all of it; a quarter fewer bytes")
+         "model is drawn from afar without reading all of it; two sevenths fewer bytes")
       ->needs(memory);
   sub->add_option("--threads", arguments->options.threads,
                   "Threads; the file is the same with any number (all cores)")

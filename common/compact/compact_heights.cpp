@@ -77,7 +77,6 @@ LevelGrid visit_heights(std::span<const std::uint8_t> mask, std::uint32_t width,
                         std::uint32_t height, unsigned finest, const Prepare& prepare, Code& code) {
   const PredictorTables& tables = predictor_tables();
   unsigned level = std::max(coarsest_level(width, height), finest);
-  RowRoom room(((width - 1) >> finest) + 1);
   LevelGrid grid(width, height, level);
   mark_samples(mask, width, level, grid);
   prepare(level, grid);
@@ -89,7 +88,7 @@ LevelGrid visit_heights(std::span<const std::uint8_t> mask, std::uint32_t width,
     take_heights(grid, finer);
     prepare(level, finer);
     grid = std::move(finer);
-    code = visit_level(tables, grid, room, code);
+    code = visit_level(tables, grid, code);
   }
   return grid;
 }

@@ -50,8 +50,7 @@ inline constexpr auto kErrorWeights = [] {
 /// returns the magnitude of the residual, at most kMostMagnitude. It is taken and given back by
 /// value, so that a decoder's state stays in registers.
 template <const HeightPass& Pass, class Code>
-[[nodiscard]] Code visit_pass(const PredictorTable& table, LevelGrid& grid, RowRoom& room,
-                              Code code) {
+[[nodiscard]] Code visit_pass(const PredictorTable& table, LevelGrid& grid, Code code) {
   using Row = HeightRow<Pass>;
   constexpr std::uint32_t kOfBefore = weight_at(Pass, -Pass.step, 0);
   constexpr std::uint32_t kOfSecond = weight_at(Pass, -2 * Pass.step, 0);
@@ -61,7 +60,7 @@ template <const HeightPass& Pass, class Code>
   const PredictorRow& of_all = table.row(kNeighbourBits);
   const std::int32_t all_of_last = of_all.weights[Row::kBefore];
   const std::uint32_t error_of_all = Pass.error_weight * of_all.error * error_scale / 64;
-  Row row(grid, of_all, room);
+  Row row(grid, of_all);
   std::int32_t last = grid.last;
   for (std::uint32_t j = Pass.first_row; j < grid.height; j += 2) {
     row.go_to(grid, j);
@@ -108,10 +107,9 @@ template <const HeightPass& Pass, class Code>
 
 /// Visits the samples of a level that are on no coarser one.
 template <class Code>
-[[nodiscard]] Code visit_level(const PredictorTables& tables, LevelGrid& grid, RowRoom& room,
-                               Code code) {
-  code = visit_pass<kRowPass>(tables.rows, grid, room, std::move(code));
-  return visit_pass<kColumnPass>(tables.columns, grid, room, std::move(code));
+[[nodiscard]] Code visit_level(const PredictorTables& tables, LevelGrid& grid, Code code) {
+  code = visit_pass<kRowPass>(tables.rows, grid, std::move(code));
+  return visit_pass<kColumnPass>(tables.columns, grid, std::move(code));
 }
 
 /// Visits the at most four samples of the coarsest level; each is expected as the one before.

@@ -28,18 +28,6 @@ template <std::size_t Count, class Use>
   (std::make_index_sequence<Count>());
 }
 
-/// Room for what is expected of a row; one serves all levels of a patch, as getting it anew for
-/// each pass takes as long as decoding a row.
-struct RowRoom {
-  /// `width`: of the finest level.
-  explicit RowRoom(std::uint32_t width)
-      : known(LevelGrid::padded(width)), sums(known.size()), near(known.size()) {}
-
-  std::vector<std::uint16_t> known;
-  std::vector<std::int32_t> sums;
-  std::vector<std::uint16_t> near;
-};
-
 /// The nodes of a row of one pass over a level; node n stands in column first + n * step.
 template <const HeightPass& Pass>
 class HeightRow {
@@ -56,13 +44,12 @@ class HeightRow {
   }();
 
   /// `of_all` is the table's row for nodes all of whose neighbours are samples.
-  HeightRow(const LevelGrid& grid, const PredictorRow& of_all, RowRoom& room)
+  HeightRow(const LevelGrid& grid, const PredictorRow& of_all)
       : stride_(static_cast<std::ptrdiff_t>(grid.stride)),
-        nodes_(LevelGrid::padded(grid.width) / Pass.step),
         of_all_(of_all),
-        known_(room.known.data()),
-        sums_(room.sums.data()),
-        near_(room.near.data()) {}
+        known_(LevelGrid::padded(grid.width) / Pass.step),
+        sums_(known_.size()),
+        near_(known_.size()) {}
 
   /// Goes to row j of the grid. Rows above were visited, and so was this one by other passes.
   void go_to(const LevelGrid& grid, std::uint32_t j) {
@@ -70,7 +57,7 @@ class HeightRow {
     samples_ = &grid.samples[first];
     heights_ = &grid.heights[first];
     magnitudes_ = &grid.magnitudes[first];
-    for (std::size_t n = 0; n < nodes_; n += LevelGrid::kBlock / Pass.step) look_at_block(n);
+    for (std::size_t n = 0; n < known_.size(); n += LevelGrid::kBlock / Pass.step) look_at_block(n);
   }
 
   /// The samples about node n.
@@ -244,14 +231,13 @@ class HeightRow {
 #endif
 
   std::ptrdiff_t stride_;
-  std::size_t nodes_;
   const PredictorRow& of_all_;
   const std::uint8_t* samples_ = nullptr;
   const std::int16_t* heights_ = nullptr;
   const std::uint8_t* magnitudes_ = nullptr;
-  std::uint16_t* known_;
-  std::int32_t* sums_;
-  std::uint16_t* near_;
+  std::vector<std::uint16_t> known_;
+  std::vector<std::int32_t> sums_;
+  std::vector<std::uint16_t> near_;
 };
 
 }  // namespace relief

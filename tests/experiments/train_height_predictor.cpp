@@ -156,11 +156,9 @@ void train_heights(const std::vector<Scan>& scans, std::vector<PredictorRow>& ro
               return std::min(magnitude, kMostMagnitude);
             };
           };
-          RowRoom room(grid.width);
+          static_cast<void>(visit_pass<kRowPass>(tables.rows, grid, see(kRowPass, row_patterns)));
           static_cast<void>(
-              visit_pass<kRowPass>(tables.rows, grid, room, see(kRowPass, row_patterns)));
-          static_cast<void>(visit_pass<kColumnPass>(tables.columns, grid, room,
-                                                    see(kColumnPass, column_patterns)));
+              visit_pass<kColumnPass>(tables.columns, grid, see(kColumnPass, column_patterns)));
         }
       }
     }
