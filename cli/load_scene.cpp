@@ -105,21 +105,14 @@ Result<PatchModel> extent_of(const std::vector<SceneModel>& models, const Loaded
   return placer.take().patches;
 }
 
-/// Reads what the pictures show of the trees; what is read at all if nobody knows that.
+/// Reads what the pictures show of the trees.
 Status load_trees(const std::vector<SceneModel>& models, const TreeFiles& trees,
                   const PicturesOf& pictures_of, LoadedFiles& loaded, Progress& progress) {
   const auto extent = extent_of(models, loaded, trees);
   if (!extent) return extent.error();
   const auto pictures = pictures_of(*extent);
   if (!pictures) return pictures.error();
-  const bool choose = std::all_of(pictures->begin(), pictures->end(), can_choose_patches);
   for (const auto& [path, tree] : trees) {
-    if (!choose) {
-      auto model = load_model(path, progress);
-      if (!model) return model.error();
-      loaded[path].patches = std::move(*model);
-      continue;
-    }
     std::vector<Transform> places;
     for (const SceneModel& model : models) {
       if (model.file == path) places.push_back(model.transform);

@@ -41,8 +41,8 @@ using PicturesOf = std::function<Result<std::vector<RenderSettings>>(const Patch
 /// scan or mesh is converted with the default options where an engine draws its patches: `onepass`,
 /// `multipass`, and `raytrace` where it has no triangles; `raytrace` takes its triangles, `ewa` its
 /// points as they are. `textures`: of scans and meshes. Of patch files with tiles only what
-/// `pictures` show is read, if all of these can do with that (renderer/patches_in_view.h); without
-/// it all is.
+/// `pictures` show is read (renderer/patches_in_view.h); without these, or where rays are followed
+/// or points splatted, all is.
 Result<LoadedScene> load_scene(const std::vector<SceneModel>& models, const TextureChoice& textures,
                                EngineNeeds needs, Progress& progress,
                                const PicturesOf& pictures = {});

@@ -92,10 +92,6 @@ std::vector<std::vector<std::uint32_t>> children_of(std::span<const TreeTile> ti
 
 }  // namespace
 
-bool can_choose_patches(const RenderSettings& settings) {
-  return is_on_opengl(settings.engine);
-}
-
 std::vector<Onlooker> onlookers_of(std::span<const RenderSettings> pictures,
                                    std::span<const Transform> places, const PatchModel& extent) {
   std::vector<Onlooker> onlookers;

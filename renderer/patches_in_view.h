@@ -22,10 +22,6 @@ struct Onlooker {
   double pixels = 1.0;
 };
 
-/// Whether a picture can do with some of a file's patches: if it is drawn by OpenGL. Rays meet what
-/// is not in the picture, and splats of points are a truth that is to be whole.
-[[nodiscard]] bool can_choose_patches(const RenderSettings& settings);
-
 /// Each of the pictures of each place. `extent`: of all that is drawn.
 [[nodiscard]] std::vector<Onlooker> onlookers_of(std::span<const RenderSettings> pictures,
                                                  std::span<const Transform> places,
