@@ -22,7 +22,7 @@
 #include "cli/paths.h"
 #include "cli/render_options.h"
 #include "cli/render_plan.h"
-#include "common/file.h"
+#include "common/io/file.h"
 #include "renderer/materials.h"
 
 namespace relief::cli {

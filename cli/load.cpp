@@ -9,7 +9,7 @@
 
 #include "cli/console.h"
 #include "cli/paths.h"
-#include "common/file.h"
+#include "common/io/file.h"
 #include "common/patch_file.h"
 #include "common/srgb.h"
 #include "preprocess/convert.h"

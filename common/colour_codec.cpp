@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <array>
 
-#include "common/bytes.h"
 #include "common/continuation.h"
+#include "common/io/bytes.h"
 #include "common/patch_codec.h"
 #include "common/prediction.h"
 #include "common/residuals.h"

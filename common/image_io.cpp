@@ -3,8 +3,8 @@
 #include <array>
 #include <new>
 
-#include "common/file.h"
 #include "common/image_formats.h"
+#include "common/io/file.h"
 
 namespace relief {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "common/io/varint.h"
 #include "common/residuals.h"
-#include "common/varint.h"
 
 namespace relief {
 void append_mask(std::vector<std::byte>& out, std::span<const std::uint8_t> mask, std::size_t width,

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "common/bytes.h"
 #include "common/error.h"
+#include "common/io/bytes.h"
 #include "common/zstd_contexts.h"
 
 namespace relief {

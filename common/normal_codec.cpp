@@ -1,8 +1,8 @@
 // Normal maps in codec 1.
 #include <algorithm>
 
-#include "common/bytes.h"
 #include "common/continuation.h"
+#include "common/io/bytes.h"
 #include "common/normals_of_heights.h"
 #include "common/patch_codec.h"
 #include "common/prediction.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <cassert>
 
-#include "common/bytes.h"
+#include "common/io/bytes.h"
 #include "common/mask_codec.h"
 #include "common/plane_rows.h"
 #include "common/prediction.h"

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "common/compact/compact_index.h"
-#include "common/file.h"
+#include "common/io/file.h"
+#include "common/io/vector_bytes.h"
 #include "common/plain_index.h"
-#include "common/vector_bytes.h"
 
 namespace relief {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "common/compact/compact_codec.h"
 #include "common/compact/level_grid.h"
-#include "common/file.h"
+#include "common/io/file.h"
 #include "common/patch_codec.h"
 #include "common/patch_file.h"
 #include "common/patch_file_layout.h"

@@ -1,6 +1,6 @@
 #include "common/patch_tree.h"
 
-#include "common/file.h"
+#include "common/io/file.h"
 #include "common/patch_tree_layout.h"
 
 namespace relief {

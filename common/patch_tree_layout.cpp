@@ -5,8 +5,8 @@
 #include <glm/vector_relational.hpp>
 #include <utility>
 
-#include "common/file.h"
-#include "common/vector_bytes.h"
+#include "common/io/file.h"
+#include "common/io/vector_bytes.h"
 
 namespace relief {
 namespace {

@@ -1,7 +1,7 @@
 // Tiles become one file: copied one after another, their list behind them.
 #include <algorithm>
 
-#include "common/file.h"
+#include "common/io/file.h"
 #include "common/patch_tree.h"
 #include "common/patch_tree_layout.h"
 

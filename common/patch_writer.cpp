@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "common/compact/compact_codec.h"
-#include "common/file.h"
+#include "common/io/file.h"
 #include "common/octahedral.h"
 #include "common/patch_codec.h"
 #include "common/patch_file.h"

@@ -1,6 +1,6 @@
 #include "common/plain_index.h"
 
-#include "common/vector_bytes.h"
+#include "common/io/vector_bytes.h"
 
 namespace relief {
 namespace {

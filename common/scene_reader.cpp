@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "common/file.h"
+#include "common/io/file.h"
 #include "common/json_text.h"
 #include "common/json_values.h"
 #include "common/scene.h"

@@ -4,7 +4,7 @@
 #include <system_error>
 #include <utility>
 
-#include "common/file.h"
+#include "common/io/file.h"
 #include "common/version.h"
 #include "preprocess/stream/overviews.h"
 #include "preprocess/stream/spread_points.h"

@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "common/bytes.h"
 #include "common/compact/rotation_code.h"
+#include "common/io/bytes.h"
+#include "common/io/varint.h"
 #include "common/octahedral.h"
-#include "common/varint.h"
 
 namespace relief {
 namespace {

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "common/bytes.h"
 #include "common/compact/compact_codec.h"
 #include "common/compact/rans.h"
 #include "common/compact/residual_classes.h"
 #include "common/continuation.h"
+#include "common/io/bytes.h"
 #include "common/normals_of_heights.h"
 #include "common/patch_codec.h"
 #include "common/patch_file.h"

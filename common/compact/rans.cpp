@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "common/bytes.h"
+#include "common/io/bytes.h"
 
 namespace relief {
 

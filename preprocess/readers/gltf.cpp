@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "common/file.h"
+#include "common/io/file.h"
 #include "common/srgb.h"
 #include "preprocess/readers/gltf_accessor.h"
 #include "preprocess/readers/gltf_tangents.h"

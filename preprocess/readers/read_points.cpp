@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "common/file.h"
+#include "common/io/file.h"
 #include "preprocess/readers/format.h"
 #include "preprocess/readers/gunzip.h"
 #include "preprocess/readers/readers.h"

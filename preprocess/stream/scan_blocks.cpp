@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "common/file.h"
-#include "common/mapped_file.h"
+#include "common/io/file.h"
+#include "common/io/mapped_file.h"
 #include "preprocess/keep_points.h"
 #include "preprocess/readers/format.h"
 #include "preprocess/readers/gunzip.h"

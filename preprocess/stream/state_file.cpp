@@ -1,7 +1,7 @@
 #include "preprocess/stream/state_file.h"
 
-#include "common/bytes.h"
-#include "common/file.h"
+#include "common/io/bytes.h"
+#include "common/io/file.h"
 #include "common/patch_file_layout.h"
 
 namespace relief {

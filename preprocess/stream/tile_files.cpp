@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "common/file.h"
+#include "common/io/file.h"
 
 namespace relief {
 namespace {

@@ -7,8 +7,8 @@
 #include <tuple>
 #include <utility>
 
-#include "common/file.h"
 #include "common/image_io.h"
+#include "common/io/file.h"
 #include "common/normal_texture.h"
 #include "preprocess/readers/source.h"
 #include "preprocess/texture/decode_texture.h"

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <utility>
 
-#include "common/file.h"
 #include "common/image_io.h"
+#include "common/io/file.h"
 #include "common/mesh_texture.h"
 #include "preprocess/readers/mtl.h"
 #include "preprocess/readers/source.h"

@@ -1,5 +1,5 @@
 // Files: either the whole of it is there or nothing has changed, and one sentence says why.
-#include "common/file.h"
+#include "common/io/file.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

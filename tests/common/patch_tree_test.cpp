@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "common/file.h"
+#include "common/io/file.h"
 #include "common/patch_tree_layout.h"
 #include "tests/common/read_whole.h"
 #include "tests/common/sample_models.h"

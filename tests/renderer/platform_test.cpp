@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "common/file.h"
 #include "common/image_io.h"
+#include "common/io/file.h"
 #include "tests/renderer/pictures.h"
 
 namespace relief {

@@ -1,4 +1,4 @@
-#include "common/mapped_file.h"
+#include "common/io/mapped_file.h"
 
 #include <sys/mman.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-#include "common/file.h"
+#include "common/io/file.h"
 
 namespace relief {
 

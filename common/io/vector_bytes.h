@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "common/bytes.h"
+#include "common/io/bytes.h"
 
 namespace relief {
 

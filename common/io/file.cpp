@@ -1,4 +1,4 @@
-#include "common/file.h"
+#include "common/io/file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/bytes.h"
+#include "common/io/bytes.h"
 
 namespace relief {
 
