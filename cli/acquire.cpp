@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "cli/console.h"
-#include "common/image_io.h"
+#include "common/image/image_io.h"
 #include "preprocess/read_points.h"
 #include "preprocess/texture/acquire_texture.h"
 

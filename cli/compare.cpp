@@ -18,7 +18,7 @@
 #include "cli/paths.h"
 #include "cli/values.h"
 #include "common/compare/heatmap.h"
-#include "common/image_io.h"
+#include "common/image/image_io.h"
 
 namespace relief::cli {
 namespace {

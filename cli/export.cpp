@@ -14,7 +14,7 @@
 #include "cli/console.h"
 #include "cli/load.h"
 #include "cli/paths.h"
-#include "common/srgb.h"
+#include "common/image/srgb.h"
 #include "renderer/mesh_of_patches.h"
 
 namespace relief::cli {

@@ -9,9 +9,9 @@
 
 #include "cli/console.h"
 #include "cli/paths.h"
+#include "common/image/srgb.h"
 #include "common/io/file.h"
 #include "common/patch_file.h"
-#include "common/srgb.h"
 #include "preprocess/convert.h"
 #include "preprocess/neighbours.h"
 #include "preprocess/normals.h"

@@ -18,7 +18,7 @@
 #include "cli/render_options.h"
 #include "cli/render_plan.h"
 #include "cli/render_report.h"
-#include "common/image_io.h"
+#include "common/image/image_io.h"
 
 namespace relief::cli {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "common/srgb.h"
+#include "common/image/srgb.h"
 
 namespace relief::cli {
 namespace {

@@ -4,9 +4,9 @@
 #include <glm/vec3.hpp>
 
 #include "common/error.h"
-#include "common/image.h"
-#include "common/srgb.h"
-#include "common/texture_pyramid.h"
+#include "common/image/image.h"
+#include "common/image/srgb.h"
+#include "common/image/texture_pyramid.h"
 
 namespace relief {
 

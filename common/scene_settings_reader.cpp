@@ -3,8 +3,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "common/image/srgb.h"
 #include "common/lights_reader.h"
-#include "common/srgb.h"
 
 namespace relief {
 namespace {

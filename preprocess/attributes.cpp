@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "common/image/srgb.h"
 #include "common/octahedral.h"
-#include "common/srgb.h"
 #include "preprocess/colour_interpolation.h"
 
 namespace relief {

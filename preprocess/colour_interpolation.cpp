@@ -9,7 +9,7 @@
 #include <glm/matrix.hpp>
 #include <utility>
 
-#include "common/srgb.h"
+#include "common/image/srgb.h"
 
 namespace relief {
 namespace {

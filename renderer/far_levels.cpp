@@ -9,8 +9,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "common/image/srgb.h"
 #include "common/octahedral.h"
-#include "common/srgb.h"
 #include "renderer/node_texels.h"
 #include "renderer/patch_normals.h"
 #include "shaders/include/shared.h"

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "common/image.h"
+#include "common/image/image.h"
 #include "renderer/cube_map.h"
 #include "renderer/environment_cache.h"
 #include "renderer/render.h"

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
-#include "common/image_io.h"
+#include "common/image/image_io.h"
 #include "renderer/cross_cube.h"
 #include "renderer/cube_map.h"
 #include "renderer/environment_files.h"

@@ -8,8 +8,8 @@
 #include <glm/vec4.hpp>
 #include <utility>
 
+#include "common/image/srgb.h"
 #include "common/octahedral.h"
-#include "common/srgb.h"
 #include "renderer/patch_normals.h"
 #include "shaders/include/shared.h"
 

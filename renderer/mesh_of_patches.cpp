@@ -7,10 +7,10 @@
 #include <span>
 #include <utility>
 
+#include "common/image/srgb.h"
 #include "common/mesh_texture.h"
 #include "common/normal_texture.h"
 #include "common/octahedral.h"
-#include "common/srgb.h"
 #include "renderer/far_model.h"
 #include "renderer/materials.h"
 #include "renderer/node_texels.h"

@@ -14,7 +14,7 @@
 #include "common/camera.h"
 #include "common/choices.h"
 #include "common/error.h"
-#include "common/image.h"
+#include "common/image/image.h"
 #include "common/light.h"
 #include "common/material.h"
 #include "common/patch.h"

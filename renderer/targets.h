@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "common/error.h"
-#include "common/image.h"
+#include "common/image/image.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/render.h"

@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "common/image/srgb.h"
 #include "common/io/file.h"
-#include "common/srgb.h"
 #include "preprocess/readers/gltf_accessor.h"
 #include "preprocess/readers/gltf_tangents.h"
 #include "preprocess/readers/gltf_textures.h"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "common/srgb.h"
+#include "common/image/srgb.h"
 #include "preprocess/readers/source.h"
 #include "preprocess/readers/text_cursor.h"
 

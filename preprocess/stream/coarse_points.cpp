@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "common/image/srgb.h"
 #include "common/octahedral.h"
-#include "common/srgb.h"
 
 namespace relief {
 namespace {

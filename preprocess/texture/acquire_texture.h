@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/error.h"
-#include "common/image.h"
+#include "common/image/image.h"
 #include "common/points.h"
 #include "common/progress.h"
 #include "preprocess/texture/acquisition.h"

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "common/error.h"
-#include "common/image.h"
-#include "common/texture_pyramid.h"
+#include "common/image/image.h"
+#include "common/image/texture_pyramid.h"
 
 namespace relief {
 

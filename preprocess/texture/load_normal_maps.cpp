@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "common/image_io.h"
+#include "common/image/image_io.h"
 #include "common/io/file.h"
 #include "common/normal_texture.h"
 #include "preprocess/readers/source.h"

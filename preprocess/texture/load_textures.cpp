@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "common/image_io.h"
+#include "common/image/image_io.h"
 #include "common/io/file.h"
 #include "common/mesh_texture.h"
 #include "preprocess/readers/mtl.h"

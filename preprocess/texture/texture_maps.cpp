@@ -6,11 +6,11 @@
 #include <optional>
 
 #include "common/continuation.h"
+#include "common/image/srgb.h"
 #include "common/mesh_normals.h"
 #include "common/mesh_tangents.h"
 #include "common/mesh_texture.h"
 #include "common/patch_codec.h"
-#include "common/srgb.h"
 #include "preprocess/texture/flat_triangles.h"
 #include "preprocess/texture/map_scales.h"
 #include "preprocess/texture/node_normals.h"

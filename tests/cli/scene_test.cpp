@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "common/image_io.h"
+#include "common/image/image_io.h"
 #include "common/scene.h"
 #include "tests/cli/run_relief.h"
 

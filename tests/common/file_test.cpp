@@ -8,7 +8,7 @@
 #include <csignal>
 #include <cstring>
 
-#include "common/image_io.h"
+#include "common/image/image_io.h"
 #include "common/patch_file.h"
 #include "tests/common/sample_models.h"
 

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <turbojpeg.h>
 
-#include "common/image_io.h"
-#include "common/srgb.h"
+#include "common/image/image_io.h"
+#include "common/image/srgb.h"
 
 namespace relief {
 namespace {

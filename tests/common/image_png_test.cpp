@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "common/srgb.h"
+#include "common/image/srgb.h"
 #include "tests/common/image_testing.h"
 
 namespace relief {

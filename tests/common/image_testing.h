@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "common/image_io.h"
+#include "common/image/image_io.h"
 #include "tests/common/sample_models.h"
 
 namespace relief::test {

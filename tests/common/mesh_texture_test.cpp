@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "common/srgb.h"
+#include "common/image/srgb.h"
 
 namespace relief {
 namespace {

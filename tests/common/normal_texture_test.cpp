@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "common/image_formats.h"
-#include "common/image_io.h"
-#include "common/srgb.h"
+#include "common/image/image_formats.h"
+#include "common/image/image_io.h"
+#include "common/image/srgb.h"
 
 namespace relief {
 namespace {

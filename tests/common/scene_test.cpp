@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "common/srgb.h"
+#include "common/image/srgb.h"
 #include "tests/common/sample_models.h"
 
 namespace relief {

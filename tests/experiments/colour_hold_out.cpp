@@ -7,7 +7,7 @@
 #include <glm/matrix.hpp>
 #include <optional>
 
-#include "common/srgb.h"
+#include "common/image/srgb.h"
 #include "preprocess/convert.h"
 #include "preprocess/read_points.h"
 

@@ -5,7 +5,7 @@
 
 #include "common/camera.h"
 #include "common/error.h"
-#include "common/image.h"
+#include "common/image/image.h"
 #include "renderer/engines/ewa/settings.h"
 #include "renderer/splat_cloud.h"
 

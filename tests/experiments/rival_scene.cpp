@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/srgb.h"
+#include "common/image/srgb.h"
 #include "renderer/engines/raytrace/sampling.h"
 #include "renderer/view.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "common/camera.h"
-#include "common/image.h"
+#include "common/image/image.h"
 
 namespace relief::experiment {
 

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/image_io.h"
+#include "common/image/image_io.h"
 #include "preprocess/read_points.h"
 #include "preprocess/texture/acquire_texture.h"
 #include "preprocess/texture/surface_points.h"

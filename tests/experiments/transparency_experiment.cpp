@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "common/bounds.h"
-#include "common/image_io.h"
+#include "common/image/image_io.h"
 #include "preprocess/read_points.h"
 #include "renderer/render.h"
 #include "tests/experiments/crossing_surfaces.h"

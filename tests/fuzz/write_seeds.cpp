@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "common/image_formats.h"
+#include "common/image/image_formats.h"
 #include "common/patch_file.h"
 #include "tests/common/sample_models.h"
 #include "tests/preprocess/readers/drc_files.h"

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "common/srgb.h"
+#include "common/image/srgb.h"
 
 namespace relief {
 namespace {

@@ -9,7 +9,7 @@
 #include <glm/gtc/constants.hpp>
 #include <random>
 
-#include "common/image_io.h"
+#include "common/image/image_io.h"
 #include "tests/renderer/meshes.h"
 
 namespace relief {

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "common/image_io.h"
+#include "common/image/image_io.h"
 #include "renderer/cube_map.h"
 
 namespace relief {

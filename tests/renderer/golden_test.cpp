@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-#include "common/image_io.h"
+#include "common/image/image_io.h"
 #include "tests/renderer/pictures.h"
 
 namespace relief {

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/image_io.h"
+#include "common/image/image_io.h"
 #include "common/transform.h"
 #include "renderer/features.h"
 #include "shaders/include/shared.h"

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 
-#include "common/image_io.h"
+#include "common/image/image_io.h"
 #include "renderer/bench/bench.h"
 #include "renderer/cube_map.h"
 #include "renderer/features.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "common/image_io.h"
+#include "common/image/image_io.h"
 #include "shaders/include/shared.h"
 #include "tests/renderer/pictures.h"
 

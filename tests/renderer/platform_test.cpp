@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "common/image_io.h"
+#include "common/image/image_io.h"
 #include "common/io/file.h"
 #include "tests/renderer/pictures.h"
 

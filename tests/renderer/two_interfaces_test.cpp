@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "common/image_io.h"
+#include "common/image/image_io.h"
 #include "common/transform.h"
 #include "renderer/engines/onepass/features.h"
 #include "tests/renderer/meshes.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/srgb.h"
+#include "common/image/srgb.h"
 #include "renderer/materials.h"
 #include "renderer/node_texels.h"
 #include "renderer/patch_normals.h"

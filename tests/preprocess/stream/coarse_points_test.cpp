@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/srgb.h"
+#include "common/image/srgb.h"
 #include "tests/common/sample_models.h"
 
 namespace relief {

@@ -6,9 +6,9 @@
 
 #include <fstream>
 
-#include "common/image_io.h"
+#include "common/image/image_io.h"
+#include "common/image/srgb.h"
 #include "common/normal_texture.h"
-#include "common/srgb.h"
 #include "preprocess/read_points.h"
 #include "preprocess/texture/load_textures.h"
 

@@ -8,9 +8,9 @@
 #include <glm/geometric.hpp>
 #include <memory>
 
+#include "common/image/srgb.h"
 #include "common/normal_texture.h"
 #include "common/octahedral.h"
-#include "common/srgb.h"
 #include "preprocess/convert.h"
 #include "preprocess/texture/texture_maps.h"
 

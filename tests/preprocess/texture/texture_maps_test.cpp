@@ -6,8 +6,8 @@
 #include <cmath>
 #include <memory>
 
+#include "common/image/srgb.h"
 #include "common/mesh_texture.h"
-#include "common/srgb.h"
 #include "preprocess/convert.h"
 
 namespace relief {

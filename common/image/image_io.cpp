@@ -1,9 +1,9 @@
-#include "common/image_io.h"
+#include "common/image/image_io.h"
 
 #include <array>
 #include <new>
 
-#include "common/image_formats.h"
+#include "common/image/image_formats.h"
 #include "common/io/file.h"
 
 namespace relief {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "common/image_formats.h"
+#include "common/image/image_formats.h"
 
 namespace relief {
 namespace {

@@ -8,8 +8,8 @@
 #include <cstring>
 #include <string>
 
-#include "common/image_formats.h"
-#include "common/srgb.h"
+#include "common/image/image_formats.h"
+#include "common/image/srgb.h"
 
 namespace relief {
 namespace {

@@ -15,7 +15,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "common/image_formats.h"
+#include "common/image/image_formats.h"
 
 namespace relief {
 namespace {

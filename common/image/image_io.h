@@ -8,7 +8,7 @@
 #include <string>
 
 #include "common/error.h"
-#include "common/image.h"
+#include "common/image/image.h"
 
 namespace relief {
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <memory>
 
-#include "common/image_formats.h"
-#include "common/srgb.h"
+#include "common/image/image_formats.h"
+#include "common/image/srgb.h"
 
 namespace relief {
 namespace {
