@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "common/choices.h"
 #include "common/error.h"
 #include "common/patch.h"
 #include "common/progress.h"
+#include "common/scene/choices.h"
 
 namespace relief::cli {
 

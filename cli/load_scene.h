@@ -8,7 +8,7 @@
 #include "common/error.h"
 #include "common/patch.h"
 #include "common/progress.h"
-#include "common/scene.h"
+#include "common/scene/scene.h"
 #include "preprocess/texture/load_textures.h"
 #include "renderer/render.h"
 

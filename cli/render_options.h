@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "cli/acquire.h"
-#include "common/scene.h"
+#include "common/scene/scene.h"
 #include "renderer/render.h"
 
 namespace relief::cli {

@@ -8,7 +8,7 @@
 #include "cli/render_options.h"
 #include "common/error.h"
 #include "common/patch.h"
-#include "common/scene.h"
+#include "common/scene/scene.h"
 #include "renderer/render.h"
 
 namespace relief::cli {

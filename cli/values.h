@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "common/camera.h"
-#include "common/choices.h"
-#include "common/scene.h"
+#include "common/scene/camera.h"
+#include "common/scene/choices.h"
+#include "common/scene/scene.h"
 
 namespace relief::cli {
 

@@ -1,7 +1,7 @@
 // The lights of a scene as shaders take them.
 #pragma once
 
-#include "common/light.h"
+#include "common/scene/light.h"
 #include "renderer/view.h"
 #include "shaders/include/shared.h"
 

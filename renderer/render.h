@@ -11,14 +11,14 @@
 #include <string>
 #include <vector>
 
-#include "common/camera.h"
-#include "common/choices.h"
 #include "common/error.h"
 #include "common/image/image.h"
-#include "common/light.h"
-#include "common/material.h"
 #include "common/patch.h"
 #include "common/progress.h"
+#include "common/scene/camera.h"
+#include "common/scene/choices.h"
+#include "common/scene/light.h"
+#include "common/scene/material.h"
 #include "renderer/engines/ewa/settings.h"
 #include "renderer/engines/multipass/settings.h"
 #include "renderer/engines/raytrace/settings.h"

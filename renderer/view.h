@@ -7,9 +7,9 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "common/camera.h"
-#include "common/choices.h"
-#include "common/light.h"
+#include "common/scene/camera.h"
+#include "common/scene/choices.h"
+#include "common/scene/light.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/image/image_io.h"
-#include "common/scene.h"
+#include "common/scene/scene.h"
 #include "tests/cli/run_relief.h"
 
 namespace relief::test {

@@ -1,5 +1,5 @@
 // The camera: where an orbit stands, what fits into the picture, what depth is.
-#include "common/camera.h"
+#include "common/scene/camera.h"
 
 #include <gtest/gtest.h>
 

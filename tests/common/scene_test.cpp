@@ -1,5 +1,5 @@
 // Every key of a scene file, and every sentence about one that is wrong.
-#include "common/scene.h"
+#include "common/scene/scene.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/camera.h"
+#include "common/scene/camera.h"
 #include "renderer/splat_cloud.h"
 #include "tests/experiments/pixel_filter.h"
 

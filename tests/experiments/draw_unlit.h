@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "common/camera.h"
 #include "common/error.h"
 #include "common/image/image.h"
+#include "common/scene/camera.h"
 #include "renderer/engines/ewa/settings.h"
 #include "renderer/splat_cloud.h"
 

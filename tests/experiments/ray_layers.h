@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/camera.h"
 #include "common/error.h"
+#include "common/scene/camera.h"
 #include "renderer/triangle_mesh.h"
 
 namespace relief::experiment {

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "common/camera.h"
 #include "common/points.h"
+#include "common/scene/camera.h"
 #include "preprocess/texture/continuous_texture.h"
 #include "tests/experiments/pixel_filter.h"
 

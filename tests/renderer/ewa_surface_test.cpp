@@ -5,7 +5,7 @@
 #include <glm/matrix.hpp>
 #include <limits>
 
-#include "common/camera.h"
+#include "common/scene/camera.h"
 #include "tests/renderer/ewa_clouds.h"
 #include "tests/renderer/pictures.h"
 

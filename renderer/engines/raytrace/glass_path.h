@@ -3,7 +3,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "common/material.h"
+#include "common/scene/material.h"
 #include "renderer/cube_map.h"
 #include "renderer/engines/raytrace/embree_scene.h"
 #include "renderer/triangle_mesh.h"

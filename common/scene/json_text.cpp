@@ -1,4 +1,4 @@
-#include "common/json_text.h"
+#include "common/scene/json_text.h"
 
 #include <algorithm>
 #include <optional>

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "common/camera.h"
-#include "common/choices.h"
 #include "common/error.h"
-#include "common/light.h"
-#include "common/material.h"
 #include "common/patch.h"
+#include "common/scene/camera.h"
+#include "common/scene/choices.h"
+#include "common/scene/light.h"
+#include "common/scene/material.h"
 #include "common/transform.h"
 
 namespace relief {

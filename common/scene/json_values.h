@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "common/choices.h"
 #include "common/error.h"
+#include "common/scene/choices.h"
 
 namespace relief {
 

@@ -1,10 +1,10 @@
-#include "common/scene_settings_reader.h"
+#include "common/scene/scene_settings_reader.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "common/image/srgb.h"
-#include "common/lights_reader.h"
+#include "common/scene/lights_reader.h"
 
 namespace relief {
 namespace {

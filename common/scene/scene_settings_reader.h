@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "common/json_values.h"
-#include "common/scene.h"
+#include "common/scene/json_values.h"
+#include "common/scene/scene.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "common/scene.h"
+#include "common/scene/scene.h"
 
 #include <algorithm>
 

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "common/io/file.h"
-#include "common/json_text.h"
-#include "common/json_values.h"
-#include "common/scene.h"
-#include "common/scene_settings_reader.h"
+#include "common/scene/json_text.h"
+#include "common/scene/json_values.h"
+#include "common/scene/scene.h"
+#include "common/scene/scene_settings_reader.h"
 
 namespace relief {
 namespace {

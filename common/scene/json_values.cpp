@@ -1,4 +1,4 @@
-#include "common/json_values.h"
+#include "common/scene/json_values.h"
 
 #include <fmt/ranges.h>
 

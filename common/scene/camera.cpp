@@ -1,4 +1,4 @@
-#include "common/camera.h"
+#include "common/scene/camera.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "common/choices.h"
+#include "common/scene/choices.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "common/material.h"
+#include "common/scene/material.h"
 
 namespace relief {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "common/json_values.h"
-#include "common/light.h"
+#include "common/scene/json_values.h"
+#include "common/scene/light.h"
 
 namespace relief {
 
