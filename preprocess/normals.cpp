@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "common/mesh_normals.h"
+#include "common/mesh/mesh_normals.h"
 
 namespace relief {
 namespace {

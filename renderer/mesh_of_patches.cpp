@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "common/image/srgb.h"
-#include "common/mesh_texture.h"
-#include "common/normal_texture.h"
+#include "common/mesh/mesh_texture.h"
+#include "common/mesh/normal_texture.h"
 #include "common/octahedral.h"
 #include "renderer/far_model.h"
 #include "renderer/materials.h"

@@ -1,8 +1,8 @@
 #include "renderer/mesh_of_points.h"
 
 #include "common/image/srgb.h"
-#include "common/mesh_normals.h"
-#include "common/mesh_tangents.h"
+#include "common/mesh/mesh_normals.h"
+#include "common/mesh/mesh_tangents.h"
 
 namespace relief {
 TriangleMesh mesh_of_points(const Points& points) {

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "common/normal_texture.h"
+#include "common/mesh/normal_texture.h"
 #include "common/points.h"
 
 namespace relief {

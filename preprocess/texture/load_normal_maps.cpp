@@ -9,7 +9,7 @@
 
 #include "common/image/image_io.h"
 #include "common/io/file.h"
-#include "common/normal_texture.h"
+#include "common/mesh/normal_texture.h"
 #include "preprocess/readers/source.h"
 #include "preprocess/texture/decode_texture.h"
 

@@ -10,7 +10,7 @@
 
 #include "common/image/image_io.h"
 #include "common/io/file.h"
-#include "common/mesh_texture.h"
+#include "common/mesh/mesh_texture.h"
 #include "preprocess/readers/mtl.h"
 #include "preprocess/readers/source.h"
 #include "preprocess/readers/text_cursor.h"

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "common/continuation.h"
-#include "common/mesh_tangents.h"
-#include "common/normal_texture.h"
+#include "common/mesh/mesh_tangents.h"
+#include "common/mesh/normal_texture.h"
 #include "common/octahedral.h"
 #include "common/patch_codec.h"
 #include "preprocess/texture/shown_triangles.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "common/mesh_normals.h"
+#include "common/mesh/mesh_normals.h"
 #include "preprocess/texture/even_sample.h"
 #include "preprocess/texture/surface_points.h"
 

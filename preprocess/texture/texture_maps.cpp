@@ -7,9 +7,9 @@
 
 #include "common/continuation.h"
 #include "common/image/srgb.h"
-#include "common/mesh_normals.h"
-#include "common/mesh_tangents.h"
-#include "common/mesh_texture.h"
+#include "common/mesh/mesh_normals.h"
+#include "common/mesh/mesh_tangents.h"
+#include "common/mesh/mesh_texture.h"
 #include "common/patch_codec.h"
 #include "preprocess/texture/flat_triangles.h"
 #include "preprocess/texture/map_scales.h"

@@ -1,5 +1,5 @@
 // Tangent frames of meshes: turned and mirrored texture coordinates, seams, given tangents.
-#include "common/mesh_tangents.h"
+#include "common/mesh/mesh_tangents.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 #include <memory>
 
-#include "common/mesh_normals.h"
-#include "common/normal_texture.h"
+#include "common/mesh/mesh_normals.h"
+#include "common/mesh/normal_texture.h"
 
 namespace relief {
 namespace {

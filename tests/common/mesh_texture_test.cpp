@@ -1,5 +1,5 @@
 // Textures as functions: constants stay, means are in linear light, edges wrap as they are told.
-#include "common/mesh_texture.h"
+#include "common/mesh/mesh_texture.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Normal maps as functions: what is stored, what its means are, and what stands for no direction.
-#include "common/normal_texture.h"
+#include "common/mesh/normal_texture.h"
 
 #include <gtest/gtest.h>
 

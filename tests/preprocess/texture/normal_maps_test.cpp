@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "common/image/srgb.h"
-#include "common/normal_texture.h"
+#include "common/mesh/normal_texture.h"
 #include "common/octahedral.h"
 #include "preprocess/convert.h"
 #include "preprocess/texture/texture_maps.h"

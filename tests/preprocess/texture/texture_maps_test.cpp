@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "common/image/srgb.h"
-#include "common/mesh_texture.h"
+#include "common/mesh/mesh_texture.h"
 #include "preprocess/convert.h"
 
 namespace relief {

@@ -1,4 +1,4 @@
-#include "common/mesh_texture.h"
+#include "common/mesh/mesh_texture.h"
 
 #include <algorithm>
 #include <array>

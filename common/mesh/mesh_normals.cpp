@@ -1,4 +1,4 @@
-#include "common/mesh_normals.h"
+#include "common/mesh/mesh_normals.h"
 
 #include <algorithm>
 #include <cmath>

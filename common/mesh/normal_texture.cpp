@@ -1,4 +1,4 @@
-#include "common/normal_texture.h"
+#include "common/mesh/normal_texture.h"
 
 #include <algorithm>
 #include <array>

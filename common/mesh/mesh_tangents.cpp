@@ -1,4 +1,4 @@
-#include "common/mesh_tangents.h"
+#include "common/mesh/mesh_tangents.h"
 
 #include <algorithm>
 #include <cmath>
