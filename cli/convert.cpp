@@ -21,7 +21,7 @@
 #include "cli/convert_report.h"
 #include "cli/load.h"
 #include "cli/paths.h"
-#include "common/patch_file.h"
+#include "common/patch_file/patch_file.h"
 #include "preprocess/convert_tiles.h"
 #include "preprocess/outliers.h"
 #include "preprocess/texture/texture_maps.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cli/console.h"
-#include "common/patch_file.h"
+#include "common/patch_file/patch_file.h"
 #include "preprocess/convert_tiles.h"
 #include "preprocess/outliers.h"
 #include "preprocess/read_points.h"

@@ -11,7 +11,7 @@
 #include "cli/paths.h"
 #include "common/image/srgb.h"
 #include "common/io/file.h"
-#include "common/patch_file.h"
+#include "common/patch_file/patch_file.h"
 #include "preprocess/convert.h"
 #include "preprocess/neighbours.h"
 #include "preprocess/normals.h"

@@ -10,7 +10,7 @@
 #include "cli/load.h"
 #include "cli/paths.h"
 #include "cli/place_models.h"
-#include "common/patch_tree.h"
+#include "common/patch_file/patch_tree.h"
 #include "common/transform.h"
 #include "preprocess/convert.h"
 #include "renderer/engines/ewa/splats_of_samples.h"

@@ -4,8 +4,8 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "common/continuation.h"
 #include "common/octahedral.h"
+#include "common/patch_file/continuation.h"
 #include "renderer/node_texels.h"
 #include "renderer/samples.h"
 #include "shaders/include/shared.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/error.h"
-#include "common/patch_tree.h"
+#include "common/patch_file/patch_tree.h"
 #include "common/progress.h"
 #include "renderer/render.h"
 #include "renderer/view.h"

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <utility>
 
-#include "common/patch_tree_layout.h"
+#include "common/patch_file/patch_tree_layout.h"
 #include "preprocess/stream/coarse_points.h"
 #include "preprocess/stream/tile_conversion.h"
 

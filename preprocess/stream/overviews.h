@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "common/patch_file.h"
-#include "common/patch_tree.h"
+#include "common/patch_file/patch_file.h"
+#include "common/patch_file/patch_tree.h"
 #include "common/progress.h"
 #include "preprocess/convert.h"
 #include "preprocess/stream/spread_points.h"

@@ -2,7 +2,7 @@
 
 #include "common/io/bytes.h"
 #include "common/io/file.h"
-#include "common/patch_file_layout.h"
+#include "common/patch_file/patch_file_layout.h"
 
 namespace relief {
 

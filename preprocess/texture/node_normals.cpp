@@ -4,9 +4,9 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "common/continuation.h"
 #include "common/octahedral.h"
-#include "common/patch_codec.h"
+#include "common/patch_file/continuation.h"
+#include "common/patch_file/fast/patch_codec.h"
 #include "preprocess/texture/shown_triangles.h"
 
 namespace relief {

@@ -7,11 +7,11 @@
 #include <optional>
 #include <utility>
 
-#include "common/continuation.h"
 #include "common/mesh/mesh_tangents.h"
 #include "common/mesh/normal_texture.h"
 #include "common/octahedral.h"
-#include "common/patch_codec.h"
+#include "common/patch_file/continuation.h"
+#include "common/patch_file/fast/patch_codec.h"
 #include "preprocess/texture/shown_triangles.h"
 
 namespace relief {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "common/continuation.h"
+#include "common/patch_file/continuation.h"
 #include "preprocess/texture/map_scales.h"
 
 namespace relief {

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <optional>
 
-#include "common/continuation.h"
 #include "common/image/srgb.h"
 #include "common/mesh/mesh_normals.h"
 #include "common/mesh/mesh_tangents.h"
 #include "common/mesh/mesh_texture.h"
-#include "common/patch_codec.h"
+#include "common/patch_file/continuation.h"
+#include "common/patch_file/fast/patch_codec.h"
 #include "preprocess/texture/flat_triangles.h"
 #include "preprocess/texture/map_scales.h"
 #include "preprocess/texture/node_normals.h"

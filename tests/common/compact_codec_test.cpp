@@ -4,13 +4,13 @@
 #include <glm/trigonometric.hpp>
 #include <numeric>
 
-#include "common/compact/compact_codec.h"
-#include "common/compact/compact_mask.h"
-#include "common/compact/height_predictor.h"
-#include "common/compact/residual_classes.h"
-#include "common/compact/rotation_code.h"
-#include "common/patch_codec.h"
-#include "common/patch_file.h"
+#include "common/patch_file/compact/compact_codec.h"
+#include "common/patch_file/compact/compact_mask.h"
+#include "common/patch_file/compact/height_predictor.h"
+#include "common/patch_file/compact/residual_classes.h"
+#include "common/patch_file/compact/rotation_code.h"
+#include "common/patch_file/fast/patch_codec.h"
+#include "common/patch_file/patch_file.h"
 #include "tests/common/read_whole.h"
 #include "tests/common/sample_models.h"
 

@@ -9,7 +9,7 @@
 #include <cstring>
 
 #include "common/image/image_io.h"
-#include "common/patch_file.h"
+#include "common/patch_file/patch_file.h"
 #include "tests/common/sample_models.h"
 
 namespace relief {

@@ -2,7 +2,7 @@
 // It is not to be made again: a change that breaks this test breaks everybody's files.
 #include <gtest/gtest.h>
 
-#include "common/patch_tree.h"
+#include "common/patch_file/patch_tree.h"
 #include "tests/common/describe_model.h"
 #include "tests/common/read_whole.h"
 #include "tests/common/sample_models.h"

@@ -5,8 +5,8 @@
 #include <cstring>
 #include <functional>
 
-#include "common/patch_file.h"
-#include "common/patch_file_layout.h"
+#include "common/patch_file/patch_file.h"
+#include "common/patch_file/patch_file_layout.h"
 #include "tests/common/sample_models.h"
 
 namespace relief {

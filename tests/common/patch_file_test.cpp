@@ -1,12 +1,12 @@
 // The patch file: what goes in comes out, and the bytes do not depend on how they were made.
-#include "common/patch_file.h"
+#include "common/patch_file/patch_file.h"
 
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
 
 #include <glm/trigonometric.hpp>
 
-#include "common/patch_codec.h"
+#include "common/patch_file/fast/patch_codec.h"
 #include "tests/common/read_whole.h"
 #include "tests/common/sample_models.h"
 

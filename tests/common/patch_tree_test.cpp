@@ -1,11 +1,11 @@
-#include "common/patch_tree.h"
+#include "common/patch_file/patch_tree.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
 #include "common/io/file.h"
-#include "common/patch_tree_layout.h"
+#include "common/patch_file/patch_tree_layout.h"
 #include "tests/common/read_whole.h"
 #include "tests/common/sample_models.h"
 

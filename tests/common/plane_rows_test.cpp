@@ -1,5 +1,5 @@
 // Codec 1 of the patch file: heights that are set many at a time, and streams of residuals.
-#include "common/plane_rows.h"
+#include "common/patch_file/fast/plane_rows.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "common/patch.h"
-#include "common/patch_codec.h"
-#include "common/residuals.h"
+#include "common/patch_file/fast/patch_codec.h"
+#include "common/patch_file/fast/residuals.h"
 
 namespace relief {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "common/patch_file.h"
+#include "common/patch_file/patch_file.h"
 
 namespace relief::test {
 

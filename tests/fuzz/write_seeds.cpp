@@ -6,7 +6,7 @@
 #include <string>
 
 #include "common/image/image_formats.h"
-#include "common/patch_file.h"
+#include "common/patch_file/patch_file.h"
 #include "tests/common/sample_models.h"
 #include "tests/preprocess/readers/drc_files.h"
 #include "tests/preprocess/readers/gltf_files.h"
