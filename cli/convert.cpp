@@ -23,9 +23,9 @@
 #include "cli/paths.h"
 #include "common/patch_file/patch_file.h"
 #include "preprocess/convert_tiles.h"
-#include "preprocess/outliers.h"
+#include "preprocess/points/outliers.h"
+#include "preprocess/points/thin.h"
 #include "preprocess/texture/texture_maps.h"
-#include "preprocess/thin.h"
 
 namespace relief::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include "cli/console.h"
 #include "common/patch_file/patch_file.h"
 #include "preprocess/convert_tiles.h"
-#include "preprocess/outliers.h"
+#include "preprocess/points/outliers.h"
 #include "preprocess/read_points.h"
 
 namespace relief::cli {

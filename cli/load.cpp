@@ -13,9 +13,9 @@
 #include "common/io/file.h"
 #include "common/patch_file/patch_file.h"
 #include "preprocess/convert.h"
-#include "preprocess/neighbours.h"
 #include "preprocess/normals.h"
-#include "preprocess/point_radii.h"
+#include "preprocess/points/neighbours.h"
+#include "preprocess/points/point_radii.h"
 #include "preprocess/scan_poses.h"
 
 namespace relief::cli {

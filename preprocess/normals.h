@@ -6,7 +6,7 @@
 
 #include "common/points.h"
 #include "preprocess/mesh_edges.h"
-#include "preprocess/neighbours.h"
+#include "preprocess/points/neighbours.h"
 #include "preprocess/sheets.h"
 
 namespace relief {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "common/points.h"
-#include "preprocess/neighbours.h"
 #include "preprocess/normal_list.h"
 #include "preprocess/normals.h"
+#include "preprocess/points/neighbours.h"
 
 namespace relief {
 

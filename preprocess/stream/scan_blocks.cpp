@@ -8,7 +8,7 @@
 
 #include "common/io/file.h"
 #include "common/io/mapped_file.h"
-#include "preprocess/keep_points.h"
+#include "preprocess/points/keep_points.h"
 #include "preprocess/readers/format.h"
 #include "preprocess/readers/gunzip.h"
 

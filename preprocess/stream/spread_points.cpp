@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "preprocess/neighbours.h"
+#include "preprocess/points/neighbours.h"
 #include "preprocess/stream/state_file.h"
 
 namespace relief {

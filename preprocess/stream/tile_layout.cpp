@@ -6,7 +6,7 @@
 #include <numeric>
 #include <span>
 
-#include "preprocess/neighbours.h"
+#include "preprocess/points/neighbours.h"
 
 namespace relief {
 namespace {

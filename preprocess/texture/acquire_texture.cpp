@@ -7,8 +7,8 @@
 #include <numbers>
 #include <utility>
 
-#include "preprocess/neighbours.h"
 #include "preprocess/normals.h"
+#include "preprocess/points/neighbours.h"
 #include "preprocess/texture/continuous_texture.h"
 #include "preprocess/texture/even_sample.h"
 #include "preprocess/texture/fit_texture.h"

@@ -9,7 +9,7 @@
 #include <limits>
 #include <numbers>
 
-#include "preprocess/radius_search.h"
+#include "preprocess/points/radius_search.h"
 
 namespace relief {
 namespace {

@@ -1,11 +1,11 @@
-#include "preprocess/nearest_search.h"
+#include "preprocess/points/nearest_search.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <string>
 
-#include "preprocess/position_tree.h"
+#include "preprocess/points/position_tree.h"
 
 namespace relief {
 namespace {

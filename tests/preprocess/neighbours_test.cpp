@@ -1,11 +1,11 @@
-#include "preprocess/neighbours.h"
+#include "preprocess/points/neighbours.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 #include <numeric>
 
-#include "preprocess/point_radii.h"
+#include "preprocess/points/point_radii.h"
 #include "tests/preprocess/surfaces.h"
 
 namespace relief {

@@ -6,8 +6,8 @@
 #include <random>
 #include <set>
 
-#include "preprocess/outliers.h"
-#include "preprocess/thin.h"
+#include "preprocess/points/outliers.h"
+#include "preprocess/points/thin.h"
 
 namespace relief {
 namespace {

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <glm/geometric.hpp>
 
-#include "preprocess/radius_search.h"
+#include "preprocess/points/radius_search.h"
 #include "preprocess/read_points.h"
 #include "preprocess/scan_poses.h"
 

@@ -1,9 +1,9 @@
-#include "preprocess/radius_search.h"
+#include "preprocess/points/radius_search.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "preprocess/position_tree.h"
+#include "preprocess/points/position_tree.h"
 
 namespace relief {
 namespace {

@@ -1,4 +1,4 @@
-#include "preprocess/thin.h"
+#include "preprocess/points/thin.h"
 
 #include <tbb/parallel_sort.h>
 
@@ -11,7 +11,7 @@
 #include <tuple>
 #include <vector>
 
-#include "preprocess/keep_points.h"
+#include "preprocess/points/keep_points.h"
 
 namespace relief {
 namespace {

@@ -1,4 +1,4 @@
-#include "preprocess/point_radii.h"
+#include "preprocess/points/point_radii.h"
 
 #include <algorithm>
 #include <cassert>

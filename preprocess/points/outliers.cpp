@@ -1,4 +1,4 @@
-#include "preprocess/outliers.h"
+#include "preprocess/points/outliers.h"
 
 #include <tbb/parallel_for.h>
 
@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "preprocess/keep_points.h"
-#include "preprocess/neighbours.h"
+#include "preprocess/points/keep_points.h"
+#include "preprocess/points/neighbours.h"
 #include "preprocess/signed_forest.h"
 
 namespace relief {

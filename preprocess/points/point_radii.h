@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "preprocess/neighbours.h"
+#include "preprocess/points/neighbours.h"
 
 namespace relief {
 

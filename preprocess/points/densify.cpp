@@ -1,4 +1,4 @@
-#include "preprocess/densify.h"
+#include "preprocess/points/densify.h"
 
 #include <tbb/parallel_for.h>
 

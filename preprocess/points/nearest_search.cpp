@@ -1,4 +1,4 @@
-#include "preprocess/nearest_search.h"
+#include "preprocess/points/nearest_search.h"
 
 #include <algorithm>
 #include <cassert>

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "preprocess/position_tree.h"
+#include "preprocess/points/position_tree.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "preprocess/keep_points.h"
+#include "preprocess/points/keep_points.h"
 
 #include <algorithm>
 
