@@ -13,7 +13,7 @@
 #include "common/io/file.h"
 #include "common/patch_file/patch_file.h"
 #include "preprocess/convert.h"
-#include "preprocess/normals.h"
+#include "preprocess/normals/normals.h"
 #include "preprocess/points/neighbours.h"
 #include "preprocess/points/point_radii.h"
 #include "preprocess/scan_poses.h"

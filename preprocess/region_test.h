@@ -8,7 +8,7 @@
 
 #include "common/points.h"
 #include "preprocess/normal_list.h"
-#include "preprocess/normals.h"
+#include "preprocess/normals/normals.h"
 #include "preprocess/points/neighbours.h"
 
 namespace relief {

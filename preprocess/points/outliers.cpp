@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "preprocess/normals/signed_forest.h"
 #include "preprocess/points/keep_points.h"
 #include "preprocess/points/neighbours.h"
-#include "preprocess/signed_forest.h"
 
 namespace relief {
 namespace {

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <unordered_map>
 
-#include "preprocess/signed_forest.h"
+#include "preprocess/normals/signed_forest.h"
 #include "preprocess/stream/state_file.h"
 #include "preprocess/stream/survey.h"
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "common/progress.h"
+#include "preprocess/normals/sheets.h"
 #include "preprocess/partition.h"
-#include "preprocess/sheets.h"
 #include "preprocess/stream/tile_files.h"
 
 namespace relief {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "preprocess/normals.h"
+#include "preprocess/normals/normals.h"
 #include "preprocess/points/neighbours.h"
 #include "preprocess/texture/continuous_texture.h"
 #include "preprocess/texture/even_sample.h"

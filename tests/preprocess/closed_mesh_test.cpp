@@ -1,5 +1,5 @@
 // What is known to be closed: a mistake here leaves parts of a model out of its pictures.
-#include "preprocess/closed_mesh.h"
+#include "preprocess/normals/closed_mesh.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What the edges of small meshes are, counted by hand.
-#include "preprocess/mesh_edges.h"
+#include "preprocess/normals/mesh_edges.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "preprocess/normals.h"
+#include "preprocess/normals/normals.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/points.h"
-#include "preprocess/mesh_edges.h"
+#include "preprocess/normals/mesh_edges.h"
 
 namespace relief {
 

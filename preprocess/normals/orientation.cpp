@@ -5,8 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "preprocess/normals.h"
-#include "preprocess/signed_forest.h"
+#include "preprocess/normals/normals.h"
+#include "preprocess/normals/signed_forest.h"
 
 namespace relief {
 namespace {

@@ -1,4 +1,4 @@
-#include "preprocess/mesh_edges.h"
+#include "preprocess/normals/mesh_edges.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>

@@ -1,4 +1,4 @@
-#include "preprocess/sheets.h"
+#include "preprocess/normals/sheets.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

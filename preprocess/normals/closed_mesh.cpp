@@ -1,4 +1,4 @@
-#include "preprocess/closed_mesh.h"
+#include "preprocess/normals/closed_mesh.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "common/points.h"
-#include "preprocess/mesh_edges.h"
+#include "preprocess/normals/mesh_edges.h"
+#include "preprocess/normals/sheets.h"
 #include "preprocess/points/neighbours.h"
-#include "preprocess/sheets.h"
 
 namespace relief {
 
