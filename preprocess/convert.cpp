@@ -11,10 +11,10 @@
 #include <utility>
 
 #include "preprocess/convert_stages.h"
-#include "preprocess/find_regions.h"
 #include "preprocess/measure.h"
 #include "preprocess/normals/closed_mesh.h"
 #include "preprocess/normals/normals.h"
+#include "preprocess/partition/find_regions.h"
 #include "preprocess/patch_spacing.h"
 #include "preprocess/points/densify.h"
 #include "preprocess/points/neighbours.h"

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "preprocess/partition.h"
+#include "preprocess/partition/partition.h"
 
 namespace relief {
 

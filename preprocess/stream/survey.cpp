@@ -6,7 +6,7 @@
 #include <map>
 #include <tuple>
 
-#include "preprocess/find_regions.h"
+#include "preprocess/partition/find_regions.h"
 #include "preprocess/read_points.h"
 #include "preprocess/resample.h"
 #include "preprocess/stream/state_file.h"

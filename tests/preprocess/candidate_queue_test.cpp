@@ -1,4 +1,4 @@
-#include "preprocess/candidate_queue.h"
+#include "preprocess/partition/candidate_queue.h"
 
 #include <gtest/gtest.h>
 

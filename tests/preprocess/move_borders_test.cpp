@@ -1,4 +1,4 @@
-#include "preprocess/move_borders.h"
+#include "preprocess/partition/move_borders.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <glm/trigonometric.hpp>
 #include <numbers>
 
-#include "preprocess/region_cells.h"
+#include "preprocess/partition/region_cells.h"
 #include "tests/preprocess/prepared.h"
 #include "tests/preprocess/surfaces.h"
 

@@ -1,4 +1,4 @@
-#include "preprocess/normal_list.h"
+#include "preprocess/partition/normal_list.h"
 
 #include <gtest/gtest.h>
 

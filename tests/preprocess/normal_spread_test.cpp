@@ -1,5 +1,5 @@
 // The quick refusal of unions must never contradict the test of all normals.
-#include "preprocess/normal_spread.h"
+#include "preprocess/partition/normal_spread.h"
 
 #include <gtest/gtest.h>
 

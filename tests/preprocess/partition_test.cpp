@@ -1,4 +1,4 @@
-#include "preprocess/partition.h"
+#include "preprocess/partition/partition.h"
 
 #include <gtest/gtest.h>
 

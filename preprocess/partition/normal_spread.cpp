@@ -1,4 +1,4 @@
-#include "preprocess/normal_spread.h"
+#include "preprocess/partition/normal_spread.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "preprocess/region_test.h"
+#include "preprocess/partition/region_criteria.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "preprocess/find_regions.h"
+#include "preprocess/partition/find_regions.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

@@ -1,9 +1,9 @@
-#include "preprocess/partition.h"
+#include "preprocess/partition/partition.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "preprocess/move_borders.h"
+#include "preprocess/partition/move_borders.h"
 
 namespace relief {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/progress.h"
-#include "preprocess/region_test.h"
+#include "preprocess/partition/region_criteria.h"
 
 namespace relief {
 

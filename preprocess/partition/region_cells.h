@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "preprocess/partition.h"
+#include "preprocess/partition/partition.h"
 
 namespace relief {
 

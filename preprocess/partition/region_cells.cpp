@@ -1,4 +1,4 @@
-#include "preprocess/region_cells.h"
+#include "preprocess/partition/region_cells.h"
 
 #include <tbb/parallel_for.h>
 

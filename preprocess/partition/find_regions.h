@@ -1,7 +1,7 @@
 // From points with normals to the regions that become patches.
 #pragma once
 
-#include "preprocess/partition.h"
+#include "preprocess/partition/partition.h"
 
 namespace relief {
 

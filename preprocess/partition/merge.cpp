@@ -10,10 +10,10 @@
 #include <numbers>
 #include <optional>
 
-#include "preprocess/borders.h"
-#include "preprocess/candidate_queue.h"
-#include "preprocess/normal_spread.h"
-#include "preprocess/partition.h"
+#include "preprocess/partition/borders.h"
+#include "preprocess/partition/candidate_queue.h"
+#include "preprocess/partition/normal_spread.h"
+#include "preprocess/partition/partition.h"
 
 namespace relief {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "common/points.h"
-#include "preprocess/normal_list.h"
 #include "preprocess/normals/normals.h"
+#include "preprocess/partition/normal_list.h"
 #include "preprocess/points/neighbours.h"
 
 namespace relief {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "preprocess/partition.h"
+#include "preprocess/partition/partition.h"
 
 namespace relief {
 namespace {

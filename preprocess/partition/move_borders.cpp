@@ -1,4 +1,4 @@
-#include "preprocess/move_borders.h"
+#include "preprocess/partition/move_borders.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -9,8 +9,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "preprocess/borders.h"
-#include "preprocess/region_cells.h"
+#include "preprocess/partition/borders.h"
+#include "preprocess/partition/region_cells.h"
 
 namespace relief {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <mutex>
 
-#include "preprocess/partition.h"
+#include "preprocess/partition/partition.h"
 
 namespace relief {
 namespace {
