@@ -7,7 +7,7 @@
 
 #include "preprocess/convert_stages.h"
 #include "preprocess/measure.h"
-#include "preprocess/region_patches.h"
+#include "preprocess/resample/region_patches.h"
 #include "preprocess/stream/state_file.h"
 
 namespace relief {

@@ -8,7 +8,7 @@
 
 #include "preprocess/partition/find_regions.h"
 #include "preprocess/read_points.h"
-#include "preprocess/resample.h"
+#include "preprocess/resample/resample.h"
 #include "preprocess/stream/state_file.h"
 
 namespace relief {

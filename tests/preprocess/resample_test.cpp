@@ -1,13 +1,13 @@
-#include "preprocess/resample.h"
+#include "preprocess/resample/resample.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
 #include "common/octahedral.h"
-#include "preprocess/attributes.h"
 #include "preprocess/measure.h"
-#include "preprocess/mls.h"
+#include "preprocess/resample/attributes.h"
+#include "preprocess/resample/mls.h"
 #include "tests/preprocess/prepared.h"
 #include "tests/preprocess/surfaces.h"
 

@@ -1,5 +1,5 @@
 // Which nodes get a sample, from points that are laid out by hand.
-#include "preprocess/support.h"
+#include "preprocess/resample/support.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "preprocess/node_support.h"
+#include "preprocess/resample/node_support.h"
 
 namespace relief {
 namespace {

@@ -1,10 +1,10 @@
-#include "preprocess/support.h"
+#include "preprocess/resample/support.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "common/patch.h"
-#include "preprocess/node_support.h"
+#include "preprocess/resample/node_support.h"
 
 namespace relief {
 

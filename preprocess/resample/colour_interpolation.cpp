@@ -1,4 +1,4 @@
-#include "preprocess/colour_interpolation.h"
+#include "preprocess/resample/colour_interpolation.h"
 
 #include <Eigen/LU>
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "preprocess/support.h"
+#include "preprocess/resample/support.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "preprocess/region_patches.h"
+#include "preprocess/resample/region_patches.h"
 
 #include <tbb/parallel_for.h>
 

@@ -1,4 +1,4 @@
-#include "preprocess/node_support.h"
+#include "preprocess/resample/node_support.h"
 
 #include <algorithm>
 #include <bit>

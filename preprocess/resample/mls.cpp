@@ -1,4 +1,4 @@
-#include "preprocess/mls.h"
+#include "preprocess/resample/mls.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

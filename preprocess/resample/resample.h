@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/patch.h"
-#include "preprocess/support.h"
+#include "preprocess/resample/support.h"
 
 namespace relief {
 

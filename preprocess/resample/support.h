@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "preprocess/point_grid.h"
+#include "preprocess/resample/point_grid.h"
 
 namespace relief {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "common/patch.h"
-#include "preprocess/mls.h"
-#include "preprocess/support.h"
+#include "preprocess/resample/mls.h"
+#include "preprocess/resample/support.h"
 
 namespace relief {
 

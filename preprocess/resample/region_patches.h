@@ -1,7 +1,7 @@
 // All regions of a scan become patches, and those that others cover go.
 #pragma once
 
-#include "preprocess/resample.h"
+#include "preprocess/resample/resample.h"
 
 namespace relief {
 

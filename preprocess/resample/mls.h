@@ -1,7 +1,7 @@
 // Moving least squares over a base plane (paper 001, section 3.1; Alexa et al. 2003).
 #pragma once
 
-#include "preprocess/point_grid.h"
+#include "preprocess/resample/point_grid.h"
 
 namespace relief {
 

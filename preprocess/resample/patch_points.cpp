@@ -1,4 +1,4 @@
-#include "preprocess/patch_points.h"
+#include "preprocess/resample/patch_points.h"
 
 #include <algorithm>
 #include <array>

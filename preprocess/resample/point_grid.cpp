@@ -1,4 +1,4 @@
-#include "preprocess/point_grid.h"
+#include "preprocess/resample/point_grid.h"
 
 #include <algorithm>
 #include <cmath>

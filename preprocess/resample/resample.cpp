@@ -1,4 +1,4 @@
-#include "preprocess/resample.h"
+#include "preprocess/resample/resample.h"
 
 #include <tbb/parallel_for.h>
 
@@ -7,8 +7,8 @@
 #include <limits>
 #include <numeric>
 
-#include "preprocess/attributes.h"
-#include "preprocess/mls.h"
+#include "preprocess/resample/attributes.h"
+#include "preprocess/resample/mls.h"
 
 namespace relief {
 namespace {

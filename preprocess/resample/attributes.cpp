@@ -1,4 +1,4 @@
-#include "preprocess/attributes.h"
+#include "preprocess/resample/attributes.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include "common/image/srgb.h"
 #include "common/octahedral.h"
-#include "preprocess/colour_interpolation.h"
+#include "preprocess/resample/colour_interpolation.h"
 
 namespace relief {
 namespace {

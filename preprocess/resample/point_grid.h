@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "preprocess/patch_points.h"
+#include "preprocess/resample/patch_points.h"
 
 namespace relief {
 
