@@ -8,7 +8,7 @@
 
 #include "cli/console.h"
 #include "common/image/image_io.h"
-#include "preprocess/read_points.h"
+#include "preprocess/readers/read_points.h"
 #include "preprocess/texture/acquire_texture.h"
 
 namespace relief::cli {

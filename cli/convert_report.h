@@ -12,7 +12,7 @@
 #include "common/patch_file/patch_file.h"
 #include "preprocess/convert_tiles.h"
 #include "preprocess/points/outliers.h"
-#include "preprocess/read_points.h"
+#include "preprocess/readers/read_points.h"
 
 namespace relief::cli {
 

@@ -16,7 +16,7 @@
 #include "preprocess/normals/normals.h"
 #include "preprocess/points/neighbours.h"
 #include "preprocess/points/point_radii.h"
-#include "preprocess/scan_poses.h"
+#include "preprocess/readers/scan_poses.h"
 
 namespace relief::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include "common/error.h"
 #include "common/patch.h"
 #include "common/progress.h"
-#include "preprocess/read_points.h"
+#include "preprocess/readers/read_points.h"
 #include "preprocess/texture/load_textures.h"
 #include "renderer/splat_cloud.h"
 

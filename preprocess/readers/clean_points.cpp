@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "preprocess/points/keep_points.h"
-#include "preprocess/read_points.h"
+#include "preprocess/readers/read_points.h"
 #include "preprocess/readers/source.h"
 
 namespace relief {

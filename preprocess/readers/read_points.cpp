@@ -1,4 +1,4 @@
-#include "preprocess/read_points.h"
+#include "preprocess/readers/read_points.h"
 
 #include <unistd.h>
 

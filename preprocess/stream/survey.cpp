@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "preprocess/partition/find_regions.h"
-#include "preprocess/read_points.h"
+#include "preprocess/readers/read_points.h"
 #include "preprocess/resample/resample.h"
 #include "preprocess/stream/state_file.h"
 

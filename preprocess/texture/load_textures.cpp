@@ -11,7 +11,7 @@
 #include "common/image/image_io.h"
 #include "common/io/file.h"
 #include "common/mesh/mesh_texture.h"
-#include "preprocess/readers/mtl.h"
+#include "preprocess/readers/obj/mtl.h"
 #include "preprocess/readers/source.h"
 #include "preprocess/readers/text_cursor.h"
 #include "preprocess/texture/decode_texture.h"

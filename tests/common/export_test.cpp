@@ -6,7 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "preprocess/read_points.h"
+#include "preprocess/readers/read_points.h"
 #include "tests/common/sample_models.h"
 
 namespace relief::test {

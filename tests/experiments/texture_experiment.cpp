@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "common/image/image_io.h"
-#include "preprocess/read_points.h"
+#include "preprocess/readers/read_points.h"
 #include "preprocess/texture/acquire_texture.h"
 #include "preprocess/texture/surface_points.h"
 #include "tests/experiments/draw_unlit.h"

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "preprocess/convert.h"
-#include "preprocess/read_points.h"
+#include "preprocess/readers/read_points.h"
 
 namespace relief {
 namespace {

@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 
 #include "preprocess/points/radius_search.h"
-#include "preprocess/read_points.h"
-#include "preprocess/scan_poses.h"
+#include "preprocess/readers/read_points.h"
+#include "preprocess/readers/scan_poses.h"
 
 namespace relief {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "preprocess/read_points.h"
+#include "preprocess/readers/read_points.h"
 #include "tests/common/sample_models.h"
 #include "tests/preprocess/readers/scan_files.h"
 

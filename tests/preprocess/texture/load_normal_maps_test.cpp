@@ -9,7 +9,7 @@
 #include "common/image/image_io.h"
 #include "common/image/srgb.h"
 #include "common/mesh/normal_texture.h"
-#include "preprocess/read_points.h"
+#include "preprocess/readers/read_points.h"
 #include "preprocess/texture/load_textures.h"
 
 namespace relief {

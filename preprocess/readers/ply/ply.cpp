@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include "preprocess/readers/ply_header.h"
-#include "preprocess/readers/ply_values.h"
+#include "preprocess/readers/ply/ply_header.h"
+#include "preprocess/readers/ply/ply_values.h"
 #include "preprocess/readers/point_record.h"
 #include "preprocess/readers/polygons.h"
 #include "preprocess/readers/readers.h"

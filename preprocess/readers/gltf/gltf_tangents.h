@@ -8,7 +8,7 @@
 
 #include "common/error.h"
 #include "common/points.h"
-#include "preprocess/readers/gltf_accessor.h"
+#include "preprocess/readers/gltf/gltf_accessor.h"
 
 namespace relief {
 

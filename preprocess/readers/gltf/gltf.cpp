@@ -11,9 +11,9 @@
 
 #include "common/image/srgb.h"
 #include "common/io/file.h"
-#include "preprocess/readers/gltf_accessor.h"
-#include "preprocess/readers/gltf_tangents.h"
-#include "preprocess/readers/gltf_textures.h"
+#include "preprocess/readers/gltf/gltf_accessor.h"
+#include "preprocess/readers/gltf/gltf_tangents.h"
+#include "preprocess/readers/gltf/gltf_textures.h"
 #include "preprocess/readers/polygons.h"
 #include "preprocess/readers/readers.h"
 #include "preprocess/texture/load_textures.h"

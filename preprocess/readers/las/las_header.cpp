@@ -1,4 +1,4 @@
-#include "preprocess/readers/las_header.h"
+#include "preprocess/readers/las/las_header.h"
 
 #include <cmath>
 #include <string_view>

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "preprocess/readers/las_header.h"
+#include "preprocess/readers/las/las_header.h"
 #include "preprocess/readers/number_type.h"
 #include "preprocess/readers/readers.h"
 

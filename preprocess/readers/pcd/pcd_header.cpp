@@ -1,4 +1,4 @@
-#include "preprocess/readers/pcd_header.h"
+#include "preprocess/readers/pcd/pcd_header.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "preprocess/readers/ply_header.h"
+#include "preprocess/readers/ply/ply_header.h"
 
 #include <algorithm>
 #include <utility>

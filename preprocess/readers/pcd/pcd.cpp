@@ -2,8 +2,8 @@
 #include <cmath>
 #include <utility>
 
-#include "preprocess/readers/lzf.h"
-#include "preprocess/readers/pcd_header.h"
+#include "preprocess/readers/pcd/lzf.h"
+#include "preprocess/readers/pcd/pcd_header.h"
 #include "preprocess/readers/point_record.h"
 #include "preprocess/readers/readers.h"
 #include "preprocess/readers/text_cursor.h"

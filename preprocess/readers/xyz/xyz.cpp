@@ -6,7 +6,7 @@
 #include "preprocess/readers/point_record.h"
 #include "preprocess/readers/readers.h"
 #include "preprocess/readers/text_cursor.h"
-#include "preprocess/readers/xyz_columns.h"
+#include "preprocess/readers/xyz/xyz_columns.h"
 
 namespace relief {
 namespace {

@@ -1,4 +1,4 @@
-#include "preprocess/readers/mtl.h"
+#include "preprocess/readers/obj/mtl.h"
 
 #include <algorithm>
 #include <array>

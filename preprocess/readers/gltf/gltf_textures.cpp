@@ -1,4 +1,4 @@
-#include "preprocess/readers/gltf_textures.h"
+#include "preprocess/readers/gltf/gltf_textures.h"
 
 #include <cmath>
 #include <span>

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "preprocess/readers/ply_header.h"
+#include "preprocess/readers/ply/ply_header.h"
 #include "preprocess/readers/text_cursor.h"
 
 namespace relief {

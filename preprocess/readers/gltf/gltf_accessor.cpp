@@ -1,4 +1,4 @@
-#include "preprocess/readers/gltf_accessor.h"
+#include "preprocess/readers/gltf/gltf_accessor.h"
 
 #include <algorithm>
 #include <cstring>

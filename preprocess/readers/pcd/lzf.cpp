@@ -1,4 +1,4 @@
-#include "preprocess/readers/lzf.h"
+#include "preprocess/readers/pcd/lzf.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "preprocess/readers/gltf_tangents.h"
+#include "preprocess/readers/gltf/gltf_tangents.h"
 
 #include <algorithm>
 #include <glm/mat3x3.hpp>

@@ -1,4 +1,4 @@
-#include "preprocess/readers/xyz_columns.h"
+#include "preprocess/readers/xyz/xyz_columns.h"
 
 #include <algorithm>
 #include <cmath>

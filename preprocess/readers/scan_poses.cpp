@@ -1,4 +1,4 @@
-#include "preprocess/scan_poses.h"
+#include "preprocess/readers/scan_poses.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
