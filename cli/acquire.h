@@ -9,7 +9,7 @@
 
 #include "common/error.h"
 #include "common/progress.h"
-#include "preprocess/texture/load_textures.h"
+#include "preprocess/texture/files/load_textures.h"
 #include "renderer/splat_cloud.h"
 
 namespace relief::cli {

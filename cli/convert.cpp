@@ -25,7 +25,7 @@
 #include "preprocess/convert_tiles.h"
 #include "preprocess/points/outliers.h"
 #include "preprocess/points/thin.h"
-#include "preprocess/texture/texture_maps.h"
+#include "preprocess/texture/maps/texture_maps.h"
 
 namespace relief::cli {
 namespace {

@@ -9,7 +9,7 @@
 #include "common/patch.h"
 #include "common/progress.h"
 #include "preprocess/readers/read_points.h"
-#include "preprocess/texture/load_textures.h"
+#include "preprocess/texture/files/load_textures.h"
 #include "renderer/splat_cloud.h"
 
 namespace relief::cli {

@@ -19,11 +19,11 @@
 #include "preprocess/points/neighbours.h"
 #include "preprocess/resample/patch_spacing.h"
 #include "preprocess/resample/region_patches.h"
-#include "preprocess/texture/flat_triangles.h"
-#include "preprocess/texture/load_textures.h"
-#include "preprocess/texture/node_normals.h"
-#include "preprocess/texture/sample_mesh.h"
-#include "preprocess/texture/texture_maps.h"
+#include "preprocess/texture/files/load_textures.h"
+#include "preprocess/texture/maps/flat_triangles.h"
+#include "preprocess/texture/maps/node_normals.h"
+#include "preprocess/texture/maps/sample_mesh.h"
+#include "preprocess/texture/maps/texture_maps.h"
 #include "preprocess/thread_limit.h"
 
 namespace relief {

@@ -5,7 +5,7 @@
 
 #include "preprocess/readers/source.h"
 #include "preprocess/readers/text_cursor.h"
-#include "preprocess/texture/load_textures.h"
+#include "preprocess/texture/files/load_textures.h"
 
 namespace relief {
 

@@ -5,7 +5,7 @@
 
 #include "common/points.h"
 #include "common/scene/camera.h"
-#include "preprocess/texture/continuous_texture.h"
+#include "preprocess/texture/acquisition/continuous_texture.h"
 #include "tests/experiments/pixel_filter.h"
 
 namespace relief::experiment {

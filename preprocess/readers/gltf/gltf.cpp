@@ -16,7 +16,7 @@
 #include "preprocess/readers/gltf/gltf_textures.h"
 #include "preprocess/readers/polygons.h"
 #include "preprocess/readers/readers.h"
-#include "preprocess/texture/load_textures.h"
+#include "preprocess/texture/files/load_textures.h"
 
 namespace relief {
 namespace {

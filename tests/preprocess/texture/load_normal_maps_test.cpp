@@ -1,5 +1,5 @@
 // Normal maps that the material files of OBJ meshes name.
-#include "preprocess/texture/load_normal_maps.h"
+#include "preprocess/texture/files/load_normal_maps.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -10,7 +10,7 @@
 #include "common/image/srgb.h"
 #include "common/mesh/normal_texture.h"
 #include "preprocess/readers/read_points.h"
-#include "preprocess/texture/load_textures.h"
+#include "preprocess/texture/files/load_textures.h"
 
 namespace relief {
 namespace {

@@ -1,5 +1,5 @@
 // OBJ meshes with their material files and pictures.
-#include "preprocess/texture/load_textures.h"
+#include "preprocess/texture/files/load_textures.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

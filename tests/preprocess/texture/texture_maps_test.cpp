@@ -1,5 +1,5 @@
 // Colour maps of patches that were made of textured meshes.
-#include "preprocess/texture/texture_maps.h"
+#include "preprocess/texture/maps/texture_maps.h"
 
 #include <gtest/gtest.h>
 

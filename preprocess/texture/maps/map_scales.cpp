@@ -1,9 +1,9 @@
-#include "preprocess/texture/map_scales.h"
+#include "preprocess/texture/maps/map_scales.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "preprocess/texture/texture_maps.h"
+#include "preprocess/texture/maps/texture_maps.h"
 
 namespace relief {
 namespace {

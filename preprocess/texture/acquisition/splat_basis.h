@@ -3,8 +3,8 @@
 
 #include <Eigen/SparseCore>
 
-#include "preprocess/texture/acquisition.h"
-#include "preprocess/texture/surface_points.h"
+#include "preprocess/texture/acquisition/acquisition.h"
+#include "preprocess/texture/acquisition/surface_points.h"
 
 namespace relief {
 

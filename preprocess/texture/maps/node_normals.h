@@ -6,7 +6,7 @@
 
 #include "common/patch.h"
 #include "common/points.h"
-#include "preprocess/texture/flat_triangles.h"
+#include "preprocess/texture/maps/flat_triangles.h"
 
 namespace relief {
 

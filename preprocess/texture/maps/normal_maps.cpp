@@ -1,4 +1,4 @@
-#include "preprocess/texture/normal_maps.h"
+#include "preprocess/texture/maps/normal_maps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 #include "common/octahedral.h"
 #include "common/patch_file/continuation.h"
 #include "common/patch_file/fast/patch_codec.h"
-#include "preprocess/texture/shown_triangles.h"
+#include "preprocess/texture/maps/shown_triangles.h"
 
 namespace relief {
 namespace {

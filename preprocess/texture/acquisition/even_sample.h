@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "preprocess/texture/surface_points.h"
+#include "preprocess/texture/acquisition/surface_points.h"
 
 namespace relief {
 

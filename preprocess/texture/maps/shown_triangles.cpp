@@ -1,11 +1,11 @@
-#include "preprocess/texture/shown_triangles.h"
+#include "preprocess/texture/maps/shown_triangles.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "common/patch_file/continuation.h"
-#include "preprocess/texture/map_scales.h"
+#include "preprocess/texture/maps/map_scales.h"
 
 namespace relief {
 namespace {

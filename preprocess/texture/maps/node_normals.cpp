@@ -1,4 +1,4 @@
-#include "preprocess/texture/node_normals.h"
+#include "preprocess/texture/maps/node_normals.h"
 
 #include <cassert>
 #include <glm/geometric.hpp>
@@ -7,7 +7,7 @@
 #include "common/octahedral.h"
 #include "common/patch_file/continuation.h"
 #include "common/patch_file/fast/patch_codec.h"
-#include "preprocess/texture/shown_triangles.h"
+#include "preprocess/texture/maps/shown_triangles.h"
 
 namespace relief {
 namespace {

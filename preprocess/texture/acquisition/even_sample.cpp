@@ -1,4 +1,4 @@
-#include "preprocess/texture/even_sample.h"
+#include "preprocess/texture/acquisition/even_sample.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

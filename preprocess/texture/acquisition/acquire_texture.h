@@ -8,7 +8,7 @@
 #include "common/image/image.h"
 #include "common/points.h"
 #include "common/progress.h"
-#include "preprocess/texture/acquisition.h"
+#include "preprocess/texture/acquisition/acquisition.h"
 
 namespace relief {
 

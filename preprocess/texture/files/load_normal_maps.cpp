@@ -1,4 +1,4 @@
-#include "preprocess/texture/load_normal_maps.h"
+#include "preprocess/texture/files/load_normal_maps.h"
 
 #include <map>
 #include <memory>
@@ -11,7 +11,7 @@
 #include "common/io/file.h"
 #include "common/mesh/normal_texture.h"
 #include "preprocess/readers/source.h"
-#include "preprocess/texture/decode_texture.h"
+#include "preprocess/texture/files/decode_texture.h"
 
 namespace relief {
 namespace {

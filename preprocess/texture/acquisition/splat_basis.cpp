@@ -1,4 +1,4 @@
-#include "preprocess/texture/splat_basis.h"
+#include "preprocess/texture/acquisition/splat_basis.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

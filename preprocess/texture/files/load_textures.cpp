@@ -1,4 +1,4 @@
-#include "preprocess/texture/load_textures.h"
+#include "preprocess/texture/files/load_textures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +14,8 @@
 #include "preprocess/readers/obj/mtl.h"
 #include "preprocess/readers/source.h"
 #include "preprocess/readers/text_cursor.h"
-#include "preprocess/texture/decode_texture.h"
-#include "preprocess/texture/load_normal_maps.h"
+#include "preprocess/texture/files/decode_texture.h"
+#include "preprocess/texture/files/load_normal_maps.h"
 
 namespace relief {
 namespace {

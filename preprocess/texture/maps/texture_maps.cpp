@@ -1,4 +1,4 @@
-#include "preprocess/texture/texture_maps.h"
+#include "preprocess/texture/maps/texture_maps.h"
 
 #include <tbb/parallel_for.h>
 
@@ -11,11 +11,11 @@
 #include "common/mesh/mesh_texture.h"
 #include "common/patch_file/continuation.h"
 #include "common/patch_file/fast/patch_codec.h"
-#include "preprocess/texture/flat_triangles.h"
-#include "preprocess/texture/map_scales.h"
-#include "preprocess/texture/node_normals.h"
-#include "preprocess/texture/normal_maps.h"
-#include "preprocess/texture/shown_triangles.h"
+#include "preprocess/texture/maps/flat_triangles.h"
+#include "preprocess/texture/maps/map_scales.h"
+#include "preprocess/texture/maps/node_normals.h"
+#include "preprocess/texture/maps/normal_maps.h"
+#include "preprocess/texture/maps/shown_triangles.h"
 
 namespace relief {
 namespace {

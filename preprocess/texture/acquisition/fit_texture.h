@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/progress.h"
-#include "preprocess/texture/acquisition.h"
+#include "preprocess/texture/acquisition/acquisition.h"
 
 namespace relief {
 

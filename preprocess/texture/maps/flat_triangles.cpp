@@ -1,4 +1,4 @@
-#include "preprocess/texture/flat_triangles.h"
+#include "preprocess/texture/maps/flat_triangles.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "preprocess/texture/fit_texture.h"
+#include "preprocess/texture/acquisition/fit_texture.h"
 
 #include <tbb/parallel_for.h>
 
@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "preprocess/texture/solve_spd.h"
+#include "preprocess/texture/acquisition/solve_spd.h"
 
 namespace relief {
 namespace {

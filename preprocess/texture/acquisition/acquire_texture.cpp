@@ -1,4 +1,4 @@
-#include "preprocess/texture/acquire_texture.h"
+#include "preprocess/texture/acquisition/acquire_texture.h"
 
 #include <tbb/parallel_for.h>
 
@@ -9,11 +9,11 @@
 
 #include "preprocess/normals/normals.h"
 #include "preprocess/points/neighbours.h"
-#include "preprocess/texture/continuous_texture.h"
-#include "preprocess/texture/even_sample.h"
-#include "preprocess/texture/fit_texture.h"
-#include "preprocess/texture/splat_basis.h"
-#include "preprocess/texture/surface_points.h"
+#include "preprocess/texture/acquisition/continuous_texture.h"
+#include "preprocess/texture/acquisition/even_sample.h"
+#include "preprocess/texture/acquisition/fit_texture.h"
+#include "preprocess/texture/acquisition/splat_basis.h"
+#include "preprocess/texture/acquisition/surface_points.h"
 
 namespace relief {
 namespace {

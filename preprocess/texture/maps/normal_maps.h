@@ -7,8 +7,8 @@
 
 #include "common/patch.h"
 #include "common/points.h"
-#include "preprocess/texture/flat_triangles.h"
-#include "preprocess/texture/map_scales.h"
+#include "preprocess/texture/maps/flat_triangles.h"
+#include "preprocess/texture/maps/map_scales.h"
 
 namespace relief {
 

@@ -1,12 +1,12 @@
-#include "preprocess/texture/sample_mesh.h"
+#include "preprocess/texture/maps/sample_mesh.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "common/mesh/mesh_normals.h"
-#include "preprocess/texture/even_sample.h"
-#include "preprocess/texture/surface_points.h"
+#include "preprocess/texture/acquisition/even_sample.h"
+#include "preprocess/texture/acquisition/surface_points.h"
 
 namespace relief {
 namespace {

@@ -1,4 +1,4 @@
-#include "preprocess/texture/surface_points.h"
+#include "preprocess/texture/acquisition/surface_points.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
