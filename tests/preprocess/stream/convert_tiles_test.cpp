@@ -8,7 +8,7 @@
 
 #include "common/octahedral.h"
 #include "preprocess/measure.h"
-#include "preprocess/stream/spread_points.h"
+#include "preprocess/tiles/spread_points.h"
 #include "tests/common/read_whole.h"
 #include "tests/common/sample_models.h"
 #include "tests/preprocess/readers/pack.h"

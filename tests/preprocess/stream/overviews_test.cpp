@@ -1,4 +1,4 @@
-#include "preprocess/stream/overviews.h"
+#include "preprocess/tiles/overviews.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "preprocess/convert_tiles.h"
-#include "preprocess/stream/spread_points.h"
+#include "preprocess/tiles/spread_points.h"
 #include "tests/common/sample_models.h"
 #include "tests/preprocess/stream/write_ply.h"
 #include "tests/preprocess/surfaces.h"

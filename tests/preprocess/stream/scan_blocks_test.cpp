@@ -1,5 +1,5 @@
 // Files read in blocks give what they give as a whole.
-#include "preprocess/stream/scan_blocks.h"
+#include "preprocess/tiles/scan_blocks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "preprocess/stream/tile_files.h"
+#include "preprocess/tiles/tile_files.h"
 
 #include <gtest/gtest.h>
 
-#include "preprocess/stream/state_file.h"
-#include "preprocess/stream/survey.h"
+#include "preprocess/tiles/checkpoint.h"
+#include "preprocess/tiles/survey.h"
 #include "tests/common/sample_models.h"
 #include "tests/preprocess/surfaces.h"
 

@@ -9,8 +9,8 @@
 #include "common/patch_file/patch_tree.h"
 #include "common/progress.h"
 #include "preprocess/convert.h"
-#include "preprocess/stream/spread_points.h"
-#include "preprocess/stream/tile_job.h"
+#include "preprocess/tiles/spread_points.h"
+#include "preprocess/tiles/tile_job.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "preprocess/stream/resample_tile.h"
+#include "preprocess/tiles/resample_tile.h"
 
 #include <algorithm>
 #include <cassert>
@@ -8,7 +8,7 @@
 #include "preprocess/convert_stages.h"
 #include "preprocess/measure.h"
 #include "preprocess/resample/region_patches.h"
-#include "preprocess/stream/state_file.h"
+#include "preprocess/tiles/checkpoint.h"
 
 namespace relief {
 namespace {

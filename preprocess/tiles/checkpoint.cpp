@@ -1,4 +1,4 @@
-#include "preprocess/stream/state_file.h"
+#include "preprocess/tiles/checkpoint.h"
 
 #include "common/io/bytes.h"
 #include "common/io/file.h"

@@ -1,4 +1,4 @@
-#include "preprocess/stream/tile_layout.h"
+#include "preprocess/tiles/tile_layout.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "preprocess/stream/tile_files.h"
+#include "preprocess/tiles/tile_files.h"
 
 #include <fmt/format.h>
 

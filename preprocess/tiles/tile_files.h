@@ -8,7 +8,7 @@
 
 #include "common/error.h"
 #include "common/points.h"
-#include "preprocess/stream/tile_layout.h"
+#include "preprocess/tiles/tile_layout.h"
 
 namespace relief {
 

@@ -10,7 +10,7 @@
 #include "common/progress.h"
 #include "preprocess/normals/sheets.h"
 #include "preprocess/partition/partition.h"
-#include "preprocess/stream/tile_files.h"
+#include "preprocess/tiles/tile_files.h"
 
 namespace relief {
 

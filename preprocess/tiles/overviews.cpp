@@ -1,4 +1,4 @@
-#include "preprocess/stream/overviews.h"
+#include "preprocess/tiles/overviews.h"
 
 #include <oneapi/tbb/parallel_for.h>
 
@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "common/patch_file/patch_tree_layout.h"
-#include "preprocess/stream/coarse_points.h"
-#include "preprocess/stream/tile_conversion.h"
+#include "preprocess/tiles/coarse_points.h"
+#include "preprocess/tiles/tile_conversion.h"
 
 namespace relief {
 namespace {

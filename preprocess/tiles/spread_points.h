@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "common/progress.h"
-#include "preprocess/stream/scan_blocks.h"
-#include "preprocess/stream/tile_files.h"
-#include "preprocess/stream/tile_job.h"
+#include "preprocess/tiles/scan_blocks.h"
+#include "preprocess/tiles/tile_files.h"
+#include "preprocess/tiles/tile_job.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "preprocess/stream/coarse_points.h"
+#include "preprocess/tiles/coarse_points.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

@@ -7,7 +7,7 @@
 
 #include "common/patch.h"
 #include "preprocess/convert.h"
-#include "preprocess/stream/survey.h"
+#include "preprocess/tiles/survey.h"
 
 namespace relief {
 

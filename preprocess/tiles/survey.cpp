@@ -1,4 +1,4 @@
-#include "preprocess/stream/survey.h"
+#include "preprocess/tiles/survey.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "preprocess/partition/find_regions.h"
 #include "preprocess/readers/read_points.h"
 #include "preprocess/resample/resample.h"
-#include "preprocess/stream/state_file.h"
+#include "preprocess/tiles/checkpoint.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "preprocess/stream/tile_conversion.h"
+#include "preprocess/tiles/tile_conversion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "preprocess/convert_stages.h"
-#include "preprocess/stream/join_sheets.h"
-#include "preprocess/stream/resample_tile.h"
-#include "preprocess/stream/state_file.h"
-#include "preprocess/stream/survey.h"
-#include "preprocess/stream/tile_files.h"
+#include "preprocess/tiles/checkpoint.h"
+#include "preprocess/tiles/join_sheets.h"
+#include "preprocess/tiles/resample_tile.h"
+#include "preprocess/tiles/survey.h"
+#include "preprocess/tiles/tile_files.h"
 
 namespace relief {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "common/progress.h"
 #include "preprocess/convert_tiles.h"
-#include "preprocess/stream/spread_points.h"
-#include "preprocess/stream/tile_job.h"
+#include "preprocess/tiles/spread_points.h"
+#include "preprocess/tiles/tile_job.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "preprocess/stream/tile_job.h"
+#include "preprocess/tiles/tile_job.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

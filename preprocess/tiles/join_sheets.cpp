@@ -1,4 +1,4 @@
-#include "preprocess/stream/join_sheets.h"
+#include "preprocess/tiles/join_sheets.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -8,8 +8,8 @@
 #include <unordered_map>
 
 #include "preprocess/normals/signed_forest.h"
-#include "preprocess/stream/state_file.h"
-#include "preprocess/stream/survey.h"
+#include "preprocess/tiles/checkpoint.h"
+#include "preprocess/tiles/survey.h"
 
 namespace relief {
 namespace {

@@ -1,4 +1,4 @@
-#include "preprocess/stream/scan_blocks.h"
+#include "preprocess/tiles/scan_blocks.h"
 
 #include <fmt/format.h>
 

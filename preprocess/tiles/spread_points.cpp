@@ -1,4 +1,4 @@
-#include "preprocess/stream/spread_points.h"
+#include "preprocess/tiles/spread_points.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "preprocess/points/neighbours.h"
-#include "preprocess/stream/state_file.h"
+#include "preprocess/tiles/checkpoint.h"
 
 namespace relief {
 namespace {
