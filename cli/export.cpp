@@ -15,7 +15,7 @@
 #include "cli/load.h"
 #include "cli/paths.h"
 #include "common/image/srgb.h"
-#include "renderer/mesh_of_patches.h"
+#include "renderer/geometry/mesh_of_patches.h"
 
 namespace relief::cli {
 namespace {

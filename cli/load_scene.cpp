@@ -14,8 +14,8 @@
 #include "common/transform.h"
 #include "preprocess/convert.h"
 #include "renderer/engines/ewa/splats_of_samples.h"
-#include "renderer/mesh_of_patches.h"
-#include "renderer/mesh_of_points.h"
+#include "renderer/geometry/mesh_of_patches.h"
+#include "renderer/geometry/mesh_of_points.h"
 #include "renderer/patches_in_view.h"
 
 namespace relief::cli {

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "common/error.h"
-#include "renderer/cells.h"
+#include "renderer/geometry/cells.h"
+#include "renderer/geometry/samples.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
-#include "renderer/samples.h"
 
 namespace relief {
 

@@ -7,7 +7,7 @@
 
 #include "renderer/cube_map.h"
 #include "renderer/environment_cache.h"
-#include "renderer/far_model.h"
+#include "renderer/geometry/proxy.h"
 #include "renderer/materials.h"
 #include "renderer/rough_environment.h"
 #include "renderer/sample_draws.h"

@@ -12,12 +12,12 @@
 #include "common/error.h"
 #include "common/patch.h"
 #include "renderer/cell_store.h"
+#include "renderer/geometry/levels.h"
+#include "renderer/geometry/samples.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
-#include "renderer/levels.h"
 #include "renderer/patch_store.h"
 #include "renderer/sample_pages.h"
-#include "renderer/samples.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

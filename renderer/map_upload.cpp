@@ -10,7 +10,7 @@
 
 #include "common/image/srgb.h"
 #include "common/octahedral.h"
-#include "renderer/patch_normals.h"
+#include "renderer/geometry/patch_normals.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

@@ -23,8 +23,8 @@
 #include "renderer/engines/multipass/settings.h"
 #include "renderer/engines/raytrace/settings.h"
 #include "renderer/explanation.h"
-#include "renderer/splat_cloud.h"
-#include "renderer/triangle_mesh.h"
+#include "renderer/geometry/splat_cloud.h"
+#include "renderer/geometry/triangle_mesh.h"
 
 namespace relief {
 

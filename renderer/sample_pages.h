@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "common/error.h"
+#include "renderer/geometry/samples.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
-#include "renderer/samples.h"
 
 namespace relief {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/scene/camera.h"
-#include "renderer/splat_cloud.h"
+#include "renderer/geometry/splat_cloud.h"
 #include "tests/experiments/pixel_filter.h"
 
 namespace relief::experiment {

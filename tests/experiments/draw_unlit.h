@@ -7,7 +7,7 @@
 #include "common/image/image.h"
 #include "common/scene/camera.h"
 #include "renderer/engines/ewa/settings.h"
-#include "renderer/splat_cloud.h"
+#include "renderer/geometry/splat_cloud.h"
 
 namespace relief::experiment {
 

@@ -1,4 +1,4 @@
-#include "renderer/cells.h"
+#include "renderer/geometry/cells.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Coarse meshes of models seen from afar: what they are made of, and when they are drawn.
-#include "renderer/far_levels.h"
+#include "renderer/geometry/proxy_levels.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "renderer/far_model.h"
+#include "renderer/geometry/proxy.h"
 #include "tests/renderer/pictures.h"
 
 namespace relief {

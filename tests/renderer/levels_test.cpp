@@ -1,5 +1,5 @@
 // Coarser levels of patches: what they hold, which a view chooses, and their pictures.
-#include "renderer/levels.h"
+#include "renderer/geometry/levels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "renderer/samples.h"
+#include "renderer/geometry/samples.h"
 
 #include <gtest/gtest.h>
 

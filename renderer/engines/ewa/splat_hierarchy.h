@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "renderer/splat_cloud.h"
+#include "renderer/geometry/splat_cloud.h"
 #include "renderer/view.h"
 
 namespace relief::ewa {

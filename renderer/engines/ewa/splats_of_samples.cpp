@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "common/image/srgb.h"
+#include "renderer/geometry/node_texels.h"
+#include "renderer/geometry/patch_normals.h"
 #include "renderer/materials.h"
-#include "renderer/node_texels.h"
-#include "renderer/patch_normals.h"
 #include "shaders/include/shared.h"
 
 namespace relief::ewa {

@@ -7,7 +7,7 @@
 #include "renderer/engines/ewa/deferred_shading.h"
 #include "renderer/engines/ewa/settings.h"
 #include "renderer/film.h"
-#include "renderer/splat_cloud.h"
+#include "renderer/geometry/splat_cloud.h"
 #include "renderer/view.h"
 
 namespace relief::ewa {

@@ -6,7 +6,7 @@
 #include "common/scene/material.h"
 #include "renderer/cube_map.h"
 #include "renderer/engines/raytrace/embree_scene.h"
-#include "renderer/triangle_mesh.h"
+#include "renderer/geometry/triangle_mesh.h"
 
 namespace relief::raytrace {
 

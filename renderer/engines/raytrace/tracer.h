@@ -7,8 +7,8 @@
 
 #include "renderer/engines/raytrace/embree_scene.h"
 #include "renderer/film.h"
+#include "renderer/geometry/triangle_mesh.h"
 #include "renderer/shading.h"
-#include "renderer/triangle_mesh.h"
 #include "renderer/view.h"
 
 namespace relief::raytrace {

@@ -1,4 +1,4 @@
-#include "renderer/cell_nodes.h"
+#include "renderer/geometry/cell_nodes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <glm/ext/vector_uint2_sized.hpp>
 #include <glm/geometric.hpp>
 
-#include "renderer/splat_reach.h"
+#include "renderer/geometry/splat_reach.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

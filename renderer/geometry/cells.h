@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "common/patch.h"
-#include "renderer/levels.h"
-#include "renderer/samples.h"
+#include "renderer/geometry/levels.h"
+#include "renderer/geometry/samples.h"
 
 namespace relief {
 

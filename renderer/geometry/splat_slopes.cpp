@@ -1,4 +1,4 @@
-#include "renderer/splat_slopes.h"
+#include "renderer/geometry/splat_slopes.h"
 
 #include <cmath>
 #include <glm/common.hpp>

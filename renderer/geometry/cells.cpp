@@ -1,4 +1,4 @@
-#include "renderer/cells.h"
+#include "renderer/geometry/cells.h"
 
 #include <algorithm>
 #include <cassert>
@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "renderer/cell_nodes.h"
+#include "renderer/geometry/cell_nodes.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

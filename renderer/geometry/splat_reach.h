@@ -4,8 +4,8 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
-#include "renderer/padded_heights.h"
-#include "renderer/splat_slopes.h"
+#include "renderer/geometry/padded_heights.h"
+#include "renderer/geometry/splat_slopes.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "renderer/levels.h"
+#include "renderer/geometry/levels.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,4 +1,4 @@
-#include "renderer/patch_normals.h"
+#include "renderer/geometry/patch_normals.h"
 
 #include <cstdint>
 #include <glm/geometric.hpp>
@@ -6,8 +6,8 @@
 
 #include "common/octahedral.h"
 #include "common/patch_file/continuation.h"
-#include "renderer/node_texels.h"
-#include "renderer/samples.h"
+#include "renderer/geometry/node_texels.h"
+#include "renderer/geometry/samples.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

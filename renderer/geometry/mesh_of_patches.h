@@ -5,7 +5,7 @@
 
 #include "common/error.h"
 #include "common/patch.h"
-#include "renderer/triangle_mesh.h"
+#include "renderer/geometry/triangle_mesh.h"
 
 namespace relief {
 

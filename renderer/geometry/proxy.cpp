@@ -1,4 +1,4 @@
-#include "renderer/far_model.h"
+#include "renderer/geometry/proxy.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "common/patch.h"
-#include "renderer/padded_heights.h"
-#include "renderer/samples.h"
+#include "renderer/geometry/padded_heights.h"
+#include "renderer/geometry/samples.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "renderer/far_levels.h"
+#include "renderer/geometry/proxy_levels.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 #include "common/image/srgb.h"
 #include "common/octahedral.h"
-#include "renderer/node_texels.h"
-#include "renderer/patch_normals.h"
+#include "renderer/geometry/node_texels.h"
+#include "renderer/geometry/patch_normals.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

@@ -1,4 +1,4 @@
-#include "renderer/mesh_of_patches.h"
+#include "renderer/geometry/mesh_of_patches.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -11,10 +11,10 @@
 #include "common/mesh/mesh_texture.h"
 #include "common/mesh/normal_texture.h"
 #include "common/octahedral.h"
-#include "renderer/far_model.h"
+#include "renderer/geometry/node_texels.h"
+#include "renderer/geometry/patch_normals.h"
+#include "renderer/geometry/proxy.h"
 #include "renderer/materials.h"
-#include "renderer/node_texels.h"
-#include "renderer/patch_normals.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

@@ -9,7 +9,7 @@
 
 #include "common/patch.h"
 #include "common/points.h"
-#include "renderer/far_model.h"
+#include "renderer/geometry/proxy.h"
 
 namespace relief {
 
