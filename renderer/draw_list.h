@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "renderer/gl/functions.h"
-#include "renderer/patch_store.h"
+#include "renderer/store/patch_store.h"
 #include "renderer/view.h"
 
 namespace relief {

@@ -6,11 +6,11 @@
 #include <span>
 
 #include "renderer/lighting.h"
-#include "renderer/map_upload.h"
 #include "renderer/materials.h"
-#include "renderer/patch_store.h"
 #include "renderer/render.h"
 #include "renderer/sides.h"
+#include "renderer/store/map_upload.h"
+#include "renderer/store/patch_store.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

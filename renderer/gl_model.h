@@ -17,8 +17,8 @@
 #include "renderer/gl/object.h"
 #include "renderer/gl_picture.h"
 #include "renderer/open_gl.h"
-#include "renderer/patch_store.h"
 #include "renderer/render.h"
+#include "renderer/store/patch_store.h"
 
 namespace relief {
 

@@ -6,8 +6,8 @@
 
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
-#include "renderer/patch_store.h"
 #include "renderer/sides.h"
+#include "renderer/store/patch_store.h"
 #include "renderer/view.h"
 
 namespace relief {

@@ -6,7 +6,7 @@
 #include <glm/matrix.hpp>
 
 #include "renderer/materials.h"
-#include "renderer/patch_store.h"
+#include "renderer/store/patch_store.h"
 
 namespace relief {
 namespace {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "renderer/lighting.h"
-#include "renderer/patch_store.h"
+#include "renderer/store/patch_store.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "renderer/atlas.h"
+#include "renderer/store/atlas.h"
 
 #include <gtest/gtest.h>
 

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "renderer/atlas.h"
 #include "renderer/bench/mesh_pass.h"
 #include "renderer/bench/shading_bound.h"
 #include "renderer/draw_list.h"
+#include "renderer/store/atlas.h"
 #include "tests/renderer/meshes.h"
 
 namespace relief {

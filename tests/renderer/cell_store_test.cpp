@@ -1,5 +1,5 @@
 // What is uploaded for each primitive, and nothing else.
-#include "renderer/cell_store.h"
+#include "renderer/store/cell_store.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "renderer/engines/onepass/features.h"
 #include "renderer/gl/context.h"
-#include "renderer/patch_store.h"
+#include "renderer/store/patch_store.h"
 #include "tests/renderer/scenes.h"
 
 namespace relief {

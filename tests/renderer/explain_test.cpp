@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "renderer/atlas.h"
 #include "renderer/feature_names.h"
+#include "renderer/store/atlas.h"
 #include "shaders/include/shared.h"
 #include "tests/renderer/pictures.h"
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "renderer/atlas.h"
 #include "renderer/features.h"
+#include "renderer/store/atlas.h"
 #include "tests/renderer/pictures.h"
 
 namespace relief {

@@ -12,8 +12,8 @@
 #include "renderer/gl/object.h"
 #include "renderer/gl/pass.h"
 #include "renderer/gl_picture.h"
-#include "renderer/patch_store.h"
 #include "renderer/sample_draws.h"
+#include "renderer/store/patch_store.h"
 
 namespace relief::multipass {
 

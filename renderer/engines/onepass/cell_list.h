@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "renderer/cell_store.h"
 #include "renderer/draw_list.h"
+#include "renderer/store/cell_store.h"
 #include "renderer/view.h"
 
 namespace relief::onepass {

@@ -7,7 +7,7 @@
 #include "renderer/draw_list.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
-#include "renderer/patch_store.h"
+#include "renderer/store/patch_store.h"
 #include "renderer/view.h"
 
 namespace relief::onepass {

@@ -1,4 +1,4 @@
-#include "renderer/map_upload.h"
+#include "renderer/store/map_upload.h"
 
 #include <algorithm>
 #include <bit>

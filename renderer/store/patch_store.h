@@ -11,13 +11,13 @@
 
 #include "common/error.h"
 #include "common/patch.h"
-#include "renderer/cell_store.h"
-#include "renderer/far_store.h"
 #include "renderer/geometry/levels.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
-#include "renderer/sample_pages.h"
 #include "renderer/sides.h"
+#include "renderer/store/cell_store.h"
+#include "renderer/store/proxy_store.h"
+#include "renderer/store/sample_pages.h"
 #include "renderer/view.h"
 
 namespace relief {

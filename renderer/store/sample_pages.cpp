@@ -1,4 +1,4 @@
-#include "renderer/sample_pages.h"
+#include "renderer/store/sample_pages.h"
 
 #include <algorithm>
 #include <limits>

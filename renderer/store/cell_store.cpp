@@ -1,4 +1,4 @@
-#include "renderer/cell_store.h"
+#include "renderer/store/cell_store.h"
 
 #include <algorithm>
 #include <limits>

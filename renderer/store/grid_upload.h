@@ -11,13 +11,13 @@
 
 #include "common/error.h"
 #include "common/patch.h"
-#include "renderer/cell_store.h"
 #include "renderer/geometry/levels.h"
 #include "renderer/geometry/samples.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
-#include "renderer/patch_store.h"
-#include "renderer/sample_pages.h"
+#include "renderer/store/cell_store.h"
+#include "renderer/store/patch_store.h"
+#include "renderer/store/sample_pages.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

@@ -5,9 +5,9 @@
 
 #include "common/error.h"
 #include "common/patch.h"
-#include "renderer/atlas.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
+#include "renderer/store/atlas.h"
 
 namespace relief {
 

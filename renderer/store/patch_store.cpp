@@ -1,4 +1,4 @@
-#include "renderer/patch_store.h"
+#include "renderer/store/patch_store.h"
 
 namespace relief {
 

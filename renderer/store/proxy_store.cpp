@@ -1,4 +1,4 @@
-#include "renderer/far_store.h"
+#include "renderer/store/proxy_store.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
-#include "renderer/grid_upload.h"
+#include "renderer/store/grid_upload.h"
 
 #include <span>
 
-#include "renderer/map_upload.h"
+#include "renderer/store/map_upload.h"
 
 namespace relief {
 namespace {

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "common/transform.h"
-#include "renderer/grid_upload.h"
-#include "renderer/patch_store.h"
+#include "renderer/store/grid_upload.h"
+#include "renderer/store/patch_store.h"
 #include "shaders/include/shared.h"
 
 namespace relief {
