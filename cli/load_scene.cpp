@@ -16,7 +16,7 @@
 #include "renderer/engines/ewa/splats_of_samples.h"
 #include "renderer/geometry/mesh_of_patches.h"
 #include "renderer/geometry/mesh_of_points.h"
-#include "renderer/patches_in_view.h"
+#include "renderer/view/patches_in_view.h"
 
 namespace relief::cli {
 namespace {

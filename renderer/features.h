@@ -8,9 +8,9 @@
 #include "renderer/lighting.h"
 #include "renderer/materials.h"
 #include "renderer/render.h"
-#include "renderer/sides.h"
 #include "renderer/store/map_upload.h"
 #include "renderer/store/patch_store.h"
+#include "renderer/view/cull_mode.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

@@ -13,7 +13,7 @@
 #include "renderer/cube_map.h"
 #include "renderer/environment_cache.h"
 #include "renderer/render.h"
-#include "renderer/view.h"
+#include "renderer/view/view.h"
 
 namespace relief {
 

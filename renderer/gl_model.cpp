@@ -11,7 +11,7 @@
 #include "renderer/materials.h"
 #include "renderer/rough_environment.h"
 #include "renderer/sample_draws.h"
-#include "renderer/sides.h"
+#include "renderer/view/cull_mode.h"
 
 namespace relief {
 namespace {

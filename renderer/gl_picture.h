@@ -15,7 +15,7 @@
 #include "renderer/render.h"
 #include "renderer/resolve.h"
 #include "renderer/targets.h"
-#include "renderer/view.h"
+#include "renderer/view/view.h"
 
 namespace relief {
 

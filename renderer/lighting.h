@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/scene/light.h"
-#include "renderer/view.h"
+#include "renderer/view/view.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "renderer/view.h"
+#include "renderer/view/view.h"
 
 namespace relief {
 

@@ -7,7 +7,7 @@
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/gl/pass.h"
-#include "renderer/view.h"
+#include "renderer/view/view.h"
 
 namespace relief {
 

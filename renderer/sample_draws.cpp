@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "renderer/draw_list.h"
+#include "renderer/view/draw_list.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

@@ -6,9 +6,9 @@
 
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
-#include "renderer/sides.h"
 #include "renderer/store/patch_store.h"
-#include "renderer/view.h"
+#include "renderer/view/cull_mode.h"
+#include "renderer/view/view.h"
 
 namespace relief {
 

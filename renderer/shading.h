@@ -10,7 +10,7 @@
 #include "renderer/cube_map.h"
 #include "renderer/environment_cache.h"
 #include "renderer/render.h"
-#include "renderer/view.h"
+#include "renderer/view/view.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

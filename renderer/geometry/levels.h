@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/patch.h"
-#include "renderer/view.h"
+#include "renderer/view/view.h"
 
 namespace relief {
 

@@ -9,7 +9,7 @@
 
 #include "common/patch.h"
 #include "common/placement.h"
-#include "renderer/view.h"
+#include "renderer/view/view.h"
 
 namespace relief {
 

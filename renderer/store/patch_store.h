@@ -14,11 +14,11 @@
 #include "renderer/geometry/levels.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
-#include "renderer/sides.h"
 #include "renderer/store/cell_store.h"
 #include "renderer/store/proxy_store.h"
 #include "renderer/store/sample_pages.h"
-#include "renderer/view.h"
+#include "renderer/view/cull_mode.h"
+#include "renderer/view/view.h"
 
 namespace relief {
 

@@ -13,7 +13,7 @@
 
 #include "common/image/srgb.h"
 #include "renderer/engines/raytrace/sampling.h"
-#include "renderer/view.h"
+#include "renderer/view/view.h"
 
 namespace relief::experiment {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "renderer/bench/mesh_pass.h"
 #include "renderer/bench/shading_bound.h"
-#include "renderer/draw_list.h"
 #include "renderer/store/atlas.h"
+#include "renderer/view/draw_list.h"
 #include "tests/renderer/meshes.h"
 
 namespace relief {

@@ -1,4 +1,4 @@
-#include "renderer/patches_in_view.h"
+#include "renderer/view/patches_in_view.h"
 
 #include <gtest/gtest.h>
 

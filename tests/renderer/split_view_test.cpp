@@ -11,7 +11,7 @@
 #include <string>
 
 #include "renderer/features.h"
-#include "renderer/view.h"
+#include "renderer/view/view.h"
 #include "shaders/include/split_view.h"
 #include "tests/renderer/pictures.h"
 

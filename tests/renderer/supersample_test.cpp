@@ -5,7 +5,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "renderer/picture_parts.h"
-#include "renderer/view.h"
+#include "renderer/view/view.h"
 #include "tests/renderer/pictures.h"
 
 namespace relief {

@@ -3,7 +3,7 @@
 
 #include "renderer/engines/ewa/layered_buffer.h"
 #include "renderer/shading.h"
-#include "renderer/view.h"
+#include "renderer/view/view.h"
 
 namespace relief::ewa {
 

@@ -12,7 +12,7 @@
 #include "renderer/film.h"
 #include "renderer/median.h"
 #include "renderer/owned_or_borrowed.h"
-#include "renderer/view.h"
+#include "renderer/view/view.h"
 
 namespace relief::ewa {
 namespace {

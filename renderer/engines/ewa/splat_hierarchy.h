@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "renderer/geometry/splat_cloud.h"
-#include "renderer/view.h"
+#include "renderer/view/view.h"
 
 namespace relief::ewa {
 

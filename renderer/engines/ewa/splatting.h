@@ -8,7 +8,7 @@
 #include "renderer/engines/ewa/settings.h"
 #include "renderer/film.h"
 #include "renderer/geometry/splat_cloud.h"
-#include "renderer/view.h"
+#include "renderer/view/view.h"
 
 namespace relief::ewa {
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "renderer/attachments.h"
-#include "renderer/draw_list.h"
 #include "renderer/gl/program.h"
+#include "renderer/view/draw_list.h"
 #include "shaders/include/shared.h"
 
 namespace relief::multipass {

@@ -9,7 +9,7 @@
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/store/patch_store.h"
-#include "renderer/view.h"
+#include "renderer/view/view.h"
 
 namespace relief::onepass {
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "common/error.h"
-#include "renderer/draw_list.h"
 #include "renderer/engines/onepass/back.h"
 #include "renderer/engines/onepass/cell_draws.h"
 #include "renderer/engines/onepass/cell_list.h"
@@ -20,7 +19,8 @@
 #include "renderer/gl_picture.h"
 #include "renderer/sample_draws.h"
 #include "renderer/store/patch_store.h"
-#include "renderer/view.h"
+#include "renderer/view/draw_list.h"
+#include "renderer/view/view.h"
 
 namespace relief::onepass {
 

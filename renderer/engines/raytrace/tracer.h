@@ -9,7 +9,7 @@
 #include "renderer/film.h"
 #include "renderer/geometry/triangle_mesh.h"
 #include "renderer/shading.h"
-#include "renderer/view.h"
+#include "renderer/view/view.h"
 
 namespace relief::raytrace {
 

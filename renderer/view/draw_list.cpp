@@ -1,4 +1,4 @@
-#include "renderer/draw_list.h"
+#include "renderer/view/draw_list.h"
 
 #include <algorithm>
 #include <glm/common.hpp>

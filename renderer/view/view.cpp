@@ -1,4 +1,4 @@
-#include "renderer/view.h"
+#include "renderer/view/view.h"
 
 #include <algorithm>
 #include <cmath>

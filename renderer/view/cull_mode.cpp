@@ -1,4 +1,4 @@
-#include "renderer/sides.h"
+#include "renderer/view/cull_mode.h"
 
 #include <algorithm>
 #include <glm/common.hpp>

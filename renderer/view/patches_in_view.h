@@ -10,7 +10,7 @@
 #include "common/patch_file/patch_tree.h"
 #include "common/progress.h"
 #include "renderer/render.h"
-#include "renderer/view.h"
+#include "renderer/view/view.h"
 
 namespace relief {
 

@@ -10,7 +10,7 @@
 #include "common/placement.h"
 #include "renderer/gl/functions.h"
 #include "renderer/render.h"
-#include "renderer/view.h"
+#include "renderer/view/view.h"
 
 namespace relief {
 
