@@ -23,7 +23,7 @@
 #include "cli/render_options.h"
 #include "cli/render_plan.h"
 #include "common/io/file.h"
-#include "renderer/materials.h"
+#include "renderer/shading/materials.h"
 
 namespace relief::cli {
 namespace {

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "cli/paths.h"
-#include "renderer/environment_files.h"
-#include "renderer/materials.h"
+#include "renderer/shading/environment_files.h"
+#include "renderer/shading/materials.h"
 
 namespace relief::cli {
 namespace {

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "cli/explain_report.h"
-#include "renderer/materials.h"
 #include "renderer/picture_parts.h"
+#include "renderer/shading/materials.h"
 
 namespace relief::cli {
 namespace {

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <span>
 
-#include "renderer/lighting.h"
-#include "renderer/materials.h"
 #include "renderer/render.h"
+#include "renderer/shading/lighting.h"
+#include "renderer/shading/materials.h"
 #include "renderer/store/map_upload.h"
 #include "renderer/store/patch_store.h"
 #include "renderer/view/cull_mode.h"

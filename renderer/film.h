@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "common/image/image.h"
-#include "renderer/cube_map.h"
-#include "renderer/environment_cache.h"
 #include "renderer/render.h"
+#include "renderer/shading/cube_map.h"
+#include "renderer/shading/environment_cache.h"
 #include "renderer/view/view.h"
 
 namespace relief {

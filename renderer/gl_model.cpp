@@ -5,12 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/cube_map.h"
-#include "renderer/environment_cache.h"
 #include "renderer/geometry/proxy.h"
-#include "renderer/materials.h"
-#include "renderer/rough_environment.h"
 #include "renderer/sample_draws.h"
+#include "renderer/shading/cube_map.h"
+#include "renderer/shading/environment_cache.h"
+#include "renderer/shading/materials.h"
+#include "renderer/shading/rough_environment.h"
 #include "renderer/view/cull_mode.h"
 
 namespace relief {

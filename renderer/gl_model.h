@@ -11,13 +11,13 @@
 
 #include "common/error.h"
 #include "common/patch.h"
-#include "renderer/environment.h"
 #include "renderer/features.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/gl_picture.h"
 #include "renderer/open_gl.h"
 #include "renderer/render.h"
+#include "renderer/shading/environment.h"
 #include "renderer/store/patch_store.h"
 
 namespace relief {

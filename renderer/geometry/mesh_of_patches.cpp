@@ -14,7 +14,7 @@
 #include "renderer/geometry/node_texels.h"
 #include "renderer/geometry/patch_normals.h"
 #include "renderer/geometry/proxy.h"
-#include "renderer/materials.h"
+#include "renderer/shading/materials.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

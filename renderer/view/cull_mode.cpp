@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "renderer/materials.h"
+#include "renderer/shading/materials.h"
 #include "renderer/store/patch_store.h"
 
 namespace relief {

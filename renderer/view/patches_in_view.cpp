@@ -9,8 +9,8 @@
 
 #include "common/transform.h"
 #include "renderer/engines/onepass/back.h"
-#include "renderer/materials.h"
 #include "renderer/picture_parts.h"
+#include "renderer/shading/materials.h"
 
 namespace relief {
 namespace {

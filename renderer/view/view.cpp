@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "renderer/lighting.h"
+#include "renderer/shading/lighting.h"
 #include "renderer/store/patch_store.h"
 
 namespace relief {

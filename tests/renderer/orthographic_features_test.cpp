@@ -10,8 +10,8 @@
 
 #include "common/image/image_io.h"
 #include "renderer/bench/bench.h"
-#include "renderer/cube_map.h"
 #include "renderer/features.h"
+#include "renderer/shading/cube_map.h"
 #include "tests/renderer/meshes.h"
 #include "tests/renderer/orthographic.h"
 

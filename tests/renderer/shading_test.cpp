@@ -1,5 +1,5 @@
 // Shading against values computed by hand.
-#include "renderer/shading.h"
+#include "renderer/shading/shading.h"
 
 #include <gtest/gtest.h>
 

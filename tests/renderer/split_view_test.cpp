@@ -1,5 +1,5 @@
 // The split view: each quarter of the picture is what its material alone shows.
-#include "renderer/split_view.h"
+#include "renderer/shading/split_view.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "common/image/srgb.h"
 #include "renderer/geometry/node_texels.h"
 #include "renderer/geometry/patch_normals.h"
-#include "renderer/materials.h"
+#include "renderer/shading/materials.h"
 #include "shaders/include/shared.h"
 
 namespace relief::ewa {

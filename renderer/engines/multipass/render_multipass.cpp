@@ -8,7 +8,7 @@
 #include "renderer/engines/multipass/sums.h"
 #include "renderer/features.h"
 #include "renderer/gl_picture.h"
-#include "renderer/materials.h"
+#include "renderer/shading/materials.h"
 
 namespace relief::multipass {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "renderer/features.h"
-#include "renderer/materials.h"
+#include "renderer/shading/materials.h"
 
 namespace relief::onepass {
 

@@ -8,7 +8,7 @@
 #include "renderer/engines/onepass/features.h"
 #include "renderer/engines/onepass/onepass.h"
 #include "renderer/gl_picture.h"
-#include "renderer/materials.h"
+#include "renderer/shading/materials.h"
 
 namespace relief::onepass {
 namespace {

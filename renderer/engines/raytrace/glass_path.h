@@ -4,9 +4,9 @@
 #include <glm/vec3.hpp>
 
 #include "common/scene/material.h"
-#include "renderer/cube_map.h"
 #include "renderer/engines/raytrace/embree_scene.h"
 #include "renderer/geometry/triangle_mesh.h"
+#include "renderer/shading/cube_map.h"
 
 namespace relief::raytrace {
 

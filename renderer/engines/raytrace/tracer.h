@@ -8,7 +8,7 @@
 #include "renderer/engines/raytrace/embree_scene.h"
 #include "renderer/film.h"
 #include "renderer/geometry/triangle_mesh.h"
-#include "renderer/shading.h"
+#include "renderer/shading/shading.h"
 #include "renderer/view/view.h"
 
 namespace relief::raytrace {

@@ -1,4 +1,4 @@
-#include "renderer/environment.h"
+#include "renderer/shading/environment.h"
 
 #include <bit>
 

@@ -1,9 +1,9 @@
-#include "renderer/shading.h"
+#include "renderer/shading/shading.h"
 
 #include <cassert>
 
-#include "renderer/lighting.h"
-#include "renderer/materials.h"
+#include "renderer/shading/lighting.h"
+#include "renderer/shading/materials.h"
 #include "shaders/include/shading.h"
 #include "shaders/include/split_view.h"
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "common/error.h"
-#include "renderer/cube_map.h"
-#include "renderer/rough_environment.h"
+#include "renderer/shading/cube_map.h"
+#include "renderer/shading/rough_environment.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "renderer/materials.h"
+#include "renderer/shading/materials.h"
 
 #include <algorithm>
 #include <cassert>

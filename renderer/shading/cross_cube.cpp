@@ -1,4 +1,4 @@
-#include "renderer/cross_cube.h"
+#include "renderer/shading/cross_cube.h"
 
 namespace relief {
 namespace {

@@ -1,6 +1,6 @@
-#include "renderer/split_view.h"
+#include "renderer/shading/split_view.h"
 
-#include "renderer/materials.h"
+#include "renderer/shading/materials.h"
 
 namespace relief {
 

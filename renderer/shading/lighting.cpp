@@ -1,4 +1,4 @@
-#include "renderer/lighting.h"
+#include "renderer/shading/lighting.h"
 
 #include <array>
 #include <cassert>

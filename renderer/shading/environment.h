@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "common/error.h"
-#include "renderer/cube_map.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/gl/pass.h"
+#include "renderer/shading/cube_map.h"
 
 namespace relief {
 

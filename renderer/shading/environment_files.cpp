@@ -1,4 +1,4 @@
-#include "renderer/environment_files.h"
+#include "renderer/shading/environment_files.h"
 
 #include <algorithm>
 #include <array>

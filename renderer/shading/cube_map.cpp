@@ -1,4 +1,4 @@
-#include "renderer/cube_map.h"
+#include "renderer/shading/cube_map.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,9 +7,9 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "renderer/cube_map.h"
-#include "renderer/environment_cache.h"
 #include "renderer/render.h"
+#include "renderer/shading/cube_map.h"
+#include "renderer/shading/environment_cache.h"
 #include "renderer/view/view.h"
 #include "shaders/include/shared.h"
 

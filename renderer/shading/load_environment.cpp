@@ -8,10 +8,10 @@
 #include <glm/gtc/constants.hpp>
 
 #include "common/image/image_io.h"
-#include "renderer/cross_cube.h"
-#include "renderer/cube_map.h"
-#include "renderer/environment_files.h"
-#include "renderer/make_cube.h"
+#include "renderer/shading/cross_cube.h"
+#include "renderer/shading/cube_map.h"
+#include "renderer/shading/environment_files.h"
+#include "renderer/shading/make_cube.h"
 
 namespace relief {
 namespace {
