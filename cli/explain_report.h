@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "renderer/explanation.h"
+#include "renderer/frame/explanation.h"
 
 namespace relief::cli {
 

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "cli/explain_report.h"
-#include "renderer/picture_parts.h"
+#include "renderer/frame/image_parts.h"
 #include "renderer/shading/materials.h"
 
 namespace relief::cli {

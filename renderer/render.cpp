@@ -12,7 +12,7 @@
 #include "renderer/engines/onepass/render_onepass.h"
 #include "renderer/engines/raytrace/render_raytrace.h"
 #include "renderer/geometry/mesh_of_patches.h"
-#include "renderer/open_gl.h"
+#include "renderer/gl/open_gl.h"
 #include "renderer/prepared.h"
 #include "renderer/shading/materials.h"
 #include "renderer/shading/split_view.h"

@@ -9,7 +9,7 @@
 
 #include "common/transform.h"
 #include "renderer/engines/onepass/back.h"
-#include "renderer/picture_parts.h"
+#include "renderer/frame/image_parts.h"
 #include "renderer/shading/materials.h"
 
 namespace relief {

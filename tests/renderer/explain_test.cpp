@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/feature_names.h"
+#include "renderer/frame/feature_names.h"
 #include "renderer/store/atlas.h"
 #include "shaders/include/shared.h"
 #include "tests/renderer/pictures.h"

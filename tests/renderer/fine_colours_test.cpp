@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "renderer/features.h"
+#include "renderer/frame/features.h"
 #include "renderer/store/atlas.h"
 #include "tests/renderer/pictures.h"
 

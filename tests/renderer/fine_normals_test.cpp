@@ -9,7 +9,7 @@
 
 #include "common/octahedral.h"
 #include "renderer/engines/onepass/features.h"
-#include "renderer/features.h"
+#include "renderer/frame/features.h"
 #include "renderer/geometry/levels.h"
 #include "tests/renderer/meshes.h"
 #include "tests/renderer/pictures.h"

@@ -13,7 +13,7 @@
 
 #include "common/image/image_io.h"
 #include "common/transform.h"
-#include "renderer/features.h"
+#include "renderer/frame/features.h"
 #include "shaders/include/shared.h"
 #include "tests/renderer/pictures.h"
 

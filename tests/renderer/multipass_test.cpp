@@ -8,8 +8,8 @@
 #include <random>
 
 #include "renderer/engines/multipass/sums.h"
-#include "renderer/features.h"
-#include "renderer/gl_model.h"
+#include "renderer/frame/features.h"
+#include "renderer/frame/gl_model.h"
 #include "shaders/include/shared.h"
 #include "tests/renderer/pictures.h"
 

@@ -10,7 +10,7 @@
 
 #include "common/image/image_io.h"
 #include "renderer/bench/bench.h"
-#include "renderer/features.h"
+#include "renderer/frame/features.h"
 #include "renderer/shading/cube_map.h"
 #include "tests/renderer/meshes.h"
 #include "tests/renderer/orthographic.h"

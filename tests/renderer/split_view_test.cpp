@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 #include <string>
 
-#include "renderer/features.h"
+#include "renderer/frame/features.h"
 #include "renderer/view/view.h"
 #include "shaders/include/split_view.h"
 #include "tests/renderer/pictures.h"

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "renderer/picture_parts.h"
+#include "renderer/frame/image_parts.h"
 #include "renderer/view/view.h"
 #include "tests/renderer/pictures.h"
 

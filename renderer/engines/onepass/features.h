@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "renderer/features.h"
+#include "renderer/frame/features.h"
 #include "renderer/shading/materials.h"
 
 namespace relief::onepass {

@@ -8,13 +8,13 @@
 #include <string>
 
 #include "common/error.h"
+#include "renderer/frame/resolve.h"
+#include "renderer/frame/targets.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/gl/pass.h"
 #include "renderer/render.h"
-#include "renderer/resolve.h"
 #include "renderer/shading/environment.h"
-#include "renderer/targets.h"
 #include "renderer/view/view.h"
 
 namespace relief {

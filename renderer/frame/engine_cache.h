@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "common/error.h"
-#include "renderer/gl_model.h"
-#include "renderer/gl_picture.h"
+#include "renderer/frame/gl_image.h"
+#include "renderer/frame/gl_model.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

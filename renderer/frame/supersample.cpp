@@ -1,11 +1,11 @@
-#include "renderer/supersample.h"
+#include "renderer/frame/supersample.h"
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 
-#include "renderer/gl_engine.h"
-#include "renderer/picture_parts.h"
+#include "renderer/frame/gl_engine.h"
+#include "renderer/frame/image_parts.h"
 
 namespace relief {
 namespace {

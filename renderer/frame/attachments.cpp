@@ -1,4 +1,4 @@
-#include "renderer/attachments.h"
+#include "renderer/frame/attachments.h"
 
 #include <vector>
 

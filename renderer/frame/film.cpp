@@ -1,4 +1,4 @@
-#include "renderer/film.h"
+#include "renderer/frame/film.h"
 
 #include <cstddef>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "renderer/open_gl.h"
+#include "renderer/gl/open_gl.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "renderer/feature_names.h"
+#include "renderer/frame/feature_names.h"
 
 #include <bit>
 #include <charconv>

@@ -1,12 +1,12 @@
-#include "renderer/gl_model.h"
+#include "renderer/frame/gl_model.h"
 
 #include <algorithm>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "renderer/frame/sample_draws.h"
 #include "renderer/geometry/proxy.h"
-#include "renderer/sample_draws.h"
 #include "renderer/shading/cube_map.h"
 #include "renderer/shading/environment_cache.h"
 #include "renderer/shading/materials.h"

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "common/error.h"
-#include "renderer/features.h"
-#include "renderer/gl_model.h"
-#include "renderer/gl_picture.h"
+#include "renderer/frame/features.h"
+#include "renderer/frame/gl_image.h"
+#include "renderer/frame/gl_model.h"
+#include "renderer/frame/supersample.h"
 #include "renderer/prepared.h"
-#include "renderer/supersample.h"
 
 namespace relief {
 

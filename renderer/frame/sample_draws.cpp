@@ -1,4 +1,4 @@
-#include "renderer/sample_draws.h"
+#include "renderer/frame/sample_draws.h"
 
 #include <array>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "renderer/explanation.h"
+#include "renderer/frame/explanation.h"
 
 #include <algorithm>
 

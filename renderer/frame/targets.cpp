@@ -1,4 +1,4 @@
-#include "renderer/targets.h"
+#include "renderer/frame/targets.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/attachments.h"
+#include "renderer/frame/attachments.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

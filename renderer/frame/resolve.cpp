@@ -1,8 +1,8 @@
-#include "renderer/resolve.h"
+#include "renderer/frame/resolve.h"
 
 #include <utility>
 
-#include "renderer/attachments.h"
+#include "renderer/frame/attachments.h"
 #include "renderer/gl/program.h"
 #include "shaders/include/shared.h"
 

@@ -1,4 +1,4 @@
-#include "renderer/picture_parts.h"
+#include "renderer/frame/image_parts.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,12 +1,12 @@
-#include "renderer/gl_picture.h"
+#include "renderer/frame/gl_image.h"
 
 #include <algorithm>
 #include <chrono>
 #include <span>
 #include <vector>
 
+#include "renderer/frame/median.h"
 #include "renderer/gl/pass.h"
-#include "renderer/median.h"
 
 namespace relief {
 namespace {
