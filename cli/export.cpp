@@ -13,7 +13,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/load.h"
-#include "cli/paths.h"
+#include "cli/options/paths.h"
 #include "common/image/srgb.h"
 #include "renderer/geometry/mesh_of_patches.h"
 

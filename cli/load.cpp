@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "cli/console.h"
-#include "cli/paths.h"
+#include "cli/options/paths.h"
 #include "common/image/srgb.h"
 #include "common/io/file.h"
 #include "common/patch_file/patch_file.h"

@@ -8,7 +8,7 @@
 
 #include "cli/console.h"
 #include "cli/load.h"
-#include "cli/paths.h"
+#include "cli/options/paths.h"
 #include "cli/place_models.h"
 #include "common/patch_file/patch_tree.h"
 #include "common/transform.h"

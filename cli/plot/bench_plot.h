@@ -1,8 +1,8 @@
 // What `relief bench --plot` draws.
 #pragma once
 
-#include "cli/bench_report.h"
-#include "cli/scatter_plot.h"
+#include "cli/plot/scatter_plot.h"
+#include "cli/reports/bench_report.h"
 
 namespace relief::cli {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/bench_accuracy.h"
+#include "cli/bench/bench_accuracy.h"
 #include "renderer/bench/bench.h"
 
 namespace relief::cli {

@@ -1,4 +1,4 @@
-#include "cli/render_report.h"
+#include "cli/reports/render_report.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "cli/explain_report.h"
+#include "cli/reports/explain_report.h"
 #include "renderer/frame/image_parts.h"
 #include "renderer/shading/materials.h"
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "cli/render_plan.h"
+#include "cli/options/render_plan.h"
 #include "renderer/render.h"
 
 namespace relief::cli {

@@ -1,4 +1,4 @@
-#include "cli/bench_sweep.h"
+#include "cli/bench/bench_sweep.h"
 
 #include <CLI/Error.hpp>
 #include <optional>
@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "cli/load.h"
-#include "cli/values.h"
+#include "cli/options/values.h"
 #include "preprocess/convert.h"
 
 namespace relief::cli {

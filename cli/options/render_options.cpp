@@ -1,4 +1,4 @@
-#include "cli/render_options.h"
+#include "cli/options/render_options.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <map>
 #include <string>
 
-#include "cli/paths.h"
-#include "cli/values.h"
+#include "cli/options/paths.h"
+#include "cli/options/values.h"
 
 namespace relief::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "cli/convert_report.h"
+#include "cli/reports/convert_report.h"
 
 #include <fmt/format.h>
 #include <sys/resource.h>

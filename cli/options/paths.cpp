@@ -1,4 +1,4 @@
-#include "cli/paths.h"
+#include "cli/options/paths.h"
 
 #include <unistd.h>
 

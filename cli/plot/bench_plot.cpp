@@ -1,4 +1,4 @@
-#include "cli/bench_plot.h"
+#include "cli/plot/bench_plot.h"
 
 #include <fmt/format.h>
 

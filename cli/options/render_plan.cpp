@@ -1,11 +1,11 @@
-#include "cli/render_plan.h"
+#include "cli/options/render_plan.h"
 
 #include <set>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
-#include "cli/paths.h"
+#include "cli/options/paths.h"
 #include "renderer/shading/environment_files.h"
 #include "renderer/shading/materials.h"
 

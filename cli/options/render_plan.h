@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/render_options.h"
+#include "cli/options/render_options.h"
 #include "common/error.h"
 #include "common/patch.h"
 #include "common/scene/scene.h"

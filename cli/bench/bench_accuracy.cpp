@@ -1,4 +1,4 @@
-#include "cli/bench_accuracy.h"
+#include "cli/bench/bench_accuracy.h"
 
 #include <utility>
 

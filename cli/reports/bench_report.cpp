@@ -1,4 +1,4 @@
-#include "cli/bench_report.h"
+#include "cli/reports/bench_report.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "cli/bench_rows.h"
+#include "cli/bench/bench_rows.h"
 
 namespace relief::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "cli/scatter_plot.h"
+#include "cli/plot/scatter_plot.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-#include "cli/plot_axis.h"
+#include "cli/plot/plot_axis.h"
 
 namespace relief::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "cli/limits.h"
+#include "cli/options/limits.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <string_view>
 
-#include "cli/comparison_report.h"
-#include "cli/values.h"
+#include "cli/options/values.h"
+#include "cli/reports/comparison_report.h"
 
 namespace relief::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "cli/comparison_report.h"
+#include "cli/reports/comparison_report.h"
 
 #include <fmt/format.h>
 
