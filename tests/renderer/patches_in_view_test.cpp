@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "tests/common/sample_models.h"
+#include "tests/common/patch_file/sample_models.h"
 #include "tests/renderer/pictures.h"
 #include "tests/renderer/scenes.h"
 

@@ -7,7 +7,7 @@
 
 #include "preprocess/convert_tiles.h"
 #include "preprocess/tiles/spread_points.h"
-#include "tests/common/sample_models.h"
+#include "tests/common/patch_file/sample_models.h"
 #include "tests/preprocess/stream/write_ply.h"
 #include "tests/preprocess/surfaces.h"
 

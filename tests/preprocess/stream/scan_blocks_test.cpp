@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "preprocess/readers/read_points.h"
-#include "tests/common/sample_models.h"
+#include "tests/common/patch_file/sample_models.h"
 #include "tests/preprocess/readers/scan_files.h"
 
 namespace relief {

@@ -4,7 +4,7 @@
 
 #include "preprocess/tiles/checkpoint.h"
 #include "preprocess/tiles/survey.h"
-#include "tests/common/sample_models.h"
+#include "tests/common/patch_file/sample_models.h"
 #include "tests/preprocess/surfaces.h"
 
 namespace relief {

@@ -1,5 +1,5 @@
 // Radiance HDR: flat pixels, old and new runs; what is not read is told.
-#include "tests/common/image_testing.h"
+#include "tests/common/image/image_testing.h"
 
 namespace relief {
 namespace {

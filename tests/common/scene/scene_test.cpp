@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/image/srgb.h"
-#include "tests/common/sample_models.h"
+#include "tests/common/patch_file/sample_models.h"
 
 namespace relief {
 namespace {

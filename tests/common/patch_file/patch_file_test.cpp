@@ -7,8 +7,8 @@
 #include <glm/trigonometric.hpp>
 
 #include "common/patch_file/fast/patch_codec.h"
-#include "tests/common/read_whole.h"
-#include "tests/common/sample_models.h"
+#include "tests/common/patch_file/read_whole.h"
+#include "tests/common/patch_file/sample_models.h"
 
 namespace relief {
 namespace {

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "common/patch_file/patch_tree.h"
-#include "tests/common/describe_model.h"
-#include "tests/common/read_whole.h"
-#include "tests/common/sample_models.h"
+#include "tests/common/patch_file/describe_model.h"
+#include "tests/common/patch_file/read_whole.h"
+#include "tests/common/patch_file/sample_models.h"
 
 namespace relief {
 namespace {

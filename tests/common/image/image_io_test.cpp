@@ -1,5 +1,5 @@
 // Pictures of any format: what is no picture is refused, real environments are read.
-#include "tests/common/image_testing.h"
+#include "tests/common/image/image_testing.h"
 
 namespace relief {
 namespace {

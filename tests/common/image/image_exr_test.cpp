@@ -9,7 +9,7 @@
 #include <cstring>
 #include <limits>
 
-#include "tests/common/image_testing.h"
+#include "tests/common/image/image_testing.h"
 
 namespace relief {
 namespace {

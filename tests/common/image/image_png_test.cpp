@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "common/image/srgb.h"
-#include "tests/common/image_testing.h"
+#include "tests/common/image/image_testing.h"
 
 namespace relief {
 namespace {

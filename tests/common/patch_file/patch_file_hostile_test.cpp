@@ -7,7 +7,7 @@
 
 #include "common/patch_file/patch_file.h"
 #include "common/patch_file/patch_file_layout.h"
-#include "tests/common/sample_models.h"
+#include "tests/common/patch_file/sample_models.h"
 
 namespace relief {
 namespace {

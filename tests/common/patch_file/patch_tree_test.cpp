@@ -6,8 +6,8 @@
 
 #include "common/io/file.h"
 #include "common/patch_file/patch_tree_layout.h"
-#include "tests/common/read_whole.h"
-#include "tests/common/sample_models.h"
+#include "tests/common/patch_file/read_whole.h"
+#include "tests/common/patch_file/sample_models.h"
 
 namespace relief {
 namespace {

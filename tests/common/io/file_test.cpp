@@ -10,7 +10,7 @@
 
 #include "common/image/image_io.h"
 #include "common/patch_file/patch_file.h"
-#include "tests/common/sample_models.h"
+#include "tests/common/patch_file/sample_models.h"
 
 namespace relief {
 namespace {

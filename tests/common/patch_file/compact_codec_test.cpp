@@ -11,8 +11,8 @@
 #include "common/patch_file/compact/rotation_code.h"
 #include "common/patch_file/fast/patch_codec.h"
 #include "common/patch_file/patch_file.h"
-#include "tests/common/read_whole.h"
-#include "tests/common/sample_models.h"
+#include "tests/common/patch_file/read_whole.h"
+#include "tests/common/patch_file/sample_models.h"
 
 namespace relief {
 namespace {

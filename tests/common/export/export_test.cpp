@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "preprocess/readers/read_points.h"
-#include "tests/common/sample_models.h"
+#include "tests/common/patch_file/sample_models.h"
 
 namespace relief::test {
 namespace {

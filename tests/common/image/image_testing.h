@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "common/image/image_io.h"
-#include "tests/common/sample_models.h"
+#include "tests/common/patch_file/sample_models.h"
 
 namespace relief::test {
 
