@@ -12,8 +12,8 @@
 #include "tests/common/patch_file/read_whole.h"
 #include "tests/common/patch_file/sample_models.h"
 #include "tests/preprocess/readers/pack.h"
-#include "tests/preprocess/stream/write_ply.h"
 #include "tests/preprocess/surfaces.h"
+#include "tests/preprocess/tiles/write_ply.h"
 
 namespace relief {
 namespace {

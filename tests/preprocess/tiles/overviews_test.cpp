@@ -8,8 +8,8 @@
 #include "preprocess/convert_tiles.h"
 #include "preprocess/tiles/spread_points.h"
 #include "tests/common/patch_file/sample_models.h"
-#include "tests/preprocess/stream/write_ply.h"
 #include "tests/preprocess/surfaces.h"
+#include "tests/preprocess/tiles/write_ply.h"
 
 namespace relief {
 namespace {
