@@ -6,7 +6,7 @@
 
 #include "renderer/engines/ewa/render_ewa.h"
 #include "renderer/engines/ewa/splat_hierarchy.h"
-#include "tests/renderer/ewa_clouds.h"
+#include "tests/renderer/engines/ewa/ewa_clouds.h"
 #include "tests/renderer/pictures.h"
 
 namespace relief::ewa {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "common/scene/camera.h"
-#include "tests/renderer/ewa_clouds.h"
+#include "tests/renderer/engines/ewa/ewa_clouds.h"
 #include "tests/renderer/pictures.h"
 
 namespace relief {

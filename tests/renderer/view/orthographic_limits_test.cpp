@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/compare/compare.h"
-#include "tests/renderer/orthographic.h"
+#include "tests/renderer/view/orthographic.h"
 
 namespace relief {
 namespace {

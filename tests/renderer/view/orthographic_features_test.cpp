@@ -13,7 +13,7 @@
 #include "renderer/frame/features.h"
 #include "renderer/shading/cube_map.h"
 #include "tests/renderer/meshes.h"
-#include "tests/renderer/orthographic.h"
+#include "tests/renderer/view/orthographic.h"
 
 namespace relief {
 namespace {

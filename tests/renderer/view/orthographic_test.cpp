@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "shaders/include/shared.h"
-#include "tests/renderer/orthographic.h"
+#include "tests/renderer/view/orthographic.h"
 
 namespace relief {
 namespace {

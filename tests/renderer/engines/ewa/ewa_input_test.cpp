@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "tests/renderer/ewa_clouds.h"
+#include "tests/renderer/engines/ewa/ewa_clouds.h"
 #include "tests/renderer/pictures.h"
 
 namespace relief {

@@ -15,8 +15,8 @@
 #include "common/transform.h"
 #include "renderer/engines/onepass/features.h"
 #include "tests/renderer/meshes.h"
-#include "tests/renderer/orthographic.h"
 #include "tests/renderer/pictures.h"
+#include "tests/renderer/view/orthographic.h"
 
 namespace relief {
 namespace {
