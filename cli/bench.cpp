@@ -16,13 +16,13 @@
 #include "cli/bench/bench_sweep.h"
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "cli/load_scene.h"
 #include "cli/options/paths.h"
 #include "cli/options/render_options.h"
-#include "cli/options/render_plan.h"
 #include "cli/plot/bench_plot.h"
 #include "cli/reports/bench_report.h"
 #include "common/io/file.h"
+#include "loader/load_scene.h"
+#include "loader/scene_plan.h"
 #include "renderer/shading/materials.h"
 
 namespace relief::cli {

@@ -15,13 +15,13 @@
 #include <string>
 #include <vector>
 
-#include "cli/acquire.h"
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "cli/load.h"
 #include "cli/options/paths.h"
 #include "cli/reports/convert_report.h"
 #include "common/patch_file/patch_file.h"
+#include "loader/acquire_splats.h"
+#include "loader/load_files.h"
 #include "preprocess/convert_tiles.h"
 #include "preprocess/points/outliers.h"
 #include "preprocess/points/thin.h"

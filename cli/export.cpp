@@ -12,9 +12,9 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "cli/load.h"
 #include "cli/options/paths.h"
 #include "common/image/srgb.h"
+#include "loader/load_files.h"
 #include "renderer/geometry/mesh_of_patches.h"
 
 namespace relief::cli {

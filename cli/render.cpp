@@ -13,12 +13,12 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "cli/load_scene.h"
 #include "cli/options/paths.h"
 #include "cli/options/render_options.h"
-#include "cli/options/render_plan.h"
 #include "cli/reports/render_report.h"
 #include "common/image/image_io.h"
+#include "loader/load_scene.h"
+#include "loader/scene_plan.h"
 
 namespace relief::cli {
 namespace {

@@ -4,8 +4,8 @@
 #include <CLI/App.hpp>
 #include <filesystem>
 
-#include "cli/acquire.h"
 #include "common/scene/scene.h"
+#include "loader/acquire_splats.h"
 #include "renderer/render.h"
 
 namespace relief::cli {

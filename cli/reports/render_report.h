@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "cli/options/render_plan.h"
+#include "loader/scene_plan.h"
 #include "renderer/render.h"
 
 namespace relief::cli {

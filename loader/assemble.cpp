@@ -1,4 +1,4 @@
-#include "cli/place_models.h"
+#include "loader/assemble.h"
 
 #include <iterator>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "cli/acquire.h"
+#include "loader/acquire_splats.h"
 
 #include <fmt/format.h>
 

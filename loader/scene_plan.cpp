@@ -1,4 +1,4 @@
-#include "cli/options/render_plan.h"
+#include "loader/scene_plan.h"
 
 #include <set>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include "cli/load_scene.h"
+#include "loader/load_scene.h"
 
 #include <fmt/format.h>
 
@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "cli/console.h"
-#include "cli/load.h"
 #include "cli/options/paths.h"
-#include "cli/place_models.h"
 #include "common/patch_file/patch_tree.h"
 #include "common/transform.h"
+#include "loader/assemble.h"
+#include "loader/load_files.h"
 #include "preprocess/convert.h"
 #include "renderer/engines/ewa/splats_of_samples.h"
 #include "renderer/geometry/mesh_of_patches.h"

@@ -1,4 +1,4 @@
-#include "cli/load.h"
+#include "loader/load_files.h"
 
 #include <fmt/format.h>
 

@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
-#include "cli/load_scene.h"
 #include "common/patch.h"
 #include "common/scene/scene.h"
+#include "loader/load_scene.h"
 
 namespace relief::cli {
 
