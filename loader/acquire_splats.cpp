@@ -2,21 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <map>
+#include <string>
 #include <utility>
 
-#include "cli/console.h"
 #include "common/image/image_io.h"
 #include "preprocess/readers/read_points.h"
 #include "preprocess/texture/acquisition/acquire_texture.h"
 
-namespace relief::cli {
+namespace relief {
 namespace {
-
-const std::map<std::string, Acquisition> kAcquisitions{{"given", Acquisition::Given},
-                                                       {"ewa", Acquisition::ViewIndependent},
-                                                       {"optimised", Acquisition::Optimised}};
 
 std::string describe(const AcquireResult& acquired) {
   const AcquireReport& report = acquired.report;
@@ -33,44 +27,16 @@ std::string describe(const AcquireResult& acquired) {
 
 }  // namespace
 
-TextureChoice texture_choice(const std::filesystem::path& option) {
-  if (option == "none") return {true, {}};
-  return {false, option};
-}
-
-void add_texture_options(CLI::App& sub, TextureArguments& arguments) {
-  auto* const texture =
-      sub.add_option("--texture", arguments.file,
-                     "Picture that a mesh's texture coordinates refer to, in place of its file's "
-                     "own; none: no texture. ewa: splats are spread over the faces")
-          ->option_text("FILE|none");
-  sub.add_option("--acquisition", arguments.acquisition,
-                 "ewa: how splats get the texture's colours: given is its value at the point, ewa "
-                 "its mean under the splat, optimised what comes nearest to it (optimised)")
-      ->check(CLI::IsMember(kAcquisitions))
-      ->option_text("given|ewa|optimised")
-      ->needs(texture);
-  sub.add_option("--points", arguments.points, "ewa: splats for a --texture (100000)")
-      ->check(CLI::PositiveNumber)
-      ->option_text("N")
-      ->needs(texture);
-}
-
 Result<SplatCloud> acquire_splats(const std::filesystem::path& mesh,
-                                  const TextureArguments& arguments, double cutoff,
+                                  const std::filesystem::path& file, const AcquireOptions& options,
                                   Progress& progress) {
-  RELIEF_TRY_ASSIGN(const auto texture, read_image(arguments.file));
+  RELIEF_TRY_ASSIGN(const auto texture, read_image(file));
   RELIEF_TRY_ASSIGN(auto scan, read_points(mesh, progress));
-  AcquireOptions options;
-  options.acquisition = kAcquisitions.at(arguments.acquisition.value_or("optimised"));
-  options.points = arguments.points.value_or(options.points);
-  options.cutoff = cutoff;
   auto acquired = acquire_texture(std::move(scan.points), texture, options, progress);
   if (!acquired) {
-    return make_error("{} with {}: {}", mesh.string(), arguments.file.string(),
-                      acquired.error().message);
+    return make_error("{} with {}: {}", mesh.string(), file.string(), acquired.error().message);
   }
-  note(describe(*acquired));
+  progress.note(describe(*acquired));
   SplatCloud cloud;
   cloud.radii.assign(acquired->splats.positions.size(), acquired->splats.deviation);
   cloud.colours.reserve(acquired->splats.colours.size());
@@ -80,4 +46,4 @@ Result<SplatCloud> acquire_splats(const std::filesystem::path& mesh,
   return cloud;
 }
 
-}  // namespace relief::cli
+}  // namespace relief

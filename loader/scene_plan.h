@@ -1,50 +1,39 @@
-// From what the user asked for to the pictures that are to be made.
+// What is to be drawn of a file that the user names: its models, and the views of them with their
+// settings.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "cli/options/render_options.h"
 #include "common/error.h"
-#include "common/patch.h"
 #include "common/scene/scene.h"
-#include "renderer/render.h"
 
-namespace relief::cli {
+namespace relief {
 
-/// One picture to be made.
-struct Picture {
-  std::string view;  ///< its name; empty without a scene file
-  std::filesystem::path output;
-  SceneSettings settings;  ///< the options, over the view's, over the scene's
-  /// Where the models say something about their materials: the options, over that, over the view's
-  /// and the scene's, in the order of materials_said.
+/// A view to draw.
+struct PlannedView {
+  std::string name;  ///< in the scene file; empty without one
+  /// The overrides, over the view's settings, over the scene's.
+  SceneSettings settings;
+  /// By material number, if some model names a material of its own: the overrides, over the
+  /// model's material, over the view's and the scene's; in the order of materials_said.
   std::vector<MaterialSettings> materials;
 };
 
-struct RenderPlan {
-  std::filesystem::path scene;  ///< the scene file; empty without one
+struct ScenePlan {
+  std::filesystem::path file;  ///< the scene file; empty without one
   std::vector<SceneModel> models;
-  std::vector<Picture> pictures;
+  std::vector<PlannedView> views;
 };
 
-/// Reads the scene, if it is one; any other file is a scene of one model and one view.
-Result<RenderPlan> make_plan(const RenderArguments& arguments);
+/// Reads a scene (.json). Any other file is a scene of one model and one view. `overrides` win over
+/// what the scene and its views say. Opens no file but the scene. Fails as read_scene does, and if
+/// the materials of a view have more than kMaxRoughnesses roughnesses.
+Result<ScenePlan> plan_scene(const std::filesystem::path& input, const SceneSettings& overrides);
 
-/// Whether every picture has a file of its own.
-[[nodiscard]] bool outputs_differ(const RenderPlan& plan, const RenderArguments& arguments);
+/// The files that the plan reads: the scene file, models and environments, each once. Fails if one
+/// is missing, so that it is known before any long work.
+Result<std::vector<std::filesystem::path>> find_inputs(const ScenePlan& plan);
 
-/// The files to be read, the scene among them. Fails if one is not there: known before the long
-/// work. `texture`: one more file to be read, if not empty.
-Result<std::vector<std::filesystem::path>> find_inputs(const RenderPlan& plan,
-                                                       const std::filesystem::path& texture);
-
-/// The same, and whether every file to be written can be.
-Status check_files(const RenderPlan& plan, const std::filesystem::path& texture);
-
-/// What the renderer is told about a picture of the model.
-Result<RenderSettings> render_settings_for(const Picture& picture, const PatchModel& model,
-                                           const RenderArguments& arguments);
-
-}  // namespace relief::cli
+}  // namespace relief

@@ -1,11 +1,11 @@
-// What `relief render` can be told.
+// The options of `relief render`.
 #pragma once
 
 #include <CLI/App.hpp>
 #include <filesystem>
 
+#include "cli/options/texture_options.h"
 #include "common/scene/scene.h"
-#include "loader/acquire_splats.h"
 #include "renderer/render.h"
 
 namespace relief::cli {
