@@ -66,6 +66,13 @@ def cell(text):
     return text.replace("|", "\\|")
 
 
+def row_of(name, text):
+    """A table row. CLI11 prints what an option needs and excludes behind its name."""
+    name, *relations = re.split(r" (?=(?:Needs|Excludes|REQUIRED)\b)", name)
+    sentences = [text.rstrip("."), *(relation.replace(":", "") for relation in relations)]
+    return f"| `{cell(name)}` | {cell('. '.join(sentences))} |"
+
+
 def page_of(help_text, heading):
     """The Markdown of one help text."""
     parsed = Help(help_text)
@@ -73,7 +80,7 @@ def page_of(help_text, heading):
     out += ["```", parsed.usage, "```", ""]
     for section, rows in parsed.sections.items():
         out += [f"| {section} | |", "| --- | --- |"]
-        out += [f"| `{cell(name)}` | {cell(text)} |" for name, text in rows]
+        out += [row_of(name, text) for name, text in rows]
         out.append("")
     if parsed.footer:
         out += ["```text", *parsed.footer, "```", ""]
