@@ -26,7 +26,7 @@ FOLDERS = "cli|cmake|common|docs|models|preprocess|renderer|scripts|shaders|test
 MAX_README_LINES = 120
 
 PATH = re.compile(rf"(?<![\w./<-])((?:{FOLDERS})/[\w./*{{}},+-]*)")
-INCLUDE = re.compile(r"<relief/([\w./-]+)>")
+INCLUDE = re.compile(r"<relief/(\w[\w./-]*)>")
 LINK = re.compile(r"\]\(([^()\s]*(?:\([^()\s]*\))?[^()\s]*)\)")
 SPAN = re.compile(r"(`+)(.+?)\1")
 
