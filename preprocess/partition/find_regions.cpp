@@ -9,7 +9,7 @@ namespace relief {
 namespace {
 
 // 70 degrees stretch samples by 1 / cos 70 = 2.9 at most. 75 make a tenth fewer patches, and more
-// spikes at silhouettes (docs/decisions.md).
+// spikes at silhouettes (docs/decisions/0030).
 constexpr double kDefaultConeDegrees = 70.0;
 // Regions of fewer points are no surface.
 constexpr std::size_t kLeastPatchPoints = 4;

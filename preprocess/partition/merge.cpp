@@ -143,7 +143,7 @@ class Merger {
   // Lower is better. Flatness: share of the union's area that its mean normal loses (0 for a
   // plane). Compactness: perimeter squared over 4 pi area (1 for a disc). Size: the square root of
   // its share of the model keeps all patches growing alike. The weights were chosen on Dragon, Igea
-  // and Lucy for few patches of compact shape (docs/decisions.md).
+  // and Lucy for few patches of compact shape (docs/decisions/0028).
   [[nodiscard]] double cost(std::uint32_t ia, std::uint32_t ib, double border) const {
     const Cluster& a = clusters_[ia];
     const Cluster& b = clusters_[ib];

@@ -13,7 +13,7 @@ namespace {
 constexpr double kSplitShare = 0.15;
 
 // What borders weigh, and how often they are moved and regions then merged: chosen on ten scans
-// (docs/decisions.md has the table).
+// (docs/decisions/0030 has the table).
 constexpr BorderWeights kBorderWeights{0.3, 4.0};
 constexpr int kBorderRounds = 2;
 

@@ -11,7 +11,7 @@ namespace relief {
 namespace {
 
 // The weight's scale in local scan spacings: small enough to keep the scan's detail, large enough
-// for at least six points with weight. Dragon: docs/decisions.md.
+// for at least six points with weight. Dragon: docs/decisions/0036.
 constexpr double kScaleInSpacings = 1.0;
 // The least scale in grid spacings: a finer scan is averaged so that the grid does not alias.
 constexpr double kScaleInGridSpacings = 0.5;

@@ -11,7 +11,8 @@ namespace relief {
 namespace {
 
 // Margin points steeper than this (60 degrees) support no samples: a cell there is more than two
-// spacings long, and what sticks out beyond a crest is a spike (docs/decisions.md has the figures).
+// spacings long, and what sticks out beyond a crest is a spike (docs/decisions/0032 has the
+// figures).
 constexpr float kLeastSupportCosine = 0.5F;
 // But those that their own region too sees at a slope of 53 degrees or more: where a border is
 // steep for both its patches, neither would have a margin. They support samples if they are not

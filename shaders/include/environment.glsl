@@ -19,7 +19,7 @@ vec3 difference(vec3 along, bool upward) {
 #elif defined(RELIEF_MEAN_NORMALS)
 // The level whose texels are as wide as normals are spread (far.vert). Reflections are spread four
 // times as far from end to end, but refractions less, and at that level glass was five times too
-// bright; with none mirrors were up to three times (docs/decisions.md).
+// bright; with none mirrors were up to three times (docs/decisions/0098).
 float level_of_mean(float size) {
   return log2(max(normal_spread * size / 1.5708, 1.0));
 }

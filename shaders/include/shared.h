@@ -117,7 +117,7 @@ using glm::vec4;
 
 // Binding points: one uniform block, one storage buffer, else texture units. The tables are buffer
 // textures, not storage buffers: llvmpipe reads a storage buffer lane by lane, and not at all in
-// helper invocations, which spoils derivatives (measured: docs/decisions.md).
+// helper invocations, which spoils derivatives (measured: docs/decisions/0065).
 #define RELIEF_BIND_FRAME 0
 #define RELIEF_BIND_MATERIALS 1
 #define RELIEF_BIND_BACK_FRAME 2

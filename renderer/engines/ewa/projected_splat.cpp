@@ -9,7 +9,7 @@ namespace relief::ewa {
 namespace {
 
 /// Depths are of one surface if they differ by less than this many radii, plus this many times what
-/// the tangent plane's depth changes by from one pixel to the next (measured: docs/decisions.md).
+/// the tangent plane's depth changes by from one pixel to the next (measured: docs/decisions/0074).
 constexpr double kThresholdRadii = 1.0;
 constexpr double kThresholdSteps = 1.0;
 
