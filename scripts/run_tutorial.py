@@ -3,8 +3,10 @@
 
     scripts/run_tutorial.py [BUILD] [FOLDER]    # build/release and a temporary folder by default
 
-Runs every `sh` block in order and writes the `json` block to views.json. Blocks without a language
-are not run: they build Relief and create the folder. Exits with 1 at the first command that fails.
+Runs every `sh` block in order and writes the `json` block to views.json. Every line of a `text` block
+must be printed by the commands before it. Blocks without a language are not run: they build Relief
+and create the folder. Exits with 1 if a command fails or a line is missing. (With another version of
+Mesa or Embree than that of Debian 12, last digits of the comparison may differ.)
 """
 import os
 import pathlib
@@ -16,17 +18,33 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
+def run_block(block, build, folder):
+    """Runs a block of commands and returns what they print."""
+    environment = dict(os.environ, RELIEF=str(ROOT), PATH=f"{build / 'cli'}:{os.environ['PATH']}")
+    commands = block.replace('"$RELIEF"/build/release', f'"{build}"')
+    done = subprocess.run(["bash", "-exc", commands], cwd=folder, env=environment, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True, check=False)
+    sys.stdout.write(done.stdout)
+    sys.stdout.flush()
+    if done.returncode != 0:
+        sys.exit(f"run_tutorial.py: exit code {done.returncode} of a command of docs/tutorial.md (see above)")
+    return done.stdout
+
+
 def run_blocks(build, folder):
     page = (ROOT / "docs" / "tutorial.md").read_text(encoding="utf-8")
-    environment = dict(os.environ, RELIEF=str(ROOT), PATH=f"{build / 'cli'}:{os.environ['PATH']}")
-    for language, block in re.findall(r"^```(sh|json)\n(.*?)^```", page, re.DOTALL | re.MULTILINE):
+    printed, missing = set(), []
+    for language, block in re.findall(r"^```(sh|json|text)\n(.*?)^```", page, re.DOTALL | re.MULTILINE):
         if language == "json":
             (folder / "views.json").write_text(block, encoding="utf-8")
-            continue
-        commands = block.replace('"$RELIEF"/build/release', f'"{build}"')
-        done = subprocess.run(["bash", "-exc", commands], cwd=folder, env=environment, check=False)
-        if done.returncode != 0:
-            sys.exit(f"run_tutorial.py: exit code {done.returncode} of a command of docs/tutorial.md (see above)")
+        elif language == "sh":
+            printed.update(run_block(block, build, folder).splitlines())
+        else:
+            missing += [line for line in block.splitlines() if line not in printed]
+    for line in missing:
+        print(f"docs/tutorial.md shows a line that no command printed: {line}")
+    if missing:
+        sys.exit(f"run_tutorial.py: {len(missing)} lines of docs/tutorial.md are out of date")
 
 
 def main():
