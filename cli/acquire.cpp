@@ -59,15 +59,13 @@ void add_texture_options(CLI::App& sub, TextureArguments& arguments) {
 Result<SplatCloud> acquire_splats(const std::filesystem::path& mesh,
                                   const TextureArguments& arguments, double cutoff,
                                   Progress& progress) {
-  const auto texture = read_image(arguments.file);
-  if (!texture) return texture.error();
-  auto scan = read_points(mesh, progress);
-  if (!scan) return scan.error();
+  RELIEF_TRY_ASSIGN(const auto texture, read_image(arguments.file));
+  RELIEF_TRY_ASSIGN(auto scan, read_points(mesh, progress));
   AcquireOptions options;
   options.acquisition = kAcquisitions.at(arguments.acquisition.value_or("optimised"));
   options.points = arguments.points.value_or(options.points);
   options.cutoff = cutoff;
-  auto acquired = acquire_texture(std::move(scan->points), *texture, options, progress);
+  auto acquired = acquire_texture(std::move(scan.points), texture, options, progress);
   if (!acquired) {
     return make_error("{} with {}: {}", mesh.string(), arguments.file.string(),
                       acquired.error().message);

@@ -28,7 +28,7 @@
 namespace relief::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kBenchExamples =
     "In brackets: what is taken where an option is not given.\n"
     "Draws each way in turns: frame k of every row before frame k + 1 of any, so that a machine\n"
     "that drifts drifts for all. Times are medians, after two rounds that are not counted. The\n"
@@ -44,7 +44,7 @@ constexpr const char* kExamples =
 
 constexpr int kFrames = 20;
 
-struct Arguments {
+struct BenchArguments {
   RenderArguments picture;
   std::filesystem::path plot;  ///< empty: none
   std::optional<Sweep> sweep;
@@ -65,9 +65,8 @@ Result<Models> load(const RenderPlan& plan, const std::optional<Sweep>& sweep, P
   if (!scene) return scene.error();
   Models models{std::move(*scene), {}};
   if (!sweep || !converts(*sweep)) return models;
-  auto swept = convert_sweep(plan.models.front().file, *sweep, progress);
-  if (!swept) return swept.error();
-  models.swept = std::move(*swept);
+  RELIEF_TRY_ASSIGN(auto swept, convert_sweep(plan.models.front().file, *sweep, progress));
+  models.swept = std::move(swept);
   return models;
 }
 
@@ -106,40 +105,37 @@ Plan plan_rows(const Models& models, const RenderSettings& base,
   return plan;
 }
 
-Result<BenchResult> measure(const RenderPlan& scene, const Arguments& arguments) {
+Result<BenchResult> measure(const RenderPlan& scene, const BenchArguments& arguments) {
   ConsoleProgress progress;
-  const auto models = load(scene, arguments.sweep, progress);
-  if (!models) return models.error();
+  RELIEF_TRY_ASSIGN(const auto models, load(scene, arguments.sweep, progress));
   const Picture& picture = scene.pictures.front();
-  const auto base = render_settings_for(picture, models->scene.patches, arguments.picture);
-  if (!base) return base.error();
-  if (uses(*base, Material::Split)) {
+  RELIEF_TRY_ASSIGN(const auto base,
+                    render_settings_for(picture, models.scene.patches, arguments.picture));
+  if (uses(base, Material::Split)) {
     return make_error(
         "the material split is for relief render: most of the rows of relief bench can't show it; "
         "take lit or mirror");
   }
-  if (has_two_interfaces(*base)) {
+  if (has_two_interfaces(base)) {
     return make_error(
         "glass with two interfaces is for relief render: most of the rows of relief bench can't "
         "show it; take --interfaces 1");
   }
-  auto [job, result] = plan_rows(*models, *base, arguments.sweep);
+  auto [job, result] = plan_rows(models, base, arguments.sweep);
   job.frames = arguments.picture.frames.value_or(kFrames);
-  auto times = bench(job, progress);
-  if (!times) return times.error();
-  const TriangleMesh* const mesh = models->scene.mesh ? &*models->scene.mesh : nullptr;
-  auto accuracy = measure_accuracy(job.rows, mesh, progress);
-  if (!accuracy) return accuracy.error();
+  RELIEF_TRY_ASSIGN(auto times, bench(job, progress));
+  const TriangleMesh* const mesh = models.scene.mesh ? &*models.scene.mesh : nullptr;
+  RELIEF_TRY_ASSIGN(auto accuracy, measure_accuracy(job.rows, mesh, progress));
   result.scene = arguments.picture.input.string();
   result.view = picture.view;
   result.frames = job.frames;
   result.warm_up = job.warm_up;
-  result.times = std::move(*times);
-  result.accuracy = std::move(*accuracy);
+  result.times = std::move(times);
+  result.accuracy = std::move(accuracy);
   return std::move(result);
 }
 
-int run(const Arguments& arguments) {
+int run_bench(const BenchArguments& arguments) {
   const auto plan = make_plan(arguments.picture);
   if (!plan) return fail(plan.error());
   const auto inputs = find_inputs(*plan, {});
@@ -158,7 +154,7 @@ int run(const Arguments& arguments) {
 }
 
 /// What is converted anew is a scan.
-void check_sweep(const Arguments& arguments) {
+void check_sweep(const BenchArguments& arguments) {
   const std::string kind = ending(arguments.picture.input);
   if (arguments.sweep && converts(*arguments.sweep) && (kind == ".relief" || kind == ".json"))
     throw CLI::ValidationError("--sweep", "spacing and height-step need a scan or a mesh");
@@ -168,14 +164,14 @@ void check_sweep(const Arguments& arguments) {
 
 void add_bench(CLI::App& app, Command& command) {
   auto* sub = app.add_subcommand("bench", "Time every way to draw a scene against the truth");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<BenchArguments>();
   RenderArguments& picture = arguments->picture;
   sub->add_option("SCENE", picture.input, "A .relief file, a scan, a mesh or a .json scene")
       ->required()
       ->option_text("FILE");
   add_camera_options(*sub, picture.settings);
   add_material_options(*sub, picture.settings);
-  add_sides_option(*sub, picture.settings);
+  add_cull_option(*sub, picture.settings);
   sub->add_option("--frames", picture.frames, "Timed frames of each row (20)")
       ->check(CLI::Range(1, 100000))
       ->option_text("N");
@@ -192,11 +188,11 @@ void add_bench(CLI::App& app, Command& command) {
          "and a row for each value; spacing and height-step convert the scan anew")
       ->option_text("spacing|height-step|radius-factor|pixels-per-sample=V,V,...");
   sub->add_flag("--json", picture.json, "Print one JSON object on standard output");
-  sub->footer(kExamples);
+  sub->footer(kBenchExamples);
   sub->callback([arguments, &command] {
     check_camera(arguments->picture.settings);
     check_sweep(*arguments);
-    command = [arguments] { return run(*arguments); };
+    command = [arguments] { return run_bench(*arguments); };
   });
 }
 

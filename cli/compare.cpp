@@ -23,7 +23,7 @@
 namespace relief::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kCompareExamples =
     "In brackets: what is taken where an option is not given.\n"
     "What can be measured depends on the channels: a PNG has colour (and alpha), an EXR of\n"
     "`relief render` has all. What could not be measured is null in JSON; so is the PSNR of what\n"
@@ -35,7 +35,7 @@ constexpr const char* kExamples =
     "  relief compare now.png golden.png --heatmap difference.png --fail-above flip_mean=0.001\n"
     "  relief compare now.exr truth.exr --fail-above holes=0 --fail-below psnr_db=40 --json";
 
-struct Arguments {
+struct CompareArguments {
   std::filesystem::path test;
   std::filesystem::path reference;
   std::filesystem::path heatmap;
@@ -46,7 +46,7 @@ struct Arguments {
 };
 
 /// A PNG holds what a display shows; only two pictures of light can be compared as light.
-FlipOptions flip_options(const Arguments& arguments) {
+FlipOptions flip_options(const CompareArguments& arguments) {
   FlipOptions options;
   options.pixels_per_degree = arguments.pixels_per_degree;
   const bool png = is_png_file(arguments.test) || is_png_file(arguments.reference);
@@ -55,13 +55,11 @@ FlipOptions flip_options(const Arguments& arguments) {
 }
 
 /// Reads, compares and writes the heatmap.
-Result<Comparison> compare_files(const Arguments& arguments, const FlipOptions& options) {
+Result<Comparison> compare_files(const CompareArguments& arguments, const FlipOptions& options) {
   ConsoleProgress progress;
-  const auto test = read_image(arguments.test);
-  if (!test) return test.error();
-  const auto reference = read_image(arguments.reference);
-  if (!reference) return reference.error();
-  auto comparison = compare_images(*test, *reference, options, progress);
+  RELIEF_TRY_ASSIGN(const auto test, read_image(arguments.test));
+  RELIEF_TRY_ASSIGN(const auto reference, read_image(arguments.reference));
+  auto comparison = compare_images(test, reference, options, progress);
   if (!comparison) {
     return make_error("{} against {}: {}", arguments.test.string(), arguments.reference.string(),
                       comparison.error().message);
@@ -75,7 +73,7 @@ Result<Comparison> compare_files(const Arguments& arguments, const FlipOptions& 
   return comparison;
 }
 
-int run(const Arguments& arguments) {
+int run_compare(const CompareArguments& arguments) {
   if (!arguments.heatmap.empty()) {
     const Status writable = check_output(arguments.heatmap, {arguments.test, arguments.reference});
     if (!writable) return fail(writable.error());
@@ -94,7 +92,7 @@ int run(const Arguments& arguments) {
   return kDone;
 }
 
-void add_limit_option(CLI::App& sub, Arguments& arguments, const char* name, Bound bound,
+void add_limit_option(CLI::App& sub, CompareArguments& arguments, const char* name, Bound bound,
                       const char* help) {
   sub.add_option_function<std::vector<std::string>>(
          name,
@@ -113,7 +111,7 @@ void add_limit_option(CLI::App& sub, Arguments& arguments, const char* name, Bou
 
 void add_compare(CLI::App& app, Command& command) {
   auto* sub = app.add_subcommand("compare", "Tell how far a picture is from another one");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CompareArguments>();
   sub->add_option("A", arguments->test, "The picture under test: EXR, PNG, JPEG or Radiance HDR")
       ->required()
       ->option_text("FILE");
@@ -148,8 +146,9 @@ void add_compare(CLI::App& app, Command& command) {
   add_limit_option(*sub, *arguments, "--fail-above", Bound::Above,
                    "Exit code 1 if a quantity is above a value; may be repeated");
   sub->add_flag("--json", arguments->json, "Print one JSON object on standard output");
-  sub->footer(kExamples);
-  sub->callback([arguments, &command] { command = [arguments] { return run(*arguments); }; });
+  sub->footer(kCompareExamples);
+  sub->callback(
+      [arguments, &command] { command = [arguments] { return run_compare(*arguments); }; });
 }
 
 }  // namespace relief::cli

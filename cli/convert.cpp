@@ -30,7 +30,7 @@
 namespace relief::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kConvertExamples =
     "Reads PLY, PCD, LAS, PTX, OBJ, glTF, Draco, OFF, STL and XYZ text, each also gzipped. Several "
     "files "
     "become one model:\n"
@@ -45,7 +45,7 @@ constexpr const char* kExamples =
     "  relief convert range/bun.conf -o bunny.relief --clean\n"
     "  relief convert dragon.ply.gz -o dragon.relief --json > dragon.json";
 
-struct Arguments {
+struct ConvertArguments {
   std::vector<std::filesystem::path> inputs;
   std::filesystem::path output;
   std::filesystem::path texture;  ///< as texture_choice has it
@@ -58,48 +58,44 @@ struct Arguments {
 };
 
 /// Looks at what was written.
-Result<ConvertSummary> summarise(const Arguments& arguments, ConvertSummary summary) {
-  const auto file = PatchFile::open(arguments.output);
-  if (!file) return file.error();
-  summary.file = file->info();
+Result<ConvertSummary> summarise(const ConvertArguments& arguments, ConvertSummary summary) {
+  RELIEF_TRY_ASSIGN(const auto file, PatchFile::open(arguments.output));
+  summary.file = file.info();
   return summary;
 }
 
 /// Converts in tiles; nothing if the scan is small enough for memory.
-Result<std::optional<ConvertSummary>> convert_larger(const Arguments& arguments,
+Result<std::optional<ConvertSummary>> convert_larger(const ConvertArguments& arguments,
                                                      Progress& progress) {
-  auto tiled = convert_tiles(arguments.inputs, arguments.output, arguments.options, arguments.file,
-                             arguments.tiles, progress);
-  if (!tiled) return tiled.error();
-  if (!*tiled) return std::optional<ConvertSummary>();
+  RELIEF_TRY_ASSIGN(auto tiled, convert_tiles(arguments.inputs, arguments.output, arguments.options,
+                                              arguments.file, arguments.tiles, progress));
+  if (!tiled) return std::optional<ConvertSummary>();
   ConvertSummary summary;
-  for (const std::string& text : (*tiled)->notes) note(text);
-  summary.report = (*tiled)->report;
-  summary.read.dropped_nonfinite = (*tiled)->nonfinite;
-  summary.read.left_out = (*tiled)->left_out;
-  summary.read.merged_duplicates = (*tiled)->duplicates;
-  summary.tiled = std::move(**tiled);
-  auto done = summarise(arguments, std::move(summary));
-  if (!done) return done.error();
-  return std::optional(std::move(*done));
+  for (const std::string& text : tiled->notes) note(text);
+  summary.report = tiled->report;
+  summary.read.dropped_nonfinite = tiled->nonfinite;
+  summary.read.left_out = tiled->left_out;
+  summary.read.merged_duplicates = tiled->duplicates;
+  summary.tiled = std::move(*tiled);
+  RELIEF_TRY_ASSIGN(auto done, summarise(arguments, std::move(summary)));
+  return std::optional(std::move(done));
 }
 
 /// Reads, converts and writes.
-Result<ConvertSummary> convert_files(const Arguments& arguments, Progress& progress) {
+Result<ConvertSummary> convert_files(const ConvertArguments& arguments, Progress& progress) {
   if (arguments.tiles.memory_bytes > 0) {
-    auto larger = convert_larger(arguments, progress);
-    if (!larger) return larger.error();
-    if (*larger) return std::move(**larger);
+    RELIEF_TRY_ASSIGN(auto larger, convert_larger(arguments, progress));
+    if (larger) return std::move(*larger);
   }
-  auto read = load_points(arguments.inputs, texture_choice(arguments.texture), progress);
-  if (!read) return read.error();
+  RELIEF_TRY_ASSIGN(auto read,
+                    load_points(arguments.inputs, texture_choice(arguments.texture), progress));
   ConvertSummary summary;
-  if (arguments.clean) summary.outliers = remove_outliers(read->points, progress);
+  if (arguments.clean) summary.outliers = remove_outliers(read.points, progress);
   if (summary.outliers.were_too_many)
     note("more than half of the points look like outliers; --clean took none away");
   if (progress.cancelled()) return interrupted_error();
-  if (arguments.thin > 0.0) summary.thinned = thin_points(read->points, arguments.thin);
-  auto converted = convert(std::move(read->points), arguments.options, progress);
+  if (arguments.thin > 0.0) summary.thinned = thin_points(read.points, arguments.thin);
+  auto converted = convert(std::move(read.points), arguments.options, progress);
   if (!converted) {
     return make_error("{}: {}", arguments.inputs.front().string(), converted.error().message);
   }
@@ -110,26 +106,26 @@ Result<ConvertSummary> convert_files(const Arguments& arguments, Progress& progr
       !written) {
     return written.error();
   }
-  summary.read = std::move(*read);
+  summary.read = std::move(read);
   summary.report = converted->report;
   return summarise(arguments, std::move(summary));
 }
 
-std::vector<std::filesystem::path> files_read(const Arguments& arguments) {
+std::vector<std::filesystem::path> files_read(const ConvertArguments& arguments) {
   std::vector<std::filesystem::path> files = arguments.inputs;
   if (!arguments.texture.empty()) files.push_back(arguments.texture);
   return files;
 }
 
 /// What is left of a conversion that ended early.
-std::string kept_by(const Arguments& arguments) {
+std::string kept_by(const ConvertArguments& arguments) {
   const auto kept = find_kept_tiles(arguments.output);
   if (arguments.tiles.memory_bytes == 0 || !kept) return {};
   return fmt::format("what is done is kept in {}, and the same command goes on from there",
                      kept->string());
 }
 
-int run(const Arguments& arguments) {
+int run_convert(const ConvertArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   if (const Status writable = check_output(arguments.output, files_read(arguments)); !writable) {
     return fail(writable.error());
@@ -153,7 +149,7 @@ int run(const Arguments& arguments) {
 
 void add_convert(CLI::App& app, Command& command) {
   auto* sub = app.add_subcommand("convert", "Convert a scan to a patch file");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ConvertArguments>();
   sub->add_option("IN", arguments->inputs, "Scan or mesh files")
       ->required()
       ->option_text("FILE...");
@@ -184,7 +180,7 @@ void add_convert(CLI::App& app, Command& command) {
   sub->add_option("--normal-degrees", arguments->file.normal_degrees,
                   "With --codec compact: how far normals may be off (0.5); what is as near to the "
                   "normals of the heights is not kept at all")
-      ->check(CLI::Range(kLeastNormalDegrees, kMostNormalDegrees))
+      ->check(CLI::Range(kMinNormalDegrees, kMaxNormalDegrees))
       ->option_text("DEG");
   auto* const clean = sub->add_flag(
       "--clean", arguments->clean,
@@ -212,7 +208,7 @@ void add_convert(CLI::App& app, Command& command) {
                   "Texels of colour and normal maps along a grid cell's side, of a mesh with a "
                   "texture (a power of "
                   "two for each patch that keeps the texture's own)")
-      ->check(CLI::Range(1U, kMostTexelsPerCell))
+      ->check(CLI::Range(1U, kMaxTexelsPerCell))
       ->option_text("N");
   auto* const memory =
       sub->add_option(
@@ -224,7 +220,7 @@ void add_convert(CLI::App& app, Command& command) {
           ->excludes(clean)
           ->excludes(thin)
           ->transform(CLI::AsSizeValue(false))
-          ->check(CLI::Range(kLeastTileMemory, std::uint64_t{1} << 50U))
+          ->check(CLI::Range(kMinTileMemory, std::uint64_t{1} << 50U))
           ->option_text("BYTES");
   sub->add_flag_callback(
          "--no-overviews", [arguments] { arguments->tiles.overviews = false; },
@@ -236,8 +232,9 @@ void add_convert(CLI::App& app, Command& command) {
       ->check(CLI::Range(1, 1024))
       ->option_text("N");
   sub->add_flag("--json", arguments->json, "Print one JSON object on standard output");
-  sub->footer(kExamples);
-  sub->callback([arguments, &command] { command = [arguments] { return run(*arguments); }; });
+  sub->footer(kConvertExamples);
+  sub->callback(
+      [arguments, &command] { command = [arguments] { return run_convert(*arguments); }; });
 }
 
 }  // namespace relief::cli

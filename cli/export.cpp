@@ -20,7 +20,7 @@
 namespace relief::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kExportExamples =
     "Points are the samples of the patches; a mesh is these with the triangles that\n"
     "`relief render --engine raytrace` meets. Patches are not joined, and overlap by a margin.\n"
     "Normals and colours are those at the samples; coordinates are the scan's.\n"
@@ -31,7 +31,7 @@ constexpr const char* kExamples =
     "  relief export dragon.relief -o dragon.glb\n"
     "  relief export dragon.relief -o dragon.ply --as mesh --json";
 
-struct Arguments {
+struct ExportArguments {
   std::filesystem::path input;
   std::filesystem::path output;
   std::string as;  ///< "mesh", "points"; empty: what the format is most used for
@@ -75,19 +75,18 @@ Points points_of(TriangleMesh mesh, bool with_triangles) {
   return points;
 }
 
-Result<Summary> export_file(const Arguments& arguments, Progress& progress) {
+Result<Summary> export_file(const ExportArguments& arguments, Progress& progress) {
   const Format& format = *format_of(arguments.output);
-  auto model = load_model(arguments.input, progress);
-  if (!model) return model.error();
+  RELIEF_TRY_ASSIGN(auto model, load_model(arguments.input, progress));
   const bool as_mesh = arguments.as.empty() ? format.is_mesh : arguments.as == "mesh";
-  const bool is_closed = model->is_closed;
+  const bool is_closed = model.is_closed;
   // Heights are coded in steps of a twentieth of the spacing; a fiftieth of such a step more does
   // not show.
-  const double tolerance = model->spacing / 1000.0;
+  const double tolerance = model.spacing / 1000.0;
   progress.begin_stage("mesh", 0);
-  auto mesh = mesh_of_patches(*model);
+  auto mesh = mesh_of_patches(model);
   if (!mesh) return make_error("{}: {}", arguments.input.string(), mesh.error().message);
-  *model = {};  // as large as what is made of it
+  model = {};  // as large as what is made of it
   const Points points = points_of(std::move(*mesh), as_mesh);
   if (points.positions.empty())
     return make_error("{}: has no samples to export", arguments.input.string());
@@ -104,7 +103,7 @@ Result<Summary> export_file(const Arguments& arguments, Progress& progress) {
       !points.colours.empty(),     std::filesystem::file_size(arguments.output, ignored)};
 }
 
-nlohmann::ordered_json as_json(const Summary& s, const Arguments& arguments) {
+nlohmann::ordered_json as_json(const Summary& s, const ExportArguments& arguments) {
   return {{"output", arguments.output.string()},
           {"as", s.as},
           {"vertices", s.vertices},
@@ -115,7 +114,7 @@ nlohmann::ordered_json as_json(const Summary& s, const Arguments& arguments) {
           {"seconds", s.seconds}};
 }
 
-std::string as_text(const Summary& s, const Arguments& arguments) {
+std::string as_text(const Summary& s, const ExportArguments& arguments) {
   return fmt::format(
       "{}\n"
       "  as          {}\n"
@@ -128,7 +127,7 @@ std::string as_text(const Summary& s, const Arguments& arguments) {
       s.file_bytes, s.seconds);
 }
 
-int run(const Arguments& arguments) {
+int run_export(const ExportArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   if (const Status writable = check_output(arguments.output, {arguments.input}); !writable) {
     return fail(writable.error());
@@ -147,7 +146,7 @@ int run(const Arguments& arguments) {
 
 void add_export(CLI::App& app, Command& command) {
   auto* sub = app.add_subcommand("export", "Write patches as points or as a mesh");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ExportArguments>();
   sub->add_option("PATCHES", arguments->input,
                   "A patch file (.relief), or a scan or mesh, converted in memory")
       ->required()
@@ -165,8 +164,9 @@ void add_export(CLI::App& app, Command& command) {
       ->check(CLI::IsMember({"mesh", "points"}))
       ->option_text("mesh|points");
   sub->add_flag("--json", arguments->json, "Print one JSON object on standard output");
-  sub->footer(kExamples);
-  sub->callback([arguments, &command] { command = [arguments] { return run(*arguments); }; });
+  sub->footer(kExportExamples);
+  sub->callback(
+      [arguments, &command] { command = [arguments] { return run_export(*arguments); }; });
 }
 
 }  // namespace relief::cli

@@ -19,12 +19,12 @@
 namespace relief::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kInfoExamples =
     "Examples:\n"
     "  relief info dragon.relief\n"
     "  relief info dragon.relief --verify && echo all bytes are right";
 
-struct Arguments {
+struct InfoArguments {
   std::filesystem::path input;
   bool verify = false;
   bool json = false;
@@ -85,7 +85,7 @@ nlohmann::ordered_json as_json(const PatchFileInfo& info, const std::vector<Leve
 }
 
 std::string as_text(const PatchFileInfo& info, const std::vector<LevelSums>& levels,
-                    const Arguments& arguments) {
+                    const InfoArguments& arguments) {
   const auto& low = info.bounds.min;
   const auto& high = info.bounds.max;
   std::string text = fmt::format(
@@ -121,26 +121,24 @@ Status verify(const PatchTree& tree, const std::string& name) {
   for (const TreeTile& tile : tree.tiles()) patches += tile.patches;
   progress.begin_stage("verify", patches);
   for (std::uint32_t t = 0; t < tree.tiles().size(); ++t) {
-    const auto file = tree.open_tile(t);
-    if (!file) return file.error();
+    RELIEF_TRY_ASSIGN(const auto file, tree.open_tile(t));
     std::uint64_t samples = 0;
-    for (std::uint64_t i = 0; i < file->info().patches; ++i) {
+    for (std::uint64_t i = 0; i < file.info().patches; ++i) {
       if (progress.cancelled()) return interrupted_error();
-      const auto patch = file->read_patch(i);
-      if (!patch) return patch.error();
-      samples += count_samples(*patch);
+      RELIEF_TRY_ASSIGN(const auto patch, file.read_patch(i));
+      samples += count_samples(patch);
       progress.advance(1);
     }
-    if (samples != file->info().samples) {
+    if (samples != file.info().samples) {
       return make_error(
           "{}: the header promises {} samples, the patches hold {}; the file is damaged", name,
-          file->info().samples, samples);
+          file.info().samples, samples);
     }
   }
   return {};
 }
 
-int run(const Arguments& arguments) {
+int run_info(const InfoArguments& arguments) {
   const auto file = PatchFile::open(arguments.input);
   if (!file) return fail(file.error());
   const auto tree = PatchTree::open(arguments.input);
@@ -159,15 +157,15 @@ int run(const Arguments& arguments) {
 
 void add_info(CLI::App& app, Command& command) {
   auto* sub = app.add_subcommand("info", "Tell what a patch file holds");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<InfoArguments>();
   sub->add_option("PATCHES", arguments->input, "A patch file (.relief)")
       ->required()
       ->option_text("FILE");
   sub->add_flag("--verify", arguments->verify,
                 "Decode everything; exit code 1 if any byte is wrong");
   sub->add_flag("--json", arguments->json, "Print one JSON object on standard output");
-  sub->footer(kExamples);
-  sub->callback([arguments, &command] { command = [arguments] { return run(*arguments); }; });
+  sub->footer(kInfoExamples);
+  sub->callback([arguments, &command] { command = [arguments] { return run_info(*arguments); }; });
 }
 
 }  // namespace relief::cli

@@ -132,15 +132,12 @@ Result<std::vector<ScanFile>> list_scans(const std::vector<std::filesystem::path
       scans.push_back({path, std::nullopt});
       continue;
     }
-    const auto bytes = read_file(path);
-    if (!bytes) return bytes.error();
-    const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-    const auto poses = read_scan_poses(path.string(), text);
-    if (!poses) return poses.error();
-    for (const ScanPose& pose : *poses) {
-      const auto scan = find_scan(path, pose);
-      if (!scan) return scan.error();
-      scans.push_back({*scan, pose});
+    RELIEF_TRY_ASSIGN(const auto bytes, read_file(path));
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    RELIEF_TRY_ASSIGN(const auto poses, read_scan_poses(path.string(), text));
+    for (const ScanPose& pose : poses) {
+      RELIEF_TRY_ASSIGN(const auto scan, find_scan(path, pose));
+      scans.push_back({scan, pose});
     }
   }
   return scans;
@@ -157,18 +154,17 @@ Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
   ReadResult all;
   LeftOut left_out;
   for (const auto& [path, pose] : *scans) {
-    auto scan = load_mesh(path, textures, progress);
-    if (!scan) return scan.error();
-    if (pose) place_scan(*pose, scan->points);
-    all.points_in_file += scan->points_in_file;
-    all.dropped_nonfinite += scan->dropped_nonfinite;
-    all.left_out += scan->left_out;
-    all.merged_duplicates += scan->merged_duplicates;
-    if (all.points.size() + scan->points.size() > UINT32_MAX) {
+    RELIEF_TRY_ASSIGN(auto scan, load_mesh(path, textures, progress));
+    if (pose) place_scan(*pose, scan.points);
+    all.points_in_file += scan.points_in_file;
+    all.dropped_nonfinite += scan.dropped_nonfinite;
+    all.left_out += scan.left_out;
+    all.merged_duplicates += scan.merged_duplicates;
+    if (all.points.size() + scan.points.size() > UINT32_MAX) {
       return make_error("{}: with it the scans have more than {} points; convert fewer at a time",
                         path.string(), UINT32_MAX);
     }
-    append(all.points, std::move(scan->points), left_out);
+    append(all.points, std::move(scan.points), left_out);
   }
   note_left_out(left_out);
   ReadResult cleaned = clean_points(std::move(all.points));
@@ -179,9 +175,8 @@ Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
 
 Result<PatchModel> load_model(const std::filesystem::path& path, Progress& progress) {
   if (ending(path) == ".relief") {
-    const auto file = PatchFile::open(path);
-    if (!file) return file.error();
-    return file->read_all(progress);
+    RELIEF_TRY_ASSIGN(const auto file, PatchFile::open(path));
+    return file.read_all(progress);
   }
   auto scan = load_mesh(path, {}, progress);
   if (!scan) return scan.error();
@@ -193,9 +188,9 @@ Result<PatchModel> load_model(const std::filesystem::path& path, Progress& progr
 }
 
 Result<SplatCloud> splats_of_points(Points points, Progress& progress) {
-  if (points.size() < kLeastSurfacePoints) {
+  if (points.size() < kMinSurfacePoints) {
     return make_error("the scan has {} distinct points; at least {} are needed to find a surface",
-                      points.size(), kLeastSurfacePoints);
+                      points.size(), kMinSurfacePoints);
   }
   progress.begin_stage("neighbours", 0);
   const NeighbourGraph graph = find_neighbours(points.positions, kSurfaceNeighbours);

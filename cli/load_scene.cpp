@@ -37,13 +37,11 @@ Status add_mesh_of_patches(LoadedFile& file, const std::filesystem::path& path) 
 
 Result<LoadedFile> load_patch_file(const std::filesystem::path& path, Forms forms,
                                    Progress& progress) {
-  auto model = load_model(path, progress);
-  if (!model) return model.error();
+  RELIEF_TRY_ASSIGN(auto model, load_model(path, progress));
   LoadedFile file;
-  file.patches = std::move(*model);
+  file.patches = std::move(model);
   if (forms.mesh) {
-    const Status made = add_mesh_of_patches(file, path);
-    if (!made) return made.error();
+    RELIEF_TRY(add_mesh_of_patches(file, path));
   }
   if (forms.splats) file.splats = ewa::splats_of_samples(file.patches);
   return file;
@@ -70,8 +68,7 @@ Result<LoadedFile> load_scan(const std::filesystem::path& path, const TextureCho
   if (!converted) return make_error("{}: {}", path.string(), converted.error().message);
   file.patches = std::move(converted->model);
   if (!traces_patches) return file;
-  const Status made = add_mesh_of_patches(file, path);
-  if (!made) return made.error();
+  RELIEF_TRY(add_mesh_of_patches(file, path));
   return file;
 }
 
@@ -83,9 +80,8 @@ Result<TreeFiles> open_trees(const std::vector<SceneModel>& models) {
   TreeFiles trees;
   for (const SceneModel& model : models) {
     if (ending(model.file) != ".relief" || trees.find(model.file) != trees.end()) continue;
-    auto tree = PatchTree::open(model.file);
-    if (!tree) return tree.error();
-    if (tree->tiles().size() > 1) trees.emplace(model.file, std::move(*tree));
+    RELIEF_TRY_ASSIGN(auto tree, PatchTree::open(model.file));
+    if (tree.tiles().size() > 1) trees.emplace(model.file, std::move(tree));
   }
   return trees;
 }
@@ -107,22 +103,20 @@ Result<PatchModel> extent_of(const std::vector<SceneModel>& models, const Loaded
 
 /// Reads what the pictures show of the trees.
 Status load_trees(const std::vector<SceneModel>& models, const TreeFiles& trees,
-                  const PicturesOf& pictures_of, LoadedFiles& loaded, Progress& progress) {
-  const auto extent = extent_of(models, loaded, trees);
-  if (!extent) return extent.error();
-  const auto pictures = pictures_of(*extent);
-  if (!pictures) return pictures.error();
+                  const ViewsOf& pictures_of, LoadedFiles& loaded, Progress& progress) {
+  RELIEF_TRY_ASSIGN(const auto extent, extent_of(models, loaded, trees));
+  RELIEF_TRY_ASSIGN(const auto pictures, pictures_of(extent));
   for (const auto& [path, tree] : trees) {
     std::vector<Transform> places;
     for (const SceneModel& model : models) {
       if (model.file == path) places.push_back(model.transform);
     }
-    auto read = read_in_view(tree, onlookers_of(*pictures, places, *extent), progress);
-    if (!read) return read.error();
+    RELIEF_TRY_ASSIGN(auto read,
+                      read_in_view(tree, onlookers_of(pictures, places, extent), progress));
     note(fmt::format("{}: {} of {} tiles are read for this, {} patches with {} samples",
-                     path.string(), read->tiles, tree.tiles().size(), read->model.patches.size(),
-                     read->samples));
-    loaded[path].patches = std::move(read->model);
+                     path.string(), read.tiles, tree.tiles().size(), read.model.patches.size(),
+                     read.samples));
+    loaded[path].patches = std::move(read.model);
   }
   return {};
 }
@@ -130,7 +124,7 @@ Status load_trees(const std::vector<SceneModel>& models, const TreeFiles& trees,
 }  // namespace
 
 Result<LoadedScene> load_scene(const std::vector<SceneModel>& models, const TextureChoice& textures,
-                               EngineNeeds needs, Progress& progress, const PicturesOf& pictures) {
+                               EngineNeeds needs, Progress& progress, const ViewsOf& pictures) {
   const bool has_scans = std::any_of(models.begin(), models.end(), [](const SceneModel& model) {
     return ending(model.file) != ".relief";
   });
@@ -144,14 +138,13 @@ Result<LoadedScene> load_scene(const std::vector<SceneModel>& models, const Text
   for (const SceneModel& model : models) {
     if (loaded.find(model.file) != loaded.end() || trees->find(model.file) != trees->end())
       continue;
-    auto file = ending(model.file) == ".relief" ? load_patch_file(model.file, forms, progress)
-                                                : load_scan(model.file, textures, needs, progress);
-    if (!file) return file.error();
-    loaded.emplace(model.file, std::move(*file));
+    RELIEF_TRY_ASSIGN(auto file, ending(model.file) == ".relief"
+                                     ? load_patch_file(model.file, forms, progress)
+                                     : load_scan(model.file, textures, needs, progress));
+    loaded.emplace(model.file, std::move(file));
   }
   if (!trees->empty()) {
-    const Status read = load_trees(models, *trees, pictures, loaded, progress);
-    if (!read) return read.error();
+    RELIEF_TRY(load_trees(models, *trees, pictures, loaded, progress));
   }
   Placer placer(models.size() > 1);
   const Status placed = place_models(

@@ -35,7 +35,7 @@ struct LoadedScene {
 };
 
 /// The pictures that are to be made of a scene, once it is known where it is.
-using PicturesOf = std::function<Result<std::vector<RenderSettings>>(const PatchModel& extent)>;
+using ViewsOf = std::function<Result<std::vector<RenderSettings>>(const PatchModel& extent)>;
 
 /// Reads the models and puts them in their places. A file that several of them name is read once. A
 /// scan or mesh is converted with the default options where an engine draws its patches: `onepass`,
@@ -44,7 +44,6 @@ using PicturesOf = std::function<Result<std::vector<RenderSettings>>(const Patch
 /// `pictures` show is read (renderer/patches_in_view.h); without these, or where rays are followed
 /// or points splatted, all is.
 Result<LoadedScene> load_scene(const std::vector<SceneModel>& models, const TextureChoice& textures,
-                               EngineNeeds needs, Progress& progress,
-                               const PicturesOf& pictures = {});
+                               EngineNeeds needs, Progress& progress, const ViewsOf& pictures = {});
 
 }  // namespace relief::cli

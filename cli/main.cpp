@@ -8,7 +8,7 @@
 
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kReliefExamples =
     "Examples:\n"
     "  relief convert dragon.ply.gz -o dragon.relief\n"
     "  relief info dragon.relief --verify\n"
@@ -21,13 +21,13 @@ constexpr const char* kExamples =
     "`relief SUBCOMMAND --help` tells all options of a subcommand.\n"
     "Exit code: 0 done, 1 could not do it (one sentence says why), 2 wrong usage.";
 
-int run(int argc, char** argv) {
+int run_relief(int argc, char** argv) {
   CLI::App app(
       "Relief turns point scans into elevation-map patches and renders them in one pass.\n",
       "relief");
   app.set_version_flag("--version", std::string("relief ") + relief::kVersion);
   app.require_subcommand(1);
-  app.footer(kExamples);
+  app.footer(kReliefExamples);
 
   relief::cli::Command command;
   relief::cli::add_convert(app, command);
@@ -52,7 +52,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   relief::cli::handle_signals();
   try {
-    return run(argc, argv);
+    return run_relief(argc, argv);
   } catch (const std::bad_alloc&) {
     return relief::cli::fail(relief::Error{"not enough memory for this model"});
   } catch (const std::exception& error) {

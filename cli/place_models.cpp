@@ -32,8 +32,7 @@ Status place_forms(LoadedScene& scene, LoadedFile file, const Use& use,
 
 Status Placer::place(LoadedFile& file, const Use& use) {
   const std::uint32_t patches_before = patches_;
-  Status placed = several_ ? add_place(file, use) : move_there(file.patches, use);
-  if (!placed) return placed;
+  RELIEF_TRY(several_ ? add_place(file, use) : move_there(file.patches, use));
   return place_forms(scene_, use.is_last ? std::move(file) : LoadedFile(file), use, patches_before);
 }
 
@@ -59,7 +58,7 @@ Status Placer::add_place(LoadedFile& file, const Use& use) {
   patches_ += count;
   PatchModel extent = model;
   extent.is_closed = use.is_closed.value_or(model.is_closed);
-  return add_placement(scene_.patches, {first, count, use.where, use.material}, extent);
+  return add_instance(scene_.patches, {first, count, use.where, use.material}, extent);
 }
 
 }  // namespace relief::cli

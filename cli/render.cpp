@@ -23,7 +23,7 @@
 namespace relief::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kRenderExamples =
     "In brackets: what is taken where an option is not given.\n"
     "SCENE is a .relief file, or a scan or mesh that is converted in memory with the default\n"
     "options (ewa draws its points and raytrace its triangles as they are), or a .json scene\n"
@@ -41,7 +41,7 @@ constexpr const char* kExamples =
 
 /// An EXR keeps the scene's light; a PNG has it as a camera with that exposure (stops) takes it,
 /// the background with it.
-Status write_picture(const std::filesystem::path& path, Image& image, double exposure) {
+Status write_image(const std::filesystem::path& path, Image& image, double exposure) {
   if (ending(path) == ".exr") return write_exr(path, image);
   const auto factor = static_cast<float>(std::exp2(exposure));
   for (Channel& channel : image.channels) {
@@ -66,9 +66,8 @@ Result<std::vector<RenderSettings>> views_of(const RenderPlan& plan, const Patch
                                              const RenderArguments& arguments) {
   std::vector<RenderSettings> views;
   for (const Picture& picture : plan.pictures) {
-    auto settings = render_settings_for(picture, extent, arguments);
-    if (!settings) return settings.error();
-    views.push_back(std::move(*settings));
+    RELIEF_TRY_ASSIGN(auto settings, render_settings_for(picture, extent, arguments));
+    views.push_back(std::move(settings));
   }
   return views;
 }
@@ -91,25 +90,23 @@ Result<LoadedScene> load(const RenderPlan& plan, const RenderArguments& argument
 }
 
 /// Loads, renders and writes. `count`: how many pictures are written, also after a failure.
-Result<std::vector<WrittenPicture>> make_pictures(const RenderPlan& plan,
-                                                  const RenderArguments& arguments,
-                                                  std::size_t& count) {
+Result<std::vector<WrittenImage>> make_images(const RenderPlan& plan,
+                                              const RenderArguments& arguments,
+                                              std::size_t& count) {
   ConsoleProgress progress;
-  const auto scene = load(plan, arguments, progress);
-  if (!scene) return scene.error();
+  RELIEF_TRY_ASSIGN(const auto scene, load(plan, arguments, progress));
   if (progress.cancelled()) return interrupted_error();
-  const auto views = views_of(plan, scene->patches, arguments);
-  if (!views) return views.error();
-  std::vector<WrittenPicture> written(views->size());
+  RELIEF_TRY_ASSIGN(const auto views, views_of(plan, scene.patches, arguments));
+  std::vector<WrittenImage> written(views.size());
   const Status done = render_views(
-      scene->forms(), *views,
+      scene.forms(), views,
       [&](std::size_t view, RenderResult result) {
         const Picture& picture = plan.pictures[view];
         Status saved =
-            write_picture(picture.output, result.image, picture.settings.exposure.value_or(0.0));
+            write_image(picture.output, result.image, picture.settings.exposure.value_or(0.0));
         if (!saved) return saved;
         result.image.channels.clear();
-        written[view] = {(*views)[view], std::move(result)};
+        written[view] = {views[view], std::move(result)};
         ++count;
         return Status();
       },
@@ -118,7 +115,7 @@ Result<std::vector<WrittenPicture>> make_pictures(const RenderPlan& plan,
   return written;
 }
 
-int report(const RenderPlan& plan, const std::vector<WrittenPicture>& written, bool json) {
+int report(const RenderPlan& plan, const std::vector<WrittenImage>& written, bool json) {
   if (json)
     return print_json(plan.scene.empty() ? as_json(written.front()) : scene_as_json(plan, written));
   std::string text;
@@ -126,7 +123,7 @@ int report(const RenderPlan& plan, const std::vector<WrittenPicture>& written, b
   return print_result(text);
 }
 
-int run(const RenderArguments& arguments) {
+int run_render(const RenderArguments& arguments) {
   const auto plan = make_plan(arguments);
   if (!plan) return fail(plan.error());
   if (!outputs_differ(*plan, arguments)) {
@@ -139,7 +136,7 @@ int run(const RenderArguments& arguments) {
   if (const Status good = check_files(*plan, arguments.texture.file); !good)
     return fail(good.error());
   std::size_t count = 0;
-  const auto written = make_pictures(*plan, arguments, count);
+  const auto written = make_images(*plan, arguments, count);
   if (!written) {
     return fail(written.error(), count == 0 ? std::string()
                                             : fmt::format("{} of {} pictures were written", count,
@@ -154,10 +151,10 @@ void add_render(CLI::App& app, Command& command) {
   auto* sub = app.add_subcommand("render", "Render a patch file, a scan or a scene to pictures");
   const auto arguments = std::make_shared<RenderArguments>();
   add_render_options(*sub, *arguments);
-  sub->footer(kExamples);
+  sub->footer(kRenderExamples);
   sub->callback([arguments, &command] {
     check_together(*arguments);
-    command = [arguments] { return run(*arguments); };
+    command = [arguments] { return run_render(*arguments); };
   });
 }
 

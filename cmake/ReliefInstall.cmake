@@ -6,7 +6,7 @@ set(RELIEF_PUBLIC_HEADERS
   common/bounds.h common/camera.h common/choices.h common/error.h common/file.h common/image.h common/image_io.h
   common/light.h common/material.h common/mesh_texture.h common/normal_texture.h
   common/octahedral.h common/patch.h common/patch_file.h common/patch_tree.h
-  common/placement.h common/points.h common/progress.h common/scene.h
+  common/instance.h common/points.h common/progress.h common/scene.h
   common/srgb.h common/texture_pyramid.h common/transform.h common/version.h
   preprocess/convert.h preprocess/convert_tiles.h preprocess/read_points.h
   renderer/engines/ewa/settings.h renderer/engines/multipass/settings.h

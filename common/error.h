@@ -59,3 +59,25 @@ class [[nodiscard]] Status {
 };
 
 }  // namespace relief
+
+// NOLINTBEGIN(cppcoreguidelines-macro-usage): a function can't return from its caller.
+
+/// Returns the error of a Status or Result from the enclosing function; goes on if there is none.
+#define RELIEF_TRY(...)                                                                      \
+  do {                                                                                       \
+    if (const auto relief_tried = (__VA_ARGS__); !relief_tried) return relief_tried.error(); \
+  } while (false)
+
+/// Declares a variable with the value of a Result, as in
+/// `RELIEF_TRY_ASSIGN(const auto file, read_file(path));`. Returns the error from the enclosing
+/// function if there is none.
+#define RELIEF_TRY_ASSIGN(declaration, ...) \
+  RELIEF_TRY_ASSIGN_AS(RELIEF_JOIN(relief_tried_, __LINE__), declaration, __VA_ARGS__)
+#define RELIEF_TRY_ASSIGN_AS(tried, declaration, ...) \
+  auto tried = (__VA_ARGS__);                         \
+  if (!tried) return tried.error();                   \
+  declaration = *std::move(tried)
+#define RELIEF_JOIN(a, b) RELIEF_JOIN_NOW(a, b)
+#define RELIEF_JOIN_NOW(a, b) a##b
+
+// NOLINTEND(cppcoreguidelines-macro-usage)

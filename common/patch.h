@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "common/bounds.h"
-#include "common/placement.h"
+#include "common/instance.h"
 
 namespace relief {
 
@@ -70,7 +70,7 @@ struct PatchModel {
   std::vector<Patch> patches;
   /// Where runs of patches stand, in the order in which patch ids count on; none: each patch stands
   /// once and where it is. Bounds and spacing are of what is placed. Patch files have none.
-  std::vector<Placement> placements;
+  std::vector<Instance> instances;
   double spacing = 0.0;  ///< the spacing asked for or chosen; each patch has its own
   Bounds bounds;         ///< of the scan's points
   double bounding_radius =

@@ -25,15 +25,15 @@ class MeshTexture;
 class NormalTexture;
 
 /// The picture of a texture, undecoded, as a mesh file says it.
-struct MeshPicture {
+struct MeshImage {
   std::string picture;  ///< the texture's file, as the mesh file names it; empty: none
   bool clamps = false;  ///< the texture does not repeat
   /// The texture as a file in memory, of formats that hold their pictures; null: `picture`.
-  std::shared_ptr<const std::vector<std::byte>> picture_bytes;
+  std::shared_ptr<const std::vector<std::byte>> image_bytes;
 };
 
 /// What a mesh file says about the small relief of some of its triangles.
-struct MeshNormalMap : MeshPicture {
+struct MeshNormalMap : MeshImage {
   /// Files that say a larger scale are not believed: all is steeper then than a height field.
   static constexpr double kLargestScale = 1000.0;
 
@@ -44,7 +44,7 @@ struct MeshNormalMap : MeshPicture {
 
 /// What a mesh file says about the look of some of its triangles: a texture times a colour, and a
 /// normal map.
-struct MeshMaterial : MeshPicture {
+struct MeshMaterial : MeshImage {
   std::string name;                            ///< as the file has it
   glm::vec3 colour{1.0F};                      ///< linear, 0 to 1
   bool has_texcoords = true;                   ///< its triangles have texture coordinates

@@ -85,10 +85,10 @@ PatchFrame moved(const Transform& transform, const Patch& patch) {
 }
 
 Status transform_model(PatchModel& model, const Transform& transform) {
-  assert(model.placements.empty() && "patches that stand where they are");
+  assert(model.instances.empty() && "patches that stand where they are");
   for (Patch& patch : model.patches) {
     const PatchFrame frame = moved(transform, patch);
-    if (Status possible = check_frame(frame); !possible) return possible;
+    RELIEF_TRY(check_frame(frame));
     set_frame(patch, frame);
   }
   model.spacing *= transform.scale;
@@ -102,7 +102,7 @@ Status transform_model(PatchModel& model, const Transform& transform) {
 }
 
 void append_model(PatchModel& to, PatchModel from) {
-  assert(to.placements.empty() && from.placements.empty() && "patches that stand where they are");
+  assert(to.instances.empty() && from.instances.empty() && "patches that stand where they are");
   extend(to, from);
   to.is_closed = from.is_closed && (to.patches.empty() || to.is_closed);
   if (to.patches.empty()) {
@@ -113,31 +113,30 @@ void append_model(PatchModel& to, PatchModel from) {
                     std::make_move_iterator(from.patches.end()));
 }
 
-Status add_placement(PatchModel& to, const Placement& placement, const PatchModel& extent) {
-  assert(placement.first + std::size_t{placement.count} <= to.patches.size() && "a run of patches");
-  for (std::uint32_t k = 0; k < placement.count; ++k) {
-    Status possible = check_frame(moved(placement.transform, to.patches[placement.first + k]));
-    if (!possible) return possible;
+Status add_instance(PatchModel& to, const Instance& instance, const PatchModel& extent) {
+  assert(instance.first + std::size_t{instance.count} <= to.patches.size() && "a run of patches");
+  for (std::uint32_t k = 0; k < instance.count; ++k) {
+    RELIEF_TRY(check_frame(moved(instance.transform, to.patches[instance.first + k])));
   }
   PatchModel placed = extent;
-  if (Status possible = transform_model(placed, placement.transform); !possible) return possible;
+  RELIEF_TRY(transform_model(placed, instance.transform));
   extend(to, placed);
-  to.placements.push_back(placement);
-  to.placements.back().is_closed = extent.is_closed;
+  to.instances.push_back(instance);
+  to.instances.back().is_closed = extent.is_closed;
   return {};
 }
 
 PatchModel bake(const PatchModel& model) {
-  if (model.placements.empty()) return model;
+  if (model.instances.empty()) return model;
   PatchModel baked = without_patches(model);
-  baked.is_closed = std::all_of(model.placements.begin(), model.placements.end(),
-                                [](const Placement& placement) { return placement.is_closed; });
-  for (const Placement& placement : model.placements) {
-    for (std::uint32_t k = 0; k < placement.count; ++k) {
-      const Patch& patch = model.patches[placement.first + k];
+  baked.is_closed = std::all_of(model.instances.begin(), model.instances.end(),
+                                [](const Instance& instance) { return instance.is_closed; });
+  for (const Instance& instance : model.instances) {
+    for (std::uint32_t k = 0; k < instance.count; ++k) {
+      const Patch& patch = model.patches[instance.first + k];
       baked.patches.push_back(patch);
-      baked.patches.back().material = placement.material;
-      set_frame(baked.patches.back(), moved(placement.transform, patch));
+      baked.patches.back().material = instance.material;
+      set_frame(baked.patches.back(), moved(instance.transform, patch));
     }
   }
   return baked;

@@ -5,8 +5,8 @@
 #include <glm/vec3.hpp>
 
 #include "common/error.h"
+#include "common/instance.h"
 #include "common/patch.h"
-#include "common/placement.h"
 
 namespace relief {
 
@@ -39,14 +39,14 @@ Status transform_model(PatchModel& model, const Transform& transform);
 void append_model(PatchModel& to, PatchModel from);
 
 /// Puts patches of the model in one more place. `extent`: their bounds, sphere, spacing, whether
-/// they have colours and are closed, before they are placed; no patches. A model with placements
+/// they have colours and are closed, before they are placed; no patches. A model with instances
 /// stands where they say and nowhere else. Fails as transform_model() does.
-Status add_placement(PatchModel& to, const Placement& placement, const PatchModel& extent);
+Status add_instance(PatchModel& to, const Instance& instance, const PatchModel& extent);
 
-/// Each patch in each of its places, a patch of its own: for what knows no placements.
+/// Each patch in each of its places, a patch of its own: for what knows no instances.
 [[nodiscard]] PatchModel bake(const PatchModel& model);
 
-/// All but the patches and their placements.
+/// All but the patches and their instances.
 [[nodiscard]] PatchModel without_patches(const PatchModel& model);
 
 }  // namespace relief

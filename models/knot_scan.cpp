@@ -16,7 +16,8 @@ static_assert(std::endian::native == std::endian::little, "the file is written a
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kTubeRadius = 0.5;
-// The centre line's length over the tube's circumference: makes points equally far apart both ways.
+// The centre line's length over the tube's circumference: makes points equally far apart both
+// methods.
 constexpr double kLengthToGirth = 10.0;
 
 /// The (2, 3) torus knot, t in [0, 1).

@@ -48,10 +48,10 @@ bool on_one_line(const std::vector<glm::dvec3>& positions, const Bounds& bounds)
 }
 
 Status check_points(const std::vector<glm::dvec3>& positions) {
-  if (positions.size() < kLeastSurfacePoints) {
+  if (positions.size() < kMinSurfacePoints) {
     return make_error(
         "the scan has {} distinct points; at least {} are needed to reconstruct a surface",
-        positions.size(), kLeastSurfacePoints);
+        positions.size(), kMinSurfacePoints);
   }
   if (on_one_line(positions, bounds_of(positions))) {
     return make_error("all {} points lie on one line and span no surface", positions.size());
@@ -119,9 +119,8 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   if (textured) {
     result.model.is_closed = is_closed_mesh(points, points.size(), MeshEdges(points));
     progress.begin_stage("sample mesh", 0);
-    auto sampled = sample_mesh(points, options.spacing);
-    if (!sampled) return sampled.error();
-    mesh = std::exchange(points, std::move(*sampled));
+    RELIEF_TRY_ASSIGN(auto sampled, sample_mesh(points, options.spacing));
+    mesh = std::exchange(points, std::move(sampled));
   }
   result.report.points = points.size();
   result.report.points_added = densify_triangles(points);
@@ -152,8 +151,7 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   const double spacing = options.spacing > 0.0 ? options.spacing
                                                : choose_spacing(samples, graph, regions, factors,
                                                                 result.report.points);
-  if (const Status ok = check_spacing(spacing, area_of(regions, samples), points.size()); !ok)
-    return ok.error();
+  RELIEF_TRY(check_spacing(spacing, area_of(regions, samples), points.size()));
   std::vector<Patch> patches =
       make_patches(samples, graph, membership_of(samples, regions), factors, points.colours,
                    resample_options(options, spacing, normals.estimated), regions, progress);
@@ -193,7 +191,7 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
 Result<ConvertResult> convert(Points points, const ConvertOptions& options, Progress& progress) {
   // The few vertices of a mesh with materials are not what is converted.
   if (!has_triangle_colours(points)) {
-    if (const Status ok = check_points(points.positions); !ok) return ok.error();
+    RELIEF_TRY(check_points(points.positions));
   }
   return with_threads(options.threads, [&] { return convert_in_arena(points, options, progress); });
 }

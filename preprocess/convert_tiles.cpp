@@ -56,13 +56,12 @@ Result<TiledResult> convert_all(const TiledModel& plan, bool overviews, const fs
     return make_error("{}: the points are too scattered to be a surface", plan.name);
   TiledModel model = plan;
   model.spacing = converted->extent.spacing;
-  auto parts = overviews ? make_overviews(model, progress)
-                         : Result(own_parts(plan.job, plan.scan.counts.size()));
-  if (!parts) return parts.error();
+  RELIEF_TRY_ASSIGN(auto parts, overviews ? make_overviews(model, progress)
+                                          : Result(own_parts(plan.job, plan.scan.counts.size())));
 
   progress.begin_stage("write", 0);
   if (progress.cancelled()) return interrupted_error();
-  const Status written = write_patch_tree(plan.job.whole(), *parts, converted->extent);
+  const Status written = write_patch_tree(plan.job.whole(), parts, converted->extent);
   if (!written) {
     return make_error("{}; if that comes again, remove {} and convert anew",
                       written.error().message, plan.job.folder().string());
@@ -78,16 +77,15 @@ Result<std::optional<TiledResult>> convert_tiles(
     const PatchFileOptions& file_options, const TileOptions& tile_options, Progress& progress) {
   const SpreadOptions spread_options{tile_options.memory_bytes, tile_options.most_tile_points,
                                      options.spacing};
-  const auto fingerprint = fingerprint_of(files, options, file_options, spread_options);
-  if (!fingerprint) return fingerprint.error();
-  auto job = TileJob::open(output, *fingerprint);
-  if (!job) return job.error();
-  auto scan = spread_points(files, *job, spread_options, progress);
-  if (!scan || !*scan) job->remove();  // what there is, is not worth to go on from
+  RELIEF_TRY_ASSIGN(const auto fingerprint,
+                    fingerprint_of(files, options, file_options, spread_options));
+  RELIEF_TRY_ASSIGN(auto job, TileJob::open(output, fingerprint));
+  auto scan = spread_points(files, job, spread_options, progress);
+  if (!scan || !*scan) job.remove();  // what there is, is not worth to go on from
   if (!scan) return scan.error();
   if (!*scan) return std::optional<TiledResult>();
   const TiledModel plan{files.front().string(),
-                        *job,
+                        job,
                         **scan,
                         options,
                         file_options,
@@ -97,7 +95,7 @@ Result<std::optional<TiledResult>> convert_tiles(
   auto result = with_threads(
       options.threads, [&] { return convert_all(plan, tile_options.overviews, output, progress); });
   if (!result) return result.error();
-  job->remove();
+  job.remove();
   return std::optional(std::move(*result));
 }
 

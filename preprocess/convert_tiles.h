@@ -13,10 +13,10 @@
 namespace relief {
 
 /// The least memory that a conversion in tiles can be told to keep to.
-inline constexpr std::uint64_t kLeastTileMemory = std::uint64_t{256} << 20U;
+inline constexpr std::uint64_t kMinTileMemory = std::uint64_t{256} << 20U;
 
 struct TileOptions {
-  std::uint64_t memory_bytes = kLeastTileMemory;  ///< to keep to
+  std::uint64_t memory_bytes = kMinTileMemory;  ///< to keep to
   /// Larger tiles are not made, whatever the memory: so the result is the same with any memory
   /// that is enough for these.
   std::uint64_t most_tile_points = std::uint64_t{1} << 20U;

@@ -82,18 +82,17 @@ Result<std::unique_ptr<PreparedModel>> prepare_on_opengl(const RenderModel& mode
   for (const RenderSettings& settings : views.settings)
     assert(settings.platform == first.platform && settings.debug == first.debug &&
            settings.explain == first.explain);
-  auto opengl = OpenGl::create(first.platform, first.debug, first.explain);
-  if (!opengl) return opengl.error();
-  auto prepared = views.engine == EngineKind::Onepass
-                      ? onepass::prepare(std::move(*opengl), *model.patches, views.settings)
-                      : multipass::prepare(std::move(*opengl), *model.patches, views.settings);
-  if (!prepared) return prepared.error();
-  return std::unique_ptr<PreparedModel>(std::move(*prepared));
+  RELIEF_TRY_ASSIGN(auto opengl, OpenGl::create(first.platform, first.debug, first.explain));
+  RELIEF_TRY_ASSIGN(auto prepared,
+                    views.engine == EngineKind::Onepass
+                        ? onepass::prepare(std::move(opengl), *model.patches, views.settings)
+                        : multipass::prepare(std::move(opengl), *model.patches, views.settings));
+  return std::unique_ptr<PreparedModel>(std::move(prepared));
 }
 
 /// Rays' triangles of patches, each in each of its places.
 Result<TriangleMesh> triangulate(const PatchModel& patches) {
-  if (patches.placements.empty()) return mesh_of_patches(patches);
+  if (patches.instances.empty()) return mesh_of_patches(patches);
   auto mesh = mesh_of_patches(bake(patches));
   if (mesh) mesh->bodies = bodies_of(patches);
   return mesh;
@@ -101,8 +100,8 @@ Result<TriangleMesh> triangulate(const PatchModel& patches) {
 
 /// Their samples as splats.
 SplatCloud splat(const PatchModel& patches) {
-  return patches.placements.empty() ? ewa::splats_of_samples(patches)
-                                    : ewa::splats_of_samples(bake(patches));
+  return patches.instances.empty() ? ewa::splats_of_samples(patches)
+                                   : ewa::splats_of_samples(bake(patches));
 }
 
 Result<std::unique_ptr<PreparedModel>> prepare(const RenderModel& model, const EngineViews& views) {
@@ -119,21 +118,18 @@ Result<std::unique_ptr<PreparedModel>> prepare(const RenderModel& model, const E
   }
   if (model.mesh != nullptr) return raytrace::prepare(*model.mesh);
   assert(model.patches != nullptr && "there is a mesh or patches");
-  auto mesh = triangulate(*model.patches);
-  if (!mesh) return mesh.error();
-  return raytrace::prepare(std::move(*mesh));
+  RELIEF_TRY_ASSIGN(auto mesh, triangulate(*model.patches));
+  return raytrace::prepare(std::move(mesh));
 }
 
 /// Draws the views of one engine after each other.
-Status render_group(PreparedModel& prepared, const EngineViews& views, const PictureSink& sink,
+Status render_group(PreparedModel& prepared, const EngineViews& views, const ImageSink& sink,
                     Progress& outer, Progress& inner) {
   for (std::size_t i = 0; i < views.settings.size(); ++i) {
     if (outer.cancelled()) return interrupted_error();
-    auto picture = prepared.render(views.settings[i], inner);
-    if (!picture) return picture.error();
+    RELIEF_TRY_ASSIGN(auto picture, prepared.render(views.settings[i], inner));
     if (outer.cancelled()) return interrupted_error();
-    Status taken = sink(views.places[i], std::move(*picture));
-    if (!taken) return taken;
+    RELIEF_TRY(sink(views.places[i], std::move(picture)));
     if (&outer != &inner) outer.advance(1);  // alone, the engine has told its own progress
   }
   return {};
@@ -157,21 +153,19 @@ Result<RenderResult> render_one(const RenderModel& model, const RenderSettings& 
 }  // namespace
 
 Status render_views(const RenderModel& model, std::span<const RenderSettings> views,
-                    const PictureSink& sink, Progress& progress) {
+                    const ImageSink& sink, Progress& progress) {
   for (const RenderSettings& settings : views) {
-    if (Status possible = check_opacity(settings); !possible) return possible;
-    if (Status possible = check_interfaces(settings); !possible) return possible;
+    RELIEF_TRY(check_opacity(settings));
+    RELIEF_TRY(check_interfaces(settings));
     const bool traces_mesh = settings.engine == EngineKind::Raytrace && model.mesh != nullptr;
-    if (Status possible = check_split_view(settings, !traces_mesh); !possible) return possible;
+    RELIEF_TRY(check_split_view(settings, !traces_mesh));
   }
   const bool several = views.size() > 1;
   QuietProgress quiet(progress);
   progress.begin_stage("render", several ? views.size() : 0);
   for (const EngineViews& group : group_by_engine(views)) {
-    const auto prepared = prepare(model, group);
-    if (!prepared) return prepared.error();
-    Status drawn = render_group(**prepared, group, sink, progress, several ? quiet : progress);
-    if (!drawn) return drawn;
+    RELIEF_TRY_ASSIGN(const auto prepared, prepare(model, group));
+    RELIEF_TRY(render_group(*prepared, group, sink, progress, several ? quiet : progress));
   }
   return {};
 }

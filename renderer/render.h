@@ -38,7 +38,7 @@ struct RenderSettings {
   Camera camera;
   Primitive primitive = Primitive::Cell;
   Interpolation interpolation = Interpolation::Corrected;
-  Sides sides = Sides::Both;  ///< of the engines on OpenGL
+  CullMode cull = CullMode::None;  ///< of the engines on OpenGL
   Material material = Material::Lit;
   MaterialConstants constants;  ///< of `material`
   /// By Patch::material and its like in meshes and clouds; empty: `material` for all. At most
@@ -71,7 +71,7 @@ struct RenderSettings {
 inline constexpr double kPixelsPerSampleOfCells = 4.0;
 
 /// Each patch is drawn at its coarsest level whose samples are seen at most this far apart, in
-/// pixels; 0: the finest. Sprites and quads, the ways of paper 001, have that unasked.
+/// pixels; 0: the finest. Sprites and quads, the methods of paper 001, have that unasked.
 [[nodiscard]] inline double pixels_per_sample_of(const RenderSettings& settings) {
   if (settings.engine != EngineKind::Onepass) return 0.0;
   const bool cells = settings.primitive == Primitive::Cell;
@@ -110,14 +110,14 @@ Result<RenderResult> render(const PatchModel& model, const RenderSettings& setti
 
 /// Takes a picture as soon as it is done; `view` is its place in the list. An error ends the
 /// rendering and comes out of it. Must not render itself: OpenGL has one context at a time.
-using PictureSink = std::function<Status(std::size_t view, RenderResult picture)>;
+using ImageSink = std::function<Status(std::size_t view, RenderResult picture)>;
 
 /// Renders several views of one model, one engine after the other and within each in the list's
 /// order. What does not depend on the view (an OpenGL context, the model on the GPU, environments)
 /// is made once for each engine; each picture is the same as if it were the only
 /// one. All views have the same `platform`, `debug` and `explain`. Fails as render() does.
 Status render_views(const RenderModel& model, std::span<const RenderSettings> views,
-                    const PictureSink& sink, Progress& progress);
+                    const ImageSink& sink, Progress& progress);
 
 /// Renders a mesh with the engine `raytrace`, whatever `settings.engine` says.
 Result<RenderResult> render(const TriangleMesh& mesh, const RenderSettings& settings,

@@ -15,7 +15,7 @@ if [ ${#models[@]} -eq 0 ]; then
     scans/happy_buddha_50k.obj.gz sharp/fandisk_large.off.gz sharp/iron_scan.ply
     colour/lion_takanawa_rgb_normals.ply.gz)
 fi
-IFS=';' read -ra ways <<<"${WAYS:-onepass cell corrected 4;onepass cell corrected;onepass quad corrected;onepass quad direct;onepass sprite corrected;onepass sprite direct;ewa}"
+IFS=';' read -ra methods <<<"${WAYS:-onepass cell corrected 4;onepass cell corrected;onepass quad corrected;onepass quad direct;onepass sprite corrected;onepass sprite direct;ewa}"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -54,7 +54,7 @@ for model in "${models[@]}"; do
   pictures truth.lit "$work/mesh.json" --engine raytrace --samples 1 --material lit
   # One ray a pixel reads one point of the environment, which no other engine does.
   pictures truth.mirror "$work/mesh.json" --engine raytrace --samples 16 --material mirror --outputs colour
-  for way in "${ways[@]}"; do
+  for way in "${methods[@]}"; do
     # ENGINE, or ENGINE PRIMITIVE INTERPOLATION [PIXELS A SAMPLE].
     read -ra words <<<"$way"
     options=(--engine "${words[0]}")

@@ -33,7 +33,7 @@ std::optional<double> value_of(const Result<double>& measured) {
 }
 
 /// The truth in a material.
-Result<Image> trace(const BenchWay& row, const TriangleMesh* mesh, Material material,
+Result<Image> trace(const BenchMethod& row, const TriangleMesh* mesh, Material material,
                     Progress& progress) {
   const RenderSettings traced = truth_of(row.settings, material);
   Image truth;
@@ -49,7 +49,7 @@ Result<Image> trace(const BenchWay& row, const TriangleMesh* mesh, Material mate
 }
 
 /// The rows from `first` on that draw the same model.
-std::vector<RenderSettings> rows_of_model(const std::vector<BenchWay>& rows, std::size_t first,
+std::vector<RenderSettings> rows_of_model(const std::vector<BenchMethod>& rows, std::size_t first,
                                           Material material) {
   std::vector<RenderSettings> pictures;
   for (std::size_t k = first; k < rows.size() && rows[k].patches == rows[first].patches; ++k)
@@ -58,10 +58,9 @@ std::vector<RenderSettings> rows_of_model(const std::vector<BenchWay>& rows, std
 }
 
 /// The rows in one material.
-Result<std::vector<Comparison>> compare_in(Material material, const std::vector<BenchWay>& rows,
+Result<std::vector<Comparison>> compare_in(Material material, const std::vector<BenchMethod>& rows,
                                            const TriangleMesh* mesh, Progress& progress) {
-  const auto truth = trace(rows.front(), mesh, material, progress);
-  if (!truth) return truth.error();
+  RELIEF_TRY_ASSIGN(const auto truth, trace(rows.front(), mesh, material, progress));
   std::vector<std::optional<Comparison>> found(rows.size());
   const FlipOptions options{FlipRange::Ldr, kFlipPixelsPerDegree};
   Progress silent;
@@ -70,10 +69,9 @@ Result<std::vector<Comparison>> compare_in(Material material, const std::vector<
     const Status drawn = render_views(
         {rows[first].patches, nullptr, nullptr}, pictures,
         [&](std::size_t row, RenderResult picture) -> Status {
-          auto comparison = compare_images(picture.image, *truth, options, silent);
-          if (!comparison) return comparison.error();
-          comparison->flip.map = {};  // as large as the picture
-          found[first + row] = std::move(*comparison);
+          RELIEF_TRY_ASSIGN(auto comparison, compare_images(picture.image, truth, options, silent));
+          comparison.flip.map = {};  // as large as the picture
+          found[first + row] = std::move(comparison);
           return {};
         },
         progress);
@@ -88,18 +86,17 @@ Result<std::vector<Comparison>> compare_in(Material material, const std::vector<
 
 }  // namespace
 
-Result<std::vector<RowAccuracy>> measure_accuracy(const std::vector<BenchWay>& rows,
+Result<std::vector<RowAccuracy>> measure_accuracy(const std::vector<BenchMethod>& rows,
                                                   const TriangleMesh* mesh, Progress& progress) {
   const Material material = rows.front().settings.material;
-  const auto seen = compare_in(material, rows, mesh, progress);
-  if (!seen) return seen.error();
-  const auto mirrors =
-      material == Material::Mirror ? seen : compare_in(Material::Mirror, rows, mesh, progress);
-  if (!mirrors) return mirrors.error();
+  RELIEF_TRY_ASSIGN(const auto seen, compare_in(material, rows, mesh, progress));
+  RELIEF_TRY_ASSIGN(const auto mirrors, material == Material::Mirror
+                                            ? seen
+                                            : compare_in(Material::Mirror, rows, mesh, progress));
   std::vector<RowAccuracy> all;
   for (std::size_t row = 0; row < rows.size(); ++row) {
-    const Comparison& own = (*seen)[row];
-    const Comparison& mirror = (*mirrors)[row];
+    const Comparison& own = seen[row];
+    const Comparison& mirror = mirrors[row];
     RowAccuracy accuracy;
     accuracy.psnr_db = own.psnr_db;
     accuracy.psnr_covered_db = value_of(own.psnr_covered_db);

@@ -27,7 +27,7 @@ struct RowAccuracy {
 /// the first row's patches: one ray a pixel where the picture has one sample too, and 16 for a
 /// mirror, as one ray reads one point of an environment that all others filter. Rows have no
 /// background.
-Result<std::vector<RowAccuracy>> measure_accuracy(const std::vector<BenchWay>& rows,
+Result<std::vector<RowAccuracy>> measure_accuracy(const std::vector<BenchMethod>& rows,
                                                   const TriangleMesh* mesh, Progress& progress);
 
 }  // namespace relief::cli

@@ -12,7 +12,7 @@
 namespace relief::cli {
 namespace {
 
-constexpr std::size_t kMostValues = 16;
+constexpr std::size_t kMaxValues = 16;
 
 [[noreturn]] void refuse(const std::string& why) {
   throw CLI::ValidationError("--sweep",
@@ -46,7 +46,7 @@ Sweep parse_sweep(const std::string& text) {
     sweep.values.push_back(*value);
     at = next;
   }
-  if (sweep.values.size() > kMostValues) refuse("16 values at most");
+  if (sweep.values.size() > kMaxValues) refuse("16 values at most");
   return sweep;
 }
 

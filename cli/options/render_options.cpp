@@ -58,10 +58,10 @@ void add_way_options(CLI::App& sub, SceneSettings& settings) {
   add_choice(sub, "--interpolation", settings.interpolation, kInterpolations,
              "How a fragment finds its place on the patch: direct is faster, corrected more "
              "exact (corrected)");
-  add_sides_option(sub, settings);
+  add_cull_option(sub, settings);
 }
 
-void add_picture_options(CLI::App& sub, SceneSettings& settings) {
+void add_image_options(CLI::App& sub, SceneSettings& settings) {
   sub.add_option_function<std::string>(
          "--background", [&](const std::string& s) { settings.background = parse_background(s); },
          "sRGB values from 0 to 1, or none: transparent (0,0,0)")
@@ -121,8 +121,8 @@ void check_engine_options(const RenderArguments& arguments) {
     throw CLI::ValidationError("--pixels-per-sample", "is for --engine onepass");
   if (settings.radius_factor && engine != EngineKind::Multipass)
     throw CLI::ValidationError("--radius-factor", "is for --engine multipass");
-  if (settings.sides && !is_on_opengl(engine))
-    throw CLI::ValidationError("--sides", "is for --engine onepass and multipass");
+  if (settings.cull && !is_on_opengl(engine))
+    throw CLI::ValidationError("--cull", "is for --engine onepass and multipass");
   if (settings.primitive == Primitive::Cell && engine == EngineKind::Multipass)
     throw CLI::ValidationError("--primitive", "cell is for --engine onepass");
   if (settings.samples && engine == EngineKind::Ewa)
@@ -176,11 +176,12 @@ void add_camera_options(CLI::App& sub, SceneSettings& settings) {
       ->excludes("--fov");
 }
 
-void add_sides_option(CLI::App& sub, SceneSettings& settings) {
+void add_cull_option(CLI::App& sub, SceneSettings& settings) {
   add_choice(
-      sub, "--sides", settings.sides, kSides,
-      "onepass, multipass: which sides of the surface are drawn; front is right for closed "
-      "bodies, seen from outside; auto takes it for models that are known to be such (both)");
+      sub, "--cull", settings.cull, kCullModes,
+      "onepass, multipass: which faces are not drawn. none: draws both sides; back: leaves out "
+      "faces that "
+      "look away from the eye; auto: back for models known to be closed, seen from outside (none)");
 }
 
 void add_material_options(CLI::App& sub, SceneSettings& settings) {
@@ -231,7 +232,7 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments) {
   add_camera_options(sub, arguments.settings);
   add_way_options(sub, arguments.settings);
   add_material_options(sub, arguments.settings);
-  add_picture_options(sub, arguments.settings);
+  add_image_options(sub, arguments.settings);
   add_engine_options(sub, arguments.settings);
   add_texture_options(sub, arguments.texture);
   sub.add_option(

@@ -27,7 +27,7 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments);
 /// Parts of them, for other subcommands: the picture's size and camera; which sides are drawn;
 /// material and environment; where OpenGL comes from.
 void add_camera_options(CLI::App& sub, SceneSettings& settings);
-void add_sides_option(CLI::App& sub, SceneSettings& settings);
+void add_cull_option(CLI::App& sub, SceneSettings& settings);
 void add_material_options(CLI::App& sub, SceneSettings& settings);
 void add_platform_option(CLI::App& sub, GlPlatform& platform);
 

@@ -45,13 +45,12 @@ Result<RenderPlan> make_plan(const RenderArguments& arguments) {
     plan.pictures.push_back({"", arguments.output, arguments.settings, {}});
     return plan;
   }
-  auto scene = read_scene(arguments.input);
-  if (!scene) return scene.error();
+  RELIEF_TRY_ASSIGN(auto scene, read_scene(arguments.input));
   plan.scene = arguments.input;
-  plan.models = std::move(scene->models);
+  plan.models = std::move(scene.models);
   const std::vector<MaterialWords> said = materials_said(plan.models);
-  for (const SceneView& view : scene->views) {
-    const SceneSettings of_view = overlay(scene->settings, view.settings);
+  for (const SceneView& view : scene.views) {
+    const SceneSettings of_view = overlay(scene.settings, view.settings);
     plan.pictures.push_back({view.name, output_of(arguments.output, view.name),
                              overlay(of_view, arguments.settings),
                              materials_for(said, of_view, arguments.settings)});
@@ -75,9 +74,8 @@ Result<std::vector<fs::path>> find_inputs(const RenderPlan& plan, const fs::path
   for (const SceneModel& model : plan.models) inputs.insert(model.file);
   for (const Picture& picture : plan.pictures) {
     if (!picture.settings.environment || picture.settings.environment->empty()) continue;
-    const auto files = environment_files(*picture.settings.environment);
-    if (!files) return files.error();
-    inputs.insert(files->begin(), files->end());
+    RELIEF_TRY_ASSIGN(const auto files, environment_files(*picture.settings.environment));
+    inputs.insert(files.begin(), files.end());
   }
   for (const fs::path& input : inputs) {
     std::error_code ignored;
@@ -88,11 +86,9 @@ Result<std::vector<fs::path>> find_inputs(const RenderPlan& plan, const fs::path
 }
 
 Status check_files(const RenderPlan& plan, const fs::path& texture) {
-  const auto inputs = find_inputs(plan, texture);
-  if (!inputs) return inputs.error();
+  RELIEF_TRY_ASSIGN(const auto inputs, find_inputs(plan, texture));
   for (const Picture& picture : plan.pictures) {
-    Status writable = check_output(picture.output, *inputs);
-    if (!writable) return writable;
+    RELIEF_TRY(check_output(picture.output, inputs));
   }
   return {};
 }
@@ -107,7 +103,7 @@ Result<RenderSettings> render_settings_for(const Picture& picture, const PatchMo
                                              picture.view, camera.error().message);
   }
   RenderSettings settings;
-  const PictureSize size = said.size.value_or(PictureSize{});
+  const ImageSize size = said.size.value_or(ImageSize{});
   settings.width = size.width;
   settings.height = size.height;
   settings.camera = *camera;
@@ -115,7 +111,7 @@ Result<RenderSettings> render_settings_for(const Picture& picture, const PatchMo
   const bool splats = settings.engine == EngineKind::Multipass;
   settings.primitive = said.primitive.value_or(splats ? Primitive::Quad : settings.primitive);
   settings.interpolation = said.interpolation.value_or(settings.interpolation);
-  settings.sides = said.sides.value_or(settings.sides);
+  settings.cull = said.cull.value_or(settings.cull);
   const MaterialSettings material = material_of(said);
   settings.material = material.kind;
   settings.constants = material.constants;

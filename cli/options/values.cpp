@@ -53,13 +53,13 @@ std::optional<double> parse_number(std::string_view text) {
   return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
-PictureSize parse_size(const std::string& text) {
+ImageSize parse_size(const std::string& text) {
   const auto parts = split(text, 'x');
   if (parts.size() == 2) {
     const auto width = parse_as<std::uint32_t>(parts[0]);
     const auto height = parse_as<std::uint32_t>(parts[1]);
-    if (width && height && *width >= 1 && *width <= kMaxPictureSide && *height >= 1 &&
-        *height <= kMaxPictureSide) {
+    if (width && height && *width >= 1 && *width <= kMaxRenderSide && *height >= 1 &&
+        *height <= kMaxRenderSide) {
       return {*width, *height};
     }
   }

@@ -13,7 +13,7 @@
 namespace relief::cli {
 
 /// "WxH", each 1 to 32768.
-[[nodiscard]] PictureSize parse_size(const std::string& text);
+[[nodiscard]] ImageSize parse_size(const std::string& text);
 
 /// A finite number, or nothing.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);

@@ -57,7 +57,7 @@ std::string material_names(const RenderSettings& settings) {
 
 }  // namespace
 
-nlohmann::ordered_json as_json(const WrittenPicture& written) {
+nlohmann::ordered_json as_json(const WrittenImage& written) {
   const auto& [settings, result] = written;
   const auto said_by = [](bool has, const auto& way) {
     return has ? nlohmann::ordered_json(way) : nlohmann::ordered_json(nullptr);
@@ -90,7 +90,7 @@ nlohmann::ordered_json as_json(const WrittenPicture& written) {
 }
 
 nlohmann::ordered_json scene_as_json(const RenderPlan& plan,
-                                     const std::vector<WrittenPicture>& written) {
+                                     const std::vector<WrittenImage>& written) {
   nlohmann::ordered_json views = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < written.size(); ++i) {
     nlohmann::ordered_json view = {{"name", plan.pictures[i].view},
@@ -101,7 +101,7 @@ nlohmann::ordered_json scene_as_json(const RenderPlan& plan,
   return {{"views", std::move(views)}};
 }
 
-std::string as_text(const Picture& picture, const WrittenPicture& written) {
+std::string as_text(const Picture& picture, const WrittenImage& written) {
   const auto& [settings, result] = written;
   const std::string fragments =
       result.fragments ? fmt::format("{}", *result.fragments) : std::string("not counted");

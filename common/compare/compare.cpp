@@ -47,8 +47,7 @@ Result<Comparison> compare_images(const Image& test, const Image& reference,
   const auto reference_colour = take_colour(reference);
   if (!reference_colour) return make_error("the reference {}", reference_colour.error().message);
 
-  auto flip = measure_flip(*colour, *reference_colour, options, progress);
-  if (!flip) return flip.error();
+  RELIEF_TRY_ASSIGN(auto flip, measure_flip(*colour, *reference_colour, options, progress));
 
   const auto masks = find_coverage(test, reference);
   const auto* const both = masks ? &masks->both : nullptr;
@@ -71,7 +70,7 @@ Result<Comparison> compare_images(const Image& test, const Image& reference,
       .non_finite_reference = count_non_finite(reference),
       .psnr_db = colour_psnr_db(*colour, *reference_colour, nullptr),
       .psnr_covered_db = psnr_covered_db(),
-      .flip = std::move(*flip),
+      .flip = std::move(flip),
       .coverage = coverage(),
       .normal = measure_normals(test, reference, both),
       .depth = measure_depth(test, reference, both),

@@ -10,10 +10,9 @@ namespace relief {
 
 Result<ExportFile> ExportFile::create(const std::filesystem::path& path, std::uint64_t records,
                                       Progress& progress) {
-  auto file = AtomicFile::create(path);
-  if (!file) return file.error();
+  RELIEF_TRY_ASSIGN(auto file, AtomicFile::create(path));
   progress.begin_stage("write", records);
-  return ExportFile(std::move(*file), progress);
+  return ExportFile(std::move(file), progress);
 }
 
 bool ExportFile::flush() {

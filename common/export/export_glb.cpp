@@ -158,16 +158,17 @@ Status export_glb(const std::filesystem::path& path, const ExportRequest& reques
     return make_error("{}: would have {} bytes, but glTF allows 4 GiB; export a .ply instead",
                       path.string(), bytes);
   }
-  auto file = ExportFile::create(
-      path, points.size() + points.normals.size() + points.colours.size() + points.triangles.size(),
-      progress);
-  if (!file) return file.error();
+  RELIEF_TRY_ASSIGN(
+      auto file, ExportFile::create(path,
+                                    points.size() + points.normals.size() + points.colours.size() +
+                                        points.triangles.size(),
+                                    progress));
   const auto u32 = [](std::uint64_t value) { return static_cast<std::uint32_t>(value); };
-  file->numbers(kMagic, std::uint32_t{2}, u32(bytes), u32(document.size()), kJsonChunk);
-  file->text(document);
-  file->numbers(u32(buffer_bytes), kBinaryChunk);
-  write_buffer(points, origin, *file);
-  return file->finish();
+  file.numbers(kMagic, std::uint32_t{2}, u32(bytes), u32(document.size()), kJsonChunk);
+  file.text(document);
+  file.numbers(u32(buffer_bytes), kBinaryChunk);
+  write_buffer(points, origin, file);
+  return file.finish();
 }
 
 }  // namespace relief

@@ -168,11 +168,10 @@ std::optional<Error> check_header(std::span<const std::byte> bytes) {
   stream.seekg(8);
   Imf::Header header;
   header.readFrom(stream, version);
-  const auto channels = list_channels(header);
-  if (!channels) return channels.error();
+  RELIEF_TRY_ASSIGN(const auto channels, list_channels(header));
   const auto& window = header.dataWindow();
   return find_size_fault(std::int64_t{window.max.x} - window.min.x + 1,
-                         std::int64_t{window.max.y} - window.min.y + 1, channels->size(),
+                         std::int64_t{window.max.y} - window.min.y + 1, channels.size(),
                          bytes.size());
 }
 

@@ -55,9 +55,8 @@ Status write_png(const std::filesystem::path& path, const Image& image) {
 }
 
 Result<Image> read_image(const std::filesystem::path& path) {
-  const auto bytes = read_file(path);
-  if (!bytes) return bytes.error();
-  return decode_image(path.string(), *bytes);
+  RELIEF_TRY_ASSIGN(const auto bytes, read_file(path));
+  return decode_image(path.string(), bytes);
 }
 
 Result<Image> decode_image(const std::string& name, std::span<const std::byte> bytes,

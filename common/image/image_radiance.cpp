@@ -150,7 +150,7 @@ Result<Image> decode_radiance(std::span<const std::byte> bytes) {
   }
   std::vector<Rgbe> row(image.width);
   for (std::size_t y = 0; y < image.height; ++y) {
-    if (Status read = read_scanline(in, row); !read) return read.error();
+    RELIEF_TRY(read_scanline(in, row));
     for (std::size_t x = 0; x < row.size(); ++x) {
       const Rgbe& pixel = row[x];
       // 128 of excess and 8 for mantissas of 0 to 255 instead of 0 to 1.

@@ -69,7 +69,7 @@ class TexturePyramid {
       along = dv;
     }
     if (!(longer > 1.0F) || !std::isfinite(longer)) return at(texcoord);
-    const float places = std::clamp(std::ceil(longer / std::max(shorter, 1.0F)), 1.0F, kMostPlaces);
+    const float places = std::clamp(std::ceil(longer / std::max(shorter, 1.0F)), 1.0F, kMaxPlaces);
     const float level = std::log2(std::max(longer / places, 1.0F));
     glm::vec3 sum(0.0F);
     const auto count = static_cast<int>(places);
@@ -89,7 +89,7 @@ class TexturePyramid {
   };
 
   /// More places along a footprint are averaged at a coarser level.
-  static constexpr float kMostPlaces = 16.0F;
+  static constexpr float kMaxPlaces = 16.0F;
 
   [[nodiscard]] static Level halve(const Level& finer) {
     Level coarser{std::max(finer.width / 2, 1U), std::max(finer.height / 2, 1U), {}};

@@ -108,15 +108,14 @@ Status RandomAccessFile::read_at(std::uint64_t offset, std::span<std::byte> byte
 }
 
 Result<std::vector<std::byte>> read_file(const fs::path& path) {
-  auto file = RandomAccessFile::open(path);
-  if (!file) return file.error();
-  if (file->size() == 0) return make_error("{}: the file is empty", path.string());
+  RELIEF_TRY_ASSIGN(auto file, RandomAccessFile::open(path));
+  if (file.size() == 0) return make_error("{}: the file is empty", path.string());
   try {
-    std::vector<std::byte> bytes(file->size());
-    if (Status read = file->read_at(0, bytes); !read) return read.error();
+    std::vector<std::byte> bytes(file.size());
+    RELIEF_TRY(file.read_at(0, bytes));
     return bytes;
   } catch (const std::bad_alloc&) {
-    return make_error("{}: its {} MB do not fit into memory", path.string(), file->size() >> 20U);
+    return make_error("{}: its {} MB do not fit into memory", path.string(), file.size() >> 20U);
   }
 }
 
@@ -212,10 +211,9 @@ Status AtomicFile::commit() {
 }
 
 Status write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {
-  auto file = AtomicFile::create(path);
-  if (!file) return file.error();
-  if (Status written = file->write(bytes); !written) return written;
-  return file->commit();
+  RELIEF_TRY_ASSIGN(auto file, AtomicFile::create(path));
+  RELIEF_TRY(file.write(bytes));
+  return file.commit();
 }
 
 Status move_into_place(const fs::path& file, const fs::path& path) {

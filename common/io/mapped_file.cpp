@@ -14,16 +14,15 @@
 namespace relief {
 
 Result<MappedFile> MappedFile::open(const std::filesystem::path& path) {
-  const auto file = RandomAccessFile::open(path);
-  if (!file) return file.error();
-  if (file->size() == 0) return make_error("{}: the file is empty", path.string());
-  void* const memory = ::mmap(nullptr, file->size(), PROT_READ, MAP_PRIVATE, file->descriptor(), 0);
+  RELIEF_TRY_ASSIGN(const auto file, RandomAccessFile::open(path));
+  if (file.size() == 0) return make_error("{}: the file is empty", path.string());
+  void* const memory = ::mmap(nullptr, file.size(), PROT_READ, MAP_PRIVATE, file.descriptor(), 0);
   if (memory == MAP_FAILED) {
     return make_error("{}: cannot be mapped: {}", path.string(),
                       std::generic_category().message(errno));
   }
-  ::madvise(memory, file->size(), MADV_SEQUENTIAL);
-  return MappedFile({static_cast<const std::byte*>(memory), file->size()});
+  ::madvise(memory, file.size(), MADV_SEQUENTIAL);
+  return MappedFile({static_cast<const std::byte*>(memory), file.size()});
 }
 
 MappedFile::MappedFile(MappedFile&& other) noexcept : bytes_(std::exchange(other.bytes_, {})) {}

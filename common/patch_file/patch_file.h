@@ -20,7 +20,7 @@ struct TreeTile;
 /// What the header and the index of a patch file say; known without reading any patch.
 struct PatchFileInfo {
   std::uint32_t version = 0;
-  std::string codec;  ///< of the heights: "predicted-zstd" (1) or "levels-rans" (2)
+  std::string codec;  ///< "fast" (version 1) or "compact" (version 2)
   std::uint64_t patches = 0;
   std::uint64_t samples = 0;
   double spacing = 0.0;  ///< as PatchModel::spacing, world units
@@ -59,13 +59,13 @@ struct PatchSummary {
 /// How a file is coded: quick to write and read, or in about half the bytes.
 enum class PatchCodec : std::uint8_t { Fast, Compact };
 
-inline constexpr double kLeastNormalDegrees = 0.1;
-inline constexpr double kMostNormalDegrees = 90.0;
+inline constexpr double kMinNormalDegrees = 0.1;
+inline constexpr double kMaxNormalDegrees = 90.0;
 
 struct PatchFileOptions {
   PatchCodec codec = PatchCodec::Fast;
-  /// The largest error of normals of Compact, in degrees, from kLeastNormalDegrees, which Fast
-  /// always keeps, to kMostNormalDegrees, which keeps none: all are those of the heights. Where
+  /// The largest error of normals of Compact, in degrees, from kMinNormalDegrees, which Fast
+  /// always keeps, to kMaxNormalDegrees, which keeps none: all are those of the heights. Where
   /// these are near enough none is kept anyway.
   double normal_degrees = 0.5;
 };

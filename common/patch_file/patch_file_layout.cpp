@@ -47,7 +47,7 @@ bool index_fits(const FileHeader& header, std::uint64_t bytes) {
   if (header.version == kTreeVersion)
     return bytes == header.chunks * std::uint64_t{kTileRecordBytes};
   if (header.version == kCompactVersion) {
-    return header.patches <= bytes / kLeastCompactRecord && header.chunks <= 3ULL * header.patches;
+    return header.patches <= bytes / kMinCompactRecord && header.chunks <= 3ULL * header.patches;
   }
   return bytes == header.patches * std::uint64_t{kPatchRecordBytes} +
                       header.chunks * std::uint64_t{kChunkRecordBytes};
@@ -236,23 +236,20 @@ Result<FileHeader> read_header(const RandomAccessFile& file, FileRange range,
                                const std::string& name) {
   if (range.bytes == 0) return make_error("{}: the file is empty", name);
   std::vector<std::byte> bytes(std::min<std::uint64_t>(range.bytes, kHeaderBytes));
-  if (Status read = file.read_at(range.offset, bytes); !read) return read.error();
+  RELIEF_TRY(file.read_at(range.offset, bytes));
   return parse_header(bytes, range.bytes, name);
 }
 
 Result<FileLayout> read_layout(const RandomAccessFile& file, FileRange range,
                                const std::string& name) {
-  const auto header = read_header(file, range, name);
-  if (!header) return header.error();
-  if (header->version == kTreeVersion)
+  RELIEF_TRY_ASSIGN(const auto header, read_header(file, range, name));
+  if (header.version == kTreeVersion)
     return make_error("{}: its tiles have tiles of their own; the file is damaged", name);
-  std::vector<std::byte> bytes(header->file_bytes - header->index_offset);
-  if (Status read = file.read_at(range.offset + header->index_offset, bytes); !read)
-    return read.error();
-  auto index = parse_index(bytes, *header, name);
-  if (!index) return index.error();
-  for (ChunkRecord& chunk : index->chunks) chunk.offset += range.offset;
-  return FileLayout{*header, std::move(*index)};
+  std::vector<std::byte> bytes(header.file_bytes - header.index_offset);
+  RELIEF_TRY(file.read_at(range.offset + header.index_offset, bytes));
+  RELIEF_TRY_ASSIGN(auto index, parse_index(bytes, header, name));
+  for (ChunkRecord& chunk : index.chunks) chunk.offset += range.offset;
+  return FileLayout{header, std::move(index)};
 }
 
 }  // namespace relief

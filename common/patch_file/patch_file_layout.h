@@ -93,7 +93,7 @@ struct FileRange {
 /// gets past a checksum.
 [[nodiscard]] bool has_checksum(std::span<const std::byte> bytes, std::uint32_t checksum);
 
-/// What speaks against a patch's placement or size, as a clause; empty if nothing does.
+/// What speaks against a patch's instance or size, as a clause; empty if nothing does.
 [[nodiscard]] std::string find_fault(const PatchSummary& patch);
 
 /// What speaks against a model's spacing, bounds or radius, as a clause; empty if nothing does.

@@ -18,15 +18,15 @@ namespace relief {
 namespace {
 
 #ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
-constexpr std::uint32_t kMostMapTexels = 256;  // large maps are slow and find nothing more
+constexpr std::uint32_t kMaxMapTexels = 256;  // large maps are slow and find nothing more
 #else
-constexpr std::uint32_t kMostMapTexels = kMaxPatchSide;
+constexpr std::uint32_t kMaxMapTexels = kMaxPatchSide;
 #endif
 
 /// Whether a map of so many texels a cell stays within the limits.
 bool is_map_scale_valid(const PatchSummary& patch, std::uint32_t scale) {
   const std::uint64_t cells = std::max(patch.width, patch.height) - 1;
-  return scale > 0 && scale * cells + 1 <= kMostMapTexels;
+  return scale > 0 && scale * cells + 1 <= kMaxMapTexels;
 }
 
 /// What the index says of a patch, without heights and maps.
@@ -83,7 +83,7 @@ PatchFileInfo info_of(const FileHeader& header, const FileIndex& index) {
   const bool compact = header.version == kCompactVersion ||
                        std::any_of(index.chunks.begin(), index.chunks.end(),
                                    [](const auto& chunk) { return chunk.codec == kCodecCompact; });
-  info.codec = compact ? "levels-rans" : "predicted-zstd";
+  info.codec = compact ? "compact" : "fast";
   info.patches = header.patches;
   info.samples = header.samples;
   info.spacing = header.spacing;
@@ -146,7 +146,7 @@ struct PatchFile::State {
           name, patch, what, chunk.codec);
     }
     std::vector<std::byte> bytes(chunk.size);
-    if (Status read = file.read_at(chunk.offset, bytes); !read) return read;
+    RELIEF_TRY(file.read_at(chunk.offset, bytes));
     if (!has_checksum(bytes, chunk.checksum)) {
       return make_error(
           "{}: patch {}: the checksum of its {} (byte {}) is wrong; the file is damaged", name,
@@ -170,14 +170,13 @@ struct PatchFile::State {
     }
     const auto decode = [&](const std::vector<std::byte>& bytes) -> Status {
       const std::uint32_t samples = record.summary.samples;
-      Status decoded = heights->codec == kCodecCompact
-                           ? decode_heights_compact(bytes, samples, level, patch)
-                           : decode_heights(bytes, samples, patch, zstd);
-      if (!decoded) return decoded;
+      RELIEF_TRY(heights->codec == kCodecCompact
+                     ? decode_heights_compact(bytes, samples, level, patch)
+                     : decode_heights(bytes, samples, patch, zstd));
       if (heights->codec != kCodecCompact && level > 0) keep_level(level, patch);
       return check_height_range(patch, record.summary, level == 0);
     };
-    if (Status read = read_chunk(number, "heights", *heights, decode); !read) return read.error();
+    RELIEF_TRY(read_chunk(number, "heights", *heights, decode));
     return patch;
   }
 };
@@ -188,21 +187,17 @@ PatchFile& PatchFile::operator=(PatchFile&&) noexcept = default;
 PatchFile::~PatchFile() = default;
 
 Result<PatchFile> PatchFile::open(const std::filesystem::path& path) {
-  auto file = RandomAccessFile::open(path);
-  if (!file) return file.error();
+  RELIEF_TRY_ASSIGN(auto file, RandomAccessFile::open(path));
   const std::string name = path.string();
-  auto layout = read_own_layout(*file, name);
-  if (!layout) return layout.error();
-  return PatchFile(std::make_unique<State>(name, std::move(*file), std::move(*layout)));
+  RELIEF_TRY_ASSIGN(auto layout, read_own_layout(file, name));
+  return PatchFile(std::make_unique<State>(name, std::move(file), std::move(layout)));
 }
 
 Result<PatchFile> PatchFile::open_tile(const std::filesystem::path& path, const TreeTile& tile) {
-  auto file = RandomAccessFile::open(path);
-  if (!file) return file.error();
+  RELIEF_TRY_ASSIGN(auto file, RandomAccessFile::open(path));
   const std::string name = path.string();
-  auto layout = read_tile(*file, tile, name);
-  if (!layout) return layout.error();
-  return PatchFile(std::make_unique<State>(name, std::move(*file), std::move(*layout)));
+  RELIEF_TRY_ASSIGN(auto layout, read_tile(file, tile, name));
+  return PatchFile(std::make_unique<State>(name, std::move(file), std::move(layout)));
 }
 
 const std::string& PatchFile::name() const {

@@ -6,17 +6,15 @@
 namespace relief {
 
 Result<PatchTree> PatchTree::open(const std::filesystem::path& path) {
-  const auto file = RandomAccessFile::open(path);
-  if (!file) return file.error();
-  auto layout = read_tree_layout(*file, path.string());
-  if (!layout) return layout.error();
+  RELIEF_TRY_ASSIGN(const auto file, RandomAccessFile::open(path));
+  RELIEF_TRY_ASSIGN(auto layout, read_tree_layout(file, path.string()));
   PatchTree tree;
   tree.path_ = path;
-  tree.extent_.spacing = layout->header.spacing;
-  tree.extent_.bounds = layout->header.bounds;
-  tree.extent_.bounding_radius = layout->header.bounding_radius;
-  tree.extent_.is_closed = layout->header.is_closed;
-  tree.tiles_ = std::move(layout->tiles);
+  tree.extent_.spacing = layout.header.spacing;
+  tree.extent_.bounds = layout.header.bounds;
+  tree.extent_.bounding_radius = layout.header.bounding_radius;
+  tree.extent_.is_closed = layout.header.is_closed;
+  tree.tiles_ = std::move(layout.tiles);
   return tree;
 }
 

@@ -26,7 +26,7 @@ TreeTile take_tile(ByteReader& in) {
 
 /// What speaks against a tile after those before it, as a clause; empty if nothing does.
 std::string find_fault(const TreeTile& tile, const std::vector<TreeTile>& before) {
-  if (tile.level >= kMostTreeLevels) return fmt::format("its level is {}", tile.level);
+  if (tile.level >= kMaxTreeLevels) return fmt::format("its level is {}", tile.level);
   if (tile.parent != kNoTile) {
     if (tile.parent >= before.size()) return "its parent does not come before it";
     if (before[tile.parent].level != tile.level + 1) return "its parent is not of the level above";
@@ -129,15 +129,13 @@ Result<TreeLayout> read_tree_layout(const RandomAccessFile& file, const std::str
   const auto header = read_header(file, {0, file.size()}, name);
   if (!header) return header.error();
   if (header->version != kTreeVersion) {
-    const auto tile = whole_file(file, name);
-    if (!tile) return tile.error();
-    return TreeLayout{*header, {*tile}};
+    RELIEF_TRY_ASSIGN(const auto tile, whole_file(file, name));
+    return TreeLayout{*header, {tile}};
   }
   std::vector<std::byte> bytes(header->file_bytes - header->index_offset);
-  if (Status read = file.read_at(header->index_offset, bytes); !read) return read.error();
-  auto tiles = parse_tree_index(bytes, *header, name);
-  if (!tiles) return tiles.error();
-  return TreeLayout{*header, std::move(*tiles)};
+  RELIEF_TRY(file.read_at(header->index_offset, bytes));
+  RELIEF_TRY_ASSIGN(auto tiles, parse_tree_index(bytes, *header, name));
+  return TreeLayout{*header, std::move(tiles)};
 }
 
 Result<FileLayout> read_tile(const RandomAccessFile& file, const TreeTile& tile,
@@ -158,18 +156,16 @@ Result<FileLayout> read_own_layout(const RandomAccessFile& file, const std::stri
   auto header = read_header(file, {0, file.size()}, name);
   if (!header) return header.error();
   if (header->version != kTreeVersion) return read_layout(file, {0, file.size()}, name);
-  const auto tree = read_tree_layout(file, name);
-  if (!tree) return tree.error();
-  FileLayout whole{tree->header, {}};
-  for (const TreeTile& tile : tree->tiles) {
+  RELIEF_TRY_ASSIGN(const auto tree, read_tree_layout(file, name));
+  FileLayout whole{tree.header, {}};
+  for (const TreeTile& tile : tree.tiles) {
     if (tile.level > 0) continue;
-    auto layout = read_tile(file, tile, name);
-    if (!layout) return layout.error();
-    if (whole.index.chunks.size() + layout->index.chunks.size() > UINT32_MAX) {
+    RELIEF_TRY_ASSIGN(auto layout, read_tile(file, tile, name));
+    if (whole.index.chunks.size() + layout.index.chunks.size() > UINT32_MAX) {
       return make_error("{}: has more than {} chunks; its tiles can be read one by one", name,
                         UINT32_MAX);
     }
-    append_index(layout->index, whole.index);
+    append_index(layout.index, whole.index);
   }
   return whole;
 }

@@ -14,7 +14,7 @@
 namespace relief {
 
 /// More levels than spacings can double from anything to anything else.
-inline constexpr std::uint32_t kMostTreeLevels = 64;
+inline constexpr std::uint32_t kMaxTreeLevels = 64;
 
 [[nodiscard]] std::vector<std::byte> write_tree_index(std::span<const TreeTile> tiles);
 

@@ -12,9 +12,8 @@ namespace {
 constexpr std::uint64_t kPieceBytes = std::uint64_t{4} << 20U;
 
 Result<TreeTile> tile_of(const TreePart& part) {
-  const auto file = RandomAccessFile::open(part.path);
-  if (!file) return file.error();
-  const auto layout = read_layout(*file, {0, file->size()}, part.path.string());
+  RELIEF_TRY_ASSIGN(const auto file, RandomAccessFile::open(part.path));
+  const auto layout = read_layout(file, {0, file.size()}, part.path.string());
   if (!layout) return layout.error();
   TreeTile tile;
   tile.bytes = layout->header.file_bytes;
@@ -28,13 +27,12 @@ Result<TreeTile> tile_of(const TreePart& part) {
 }
 
 Status copy_tile(const TreePart& part, std::uint64_t bytes, AtomicFile& out) {
-  const auto file = RandomAccessFile::open(part.path);
-  if (!file) return file.error();
+  RELIEF_TRY_ASSIGN(const auto file, RandomAccessFile::open(part.path));
   std::vector<std::byte> piece;
   for (std::uint64_t at = 0; at < bytes; at += piece.size()) {
     piece.resize(std::min(kPieceBytes, bytes - at));
-    if (Status read = file->read_at(at, piece); !read) return read;
-    if (Status written = out.write(piece); !written) return written;
+    RELIEF_TRY(file.read_at(at, piece));
+    RELIEF_TRY(out.write(piece));
   }
   return {};
 }
@@ -54,25 +52,23 @@ Status write_patch_tree(const std::filesystem::path& path, const std::vector<Tre
   std::vector<TreeTile> tiles;
   for (const TreePart& part : parts) {
     assert((part.parent == kNoTile || part.parent < tiles.size()) && "parents come first");
-    const auto tile = tile_of(part);
-    if (!tile) return tile.error();
-    header.index_offset += tile->bytes;
-    header.patches += tile->level == 0 ? tile->patches : 0;
-    header.samples += tile->level == 0 ? tile->samples : 0;
-    tiles.push_back(*tile);
+    RELIEF_TRY_ASSIGN(const auto tile, tile_of(part));
+    header.index_offset += tile.bytes;
+    header.patches += tile.level == 0 ? tile.patches : 0;
+    header.samples += tile.level == 0 ? tile.samples : 0;
+    tiles.push_back(tile);
   }
   const std::vector<std::byte> index = write_tree_index(tiles);
   header.index_checksum = crc32(index);
   header.file_bytes = header.index_offset + index.size();
 
-  auto out = AtomicFile::create(path);
-  if (!out) return out.error();
-  if (Status written = out->write(write_header(header)); !written) return written;
+  RELIEF_TRY_ASSIGN(auto out, AtomicFile::create(path));
+  RELIEF_TRY(out.write(write_header(header)));
   for (std::size_t t = 0; t < parts.size(); ++t) {
-    if (Status copied = copy_tile(parts[t], tiles[t].bytes, *out); !copied) return copied;
+    RELIEF_TRY(copy_tile(parts[t], tiles[t].bytes, out));
   }
-  if (Status written = out->write(index); !written) return written;
-  return out->commit();
+  RELIEF_TRY(out.write(index));
+  return out.commit();
 }
 
 }  // namespace relief

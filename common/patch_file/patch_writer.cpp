@@ -120,12 +120,12 @@ EncodedPatch encode_without_normals(const Patch& patch, PatchFileOptions options
                                     ZstdContexts& zstd) {
   Patch plain = patch;
   take_normals_of_heights(plain);
-  options.normal_degrees = kLeastNormalDegrees;
+  options.normal_degrees = kMinNormalDegrees;
   return encode(plain, options, zstd);
 }
 
 EncodedPatch encode(const Patch& patch, const PatchFileOptions& options, ZstdContexts& zstd) {
-  const bool keeps_normals = options.normal_degrees < kMostNormalDegrees;
+  const bool keeps_normals = options.normal_degrees < kMaxNormalDegrees;
   if (options.codec == PatchCodec::Compact && !keeps_normals && !patch.normals.empty()) {
     return encode_without_normals(patch, options, zstd);
   }
@@ -182,8 +182,7 @@ Status write_patch_file(const std::filesystem::path& path, const PatchModel& mod
     return make_error("{}: the model cannot be written: {}", path.string(), fault);
   }
   // Before the work, so that a directory that is not there is known at once.
-  auto file = AtomicFile::create(path);
-  if (!file) return file.error();
+  RELIEF_TRY_ASSIGN(auto file, AtomicFile::create(path));
 
   std::vector<EncodedPatch> encoded(model.patches.size());
   tbb::enumerable_thread_specific<ZstdContexts> zstd;
@@ -213,14 +212,14 @@ Status write_patch_file(const std::filesystem::path& path, const PatchModel& mod
   header.file_bytes = header.index_offset + index.size();
   for (const EncodedPatch& patch : encoded) header.samples += patch.summary.samples;
 
-  if (Status written = file->write(write_header(header)); !written) return written;
+  RELIEF_TRY(file.write(write_header(header)));
   for (const EncodedPatch& patch : encoded) {
     for (const EncodedChunk& chunk : patch.chunks) {
-      if (Status written = file->write(chunk.bytes); !written) return written;
+      RELIEF_TRY(file.write(chunk.bytes));
     }
   }
-  if (Status written = file->write(index); !written) return written;
-  return file->commit();
+  RELIEF_TRY(file.write(index));
+  return file.commit();
 }
 
 }  // namespace relief

@@ -52,12 +52,10 @@ Result<std::vector<Patch>> PatchFile::read_patches(std::span<const std::uint64_t
 Result<PatchModel> PatchFile::read_all(Progress& progress) const {
   std::vector<std::uint64_t> all(patches().size());
   std::iota(all.begin(), all.end(), 0U);
-  const Status fits = fits_memory(name(), decoded_bytes(all));
-  if (!fits) return fits.error();
-  auto read = read_patches(all, progress);
-  if (!read) return read.error();
+  RELIEF_TRY(fits_memory(name(), decoded_bytes(all)));
+  RELIEF_TRY_ASSIGN(auto read, read_patches(all, progress));
   PatchModel model;
-  model.patches = std::move(*read);
+  model.patches = std::move(read);
   model.spacing = info().spacing;
   model.bounds = info().bounds;
   model.bounding_radius = info().bounding_radius;

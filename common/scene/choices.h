@@ -23,9 +23,8 @@ enum class Material : std::uint8_t {
   Split  ///< for demonstration: quarters of the picture as Figure 1(d) of paper 001
 };
 
-/// Which sides of a surface are drawn. Auto: of a model that is known to be closed the front alone,
-/// of others both.
-enum class Sides : std::uint8_t { Auto, Front, Both };
+/// Which faces are not drawn. Auto: the back faces of models known to be closed.
+enum class CullMode : std::uint8_t { Auto, Back, None };
 
 /// The engines that draw patches on OpenGL.
 [[nodiscard]] constexpr bool is_on_opengl(EngineKind engine) {
@@ -75,12 +74,12 @@ struct Outputs {
   return false;
 }
 
-/// Pixels; each side 1 to kMaxPictureSide.
-struct PictureSize {
+/// Pixels; each side 1 to kMaxRenderSide.
+struct ImageSize {
   std::uint32_t width = 1280;
   std::uint32_t height = 1024;
 };
-inline constexpr std::uint32_t kMaxPictureSide = 32768;
+inline constexpr std::uint32_t kMaxRenderSide = 32768;
 
 /// Vertical fields of view, degrees: from a long telescope's to where a picture's rim is drawn out
 /// beyond use.
@@ -116,8 +115,8 @@ inline constexpr std::array<Named<Primitive>, 3> kPrimitives{
     {{"sprite", Primitive::Sprite}, {"quad", Primitive::Quad}, {"cell", Primitive::Cell}}};
 inline constexpr std::array<Named<Interpolation>, 2> kInterpolations{
     {{"direct", Interpolation::Direct}, {"corrected", Interpolation::Corrected}}};
-inline constexpr std::array<Named<Sides>, 3> kSides{
-    {{"auto", Sides::Auto}, {"front", Sides::Front}, {"both", Sides::Both}}};
+inline constexpr std::array<Named<CullMode>, 3> kCullModes{
+    {{"auto", CullMode::Auto}, {"back", CullMode::Back}, {"none", CullMode::None}}};
 inline constexpr std::array<Named<Material>, 5> kMaterials{{{"unlit", Material::Unlit},
                                                             {"lit", Material::Lit},
                                                             {"mirror", Material::Mirror},

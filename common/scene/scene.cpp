@@ -38,7 +38,7 @@ SceneSettings overlay(SceneSettings base, const SceneSettings& over) {
   take(base.engine, over.engine);
   take(base.primitive, over.primitive);
   take(base.interpolation, over.interpolation);
-  take(base.sides, over.sides);
+  take(base.cull, over.cull);
   static_cast<MaterialWords&>(base) = overlay_material(base, over);
   take(base.lights, over.lights);
   take(base.ambient, over.ambient);
@@ -60,7 +60,7 @@ SceneSettings overlay(SceneSettings base, const SceneSettings& over) {
 Result<Camera> camera_for(const SceneSettings& settings, const PatchModel& model) {
   const glm::dvec3 centre = 0.5 * (model.bounds.min + model.bounds.max);
   const double fov = settings.fov_degrees.value_or(kDefaultFieldOfView);
-  const PictureSize size = settings.size.value_or(PictureSize{});
+  const ImageSize size = settings.size.value_or(ImageSize{});
   const double aspect = static_cast<double>(size.width) / size.height;
   // A model of no size, or of no patches, has no sphere to stand off from.
   const double radius = model.bounding_radius > 0.0 ? model.bounding_radius : 1.0;

@@ -26,7 +26,7 @@ struct Background {
 /// What someone (the command line, a scene, one of its views) says about a picture. Each member is
 /// an option of `relief render`; what is not said is empty.
 struct SceneSettings : MaterialWords {
-  std::optional<PictureSize> size;
+  std::optional<ImageSize> size;
   std::optional<Orbit> orbit;
   std::optional<glm::dvec3> eye;  ///< world units, as target; not beside an orbit
   std::optional<glm::dvec3> target;
@@ -36,7 +36,7 @@ struct SceneSettings : MaterialWords {
   std::optional<EngineKind> engine;
   std::optional<Primitive> primitive;
   std::optional<Interpolation> interpolation;
-  std::optional<Sides> sides;                ///< onepass, multipass
+  std::optional<CullMode> cull;              ///< onepass, multipass
   std::optional<std::vector<Light>> lights;  ///< not empty
   std::optional<glm::vec3> ambient;          ///< linear
   std::optional<std::filesystem::path> environment;

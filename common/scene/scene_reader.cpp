@@ -112,20 +112,17 @@ Scene make_scene(JsonValues& values, const JsonPlace& root, const fs::path& fold
 }  // namespace
 
 Result<Scene> read_scene(const fs::path& path) {
-  const auto file = RandomAccessFile::open(path);
-  if (!file) return file.error();
-  if (file->size() == 0) return make_error("{}: the file is empty", path.string());
-  if (file->size() > kMaxSceneBytes) {
-    return make_error("{}: has {} bytes; a scene file has at most {}", path.string(), file->size(),
+  RELIEF_TRY_ASSIGN(const auto file, RandomAccessFile::open(path));
+  if (file.size() == 0) return make_error("{}: the file is empty", path.string());
+  if (file.size() > kMaxSceneBytes) {
+    return make_error("{}: has {} bytes; a scene file has at most {}", path.string(), file.size(),
                       kMaxSceneBytes);
   }
-  std::string text(file->size(), '\0');
-  const Status read = file->read_at(0, std::as_writable_bytes(std::span<char>(text)));
-  if (!read) return read.error();
-  const auto tree = parse_json(text, path.string());
-  if (!tree) return tree.error();
+  std::string text(file.size(), '\0');
+  RELIEF_TRY(file.read_at(0, std::as_writable_bytes(std::span<char>(text))));
+  RELIEF_TRY_ASSIGN(const auto tree, parse_json(text, path.string()));
   JsonValues values(path.string());
-  Scene scene = make_scene(values, {*tree, ""}, path.parent_path());
+  Scene scene = make_scene(values, {tree, ""}, path.parent_path());
   if (values.error()) return *values.error();
   return scene;
 }

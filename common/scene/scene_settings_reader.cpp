@@ -14,9 +14,9 @@ constexpr NumberRange kAngles{-1e6, 1e6};
 constexpr double kShortestDirection = 1e-12;
 constexpr double kNearestOrbit = 1e-6;  // bounding-sphere radii
 
-PictureSize read_size(JsonValues& values, const JsonPlace& place) {
+ImageSize read_size(JsonValues& values, const JsonPlace& place) {
   constexpr std::string_view kExpected = "[width, height], whole numbers from 1 to 32768";
-  const auto n = values.numbers(place, {2, 2}, {1.0, kMaxPictureSide}, kExpected);
+  const auto n = values.numbers(place, {2, 2}, {1.0, kMaxRenderSide}, kExpected);
   if (n.empty()) return {};
   if (n[0] != std::floor(n[0]) || n[1] != std::floor(n[1])) values.refuse_value(place, kExpected);
   return {static_cast<std::uint32_t>(n[0]), static_cast<std::uint32_t>(n[1])};
@@ -75,7 +75,7 @@ std::vector<std::string_view> with_setting_keys(std::vector<std::string_view> ke
   for (const char* key :
        {"size",          "orbit",        "eye",        "target",    "up",
         "fov",           "orthographic", "engine",     "primitive", "interpolation",
-        "sides",         "env",          "background", "outputs",   "pixels-per-sample",
+        "cull",          "env",          "background", "outputs",   "pixels-per-sample",
         "radius-factor", "samples",      "filter",     "cutoff",    "layers",
         "tau",           "time-budget",  "lights",     "ambient",   "exposure"})
     keys.emplace_back(key);
@@ -130,7 +130,7 @@ SceneSettings read_settings(JsonValues& values, const JsonPlace& object,
   read("engine", settings.engine, named(kEngines));
   read("primitive", settings.primitive, named(kPrimitives));
   read("interpolation", settings.interpolation, named(kInterpolations));
-  read("sides", settings.sides, named(kSides));
+  read("cull", settings.cull, named(kCullModes));
   static_cast<MaterialWords&>(settings) = read_material(values, object);
   read("lights", settings.lights, with(read_lights));
   read("ambient", settings.ambient,

@@ -154,7 +154,7 @@ NormalsReport check_given(Points& points, const NeighbourGraph& graph, const Loc
 }
 
 // Real meshes have a few bad edges at non-manifold spots; a soup has half of them.
-constexpr double kMostMisoriented = 0.05;
+constexpr double kMaxMisoriented = 0.05;
 
 bool has_normal(const Points& points) {
   return std::any_of(points.normals.begin(), points.normals.end(), usable);
@@ -181,7 +181,7 @@ LocalFrames fit_local_frames(const std::vector<glm::dvec3>& positions,
 }
 
 std::vector<glm::vec3> normals_of_faces(const Points& points, const MeshEdges& edges) {
-  if (points.triangles.empty() || has_normal(points) || edges.misoriented() >= kMostMisoriented)
+  if (points.triangles.empty() || has_normal(points) || edges.misoriented() >= kMaxMisoriented)
     return {};
   return normals_from_triangles(points);
 }

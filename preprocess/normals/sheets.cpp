@@ -10,7 +10,7 @@ namespace {
 // the power of 1.5 that tells the outside of such a sheet, and of any other.
 constexpr double kOpenShare = 0.5;
 constexpr double kBentFlux = 0.05;
-constexpr double kLeastFlux = 1e-3;
+constexpr double kMinFlux = 1e-3;
 
 }  // namespace
 
@@ -54,7 +54,7 @@ bool faces_inward(const SheetSums& sheet, bool has_viewpoint) {
   const glm::dvec3 n = sheet.area_normal;
   const double scale = sheet.area * std::sqrt(sheet.area);
   const bool is_open = glm::length(n) > kOpenShare * sheet.area;
-  if (std::abs(flux) > (is_open ? kBentFlux : kLeastFlux) * scale) return flux < 0.0;
+  if (std::abs(flux) > (is_open ? kBentFlux : kMinFlux) * scale) return flux < 0.0;
   return n.z + 1e-3 * n.y + 1e-6 * n.x < 0.0;
 }
 

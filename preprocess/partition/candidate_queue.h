@@ -63,19 +63,18 @@ class CandidateQueue {
   // By exponent and seven bits of the mantissa: costs of the first merges are a hundredth of those
   // of the last ones.
   static constexpr unsigned kCutBits = 16;
-  static constexpr float kLeastCost = 1.0F / 4096.0F;
-  static constexpr float kMostCost = 16.0F;
+  static constexpr float kMinCost = 1.0F / 4096.0F;
+  static constexpr float kMaxCost = 16.0F;
   static constexpr std::uint32_t place_of(float cost) {
     return std::bit_cast<std::uint32_t>(cost) >> kCutBits;
   }
   static std::size_t bucket_of(double cost) {
     // What is no number goes to the last one.
-    const float within =
-        cost < kMostCost ? std::max(static_cast<float>(cost), kLeastCost) : kMostCost;
-    return place_of(within) - place_of(kLeastCost);
+    const float within = cost < kMaxCost ? std::max(static_cast<float>(cost), kMinCost) : kMaxCost;
+    return place_of(within) - place_of(kMinCost);
   }
 
-  std::vector<std::vector<Candidate>> buckets_{place_of(kMostCost) - place_of(kLeastCost) + 1};
+  std::vector<std::vector<Candidate>> buckets_{place_of(kMaxCost) - place_of(kMinCost) + 1};
   std::size_t next_ = 0;         // buckets before it are in the heap
   std::vector<Candidate> heap_;  // the best first
 };

@@ -12,7 +12,7 @@ namespace {
 // spikes at silhouettes (docs/decisions/0030).
 constexpr double kDefaultConeDegrees = 70.0;
 // Regions of fewer points are no surface.
-constexpr std::size_t kLeastPatchPoints = 4;
+constexpr std::size_t kMinPatchPoints = 4;
 // A cloud of outliers: the eighth neighbour is this much farther than the scan's median one, and
 // the plane through the neighbourhood is left by more than this share of that distance (a ball of
 // points has 0.2 to 0.3, a surface that bends by 60 degrees across its neighbourhood 0.08).
@@ -61,7 +61,7 @@ std::vector<Region> find_regions(const Points& points, std::size_t count,
   std::vector<Region> regions = partition(
       samples, graph, surface_points(points.positions, count, graph, frames), cone, progress);
   std::erase_if(regions, [&](const Region& r) {
-    return r.points.size() < kLeastPatchPoints && !goes_on_around(samples, graph, r, count);
+    return r.points.size() < kMinPatchPoints && !goes_on_around(samples, graph, r, count);
   });
   return regions;
 }

@@ -27,8 +27,8 @@ constexpr std::size_t kManyPoints = 400;
 
 // So many of the best pairs are tried beside each other, where there is more than one thread: on
 // the first thousands of merges about 5 us each; later ones are spoilt by those before them.
-constexpr std::size_t kMostTrials = 32;
-constexpr std::size_t kLeastTrials = 4;
+constexpr std::size_t kMaxTrials = 32;
+constexpr std::size_t kMinTrials = 4;
 
 constexpr double kCompactnessWeight = 0.01;
 constexpr double kSizeWeight = 2.0;
@@ -86,7 +86,7 @@ class Merger {
     std::size_t next = 0;
     while (!progress.cancelled()) {
       if (next == trials.size()) {
-        trials = take_best(threads > 1 ? std::clamp(alive_ / 64, kLeastTrials, kMostTrials) : 1);
+        trials = take_best(threads > 1 ? std::clamp(alive_ / 64, kMinTrials, kMaxTrials) : 1);
         next = 0;
         if (trials.empty()) break;
         try_all(trials);

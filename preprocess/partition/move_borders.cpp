@@ -17,11 +17,11 @@ namespace {
 
 // A border moves by a point's distance in each sweep. After ten, 113 points of the Dragon wait,
 // where 19,701 have moved; the limit is for pairs that would swap for ever, too.
-constexpr int kMostSweeps = 10;
+constexpr int kMaxSweeps = 10;
 // Points steeper than this (87 degrees) are as bad as those that are.
-constexpr float kLeastCosine = 0.05F;
+constexpr float kMinCosine = 0.05F;
 // What rounding may take for a gain.
-constexpr double kLeastGain = 1e-9;
+constexpr double kMinGain = 1e-9;
 
 /// What a point has around it: its regions, and how much of its neighbourhood each holds.
 class Surrounding {
@@ -60,7 +60,7 @@ class BorderMover {
   void run() {
     std::vector<std::uint32_t> work = border_points();
     std::vector<std::uint32_t> next;
-    for (int sweep = 0; sweep < kMostSweeps && !work.empty(); ++sweep) {
+    for (int sweep = 0; sweep < kMaxSweeps && !work.empty(); ++sweep) {
       for (const std::uint32_t i : work) waits_[i] = 0;
       for (const std::uint32_t i : work) {
         const std::uint32_t to = best_region(i);
@@ -111,7 +111,7 @@ class BorderMover {
 
   /// What it costs that a point is in a region which holds `weight` of its neighbourhood.
   [[nodiscard]] double cost(std::uint32_t point, std::uint32_t region, double weight) const {
-    const double stretch = 1.0 / std::max(cosine(point, region), kLeastCosine);
+    const double stretch = 1.0 / std::max(cosine(point, region), kMinCosine);
     return weights_.stretch * kBorderNeighbours * stretch - weight;
   }
 
@@ -126,7 +126,7 @@ class BorderMover {
       around.add(region, 1.0 / (1.0 + weights_.crease * turn));
     }
     std::uint32_t best = own;
-    double least = cost(point, own, around.begin()->weight) - kLeastGain;
+    double least = cost(point, own, around.begin()->weight) - kMinGain;
     for (const auto& [region, weight] : around) {
       if (region == own || cosine(point, region) < cos_cone_) continue;
       const double here = cost(point, region, weight);

@@ -25,9 +25,9 @@ std::array<glm::vec3, N> even_directions() {
 /// Normals and axes are unit to single precision, and so are the dots that RegionTest takes.
 constexpr double kRounding = 1e-5;
 /// So many normals of a set are looked at: 64 products each.
-constexpr std::size_t kMostNormals = 256;
+constexpr std::size_t kMaxNormals = 256;
 /// Most sets are decided within ten; the limit is for those that just fit.
-constexpr int kMostSteps = 32;
+constexpr int kMaxSteps = 32;
 
 }  // namespace
 
@@ -38,7 +38,7 @@ NormalSpread::NormalSpread(const std::vector<glm::vec3>& normals,
   farthest.fill(-2.0F);
   std::array<std::uint32_t, kDirections> which;
   which.fill(points.front());
-  const std::size_t step = (points.size() + kMostNormals - 1) / kMostNormals;
+  const std::size_t step = (points.size() + kMaxNormals - 1) / kMaxNormals;
   for (std::size_t p = 0; p < points.size(); p += step) {
     const std::uint32_t i = points[p];
     const glm::vec3 n = normals[i];
@@ -66,7 +66,7 @@ bool NormalSpread::exceed(const NormalSpread& a, const NormalSpread& b, double c
   const double certain = cos_cone - kRounding;
   if (certain <= 0.0) return false;
   glm::dvec3 in_hull(a.outermost_[0]);
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const double squared = glm::dot(in_hull, in_hull);
     if (squared < certain * certain) return true;
     glm::dvec3 worst(0.0);

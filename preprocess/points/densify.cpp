@@ -16,7 +16,7 @@ namespace {
 constexpr double kLongEdge = 2.5;
 // Points added per point given, at most: a closed mesh of equal small triangles beside large ones
 // needs up to 2; needles, whose edges are long and whose area is small, could ask for any number.
-constexpr std::size_t kMostAddedPerPoint = 4;
+constexpr std::size_t kMaxAddedPerPoint = 4;
 
 double total_area(const Points& points) {
   std::vector<double> areas(points.triangles.size());
@@ -124,7 +124,7 @@ std::size_t densify_triangles(Points& points) {
   const auto fits = [&](double step) {
     std::size_t count = 0;
     return for_each_added(points, large, kLongEdge * step, step, [&](const Triangle&, glm::dvec3) {
-      return ++count <= kMostAddedPerPoint * given;
+      return ++count <= kMaxAddedPerPoint * given;
     });
   };
   // Too many: coarser everywhere, instead of leaving some triangles empty.

@@ -14,7 +14,7 @@ namespace relief {
 /// noise.
 inline constexpr std::uint32_t kSurfaceNeighbours = 16;
 /// Fewer points give no neighbourhoods to speak of.
-inline constexpr std::size_t kLeastSurfacePoints = 16;
+inline constexpr std::size_t kMinSurfacePoints = 16;
 
 /// The k nearest neighbours of every point, and what follows from them.
 struct NeighbourGraph {

@@ -16,14 +16,14 @@ namespace {
 
 // A Kinect's points are three times as far apart at the far end of a room as at the near one: the
 // deviation is one of logarithms, and 5 of them keep its walls (office1: 0.3 % of all points go).
-constexpr double kMostDeviations = 5.0;
+constexpr double kMaxDeviations = 5.0;
 // The standard deviation of normal values over the median of their absolute deviations.
 constexpr double kSigmaPerMad = 1.4826;
 // At the border of a surface neighbours lie on one side: their mean distance grows by 1.4.
-constexpr float kMostNeighbours = 3.0F;
+constexpr float kMaxNeighbours = 3.0F;
 // Scan lines lie up to three points' distances apart.
 constexpr float kLinkSpacings = 4.0F;
-constexpr std::uint32_t kLeastCluster = 50;
+constexpr std::uint32_t kMinCluster = 50;
 
 template <class Value>
 Value median_of(std::vector<Value> values) {
@@ -49,7 +49,7 @@ double largest_mean(const std::vector<float>& means) {
   std::ranges::transform(means, logs.begin(), [](float d) { return std::log(double{d}); });
   const double median = median_of(logs);
   for (double& value : logs) value = std::abs(value - median);
-  return std::exp(median + kMostDeviations * kSigmaPerMad * median_of(logs));
+  return std::exp(median + kMaxDeviations * kSigmaPerMad * median_of(logs));
 }
 
 std::vector<std::uint8_t> find_sparse(const std::vector<float>& means,
@@ -60,7 +60,7 @@ std::vector<std::uint8_t> find_sparse(const std::vector<float>& means,
   tbb::parallel_for(std::size_t{0}, means.size(), [&](std::size_t i) {
     std::vector<float> around;
     for (const std::uint32_t j : graph.of(i)) around.push_back(means[j]);
-    sparse[i] = means[i] > largest || means[i] > kMostNeighbours * median_of(std::move(around));
+    sparse[i] = means[i] > largest || means[i] > kMaxNeighbours * median_of(std::move(around));
   });
   return sparse;
 }
@@ -85,7 +85,7 @@ std::vector<std::uint8_t> find_small_clusters(const std::vector<glm::dvec3>& pos
     sizes[clusters.find(i).root] += sparse[i] == 0 ? 1U : 0U;
   std::vector<std::uint8_t> small(count);
   for (std::uint32_t i = 0; i < count; ++i)
-    small[i] = sparse[i] == 0 && sizes[clusters.find(i).root] < kLeastCluster;
+    small[i] = sparse[i] == 0 && sizes[clusters.find(i).root] < kMinCluster;
   return small;
 }
 
@@ -93,7 +93,7 @@ std::vector<std::uint8_t> find_small_clusters(const std::vector<glm::dvec3>& pos
 
 OutlierReport remove_outliers(Points& points, Progress& progress) {
   OutlierReport report;
-  if (points.size() < kLeastSurfacePoints) return report;
+  if (points.size() < kMinSurfacePoints) return report;
   progress.begin_stage("clean", 0);
   const NeighbourGraph graph = find_neighbours(points.positions, kSurfaceNeighbours);
   std::vector<std::uint8_t> dropped = find_sparse(mean_distances(points.positions, graph), graph);

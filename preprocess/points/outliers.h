@@ -21,7 +21,7 @@ struct OutlierReport {
 /// whole scan (5 standard deviations of its logarithm, found from the median and the median
 /// deviation) or more than 3 times the median of those neighbours' own. Of what is left, points are
 /// linked that are neighbours within 4 local spacings; clusters of fewer than 50 go. The result
-/// does not depend on the number of threads. Scans of fewer than kLeastSurfacePoints points stay as
+/// does not depend on the number of threads. Scans of fewer than kMinSurfacePoints points stay as
 /// they are, and so do those of which more than half would go.
 OutlierReport remove_outliers(Points& points, Progress& progress);
 

@@ -28,7 +28,7 @@ struct DracoStart {
 constexpr std::string_view kMagic = "DRACO";
 constexpr std::uint16_t kHasMetadata = 0x8000;
 /// The densest real coding is near a bit a point; the library allocates for whatever is stated.
-constexpr std::uint64_t kMostPointsPerByte = 256;
+constexpr std::uint64_t kMaxPointsPerByte = 256;
 
 /// Passes over what the file says about itself.
 bool skip_metadata(draco::DecoderBuffer& buffer) {
@@ -70,7 +70,7 @@ Status check_start(const Source& source) {
         "later",
         source.name, start.major, start.minor);
   }
-  const std::uint64_t most = source.text.size() * kMostPointsPerByte;
+  const std::uint64_t most = source.text.size() * kMaxPointsPerByte;
   if (start.points > most || start.faces > most) {
     return make_error("{}: states {} points and {} faces, which cannot be in {} bytes", source.name,
                       start.points, start.faces, source.text.size());
@@ -143,7 +143,7 @@ bool is_drc(std::string_view text) {
 }
 
 Result<Points> read_drc(const Source& source) {
-  if (const Status good = check_start(source); !good) return good.error();
+  RELIEF_TRY(check_start(source));
   draco::DecoderBuffer buffer;
   buffer.Init(source.text.data(), source.text.size());
   draco::Decoder decoder;

@@ -62,7 +62,7 @@ Status gunzip_pieces(const std::string& name, std::span<const std::byte> bytes,
     const int code = inflate(&stream, Z_NO_FLUSH);
     used += in_before - stream.avail_in;
     const auto made = std::span(piece).first(piece.size() - stream.avail_out);
-    if (Status taken = take(made, used); !taken) return taken;
+    RELIEF_TRY(take(made, used));
     if (code == Z_STREAM_END) {
       const auto left = bytes.subspan(used);
       if (only_zeros(left)) return {};

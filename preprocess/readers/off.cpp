@@ -37,9 +37,9 @@ class OffReader {
       : source_(source), meter_(source), line_(source.text, TextCursor::kBlanks, '#') {}
 
   Result<Points> read() {
-    if (Status status = read_header(); !status) return status.error();
-    if (Status status = read_vertices(); !status) return status.error();
-    if (Status status = read_faces(); !status) return status.error();
+    RELIEF_TRY(read_header());
+    RELIEF_TRY(read_vertices());
+    RELIEF_TRY(read_faces());
     return std::move(points_);
   }
 

@@ -1,4 +1,4 @@
-// Triangles from the ways in which files write faces.
+// Triangles from the methods in which files write faces.
 #pragma once
 
 #include <cstdint>

@@ -10,7 +10,7 @@ namespace relief {
 namespace {
 
 /// Least bytes of a point: four numbers of a digit each, with what separates them.
-constexpr std::size_t kLeastPoint = 8;
+constexpr std::size_t kMinPoint = 8;
 
 /// Where a scanner's frame stands: the rows of its axes, and its place.
 struct ScanFrame {
@@ -31,7 +31,7 @@ class PtxReader {
     std::size_t coloured = 0;
     while (line_.next_line()) {
       const std::size_t before = colours_.size();
-      if (Status status = read_scan(); !status) return status.error();
+      RELIEF_TRY(read_scan());
       ++scans;
       coloured += colours_.size() > before ? 1U : 0U;
     }
@@ -60,14 +60,14 @@ class PtxReader {
     if (!line_.next_line() || !line_.integer(rows, 0) || !line_.at_line_end())
       return wrong("a number of rows");
     const auto count = static_cast<std::uint64_t>(columns);
-    const std::uint64_t most = (line_.left() + 1) / kLeastPoint;
+    const std::uint64_t most = (line_.left() + 1) / kMinPoint;
     if (rows != 0 && count > most / static_cast<std::uint64_t>(rows)) {
       return make_error(
           "{}: line {}: states {} columns and {} rows, but the {} bytes that are left cannot hold "
           "as many points; the file is truncated or damaged",
           source_.name, line_.line_number(), columns, rows, line_.left());
     }
-    if (Status status = read_frame(); !status) return status;
+    RELIEF_TRY(read_frame());
     return read_points(count * static_cast<std::uint64_t>(rows));
   }
 

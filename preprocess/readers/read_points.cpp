@@ -25,19 +25,17 @@ Result<ReadResult> read_and_clean(const std::filesystem::path& path, std::vector
                                   Progress& progress) {
   const std::string name = path.string();
   if (is_gzip(bytes)) {
-    auto unpacked = gunzip(name, bytes, largest_text(), progress);
-    if (!unpacked) return unpacked.error();
-    bytes = std::move(*unpacked);
+    RELIEF_TRY_ASSIGN(auto unpacked, gunzip(name, bytes, largest_text(), progress));
+    bytes = std::move(unpacked);
   }
   std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   // Editors on Windows put this mark before text.
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   if (text.empty()) return make_error("{}: the file is empty", name);
-  const auto reader = find_reader(path, text);
-  if (!reader) return reader.error();
+  RELIEF_TRY_ASSIGN(const auto reader, find_reader(path, text));
   progress.begin_stage("read", text.size());
   ReadRemarks remarks;
-  auto points = (*reader)({name, text, progress, remarks});
+  auto points = (reader)({name, text, progress, remarks});
   if (!points) return points.error();
   bytes = std::vector<std::byte>();  // frees; = {} would keep the memory
 
@@ -69,9 +67,8 @@ Result<ReadResult> read_bytes(const std::filesystem::path& path, std::vector<std
 
 Result<ReadResult> read_points(const std::filesystem::path& path, Progress& progress) {
   try {
-    auto bytes = read_file(path);
-    if (!bytes) return bytes.error();
-    return read_bytes(path, std::move(*bytes), progress);
+    RELIEF_TRY_ASSIGN(auto bytes, read_file(path));
+    return read_bytes(path, std::move(bytes), progress);
   } catch (const std::bad_alloc&) {
     return make_error("{}: there is not enough memory to read it", path.string());
   }

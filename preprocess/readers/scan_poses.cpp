@@ -31,8 +31,8 @@ Result<std::vector<ScanPose>> read_scan_poses(const std::string& name, std::stri
     }
     pose.turn = glm::conjugate(glm::normalize(glm::dquat(q[3], q[0], q[1], q[2])));
     poses.push_back(std::move(pose));
-    if (poses.size() > kMostScans)
-      return make_error("{}: names more than {} scans", name, kMostScans);
+    if (poses.size() > kMaxScans)
+      return make_error("{}: names more than {} scans", name, kMaxScans);
   }
   if (poses.empty()) return make_error("{}: names no scan (bmesh FILE ...)", name);
   return poses;

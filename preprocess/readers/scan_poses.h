@@ -22,7 +22,7 @@ struct ScanPose {
 };
 
 /// More scans than any object has; bounds what a hostile file asks for.
-inline constexpr std::size_t kMostScans = 1000;
+inline constexpr std::size_t kMaxScans = 1000;
 
 /// Reads lines `bmesh FILE tx ty tz qx qy qz qw`; `camera` and `mesh` lines that are none of a
 /// scan, blank ones and comments (#) are passed over. The quaternion is that of the way back, as

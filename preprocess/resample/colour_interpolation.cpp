@@ -16,7 +16,7 @@ namespace {
 
 /// Points that a colour is made of. A checker of 11 spacings, points at random: 12 and 8 differ by
 /// 0.05 dB.
-constexpr int kMostPoints = 8;
+constexpr int kMaxPoints = 8;
 /// Gradients are fitted with weights exp(-d^2 / s^2), and averaged with others, s in local scan
 /// spacings; what is farther than so many scales is left out.
 constexpr double kGradientScale = 1.5;
@@ -26,7 +26,7 @@ constexpr double kCutoff = 2.0;
 constexpr double kReach = 3.0;
 /// How much shorter distances are along an edge, and longer across it, at most. Checker of 11
 /// spacings, points on a loose grid: 1: 15.5 dB, 2: 16.8, 3: 17.3 with smoother gradients.
-constexpr double kMostSteering = 3.0;
+constexpr double kMaxSteering = 3.0;
 /// Changes of colour per spacing below which there is no edge to speak of, and the ridge on
 /// gradients: noise of 8-bit colours.
 constexpr double kNoise = 0.02;
@@ -34,15 +34,15 @@ constexpr double kRidge = 1e-2;
 /// What coinciding points of different colours are apart, in spacings: they count as their mean.
 constexpr double kNugget = 0.02;
 /// Slopes are followed up to 84 degrees, as tangent planes are.
-constexpr float kLeastCosine = 0.1F;
+constexpr float kMinCosine = 0.1F;
 
-using Weights = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostPoints + 1, 1>;
+using Weights = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxPoints + 1, 1>;
 using Equations =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostPoints + 1, kMostPoints + 1>;
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxPoints + 1, kMaxPoints + 1>;
 
 /// Takes offsets on the base plane to offsets along a surface with this normal, but for a turn.
 glm::dmat2 along_surface(glm::vec3 normal) {
-  const glm::dvec2 slope = glm::dvec2(normal) / double{std::max(normal.z, kLeastCosine)};
+  const glm::dvec2 slope = glm::dvec2(normal) / double{std::max(normal.z, kMinCosine)};
   const double squared = glm::dot(slope, slope);
   if (squared < 1e-12) return glm::dmat2(1.0);
   const double stretch = (std::sqrt(1.0 + squared) - 1.0) / squared;
@@ -116,7 +116,7 @@ ColourInterpolation::Metric ColourInterpolation::metric_at(double x, double y,
   const double reach = std::hypot(half, tensor[0][1]);
   const double across = mean + reach + kNoise * kNoise;
   const double along = std::max(mean - reach, 0.0) + kNoise * kNoise;
-  const double steering = std::min(kMostSteering, std::sqrt(std::sqrt(across / along)));
+  const double steering = std::min(kMaxSteering, std::sqrt(std::sqrt(across / along)));
   const double turn = 0.5 * std::atan2(tensor[0][1], half);
   const glm::dvec2 edge(std::cos(turn), std::sin(turn));  // across it
   const glm::dmat2 steered =
@@ -134,7 +134,7 @@ glm::vec3 ColourInterpolation::at(double x, double y, std::uint32_t nearest) con
   lookup_.for_each_within(x, y, reach, [&](std::uint32_t p, double /*square*/) {
     around.emplace_back(metric.distance(glm::dvec2(points_.positions[p]) - place), p);
   });
-  const auto count = std::min<std::ptrdiff_t>(kMostPoints, std::ssize(around));
+  const auto count = std::min<std::ptrdiff_t>(kMaxPoints, std::ssize(around));
   std::partial_sort(around.begin(), around.begin() + count, around.end());
 
   glm::vec3 low = values_[around.front().second];

@@ -12,10 +12,10 @@ namespace relief {
 
 /// Interpolates the colours of a patch's points over its base plane by ordinary kriging with the
 /// linear variogram (Matheron 1963): exact at points, never beyond the colours around, and of all
-/// linear ways the best where colours change at edges, as their mean squared difference then grows
-/// with the distance. Distances are along the surface, and shorter along an edge than across it:
-/// the metric is steered by the structure tensor of the colours (as the kernels of Takeda et al.
-/// 2007, Kernel regression for image processing and reconstruction).
+/// linear methods the best where colours change at edges, as their mean squared difference then
+/// grows with the distance. Distances are along the surface, and shorter along an edge than across
+/// it: the metric is steered by the structure tensor of the colours (as the kernels of Takeda et
+/// al. 2007, Kernel regression for image processing and reconstruction).
 class ColourInterpolation {
  public:
   /// `colours`: one per point of the scan, sRGB. Keeps references; `lookup` is over all of

@@ -16,17 +16,17 @@ constexpr double kScaleInSpacings = 1.0;
 // The least scale in grid spacings: a finer scan is averaged so that the grid does not alias.
 constexpr double kScaleInGridSpacings = 0.5;
 // Points beyond this many scales have weights below exp(-6.25) = 0.002 and are left out.
-constexpr double kCutoff = 2.5;
+constexpr double kWeightCutoff = 2.5;
 // Ridge on the second-order terms, relative to the sum of weights (coordinates scaled by s).
-constexpr double kRidge = 2e-3;
+constexpr double kFitRidge = 2e-3;
 // The fit may leave the points' own tangent planes by this many scales; further is an overshoot.
 constexpr double kMaxOvershoot = 0.5;
 
 // Points whose normals differ from the nearest one's by more (60 degrees) lie beyond a crest: seen
 // from the base plane they are near, on the surface they are not.
-constexpr float kLeastLikeness = 0.5F;
+constexpr float kMinLikeness = 0.5F;
 // Fitted normals may leave the mean normal by up to 37 degrees; further is an overshoot.
-constexpr float kLeastAgreement = 0.8F;
+constexpr float kMinAgreement = 0.8F;
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Right = Eigen::Matrix<double, 6, 4>;
@@ -134,12 +134,12 @@ Sums accumulate(const PatchPoints& points, const PointGrid& lookup, glm::dvec3 a
   Sums sums;
   std::array<Found, kBatch> found;
   std::size_t count = 0;
-  lookup.for_each_within(about.x, about.y, kCutoff * scale,
+  lookup.for_each_within(about.x, about.y, kWeightCutoff * scale,
                          [&](std::uint32_t p, double plane_squared) {
                            const double dz = points.positions[p].z - about.z;
                            const double squared = (plane_squared + dz * dz) / (scale * scale);
-                           if (squared > kCutoff * kCutoff) return;
-                           if (glm::dot(normal, points.normals[p]) < kLeastLikeness) return;
+                           if (squared > kWeightCutoff * kWeightCutoff) return;
+                           if (glm::dot(normal, points.normals[p]) < kMinLikeness) return;
                            found[count++] = {p, dz, squared};
                            if (count < kBatch) return;
                            take_in(points, found, about, scale, sums);
@@ -167,7 +167,7 @@ SurfacePoint evaluate_mls(const PatchPoints& points, const PointGrid& supporting
 
   Sums sums = accumulate(points, all, about, scale, points.normals[nearest]);
   if (!(sums.weight > 0.0)) return {about.z, points.normals[nearest], points.normals[nearest]};
-  for (int d = 3; d < 6; ++d) sums.normal_matrix(d, d) += kRidge * sums.weight;
+  for (int d = 3; d < 6; ++d) sums.normal_matrix(d, d) += kFitRidge * sums.weight;
   for (int d = 1; d < 3; ++d) sums.normal_matrix(d, d) += 1e-6 * sums.weight;
   const Right fit =
       sums.normal_matrix.selfadjointView<Eigen::Lower>().ldlt().solve(sums.right_side);
@@ -181,7 +181,7 @@ SurfacePoint evaluate_mls(const PatchPoints& points, const PointGrid& supporting
   out.fitted_normal = sound ? unit_or_up(glm::vec3(-fit(1, 0), -fit(2, 0), 1.0)) : mean;
   // A mean alone leans towards where the points are; the fitted value does not.
   const glm::vec3 fitted_mean = unit_or_up(glm::vec3(fit(0, 1), fit(0, 2), fit(0, 3)));
-  out.given_normal = sound && glm::dot(fitted_mean, mean) > kLeastAgreement ? fitted_mean : mean;
+  out.given_normal = sound && glm::dot(fitted_mean, mean) > kMinAgreement ? fitted_mean : mean;
   return out;
 }
 

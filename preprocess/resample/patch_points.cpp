@@ -13,15 +13,15 @@ namespace {
 // Margin points steeper than this (60 degrees) support no samples: a cell there is more than two
 // spacings long, and what sticks out beyond a crest is a spike (docs/decisions/0032 has the
 // figures).
-constexpr float kLeastSupportCosine = 0.5F;
+constexpr float kMinSupportCosine = 0.5F;
 // But those that their own region too sees at a slope of 53 degrees or more: where a border is
 // steep for both its patches, neither would have a margin. They support samples if they are not
 // twice as steep here (iron_scan, see-through pixels in twelve views of 1280x1024: 4, of which this
 // closes 3; for every point instead, fandisk lost 0.6 dB to spikes at its creases).
 constexpr float kSteepOwnCosine = 0.6F;
-constexpr float kLeastShareOfOwnCosine = 0.5F;
+constexpr float kMinShareOfOwnCosine = 0.5F;
 // Nor is the margin followed beyond this slope (80 degrees).
-constexpr float kLeastMarginCosine = 0.17F;
+constexpr float kMinMarginCosine = 0.17F;
 
 /// The points without those that can't be the farthest in any direction: well inside the octagon
 /// of the farthest ones in eight.
@@ -143,7 +143,7 @@ void grow_margin(const SurfaceSamples& samples, const NeighbourGraph& graph, con
         const glm::dvec3 step = samples.positions[j] - samples.positions[from];
         const double rise = glm::dot(step, glm::dvec3(region.normal));
         if (glm::dot(step, step) - rise * rise > margin * margin) continue;
-        if (glm::dot(samples.normals[j], region.normal) < kLeastMarginCosine) continue;
+        if (glm::dot(samples.normals[j], region.normal) < kMinMarginCosine) continue;
         if (!on_one_sheet(samples, i, j)) continue;
         seen.add(j);
         next.push_back({j, from});
@@ -156,7 +156,7 @@ void grow_margin(const SurfaceSamples& samples, const NeighbourGraph& graph, con
 
 /// The least cosine to the base-plane normal with which a margin point supports samples.
 float least_support_cosine(float own_cosine) {
-  return own_cosine < kSteepOwnCosine ? kLeastShareOfOwnCosine * own_cosine : kLeastSupportCosine;
+  return own_cosine < kSteepOwnCosine ? kMinShareOfOwnCosine * own_cosine : kMinSupportCosine;
 }
 
 }  // namespace

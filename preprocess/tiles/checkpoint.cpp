@@ -6,29 +6,27 @@
 
 namespace relief {
 
-Status StateWriter::save(const std::filesystem::path& path) const {
-  auto file = AtomicFile::create(path);
-  if (!file) return file.error();
+Status CheckpointWriter::save(const std::filesystem::path& path) const {
+  RELIEF_TRY_ASSIGN(auto file, AtomicFile::create(path));
   std::vector<std::byte> checksum;
   append_number(checksum, crc32(bytes_));
-  if (Status written = file->write(bytes_); !written) return written;
-  if (Status written = file->write(checksum); !written) return written;
-  return file->commit();
+  RELIEF_TRY(file.write(bytes_));
+  RELIEF_TRY(file.write(checksum));
+  return file.commit();
 }
 
-Result<StateReader> StateReader::open(const std::filesystem::path& path) {
-  auto bytes = read_file(path);
-  if (!bytes) return bytes.error();
+Result<CheckpointReader> CheckpointReader::open(const std::filesystem::path& path) {
+  RELIEF_TRY_ASSIGN(auto bytes, read_file(path));
   constexpr std::size_t size = sizeof(std::uint32_t);
-  if (bytes->size() < size) return wrong_state(path);
-  const std::span<const std::byte> all(*bytes);
+  if (bytes.size() < size) return wrong_checkpoint(path);
+  const std::span<const std::byte> all(bytes);
   if (ByteReader(all.last(size)).take<std::uint32_t>() != crc32(all.first(all.size() - size)))
-    return wrong_state(path);
-  bytes->resize(bytes->size() - size);
-  return StateReader(std::move(*bytes));
+    return wrong_checkpoint(path);
+  bytes.resize(bytes.size() - size);
+  return CheckpointReader(std::move(bytes));
 }
 
-Error wrong_state(const std::filesystem::path& path) {
+Error wrong_checkpoint(const std::filesystem::path& path) {
   return make_error("{}: is damaged; remove the folder it is in and convert again", path.string());
 }
 

@@ -16,7 +16,7 @@
 namespace relief {
 
 /// Collects numbers and lists of them, then writes them at once.
-class StateWriter {
+class CheckpointWriter {
  public:
   template <class T>
   requires std::is_trivially_copyable_v<T>
@@ -45,11 +45,11 @@ class StateWriter {
   std::vector<std::byte> bytes_;
 };
 
-/// Reads what StateWriter wrote, in the same order.
-class StateReader {
+/// Reads what CheckpointWriter wrote, in the same order.
+class CheckpointReader {
  public:
   /// Fails with one sentence if the file is missing or damaged.
-  static Result<StateReader> open(const std::filesystem::path& path);
+  static Result<CheckpointReader> open(const std::filesystem::path& path);
 
   /// False if the file has no such value: it is of another version.
   template <class T>
@@ -79,7 +79,7 @@ class StateReader {
   }
 
  private:
-  explicit StateReader(std::vector<std::byte> bytes) : bytes_(std::move(bytes)) {}
+  explicit CheckpointReader(std::vector<std::byte> bytes) : bytes_(std::move(bytes)) {}
   [[nodiscard]] std::size_t left() const { return bytes_.size() - at_; }
 
   std::vector<std::byte> bytes_;
@@ -87,24 +87,22 @@ class StateReader {
 };
 
 /// For a state file that is whole but not what this program writes.
-[[nodiscard]] Error wrong_state(const std::filesystem::path& path);
+[[nodiscard]] Error wrong_checkpoint(const std::filesystem::path& path);
 
 /// Writes a file of these values (std::tie), whole or not at all.
 template <class... Values>
-Status save_state(const std::filesystem::path& path, const std::tuple<Values&...>& values) {
-  StateWriter state;
+Status save_checkpoint(const std::filesystem::path& path, const std::tuple<Values&...>& values) {
+  CheckpointWriter state;
   std::apply([&](const auto&... value) { (state.put(value), ...); }, values);
   return state.save(path);
 }
 
-/// Reads what save_state wrote of the same values.
+/// Reads what save_checkpoint wrote of the same values.
 template <class... Values>
-Status load_state(const std::filesystem::path& path, const std::tuple<Values&...>& values) {
-  auto state = StateReader::open(path);
-  if (!state) return state.error();
-  const bool whole =
-      std::apply([&](auto&... value) { return (state->take(value) && ...); }, values);
-  return whole ? Status{} : wrong_state(path);
+Status load_checkpoint(const std::filesystem::path& path, const std::tuple<Values&...>& values) {
+  RELIEF_TRY_ASSIGN(auto state, CheckpointReader::open(path));
+  const bool whole = std::apply([&](auto&... value) { return (state.take(value) && ...); }, values);
+  return whole ? Status{} : wrong_checkpoint(path);
 }
 
 }  // namespace relief

@@ -29,7 +29,7 @@ class Joiner {
 
   Result<SheetTurns> run(const Progress& progress) {
     for (const auto step : {&Joiner::number_sheets, &Joiner::count_votes}) {
-      if (Status done = (this->*step)(progress); !done) return done.error();
+      RELIEF_TRY((this->*step)(progress));
     }
     return decide();
   }
@@ -40,14 +40,13 @@ class Joiner {
     sums_.emplace_back();
     for (const SurveyPaths& tile : tiles_) {
       if (progress.cancelled()) return interrupted_error();
-      const auto survey = load_survey(tile.survey);
-      if (!survey) return survey.error();
+      RELIEF_TRY_ASSIGN(const auto survey, load_survey(tile.survey));
       first_.push_back(static_cast<std::uint32_t>(sums_.size()));
-      count_.push_back(survey->sheets.count);
-      has_surface_.push_back(survey->region_normals.empty() ? 0 : 1);
-      sums_.insert(sums_.end(), survey->sums.begin(), survey->sums.end());
+      count_.push_back(survey.sheets.count);
+      has_surface_.push_back(survey.region_normals.empty() ? 0 : 1);
+      sums_.insert(sums_.end(), survey.sums.begin(), survey.sums.end());
       std::vector<RimPoint> rim;
-      if (Status loaded = load_state(tile.rim, std::tie(rim)); !loaded) return loaded;
+      RELIEF_TRY(load_checkpoint(tile.rim, std::tie(rim)));
       homes_.emplace_back();
       for (const RimPoint& point : rim) {
         if (homes_.back().empty() || homes_.back().back() != point.home.tile)
@@ -68,14 +67,13 @@ class Joiner {
     for (std::uint32_t home = 0; home < tiles_.size(); ++home) {
       if (has_surface_[home] == 0) continue;
       if (progress.cancelled()) return interrupted_error();
-      const auto survey = load_survey(tiles_[home].survey);
-      if (!survey) return survey.error();
+      RELIEF_TRY_ASSIGN(const auto survey, load_survey(tiles_[home].survey));
       for (std::size_t other = 0; other < tiles_.size(); ++other) {
         const bool may_disagree = count_[home] > 0 || count_[other] > 0;
         if (!may_disagree || has_surface_[other] == 0) continue;
         if (std::find(homes_[other].begin(), homes_[other].end(), home) == homes_[other].end())
           continue;
-        if (Status counted = count_votes_between(home, *survey, other); !counted) return counted;
+        RELIEF_TRY(count_votes_between(home, survey, other));
       }
     }
     return {};
@@ -83,7 +81,7 @@ class Joiner {
 
   Status count_votes_between(std::uint32_t home, const TileSurvey& survey, std::size_t other) {
     std::vector<RimPoint> rim;
-    if (Status loaded = load_state(tiles_[other].rim, std::tie(rim)); !loaded) return loaded;
+    RELIEF_TRY(load_checkpoint(tiles_[other].rim, std::tie(rim)));
     const auto is_before = [](const RimPoint& point, std::uint32_t tile) {
       return point.home.tile < tile;
     };

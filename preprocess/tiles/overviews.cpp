@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 /// A level that leaves more than this share of the samples of the one below is not worth its bytes:
 /// what is left are borders of patches.
-constexpr double kMostLeft = 0.6;
+constexpr double kMaxLeft = 0.6;
 /// Margins are in both patches that meet: points are a little more than a quarter of the samples,
 /// and tiles that were cut from a scan are 0.7 full on average.
 constexpr double kFullerThanCut = 1.2;
@@ -33,9 +33,8 @@ struct Level {
 
 Status count_samples(Level& level) {
   for (std::uint32_t tile = 0; tile < level.scan.counts.size(); ++tile) {
-    const auto tree = PatchTree::open(level.folder.part(tile));
-    if (!tree) return tree.error();
-    level.samples.push_back(static_cast<double>(tree->tiles().front().samples));
+    RELIEF_TRY_ASSIGN(const auto tree, PatchTree::open(level.folder.part(tile)));
+    level.samples.push_back(static_cast<double>(tree.tiles().front().samples));
     level.all_samples += level.samples.back();
   }
   return {};
@@ -45,19 +44,17 @@ Status count_samples(Level& level) {
 Status spread_level(const Level& below, TileWriter& tiles, SpreadScan& scan,
                     const Progress& progress) {
   for (std::uint32_t tile = 0; tile < below.scan.counts.size(); ++tile) {
-    const auto file = PatchFile::open(below.folder.part(tile));
-    if (!file) return file.error();
-    std::vector<std::uint64_t> all(file->patches().size());
+    RELIEF_TRY_ASSIGN(const auto file, PatchFile::open(below.folder.part(tile)));
+    std::vector<std::uint64_t> all(file.patches().size());
     std::iota(all.begin(), all.end(), 0U);
     QuietProgress quiet(progress);
-    const auto patches = file->read_patches(all, quiet);
-    if (!patches) return patches.error();
-    std::vector<Points> points(patches->size());
+    RELIEF_TRY_ASSIGN(const auto patches, file.read_patches(all, quiet));
+    std::vector<Points> points(patches.size());
     tbb::parallel_for(std::size_t{0}, points.size(),
-                      [&](std::size_t p) { points[p] = coarse_points((*patches)[p]); });
+                      [&](std::size_t p) { points[p] = coarse_points(patches[p]); });
     for (const Points& of_patch : points) {
       scan.read.points += of_patch.size();
-      if (Status added = tiles.add(of_patch); !added) return added;
+      RELIEF_TRY(tiles.add(of_patch));
     }
   }
   return tiles.finish();
@@ -79,9 +76,9 @@ Result<SpreadScan> open_level(const TiledModel& model, const Level& below, doubl
   scan.attributes = {true, model.scan.attributes.colours};
   scan.bounds = model.scan.bounds;
   TileWriter tiles(folder.folder(), scan.layout, scan.attributes);
-  if (Status done = spread_level(below, tiles, scan, progress); !done) return done.error();
+  RELIEF_TRY(spread_level(below, tiles, scan, progress));
   scan.counts = tiles.counts();
-  if (Status saved = save_scan(folder.layout(), scan); !saved) return saved.error();
+  RELIEF_TRY(save_scan(folder.layout(), scan));
   return scan;
 }
 
@@ -93,13 +90,12 @@ Result<Level> make_level(const TiledModel& model, const Level& below, unsigned n
   options.height_step = std::ldexp(options.height_step, static_cast<int>(number));
   options.colour_scale = 1;  // they are drawn where samples are no farther apart than pixels
   const TileFolder folder = model.job.overview(number);
-  auto scan = open_level(model, below, options.spacing, folder, progress);
-  if (!scan) return scan.error();
+  RELIEF_TRY_ASSIGN(auto scan, open_level(model, below, options.spacing, folder, progress));
   const auto made =
-      convert_spread({model.name, folder, *scan, options, model.file_options}, progress);
+      convert_spread({model.name, folder, scan, options, model.file_options}, progress);
   if (!made) return made.error();
-  Level level{folder, std::move(*scan), {}, 0.0};
-  if (Status counted = count_samples(level); !counted) return counted.error();
+  Level level{folder, std::move(scan), {}, 0.0};
+  RELIEF_TRY(count_samples(level));
   return level;
 }
 
@@ -128,19 +124,19 @@ std::vector<TreePart> list_tiles(const std::vector<Level>& levels) {
 Result<std::vector<TreePart>> make_overviews(const TiledModel& model, Progress& progress) {
   std::vector<Level> levels;
   levels.push_back({model.job, model.scan, {}, 0.0});
-  if (Status counted = count_samples(levels.back()); !counted) return counted.error();
+  RELIEF_TRY(count_samples(levels.back()));
   // A third as many samples as the model has, each looked at twice.
   progress.begin_stage("overviews",
                        static_cast<std::uint64_t>(levels.back().all_samples * 2.0 / 3.0));
   PartProgress inner(progress);
   while (levels.back().all_samples > static_cast<double>(model.overview_samples) &&
-         levels.size() < kMostTreeLevels) {
-    auto level = make_level(model, levels.back(), static_cast<unsigned>(levels.size()), inner);
-    if (!level) return level.error();
+         levels.size() < kMaxTreeLevels) {
+    RELIEF_TRY_ASSIGN(
+        auto level, make_level(model, levels.back(), static_cast<unsigned>(levels.size()), inner));
     const bool is_worth_it =
-        level->all_samples > 0.0 && level->all_samples <= kMostLeft * levels.back().all_samples;
+        level.all_samples > 0.0 && level.all_samples <= kMaxLeft * levels.back().all_samples;
     if (!is_worth_it) break;
-    levels.push_back(std::move(*level));
+    levels.push_back(std::move(level));
   }
   return list_tiles(levels);
 }

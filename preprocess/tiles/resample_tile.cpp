@@ -15,7 +15,7 @@ namespace {
 
 /// What a report has: all but the patches.
 template <class Tile>
-auto fields_of(Tile& t) {
+auto tile_fields(Tile& t) {
   return std::tie(t.patch_count, t.points, t.sum_of_squares, t.error_max, t.uncovered, t.texels);
 }
 
@@ -85,12 +85,12 @@ TilePatches resample_tile(TilePoints tile, TileSurvey survey,
 }
 
 Status save_report(const std::filesystem::path& path, const TilePatches& tile) {
-  return save_state(path, fields_of(tile));
+  return save_checkpoint(path, tile_fields(tile));
 }
 
 Result<TilePatches> load_report(const std::filesystem::path& path) {
   TilePatches tile;
-  if (Status loaded = load_state(path, fields_of(tile)); !loaded) return loaded.error();
+  RELIEF_TRY(load_checkpoint(path, tile_fields(tile)));
   return tile;
 }
 

@@ -54,15 +54,14 @@ Result<MappedFile> open_unpacked(const fs::path& path, const fs::path& unpacked,
   auto file = MappedFile::open(path);
   if (!file || !is_gzip(file->bytes())) return file;
   if (!fs::exists(unpacked)) {
-    auto out = AtomicFile::create(unpacked);
-    if (!out) return out.error();
+    RELIEF_TRY_ASSIGN(auto out, AtomicFile::create(unpacked));
     const Status done = gunzip_pieces(path.string(), file->bytes(), progress,
                                       [&](std::span<const std::byte> piece, std::size_t used) {
                                         file->release_before(used);
-                                        return out->write(piece);
+                                        return out.write(piece);
                                       });
     if (!done) return done.error();
-    if (Status there = out->commit(); !there) return there.error();
+    RELIEF_TRY(out.commit());
   }
   return MappedFile::open(unpacked);
 }
@@ -72,9 +71,8 @@ Status read_file_blocks(const fs::path& path, const MappedFile& file, std::uint6
                         Progress& progress) {
   std::string_view text(reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size());
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  const auto reader = find_reader(path, text);
-  if (!reader) return reader.error();
-  const bool in_blocks = reads_in_blocks(*reader);
+  RELIEF_TRY_ASSIGN(const auto reader, find_reader(path, text));
+  const bool in_blocks = reads_in_blocks(reader);
   if (!in_blocks && text.size() > memory / kMemoryPerFileByte) {
     return make_error(
         "{}: its {} MB can only be read as a whole, for which --memory is too small; PLY, LAS and "
@@ -83,7 +81,7 @@ Status read_file_blocks(const fs::path& path, const MappedFile& file, std::uint6
   }
   ReadRemarks remarks;
   FileSink sink(file, take, counts);
-  auto rest = (*reader)({path.string(), text, progress, remarks, in_blocks ? &sink : nullptr});
+  auto rest = (reader)({path.string(), text, progress, remarks, in_blocks ? &sink : nullptr});
   if (!rest) return rest.error();
   if (!rest->triangles.empty()) {
     remarks.notes.push_back(
@@ -106,8 +104,7 @@ Result<ScanCounts> read_blocks(const std::vector<fs::path>& files, const fs::pat
     try {
       const auto file = open_unpacked(path, folder / fmt::format("unpacked-{}", number), progress);
       if (!file) return file.error();
-      const Status read = read_file_blocks(path, *file, memory, take, counts, notes, progress);
-      if (!read) return read.error();
+      RELIEF_TRY(read_file_blocks(path, *file, memory, take, counts, notes, progress));
     } catch (const std::bad_alloc&) {
       return make_error("{}: there is not enough memory to read it", path.string());
     } catch (const std::length_error&) {

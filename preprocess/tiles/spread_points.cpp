@@ -56,7 +56,7 @@ std::uint64_t points_for(std::uint64_t memory) {
 }
 
 template <class Scan>
-auto fields_of(Scan& s) {
+auto scan_fields(Scan& s) {
   return std::tie(s.layout.cuts, s.layout.tiles, s.layout.largest_halo, s.counts, s.attributes,
                   s.bounds, s.viewpoint, s.read);
 }
@@ -102,7 +102,7 @@ Status spread(const std::vector<fs::path>& files, const TileJob& job, const Spre
     return make_error("{}: had {} points at first and now {}; convert when it stays as it is",
                       files.front().string(), scan.read.points, read->points);
   }
-  if (Status done = tiles.finish(); !done) return done;
+  RELIEF_TRY(tiles.finish());
   scan.counts = tiles.counts();
   return {};
 }
@@ -110,12 +110,12 @@ Status spread(const std::vector<fs::path>& files, const TileJob& job, const Spre
 }  // namespace
 
 Status save_scan(const fs::path& path, const SpreadScan& scan) {
-  return save_state(path, fields_of(scan));
+  return save_checkpoint(path, scan_fields(scan));
 }
 
 Result<SpreadScan> load_scan(const fs::path& path) {
   SpreadScan scan;
-  if (Status loaded = load_state(path, fields_of(scan)); !loaded) return loaded.error();
+  RELIEF_TRY(load_checkpoint(path, scan_fields(scan)));
   return scan;
 }
 
@@ -133,20 +133,18 @@ Result<std::optional<SpreadScan>> spread_points(const std::vector<fs::path>& fil
                                                 const TileJob& job, const SpreadOptions& options,
                                                 Progress& progress) {
   if (fs::exists(job.layout())) {
-    auto known = load_scan(job.layout());
-    if (!known) return known.error();
-    return std::optional(std::move(*known));
+    RELIEF_TRY_ASSIGN(auto known, load_scan(job.layout()));
+    return std::optional(std::move(known));
   }
-  if (Status cleared = job.clear(); !cleared) return cleared.error();
+  RELIEF_TRY(job.clear());
   SpreadScan scan;
-  const auto seen = look(files, job, options, scan, progress);
-  if (!seen) return seen.error();
+  RELIEF_TRY_ASSIGN(const auto seen, look(files, job, options, scan, progress));
   const std::uint64_t most = points_for(options.memory_bytes);
-  if (scan.read.points <= std::max<std::uint64_t>(most, kLeastSurfacePoints))
+  if (scan.read.points <= std::max<std::uint64_t>(most, kMinSurfacePoints))
     return std::optional<SpreadScan>();
 
-  scan.layout = lay_tiles(seen->sample, tile_points(options), options.grid_spacing);
-  if (Status done = spread(files, job, options, scan, progress); !done) return done.error();
+  scan.layout = lay_tiles(seen.sample, tile_points(options), options.grid_spacing);
+  RELIEF_TRY(spread(files, job, options, scan, progress));
   std::uint64_t largest = 0;
   for (const TileCount& count : scan.counts) largest = std::max(largest, count.own + count.halo);
   if (largest > most) {
@@ -155,7 +153,7 @@ Result<std::optional<SpreadScan>> spread_points(const std::vector<fs::path>& fil
         "to be cut apart",
         files.front().string(), memory_for(largest) / 1'000'000 + 1, largest);
   }
-  if (Status saved = save_scan(job.layout(), scan); !saved) return saved.error();
+  RELIEF_TRY(save_scan(job.layout(), scan));
   return std::optional(std::move(scan));
 }
 

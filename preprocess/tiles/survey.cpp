@@ -36,7 +36,7 @@ namespace {
 
 /// What a survey's file has: all but the cosines.
 template <class Survey>
-auto fields_of(Survey& s) {
+auto survey_fields(Survey& s) {
   return std::tie(s.number, s.normals, s.roughness, s.sheets.of_point, s.sheets.count, s.sums,
                   s.region, s.region_normals, s.normals_repaired, s.area, s.radius);
 }
@@ -62,7 +62,7 @@ TileSurvey survey_tile(TilePoints& tile, const SurveyOptions& options, Progress&
   survey.region.assign(tile.own, kNoRegion);
   for (std::size_t i = 0; i < tile.own; ++i)
     survey.radius = std::max(survey.radius, glm::distance(points.positions[i], options.centre));
-  if (points.size() < kLeastSurfacePoints) {
+  if (points.size() < kMinSurfacePoints) {
     survey.normals.assign(points.size(), glm::vec3(0.0F, 0.0F, 1.0F));
     survey.roughness.assign(points.size(), 0.0F);
     survey.cosines = own_cosines(tile, survey, {});
@@ -107,9 +107,8 @@ Result<std::vector<float>> halo_cosines(
   for (std::size_t h = 0; h < tile.home.size(); ++h) by_home[tile.home[h].tile].push_back(h);
   std::vector<float> cosines(tile.home.size());
   for (const auto& [home, points] : by_home) {
-    const auto of_home = load(home);
-    if (!of_home) return of_home.error();
-    for (const std::size_t h : points) cosines[h] = (*of_home)[tile.home[h].point];
+    RELIEF_TRY_ASSIGN(const auto of_home, load(home));
+    for (const std::size_t h : points) cosines[h] = of_home[tile.home[h].point];
   }
   return cosines;
 }
@@ -129,12 +128,12 @@ std::vector<RimPoint> rim_of(const TilePoints& tile, const TileSurvey& survey) {
 }
 
 Status save_survey(const std::filesystem::path& path, const TileSurvey& survey) {
-  return save_state(path, fields_of(survey));
+  return save_checkpoint(path, survey_fields(survey));
 }
 
 Result<TileSurvey> load_survey(const std::filesystem::path& path) {
   TileSurvey survey;
-  if (Status loaded = load_state(path, fields_of(survey)); !loaded) return loaded.error();
+  RELIEF_TRY(load_checkpoint(path, survey_fields(survey)));
   return survey;
 }
 

@@ -34,7 +34,7 @@ class TileConversion {
     for (const auto step :
          {&TileConversion::survey, &TileConversion::orient, &TileConversion::choose_grid,
           &TileConversion::resample, &TileConversion::sum_up}) {
-      if (Status done = (this->*step)(); !done) return done.error();
+      RELIEF_TRY((this->*step)());
     }
     return ConvertedTiles{std::move(result_), extent(), patches_};
   }
@@ -57,7 +57,7 @@ class TileConversion {
     progress_.begin_stage("survey", scan_.read.points);
     for (std::uint32_t tile = 0; tile < tile_count(); ++tile) {
       if (!fs::exists(folder_.survey(tile)) && !fs::exists(folder_.turns())) {
-        if (Status done = survey_one(tile); !done) return done;
+        RELIEF_TRY(survey_one(tile));
       }
       progress_.advance(scan_.counts[tile].own);
     }
@@ -65,17 +65,15 @@ class TileConversion {
   }
 
   Status survey_one(std::uint32_t tile) {
-    auto loaded = load(tile);
-    if (!loaded) return loaded.error();
+    RELIEF_TRY_ASSIGN(auto loaded, load(tile));
     QuietProgress quiet(progress_);
     const SurveyOptions survey_options{options_.cone_degrees, options_.spacing == 0.0, centre_};
-    const TileSurvey made = survey_tile(*loaded, survey_options, quiet);
+    const TileSurvey made = survey_tile(loaded, survey_options, quiet);
     if (progress_.cancelled()) return interrupted_error();
-    const std::vector<RimPoint> rim = rim_of(*loaded, made);
+    const std::vector<RimPoint> rim = rim_of(loaded, made);
     // The survey's file says that all three are there.
-    if (Status saved = save_state(folder_.rim(tile), std::tie(rim)); !saved) return saved;
-    if (Status saved = save_state(folder_.cosines(tile), std::tie(made.cosines)); !saved)
-      return saved;
+    RELIEF_TRY(save_checkpoint(folder_.rim(tile), std::tie(rim)));
+    RELIEF_TRY(save_checkpoint(folder_.cosines(tile), std::tie(made.cosines)));
     return save_survey(folder_.survey(tile), made);
   }
 
@@ -86,26 +84,24 @@ class TileConversion {
   Status orient() {
     progress_.begin_stage("orient", 0);
     if (!fs::exists(folder_.turns())) return orient_all();
-    if (Status loaded = load_state(folder_.turns(), orientation()); !loaded) return loaded;
-    return turns_.size() == tile_count() ? Status{} : wrong_state(folder_.turns());
+    RELIEF_TRY(load_checkpoint(folder_.turns(), orientation()));
+    return turns_.size() == tile_count() ? Status{} : wrong_checkpoint(folder_.turns());
   }
 
   Status orient_all() {
     std::vector<SurveyPaths> paths;
     for (std::uint32_t tile = 0; tile < tile_count(); ++tile)
       paths.push_back({folder_.survey(tile), folder_.rim(tile)});
-    auto turns = join_sheets(paths, scan_.viewpoint.has_value(), progress_);
-    if (!turns) return turns.error();
-    turns_ = std::move(*turns);
+    RELIEF_TRY_ASSIGN(auto turns, join_sheets(paths, scan_.viewpoint.has_value(), progress_));
+    turns_ = std::move(turns);
     for (std::uint32_t tile = 0; tile < tile_count(); ++tile) {
-      const auto survey = load_survey(folder_.survey(tile));
-      if (!survey) return survey.error();
-      area_ += survey->area;
-      radius_ = std::max(radius_, survey->radius);
-      repaired_ += survey->normals_repaired;
-      duplicates_ += scan_.counts[tile].own - survey->region.size();
+      RELIEF_TRY_ASSIGN(const auto survey, load_survey(folder_.survey(tile)));
+      area_ += survey.area;
+      radius_ = std::max(radius_, survey.radius);
+      repaired_ += survey.normals_repaired;
+      duplicates_ += scan_.counts[tile].own - survey.region.size();
     }
-    return save_state(folder_.turns(), orientation());
+    return save_checkpoint(folder_.turns(), orientation());
   }
 
   Status choose_grid() {
@@ -134,22 +130,20 @@ class TileConversion {
   }
 
   Status resample_one(std::uint32_t tile) {
-    auto loaded = load(tile);
-    if (!loaded) return loaded.error();
-    merge_duplicates(*loaded);
-    auto survey = load_survey(folder_.survey(tile));
-    if (!survey) return survey.error();
-    const auto cosines = halo_cosines(*loaded, [&](std::uint32_t home) {
+    RELIEF_TRY_ASSIGN(auto loaded, load(tile));
+    merge_duplicates(loaded);
+    RELIEF_TRY_ASSIGN(auto survey, load_survey(folder_.survey(tile)));
+    const auto cosines = halo_cosines(loaded, [&](std::uint32_t home) {
       std::vector<float> of_home;
-      const Status read = load_state(folder_.cosines(home), std::tie(of_home));
+      const Status read = load_checkpoint(folder_.cosines(home), std::tie(of_home));
       return read ? Result(std::move(of_home)) : read.error();
     });
     if (!cosines) return cosines.error();
     QuietProgress quiet(progress_);
-    TilePatches made = resample_tile(std::move(*loaded), std::move(*survey), turns_[tile], *cosines,
+    TilePatches made = resample_tile(std::move(loaded), std::move(survey), turns_[tile], *cosines,
                                      options_, spacing_, !scan_.attributes.normals, quiet);
     if (progress_.cancelled()) return interrupted_error();
-    if (Status saved = save_report(folder_.part_report(tile), made); !saved) return saved;
+    RELIEF_TRY(save_report(folder_.part_report(tile), made));
     PatchModel model = extent();
     model.patches = std::move(made.patches);
     return write_patch_file(folder_.part(tile), model, file_options_);
@@ -168,18 +162,17 @@ class TileConversion {
     TilePatches all;  // its sums
     ConvertReport& report = result_.report;
     for (std::uint32_t tile = 0; tile < tile_count(); ++tile) {
-      const auto one = load_report(folder_.part_report(tile));
-      if (!one) return one.error();
-      all.patch_count += one->patch_count;
-      all.points += one->points;
-      all.sum_of_squares += one->sum_of_squares;
-      report.error_max = std::max(report.error_max, one->error_max);
-      report.uncovered_points += one->uncovered;
-      report.colour_texels += one->texels.colour_texels;
-      report.texels_per_cell = std::max(report.texels_per_cell, one->texels.texels_per_cell);
-      report.normal_texels += one->texels.normal_texels;
+      RELIEF_TRY_ASSIGN(const auto one, load_report(folder_.part_report(tile)));
+      all.patch_count += one.patch_count;
+      all.points += one.points;
+      all.sum_of_squares += one.sum_of_squares;
+      report.error_max = std::max(report.error_max, one.error_max);
+      report.uncovered_points += one.uncovered;
+      report.colour_texels += one.texels.colour_texels;
+      report.texels_per_cell = std::max(report.texels_per_cell, one.texels.texels_per_cell);
+      report.normal_texels += one.texels.normal_texels;
       report.normal_texels_per_cell =
-          std::max(report.normal_texels_per_cell, one->texels.normal_texels_per_cell);
+          std::max(report.normal_texels_per_cell, one.texels.normal_texels_per_cell);
       result_.halo_points += scan_.counts[tile].halo;
     }
     patches_ = all.patch_count;

@@ -54,14 +54,13 @@ void take(const std::byte*& at, std::vector<T>& values) {
 Status load_part(const fs::path& path, std::uint64_t count, ScanAttributes attributes, bool is_halo,
                  TilePoints& tile) {
   if (count == 0) return {};
-  const auto file = RandomAccessFile::open(path);
-  if (!file) return file.error();
+  RELIEF_TRY_ASSIGN(const auto file, RandomAccessFile::open(path));
   const std::size_t stride = record_bytes(attributes, is_halo);
   std::vector<std::byte> piece(kReadBytes / stride * stride);
   for (std::uint64_t at = 0; at < count * stride; at += piece.size()) {
     const auto size = std::min<std::uint64_t>(piece.size(), count * stride - at);
     const std::span<std::byte> bytes = std::span(piece).first(size);
-    if (Status read = file->read_at(at, bytes); !read) return read;
+    RELIEF_TRY(file.read_at(at, bytes));
     for (const std::byte* record = bytes.data(); record != bytes.data() + size;) {
       take(record, tile.points.positions);
       if (attributes.normals) take(record, tile.points.normals);
@@ -94,11 +93,11 @@ Status TileWriter::add(const Points& block) {
   for (std::size_t i = 0; i < block.size(); ++i) {
     const std::uint32_t own = layout_.tile_of(block.positions[i]);
     const Home home{own, static_cast<std::uint32_t>(counts_[own].own++)};
-    if (Status done = append(own_[own], block, i, nullptr); !done) return done;
+    RELIEF_TRY(append(own_[own], block, i, nullptr));
     layout_.find_halos(block.positions[i], own, halos);
     for (const std::uint32_t tile : halos) {
       ++counts_[tile].halo;
-      if (Status done = append(halo_[tile], block, i, &home); !done) return done;
+      RELIEF_TRY(append(halo_[tile], block, i, &home));
     }
   }
   return {};
@@ -126,7 +125,7 @@ Status TileWriter::finish() {
   for (std::vector<Part>* parts : {&own_, &halo_}) {
     for (Part& part : *parts) {
       if (part.buffer.empty()) continue;
-      if (Status done = flush(part); !done) return done;
+      RELIEF_TRY(flush(part));
     }
   }
   return {};
@@ -141,10 +140,8 @@ Result<TilePoints> load_tile(const fs::path& folder, std::uint32_t tile, TileCou
   if (attributes.normals) loaded.points.normals.reserve(all);
   if (attributes.colours) loaded.points.colours.reserve(all);
   loaded.home.reserve(count.halo);
-  const Status own = load_part(own_path(folder, tile), count.own, attributes, false, loaded);
-  if (!own) return own.error();
-  const Status halo = load_part(halo_path(folder, tile), count.halo, attributes, true, loaded);
-  if (!halo) return halo.error();
+  RELIEF_TRY(load_part(own_path(folder, tile), count.own, attributes, false, loaded));
+  RELIEF_TRY(load_part(halo_path(folder, tile), count.halo, attributes, true, loaded));
   return loaded;
 }
 

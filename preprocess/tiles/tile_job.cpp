@@ -90,10 +90,9 @@ Result<TileJob> TileJob::open(const fs::path& output, const std::string& fingerp
       remove_temporary(folder);
       return job;
     }
-    if (Status cleared = job.clear(); !cleared) return cleared.error();
+    RELIEF_TRY(job.clear());
   }
-  const Status written = write_file_atomically(job_file, std::as_bytes(std::span(fingerprint)));
-  if (!written) return written.error();
+  RELIEF_TRY(write_file_atomically(job_file, std::as_bytes(std::span(fingerprint))));
   return job;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 // 35 MB with the search for neighbours; a tile of a million points of 60 million has 4,000 of them,
 // which tell where its middle is to a hundredth.
-constexpr std::size_t kMostSampled = std::size_t{1} << 18U;
+constexpr std::size_t kMaxSampled = std::size_t{1} << 18U;
 
 // Outliers do not say how a scan lies: a side's length is that of all but these shares at its ends.
 constexpr double kTail = 0.02;
@@ -216,7 +216,7 @@ void TileLayout::find_halos_below(std::int32_t node, glm::dvec3 point, std::uint
 void PointSample::add(glm::dvec3 point) {
   if (seen_++ % stride_ != 0) return;
   points_.push_back(point);
-  if (points_.size() < kMostSampled) return;
+  if (points_.size() < kMaxSampled) return;
   for (std::size_t i = 0; 2 * i < points_.size(); ++i) points_[i] = points_[2 * i];
   points_.resize((points_.size() + 1) / 2);
   stride_ *= 2;

@@ -47,12 +47,10 @@ class Bench {
 
   /// Draws every row, the bound and the mesh once.
   Status prepare(const Progress& progress) {
-    for (const BenchWay& row : job_.rows) {
+    for (const BenchMethod& row : job_.rows) {
       if (progress.cancelled()) return interrupted_error();
-      auto engine = engine_for(row);
-      if (!engine) return engine.error();
-      Status added = add(**engine, row.settings);
-      if (!added) return added;
+      RELIEF_TRY_ASSIGN(auto engine, engine_for(row));
+      RELIEF_TRY(add(*engine, row.settings));
     }
     return prepare_references();
   }
@@ -86,7 +84,7 @@ class Bench {
   }
 
  private:
-  Result<GlPreparedModel*> engine_for(const BenchWay& row) {
+  Result<GlPreparedModel*> engine_for(const BenchMethod& row) {
     const RenderSettings& settings = row.settings;
     const StoreNeeds needs = needs_of_row(settings, ModelMaps(*row.patches));
     for (const Group& group : groups_) {
@@ -107,27 +105,24 @@ class Bench {
     const auto& [patches, settings] = job_.rows[job_.reference];
     const std::uint64_t pixels = entries_[job_.reference].result.covered_pixels;
     if (pixels > 0) {
-      auto made = bench_passes::prepare_shading_bound(opengl_, *patches, settings, pixels);
-      if (!made) return made.error();
-      references_.push_back(std::move(*made));
+      RELIEF_TRY_ASSIGN(auto made,
+                        bench_passes::prepare_shading_bound(opengl_, *patches, settings, pixels));
+      references_.push_back(std::move(made));
       bound_ = entries_.size();
-      Status added = add(*references_.back(), settings);
-      if (!added) return added;
+      RELIEF_TRY(add(*references_.back(), settings));
     }
     if (job_.mesh == nullptr) return {};
-    auto made = bench_passes::prepare_mesh(opengl_, *job_.mesh, settings);
-    if (!made) return made.error();
-    references_.push_back(std::move(*made));
+    RELIEF_TRY_ASSIGN(auto made, bench_passes::prepare_mesh(opengl_, *job_.mesh, settings));
+    references_.push_back(std::move(made));
     mesh_ = entries_.size();
     return add(*references_.back(), settings);
   }
 
   /// Makes a picture ready, draws it once, and keeps what its frame binds and shades.
   Status add(GlPreparedModel& engine, const RenderSettings& settings) {
-    auto drawing = engine.make_drawing(settings);
-    if (!drawing) return drawing.error();
+    RELIEF_TRY_ASSIGN(auto drawing, engine.make_drawing(settings));
     const Gl& gl = opengl_->gl();
-    Entry entry{std::move(*drawing), PassTimer(gl), {}, {}, {}};
+    Entry entry{std::move(drawing), PassTimer(gl), {}, {}, {}};
     (void)time_frame(gl, entry.drawing, entry.timer);
     const Explanation frame = gl.recorder->explain();
     for (const auto* const kind : {&frame.buffers, &frame.textures}) {
@@ -162,15 +157,13 @@ class Bench {
 
 Result<BenchReport> bench(const BenchJob& job, Progress& progress) {
   assert(job.reference < job.rows.size() && job.frames > 0);
-  for ([[maybe_unused]] const BenchWay& row : job.rows)
+  for ([[maybe_unused]] const BenchMethod& row : job.rows)
     assert(row.patches != nullptr && is_on_opengl(row.settings.engine) && "OpenGL draws patches");
   progress.begin_stage("prepare", 0);
   const RenderSettings& first = job.rows.front().settings;
-  auto opengl = OpenGl::create(first.platform, first.debug, true);
-  if (!opengl) return opengl.error();
-  Bench bench(job, std::move(*opengl));
-  Status prepared = bench.prepare(progress);
-  if (!prepared) return prepared.error();
+  RELIEF_TRY_ASSIGN(auto opengl, OpenGl::create(first.platform, first.debug, true));
+  Bench bench(job, std::move(opengl));
+  RELIEF_TRY(bench.prepare(progress));
   progress.begin_stage(
       "frames", static_cast<std::uint64_t>(job.warm_up) + static_cast<std::uint64_t>(job.frames));
   for (int round = 0; round < job.warm_up + job.frames; ++round) {
@@ -178,8 +171,7 @@ Result<BenchReport> bench(const BenchJob& job, Progress& progress) {
     bench.draw_round(round >= job.warm_up);
     progress.advance(1);
   }
-  Status good = bench.status();
-  if (!good) return good.error();
+  RELIEF_TRY(bench.status());
   return bench.report();
 }
 

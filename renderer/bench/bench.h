@@ -14,14 +14,14 @@
 namespace relief {
 
 /// One way to draw: what, and how. An engine on OpenGL.
-struct BenchWay {
+struct BenchMethod {
   const PatchModel* patches = nullptr;
   RenderSettings settings;
 };
 
 /// What is timed; models outlive the bench.
 struct BenchJob {
-  std::vector<BenchWay> rows;          ///< all of one camera, size, material and platform
+  std::vector<BenchMethod> rows;       ///< all of one camera, size, material and platform
   const TriangleMesh* mesh = nullptr;  ///< the input, if it has faces
   std::size_t reference = 0;           ///< the row whose covered pixels the shading bound has
   int frames = 20;                     ///< timed rounds

@@ -96,19 +96,18 @@ void draw_mesh(const Gl& gl, const Uploaded& mesh, const Program& program, const
   gl.Disable(GL_DEPTH_TEST);
 }
 
-class Prepared final : public GlPreparedModel {
+class PreparedMesh final : public GlPreparedModel {
  public:
-  Prepared(std::unique_ptr<GlModel> model, Uploaded mesh, Program program, Program counting)
+  PreparedMesh(std::unique_ptr<GlModel> model, Uploaded mesh, Program program, Program counting)
       : GlPreparedModel(std::move(model)),
         mesh_(std::move(mesh)),
         program_(std::move(program)),
         counting_(std::move(counting)) {}
 
   Result<GlDrawing> make_drawing(const RenderSettings& settings, const Raster& part) override {
-    auto picture = model().make_picture(settings, part);
-    if (!picture) return picture.error();
+    RELIEF_TRY_ASSIGN(auto picture, model().make_picture(settings, part));
     const Gl& gl = model().gl();
-    const shared::PatchView seen = view_patch(picture->view, mesh_.frame);
+    const shared::PatchView seen = view_patch(picture.view, mesh_.frame);
     const auto view = std::make_shared<const Table>(
         make_table(gl, "mesh view", GL_RGBA32F, std::span<const shared::PatchView>(&seen, 1)));
     const auto draw_with = [&](const Program& program) {
@@ -116,7 +115,7 @@ class Prepared final : public GlPreparedModel {
         draw_mesh(gl, mesh_, program, *view, frame, timer);
       };
     };
-    return GlDrawing{std::move(*picture), draw_with(program_), draw_with(counting_)};
+    return GlDrawing{std::move(picture), draw_with(program_), draw_with(counting_)};
   }
 
  private:
@@ -145,15 +144,12 @@ Result<std::unique_ptr<GlPreparedModel>> prepare_mesh(std::shared_ptr<const Open
   const auto make = [&](std::uint32_t bits) {
     return make_program(gl, "mesh", "bench/mesh.vert", "bench/mesh.frag", bits);
   };
-  auto program = make(features);
-  if (!program) return program.error();
-  auto counting = make(features | RELIEF_FEATURE_COUNT_FRAGMENTS);
-  if (!counting) return counting.error();
+  RELIEF_TRY_ASSIGN(auto program, make(features));
+  RELIEF_TRY_ASSIGN(auto counting, make(features | RELIEF_FEATURE_COUNT_FRAGMENTS));
   Uploaded uploaded = upload(gl, mesh, bounds, (features & RELIEF_FEATURE_COLOURS) != 0);
-  const Status made = check_errors(gl, "the mesh");
-  if (!made) return made.error();
-  return std::unique_ptr<GlPreparedModel>(std::make_unique<Prepared>(
-      std::move(*on_gpu), std::move(uploaded), std::move(*program), std::move(*counting)));
+  RELIEF_TRY(check_errors(gl, "the mesh"));
+  return std::unique_ptr<GlPreparedModel>(std::make_unique<PreparedMesh>(
+      std::move(*on_gpu), std::move(uploaded), std::move(program), std::move(counting)));
 }
 
 }  // namespace relief::bench_passes

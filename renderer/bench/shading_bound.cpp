@@ -30,10 +30,9 @@ std::uint32_t largest_patch(const PatchModel& model) {
 class Pass {
  public:
   static Result<Pass> create(const Gl& gl, const PatchStore& store, std::uint32_t features) {
-    Result<Program> program = make_program(gl, "shading bound", "environment/screen.vert",
-                                           "bench/shading_bound.frag", features);
-    if (!program) return program.error();
-    return Pass(gl, store, std::move(*program));
+    RELIEF_TRY_ASSIGN(Program program, make_program(gl, "shading bound", "environment/screen.vert",
+                                                    "bench/shading_bound.frag", features));
+    return Pass(gl, store, std::move(program));
   }
 
   /// Whole rows of pixels, and what is left of one.
@@ -64,21 +63,20 @@ class Pass {
   Program program_;
 };
 
-class Prepared final : public GlPreparedModel {
+class PreparedShadingBound final : public GlPreparedModel {
  public:
-  Prepared(std::unique_ptr<GlModel> model, std::uint32_t patch, std::uint64_t pixels)
+  PreparedShadingBound(std::unique_ptr<GlModel> model, std::uint32_t patch, std::uint64_t pixels)
       : GlPreparedModel(std::move(model)), patch_(patch), pixels_(pixels) {}
 
   Result<GlDrawing> make_drawing(const RenderSettings& settings, const Raster& part) override {
     const std::uint32_t features = surface_features(settings, model().maps());
-    auto picture = model().make_picture(settings, part);
-    if (!picture) return picture.error();
+    RELIEF_TRY_ASSIGN(auto picture, model().make_picture(settings, part));
     const auto draw_with = [this](const Pass& drawing) {
       return [this, &drawing](const GlPicture& frame, PassTimer& timer) {
         drawing.draw(frame, patch_, pixels_, timer);
       };
     };
-    return passes_.make_drawing(model(), features, std::move(*picture), true, draw_with);
+    return passes_.make_drawing(model(), features, std::move(picture), true, draw_with);
   }
 
  private:
@@ -99,7 +97,7 @@ Result<std::unique_ptr<GlPreparedModel>> prepare_shading_bound(std::shared_ptr<c
   auto on_gpu = GlModel::create(std::move(opengl), model, {}, needs);
   if (!on_gpu) return on_gpu.error();
   return std::unique_ptr<GlPreparedModel>(
-      std::make_unique<Prepared>(std::move(*on_gpu), largest_patch(model), pixels));
+      std::make_unique<PreparedShadingBound>(std::move(*on_gpu), largest_patch(model), pixels));
 }
 
 }  // namespace relief::bench_passes

@@ -20,9 +20,8 @@ class EngineCache {
   Result<const Engine*> get(const GlModel& model, std::uint32_t features) {
     auto found = engines_.find(features);
     if (found == engines_.end()) {
-      Result<Engine> made = Engine::create(model.gl(), model.store(), features);
-      if (!made) return made.error();
-      found = engines_.emplace(features, std::move(*made)).first;
+      RELIEF_TRY_ASSIGN(Engine made, Engine::create(model.gl(), model.store(), features));
+      found = engines_.emplace(features, std::move(made)).first;
     }
     return &found->second;
   }
@@ -32,13 +31,11 @@ class EngineCache {
   template <class DrawWith>
   Result<GlDrawing> make_drawing(const GlModel& model, std::uint32_t features, GlPicture picture,
                                  bool counts, const DrawWith& draw_with) {
-    const auto engine = get(model, features);
-    if (!engine) return engine.error();
-    GlDrawing drawing{std::move(picture), draw_with(**engine), {}};
+    RELIEF_TRY_ASSIGN(const auto engine, get(model, features));
+    GlDrawing drawing{std::move(picture), draw_with(*engine), {}};
     if (!counts) return drawing;
-    const auto counting = get(model, features | RELIEF_FEATURE_COUNT_FRAGMENTS);
-    if (!counting) return counting.error();
-    drawing.count = draw_with(**counting);
+    RELIEF_TRY_ASSIGN(const auto counting, get(model, features | RELIEF_FEATURE_COUNT_FRAGMENTS));
+    drawing.count = draw_with(*counting);
     return drawing;
   }
 

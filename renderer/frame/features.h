@@ -53,7 +53,7 @@ struct ModelMaps {
         closed(has_closed_bodies(model)) {}
 };
 
-/// Whether models that are seen small enough are drawn from afar (far_model.h): where levels of
+/// Whether models that are seen small enough are drawn from afar (proxy.h): where levels of
 /// detail are, but not with semi-transparent surfaces, whose layers only cells find, nor beside
 /// glass with two interfaces, whose far side only they find, nor in a split view, which shows
 /// samples.

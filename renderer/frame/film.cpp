@@ -42,9 +42,8 @@ Result<Surroundings> surroundings_of(const RenderSettings& settings,
                                      EnvironmentCache& environments) {
   Surroundings surroundings{nullptr, settings.background};
   if (settings.environment.empty() || !settings.background) return surroundings;
-  const auto cube = environments.get(settings.environment);
-  if (!cube) return cube.error();
-  surroundings.cube = *cube;
+  RELIEF_TRY_ASSIGN(const auto cube, environments.get(settings.environment));
+  surroundings.cube = cube;
   return surroundings;
 }
 

@@ -33,11 +33,10 @@ class GlPreparedModel : public PreparedModel {
 
   /// With one sample a pixel, whatever the settings say.
   Result<RenderResult> render_once(const RenderSettings& settings) {
-    const auto drawing = make_drawing(settings);
-    if (!drawing) return drawing.error();
-    auto result = model_->draw(*drawing, settings);
+    RELIEF_TRY_ASSIGN(const auto drawing, make_drawing(settings));
+    auto result = model_->draw(drawing, settings);
     if (result)
-      read_picture(model_->gl(), drawing->picture, settings.background.has_value(), *result);
+      read_picture(model_->gl(), drawing.picture, settings.background.has_value(), *result);
     return result;
   }
 
@@ -54,10 +53,9 @@ Result<std::unique_ptr<GlPreparedModel>> prepare_on_gpu(std::shared_ptr<const Op
                                                         const PatchModel& model,
                                                         std::span<const RenderSettings> views,
                                                         const FeaturesOf& features_of) {
-  auto on_gpu = GlModel::create(std::move(opengl), model, views,
-                                needs_of(views, ModelMaps(model), features_of));
-  if (!on_gpu) return on_gpu.error();
-  return std::unique_ptr<GlPreparedModel>(std::make_unique<Prepared>(std::move(*on_gpu)));
+  RELIEF_TRY_ASSIGN(auto on_gpu, GlModel::create(std::move(opengl), model, views,
+                                                 needs_of(views, ModelMaps(model), features_of)));
+  return std::unique_ptr<GlPreparedModel>(std::make_unique<Prepared>(std::move(on_gpu)));
 }
 
 }  // namespace relief

@@ -98,8 +98,7 @@ Result<RenderResult> draw_picture(const Gl& gl, const GlDrawing& drawing,
   if (drawing.count) result.fragments = count_fragments(gl, drawing);
   time_frames(gl, drawing, settings.frames, result);
   if (gl.recorder != nullptr) result.explanation = gl.recorder->explain();
-  const Status drawn = check_errors(gl, "the picture");
-  if (!drawn) return drawn.error();
+  RELIEF_TRY(check_errors(gl, "the picture"));
   return result;
 }
 

@@ -25,12 +25,12 @@ DepthNeeds depth_needs_of(const PatchModel& model) {
     finest = std::min(finest, spacing);
     coarsest = std::max(coarsest, spacing);
   };
-  if (model.placements.empty()) {
+  if (model.instances.empty()) {
     for (const Patch& patch : model.patches) note(patch.spacing);
   }
-  for (const Placement& placement : model.placements) {
-    for (std::uint32_t k = 0; k < placement.count; ++k)
-      note(placement.transform.scale * model.patches[placement.first + k].spacing);
+  for (const Instance& instance : model.instances) {
+    for (std::uint32_t k = 0; k < instance.count; ++k)
+      note(instance.transform.scale * model.patches[instance.first + k].spacing);
   }
   return {0.01 * finest, model.bounds, coarsest};
 }
@@ -48,21 +48,19 @@ Result<std::unique_ptr<GlModel>> GlModel::create(std::shared_ptr<const OpenGl> o
   std::vector<View> looks;
   looks.reserve(views.size());
   for (const RenderSettings& settings : views) looks.push_back(made->view_of(settings));
-  auto store = upload_model(made->gl(), model, needs, looks);
-  if (!store) return store.error();
-  made->store_ = std::move(*store);
+  RELIEF_TRY_ASSIGN(auto store, upload_model(made->gl(), model, needs, looks));
+  made->store_ = std::move(store);
   return made;
 }
 
 Result<GlPicture> GlModel::make_picture(const RenderSettings& settings, const Raster& part) {
-  Result<Targets> targets =
-      make_targets(gl(), part.width * part.side, part.height * part.side, settings.outputs);
-  if (!targets) return targets.error();
+  RELIEF_TRY_ASSIGN(Targets targets, make_targets(gl(), part.width * part.side,
+                                                  part.height * part.side, settings.outputs));
   const View view = view_of_part(view_of(settings), part);
   shared::Frame uniforms = make_frame(view, largest_sprite(gl()), settings.lights);
   uniforms.material = info_of(materials_of(settings).front(), {});
   GlPicture picture{view,
-                    std::move(*targets),
+                    std::move(targets),
                     make_buffer(gl(), "frame", std::span<const shared::Frame>(&uniforms, 1)),
                     settings.background.value_or(glm::vec3(0.0F)),
                     nullptr,
@@ -71,15 +69,12 @@ Result<GlPicture> GlModel::make_picture(const RenderSettings& settings, const Ra
                     nullptr,
                     nullptr,
                     std::nullopt};
-  const Status added = add_materials(settings, picture);
-  if (!added) return added.error();
+  RELIEF_TRY(add_materials(settings, picture));
   if (settings.environment.empty() || !settings.background) return picture;
-  const auto surroundings = environment_for(settings.environment, 0.0F);
-  if (!surroundings) return surroundings.error();
-  const auto shown = backdrop(settings);
-  if (!shown) return shown.error();
-  picture.surroundings = *surroundings;
-  picture.backdrop = *shown;
+  RELIEF_TRY_ASSIGN(const auto surroundings, environment_for(settings.environment, 0.0F));
+  RELIEF_TRY_ASSIGN(const auto shown, backdrop(settings));
+  picture.surroundings = surroundings;
+  picture.backdrop = shown;
   return picture;
 }
 
@@ -88,16 +83,15 @@ Status GlModel::add_materials(const RenderSettings& settings, GlPicture& picture
   const bool mixed = materials.size() > 1;
   if (reflects(settings)) {
     const float roughness = mixed ? 0.0F : roughness_of(materials.front());
-    const auto environment = environment_for(settings.environment, roughness);
-    if (!environment) return environment.error();
-    picture.environment = *environment;
+    RELIEF_TRY_ASSIGN(const auto environment, environment_for(settings.environment, roughness));
+    picture.environment = environment;
   }
   if (!mixed) return {};
   const std::vector<float> roughnesses = roughnesses_of(materials);
   if (!roughnesses.empty()) {
-    const auto environments = rough_environments_for(settings.environment, roughnesses);
-    if (!environments) return environments.error();
-    picture.rough_environments = *environments;
+    RELIEF_TRY_ASSIGN(const auto environments,
+                      rough_environments_for(settings.environment, roughnesses));
+    picture.rough_environments = environments;
   }
   std::vector<shared::MaterialInfo> infos;
   infos.reserve(kMaxMaterials);
@@ -111,16 +105,15 @@ Status GlModel::add_materials(const RenderSettings& settings, GlPicture& picture
 View GlModel::view_of(const RenderSettings& settings) const {
   View view = make_view(settings.camera, settings.width, settings.height, depth_needs_);
   view.pixels_per_sample = pixels_per_sample_of(settings);
-  view.far_diameter = draws_from_afar(settings) ? kFarDiameter : 0.0;
-  view.sides = sides_of(settings);
+  view.proxy_diameter = draws_from_afar(settings) ? kProxyDiameter : 0.0;
+  view.cull = cull_mode_of(settings);
   return view;
 }
 
 Result<RenderResult> GlModel::draw(const GlDrawing& drawing, const RenderSettings& settings) const {
   auto result = draw_picture(gl(), drawing, settings);
   if (!result) return result;
-  const Status good = opengl_->status();
-  if (!good) return good.error();
+  RELIEF_TRY(opengl_->status());
   return result;
 }
 
@@ -129,11 +122,9 @@ Result<const Texture*> GlModel::environment_for(const std::filesystem::path& pat
   auto found = environments_.find({path, roughness});
   if (found == environments_.end()) {
     EnvironmentCache cubes;
-    const Result<const CubeMap*> cube = cubes.get(path, roughness);
-    if (!cube) return cube.error();
-    Result<Texture> made = upload_environment(gl(), **cube);
-    if (!made) return made.error();
-    found = environments_.emplace(std::pair(path, roughness), std::move(*made)).first;
+    RELIEF_TRY_ASSIGN(const CubeMap* cube, cubes.get(path, roughness));
+    RELIEF_TRY_ASSIGN(Texture made, upload_environment(gl(), *cube));
+    found = environments_.emplace(std::pair(path, roughness), std::move(made)).first;
   }
   return &found->second;
 }
@@ -142,25 +133,22 @@ Result<const Texture*> GlModel::rough_environments_for(const std::filesystem::pa
                                                        const std::vector<float>& roughnesses) {
   auto found = rough_environments_.find({path, roughnesses});
   if (found == rough_environments_.end()) {
-    const Result<CubeMap> smooth = load_environment(path);
-    if (!smooth) return smooth.error();
+    RELIEF_TRY_ASSIGN(const CubeMap smooth, load_environment(path));
     std::uint32_t size = 1;
-    for (const float roughness : roughnesses) size = std::max(size, rough_size(*smooth, roughness));
+    for (const float roughness : roughnesses) size = std::max(size, rough_size(smooth, roughness));
     std::vector<CubeMap> cubes;
     cubes.reserve(roughnesses.size());
-    for (const float roughness : roughnesses) cubes.push_back(prefilter(*smooth, roughness, size));
-    Result<Texture> made = upload_environments(gl(), cubes);
-    if (!made) return made.error();
-    found = rough_environments_.emplace(std::pair(path, roughnesses), std::move(*made)).first;
+    for (const float roughness : roughnesses) cubes.push_back(prefilter(smooth, roughness, size));
+    RELIEF_TRY_ASSIGN(Texture made, upload_environments(gl(), cubes));
+    found = rough_environments_.emplace(std::pair(path, roughnesses), std::move(made)).first;
   }
   return &found->second;
 }
 
 Result<const Resolve*> GlModel::resolve() {
   if (!resolve_) {
-    Result<Resolve> made = Resolve::create(gl());
-    if (!made) return made.error();
-    resolve_ = std::move(*made);
+    RELIEF_TRY_ASSIGN(Resolve made, Resolve::create(gl()));
+    resolve_ = std::move(made);
   }
   return &*resolve_;
 }
@@ -169,9 +157,9 @@ Result<const Backdrop*> GlModel::backdrop(const RenderSettings& settings) {
   const bool orthographic = settings.camera.is_orthographic();
   auto found = backdrops_.find(orthographic);
   if (found == backdrops_.end()) {
-    Result<Backdrop> made = Backdrop::create(gl(), orthographic ? RELIEF_FEATURE_ORTHOGRAPHIC : 0U);
-    if (!made) return made.error();
-    found = backdrops_.emplace(orthographic, std::move(*made)).first;
+    RELIEF_TRY_ASSIGN(Backdrop made,
+                      Backdrop::create(gl(), orthographic ? RELIEF_FEATURE_ORTHOGRAPHIC : 0U));
+    found = backdrops_.emplace(orthographic, std::move(made)).first;
   }
   return &found->second;
 }

@@ -24,7 +24,7 @@ std::vector<Raster> parts_of(std::uint32_t width, std::uint32_t height, std::uin
   assert(width > 0 && height > 0 && side > 0 && largest >= side && "a pixel fits into a target");
   // Whole rows as long as they fit: what is drawn twice is patches that two parts show.
   const std::uint64_t most_pixels =
-      std::max<std::uint64_t>(1, kMostPartSamples / (std::uint64_t{side} * side));
+      std::max<std::uint64_t>(1, kMaxPartSamples / (std::uint64_t{side} * side));
   const std::uint64_t most_side = largest / side;
   const std::uint64_t columns = ceil_of(width, std::min(most_side, most_pixels));
   const std::uint64_t part_width = ceil_of(width, columns);

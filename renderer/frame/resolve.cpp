@@ -12,16 +12,14 @@ Result<ResolvedColour> make_resolved(const Gl& gl, std::uint32_t width, std::uin
   Texture colour = make_attachment(gl, "resolved colour", GL_RGBA16F, width, height);
   Framebuffer framebuffer =
       make_framebuffer(gl, "resolved", nullptr, {{RELIEF_OUT_COLOUR, &colour}});
-  const Status good = check_errors(gl, "the picture");
-  if (!good) return good.error();
+  RELIEF_TRY(check_errors(gl, "the picture"));
   return ResolvedColour{std::move(framebuffer), std::move(colour)};
 }
 
 Result<Resolve> Resolve::create(const Gl& gl) {
-  Result<Program> program =
-      make_program(gl, "resolve", "environment/screen.vert", "resolve/mean.frag", 0);
-  if (!program) return program.error();
-  return Resolve(gl, std::move(*program), VertexArray(gl, "no attributes"));
+  RELIEF_TRY_ASSIGN(Program program,
+                    make_program(gl, "resolve", "environment/screen.vert", "resolve/mean.frag", 0));
+  return Resolve(gl, std::move(program), VertexArray(gl, "no attributes"));
 }
 
 void Resolve::draw(PassTimer& timer, const Texture& samples, const Raster& part,

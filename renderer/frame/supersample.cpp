@@ -43,26 +43,21 @@ Result<RenderResult> render_supersampled(GlPreparedModel& model, const RenderSet
   std::optional<RenderResult> all;
   const Outputs& outputs = settings.outputs;
   if (outputs.normal || outputs.depth || outputs.uv || outputs.patch_id) {
-    auto middles = model.render_once(settings);
-    if (!middles) return middles.error();
-    all = std::move(*middles);
+    RELIEF_TRY_ASSIGN(auto middles, model.render_once(settings));
+    all = std::move(middles);
   }
   RenderSettings coloured = settings;
   coloured.outputs = {};
-  const auto resolve = model.model().resolve();
-  if (!resolve) return resolve.error();
-  const auto resolved = make_resolved(gl, settings.width, settings.height);
-  if (!resolved) return resolved.error();
+  RELIEF_TRY_ASSIGN(const auto resolve, model.model().resolve());
+  RELIEF_TRY_ASSIGN(const auto resolved, make_resolved(gl, settings.width, settings.height));
   for (const Raster& part : parts_of(settings.width, settings.height,
                                      samples_a_side(settings.samples), largest_target(gl))) {
-    auto drawing = model.make_drawing(coloured, part);
-    if (!drawing) return drawing.error();
-    drawing->picture.resolve = {*resolve, &*resolved, part};
-    auto drawn = model.model().draw(*drawing, coloured);
-    if (!drawn) return drawn.error();
-    add_part(std::move(*drawn), all);
+    RELIEF_TRY_ASSIGN(auto drawing, model.make_drawing(coloured, part));
+    drawing.picture.resolve = {resolve, &resolved, part};
+    RELIEF_TRY_ASSIGN(auto drawn, model.model().draw(drawing, coloured));
+    add_part(std::move(drawn), all);
   }
-  Image colours = read_colour(gl, resolved->colour, settings.width, settings.height);
+  Image colours = read_colour(gl, resolved.colour, settings.width, settings.height);
   if (all->image.channels.empty()) {
     all->image = std::move(colours);
   } else {

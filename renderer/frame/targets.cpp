@@ -80,8 +80,7 @@ Result<Targets> make_targets(const Gl& gl, std::uint32_t width, std::uint32_t he
                                               {RELIEF_OUT_DEPTH, address(depth)},
                                               {RELIEF_OUT_UV, address(uv)},
                                               {RELIEF_OUT_PATCH, address(patch_id)}});
-  const Status made = check_errors(gl, "the picture");
-  if (!made) return made.error();
+  RELIEF_TRY(check_errors(gl, "the picture"));
   if (gl.CheckNamedFramebufferStatus(framebuffer.id(), GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     return make_error("this OpenGL can't draw a picture of {}x{} pixels with these outputs", width,
                       height);

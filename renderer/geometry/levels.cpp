@@ -117,7 +117,7 @@ PatchExtent extent_of(const Patch& patch) {
   extent.centre = patch.origin + patch.axes * (0.5 * (low + high));
   extent.radius = 0.5 * glm::length(high - low);
   const std::uint32_t side = std::max(patch.width, patch.height) - 1;
-  while (extent.levels < kMostLevels && side >> extent.levels > 0) ++extent.levels;
+  while (extent.levels < kMaxLevels && side >> extent.levels > 0) ++extent.levels;
   return extent;
 }
 
@@ -141,7 +141,7 @@ std::vector<std::uint32_t> levels_in(std::span<const View> views, const PatchExt
 }
 
 PatchLevel coarsen(const Patch& patch, std::uint32_t level) {
-  assert(level > 0 && level < kMostLevels && patch.width > 0 && patch.height > 0 &&
+  assert(level > 0 && level < kMaxLevels && patch.width > 0 && patch.height > 0 &&
          "a coarser level of samples");
   const std::uint32_t stride = 1U << level;
   PatchLevel made;

@@ -12,7 +12,7 @@
 namespace relief {
 
 /// Level l has every 2^l-th node of a patch along each side; level 0 is the patch itself.
-inline constexpr std::uint32_t kMostLevels = 8;
+inline constexpr std::uint32_t kMaxLevels = 8;
 
 /// What choosing a level needs to know of a patch. World frame, in double precision.
 struct PatchExtent {

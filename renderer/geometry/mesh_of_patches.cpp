@@ -160,9 +160,9 @@ Result<TriangleMesh> mesh_of_patches(const PatchModel& model) {
 std::vector<MeshBody> bodies_of(const PatchModel& model) {
   std::vector<MeshBody> bodies;
   std::uint32_t vertices = 0;
-  for (const Placement& placement : model.placements) {
-    const auto run = std::span(model.patches).subspan(placement.first, placement.count);
-    bodies.push_back({vertices, 2.0 * placement.transform.scale * sphere_about(run).radius});
+  for (const Instance& instance : model.instances) {
+    const auto run = std::span(model.patches).subspan(instance.first, instance.count);
+    bodies.push_back({vertices, 2.0 * instance.transform.scale * sphere_about(run).radius});
     for (const Patch& patch : run) vertices += static_cast<std::uint32_t>(count_samples(patch));
   }
   return bodies;

@@ -21,7 +21,7 @@ namespace relief {
 /// reach half a cell beyond the border. Fails if there are more samples than 32 bits count.
 Result<TriangleMesh> mesh_of_patches(const PatchModel& model);
 
-/// TriangleMesh::bodies of a model with placements, once these are baked.
+/// TriangleMesh::bodies of a model with instances, once these are baked.
 [[nodiscard]] std::vector<MeshBody> bodies_of(const PatchModel& model);
 
 }  // namespace relief

@@ -8,7 +8,7 @@ namespace relief {
 namespace {
 
 /// Where the model has no finer ones, vertices may be this many times as far apart.
-constexpr double kMostFarPixels = 2.0;
+constexpr double kMaxProxyPixels = 2.0;
 /// The coarsest level has this many cubes across.
 constexpr double kFewestAcross = 3.0;
 
@@ -30,35 +30,35 @@ Sphere sphere_about(std::span<const Patch> patches) {
   return sphere;
 }
 
-std::vector<double> far_spacings(const Sphere& model, double spacing) {
+std::vector<double> proxy_spacings(const Sphere& model, double spacing) {
   const double diameter = 2.0 * model.radius;
   std::vector<double> spacings;
-  for (double s = 2.0 / kFarDiameter * diameter; s * kFewestAcross < diameter;
+  for (double s = 2.0 / kProxyDiameter * diameter; s * kFewestAcross < diameter;
        s *= std::sqrt(2.0)) {
     if (s >= 2.0 * spacing) spacings.push_back(s);
   }
   return spacings;
 }
 
-FarModel moved(const Transform& transform, const FarModel& model) {
-  FarModel placed{{moved(transform, model.sphere.centre), transform.scale * model.sphere.radius},
-                  model.pixels,
-                  model.spacings};
+Proxy moved(const Transform& transform, const Proxy& model) {
+  Proxy placed{{moved(transform, model.sphere.centre), transform.scale * model.sphere.radius},
+               model.pixels,
+               model.spacings};
   for (double& spacing : placed.spacings) spacing *= transform.scale;
   return placed;
 }
 
-bool is_far(const View& view, const FarModel& model) {
+bool is_proxy(const View& view, const Proxy& model) {
   if (model.spacings.empty()) return false;
   const double pixel = nearest_pixel(view, model.sphere);
-  // Where a pixel has several samples, View::far_diameter counts these.
-  const double samples = view.far_diameter / kFarDiameter;
-  const double most_pixels = 0.5 * model.pixels * kFarDiameter;
+  // Where a pixel has several samples, View::proxy_diameter counts these.
+  const double samples = view.proxy_diameter / kProxyDiameter;
+  const double most_pixels = 0.5 * model.pixels * kProxyDiameter;
   return 2.0 * model.sphere.radius < samples * most_pixels * pixel &&
-         model.spacings.front() <= samples * kMostFarPixels * model.pixels * pixel;
+         model.spacings.front() <= samples * kMaxProxyPixels * model.pixels * pixel;
 }
 
-std::size_t choose_far_level(const View& view, const FarModel& model) {
+std::size_t choose_proxy_level(const View& view, const Proxy& model) {
   const double most = model.pixels * nearest_pixel(view, model.sphere);
   std::size_t level = 0;
   while (level + 1 < model.spacings.size() && model.spacings[level + 1] <= most) ++level;

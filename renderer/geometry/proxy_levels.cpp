@@ -41,7 +41,7 @@ struct CubeHash {
 /// Samples that become one vertex: their sums, places from the middle of the model, and how far
 /// from the middle of their cube the one is whose place the vertex has.
 struct Cluster {
-  FarVertex sum;
+  ProxyVertex sum;
   glm::dmat3 normals{0.0};  ///< n n^T
   glm::dvec3 offsets{0.0};  ///< (n . p) n
   double count = 0.0;
@@ -188,12 +188,12 @@ void add_cells(const Patch& patch, const std::vector<std::uint32_t>& clusters,
   }
 }
 
-FarLevel make_level(double spacing, glm::dvec3 middle, const CubeGrid& grid,
-                    const std::vector<Triangle>& triangles) {
-  FarLevel level{spacing, {}, triangles};
+ProxyLevel make_level(double spacing, glm::dvec3 middle, const CubeGrid& grid,
+                      const std::vector<Triangle>& triangles) {
+  ProxyLevel level{spacing, {}, triangles};
   level.vertices.reserve(grid.clusters().size());
   for (const Cluster& cluster : grid.clusters()) {
-    FarVertex vertex = cluster.sum;
+    ProxyVertex vertex = cluster.sum;
     vertex.position = middle + place_of(cluster, spacing);
     vertex.normal /= static_cast<float>(cluster.count);
     vertex.colour /= static_cast<float>(cluster.count);
@@ -204,8 +204,8 @@ FarLevel make_level(double spacing, glm::dvec3 middle, const CubeGrid& grid,
 
 }  // namespace
 
-std::vector<FarLevel> make_far_levels(std::span<const Patch> patches, const FarModel& model) {
-  std::vector<FarLevel> levels;
+std::vector<ProxyLevel> make_proxy_levels(std::span<const Patch> patches, const Proxy& model) {
+  std::vector<ProxyLevel> levels;
   if (model.spacings.empty()) return levels;
   const glm::dvec3 middle = model.sphere.centre;
   const std::span<const double> spacings(model.spacings);

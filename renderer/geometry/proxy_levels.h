@@ -1,4 +1,4 @@
-// Coarse meshes of patches, for models seen from afar (far_model.h).
+// Coarse meshes of patches, for models seen from afar (proxy.h).
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 namespace relief {
 
 /// The mean of some samples that are near each other and face the same way. Model frame.
-struct FarVertex {
+struct ProxyVertex {
   glm::dvec3 position{0.0};
   glm::vec3 normal{0.0F};   ///< the mean of unit vectors: shorter the more they differ
   glm::vec3 colour{0.0F};   ///< linear
@@ -23,19 +23,19 @@ struct FarVertex {
 };
 
 /// A model as a mesh whose vertices are about `spacing` apart.
-struct FarLevel {
+struct ProxyLevel {
   double spacing = 0.0;
-  std::vector<FarVertex> vertices;
+  std::vector<ProxyVertex> vertices;
   std::vector<Triangle> triangles;  ///< counter-clockwise seen from the normals' tips
 };
 
-/// Makes the levels (FarModel::spacings) of a run of patches, in its frame, by vertex clustering
+/// Makes the levels (Proxy::spacings) of a run of patches, in its frame, by vertex clustering
 /// (Rossignac and Borrel 1993, "Multi-resolution 3D approximations for rendering complex scenes"):
 /// samples in one cube of a grid become one vertex, and what is left of the cells' triangles joins
 /// these. Samples in a cube whose normals point to different sides stay apart: a thin sheet keeps
 /// both of its sides. Neighbouring patches overlap, so that their samples share cubes and their
 /// meshes close.
-[[nodiscard]] std::vector<FarLevel> make_far_levels(std::span<const Patch> patches,
-                                                    const FarModel& model);
+[[nodiscard]] std::vector<ProxyLevel> make_proxy_levels(std::span<const Patch> patches,
+                                                        const Proxy& model);
 
 }  // namespace relief

@@ -69,7 +69,7 @@ PatchSamples make_samples(const Patch& patch) {
           {i | (j << shared::kRowShift) | (is_border(heights, k) ? shared::kBorderBit : 0U),
            static_cast<std::uint32_t>(heights[k]) | (std::uint32_t{slope.x} << 16U) |
                (std::uint32_t{slope.y} << 24U),
-           pack_bytes(reaches[k].reach + shared::kLeastMargin, shared::kReachStep),
+           pack_bytes(reaches[k].reach + shared::kMinMargin, shared::kReachStep),
            pack_bytes(reaches[k].gap - 0.5F * shared::kGapStep, shared::kGapStep)});
       samples.widest_disc = std::max(
           samples.widest_disc, largest_radius(glm::dvec2(slopes.at(k)), samples.records.back()));

@@ -19,7 +19,7 @@ constexpr float kLargestFixedMargin = 0.5F;
 
 // Planes that part by less than this where neighbours are half-way, in cells, need no other place:
 // the spike would be as small, and a place found from smaller steps would be that of the noise.
-constexpr float kLeastStep = 0.1F;
+constexpr float kMinStep = 0.1F;
 
 /// Where the planes of two neighbours meet, from the first (0) to the second (1), and by how much
 /// they part there, in cells.
@@ -73,10 +73,10 @@ class ReachFinder {
     const float lead = rise - second;
     const float half_way = 0.5F * turn - lead;
     float place = 0.5F;
-    if (std::abs(half_way) > kLeastStep && turn != 0.0F) {
+    if (std::abs(half_way) > kMinStep && turn != 0.0F) {
       // The place nearest to the middle where they part by no more, if there is one between the
       // two.
-      const float meeting = (std::copysign(kLeastStep, half_way) + lead) / turn;
+      const float meeting = (std::copysign(kMinStep, half_way) + lead) / turn;
       if (meeting >= 0.0F && meeting <= 1.0F) place = meeting;
     }
     return {place, std::abs(turn * place - lead), true};

@@ -27,18 +27,17 @@ struct Egl {
 };
 
 Result<Egl> load_egl() {
-  const auto library = Library::open("libEGL.so.1");
-  if (!library) return library.error();
+  RELIEF_TRY_ASSIGN(const auto library, Library::open("libEGL.so.1"));
   Egl egl;
-  library->find("eglGetProcAddress", egl.get_proc_address);
-  library->find("eglQueryString", egl.query_string);
-  library->find("eglGetError", egl.get_error);
-  library->find("eglInitialize", egl.initialize);
-  library->find("eglBindAPI", egl.bind_api);
-  library->find("eglChooseConfig", egl.choose_config);
-  library->find("eglCreateContext", egl.create_context);
-  library->find("eglDestroyContext", egl.destroy_context);
-  library->find("eglMakeCurrent", egl.make_current);
+  library.find("eglGetProcAddress", egl.get_proc_address);
+  library.find("eglQueryString", egl.query_string);
+  library.find("eglGetError", egl.get_error);
+  library.find("eglInitialize", egl.initialize);
+  library.find("eglBindAPI", egl.bind_api);
+  library.find("eglChooseConfig", egl.choose_config);
+  library.find("eglCreateContext", egl.create_context);
+  library.find("eglDestroyContext", egl.destroy_context);
+  library.find("eglMakeCurrent", egl.make_current);
   if (egl.get_proc_address == nullptr || egl.query_string == nullptr || egl.get_error == nullptr ||
       egl.initialize == nullptr || egl.bind_api == nullptr || egl.choose_config == nullptr ||
       egl.create_context == nullptr || egl.destroy_context == nullptr ||

@@ -74,11 +74,9 @@ std::string resolve_shader(std::string_view path, std::uint32_t features) {
 Result<Program> make_program(const Gl& gl, std::string_view label, std::string_view vertex_path,
                              std::string_view fragment_path, std::uint32_t features) {
   const Shader vertex(gl, GL_VERTEX_SHADER);
-  const Status vertex_status = compile(gl, vertex, vertex_path, features);
-  if (!vertex_status) return vertex_status.error();
+  RELIEF_TRY(compile(gl, vertex, vertex_path, features));
   const Shader fragment(gl, GL_FRAGMENT_SHADER);
-  const Status fragment_status = compile(gl, fragment, fragment_path, features);
-  if (!fragment_status) return fragment_status.error();
+  RELIEF_TRY(compile(gl, fragment, fragment_path, features));
 
   Program program(gl, label);
   gl.AttachShader(program.id(), vertex.id());

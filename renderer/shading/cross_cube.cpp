@@ -18,7 +18,7 @@ constexpr std::array<CrossPlace, 6> kHighCross{
     {{2, 1, false}, {0, 1, false}, {1, 0, true}, {1, 2, true}, {1, 3, true}, {1, 1, false}}};
 
 /// Which of six pictures a face of a cube is: ahead, the fifth, is toward -Z.
-constexpr std::array<std::size_t, 6> kPictureOfFace{0, 1, 2, 3, 5, 4};
+constexpr std::array<std::size_t, 6> kImageOfFace{0, 1, 2, 3, 5, 4};
 
 /// A face from a picture as it is seen from within, which is `texel(column, row)`: OpenGL's faces
 /// are seen from outside, which mirrors them.
@@ -61,7 +61,7 @@ CubeMap join_faces(const std::array<std::vector<glm::vec3>, 6>& faces, std::size
   CubeMap cube;
   cube.size = static_cast<std::uint32_t>(size);
   for (std::size_t face = 0; face < 6; ++face) {
-    const std::vector<glm::vec3>& picture = faces[kPictureOfFace[face]];
+    const std::vector<glm::vec3>& picture = faces[kImageOfFace[face]];
     cube.faces[face] =
         mirrored(size, kWideCross[face].turned,
                  [&](std::size_t column, std::size_t row) { return picture[row * size + column]; });

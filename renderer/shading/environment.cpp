@@ -36,8 +36,7 @@ Result<Texture> upload_cubes(const Gl& gl, const char* label, GLenum target,
   gl.GenerateTextureMipmap(texture.id());
   gl.TextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   gl.TextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  const Status made = check_errors(gl, "the environment");
-  if (!made) return made.error();
+  RELIEF_TRY(check_errors(gl, "the environment"));
   return texture;
 }
 
@@ -55,10 +54,9 @@ Result<Texture> upload_environments(const Gl& gl, const std::vector<CubeMap>& cu
 }
 
 Result<Backdrop> Backdrop::create(const Gl& gl, std::uint32_t features) {
-  Result<Program> program = make_program(gl, "backdrop", "environment/screen.vert",
-                                         "environment/backdrop.frag", features);
-  if (!program) return program.error();
-  return Backdrop(gl, std::move(*program), VertexArray(gl, "no attributes"));
+  RELIEF_TRY_ASSIGN(Program program, make_program(gl, "backdrop", "environment/screen.vert",
+                                                  "environment/backdrop.frag", features));
+  return Backdrop(gl, std::move(program), VertexArray(gl, "no attributes"));
 }
 
 void Backdrop::draw(PassTimer& timer, const Texture& environment) const {

@@ -18,16 +18,15 @@ class EnvironmentCache {
   Result<const CubeMap*> get(const std::filesystem::path& path, float roughness = 0.0F) {
     const auto found = cubes_.find({path, roughness});
     if (found != cubes_.end()) return &found->second;
-    Result<CubeMap> made = roughness > 0.0F ? make_rough(path, roughness) : load_environment(path);
-    if (!made) return made.error();
-    return &cubes_.emplace(std::pair(path, roughness), std::move(*made)).first->second;
+    RELIEF_TRY_ASSIGN(CubeMap made,
+                      roughness > 0.0F ? make_rough(path, roughness) : load_environment(path));
+    return &cubes_.emplace(std::pair(path, roughness), std::move(made)).first->second;
   }
 
  private:
   Result<CubeMap> make_rough(const std::filesystem::path& path, float roughness) {
-    const Result<const CubeMap*> smooth = get(path);
-    if (!smooth) return smooth.error();
-    return prefilter(**smooth, roughness, rough_size(**smooth, roughness));
+    RELIEF_TRY_ASSIGN(const CubeMap* smooth, get(path));
+    return prefilter(*smooth, roughness, rough_size(*smooth, roughness));
   }
 
   std::map<std::pair<std::filesystem::path, float>, CubeMap> cubes_;

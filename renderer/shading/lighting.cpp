@@ -22,7 +22,7 @@ const std::array<CameraLight, 3> kCameraLights{
     CameraLight{{0.9, 0.1, 0.6}, {0.24F, 0.26F, 0.30F}},
     CameraLight{{0.1, 0.8, -0.6}, {0.35F, 0.35F, 0.38F}}};
 
-static_assert(kMaxLights == shared::kMostLights && kMaxLight == shared::kBrightestLight);
+static_assert(kMaxLights == shared::kMaxLights && kMaxLight == shared::kBrightestLight);
 
 void set_camera_lights(shared::Frame& frame, const View& view) {
   const glm::dmat3 to_world = glm::transpose(view.rotation);

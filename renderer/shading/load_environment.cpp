@@ -119,21 +119,19 @@ Result<CubeMap> load_faces(const std::vector<std::filesystem::path>& files) {
   std::array<std::vector<glm::vec3>, 6> faces;
   std::uint32_t size = 0;
   for (std::size_t k = 0; k < faces.size(); ++k) {
-    const auto image = read_image(files[k]);
-    if (!image) return image.error();
-    if (image->width != image->height) {
+    RELIEF_TRY_ASSIGN(const auto image, read_image(files[k]));
+    if (image.width != image.height) {
       return make_error("{}: its {}x{} pixels are not square, as the face of a cube must be",
-                        files[k].string(), image->width, image->height);
+                        files[k].string(), image.width, image.height);
     }
-    if (k > 0 && image->width != size) {
+    if (k > 0 && image.width != size) {
       return make_error("{}: its {}x{} pixels are not the {}x{} of {}; all six faces have one size",
-                        files[k].string(), image->width, image->height, size, size,
+                        files[k].string(), image.width, image.height, size, size,
                         files.front().string());
     }
-    size = image->width;
-    auto texels = colour_of(*image, files[k]);
-    if (!texels) return texels.error();
-    faces[k] = std::move(*texels);
+    size = image.width;
+    RELIEF_TRY_ASSIGN(auto texels, colour_of(image, files[k]));
+    faces[k] = std::move(texels);
   }
   return fit(join_faces(faces, size));
 }
@@ -142,18 +140,14 @@ Result<CubeMap> load_faces(const std::vector<std::filesystem::path>& files) {
 
 Result<CubeMap> load_environment(const std::filesystem::path& path) {
   if (path.empty()) return make_grid_cube();
-  const auto files = environment_files(path);
-  if (!files) return files.error();
-  if (files->size() > 1) return load_faces(*files);
-  const auto image = read_image(path);
-  if (!image) return image.error();
-  auto texels = colour_of(*image, path);
-  if (!texels) return texels.error();
-  if (is_cross(image->width, image->height))
-    return fit(cut_cross(*texels, image->width, image->height));
-  const Panorama panorama{image->width, image->height, std::move(*texels)};
+  RELIEF_TRY_ASSIGN(const auto files, environment_files(path));
+  if (files.size() > 1) return load_faces(files);
+  RELIEF_TRY_ASSIGN(const auto image, read_image(path));
+  RELIEF_TRY_ASSIGN(auto texels, colour_of(image, path));
+  if (is_cross(image.width, image.height)) return fit(cut_cross(texels, image.width, image.height));
+  const Panorama panorama{image.width, image.height, std::move(texels)};
   // A face spans 90 of the picture's 180 degrees of height.
-  return resample(image->height / 2, [&panorama](glm::dvec3 d) { return panorama.look_up(d); });
+  return resample(image.height / 2, [&panorama](glm::dvec3 d) { return panorama.look_up(d); });
 }
 
 }  // namespace relief

@@ -6,7 +6,7 @@
 namespace relief {
 namespace {
 
-static_assert(kMaxMaterials == shared::kMostMaterials);
+static_assert(kMaxMaterials == shared::kMaxMaterials);
 static_assert(static_cast<int>(Material::Unlit) == shared::kUnlit &&
               static_cast<int>(Material::Lit) == shared::kLit &&
               static_cast<int>(Material::Mirror) == shared::kMirror &&

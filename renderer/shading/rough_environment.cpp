@@ -15,13 +15,13 @@
 namespace relief {
 namespace {
 
-constexpr std::uint32_t kSmallestFace = 32;
+constexpr std::uint32_t kSmallestRoughFace = 32;
 /// More texels would take more than 4 seconds of one core; 256 take one, 32 a tenth.
-constexpr std::uint32_t kLargestFace = 512;
+constexpr std::uint32_t kLargestRoughFace = 512;
 /// Directions for each texel: many where there are few texels. Few are looked up in coarser copies,
 /// which blurs: 128 flatten a gradient at roughness 1 by 3.6 %, 1024 by 0.3 %.
 constexpr std::uint32_t kFewestSamples = 128;
-constexpr std::uint32_t kMostSamples = 1024;
+constexpr std::uint32_t kMaxSamples = 1024;
 constexpr std::uint32_t kLookups = 1U << 23U;
 
 /// A direction about the normal +Z, and what is looked up there.
@@ -120,7 +120,7 @@ double radical_inverse(std::uint32_t k) {
 std::vector<Sample> make_samples(double roughness, const CubeMap& environment, std::size_t levels) {
   const std::uint32_t needed = rough_size(environment, roughness);
   const std::uint32_t count =
-      std::clamp(kLookups / (6 * needed * needed), kFewestSamples, kMostSamples);
+      std::clamp(kLookups / (6 * needed * needed), kFewestSamples, kMaxSamples);
   const double size = environment.size;
   const double pi = glm::pi<double>();
   const double squared = std::pow(roughness, 4.0);  // alpha^2
@@ -152,8 +152,8 @@ std::vector<Sample> make_samples(double roughness, const CubeMap& environment, s
 std::uint32_t rough_size(const CubeMap& environment, double roughness) {
   // GGX is at half its height at tan = 0.644 alpha, which reflection doubles; a texel is 2 / size.
   const double wanted = 2.0 * 2.0 / (1.29 * roughness * roughness);
-  const double most = std::min(environment.size, kLargestFace);
-  const double size = std::clamp(wanted, std::min(double{kSmallestFace}, most), most);
+  const double most = std::min(environment.size, kLargestRoughFace);
+  const double size = std::clamp(wanted, std::min(double{kSmallestRoughFace}, most), most);
   return std::bit_ceil(static_cast<std::uint32_t>(size));
 }
 

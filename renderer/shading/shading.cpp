@@ -26,9 +26,9 @@ Result<Lighting> make_lighting(const RenderSettings& settings, const View& view,
   for (const MaterialSettings& material : materials_of(settings)) {
     lighting.materials.push_back({material, nullptr});
     if (material.kind == Material::Unlit || material.kind == Material::Lit) continue;
-    const auto cube = environments.get(settings.environment, roughness_of(material));
-    if (!cube) return cube.error();
-    lighting.materials.back().cube = *cube;
+    RELIEF_TRY_ASSIGN(const auto cube,
+                      environments.get(settings.environment, roughness_of(material)));
+    lighting.materials.back().cube = cube;
   }
   return lighting;
 }

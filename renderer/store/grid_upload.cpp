@@ -71,15 +71,14 @@ Result<std::size_t> GridUpload::get(std::size_t patch, std::uint32_t level) {
   grid.nodes = level > 0 ? &coarser_.back().grid : &whole;
   grid.shape = make_samples(*grid.nodes);
   if (needs_.splats) {
-    const Result<RecordRun> added = pages_.add(grid.shape.records);
-    if (!added) return added.error();
-    grid.records = *added;
+    RELIEF_TRY_ASSIGN(const RecordRun added, pages_.add(grid.shape.records));
+    grid.records = added;
   }
   if (needs_.cells) {
-    Result<UploadedCells> added = cells_.add(level > 0 ? make_cells(coarser_.back(), grid.shape)
-                                                       : make_cells(whole, grid.shape));
-    if (!added) return added.error();
-    grid.cells = std::move(*added);
+    RELIEF_TRY_ASSIGN(UploadedCells added,
+                      cells_.add(level > 0 ? make_cells(coarser_.back(), grid.shape)
+                                           : make_cells(whole, grid.shape)));
+    grid.cells = std::move(added);
   }
   grid.shape.records = {};
   grid.info = info_of(whole, grid);
@@ -92,31 +91,27 @@ Result<GridMaps> GridUpload::make_maps() {
   if (needs_.heights) {
     PatchList nodes;
     for (const Grid& grid : grids_) nodes.push_back(grid.nodes);
-    Result<MapArray> maps = upload_heights(gl_, nodes);
-    if (!maps) return maps.error();
+    RELIEF_TRY_ASSIGN(MapArray maps, upload_heights(gl_, nodes));
     for (std::size_t k = 0; k < grids_.size(); ++k)
-      grids_[k].info.heights = place_of(maps->spots[k], 0);
-    made.heights = std::move(maps->texture);
+      grids_[k].info.heights = place_of(maps.spots[k], 0);
+    made.heights = std::move(maps.texture);
   }
   const WholePatches whole = whole_patches(model_, grids_);
   if (needs_.normals) {
-    Result<MapArray> maps = upload_normals(gl_, whole.patches);
-    if (!maps) return maps.error();
-    note_places(whole, maps->spots, &shared::PatchInfo::normals, normal_scale, grids_);
-    made.normals = std::move(maps->texture);
+    RELIEF_TRY_ASSIGN(MapArray maps, upload_normals(gl_, whole.patches));
+    note_places(whole, maps.spots, &shared::PatchInfo::normals, normal_scale, grids_);
+    made.normals = std::move(maps.texture);
   }
   if (needs_.colours) {
-    Result<MapArray> maps = upload_colours(gl_, whole.patches);
-    if (!maps) return maps.error();
-    note_places(whole, maps->spots, &shared::PatchInfo::colours, colour_scale, grids_);
-    made.colours = std::move(maps->texture);
+    RELIEF_TRY_ASSIGN(MapArray maps, upload_colours(gl_, whole.patches));
+    note_places(whole, maps.spots, &shared::PatchInfo::colours, colour_scale, grids_);
+    made.colours = std::move(maps.texture);
   }
   if (needs_.masks && !coarser_.empty()) {
-    Result<MapArray> maps = upload_masks(gl_, whole.patches);
-    if (!maps) return maps.error();
+    RELIEF_TRY_ASSIGN(MapArray maps, upload_masks(gl_, whole.patches));
     note_places(
-        whole, maps->spots, &shared::PatchInfo::masks, [](const Patch&) { return 1; }, grids_);
-    made.masks = std::move(maps->texture);
+        whole, maps.spots, &shared::PatchInfo::masks, [](const Patch&) { return 1; }, grids_);
+    made.masks = std::move(maps.texture);
   }
   return made;
 }

@@ -66,8 +66,7 @@ Result<MapArray> upload(const Gl& gl, const PatchList& patches, const Format& fo
                       static_cast<GLsizei>(atlas->size.x), static_cast<GLsizei>(atlas->size.y),
                       static_cast<GLsizei>(atlas->layers));
   set_filter(gl, id, format);
-  const Status made = check_errors(gl, format.label);
-  if (!made) return made.error();
+  RELIEF_TRY(check_errors(gl, format.label));
 
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   for (std::size_t p = 0; p < patches.size(); ++p) {

@@ -4,9 +4,9 @@ namespace relief {
 
 std::vector<std::uint32_t> levels_for(const PatchStore& store, const View& view) {
   std::vector<std::uint32_t> chosen;
-  for (const StoredPlacement& placement : store.placements) {
-    if (placement.is_far_in(view)) continue;
-    for (std::uint32_t l = placement.first; l < placement.first + placement.count; ++l) {
+  for (const StoredInstance& instance : store.instances) {
+    if (instance.is_proxy_in(view)) continue;
+    for (std::uint32_t l = instance.first; l < instance.first + instance.count; ++l) {
       const StoredLevels& kept = store.levels[l];
       const std::uint32_t level = choose_level(view, kept.extent);
       std::uint32_t best = kept.first;

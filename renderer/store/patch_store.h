@@ -39,8 +39,8 @@ struct StoreNeeds {
 /// What the CPU keeps of a level of a patch on the GPU. World frame, in double precision.
 struct StoredPatch {
   std::uint32_t level = 0;
-  std::uint8_t material = 0;    ///< as Patch::material
-  std::uint32_t placement = 0;  ///< in PatchStore::placements
+  std::uint8_t material = 0;   ///< as Patch::material
+  std::uint32_t instance = 0;  ///< in PatchStore::instances
   glm::dvec3 origin{0.0};
   glm::dmat3 axes{1.0};
   double spacing = 1.0;
@@ -58,32 +58,32 @@ struct StoredLevels {
   std::uint32_t count = 0;
 };
 
-/// A placement of the model; one without placements is a single one.
-struct StoredPlacement {
-  FarModel model;           ///< world
+/// A instance of the model; one without instances is a single one.
+struct StoredInstance {
+  Proxy model;              ///< world
   std::uint32_t first = 0;  ///< in PatchStore::levels
   std::uint32_t count = 0;  ///< 0 where every view draws it from afar
   /// What stands for it, if some view draws it from afar.
   struct Far {
-    std::uint32_t mesh = 0;    ///< in FarStore::meshes
+    std::uint32_t mesh = 0;    ///< in ProxyStore::meshes
     std::uint32_t patch = 0;   ///< what PatchStore::patches says of its frame
-    std::uint32_t number = 0;  ///< in FarStore::patches
+    std::uint32_t number = 0;  ///< in ProxyStore::patches
   };
   std::optional<Far> far;
   bool is_mirrored = false;  ///< fronts and backs change places
   std::optional<Body> body;  ///< if it is known to be closed and some view makes use of that
 
   /// Whether the view draws it from afar.
-  [[nodiscard]] bool is_far_in(const View& view) const {
-    return far && (count == 0 || is_far(view, model));
+  [[nodiscard]] bool is_proxy_in(const View& view) const {
+    return far && (count == 0 || is_proxy(view, model));
   }
 };
 
 /// The model on the GPU.
 struct PatchStore {
-  std::vector<StoredPlacement> placements;
+  std::vector<StoredInstance> instances;
   std::vector<StoredPatch> patches;  ///< each level that is kept of each placed patch
-  std::vector<StoredLevels> levels;  ///< of each placed patch, one placement after the other
+  std::vector<StoredLevels> levels;  ///< of each placed patch, one instance after the other
   std::vector<Table> pages;       ///< sample records; more than one only for a model that is larger
                                   ///< than what OpenGL lets a shader see of one buffer
   Table table;                    ///< shared::PatchInfo, parallel to `patches`
@@ -96,7 +96,7 @@ struct PatchStore {
   std::optional<Texture> colours;
   std::optional<Texture> masks;
   std::optional<CellStore> cells;
-  std::optional<FarStore> far;
+  std::optional<ProxyStore> far;
 };
 
 /// Uploads a model, of each patch the levels that the views choose; the patches themselves without
@@ -104,7 +104,7 @@ struct PatchStore {
 Result<PatchStore> upload_model(const Gl& gl, const PatchModel& model, const StoreNeeds& needs,
                                 std::span<const View> views = {});
 
-/// The level that the view chooses of each patch of the placements that it shows from near, as
+/// The level that the view chooses of each patch of the instances that it shows from near, as
 /// indices of `patches`. (The nearest one that is kept, for a view that the model was not uploaded
 /// for.)
 [[nodiscard]] std::vector<std::uint32_t> levels_for(const PatchStore& store, const View& view);

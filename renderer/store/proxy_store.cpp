@@ -28,14 +28,14 @@ std::uint32_t pack_normal(glm::vec3 normal) {
          (static_cast<std::uint32_t>(std::lround(spread * 63.0F)) << 26U);
 }
 
-shared::FarVertex pack(const FarVertex& vertex, const StoredFarMesh& mesh) {
+shared::ProxyVertex pack(const ProxyVertex& vertex, const StoredProxyMesh& mesh) {
   const glm::uvec3 p(
       glm::clamp(glm::round((vertex.position - mesh.origin) / mesh.unit), 0.0, kSteps));
   return {p.x | (p.y << 16U), p.z | (glm::uint32{glm::packHalf1x16(vertex.colour.r)} << 16U),
           glm::packHalf2x16({vertex.colour.g, vertex.colour.b}), pack_normal(vertex.normal)};
 }
 
-shared::FarSource source_of(const FarVertex& vertex) {
+shared::ProxySource source_of(const ProxyVertex& vertex) {
   const glm::uvec2 place(vertex.place);
   return {vertex.patch, place.x | (place.y << 16U)};
 }
@@ -54,14 +54,14 @@ VertexArray make_attributes(const Gl& gl, const Buffer& indices, const Buffer& p
 
 }  // namespace
 
-Result<std::uint32_t> FarUpload::add(std::span<const Patch> patches, const FarModel& model) {
+Result<std::uint32_t> ProxyUpload::add(std::span<const Patch> patches, const Proxy& model) {
   const Sphere& sphere = model.sphere;
-  StoredFarMesh mesh{sphere.centre - sphere.radius, 2.0 * sphere.radius / kSteps, {}};
-  for (const FarLevel& level : make_far_levels(patches, model)) {
+  StoredProxyMesh mesh{sphere.centre - sphere.radius, 2.0 * sphere.radius / kSteps, {}};
+  for (const ProxyLevel& level : make_proxy_levels(patches, model)) {
     mesh.levels.push_back({static_cast<std::uint32_t>(vertices_.size()),
                            static_cast<std::uint32_t>(indices_.size()),
                            static_cast<std::uint32_t>(3 * level.triangles.size())});
-    for (const FarVertex& vertex : level.vertices) {
+    for (const ProxyVertex& vertex : level.vertices) {
       vertices_.push_back(pack(vertex, mesh));
       sources_.push_back(source_of(vertex));
     }
@@ -78,25 +78,25 @@ Result<std::uint32_t> FarUpload::add(std::span<const Patch> patches, const FarMo
   return static_cast<std::uint32_t>(meshes_.size() - 1);
 }
 
-std::uint32_t FarUpload::place(std::uint32_t patch) {
+std::uint32_t ProxyUpload::place(std::uint32_t patch) {
   patches_.push_back(patch);
   return static_cast<std::uint32_t>(patches_.size() - 1);
 }
 
-FarStore FarUpload::take(bool with_sources) {
+ProxyStore ProxyUpload::take(bool with_sources) {
   Buffer indices = make_buffer(gl_, "far triangles", std::span<const std::uint32_t>(indices_));
-  Buffer patches = make_buffer(gl_, "far placements", std::span<const std::uint32_t>(patches_));
+  Buffer patches = make_buffer(gl_, "far instances", std::span<const std::uint32_t>(patches_));
   VertexArray attributes = make_attributes(gl_, indices, patches);
-  FarStore store{
+  ProxyStore store{
       std::move(meshes_),
-      make_table(gl_, "far vertices", GL_RGBA32UI, std::span<const shared::FarVertex>(vertices_)),
+      make_table(gl_, "far vertices", GL_RGBA32UI, std::span<const shared::ProxyVertex>(vertices_)),
       std::nullopt,
       std::move(indices),
       std::move(patches),
       std::move(attributes)};
   if (with_sources)
     store.sources =
-        make_table(gl_, "far sources", GL_RG32UI, std::span<const shared::FarSource>(sources_));
+        make_table(gl_, "far sources", GL_RG32UI, std::span<const shared::ProxySource>(sources_));
   return store;
 }
 

@@ -18,52 +18,53 @@
 namespace relief {
 
 /// A level of a mesh on the GPU.
-struct StoredFarLevel {
-  std::uint32_t first_vertex = 0;  ///< in FarStore::vertices
-  std::uint32_t first_index = 0;   ///< in FarStore::indices
+struct StoredProxyLevel {
+  std::uint32_t first_vertex = 0;  ///< in ProxyStore::vertices
+  std::uint32_t first_index = 0;   ///< in ProxyStore::indices
   std::uint32_t indices = 0;
 };
 
 /// A run of patches as meshes. They are in a frame of whole numbers: what is at p there is at
 /// origin + unit * p in the model's.
-struct StoredFarMesh {
+struct StoredProxyMesh {
   glm::dvec3 origin{0.0};
   double unit = 1.0;
-  std::vector<StoredFarLevel> levels;  ///< finest first
+  std::vector<StoredProxyLevel> levels;  ///< finest first
 };
 
-struct FarStore {
-  std::vector<StoredFarMesh> meshes;
-  Table vertices;                ///< shared::FarVertex
-  std::optional<Table> sources;  ///< shared::FarSource, where some picture tells patches or places
-  Buffer indices;                ///< 32 bits each, counted from the level's first vertex
-  Buffer patches;                ///< by placement: the per-instance attribute that names its frame
-  VertexArray attributes;        ///< these two
+struct ProxyStore {
+  std::vector<StoredProxyMesh> meshes;
+  Table vertices;  ///< shared::ProxyVertex
+  std::optional<Table>
+      sources;             ///< shared::ProxySource, where some picture tells patches or places
+  Buffer indices;          ///< 32 bits each, counted from the level's first vertex
+  Buffer patches;          ///< by instance: the per-instance attribute that names its frame
+  VertexArray attributes;  ///< these two
 };
 
-/// Collects the meshes of runs of patches and their placements, and uploads them.
-class FarUpload {
+/// Collects the meshes of runs of patches and their instances, and uploads them.
+class ProxyUpload {
  public:
-  explicit FarUpload(const Gl& gl) : gl_(gl) {}
+  explicit ProxyUpload(const Gl& gl) : gl_(gl) {}
 
   /// Adds the levels of a run; returns its number. Fails if OpenGL lets no shader see as many
   /// vertices.
-  Result<std::uint32_t> add(std::span<const Patch> patches, const FarModel& model);
+  Result<std::uint32_t> add(std::span<const Patch> patches, const Proxy& model);
 
-  /// Adds a placement whose frame is that patch of the store; returns its number.
+  /// Adds a instance whose frame is that patch of the store; returns its number.
   std::uint32_t place(std::uint32_t patch);
 
-  [[nodiscard]] const StoredFarMesh& mesh(std::uint32_t number) const { return meshes_[number]; }
+  [[nodiscard]] const StoredProxyMesh& mesh(std::uint32_t number) const { return meshes_[number]; }
   [[nodiscard]] bool empty() const { return meshes_.empty(); }
 
   /// Uploads all that was added.
-  FarStore take(bool with_sources);
+  ProxyStore take(bool with_sources);
 
  private:
   const Gl& gl_;
-  std::vector<StoredFarMesh> meshes_;
-  std::vector<shared::FarVertex> vertices_;
-  std::vector<shared::FarSource> sources_;
+  std::vector<StoredProxyMesh> meshes_;
+  std::vector<shared::ProxyVertex> vertices_;
+  std::vector<shared::ProxySource> sources_;
   std::vector<std::uint32_t> indices_;
   std::vector<std::uint32_t> patches_;
 };

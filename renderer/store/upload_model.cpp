@@ -16,16 +16,16 @@
 namespace relief {
 namespace {
 
-/// A model without placements is one placement that leaves it where it is.
-std::vector<Placement> placements_of(const PatchModel& model) {
-  if (!model.placements.empty()) return model.placements;
+/// A model without instances is one instance that leaves it where it is.
+std::vector<Instance> instances_of(const PatchModel& model) {
+  if (!model.instances.empty()) return model.instances;
   const std::uint8_t material = model.patches.empty() ? 0 : model.patches.front().material;
   return {{0, static_cast<std::uint32_t>(model.patches.size()), {}, material, model.is_closed}};
 }
 
 /// A mesh that stands for a model has one material.
 bool has_one_material(const PatchModel& model) {
-  return !model.placements.empty() ||
+  return !model.instances.empty() ||
          std::all_of(model.patches.begin(), model.patches.end(), [&model](const Patch& patch) {
            return patch.material == model.patches.front().material;
          });
@@ -36,9 +36,9 @@ PatchExtent moved(const Transform& transform, const PatchExtent& extent) {
           transform.scale * extent.spacing, extent.levels};
 }
 
-/// A run of patches as all of its placements have it.
+/// A run of patches as all of its instances have it.
 struct Run {
-  FarModel model;                     ///< model frame
+  Proxy model;                        ///< model frame
   std::optional<std::uint32_t> mesh;  ///< what stands for it, if some view draws it from afar
   std::optional<Bounds> box;          ///< box_about, once it is asked for
 };
@@ -55,66 +55,64 @@ Run run_of(std::span<const Patch> patches) {
   double coarsest = 0.0;
   for (const Patch& patch : patches) coarsest = std::max(coarsest, patch.spacing);
   run.model.sphere = sphere_about(patches);
-  run.model.pixels = has_fine_detail(patches) ? kFarPixelsOfMaps : kFarPixels;
-  run.model.spacings = far_spacings(run.model.sphere, coarsest);
+  run.model.pixels = has_fine_detail(patches) ? kProxyPixelsOfMaps : kProxyPixels;
+  run.model.spacings = proxy_spacings(run.model.sphere, coarsest);
   return run;
 }
 
-/// Uploads a model, one placement after the other.
+/// Uploads a model, one instance after the other.
 class ModelUpload {
  public:
   ModelUpload(const Gl& gl, const PatchModel& model, const StoreNeeds& needs,
               std::span<const View> views)
-      : gl_(gl), model_(model), needs_(needs), views_(views), grids_(gl, model, needs), far_(gl) {
+      : gl_(gl), model_(model), needs_(needs), views_(views), grids_(gl, model, needs), proxy_(gl) {
     extents_.reserve(model.patches.size());
     for (const Patch& patch : model.patches) extents_.push_back(extent_of(patch));
   }
 
-  Status add(const Placement& placement) {
-    Run& run = run_at(placement);
-    const Transform& where = placement.transform;
+  Status add(const Instance& instance) {
+    Run& run = run_at(instance);
+    const Transform& where = instance.transform;
     std::vector<View> near_views;
-    StoredPlacement stored{relief::moved(where, run.model),
-                           static_cast<std::uint32_t>(levels_.size()),
-                           0,
-                           std::nullopt,
-                           glm::determinant(where.rotation) < 0.0,
-                           std::nullopt};
-    if (placement.is_closed && make_use_of_bodies(views_))
-      stored.body = Body{box_of(placement, run), where};
+    StoredInstance stored{relief::moved(where, run.model),
+                          static_cast<std::uint32_t>(levels_.size()),
+                          0,
+                          std::nullopt,
+                          glm::determinant(where.rotation) < 0.0,
+                          std::nullopt};
+    if (instance.is_closed && make_use_of_bodies(views_))
+      stored.body = Body{box_of(instance, run), where};
     for (const View& view : views_) {
-      if (!is_far(view, stored.model)) near_views.push_back(view);
+      if (!is_proxy(view, stored.model)) near_views.push_back(view);
     }
     if (near_views.size() < views_.size()) {
-      const auto far = add_far(placement, run);
-      if (!far) return far.error();
-      stored.far = *far;
+      RELIEF_TRY_ASSIGN(const auto far, add_proxy(instance, run));
+      stored.far = far;
     }
     if (views_.empty() || !near_views.empty()) {
-      if (Status added = add_near(placement, near_views); !added) return added;
-      stored.count = placement.count;
+      RELIEF_TRY(add_near(instance, near_views));
+      stored.count = instance.count;
     }
     diameters_.resize(patches_.size(), 2.0F * static_cast<float>(stored.model.sphere.radius));
-    placements_.push_back(std::move(stored));
-    first_id_ += placement.count;
+    instances_.push_back(std::move(stored));
+    first_id_ += instance.count;
     return {};
   }
 
   Result<PatchStore> take() {
-    Result<GridMaps> maps = grids_.make_maps();
-    if (!maps) return maps.error();
+    RELIEF_TRY_ASSIGN(GridMaps maps, grids_.make_maps());
     Table table = make_patch_table();
-    PatchStore store{std::move(placements_),
+    PatchStore store{std::move(instances_),
                      std::move(patches_),
                      std::move(levels_),
                      grids_.take_pages(),
                      std::move(table),
                      std::nullopt,
                      std::nullopt,
-                     std::move(maps->heights),
-                     std::move(maps->normals),
-                     std::move(maps->colours),
-                     std::move(maps->masks),
+                     std::move(maps.heights),
+                     std::move(maps.normals),
+                     std::move(maps.colours),
+                     std::move(maps.masks),
                      std::nullopt,
                      std::nullopt};
     if (needs_.cells) {
@@ -122,7 +120,7 @@ class ModelUpload {
           CellStore{std::move(parts_), grids_.take_cells(),
                     make_buffer(gl_, "part places", std::span<const glm::uvec2>(places_))};
     }
-    if (!far_.empty()) store.far = far_.take(needs_.sources);
+    if (!proxy_.empty()) store.far = proxy_.take(needs_.sources);
     if (needs_.bodies)
       store.bodies = make_table(gl_, "bodies", GL_R32F, std::span<const float>(diameters_));
     if (needs_.splats || !needs_.cells) {
@@ -130,8 +128,7 @@ class ModelUpload {
       std::iota(indices.begin(), indices.end(), 0U);
       store.indices = make_buffer(gl_, "patch indices", std::span<const std::uint32_t>(indices));
     }
-    const Status uploaded = check_errors(gl_, "the model");
-    if (!uploaded) return uploaded.error();
+    RELIEF_TRY(check_errors(gl_, "the model"));
     return store;
   }
 
@@ -142,41 +139,41 @@ class ModelUpload {
     std::uint32_t id = 0;
   };
 
-  /// What its placements share; without what only views from afar ask for where there is none.
-  Run& run_at(const Placement& placement) {
-    const auto [found, is_new] = runs_.try_emplace({placement.first, placement.count});
+  /// What its instances share; without what only views from afar ask for where there is none.
+  Run& run_at(const Instance& instance) {
+    const auto [found, is_new] = runs_.try_emplace({instance.first, instance.count});
     if (!is_new) return found->second;
     const auto patches = [&] {
-      return std::span(model_.patches).subspan(placement.first, placement.count);
+      return std::span(model_.patches).subspan(instance.first, instance.count);
     };
     if (needs_.bodies) found->second.model.sphere = sphere_about(patches());
-    const bool may_be_far = std::any_of(views_.begin(), views_.end(),
-                                        [](const View& view) { return view.far_diameter > 0.0; }) &&
-                            has_one_material(model_);
-    if (may_be_far) found->second = run_of(patches());
+    const bool may_be_proxy =
+        std::any_of(views_.begin(), views_.end(),
+                    [](const View& view) { return view.proxy_diameter > 0.0; }) &&
+        has_one_material(model_);
+    if (may_be_proxy) found->second = run_of(patches());
     return found->second;
   }
 
-  Bounds box_of(const Placement& placement, Run& run) {
+  Bounds box_of(const Instance& instance, Run& run) {
     if (!run.box)
-      run.box = box_about(std::span(model_.patches).subspan(placement.first, placement.count));
+      run.box = box_about(std::span(model_.patches).subspan(instance.first, instance.count));
     return *run.box;
   }
 
   /// The levels of its patches that the views choose.
-  Status add_near(const Placement& placement, std::span<const View> views) {
-    for (std::uint32_t k = 0; k < placement.count; ++k) {
-      const std::size_t p = placement.first + k;
-      const PatchExtent extent = moved(placement.transform, extents_[p]);
+  Status add_near(const Instance& instance, std::span<const View> views) {
+    for (std::uint32_t k = 0; k < instance.count; ++k) {
+      const std::size_t p = instance.first + k;
+      const PatchExtent extent = moved(instance.transform, extents_[p]);
       const std::vector<std::uint32_t> kept = levels_in(views, extent);
       levels_.push_back({extent, static_cast<std::uint32_t>(patches_.size()),
                          static_cast<std::uint32_t>(kept.size())});
       const std::uint8_t material =
-          model_.placements.empty() ? model_.patches[p].material : placement.material;
+          model_.instances.empty() ? model_.patches[p].material : instance.material;
       for (const std::uint32_t level : kept) {
-        const Result<std::size_t> grid = grids_.get(p, level);
-        if (!grid) return grid.error();
-        add_grid(*grid, placement.transform, material, first_id_ + k);
+        RELIEF_TRY_ASSIGN(const std::size_t grid, grids_.get(p, level));
+        add_grid(grid, instance.transform, material, first_id_ + k);
       }
     }
     return {};
@@ -189,7 +186,7 @@ class ModelUpload {
     StoredPatch kept;
     kept.level = grid.level;
     kept.material = material;
-    kept.placement = static_cast<std::uint32_t>(placements_.size());
+    kept.instance = static_cast<std::uint32_t>(instances_.size());
     kept.origin = frame.origin;
     kept.axes = frame.axes;
     kept.spacing = frame.spacing;
@@ -209,22 +206,22 @@ class ModelUpload {
   }
 
   /// The meshes that stand for it, made when it is the first of its run.
-  Result<StoredPlacement::Far> add_far(const Placement& placement, Run& run) {
+  Result<StoredInstance::Far> add_proxy(const Instance& instance, Run& run) {
     if (!run.mesh) {
-      const Result<std::uint32_t> added =
-          far_.add(std::span(model_.patches).subspan(placement.first, placement.count), run.model);
-      if (!added) return added.error();
-      run.mesh = *added;
+      RELIEF_TRY_ASSIGN(
+          const std::uint32_t added,
+          proxy_.add(std::span(model_.patches).subspan(instance.first, instance.count), run.model));
+      run.mesh = added;
     }
-    const StoredFarMesh& mesh = far_.mesh(*run.mesh);
+    const StoredProxyMesh& mesh = proxy_.mesh(*run.mesh);
     StoredPatch frame;
-    frame.material = placement.material;
-    frame.placement = static_cast<std::uint32_t>(placements_.size());
-    frame.origin = relief::moved(placement.transform, mesh.origin);
-    frame.axes = placement.transform.rotation;
-    frame.spacing = placement.transform.scale * mesh.unit;
+    frame.material = instance.material;
+    frame.instance = static_cast<std::uint32_t>(instances_.size());
+    frame.origin = relief::moved(instance.transform, mesh.origin);
+    frame.axes = instance.transform.rotation;
+    frame.spacing = instance.transform.scale * mesh.unit;
     const auto patch = static_cast<std::uint32_t>(patches_.size());
-    const StoredPlacement::Far far{*run.mesh, patch, far_.place(patch)};
+    const StoredInstance::Far far{*run.mesh, patch, proxy_.place(patch)};
     patches_.push_back(frame);
     rows_.push_back({std::nullopt, first_id_});
     return far;
@@ -252,17 +249,17 @@ class ModelUpload {
   const StoreNeeds& needs_;
   std::span<const View> views_;
   GridUpload grids_;
-  FarUpload far_;
+  ProxyUpload proxy_;
   std::vector<PatchExtent> extents_;  ///< of the model's patches, where they are stored
   std::map<std::pair<std::uint32_t, std::uint32_t>, Run> runs_;
-  std::vector<StoredPlacement> placements_;
+  std::vector<StoredInstance> instances_;
   std::vector<StoredPatch> patches_;
   std::vector<Row> rows_;         ///< parallel to `patches_`
   std::vector<float> diameters_;  ///< the same: of the model that it belongs to, world units
   std::vector<StoredLevels> levels_;
   std::vector<StoredPart> parts_;
   std::vector<glm::uvec2> places_;
-  std::uint32_t first_id_ = 0;  ///< of the placement at work
+  std::uint32_t first_id_ = 0;  ///< of the instance at work
 };
 
 }  // namespace
@@ -270,8 +267,8 @@ class ModelUpload {
 Result<PatchStore> upload_model(const Gl& gl, const PatchModel& model, const StoreNeeds& needs,
                                 std::span<const View> views) {
   ModelUpload upload(gl, model, needs, views);
-  for (const Placement& placement : placements_of(model)) {
-    if (Status added = upload.add(placement); !added) return added.error();
+  for (const Instance& instance : instances_of(model)) {
+    RELIEF_TRY(upload.add(instance));
   }
   return upload.take();
 }

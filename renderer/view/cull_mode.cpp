@@ -15,14 +15,14 @@ namespace {
 /// sqrt(0.5) / 0.1 spacings where it is steepest.
 constexpr double kReachSpacings = 8.0;
 
-/// By placement: whether the view shows its front alone.
+/// By instance: whether the view shows its front alone.
 std::vector<bool> front_alone(const PatchStore& store, const View& view) {
   std::vector<bool> alone;
-  alone.reserve(store.placements.size());
-  for (const StoredPlacement& placement : store.placements) {
+  alone.reserve(store.instances.size());
+  for (const StoredInstance& instance : store.instances) {
     const bool outside =
-        view.sides == Sides::Auto && placement.body && sees_from_outside(view, *placement.body);
-    alone.push_back((view.sides == Sides::Front || outside) && !placement.is_mirrored);
+        view.cull == CullMode::Auto && instance.body && sees_from_outside(view, *instance.body);
+    alone.push_back((view.cull == CullMode::Back || outside) && !instance.is_mirrored);
   }
   return alone;
 }
@@ -31,11 +31,11 @@ std::vector<bool> front_alone(const PatchStore& store, const View& view) {
 template <class PatchOf>
 SidedList split(const PatchStore& store, const View& view, const std::vector<std::uint32_t>& things,
                 const PatchOf& patch_of) {
-  if (view.sides == Sides::Both) return {things, {}};
+  if (view.cull == CullMode::None) return {things, {}};
   const std::vector<bool> alone = front_alone(store, view);
   SidedList list;
   for (const std::uint32_t thing : things) {
-    const bool front = alone[store.patches[patch_of(thing)].placement];
+    const bool front = alone[store.patches[patch_of(thing)].instance];
     (front ? list.front : list.both).push_back(thing);
   }
   return list;
@@ -66,33 +66,33 @@ Bounds box_about(std::span<const Patch> patches) {
 }
 
 bool has_closed_bodies(const PatchModel& model) {
-  if (model.placements.empty()) return model.is_closed;
-  return std::any_of(model.placements.begin(), model.placements.end(),
-                     [](const Placement& placement) { return placement.is_closed; });
+  if (model.instances.empty()) return model.is_closed;
+  return std::any_of(model.instances.begin(), model.instances.end(),
+                     [](const Instance& instance) { return instance.is_closed; });
 }
 
-Sides sides_of(const RenderSettings& settings) {
-  if (settings.sides == Sides::Auto && is_transparent(settings)) return Sides::Both;
-  return settings.sides;
+CullMode cull_mode_of(const RenderSettings& settings) {
+  if (settings.cull == CullMode::Auto && is_transparent(settings)) return CullMode::None;
+  return settings.cull;
 }
 
 bool may_hide_backs(const RenderSettings& settings, bool closed) {
-  const Sides sides = sides_of(settings);
-  return sides == Sides::Front || (sides == Sides::Auto && closed);
+  const CullMode cull = cull_mode_of(settings);
+  return cull == CullMode::Back || (cull == CullMode::Auto && closed);
 }
 
 bool make_use_of_bodies(std::span<const View> views) {
   return std::any_of(views.begin(), views.end(),
-                     [](const View& view) { return view.sides == Sides::Auto; });
+                     [](const View& view) { return view.cull == CullMode::Auto; });
 }
 
-SidedList by_sides(const PatchStore& store, const View& view,
-                   const std::vector<std::uint32_t>& patches) {
+SidedList by_cull_mode(const PatchStore& store, const View& view,
+                       const std::vector<std::uint32_t>& patches) {
   return split(store, view, patches, [](std::uint32_t patch) { return patch; });
 }
 
-SidedList parts_by_sides(const PatchStore& store, const View& view,
-                         const std::vector<std::uint32_t>& parts) {
+SidedList parts_by_cull_mode(const PatchStore& store, const View& view,
+                             const std::vector<std::uint32_t>& parts) {
   return split(store, view, parts,
                [&store](std::uint32_t part) { return store.cells->parts[part].patch; });
 }

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "common/bounds.h"
+#include "common/instance.h"
 #include "common/patch.h"
-#include "common/placement.h"
 #include "renderer/gl/functions.h"
 #include "renderer/render.h"
 #include "renderer/view/view.h"
@@ -34,7 +34,7 @@ struct Body {
 
 /// The sides that a picture shows. What is semi-transparent is looked through, at its back sides
 /// too, unless the settings want the front.
-[[nodiscard]] Sides sides_of(const RenderSettings& settings);
+[[nodiscard]] CullMode cull_mode_of(const RenderSettings& settings);
 
 /// Whether a picture may leave back sides out. `closed`: has_closed_bodies.
 [[nodiscard]] bool may_hide_backs(const RenderSettings& settings, bool closed);
@@ -49,12 +49,12 @@ struct SidedList {
 };
 
 /// Which patches of the store a view shows with both sides.
-[[nodiscard]] SidedList by_sides(const PatchStore& store, const View& view,
-                                 const std::vector<std::uint32_t>& patches);
+[[nodiscard]] SidedList by_cull_mode(const PatchStore& store, const View& view,
+                                     const std::vector<std::uint32_t>& patches);
 
 /// The same of parts of patches (CellStore::parts).
-[[nodiscard]] SidedList parts_by_sides(const PatchStore& store, const View& view,
-                                       const std::vector<std::uint32_t>& parts);
+[[nodiscard]] SidedList parts_by_cull_mode(const PatchStore& store, const View& view,
+                                           const std::vector<std::uint32_t>& parts);
 
 /// While it lives, OpenGL leaves triangles that face away out, if it is `wanted`.
 class CulledFaces {

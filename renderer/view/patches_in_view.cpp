@@ -150,20 +150,18 @@ Result<PartialModel> read_in_view(const PatchTree& tree, std::span<const Onlooke
   PartProgress inner(progress);
   std::uint64_t bytes = 0;
   for (const std::uint32_t t : tiles) {
-    const auto file = tree.open_tile(t);
-    if (!file) return file.error();
+    RELIEF_TRY_ASSIGN(const auto file, tree.open_tile(t));
     std::vector<std::uint64_t> seen;
-    for (std::uint64_t p = 0; p < file->patches().size(); ++p) {
-      const PatchSummary& patch = file->patches()[p];
+    for (std::uint64_t p = 0; p < file.patches().size(); ++p) {
+      const PatchSummary& patch = file.patches()[p];
       if (is_seen(onlookers, ball_of(patch), patch.spacing)) seen.push_back(p);
     }
-    progress.advance(file->patches().size() - seen.size());
-    bytes += file->decoded_bytes(seen);
-    if (Status fits = fits_memory(file->name(), bytes); !fits) return fits.error();
-    auto some = file->read_patches(seen, inner);
-    if (!some) return some.error();
-    for (const std::uint64_t p : seen) read.samples += file->patches()[p].samples;
-    std::move(some->begin(), some->end(), std::back_inserter(read.model.patches));
+    progress.advance(file.patches().size() - seen.size());
+    bytes += file.decoded_bytes(seen);
+    RELIEF_TRY(fits_memory(file.name(), bytes));
+    RELIEF_TRY_ASSIGN(auto some, file.read_patches(seen, inner));
+    for (const std::uint64_t p : seen) read.samples += file.patches()[p].samples;
+    std::move(some.begin(), some.end(), std::back_inserter(read.model.patches));
   }
   read.tiles = tiles.size();
   read.model.has_colours = std::any_of(read.model.patches.begin(), read.model.patches.end(),

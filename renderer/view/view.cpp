@@ -90,7 +90,7 @@ View view_of_part(const View& picture, const Raster& part) {
   view.width = part.width * part.side;
   view.height = part.height * part.side;
   view.pixels_per_sample = picture.pixels_per_sample * part.side;
-  view.far_diameter = picture.far_diameter * part.side;
+  view.proxy_diameter = picture.proxy_diameter * part.side;
   return view;
 }
 

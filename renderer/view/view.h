@@ -40,9 +40,9 @@ struct View {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   double pixels_per_sample = 0.0;  ///< levels of detail: how far apart samples may be seen
-  double far_diameter = 0.0;       ///< pixels: models that are seen smaller are drawn from afar
-                                   ///< (renderer/far_model.h); 0: none is
-  Sides sides = Sides::Both;       ///< that are drawn (renderer/sides.h)
+  double proxy_diameter = 0.0;     ///< pixels: models that are seen smaller are drawn from afar
+                                   ///< (renderer/proxy.h); 0: none is
+  CullMode cull = CullMode::None;  ///< that are drawn (renderer/view/cull_mode.h)
 };
 
 /// What the depth values of a view have to tell apart.

@@ -61,7 +61,7 @@ Lookups lookups_over(PatchInfo info, vec2 uv, vec4 footprint, float texels) {
   along *= kept;
   longer *= kept * texels;
   shorter *= kept * texels;
-  float places = clamp(ceil(longer / max(shorter, 1.0)), 1.0, kMostFootprintPlaces);
+  float places = clamp(ceil(longer / max(shorter, 1.0)), 1.0, kMaxFootprintPlaces);
   return Lookups(along, places, log2(max(longer / places, 1.0)));
 }
 #endif

@@ -17,7 +17,7 @@
 
 #if (RELIEF_FEATURES & RELIEF_FEATURE_MIXED) != 0u
 layout(std140, binding = RELIEF_BIND_MATERIALS) uniform MaterialBlock {
-  MaterialInfo materials[kMostMaterials];
+  MaterialInfo materials[kMaxMaterials];
 };
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_ROUGH) != 0u

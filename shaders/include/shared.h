@@ -106,8 +106,8 @@ using glm::vec4;
 #define RELIEF_OUT_PATCH 4
 
 // The same of the pass that finds the surface: the place, and its depth if that is needed.
-#define RELIEF_OUT_FOUND 0
-#define RELIEF_OUT_FOUND_DEPTH 1
+#define RELIEF_OUT_VISIBILITY 0
+#define RELIEF_OUT_VISIBILITY_DEPTH 1
 
 // The same where `multipass` sums up splats: normal, colour, depth, each times its weight, and the
 // weights.
@@ -138,15 +138,15 @@ using glm::vec4;
 #define RELIEF_TEXTURE_DEPTH_SUMS 13
 #define RELIEF_TEXTURE_VISIBLE_DEPTH 14
 #define RELIEF_TEXTURE_MASKS 15
-#define RELIEF_TEXTURE_FOUND 16
-#define RELIEF_TEXTURE_FOUND_DEPTH 17
+#define RELIEF_TEXTURE_VISIBILITY 16
+#define RELIEF_TEXTURE_VISIBILITY_DEPTH 17
 #define RELIEF_TEXTURE_LAYER_DEPTH 18
-#define RELIEF_TEXTURE_FAR_VERTICES 19
+#define RELIEF_TEXTURE_PROXY_VERTICES 19
 
 #define RELIEF_TEXTURE_ROUGH_ENVIRONMENTS 20
 #define RELIEF_TEXTURE_PATCH_IDS 21
 #define RELIEF_TEXTURE_PIXEL_SAMPLES 22
-#define RELIEF_TEXTURE_FAR_SOURCES 23
+#define RELIEF_TEXTURE_PROXY_SOURCES 23
 #define RELIEF_TEXTURE_BACK_PLACES 24
 #define RELIEF_TEXTURE_BACK_DEPTHS 25
 #define RELIEF_TEXTURE_BODIES 26
@@ -177,12 +177,12 @@ using glm::vec4;
 #define RELIEF_ATTRIBUTE_COLOUR 2
 
 /// A place that was found is two words: grid coordinates in the lower bits, counted in steps from
-/// kFoundBegin cells before the first node, and half the number of its patch in each of the upper
-/// ones.
-RELIEF_CONST uint kFoundBits = 22u;
-RELIEF_CONST uint kFoundMask = (1u << kFoundBits) - 1u;
-RELIEF_CONST uint kFoundPatchBits = 32u - kFoundBits;
-RELIEF_CONST float kFoundBegin = 4.0f;
+/// kVisibilityBegin cells before the first node, and half the number of its patch in each of the
+/// upper ones.
+RELIEF_CONST uint kVisibilityBits = 22u;
+RELIEF_CONST uint kVisibilityMask = (1u << kVisibilityBits) - 1u;
+RELIEF_CONST uint kVisibilityPatchBits = 32u - kVisibilityBits;
+RELIEF_CONST float kVisibilityBegin = 4.0f;
 
 /// Patches overlap, and so do a patch's border splats and its cells: what is nearer than this
 /// behind a semi-transparent surface, in spacings along the view axis, is the same surface.
@@ -220,7 +220,7 @@ RELIEF_CONST float kSetBackStep = 1.0f / 32.0f;
 RELIEF_CONST uint kPartCells = 252u;
 
 /// Cells high, per step of a gap. Half a step is what rounded slopes and heights make, which
-/// kLeastMargin closes.
+/// kMinMargin closes.
 RELIEF_CONST float kGapStep = 0.01f;
 
 /// The largest margin that closes a gap, in spacings along the splat's plane. iron_scan, holes in
@@ -239,7 +239,7 @@ RELIEF_CONST float kReachStep = 1.0f / 160.0f;
 
 /// What every splat extends beyond where it meets the next, in cells: slopes and heights are
 /// rounded.
-RELIEF_CONST float kLeastMargin = 0.02f;
+RELIEF_CONST float kMinMargin = 0.02f;
 
 /// The same in pixels: OpenGL snaps corners to 1/256 pixel, which parts the quads of a model that
 /// is far away.
@@ -272,7 +272,7 @@ RELIEF_CONST int kSearchSteps = 3;
 RELIEF_CONST float kBlendingDepth = 1.0f;
 
 /// The same as a part of the depth: what 32-bit depth values can tell apart with certainty.
-RELIEF_CONST float kLeastBlendingDepth = 1e-5f;
+RELIEF_CONST float kMinBlendingDepth = 1e-5f;
 
 /// The weights of `multipass` fall to 2^(-kGaussianFall f) at the rim of discs with radius factor
 /// f. Factor 2 against ray-traced truths, mirror in dB, of the Dragon whole / near / fandisk near:
@@ -285,22 +285,22 @@ RELIEF_CONST float kCoveringSlack = 1.001f;
 
 /// The least radius of its discs, in pixels per radius factor. The Dragon at 640x512, factor 2: lit
 /// 36.6 dB, mirror 27.3 dB; without 36.4 and 27.2.
-RELIEF_CONST float kLeastDiscPixels = 0.75f;
+RELIEF_CONST float kMinDiscPixels = 0.75f;
 
 /// Lookups along a pixel's footprint on a fine map, at most.
-RELIEF_CONST float kMostFootprintPlaces = 16.0f;
+RELIEF_CONST float kMaxFootprintPlaces = 16.0f;
 
 /// Linear reflectance of a model without colours: a neutral grey.
 RELIEF_CONST float kNeutralGrey = 0.5f;
 
 /// The most lights of a picture.
-RELIEF_CONST int kMostLights = 16;
+RELIEF_CONST int kMaxLights = 16;
 
 /// No light is brighter than this at a surface.
 RELIEF_CONST float kBrightestLight = 1000.0f;
 
 /// The most materials of a picture.
-RELIEF_CONST int kMostMaterials = 256;
+RELIEF_CONST int kMaxMaterials = 256;
 
 /// What MaterialInfo::constants begins with: the kind, as common/choices.h numbers them.
 RELIEF_CONST int kUnlit = 0;
@@ -360,7 +360,7 @@ struct PatchView {
 /// A vertex of the mesh that stands for a model seen from afar, four words: its place in the mesh's
 /// frame (16 bits an axis), its colour (linear, half floats), the mean of its normals (octahedral,
 /// 12 bits each, and its length).
-struct FarVertex {
+struct ProxyVertex {
   uint place_xy;
   uint place_z_red;
   uint green_blue;
@@ -368,7 +368,7 @@ struct FarVertex {
 };
 
 /// A sample that it stands for: the patch, counted from the model's first, and its column and row.
-struct FarSource {
+struct ProxySource {
   uint patch_number;
   uint node;
 };
@@ -384,8 +384,8 @@ struct Frame {
   vec4 ray_along;
   vec4 viewport;  ///< width, height, 1/width, 1/height (pixels)
   vec4 light_ambient;
-  vec4 light_place[kMostLights];  ///< world; w 0: toward the light, 1: where it is from the eye
-  vec4 light_colour[kMostLights];
+  vec4 light_place[kMaxLights];  ///< world; w 0: toward the light, 1: where it is from the eye
+  vec4 light_colour[kMaxLights];
   MaterialInfo material;  ///< the picture's, if it has but one
 };
 
@@ -396,8 +396,8 @@ RELIEF_CONST int kPatchViewRows = 5;
 static_assert(sizeof(PatchInfo) == 16 * kPatchInfoRows);
 static_assert(offsetof(PatchInfo, nodes) == 48 && offsetof(PatchInfo, colours) == 96 &&
               offsetof(PatchInfo, extent) == 128);
-static_assert(sizeof(FarVertex) == 16 && sizeof(FarSource) == 8);
+static_assert(sizeof(ProxyVertex) == 16 && sizeof(ProxySource) == 8);
 static_assert(sizeof(PatchView) == 16 * kPatchViewRows && offsetof(PatchView, eye) == 64);
-static_assert(sizeof(Frame) == 128 + 32 * kMostLights && offsetof(Frame, light_place) == 96);
+static_assert(sizeof(Frame) == 128 + 32 * kMaxLights && offsetof(Frame, light_place) == 96);
 }  // namespace relief::shared
 #endif

@@ -6,14 +6,14 @@ layout(location = RELIEF_UNIFORM_PLACE_STEPS) uniform float place_steps;  // a c
 // `place`: grid coordinates; what lies farther beyond the patch than can be noted becomes its edge
 // anyway.
 uvec2 pack_place(vec2 place, uint patch_index) {
-  uvec2 steps = uvec2(clamp((place + kFoundBegin) * place_steps, 0.0, float(kFoundMask)));
-  return steps | uvec2(patch_index << kFoundBits, (patch_index >> kFoundPatchBits) << kFoundBits);
+  uvec2 steps = uvec2(clamp((place + kVisibilityBegin) * place_steps, 0.0, float(kVisibilityMask)));
+  return steps | uvec2(patch_index << kVisibilityBits, (patch_index >> kVisibilityPatchBits) << kVisibilityBits);
 }
 
 vec2 unpack_place(uvec2 found) {
-  return vec2(found & kFoundMask) / place_steps - kFoundBegin;
+  return vec2(found & kVisibilityMask) / place_steps - kVisibilityBegin;
 }
 
 uint unpack_patch(uvec2 found) {
-  return found.x >> kFoundBits | (found.y >> kFoundBits) << kFoundPatchBits;
+  return found.x >> kVisibilityBits | (found.y >> kVisibilityBits) << kVisibilityPatchBits;
 }

@@ -21,16 +21,16 @@ float covering_radius(Splat splat) {
 float blending_radius(Splat splat, PatchInfo info) {
   float of_paper = sqrt(0.5) / (0.1 + 0.9 * inversesqrt(1.0 + dot(splat.slope, splat.slope)));
   float pixel = max(splat.depth, 0.0) / (frame.ray_x.w * info.axis_u.w);
-  return max(radius_factor * max(of_paper, kLeastDiscPixels * pixel), covering_radius(splat));
+  return max(radius_factor * max(of_paper, kMinDiscPixels * pixel), covering_radius(splat));
 }
 
 // What sets the depth values of a splat in pass 1 back along the ray.
 float visibility_set_back(Splat splat, PatchInfo info) {
 #if (RELIEF_FEATURES & RELIEF_FEATURE_ORTHOGRAPHIC) != 0u
-  float offset = max(kBlendingDepth * info.axis_u.w, kLeastBlendingDepth * frame.ray_along.w);
+  float offset = max(kBlendingDepth * info.axis_u.w, kMinBlendingDepth * frame.ray_along.w);
   return splat.set_back + set_back_of(splat.depth, offset);
 #else
-  float offset = max(kBlendingDepth * info.axis_u.w, kLeastBlendingDepth * splat.depth);
+  float offset = max(kBlendingDepth * info.axis_u.w, kMinBlendingDepth * splat.depth);
   float depth = max(splat.depth, offset);
   return splat.set_back * depth / (depth + offset);
 #endif

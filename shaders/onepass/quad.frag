@@ -18,9 +18,9 @@
 #endif
 
 #if (RELIEF_FEATURES & RELIEF_FEATURE_VISIBILITY) != 0u
-layout(location = RELIEF_OUT_FOUND) out uvec2 out_found;
+layout(location = RELIEF_OUT_VISIBILITY) out uvec2 out_visibility;
 #if RELIEF_NEEDS_DEPTH
-layout(location = RELIEF_OUT_FOUND_DEPTH) out float out_found_depth;  // along the view axis
+layout(location = RELIEF_OUT_VISIBILITY_DEPTH) out float out_visibility_depth;  // along the view axis
 #endif
 #endif
 
@@ -60,9 +60,9 @@ void main() {
   if (!in_next_layers(info.axis_u.w)) discard;
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_VISIBILITY) != 0u
-  out_found = pack_place(place.xy, hit_patch);
+  out_visibility = pack_place(place.xy, hit_patch);
 #if RELIEF_NEEDS_DEPTH
-  out_found_depth = depth;
+  out_visibility_depth = depth;
 #endif
 #else
   shade(info, place, ray, depth, footprint);

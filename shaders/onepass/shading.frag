@@ -4,16 +4,16 @@
 #include "include/visibility.glsl"
 #include "include/surface.glsl"
 
-layout(binding = RELIEF_TEXTURE_FOUND) uniform usampler2D found_places;
+layout(binding = RELIEF_TEXTURE_VISIBILITY) uniform usampler2D visible_positions;
 layout(binding = RELIEF_TEXTURE_VISIBLE_DEPTH) uniform sampler2D visible_depth;
 #if RELIEF_NEEDS_DEPTH
-layout(binding = RELIEF_TEXTURE_FOUND_DEPTH) uniform sampler2D found_depths;
+layout(binding = RELIEF_TEXTURE_VISIBILITY_DEPTH) uniform sampler2D visibility_depths;
 #endif
 
 void main() {
   count_fragment();
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  uvec2 found = texelFetch(found_places, pixel, 0).xy;
+  uvec2 found = texelFetch(visible_positions, pixel, 0).xy;
 #if (RELIEF_FEATURES & (RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_GLASS)) != 0u
   // Reversed depth: 0 where nothing has been found.
   float visible = texelFetch(visible_depth, pixel, 0).x;
@@ -22,7 +22,7 @@ void main() {
   vec3 ray = normalize(ray_through(gl_FragCoord.xy));
   float depth = 0.0;
 #if RELIEF_NEEDS_DEPTH
-  depth = texelFetch(found_depths, pixel, 0).x;
+  depth = texelFetch(visibility_depths, pixel, 0).x;
 #endif
   vec2 place = unpack_place(found);
   vec4 footprint = vec4(0.0);

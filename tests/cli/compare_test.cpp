@@ -7,7 +7,7 @@
 #include "common/image/image_io.h"
 #include "common/image/srgb.h"
 #include "tests/cli/run_relief.h"
-#include "tests/common/compare/pictures.h"
+#include "tests/common/compare/images.h"
 
 namespace relief::test {
 namespace {
@@ -17,7 +17,7 @@ using nlohmann::json;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 /// A square model of 10 x 10 pixels in 20 x 16, with every channel that `relief render` writes.
-Image model_picture(float green = 0.2F) {
+Image model_image(float green = 0.2F) {
   Image image = picture(20, 16, [green](int x, int y) {
     return x >= 5 && x < 15 && y >= 3 && y < 13 ? glm::vec3(0.5F, green, 0.1F) : glm::vec3(0);
   });
@@ -39,7 +39,7 @@ Image model_picture(float green = 0.2F) {
 
 class CompareCommand : public CliTest {
  protected:
-  std::string write_picture(const std::string& name, const Image& image) const {
+  std::string write_image(const std::string& name, const Image& image) const {
     const bool png = name.substr(name.size() - 4) == ".png";
     const Status written = png ? write_png(path(name), image) : write_exr(path(name), image);
     EXPECT_TRUE(written);
@@ -63,8 +63,8 @@ class CompareCommand : public CliTest {
 };
 
 TEST_F(CompareCommand, TellsEveryKey) {
-  const std::string reference = write_picture("b.exr", model_picture());
-  Image image = model_picture(0.3F);
+  const std::string reference = write_image("b.exr", model_image());
+  Image image = model_image(0.3F);
   // A hole, a pixel missing at the border and one beyond it.
   for (const char* name : {"A", "Z"}) {
     Channel& channel = *const_cast<Channel*>(image.find(name));
@@ -73,7 +73,7 @@ TEST_F(CompareCommand, TellsEveryKey) {
     channel.values[3 * 20 + 5] = nothing;
     channel.values[0] = name[0] == 'Z' ? 4.0F : 1.0F;
   }
-  const json result = compare({write_picture("a.exr", image), reference});
+  const json result = compare({write_image("a.exr", image), reference});
   EXPECT_EQ(result["holes"], 1);
   EXPECT_EQ(result["border_missing"], 1);
   EXPECT_EQ(result["border_extra"], 1);
@@ -94,7 +94,7 @@ TEST_F(CompareCommand, TellsEveryKey) {
 }
 
 TEST_F(CompareCommand, EqualPicturesHaveNoPsnr) {
-  const std::string exr = write_picture("a.exr", model_picture());
+  const std::string exr = write_image("a.exr", model_image());
   const json result =
       compare({exr, exr, "--fail-below", "psnr_db=100", "--fail-above", "flip_mean=0"});
   EXPECT_TRUE(result["psnr_db"].is_null());
@@ -107,8 +107,8 @@ TEST_F(CompareCommand, EqualPicturesHaveNoPsnr) {
 }
 
 TEST_F(CompareCommand, PngAndExrOfOnePictureAgree) {
-  const std::string exr = write_picture("a.exr", model_picture());
-  const std::string png = write_picture("a.png", model_picture());
+  const std::string exr = write_image("a.exr", model_image());
+  const std::string png = write_image("a.png", model_image());
   const json result = compare({png, exr, "--fail-below", "psnr_db=50"});
   EXPECT_EQ(result["flip"], "ldr");
   EXPECT_EQ(result["holes"], 0);  // this PNG has alpha
@@ -118,7 +118,7 @@ TEST_F(CompareCommand, PngAndExrOfOnePictureAgree) {
 }
 
 TEST_F(CompareCommand, WithoutAlphaCoverageIsUnknown) {
-  const std::string png = write_picture("a.png", grey_picture(20, 16));
+  const std::string png = write_image("a.png", grey_image(20, 16));
   const json result = compare({png, png});
   for (const char* key : {"holes", "border_missing", "border_extra", "covered_both",
                           "psnr_covered_db", "psnr_alpha_db"}) {
@@ -128,8 +128,8 @@ TEST_F(CompareCommand, WithoutAlphaCoverageIsUnknown) {
 }
 
 TEST_F(CompareCommand, FlipTakesItsOptions) {
-  const std::string a = write_picture("a.exr", model_picture(0.3F));
-  const std::string b = write_picture("b.exr", model_picture());
+  const std::string a = write_image("a.exr", model_image(0.3F));
+  const std::string b = write_image("b.exr", model_image());
   std::set<double> means;
   means.insert(compare({a, b}).value("flip_mean", 0.0));
   means.insert(compare({a, b, "--flip", "ldr"}).value("flip_mean", 0.0));
@@ -140,8 +140,8 @@ TEST_F(CompareCommand, FlipTakesItsOptions) {
 }
 
 TEST_F(CompareCommand, LimitsMakeARegressionTest) {
-  const std::string a = write_picture("a.exr", model_picture(0.3F));
-  const std::string b = write_picture("b.exr", model_picture());
+  const std::string a = write_image("a.exr", model_image(0.3F));
+  const std::string b = write_image("b.exr", model_image());
   compare({a, b, "--fail-below", "psnr_db=10", "--fail-above", "holes=0"});
   // The result is printed all the same.
   const json result = compare(
@@ -159,10 +159,10 @@ TEST_F(CompareCommand, LimitsMakeARegressionTest) {
 }
 
 TEST_F(CompareCommand, ALimitOnWhatIsNotThereFails) {
-  Image flat = model_picture();
+  Image flat = model_image();
   flat.channels.erase(flat.channels.begin() + 4, flat.channels.end());  // R G B A are left
-  const std::string a = write_picture("a.exr", flat);
-  const std::string b = write_picture("b.exr", model_picture());
+  const std::string a = write_image("a.exr", flat);
+  const std::string b = write_image("b.exr", model_image());
   compare({a, b, "--fail-above", "normal_rms_deg=1"}, 1);
   EXPECT_NE(said_.find("normal_rms_deg was not measured (the picture under test has no channel "
                        "N.X)"),
@@ -173,8 +173,8 @@ TEST_F(CompareCommand, ALimitOnWhatIsNotThereFails) {
 }
 
 TEST_F(CompareCommand, HeatmapIsAPictureOfTheSize) {
-  const std::string a = write_picture("a.exr", model_picture(0.9F));
-  const std::string b = write_picture("b.exr", model_picture());
+  const std::string a = write_image("a.exr", model_image(0.9F));
+  const std::string b = write_image("b.exr", model_image());
   compare({a, b, "--heatmap", path("map.png")});
   const auto map = read_image(path("map.png"));
   ASSERT_TRUE(map) << map.error().message;
@@ -192,11 +192,11 @@ TEST_F(CompareCommand, HeatmapIsAPictureOfTheSize) {
 }
 
 TEST_F(CompareCommand, RefusesWhatCanNotBeCompared) {
-  const std::string good = write_picture("good.exr", model_picture());
-  const std::string other = write_picture("other.exr", grey_picture(16, 20));
+  const std::string good = write_image("good.exr", model_image());
+  const std::string other = write_image("other.exr", grey_image(16, 20));
   Image depth{20, 16, {}};
   set_channel(depth, "Z", [](int, int) { return 1.0F; });
-  const std::string colourless = write_picture("depth.exr", depth);
+  const std::string colourless = write_image("depth.exr", depth);
   const std::string bytes = bytes_of(good);
   std::filesystem::create_directory(path("folder"));
   const std::string bad[] = {path("missing.exr"),
@@ -217,7 +217,7 @@ TEST_F(CompareCommand, RefusesWhatCanNotBeCompared) {
 }
 
 TEST_F(CompareCommand, RefusesAHeatmapThatCanNotBe) {
-  const std::string good = write_picture("good.png", grey_picture(8, 8));
+  const std::string good = write_image("good.png", grey_image(8, 8));
   std::filesystem::create_directory(path("folder.png"));
   expect_refused({"compare", good, good, "--heatmap", path("missing/map.png")}, "missing");
   expect_refused({"compare", good, good, "--heatmap", path("folder.png")}, "folder.png");
@@ -228,14 +228,14 @@ TEST_F(CompareCommand, RefusesAHeatmapThatCanNotBe) {
 }
 
 TEST_F(CompareCommand, PixelsThatAreNoNumbersAreCounted) {
-  Image broken = model_picture();
+  Image broken = model_image();
   for (Channel& channel : broken.channels) {
     for (std::size_t k = 0; k < 5; ++k) {
       channel.values[k * 21] = k % 2 == 0 ? std::nanf("") : -kInfinity;
     }
   }
-  const std::string a = write_picture("a.exr", broken);
-  const std::string b = write_picture("b.exr", model_picture());
+  const std::string a = write_image("a.exr", broken);
+  const std::string b = write_image("b.exr", model_image());
   const json result = compare({a, b});
   EXPECT_EQ(result["non_finite"], 5);
   EXPECT_EQ(result["non_finite_reference"], 0);
@@ -246,8 +246,8 @@ TEST_F(CompareCommand, PixelsThatAreNoNumbersAreCounted) {
 }
 
 TEST_F(CompareCommand, TheResultIsTheSameEveryTime) {
-  const std::string a = write_picture("a.exr", model_picture(0.3F));
-  const std::string b = write_picture("b.exr", model_picture());
+  const std::string a = write_image("a.exr", model_image(0.3F));
+  const std::string b = write_image("b.exr", model_image());
   const std::string first = compare({a, b, "--heatmap", path("1.png")}).dump();
   EXPECT_EQ(compare({a, b, "--heatmap", path("2.png")}).dump(), first);
   EXPECT_EQ(bytes_of(path("1.png")), bytes_of(path("2.png")));

@@ -94,14 +94,14 @@ TEST_F(NormalMapCli, TiltsComeOutInPicturesOfAllEngines) {
     const std::string mesh = write("square.obj", square(texcoords));
     const std::string patches = path("square.relief");
     ASSERT_EQ(run_relief({"convert", mesh, "-o", patches, "--spacing", "0.05"}).exit_code, 0);
-    const std::vector<std::vector<std::string>> ways{{patches},
-                                                     {patches, "--primitive", "quad"},
-                                                     {patches, "--primitive", "sprite"},
-                                                     {patches, "--engine", "multipass"},
-                                                     {patches, "--engine", "ewa"},
-                                                     {patches, "--engine", "raytrace"},
-                                                     {mesh, "--engine", "raytrace"}};
-    for (const std::vector<std::string>& way : ways) {
+    const std::vector<std::vector<std::string>> methods{{patches},
+                                                        {patches, "--primitive", "quad"},
+                                                        {patches, "--primitive", "sprite"},
+                                                        {patches, "--engine", "multipass"},
+                                                        {patches, "--engine", "ewa"},
+                                                        {patches, "--engine", "raytrace"},
+                                                        {mesh, "--engine", "raytrace"}};
+    for (const std::vector<std::string>& way : methods) {
       const Image image = render(way);
       ASSERT_NE(image.find("N.X"), nullptr);
       for (const std::size_t x : {20U, 32U, 45U})

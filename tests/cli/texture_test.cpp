@@ -79,13 +79,13 @@ TEST_F(TextureCli, PatchesAndRaysShowTheTextureToo) {
   (void)write("square.mtl", "newmtl m\nmap_Kd texture.png\n");
   ASSERT_EQ(
       run_relief({"convert", mesh, "-o", path("square.relief"), "--spacing", "0.05"}).exit_code, 0);
-  const std::vector<std::vector<std::string>> ways{
+  const std::vector<std::vector<std::string>> methods{
       {path("square.relief")},
       {path("square.relief"), "--engine", "multipass"},
       {path("square.relief"), "--engine", "raytrace"},
       {mesh, "--engine", "raytrace"},
       {write("bare.obj", kSquare), "--engine", "raytrace", "--texture", texture}};
-  for (const std::vector<std::string>& way : ways) {
+  for (const std::vector<std::string>& way : methods) {
     std::vector<std::string> arguments{"render", "-o",     path("out.exr"), "--material",
                                        "unlit",  "--size", "64x64"};
     arguments.insert(arguments.end(), way.begin(), way.end());

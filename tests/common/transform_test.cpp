@@ -130,7 +130,7 @@ TEST(AppendModel, ModelsWithoutPatchesHaveBoundsTogether) {
   EXPECT_EQ(all.bounds.max, glm::dvec3(12, 2, 2));
 }
 
-TEST(AddPlacement, HasTheBoundsOfModelsThatWereMovedAndAppended) {
+TEST(AddInstance, HasTheBoundsOfModelsThatWereMovedAndAppended) {
   PatchModel model = ball({1, 2, 3}, 0.5);
   model.is_closed = true;
   const PatchModel extent = without_patches(model);
@@ -139,7 +139,7 @@ TEST(AddPlacement, HasTheBoundsOfModelsThatWereMovedAndAppended) {
   PatchModel appended;
   for (const double x : {0.0, 4.0, -7.0}) {
     const Transform there{{x, 1.0, 0.0}, rotation_about({0, 1, 1}, 30.0 + x), 1.5};
-    ASSERT_TRUE(add_placement(placed, {0, 1, there, 3}, extent));
+    ASSERT_TRUE(add_instance(placed, {0, 1, there, 3}, extent));
     PatchModel copy = model;
     copy.patches[0].material = 3;
     ASSERT_TRUE(transform_model(copy, there));
@@ -149,7 +149,7 @@ TEST(AddPlacement, HasTheBoundsOfModelsThatWereMovedAndAppended) {
   EXPECT_EQ(placed.bounds.max, appended.bounds.max);
   EXPECT_EQ(placed.bounding_radius, appended.bounding_radius);
   EXPECT_EQ(placed.spacing, appended.spacing);
-  EXPECT_TRUE(appended.is_closed && placed.placements[2].is_closed);
+  EXPECT_TRUE(appended.is_closed && placed.instances[2].is_closed);
   const PatchModel baked = bake(placed);
   EXPECT_TRUE(baked.is_closed);
   append_model(appended, ball({1, 2, 3}, 0.5));
@@ -163,13 +163,13 @@ TEST(AddPlacement, HasTheBoundsOfModelsThatWereMovedAndAppended) {
   }
 }
 
-TEST(AddPlacement, SaysWhatNumbersCannot) {
+TEST(AddInstance, SaysWhatNumbersCannot) {
   PatchModel placed;
   placed.patches = ball({0, 0, 0}, 1.0).patches;
   placed.patches[0].spacing = 1e35;
   const PatchModel extent = without_patches(ball({0, 0, 0}, 1.0));
-  EXPECT_FALSE(add_placement(placed, {0, 1, {{}, glm::dmat3(1.0), 1e9}, 0}, extent));
-  EXPECT_TRUE(placed.placements.empty());
+  EXPECT_FALSE(add_instance(placed, {0, 1, {{}, glm::dmat3(1.0), 1e9}, 0}, extent));
+  EXPECT_TRUE(placed.instances.empty());
 }
 
 }  // namespace

@@ -99,11 +99,11 @@ Camera camera_of(const PlaneView& view, std::uint32_t side) {
 SplatCloud plane_points(const PlaneView& view, std::uint32_t side) {
   const Ground ground(view, side);
   constexpr double kBeside = 16.0;  // pixels: the kernels' own low-pass reaches 4
-  const double far_corner = side + kBeside;
+  const double proxy_corner = side + kBeside;
   glm::dvec2 low(1e300);
   glm::dvec2 high(-1e300);
-  for (const double x : {-kBeside, far_corner}) {
-    for (const double y : {-kBeside, far_corner}) {
+  for (const double x : {-kBeside, proxy_corner}) {
+    for (const double y : {-kBeside, proxy_corner}) {
       low = glm::min(low, ground.at_or_end({x, y}));
       high = glm::max(high, ground.at_or_end({x, y}));
     }

@@ -7,7 +7,7 @@
 #include <glm/vec4.hpp>
 
 #include "common/image/image.h"
-#include "tests/experiments/picture_error.h"
+#include "tests/experiments/image_error.h"
 
 namespace relief::experiment {
 

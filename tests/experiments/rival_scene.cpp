@@ -24,7 +24,7 @@ static_assert(std::endian::native == std::endian::little, "the file is written a
 /// than the steepest bump (0.06 * 7 * 3^0.5) makes of it.
 constexpr double kCaution = 1.5;
 constexpr double kThere = 1e-7;
-constexpr int kMostSteps = 2000;
+constexpr int kMaxSteps = 2000;
 
 void append(std::string& bytes, double value) {
   const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
@@ -75,7 +75,7 @@ std::optional<glm::dvec3> meet(const RivalScene& scene, glm::dvec3 eye, glm::dve
   if (squared < 0.0) return std::nullopt;
   double along = nearest - std::sqrt(squared);
   const double end = nearest + std::sqrt(squared);
-  for (int step = 0; step < kMostSteps && along <= end; ++step) {
+  for (int step = 0; step < kMaxSteps && along <= end; ++step) {
     const glm::dvec3 p = eye + along * way;
     const double outside = glm::length(p) - radius_along(scene, glm::normalize(p));
     if (outside < kThere) return p;

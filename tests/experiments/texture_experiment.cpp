@@ -80,13 +80,13 @@ SplatCloud as_cloud(const TexturedSplats& splats) {
   return cloud;
 }
 
-struct Way {
+struct Method {
   const char* name;
   Acquisition acquisition;
 };
-constexpr Way kWays[] = {{"given", Acquisition::Given},
-                         {"ewa", Acquisition::ViewIndependent},
-                         {"optimised", Acquisition::Optimised}};
+constexpr Method kMethods[] = {{"given", Acquisition::Given},
+                               {"ewa", Acquisition::ViewIndependent},
+                               {"optimised", Acquisition::Optimised}};
 struct Zoom {
   const char* name;
   double pixels;  ///< between two splats
@@ -162,7 +162,7 @@ Status measure(const Subject& subject, const std::string& out) {
     Status written = write_png(path(view, "truth"), view.truths.gaussian.image);
     if (!written) return written;
   }
-  for (const Way& way : kWays) {
+  for (const Method& way : kMethods) {
     AcquireOptions options;
     options.acquisition = way.acquisition;
     options.points = subject.points;

@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kRounds = 4;
 /// Patterns of fewer heights are left to those that know less.
-constexpr double kLeastHeights = 300;
+constexpr double kMinHeights = 300;
 
 /// Weighted least squares of one pattern, relative to its first neighbour.
 struct Pattern {
@@ -51,7 +51,7 @@ void learn(const HeightPass& pass, const LevelGrid& grid, std::size_t node, Expe
   const auto stride = static_cast<std::ptrdiff_t>(grid.stride);
   std::uint32_t known = 0;
   std::vector<double> values;
-  for (std::size_t k = 0; k < kMostNeighbours; ++k) {
+  for (std::size_t k = 0; k < kMaxNeighbours; ++k) {
     const NodeOffset at = pass.neighbours[k];
     const auto n =
         static_cast<std::size_t>(static_cast<std::ptrdiff_t>(node) + at.j * stride + at.i);
@@ -94,7 +94,7 @@ PredictorRow solve(std::uint32_t known, const Pattern& pattern) {
   Eigen::Index next = -1;
   std::size_t first = 0;
   int sum = 0;
-  for (std::size_t k = 0; k < kMostNeighbours; ++k) {
+  for (std::size_t k = 0; k < kMaxNeighbours; ++k) {
     if ((known >> k & 1U) == 0) continue;
     if (next < 0) {
       first = k;
@@ -111,10 +111,10 @@ PredictorRow solve(std::uint32_t known, const Pattern& pattern) {
 std::vector<PredictorRow> solve_all(const HeightPass& pass, const Patterns& patterns) {
   std::vector<PredictorRow> rows;
   for (const auto& [known, pattern] : patterns) {
-    if (pattern.heights >= kLeastHeights) rows.push_back(solve(known, pattern));
+    if (pattern.heights >= kMinHeights) rows.push_back(solve(known, pattern));
   }
   // What any neighbour alone says, where nothing better was learned: forty steps off.
-  for (std::uint32_t k = 0; k < kMostNeighbours; ++k) {
+  for (std::uint32_t k = 0; k < kMaxNeighbours; ++k) {
     const std::uint32_t known = 1U << k;
     if (is_none(pass.neighbours[k])) continue;
     if (std::any_of(rows.begin(), rows.end(), [&](const auto& r) { return r.known == known; }))
@@ -153,7 +153,7 @@ void train_heights(const std::vector<Scan>& scans, std::vector<PredictorRow>& ro
               const auto node = static_cast<std::size_t>(&height - grid.heights.data());
               learn(pass, grid, node, e, weight, patterns);
               const auto magnitude = static_cast<std::uint32_t>(std::abs(height - e.height));
-              return std::min(magnitude, kMostMagnitude);
+              return std::min(magnitude, kMaxMagnitude);
             };
           };
           static_cast<void>(visit_pass<kRowPass>(tables.rows, grid, see(kRowPass, row_patterns)));
@@ -172,7 +172,7 @@ std::string as_source(const char* name, const std::vector<PredictorRow>& rows) {
   std::string text = fmt::format("constexpr PredictorRow {}[] = {{\n", name);
   for (const PredictorRow& row : rows) {
     text += fmt::format("    {{{}, {}, {{", row.known, row.error);
-    for (std::size_t k = 0; k < kMostNeighbours; ++k)
+    for (std::size_t k = 0; k < kMaxNeighbours; ++k)
       text += fmt::format("{}{}", k > 0 ? ", " : "", row.weights[k]);
     text += "}},\n";
   }

@@ -17,7 +17,7 @@
 #include "preprocess/readers/read_points.h"
 #include "renderer/render.h"
 #include "tests/experiments/crossing_surfaces.h"
-#include "tests/experiments/picture_error.h"
+#include "tests/experiments/image_error.h"
 #include "tests/experiments/ray_layers.h"
 
 namespace relief::experiment {

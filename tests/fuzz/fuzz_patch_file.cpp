@@ -14,11 +14,11 @@ void check(const Patch& patch) {
 
 void read(const PatchFile& file) {
   // The index tells beforehand what a patch takes. Large ones are slow here and find nothing more.
-  constexpr std::uint64_t kMostNodes = 4096;
-  constexpr std::size_t kMostPatches = 4;
-  for (std::size_t i = 0; i < std::min(file.patches().size(), kMostPatches); ++i) {
+  constexpr std::uint64_t kMaxNodes = 4096;
+  constexpr std::size_t kMaxPatches = 4;
+  for (std::size_t i = 0; i < std::min(file.patches().size(), kMaxPatches); ++i) {
     const PatchSummary& summary = file.patches()[i];
-    if (std::uint64_t{summary.width} * summary.height > kMostNodes) continue;
+    if (std::uint64_t{summary.width} * summary.height > kMaxNodes) continue;
     if (const auto patch = file.read_patch(i)) check(*patch);
     for (unsigned level = 0; level <= file.info().levels; ++level) {
       if (const auto patch = file.read_level(i, level)) check(*patch);
@@ -35,8 +35,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto file = relief::PatchFile::open(bytes.path());
   if (file) relief::fuzz::read(*file);
   const auto tree = relief::PatchTree::open(bytes.path());
-  constexpr std::uint32_t kMostTiles = 4;
-  for (std::uint32_t t = 0; tree && t < std::min<std::size_t>(tree->tiles().size(), kMostTiles);
+  constexpr std::uint32_t kMaxTiles = 4;
+  for (std::uint32_t t = 0; tree && t < std::min<std::size_t>(tree->tiles().size(), kMaxTiles);
        ++t) {
     const auto tile = tree->open_tile(t);
     if (tile) relief::fuzz::read(*tile);

@@ -82,7 +82,7 @@ void add_patch_files(const Seeds& seeds, const fs::path& test_data) {
   }
 }
 
-void add_pictures(const Seeds& seeds) {
+void add_images(const Seeds& seeds) {
   Image image{4, 3, {}};
   for (const char* name : {"R", "G", "B"})
     image.channels.push_back({name, ChannelType::Half, std::vector<float>(12, 0.5F)});
@@ -125,7 +125,7 @@ int main(int argc, char** argv) {
   const relief::test::Seeds seeds(argv[1]);
   relief::test::add_scans(seeds);
   relief::test::add_patch_files(seeds, argv[2]);
-  relief::test::add_pictures(seeds);
+  relief::test::add_images(seeds);
   relief::test::add_scenes(seeds);
   return 0;
 }

@@ -7,16 +7,16 @@
 #include <string>
 
 #include "common/transform.h"
-#include "tests/renderer/pictures.h"
+#include "tests/renderer/images.h"
 
 namespace relief {
 namespace {
 
 using test::must_render;
-using test::small_picture;
+using test::small_image;
 using test::values;
 
-/// Two spheres' patches, one of them bumpy and coloured, and five placements of them. They are
+/// Two spheres' patches, one of them bumpy and coloured, and five instances of them. They are
 /// scaled by powers of two, which round nothing.
 PatchModel placed_spheres() {
   PatchModel model = test::sphere_model({.spacing = 0.1, .bumps = 0.1, .coloured = true});
@@ -30,13 +30,13 @@ PatchModel placed_spheres() {
   const glm::dmat3 turn = rotation_about({1.0, 2.0, -0.5}, 77.0);
   for (const auto& [x, scale, material] :
        {std::tuple{-2.0, 1.0, 0}, {0.5, 0.5, 1}, {2.5, 2.0, 0}}) {
-    const Placement placement{
+    const Instance instance{
         0, count, {{x, 0.0, 0.3 * x}, turn, scale}, static_cast<std::uint8_t>(material)};
-    EXPECT_TRUE(add_placement(placed, placement, first));
+    EXPECT_TRUE(add_instance(placed, instance, first));
   }
   for (const double z : {1.5, -1.5}) {
-    const Placement placement{count, others, {{0.0, 0.0, z}, glm::dmat3(1.0), 1.0}, 1};
-    EXPECT_TRUE(add_placement(placed, placement, without_patches(other)));
+    const Instance instance{count, others, {{0.0, 0.0, z}, glm::dmat3(1.0), 1.0}, 1};
+    EXPECT_TRUE(add_instance(placed, instance, without_patches(other)));
   }
   return placed;
 }
@@ -64,12 +64,12 @@ RenderSettings two_materials(RenderSettings settings) {
   return settings;
 }
 
-TEST(Placements, AreDrawnAsModelsOfTheirOwn) {
+TEST(Instances, AreDrawnAsModelsOfTheirOwn) {
   const PatchModel placed = placed_spheres();
   const PatchModel baked = bake(placed);
   ASSERT_EQ(baked.patches.size(), 3U * 6U + 2U * 6U);
-  for (const test::Way& way : test::all_ways()) {
-    RenderSettings settings = two_materials(small_picture(placed));
+  for (const test::Method& way : test::all_methods()) {
+    RenderSettings settings = two_materials(small_image(placed));
     settings.primitive = way.primitive;
     settings.interpolation = way.interpolation;
     settings.pixels_per_sample = 0.0;  // or baked models, which are one model, would be nearer
@@ -80,11 +80,11 @@ TEST(Placements, AreDrawnAsModelsOfTheirOwn) {
   }
 }
 
-TEST(Placements, AreDrawnSoByEveryEngine) {
+TEST(Instances, AreDrawnSoByEveryEngine) {
   const PatchModel placed = placed_spheres();
   const PatchModel baked = bake(placed);
   for (const EngineKind engine : {EngineKind::Multipass, EngineKind::Ewa, EngineKind::Raytrace}) {
-    RenderSettings settings = two_materials(small_picture(placed, {20.0, 15.0}, 48));
+    RenderSettings settings = two_materials(small_image(placed, {20.0, 15.0}, 48));
     settings.engine = engine;
     settings.primitive = Primitive::Quad;
     settings.raytrace.samples = 1;
@@ -94,23 +94,23 @@ TEST(Placements, AreDrawnSoByEveryEngine) {
   }
 }
 
-TEST(Placements, PatchIdsCountOnFromOneToTheNext) {
+TEST(Instances, PatchIdsCountOnFromOneToTheNext) {
   const PatchModel placed = placed_spheres();
-  RenderSettings settings = two_materials(small_picture(placed));
+  RenderSettings settings = two_materials(small_image(placed));
   const RenderResult result = must_render(placed, settings);
   const std::vector<float>& ids = values(result.image, "patch");
-  // The last placement begins after four others.
+  // The last instance begins after four others.
   EXPECT_GT(*std::max_element(ids.begin(), ids.end()), 3.0F * 6.0F + 6.0F);
   EXPECT_LE(*std::max_element(ids.begin(), ids.end()), 5.0F * 6.0F);
 }
 
 /// A sphere of radius 1 that is `pixels` wide in a picture of 160 x 128.
-struct FarSphere {
+struct ProxySphere {
   PatchModel model = test::sphere_model({.spacing = 0.02, .patches_per_side = 2, .coloured = true});
   RenderSettings settings;
 
-  explicit FarSphere(double pixels, bool orthographic) {
-    settings = small_picture(model, {20.0, 15.0}, 128);
+  explicit ProxySphere(double pixels, bool orthographic) {
+    settings = small_image(model, {20.0, 15.0}, 128);
     settings.outputs = test::all_outputs();
     settings.explain = true;
     settings.background = std::nullopt;
@@ -122,13 +122,13 @@ struct FarSphere {
   }
 };
 
-bool draws_far_models(const RenderResult& result) {
+bool draws_proxies(const RenderResult& result) {
   return result.explanation &&
          std::any_of(result.explanation->passes.begin(), result.explanation->passes.end(),
                      [](const auto& pass) { return pass == "far models"; });
 }
 
-class FarModels : public testing::TestWithParam<bool> {};
+class Proxies : public testing::TestWithParam<bool> {};
 
 /// What a pixel's middle sees: a line, whose direction is of unit depth.
 struct Sight {
@@ -148,10 +148,10 @@ Sight sight_of(const RenderSettings& settings, std::size_t pixel) {
   return {eye + size * (right * axes[0] + up * axes[1]), -axes[2]};
 }
 
-TEST_P(FarModels, ASphereIsWhereItsFormulaSays) {
-  const FarSphere sphere(40.0, GetParam());
+TEST_P(Proxies, ASphereIsWhereItsFormulaSays) {
+  const ProxySphere sphere(40.0, GetParam());
   const RenderResult result = must_render(sphere.model, sphere.settings);
-  EXPECT_TRUE(draws_far_models(result));
+  EXPECT_TRUE(draws_proxies(result));
   for (std::size_t k = 0; k < values(result.image, "A").size(); ++k) {
     const auto [start, along] = sight_of(sphere.settings, k);
     const double middle = -glm::dot(start, along) / glm::dot(along, along);
@@ -177,8 +177,8 @@ TEST_P(FarModels, ASphereIsWhereItsFormulaSays) {
   }
 }
 
-TEST_P(FarModels, TellThePlaceOfASampleNearby) {
-  const FarSphere sphere(40.0, GetParam());
+TEST_P(Proxies, TellThePlaceOfASampleNearby) {
+  const ProxySphere sphere(40.0, GetParam());
   const RenderResult result = must_render(sphere.model, sphere.settings);
   const RenderSettings& settings = sphere.settings;
   for (std::size_t k = 0; k < values(result.image, "patch").size(); ++k) {
@@ -198,31 +198,31 @@ TEST_P(FarModels, TellThePlaceOfASampleNearby) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Cameras, FarModels, testing::Bool(), [](const auto& tested) {
+INSTANTIATE_TEST_SUITE_P(Cameras, Proxies, testing::Bool(), [](const auto& tested) {
   return tested.param ? "orthographic" : "perspective";
 });
 
-TEST(FarModels, NoTraceOfThemFromNearNorWhereTheyAreOff) {
-  const FarSphere near(68.0, false);
-  EXPECT_FALSE(draws_far_models(must_render(near.model, near.settings)));
+TEST(Proxies, NoTraceOfThemFromNearNorWhereTheyAreOff) {
+  const ProxySphere near(68.0, false);
+  EXPECT_FALSE(draws_proxies(must_render(near.model, near.settings)));
   for (const auto& change : std::vector<void (*)(RenderSettings&)>{
            [](RenderSettings& s) { s.pixels_per_sample = 0.0; },
            [](RenderSettings& s) { s.primitive = Primitive::Quad; },
            [](RenderSettings& s) { s.constants.opacity = 0.5F; }}) {
-    FarSphere far(40.0, false);
-    EXPECT_TRUE(draws_far_models(must_render(far.model, far.settings)));
+    ProxySphere far(40.0, false);
+    EXPECT_TRUE(draws_proxies(must_render(far.model, far.settings)));
     change(far.settings);
-    EXPECT_FALSE(draws_far_models(must_render(far.model, far.settings)));
+    EXPECT_FALSE(draws_proxies(must_render(far.model, far.settings)));
   }
 }
 
-TEST(FarModels, LookAsCellsDo) {
-  const FarSphere far(48.0, false);
+TEST(Proxies, LookAsCellsDo) {
+  const ProxySphere far(48.0, false);
   RenderSettings cells = far.settings;
   cells.pixels_per_sample = 0.0;
   const RenderResult one = must_render(far.model, far.settings);
   const RenderResult other = must_render(far.model, cells);
-  ASSERT_TRUE(draws_far_models(one));
+  ASSERT_TRUE(draws_proxies(one));
   double squared = 0.0;
   std::size_t both = 0;
   for (std::size_t k = 0; k < values(one.image, "A").size(); ++k) {

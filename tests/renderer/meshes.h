@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "renderer/geometry/triangle_mesh.h"
-#include "tests/renderer/pictures.h"
+#include "tests/renderer/images.h"
 
 namespace relief::test {
 
@@ -50,8 +50,8 @@ inline TriangleMesh sphere_mesh(std::uint32_t rings, glm::dvec3 centre = {}) {
 }
 
 /// Settings for a traced picture, one ray a pixel, all outputs, transparent background.
-inline RenderSettings traced_picture(const Camera& camera, std::uint32_t width = 96,
-                                     std::uint32_t height = 80) {
+inline RenderSettings traced_image(const Camera& camera, std::uint32_t width = 96,
+                                   std::uint32_t height = 80) {
   RenderSettings settings;
   settings.engine = EngineKind::Raytrace;
   settings.width = width;

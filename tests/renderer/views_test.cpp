@@ -6,13 +6,13 @@
 
 #include "common/transform.h"
 #include "shaders/include/shared.h"
-#include "tests/renderer/pictures.h"
+#include "tests/renderer/images.h"
 
 namespace relief {
 namespace {
 
 using test::must_render;
-using test::small_picture;
+using test::small_image;
 using test::values;
 
 PatchModel bumpy_sphere(bool coloured) {
@@ -35,10 +35,10 @@ TEST(Views, EachIsTheSameAsIfItWereTheOnlyOne) {
   const PatchModel model = bumpy_sphere(true);
   std::vector<RenderSettings> views;
   for (const Material material : {Material::Unlit, Material::Mirror, Material::Lit}) {
-    for (const test::Way& way : test::all_ways()) {
+    for (const test::Method& way : test::all_methods()) {
       const double turn = 40.0 * static_cast<double>(views.size());
       RenderSettings settings =
-          small_picture(model, {turn, 15.0, 1.3}, 48 + static_cast<std::uint32_t>(views.size()));
+          small_image(model, {turn, 15.0, 1.3}, 48 + static_cast<std::uint32_t>(views.size()));
       settings.material = material;
       settings.primitive = way.primitive;
       settings.interpolation = way.interpolation;
@@ -73,7 +73,7 @@ TEST(Views, WhatOneOfThemReadsIsThereForIt) {
   // Unlit reads colours and no normals, a mirror normals and no colours.
   const PatchModel model = bumpy_sphere(true);
   for (const bool mirror_first : {false, true}) {
-    std::vector<RenderSettings> views(2, small_picture(model));
+    std::vector<RenderSettings> views(2, small_image(model));
     views[0].material = mirror_first ? Material::Mirror : Material::Unlit;
     views[1].material = mirror_first ? Material::Unlit : Material::Mirror;
     Progress silent;
@@ -92,7 +92,7 @@ TEST(Views, WhatOneOfThemReadsIsThereForIt) {
 
 TEST(Views, WhatTheSinkSaysEndsTheRendering) {
   const PatchModel model = bumpy_sphere(false);
-  const std::vector<RenderSettings> views(3, small_picture(model));
+  const std::vector<RenderSettings> views(3, small_image(model));
   Progress silent;
   std::size_t taken = 0;
   const Status drawn = render_views(
@@ -123,9 +123,9 @@ class Impatient final : public Progress {
 
 TEST(Views, ProgressCountsThemAndStopsBetweenThem) {
   const PatchModel model = bumpy_sphere(false);
-  const std::vector<RenderSettings> views(3, small_picture(model));
+  const std::vector<RenderSettings> views(3, small_image(model));
   std::size_t taken = 0;
-  const PictureSink sink = [&taken](std::size_t, const RenderResult&) {
+  const ImageSink sink = [&taken](std::size_t, const RenderResult&) {
     ++taken;
     return Status();
   };
@@ -143,8 +143,8 @@ TEST(MovedModels, TwiceAsLargeFromTwiceAsFarIsTheSamePicture) {
   const PatchModel model = bumpy_sphere(true);
   PatchModel large = model;
   ASSERT_TRUE(transform_model(large, {{}, glm::dmat3(1.0), 2.0}));
-  for (const test::Way& way : test::all_ways()) {
-    RenderSettings settings = small_picture(model, {20.0, 15.0, 1.3});
+  for (const test::Method& way : test::all_methods()) {
+    RenderSettings settings = small_image(model, {20.0, 15.0, 1.3});
     settings.primitive = way.primitive;
     settings.interpolation = way.interpolation;
     settings.outputs = test::all_outputs();
@@ -169,8 +169,8 @@ TEST(MovedModels, AMovedModelIsTheModelSeenByACameraMovedBack) {
   const auto there = [&transform](glm::dvec3 p) {
     return transform.translation + transform.scale * (transform.rotation * p);
   };
-  for (const test::Way& way : test::all_ways()) {
-    RenderSettings settings = small_picture(model, {20.0, 15.0});
+  for (const test::Method& way : test::all_methods()) {
+    RenderSettings settings = small_image(model, {20.0, 15.0});
     settings.primitive = way.primitive;
     settings.interpolation = way.interpolation;
     settings.outputs = test::all_outputs();
@@ -208,8 +208,8 @@ TEST(MovedModels, OrbitsFollowTheModel) {
   const PatchModel model = bumpy_sphere(false);
   PatchModel moved = model;
   ASSERT_TRUE(transform_model(moved, {{1e6, -2e6, 5.0}, glm::dmat3(1.0), 4.0}));
-  const RenderResult one = must_render(model, small_picture(model, {30.0, 20.0}));
-  const RenderResult other = must_render(moved, small_picture(moved, {30.0, 20.0}));
+  const RenderResult one = must_render(model, small_image(model, {30.0, 20.0}));
+  const RenderResult other = must_render(moved, small_image(moved, {30.0, 20.0}));
   // Doubles at 2e6 are 5e-10 apart: ties alone.
   EXPECT_LE(test::count_different(one.image, other.image, 1), 2U);
 }
@@ -220,10 +220,10 @@ TEST(JoinedModels, AreSeenSideBySideWithIdsThatCountOn) {
   PatchModel grey = bumpy_sphere(false);
   ASSERT_TRUE(transform_model(grey, {{3.0, 0.0, 0.0}, glm::dmat3(1.0), 1.0}));
   append_model(both, grey);
-  RenderSettings settings = small_picture(both, {0.0, 0.0});
+  RenderSettings settings = small_image(both, {0.0, 0.0});
   settings.material = Material::Unlit;
   settings.outputs.patch_id = true;
-  for (const test::Way& way : test::all_ways()) {
+  for (const test::Method& way : test::all_methods()) {
     settings.primitive = way.primitive;
     settings.interpolation = way.interpolation;
     const RenderResult result = must_render(both, settings);

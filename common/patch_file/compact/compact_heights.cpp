@@ -47,7 +47,7 @@ struct HeightWriter {
   std::uint32_t operator()(std::int16_t height, Expectation e) const {
     const std::uint16_t r = zigzag(static_cast<std::uint16_t>(height - e.height));
     put_residual(*out, e.residual_class, r);
-    return std::min(magnitude_of(r), kMostMagnitude);
+    return std::min(magnitude_of(r), kMaxMagnitude);
   }
 };
 
@@ -62,7 +62,7 @@ struct HeightReader {
     std::uint32_t magnitude = magnitude_of(symbol);
     if (symbol >= classes->plain[e.residual_class]) [[unlikely]] {
       residual = take_rest(in, *classes, e.residual_class, symbol);
-      magnitude = std::min(magnitude_of(residual), kMostMagnitude);
+      magnitude = std::min(magnitude_of(residual), kMaxMagnitude);
     }
     height = static_cast<std::int16_t>(
         static_cast<std::uint16_t>(e.height + unzigzag(static_cast<std::uint16_t>(residual))));
@@ -112,9 +112,9 @@ Status decode_heights_compact(std::span<const std::byte> bytes, std::uint32_t sa
                               unsigned level, Patch& patch) {
   // A node of the mask takes log2(4096 / 4095) bits at least: a chunk of fewer bytes is a bomb,
   // which would be seen only behind the whole mask.
-  constexpr std::uint64_t kMostNodesPerByte = 32768;
+  constexpr std::uint64_t kMaxNodesPerByte = 32768;
   const std::uint64_t nodes = std::uint64_t{patch.width} * patch.height;
-  if (nodes / kMostNodesPerByte > bytes.size()) return make_error("they are too few for the mask");
+  if (nodes / kMaxNodesPerByte > bytes.size()) return make_error("they are too few for the mask");
   RansDecoder in(bytes);
   const std::vector<std::uint8_t> mask = take_mask(in, patch.width, patch.height);
   if (!in.is_sound()) return make_error("they end within the mask");

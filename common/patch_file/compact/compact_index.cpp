@@ -66,7 +66,7 @@ glm::dvec3 index_base(const Bounds& bounds) {
 }
 
 /// Steps in which places are kept; 1 for a model without patches.
-double placement_step(const std::vector<PatchRecord>& patches) {
+double instance_step(const std::vector<PatchRecord>& patches) {
   if (patches.empty()) return 1.0;
   double least = patches.front().summary.height_step;
   for (const PatchRecord& patch : patches) least = std::min(least, patch.summary.height_step);
@@ -101,7 +101,7 @@ PatchSummary rounded_summary(const PatchSummary& patch, const glm::dvec3& base, 
 }  // namespace
 
 std::vector<std::byte> write_compact_index(const FileIndex& index, const FileHeader& header) {
-  const double step = placement_step(index.patches);
+  const double step = instance_step(index.patches);
   const double height_step = common_height_step(index);
   const glm::dvec3 base = index_base(header.bounds);
   std::vector<std::byte> out;
@@ -165,7 +165,7 @@ Result<FileIndex> parse_compact_index(std::span<const std::byte> bytes, const Fi
     constexpr const char* kEnd = "the index ends within it";
     PatchRecord record;
     PatchSummary& patch = record.summary;
-    if (in.left() < kLeastCompactRecord) return damaged(p, kEnd);
+    if (in.left() < kMinCompactRecord) return damaged(p, kEnd);
     const auto flags = in.take<std::uint8_t>();
     if (flags > AllFlags) return damaged(p, "it has flags that this program does not know");
     patch.spacing = header.spacing;

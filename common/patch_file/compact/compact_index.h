@@ -13,7 +13,7 @@
 namespace relief {
 
 /// The least that the index says of a patch, in bytes.
-inline constexpr std::size_t kLeastCompactRecord = 28;
+inline constexpr std::size_t kMinCompactRecord = 28;
 
 /// Places are rounded to steps of a power of two, at most a 16th of any patch's height step, so
 /// that no sample moves by more than 0.06 height steps; a normal cone holds what it held before.

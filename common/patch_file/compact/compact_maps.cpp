@@ -157,8 +157,8 @@ std::vector<std::byte> encode_normals_compact(const Patch& patch, std::uint16_t 
 }
 
 std::uint16_t normal_step(double degrees) {
-  return static_cast<std::uint16_t>(std::lround(
-      std::clamp(degrees, kLeastNormalDegrees, kMostNormalDegrees) * 10.0 * kNormalStep));
+  return static_cast<std::uint16_t>(
+      std::lround(std::clamp(degrees, kMinNormalDegrees, kMaxNormalDegrees) * 10.0 * kNormalStep));
 }
 
 std::vector<glm::i16vec2> rounded_normals_compact(const Patch& patch, std::uint16_t step) {

@@ -54,7 +54,7 @@ template <class Code>
     std::uint8_t* const row = rows.row();
     unsigned west = 0;
     for (std::size_t i = 0; i < width; ++i) {
-      // Two ways, so that processors guess which one it is: most nodes are as those before them.
+      // Two methods, so that processors guess which one it is: most nodes are as those before them.
       if (code(kSampleChances[contexts[i] | west])) {
         row[i] = 1;
         west = (west << 1U & 2U) | 1U;

@@ -24,7 +24,7 @@ struct Expectation {
 };
 
 /// Larger residuals are as large to those that are expected to be like them.
-inline constexpr std::uint32_t kMostMagnitude = 255;
+inline constexpr std::uint32_t kMaxMagnitude = 255;
 
 /// The class of the coarsest level's residuals, which follow from next to nothing.
 inline constexpr unsigned kCoarsestClass = 46;
@@ -47,14 +47,14 @@ inline constexpr auto kErrorWeights = [] {
 }();
 
 /// Visits the samples of a level's pass: `code(height, expectation)` sets or reads the height and
-/// returns the magnitude of the residual, at most kMostMagnitude. It is taken and given back by
+/// returns the magnitude of the residual, at most kMaxMagnitude. It is taken and given back by
 /// value, so that a decoder's state stays in registers.
 template <const HeightPass& Pass, class Code>
 [[nodiscard]] Code visit_pass(const PredictorTable& table, LevelGrid& grid, Code code) {
   using Row = HeightRow<Pass>;
   constexpr std::uint32_t kOfBefore = weight_at(Pass, -Pass.step, 0);
   constexpr std::uint32_t kOfSecond = weight_at(Pass, -2 * Pass.step, 0);
-  constexpr std::uint32_t kNeighbourBits = (1U << kMostNeighbours) - 1U;
+  constexpr std::uint32_t kNeighbourBits = (1U << kMaxNeighbours) - 1U;
   const ResidualClasses& classes = residual_classes();
   const std::uint32_t error_scale = kErrorScales[std::min<std::size_t>(grid.level, 6)];
   const PredictorRow& of_all = table.row(kNeighbourBits);
@@ -92,7 +92,7 @@ template <const HeightPass& Pass, class Code>
             weights.known != 0 ? weights.weights[Row::kBefore] : 1 << kWeightBits;
         height += row.sum(n, weights) + of_last * last;
         magnitude +=
-            kErrorWeights<Pass>[known >> kMostNeighbours] * weights.error * error_scale / 64;
+            kErrorWeights<Pass>[known >> kMaxNeighbours] * weights.error * error_scale / 64;
       }
       magnitude += kOfBefore * before + kOfSecond * second;
       second = before;

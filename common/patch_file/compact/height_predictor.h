@@ -22,7 +22,7 @@ struct NearResidual {
   std::uint8_t weight = 0;
 };
 
-inline constexpr std::size_t kMostNeighbours = 10;
+inline constexpr std::size_t kMaxNeighbours = 10;
 inline constexpr std::size_t kNearResiduals = 5;
 /// Weights of predictions are in 1/1024.
 inline constexpr unsigned kWeightBits = 10;
@@ -31,7 +31,7 @@ inline constexpr unsigned kWeightBits = 10;
 struct PredictorRow {
   std::uint16_t known = 0;  ///< bit k: neighbour k of the stencil is used
   std::uint16_t error = 0;  ///< the mean magnitude of residuals, in 1/16
-  std::array<std::int16_t, kMostNeighbours> weights{};  ///< their sum is 1024
+  std::array<std::int16_t, kMaxNeighbours> weights{};  ///< their sum is 1024
 };
 
 /// A level is coded in two passes, and each looks at its own neighbours.
@@ -39,7 +39,7 @@ struct HeightPass {
   std::uint32_t first;      ///< its first column
   int step;                 ///< from each of its columns to the next
   std::uint32_t first_row;  ///< every second one from there
-  std::array<NodeOffset, kMostNeighbours> neighbours;
+  std::array<NodeOffset, kMaxNeighbours> neighbours;
   std::array<NearResidual, kNearResiduals> residuals;
   std::uint32_t error_weight;  ///< of PredictorRow::error in what is expected, in 1/256
 };
@@ -78,7 +78,7 @@ class PredictorTable {
 
  private:
   std::span<const PredictorRow> rows_;
-  std::array<std::uint16_t, 1U << kMostNeighbours> row_of_{};
+  std::array<std::uint16_t, 1U << kMaxNeighbours> row_of_{};
 };
 
 struct PredictorTables {

@@ -33,8 +33,8 @@ template <const HeightPass& Pass>
 class HeightRow {
  public:
   /// Neighbours and near residuals as bits: bit k is neighbour k, if that is a sample, bit
-  /// kMostNeighbours + k the node of near residual k.
-  static constexpr std::size_t kBits = kMostNeighbours + kNearResiduals;
+  /// kMaxNeighbours + k the node of near residual k.
+  static constexpr std::size_t kBits = kMaxNeighbours + kNearResiduals;
   static constexpr std::uint32_t kAll = (1U << kBits) - 1U;
   /// The neighbour that is visited just before a node.
   static constexpr std::size_t kBefore = [] {
@@ -71,7 +71,7 @@ class HeightRow {
   [[nodiscard]] std::int32_t sum(std::size_t n, const PredictorRow& row) const {
     const std::int16_t* const node = heights_ + n * Pass.step;
     std::int32_t sum = 0;
-    unrolled<kMostNeighbours>([&](auto k) {
+    unrolled<kMaxNeighbours>([&](auto k) {
       if constexpr (k != kBefore) sum += row.weights[k] * node[offset(Pass.neighbours[k])];
     });
     return sum;
@@ -98,9 +98,9 @@ class HeightRow {
   /// Of bit k the samples of sixteen columns.
   template <std::size_t Bit>
   [[nodiscard]] __m128i samples(std::size_t n) const {
-    constexpr NodeOffset kAt = Bit < kMostNeighbours
-                                   ? Pass.neighbours[Bit % kMostNeighbours]
-                                   : Pass.residuals[(Bit - kMostNeighbours) % kNearResiduals].at;
+    constexpr NodeOffset kAt = Bit < kMaxNeighbours
+                                   ? Pass.neighbours[Bit % kMaxNeighbours]
+                                   : Pass.residuals[(Bit - kMaxNeighbours) % kNearResiduals].at;
     return load(samples_ + n * Pass.step + offset(kAt));
   }
 
@@ -188,7 +188,7 @@ class HeightRow {
     __m128i low = _mm_setzero_si128();
     __m128i high = low;
     if constexpr (Pass.step == 2) {
-      unrolled<kMostNeighbours>([&](auto k) {
+      unrolled<kMaxNeighbours>([&](auto k) {
         if constexpr (k != kBefore) {
           const std::int16_t* const from = first + offset(Pass.neighbours[k]);
           const __m128i weight = pair(weights[k], 0);
@@ -214,12 +214,12 @@ class HeightRow {
     for (std::size_t m = n; m < n + LevelGrid::kBlock / Pass.step; ++m) {
       const std::size_t i = m * Pass.step;
       std::uint32_t known = 0;
-      unrolled<kMostNeighbours>(
+      unrolled<kMaxNeighbours>(
           [&](auto k) { known |= std::uint32_t{(samples_ + i)[offset(Pass.neighbours[k])]} << k; });
       std::uint32_t near = 0;
       unrolled<kNearResiduals>([&](auto k) {
         constexpr NearResidual kNear = Pass.residuals[k];
-        known |= std::uint32_t{(samples_ + i)[offset(kNear.at)]} << (kMostNeighbours + k);
+        known |= std::uint32_t{(samples_ + i)[offset(kNear.at)]} << (kMaxNeighbours + k);
         if constexpr (is_elsewhere(kNear))
           near += kNear.weight * std::uint32_t{(magnitudes_ + i)[offset(kNear.at)]};
       });

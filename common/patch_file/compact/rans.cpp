@@ -10,7 +10,7 @@ void RansEncoder::finish(std::vector<std::byte>& out) const {
   // Coding runs backwards, so that decoding runs forwards.
   std::vector<std::uint16_t> words;
   words.reserve(intervals_.size() / 4);
-  std::uint32_t state = kLeastState;
+  std::uint32_t state = kMinState;
   for (auto interval = intervals_.rbegin(); interval != intervals_.rend(); ++interval) {
     // The decoder's state after this symbol is below 2^32 only if this one is below the limit.
     const std::uint64_t limit = std::uint64_t{interval->width} << (32U - kProbabilityBits);

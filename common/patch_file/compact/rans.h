@@ -15,7 +15,7 @@ namespace relief {
 inline constexpr unsigned kProbabilityBits = 12;
 inline constexpr std::uint32_t kProbabilityOne = 1U << kProbabilityBits;
 /// States lie from here to 2^32 - 1; coding starts and decoding ends with this one.
-inline constexpr std::uint32_t kLeastState = 1U << 16U;
+inline constexpr std::uint32_t kMinState = 1U << 16U;
 /// The most equally probable bits that one interval holds.
 inline constexpr unsigned kMaxRawBits = kProbabilityBits;
 
@@ -69,7 +69,7 @@ class RansDecoder {
   /// Goes on behind a symbol whose interval held peek().
   void advance(Interval interval) {
     step(interval);
-    if (state_ < kLeastState) {
+    if (state_ < kMinState) {
       state_ = state_ << 16U | word();
       at_ += 2;
     }
@@ -80,7 +80,7 @@ class RansDecoder {
   /// next to none, as in masks, `advance` is the faster one.
   void advance_evenly(Interval interval) {
     step(interval);
-    const std::uint32_t reads = state_ < kLeastState ? 1 : 0;
+    const std::uint32_t reads = state_ < kMinState ? 1 : 0;
     state_ = state_ << (16 * reads) | (word() & (0U - reads));
     at_ += std::size_t{2} * reads;
   }
@@ -95,7 +95,7 @@ class RansDecoder {
   [[nodiscard]] bool is_sound() const { return at_ <= bytes_.size(); }
 
   /// Everything was read, and it ended where an encoder begins.
-  [[nodiscard]] bool is_at_end() const { return at_ == bytes_.size() && state_ == kLeastState; }
+  [[nodiscard]] bool is_at_end() const { return at_ == bytes_.size() && state_ == kMinState; }
 
  private:
   std::uint32_t take_raw(unsigned count) {

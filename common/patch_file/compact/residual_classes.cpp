@@ -32,8 +32,8 @@ std::vector<std::uint64_t> probabilities(unsigned number) {
   // Two residuals for each magnitude, except 0; shifted symbols are one-sided.
   if (!shifted) list.push_back((kOne - half) * kOne);
   std::uint64_t p = shifted ? (kOne - step) * kOne : half * (kOne - step) / 2;
-  constexpr std::uint64_t kLeast = (kOne * kOne / ResidualClasses::kGrains) / 2;
-  while (p >= kLeast && list.size() + (shifted ? 1 : 2) < ResidualClasses::kMostSymbols) {
+  constexpr std::uint64_t kMin = (kOne * kOne / ResidualClasses::kGrains) / 2;
+  while (p >= kMin && list.size() + (shifted ? 1 : 2) < ResidualClasses::kMaxSymbols) {
     list.push_back(p);
     if (!shifted) list.push_back(p);
     p = p * step / kOne;
@@ -47,8 +47,8 @@ void make_class(unsigned number, ResidualClasses& classes) {
   }
   const std::vector<std::uint64_t> list = probabilities(number);
   // What is not expected happens more often than a Laplacian says: the escape has a grain more.
-  constexpr std::uint32_t kLeastEscape = 1;
-  std::array<std::uint32_t, ResidualClasses::kMostSymbols> widths{};
+  constexpr std::uint32_t kMinEscape = 1;
+  std::array<std::uint32_t, ResidualClasses::kMaxSymbols> widths{};
   std::uint32_t sum = 0;
   std::uint64_t left = kOne * kOne;
   for (std::size_t s = 0; s < list.size(); ++s) {
@@ -58,7 +58,7 @@ void make_class(unsigned number, ResidualClasses& classes) {
     left -= list[s];
   }
   widths[list.size()] =
-      kLeastEscape + static_cast<std::uint32_t>(left * ResidualClasses::kGrains >> 32U);
+      kMinEscape + static_cast<std::uint32_t>(left * ResidualClasses::kGrains >> 32U);
   sum += widths[list.size()];
   // What rounding leaves over or takes goes to the most probable symbol.
   widths[0] += ResidualClasses::kGrains - sum;

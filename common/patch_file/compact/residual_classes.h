@@ -16,11 +16,11 @@ inline constexpr unsigned kResidualClasses = 53;
 /// The class of residuals whose magnitude is expected to be `expectation` / 256.
 [[nodiscard]] inline unsigned class_of(std::uint32_t expectation) {
   // From 1/32 on: less than that the most certain prediction does not expect.
-  constexpr unsigned kLeastOctave = 3;
-  if (expectation < (1U << kLeastOctave)) return 0;
+  constexpr unsigned kMinOctave = 3;
+  if (expectation < (1U << kMinOctave)) return 0;
   const auto octave = static_cast<unsigned>(std::bit_width(expectation)) - 1U;
   const std::uint32_t quarter = (expectation >> (octave - 2)) & 3U;
-  const unsigned number = 4 * (octave - kLeastOctave) + quarter;
+  const unsigned number = 4 * (octave - kMinOctave) + quarter;
   return number < kResidualClasses ? number : kResidualClasses - 1;
 }
 
@@ -31,7 +31,7 @@ inline constexpr std::uint32_t kQuickExpectations = 8192;
 /// lowest bits, which follow as they are, is the symbol; the last symbol stands for all larger
 /// ones. One table after the other, as a decoder waits for `symbol_at` of the class alone.
 struct ResidualClasses {
-  static constexpr unsigned kMostSymbols = 64;
+  static constexpr unsigned kMaxSymbols = 64;
   /// Intervals are whole multiples of 4, so that where symbols are takes 1 KiB a class: those of
   /// the most frequent classes stay in a core's first cache.
   static constexpr unsigned kGrainBits = 2;
@@ -41,7 +41,7 @@ struct ResidualClasses {
   OfClasses<std::uint8_t> shift{};
   OfClasses<std::uint8_t> escape{};  ///< the last symbol
   OfClasses<std::uint8_t> plain{};   ///< lesser symbols are residuals, nothing follows them
-  OfClasses<std::array<Interval, kMostSymbols>> intervals{};
+  OfClasses<std::array<Interval, kMaxSymbols>> intervals{};
   OfClasses<std::array<std::uint8_t, kGrains>> symbol_at{};
   std::array<std::uint8_t, kQuickExpectations> quick{};  ///< class_of(index)
 

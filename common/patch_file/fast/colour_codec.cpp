@@ -57,9 +57,8 @@ Status decode_colours(std::span<const std::byte> bytes, std::uint32_t scale, Pat
   shape_map(patch, scale, map);
   std::vector<std::int32_t> values(kept.size());
   for (const ColourPlane plane : kColourPlanes) {
-    const auto stream = take_stream(in, count, zstd);
-    if (!stream) return stream.error();
-    const std::vector<std::uint16_t> residuals(stream->begin(), stream->end());
+    RELIEF_TRY_ASSIGN(const auto stream, take_stream(in, count, zstd));
+    const std::vector<std::uint16_t> residuals(stream.begin(), stream.end());
     undo_predicted(
         {map.width, map.height, kept}, residuals, predict_plane,
         [](std::uint16_t bits) { return std::int32_t{bits & 0xFF}; }, values);
@@ -69,7 +68,7 @@ Status decode_colours(std::span<const std::byte> bytes, std::uint32_t scale, Pat
       map.texels[k][plane.channel] = static_cast<std::uint8_t>(values[k] + green);
     }
   }
-  if (Status end = check_end(in); !end) return end;
+  RELIEF_TRY(check_end(in));
   continue_over_holes(map, kept);
   return {};
 }

@@ -25,17 +25,16 @@ Result<std::vector<std::uint8_t>> take_mask(ByteReader& in, std::size_t width, s
                                             ZstdContexts& zstd) {
   const std::size_t nodes = width * height;
   // Each run but the first is at least one node long and one of n nodes takes at most n bytes.
-  const auto runs = take_sized_stream(in, nodes + 1, zstd);
-  if (!runs) return runs.error();
+  RELIEF_TRY_ASSIGN(const auto runs, take_sized_stream(in, nodes + 1, zstd));
 
   std::vector<std::uint8_t> mask(nodes, 0);
   std::uint8_t state = 0;
   std::size_t at = 0;
-  for (auto byte = runs->begin(); byte != runs->end();) {
+  for (auto byte = runs.begin(); byte != runs.end();) {
     std::uint64_t length = 0;
     for (unsigned shift = 0;; shift += 7) {
       // Five bytes hold any run on the largest grid.
-      if (byte == runs->end() || shift > 28) return make_error("a run of the mask is damaged");
+      if (byte == runs.end() || shift > 28) return make_error("a run of the mask is damaged");
       length |= std::uint64_t{*byte & 0x7FU} << shift;
       if ((*byte++ & 0x80U) == 0) break;
     }

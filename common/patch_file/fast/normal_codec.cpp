@@ -75,9 +75,8 @@ Status decode_normals(std::span<const std::byte> bytes, std::uint32_t scale, Pat
   }
   const std::vector<std::uint8_t> kept = kept_texels(patch, scale);
   const auto count = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), 1));
-  const auto residuals = take_residuals(in, 2 * count, zstd);
-  if (!residuals) return residuals.error();
-  if (Status end = check_end(in); !end) return end;
+  RELIEF_TRY_ASSIGN(const auto residuals, take_residuals(in, 2 * count, zstd));
+  RELIEF_TRY(check_end(in));
 
   auto& map = patch.normals;
   shape_map(patch, scale, map);
@@ -87,7 +86,7 @@ Status decode_normals(std::span<const std::byte> bytes, std::uint32_t scale, Pat
   for (glm::length_t component = 0; component < 2; ++component) {
     undo_predicted(
         {map.width, map.height, kept},
-        std::span(*residuals).subspan(component == 0 ? 0 : count, count),
+        std::span(residuals).subspan(component == 0 ? 0 : count, count),
         on_heights ? predict_mean : predict_plane,
         [](std::uint16_t bits) { return std::int32_t{static_cast<std::int16_t>(bits)}; }, values);
     for (std::size_t k = 0; k < kept.size(); ++k) {

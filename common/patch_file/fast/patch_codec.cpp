@@ -71,19 +71,17 @@ std::vector<std::byte> encode_heights(const Patch& patch, ZstdContexts& zstd) {
 Status decode_heights(std::span<const std::byte> bytes, std::uint32_t samples, Patch& patch,
                       ZstdContexts& zstd) {
   ByteReader in(bytes);
-  const auto mask = take_mask(in, patch.width, patch.height, zstd);
-  if (!mask) return mask.error();
-  const std::uint32_t marked = count_marked(*mask);
+  RELIEF_TRY_ASSIGN(const auto mask, take_mask(in, patch.width, patch.height, zstd));
+  const std::uint32_t marked = count_marked(mask);
   if (marked != samples) {
     return make_error("the mask has {} samples where the index says {}", marked, samples);
   }
-  const auto differences = take_differences(in, marked, kDifferencePadding, zstd);
-  if (!differences) return differences.error();
-  if (Status end = check_end(in); !end) return end;
+  RELIEF_TRY_ASSIGN(const auto differences, take_differences(in, marked, kDifferencePadding, zstd));
+  RELIEF_TRY(check_end(in));
 
-  patch.heights.resize(mask->size());
+  patch.heights.resize(mask.size());
   static_assert(kMaxHeightRange == 65534);
-  if (undo_plane({patch.width, patch.height, *mask}, *differences, kHole, patch.heights)) {
+  if (undo_plane({patch.width, patch.height, mask}, differences, kHole, patch.heights)) {
     return make_error("a height lies above {}", kMaxHeightRange);
   }
   return {};

@@ -107,25 +107,23 @@ void append_sized_stream(std::vector<std::byte>& out, std::span<const std::uint8
 
 Result<std::vector<std::uint8_t>> take_stream(ByteReader& in, std::size_t decoded_size,
                                               ZstdContexts& zstd) {
-  const auto frame = take_frame(in);
-  if (!frame) return frame.error();
-  if (frame->empty()) return std::vector<std::uint8_t>(decoded_size, 0);
+  RELIEF_TRY_ASSIGN(const auto frame, take_frame(in));
+  if (frame.empty()) return std::vector<std::uint8_t>(decoded_size, 0);
   // A frame may leave its size out; codec 1 does not.
-  if (ZSTD_getFrameContentSize(frame->data(), frame->size()) != decoded_size) {
+  if (ZSTD_getFrameContentSize(frame.data(), frame.size()) != decoded_size) {
     return make_error("a stream does not decode to the {} bytes that belong there", decoded_size);
   }
-  return decompress(*frame, decoded_size, zstd);
+  return decompress(frame, decoded_size, zstd);
 }
 
 Result<std::vector<std::uint8_t>> take_sized_stream(ByteReader& in, std::size_t largest,
                                                     ZstdContexts& zstd) {
-  const auto frame = take_frame(in);
-  if (!frame) return frame.error();
-  if (frame->empty()) return std::vector<std::uint8_t>();
+  RELIEF_TRY_ASSIGN(const auto frame, take_frame(in));
+  if (frame.empty()) return std::vector<std::uint8_t>();
   // ZSTD_CONTENTSIZE_UNKNOWN and _ERROR are the two largest numbers.
-  const unsigned long long size = ZSTD_getFrameContentSize(frame->data(), frame->size());
+  const unsigned long long size = ZSTD_getFrameContentSize(frame.data(), frame.size());
   if (size > largest) return make_error("a stream decodes to more than {} bytes", largest);
-  return decompress(*frame, static_cast<std::size_t>(size), zstd);
+  return decompress(frame, static_cast<std::size_t>(size), zstd);
 }
 
 void append_residuals(std::vector<std::byte>& out, std::span<const std::uint16_t> residuals,
@@ -147,12 +145,10 @@ template <class Use>
 Result<std::vector<std::uint16_t>> take_numbers(ByteReader& in, std::size_t count,
                                                 std::size_t padding, ZstdContexts& zstd,
                                                 const Use& use) {
-  const auto low = take_stream(in, count, zstd);
-  if (!low) return low.error();
-  const auto high = take_stream(in, count, zstd);
-  if (!high) return high.error();
+  RELIEF_TRY_ASSIGN(const auto low, take_stream(in, count, zstd));
+  RELIEF_TRY_ASSIGN(const auto high, take_stream(in, count, zstd));
   std::vector<std::uint16_t> numbers(count + padding);
-  std::transform(low->begin(), low->end(), high->begin(), numbers.begin(),
+  std::transform(low.begin(), low.end(), high.begin(), numbers.begin(),
                  [&](std::uint8_t l, std::uint8_t h) {
                    return use(static_cast<std::uint16_t>(l | (std::uint32_t{h} << 8U)));
                  });

@@ -24,9 +24,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// tinygltf's parser calls itself for what nests in JSON.
-constexpr int kMostDepth = 64;
+constexpr int kMaxDepth = 64;
 /// Nodes may show one mesh again and again; nothing real comes near.
-constexpr std::size_t kMostPoints = 200'000'000;
+constexpr std::size_t kMaxPoints = 200'000'000;
 
 bool nests_too_deep(std::string_view json) {
   int depth = 0;
@@ -39,7 +39,7 @@ bool nests_too_deep(std::string_view json) {
     } else if (c == '"') {
       in_text = true;
     } else if (c == '{' || c == '[') {
-      if (++depth > kMostDepth) return true;
+      if (++depth > kMaxDepth) return true;
     } else if (c == '}' || c == ']') {
       --depth;
     }
@@ -49,9 +49,9 @@ bool nests_too_deep(std::string_view json) {
 
 /// Keeps a picture's bytes as they are: common/image_io.h decodes what is used. Those in buffer
 /// views are found later, with their bounds checked.
-bool keep_picture(tinygltf::Image* image, int /*index*/, std::string* /*error*/,
-                  std::string* /*warning*/, int /*width*/, int /*height*/,
-                  const unsigned char* bytes, int count, void* /*user*/) {
+bool keep_image(tinygltf::Image* image, int /*index*/, std::string* /*error*/,
+                std::string* /*warning*/, int /*width*/, int /*height*/, const unsigned char* bytes,
+                int count, void* /*user*/) {
   if (image->bufferView < 0 && bytes != nullptr && count > 0)
     image->image.assign(bytes, bytes + count);
   return true;
@@ -104,7 +104,7 @@ class GltfReader {
   explicit GltfReader(const Source& source) : source_(source), path_(source.name) {}
 
   Result<Points> read() {
-    if (const Status parsed = parse(); !parsed) return parsed.error();
+    RELIEF_TRY(parse());
     if (!model_.extensionsRequired.empty()) {
       return make_error("{}: needs the extension {}, which is not read; export it without",
                         source_.name, relief::quoted(model_.extensionsRequired.front()));
@@ -126,9 +126,9 @@ class GltfReader {
 
   Status parse() {
     if (nests_too_deep(source_.text.substr(0, json_end())))
-      return make_error("{}: its JSON nests deeper than {} levels", source_.name, kMostDepth);
+      return make_error("{}: its JSON nests deeper than {} levels", source_.name, kMaxDepth);
     tinygltf::TinyGLTF loader;
-    loader.SetImageLoader(keep_picture, nullptr);
+    loader.SetImageLoader(keep_image, nullptr);
     loader.SetFsCallbacks({file_is_there, [](const std::string& name, void*) { return name; },
                            read_beside, nullptr, &path_});
     std::string error;
@@ -167,13 +167,12 @@ class GltfReader {
             v > 0.0 ? static_cast<float>(std::min(v, 1.0)) : 0.0F;
       }
       if (base.baseColorTexture.index >= 0) {
-        auto texture = textures_.read(base.baseColorTexture.index);
-        if (!texture) return texture.error();
-        static_cast<MeshPicture&>(material) = std::move(*texture);
+        RELIEF_TRY_ASSIGN(auto texture, textures_.read(base.baseColorTexture.index));
+        static_cast<MeshImage&>(material) = std::move(texture);
       }
-      auto normals = textures_.read_normals(given.normalTexture, texcoord_set_of(given));
-      if (!normals) return normals.error();
-      material.normals = std::move(*normals);
+      RELIEF_TRY_ASSIGN(auto normals,
+                        textures_.read_normals(given.normalTexture, texcoord_set_of(given)));
+      material.normals = std::move(normals);
       points_.materials.push_back(material);
       material.has_texcoords = false;
       points_.materials.push_back(std::move(material));
@@ -211,7 +210,7 @@ class GltfReader {
       const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
       const glm::dmat4 placed = parent * transform_of(node);
       if (node.mesh >= 0) {
-        if (Status done = read_mesh(node.mesh, placed); !done) return done;
+        RELIEF_TRY(read_mesh(node.mesh, placed));
       }
       for (const int child : node.children) to_do.emplace_back(child, placed);
     }
@@ -235,18 +234,17 @@ class GltfReader {
       const auto found = primitive.attributes.find(name);
       return found == primitive.attributes.end() ? -1 : found->second;
     };
-    const auto positions = read_accessor(model_, attribute("POSITION"), 3);
-    if (!positions) return positions.error();
+    RELIEF_TRY_ASSIGN(const auto positions, read_accessor(model_, attribute("POSITION"), 3));
     const std::size_t first = points_.size();
-    const std::size_t count = positions->size() / 3;
-    if (first + count > kMostPoints)
-      return make_error("its nodes show more than {} points together", kMostPoints);
+    const std::size_t count = positions.size() / 3;
+    if (first + count > kMaxPoints)
+      return make_error("its nodes show more than {} points together", kMaxPoints);
     for (std::size_t k = 0; k < count; ++k) {
-      const double* p = positions->data() + 3 * k;
+      const double* p = positions.data() + 3 * k;
       points_.positions.emplace_back(placed * glm::dvec4(p[0], p[1], p[2], 1.0));
     }
-    if (Status done = read_normals(attribute("NORMAL"), count, placed); !done) return done;
-    if (Status done = read_colours(attribute("COLOR_0"), count); !done) return done;
+    RELIEF_TRY(read_normals(attribute("NORMAL"), count, placed));
+    RELIEF_TRY(read_colours(attribute("COLOR_0"), count));
     const bool is_material = primitive.material >= 0 &&
                              static_cast<std::size_t>(primitive.material) < model_.materials.size();
     std::string name = "TEXCOORD_0";
@@ -255,8 +253,8 @@ class GltfReader {
       name = fmt::format("TEXCOORD_{}", texcoord_set_of(material));
     }
     const int texcoords = attribute(name);
-    if (Status done = read_texcoords(texcoords, count); !done) return done;
-    if (Status done = keep_tangents(attribute("TANGENT"), count, placed); !done) return done;
+    RELIEF_TRY(read_texcoords(texcoords, count));
+    RELIEF_TRY(keep_tangents(attribute("TANGENT"), count, placed));
     const std::uint32_t material =
         is_material ? 2 * static_cast<std::uint32_t>(primitive.material) + (texcoords < 0 ? 1U : 0U)
                     : kNoMaterial;
@@ -266,11 +264,10 @@ class GltfReader {
   Status read_normals(int accessor, std::size_t count, const glm::dmat4& placed) {
     points_.normals.resize(points_.size(), glm::vec3(0.0F));
     if (accessor < 0) return {};
-    const auto normals = read_accessor(model_, accessor, 3);
-    if (!normals) return normals.error();
+    RELIEF_TRY_ASSIGN(const auto normals, read_accessor(model_, accessor, 3));
     const glm::dmat3 turn = glm::transpose(glm::inverse(glm::dmat3(placed)));
-    for (std::size_t k = 0; k < std::min(count, normals->size() / 3); ++k) {
-      const double* n = normals->data() + 3 * k;
+    for (std::size_t k = 0; k < std::min(count, normals.size() / 3); ++k) {
+      const double* n = normals.data() + 3 * k;
       points_.normals[points_.size() - count + k] = turn * glm::dvec3(n[0], n[1], n[2]);
     }
     has_normals_ = true;
@@ -282,10 +279,10 @@ class GltfReader {
     if (index < 0 || static_cast<std::size_t>(index) >= model_.accessors.size()) return {};
     const int type = model_.accessors[static_cast<std::size_t>(index)].type;
     const std::size_t components = type == TINYGLTF_TYPE_VEC4 ? 4 : 3;
-    const auto colours = read_accessor(model_, index, static_cast<int>(components));
-    if (!colours) return colours.error();
-    for (std::size_t k = 0; k < std::min(count, colours->size() / components); ++k) {
-      const double* c = colours->data() + components * k;
+    RELIEF_TRY_ASSIGN(const auto colours,
+                      read_accessor(model_, index, static_cast<int>(components)));
+    for (std::size_t k = 0; k < std::min(count, colours.size() / components); ++k) {
+      const double* c = colours.data() + components * k;
       points_.colours.push_back(srgb8_from_linear(glm::vec3(c[0], c[1], c[2])));
     }
     return {};
@@ -295,8 +292,8 @@ class GltfReader {
   /// white, which is what exporters of coloured points write.
   void choose_colours() {
     const bool all_white = std::ranges::all_of(points_.materials, [](const MeshMaterial& m) {
-      return m.colour == glm::vec3(1.0F) && m.picture.empty() && m.picture_bytes == nullptr &&
-             m.normals.picture.empty() && m.normals.picture_bytes == nullptr;
+      return m.colour == glm::vec3(1.0F) && m.picture.empty() && m.image_bytes == nullptr &&
+             m.normals.picture.empty() && m.normals.image_bytes == nullptr;
     });
     if (points_.colours.size() != points_.size() || !all_white) {
       points_.colours.clear();
@@ -310,21 +307,19 @@ class GltfReader {
   Status read_texcoords(int accessor, std::size_t count) {
     points_.texcoords.resize(points_.size(), glm::vec2(0.0F));
     if (accessor < 0) return {};
-    const auto texcoords = read_accessor(model_, accessor, 2);
-    if (!texcoords) return texcoords.error();
-    for (std::size_t k = 0; k < std::min(count, texcoords->size() / 2); ++k)
-      points_.texcoords[points_.size() - count + k] = {(*texcoords)[2 * k],
-                                                       1.0 - (*texcoords)[2 * k + 1]};
+    RELIEF_TRY_ASSIGN(const auto texcoords, read_accessor(model_, accessor, 2));
+    for (std::size_t k = 0; k < std::min(count, texcoords.size() / 2); ++k)
+      points_.texcoords[points_.size() - count + k] = {texcoords[2 * k],
+                                                       1.0 - texcoords[2 * k + 1]};
     has_texcoords_ = true;
     return {};
   }
 
   Status keep_tangents(int accessor, std::size_t count, const glm::dmat4& placed) {
     if (accessor < 0) return {};
-    auto tangents = read_tangents(model_, accessor, count, placed);
-    if (!tangents) return tangents.error();
+    RELIEF_TRY_ASSIGN(auto tangents, read_tangents(model_, accessor, count, placed));
     tangents_.resize(points_.size() - count, glm::vec4(0.0F));
-    tangents_.insert(tangents_.end(), tangents->begin(), tangents->end());
+    tangents_.insert(tangents_.end(), tangents.begin(), tangents.end());
     return {};
   }
 
@@ -332,9 +327,8 @@ class GltfReader {
                         std::uint32_t material, bool mirrored) {
     std::vector<std::uint32_t> corners;
     if (primitive.indices >= 0) {
-      const auto indices = read_accessor(model_, primitive.indices, 1);
-      if (!indices) return indices.error();
-      for (const double index : *indices) {
+      RELIEF_TRY_ASSIGN(const auto indices, read_accessor(model_, primitive.indices, 1));
+      for (const double index : indices) {
         // clean_points drops triangles of points that do not exist.
         const bool exists = index >= 0.0 && index < static_cast<double>(count);
         corners.push_back(exists

@@ -65,22 +65,21 @@ Result<std::vector<double>> read_accessor(const tinygltf::Model& model, int inde
   if (read == nullptr ||
       tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)) != components)
     return make_error("accessor {} does not have {} numbers an element", index, components);
-  const auto bytes = view_bytes(model, accessor.bufferView);
-  if (!bytes) return bytes.error();
+  RELIEF_TRY_ASSIGN(const auto bytes, view_bytes(model, accessor.bufferView));
   const auto number = static_cast<std::size_t>(
       tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType)));
   const std::size_t element = number * static_cast<std::size_t>(components);
   const std::size_t stated =
       model.bufferViews[static_cast<std::size_t>(accessor.bufferView)].byteStride;
   const std::size_t stride = stated == 0 ? element : stated;
-  const std::size_t left = bytes->size() - std::min(accessor.byteOffset, bytes->size());
+  const std::size_t left = bytes.size() - std::min(accessor.byteOffset, bytes.size());
   if (accessor.count == 0) return std::vector<double>();
   if (left < element || accessor.count - 1 > (left - element) / stride)
     return make_error("accessor {} reaches beyond its bufferView", index);
   std::vector<double> numbers;
   numbers.reserve(accessor.count * static_cast<std::size_t>(components));
   for (std::size_t k = 0; k < accessor.count; ++k) {
-    const std::byte* at = bytes->data() + accessor.byteOffset + k * stride;
+    const std::byte* at = bytes.data() + accessor.byteOffset + k * stride;
     for (std::size_t c = 0; c < static_cast<std::size_t>(components); ++c)
       numbers.push_back(read(at + c * number, accessor.normalized));
   }

@@ -8,14 +8,13 @@ namespace relief {
 
 Result<std::vector<glm::vec4>> read_tangents(const tinygltf::Model& model, int accessor,
                                              std::size_t count, const glm::dmat4& placed) {
-  const auto given = read_accessor(model, accessor, 4);
-  if (!given) return given.error();
+  RELIEF_TRY_ASSIGN(const auto given, read_accessor(model, accessor, 4));
   const glm::dmat3 turn(placed);
   const float handedness = glm::determinant(turn) < 0.0 ? -1.0F : 1.0F;
   std::vector<glm::vec4> tangents;
-  tangents.reserve(std::min(count, given->size() / 4));
-  for (std::size_t k = 0; k < std::min(count, given->size() / 4); ++k) {
-    const double* t = given->data() + 4 * k;
+  tangents.reserve(std::min(count, given.size() / 4));
+  for (std::size_t k = 0; k < std::min(count, given.size() / 4); ++k) {
+    const double* t = given.data() + 4 * k;
     tangents.emplace_back(glm::vec3(turn * glm::dvec3(t[0], t[1], t[2])),
                           handedness * static_cast<float>(t[3]));
   }

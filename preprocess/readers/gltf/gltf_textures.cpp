@@ -8,22 +8,21 @@
 
 namespace relief {
 
-Result<MeshPicture> GltfTextures::read(int index) {
+Result<MeshImage> GltfTextures::read(int index) {
   if (index < 0 || static_cast<std::size_t>(index) >= model_.textures.size())
     return make_error("there is no texture {}", index);
   const tinygltf::Texture& texture = model_.textures[static_cast<std::size_t>(index)];
   if (texture.source < 0 || static_cast<std::size_t>(texture.source) >= model_.images.size())
     return make_error("texture {} has no image that can be read", index);
-  MeshPicture out;
+  MeshImage out;
   if (texture.sampler >= 0 && static_cast<std::size_t>(texture.sampler) < model_.samplers.size()) {
     const tinygltf::Sampler& sampler = model_.samplers[static_cast<std::size_t>(texture.sampler)];
     out.clamps = sampler.wrapS == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE &&
                  sampler.wrapT == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
   }
-  auto bytes = picture_of(texture.source);
-  if (!bytes) return bytes.error();
+  RELIEF_TRY_ASSIGN(auto bytes, picture_of(texture.source));
   out.picture = name_of(texture.source);
-  out.picture_bytes = std::move(*bytes);
+  out.image_bytes = std::move(bytes);
   return out;
 }
 
@@ -38,9 +37,8 @@ Result<MeshNormalMap> GltfTextures::read_normals(const tinygltf::NormalTextureIn
         info.texCoord);
     return map;
   }
-  auto texture = read(info.index);
-  if (!texture) return texture.error();
-  static_cast<MeshPicture&>(map) = std::move(*texture);
+  RELIEF_TRY_ASSIGN(auto texture, read(info.index));
+  static_cast<MeshImage&>(map) = std::move(texture);
   if (std::abs(info.scale) <= MeshNormalMap::kLargestScale)
     map.scale = static_cast<float>(info.scale);
   return map;
@@ -58,9 +56,8 @@ Result<std::shared_ptr<const std::vector<std::byte>>> GltfTextures::picture_of(i
   const tinygltf::Image& image = model_.images[static_cast<std::size_t>(index)];
   std::span<const std::byte> bytes = std::as_bytes(std::span(image.image));
   if (image.bufferView >= 0) {
-    const auto in_buffer = view_bytes(model_, image.bufferView);
-    if (!in_buffer) return in_buffer.error();
-    bytes = *in_buffer;
+    RELIEF_TRY_ASSIGN(const auto in_buffer, view_bytes(model_, image.bufferView));
+    bytes = in_buffer;
   }
   if (bytes.empty()) {
     return make_error("its texture {} cannot be read; put it beside the file, or use --texture",

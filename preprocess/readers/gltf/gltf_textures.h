@@ -21,7 +21,7 @@ class GltfTextures {
 
   /// A texture, undecoded; `picture` is its image's name for messages. Textures that show one image
   /// share its bytes.
-  Result<MeshPicture> read(int index);
+  Result<MeshImage> read(int index);
 
   /// The normal map of a material, whose texture coordinates are the set `texcoord_set`: one that
   /// has others is left out, for a point has one texture coordinate.

@@ -75,30 +75,29 @@ void tell(const Source& source, Colours colours, const LeftOut& left_out) {
 }  // namespace
 
 Result<Points> read_las(const Source& source) {
-  const auto header = read_las_header(source);
-  if (!header) return header.error();
-  const Colours colours = find_colours(source, *header);
+  RELIEF_TRY_ASSIGN(const auto header, read_las_header(source));
+  const Colours colours = find_colours(source, header);
   Points points;
   std::uint64_t given = 0;  // to the sink
   const std::uint64_t most = source.sink != nullptr
-                                 ? std::min<std::uint64_t>(header->points, PointSink::kBlockPoints)
-                                 : header->points;
+                                 ? std::min<std::uint64_t>(header.points, PointSink::kBlockPoints)
+                                 : header.points;
   points.positions.reserve(most);
   if (colours != Colours::None) points.colours.reserve(most);
-  // The upper byte is right for both ways to make 16 bits of a byte: times 256 and times 257.
+  // The upper byte is right for both methods to make 16 bits of a byte: times 256 and times 257.
   const unsigned shift = colours == Colours::Words ? 8 : 0;
   LeftOut left_out;
   ReadMeter meter(source);
-  for (std::uint64_t i = 0; i < header->points; ++i) {
-    const std::size_t at = header->body + i * header->stride;
+  for (std::uint64_t i = 0; i < header.points; ++i) {
+    const std::size_t at = header.body + i * header.stride;
     if (!meter.advance_to(at)) return interrupted_error();
     const char* const record = source.text.data() + at;
-    if (left_out.takes(record, header->is_wide())) continue;
+    if (left_out.takes(record, header.is_wide())) continue;
     const glm::dvec3 steps(load_whole<std::int32_t>(record), load_whole<std::int32_t>(record + 4),
                            load_whole<std::int32_t>(record + 8));
-    points.positions.push_back(header->offset + header->scale * steps);
+    points.positions.push_back(header.offset + header.scale * steps);
     if (colours != Colours::None) {
-      const glm::u16vec3 c = colour_of(record, header->colour_at());
+      const glm::u16vec3 c = colour_of(record, header.colour_at());
       points.colours.emplace_back(c.x >> shift, c.y >> shift, c.z >> shift);
     }
     if (source.sink != nullptr && points.size() == PointSink::kBlockPoints) {
@@ -109,7 +108,7 @@ Result<Points> read_las(const Source& source) {
   tell(source, colours, left_out);
   if (points.size() + given == 0 && source.remarks.left_out > 0) {
     return make_error("{}: holds no points to use: all {} are marked as withheld or noise",
-                      source.name, header->points);
+                      source.name, header.points);
   }
   return points;
 }

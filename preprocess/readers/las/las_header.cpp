@@ -50,7 +50,7 @@ class LasHeaderReader {
                             &LasHeaderReader::read_frame, &LasHeaderReader::check_records,
                             &LasHeaderReader::count_points, &LasHeaderReader::check_body,
                             &LasHeaderReader::check_extended_records}) {
-      if (const Status status = (this->*step)(); !status) return status.error();
+      RELIEF_TRY((this->*step)());
     }
     return header_;
   }

@@ -34,7 +34,7 @@ class ObjReader {
     ReadMeter meter(source_);
     while (line_.next_line()) {
       if (!meter.advance_to(line_.offset())) return interrupted_error();
-      if (Status status = read_line(); !status) return status.error();
+      RELIEF_TRY(read_line());
     }
     if (points_.size() >= kNoPoint) return too_many_points(source_, points_.size());
     give_normals();

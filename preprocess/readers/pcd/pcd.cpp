@@ -170,14 +170,13 @@ bool is_pcd(std::string_view text) {
 }
 
 Result<Points> read_pcd(const Source& source) {
-  const auto header = read_pcd_header(source);
-  if (!header) return header.error();
-  const PcdLayout layout(header->fields);
+  RELIEF_TRY_ASSIGN(const auto header, read_pcd_header(source));
+  const PcdLayout layout(header.fields);
   if (!layout.record.positions()) {
     return make_error("{}: its points have no fields x, y and z", source.name);
   }
-  auto points = read_body(source, *header, layout);
-  if (points) points->viewpoint = header->viewpoint;
+  auto points = read_body(source, header, layout);
+  if (points) points->viewpoint = header.viewpoint;
   return points;
 }
 

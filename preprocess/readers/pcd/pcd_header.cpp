@@ -23,10 +23,10 @@ class PcdHeaderReader {
                           source_.name, line_.line_number());
       }
       data = line_.peek() == "DATA";
-      if (Status status = read_line(); !status) return status.error();
+      RELIEF_TRY(read_line());
     }
-    if (Status status = lay_out(); !status) return status.error();
-    if (Status status = count_points(); !status) return status.error();
+    RELIEF_TRY(lay_out());
+    RELIEF_TRY(count_points());
     line_.skip_line();
     // A binary body may begin with a byte that looks like a line end: skip one.
     const std::size_t end = source_.text.find('\n', line_.offset());

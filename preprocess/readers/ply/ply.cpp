@@ -34,9 +34,8 @@ class PlyBody {
                         element.count, element.name));
         continue;
       }
-      if (Status fits = check_count(element); !fits) return fits.error();
-      const Status status = element.name == "vertex" ? read_vertices(element) : read_lists(element);
-      if (!status) return status.error();
+      RELIEF_TRY(check_count(element));
+      RELIEF_TRY(element.name == "vertex" ? read_vertices(element) : read_lists(element));
     }
     return std::move(points_);
   }
@@ -90,7 +89,7 @@ class PlyBody {
       if (!meter_.advance_to(values_.offset())) return interrupted_error();
       points.add(record);
       if (!points.is_block(source_)) continue;
-      if (Status given = points.give_block(source_); !given) return given;
+      RELIEF_TRY(points.give_block(source_));
     }
     // Faces may have come before the vertices.
     std::vector<Triangle> triangles = std::move(points_.triangles);
@@ -182,20 +181,19 @@ bool is_ply(std::string_view text) {
 }
 
 Result<Points> read_ply(const Source& source) {
-  const auto header = read_ply_header(source);
-  if (!header) return header.error();
-  const auto vertices = std::ranges::count(header->elements, "vertex", &PlyElement::name);
+  RELIEF_TRY_ASSIGN(const auto header, read_ply_header(source));
+  const auto vertices = std::ranges::count(header.elements, "vertex", &PlyElement::name);
   if (vertices != 1) {
     return make_error("{}: the header has {} elements 'vertex', but one is needed", source.name,
                       vertices);
   }
-  switch (header->encoding) {
+  switch (header.encoding) {
     case PlyEncoding::Ascii:
-      return PlyBody<PlyAsciiValues>(source, *header).read();
+      return PlyBody<PlyAsciiValues>(source, header).read();
     case PlyEncoding::LittleEndian:
-      return PlyBody<PlyBinaryValues<false>>(source, *header).read();
+      return PlyBody<PlyBinaryValues<false>>(source, header).read();
     case PlyEncoding::BigEndian:
-      return PlyBody<PlyBinaryValues<true>>(source, *header).read();
+      return PlyBody<PlyBinaryValues<true>>(source, header).read();
   }
   return make_error("{}: unknown PLY encoding", source.name);
 }

@@ -12,9 +12,9 @@ namespace relief {
 namespace {
 
 /// Tables with more columns are grids of heights, not points.
-constexpr std::size_t kMostColumns = 24;
+constexpr std::size_t kMaxColumns = 24;
 /// A text whose numbers have not begun by then is some other text.
-constexpr std::size_t kMostHeaderLines = 100;
+constexpr std::size_t kMaxHeaderLines = 100;
 
 bool is_comment(std::string_view word) {
   return word.starts_with('#') || word.starts_with("//") || word.starts_with('%');
@@ -28,7 +28,7 @@ class XyzReader {
     ReadMeter meter(source_);
     while (line_.next_line()) {
       if (!meter.advance_to(line_.offset())) return interrupted_error();
-      if (Status status = read_line(); !status) return status.error();
+      RELIEF_TRY(read_line());
     }
     const std::uint64_t rows = given_ + table_.rows();
     if (rows == 0) return make_error("{}: holds no points", source_.name);
@@ -52,12 +52,12 @@ class XyzReader {
       return make_error("{}: line {}: the numbers have decimal commas; write them with points",
                         source_.name, line_.line_number());
     }
-    double numbers[kMostColumns];
+    double numbers[kMaxColumns];
     std::size_t count = 0;
     while (!line_.at_line_end()) {
-      if (count == kMostColumns) {
+      if (count == kMaxColumns) {
         return make_error("{}: line {}: has more than {} columns, so it is not a list of points",
-                          source_.name, line_.line_number(), kMostColumns);
+                          source_.name, line_.line_number(), kMaxColumns);
       }
       if (!line_.number(numbers[count])) {
         return make_error("{}: {}; the file is damaged or not a list of points", source_.name,
@@ -70,9 +70,9 @@ class XyzReader {
 
   /// A line above the numbers; the last of them may name the columns.
   Status read_header_line() {
-    if (++header_lines_ > kMostHeaderLines) {
+    if (++header_lines_ > kMaxHeaderLines) {
       return make_error("{}: the first {} lines have no numbers, so it is not a list of points",
-                        source_.name, kMostHeaderLines);
+                        source_.name, kMaxHeaderLines);
     }
     names_ = line_.rest_of_line();
     if (lower_case(names_.substr(0, 5)) == "ncols") {

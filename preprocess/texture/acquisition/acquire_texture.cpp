@@ -78,17 +78,16 @@ std::vector<glm::vec3> evaluate(const ContinuousTexture& texture, const SurfaceP
 }  // namespace
 
 std::size_t most_textured_points(double deviation, double cutoff) {
-  constexpr double kMostEntries = 1e8;
+  constexpr double kMaxEntries = 1e8;
   const double splats_at_a_place = 2.0 * std::numbers::pi * cutoff * deviation * deviation;
   return static_cast<std::size_t>(
-      std::max(1.0, kMostEntries / (kPlacesPerPoint * splats_at_a_place)));
+      std::max(1.0, kMaxEntries / (kPlacesPerPoint * splats_at_a_place)));
 }
 
 Result<AcquireResult> acquire_texture(Points mesh, const Image& texture,
                                       const AcquireOptions& options, Progress& progress) {
-  if (const Status sound = check(mesh, options); !sound) return sound.error();
-  const auto image = ContinuousTexture::from_image(texture);
-  if (!image) return image.error();
+  RELIEF_TRY(check(mesh, options));
+  RELIEF_TRY_ASSIGN(const auto image, ContinuousTexture::from_image(texture));
 
   progress.begin_stage("spread points", 0);
   complete_normals(mesh);
@@ -100,18 +99,18 @@ Result<AcquireResult> acquire_texture(Points mesh, const Image& texture,
 
   progress.begin_stage("sample texture", 0);
   AcquireResult result;
-  const double texels = area.texture * image->width() * image->height();
+  const double texels = area.texture * image.width() * image.height();
   result.report.area = area.world;
   result.report.texels_per_point = texels / static_cast<double>(options.points);
   result.splats.deviation =
       options.deviation * std::sqrt(area.world / static_cast<double>(options.points));
-  result.splats.colours = evaluate(*image, splats, 1.0);
+  result.splats.colours = evaluate(image, splats, 1.0);
   // A Gaussian of half the distance between places lets nothing through that they would alias; it
   // adds 1/64 to the variance of a splat's own.
   const SurfacePoints places = spread_over_triangles(mesh, kPlacesPerPoint * options.points);
   const double texels_apart = std::sqrt(texels / static_cast<double>(places.size()));
   const std::vector<glm::vec3> truth = evaluate(
-      *image, places, std::clamp(texels_apart / 2.0, 1.0, ContinuousTexture::kLargestDeviation));
+      image, places, std::clamp(texels_apart / 2.0, 1.0, ContinuousTexture::kLargestDeviation));
   if (progress.cancelled()) return interrupted_error();
 
   progress.begin_stage("fit texture", 0);

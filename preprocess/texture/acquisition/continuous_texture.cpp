@@ -11,14 +11,14 @@ namespace {
 // exp(-4^2 / 2) = 0.0003: below a step of 8 bits.
 constexpr double kReach = 4.0;
 // The largest half-precision value: nothing brighter can be written, and no sum overflows.
-constexpr float kMost = 65504.0F;
-constexpr std::size_t kMostTaps =
+constexpr float kMax = 65504.0F;
+constexpr std::size_t kMaxTaps =
     2 * static_cast<std::size_t>(kReach * ContinuousTexture::kLargestDeviation) + 2;
 
 /// The texels along one axis that a place sees, with weights that sum to 1.
 struct Taps {
-  std::array<std::uint32_t, kMostTaps> texel{};
-  std::array<float, kMostTaps> weight{};
+  std::array<std::uint32_t, kMaxTaps> texel{};
+  std::array<float, kMaxTaps> weight{};
   std::size_t count = 0;
 };
 
@@ -58,7 +58,7 @@ Result<ContinuousTexture> ContinuousTexture::from_image(const Image& image) {
     }
     for (std::size_t i = 0; i < texture.texels_.size(); ++i) {
       const float value = channel->values[i];
-      texture.texels_[i][c] = std::isfinite(value) ? std::clamp(value, -kMost, kMost) : 0.0F;
+      texture.texels_[i][c] = std::isfinite(value) ? std::clamp(value, -kMax, kMax) : 0.0F;
     }
   }
   return texture;

@@ -14,7 +14,7 @@ namespace {
 // Against 8-bit steps (0.004) times a condition of some thousands nothing is left of this.
 constexpr double kTolerance = 1e-9;
 // Conditions met (docs/accuracy_texture.md) take some hundreds.
-constexpr int kMostIterations = 5000;
+constexpr int kMaxIterations = 5000;
 
 Eigen::VectorXd channel_of(const std::vector<glm::vec3>& colours, glm::length_t channel) {
   Eigen::VectorXd values(static_cast<Eigen::Index>(colours.size()));
@@ -87,7 +87,7 @@ std::vector<glm::vec3> fit_texture(const BasisAtPlaces& basis,
     const Eigen::VectorXd from =
         c < 3 ? channel_of(start, c) : Eigen::VectorXd(Eigen::VectorXd::Zero(unknowns));
     solutions[static_cast<std::size_t>(c)] =
-        solve_spd(matrix, right_side, from, kTolerance, kMostIterations, progress);
+        solve_spd(matrix, right_side, from, kTolerance, kMaxIterations, progress);
   });
   std::vector<glm::vec3> coefficients = start;
   for (glm::length_t c = 0; c < 3; ++c) {

@@ -26,11 +26,10 @@ Result<SharedTexture> decode(const std::string& name, std::span<const std::byte>
 
 Result<SharedTexture> read(const std::filesystem::path& mesh, const MeshNormalMap& map) {
   const TextureWrap wrap = wrap_of(map.clamps);
-  if (map.picture_bytes != nullptr)
-    return decode(fmt::format("{}: {}", mesh.string(), map.picture), *map.picture_bytes, wrap);
-  const auto bytes = read_file(map.picture);
-  if (!bytes) return bytes.error();
-  return decode(map.picture, *bytes, wrap);
+  if (map.image_bytes != nullptr)
+    return decode(fmt::format("{}: {}", mesh.string(), map.picture), *map.image_bytes, wrap);
+  RELIEF_TRY_ASSIGN(const auto bytes, read_file(map.picture));
+  return decode(map.picture, bytes, wrap);
 }
 
 }  // namespace
@@ -48,7 +47,7 @@ Status load_normal_maps(const std::filesystem::path& mesh, Points& points,
     if (map.picture.empty() || !map.left_out.empty() || !material.has_texcoords ||
         points.texcoords.empty())
       continue;
-    const void* const bytes = map.picture_bytes.get();
+    const void* const bytes = map.image_bytes.get();
     const std::tuple key(bytes, bytes == nullptr ? map.picture : std::string(), map.clamps);
     auto texture = textures.find(key);
     if (texture == textures.end()) {
@@ -61,7 +60,7 @@ Status load_normal_maps(const std::filesystem::path& mesh, Points& points,
     }
     map.texture = texture->second;
   }
-  for (MeshMaterial& material : points.materials) material.normals.picture_bytes.reset();
+  for (MeshMaterial& material : points.materials) material.normals.image_bytes.reset();
   return {};
 }
 

@@ -56,12 +56,10 @@ Result<FoundMaterials> read_material_files(const fs::path& mesh, const Points& p
                         mesh.string(), file.string()));
         continue;
       }
-      const auto bytes = read_file(file);
-      if (!bytes) return bytes.error();
-      const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-      auto materials = read_mtl(file.string(), text);
-      if (!materials) return materials.error();
-      for (MtlMaterial& material : *materials) {
+      RELIEF_TRY_ASSIGN(const auto bytes, read_file(file));
+      const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+      RELIEF_TRY_ASSIGN(auto materials, read_mtl(file.string(), text));
+      for (MtlMaterial& material : materials) {
         std::string name = material.material.name;
         found.try_emplace(std::move(name), FoundMaterial{std::move(material), file});
       }
@@ -74,7 +72,7 @@ Result<std::shared_ptr<const MeshTexture>> read_texture(const fs::path& file, Te
   return decode_texture<MeshTexture>(file.string(), read_image(file), wrap, "texture");
 }
 
-bool is_finite(const CornerTexcoords& corners) {
+bool are_finite(const CornerTexcoords& corners) {
   return std::all_of(corners.begin(), corners.end(),
                      [](glm::vec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); });
 }
@@ -86,7 +84,7 @@ void drop_bad_texcoords(Points& points) {
     if (material == kNoMaterial) continue;
     const MeshMaterial& look = points.materials[material];
     if (look.texture == nullptr && look.normals.texture == nullptr) continue;
-    if (!is_finite(texcoords_of(points, t))) material = kNoMaterial;
+    if (!are_finite(texcoords_of(points, t))) material = kNoMaterial;
   }
 }
 
@@ -95,12 +93,11 @@ Status put_on_all(const fs::path& mesh, const fs::path& picture, Points& points)
     return make_error("{}: it has no {}, so the texture {} cannot be put on it", mesh.string(),
                       points.triangles.empty() ? "faces" : "texture coordinates", picture.string());
   }
-  auto texture = read_texture(picture, TextureWrap::Repeat);
-  if (!texture) return texture.error();
+  RELIEF_TRY_ASSIGN(auto texture, read_texture(picture, TextureWrap::Repeat));
   MeshMaterial material;
   material.name = picture.filename().string();
   material.picture = picture.string();
-  material.texture = std::move(*texture);
+  material.texture = std::move(texture);
   points.materials = {std::move(material)};
   points.triangle_materials.assign(points.triangles.size(), 0);
   drop_bad_texcoords(points);
@@ -111,20 +108,19 @@ Status put_on_all(const fs::path& mesh, const fs::path& picture, Points& points)
 Status read_stated_textures(const fs::path& mesh, Points& points) {
   std::map<std::pair<const void*, bool>, std::shared_ptr<const MeshTexture>> textures;
   for (MeshMaterial& material : points.materials) {
-    if (!material.is_stated || material.picture_bytes == nullptr || !material.has_texcoords)
-      continue;
-    const std::pair key(static_cast<const void*>(material.picture_bytes.get()), material.clamps);
+    if (!material.is_stated || material.image_bytes == nullptr || !material.has_texcoords) continue;
+    const std::pair key(static_cast<const void*>(material.image_bytes.get()), material.clamps);
     auto texture = textures.find(key);
     if (texture == textures.end()) {
       const std::string name = fmt::format("{}: {}", mesh.string(), material.picture);
-      auto made = decode_texture<MeshTexture>(name, decode_image(name, *material.picture_bytes),
-                                              wrap_of(material.clamps), "texture");
-      if (!made) return made.error();
-      texture = textures.emplace(key, std::move(*made)).first;
+      RELIEF_TRY_ASSIGN(auto made,
+                        decode_texture<MeshTexture>(name, decode_image(name, *material.image_bytes),
+                                                    wrap_of(material.clamps), "texture"));
+      texture = textures.emplace(key, std::move(made)).first;
     }
     material.texture = texture->second;
   }
-  for (MeshMaterial& material : points.materials) material.picture_bytes.reset();
+  for (MeshMaterial& material : points.materials) material.image_bytes.reset();
   return {};
 }
 
@@ -141,16 +137,15 @@ void take_normals(const FoundMaterial& found, MeshMaterial& material,
 
 /// What the material files say, for the materials that triangles name.
 Status resolve_materials(const fs::path& mesh, Points& points, std::vector<std::string>& notes) {
-  const auto found = read_material_files(mesh, points, notes);
-  if (!found) return found.error();
-  if (Status stated = read_stated_textures(mesh, points); !stated) return stated;
+  RELIEF_TRY_ASSIGN(const auto found, read_material_files(mesh, points, notes));
+  RELIEF_TRY(read_stated_textures(mesh, points));
   std::map<std::pair<fs::path, bool>, std::shared_ptr<const MeshTexture>> textures;
   std::vector<bool> known(points.materials.size(), true);
   for (std::size_t m = 0; m < points.materials.size(); ++m) {
     MeshMaterial& material = points.materials[m];
     if (material.is_stated) continue;
-    const auto says = found->find(material.name);
-    known[m] = says != found->end();
+    const auto says = found.find(material.name);
+    known[m] = says != found.end();
     if (!known[m]) continue;
     const MtlMaterial& said = says->second.says;
     material.colour = said.material.colour;

@@ -13,7 +13,7 @@ namespace relief {
 namespace {
 
 /// In cells squared; what is thinner has no place for a texel.
-constexpr double kLeastArea = 1e-12;
+constexpr double kMinArea = 1e-12;
 
 /// More than single precision rounds sums of lengths by.
 constexpr float kRounding = 1.0001F;
@@ -66,7 +66,7 @@ class View {
     const glm::dvec2 high = glm::max(glm::max(p[0], p[1]), p[2]);
     if (low.x > cells_.x || low.y > cells_.y || high.x < 0.0 || high.y < 0.0) return;
     flat.twice_area = cross(p[1] - p[0], p[2] - p[0]);
-    if (std::abs(flat.twice_area) > kLeastArea) to.push_back(flat);
+    if (std::abs(flat.twice_area) > kMinArea) to.push_back(flat);
   }
 
  private:

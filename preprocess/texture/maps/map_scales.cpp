@@ -13,11 +13,11 @@ namespace {
 constexpr double kEnough = 1.12;
 /// Triangles steeper than this (a cosine) are some other patch's to show.
 constexpr double kSteepest = 0.26;
-constexpr std::uint64_t kMostTexelsUnasked = std::uint64_t{1} << 26U;
-constexpr std::uint64_t kMostTexels = std::uint64_t{1} << 30U;
+constexpr std::uint64_t kMaxTexelsUnasked = std::uint64_t{1} << 26U;
+constexpr std::uint64_t kMaxTexels = std::uint64_t{1} << 30U;
 
 /// Twice the area that a triangle has in its picture, texels.
-double picture_area(const Points& mesh, std::uint32_t triangle, glm::dvec2 size) {
+double image_area(const Points& mesh, std::uint32_t triangle, glm::dvec2 size) {
   if (size.x == 0.0) return 0.0;
   const CornerTexcoords at = texcoords_of(mesh, triangle);
   const glm::dvec2 b = size * glm::dvec2(at[1] - at[0]);
@@ -32,11 +32,11 @@ struct Areas {
 };
 
 Areas areas_of(const Points& mesh, const std::vector<FlatTriangle>& triangles,
-               const PictureSize& size_of) {
+               const ImageSize& size_of) {
   Areas areas;
   for (const FlatTriangle& t : triangles) {
     if (t.twice_area < kSteepest * t.twice_area_in_space()) continue;
-    areas.texels += picture_area(mesh, t.index, size_of(t.index));
+    areas.texels += image_area(mesh, t.index, size_of(t.index));
     areas.cells += t.twice_area;
   }
   return areas;
@@ -47,7 +47,7 @@ std::uint32_t scale_for(const Areas& areas) {
   if (!(areas.texels > 0.0) || !std::isfinite(areas.texels)) return 1;
   const double along_side = std::sqrt(areas.texels / areas.cells) / kEnough;
   std::uint32_t scale = 1;
-  while (scale < along_side && scale < kMostTexelsPerCell) scale *= 2;
+  while (scale < along_side && scale < kMaxTexelsPerCell) scale *= 2;
   return scale;
 }
 
@@ -59,7 +59,7 @@ std::uint64_t count_texels(const std::vector<Patch>& patches,
   return sum;
 }
 
-/// Sides that patch files hold, with room for gutters beside the map.
+/// CullMode that patch files hold, with room for gutters beside the map.
 bool fits(const Patch& patch, std::uint32_t scale) {
   return map_side(std::max(patch.width, patch.height) + 8, scale) <= kMaxPatchSide;
 }
@@ -68,7 +68,7 @@ bool fits(const Patch& patch, std::uint32_t scale) {
 /// than twice as fine as all together need.
 std::vector<std::uint32_t> choose_scales(const Points& mesh,
                                          const std::vector<std::vector<FlatTriangle>>& triangles,
-                                         const PictureSize& size_of) {
+                                         const ImageSize& size_of) {
   Areas all;
   std::vector<std::uint32_t> scales;
   for (const std::vector<FlatTriangle>& own : triangles) {
@@ -87,7 +87,7 @@ void limit_scales(const std::vector<Patch>& patches, std::vector<std::uint32_t>&
   for (std::size_t p = 0; p < patches.size(); ++p) {
     while (scales[p] > 1 && !fits(patches[p], scales[p])) scales[p] /= 2;
   }
-  while (count_texels(patches, scales) > kMostTexelsUnasked) {
+  while (count_texels(patches, scales) > kMaxTexelsUnasked) {
     const std::uint32_t largest = *std::max_element(scales.begin(), scales.end());
     if (largest == 1) return;
     for (std::uint32_t& scale : scales) scale = std::min(scale, largest / 2);
@@ -98,7 +98,7 @@ Status check_scales(const std::vector<Patch>& patches, const std::vector<std::ui
   const bool all_fit = std::all_of(patches.begin(), patches.end(),
                                    [&](const Patch& patch) { return fits(patch, scales.front()); });
   const std::uint64_t texels = count_texels(patches, scales);
-  if (all_fit && texels <= kMostTexels) return {};
+  if (all_fit && texels <= kMaxTexels) return {};
   return make_error("{} texels a cell would make {} texels, {}; choose fewer", scales.front(),
                     texels, all_fit ? "more than memory is meant for" : "more than a patch holds");
 }
@@ -107,7 +107,7 @@ Status check_scales(const std::vector<Patch>& patches, const std::vector<std::ui
 
 Result<std::vector<std::uint32_t>> scales_of_maps(
     const Points& mesh, const std::vector<Patch>& patches,
-    const std::vector<std::vector<FlatTriangle>>& triangles, const PictureSize& size_of,
+    const std::vector<std::vector<FlatTriangle>>& triangles, const ImageSize& size_of,
     std::uint32_t texels_per_cell) {
   std::vector<std::uint32_t> scales(patches.size(), texels_per_cell);
   if (texels_per_cell == 0) {

@@ -14,7 +14,7 @@
 namespace relief {
 
 /// The size in texels of the picture that a triangle of the mesh shows; 0: none.
-using PictureSize = std::function<glm::dvec2(std::uint32_t triangle)>;
+using ImageSize = std::function<glm::dvec2(std::uint32_t triangle)>;
 
 /// Nodes along a side of a patch to texels along that of its map.
 [[nodiscard]] inline std::uint64_t map_side(std::uint32_t nodes, std::uint32_t scale) {
@@ -27,7 +27,7 @@ using PictureSize = std::function<glm::dvec2(std::uint32_t triangle)>;
 /// a clause, if as many as asked for are more than a patch or memory can hold.
 Result<std::vector<std::uint32_t>> scales_of_maps(
     const Points& mesh, const std::vector<Patch>& patches,
-    const std::vector<std::vector<FlatTriangle>>& triangles, const PictureSize& size_of,
+    const std::vector<std::vector<FlatTriangle>>& triangles, const ImageSize& size_of,
     std::uint32_t texels_per_cell);
 
 }  // namespace relief

@@ -15,7 +15,7 @@ namespace {
 // Of triangles between points half a cell apart, cells squared. Dragon, grid over mesh spacing 1.4,
 // 2 and 2.8: mirror 0.29, 0.05 and 0.08 dB better than fitted normals, lit 0.07 and 0.08 worse and
 // equal (docs/decisions/0037).
-constexpr double kLeastMeanArea = 0.125;
+constexpr double kMinMeanArea = 0.125;
 
 bool as_fine_as_grid(const std::vector<FlatTriangle>& triangles) {
   double area = 0.0;
@@ -25,7 +25,7 @@ bool as_fine_as_grid(const std::vector<FlatTriangle>& triangles) {
     area += 0.5 * triangle.twice_area_in_space();
     count += 1.0;
   }
-  return area < kLeastMeanArea * count;
+  return area < kMinMeanArea * count;
 }
 
 }  // namespace

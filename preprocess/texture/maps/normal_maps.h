@@ -20,7 +20,7 @@ class NormalMapper {
   NormalMapper(const Points& mesh, const std::vector<glm::vec3>& normals);
 
   /// The size of the normal map that a triangle has.
-  [[nodiscard]] PictureSize picture_size() const;
+  [[nodiscard]] ImageSize picture_size() const;
 
   /// Whether one of a patch's triangles has a normal map. If not, its normals can stay as they are.
   [[nodiscard]] bool has_map(const std::vector<FlatTriangle>& triangles) const;

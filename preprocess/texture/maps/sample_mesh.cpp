@@ -13,15 +13,15 @@ namespace {
 
 // Spot, unlit, against its own mesh (1280x1024, what both cover): 22,000 points 35.0 dB and a file
 // of 259 kB, 47,000 37.4 and 300, 102,000 40.3 and 328, 228,000 40.0 and 406.
-constexpr std::size_t kLeastPoints = 100'000;
-constexpr double kMostPoints = 2e6;
+constexpr std::size_t kMinPoints = 100'000;
+constexpr double kMaxPoints = 2e6;
 // As for splats (acquire_texture.cpp).
 constexpr std::size_t kCandidatesPerPoint = 4;
 
 std::size_t count_points(std::size_t vertices, double area, double spacing) {
-  const std::size_t usual = std::max(vertices, kLeastPoints);
+  const std::size_t usual = std::max(vertices, kMinPoints);
   if (!(spacing > 0.0)) return usual;
-  const double asked = std::min(std::ceil(area / (spacing * spacing)), kMostPoints);
+  const double asked = std::min(std::ceil(area / (spacing * spacing)), kMaxPoints);
   return std::max(usual, static_cast<std::size_t>(asked));
 }
 

@@ -71,7 +71,7 @@ AttributeMap<glm::u8vec3> make_map(const Points& mesh, const Patch& patch,
 }
 
 /// The size of the texture that triangles show.
-PictureSize texture_size(const Points& mesh) {
+ImageSize texture_size(const Points& mesh) {
   return [&mesh](std::uint32_t triangle) {
     const std::uint32_t material = mesh.triangle_materials[triangle];
     if (material == kNoMaterial || mesh.materials[material].texture == nullptr)
@@ -91,20 +91,20 @@ Status map_textures(const Points& mesh, std::uint32_t texels_per_cell, std::vect
   std::vector<std::vector<FlatTriangle>> triangles(patches.size());
   tbb::parallel_for(std::size_t{0}, patches.size(),
                     [&](std::size_t p) { triangles[p] = spheres.find_over(patches[p]); });
-  const auto scales = scales_of_maps(mesh, patches, triangles, texture_size(mesh), texels_per_cell);
-  if (!scales) return scales.error();
+  RELIEF_TRY_ASSIGN(const auto scales,
+                    scales_of_maps(mesh, patches, triangles, texture_size(mesh), texels_per_cell));
   const std::vector<glm::vec3> normals = vertex_normals(mesh);
   std::optional<NormalMapper> mapper;
   std::vector<std::uint32_t> normal_scales;
   if (has_normal_maps(mesh)) {
     mapper.emplace(mesh, normals);
-    auto chosen = scales_of_maps(mesh, patches, triangles, mapper->picture_size(), texels_per_cell);
-    if (!chosen) return chosen.error();
-    normal_scales = std::move(*chosen);
+    RELIEF_TRY_ASSIGN(auto chosen, scales_of_maps(mesh, patches, triangles, mapper->picture_size(),
+                                                  texels_per_cell));
+    normal_scales = std::move(chosen);
   }
   tbb::parallel_for(std::size_t{0}, patches.size(), [&](std::size_t p) {
     if (progress.cancelled()) return;
-    const std::uint32_t scale = (*scales)[p];
+    const std::uint32_t scale = scales[p];
     std::vector<std::uint32_t> shown = find_shown(patches[p], scale, triangles[p]);
     patches[p].colours = make_map(mesh, patches[p], triangles[p], scale, shown);
     if (mapper && mapper->has_map(triangles[p])) {

@@ -19,7 +19,7 @@ namespace relief {
 /// materials have normal maps the patches' normals become maps with resolutions of their own, too
 /// (NormalMapper); without them they stay as they are.
 ///
-/// `texels_per_cell` along each side: 1 to kMostTexelsPerCell, or 0: of each patch the power of two
+/// `texels_per_cell` along each side: 1 to kMaxTexelsPerCell, or 0: of each patch the power of two
 /// that keeps its texture's texels, of all together not more than 64 Mi texels (192 MiB of colours,
 /// 256 of normals; coarser everywhere then). Fails, with a clause, if as many as asked for are more
 /// than a patch or memory can hold, or if the user interrupts. Does not depend on the number of
@@ -29,6 +29,6 @@ Status map_textures(const Points& mesh, std::uint32_t texels_per_cell, std::vect
 
 /// What can be asked for; finer textures than that have more detail than a picture of all of a
 /// patch shows.
-inline constexpr std::uint32_t kMostTexelsPerCell = 64;
+inline constexpr std::uint32_t kMaxTexelsPerCell = 64;
 
 }  // namespace relief

@@ -7,7 +7,7 @@
 namespace relief::ewa {
 namespace {
 
-constexpr double kMostLookups = 4.0;  // along each side of a pixel
+constexpr double kMaxLookups = 4.0;  // along each side of a pixel
 
 /// Lookups along each side of a pixel: one per texel that the reflection moves by across it. It
 /// turns twice as far as the normal; a texel is 2 / size of a face. (What is refracted turns less.)
@@ -17,7 +17,7 @@ int lookups_of(const Surface& surface, const Lighting& lighting) {
   if (cube == nullptr) return 1;
   double change = 0.0;
   for (const glm::dvec3& c : surface.changes) change = std::max(change, glm::length(c));
-  return static_cast<int>(std::clamp(std::ceil(change * cube->size), 1.0, kMostLookups));
+  return static_cast<int>(std::clamp(std::ceil(change * cube->size), 1.0, kMaxLookups));
 }
 
 /// The normal beside a pixel's middle, linear between its neighbours'. Any length.

@@ -45,12 +45,10 @@ Result<Scene> make_scene(const SplatCloud& finest, EnvironmentCache& environment
   Scene scene;
   scene.view =
       make_view(settings.camera, settings.width, settings.height, near_of(finest, settings.camera));
-  auto lighting = make_lighting(settings, scene.view, environments);
-  if (!lighting) return lighting.error();
-  scene.lighting = std::move(*lighting);
-  const auto surroundings = surroundings_of(settings, environments);
-  if (!surroundings) return surroundings.error();
-  scene.surroundings = *surroundings;
+  RELIEF_TRY_ASSIGN(auto lighting, make_lighting(settings, scene.view, environments));
+  scene.lighting = std::move(lighting);
+  RELIEF_TRY_ASSIGN(const auto surroundings, surroundings_of(settings, environments));
+  scene.surroundings = surroundings;
   return scene;
 }
 
@@ -67,18 +65,17 @@ RenderResult picture_of(const Splatted& splatted, const Scene& scene,
 /// All points at once.
 Result<RenderResult> render_whole(const SplatCloud& cloud, EnvironmentCache& environments,
                                   const RenderSettings& settings, Progress& progress) {
-  const Result<Scene> scene = make_scene(cloud, environments, settings);
-  if (!scene) return scene.error();
+  RELIEF_TRY_ASSIGN(const Scene scene, make_scene(cloud, environments, settings));
   Splatted splatted;
   std::vector<double> frame_ms;
   for (int i = 0; i < std::max(settings.frames, 1); ++i) {
     if (progress.cancelled()) return interrupted_error();
     const auto start = Clock::now();
-    splatted = splat_cloud(cloud, scene->view, settings.ewa, scene->lighting, progress);
+    splatted = splat_cloud(cloud, scene.view, settings.ewa, scene.lighting, progress);
     frame_ms.push_back(milliseconds_since(start));
   }
   if (progress.cancelled()) return interrupted_error();
-  RenderResult result = picture_of(splatted, *scene, settings);
+  RenderResult result = picture_of(splatted, scene, settings);
   result.frame_ms = median(std::move(frame_ms));
   return result;
 }
@@ -114,21 +111,21 @@ std::unique_ptr<PreparedModel> prepare(SplatCloud&& cloud) {
 
 Result<RenderResult> render_progressive(const SplatHierarchy& hierarchy,
                                         EnvironmentCache& environments,
-                                        const RenderSettings& settings, const ShowPicture& show,
+                                        const RenderSettings& settings, const ShowImage& show,
                                         Progress& progress) {
-  const Result<Scene> scene = make_scene(hierarchy.levels.front(), environments, settings);
-  if (!scene) return scene.error();
-  const std::size_t first = level_of_size(hierarchy, scene->view, kCoarsestPixels);
-  const std::size_t last = level_of_size(hierarchy, scene->view, kFinestPixels);
+  RELIEF_TRY_ASSIGN(const Scene scene,
+                    make_scene(hierarchy.levels.front(), environments, settings));
+  const std::size_t first = level_of_size(hierarchy, scene.view, kCoarsestPixels);
+  const std::size_t last = level_of_size(hierarchy, scene.view, kFinestPixels);
   const auto start = Clock::now();
   for (std::size_t level = first;; --level) {
     const SplatCloud& cloud = hierarchy.levels[level];
     const auto level_start = Clock::now();
     const Splatted splatted =
-        splat_cloud(cloud, scene->view, settings.ewa, scene->lighting, progress);
+        splat_cloud(cloud, scene.view, settings.ewa, scene.lighting, progress);
     const double took = milliseconds_since(level_start);
     if (progress.cancelled()) return interrupted_error();
-    RenderResult result = picture_of(splatted, *scene, settings);
+    RenderResult result = picture_of(splatted, scene, settings);
     result.frame_ms = took;
     result.level = static_cast<std::uint32_t>(level);
     show(result);

@@ -18,7 +18,7 @@ namespace relief::ewa {
 [[nodiscard]] std::unique_ptr<PreparedModel> prepare(SplatCloud&& cloud);
 
 /// Receives a picture that a finer one may follow.
-using ShowPicture = std::function<void(const RenderResult&)>;
+using ShowImage = std::function<void(const RenderResult&)>;
 
 /// A level of larger splats is no picture of the model, and takes longer: as many pixels are
 /// covered, by splats that agree less.
@@ -33,7 +33,7 @@ inline constexpr double kFinestPixels = 0.5;
 /// reached depends on the machine; a level's picture does not.
 Result<RenderResult> render_progressive(const SplatHierarchy& hierarchy,
                                         EnvironmentCache& environments,
-                                        const RenderSettings& settings, const ShowPicture& show,
+                                        const RenderSettings& settings, const ShowImage& show,
                                         Progress& progress);
 
 }  // namespace relief::ewa

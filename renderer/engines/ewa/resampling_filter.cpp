@@ -47,7 +47,7 @@ std::optional<TangentMapping> map_tangent_plane(const PixelMapping& mapping, glm
   assert(point.z > 0.0 && "the point is before the eye");
   const glm::dvec3 ray = mapping.orthographic ? glm::dvec3(0.0, 0.0, 1.0) : point / point.z;
   const double along = glm::dot(normal, ray);
-  if (!(std::abs(along) >= kLeastCosine * glm::length(ray))) return std::nullopt;
+  if (!(std::abs(along) >= kMinCosine * glm::length(ray))) return std::nullopt;
   // A pixel's step at the point's depth, moved along the ray until it lies in the plane.
   const double step = mapping.orthographic ? 1.0 / mapping.scale : point.z / mapping.scale;
   const glm::dvec3 x0 = step * (glm::dvec3(1, 0, 0) - normal.x / along * ray);
@@ -66,7 +66,7 @@ std::optional<ScreenKernel> screen_kernel(const TangentMapping& mapping, double 
                                           EwaFilter filter, double cutoff) {
   assert(filter != EwaFilter::SourceSpace && "that one is made by source_kernel");
   const double area = radius * radius * mapping.area;
-  if (!(area >= kLeastArea)) return std::nullopt;
+  if (!(area >= kMinArea)) return std::nullopt;
   glm::dmat2 variance = radius * radius * mapping.to_pixels * glm::transpose(mapping.to_pixels);
   if (filter != EwaFilter::Unfiltered) variance += glm::dmat2(1.0);
   if (filter == EwaFilter::Circular) variance = glm::dmat2(larger_eigenvalue(variance));
@@ -81,7 +81,7 @@ std::optional<ScreenKernel> screen_kernel(const TangentMapping& mapping, double 
 
 std::optional<SourceKernel> source_kernel(const TangentMapping& mapping, double radius,
                                           double cutoff) {
-  if (!(radius * radius * mapping.area >= kLeastArea)) return std::nullopt;
+  if (!(radius * radius * mapping.area >= kMinArea)) return std::nullopt;
   const glm::dmat2 variance =
       glm::dmat2(radius * radius) + mapping.to_plane * glm::transpose(mapping.to_plane);
   const Gaussian g = gaussian(variance);

@@ -42,10 +42,10 @@ struct TangentMapping {
 /// The exact Jacobian at a point: J^-1 from the basis vectors of the screen projected along the
 /// viewing ray onto the tangent plane (section 4, Figure 5). `point` and `normal` (unit, either
 /// side) in the camera frame, the point before the eye. Nothing for a plane seen edge-on: below
-/// kLeastCosine between the normal and the ray its kernel adds nothing to any pixel.
+/// kMinCosine between the normal and the ray its kernel adds nothing to any pixel.
 [[nodiscard]] std::optional<TangentMapping> map_tangent_plane(const PixelMapping& mapping,
                                                               glm::dvec3 point, glm::dvec3 normal);
-inline constexpr double kLeastCosine = 1e-3;
+inline constexpr double kMinCosine = 1e-3;
 
 /// A resampling kernel: peak * exp(-beta), beta a quadratic form of the pixel's offset from the
 /// centre, cut off where beta reaches the cutoff.
@@ -68,12 +68,12 @@ struct ScreenKernel {
 /// - Circular: lambda I, lambda the larger eigenvalue of that (Figure 8, third row);
 /// - Unfiltered: h^2 J J^T (Figure 8, bottom); a kernel that is less than a pixel wide is moved to
 ///   the middle of its pixel, so that no point is lost.
-/// Nothing if the point's area is below kLeastArea pixels, or the kernel is not finite.
+/// Nothing if the point's area is below kMinArea pixels, or the kernel is not finite.
 /// `filter` is not SourceSpace. `radius` h > 0.
 [[nodiscard]] std::optional<ScreenKernel> screen_kernel(const TangentMapping& mapping,
                                                         double radius, EwaFilter filter,
                                                         double cutoff);
-inline constexpr double kLeastArea = 1e-12;
+inline constexpr double kMinArea = 1e-12;
 
 /// The kernel over the tangent plane: each pixel is mapped back through the inverse of the affine
 /// mapping and looked up in a Gaussian with the variance h^2 I + J^-1 J^-T.

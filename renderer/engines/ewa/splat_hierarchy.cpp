@@ -16,9 +16,9 @@ namespace {
 
 constexpr std::size_t kFewPoints = 256;
 /// A level that keeps more than this share of the points it is made of is not worth its memory.
-constexpr double kLeastShrinking = 0.7;
+constexpr double kMinShrinking = 0.7;
 /// Bits of a cell's number along each axis: three and an octant fit 63.
-constexpr double kMostCells = 1 << 20;
+constexpr double kMaxCells = 1 << 20;
 
 /// A point and the cell that it lies in.
 struct Placed {
@@ -55,7 +55,7 @@ Lattice find_lattice(const SplatCloud& cloud) {
   std::nth_element(radii.begin(), middle, radii.end());
   lattice.radius = *middle;
   const glm::dvec3 extent = lattice.high - lattice.low;
-  lattice.least_cell = std::max({extent.x, extent.y, extent.z}) / (kMostCells - 1.0);
+  lattice.least_cell = std::max({extent.x, extent.y, extent.z}) / (kMaxCells - 1.0);
   return lattice;
 }
 
@@ -135,7 +135,7 @@ SplatHierarchy build_hierarchy(SplatCloud cloud) {
     const SplatCloud& finer = hierarchy.levels.back();
     if (finer.positions.size() <= kFewPoints) break;
     SplatCloud coarse = coarsen(finer, lattice, cell);
-    const auto limit = kLeastShrinking * static_cast<double>(finer.positions.size());
+    const auto limit = kMinShrinking * static_cast<double>(finer.positions.size());
     if (coarse.positions.empty() || static_cast<double>(coarse.positions.size()) > limit) break;
     hierarchy.levels.push_back(std::move(coarse));
   }

@@ -13,7 +13,7 @@ namespace relief::ewa {
 namespace {
 
 /// Beyond 80 degrees, which no patch that keeps its normal cone reaches, h stays what it is there.
-constexpr double kLeastTiltCosine = 0.17;
+constexpr double kMinTiltCosine = 0.17;
 
 void append_samples(const Patch& patch, std::uint32_t id, bool coloured, SplatCloud& cloud) {
   const AttributeMap<glm::i16vec2> normals = normal_map_of(patch);
@@ -21,7 +21,7 @@ void append_samples(const Patch& patch, std::uint32_t id, bool coloured, SplatCl
     for (std::uint32_t i = 0; i < patch.width; ++i) {
       if (patch.at(i, j) == kHole) continue;
       const glm::vec3 normal = normal_at_node(normals, i, j);
-      const double cosine = std::max(double{normal.z}, kLeastTiltCosine);
+      const double cosine = std::max(double{normal.z}, kMinTiltCosine);
       cloud.positions.push_back(place_of(patch, i, j));
       cloud.normals.emplace_back(patch.axes * glm::dvec3(normal));
       cloud.radii.push_back(patch.spacing / std::sqrt(cosine));

@@ -18,17 +18,15 @@ Result<SplatPrograms> make_programs(const Gl& gl, std::string_view pass, std::ui
     return make_program(gl, fmt::format("{}{}", label, pass), path + ".vert", path + ".frag", bits);
   };
   if ((features & RELIEF_FEATURE_SPRITE) == 0) {
-    Result<Program> all = make("triangle", "", features);
-    if (!all) return all.error();
-    return SplatPrograms{std::move(*all), std::nullopt};
+    RELIEF_TRY_ASSIGN(Program all, make("triangle", "", features));
+    return SplatPrograms{std::move(all), std::nullopt};
   }
-  Result<Program> all = make("sprite", "", features);
-  if (!all) return all.error();
-  Result<Program> large = make(
-      "triangle", "large ",
-      (features & ~(RELIEF_FEATURE_SPRITE | RELIEF_FEATURE_FRONT)) | RELIEF_FEATURE_LARGE_SPRITES);
-  if (!large) return large.error();
-  return SplatPrograms{std::move(*all), std::move(*large)};
+  RELIEF_TRY_ASSIGN(Program all, make("sprite", "", features));
+  RELIEF_TRY_ASSIGN(Program large,
+                    make("triangle", "large ",
+                         (features & ~(RELIEF_FEATURE_SPRITE | RELIEF_FEATURE_FRONT)) |
+                             RELIEF_FEATURE_LARGE_SPRITES));
+  return SplatPrograms{std::move(all), std::move(large)};
 }
 
 }  // namespace
@@ -43,15 +41,12 @@ Engine::Engine(const Gl& gl, const PatchStore& store, SplatPrograms visibility,
       nothing_(gl, "no attributes") {}
 
 Result<Engine> Engine::create(const Gl& gl, const PatchStore& store, std::uint32_t features) {
-  Result<SplatPrograms> visibility = make_programs(gl, "visibility", features);
-  if (!visibility) return visibility.error();
-  Result<SplatPrograms> accumulation = make_programs(gl, "accumulation", features);
-  if (!accumulation) return accumulation.error();
-  Result<Program> shading =
-      make_program(gl, "shading", "environment/screen.vert", "multipass/shading.frag",
-                   features & ~RELIEF_FEATURE_FRONT);
-  if (!shading) return shading.error();
-  return Engine(gl, store, std::move(*visibility), std::move(*accumulation), std::move(*shading));
+  RELIEF_TRY_ASSIGN(SplatPrograms visibility, make_programs(gl, "visibility", features));
+  RELIEF_TRY_ASSIGN(SplatPrograms accumulation, make_programs(gl, "accumulation", features));
+  RELIEF_TRY_ASSIGN(Program shading,
+                    make_program(gl, "shading", "environment/screen.vert", "multipass/shading.frag",
+                                 features & ~RELIEF_FEATURE_FRONT));
+  return Engine(gl, store, std::move(visibility), std::move(accumulation), std::move(shading));
 }
 
 void Engine::draw(const GlPicture& picture, const Sums& sums, double radius_factor,
@@ -62,17 +57,17 @@ void Engine::draw(const GlPicture& picture, const Sums& sums, double radius_fact
   std::vector<SampleDraw> draws;
   if (visibility_.large) {
     draws.push_back(
-        samples_.make_draw(SampleShape::Points, by_sides(store, picture.view, visible)));
+        samples_.make_draw(SampleShape::Points, by_cull_mode(store, picture.view, visible)));
     const double widest = double{shared::kCoveringSlack} * radius_factor * widest_disc(store);
     const std::vector<std::uint32_t> near =
         find_near(store, picture.view, visible, widest, largest_sprite(*gl_));
     if (!near.empty()) {
       draws.push_back(
-          samples_.make_draw(SampleShape::Triangles, by_sides(store, picture.view, near)));
+          samples_.make_draw(SampleShape::Triangles, by_cull_mode(store, picture.view, near)));
     }
   } else {
     draws.push_back(
-        samples_.make_draw(SampleShape::Triangles, by_sides(store, picture.view, visible)));
+        samples_.make_draw(SampleShape::Triangles, by_cull_mode(store, picture.view, visible)));
   }
   samples_.look(picture.view, visible);
   {

@@ -27,18 +27,16 @@ class Prepared final : public GlPreparedModel {
   Result<GlDrawing> make_drawing(const RenderSettings& asked, const Raster& part) override {
     const RenderSettings settings = with_patch_ids(asked);
     const std::uint32_t features = scene_features(settings, model().maps());
-    auto picture = model().make_picture(settings, part);
-    if (!picture) return picture.error();
-    auto made = make_sums(model().gl(), picture->targets, features);
-    if (!made) return made.error();
-    const auto sums = std::make_shared<const Sums>(std::move(*made));
+    RELIEF_TRY_ASSIGN(auto picture, model().make_picture(settings, part));
+    RELIEF_TRY_ASSIGN(auto made, make_sums(model().gl(), picture.targets, features));
+    const auto sums = std::make_shared<const Sums>(std::move(made));
     const double factor = settings.multipass.radius_factor;
     const auto draw_with = [&sums, factor](const Engine& drawing) {
       return [sums, factor, &drawing](const GlPicture& frame, PassTimer& timer) {
         drawing.draw(frame, *sums, factor, timer);
       };
     };
-    return engines_.make_drawing(model(), features, std::move(*picture), !settings.explain,
+    return engines_.make_drawing(model(), features, std::move(picture), !settings.explain,
                                  draw_with);
   }
 

@@ -32,8 +32,7 @@ Result<Sums> make_sums(const Gl& gl, const Targets& targets, std::uint32_t featu
                                          {{RELIEF_OUT_COLOUR, &targets.colour},
                                           {RELIEF_OUT_NORMAL, address(targets.normal)},
                                           {RELIEF_OUT_DEPTH, address(targets.depth)}});
-  const Status made = check_errors(gl, "the sums of splats");
-  if (!made) return made.error();
+  RELIEF_TRY(check_errors(gl, "the sums of splats"));
   return Sums{std::move(normals),    std::move(colours),      std::move(depths),
               std::move(visibility), std::move(accumulation), std::move(shading)};
 }

@@ -41,7 +41,7 @@ void clear_back(const Gl& gl, const Back& back) {
   const GLuint id = back.found.framebuffer.id();
   const std::array<GLfloat, 4> nothing{};
   gl.ClearNamedFramebufferfv(id, GL_DEPTH, 0, nothing.data());
-  gl.ClearNamedFramebufferfv(id, GL_COLOR, RELIEF_OUT_FOUND_DEPTH, nothing.data());
+  gl.ClearNamedFramebufferfv(id, GL_COLOR, RELIEF_OUT_VISIBILITY_DEPTH, nothing.data());
 }
 
 void bind_back(const Gl& gl, const Back& back, const Table& bodies) {

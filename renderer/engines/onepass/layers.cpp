@@ -23,21 +23,18 @@ Result<Layer> make_layer(const Gl& gl, const Targets& targets, const Texture& co
 
 Result<Layers> make_layers(const Gl& gl, const Targets& targets, std::uint32_t features) {
   Texture colour = make_attachment(gl, "layers", GL_RGBA16F, targets.width, targets.height);
-  Result<Layer> one = make_layer(gl, targets, colour, features);
-  if (!one) return one.error();
-  Result<Layer> other = make_layer(gl, targets, colour, features);
-  if (!other) return other.error();
-  Framebuffer front = make_framebuffer(gl, "front layer", &one->z_buffer,
+  RELIEF_TRY_ASSIGN(Layer one, make_layer(gl, targets, colour, features));
+  RELIEF_TRY_ASSIGN(Layer other, make_layer(gl, targets, colour, features));
+  Framebuffer front = make_framebuffer(gl, "front layer", &one.z_buffer,
                                        {{RELIEF_OUT_COLOUR, &colour},
                                         {RELIEF_OUT_NORMAL, address(targets.normal)},
                                         {RELIEF_OUT_DEPTH, address(targets.depth)},
                                         {RELIEF_OUT_UV, address(targets.uv)},
                                         {RELIEF_OUT_PATCH, address(targets.patch_id)}});
   Framebuffer over = make_framebuffer(gl, "over", nullptr, {{RELIEF_OUT_COLOUR, &targets.colour}});
-  const Status made = check_errors(gl, "the layers of semi-transparent surfaces");
-  if (!made) return made.error();
+  RELIEF_TRY(check_errors(gl, "the layers of semi-transparent surfaces"));
   return Layers{
-      std::move(colour), {std::move(*one), std::move(*other)}, std::move(front), std::move(over)};
+      std::move(colour), {std::move(one), std::move(other)}, std::move(front), std::move(over)};
 }
 
 }  // namespace relief::onepass

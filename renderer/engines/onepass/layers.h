@@ -14,7 +14,7 @@ namespace relief::onepass {
 
 /// Surfaces that a pixel shows at most, front to back; what is behind them is left out. At opacity
 /// 0.5 less than 1e-9 of its light would come through.
-inline constexpr int kMostSurfaces = 32;
+inline constexpr int kMaxSurfaces = 32;
 
 /// A layer: what is found of it, and where it is shaded.
 struct Layer {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/engines/onepass/far_models.h"
+#include "renderer/engines/onepass/proxies.h"
 #include "renderer/view/draw_list.h"
 #include "shaders/include/shared.h"
 
@@ -15,9 +15,8 @@ Engine::Engine(const Gl& gl, const PatchStore& store, Programs programs)
     : gl_(&gl), samples_(gl, store, programs.rims.has_value()), programs_(std::move(programs)) {}
 
 Result<Engine> Engine::create(const Gl& gl, const PatchStore& store, std::uint32_t features) {
-  Result<Programs> programs = make_programs(gl, store, features);
-  if (!programs) return programs.error();
-  return Engine(gl, store, std::move(*programs));
+  RELIEF_TRY_ASSIGN(Programs programs, make_programs(gl, store, features));
+  return Engine(gl, store, std::move(programs));
 }
 
 Engine::Frame Engine::make_frame(const View& view, const MaterialChoice& materials) const {
@@ -30,29 +29,29 @@ Engine::Frame Engine::make_splat_frame(const View& view) const {
   samples_.look(view, visible);
   Frame frame;
   if (!programs_.large_sprites) {
-    frame.splats = samples_.make_draw(SampleShape::Quads, by_sides(store, view, visible));
+    frame.splats = samples_.make_draw(SampleShape::Quads, by_cull_mode(store, view, visible));
     return frame;
   }
-  frame.splats = samples_.make_draw(SampleShape::Points, by_sides(store, view, visible));
+  frame.splats = samples_.make_draw(SampleShape::Points, by_cull_mode(store, view, visible));
   const std::vector<std::uint32_t> near =
       find_near(store, view, visible, widest_disc(store), largest_sprite(*gl_));
   if (!near.empty())
-    frame.large = samples_.make_draw(SampleShape::Quads, by_sides(store, view, near));
+    frame.large = samples_.make_draw(SampleShape::Quads, by_cull_mode(store, view, near));
   return frame;
 }
 
 Engine::Frame Engine::make_cell_frame(const View& view, const MaterialChoice& materials) const {
   const PatchStore& store = samples_.store();
   const std::vector<std::uint32_t> parts = find_parts(store, view, materials);
-  const std::vector<std::uint32_t> far = find_far(store, view);
+  const std::vector<std::uint32_t> far = find_proxies(store, view);
   std::vector<std::uint32_t> looked_at;
   looked_at.reserve(parts.size() + far.size());
   for (const std::uint32_t part : parts) looked_at.push_back(store.cells->parts[part].patch);
   Frame frame;
-  frame.cells = make_cell_draws(*gl_, *store.cells, parts_by_sides(store, view, parts));
-  for (const std::uint32_t placement : far)
-    looked_at.push_back(store.placements[placement].far->patch);
-  frame.far_models = far_commands(store, view, far);
+  frame.cells = make_cell_draws(*gl_, *store.cells, parts_by_cull_mode(store, view, parts));
+  for (const std::uint32_t instance : far)
+    looked_at.push_back(store.instances[instance].far->patch);
+  frame.proxies = proxy_commands(store, view, far);
   samples_.look(view, looked_at);
   return frame;
 }
@@ -81,10 +80,10 @@ void Engine::draw_back(const GlPicture& picture, const Back& back, PassTimer& ti
   gl_->BindFramebuffer(GL_FRAMEBUFFER, picture.targets.framebuffer.id());
 }
 
-void Engine::draw_far_models(const Frame& frame, PassTimer& timer) const {
-  if (frame.far_models.empty()) return;
+void Engine::draw_proxies(const Frame& frame, PassTimer& timer) const {
+  if (frame.proxies.empty()) return;
   const ScopedPass pass(*gl_, timer, "far models");
-  draw_far(*gl_, *programs_.far, *samples_.store().far, frame.far_models);
+  draw_proxy_meshes(*gl_, *programs_.far, *samples_.store().far, frame.proxies);
 }
 
 void Engine::shade(const Program& shading, const Visibility& visibility,
@@ -94,12 +93,13 @@ void Engine::shade(const Program& shading, const Visibility& visibility,
   gl_->UseProgram(shading.id());
   gl_->TextureBarrier();  // what is tested is read, too; nothing writes it in this pass
   gl_->BindTextureUnit(RELIEF_TEXTURE_VISIBLE_DEPTH, visible_depth.id());
-  gl_->BindTextureUnit(RELIEF_TEXTURE_FOUND, visibility.places.id());
-  gl_->BindTextureUnit(RELIEF_TEXTURE_FOUND_DEPTH, visibility.depths ? visibility.depths->id() : 0);
+  gl_->BindTextureUnit(RELIEF_TEXTURE_VISIBILITY, visibility.places.id());
+  gl_->BindTextureUnit(RELIEF_TEXTURE_VISIBILITY_DEPTH,
+                       visibility.depths ? visibility.depths->id() : 0);
   gl_->DrawArrays(GL_TRIANGLES, 0, 3);
   gl_->BindTextureUnit(RELIEF_TEXTURE_VISIBLE_DEPTH, 0);
-  gl_->BindTextureUnit(RELIEF_TEXTURE_FOUND, 0);
-  gl_->BindTextureUnit(RELIEF_TEXTURE_FOUND_DEPTH, 0);
+  gl_->BindTextureUnit(RELIEF_TEXTURE_VISIBILITY, 0);
+  gl_->BindTextureUnit(RELIEF_TEXTURE_VISIBILITY_DEPTH, 0);
   gl_->DepthMask(GL_TRUE);
   gl_->DepthFunc(GL_GREATER);
 }
@@ -114,7 +114,7 @@ void Engine::draw(const GlPicture& picture, const Visibility* visibility, const 
       const ScopedPass pass(*gl_, timer, "onepass");
       draw_patches(frame);
     }
-    draw_far_models(frame, timer);
+    draw_proxies(frame, timer);
     return;
   }
   assert(visibility != nullptr && "a picture that is shaded later has a visibility buffer");
@@ -130,7 +130,7 @@ void Engine::draw(const GlPicture& picture, const Visibility* visibility, const 
     shade(*programs_.shading, *visibility, picture.targets.z_buffer);
     if (back != nullptr) unbind_back(*gl_);
   }
-  draw_far_models(frame, timer);
+  draw_proxies(frame, timer);
 }
 
 bool Engine::draw_layer(const GlPicture& picture, const Frame& frame, const Layer& layer,
@@ -159,7 +159,7 @@ void Engine::draw_over(const GlPicture& picture, const Layers& layers,
   const GLfloat nearest = 1.0F;
   gl_->ClearNamedFramebufferfv(layers.pair[0].shading.id(), GL_COLOR, 0, zero.data());
   gl_->ClearNamedFramebufferfv(layers.pair[1].visibility.framebuffer.id(), GL_DEPTH, 0, &nearest);
-  for (std::size_t k = 0; k < kMostSurfaces; ++k) {
+  for (std::size_t k = 0; k < kMaxSurfaces; ++k) {
     const Layer& layer = layers.pair[k % 2];
     if (!draw_layer(picture, frame, layer, layers.pair[(k + 1) % 2], timer)) break;
     const ScopedPass pass(*gl_, timer, "layer shading");
@@ -175,9 +175,9 @@ void Engine::draw_over(const GlPicture& picture, const Layers& layers,
   gl_->Enable(GL_BLEND);
   gl_->BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   gl_->UseProgram(programs_.over->id());
-  gl_->BindTextureUnit(RELIEF_TEXTURE_FOUND, layers.colour.id());
+  gl_->BindTextureUnit(RELIEF_TEXTURE_VISIBILITY, layers.colour.id());
   gl_->DrawArrays(GL_TRIANGLES, 0, 3);
-  gl_->BindTextureUnit(RELIEF_TEXTURE_FOUND, 0);
+  gl_->BindTextureUnit(RELIEF_TEXTURE_VISIBILITY, 0);
   gl_->BlendFunc(GL_ONE, GL_ZERO);
   gl_->Disable(GL_BLEND);
   gl_->BindFramebuffer(GL_FRAMEBUFFER, picture.targets.framebuffer.id());

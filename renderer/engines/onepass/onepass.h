@@ -44,9 +44,9 @@ class Engine {
   /// What a frame draws of the opaque or of the semi-transparent patches.
   struct Frame {
     std::optional<CellDraws> cells;
-    std::optional<SampleDraw> splats;         ///< without cells: quads or sprites
-    std::optional<SampleDraw> large;          ///< of sprites that are too large for OpenGL
-    std::vector<ElementsCommand> far_models;  ///< of models seen from afar
+    std::optional<SampleDraw> splats;      ///< without cells: quads or sprites
+    std::optional<SampleDraw> large;       ///< of sprites that are too large for OpenGL
+    std::vector<ElementsCommand> proxies;  ///< of models seen from afar
   };
 
   Engine(const Gl& gl, const PatchStore& store, Programs programs);
@@ -55,7 +55,7 @@ class Engine {
   [[nodiscard]] Frame make_splat_frame(const View& view) const;
   void draw_patches(const Frame& frame) const;
   void draw_back(const GlPicture& picture, const Back& back, PassTimer& timer) const;
-  void draw_far_models(const Frame& frame, PassTimer& timer) const;
+  void draw_proxies(const Frame& frame, PassTimer& timer) const;
   void shade(const Program& shading, const Visibility& visibility,
              const Texture& visible_depth) const;
   [[nodiscard]] bool draw_layer(const GlPicture& picture, const Frame& frame, const Layer& layer,

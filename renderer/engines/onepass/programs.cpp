@@ -29,7 +29,7 @@ std::uint32_t widest_side(const PatchStore& store) {
 }
 
 /// All but what models seen from afar have nothing to do with.
-constexpr std::uint32_t kFarFeatures =
+constexpr std::uint32_t kProxyFeatures =
     ~(RELIEF_FEATURE_CELL | RELIEF_FEATURE_MASKED | RELIEF_FEATURE_CORRECTED |
       RELIEF_FEATURE_VISIBILITY | RELIEF_FEATURE_FINE_COLOURS | RELIEF_FEATURE_FINE_NORMALS |
       RELIEF_FEATURE_LAYERED | RELIEF_FEATURE_TWO_INTERFACES);
@@ -41,41 +41,37 @@ Result<Programs> make_cell_programs(const Gl& gl, const PatchStore& store, std::
   // A cell is the surface: there is nothing to correct.
   const std::uint32_t whole = found & ~RELIEF_FEATURE_MASKED;
   const std::uint32_t direct = ~RELIEF_FEATURE_CORRECTED;
-  Result<Program> cells =
-      make_program(gl, "cells", "onepass/cell.vert", "onepass/quad.frag", whole & direct);
-  if (!cells) return cells.error();
-  Result<Program> rims = make_program(gl, "rims", "onepass/quad.vert", "onepass/quad.frag", whole);
-  if (!rims) return rims.error();
-  Programs programs{std::move(*cells), std::nullopt, std::move(*rims)};
+  RELIEF_TRY_ASSIGN(Program cells, make_program(gl, "cells", "onepass/cell.vert",
+                                                "onepass/quad.frag", whole & direct));
+  RELIEF_TRY_ASSIGN(Program rims,
+                    make_program(gl, "rims", "onepass/quad.vert", "onepass/quad.frag", whole));
+  Programs programs{std::move(cells), std::nullopt, std::move(rims)};
   if (found != whole && store.masks) {
-    Result<Program> edges =
-        make_program(gl, "edges", "onepass/cell.vert", "onepass/quad.frag", found & direct);
-    if (!edges) return edges.error();
-    programs.edges = std::move(*edges);
+    RELIEF_TRY_ASSIGN(Program edges, make_program(gl, "edges", "onepass/cell.vert",
+                                                  "onepass/quad.frag", found & direct));
+    programs.edges = std::move(edges);
   }
   if (store.far) {
-    Result<Program> far = make_program(gl, "far models", "onepass/far.vert", "onepass/far.frag",
-                                       features & kFarFeatures);
-    if (!far) return far.error();
-    programs.far = std::move(*far);
+    RELIEF_TRY_ASSIGN(Program far, make_program(gl, "far models", "onepass/proxy.vert",
+                                                "onepass/proxy.frag", features & kProxyFeatures));
+    programs.far = std::move(far);
   }
   if (!shaded_later) return programs;
-  Result<Program> shading = make_program(
-      gl, "shading", "environment/screen.vert", "onepass/shading.frag",
-      features & ~(RELIEF_FEATURE_CELL | RELIEF_FEATURE_MASKED | RELIEF_FEATURE_CORRECTED));
-  if (!shading) return shading.error();
-  programs.shading = std::move(*shading);
+  RELIEF_TRY_ASSIGN(Program shading,
+                    make_program(gl, "shading", "environment/screen.vert", "onepass/shading.frag",
+                                 features & ~(RELIEF_FEATURE_CELL | RELIEF_FEATURE_MASKED |
+                                              RELIEF_FEATURE_CORRECTED)));
+  programs.shading = std::move(shading);
   if ((features & RELIEF_FEATURE_LAYERED) != 0) {
-    Result<Program> behind =
+    RELIEF_TRY_ASSIGN(
+        Program behind,
         make_program(gl, "shading behind", "environment/screen.vert", "onepass/shading.frag",
                      features & ~(kOutputFeatures | RELIEF_FEATURE_CELL | RELIEF_FEATURE_MASKED |
-                                  RELIEF_FEATURE_CORRECTED));
-    if (!behind) return behind.error();
-    programs.behind = std::move(*behind);
-    Result<Program> over =
-        make_program(gl, "over", "environment/screen.vert", "onepass/over.frag", 0);
-    if (!over) return over.error();
-    programs.over = std::move(*over);
+                                  RELIEF_FEATURE_CORRECTED)));
+    programs.behind = std::move(behind);
+    RELIEF_TRY_ASSIGN(Program over,
+                      make_program(gl, "over", "environment/screen.vert", "onepass/over.frag", 0));
+    programs.over = std::move(over);
   }
   const float steps = place_steps(widest_side(store));
   const auto tell = [&](const std::optional<Program>& program) {
@@ -91,19 +87,18 @@ Result<Programs> make_cell_programs(const Gl& gl, const PatchStore& store, std::
 
 Result<Programs> make_splat_programs(const Gl& gl, std::uint32_t features) {
   if ((features & RELIEF_FEATURE_SPRITE) == 0) {
-    Result<Program> quads =
-        make_program(gl, "quads", "onepass/quad.vert", "onepass/quad.frag", features);
-    if (!quads) return quads.error();
-    return Programs{std::move(*quads)};
+    RELIEF_TRY_ASSIGN(Program quads, make_program(gl, "quads", "onepass/quad.vert",
+                                                  "onepass/quad.frag", features));
+    return Programs{std::move(quads)};
   }
-  Result<Program> sprites =
-      make_program(gl, "sprites", "onepass/sprite.vert", "onepass/sprite.frag", features);
-  if (!sprites) return sprites.error();
-  Result<Program> large = make_program(
-      gl, "large sprites", "onepass/large_sprite.vert", "onepass/quad.frag",
-      (features & ~(RELIEF_FEATURE_SPRITE | RELIEF_FEATURE_FRONT)) | RELIEF_FEATURE_LARGE_SPRITES);
-  if (!large) return large.error();
-  return Programs{std::move(*sprites), std::move(*large)};
+  RELIEF_TRY_ASSIGN(Program sprites, make_program(gl, "sprites", "onepass/sprite.vert",
+                                                  "onepass/sprite.frag", features));
+  RELIEF_TRY_ASSIGN(
+      Program large,
+      make_program(gl, "large sprites", "onepass/large_sprite.vert", "onepass/quad.frag",
+                   (features & ~(RELIEF_FEATURE_SPRITE | RELIEF_FEATURE_FRONT)) |
+                       RELIEF_FEATURE_LARGE_SPRITES));
+  return Programs{std::move(sprites), std::move(large)};
 }
 
 }  // namespace

@@ -60,13 +60,11 @@ class Prepared final : public GlPreparedModel {
         return make_error("a scene of more than a million patches can't have two interfaces");
       features &= ~RELIEF_FEATURE_VISIBILITY;
     }
-    auto picture = model().make_picture(settings, part);
-    if (!picture) return picture.error();
-    if (is_transparent(settings)) return make_layered(settings, features, std::move(*picture));
-    auto buffers = buffers_of(settings, *picture, features);
-    if (!buffers) return buffers.error();
-    return engines_.make_drawing(model(), features, std::move(*picture), !settings.explain,
-                                 draw_with(std::move(*buffers), {}));
+    RELIEF_TRY_ASSIGN(auto picture, model().make_picture(settings, part));
+    if (is_transparent(settings)) return make_layered(settings, features, std::move(picture));
+    RELIEF_TRY_ASSIGN(auto buffers, buffers_of(settings, picture, features));
+    return engines_.make_drawing(model(), features, std::move(picture), !settings.explain,
+                                 draw_with(std::move(buffers), {}));
   }
 
  private:
@@ -80,10 +78,9 @@ class Prepared final : public GlPreparedModel {
     if (!visibility) return visibility.error();
     buffers.visibility = std::make_shared<const Visibility>(std::move(*visibility));
     if ((features & RELIEF_FEATURE_TWO_INTERFACES) == 0) return buffers;
-    auto back =
-        make_back(model().gl(), model().view_of(settings), materials_of_bodies(settings), features);
-    if (!back) return back.error();
-    buffers.back = std::make_shared<const Back>(std::move(*back));
+    RELIEF_TRY_ASSIGN(auto back, make_back(model().gl(), model().view_of(settings),
+                                           materials_of_bodies(settings), features));
+    buffers.back = std::make_shared<const Back>(std::move(back));
     return buffers;
   }
 
@@ -93,19 +90,16 @@ class Prepared final : public GlPreparedModel {
                                  GlPicture picture) {
     if ((features & RELIEF_FEATURE_VISIBILITY) == 0)
       return make_error("a scene of more than a million patches can't be semi-transparent");
-    auto made = make_layers(model().gl(), picture.targets, features);
-    if (!made) return made.error();
-    const auto layers = std::make_shared<const Layers>(std::move(*made));
-    const auto layered = engines_.get(model(), features | RELIEF_FEATURE_LAYERED);
-    if (!layered) return layered.error();
-    auto buffers = buffers_of(settings, picture, features);
-    if (!buffers) return buffers.error();
+    RELIEF_TRY_ASSIGN(auto made, make_layers(model().gl(), picture.targets, features));
+    const auto layers = std::make_shared<const Layers>(std::move(made));
+    RELIEF_TRY_ASSIGN(const auto layered, engines_.get(model(), features | RELIEF_FEATURE_LAYERED));
+    RELIEF_TRY_ASSIGN(auto buffers, buffers_of(settings, picture, features));
     auto drawing =
         engines_.make_drawing(model(), features, std::move(picture), false,
-                              draw_with(std::move(*buffers), materials_that_are(settings, true)));
+                              draw_with(std::move(buffers), materials_that_are(settings, true)));
     if (!drawing) return drawing;
     drawing->draw_over = [layers, materials = materials_that_are(settings, false),
-                          &engine = **layered](const GlPicture& frame, PassTimer& timer) {
+                          &engine = *layered](const GlPicture& frame, PassTimer& timer) {
       engine.draw_over(frame, *layers, materials, timer);
     };
     return drawing;

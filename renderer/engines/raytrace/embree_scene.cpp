@@ -196,8 +196,7 @@ Result<EmbreeScene> EmbreeScene::build(const TriangleMesh& mesh, glm::dvec3 eye,
       const_cast<Progress*>(&progress));  // NOLINT: Embree hands it back as it got it
   rtcCommitScene(made.scene_.get());
   rtcSetSceneProgressMonitorFunction(made.scene_.get(), nullptr, nullptr);
-  const Status built = check_device(made.device_.get(), mesh.triangles.size());
-  if (!built) return built.error();
+  RELIEF_TRY(check_device(made.device_.get(), mesh.triangles.size()));
   return made;
 }
 

@@ -12,7 +12,7 @@ namespace relief::raytrace {
 
 /// How often a ray is reflected within a body at most; what is then left of its light is that of
 /// the environment in the direction that it has.
-inline constexpr int kMostReflections = 32;
+inline constexpr int kMaxReflections = 32;
 
 /// What rays are followed through. Nothing is owned.
 struct GlassBody {

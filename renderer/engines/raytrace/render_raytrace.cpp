@@ -69,20 +69,18 @@ void trace_frame(const Tracer& tracer, const std::vector<glm::dvec2>& pattern, b
 }
 
 /// One picture; `environments` has those of earlier ones.
-Result<RenderResult> trace_picture(const TriangleMesh& mesh, EnvironmentCache& environments,
-                                   const RenderSettings& settings, Progress& progress) {
+Result<RenderResult> trace_image(const TriangleMesh& mesh, EnvironmentCache& environments,
+                                 const RenderSettings& settings, Progress& progress) {
   assert(mesh.normals.size() == mesh.positions.size() && "a mesh has normals");
   const View view = make_view(settings.camera, settings.width, settings.height, kAnyNear);
-  const auto surroundings = surroundings_of(settings, environments);
-  if (!surroundings) return surroundings.error();
-  auto lighting = make_lighting(settings, view, environments);
-  if (!lighting) return lighting.error();
+  RELIEF_TRY_ASSIGN(const auto surroundings, surroundings_of(settings, environments));
+  RELIEF_TRY_ASSIGN(auto lighting, make_lighting(settings, view, environments));
   progress.begin_stage("sort triangles", 0);
   const bool anywhere = view.orthographic || has_two_interfaces(settings);
-  const auto scene = EmbreeScene::build(mesh, settings.camera.eye, progress,
-                                        anywhere ? RayStarts::Anywhere : RayStarts::AtEye);
-  if (!scene) return scene.error();
-  const Tracer tracer(mesh, *scene, view, std::move(*lighting));
+  RELIEF_TRY_ASSIGN(const auto scene,
+                    EmbreeScene::build(mesh, settings.camera.eye, progress,
+                                       anywhere ? RayStarts::Anywhere : RayStarts::AtEye));
+  const Tracer tracer(mesh, scene, view, std::move(lighting));
   const std::vector<glm::dvec2> pattern = sample_pattern(settings.raytrace.samples);
 
   Film film{settings.width, settings.height,
@@ -102,9 +100,9 @@ Result<RenderResult> trace_picture(const TriangleMesh& mesh, EnvironmentCache& e
   }
 
   RenderResult result;
-  result.renderer = scene->name();
+  result.renderer = scene.name();
   result.frame_ms = median(std::move(frame_ms));
-  result.image = develop(film, *surroundings, view, settings.outputs, result.covered_pixels);
+  result.image = develop(film, surroundings, view, settings.outputs, result.covered_pixels);
   return result;
 }
 
@@ -114,7 +112,7 @@ class Prepared final : public PreparedModel {
   explicit Prepared(Mesh&& mesh) : mesh_(std::forward<Mesh>(mesh)) {}
 
   Result<RenderResult> render(const RenderSettings& settings, Progress& progress) override {
-    return trace_picture(*mesh_, environments_, settings, progress);
+    return trace_image(*mesh_, environments_, settings, progress);
   }
 
  private:

@@ -10,12 +10,12 @@
 
 #include "common/compare/heatmap.h"
 #include "common/image/srgb.h"
-#include "tests/common/compare/pictures.h"
+#include "tests/common/compare/images.h"
 
 namespace relief {
 namespace {
 
-using test::grey_picture;
+using test::grey_image;
 using test::must_compare;
 using test::set_channel;
 
@@ -34,8 +34,8 @@ glm::vec3 leaning(double degrees) {
 }
 
 TEST(Compare, PsnrIsOfWhatADisplayShows) {
-  const Image reference = grey_picture(10, 10, linear_from_srgb(0.5F));
-  Image test = grey_picture(10, 10, linear_from_srgb(0.6F));
+  const Image reference = grey_image(10, 10, linear_from_srgb(0.5F));
+  Image test = grey_image(10, 10, linear_from_srgb(0.6F));
   // 0.1 everywhere is 20 dB; both encodings round to about 1e-7.
   EXPECT_NEAR(must_compare(test, reference).psnr_db, 20.0, 1e-4);
   // In one channel of three, and half of the pixels, the mean square is a sixth.
@@ -45,12 +45,12 @@ TEST(Compare, PsnrIsOfWhatADisplayShows) {
 }
 
 TEST(Compare, LightBeyondTheDisplayIsWhite) {
-  EXPECT_EQ(must_compare(grey_picture(4, 4, 7.0F), grey_picture(4, 4, 1.0F)).psnr_db, kInfinity);
-  EXPECT_EQ(must_compare(grey_picture(4, 4, -1.0F), grey_picture(4, 4, 0.0F)).psnr_db, kInfinity);
+  EXPECT_EQ(must_compare(grey_image(4, 4, 7.0F), grey_image(4, 4, 1.0F)).psnr_db, kInfinity);
+  EXPECT_EQ(must_compare(grey_image(4, 4, -1.0F), grey_image(4, 4, 0.0F)).psnr_db, kInfinity);
 }
 
 TEST(Compare, CoveredPixelsHaveAPsnrOfTheirOwn) {
-  Image reference = grey_picture(10, 10, linear_from_srgb(0.5F));
+  Image reference = grey_image(10, 10, linear_from_srgb(0.5F));
   set_channel(reference, "A", [](int x, int) { return x < 5 ? 1.0F : 0.0F; });
   Image test = reference;
   set_channel(test, "R", [](int x, int) { return linear_from_srgb(x < 4 ? 0.8F : 0.5F); });
@@ -67,9 +67,9 @@ TEST(Compare, CoveredPixelsHaveAPsnrOfTheirOwn) {
 
 TEST(Compare, NormalsAreComparedInDegrees) {
   const auto facing = [](int, int) { return leaning(0.0); };
-  const Image reference = with_normal(grey_picture(20, 10), facing);
+  const Image reference = with_normal(grey_image(20, 10), facing);
   // Three of 200 pixels lean by 60 degrees, the others by 10; lengths do not matter.
-  const Image test = with_normal(grey_picture(20, 10), [](int x, int y) {
+  const Image test = with_normal(grey_image(20, 10), [](int x, int y) {
     return y == 0 && x < 3 ? leaning(60.0) : 2.0F * leaning(10.0);
   });
   const auto errors = must_compare(test, reference).normal;
@@ -78,12 +78,12 @@ TEST(Compare, NormalsAreComparedInDegrees) {
   EXPECT_NEAR(errors->rms_deg, std::sqrt((3 * 3600.0 + 197 * 100.0) / 200.0), 1e-4);
   EXPECT_NEAR(errors->p99_deg, 60.0, 1e-4);  // 1.5 % are off by more than 10
   const Image better = with_normal(
-      grey_picture(20, 10), [](int x, int y) { return leaning(y == 0 && x < 2 ? 60.0 : 10.0); });
+      grey_image(20, 10), [](int x, int y) { return leaning(y == 0 && x < 2 ? 60.0 : 10.0); });
   EXPECT_NEAR(must_compare(better, reference).normal->p99_deg, 10.0, 1e-4);  // 1 % is
   // Opposite normals, which an arc cosine makes NaN of now and then.
   const auto away = [](int, int) { return -leaning(0.0); };
-  EXPECT_NEAR(must_compare(with_normal(grey_picture(20, 10), away), reference).normal->rms_deg,
-              180.0, 1e-4);
+  EXPECT_NEAR(must_compare(with_normal(grey_image(20, 10), away), reference).normal->rms_deg, 180.0,
+              1e-4);
   const auto same = must_compare(reference, reference).normal;
   EXPECT_EQ(same->rms_deg, 0.0);
   EXPECT_EQ(same->psnr_db, kInfinity);
@@ -93,15 +93,14 @@ TEST(Compare, NormalPsnrIsOfTheComponents) {
   const auto up = [](int, int) { return glm::vec3(0, 1, 0); };
   const auto down = [](int, int) { return glm::vec3(0, -1, 0); };
   const auto errors =
-      must_compare(with_normal(grey_picture(2, 2), up), with_normal(grey_picture(2, 2), down))
-          .normal;
+      must_compare(with_normal(grey_image(2, 2), up), with_normal(grey_image(2, 2), down)).normal;
   EXPECT_NEAR(errors->psnr_db, 10.0 * std::log10(3.0), 1e-9);  // 2 of 2 in one of three components
 }
 
 TEST(Compare, NormalsThatAreNoneAreLeftOut) {
   const auto facing = [](int, int) { return leaning(0.0); };
-  const Image reference = with_normal(grey_picture(4, 1), facing);
-  const Image test = with_normal(grey_picture(4, 1), [](int x, int) {
+  const Image reference = with_normal(grey_image(4, 1), facing);
+  const Image test = with_normal(grey_image(4, 1), [](int x, int) {
     const glm::vec3 normals[] = {leaning(5.0), glm::vec3(0), glm::vec3(kNan, 0, 1),
                                  glm::vec3(kInfinity, 0, 0)};
     return normals[x];
@@ -112,13 +111,13 @@ TEST(Compare, NormalsThatAreNoneAreLeftOut) {
   EXPECT_EQ(comparison.non_finite, 2U);
   EXPECT_EQ(comparison.non_finite_reference, 0U);
   const auto none = [](int, int) { return glm::vec3(0); };
-  EXPECT_FALSE(must_compare(with_normal(grey_picture(4, 1), none), reference).normal);
+  EXPECT_FALSE(must_compare(with_normal(grey_image(4, 1), none), reference).normal);
 }
 
 TEST(Compare, GeometryIsComparedWhereBothCover) {
-  Image reference = with_normal(grey_picture(4, 1), [](int, int) { return leaning(0.0); });
+  Image reference = with_normal(grey_image(4, 1), [](int, int) { return leaning(0.0); });
   set_channel(reference, "Z", [](int x, int) { return x < 3 ? 2.0F : kInfinity; });
-  Image test = with_normal(grey_picture(4, 1), [](int x, int) { return leaning(x == 0 ? 7 : 50); });
+  Image test = with_normal(grey_image(4, 1), [](int x, int) { return leaning(x == 0 ? 7 : 50); });
   set_channel(test, "Z", [](int x, int) { return x == 0 ? 3.0F : kInfinity; });
   const Comparison comparison = must_compare(test, reference);
   EXPECT_NEAR(comparison.normal->rms_deg, 7.0, 1e-4);
@@ -126,9 +125,9 @@ TEST(Compare, GeometryIsComparedWhereBothCover) {
 }
 
 TEST(Compare, DepthIsRelativeToTheReference) {
-  Image reference = grey_picture(10, 10);
+  Image reference = grey_image(10, 10);
   set_channel(reference, "Z", [](int x, int y) { return static_cast<float>(1 + x + 10 * y); });
-  Image test = grey_picture(10, 10);
+  Image test = grey_image(10, 10);
   // An eighth too far: exact in floats. One in a hundred is twice as far.
   set_channel(test, "Z", [](int x, int y) {
     return static_cast<float>(1 + x + 10 * y) * (x + y == 0 ? 2.0F : 1.125F);
@@ -145,8 +144,8 @@ TEST(Compare, DepthIsRelativeToTheReference) {
 }
 
 TEST(Compare, DepthsThatAreNoneAreLeftOut) {
-  Image reference = grey_picture(6, 1);
-  Image test = grey_picture(6, 1);
+  Image reference = grey_image(6, 1);
+  Image test = grey_image(6, 1);
   const float depths[] = {2.0F, 0.0F, -1.0F, kNan, kInfinity, 4.0F};
   set_channel(reference, "Z", [&](int x, int) { return depths[x]; });
   set_channel(test, "Z", [](int x, int) { return x == 5 ? kNan : 3.0F; });
@@ -158,7 +157,7 @@ TEST(Compare, DepthsThatAreNoneAreLeftOut) {
 }
 
 TEST(Compare, GridCoordinatesCountOnTheSamePatch) {
-  Image reference = grey_picture(4, 1);
+  Image reference = grey_image(4, 1);
   set_channel(reference, "UV.U", [](int x, int) { return static_cast<float>(x); });
   set_channel(reference, "UV.V", [](int x, int) { return static_cast<float>(10 - x); });
   set_channel(reference, "patch", [](int x, int) { return x == 3 ? 0.0F : 5.0F; });
@@ -174,17 +173,17 @@ TEST(Compare, GridCoordinatesCountOnTheSamePatch) {
 }
 
 TEST(Compare, WhatIsMissingIsNamed) {
-  Image full = with_normal(grey_picture(4, 1), [](int, int) { return leaning(0.0); });
+  Image full = with_normal(grey_image(4, 1), [](int, int) { return leaning(0.0); });
   set_channel(full, "Z", [](int, int) { return 1.0F; });
-  const Comparison comparison = must_compare(grey_picture(4, 1), full);
+  const Comparison comparison = must_compare(grey_image(4, 1), full);
   EXPECT_EQ(comparison.normal.error().message, "the picture under test has no channel N.X");
   EXPECT_EQ(comparison.depth.error().message, "the picture under test has no channel Z");
-  EXPECT_EQ(must_compare(full, grey_picture(4, 1)).depth.error().message,
+  EXPECT_EQ(must_compare(full, grey_image(4, 1)).depth.error().message,
             "the reference has no channel Z");
 }
 
 TEST(Compare, IdenticalMeansEveryBitOfEveryChannel) {
-  Image image = grey_picture(4, 4);
+  Image image = grey_image(4, 4);
   set_channel(image, "Z", [](int x, int) { return x == 0 ? kInfinity : 1.0F; });
   EXPECT_TRUE(must_compare(image, image).identical);
   Image other = image;
@@ -201,15 +200,15 @@ TEST(Compare, SaysWhatCanNotBeCompared) {
     const auto comparison = compare_images(test, reference, {}, progress);
     return comparison ? std::string() : comparison.error().message;
   };
-  EXPECT_NE(message(grey_picture(4, 3), grey_picture(4, 4)).find("4x3"), std::string::npos);
+  EXPECT_NE(message(grey_image(4, 3), grey_image(4, 4)).find("4x3"), std::string::npos);
   Image depth{2, 2, {}};
   set_channel(depth, "Z", [](int, int) { return 1.0F; });
-  EXPECT_EQ(message(depth, grey_picture(2, 2)), "the picture under test has no channel R");
-  EXPECT_EQ(message(grey_picture(2, 2), depth), "the reference has no channel R");
+  EXPECT_EQ(message(depth, grey_image(2, 2)), "the picture under test has no channel R");
+  EXPECT_EQ(message(grey_image(2, 2), depth), "the reference has no channel R");
 }
 
 TEST(Compare, BrokenColourCountsAsWhollyWrong) {
-  const Image reference = grey_picture(10, 10);
+  const Image reference = grey_image(10, 10);
   Image test = reference;
   test.channels[1].values[7] = kNan;
   const Comparison comparison = must_compare(test, reference);

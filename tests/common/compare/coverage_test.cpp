@@ -6,18 +6,18 @@
 #include <limits>
 #include <string>
 
-#include "tests/common/compare/pictures.h"
+#include "tests/common/compare/images.h"
 
 namespace relief {
 namespace {
 
-using test::grey_picture;
+using test::grey_image;
 using test::set_channel;
 
 /// Rows of '#' (covered) and '.'; as alpha.
 Image drawn(const std::vector<std::string>& rows) {
-  Image image = grey_picture(static_cast<std::uint32_t>(rows[0].size()),
-                             static_cast<std::uint32_t>(rows.size()));
+  Image image = grey_image(static_cast<std::uint32_t>(rows[0].size()),
+                           static_cast<std::uint32_t>(rows.size()));
   set_channel(image, "A", [&](int x, int y) { return rows[y][x] == '#' ? 1.0F : 0.0F; });
   return image;
 }
@@ -84,7 +84,7 @@ TEST(Coverage, HalfAnAlphaCovers) {
 
 TEST(Coverage, DepthTellsBehindAnOpaqueBackground) {
   constexpr float kNothing = std::numeric_limits<float>::infinity();
-  Image opaque = grey_picture(3, 1);
+  Image opaque = grey_image(3, 1);
   set_channel(opaque, "A", [](int, int) { return 1.0F; });
   EXPECT_NE(fault(opaque, opaque), "");
   set_channel(opaque, "Z", [](int x, int) { return x == 1 ? 2.0F : kNothing; });
@@ -104,10 +104,9 @@ TEST(Coverage, DepthTellsBehindAnOpaqueBackground) {
 
 TEST(Coverage, IsUnknownWithoutAlphaAndDepth) {
   const Image covered = drawn({"#."});
-  EXPECT_NE(fault(grey_picture(2, 1), covered).find("the picture under test has neither"),
+  EXPECT_NE(fault(grey_image(2, 1), covered).find("the picture under test has neither"),
             std::string::npos);
-  EXPECT_NE(fault(covered, grey_picture(2, 1)).find("the reference has neither"),
-            std::string::npos);
+  EXPECT_NE(fault(covered, grey_image(2, 1)).find("the reference has neither"), std::string::npos);
 }
 
 TEST(Coverage, AnEmptyPictureMissesAll) {

@@ -13,7 +13,7 @@ def inside(x, y, shift):
     return (x - 20 - shift) ** 2 + (y - 14) ** 2 < 100
 
 
-def disc_picture(shift, colour):
+def disc_image(shift, colour):
     """8-bit sRGB values."""
     picture = np.zeros((HEIGHT, WIDTH, 3), np.float32)
     for y in range(HEIGHT):
@@ -23,7 +23,7 @@ def disc_picture(shift, colour):
 
 
 def disc_light(shift, colour):
-    picture = disc_picture(shift, colour)
+    picture = disc_image(shift, colour)
     picture = picture * picture / np.float32(1024)
     for y in range(HEIGHT):
         for x in range(WIDTH):
@@ -39,6 +39,6 @@ def ask(name, test, reference, hdr, parameters):
 
 
 TEST, REFERENCE = (1, (205, 118, 44)), (0, (200, 120, 40))
-ask("ldr", disc_picture(*TEST) / 255, disc_picture(*REFERENCE) / 255, False, {})
-ask("ldr, 20 pixels per degree", disc_picture(*TEST) / 255, disc_picture(*REFERENCE) / 255, False, {"ppd": 20.0})
+ask("ldr", disc_image(*TEST) / 255, disc_image(*REFERENCE) / 255, False, {})
+ask("ldr, 20 pixels per degree", disc_image(*TEST) / 255, disc_image(*REFERENCE) / 255, False, {"ppd": 20.0})
 ask("hdr", disc_light(*TEST), disc_light(*REFERENCE), True, {})

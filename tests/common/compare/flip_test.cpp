@@ -12,7 +12,7 @@
 #include "common/compare/flip_filters.h"
 #include "common/compare/tone_mapping.h"
 #include "common/image/srgb.h"
-#include "tests/common/compare/pictures.h"
+#include "tests/common/compare/images.h"
 
 namespace relief {
 namespace {
@@ -67,7 +67,7 @@ glm::vec3 disc(int x, int y, int shift, const glm::vec3& colour) {
   return inside ? colour : glm::vec3(30 + 2 * x, 40 + 3 * y, 90);
 }
 
-Image disc_picture(int shift, const glm::vec3& colour) {
+Image disc_image(int shift, const glm::vec3& colour) {
   return picture(40, 28, [&](int x, int y) {
     const glm::vec3 c = disc(x, y, shift, colour) / 255.0F;
     return glm::vec3(linear_from_srgb(c.x), linear_from_srgb(c.y), linear_from_srgb(c.z));
@@ -105,8 +105,8 @@ void expect_published(const Flip& flip, const Published& published) {
 }
 
 TEST(Flip, LdrIsAsPublished) {
-  const Image test = disc_picture(1, kTestDisc);
-  const Image reference = disc_picture(0, kReferenceDisc);
+  const Image test = disc_image(1, kTestDisc);
+  const Image reference = disc_image(0, kReferenceDisc);
   expect_published(
       must_flip(test, reference, FlipRange::Ldr),
       {0.10520649, {0.000000F, 0.269911F, 0.422860F, 0.114799F, 0.387844F, 0.000103F}});
@@ -137,8 +137,8 @@ TEST(Flip, TreatsRowsAndColumnsAlike) {
     }
     return out;
   };
-  const Image test = disc_picture(1, kTestDisc);
-  const Image reference = disc_picture(0, kReferenceDisc);
+  const Image test = disc_image(1, kTestDisc);
+  const Image reference = disc_image(0, kReferenceDisc);
   const Flip flip = must_flip(test, reference, FlipRange::Ldr);
   const Flip turned = must_flip(transposed(test), transposed(reference), FlipRange::Ldr);
   for (std::size_t y = 0; y < 28; ++y) {
@@ -150,7 +150,7 @@ TEST(Flip, TreatsRowsAndColumnsAlike) {
 }
 
 /// A disc at a height of a tall picture.
-Image tall_picture(int middle, float light) {
+Image tall_image(int middle, float light) {
   return picture(30, 200, [=](int x, int y) {
     const bool inside = (x - 15) * (x - 15) + (y - middle) * (y - middle) < 50;
     return glm::vec3(inside ? light : 0.2F, 0.3F, 0.1F);
@@ -158,19 +158,19 @@ Image tall_picture(int middle, float light) {
 }
 
 TEST(Flip, DoesNotDependOnBandsAndThreads) {
-  const Flip upper = must_flip(tall_picture(60, 0.8F), tall_picture(60, 0.7F), FlipRange::Ldr);
+  const Flip upper = must_flip(tall_image(60, 0.8F), tall_image(60, 0.7F), FlipRange::Ldr);
   EXPECT_GT(upper.mean, 0.001);
   // The same disc at places that bands of rows cut otherwise.
   for (const int shift : {1, 31, 64, 90}) {
     const Flip lower =
-        must_flip(tall_picture(60 + shift, 0.8F), tall_picture(60 + shift, 0.7F), FlipRange::Ldr);
+        must_flip(tall_image(60 + shift, 0.8F), tall_image(60 + shift, 0.7F), FlipRange::Ldr);
     for (std::size_t k = 0; k < std::size_t{100} * 30; ++k) {
       ASSERT_EQ(upper.map[k], lower.map[k + static_cast<std::size_t>(shift) * 30]) << shift;
     }
   }
   for (const std::size_t threads : {1, 2, 5}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    const Flip flip = must_flip(tall_picture(60, 0.8F), tall_picture(60, 0.7F), FlipRange::Ldr);
+    const Flip flip = must_flip(tall_image(60, 0.8F), tall_image(60, 0.7F), FlipRange::Ldr);
     EXPECT_EQ(flip.map, upper.map);
     EXPECT_EQ(flip.mean, upper.mean);
   }
@@ -184,8 +184,8 @@ TEST(Flip, TreatsBothEndsAlike) {
     return image;
   };
   // The disc is cut by the lower rim, where the rows repeat for the filters.
-  const Image test = tall_picture(197, 0.8F);
-  const Image reference = tall_picture(195, 0.7F);
+  const Image test = tall_image(197, 0.8F);
+  const Image reference = tall_image(195, 0.7F);
   const Flip flip = must_flip(test, reference, FlipRange::Ldr);
   const Flip turned = must_flip(reversed(test), reversed(reference), FlipRange::Ldr);
   EXPECT_GT(flip.mean, 0.001);

@@ -1,4 +1,4 @@
-// Codec 2 of the patch file: entropy coding, masks, heights, maps and placement.
+// Codec 2 of the patch file: entropy coding, masks, heights, maps and instance.
 #include <gtest/gtest.h>
 
 #include <glm/trigonometric.hpp>
@@ -95,7 +95,7 @@ TEST(HeightPredictor, HasARowForAllThatMayBeKnown) {
       ASSERT_EQ(row.known & ~known, 0U) << known;
       int sum = 0;
       int magnitude = 0;
-      for (std::size_t k = 0; k < kMostNeighbours; ++k) {
+      for (std::size_t k = 0; k < kMaxNeighbours; ++k) {
         if ((row.known >> k & 1U) == 0) {
           ASSERT_EQ(row.weights[k], 0) << known;
         }

@@ -142,7 +142,7 @@ TEST(PatchFile, TellsWhatIsInItWithoutReadingPatches) {
   ASSERT_TRUE(file);
   const PatchFileInfo& info = file->info();
   EXPECT_EQ(info.version, 1U);
-  EXPECT_EQ(info.codec, "predicted-zstd");
+  EXPECT_EQ(info.codec, "fast");
   EXPECT_EQ(info.patches, 5U);
   EXPECT_EQ(info.samples, count_samples(model));
   EXPECT_EQ(info.spacing, model.spacing);

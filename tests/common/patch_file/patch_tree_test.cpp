@@ -121,7 +121,7 @@ TEST_P(PatchTreeOf, IsAFileOfTheModelsOwnPatches) {
   const auto file = PatchFile::open(folder / "tree");
   ASSERT_TRUE(file) << file.error().message;
   EXPECT_EQ(file->info().version, 3U);
-  EXPECT_EQ(file->info().codec, GetParam() == PatchCodec::Fast ? "predicted-zstd" : "levels-rans");
+  EXPECT_EQ(file->info().codec, GetParam() == PatchCodec::Fast ? "fast" : "compact");
   EXPECT_EQ(file->info().patches, 4U);
   EXPECT_EQ(file->info().file_bytes, std::filesystem::file_size(folder / "tree"));
   const PatchModel whole = read_whole(folder / "tree");

@@ -61,7 +61,7 @@ TEST_F(Scenes, EveryKeyIsRead) {
                                        "rotation": {"axis": [0, 0, 2], "degrees": 90}, "scale": 2}}
     ],
     "size": [640, 480], "fov": 30, "engine": "onepass", "primitive": "sprite",
-    "interpolation": "direct", "sides": "front", "radius-factor": 1.5, "pixels-per-sample": 2.5, "material": "mirror", "env": "sky.hdr",
+    "interpolation": "direct", "cull": "back", "radius-factor": 1.5, "pixels-per-sample": 2.5, "material": "mirror", "env": "sky.hdr",
     "lights": [{"direction": [0, 3, 4]},
                {"position": [1, 2, 3], "colour": [1, 0.5, 0], "intensity": 8}], "ambient": [0, 0.5, 2],
     "ior": 1.25, "absorption": [1, 0, 100], "roughness": 0.5, "interfaces": 1, "exposure": -1.5,
@@ -93,7 +93,7 @@ TEST_F(Scenes, EveryKeyIsRead) {
   EXPECT_EQ(all.engine, EngineKind::Onepass);
   EXPECT_EQ(all.primitive, Primitive::Sprite);
   EXPECT_EQ(all.interpolation, Interpolation::Direct);
-  EXPECT_EQ(all.sides, Sides::Front);
+  EXPECT_EQ(all.cull, CullMode::Back);
   EXPECT_EQ(all.radius_factor, 1.5);
   EXPECT_EQ(all.pixels_per_sample, 2.5);
   EXPECT_EQ(all.material, Material::Mirror);
@@ -171,7 +171,7 @@ TEST_F(Scenes, SettingsThatAreWrong) {
       {R"("engine": "embree")", "engine: expected onepass"},
       {R"("primitive": "disc")", "primitive: expected sprite, quad, cell; found \"disc\""},
       {R"("interpolation": 1)", "interpolation: expected direct, corrected; found 1"},
-      {R"("sides": "back")", "sides: expected auto, front, both; found \"back\""},
+      {R"("cull": "front")", "cull: expected auto, back, none; found \"front\""},
       {R"("pixels-per-sample": 65)", "pixels-per-sample: expected a number from 0 to 64; found 65"},
       {R"("radius-factor": 0.5)", "radius-factor: expected a number from 1 to 4; found 0.5"},
       {R"("material": "gold")",
@@ -354,7 +354,7 @@ TEST(SceneSettings, FieldsOfViewAndOrthographicPicturesDisplaceEachOther) {
 
 TEST(SceneSettings, EveryMemberIsOverlaid) {
   SceneSettings over;
-  over.size = PictureSize{2, 3};
+  over.size = ImageSize{2, 3};
   over.eye = glm::dvec3(1);
   over.target = glm::dvec3(2);
   over.up = glm::dvec3(3);
@@ -362,7 +362,7 @@ TEST(SceneSettings, EveryMemberIsOverlaid) {
   over.engine = EngineKind::Onepass;
   over.primitive = Primitive::Quad;
   over.interpolation = Interpolation::Direct;
-  over.sides = Sides::Both;
+  over.cull = CullMode::None;
   over.radius_factor = 1.0;
   over.material = Material::Lit;
   over.ior = 2.0;
@@ -376,7 +376,7 @@ TEST(SceneSettings, EveryMemberIsOverlaid) {
   over.outputs = Outputs{};
   const SceneSettings both = overlay({}, over);
   EXPECT_TRUE(both.size && both.eye && both.target && both.up && both.fov_degrees && both.engine &&
-              both.primitive && both.interpolation && both.sides && both.radius_factor &&
+              both.primitive && both.interpolation && both.cull && both.radius_factor &&
               both.material && both.lights && both.ambient && both.ior && both.absorption &&
               both.roughness && both.exposure && both.environment && both.background &&
               both.outputs);
@@ -414,7 +414,7 @@ TEST(SceneSettings, TheCameraIsOnAnOrbitOrAtTheEye) {
   settings.orthographic = OrthographicSize{};
   settings.eye = glm::dvec3(0.0, 0.0, 20.0);
   settings.target = glm::dvec3(0.0);
-  settings.size = PictureSize{200, 100};
+  settings.size = ImageSize{200, 100};
   EXPECT_NEAR(camera_for(settings, model)->orthographic_height, 10.0, 1e-12);
 
   camera = camera_for({}, PatchModel{});

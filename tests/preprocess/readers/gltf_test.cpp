@@ -109,8 +109,8 @@ std::string with_normal_map(const std::string& info, const std::string& nodes = 
 TEST(Gltf, MaterialsHaveNormalMapsAndPointsTangents) {
   const Points points = test::read("a.gltf", with_normal_map(R"({"index": 0, "scale": 0.25})"));
   const MeshNormalMap& map = points.materials.at(points.triangle_materials.at(0)).normals;
-  ASSERT_NE(map.picture_bytes, nullptr);
-  EXPECT_EQ(map.picture_bytes->size(), 3U);
+  ASSERT_NE(map.image_bytes, nullptr);
+  EXPECT_EQ(map.image_bytes->size(), 3U);
   EXPECT_EQ(map.scale, 0.25F);
   ASSERT_EQ(points.corner_tangents.size(), 1U);
   for (const glm::vec4 tangent : points.corner_tangents[0])
@@ -132,7 +132,7 @@ TEST(Gltf, NormalMapsWithTextureCoordinatesOfTheirOwnAreLeftOut) {
   text.replace(text.find(base), base.size(), base + R"("baseColorTexture": {"index": 0}, )");
   const Points points = test::read("a.gltf", text);
   const MeshNormalMap& map = points.materials.at(points.triangle_materials.at(0)).normals;
-  EXPECT_EQ(map.picture_bytes, nullptr);
+  EXPECT_EQ(map.image_bytes, nullptr);
   EXPECT_NE(map.left_out.find("TEXCOORD_1"), std::string::npos);
   // A texture that does not exist is refused.
   EXPECT_NE(test::error("a.gltf", with_normal_map(R"({"index": 4})")), "no error");

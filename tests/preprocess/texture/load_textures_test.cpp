@@ -32,7 +32,7 @@ class LoadTextures : public testing::Test {
     std::ofstream(folder_ / name) << text;
   }
   /// One pixel.
-  void write_picture(const std::string& name, glm::vec3 colour) const {
+  void write_image(const std::string& name, glm::vec3 colour) const {
     Image image{1, 1, {}};
     for (glm::length_t c = 0; c < 3; ++c)
       image.channels.push_back({std::string(1, "RGB"[c]), ChannelType::Float, {colour[c]}});
@@ -63,7 +63,7 @@ TEST_F(LoadTextures, NamesWithBlanksAndOptionsLeadToPictures) {
   write("mesh/my colours.mtl",
         "newmtl of paint\r\nKd 0 0 0\r\nmap_Kd -o 0 0 -s 1 1 1 -clamp on deeper\\red paint.png\r\n"
         "newmtl plain\nKd 0.5 1 0\n");
-  write_picture("mesh/deeper/red paint.png", {1.0F, 0.0F, 0.0F});
+  write_image("mesh/deeper/red paint.png", {1.0F, 0.0F, 0.0F});
   ASSERT_EQ(load(), "");
   EXPECT_TRUE(notes_.empty());
   // The picture replaces Kd, which is black.
@@ -91,14 +91,14 @@ TEST_F(LoadTextures, AMissingMaterialFileIsANoteAndAnUnreadOptionToo) {
   EXPECT_NE(notes_[1].find("colours.mtl"), std::string::npos);
   EXPECT_FALSE(has_triangle_colours(points_));
   write("mesh/my colours.mtl", "newmtl of paint\nmap_Kd -s 2 2 red.png\n");
-  write_picture("mesh/red.png", {1.0F, 0.0F, 0.0F});
+  write_image("mesh/red.png", {1.0F, 0.0F, 0.0F});
   EXPECT_EQ(load(), "");
   ASSERT_EQ(notes_.size(), 1U);
   EXPECT_NE(notes_[0].find("-s is not read"), std::string::npos);
 }
 
 TEST_F(LoadTextures, NamesDoNotLeadOutOfTheFolder) {
-  write_picture("secret.png", {0.0F, 1.0F, 0.0F});
+  write_image("secret.png", {0.0F, 1.0F, 0.0F});
   write("mesh/a.obj", kSquare);
   for (const std::string& name : {std::string("../secret.png"), (folder_ / "secret.png").string(),
                                   std::string("deeper/../../secret.png"),
@@ -107,7 +107,7 @@ TEST_F(LoadTextures, NamesDoNotLeadOutOfTheFolder) {
     write("mesh/my colours.mtl", "newmtl of paint\nmap_Kd " + name + "\n");
     EXPECT_NE(load().find("secret.png"), std::string::npos) << name;
     // Of the same name beside the mesh it is what the mesh's author meant.
-    write_picture("mesh/secret.png", {0.0F, 0.0F, 1.0F});
+    write_image("mesh/secret.png", {0.0F, 0.0F, 1.0F});
     EXPECT_EQ(load(), "") << name;
     EXPECT_EQ(colour_of(0), glm::vec3(0.0F, 0.0F, 1.0F)) << name;
   }
@@ -122,7 +122,7 @@ TEST_F(LoadTextures, AMeshWithoutMaterialsStaysAsItIs) {
 }
 
 TEST_F(LoadTextures, OneTextureForAll) {
-  write_picture("blue.png", {0.0F, 0.0F, 1.0F});
+  write_image("blue.png", {0.0F, 0.0F, 1.0F});
   write("mesh/a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n");
   EXPECT_EQ(load({false, folder_ / "blue.png"}), "");
   EXPECT_EQ(colour_of(0), glm::vec3(0.0F, 0.0F, 1.0F));
@@ -131,7 +131,7 @@ TEST_F(LoadTextures, OneTextureForAll) {
 }
 
 TEST_F(LoadTextures, TextureCoordinatesThatAreNoNumbersHaveNoColour) {
-  write_picture("mesh/red.png", {1.0F, 0.0F, 0.0F});
+  write_image("mesh/red.png", {1.0F, 0.0F, 0.0F});
   write("mesh/my colours.mtl", "newmtl of paint\nmap_Kd red.png\n");
   std::string broken = kSquare;
   broken.replace(broken.find("vt 1 0"), 6, "vt nan 0");

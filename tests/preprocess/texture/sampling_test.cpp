@@ -113,10 +113,10 @@ TEST(SurfacePoints, UtmSizeCoordinatesKeepTheirDigits) {
   const glm::dvec3 far(500000.0, 4649776.0, 120.0);
   const SurfacePoints near_points = spread_over_triangles(mesh, 100);
   for (glm::dvec3& p : mesh.positions) p += far;
-  const SurfacePoints far_points = spread_over_triangles(mesh, 100);
+  const SurfacePoints proxy_points = spread_over_triangles(mesh, 100);
   for (std::size_t i = 0; i < 100; ++i) {
     // Doubles near 5e6 are 1e-9 apart.
-    EXPECT_LT(glm::distance(far_points.positions[i] - far, near_points.positions[i]), 2e-9);
+    EXPECT_LT(glm::distance(proxy_points.positions[i] - far, near_points.positions[i]), 2e-9);
   }
 }
 

@@ -146,7 +146,7 @@ TEST(TextureMaps, MoreTexelsThanAPatchHoldsAreRefused) {
   std::vector<Patch> patches{square_patch(0.0, true, glm::dvec3(0.0))};
   patches[0].width = 300;
   patches[0].heights.assign(std::size_t{300} * 9, 0);
-  const Status refused = map(mesh, kMostTexelsPerCell, patches);
+  const Status refused = map(mesh, kMaxTexelsPerCell, patches);
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().message.find("64 texels a cell"), std::string::npos);
 }

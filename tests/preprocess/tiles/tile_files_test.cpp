@@ -73,7 +73,7 @@ TEST(TileFiles, DuplicatesAreMergedAndHomesStayRight) {
 
 TEST(StateFile, DamageIsFound) {
   const ScratchFolder folder;
-  StateWriter writer;
+  CheckpointWriter writer;
   writer.put(std::vector<float>{1.0F, 2.0F});
   writer.put(7.5);
   ASSERT_TRUE(writer.save(folder / "a"));
@@ -82,11 +82,11 @@ TEST(StateFile, DamageIsFound) {
     std::string bad = good;
     bad[i] = static_cast<char>(bad[i] ^ 1);
     spill(folder / "b", bad);
-    EXPECT_FALSE(StateReader::open(folder / "b")) << i;
+    EXPECT_FALSE(CheckpointReader::open(folder / "b")) << i;
     spill(folder / "b", good.substr(0, i));
-    EXPECT_FALSE(StateReader::open(folder / "b")) << i;
+    EXPECT_FALSE(CheckpointReader::open(folder / "b")) << i;
   }
-  auto reader = StateReader::open(folder / "a");
+  auto reader = CheckpointReader::open(folder / "a");
   ASSERT_TRUE(reader);
   std::vector<float> list;
   double number = 0.0;

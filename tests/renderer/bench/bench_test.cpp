@@ -14,11 +14,11 @@
 namespace relief {
 namespace {
 
-using test::small_picture;
+using test::small_image;
 using test::values;
 
-RenderSettings bench_picture(const PatchModel& model) {
-  RenderSettings settings = small_picture(model);
+RenderSettings bench_image(const PatchModel& model) {
+  RenderSettings settings = small_image(model);
   settings.background.reset();
   settings.debug = true;
   settings.primitive = Primitive::Quad;
@@ -26,8 +26,8 @@ RenderSettings bench_picture(const PatchModel& model) {
 }
 
 /// Quads of both interpolations, cells, and two of multipass.
-std::vector<BenchWay> some_rows(const PatchModel& model) {
-  std::vector<BenchWay> rows(5, {&model, bench_picture(model)});
+std::vector<BenchMethod> some_rows(const PatchModel& model) {
+  std::vector<BenchMethod> rows(5, {&model, bench_image(model)});
   rows[0].settings.interpolation = Interpolation::Direct;
   rows[2].settings.primitive = Primitive::Cell;
   rows[3].settings.engine = rows[4].settings.engine = EngineKind::Multipass;
@@ -109,7 +109,7 @@ TEST(Bench, DrawsSeveralModels) {
   test::SphereShape shape = sphere();
   shape.spacing = 0.05;
   const PatchModel fine = test::sphere_model(shape);
-  const RenderSettings settings = bench_picture(coarse);
+  const RenderSettings settings = bench_image(coarse);
   const BenchJob job{{{&coarse, settings}, {&fine, settings}}, nullptr, 0, 1, 0};
   const BenchReport report = must_bench(job);
   ASSERT_EQ(report.rows.size(), 2U);
@@ -121,7 +121,7 @@ TEST(Bench, DrawsSeveralModels) {
 TEST(Bench, HasNoBoundOfAnEmptyPicture) {
   const PatchModel model = test::sphere_model(sphere());
   BenchJob job{some_rows(model), nullptr, 0, 1, 0};
-  for (BenchWay& row : job.rows)
+  for (BenchMethod& row : job.rows)
     row.settings.camera.target = 2.0 * row.settings.camera.eye;  // looks away
   const BenchReport report = must_bench(job);
   EXPECT_EQ(report.rows[0].covered_pixels, 0U);
@@ -140,7 +140,7 @@ TEST(Bench, CanBeInterrupted) {
 TEST(ShadingBound, ShadesAsManyPixelsAsItIsTold) {
   const PatchModel model = test::sphere_model(sphere());
   for (const Material material : {Material::Unlit, Material::Lit, Material::Mirror}) {
-    RenderSettings settings = bench_picture(model);
+    RenderSettings settings = bench_image(model);
     settings.material = material;
     const std::uint64_t all = std::uint64_t{settings.width} * settings.height;
     for (const std::uint64_t pixels : {std::uint64_t{1000}, all}) {
@@ -159,7 +159,7 @@ TEST(ShadingBound, LooksUpTheMapsOfThePatch) {
   test::SphereShape shape = sphere();
   shape.coloured = true;
   const PatchModel model = test::sphere_model(shape);
-  RenderSettings settings = bench_picture(model);
+  RenderSettings settings = bench_image(model);
   settings.material = Material::Unlit;
   const auto opengl = open_debug();
   ASSERT_TRUE(opengl);
@@ -175,7 +175,7 @@ TEST(MeshPass, DrawsTheMesh) {
   const PatchModel model = test::sphere_model(sphere());
   const TriangleMesh mesh = test::sphere_mesh(64);
   for (const Material material : {Material::Unlit, Material::Lit}) {
-    RenderSettings settings = bench_picture(model);
+    RenderSettings settings = bench_image(model);
     settings.material = material;
     const auto opengl = open_debug();
     ASSERT_TRUE(opengl);

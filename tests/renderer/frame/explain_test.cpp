@@ -8,14 +8,14 @@
 #include "renderer/frame/feature_names.h"
 #include "renderer/store/atlas.h"
 #include "shaders/include/shared.h"
-#include "tests/renderer/pictures.h"
+#include "tests/renderer/images.h"
 
 namespace relief {
 namespace {
 
-using test::all_ways;
+using test::all_methods;
 using test::must_render;
-using test::small_picture;
+using test::small_image;
 using Names = std::vector<std::string>;
 
 Explanation explain(const PatchModel& model, RenderSettings settings) {
@@ -62,8 +62,8 @@ std::uint64_t atlas_texels(std::uint32_t side) {
 /// Every way to draw on OpenGL.
 std::vector<RenderSettings> ways_to_draw(const PatchModel& model) {
   std::vector<RenderSettings> all;
-  RenderSettings settings = small_picture(model);
-  for (const test::Way& way : all_ways()) {
+  RenderSettings settings = small_image(model);
+  for (const test::Method& way : all_methods()) {
     settings.primitive = way.primitive;
     settings.interpolation = way.interpolation;
     all.push_back(settings);
@@ -87,12 +87,12 @@ TEST(FeatureNames, AreThoseOfTheShaders) {
 
 TEST(Explain, IsOffUnasked) {
   const PatchModel model = flat(4);
-  EXPECT_FALSE(must_render(model, small_picture(model)).explanation);
+  EXPECT_FALSE(must_render(model, small_image(model)).explanation);
 }
 
 TEST(Explain, ChangesNoPixel) {
   const PatchModel model = test::sphere_model(coloured_sphere());
-  RenderSettings settings = small_picture(model);
+  RenderSettings settings = small_image(model);
   const RenderResult plain = must_render(model, settings);
   settings.explain = true;
   const RenderResult explained = must_render(model, settings);
@@ -119,7 +119,7 @@ TEST(Explain, UnlitAndUncolouredHasNothingToShadeWith) {
 TEST(Explain, EachFeatureBringsItsMap) {
   const PatchModel model = test::sphere_model(coloured_sphere());
   for (const EngineKind engine : {EngineKind::Onepass, EngineKind::Multipass}) {
-    RenderSettings settings = small_picture(model);
+    RenderSettings settings = small_image(model);
     settings.engine = engine;
     settings.material = Material::Unlit;
     Explanation e = explain(model, settings);
@@ -172,7 +172,7 @@ TEST(Explain, OneSampleAPixelHasNothingToResolve) {
 
 TEST(Explain, GeometryBesideSeveralSamplesIsAFrameOfItsOwn) {
   const PatchModel model = flat(8);
-  RenderSettings settings = small_picture(model);
+  RenderSettings settings = small_image(model);
   settings.outputs.depth = true;
   settings.samples = 4;
   const Explanation e = explain(model, settings);
@@ -190,7 +190,7 @@ TEST(Explain, WhatIsThereIsBound) {
     settings.outputs = test::all_outputs();
     expect_all_bound(model, settings);
   }
-  RenderSettings mirror = small_picture(model);
+  RenderSettings mirror = small_image(model);
   mirror.material = Material::Mirror;
   expect_all_bound(model, mirror);
 }
@@ -198,7 +198,7 @@ TEST(Explain, WhatIsThereIsBound) {
 TEST(Explain, CountsBytesAsOpenGlWasAsked) {
   constexpr std::uint32_t kNodes = 8;
   const PatchModel model = flat(kNodes);
-  RenderSettings settings = small_picture(model);
+  RenderSettings settings = small_image(model);
   settings.primitive = Primitive::Quad;
   settings.interpolation = Interpolation::Corrected;
   settings.material = Material::Mirror;
@@ -220,7 +220,7 @@ TEST(Explain, CountsBytesAsOpenGlWasAsked) {
 
 TEST(Explain, TellsPassesAndDraws) {
   const PatchModel model = flat(8);  // one patch, so one command of each draw
-  RenderSettings settings = small_picture(model);
+  RenderSettings settings = small_image(model);
   settings.primitive = Primitive::Quad;
   Explanation e = explain(model, settings);
   EXPECT_EQ(e.passes, Names{"onepass"});

@@ -7,14 +7,14 @@
 
 #include "common/image/image_io.h"
 #include "shaders/include/shared.h"
-#include "tests/renderer/pictures.h"
+#include "tests/renderer/images.h"
 
 namespace relief {
 namespace {
 
 using test::from_above;
 using test::must_render;
-using test::small_picture;
+using test::small_image;
 using test::values;
 
 TEST(Unlit, EveryGreyComesOutAsItWentIn) {
@@ -30,7 +30,7 @@ TEST(Unlit, EveryGreyComesOutAsItWentIn) {
   model.has_colours = true;
   RenderSettings settings = from_above(model, kNodes);
   settings.material = Material::Unlit;
-  for (const test::Way& way : test::all_ways()) {
+  for (const test::Method& way : test::all_methods()) {
     settings.primitive = way.primitive;
     settings.interpolation = way.interpolation;
     const RenderResult result = must_render(model, settings);
@@ -56,7 +56,7 @@ TEST(Unlit, WithoutColoursIsANeutralGrey) {
 
 TEST(Outputs, ThoseThatAreOffAreNotThere) {
   const PatchModel model = test::sphere_model({});
-  RenderSettings settings = small_picture(model);
+  RenderSettings settings = small_image(model);
   const auto names = [&model, &settings] {
     std::string all;
     for (const Channel& channel : must_render(model, settings).image.channels)
@@ -78,9 +78,9 @@ TEST(Outputs, EveryVariantIsFiniteAndQuiet) {
   for (const bool coloured : {false, true}) {
     shape.coloured = coloured;
     const PatchModel model = test::sphere_model(shape);
-    RenderSettings settings = small_picture(model, {20.0, 15.0, 1.2});
+    RenderSettings settings = small_image(model, {20.0, 15.0, 1.2});
     settings.outputs = test::all_outputs();
-    for (const test::Way& way : test::all_ways()) {
+    for (const test::Method& way : test::all_methods()) {
       settings.primitive = way.primitive;
       settings.interpolation = way.interpolation;
       for (const Material material : {Material::Unlit, Material::Lit, Material::Mirror}) {
@@ -103,7 +103,7 @@ TEST(Outputs, EveryVariantIsFiniteAndQuiet) {
 
 TEST(Background, NoneLeavesAlphaZeroAndColourIsOpaque) {
   const PatchModel model = test::sphere_model({});
-  RenderSettings settings = small_picture(model);
+  RenderSettings settings = small_image(model);
   settings.background.reset();
   const RenderResult none = must_render(model, settings);
   settings.background = glm::vec3(0.25F, 0.5F, 1.0F);
@@ -123,9 +123,9 @@ TEST(Background, NoneLeavesAlphaZeroAndColourIsOpaque) {
 }
 
 TEST(Background, ModelWithoutPatchesIsAnEmptyPicture) {
-  for (const test::Way& way : test::all_ways()) {
+  for (const test::Method& way : test::all_methods()) {
     const PatchModel model = test::height_field(8, [](double, double) { return 0.0; });
-    RenderSettings settings = small_picture(model);
+    RenderSettings settings = small_image(model);
     settings.primitive = way.primitive;
     const RenderResult result = must_render(PatchModel{}, settings);
     EXPECT_EQ(result.covered_pixels, 0U);
@@ -168,7 +168,7 @@ class Environments : public testing::Test {
 
 TEST_F(Environments, BackdropShowsWhatLiesInEachDirection) {
   const PatchModel model = test::sphere_model({{0, 0, 1000}, 1.0, 0.2});
-  RenderSettings settings = small_picture(model);
+  RenderSettings settings = small_image(model);
   settings.environment = path_;
   const std::vector<std::pair<glm::dvec3, glm::vec3>> views{
       {{0, 0, -1}, {1, 0, 0}}, {{1, 0, 0}, {0, 1, 0}}, {{-1, 0, 0}, {1, 1, 0}},
@@ -193,7 +193,7 @@ TEST_F(Environments, BackdropShowsWhatLiesInEachDirection) {
 
 TEST_F(Environments, BackdropIsInNoOtherChannel) {
   const PatchModel model = test::sphere_model({});
-  RenderSettings settings = small_picture(model);
+  RenderSettings settings = small_image(model);
   settings.outputs = test::all_outputs();
   const Image without = must_render(model, settings).image;
   settings.environment = path_;
@@ -217,7 +217,7 @@ TEST_F(Environments, MirrorReflectsWhatLiesBehindTheEye) {
 
 TEST_F(Environments, BackgroundNoneHidesItButMirrorsIt) {
   const PatchModel model = test::sphere_model({});
-  RenderSettings settings = small_picture(model);
+  RenderSettings settings = small_image(model);
   settings.material = Material::Mirror;
   settings.environment = path_;
   settings.background.reset();
@@ -230,7 +230,7 @@ TEST_F(Environments, BackgroundNoneHidesItButMirrorsIt) {
 
 TEST(Failures, AreOneSentence) {
   const PatchModel model = test::sphere_model({{}, 1.0, 0.2});
-  RenderSettings settings = small_picture(model);
+  RenderSettings settings = small_image(model);
   settings.width = 1U << 30U;
   Progress silent;
   auto result = render(model, settings, silent);
@@ -239,7 +239,7 @@ TEST(Failures, AreOneSentence) {
             std::string::npos)
       << result.error().message;
 
-  settings = small_picture(model);
+  settings = small_image(model);
   settings.environment = "/nonexistent/sky.exr";
   result = render(model, settings, silent);
   ASSERT_FALSE(result);

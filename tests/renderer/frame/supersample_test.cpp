@@ -6,7 +6,7 @@
 
 #include "renderer/frame/image_parts.h"
 #include "renderer/view/view.h"
-#include "tests/renderer/pictures.h"
+#include "tests/renderer/images.h"
 
 namespace relief {
 namespace {
@@ -20,7 +20,7 @@ constexpr double kEdge = 0.5 * kNodes;
 
 /// Straight down on the plane of kNodes x kNodes cells, turned, `side` pixels for 2 kEdge cells: an
 /// upright or level edge would meet all samples of a column at once.
-RenderSettings turned_picture(std::uint32_t side, double turn_degrees) {
+RenderSettings turned_image(std::uint32_t side, double turn_degrees) {
   const double turn = glm::radians(turn_degrees);
   RenderSettings settings;
   settings.width = settings.height = side;
@@ -121,9 +121,9 @@ INSTANTIATE_TEST_SUITE_P(All, ViewOfPart, testing::Values(0.0, 7.0), [](const au
   return height.param > 0.0 ? "orthographic" : "perspective";
 });
 
-std::vector<RenderSettings> ways(const RenderSettings& settings) {
+std::vector<RenderSettings> methods(const RenderSettings& settings) {
   std::vector<RenderSettings> all;
-  for (const test::Way& way : test::all_ways()) {
+  for (const test::Method& way : test::all_methods()) {
     all.push_back(settings);
     all.back().primitive = way.primitive;
     all.back().interpolation = way.interpolation;
@@ -142,7 +142,7 @@ TEST(SamplesASide, HoldAtLeastAsMany) {
   for (const auto& [samples, side] : sides) EXPECT_EQ(samples_a_side(samples), side) << samples;
 }
 
-TEST(PictureParts, CoverEachPixelOnceAndFitIntoTargets) {
+TEST(ImageParts, CoverEachPixelOnceAndFitIntoTargets) {
   struct Case {
     std::uint32_t width, height, side, largest;
   };
@@ -157,7 +157,7 @@ TEST(PictureParts, CoverEachPixelOnceAndFitIntoTargets) {
       EXPECT_EQ(part.side, c.side);
       EXPECT_LE(part.width * part.side, c.largest);
       EXPECT_LE(part.height * part.side, c.largest);
-      EXPECT_LE(std::uint64_t{part.width} * part.height * c.side * c.side, kMostPartSamples);
+      EXPECT_LE(std::uint64_t{part.width} * part.height * c.side * c.side, kMaxPartSamples);
       for (std::uint32_t y = 0; y < part.height; ++y) {
         for (std::uint32_t x = 0; x < part.width; ++x)
           ++covered[std::size_t{part.bottom + y} * c.width + part.left + x];
@@ -171,7 +171,7 @@ TEST(PictureParts, CoverEachPixelOnceAndFitIntoTargets) {
 TEST(Supersampling, CoverageOfASlantedEdgeIsTheShareOfSamplesBehindIt) {
   const PatchModel model = plane();
   for (const Primitive primitive : {Primitive::Cell, Primitive::Quad}) {
-    RenderSettings settings = turned_picture(24, 17.0);
+    RenderSettings settings = turned_image(24, 17.0);
     settings.primitive = primitive;
     settings.background.reset();
     for (const int side : {2, 3, 4}) {
@@ -216,7 +216,7 @@ TEST(Supersampling, IsTheMeanOfALargerPicture) {
   shape.bumps = 0.1;
   shape.coloured = true;
   const PatchModel model = test::sphere_model(shape);
-  for (RenderSettings settings : ways(test::small_picture(model))) {
+  for (RenderSettings settings : methods(test::small_image(model))) {
     settings.background.reset();
     settings.environment.clear();
     RenderSettings large = settings;
@@ -258,7 +258,7 @@ PatchModel hill() {
 
 TEST(Supersampling, AgreesWithAsManyRays) {
   const PatchModel model = hill();
-  RenderSettings settings = test::small_picture(model);
+  RenderSettings settings = test::small_image(model);
   settings.camera = {{0.0, -60.0, 8.0}, {0.0, 0.0, 3.0}, {0.0, 0.0, 1.0}, 20.0};
   settings.material = Material::Unlit;
   settings.background.reset();
@@ -295,7 +295,7 @@ TEST(Supersampling, AgreesWithAsManyRays) {
 
 TEST(Supersampling, TheBackgroundIsMixedInLinearLight) {
   const PatchModel model = plane();
-  RenderSettings settings = turned_picture(24, 17.0);
+  RenderSettings settings = turned_image(24, 17.0);
   settings.samples = 16;
   settings.background.reset();
   const RenderResult alone = must_render(model, settings);
@@ -316,7 +316,7 @@ TEST(Supersampling, GeometryIsThatOfThePixelsMiddle) {
   test::SphereShape shape;
   shape.bumps = 0.1;
   const PatchModel model = test::sphere_model(shape);
-  for (RenderSettings settings : ways(test::small_picture(model))) {
+  for (RenderSettings settings : methods(test::small_image(model))) {
     settings.outputs = test::all_outputs();
     const RenderResult once = must_render(model, settings);
     settings.samples = 4;
@@ -356,7 +356,7 @@ TEST(Supersampling, PartsMeetWithoutASeam) {
   plain.frames = 1;
   plain.debug = true;
   plain.pixels_per_sample = 0.0;
-  for (RenderSettings settings : ways(plain)) {
+  for (RenderSettings settings : methods(plain)) {
     const RenderResult once = must_render(model, settings);
     settings.samples = 16;
     const RenderResult often = must_render(model, settings);

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "tests/renderer/pictures.h"
+#include "tests/renderer/images.h"
 
 namespace relief {
 namespace {
@@ -133,13 +133,13 @@ TEST(Levels, OfAPatchAsLongAsItIsWide) {
   EXPECT_EQ(extent_of(tattered_plane(1, 1, 0.0)).levels, 1U);
   EXPECT_EQ(extent_of(tattered_plane(3, 2, 0.0)).levels, 2U);
   EXPECT_EQ(extent_of(tattered_plane(17, 2, 0.0)).levels, 5U);
-  EXPECT_EQ(extent_of(tattered_plane(1000, 2, 0.0)).levels, kMostLevels);
+  EXPECT_EQ(extent_of(tattered_plane(1000, 2, 0.0)).levels, kMaxLevels);
 }
 
-class LevelPictures : public testing::TestWithParam<test::Way> {};
+class LevelImages : public testing::TestWithParam<test::Method> {};
 
-RenderSettings settings_of(const PatchModel& model, const test::Way& way, double pixels) {
-  RenderSettings settings = test::small_picture(model, {30.0, 20.0, 0.0});
+RenderSettings settings_of(const PatchModel& model, const test::Method& way, double pixels) {
+  RenderSettings settings = test::small_image(model, {30.0, 20.0, 0.0});
   settings.outputs = test::all_outputs();
   settings.primitive = way.primitive;
   settings.interpolation = way.interpolation;
@@ -149,7 +149,7 @@ RenderSettings settings_of(const PatchModel& model, const test::Way& way, double
 
 // A sphere is as closed at every level as at the finest, and its depth off by no more than a chord:
 // half a coarse cell squared over twice the radius, and what splats of border samples stick out.
-TEST_P(LevelPictures, OfASphereAreClosed) {
+TEST_P(LevelImages, OfASphereAreClosed) {
   test::SphereShape shape;
   shape.spacing = 0.02;
   const PatchModel model = test::sphere_model(shape);
@@ -182,7 +182,7 @@ TEST_P(LevelPictures, OfASphereAreClosed) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, LevelPictures, testing::ValuesIn(test::all_ways()),
+INSTANTIATE_TEST_SUITE_P(All, LevelImages, testing::ValuesIn(test::all_methods()),
                          [](const auto& way) { return std::string(way.param.name); });
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace relief {
 namespace {
 
 using test::must_render;
-using test::small_picture;
+using test::small_image;
 using test::values;
 
 TEST(MeshOfPatches, HalvesCellsAlongOneDiagonalAndLeavesHolesOut) {
@@ -163,7 +163,7 @@ TEST(RayTracedPatches, AreWhatCorrectedInterpolationDraws) {
     return 1.5 * std::sin(0.5 * x) * std::cos(0.6 * y) + noise(random);
   });
   model.patches[0].normals = {};
-  RenderSettings settings = small_picture(model);
+  RenderSettings settings = small_image(model);
   settings.camera = {{0.0, -9.0, 32.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 40.0};
   settings.primitive = Primitive::Quad;
   const Differences corrected = compare(model, settings);
@@ -184,7 +184,7 @@ TEST(RayTracedPatches, HaveTheNormalsOfOnepassAndItHasNoHoles) {
   shape.centre = {3.0, -2.0, 1.0};
   const PatchModel model = test::sphere_model(shape);
   for (const double azimuth : {30.0, 150.0, 270.0}) {
-    const Differences corrected = compare(model, small_picture(model, {azimuth, 20.0}));
+    const Differences corrected = compare(model, small_image(model, {azimuth, 20.0}));
     EXPECT_GT(corrected.depth.size(), 5000U);
     EXPECT_LT(Differences::quantile(corrected.depth, 0.9), kRounding);
     EXPECT_LT(Differences::quantile(corrected.uv, 0.9), kRounding);

@@ -56,7 +56,7 @@ TEST(Samples, SplatsOfAPlaneMeetHalfWay) {
     if (!is_border(samples.records[k])) {
       for (glm::length_t c = 0; c < 4; ++c) {
         EXPECT_GE(reach_of(samples.records[k])[c], 0.5F);
-        EXPECT_LE(reach_of(samples.records[k])[c], 0.5F + shared::kLeastMargin + kRounding);
+        EXPECT_LE(reach_of(samples.records[k])[c], 0.5F + shared::kMinMargin + kRounding);
       }
     }
     const std::size_t i = k % 9;
@@ -126,8 +126,7 @@ TEST(Samples, SplatsEndAtACrease) {
   // 30), and rounding.
   const float meeting = 0.1F / 1.5F;
   const auto end = [](float place, float slope) {
-    return place + 0.1F / std::sqrt(1.0F + slope * slope) / 1.16F + shared::kLeastMargin +
-           kRounding;
+    return place + 0.1F / std::sqrt(1.0F + slope * slope) / 1.16F + shared::kMinMargin + kRounding;
   };
   EXPECT_LE(at(4).x, end(meeting, 1.5F));
   EXPECT_LE(at(4).y, end(meeting, 1.5F));
@@ -140,8 +139,7 @@ TEST(Samples, SplatsEndHalfASpacingBeyondTheBorder) {
   const PatchModel model = test::height_field(9, [](double x, double) { return 2.0 * x; });
   const PatchSamples samples = make_samples(model.patches[0]);
   const glm::vec4 reach = reach_of(samples.records[std::size_t{4} * 9]);
-  EXPECT_NEAR(reach.x * std::sqrt(5.0F), 0.5F,
-              (shared::kLeastMargin + kRounding) * std::sqrt(5.0F));
+  EXPECT_NEAR(reach.x * std::sqrt(5.0F), 0.5F, (shared::kMinMargin + kRounding) * std::sqrt(5.0F));
 }
 
 TEST(Samples, SphereHoldsEverySplat) {

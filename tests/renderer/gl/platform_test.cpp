@@ -10,12 +10,12 @@
 
 #include "common/image/image_io.h"
 #include "common/io/file.h"
-#include "tests/renderer/pictures.h"
+#include "tests/renderer/images.h"
 
 namespace relief {
 namespace {
 
-using test::small_picture;
+using test::small_image;
 
 /// A scene of overlapping patches in which anything that depended on order would show.
 PatchModel bumpy_sphere() {
@@ -66,7 +66,7 @@ TEST_F(Platforms, NoOpenGlIsOneSentence) {
       {
         ::setenv(kNoVendors, "/nonexistent", 1);
         const PatchModel model = test::height_field(4, [](double, double) { return 0.0; });
-        RenderSettings settings = small_picture(model);
+        RenderSettings settings = small_image(model);
         settings.platform = GlPlatform::Egl;
         render_and_exit(settings, model, {});
       },
@@ -79,21 +79,21 @@ TEST_F(Platforms, OsmesaStandsInForEgl) {
       {
         ::setenv(kNoVendors, "/nonexistent", 1);
         const PatchModel model = test::height_field(4, [](double, double) { return 0.0; });
-        render_and_exit(small_picture(model), model, {});
+        render_and_exit(small_image(model), model, {});
       },
       testing::ExitedWithCode(0), "");
 }
 
 TEST_F(Platforms, NumberOfThreadsChangesNoByte) {
   std::filesystem::create_directory(folder());
-  for (const test::Way& way : test::all_ways()) {
+  for (const test::Method& way : test::all_methods()) {
     for (const char* threads : {"1", "4"}) {
       const std::string name = std::string(way.name) + threads;
       EXPECT_EXIT(
           {
             ::setenv("LP_NUM_THREADS", threads, 1);
             const PatchModel model = bumpy_sphere();
-            RenderSettings settings = small_picture(model, {20.0, 15.0, 1.4}, 128);
+            RenderSettings settings = small_image(model, {20.0, 15.0, 1.4}, 128);
             settings.primitive = way.primitive;
             settings.interpolation = way.interpolation;
             settings.outputs = test::all_outputs();
@@ -115,7 +115,7 @@ TEST_F(Platforms, NumberOfThreadsChangesNoByteOfSums) {
           {
             ::setenv("LP_NUM_THREADS", threads, 1);
             const PatchModel model = bumpy_sphere();
-            RenderSettings settings = small_picture(model, {20.0, 15.0, 1.4}, 128);
+            RenderSettings settings = small_image(model, {20.0, 15.0, 1.4}, 128);
             settings.engine = EngineKind::Multipass;
             settings.primitive = primitive;
             settings.outputs = test::all_outputs();
@@ -130,8 +130,8 @@ TEST_F(Platforms, NumberOfThreadsChangesNoByteOfSums) {
 
 TEST(Osmesa, DrawsWhatEglDraws) {
   const PatchModel model = bumpy_sphere();
-  RenderSettings settings = small_picture(model);
-  for (const test::Way& way : test::all_ways()) {
+  RenderSettings settings = small_image(model);
+  for (const test::Method& way : test::all_methods()) {
     settings.primitive = way.primitive;
     settings.interpolation = way.interpolation;
     settings.platform = GlPlatform::Egl;

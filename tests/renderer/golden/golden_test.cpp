@@ -9,7 +9,7 @@
 #include <string>
 
 #include "common/image/image_io.h"
-#include "tests/renderer/pictures.h"
+#include "tests/renderer/images.h"
 
 namespace relief {
 namespace {
@@ -34,7 +34,7 @@ PatchModel model_for(const Golden& golden) {
 
 /// The picture of a golden image, but for the engine.
 RenderSettings settings_for(const Golden& golden, const PatchModel& model) {
-  RenderSettings settings = test::small_picture(model, {25.0, 20.0, golden.distance});
+  RenderSettings settings = test::small_image(model, {25.0, 20.0, golden.distance});
   settings.camera.orthographic_height = golden.orthographic_height;
   settings.material = golden.material;
   settings.constants.interfaces = golden.interfaces;
@@ -73,7 +73,7 @@ void expect_golden(const std::string& name, const RenderResult& result) {
   }
 }
 
-class GoldenImages : public testing::TestWithParam<std::tuple<test::Way, Golden>> {};
+class GoldenImages : public testing::TestWithParam<std::tuple<test::Method, Golden>> {};
 
 TEST_P(GoldenImages, AreAsTheyWere) {
   const auto& [way, golden] = GetParam();
@@ -106,7 +106,7 @@ constexpr Golden kOrthographic{"orthographic", Material::Lit, 0.0, 2.3};
 constexpr Golden kTwoInterfaces{"two_interfaces", Material::Glass, 0.0, 0.0, 2};
 
 INSTANTIATE_TEST_SUITE_P(All, GoldenImages,
-                         testing::Combine(testing::ValuesIn(test::all_ways()),
+                         testing::Combine(testing::ValuesIn(test::all_methods()),
                                           testing::Values(kLit, kMirrorClose, kUnlit)),
                          [](const auto& both) {
                            return std::string(std::get<1>(both.param).name) + "_" +
@@ -114,17 +114,17 @@ INSTANTIATE_TEST_SUITE_P(All, GoldenImages,
                          });
 
 INSTANTIATE_TEST_SUITE_P(Split, GoldenImages,
-                         testing::Combine(testing::Values(test::all_ways().back()),
+                         testing::Combine(testing::Values(test::all_methods().back()),
                                           testing::Values(kSplit)),
                          [](const auto& /*only*/) { return std::string("cells"); });
 
 INSTANTIATE_TEST_SUITE_P(TwoInterfaces, GoldenImages,
-                         testing::Combine(testing::Values(test::all_ways().back()),
+                         testing::Combine(testing::Values(test::all_methods().back()),
                                           testing::Values(kTwoInterfaces)),
                          [](const auto& /*only*/) { return std::string("cells"); });
 
 INSTANTIATE_TEST_SUITE_P(Orthographic, GoldenImages,
-                         testing::Combine(testing::Values(test::all_ways().back()),
+                         testing::Combine(testing::Values(test::all_methods().back()),
                                           testing::Values(kOrthographic)),
                          [](const auto& /*only*/) { return std::string("cells"); });
 

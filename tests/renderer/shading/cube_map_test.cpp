@@ -153,7 +153,7 @@ TEST_F(Panorama, IsBehindTheModelAsOpenGlDrawsIt) {
                                            {0, 0, 1},   {0, 0, -1}, {1, 1, 0},  {-1, 0, 1},
                                            {0, -1, -1}, {1, 1, 1},  {-1, 1, -1}};
   for (const glm::dvec3& direction : directions) {
-    RenderSettings settings = test::traced_picture(
+    RenderSettings settings = test::traced_image(
         {{1, 2, 3}, glm::dvec3(1, 2, 3) + direction, {0.1, 1, 0.2}, 25.0}, 64, 48);
     settings.background = glm::vec3(0.0F);
     settings.environment = path_;

@@ -15,7 +15,7 @@
 #include "common/transform.h"
 #include "renderer/frame/features.h"
 #include "shaders/include/shared.h"
-#include "tests/renderer/pictures.h"
+#include "tests/renderer/images.h"
 
 namespace relief {
 namespace {
@@ -72,7 +72,7 @@ PatchModel smooth_sphere() {
 }
 
 RenderSettings picture_of(const PatchModel& model, const Look& look) {
-  RenderSettings settings = test::small_picture(model, {25.0, 20.0});
+  RenderSettings settings = test::small_image(model, {25.0, 20.0});
   settings.material = look.material.kind;
   settings.constants = look.material.constants;
   settings.lights.list = look.lights;

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "renderer/append.h"
-#include "tests/renderer/pictures.h"
+#include "tests/renderer/images.h"
 
 namespace relief {
 namespace {
@@ -100,7 +100,7 @@ TEST(OpacityOfPatches, OverlapsCountOnce) {
   test::SphereShape shape;
   shape.patches_per_side = 2;  // 24 patches, each two cells over its neighbours
   const PatchModel model = test::sphere_model(shape);
-  RenderSettings settings = test::small_picture(model);
+  RenderSettings settings = test::small_image(model);
   settings.background = std::nullopt;
   settings.constants.opacity = 0.5F;
   settings.outputs = test::all_outputs();

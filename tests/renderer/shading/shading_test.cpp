@@ -106,8 +106,8 @@ TEST(Shading, APointLightOnTheSurfaceIsFinite) {
 
 TEST(Shading, EveryLightCounts) {
   Lighting lighting = one_light(Material::Lit);
-  lighting.lights = shared::kMostLights;
-  for (int i = 0; i < shared::kMostLights; ++i) {
+  lighting.lights = shared::kMaxLights;
+  for (int i = 0; i < shared::kMaxLights; ++i) {
     lighting.frame.light_place[i] = {0.0F, 0.0F, 1.0F, 0.0F};
     lighting.frame.light_colour[i] = glm::vec4(static_cast<float>(i + 1));
   }

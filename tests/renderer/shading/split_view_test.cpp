@@ -13,7 +13,7 @@
 #include "renderer/frame/features.h"
 #include "renderer/view/view.h"
 #include "shaders/include/split_view.h"
-#include "tests/renderer/pictures.h"
+#include "tests/renderer/images.h"
 
 namespace relief {
 namespace {
@@ -47,7 +47,7 @@ PatchModel bumpy_sphere() {
 
 /// A close-up that fills the picture.
 RenderSettings close_up(const PatchModel& model) {
-  RenderSettings settings = test::small_picture(model, {25.0, 20.0, 1.3});
+  RenderSettings settings = test::small_image(model, {25.0, 20.0, 1.3});
   settings.background.reset();
   settings.outputs = test::all_outputs();
   settings.raytrace.samples = 1;
@@ -103,7 +103,7 @@ TEST(SplitView, QuartersAreWhatTheirMaterialsAloneShow) {
   const PatchModel model = bumpy_sphere();
   RenderSettings settings = close_up(model);
   settings.pixels_per_sample = 0.0;  // UV counts cells of the finest level
-  for (const test::Way& way : test::all_ways()) {
+  for (const test::Method& way : test::all_methods()) {
     if (way.interpolation == Interpolation::Direct) continue;  // finds places, as the other does
     settings.primitive = way.primitive;
     settings.interpolation = way.interpolation;

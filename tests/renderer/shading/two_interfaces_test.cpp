@@ -14,8 +14,8 @@
 #include "common/image/image_io.h"
 #include "common/transform.h"
 #include "renderer/engines/onepass/features.h"
+#include "tests/renderer/images.h"
 #include "tests/renderer/meshes.h"
-#include "tests/renderer/pictures.h"
 #include "tests/renderer/view/orthographic.h"
 
 namespace relief {
@@ -103,8 +103,8 @@ Expected expect_of(glm::dvec3 start, glm::dvec3 ray, double ior) {
   return expected;
 }
 
-RenderSettings glass_picture(const PatchModel& model, const LinearLight& light, float ior) {
-  RenderSettings settings = test::small_picture(model, {25.0, 20.0});
+RenderSettings glass_image(const PatchModel& model, const LinearLight& light, float ior) {
+  RenderSettings settings = test::small_image(model, {25.0, 20.0});
   settings.material = Material::Glass;
   settings.constants.ior = ior;
   settings.constants.absorption = kAbsorption;
@@ -154,7 +154,7 @@ TEST(TwoInterfaces, RaysThroughASphereAreThoseOfTheClosedForm) {
   const TriangleMesh mesh = test::sphere_mesh(256);
   for (const double height : {0.0, 2.4}) {
     for (const float ior : {1.0F, 1.5F, 2.4F}) {
-      RenderSettings settings = glass_picture(model, light, ior);
+      RenderSettings settings = glass_image(model, light, ior);
       settings.camera.orthographic_height = height;
       const Image traced = test::must_trace(mesh, settings).image;
       // The mesh lies up to 4e-5 within the sphere, where rays are met at 75 degrees 4 times as
@@ -173,7 +173,7 @@ TEST(TwoInterfaces, OnepassFindsWhereTheyLeaveASphere) {
   for (const double height : {0.0, 2.4}) {
     for (const float ior : {1.0F, 1.5F, 2.4F}) {
       for (const int samples : {1, 4}) {
-        RenderSettings settings = glass_picture(model, light, ior);
+        RenderSettings settings = glass_image(model, light, ior);
         settings.camera.orthographic_height = height;
         settings.samples = samples;
         const Image drawn = must_render(model, settings).image;
@@ -193,7 +193,7 @@ TEST(TwoInterfaces, OnepassFindsWhereTheyLeaveASphere) {
 TEST(TwoInterfaces, OnepassLooksBeyondThePicturesBorder) {
   const LinearLight light;
   const PatchModel model = smooth_sphere();
-  RenderSettings settings = glass_picture(model, light, 1.5F);
+  RenderSettings settings = glass_image(model, light, 1.5F);
   settings.camera = orbit_camera({}, 1.0, {25.0, 20.0, 1.9}, 45.0, 1.25);
   const std::vector<double> off =
       errors(must_render(model, settings).image, settings, &Expected::straight, 60.0);
@@ -204,7 +204,7 @@ TEST(TwoInterfaces, OnepassLooksBeyondThePicturesBorder) {
 TEST(TwoInterfaces, OneIsWhatItWas) {
   const LinearLight light;
   const PatchModel model = smooth_sphere();
-  RenderSettings settings = glass_picture(model, light, 1.5F);
+  RenderSettings settings = glass_image(model, light, 1.5F);
   settings.explain = true;
   const auto explanation = must_render(model, settings).explanation;
   ASSERT_TRUE(explanation);
@@ -248,9 +248,9 @@ TEST(TwoInterfaces, AreRefusedWhereNothingIsKnownOfTheFarSide) {
     const auto result = render(model, settings, silent);
     return result ? std::string() : result.error().message;
   };
-  const RenderSettings good = glass_picture(model, light, 1.5F);
+  const RenderSettings good = glass_image(model, light, 1.5F);
   EXPECT_EQ(complaint(good), "");
-  for (const auto& way : test::all_engine_ways()) {
+  for (const auto& way : test::all_engine_methods()) {
     if (way.is_cells() || way.engine == EngineKind::Raytrace) continue;
     RenderSettings settings = good;
     settings.engine = way.engine;
@@ -271,16 +271,16 @@ PatchModel two_sizes() {
   PatchModel placed;
   placed.patches = sphere.patches;
   const auto count = static_cast<std::uint32_t>(sphere.patches.size());
-  EXPECT_TRUE(add_placement(placed, {0, count, {{-1.2, 0, 0}, glm::dmat3(1.0), 1.0}, 0},
-                            without_patches(sphere)));
-  EXPECT_TRUE(add_placement(placed, {0, count, {{0.8, 0, 0}, glm::dmat3(1.0), 0.5}, 1},
-                            without_patches(sphere)));
+  EXPECT_TRUE(add_instance(placed, {0, count, {{-1.2, 0, 0}, glm::dmat3(1.0), 1.0}, 0},
+                           without_patches(sphere)));
+  EXPECT_TRUE(add_instance(placed, {0, count, {{0.8, 0, 0}, glm::dmat3(1.0), 0.5}, 1},
+                           without_patches(sphere)));
   return placed;
 }
 
 /// Both of them, orthographic along -z.
-RenderSettings picture_of_two(const PatchModel& model, const LinearLight& light) {
-  RenderSettings settings = glass_picture(model, light, 1.5F);
+RenderSettings image_of_two(const PatchModel& model, const LinearLight& light) {
+  RenderSettings settings = glass_image(model, light, 1.5F);
   settings.camera = {{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 45.0};
   settings.camera.orthographic_height = 4.2;
   return settings;
@@ -296,7 +296,7 @@ std::size_t pixel_at(const RenderSettings& settings, double x) {
 TEST(TwoInterfaces, AbsorptionIsOverEachModelsOwnDiameter) {
   const LinearLight light;
   const PatchModel model = two_sizes();
-  RenderSettings settings = picture_of_two(model, light);
+  RenderSettings settings = image_of_two(model, light);
   const Expected expected = expect_of({0, 0, 5}, {0, 0, -1}, 1.5);
   for (const EngineKind engine : {EngineKind::Onepass, EngineKind::Raytrace}) {
     settings.engine = engine;
@@ -315,7 +315,7 @@ TEST(TwoInterfaces, AbsorptionIsOverEachModelsOwnDiameter) {
 TEST(TwoInterfaces, EachModelHasItsOwn) {
   const LinearLight light;
   const PatchModel model = two_sizes();
-  RenderSettings settings = picture_of_two(model, light);
+  RenderSettings settings = image_of_two(model, light);
   MaterialSettings two{Material::Glass, settings.constants};
   MaterialSettings one = two;
   one.constants.interfaces = 1;
@@ -344,7 +344,7 @@ TEST(TwoInterfaces, LightGoesOnWhereAMeshIsOpen) {
   const LinearLight light;
   TriangleMesh sheet;
   test::add_sheet(sheet, {-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
-  RenderSettings settings = glass_picture(smooth_sphere(), light, 1.5F);
+  RenderSettings settings = glass_image(smooth_sphere(), light, 1.5F);
   settings.camera = {{3, 0, 3}, {0, 0, 0}, {0, 1, 0}, 10.0};
   settings.constants.absorption = {};
   const RenderResult two = test::must_trace(sheet, settings);

@@ -5,7 +5,7 @@
 
 #include "renderer/frame/features.h"
 #include "renderer/store/atlas.h"
-#include "tests/renderer/pictures.h"
+#include "tests/renderer/images.h"
 
 namespace relief {
 namespace {
@@ -30,12 +30,12 @@ PatchModel fine_square(const Colour& colour) {
   return model;
 }
 
-/// Runs `look` over the pictures of all ways to draw a model, multipass among them.
+/// Runs `look` over the pictures of all methods to draw a model, multipass among them.
 template <class Look>
-void for_all_ways(const PatchModel& model, RenderSettings settings, const Look& look) {
+void for_all_methods(const PatchModel& model, RenderSettings settings, const Look& look) {
   settings.material = Material::Unlit;
   settings.background.reset();
-  for (const test::Way& way : test::all_ways()) {
+  for (const test::Method& way : test::all_methods()) {
     settings.primitive = way.primitive;
     settings.interpolation = way.interpolation;
     look(must_render(model, settings), way.name);
@@ -65,14 +65,14 @@ TEST(FineColours, AConstantComesOutAsItWentIn) {
     const PatchModel model = fine_square([&](auto, auto) { return glm::u8vec3(grey); });
     // Seen askew and small: several mip levels and several places a pixel.
     for (const std::uint32_t side : {12U, 96U}) {
-      for_all_ways(model, test::small_picture(model, {20.0, 15.0}, side),
-                   [&](const RenderResult& result, const char* way) {
-                     const std::vector<float>& alpha = values(result.image, "A");
-                     for (std::size_t k = 0; k < alpha.size(); ++k) {
-                       if (alpha[k] < 1.0F) continue;
-                       EXPECT_EQ(srgb8_from_linear(values(result.image, "G")[k]), grey) << way;
-                     }
-                   });
+      for_all_methods(model, test::small_image(model, {20.0, 15.0}, side),
+                      [&](const RenderResult& result, const char* way) {
+                        const std::vector<float>& alpha = values(result.image, "A");
+                        for (std::size_t k = 0; k < alpha.size(); ++k) {
+                          if (alpha[k] < 1.0F) continue;
+                          EXPECT_EQ(srgb8_from_linear(values(result.image, "G")[k]), grey) << way;
+                        }
+                      });
     }
   }
 }
@@ -83,7 +83,7 @@ TEST(FineColours, MinifiedTheyAreTheMeanOfTheirLight) {
       fine_square([](std::uint32_t i, auto) { return glm::u8vec3(i % 2 == 0 ? 0 : 255); });
   RenderSettings settings = test::from_above(model, kNodes);
   settings.width = settings.height = 32;
-  for_all_ways(model, settings, [](const RenderResult& result, const char* way) {
+  for_all_methods(model, settings, [](const RenderResult& result, const char* way) {
     for (std::size_t y = 8; y < 24; ++y) {
       for (std::size_t x = 8; x < 24; ++x)
         // Each mip level rounds to 8 bits, half a step of which is 0.003 here.
@@ -108,19 +108,19 @@ TEST(FineColours, NoPatchShowsItsNeighboursInTheAtlas) {
   model.bounding_radius += 34.0;
   for (const std::uint32_t side : {13U, 20U, 31U, 46U, 67U, 160U}) {
     for (const Orbit orbit : {Orbit{0.0, 10.0}, Orbit{70.0, 30.0}}) {
-      for_all_ways(model, test::small_picture(model, orbit, side),
-                   [&](const RenderResult& result, const char* way) {
-                     const std::vector<float>& alpha = values(result.image, "A");
-                     for (std::size_t k = 0; k < alpha.size(); ++k) {
-                       if (alpha[k] < 1.0F) continue;
-                       const float red = values(result.image, "R")[k];
-                       const float light = values(result.image, "B")[k];
-                       // Whose splats of two squares blend where both are in a pixel.
-                       if (std::string(way) == "multipass") continue;
-                       EXPECT_GT(std::max(red, light), 0.999F) << way;
-                       EXPECT_LT(std::min(red, light), 0.001F) << way;
-                     }
-                   });
+      for_all_methods(model, test::small_image(model, orbit, side),
+                      [&](const RenderResult& result, const char* way) {
+                        const std::vector<float>& alpha = values(result.image, "A");
+                        for (std::size_t k = 0; k < alpha.size(); ++k) {
+                          if (alpha[k] < 1.0F) continue;
+                          const float red = values(result.image, "R")[k];
+                          const float light = values(result.image, "B")[k];
+                          // Whose splats of two squares blend where both are in a pixel.
+                          if (std::string(way) == "multipass") continue;
+                          EXPECT_GT(std::max(red, light), 0.999F) << way;
+                          EXPECT_LT(std::min(red, light), 0.001F) << way;
+                        }
+                      });
     }
   }
 }

@@ -11,8 +11,8 @@
 #include "renderer/engines/onepass/features.h"
 #include "renderer/frame/features.h"
 #include "renderer/geometry/levels.h"
+#include "tests/renderer/images.h"
 #include "tests/renderer/meshes.h"
-#include "tests/renderer/pictures.h"
 
 namespace relief {
 namespace {
@@ -48,12 +48,12 @@ PatchModel fine_square(const Relief& normal, std::uint32_t nodes = kNodes,
   return model;
 }
 
-/// Runs `look` over the pictures of all ways to draw a model, the rivals among them.
+/// Runs `look` over the pictures of all methods to draw a model, the rivals among them.
 template <class Look>
-void for_all_ways(const PatchModel& model, RenderSettings settings, const Look& look) {
+void for_all_methods(const PatchModel& model, RenderSettings settings, const Look& look) {
   settings.background.reset();
   settings.outputs = test::all_outputs();
-  for (const test::Way& way : test::all_ways()) {
+  for (const test::Method& way : test::all_methods()) {
     settings.primitive = way.primitive;
     settings.interpolation = way.interpolation;
     look(must_render(model, settings), std::string(way.name));
@@ -110,9 +110,9 @@ TEST(FineNormals, AConstantTiltComesOutAsItWentIn) {
   const PatchModel model = fine_square([&](double, double) { return tilt; });
   // Seen askew and small: several mip levels and several places a pixel.
   for (const std::uint32_t side : {12U, 96U}) {
-    RenderSettings settings = test::small_picture(model, {20.0, 15.0}, side);
+    RenderSettings settings = test::small_image(model, {20.0, 15.0}, side);
     settings.pixels_per_sample = 0.5;  // below 1 nothing is drawn from afar, which reads no map
-    for_all_ways(model, settings, [&](const RenderResult& result, const std::string& way) {
+    for_all_methods(model, settings, [&](const RenderResult& result, const std::string& way) {
       // The map's 16 bits are 0.003 degrees; normals are half floats, half a step of which is
       // 2^-12: 0.014 degrees, and multipass sums them up in such.
       EXPECT_LT(largest_angle(
@@ -133,7 +133,7 @@ TEST(FineNormals, AreSharperThanTheGrid) {
   const PatchModel model = fine_square(waves);
   const RenderSettings settings = test::from_above(model, kNodes);
   const double half = 0.5 * (kNodes - 1);
-  for_all_ways(model, settings, [&](const RenderResult& result, const std::string& way) {
+  for_all_methods(model, settings, [&](const RenderResult& result, const std::string& way) {
     const double angle = largest_angle(
         result, settings, [&](double x, double y) { return waves(x + half, y + half); },
         half - 1.0);
@@ -153,7 +153,7 @@ TEST(FineNormals, MinifiedTheyAreTheMeanDirection) {
   RenderSettings settings = test::from_above(model, kNodes);
   settings.width = settings.height = 32;
   const double inside = 0.5 * (kNodes - 1) - 2.0;
-  for_all_ways(model, settings, [&](const RenderResult& result, const std::string& way) {
+  for_all_methods(model, settings, [&](const RenderResult& result, const std::string& way) {
     if (way == "raytrace") return;  // filters by rays
     const double angle = largest_angle(
         result, settings, [](double, double) { return glm::dvec3(0.0, 0.0, 1.0); }, inside);
@@ -176,8 +176,8 @@ TEST(FineNormals, NoPatchShowsItsNeighboursInTheAtlas) {
   model.bounds.max += glm::dvec3(48.0, 48.0, 0.0);
   model.bounding_radius += 34.0;
   for (const std::uint32_t side : {13U, 31U, 67U, 160U}) {
-    for_all_ways(
-        model, test::small_picture(model, {10.0, 20.0}, side),
+    for_all_methods(
+        model, test::small_image(model, {10.0, 20.0}, side),
         [&](const RenderResult& result, const std::string& way) {
           if (way == "multipass") return;  // whose splats blend
           for (std::size_t k = 0; k < values(result.image, "A").size(); ++k) {
@@ -197,7 +197,7 @@ TEST(FineNormals, CoarseLevelsKeepTheFineMap) {
   };
   const PatchModel model = fine_square(waves, 65);
   // Askew: a footprint as wide as high has one or two places, as rounding has it.
-  RenderSettings settings = test::small_picture(model, {25.0, 40.0}, 256);
+  RenderSettings settings = test::small_image(model, {25.0, 40.0}, 256);
   settings.background.reset();
   settings.outputs = test::all_outputs();
   settings.primitive = Primitive::Cell;
@@ -227,7 +227,7 @@ TEST(FineNormals, LitAndMirrorPicturesAreThoseOfRaysToThePatch) {
     return glm::dvec3(0.4 * std::cos(0.5 * pi * x), 0.4 * std::sin(0.5 * pi * y), 1.0);
   });
   for (const Material material : {Material::Lit, Material::Mirror}) {
-    RenderSettings settings = test::small_picture(model, {20.0, 30.0});
+    RenderSettings settings = test::small_image(model, {20.0, 30.0});
     settings.material = material;
     settings.primitive = Primitive::Cell;
     settings.background.reset();

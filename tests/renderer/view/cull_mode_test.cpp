@@ -7,26 +7,27 @@
 #include <string>
 
 #include "common/transform.h"
-#include "tests/renderer/pictures.h"
+#include "tests/renderer/images.h"
 
 namespace relief {
 namespace {
 
 using test::must_render;
-using test::small_picture;
+using test::small_image;
 using test::values;
 
-struct EngineWay {
+struct EngineMethod {
   EngineKind engine;
   Primitive primitive;
   const char* name;
 };
 
-constexpr EngineWay kWays[] = {{EngineKind::Onepass, Primitive::Cell, "cell"},
-                               {EngineKind::Onepass, Primitive::Quad, "quad"},
-                               {EngineKind::Onepass, Primitive::Sprite, "sprite"},
-                               {EngineKind::Multipass, Primitive::Quad, "multipass quad"},
-                               {EngineKind::Multipass, Primitive::Sprite, "multipass sprite"}};
+constexpr EngineMethod kMethods[] = {
+    {EngineKind::Onepass, Primitive::Cell, "cell"},
+    {EngineKind::Onepass, Primitive::Quad, "quad"},
+    {EngineKind::Onepass, Primitive::Sprite, "sprite"},
+    {EngineKind::Multipass, Primitive::Quad, "multipass quad"},
+    {EngineKind::Multipass, Primitive::Sprite, "multipass sprite"}};
 
 PatchModel closed_sphere() {
   PatchModel model = test::sphere_model({.spacing = 0.05, .patches_per_side = 2, .bumps = 0.05});
@@ -34,21 +35,21 @@ PatchModel closed_sphere() {
   return model;
 }
 
-RenderSettings picture_of(const PatchModel& model, const EngineWay& way) {
-  RenderSettings settings = small_picture(model);
+RenderSettings picture_of(const PatchModel& model, const EngineMethod& way) {
+  RenderSettings settings = small_image(model);
   settings.engine = way.engine;
   settings.primitive = way.primitive;
   settings.outputs.depth = true;
   return settings;
 }
 
-RenderResult with(RenderSettings settings, Sides sides, const PatchModel& model) {
-  settings.sides = sides;
+RenderResult with(RenderSettings settings, CullMode cull, const PatchModel& model) {
+  settings.cull = cull;
   return must_render(model, settings);
 }
 
 /// To the bit, so that NaN is the same as itself: `multipass` has it where a section cuts discs.
-bool same_picture(const RenderResult& a, const RenderResult& b) {
+bool same_image(const RenderResult& a, const RenderResult& b) {
   for (const Channel& channel : a.image.channels) {
     const std::vector<float>& other = values(b.image, channel.name.c_str());
     if (channel.values.size() != other.size() ||
@@ -80,80 +81,80 @@ void expect_same_but_for_rims(const RenderResult& a, const RenderResult& b, cons
   EXPECT_GT(b.covered_pixels, 4000U) << name;
 }
 
-TEST(Sides, OfAClosedBodyOnlyTheFrontIsSeen) {
+TEST(CullMode, OfAClosedBodyOnlyTheFrontIsSeen) {
   const PatchModel model = closed_sphere();
-  for (const EngineWay& way : kWays) {
+  for (const EngineMethod& way : kMethods) {
     for (const bool orthographic : {false, true}) {
       RenderSettings settings = picture_of(model, way);
       if (orthographic) settings.camera.orthographic_height = 2.4;
-      const RenderResult both = with(settings, Sides::Both, model);
-      const RenderResult front = with(settings, Sides::Front, model);
+      const RenderResult both = with(settings, CullMode::None, model);
+      const RenderResult front = with(settings, CullMode::Back, model);
       expect_same_but_for_rims(both, front, way.name);
       EXPECT_LT(*front.fragments, *both.fragments) << way.name;
-      EXPECT_TRUE(same_picture(with(settings, Sides::Auto, model), front)) << way.name;
+      EXPECT_TRUE(same_image(with(settings, CullMode::Auto, model), front)) << way.name;
     }
   }
 }
 
-TEST(Sides, OfWhatIsNotKnownToBeClosedBothAreSeen) {
+TEST(CullMode, OfWhatIsNotKnownToBeClosedBothAreSeen) {
   PatchModel model = closed_sphere();
   model.is_closed = false;
-  for (const EngineWay& way : kWays) {
+  for (const EngineMethod& way : kMethods) {
     const RenderSettings settings = picture_of(model, way);
     EXPECT_TRUE(
-        same_picture(with(settings, Sides::Auto, model), with(settings, Sides::Both, model)))
+        same_image(with(settings, CullMode::Auto, model), with(settings, CullMode::None, model)))
         << way.name;
   }
 }
 
-TEST(Sides, AFieldSeenFromBehindHasNoFront) {
+TEST(CullMode, AFieldSeenFromBehindHasNoFront) {
   const PatchModel model =
       test::height_field(30, [](double x, double y) { return 0.2 * std::sin(0.4 * x + 0.3 * y); });
-  for (const EngineWay& way : kWays) {
+  for (const EngineMethod& way : kMethods) {
     for (const bool orthographic : {false, true}) {
       RenderSettings settings = picture_of(model, way);
       settings.camera = {{3.0, 2.0, -45.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 45.0};
       if (orthographic) settings.camera.orthographic_height = 40.0;
-      EXPECT_EQ(with(settings, Sides::Front, model).covered_pixels, 0U) << way.name;
-      EXPECT_GT(with(settings, Sides::Auto, model).covered_pixels, 1000U) << way.name;
+      EXPECT_EQ(with(settings, CullMode::Back, model).covered_pixels, 0U) << way.name;
+      EXPECT_GT(with(settings, CullMode::Auto, model).covered_pixels, 1000U) << way.name;
       settings.camera.eye.z = 45.0;
       EXPECT_TRUE(
-          same_picture(with(settings, Sides::Front, model), with(settings, Sides::Both, model)))
+          same_image(with(settings, CullMode::Back, model), with(settings, CullMode::None, model)))
           << way.name;
     }
   }
 }
 
-TEST(Sides, FromWithinOrCutOpenABodyHasBoth) {
+TEST(CullMode, FromWithinOrCutOpenABodyHasBoth) {
   const PatchModel model = closed_sphere();
-  for (const EngineWay& way : kWays) {
+  for (const EngineMethod& way : kMethods) {
     RenderSettings settings = picture_of(model, way);
     settings.camera = {{0.1, 0.0, 0.2}, {1.0, 0.2, 0.0}, {0.0, 1.0, 0.0}, 60.0};
-    const RenderResult within = with(settings, Sides::Auto, model);
+    const RenderResult within = with(settings, CullMode::Auto, model);
     EXPECT_EQ(within.covered_pixels, std::uint64_t{settings.width} * settings.height) << way.name;
-    EXPECT_EQ(with(settings, Sides::Front, model).covered_pixels, 0U) << way.name;
+    EXPECT_EQ(with(settings, CullMode::Back, model).covered_pixels, 0U) << way.name;
     // A section: the plane through the eye goes through the middle.
     settings = picture_of(model, way);
     settings.camera.eye = {0.0, 0.0, 0.0};
     settings.camera.target = {0.0, 0.0, -1.0};
     settings.camera.orthographic_height = 2.4;
-    const RenderResult cut = with(settings, Sides::Auto, model);
-    EXPECT_TRUE(same_picture(cut, with(settings, Sides::Both, model))) << way.name;
+    const RenderResult cut = with(settings, CullMode::Auto, model);
+    EXPECT_TRUE(same_image(cut, with(settings, CullMode::None, model))) << way.name;
     EXPECT_GT(cut.covered_pixels, 4000U) << way.name;
   }
 }
 
-TEST(Sides, OfSemiTransparentBodiesBothAreSeen) {
+TEST(CullMode, OfSemiTransparentBodiesBothAreSeen) {
   const PatchModel model = closed_sphere();
-  RenderSettings settings = picture_of(model, kWays[0]);
+  RenderSettings settings = picture_of(model, kMethods[0]);
   settings.constants.opacity = 0.5F;
-  const RenderResult both = with(settings, Sides::Both, model);
-  EXPECT_TRUE(same_picture(with(settings, Sides::Auto, model), both));
-  EXPECT_FALSE(same_picture(with(settings, Sides::Front, model), both));
+  const RenderResult both = with(settings, CullMode::None, model);
+  EXPECT_TRUE(same_image(with(settings, CullMode::Auto, model), both));
+  EXPECT_FALSE(same_image(with(settings, CullMode::Back, model), both));
 }
 
 /// A closed sphere, an open one and a mirrored one beside each other; each is where it should be.
-TEST(Sides, EachModelHasItsOwn) {
+TEST(CullMode, EachModelHasItsOwn) {
   const PatchModel sphere = closed_sphere();
   const PatchModel extent = without_patches(sphere);
   PatchModel open = extent;
@@ -162,35 +163,35 @@ TEST(Sides, EachModelHasItsOwn) {
   PatchModel scene;
   scene.patches = sphere.patches;
   const glm::dmat3 turn = rotation_about({1.0, 2.0, -0.5}, 77.0);
-  ASSERT_TRUE(add_placement(scene, {0, count, {{-2.2, 0.0, 0.0}, turn, 1.0}, 0}, extent));
-  ASSERT_TRUE(add_placement(scene, {0, count, {{0.0, 0.0, 0.0}, turn, 1.0}, 0}, open));
+  ASSERT_TRUE(add_instance(scene, {0, count, {{-2.2, 0.0, 0.0}, turn, 1.0}, 0}, extent));
+  ASSERT_TRUE(add_instance(scene, {0, count, {{0.0, 0.0, 0.0}, turn, 1.0}, 0}, open));
   glm::dmat3 mirror = turn;
   mirror[0] = -mirror[0];
-  ASSERT_TRUE(add_placement(scene, {0, count, {{2.2, 0.0, 0.0}, mirror, 1.0}, 0}, extent));
-  for (const EngineWay& way : kWays) {
+  ASSERT_TRUE(add_instance(scene, {0, count, {{2.2, 0.0, 0.0}, mirror, 1.0}, 0}, extent));
+  for (const EngineMethod& way : kMethods) {
     RenderSettings settings = picture_of(scene, way);
     settings.width = 240;
     settings.camera = orbit_camera({0.0, 0.0, 0.0}, 2.0, {10.0, 5.0}, 45.0, 2.5);
     settings.pixels_per_sample = 0.0;
-    const RenderResult both = with(settings, Sides::Both, scene);
-    const RenderResult some = with(settings, Sides::Auto, scene);
+    const RenderResult both = with(settings, CullMode::None, scene);
+    const RenderResult some = with(settings, CullMode::Auto, scene);
     expect_same_but_for_rims(both, some, way.name);
     // One of three: a third of the splats that face away are saved, a sixth of all.
     EXPECT_LT(*some.fragments, *both.fragments) << way.name;
-    settings.sides = Sides::Front;
+    settings.cull = CullMode::Back;
     const RenderResult front = must_render(scene, settings);
     expect_same_but_for_rims(both, front, way.name);
     EXPECT_LT(*front.fragments, *some.fragments) << way.name;
   }
 }
 
-TEST(Sides, AreExplained) {
+TEST(CullMode, AreExplained) {
   const PatchModel model = closed_sphere();
-  for (const EngineWay& way : kWays) {
+  for (const EngineMethod& way : kMethods) {
     RenderSettings settings = picture_of(model, way);
     settings.explain = true;
-    for (const Sides sides : {Sides::Both, Sides::Auto}) {
-      const RenderResult result = with(settings, sides, model);
+    for (const CullMode cull : {CullMode::None, CullMode::Auto}) {
+      const RenderResult result = with(settings, cull, model);
       ASSERT_TRUE(result.explanation);
       const bool sprites = way.primitive == Primitive::Sprite;
       const std::vector<std::string>& features = result.explanation->features;
@@ -198,8 +199,8 @@ TEST(Sides, AreExplained) {
       const auto& draws = result.explanation->draws;
       const bool culled = std::any_of(draws.begin(), draws.end(),
                                       [](const auto& draw) { return draw.front_alone; });
-      EXPECT_EQ(named, sides == Sides::Auto && sprites) << way.name;
-      EXPECT_EQ(culled, sides == Sides::Auto && !sprites) << way.name;
+      EXPECT_EQ(named, cull == CullMode::Auto && sprites) << way.name;
+      EXPECT_EQ(culled, cull == CullMode::Auto && !sprites) << way.name;
     }
   }
 }

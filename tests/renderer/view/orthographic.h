@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "tests/renderer/pictures.h"
+#include "tests/renderer/images.h"
 
 namespace relief::test {
 
 /// An engine and, of those on OpenGL, how it draws.
-struct EngineWay {
+struct EngineMethod {
   EngineKind engine;
   Primitive primitive;
   Interpolation interpolation;
@@ -21,10 +21,10 @@ struct EngineWay {
   }
 };
 
-inline const std::vector<EngineWay>& all_engine_ways() {
-  static const std::vector<EngineWay> ways = [] {
-    std::vector<EngineWay> all;
-    for (const Way& way : all_ways())
+inline const std::vector<EngineMethod>& all_engine_methods() {
+  static const std::vector<EngineMethod> methods = [] {
+    std::vector<EngineMethod> all;
+    for (const Method& way : all_methods())
       all.push_back({EngineKind::Onepass, way.primitive, way.interpolation, way.name});
     const auto any = Interpolation::Corrected;
     all.push_back({EngineKind::Multipass, Primitive::Quad, any, "multipass_quad"});
@@ -33,12 +33,12 @@ inline const std::vector<EngineWay>& all_engine_ways() {
     all.push_back({EngineKind::Ewa, Primitive::Cell, any, "ewa"});
     return all;
   }();
-  return ways;
+  return methods;
 }
 
 /// The picture by an engine: all outputs, transparent where nothing is, the finest level, a ray a
 /// pixel.
-inline RenderSettings by(const EngineWay& way, RenderSettings settings) {
+inline RenderSettings by(const EngineMethod& way, RenderSettings settings) {
   settings.engine = way.engine;
   settings.primitive = way.primitive;
   settings.interpolation = way.interpolation;
@@ -71,7 +71,7 @@ inline glm::dvec3 normal_at(const Image& image, std::size_t k) {
   return {values(image, "N.X")[k], values(image, "N.Y")[k], values(image, "N.Z")[k]};
 }
 
-inline std::string name_of_way(const testing::TestParamInfo<EngineWay>& info) {
+inline std::string name_of_method(const testing::TestParamInfo<EngineMethod>& info) {
   return info.param.name;
 }
 

@@ -18,21 +18,22 @@
 namespace relief {
 namespace {
 
-using test::all_engine_ways;
+using test::all_engine_methods;
 using test::by;
-using test::EngineWay;
+using test::EngineMethod;
 using test::must_render;
 using test::values;
 
-constexpr EngineWay kCells{EngineKind::Onepass, Primitive::Cell, Interpolation::Corrected, "cells"};
+constexpr EngineMethod kCells{EngineKind::Onepass, Primitive::Cell, Interpolation::Corrected,
+                              "cells"};
 
 glm::vec3 colour(const Image& image, std::size_t k) {
   return {values(image, "R")[k], values(image, "G")[k], values(image, "B")[k]};
 }
 
 /// A flat square of 12 nodes a side that fills the picture, seen at a slant.
-RenderSettings slanted_picture(const PatchModel& model) {
-  RenderSettings settings = test::small_picture(model, {}, 48);
+RenderSettings slanted_image(const PatchModel& model) {
+  RenderSettings settings = test::small_image(model, {}, 48);
   settings.camera = {{9.0, 5.0, 20.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
   settings.camera.orthographic_height = 6.0;
   return settings;
@@ -41,7 +42,7 @@ RenderSettings slanted_picture(const PatchModel& model) {
 TEST(OrthographicSurroundings, AreTheSameInEveryPixel) {
   // All rays have one direction, and the environment is infinitely far away.
   const PatchModel model = test::height_field(2, [](double, double) { return 0.0; });
-  RenderSettings settings = slanted_picture(model);
+  RenderSettings settings = slanted_image(model);
   settings.camera.target = {9.0, 40.0, 3.0};  // looks past it
   const std::filesystem::path sky = std::filesystem::temp_directory_path() /
                                     ("relief-sky-" + std::to_string(::getpid()) + ".exr");
@@ -57,7 +58,7 @@ TEST(OrthographicSurroundings, AreTheSameInEveryPixel) {
   ASSERT_TRUE(surroundings);
   const glm::vec3 behind = look_up(*surroundings, test::forward(settings.camera));
   settings.environment = sky;
-  for (const EngineWay& way : all_engine_ways()) {
+  for (const EngineMethod& way : all_engine_methods()) {
     RenderSettings drawn = by(way, settings);
     drawn.background = glm::vec3(0.0F);
     const Image image = must_render(model, drawn).image;
@@ -73,11 +74,11 @@ TEST(OrthographicMirrors, ThatAreFlatReflectOneDirection) {
   const PatchModel model = test::height_field(24, [](double, double) { return 0.0; });
   const auto cube = load_environment({});
   ASSERT_TRUE(cube);
-  RenderSettings settings = slanted_picture(model);
+  RenderSettings settings = slanted_image(model);
   settings.material = Material::Mirror;
   const glm::dvec3 ray = test::forward(settings.camera);
   const glm::vec3 expected = look_up(*cube, glm::dvec3(ray.x, ray.y, -ray.z));
-  for (const EngineWay& way : all_engine_ways()) {
+  for (const EngineMethod& way : all_engine_methods()) {
     const RenderResult result = must_render(model, by(way, settings));
     ASSERT_EQ(result.covered_pixels, std::uint64_t{settings.width} * settings.height) << way.name;
     for (std::size_t k = 0; k < result.covered_pixels; ++k) {
@@ -92,9 +93,9 @@ TEST(OrthographicOpacity, OverlapsCountOnce) {
   shape.patches_per_side = 2;  // 24 patches, each two cells over its neighbours
   const PatchModel model = test::sphere_model(shape);
   for (const EngineKind engine : {EngineKind::Onepass, EngineKind::Raytrace}) {
-    EngineWay way = kCells;
+    EngineMethod way = kCells;
     way.engine = engine;
-    RenderSettings settings = by(way, test::small_picture(model));
+    RenderSettings settings = by(way, test::small_image(model));
     settings.camera.orthographic_height = 2.4;
     settings.constants.opacity = 0.5F;
     const Image image = must_render(model, settings).image;
@@ -116,9 +117,9 @@ TEST(OrthographicSamples, AreThePixelsOfALargerPicture) {
   test::SphereShape shape;
   shape.bumps = 0.05;
   const PatchModel model = test::sphere_model(shape);
-  for (const EngineWay& way : all_engine_ways()) {
+  for (const EngineMethod& way : all_engine_methods()) {
     if (way.engine == EngineKind::Ewa || way.engine == EngineKind::Raytrace) continue;
-    RenderSettings settings = by(way, test::small_picture(model));
+    RenderSettings settings = by(way, test::small_image(model));
     settings.outputs = {};
     settings.camera.orthographic_height = 2.4;
     RenderSettings larger = settings;
@@ -157,7 +158,7 @@ TEST(OrthographicBench, DrawsTheSamePicture) {
   shape.spacing = 0.1;
   const PatchModel model = test::sphere_model(shape);
   const TriangleMesh mesh = test::sphere_mesh(64);
-  RenderSettings settings = by(kCells, test::small_picture(model));
+  RenderSettings settings = by(kCells, test::small_image(model));
   settings.camera.orthographic_height = 2.4;
   Progress silent;
   const auto report = bench({{{&model, settings}}, &mesh, 0, 1, 0}, silent);

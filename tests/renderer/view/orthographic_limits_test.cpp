@@ -13,7 +13,7 @@ namespace relief {
 namespace {
 
 using test::by;
-using test::EngineWay;
+using test::EngineMethod;
 using test::must_render;
 using test::values;
 
@@ -23,8 +23,8 @@ PatchModel bumpy_sphere() {
   return test::sphere_model(shape);
 }
 
-RenderSettings orthographic_picture(const PatchModel& model, const EngineWay& way) {
-  RenderSettings settings = by(way, test::small_picture(model, {25.0, 20.0}));
+RenderSettings orthographic_image(const PatchModel& model, const EngineMethod& way) {
+  RenderSettings settings = by(way, test::small_image(model, {25.0, 20.0}));
   settings.camera.orthographic_height = 2.4;
   return settings;
 }
@@ -54,11 +54,11 @@ double colour_difference(const Image& a, const Image& b) {
   return std::sqrt(squared / static_cast<double>(count));
 }
 
-class OrthographicLimits : public testing::TestWithParam<EngineWay> {};
+class OrthographicLimits : public testing::TestWithParam<EngineMethod> {};
 
 TEST_P(OrthographicLimits, AreWhatPerspectiveBecomesFarAway) {
   const PatchModel model = bumpy_sphere();
-  RenderSettings settings = orthographic_picture(model, GetParam());
+  RenderSettings settings = orthographic_image(model, GetParam());
   const Camera orthographic = settings.camera;
   const Image limit = must_render(model, settings).image;
   std::vector<double> differences;
@@ -75,7 +75,7 @@ TEST_P(OrthographicLimits, AreWhatPerspectiveBecomesFarAway) {
 
 TEST_P(OrthographicLimits, DoNotDependOnTheEyesDistance) {
   const PatchModel model = bumpy_sphere();
-  RenderSettings settings = orthographic_picture(model, GetParam());
+  RenderSettings settings = orthographic_image(model, GetParam());
   const Image near = must_render(model, settings).image;
   const double farther = 1e5;
   settings.camera.eye -= farther * test::forward(settings.camera);
@@ -92,16 +92,16 @@ TEST_P(OrthographicLimits, DoNotDependOnTheEyesDistance) {
 
 TEST_P(OrthographicLimits, AreAsRightAsPerspectiveOnes) {
   const PatchModel model = bumpy_sphere();
-  const EngineWay truth{EngineKind::Raytrace, Primitive::Cell, Interpolation::Corrected, ""};
+  const EngineMethod truth{EngineKind::Raytrace, Primitive::Cell, Interpolation::Corrected, ""};
   const auto compared_to_truth = [&](const Camera& camera) {
-    RenderSettings settings = orthographic_picture(model, GetParam());
-    RenderSettings traced = orthographic_picture(model, truth);
+    RenderSettings settings = orthographic_image(model, GetParam());
+    RenderSettings traced = orthographic_image(model, truth);
     settings.camera = traced.camera = camera;
     Progress silent;
     return compare_images(must_render(model, settings).image, must_render(model, traced).image, {},
                           silent);
   };
-  const Camera camera = orthographic_picture(model, GetParam()).camera;
+  const Camera camera = orthographic_image(model, GetParam()).camera;
   const auto orthographic = compared_to_truth(camera);
   const auto perspective = compared_to_truth(seen_from(camera, 2.6));
   ASSERT_TRUE(orthographic && perspective);
@@ -110,8 +110,8 @@ TEST_P(OrthographicLimits, AreAsRightAsPerspectiveOnes) {
   EXPECT_GE(*orthographic->psnr_covered_db, *perspective->psnr_covered_db - 1.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, OrthographicLimits, testing::ValuesIn(test::all_engine_ways()),
-                         test::name_of_way);
+INSTANTIATE_TEST_SUITE_P(All, OrthographicLimits, testing::ValuesIn(test::all_engine_methods()),
+                         test::name_of_method);
 
 }  // namespace
 }  // namespace relief

@@ -12,14 +12,14 @@ namespace relief {
 namespace {
 
 using test::by;
-using test::EngineWay;
+using test::EngineMethod;
 using test::forward;
 using test::must_render;
 using test::pixel_size;
 using test::pixel_start;
 using test::values;
 
-class Orthographic : public testing::TestWithParam<EngineWay> {};
+class Orthographic : public testing::TestWithParam<EngineMethod> {};
 
 /// A plane z = 0.5 x - 0.25 y of 40 nodes a side, spacing 1, about the origin.
 constexpr std::uint32_t kNodes = 40;
@@ -32,7 +32,7 @@ PatchModel plane_model() {
 
 /// How far beyond its outermost samples an engine draws a plane, in cells; nothing where that is
 /// no straight edge.
-std::optional<double> beyond_samples(const EngineWay& way) {
+std::optional<double> beyond_samples(const EngineMethod& way) {
   if (way.engine == EngineKind::Raytrace) return 0.0;
   const bool discs = way.engine == EngineKind::Onepass && way.primitive == Primitive::Sprite;
   if (way.engine == EngineKind::Ewa || discs) return std::nullopt;
@@ -41,12 +41,12 @@ std::optional<double> beyond_samples(const EngineWay& way) {
 
 /// How far the pieces that an engine draws a plane of reach, in cells: discs of as much as a splat
 /// and its margins, kernels that end at 4 standard deviations.
-double reach(const EngineWay& way) {
+double reach(const EngineMethod& way) {
   return way.engine == EngineKind::Ewa ? 6.0 : 2.0;
 }
 
 /// How far depths may be off, in cells over the cosine between ray and normal.
-double depth_tolerance(const EngineWay& way) {
+double depth_tolerance(const EngineMethod& way) {
   // Kernels are as far apart as they are wide: the mean of planes that are all the same one, but
   // for heights and normals, both rounded to 1/1000 or better, over the two cells that they reach.
   if (way.engine == EngineKind::Ewa) return 0.005;
@@ -59,7 +59,7 @@ double depth_tolerance(const EngineWay& way) {
 TEST_P(Orthographic, PlaneIsWhereItsFormulaSays) {
   const PatchModel model = plane_model();
   for (const glm::dvec3& toward : {glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(0.5, -0.3, 1.0)}) {
-    RenderSettings settings = by(GetParam(), test::small_picture(model));
+    RenderSettings settings = by(GetParam(), test::small_image(model));
     settings.camera = {40.0 * toward, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
     settings.camera.orthographic_height = 50.0;
     settings.ewa.cutoff = 8.0;  // whole kernels: their means are what they should be
@@ -74,7 +74,7 @@ TEST_P(Orthographic, PlaneIsWhereItsFormulaSays) {
       const glm::dvec3 place = start + depth * ray;
       const double outermost = std::max(std::abs(place.x), std::abs(place.y)) - kHalf;
       const bool covered = values(image, "A")[k] > 0.0F;
-      // Edges are rounded by kLeastMargin and kMarginPixels at most. Discs and kernels reach
+      // Edges are rounded by kMinMargin and kMarginPixels at most. Discs and kernels reach
       // further than half a cell, and over the corners by less than what covers a cell.
       const double slack = 0.02 + 0.02 * pixel_size(settings);
       if (outermost < beyond.value_or(0.0) - slack) {
@@ -159,7 +159,7 @@ TEST_P(Orthographic, SphereOfManyPatchesHasNoHolesAndItsOwnNormals) {
   const test::SphereShape shape = sphere_shape();
   const PatchModel model = test::sphere_model(shape);
   for (const double height : {2.4, 0.7}) {
-    RenderSettings settings = by(GetParam(), test::small_picture(model, {30.0, 20.0}));
+    RenderSettings settings = by(GetParam(), test::small_image(model, {30.0, 20.0}));
     settings.camera.orthographic_height = height;
     const SphereErrors errors = sphere_errors(shape, settings, must_render(model, settings).image);
     EXPECT_GT(errors.pixels, 3500U);
@@ -182,7 +182,7 @@ TEST_P(Orthographic, SphereOfManyPatchesHasNoHolesAndItsOwnNormals) {
 TEST_P(Orthographic, WhatIsBehindTheEyesPlaneIsCutOff) {
   const test::SphereShape shape = sphere_shape();
   const PatchModel model = test::sphere_model(shape);
-  RenderSettings settings = by(GetParam(), test::small_picture(model));
+  RenderSettings settings = by(GetParam(), test::small_image(model));
   const glm::dvec3 toward = glm::normalize(glm::dvec3(1.0, 0.4, 2.0));
   settings.camera = {shape.centre + 0.3 * toward, shape.centre, {0.0, 1.0, 0.0}};
   settings.camera.orthographic_height = 2.2;
@@ -216,7 +216,7 @@ TEST_P(Orthographic, EyesPlaneCutsToThePixel) {
   // Points of ewa are seen whole or not at all.
   if (GetParam().engine == EngineKind::Ewa) return;
   const PatchModel model = plane_model();
-  RenderSettings settings = by(GetParam(), test::small_picture(model));
+  RenderSettings settings = by(GetParam(), test::small_image(model));
   settings.camera = {{0.0, 0.0, 0.0}, {-1.0, -0.4, -1.0}, {0.0, 1.0, 0.0}};
   settings.camera.orthographic_height = 30.0;
   const Image image = must_render(model, settings).image;
@@ -241,8 +241,8 @@ TEST_P(Orthographic, EyesPlaneCutsToThePixel) {
   EXPECT_GT(cut, 1000U);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Orthographic, testing::ValuesIn(test::all_engine_ways()),
-                         test::name_of_way);
+INSTANTIATE_TEST_SUITE_P(All, Orthographic, testing::ValuesIn(test::all_engine_methods()),
+                         test::name_of_method);
 
 }  // namespace
 }  // namespace relief

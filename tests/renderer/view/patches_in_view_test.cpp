@@ -6,7 +6,7 @@
 #include <set>
 
 #include "tests/common/patch_file/sample_models.h"
-#include "tests/renderer/pictures.h"
+#include "tests/renderer/images.h"
 #include "tests/renderer/scenes.h"
 
 namespace relief {
@@ -178,7 +178,7 @@ TEST(PatchesInView, PicturesOfPartsAreThoseOfTheWhole) {
   Progress progress;
   const PatchModel whole = *PatchFile::open(folder / "sphere")->read_all(progress);
   for (const double degrees : {4.0, 45.0}) {
-    RenderSettings settings = test::small_picture(model, {30.0, 20.0, 2.0}, 96);
+    RenderSettings settings = test::small_image(model, {30.0, 20.0, 2.0}, 96);
     settings.camera.vertical_fov_degrees = degrees;
     settings.outputs = test::all_outputs();
     settings.outputs.patch_id = false;  // counts what was read

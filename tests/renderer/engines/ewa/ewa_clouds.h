@@ -53,7 +53,7 @@ inline void append(SplatCloud& to, const SplatCloud& from) {
 
 /// A square picture with all outputs, unlit, transparent where nothing is, seen from `eye` toward
 /// the origin.
-inline RenderSettings ewa_picture(glm::dvec3 eye, std::uint32_t side = 96) {
+inline RenderSettings ewa_image(glm::dvec3 eye, std::uint32_t side = 96) {
   RenderSettings settings;
   settings.engine = EngineKind::Ewa;
   settings.width = settings.height = side;

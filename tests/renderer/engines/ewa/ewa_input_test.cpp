@@ -6,13 +6,13 @@
 #include <limits>
 
 #include "tests/renderer/engines/ewa/ewa_clouds.h"
-#include "tests/renderer/pictures.h"
+#include "tests/renderer/images.h"
 
 namespace relief {
 namespace {
 
 using test::add_point;
-using test::ewa_picture;
+using test::ewa_image;
 using test::must_splat;
 using test::values;
 
@@ -30,7 +30,7 @@ void expect_numbers(const RenderResult& result) {
   }
 }
 
-void expect_same_picture(const Image& a, const Image& b) {
+void expect_same_image(const Image& a, const Image& b) {
   ASSERT_EQ(a.channels.size(), b.channels.size());
   for (std::size_t c = 0; c < a.channels.size(); ++c)
     EXPECT_EQ(a.channels[c].values, b.channels[c].values) << a.channels[c].name;
@@ -62,11 +62,11 @@ TEST(EwaInput, PointsWithoutSurfaceChangeNothing) {
   add_point(cloud, {8, 0, 0}, glm::cross(glm::vec3(8, 0, -20), {0, 1, 0}), 0.0);
   add_point(cloud, {0, 6, 0}, {0.0F, 20.0F, 6.0F}, 1.0);  // edge-on
   for (const EwaFilter filter : kFilters) {
-    RenderSettings settings = ewa_picture(eye, 48);
+    RenderSettings settings = ewa_image(eye, 48);
     settings.ewa.filter = filter;
     const RenderResult with = must_splat(cloud, settings);
     expect_numbers(with);
-    expect_same_picture(with.image, must_splat(plane, settings).image);
+    expect_same_image(with.image, must_splat(plane, settings).image);
   }
 }
 
@@ -75,7 +75,7 @@ TEST(EwaInput, HugeSplatsFillThePictureAndNothingMore) {
     SplatCloud cloud;
     add_point(cloud, {0.5, 0.2, 0.0}, {0.3F, 0.2F, 1.0F}, radius);
     for (const EwaFilter filter : kFilters) {
-      RenderSettings settings = ewa_picture({0.0, 0.0, 5.0}, 24);
+      RenderSettings settings = ewa_image({0.0, 0.0, 5.0}, 24);
       settings.ewa.filter = filter;
       const RenderResult result = must_splat(cloud, settings);
       expect_numbers(result);
@@ -95,7 +95,7 @@ TEST(EwaInput, TiltedSplatsAreNumbersAtEveryAngle) {
   }
   for (const EwaFilter filter : kFilters) {
     for (const int layers : {1, 2, 4}) {
-      RenderSettings settings = ewa_picture({0.0, 0.0, 12.0}, 48);
+      RenderSettings settings = ewa_image({0.0, 0.0, 12.0}, 48);
       settings.ewa.filter = filter;
       settings.ewa.layers = layers;
       settings.material = Material::Lit;
@@ -108,14 +108,14 @@ TEST(EwaInput, UndefinedAttributesStayOutOfThePicture) {
   SplatCloud cloud = test::plane_cloud(4, 4);
   cloud.colours[40] = glm::vec4(std::nanf(""), 1.0F, std::numeric_limits<float>::infinity(), 7.0F);
   cloud.uvs.assign(cloud.positions.size(), glm::vec2(std::nanf("")));
-  expect_numbers(must_splat(cloud, ewa_picture({0.0, 0.0, 12.0}, 32)));
+  expect_numbers(must_splat(cloud, ewa_image({0.0, 0.0, 12.0}, 32)));
 }
 
 TEST(EwaInput, BackToBackNormalsAreShadedAsFacingTheEye) {
   SplatCloud cloud;
   add_point(cloud, {0, 0, 0}, {0, 0, 1}, 2.0);
   add_point(cloud, {0, 0, 0}, {0, 0, -1}, 2.0);
-  RenderSettings settings = ewa_picture({0.0, 0.0, 8.0}, 16);
+  RenderSettings settings = ewa_image({0.0, 0.0, 8.0}, 16);
   settings.material = Material::Lit;
   const RenderResult result = must_splat(cloud, settings);
   expect_numbers(result);
@@ -123,7 +123,7 @@ TEST(EwaInput, BackToBackNormalsAreShadedAsFacingTheEye) {
 }
 
 TEST(EwaInput, EmptyCloudIsAnEmptyPicture) {
-  RenderSettings settings = ewa_picture({0.0, 0.0, 8.0}, 16);
+  RenderSettings settings = ewa_image({0.0, 0.0, 8.0}, 16);
   for (const double budget : {0.0, 1.0}) {
     settings.ewa.time_budget_ms = budget;
     const RenderResult result = must_splat({}, settings);
@@ -136,14 +136,14 @@ TEST(EwaInput, EmptyCloudIsAnEmptyPicture) {
 TEST(EwaInput, ThreadsDoNotChangeThePicture) {
   SplatCloud cloud = test::sphere_cloud(40000);  // three pieces of work, 16 tiles
   for (std::size_t k = 0; k < cloud.colours.size(); ++k) cloud.colours[k].a = 0.3F;
-  RenderSettings settings = ewa_picture({0.0, 0.5, 2.5}, 128);
+  RenderSettings settings = ewa_image({0.0, 0.5, 2.5}, 128);
   settings.ewa.layers = 2;
   settings.material = Material::Lit;
   const RenderResult reference = must_splat(cloud, settings);
   for (const std::size_t threads : {1, 2, 7}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     const RenderResult result = must_splat(cloud, settings);
-    expect_same_picture(result.image, reference.image);
+    expect_same_image(result.image, reference.image);
     EXPECT_EQ(result.fragments, reference.fragments);
   }
 }
@@ -151,7 +151,7 @@ TEST(EwaInput, ThreadsDoNotChangeThePicture) {
 TEST(EwaInput, MaterialsAreChosenByIndex) {
   SplatCloud cloud = test::plane_cloud(20, 20);
   for (const glm::dvec3& p : cloud.positions) cloud.materials.push_back(p.x < 0.0 ? 0 : 1);
-  RenderSettings settings = ewa_picture({0.0, 0.0, 20.0}, 32);
+  RenderSettings settings = ewa_image({0.0, 0.0, 20.0}, 32);
   settings.materials = {{Material::Unlit, {}}, {Material::Lit, {}}};
   const RenderResult result = must_splat(cloud, settings);
   settings.materials = {{Material::Lit, {}}};
@@ -169,7 +169,7 @@ TEST(EwaInput, GeoreferencedCoordinatesDoNotShake) {
   SplatCloud far = near;
   const glm::dvec3 offset(4.5e6, 5.2e6, -300.0);
   for (glm::dvec3& p : far.positions) p += offset;
-  RenderSettings settings = ewa_picture({0.3, 0.5, 3.0}, 64);
+  RenderSettings settings = ewa_image({0.3, 0.5, 3.0}, 64);
   const RenderResult here = must_splat(near, settings);
   settings.camera.eye += offset;
   settings.camera.target += offset;

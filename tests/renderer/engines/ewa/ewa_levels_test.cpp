@@ -7,12 +7,12 @@
 #include "renderer/engines/ewa/render_ewa.h"
 #include "renderer/engines/ewa/splat_hierarchy.h"
 #include "tests/renderer/engines/ewa/ewa_clouds.h"
-#include "tests/renderer/pictures.h"
+#include "tests/renderer/images.h"
 
 namespace relief::ewa {
 namespace {
 
-using test::ewa_picture;
+using test::ewa_image;
 using test::must_splat;
 using test::values;
 
@@ -36,14 +36,14 @@ TEST(SplatLevels, NoLevelHasHoles) {
   const SplatHierarchy plane = build_hierarchy(test::plane_cloud(100, 100));
   ASSERT_GE(plane.levels.size(), 4U);
   for (const SplatCloud& level : plane.levels) {
-    const RenderResult result = must_splat(level, ewa_picture({1.0, -40.0, 80.0}));
+    const RenderResult result = must_splat(level, ewa_image({1.0, -40.0, 80.0}));
     for (const float alpha : values(result.image, "A")) ASSERT_EQ(alpha, 1.0F);
   }
   // The sphere's silhouette at this distance is 37 pixels from the middle; within 25 there is
   // nothing but surface.
   const SplatHierarchy sphere = build_hierarchy(test::sphere_cloud(30000));
   for (const SplatCloud& level : sphere.levels) {
-    const RenderResult result = must_splat(level, ewa_picture({0.0, 0.0, 3.7}));
+    const RenderResult result = must_splat(level, ewa_image({0.0, 0.0, 3.7}));
     for (std::size_t k = 0; k < std::size_t{96} * 96; ++k) {
       const std::size_t row = k / 96;
       const double x = static_cast<double>(k - row * 96) - 47.5;
@@ -56,7 +56,7 @@ TEST(SplatLevels, NoLevelHasHoles) {
 
 TEST(SplatLevels, FinerLevelsComeCloserToTheFullPicture) {
   const SplatHierarchy hierarchy = build_hierarchy(test::sphere_cloud(30000));
-  const RenderSettings settings = ewa_picture({0.0, 0.0, 3.7});
+  const RenderSettings settings = ewa_image({0.0, 0.0, 3.7});
   const RenderResult full = must_splat(hierarchy.levels[0], settings);
   double last = 0.0;
   for (std::size_t level = 1; level < hierarchy.levels.size(); ++level) {
@@ -86,7 +86,7 @@ TEST(SplatLevels, TwoSidesOfASheetStayApart) {
 TEST(SplatLevels, LevelsAreChosenByTheSizeOfTheirSplats) {
   const SplatHierarchy hierarchy = build_hierarchy(test::plane_cloud(100, 100));
   const auto level_at = [&](double pixels) {
-    const RenderSettings s = ewa_picture({0.0, 0.0, test::distance_for(pixels)});
+    const RenderSettings s = ewa_image({0.0, 0.0, test::distance_for(pixels)});
     return level_of_size(hierarchy, make_view(s.camera, s.width, s.height, 0.01), kFinestPixels);
   };
   // Clusters of 2 x 2 points have at least twice their radius, those of 4 x 4 four times.
@@ -98,7 +98,7 @@ TEST(SplatLevels, LevelsAreChosenByTheSizeOfTheirSplats) {
 
 TEST(SplatLevels, PicturesAreRefinedWhileTimeRemains) {
   const SplatHierarchy hierarchy = build_hierarchy(test::sphere_cloud(30000));
-  RenderSettings settings = ewa_picture({0.0, 0.0, 3.7});
+  RenderSettings settings = ewa_image({0.0, 0.0, 3.7});
   Progress silent;
   EnvironmentCache environments;
   for (const double budget : {1e-9, 1e9}) {
@@ -121,7 +121,7 @@ TEST(SplatLevels, PicturesAreRefinedWhileTimeRemains) {
 
 TEST(SplatLevels, RefinementEndsAtHalfAPixel) {
   const SplatHierarchy hierarchy = build_hierarchy(test::plane_cloud(100, 100));
-  RenderSettings settings = ewa_picture({0.0, 0.0, test::distance_for(0.2)});
+  RenderSettings settings = ewa_image({0.0, 0.0, test::distance_for(0.2)});
   settings.ewa.time_budget_ms = 1e9;
   Progress silent;
   EnvironmentCache environments;

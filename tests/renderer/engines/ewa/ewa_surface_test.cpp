@@ -7,12 +7,12 @@
 
 #include "common/scene/camera.h"
 #include "tests/renderer/engines/ewa/ewa_clouds.h"
-#include "tests/renderer/pictures.h"
+#include "tests/renderer/images.h"
 
 namespace relief {
 namespace {
 
-using test::ewa_picture;
+using test::ewa_image;
 using test::must_splat;
 using test::pixel_ray;
 using test::plane_cloud;
@@ -29,7 +29,7 @@ TEST(EwaSurface, PlaneIsExactAndWhole) {
        {glm::dvec3(0, 0, 6), glm::dvec3(0.3, 0.2, 60), glm::dvec3(3, -2, 130),
         glm::dvec3(0, -10, 7), glm::dvec3(0, -30, 21)}) {
     for (const EwaFilter filter : kFilters) {
-      RenderSettings settings = ewa_picture(eye);
+      RenderSettings settings = ewa_image(eye);
       settings.ewa.filter = filter;
       const RenderResult result = must_splat(cloud, settings);
       ASSERT_EQ(result.covered_pixels, 96U * 96U) << eye.z;
@@ -55,7 +55,7 @@ TEST(EwaSurface, EdgeOfAHalfPlaneIsCoveredAsTheoryStates) {
   // integral Phi(d / sqrt 2). The sum over points differs from it by the midpoint rule's end
   // correction, at most 1/24 of the Gaussian's largest slope, 0.242 / 2: 0.005.
   const SplatCloud cloud = plane_cloud(70, 0);
-  RenderSettings settings = ewa_picture({0.0, 0.0, test::distance_for(1.0)});
+  RenderSettings settings = ewa_image({0.0, 0.0, test::distance_for(1.0)});
   settings.ewa.cutoff = 20.0;
   settings.ewa.coverage_threshold = 1.0;
   const RenderResult result = must_splat(cloud, settings);
@@ -70,7 +70,7 @@ TEST(EwaSurface, CoverageFallsMonotonicallyOverAnEdge) {
   // With the default cutoff kernels end sqrt(2 c (1 + 1)) = 2 pixels from their points: whole up to
   // there, nothing beyond.
   const SplatCloud cloud = plane_cloud(70, 0);
-  const RenderResult result = must_splat(cloud, ewa_picture({0.0, 0.0, test::distance_for(1.0)}));
+  const RenderResult result = must_splat(cloud, ewa_image({0.0, 0.0, test::distance_for(1.0)}));
   const float* const row = values(result.image, "A").data() + std::size_t{48} * 96;
   for (std::size_t x = 1; x < 96; ++x) EXPECT_LE(row[x], row[x - 1]) << x;
   EXPECT_EQ(row[47], 1.0F);
@@ -84,7 +84,7 @@ TEST(EwaSurface, SphereIsWholeAndRound) {
   const SplatCloud cloud = test::sphere_cloud(points);
   const double h = cloud.radii[0];
   for (const double distance : {4.0, 2.0, 1.3}) {
-    const RenderSettings settings = ewa_picture({0.0, 0.0, distance});
+    const RenderSettings settings = ewa_image({0.0, 0.0, distance});
     const RenderResult result = must_splat(cloud, settings);
     const double pixel = 2.0 * std::tan(std::numbers::pi / 9.0) / settings.height;
     std::size_t looked_at = 0;
@@ -128,7 +128,7 @@ TEST(EwaSurface, TransparentLayersBlendByEquation12) {
     test::append(front_first, layers[i]);
     test::append(back_first, layers[2 - i]);
   }
-  RenderSettings settings = ewa_picture({0.0, 0.0, 20.0}, 32);
+  RenderSettings settings = ewa_image({0.0, 0.0, 20.0}, 32);
   settings.ewa.layers = 3;
   for (const SplatCloud* cloud : {&front_first, &back_first}) {
     const RenderResult result = must_splat(*cloud, settings);
@@ -151,7 +151,7 @@ TEST(EwaSurface, TransparentLayersBlendByEquation12) {
 
 TEST(EwaSurface, SamplesOfPatchesLieWhereOnepassDrawsThem) {
   const PatchModel plane = test::height_field(40, [](double x, double) { return 0.5 * x; });
-  RenderSettings settings = ewa_picture({24.0, 18.0, 108.0}, 48);
+  RenderSettings settings = ewa_image({24.0, 18.0, 108.0}, 48);
   settings.camera.vertical_fov_degrees = 5.0;
   settings.ewa.cutoff = 8.0;
   const RenderResult splats = test::must_render(plane, settings);

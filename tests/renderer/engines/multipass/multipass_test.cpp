@@ -11,26 +11,26 @@
 #include "renderer/frame/features.h"
 #include "renderer/frame/gl_model.h"
 #include "shaders/include/shared.h"
-#include "tests/renderer/pictures.h"
+#include "tests/renderer/images.h"
 
 namespace relief {
 namespace {
 
 using test::from_above;
 using test::must_render;
-using test::small_picture;
+using test::small_image;
 using test::values;
 
 /// A primitive and a radius factor.
-struct SplatWay {
+struct SplatMethod {
   Primitive primitive;
   double radius_factor;
   const char* name;
 };
 
-class Multipass : public testing::TestWithParam<SplatWay> {
+class Multipass : public testing::TestWithParam<SplatMethod> {
  protected:
-  static RenderSettings with_way(RenderSettings settings) {
+  static RenderSettings with_method(RenderSettings settings) {
     settings.engine = EngineKind::Multipass;
     settings.primitive = GetParam().primitive;
     settings.multipass.radius_factor = GetParam().radius_factor;
@@ -62,7 +62,7 @@ TEST_P(Multipass, SumsAreNormalised) {
   for (const std::uint8_t grey : {3, 128, 254}) {
     paint(model.patches[0], grey);
     model.has_colours = true;
-    RenderSettings settings = with_way(from_above(model, 32));
+    RenderSettings settings = with_method(from_above(model, 32));
     settings.material = Material::Unlit;
     settings.outputs.normal = true;
     const RenderResult result = must_render(model, settings);
@@ -85,7 +85,7 @@ TEST_P(Multipass, SheetsNearEachOtherBlendAndOthersHide) {
   model.has_colours = true;
   model.patches.push_back(model.patches[0]);
   paint(model.patches[1], 255);
-  RenderSettings settings = with_way(from_above(model, 16));
+  RenderSettings settings = with_method(from_above(model, 16));
   settings.material = Material::Unlit;
   const std::size_t middle = settings.height / 2 * settings.width + settings.width / 2;
   const auto brightness = [&](double cells) {
@@ -104,10 +104,10 @@ TEST_P(Multipass, CoversWhatOnepassCovers) {
   shape.bumps = 0.1;
   const PatchModel model = test::sphere_model(shape);
   for (const double distance : {0.0, 1.4}) {
-    RenderSettings settings = small_picture(model, {30.0, 20.0, distance});
+    RenderSettings settings = small_image(model, {30.0, 20.0, distance});
     settings.interpolation = Interpolation::Direct;
     const Image one = must_render(model, settings).image;
-    const Image three = must_render(model, with_way(settings)).image;
+    const Image three = must_render(model, with_method(settings)).image;
     std::size_t different = 0;
     for (std::size_t k = 0; k < values(one, "A").size(); ++k)
       different += values(one, "A")[k] != values(three, "A")[k] ? 1 : 0;
@@ -122,7 +122,7 @@ TEST_P(Multipass, SplatsLargerThanSpritesAreDrawn) {
   // and splats that reach behind the eye.
   const PatchModel model =
       test::height_field(20, [](double x, double y) { return 0.1 * std::sin(x) * std::cos(y); });
-  RenderSettings settings = with_way(small_picture(model, {}, 400));
+  RenderSettings settings = with_method(small_image(model, {}, 400));
   settings.camera = {{0.1, 0.2, 0.35}, {0.6, 0.3, 0.0}, {0.0, 0.0, 1.0}, 60.0};
   settings.outputs.depth = true;
   const RenderResult result = must_render(model, settings);
@@ -134,10 +134,10 @@ TEST_P(Multipass, IsNearToOnepassOnASphere) {
   // Normals of a sphere at 2.9 degrees a cell; weights that are not symmetric about a pixel pull
   // the mean by a part of that.
   const PatchModel model = test::sphere_model({});
-  RenderSettings settings = small_picture(model, {30.0, 20.0, 1.6});
+  RenderSettings settings = small_image(model, {30.0, 20.0, 1.6});
   settings.outputs = test::all_outputs();
   const Image one = must_render(model, settings).image;
-  const Image three = must_render(model, with_way(settings)).image;
+  const Image three = must_render(model, with_method(settings)).image;
   double degrees = 0.0;
   double cells = 0.0;
   double count = 0.0;
@@ -163,7 +163,7 @@ TEST_P(Multipass, NoisePlanesAndManySamplesAPixelHaveNoHoles) {
   });
   bumpy.patches[0].normals = {};
   const PatchModel steep = test::height_field(64, [](double x, double) { return 4.0 * x; });
-  RenderSettings settings = with_way(small_picture(bumpy));
+  RenderSettings settings = with_method(small_image(bumpy));
   settings.outputs.depth = true;
   const auto expect_full = [&settings](const PatchModel& model, glm::dvec3 eye, double fov) {
     settings.camera = {eye, {0.0, 0.0, 0.0}, {0.3, 1.0, 0.2}, fov};
@@ -185,7 +185,7 @@ TEST_P(Multipass, EdgeOnAndBehindTheEyeIsFinite) {
   shape.coloured = true;
   const PatchModel sphere = test::sphere_model(shape);
   const PatchModel plane = test::height_field(40, [](double, double) { return 0.0; });
-  RenderSettings settings = with_way(small_picture(sphere));
+  RenderSettings settings = with_method(small_image(sphere));
   settings.outputs = test::all_outputs();
   for (const Material material : {Material::Unlit, Material::Lit, Material::Mirror}) {
     settings.material = material;
@@ -210,7 +210,7 @@ TEST_P(Multipass, ViewsAndEnginesDoNotDisturbEachOther) {
   const PatchModel model = test::sphere_model({});
   std::vector<RenderSettings> views;
   for (const std::uint32_t side : {64U, 40U, 96U})
-    views.push_back(with_way(small_picture(model, {20.0, 15.0, 1.4}, side)));
+    views.push_back(with_method(small_image(model, {20.0, 15.0, 1.4}, side)));
   views[1].engine = EngineKind::Onepass;
   views[2].outputs = test::all_outputs();
   Progress silent;
@@ -231,15 +231,15 @@ TEST_P(Multipass, ViewsAndEnginesDoNotDisturbEachOther) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Multipass,
-                         testing::Values(SplatWay{Primitive::Quad, 1.0, "quad_1"},
-                                         SplatWay{Primitive::Quad, 2.0, "quad_2"},
-                                         SplatWay{Primitive::Sprite, 1.0, "sprite_1"},
-                                         SplatWay{Primitive::Sprite, 2.0, "sprite_2"}),
+                         testing::Values(SplatMethod{Primitive::Quad, 1.0, "quad_1"},
+                                         SplatMethod{Primitive::Quad, 2.0, "quad_2"},
+                                         SplatMethod{Primitive::Sprite, 1.0, "sprite_1"},
+                                         SplatMethod{Primitive::Sprite, 2.0, "sprite_2"}),
                          [](const auto& way) { return std::string(way.param.name); });
 
 TEST(MultipassSums, AreThoseThatThePictureNeeds) {
   const PatchModel model = test::height_field(4, [](double, double) { return 0.0; });
-  RenderSettings settings = small_picture(model);
+  RenderSettings settings = small_image(model);
   const auto opengl = OpenGl::create(settings.platform, settings.debug, false);
   ASSERT_TRUE(opengl);
   const auto gpu = GlModel::create(*opengl, model, {}, {});

@@ -9,13 +9,13 @@
 
 #include "renderer/engines/onepass/visibility.h"
 #include "shaders/include/shared.h"
-#include "tests/renderer/pictures.h"
+#include "tests/renderer/images.h"
 
 namespace relief {
 namespace {
 
 using test::must_render;
-using test::small_picture;
+using test::small_image;
 using test::values;
 
 /// Waves with a hole in them, rough by `roughness` cells, seen so that some hide some.
@@ -35,14 +35,14 @@ PatchModel wavy_field(double roughness) {
 }
 
 RenderSettings seen_from_above(const PatchModel& model) {
-  RenderSettings settings = small_picture(model);
+  RenderSettings settings = small_image(model);
   settings.camera = {{12.0, -9.0, 22.0}, {0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, 50.0};
   settings.outputs = test::all_outputs();
   settings.primitive = Primitive::Cell;
   return settings;
 }
 
-TEST(CellPictures, AreTheTrianglesOfThePatch) {
+TEST(CellImages, AreTheTrianglesOfThePatch) {
   const PatchModel model = wavy_field(0.1);
   RenderSettings settings = seen_from_above(model);
   const RenderResult cells = must_render(model, settings);
@@ -67,7 +67,7 @@ TEST(CellPictures, AreTheTrianglesOfThePatch) {
   EXPECT_LT(other, hit / 50);
 }
 
-TEST(CellPictures, OfAPlaneAreThoseOfQuads) {
+TEST(CellImages, OfAPlaneAreThoseOfQuads) {
   const PatchModel model =
       test::height_field(50, [](double x, double y) { return 0.4 * x - 0.3 * y; });
   RenderSettings settings = seen_from_above(model);
@@ -88,11 +88,11 @@ TEST(CellPictures, OfAPlaneAreThoseOfQuads) {
   EXPECT_GT(covered, 5000U);
 }
 
-TEST(CellPictures, ShadeFewerFragmentsThanQuads) {
+TEST(CellImages, ShadeFewerFragmentsThanQuads) {
   test::SphereShape shape;
   shape.bumps = 0.08;
   const PatchModel model = test::sphere_model(shape);
-  RenderSettings settings = small_picture(model);
+  RenderSettings settings = small_image(model);
   settings.primitive = Primitive::Quad;
   const RenderResult quads = must_render(model, settings);
   settings.primitive = Primitive::Cell;
@@ -102,7 +102,7 @@ TEST(CellPictures, ShadeFewerFragmentsThanQuads) {
   EXPECT_LT(*cells.fragments - cells.covered_pixels, *quads.fragments);
 }
 
-TEST(CellPictures, ThatAreShadedLaterShowTheSamePlaces) {
+TEST(CellImages, ThatAreShadedLaterShowTheSamePlaces) {
   const PatchModel model = wavy_field(0.1);
   for (const double pixels_per_sample : {0.0, 30.0}) {  // 30: a coarser level, cut by the mask
     RenderSettings settings = seen_from_above(model);
@@ -128,20 +128,20 @@ TEST(CellPictures, ThatAreShadedLaterShowTheSamePlaces) {
   }
 }
 
-TEST(CellPictures, NotePlacesAsFinelyAsTheirBitsAllow) {
+TEST(CellImages, NotePlacesAsFinelyAsTheirBitsAllow) {
   EXPECT_EQ(onepass::place_steps(1), 262144.0F);  // 2^22 over 9 cells
   EXPECT_EQ(onepass::place_steps(503), 8192.0F);  // 511 cells
   EXPECT_EQ(onepass::place_steps(504), 4096.0F);  // 512 cells would need the step 2^22
   EXPECT_EQ(onepass::place_steps(kMaxPatchSide), 128.0F);
 }
 
-TEST(CellPictures, OfAPatchLargerThanAPartHaveNoSeam) {
+TEST(CellImages, OfAPatchLargerThanAPartHaveNoSeam) {
   // Four parts; the eye looks at where they meet, from so near that a culled one would be missed.
   const PatchModel model = test::height_field(
       300, [](double x, double y) { return 2.0 * std::sin(0.3 * x) * std::cos(0.25 * y); });
   const double middle = shared::kPartCells - 149.5;
   for (const double elevation : {90.0, 45.0}) {
-    RenderSettings settings = small_picture(model);
+    RenderSettings settings = small_image(model);
     const double e = glm::radians(elevation);
     const glm::dvec3 target(middle, middle, 0.0);
     settings.camera = {
@@ -152,7 +152,7 @@ TEST(CellPictures, OfAPatchLargerThanAPartHaveNoSeam) {
   }
 }
 
-TEST(CellPictures, InterpolationMattersForTheSplatsAlone) {
+TEST(CellImages, InterpolationMattersForTheSplatsAlone) {
   // So smooth that there are no creases.
   const PatchModel model = wavy_field(0.0);
   RenderSettings settings = seen_from_above(model);

@@ -8,19 +8,19 @@
 #include <random>
 
 #include "shaders/include/shared.h"
-#include "tests/renderer/pictures.h"
+#include "tests/renderer/images.h"
 
 namespace relief {
 namespace {
 
-using test::all_ways;
+using test::all_methods;
+using test::Method;
 using test::must_render;
 using test::pixel_ray;
-using test::small_picture;
+using test::small_image;
 using test::values;
-using test::Way;
 
-class Surfaces : public testing::TestWithParam<Way> {};
+class Surfaces : public testing::TestWithParam<Method> {};
 
 /// Rms errors of a rendered sphere, over pixels that see it at more than 20 degrees.
 struct SphereErrors {
@@ -74,7 +74,7 @@ TEST_P(Surfaces, SphereOfManyPatchesHasNoHolesAndItsOwnNormals) {
   shape.spacing = 0.05;
   const PatchModel model = test::sphere_model(shape);
   for (const double distance : {0.0, 1.6, 1.15}) {
-    RenderSettings settings = small_picture(model, {30.0, 20.0, distance});
+    RenderSettings settings = small_image(model, {30.0, 20.0, distance});
     settings.primitive = GetParam().primitive;
     settings.interpolation = GetParam().interpolation;
     const SphereErrors errors = sphere_errors(shape, settings, model);
@@ -100,7 +100,7 @@ TEST_P(Surfaces, NoiseHasNoHoles) {
   });
   model.patches[0].normals = {};  // those of the heights, not of noise that never stood anywhere
   for (const double elevation : {88.0, 60.0, 40.0}) {
-    RenderSettings settings = small_picture(model);
+    RenderSettings settings = small_image(model);
     const double e = elevation * std::acos(-1.0) / 180.0;
     settings.camera = {
         30.0 * glm::dvec3(0.0, -std::cos(e), std::sin(e)), {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 40.0};
@@ -117,7 +117,7 @@ TEST_P(Surfaces, PlanesOfAnyTiltHaveNoHoles) {
       const PatchModel model = test::height_field(64, [&](double x, double y) {
         return slope * (std::cos(turn) * x + std::sin(turn) * y);
       });
-      RenderSettings settings = small_picture(model);
+      RenderSettings settings = small_image(model);
       const glm::dvec3 normal =
           glm::normalize(glm::dvec3(-slope * std::cos(turn), -slope * std::sin(turn), 1.0));
       // Near enough for cells of several pixels, then so far that there are many in a pixel.
@@ -138,7 +138,7 @@ TEST_P(Surfaces, PixelsSmallerThanSamplesHaveNoHoles) {
   test::SphereShape shape;
   shape.spacing = 0.02;
   const PatchModel model = test::sphere_model(shape);
-  RenderSettings settings = small_picture(model, {50.0, -30.0}, 24);
+  RenderSettings settings = small_image(model, {50.0, -30.0}, 24);
   settings.primitive = GetParam().primitive;
   settings.interpolation = GetParam().interpolation;
   const SphereErrors errors = sphere_errors(shape, settings, model);
@@ -153,7 +153,7 @@ TEST_P(Surfaces, GeoreferencedCoordinatesGiveTheSamePicture) {
   const glm::dvec3 shift(5.0e5, 4.2e6, 1.0e7);
   for (Patch& patch : far.patches) patch.origin += shift;
   far.bounds = {near.bounds.min + shift, near.bounds.max + shift};
-  RenderSettings settings = small_picture(near, {20.0, 15.0, 1.3});
+  RenderSettings settings = small_image(near, {20.0, 15.0, 1.3});
   settings.primitive = GetParam().primitive;
   settings.interpolation = GetParam().interpolation;
   const RenderResult one = must_render(near, settings);
@@ -201,7 +201,7 @@ TEST(Corrected, FollowsTheVirtualTrianglesAndDirectDoesNot) {
     return 1.5 * std::sin(0.5 * x) * std::cos(0.6 * y) + noise(random);
   });
   model.patches[0].normals = {};  // as above
-  RenderSettings settings = small_picture(model);
+  RenderSettings settings = small_image(model);
   settings.camera = {{12.0, -9.0, 22.0}, {0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, 30.0};
   settings.outputs.uv = true;
   const auto rms_cells = [&](Interpolation interpolation) {
@@ -233,7 +233,7 @@ TEST_P(Surfaces, GrazingViewsHaveNoHoles) {
   // neighbours part by a twentieth of a cell, a ray can pass for most of a cell between them.
   const PatchModel model = test::height_field(
       60, [](double x, double y) { return 0.9 * std::sin(0.45 * x) * std::cos(0.4 * y); });
-  RenderSettings settings = small_picture(model);
+  RenderSettings settings = small_image(model);
   const double e = 4.0 * std::acos(-1.0) / 180.0;
   settings.camera = {60.0 * glm::dvec3(0.0, -std::cos(e), std::sin(e)), {}, {0.0, 0.0, 1.0}, 6.0};
   settings.primitive = GetParam().primitive;
@@ -268,7 +268,7 @@ TEST(Corrected, SplatsDoNotStickOutOfASkyline) {
   };
   const PatchModel model = ridge(0.0);
   const PatchModel raised = ridge(2.0 * (shared::kLargestMiss + shared::kOnSurface));
-  RenderSettings settings = small_picture(model);
+  RenderSettings settings = small_image(model);
   settings.camera = {{1.0, -60.0, 5.0}, {1.0, 0.0, 5.0}, {0.0, 0.0, 1.0}, 10.0};
   settings.outputs = test::all_outputs();
   const auto spikes = [&](Primitive primitive, Interpolation interpolation) {
@@ -296,7 +296,7 @@ TEST(Corrected, SplatsDoNotStickOutOfASkyline) {
 TEST(Sprites, CloserThanOpenGlsLargestPointKeepTheirPlace) {
   // A cell is 400 pixels wide here; llvmpipe's sprites end at 255.
   const PatchModel model = test::height_field(16, [](double x, double y) { return 0.3 * x * y; });
-  RenderSettings settings = small_picture(model);
+  RenderSettings settings = small_image(model);
   settings.camera = {{0.1, 0.0, 0.2}, {0.4, 0.3, 0.0}, {0.0, 0.0, 1.0}, 60.0};
   settings.outputs = test::all_outputs();
   settings.primitive = Primitive::Quad;
@@ -315,7 +315,7 @@ TEST(Sprites, CloserThanOpenGlsLargestPointKeepTheirPlace) {
   EXPECT_GT(quads.covered_pixels, 3000U);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Surfaces, testing::ValuesIn(all_ways()),
+INSTANTIATE_TEST_SUITE_P(All, Surfaces, testing::ValuesIn(all_methods()),
                          [](const auto& way) { return std::string(way.param.name); });
 
 }  // namespace

@@ -20,7 +20,7 @@ void expect_finite(const TriangleMesh& mesh, const char* what) {
   for (const Material material : {Material::Unlit, Material::Lit, Material::Mirror}) {
     for (const int samples : {1, 4}) {
       RenderSettings settings =
-          test::traced_picture(orbit_camera({}, 1.0, {30.0, 20.0}, 45.0, 1.2), 48, 40);
+          test::traced_image(orbit_camera({}, 1.0, {30.0, 20.0}, 45.0, 1.2), 48, 40);
       settings.material = material;
       settings.raytrace.samples = samples;
       const RenderResult result = must_trace(mesh, settings);
@@ -40,7 +40,7 @@ TEST(HostileMesh, NothingIsAnEmptyPicture) {
   for (const TriangleMesh& mesh : {TriangleMesh{}, vertices_only}) {
     expect_finite(mesh, "nothing");
     const RenderResult result =
-        must_trace(mesh, test::traced_picture(orbit_camera({}, 1.0, {}, 45.0, 1.2)));
+        must_trace(mesh, test::traced_image(orbit_camera({}, 1.0, {}, 45.0, 1.2)));
     EXPECT_EQ(result.covered_pixels, 0U);
   }
 }
@@ -52,7 +52,7 @@ TEST(HostileMesh, TrianglesWithoutAreaAreNotSeen) {
   mesh.triangles = {{0, 0, 0}, {0, 1, 1}, {0, 1, 2}, {3, 3, 2}};
   expect_finite(mesh, "no area");
   const RenderResult result =
-      must_trace(mesh, test::traced_picture({{0, 0, 3}, {}, {0, 1, 0}, 45.0}));
+      must_trace(mesh, test::traced_image({{0, 0, 3}, {}, {0, 1, 0}, 45.0}));
   EXPECT_EQ(result.covered_pixels, 0U);
 }
 
@@ -66,7 +66,7 @@ TEST(HostileMesh, NormalsThatAreNoneAreTheTrianglesOwn) {
     for (glm::vec3& normal : mesh.normals) spoil(normal);
     expect_finite(mesh, "normals");
     const RenderResult result =
-        must_trace(mesh, test::traced_picture({{1, 2, 3}, {}, {0, 1, 0}, 45.0}));
+        must_trace(mesh, test::traced_image({{1, 2, 3}, {}, {0, 1, 0}, 45.0}));
     EXPECT_EQ(result.covered_pixels, 96U * 80U);
     EXPECT_EQ(values(result.image, "N.Z"), std::vector<float>(std::size_t{96} * 80, 1.0F));
   }
@@ -101,7 +101,7 @@ TEST(HostileMesh, PositionsThatAreNoNumbersTakeTheirTrianglesAway) {
     one_good.colours.emplace_back(1);
     one_good.triangles.insert(one_good.triangles.begin(), {0, 1, 4});
     const RenderResult result =
-        must_trace(one_good, test::traced_picture({{0, 0, 3}, {}, {0, 1, 0}, 45.0}));
+        must_trace(one_good, test::traced_image({{0, 0, 3}, {}, {0, 1, 0}, 45.0}));
     EXPECT_EQ(result.covered_pixels, 96U * 80U);
   }
 }
@@ -119,7 +119,7 @@ TEST(HostileMesh, TheEyeOnTheSurface) {
   TriangleMesh mesh;
   test::add_sheet(mesh, {-9, -9, 0}, {18, 0, 0}, {0, 18, 0});
   for (const glm::dvec3 eye : {glm::dvec3(0.0), {0.0, 0.0, 1e-300}, {9.0, 0.0, 0.0}, {20, 0, 0}}) {
-    RenderSettings settings = test::traced_picture({eye, {-1.0, 0.2, 0.0}, {0, 0, 1}, 45.0});
+    RenderSettings settings = test::traced_image({eye, {-1.0, 0.2, 0.0}, {0, 0, 1}, 45.0});
     for (const Material material : {Material::Lit, Material::Mirror}) {
       settings.material = material;
       const RenderResult result = must_trace(mesh, settings);

@@ -21,8 +21,7 @@ using test::values;
 /// Straight down onto the plane z = 0: a picture of `side` pixels, each 1 x 1.
 RenderSettings straight_down(std::uint32_t side) {
   const double half = 0.5 * side;
-  return test::traced_picture({{0.0, 0.0, half}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 90.0}, side,
-                              side);
+  return test::traced_image({{0.0, 0.0, half}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 90.0}, side, side);
 }
 
 TEST(SamplePattern, OneIsThePixelsMiddle) {
@@ -177,13 +176,13 @@ TriangleMesh two_spheres() {
   return mesh;
 }
 
-RenderSettings sphere_picture() {
-  return test::traced_picture(orbit_camera({}, 1.0, {10.0, 20.0}, 45.0, 1.2), 128, 128);
+RenderSettings sphere_image() {
+  return test::traced_image(orbit_camera({}, 1.0, {10.0, 20.0}, 45.0, 1.2), 128, 128);
 }
 
 TEST(Ties, OfTwoTrianglesInOnePlaceTheFirstOfTheMeshIsSeen) {
   TriangleMesh mesh = two_spheres();
-  RenderSettings settings = sphere_picture();
+  RenderSettings settings = sphere_image();
   settings.material = Material::Unlit;
   const RenderResult all = must_trace(mesh, settings);
   std::set<Triangle> places;
@@ -199,7 +198,7 @@ TEST(Ties, OfTwoTrianglesInOnePlaceTheFirstOfTheMeshIsSeen) {
 
 TEST(Threads, DoNotChangeAByte) {
   TriangleMesh mesh = two_spheres();
-  RenderSettings settings = sphere_picture();
+  RenderSettings settings = sphere_image();
   settings.raytrace.samples = 4;
   const auto render_with = [&](std::size_t threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
@@ -237,7 +236,7 @@ class Counting final : public Progress {
 
 TEST(Tracing, ReportsProgressAndStopsWhenAsked) {
   const TriangleMesh mesh = test::sphere_mesh(24);
-  RenderSettings settings = test::traced_picture({{0, 0, 3}, {}, {0, 1, 0}, 45.0}, 100, 90);
+  RenderSettings settings = test::traced_image({{0, 0, 3}, {}, {0, 1, 0}, 45.0}, 100, 90);
   settings.frames = 2;
   Counting patient(1000);
   ASSERT_TRUE(render(mesh, settings, patient));

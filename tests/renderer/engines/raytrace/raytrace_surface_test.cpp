@@ -35,10 +35,10 @@ PlaneErrors plane_errors(glm::dvec3 centre, double distance, double fov_degrees)
   mesh.patches = {7, 7, 7, 7};
   const glm::dvec3 outward = glm::normalize(normal + 0.1 * u);
   const RenderSettings settings =
-      test::traced_picture({centre + distance * outward,
-                            centre + 0.01 * std::min(distance, 3.0) * glm::dvec3(1, 2, 3),
-                            {0, 1, 0},
-                            fov_degrees});
+      test::traced_image({centre + distance * outward,
+                          centre + 0.01 * std::min(distance, 3.0) * glm::dvec3(1, 2, 3),
+                          {0, 1, 0},
+                          fov_degrees});
   const RenderResult result = must_trace(mesh, settings);
   PlaneErrors errors;
   errors.covered = result.covered_pixels;
@@ -86,7 +86,7 @@ TEST(RayTracedSphere, HasItsSilhouetteDepthAndNormals) {
   const glm::dvec3 centre(3.0, -2.0, 1.0);
   const TriangleMesh mesh = test::sphere_mesh(kRings, centre);
   const RenderSettings settings =
-      test::traced_picture(orbit_camera(centre, 1.0, {30.0, 20.0}, 45.0, 1.2));
+      test::traced_image(orbit_camera(centre, 1.0, {30.0, 20.0}, 45.0, 1.2));
   const RenderResult result = must_trace(mesh, settings);
   // The largest triangles are halves of squares with this side, so that no place of one is farther
   // from its corners than half the diagonal; so deep below the sphere it lies.
@@ -125,7 +125,7 @@ TEST(RayTracedSphere, HasItsSilhouetteDepthAndNormals) {
 TEST(RayTracedSphere, KeepsItsSilhouetteSeenFromAMillionRadii) {
   const TriangleMesh mesh = test::sphere_mesh(128);
   const RenderSettings settings =
-      test::traced_picture(orbit_camera({}, 1.0, {30.0, 20.0, 1e6}, 1.2e-4, 1.2));
+      test::traced_image(orbit_camera({}, 1.0, {30.0, 20.0, 1e6}, 1.2e-4, 1.2));
   const RenderResult result = must_trace(mesh, settings);
   // As above. A direction's rounding, 1e-16 times the distance, is far below the sagitta.
   const double sagitta = 1.0 - std::sqrt(1.0 - std::pow(std::acos(-1.0) / 128, 2.0) / 2.0);
@@ -144,7 +144,7 @@ TEST(RayTracedMesh, LetsNoRayThroughItsVertices) {
   // Every ray aims at a vertex; those are at random distances, so that triangles are steep.
   constexpr std::uint32_t kSide = 64;
   const RenderSettings settings =
-      test::traced_picture({{1.7, 2.3, 3.1}, {0.4, 0.2, 0.1}, {0, 1, 0}, 50.0}, kSide, kSide);
+      test::traced_image({{1.7, 2.3, 3.1}, {0.4, 0.2, 0.1}, {0, 1, 0}, 50.0}, kSide, kSide);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> distance(1.0, 1.3);
   TriangleMesh mesh;
@@ -170,7 +170,7 @@ TEST(RayTracedMesh, LetsNoRayThroughItsVertices) {
 
 TEST(RayTracedSphere, GeoreferencedCoordinatesGiveTheSamePicture) {
   const TriangleMesh near = test::sphere_mesh(40);
-  RenderSettings settings = test::traced_picture(orbit_camera({}, 1.0, {30.0, 20.0}, 45.0, 1.2));
+  RenderSettings settings = test::traced_image(orbit_camera({}, 1.0, {30.0, 20.0}, 45.0, 1.2));
   const RenderResult one = must_trace(near, settings);
   const glm::dvec3 shift(5.0e5, 4.2e6, 1.0e7);
   TriangleMesh far = near;
@@ -194,12 +194,12 @@ TEST(RayTracedSphere, GeoreferencedCoordinatesGiveTheSamePicture) {
 TEST(RayTracedSphere, TinyAndHugeUnitsGiveTheSamePicture) {
   const TriangleMesh mesh = test::sphere_mesh(24);
   const RenderResult one =
-      must_trace(mesh, test::traced_picture(orbit_camera({}, 1.0, {30.0, 20.0}, 45.0, 1.2)));
+      must_trace(mesh, test::traced_image(orbit_camera({}, 1.0, {30.0, 20.0}, 45.0, 1.2)));
   for (const double unit : {std::exp2(-70.0), std::exp2(90.0)}) {
     TriangleMesh scaled = mesh;
     for (glm::dvec3& p : scaled.positions) p *= unit;
     const RenderResult other =
-        must_trace(scaled, test::traced_picture(orbit_camera({}, unit, {30.0, 20.0}, 45.0, 1.2)));
+        must_trace(scaled, test::traced_image(orbit_camera({}, unit, {30.0, 20.0}, 45.0, 1.2)));
     // A power of two changes no digit.
     EXPECT_EQ(values(one.image, "R"), values(other.image, "R")) << unit;
     EXPECT_EQ(values(one.image, "N.X"), values(other.image, "N.X")) << unit;

@@ -42,7 +42,7 @@ inline Image picture(std::uint32_t width, std::uint32_t height, const ColourAt& 
   return image;
 }
 
-inline Image grey_picture(std::uint32_t width, std::uint32_t height, float light = 0.25F) {
+inline Image grey_image(std::uint32_t width, std::uint32_t height, float light = 0.25F) {
   return picture(width, height, [light](int, int) { return glm::vec3(light); });
 }
 

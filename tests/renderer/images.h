@@ -14,8 +14,8 @@
 namespace relief::test {
 
 /// Settings for a small picture of the whole model; debug contexts and one timed frame.
-inline RenderSettings small_picture(const PatchModel& model, Orbit orbit = {20.0, 15.0},
-                                    std::uint32_t side = 96) {
+inline RenderSettings small_image(const PatchModel& model, Orbit orbit = {20.0, 15.0},
+                                  std::uint32_t side = 96) {
   RenderSettings settings;
   settings.width = side + side / 4;
   settings.height = side;
@@ -28,7 +28,7 @@ inline RenderSettings small_picture(const PatchModel& model, Orbit orbit = {20.0
 
 /// Straight down on a height field of `nodes` nodes a side, four pixels a cell.
 inline RenderSettings from_above(const PatchModel& model, std::uint32_t nodes) {
-  RenderSettings settings = small_picture(model);
+  RenderSettings settings = small_image(model);
   settings.width = settings.height = 4 * nodes;
   settings.camera = {{0.0, 0.0, 0.5 * nodes / std::tan(std::acos(-1.0) / 8.0)},
                      {0.0, 0.0, 0.0},
@@ -84,20 +84,20 @@ inline std::size_t count_different(const Image& a, const Image& b, int threshold
 }
 
 /// Every way to draw, for tests that run over all of them.
-struct Way {
+struct Method {
   Primitive primitive;
   Interpolation interpolation;
   const char* name;
 };
-inline const std::vector<Way>& all_ways() {
-  static const std::vector<Way> ways{
+inline const std::vector<Method>& all_methods() {
+  static const std::vector<Method> methods{
       {Primitive::Quad, Interpolation::Direct, "quad_direct"},
       {Primitive::Quad, Interpolation::Corrected, "quad_corrected"},
       {Primitive::Sprite, Interpolation::Direct, "sprite_direct"},
       {Primitive::Sprite, Interpolation::Corrected, "sprite_corrected"},
       {Primitive::Cell, Interpolation::Direct, "cell_direct"},
       {Primitive::Cell, Interpolation::Corrected, "cell_corrected"}};
-  return ways;
+  return methods;
 }
 
 }  // namespace relief::test

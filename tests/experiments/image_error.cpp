@@ -1,4 +1,4 @@
-#include "tests/experiments/picture_error.h"
+#include "tests/experiments/image_error.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 
 namespace relief::experiment {
 
-Result<PictureError> measure_error(const Image& picture, const Image& truth, const Mask& mask) {
+Result<ImageError> measure_error(const Image& picture, const Image& truth, const Mask& mask) {
   auto colour = take_colour(picture);
   if (!colour) return colour.error();
   const auto expected = take_colour(truth);
@@ -30,10 +30,10 @@ Result<PictureError> measure_error(const Image& picture, const Image& truth, con
   if (!flip) return flip.error();
   double sum = 0.0;
   for (std::size_t i = 0; i < mask.size(); ++i) sum += mask[i] == 0 ? 0.0 : double{flip->map[i]};
-  return PictureError{psnr, sum / static_cast<double>(count)};
+  return ImageError{psnr, sum / static_cast<double>(count)};
 }
 
-std::string as_cell(const Result<PictureError>& error) {
+std::string as_cell(const Result<ImageError>& error) {
   if (!error) return "–";
   return fmt::format("{:.1f} / {:.3f}", error->psnr_db, error->flip_mean);
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the pictures of docs/images from a patch file of the Stanford Dragon.
-# usage: scripts/make_pictures.sh RELIEF_BINARY DRAGON.relief ENVIRONMENT
+# usage: scripts/make_images.sh RELIEF_BINARY DRAGON.relief ENVIRONMENT
 # ENVIRONMENT: of the materials, an EXR or HDR (venice_sunset_1k.hdr).
 # Needs ImageMagick (Debian: imagemagick), which the project itself does not.
 set -euo pipefail

@@ -20,7 +20,7 @@ struct Transform {
 }
 
 /// Where a run of a model's patches stands. The same patches may stand in many places.
-struct Placement {
+struct Instance {
   std::uint32_t first = 0;  ///< in PatchModel::patches
   std::uint32_t count = 0;
   Transform transform;

@@ -13,7 +13,7 @@ namespace relief::experiment {
 /// Pixels that count are not 0; row-major, top row first.
 using Mask = std::vector<std::uint8_t>;
 
-struct PictureError {
+struct ImageError {
   double psnr_db = 0.0;    ///< of sRGB values clamped to [0, 1]
   double flip_mean = 0.0;  ///< of LDR-FLIP at 67 pixels per degree
 };
@@ -21,9 +21,9 @@ struct PictureError {
 /// What `relief compare --flip ldr` would say of the pixels of the mask alone: both means are over
 /// them, and beside them the truth is put into the picture. Fails if the mask is empty or a picture
 /// has no colour.
-Result<PictureError> measure_error(const Image& picture, const Image& truth, const Mask& mask);
+Result<ImageError> measure_error(const Image& picture, const Image& truth, const Mask& mask);
 
 /// As a cell of a table: "31.4 / 0.051", dB / FLIP; a dash where nothing was measured.
-[[nodiscard]] std::string as_cell(const Result<PictureError>& error);
+[[nodiscard]] std::string as_cell(const Result<ImageError>& error);
 
 }  // namespace relief::experiment

@@ -10,7 +10,7 @@ vec2 window = vec2(0.0);
 #include "include/maps.glsl"
 #include "include/materials.glsl"
 
-layout(binding = RELIEF_TEXTURE_FAR_VERTICES) uniform usamplerBuffer far_vertices;
+layout(binding = RELIEF_TEXTURE_PROXY_VERTICES) uniform usamplerBuffer proxy_vertices;
 
 layout(location = RELIEF_ATTRIBUTE_PATCH) in uint patch_index;
 
@@ -22,7 +22,7 @@ layout(location = 1) out vec3 normal;
 layout(location = 2) out float depth;
 #endif
 #if (RELIEF_FEATURES & (RELIEF_FEATURE_OUT_UV | RELIEF_FEATURE_OUT_PATCH)) != 0u
-layout(binding = RELIEF_TEXTURE_FAR_SOURCES) uniform usamplerBuffer far_sources;
+layout(binding = RELIEF_TEXTURE_PROXY_SOURCES) uniform usamplerBuffer proxy_sources;
 layout(location = 3) flat out uvec3 source;  // patch id + 1, column, row
 #endif
 
@@ -45,7 +45,7 @@ float depth_of(PatchInfo info, vec3 place) {
 
 void main() {
   PatchInfo info = fetch_patch(patch_index);
-  uvec4 record = texelFetch(far_vertices, gl_VertexID);
+  uvec4 record = texelFetch(proxy_vertices, gl_VertexID);
   vec3 place = vec3(record.x & 0xFFFFu, record.x >> 16, record.y & 0xFFFFu);
   gl_Position = fetch_clip_from_grid(patch_index) * vec4(place, 1.0);
   window = (0.5 + 0.5 * gl_Position.xy / gl_Position.w) * frame.viewport.xy;
@@ -67,7 +67,7 @@ void main() {
   depth = distance;
 #endif
 #if (RELIEF_FEATURES & (RELIEF_FEATURE_OUT_UV | RELIEF_FEATURE_OUT_PATCH)) != 0u
-  uvec2 sample_of = texelFetch(far_sources, gl_VertexID).xy;
+  uvec2 sample_of = texelFetch(proxy_sources, gl_VertexID).xy;
   source = uvec3(uint(info.nodes.z) + sample_of.x + 1u, sample_of.y & 0xFFFFu, sample_of.y >> 16);
 #endif
 }
