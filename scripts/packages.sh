@@ -8,7 +8,7 @@ set -euo pipefail
 
 group() {
   case $1 in
-    build) echo cmake ninja-build g++ pkg-config libeigen3-dev libnanoflann-dev libtbb-dev libglm-dev \
+    build) echo cmake ninja-build g++ pkg-config libeigen3-dev libtbb-dev libglm-dev \
       libfmt-dev libcli11-dev nlohmann-json3-dev libzstd-dev zlib1g-dev libopenexr-dev libpng-dev libturbojpeg0-dev libtinygltf-dev libdraco-dev \
       libembree-dev libegl-dev libgl-dev ;;
     run) echo libegl1 libgl1-mesa-dri libosmesa6 ;;  # opened while running; Mesa draws without a GPU
