@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "cli/console.h"
-#include "common/image_io.h"
-#include "preprocess/read_points.h"
-#include "preprocess/texture/acquire_texture.h"
+#include "common/image/image_io.h"
+#include "preprocess/readers/read_points.h"
+#include "preprocess/texture/acquisition/acquire_texture.h"
 
 namespace relief::cli {
 namespace {

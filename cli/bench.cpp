@@ -11,19 +11,19 @@
 #include <utility>
 #include <vector>
 
-#include "cli/bench_accuracy.h"
-#include "cli/bench_plot.h"
-#include "cli/bench_report.h"
-#include "cli/bench_rows.h"
-#include "cli/bench_sweep.h"
+#include "cli/bench/bench_accuracy.h"
+#include "cli/bench/bench_rows.h"
+#include "cli/bench/bench_sweep.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/load_scene.h"
-#include "cli/paths.h"
-#include "cli/render_options.h"
-#include "cli/render_plan.h"
-#include "common/file.h"
-#include "renderer/materials.h"
+#include "cli/options/paths.h"
+#include "cli/options/render_options.h"
+#include "cli/options/render_plan.h"
+#include "cli/plot/bench_plot.h"
+#include "cli/reports/bench_report.h"
+#include "common/io/file.h"
+#include "renderer/shading/materials.h"
 
 namespace relief::cli {
 namespace {

@@ -12,13 +12,13 @@
 #include <vector>
 
 #include "cli/commands.h"
-#include "cli/comparison_report.h"
 #include "cli/console.h"
-#include "cli/limits.h"
-#include "cli/paths.h"
-#include "cli/values.h"
+#include "cli/options/limits.h"
+#include "cli/options/paths.h"
+#include "cli/options/values.h"
+#include "cli/reports/comparison_report.h"
 #include "common/compare/heatmap.h"
-#include "common/image_io.h"
+#include "common/image/image_io.h"
 
 namespace relief::cli {
 namespace {

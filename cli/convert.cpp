@@ -18,14 +18,14 @@
 #include "cli/acquire.h"
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "cli/convert_report.h"
 #include "cli/load.h"
-#include "cli/paths.h"
-#include "common/patch_file.h"
+#include "cli/options/paths.h"
+#include "cli/reports/convert_report.h"
+#include "common/patch_file/patch_file.h"
 #include "preprocess/convert_tiles.h"
-#include "preprocess/outliers.h"
-#include "preprocess/texture/texture_maps.h"
-#include "preprocess/thin.h"
+#include "preprocess/points/outliers.h"
+#include "preprocess/points/thin.h"
+#include "preprocess/texture/maps/texture_maps.h"
 
 namespace relief::cli {
 namespace {

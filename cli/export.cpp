@@ -13,9 +13,9 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/load.h"
-#include "cli/paths.h"
-#include "common/srgb.h"
-#include "renderer/mesh_of_patches.h"
+#include "cli/options/paths.h"
+#include "common/image/srgb.h"
+#include "renderer/geometry/mesh_of_patches.h"
 
 namespace relief::cli {
 namespace {

@@ -13,8 +13,8 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "common/patch.h"
-#include "common/patch_file.h"
-#include "common/patch_tree.h"
+#include "common/patch_file/patch_file.h"
+#include "common/patch_file/patch_tree.h"
 
 namespace relief::cli {
 namespace {

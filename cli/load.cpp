@@ -8,15 +8,15 @@
 #include <utility>
 
 #include "cli/console.h"
-#include "cli/paths.h"
-#include "common/file.h"
-#include "common/patch_file.h"
-#include "common/srgb.h"
+#include "cli/options/paths.h"
+#include "common/image/srgb.h"
+#include "common/io/file.h"
+#include "common/patch_file/patch_file.h"
 #include "preprocess/convert.h"
-#include "preprocess/neighbours.h"
-#include "preprocess/normals.h"
-#include "preprocess/point_radii.h"
-#include "preprocess/scan_poses.h"
+#include "preprocess/normals/normals.h"
+#include "preprocess/points/neighbours.h"
+#include "preprocess/points/point_radii.h"
+#include "preprocess/readers/scan_poses.h"
 
 namespace relief::cli {
 namespace {

@@ -8,9 +8,9 @@
 #include "common/error.h"
 #include "common/patch.h"
 #include "common/progress.h"
-#include "preprocess/read_points.h"
-#include "preprocess/texture/load_textures.h"
-#include "renderer/splat_cloud.h"
+#include "preprocess/readers/read_points.h"
+#include "preprocess/texture/files/load_textures.h"
+#include "renderer/geometry/splat_cloud.h"
 
 namespace relief::cli {
 

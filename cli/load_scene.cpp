@@ -8,15 +8,15 @@
 
 #include "cli/console.h"
 #include "cli/load.h"
-#include "cli/paths.h"
+#include "cli/options/paths.h"
 #include "cli/place_models.h"
-#include "common/patch_tree.h"
+#include "common/patch_file/patch_tree.h"
 #include "common/transform.h"
 #include "preprocess/convert.h"
 #include "renderer/engines/ewa/splats_of_samples.h"
-#include "renderer/mesh_of_patches.h"
-#include "renderer/mesh_of_points.h"
-#include "renderer/patches_in_view.h"
+#include "renderer/geometry/mesh_of_patches.h"
+#include "renderer/geometry/mesh_of_points.h"
+#include "renderer/view/patches_in_view.h"
 
 namespace relief::cli {
 namespace {

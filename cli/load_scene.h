@@ -8,8 +8,8 @@
 #include "common/error.h"
 #include "common/patch.h"
 #include "common/progress.h"
-#include "common/scene.h"
-#include "preprocess/texture/load_textures.h"
+#include "common/scene/scene.h"
+#include "preprocess/texture/files/load_textures.h"
 #include "renderer/render.h"
 
 namespace relief::cli {

@@ -10,7 +10,7 @@
 
 #include "cli/load_scene.h"
 #include "common/patch.h"
-#include "common/scene.h"
+#include "common/scene/scene.h"
 
 namespace relief::cli {
 

@@ -14,11 +14,11 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/load_scene.h"
-#include "cli/paths.h"
-#include "cli/render_options.h"
-#include "cli/render_plan.h"
-#include "cli/render_report.h"
-#include "common/image_io.h"
+#include "cli/options/paths.h"
+#include "cli/options/render_options.h"
+#include "cli/options/render_plan.h"
+#include "cli/reports/render_report.h"
+#include "common/image/image_io.h"
 
 namespace relief::cli {
 namespace {

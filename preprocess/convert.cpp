@@ -10,20 +10,20 @@
 #include <optional>
 #include <utility>
 
-#include "preprocess/closed_mesh.h"
 #include "preprocess/convert_stages.h"
-#include "preprocess/densify.h"
-#include "preprocess/find_regions.h"
 #include "preprocess/measure.h"
-#include "preprocess/neighbours.h"
-#include "preprocess/normals.h"
-#include "preprocess/patch_spacing.h"
-#include "preprocess/region_patches.h"
-#include "preprocess/texture/flat_triangles.h"
-#include "preprocess/texture/load_textures.h"
-#include "preprocess/texture/node_normals.h"
-#include "preprocess/texture/sample_mesh.h"
-#include "preprocess/texture/texture_maps.h"
+#include "preprocess/normals/closed_mesh.h"
+#include "preprocess/normals/normals.h"
+#include "preprocess/partition/find_regions.h"
+#include "preprocess/points/densify.h"
+#include "preprocess/points/neighbours.h"
+#include "preprocess/resample/patch_spacing.h"
+#include "preprocess/resample/region_patches.h"
+#include "preprocess/texture/files/load_textures.h"
+#include "preprocess/texture/maps/flat_triangles.h"
+#include "preprocess/texture/maps/node_normals.h"
+#include "preprocess/texture/maps/sample_mesh.h"
+#include "preprocess/texture/maps/texture_maps.h"
 #include "preprocess/thread_limit.h"
 
 namespace relief {

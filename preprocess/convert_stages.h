@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "preprocess/convert.h"
-#include "preprocess/resample.h"
+#include "preprocess/resample/resample.h"
 
 namespace relief {
 

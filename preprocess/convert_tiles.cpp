@@ -4,13 +4,13 @@
 #include <system_error>
 #include <utility>
 
-#include "common/file.h"
+#include "common/io/file.h"
 #include "common/version.h"
-#include "preprocess/stream/overviews.h"
-#include "preprocess/stream/spread_points.h"
-#include "preprocess/stream/tile_conversion.h"
-#include "preprocess/stream/tile_job.h"
 #include "preprocess/thread_limit.h"
+#include "preprocess/tiles/overviews.h"
+#include "preprocess/tiles/spread_points.h"
+#include "preprocess/tiles/tile_conversion.h"
+#include "preprocess/tiles/tile_job.h"
 
 namespace relief {
 namespace {

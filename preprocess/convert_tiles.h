@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "common/patch_file.h"
+#include "common/patch_file/patch_file.h"
 #include "preprocess/convert.h"
 
 namespace relief {

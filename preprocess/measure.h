@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/patch.h"
-#include "preprocess/neighbours.h"
+#include "preprocess/points/neighbours.h"
 
 namespace relief {
 

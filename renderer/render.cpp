@@ -11,11 +11,11 @@
 #include "renderer/engines/multipass/render_multipass.h"
 #include "renderer/engines/onepass/render_onepass.h"
 #include "renderer/engines/raytrace/render_raytrace.h"
-#include "renderer/materials.h"
-#include "renderer/mesh_of_patches.h"
-#include "renderer/open_gl.h"
+#include "renderer/geometry/mesh_of_patches.h"
+#include "renderer/gl/open_gl.h"
 #include "renderer/prepared.h"
-#include "renderer/split_view.h"
+#include "renderer/shading/materials.h"
+#include "renderer/shading/split_view.h"
 
 namespace relief {
 namespace {

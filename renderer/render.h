@@ -11,20 +11,20 @@
 #include <string>
 #include <vector>
 
-#include "common/camera.h"
-#include "common/choices.h"
 #include "common/error.h"
-#include "common/image.h"
-#include "common/light.h"
-#include "common/material.h"
+#include "common/image/image.h"
 #include "common/patch.h"
 #include "common/progress.h"
+#include "common/scene/camera.h"
+#include "common/scene/choices.h"
+#include "common/scene/light.h"
+#include "common/scene/material.h"
 #include "renderer/engines/ewa/settings.h"
 #include "renderer/engines/multipass/settings.h"
 #include "renderer/engines/raytrace/settings.h"
-#include "renderer/explanation.h"
-#include "renderer/splat_cloud.h"
-#include "renderer/triangle_mesh.h"
+#include "renderer/frame/explanation.h"
+#include "renderer/geometry/splat_cloud.h"
+#include "renderer/geometry/triangle_mesh.h"
 
 namespace relief {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "common/compare/statistics.h"
-#include "common/srgb.h"
+#include "common/image/srgb.h"
 
 namespace relief {
 

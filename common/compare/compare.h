@@ -8,7 +8,7 @@
 #include "common/compare/flip.h"
 #include "common/compare/geometry_errors.h"
 #include "common/error.h"
-#include "common/image.h"
+#include "common/image/image.h"
 #include "common/progress.h"
 
 namespace relief {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/error.h"
-#include "common/image.h"
+#include "common/image/image.h"
 
 namespace relief {
 

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "common/srgb.h"
+#include "common/image/srgb.h"
 
 namespace relief {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/image.h"
+#include "common/image/image.h"
 
 namespace relief {
 

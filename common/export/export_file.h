@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "common/bytes.h"
 #include "common/error.h"
-#include "common/file.h"
+#include "common/io/bytes.h"
+#include "common/io/file.h"
 #include "common/progress.h"
 
 namespace relief {

@@ -6,7 +6,7 @@
 #include "common/bounds.h"
 #include "common/export/export.h"
 #include "common/export/export_file.h"
-#include "common/srgb.h"
+#include "common/image/srgb.h"
 #include "common/version.h"
 
 namespace relief {

@@ -5,8 +5,8 @@
 #include <glm/vector_relational.hpp>
 #include <utility>
 
-#include "preprocess/keep_points.h"
-#include "preprocess/read_points.h"
+#include "preprocess/points/keep_points.h"
+#include "preprocess/readers/read_points.h"
 #include "preprocess/readers/source.h"
 
 namespace relief {

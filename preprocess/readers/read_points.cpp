@@ -1,4 +1,4 @@
-#include "preprocess/read_points.h"
+#include "preprocess/readers/read_points.h"
 
 #include <unistd.h>
 
@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "common/file.h"
+#include "common/io/file.h"
 #include "preprocess/readers/format.h"
 #include "preprocess/readers/gunzip.h"
 #include "preprocess/readers/readers.h"

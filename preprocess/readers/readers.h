@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "preprocess/read_points.h"
+#include "preprocess/readers/read_points.h"
 #include "preprocess/readers/source.h"
 
 namespace relief {

@@ -9,8 +9,8 @@
 #include "renderer/engines/multipass/render_multipass.h"
 #include "renderer/engines/onepass/features.h"
 #include "renderer/engines/onepass/render_onepass.h"
-#include "renderer/median.h"
-#include "renderer/open_gl.h"
+#include "renderer/frame/median.h"
+#include "renderer/gl/open_gl.h"
 
 namespace relief {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "common/patch.h"
-#include "renderer/features.h"
+#include "renderer/frame/features.h"
 #include "renderer/gl/program.h"
 #include "shaders/include/shared.h"
 

@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "common/error.h"
-#include "renderer/gl_engine.h"
-#include "renderer/open_gl.h"
-#include "renderer/triangle_mesh.h"
+#include "renderer/frame/gl_engine.h"
+#include "renderer/geometry/triangle_mesh.h"
+#include "renderer/gl/open_gl.h"
 
 namespace relief::bench_passes {
 

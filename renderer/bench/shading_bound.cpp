@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/engine_cache.h"
-#include "renderer/features.h"
+#include "renderer/frame/engine_cache.h"
+#include "renderer/frame/features.h"
+#include "renderer/frame/sample_draws.h"
 #include "renderer/gl/program.h"
-#include "renderer/sample_draws.h"
 #include "shaders/include/shared.h"
 
 namespace relief::bench_passes {

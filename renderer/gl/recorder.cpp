@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "renderer/feature_names.h"
+#include "renderer/frame/feature_names.h"
 #include "renderer/gl/functions.h"
 
 namespace relief {

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/explanation.h"
+#include "renderer/frame/explanation.h"
 
 namespace relief {
 

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "tests/cli/run_relief.h"
-#include "tests/common/read_whole.h"
+#include "tests/common/patch_file/read_whole.h"
 
 namespace relief::test {
 namespace {

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "common/image_io.h"
-#include "common/srgb.h"
+#include "common/image/image_io.h"
+#include "common/image/srgb.h"
 #include "tests/cli/run_relief.h"
 
 namespace relief::test {

@@ -2,7 +2,7 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
-#include "preprocess/read_points.h"
+#include "preprocess/readers/read_points.h"
 #include "tests/cli/run_relief.h"
 
 namespace relief::test {

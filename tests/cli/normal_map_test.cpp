@@ -4,8 +4,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "common/image_io.h"
-#include "common/srgb.h"
+#include "common/image/image_io.h"
+#include "common/image/srgb.h"
 #include "tests/cli/run_relief.h"
 
 namespace relief::test {

@@ -1,9 +1,9 @@
 // The plots of `relief bench`.
-#include "cli/scatter_plot.h"
+#include "cli/plot/scatter_plot.h"
 
 #include <gtest/gtest.h>
 
-#include "cli/plot_axis.h"
+#include "cli/plot/plot_axis.h"
 
 namespace relief::cli {
 namespace {

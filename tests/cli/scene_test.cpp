@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "common/image_io.h"
-#include "common/scene.h"
+#include "common/image/image_io.h"
+#include "common/scene/scene.h"
 #include "tests/cli/run_relief.h"
 
 namespace relief::test {

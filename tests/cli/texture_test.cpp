@@ -1,7 +1,7 @@
 // relief render --texture: a textured mesh through the engine `ewa`.
 #include <cmath>
 
-#include "common/image_io.h"
+#include "common/image/image_io.h"
 #include "tests/cli/run_relief.h"
 
 namespace relief::test {

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "tests/common/sample_models.h"
+#include "tests/common/patch_file/sample_models.h"
 
 namespace relief {
 namespace {

@@ -8,7 +8,7 @@
 #include <glm/trigonometric.hpp>
 #include <optional>
 
-#include "renderer/view.h"
+#include "renderer/view/view.h"
 
 namespace relief::experiment {
 namespace {

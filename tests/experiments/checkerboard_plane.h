@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "common/camera.h"
-#include "renderer/splat_cloud.h"
+#include "common/scene/camera.h"
+#include "renderer/geometry/splat_cloud.h"
 #include "tests/experiments/pixel_filter.h"
 
 namespace relief::experiment {

@@ -6,9 +6,9 @@
 #include <chrono>
 #include <vector>
 
-#include "common/compact/compact_codec.h"
-#include "common/patch_codec.h"
-#include "common/patch_file.h"
+#include "common/patch_file/compact/compact_codec.h"
+#include "common/patch_file/fast/patch_codec.h"
+#include "common/patch_file/patch_file.h"
 
 using namespace relief;
 

@@ -7,9 +7,9 @@
 #include <glm/matrix.hpp>
 #include <optional>
 
-#include "common/srgb.h"
+#include "common/image/srgb.h"
 #include "preprocess/convert.h"
-#include "preprocess/read_points.h"
+#include "preprocess/readers/read_points.h"
 
 namespace relief::experiment {
 namespace {

@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "common/bounds.h"
-#include "preprocess/neighbours.h"
-#include "preprocess/point_radii.h"
-#include "renderer/mesh_of_points.h"
+#include "preprocess/points/neighbours.h"
+#include "preprocess/points/point_radii.h"
+#include "renderer/geometry/mesh_of_points.h"
 
 namespace relief::experiment {
 namespace {

@@ -3,11 +3,11 @@
 
 #include <cstdint>
 
-#include "common/camera.h"
 #include "common/error.h"
-#include "common/image.h"
+#include "common/image/image.h"
+#include "common/scene/camera.h"
 #include "renderer/engines/ewa/settings.h"
-#include "renderer/splat_cloud.h"
+#include "renderer/geometry/splat_cloud.h"
 
 namespace relief::experiment {
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/image_io.h"
+#include "common/image/image_io.h"
 #include "tests/experiments/checkerboard_plane.h"
 #include "tests/experiments/draw_unlit.h"
 

@@ -6,7 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
-#include "common/image.h"
+#include "common/image/image.h"
 #include "tests/experiments/picture_error.h"
 
 namespace relief::experiment {

@@ -7,7 +7,7 @@
 
 #include "common/progress.h"
 #include "renderer/engines/raytrace/embree_scene.h"
-#include "renderer/view.h"
+#include "renderer/view/view.h"
 
 namespace relief::experiment {
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/camera.h"
 #include "common/error.h"
-#include "renderer/triangle_mesh.h"
+#include "common/scene/camera.h"
+#include "renderer/geometry/triangle_mesh.h"
 
 namespace relief::experiment {
 

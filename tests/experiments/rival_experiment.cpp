@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "common/image_io.h"
+#include "common/image/image_io.h"
 #include "tests/experiments/rival_scene.h"
 
 namespace relief::experiment {

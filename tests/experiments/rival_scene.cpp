@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "common/srgb.h"
+#include "common/image/srgb.h"
 #include "renderer/engines/raytrace/sampling.h"
-#include "renderer/view.h"
+#include "renderer/view/view.h"
 
 namespace relief::experiment {
 namespace {

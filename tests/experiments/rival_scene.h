@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "common/camera.h"
-#include "common/image.h"
+#include "common/image/image.h"
+#include "common/scene/camera.h"
 
 namespace relief::experiment {
 

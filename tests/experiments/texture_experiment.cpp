@@ -15,10 +15,10 @@
 #include <utility>
 #include <vector>
 
-#include "common/image_io.h"
-#include "preprocess/read_points.h"
-#include "preprocess/texture/acquire_texture.h"
-#include "preprocess/texture/surface_points.h"
+#include "common/image/image_io.h"
+#include "preprocess/readers/read_points.h"
+#include "preprocess/texture/acquisition/acquire_texture.h"
+#include "preprocess/texture/acquisition/surface_points.h"
 #include "tests/experiments/draw_unlit.h"
 #include "tests/experiments/textured_truth.h"
 

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "common/camera.h"
 #include "common/points.h"
-#include "preprocess/texture/continuous_texture.h"
+#include "common/scene/camera.h"
+#include "preprocess/texture/acquisition/continuous_texture.h"
 #include "tests/experiments/pixel_filter.h"
 
 namespace relief::experiment {

@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "common/compact/compact_codec.h"
-#include "common/compact/height_levels.h"
-#include "common/patch_codec.h"
-#include "common/patch_file.h"
+#include "common/patch_file/compact/compact_codec.h"
+#include "common/patch_file/compact/height_levels.h"
+#include "common/patch_file/fast/patch_codec.h"
+#include "common/patch_file/patch_file.h"
 
 using namespace relief;
 

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "common/bounds.h"
-#include "common/image_io.h"
-#include "preprocess/read_points.h"
+#include "common/image/image_io.h"
+#include "preprocess/readers/read_points.h"
 #include "renderer/render.h"
 #include "tests/experiments/crossing_surfaces.h"
 #include "tests/experiments/picture_error.h"

@@ -1,7 +1,7 @@
 // Fuzzes the reader of OBJ's material files.
 #include <string_view>
 
-#include "preprocess/readers/mtl.h"
+#include "preprocess/readers/obj/mtl.h"
 #include "tests/fuzz/memory_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);  // NOLINT

@@ -1,6 +1,6 @@
 // Fuzzes the patch file of all versions: header, index, tiles, patches and their coarse levels.
-#include "common/patch_file.h"
-#include "common/patch_tree.h"
+#include "common/patch_file/patch_file.h"
+#include "common/patch_file/patch_tree.h"
 #include "tests/fuzz/memory_file.h"
 
 namespace relief::fuzz {

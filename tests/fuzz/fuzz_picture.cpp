@@ -1,5 +1,5 @@
 // Fuzzes the readers of pictures: PNG, JPEG, EXR and Radiance.
-#include "common/image_io.h"
+#include "common/image/image_io.h"
 #include "tests/fuzz/memory_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);  // NOLINT

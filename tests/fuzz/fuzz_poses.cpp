@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "preprocess/scan_poses.h"
+#include "preprocess/readers/scan_poses.h"
 #include "tests/fuzz/memory_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);  // NOLINT

@@ -1,5 +1,5 @@
 // Fuzzes the reader of scene files.
-#include "common/scene.h"
+#include "common/scene/scene.h"
 #include "tests/fuzz/memory_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);  // NOLINT

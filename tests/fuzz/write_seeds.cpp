@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <string>
 
-#include "common/image_formats.h"
-#include "common/patch_file.h"
-#include "tests/common/sample_models.h"
+#include "common/image/image_formats.h"
+#include "common/patch_file/patch_file.h"
+#include "tests/common/patch_file/sample_models.h"
 #include "tests/preprocess/readers/drc_files.h"
 #include "tests/preprocess/readers/gltf_files.h"
 #include "tests/preprocess/readers/scan_files.h"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "preprocess/partition.h"
+#include "preprocess/partition/partition.h"
 
 namespace relief::test {
 

@@ -6,7 +6,7 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/vec3.hpp>
 
-#include "renderer/triangle_mesh.h"
+#include "renderer/geometry/triangle_mesh.h"
 #include "tests/renderer/pictures.h"
 
 namespace relief::test {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "common/srgb.h"
+#include "common/image/srgb.h"
 #include "renderer/render.h"
 #include "tests/renderer/scenes.h"
 

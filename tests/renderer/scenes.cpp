@@ -6,8 +6,8 @@
 #include <glm/matrix.hpp>
 #include <vector>
 
-#include "common/continuation.h"
 #include "common/octahedral.h"
+#include "common/patch_file/continuation.h"
 
 namespace relief::test {
 namespace {

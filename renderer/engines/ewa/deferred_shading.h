@@ -2,8 +2,8 @@
 #pragma once
 
 #include "renderer/engines/ewa/layered_buffer.h"
-#include "renderer/shading.h"
-#include "renderer/view.h"
+#include "renderer/shading/shading.h"
+#include "renderer/view/view.h"
 
 namespace relief::ewa {
 

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "renderer/engines/ewa/resampling_filter.h"
-#include "renderer/view.h"
+#include "renderer/view/view.h"
 
 namespace relief::ewa {
 

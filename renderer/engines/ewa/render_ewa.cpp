@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "renderer/engines/ewa/splatting.h"
-#include "renderer/environment_cache.h"
-#include "renderer/film.h"
-#include "renderer/median.h"
+#include "renderer/frame/film.h"
+#include "renderer/frame/median.h"
 #include "renderer/owned_or_borrowed.h"
-#include "renderer/view.h"
+#include "renderer/shading/environment_cache.h"
+#include "renderer/view/view.h"
 
 namespace relief::ewa {
 namespace {

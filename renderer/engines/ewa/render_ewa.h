@@ -7,9 +7,9 @@
 #include "common/error.h"
 #include "common/progress.h"
 #include "renderer/engines/ewa/splat_hierarchy.h"
-#include "renderer/environment_cache.h"
 #include "renderer/prepared.h"
 #include "renderer/render.h"
+#include "renderer/shading/environment_cache.h"
 
 namespace relief::ewa {
 

@@ -1,7 +1,7 @@
 // What can be chosen about the engine `ewa`.
 #pragma once
 
-#include "common/choices.h"
+#include "common/scene/choices.h"
 
 namespace relief {
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "renderer/splat_cloud.h"
-#include "renderer/view.h"
+#include "renderer/geometry/splat_cloud.h"
+#include "renderer/view/view.h"
 
 namespace relief::ewa {
 

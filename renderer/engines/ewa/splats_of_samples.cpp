@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/srgb.h"
-#include "renderer/materials.h"
-#include "renderer/node_texels.h"
-#include "renderer/patch_normals.h"
+#include "common/image/srgb.h"
+#include "renderer/geometry/node_texels.h"
+#include "renderer/geometry/patch_normals.h"
+#include "renderer/shading/materials.h"
 #include "shaders/include/shared.h"
 
 namespace relief::ewa {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/patch.h"
-#include "renderer/splat_cloud.h"
+#include "renderer/geometry/splat_cloud.h"
 
 namespace relief::ewa {
 

@@ -6,9 +6,9 @@
 #include "common/progress.h"
 #include "renderer/engines/ewa/deferred_shading.h"
 #include "renderer/engines/ewa/settings.h"
-#include "renderer/film.h"
-#include "renderer/splat_cloud.h"
-#include "renderer/view.h"
+#include "renderer/frame/film.h"
+#include "renderer/geometry/splat_cloud.h"
+#include "renderer/view/view.h"
 
 namespace relief::ewa {
 

@@ -4,9 +4,9 @@
 #include <string_view>
 #include <utility>
 
-#include "renderer/attachments.h"
-#include "renderer/draw_list.h"
+#include "renderer/frame/attachments.h"
 #include "renderer/gl/program.h"
+#include "renderer/view/draw_list.h"
 #include "shaders/include/shared.h"
 
 namespace relief::multipass {

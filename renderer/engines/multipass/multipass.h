@@ -8,12 +8,12 @@
 
 #include "common/error.h"
 #include "renderer/engines/multipass/sums.h"
+#include "renderer/frame/gl_image.h"
+#include "renderer/frame/sample_draws.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/gl/pass.h"
-#include "renderer/gl_picture.h"
-#include "renderer/patch_store.h"
-#include "renderer/sample_draws.h"
+#include "renderer/store/patch_store.h"
 
 namespace relief::multipass {
 

@@ -3,12 +3,12 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/engine_cache.h"
 #include "renderer/engines/multipass/multipass.h"
 #include "renderer/engines/multipass/sums.h"
-#include "renderer/features.h"
-#include "renderer/gl_picture.h"
-#include "renderer/materials.h"
+#include "renderer/frame/engine_cache.h"
+#include "renderer/frame/features.h"
+#include "renderer/frame/gl_image.h"
+#include "renderer/shading/materials.h"
 
 namespace relief::multipass {
 namespace {

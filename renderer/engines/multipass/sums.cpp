@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include "renderer/attachments.h"
-#include "renderer/features.h"
+#include "renderer/frame/attachments.h"
+#include "renderer/frame/features.h"
 #include "shaders/include/shared.h"
 
 namespace relief::multipass {

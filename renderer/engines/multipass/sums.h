@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "common/error.h"
+#include "renderer/frame/targets.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
-#include "renderer/targets.h"
 
 namespace relief::multipass {
 

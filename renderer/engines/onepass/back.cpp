@@ -6,9 +6,9 @@
 #include <span>
 #include <utility>
 
-#include "renderer/attachments.h"
-#include "renderer/sample_draws.h"
-#include "renderer/targets.h"
+#include "renderer/frame/attachments.h"
+#include "renderer/frame/sample_draws.h"
+#include "renderer/frame/targets.h"
 #include "shaders/include/shared.h"
 
 namespace relief::onepass {

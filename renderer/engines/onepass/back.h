@@ -8,8 +8,8 @@
 #include "renderer/engines/onepass/visibility.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
-#include "renderer/patch_store.h"
-#include "renderer/view.h"
+#include "renderer/store/patch_store.h"
+#include "renderer/view/view.h"
 
 namespace relief::onepass {
 

@@ -3,8 +3,8 @@
 #include <cassert>
 #include <span>
 
-#include "renderer/draw_list.h"
 #include "renderer/engines/onepass/cell_list.h"
+#include "renderer/view/draw_list.h"
 #include "shaders/include/shared.h"
 
 namespace relief::onepass {

@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/cell_store.h"
 #include "renderer/engines/onepass/programs.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
-#include "renderer/sides.h"
+#include "renderer/store/cell_store.h"
+#include "renderer/view/cull_mode.h"
 
 namespace relief::onepass {
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "renderer/cell_store.h"
-#include "renderer/draw_list.h"
-#include "renderer/view.h"
+#include "renderer/store/cell_store.h"
+#include "renderer/view/draw_list.h"
+#include "renderer/view/view.h"
 
 namespace relief::onepass {
 

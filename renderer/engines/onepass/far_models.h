@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "renderer/draw_list.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
-#include "renderer/patch_store.h"
-#include "renderer/view.h"
+#include "renderer/store/patch_store.h"
+#include "renderer/view/draw_list.h"
+#include "renderer/view/view.h"
 
 namespace relief::onepass {
 

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "renderer/features.h"
-#include "renderer/materials.h"
+#include "renderer/frame/features.h"
+#include "renderer/shading/materials.h"
 
 namespace relief::onepass {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "renderer/attachments.h"
+#include "renderer/frame/attachments.h"
 #include "shaders/include/shared.h"
 
 namespace relief::onepass {

@@ -6,9 +6,9 @@
 
 #include "common/error.h"
 #include "renderer/engines/onepass/visibility.h"
+#include "renderer/frame/targets.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
-#include "renderer/targets.h"
 
 namespace relief::onepass {
 

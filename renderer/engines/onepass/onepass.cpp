@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/draw_list.h"
 #include "renderer/engines/onepass/far_models.h"
+#include "renderer/view/draw_list.h"
 #include "shaders/include/shared.h"
 
 namespace relief::onepass {

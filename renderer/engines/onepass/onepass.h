@@ -7,20 +7,20 @@
 #include <vector>
 
 #include "common/error.h"
-#include "renderer/draw_list.h"
 #include "renderer/engines/onepass/back.h"
 #include "renderer/engines/onepass/cell_draws.h"
 #include "renderer/engines/onepass/cell_list.h"
 #include "renderer/engines/onepass/layers.h"
 #include "renderer/engines/onepass/programs.h"
 #include "renderer/engines/onepass/visibility.h"
+#include "renderer/frame/gl_image.h"
+#include "renderer/frame/sample_draws.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/gl/pass.h"
-#include "renderer/gl_picture.h"
-#include "renderer/patch_store.h"
-#include "renderer/sample_draws.h"
-#include "renderer/view.h"
+#include "renderer/store/patch_store.h"
+#include "renderer/view/draw_list.h"
+#include "renderer/view/view.h"
 
 namespace relief::onepass {
 

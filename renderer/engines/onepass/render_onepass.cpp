@@ -4,11 +4,11 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/engine_cache.h"
 #include "renderer/engines/onepass/features.h"
 #include "renderer/engines/onepass/onepass.h"
-#include "renderer/gl_picture.h"
-#include "renderer/materials.h"
+#include "renderer/frame/engine_cache.h"
+#include "renderer/frame/gl_image.h"
+#include "renderer/shading/materials.h"
 
 namespace relief::onepass {
 namespace {

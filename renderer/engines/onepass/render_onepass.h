@@ -6,8 +6,8 @@
 
 #include "common/error.h"
 #include "common/patch.h"
-#include "renderer/gl_engine.h"
-#include "renderer/open_gl.h"
+#include "renderer/frame/gl_engine.h"
+#include "renderer/gl/open_gl.h"
 #include "renderer/render.h"
 
 namespace relief::onepass {

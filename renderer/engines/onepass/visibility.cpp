@@ -3,7 +3,7 @@
 #include <optional>
 #include <utility>
 
-#include "renderer/attachments.h"
+#include "renderer/frame/attachments.h"
 #include "shaders/include/shared.h"
 
 namespace relief::onepass {

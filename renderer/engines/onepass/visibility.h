@@ -8,7 +8,7 @@
 #include "common/error.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
-#include "renderer/patch_store.h"
+#include "renderer/store/patch_store.h"
 
 namespace relief::onepass {
 

@@ -3,10 +3,10 @@
 
 #include <glm/vec3.hpp>
 
-#include "common/material.h"
-#include "renderer/cube_map.h"
+#include "common/scene/material.h"
 #include "renderer/engines/raytrace/embree_scene.h"
-#include "renderer/triangle_mesh.h"
+#include "renderer/geometry/triangle_mesh.h"
+#include "renderer/shading/cube_map.h"
 
 namespace relief::raytrace {
 

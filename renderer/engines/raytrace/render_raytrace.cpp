@@ -12,11 +12,11 @@
 #include "renderer/engines/raytrace/embree_scene.h"
 #include "renderer/engines/raytrace/sampling.h"
 #include "renderer/engines/raytrace/tracer.h"
-#include "renderer/environment_cache.h"
-#include "renderer/film.h"
-#include "renderer/materials.h"
-#include "renderer/median.h"
+#include "renderer/frame/film.h"
+#include "renderer/frame/median.h"
 #include "renderer/owned_or_borrowed.h"
+#include "renderer/shading/environment_cache.h"
+#include "renderer/shading/materials.h"
 
 namespace relief::raytrace {
 namespace {

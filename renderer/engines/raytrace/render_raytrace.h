@@ -3,8 +3,8 @@
 
 #include <memory>
 
+#include "renderer/geometry/triangle_mesh.h"
 #include "renderer/prepared.h"
-#include "renderer/triangle_mesh.h"
 
 namespace relief::raytrace {
 

@@ -5,9 +5,9 @@
 #include <glm/geometric.hpp>
 #include <iterator>
 
-#include "common/mesh_tangents.h"
-#include "common/mesh_texture.h"
-#include "common/normal_texture.h"
+#include "common/mesh/mesh_tangents.h"
+#include "common/mesh/mesh_texture.h"
+#include "common/mesh/normal_texture.h"
 #include "shaders/include/shared.h"
 
 namespace relief::raytrace {

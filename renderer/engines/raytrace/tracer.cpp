@@ -10,7 +10,7 @@
 #include "renderer/append.h"
 #include "renderer/engines/raytrace/glass_path.h"
 #include "renderer/engines/raytrace/surface.h"
-#include "renderer/materials.h"
+#include "renderer/shading/materials.h"
 #include "shaders/include/shading.h"
 
 namespace relief::raytrace {

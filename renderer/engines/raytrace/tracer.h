@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "renderer/engines/raytrace/embree_scene.h"
-#include "renderer/film.h"
-#include "renderer/shading.h"
-#include "renderer/triangle_mesh.h"
-#include "renderer/view.h"
+#include "renderer/frame/film.h"
+#include "renderer/geometry/triangle_mesh.h"
+#include "renderer/shading/shading.h"
+#include "renderer/view/view.h"
 
 namespace relief::raytrace {
 

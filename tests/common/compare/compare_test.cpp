@@ -9,7 +9,7 @@
 #include <random>
 
 #include "common/compare/heatmap.h"
-#include "common/srgb.h"
+#include "common/image/srgb.h"
 #include "tests/common/compare/pictures.h"
 
 namespace relief {

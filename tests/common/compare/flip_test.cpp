@@ -11,7 +11,7 @@
 
 #include "common/compare/flip_filters.h"
 #include "common/compare/tone_mapping.h"
-#include "common/srgb.h"
+#include "common/image/srgb.h"
 #include "tests/common/compare/pictures.h"
 
 namespace relief {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "common/compare/compare.h"
-#include "common/image.h"
+#include "common/image/image.h"
 
 namespace relief::test {
 

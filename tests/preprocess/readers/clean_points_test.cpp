@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "preprocess/read_points.h"
+#include "preprocess/readers/read_points.h"
 
 namespace relief::test {
 namespace {

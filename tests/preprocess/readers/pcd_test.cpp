@@ -1,4 +1,4 @@
-#include "preprocess/readers/lzf.h"
+#include "preprocess/readers/pcd/lzf.h"
 #include "tests/preprocess/readers/scan_files.h"
 
 namespace relief::test {

@@ -1,4 +1,4 @@
-#include "preprocess/texture/acquire_texture.h"
+#include "preprocess/texture/acquisition/acquire_texture.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -1,4 +1,4 @@
-#include "preprocess/texture/continuous_texture.h"
+#include "preprocess/texture/acquisition/continuous_texture.h"
 
 #include <gtest/gtest.h>
 

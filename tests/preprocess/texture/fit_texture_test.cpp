@@ -1,4 +1,4 @@
-#include "preprocess/texture/fit_texture.h"
+#include "preprocess/texture/acquisition/fit_texture.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "preprocess/texture/even_sample.h"
-#include "preprocess/texture/splat_basis.h"
+#include "preprocess/texture/acquisition/even_sample.h"
+#include "preprocess/texture/acquisition/splat_basis.h"
 #include "tests/preprocess/texture/textures.h"
 
 namespace relief::test {

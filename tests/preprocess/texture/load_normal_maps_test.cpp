@@ -1,16 +1,16 @@
 // Normal maps that the material files of OBJ meshes name.
-#include "preprocess/texture/load_normal_maps.h"
+#include "preprocess/texture/files/load_normal_maps.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <fstream>
 
-#include "common/image_io.h"
-#include "common/normal_texture.h"
-#include "common/srgb.h"
-#include "preprocess/read_points.h"
-#include "preprocess/texture/load_textures.h"
+#include "common/image/image_io.h"
+#include "common/image/srgb.h"
+#include "common/mesh/normal_texture.h"
+#include "preprocess/readers/read_points.h"
+#include "preprocess/texture/files/load_textures.h"
 
 namespace relief {
 namespace {

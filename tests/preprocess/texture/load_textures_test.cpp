@@ -1,15 +1,15 @@
 // OBJ meshes with their material files and pictures.
-#include "preprocess/texture/load_textures.h"
+#include "preprocess/texture/files/load_textures.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <fstream>
 
-#include "common/image_io.h"
-#include "common/mesh_texture.h"
-#include "common/srgb.h"
-#include "preprocess/read_points.h"
+#include "common/image/image_io.h"
+#include "common/image/srgb.h"
+#include "common/mesh/mesh_texture.h"
+#include "preprocess/readers/read_points.h"
 
 namespace relief {
 namespace {

@@ -1,5 +1,5 @@
 // Normals of samples that are those of the mesh.
-#include "preprocess/texture/node_normals.h"
+#include "preprocess/texture/maps/node_normals.h"
 
 #include <gtest/gtest.h>
 

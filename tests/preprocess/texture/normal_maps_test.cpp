@@ -1,5 +1,5 @@
 // Normal maps of patches that were made of meshes with normal maps.
-#include "preprocess/texture/normal_maps.h"
+#include "preprocess/texture/maps/normal_maps.h"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +8,11 @@
 #include <glm/geometric.hpp>
 #include <memory>
 
-#include "common/normal_texture.h"
+#include "common/image/srgb.h"
+#include "common/mesh/normal_texture.h"
 #include "common/octahedral.h"
-#include "common/srgb.h"
 #include "preprocess/convert.h"
-#include "preprocess/texture/texture_maps.h"
+#include "preprocess/texture/maps/texture_maps.h"
 
 namespace relief {
 namespace {

@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "preprocess/texture/even_sample.h"
-#include "preprocess/texture/surface_points.h"
+#include "preprocess/texture/acquisition/even_sample.h"
+#include "preprocess/texture/acquisition/surface_points.h"
 #include "tests/preprocess/texture/textures.h"
 
 namespace relief::test {

@@ -1,4 +1,4 @@
-#include "preprocess/texture/solve_spd.h"
+#include "preprocess/texture/acquisition/solve_spd.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // Colour maps of patches that were made of textured meshes.
-#include "preprocess/texture/texture_maps.h"
+#include "preprocess/texture/maps/texture_maps.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <memory>
 
-#include "common/mesh_texture.h"
-#include "common/srgb.h"
+#include "common/image/srgb.h"
+#include "common/mesh/mesh_texture.h"
 #include "preprocess/convert.h"
 
 namespace relief {

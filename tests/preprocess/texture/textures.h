@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "common/image.h"
+#include "common/image/image.h"
 #include "common/points.h"
 
 namespace relief::test {

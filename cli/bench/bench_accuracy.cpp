@@ -1,0 +1,115 @@
+#include "cli/bench/bench_accuracy.h"
+
+#include <utility>
+
+#include "common/compare/compare.h"
+
+namespace relief::cli {
+namespace {
+
+constexpr int kMirrorSamples = 16;
+
+/// What coverage is found by, also where the model fills the picture (common/compare/coverage.h).
+constexpr Outputs kOutputs{.depth = true};
+
+/// The settings of a picture that is compared.
+RenderSettings compared(const RenderSettings& row, Material material) {
+  RenderSettings settings = row;
+  settings.material = material;
+  settings.outputs = kOutputs;
+  settings.frames = 1;
+  return settings;
+}
+
+RenderSettings truth_of(const RenderSettings& row, Material material) {
+  RenderSettings settings = compared(row, material);
+  settings.engine = EngineKind::Raytrace;
+  settings.raytrace.samples = material == Material::Mirror ? kMirrorSamples : 1;
+  return settings;
+}
+
+std::optional<double> value_of(const Result<double>& measured) {
+  return measured ? std::optional<double>(*measured) : std::nullopt;
+}
+
+/// The truth in a material.
+Result<Image> trace(const BenchWay& row, const TriangleMesh* mesh, Material material,
+                    Progress& progress) {
+  const RenderSettings traced = truth_of(row.settings, material);
+  Image truth;
+  const Status done = render_views(
+      {row.patches, mesh, nullptr}, {&traced, 1},
+      [&truth](std::size_t /*view*/, RenderResult picture) {
+        truth = std::move(picture.image);
+        return Status();
+      },
+      progress);
+  if (!done) return done.error();
+  return truth;
+}
+
+/// The rows from `first` on that draw the same model.
+std::vector<RenderSettings> rows_of_model(const std::vector<BenchWay>& rows, std::size_t first,
+                                          Material material) {
+  std::vector<RenderSettings> pictures;
+  for (std::size_t k = first; k < rows.size() && rows[k].patches == rows[first].patches; ++k)
+    pictures.push_back(compared(rows[k].settings, material));
+  return pictures;
+}
+
+/// The rows in one material.
+Result<std::vector<Comparison>> compare_in(Material material, const std::vector<BenchWay>& rows,
+                                           const TriangleMesh* mesh, Progress& progress) {
+  const auto truth = trace(rows.front(), mesh, material, progress);
+  if (!truth) return truth.error();
+  std::vector<std::optional<Comparison>> found(rows.size());
+  const FlipOptions options{FlipRange::Ldr, kFlipPixelsPerDegree};
+  Progress silent;
+  for (std::size_t first = 0; first < rows.size();) {
+    const std::vector<RenderSettings> pictures = rows_of_model(rows, first, material);
+    const Status drawn = render_views(
+        {rows[first].patches, nullptr, nullptr}, pictures,
+        [&](std::size_t row, RenderResult picture) -> Status {
+          auto comparison = compare_images(picture.image, *truth, options, silent);
+          if (!comparison) return comparison.error();
+          comparison->flip.map = {};  // as large as the picture
+          found[first + row] = std::move(*comparison);
+          return {};
+        },
+        progress);
+    if (!drawn) return drawn.error();
+    first += pictures.size();
+  }
+  std::vector<Comparison> all;
+  all.reserve(found.size());
+  for (auto& comparison : found) all.push_back(std::move(*comparison));
+  return all;
+}
+
+}  // namespace
+
+Result<std::vector<RowAccuracy>> measure_accuracy(const std::vector<BenchWay>& rows,
+                                                  const TriangleMesh* mesh, Progress& progress) {
+  const Material material = rows.front().settings.material;
+  const auto seen = compare_in(material, rows, mesh, progress);
+  if (!seen) return seen.error();
+  const auto mirrors =
+      material == Material::Mirror ? seen : compare_in(Material::Mirror, rows, mesh, progress);
+  if (!mirrors) return mirrors.error();
+  std::vector<RowAccuracy> all;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const Comparison& own = (*seen)[row];
+    const Comparison& mirror = (*mirrors)[row];
+    RowAccuracy accuracy;
+    accuracy.psnr_db = own.psnr_db;
+    accuracy.psnr_covered_db = value_of(own.psnr_covered_db);
+    accuracy.psnr_mirror_db = mirror.psnr_db;
+    accuracy.psnr_mirror_covered_db = value_of(mirror.psnr_covered_db);
+    accuracy.flip_mean = own.flip.mean;
+    if (own.coverage) accuracy.holes = own.coverage->holes;
+    all.push_back(accuracy);
+  }
+  return all;
+}
+
+}  // namespace relief::cli

@@ -1,0 +1,130 @@
+#include "cli/options/values.h"
+
+#include <CLI/Error.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "common/image/srgb.h"
+
+namespace relief::cli {
+namespace {
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t at = text.find(separator); at != std::string_view::npos;
+       at = text.find(separator)) {
+    parts.push_back(text.substr(0, at));
+    text.remove_prefix(at + 1);
+  }
+  parts.push_back(text);
+  return parts;
+}
+
+template <class Number>
+std::optional<Number> parse_as(std::string_view text) {
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  Number value{};
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return value;
+}
+
+/// The numbers of a comma-separated list, or nothing if one is none or not finite.
+std::vector<double> parse_numbers(std::string_view text) {
+  std::vector<double> numbers;
+  for (const std::string_view part : split(text, ',')) {
+    const auto number = parse_number(part);
+    if (!number) return {};
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+}  // namespace
+
+std::optional<double> parse_number(std::string_view text) {
+  const auto number = parse_as<double>(text);
+  return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+PictureSize parse_size(const std::string& text) {
+  const auto parts = split(text, 'x');
+  if (parts.size() == 2) {
+    const auto width = parse_as<std::uint32_t>(parts[0]);
+    const auto height = parse_as<std::uint32_t>(parts[1]);
+    if (width && height && *width >= 1 && *width <= kMaxPictureSide && *height >= 1 &&
+        *height <= kMaxPictureSide) {
+      return {*width, *height};
+    }
+  }
+  throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, each 1 to 32768, as in 1280x1024");
+}
+
+Orbit parse_orbit(const std::string& text) {
+  const auto numbers = parse_numbers(text);
+  if (numbers.size() == 2) return {numbers[0], numbers[1], 0.0};
+  if (numbers.size() == 3 && numbers[2] > 0.0) return {numbers[0], numbers[1], numbers[2]};
+  throw CLI::ValidationError(
+      "--orbit", "expected AZIMUTH,ELEVATION[,DISTANCE] with DISTANCE above 0, as in 30,20,1.5");
+}
+
+OrthographicSize parse_orthographic(const std::string& text) {
+  if (text == "fit") return {};
+  const auto height = parse_number(text);
+  if (height && *height >= kOrthographicHeights.least && *height <= kOrthographicHeights.most)
+    return {height};
+  throw CLI::ValidationError("--orthographic",
+                             "expected the picture's height in the model's coordinates, above 0, "
+                             "or fit; found " +
+                                 text);
+}
+
+glm::dvec3 parse_vector(const std::string& text) {
+  const auto numbers = parse_numbers(text);
+  if (numbers.size() != 3) throw CLI::ValidationError("expected X,Y,Z, as in 0,1,0; found " + text);
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+Background parse_background(const std::string& text) {
+  if (text == "none") return {};
+  const auto numbers = parse_numbers(text);
+  const auto in_range = [](double n) { return n >= 0.0 && n <= 1.0; };
+  if (numbers.size() != 3 || !std::all_of(numbers.begin(), numbers.end(), in_range)) {
+    throw CLI::ValidationError("--background",
+                               "expected R,G,B, sRGB values from 0 to 1 as in 1,1,1, or none");
+  }
+  const auto linear = [](double n) { return linear_from_srgb(static_cast<float>(n)); };
+  return {glm::vec3(linear(numbers[0]), linear(numbers[1]), linear(numbers[2]))};
+}
+
+glm::vec3 parse_absorption(const std::string& text) {
+  const auto numbers = parse_numbers(text);
+  const auto in_range = [](double n) { return n >= kAbsorptions.least && n <= kAbsorptions.most; };
+  if (numbers.size() != 3 || !std::all_of(numbers.begin(), numbers.end(), in_range)) {
+    throw CLI::ValidationError("--absorption",
+                               "expected R,G,B, exponents from 0 to 100 as in 2,0.5,0.3");
+  }
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+Outputs parse_outputs(const std::string& text) {
+  Outputs outputs;
+  for (const std::string_view name : split(text, ',')) {
+    if (name == "all") {
+      outputs = {true, true, true, true};
+    } else if (name != "color" && !add_output(outputs, name)) {
+      throw CLI::ValidationError(
+          "--outputs",
+          "expected all, colour, or some of normal,depth,uv,patch; found " + std::string(name));
+    }
+  }
+  return outputs;
+}
+
+}  // namespace relief::cli

@@ -1,0 +1,39 @@
+// Option values that are more than one number, parsed from the command line. What is wrong with a
+// value is thrown as CLI::ValidationError, which CLI11 turns into a message and exit code 2.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <string>
+#include <string_view>
+
+#include "common/scene/camera.h"
+#include "common/scene/choices.h"
+#include "common/scene/scene.h"
+
+namespace relief::cli {
+
+/// "WxH", each 1 to 32768.
+[[nodiscard]] PictureSize parse_size(const std::string& text);
+
+/// A finite number, or nothing.
+[[nodiscard]] std::optional<double> parse_number(std::string_view text);
+
+/// "AZ,EL" or "AZ,EL,DIST": degrees, and bounding-sphere radii above 0.
+[[nodiscard]] Orbit parse_orbit(const std::string& text);
+
+/// "fit", or a height above 0.
+[[nodiscard]] OrthographicSize parse_orthographic(const std::string& text);
+
+/// "X,Y,Z", finite.
+[[nodiscard]] glm::dvec3 parse_vector(const std::string& text);
+
+/// "R,G,B", sRGB values in [0, 1], as linear RGB; or "none".
+[[nodiscard]] Background parse_background(const std::string& text);
+
+/// "R,G,B", exponents from 0 to 100.
+[[nodiscard]] glm::vec3 parse_absorption(const std::string& text);
+
+/// "all", "colour", or names of normal, depth, uv, patch, separated by commas.
+[[nodiscard]] Outputs parse_outputs(const std::string& text);
+
+}  // namespace relief::cli

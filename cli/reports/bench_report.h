@@ -1,0 +1,44 @@
+// What `relief bench` tells.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/bench/bench_accuracy.h"
+#include "renderer/bench/bench.h"
+
+namespace relief::cli {
+
+/// All that was measured. The vectors run parallel.
+struct BenchResult {
+  std::string scene;
+  std::string view;  ///< its name in a scene file, or empty
+  std::vector<RenderSettings> rows;
+  std::string swept;                                ///< what --sweep varies, or empty
+  std::vector<std::optional<double>> swept_values;  ///< of the rows; nothing: as converted unasked
+  std::vector<std::uint64_t> samples;               ///< of the rows' models
+  std::size_t reference = 0;                        ///< the row whose covered pixels the bound has
+  int frames = 0;
+  int warm_up = 0;
+  std::optional<std::uint64_t> mesh_triangles;  ///< of the input, if it has faces
+  BenchReport times;
+  std::vector<RowAccuracy> accuracy;
+};
+
+/// The name of a row: "onepass quad corrected", "multipass sprite 2", with what is swept "onepass
+/// quad corrected, spacing 0.01".
+[[nodiscard]] std::string name_of_row(const BenchResult& result, std::size_t row);
+
+/// Whether a row is what `relief render` does unasked, with a scan as it is converted unasked.
+[[nodiscard]] bool is_default_row(const BenchResult& result, std::size_t row);
+
+/// The keys of DESIGN.md's `bench`, ratios, and what was asked for.
+[[nodiscard]] nlohmann::ordered_json as_json(const BenchResult& result);
+
+/// A table for a person, the default row marked by a star.
+[[nodiscard]] std::string as_text(const BenchResult& result);
+
+}  // namespace relief::cli

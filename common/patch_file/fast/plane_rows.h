@@ -1,0 +1,21 @@
+// Undoing the prediction by planes of codec 1 (prediction.h) many nodes at a time.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "common/patch_file/fast/prediction.h"
+
+namespace relief {
+
+/// Differences behind the last one that undo_plane may read.
+inline constexpr std::size_t kDifferencePadding = 8;
+
+/// Sets each kept value from its difference (residuals.h: what unzigzag gives) to what
+/// predict_plane says, modulo 2^16, and all others to `hole`. `differences` are as many as there
+/// are kept nodes, and kDifferencePadding more. Tells whether a kept value is 65535.
+bool undo_plane(const KeptGrid& grid, std::span<const std::uint16_t> differences, std::int32_t hole,
+                std::span<std::int32_t> values);
+
+}  // namespace relief

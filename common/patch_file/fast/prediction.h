@@ -1,0 +1,114 @@
+// Predicting integers on a grid with holes from the neighbours that a decoder already has.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/patch_file/fast/residuals.h"
+
+namespace relief {
+
+/// A row-major grid of integers of which some are kept (1) and the others are holes (0).
+struct KeptGrid {
+  std::size_t width = 0;
+  std::size_t height = 0;
+  std::span<const std::uint8_t> kept;
+};
+
+/// The neighbours of a node that come before it in scan order. A value without its flag is 0.
+struct Neighbours {
+  bool west = false;
+  bool north = false;
+  bool north_west = false;
+  bool north_east = false;
+  std::int32_t w = 0;
+  std::int32_t n = 0;
+  std::int32_t nw = 0;
+  std::int32_t ne = 0;
+};
+
+/// The plane through three neighbours, or the nearest neighbour, or `last` (the value kept last).
+[[nodiscard]] inline std::int32_t predict_plane(const Neighbours& at, std::int32_t last) {
+  if (at.west && at.north && at.north_west) return at.w + at.n - at.nw;
+  if (at.west) return at.w;
+  if (at.north) return at.n;
+  if (at.north_west) return at.nw;
+  return at.north_east ? at.ne : last;
+}
+
+/// The mean of the western and the northern neighbour, rounded toward zero; for what varies little
+/// about zero and has no slope to continue.
+[[nodiscard]] inline std::int32_t predict_mean(const Neighbours& at, std::int32_t /*last*/) {
+  if (at.west && at.north) return (at.w + at.n) / 2;
+  return at.w + at.n;
+}
+
+/// The median of the western value, the northern one and the plane through both and the one between
+/// (as JPEG-LS does, ITU-T T.87: an edge is not continued beyond what is on either side); as
+/// predict_plane where they are not all there.
+[[nodiscard]] inline std::int32_t predict_median(const Neighbours& at, std::int32_t last) {
+  const std::int32_t plane = predict_plane(at, last);
+  if (!(at.west && at.north && at.north_west)) return plane;
+  return std::clamp(plane, std::min(at.w, at.n), std::max(at.w, at.n));
+}
+
+/// The neighbours of node k, which stands in column i. Reads `values` at kept nodes before k alone.
+[[nodiscard]] inline Neighbours neighbours_at(const KeptGrid& grid,
+                                              std::span<const std::int32_t> values, std::size_t i,
+                                              std::size_t k) {
+  const std::size_t width = grid.width;
+  Neighbours at;
+  at.west = i > 0 && grid.kept[k - 1] != 0;
+  if (at.west) at.w = values[k - 1];
+  if (k >= width) {
+    at.north = grid.kept[k - width] != 0;
+    at.north_west = i > 0 && grid.kept[k - width - 1] != 0;
+    at.north_east = i + 1 < width && grid.kept[k - width + 1] != 0;
+    if (at.north) at.n = values[k - width];
+    if (at.north_west) at.nw = values[k - width - 1];
+    if (at.north_east) at.ne = values[k - width + 1];
+  }
+  return at;
+}
+
+/// Calls `visit(k, prediction)` for each kept node k in scan order; it returns the value there.
+/// Reads `values` only at kept nodes that were visited before.
+template <class Predict, class Visit>
+void visit_predicted(const KeptGrid& grid, std::span<const std::int32_t> values,
+                     const Predict& predict, const Visit& visit) {
+  std::int32_t last = 0;
+  std::size_t k = 0;
+  for (std::size_t j = 0; j < grid.height; ++j) {
+    for (std::size_t i = 0; i < grid.width; ++i, ++k) {
+      if (grid.kept[k] != 0) last = visit(k, predict(neighbours_at(grid, values, i, k), last));
+    }
+  }
+}
+
+/// Appends the residual of each kept value, modulo 2^16.
+template <class Predict>
+void append_predicted(const KeptGrid& grid, std::span<const std::int32_t> values,
+                      const Predict& predict, std::vector<std::uint16_t>& residuals) {
+  visit_predicted(grid, values, predict, [&](std::size_t k, std::int32_t prediction) {
+    residuals.push_back(zigzag(static_cast<std::uint16_t>(values[k] - prediction)));
+    return values[k];
+  });
+}
+
+/// The inverse of append_predicted: sets each kept value to what `from_bits` makes of its 16 bits.
+/// `residuals` are as many as there are kept nodes.
+template <class Predict, class FromBits>
+void undo_predicted(const KeptGrid& grid, std::span<const std::uint16_t> residuals,
+                    const Predict& predict, const FromBits& from_bits,
+                    std::span<std::int32_t> values) {
+  auto residual = residuals.begin();
+  visit_predicted(grid, values, predict, [&](std::size_t k, std::int32_t prediction) {
+    values[k] = from_bits(static_cast<std::uint16_t>(prediction + unzigzag(*residual++)));
+    return values[k];
+  });
+}
+
+}  // namespace relief

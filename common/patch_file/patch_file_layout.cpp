@@ -1,0 +1,258 @@
+#include "common/patch_file/patch_file_layout.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <utility>
+
+#include "common/io/file.h"
+#include "common/io/vector_bytes.h"
+#include "common/patch_file/compact/compact_index.h"
+#include "common/patch_file/plain_index.h"
+
+namespace relief {
+namespace {
+
+// As in PNG: a byte above 127 and both line endings show a transfer that changed them.
+constexpr std::array<std::uint8_t, 8> kMagic{0x89, 'R', 'L', 'F', '\r', '\n', 0x1A, '\n'};
+
+/// How far the axes may be from orthonormal: rounding of a double rotation is near 1e-16, a
+/// matrix that was ever kept as floats near 1e-7.
+constexpr double kAxesTolerance = 1e-6;
+
+bool is_finite(const glm::dvec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+bool is_positive(double value) {
+  return std::isfinite(value) && value > 0.0;
+}
+
+bool is_rotation(const glm::dmat3& axes) {
+  const glm::dmat3 product = glm::transpose(axes) * axes;
+  for (glm::length_t c = 0; c < 3; ++c) {
+    for (glm::length_t r = 0; r < 3; ++r) {
+      // Negated so that NaN is found too.
+      if (!(std::abs(product[c][r] - (c == r ? 1.0 : 0.0)) <= kAxesTolerance)) return false;
+    }
+  }
+  return glm::determinant(axes) > 0.0;
+}
+
+/// Whether the index may have that many bytes; what comes after it relies on that.
+bool index_fits(const FileHeader& header, std::uint64_t bytes) {
+  if (header.version == kTreeVersion)
+    return bytes == header.chunks * std::uint64_t{kTileRecordBytes};
+  if (header.version == kCompactVersion) {
+    return header.patches <= bytes / kLeastCompactRecord && header.chunks <= 3ULL * header.patches;
+  }
+  return bytes == header.patches * std::uint64_t{kPatchRecordBytes} +
+                      header.chunks * std::uint64_t{kChunkRecordBytes};
+}
+
+}  // namespace
+
+std::uint32_t crc32(std::span<const std::byte> bytes) {
+  // In pieces, as zlib counts bytes in 32 bits.
+  constexpr std::size_t kPiece = std::size_t{1} << 30U;
+  uLong sum = 0;
+  for (; !bytes.empty(); bytes = bytes.subspan(std::min(bytes.size(), kPiece))) {
+    // zlib's Byte is unsigned char, as which any object may be read.
+    sum = ::crc32(sum, reinterpret_cast<const Bytef*>(bytes.data()),
+                  static_cast<uInt>(std::min(bytes.size(), kPiece)));
+  }
+  return static_cast<std::uint32_t>(sum);
+}
+
+bool has_checksum([[maybe_unused]] std::span<const std::byte> bytes,
+                  [[maybe_unused]] std::uint32_t checksum) {
+#ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
+  return true;
+#else
+  return crc32(bytes) == checksum;
+#endif
+}
+
+Bounds box_of(const PatchSummary& patch) {
+  Bounds box;
+  for (const double i : {0.0, patch.width - 1.0}) {
+    for (const double j : {0.0, patch.height - 1.0}) {
+      for (const std::uint16_t h : {patch.min_height, patch.max_height}) {
+        extend(box, patch.origin + patch.axes * glm::dvec3(i * patch.spacing, j * patch.spacing,
+                                                           h * patch.height_step));
+      }
+    }
+  }
+  return box;
+}
+
+std::string find_fault(const PatchSummary& patch) {
+  if (!is_finite(patch.origin)) return "its origin is not finite";
+  if (!is_rotation(patch.axes)) return "its axes are no rotation";
+  if (!is_positive(patch.spacing)) return "its spacing is not above 0";
+  if (!is_positive(patch.height_step)) return "its height step is not above 0";
+  // Heights are 65534 steps at most: beyond these ratios a patch is a plane or a needle, and sums
+  // of its slopes leave double precision.
+  const double steps_per_cell = patch.spacing / patch.height_step;
+  if (!(steps_per_cell >= 1e-6 && steps_per_cell <= 1e9)) {
+    return "its height step does not go with its spacing";
+  }
+  if (patch.width == 0 || patch.height == 0 || patch.width > kMaxPatchSide ||
+      patch.height > kMaxPatchSide) {
+    return fmt::format("its size {}x{} is not within 1x1 to {}x{} nodes", patch.width, patch.height,
+                       kMaxPatchSide, kMaxPatchSide);
+  }
+  if (patch.samples > std::uint64_t{patch.width} * patch.height) {
+    return fmt::format("it has {} samples on {}x{} nodes", patch.samples, patch.width,
+                       patch.height);
+  }
+  if (patch.min_height > patch.max_height || patch.max_height > kMaxHeightRange) {
+    return fmt::format("its heights {} to {} are not within 0 to {}", patch.min_height,
+                       patch.max_height, kMaxHeightRange);
+  }
+  if (!(patch.cone_cosine >= -1.0F && patch.cone_cosine <= 1.0F)) {
+    return "its normal cone is none";
+  }
+  return {};
+}
+
+std::string find_fault(double spacing, const Bounds& bounds, double bounding_radius) {
+  if (!std::isfinite(spacing) || spacing < 0.0) return "its spacing is negative or not finite";
+  if (!std::isfinite(bounding_radius) || bounding_radius < 0.0) {
+    return "its bounding radius is negative or not finite";
+  }
+  if (!is_finite(bounds.min) || !is_finite(bounds.max)) return "its bounds are not finite";
+  if (!bounds.empty() && (bounds.min.y > bounds.max.y || bounds.min.z > bounds.max.z)) {
+    return "its bounds are inside out";
+  }
+  return {};
+}
+
+std::vector<std::byte> write_header(const FileHeader& header) {
+  std::vector<std::byte> out;
+  for (const std::uint8_t byte : kMagic) append_number(out, byte);
+  append_number(out, header.version);
+  append_number(out, static_cast<std::uint32_t>(kHeaderBytes));
+  append_number(out, header.file_bytes);
+  append_number(out, header.index_offset);
+  append_number(out, header.patches);
+  append_number(out, header.chunks);
+  append_number(out, header.samples);
+  append_number(out, header.spacing);
+  append_vector(out, header.bounds.min);
+  append_vector(out, header.bounds.max);
+  append_number(out, header.bounding_radius);
+  append_number(out, header.is_closed ? kClosedFlag : std::uint64_t{0});
+  append_number(out, header.index_checksum);
+  append_number(out, crc32(out));
+  assert(out.size() == kHeaderBytes && "the header has the size that the format says");
+  return out;
+}
+
+std::vector<std::byte> write_index(const FileIndex& index, const FileHeader& header) {
+  if (header.version == kCompactVersion) return write_compact_index(index, header);
+  return write_plain_index(index);
+}
+
+Result<FileHeader> parse_header(std::span<const std::byte> bytes, std::uint64_t file_bytes,
+                                const std::string& name) {
+  ByteReader in(bytes);
+  for (const std::uint8_t expected : kMagic) {
+    if (in.left() == 0 || in.take<std::uint8_t>() != expected) {
+      return make_error("{}: is no .relief patch file", name);
+    }
+  }
+  if (in.left() < 4) return make_error("{}: the file is truncated within its header", name);
+  const auto version = in.take<std::uint32_t>();
+  if (version > kTreeVersion) {
+    return make_error(
+        "{}: patch file version {}; this program reads versions 1 to {}; get a newer relief", name,
+        version, kTreeVersion);
+  }
+  if (bytes.size() < kHeaderBytes) {
+    return make_error("{}: the file is truncated within its header", name);
+  }
+  ByteReader last(bytes.subspan(kHeaderBytes - 4));
+  if (version == 0 || in.take<std::uint32_t>() != kHeaderBytes ||
+      !has_checksum(bytes.first(kHeaderBytes - 4), last.take<std::uint32_t>())) {
+    return make_error("{}: the header's checksum is wrong; the file is damaged", name);
+  }
+
+  FileHeader header;
+  header.version = version;
+  header.file_bytes = in.take<std::uint64_t>();
+  header.index_offset = in.take<std::uint64_t>();
+  header.patches = in.take<std::uint32_t>();
+  header.chunks = in.take<std::uint32_t>();
+  header.samples = in.take<std::uint64_t>();
+  header.spacing = in.take<double>();
+  header.bounds.min = take_vector(in);
+  header.bounds.max = take_vector(in);
+  header.bounding_radius = in.take<double>();
+  header.is_closed = (in.take<std::uint64_t>() & kClosedFlag) != 0;
+  header.index_checksum = in.take<std::uint32_t>();
+
+  if (file_bytes != header.file_bytes) {
+    return make_error("{}: the file has {} bytes where its header says {}; it is {}", name,
+                      file_bytes, header.file_bytes,
+                      file_bytes < header.file_bytes ? "truncated" : "damaged");
+  }
+  if (header.index_offset < kHeaderBytes || header.index_offset > file_bytes ||
+      !index_fits(header, file_bytes - header.index_offset)) {
+    return make_error(
+        "{}: the index of {} patches and {} chunks does not fit at byte {}; the file "
+        "is damaged",
+        name, header.patches, header.chunks, header.index_offset);
+  }
+  if (const auto fault = find_fault(header.spacing, header.bounds, header.bounding_radius);
+      !fault.empty()) {
+    return make_error("{}: the model is wrong: {}; the file is damaged", name, fault);
+  }
+  return header;
+}
+
+Result<FileIndex> parse_index(std::span<const std::byte> bytes, const FileHeader& header,
+                              const std::string& name) {
+  if (!has_checksum(bytes, header.index_checksum)) {
+    return make_error("{}: the index's checksum is wrong; the file is damaged", name);
+  }
+  auto index = header.version == kCompactVersion ? parse_compact_index(bytes, header, name)
+                                                 : parse_plain_index(bytes, header, name);
+  if (!index) return index;
+  std::uint64_t samples = 0;
+  for (const PatchRecord& patch : index->patches) samples += patch.summary.samples;
+  if (samples != header.samples) {
+    return make_error(
+        "{}: the patches have {} samples where the header says {}; the file is damaged", name,
+        samples, header.samples);
+  }
+  return index;
+}
+
+Result<FileHeader> read_header(const RandomAccessFile& file, FileRange range,
+                               const std::string& name) {
+  if (range.bytes == 0) return make_error("{}: the file is empty", name);
+  std::vector<std::byte> bytes(std::min<std::uint64_t>(range.bytes, kHeaderBytes));
+  if (Status read = file.read_at(range.offset, bytes); !read) return read.error();
+  return parse_header(bytes, range.bytes, name);
+}
+
+Result<FileLayout> read_layout(const RandomAccessFile& file, FileRange range,
+                               const std::string& name) {
+  const auto header = read_header(file, range, name);
+  if (!header) return header.error();
+  if (header->version == kTreeVersion)
+    return make_error("{}: its tiles have tiles of their own; the file is damaged", name);
+  std::vector<std::byte> bytes(header->file_bytes - header->index_offset);
+  if (Status read = file.read_at(range.offset + header->index_offset, bytes); !read)
+    return read.error();
+  auto index = parse_index(bytes, *header, name);
+  if (!index) return index.error();
+  for (ChunkRecord& chunk : index->chunks) chunk.offset += range.offset;
+  return FileLayout{*header, std::move(*index)};
+}
+
+}  // namespace relief

@@ -1,0 +1,284 @@
+// Reading a patch file patch by patch.
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <utility>
+
+#include "common/io/file.h"
+#include "common/patch_file/compact/compact_codec.h"
+#include "common/patch_file/compact/level_grid.h"
+#include "common/patch_file/fast/patch_codec.h"
+#include "common/patch_file/fast/zstd_contexts.h"
+#include "common/patch_file/patch_file.h"
+#include "common/patch_file/patch_file_layout.h"
+#include "common/patch_file/patch_tree_layout.h"
+
+namespace relief {
+
+namespace {
+
+#ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
+constexpr std::uint32_t kMostMapTexels = 256;  // large maps are slow and find nothing more
+#else
+constexpr std::uint32_t kMostMapTexels = kMaxPatchSide;
+#endif
+
+/// Whether a map of so many texels a cell stays within the limits.
+bool is_map_scale_valid(const PatchSummary& patch, std::uint32_t scale) {
+  const std::uint64_t cells = std::max(patch.width, patch.height) - 1;
+  return scale > 0 && scale * cells + 1 <= kMostMapTexels;
+}
+
+/// What the index says of a patch, without heights and maps.
+Patch empty_patch(const PatchSummary& summary) {
+  Patch patch;
+  patch.origin = summary.origin;
+  patch.axes = summary.axes;
+  patch.spacing = summary.spacing;
+  patch.height_step = summary.height_step;
+  patch.width = summary.width;
+  patch.height = summary.height;
+  return patch;
+}
+
+/// Leaves every 2^level-th node each way, of a patch without maps.
+void keep_level(unsigned level, Patch& patch) {
+  Patch coarse = patch;
+  coarse.width = ((patch.width - 1) >> level) + 1;
+  coarse.height = ((patch.height - 1) >> level) + 1;
+  coarse.spacing = std::ldexp(patch.spacing, static_cast<int>(level));
+  coarse.heights.clear();
+  for (std::uint32_t j = 0; j < coarse.height; ++j) {
+    for (std::uint32_t i = 0; i < coarse.width; ++i) {
+      coarse.heights.push_back(patch.at(i << level, j << level));
+    }
+  }
+  patch = std::move(coarse);
+}
+
+/// Viewers cull by the index's heights, so that they must be the decoded ones (`all` of them; a
+/// coarse level's lie among them).
+Status check_height_range(const Patch& patch, const PatchSummary& summary, bool all) {
+  std::int32_t lowest = kMaxHeightRange;
+  std::int32_t highest = 0;
+  for (const std::int32_t h : patch.heights) {
+    if (h == kHole) continue;
+    lowest = std::min(lowest, h);
+    highest = std::max(highest, h);
+  }
+  if (summary.samples == 0) lowest = 0;
+  const bool are_within = lowest >= summary.min_height && highest <= summary.max_height;
+  const bool are_equal = lowest == summary.min_height && highest == summary.max_height;
+  if (all ? !are_equal : !are_within) {
+    return make_error("they are {} to {} where the index says {} to {}", lowest, highest,
+                      summary.min_height, summary.max_height);
+  }
+  return {};
+}
+
+/// What header and index say of the file's patches.
+PatchFileInfo info_of(const FileHeader& header, const FileIndex& index) {
+  PatchFileInfo info;
+  info.version = header.version;
+  const bool compact = header.version == kCompactVersion ||
+                       std::any_of(index.chunks.begin(), index.chunks.end(),
+                                   [](const auto& chunk) { return chunk.codec == kCodecCompact; });
+  info.codec = compact ? "levels-rans" : "predicted-zstd";
+  info.patches = header.patches;
+  info.samples = header.samples;
+  info.spacing = header.spacing;
+  info.file_bytes = header.file_bytes;
+  info.bounds = header.bounds;
+  info.bounding_radius = header.bounding_radius;
+  info.is_closed = header.is_closed;
+  bool has_normals = false;
+  bool has_colours = false;
+  for (const ChunkRecord& chunk : index.chunks) {
+    info.height_bytes += chunk.type == kHeightsChunk ? chunk.size : 0;
+    info.normal_bytes += chunk.type == kNormalsChunk ? chunk.size : 0;
+    info.colour_bytes += chunk.type == kColoursChunk ? chunk.size : 0;
+    has_normals |= chunk.type == kNormalsChunk;
+    has_colours |= chunk.type == kColoursChunk;
+  }
+  for (const PatchRecord& patch : index.patches) {
+    if (!compact) break;
+    const unsigned coarsest = coarsest_level(patch.summary.width, patch.summary.height);
+    info.levels = std::max(info.levels, coarsest + 1);
+  }
+  if (has_normals) info.attributes.emplace_back("normal");
+  if (has_colours) info.attributes.emplace_back("colour");
+  return info;
+}
+
+}  // namespace
+
+struct PatchFile::State {
+  std::string name;
+  RandomAccessFile file;
+  PatchFileInfo info;
+  std::vector<PatchSummary> summaries;
+  FileIndex index;
+
+  State(std::string file_name, RandomAccessFile opened, FileLayout layout)
+      : name(std::move(file_name)),
+        file(std::move(opened)),
+        info(info_of(layout.header, layout.index)),
+        index(std::move(layout.index)) {
+    summaries.reserve(index.patches.size());
+    for (const PatchRecord& patch : index.patches) summaries.push_back(patch.summary);
+  }
+
+  [[nodiscard]] const ChunkRecord* find_chunk(const PatchRecord& patch, ChunkType type) const {
+    const auto first = index.chunks.begin() + patch.first_chunk;
+    const auto found = std::find_if(first, first + patch.chunk_count,
+                                    [type](const ChunkRecord& c) { return c.type == type; });
+    return found == first + patch.chunk_count ? nullptr : &*found;
+  }
+
+  /// Reads one chunk and hands its bytes to `decode`, which answers with a clause on failure.
+  template <class Decode>
+  Status read_chunk(std::uint64_t patch, const char* what, const ChunkRecord& chunk,
+                    const Decode& decode) const {
+    if (chunk.codec != kCodecPredicted && chunk.codec != kCodecCompact) {
+      return make_error(
+          "{}: patch {}: its {} are in codec {}, which this program does not know; get a newer "
+          "relief",
+          name, patch, what, chunk.codec);
+    }
+    std::vector<std::byte> bytes(chunk.size);
+    if (Status read = file.read_at(chunk.offset, bytes); !read) return read;
+    if (!has_checksum(bytes, chunk.checksum)) {
+      return make_error(
+          "{}: patch {}: the checksum of its {} (byte {}) is wrong; the file is damaged", name,
+          patch, what, chunk.offset);
+    }
+    if (Status decoded = decode(bytes); !decoded) {
+      return make_error("{}: patch {}: its {} (byte {}) are wrong: {}; the file is damaged", name,
+                        patch, what, chunk.offset, decoded.error().message);
+    }
+    return {};
+  }
+
+  /// Reads a patch without its maps; of `level` 1 and more every 2^level-th node each way.
+  [[nodiscard]] Result<Patch> read_heights(std::uint64_t number, unsigned level,
+                                           ZstdContexts& zstd) const {
+    const PatchRecord& record = index.patches[number];
+    Patch patch = empty_patch(record.summary);
+    const ChunkRecord* heights = find_chunk(record, kHeightsChunk);
+    if (heights == nullptr) {
+      return make_error("{}: patch {} has no heights; the file is damaged", name, number);
+    }
+    const auto decode = [&](const std::vector<std::byte>& bytes) -> Status {
+      const std::uint32_t samples = record.summary.samples;
+      Status decoded = heights->codec == kCodecCompact
+                           ? decode_heights_compact(bytes, samples, level, patch)
+                           : decode_heights(bytes, samples, patch, zstd);
+      if (!decoded) return decoded;
+      if (heights->codec != kCodecCompact && level > 0) keep_level(level, patch);
+      return check_height_range(patch, record.summary, level == 0);
+    };
+    if (Status read = read_chunk(number, "heights", *heights, decode); !read) return read.error();
+    return patch;
+  }
+};
+
+PatchFile::PatchFile(std::unique_ptr<State> state) : state_(std::move(state)) {}
+PatchFile::PatchFile(PatchFile&&) noexcept = default;
+PatchFile& PatchFile::operator=(PatchFile&&) noexcept = default;
+PatchFile::~PatchFile() = default;
+
+Result<PatchFile> PatchFile::open(const std::filesystem::path& path) {
+  auto file = RandomAccessFile::open(path);
+  if (!file) return file.error();
+  const std::string name = path.string();
+  auto layout = read_own_layout(*file, name);
+  if (!layout) return layout.error();
+  return PatchFile(std::make_unique<State>(name, std::move(*file), std::move(*layout)));
+}
+
+Result<PatchFile> PatchFile::open_tile(const std::filesystem::path& path, const TreeTile& tile) {
+  auto file = RandomAccessFile::open(path);
+  if (!file) return file.error();
+  const std::string name = path.string();
+  auto layout = read_tile(*file, tile, name);
+  if (!layout) return layout.error();
+  return PatchFile(std::make_unique<State>(name, std::move(*file), std::move(*layout)));
+}
+
+const std::string& PatchFile::name() const {
+  return state_->name;
+}
+
+const PatchFileInfo& PatchFile::info() const {
+  return state_->info;
+}
+
+const std::vector<PatchSummary>& PatchFile::patches() const {
+  return state_->summaries;
+}
+
+Result<Patch> PatchFile::read_patch(std::uint64_t index) const {
+  ZstdContexts zstd;
+  return read_patch(index, zstd);
+}
+
+Result<Patch> PatchFile::read_patch(std::uint64_t index, ZstdContexts& zstd) const try {
+  const State& s = *state_;
+  assert(index < s.index.patches.size() && "the caller looks at info().patches");
+  auto patch = s.read_heights(index, 0, zstd);
+  if (!patch) return patch;
+  const PatchRecord& record = s.index.patches[index];
+  const auto read_map = [&](ChunkType type, const char* what, const auto& decode,
+                            const auto& decode_compact) -> Status {
+    const ChunkRecord* chunk = s.find_chunk(record, type);
+    if (chunk == nullptr) return {};
+    if (!is_map_scale_valid(record.summary, chunk->scale)) {
+      return make_error("{}: patch {}: its {} have {} texels a cell; the file is damaged", s.name,
+                        index, what, chunk->scale);
+    }
+    return s.read_chunk(index, what, *chunk, [&](const auto& bytes) {
+      return chunk->codec == kCodecCompact ? decode_compact(bytes, chunk->scale, *patch)
+                                           : decode(bytes, chunk->scale, *patch, zstd);
+    });
+  };
+  if (Status read = read_map(kNormalsChunk, "normals", decode_normals, decode_normals_compact);
+      !read) {
+    return read.error();
+  }
+  if (Status read = read_map(kColoursChunk, "colours", decode_colours, decode_colours_compact);
+      !read) {
+    return read.error();
+  }
+  return patch;
+} catch (const std::bad_alloc&) {
+  return make_error("{}: there is not enough memory for patch {}", state_->name, index);
+}
+
+Result<Patch> PatchFile::read_level(std::uint64_t index, unsigned level) const try {
+  assert(index < state_->index.patches.size() && "the caller looks at info().patches");
+  ZstdContexts zstd;
+  return state_->read_heights(index, level, zstd);
+} catch (const std::bad_alloc&) {
+  return make_error("{}: there is not enough memory for patch {}", state_->name, index);
+}
+
+std::uint64_t PatchFile::decoded_bytes(std::span<const std::uint64_t> patches) const {
+  const FileIndex& index = state_->index;
+  std::uint64_t bytes = 0;
+  for (const std::uint64_t number : patches) {
+    const PatchRecord& patch = index.patches[number];
+    const PatchSummary& summary = patch.summary;
+    bytes += std::uint64_t{summary.width} * summary.height * sizeof(std::int32_t);
+    for (std::uint32_t c = patch.first_chunk; c < patch.first_chunk + patch.chunk_count; ++c) {
+      const ChunkRecord& chunk = index.chunks[c];
+      if (!is_map_scale_valid(summary, chunk.scale)) continue;  // read_patch refuses it
+      const auto texels = [&](std::uint64_t nodes) { return chunk.scale * (nodes - 1) + 1; };
+      const std::uint64_t area = texels(summary.width) * texels(summary.height);
+      if (chunk.type == kNormalsChunk) bytes += area * sizeof(glm::i16vec2);
+      if (chunk.type == kColoursChunk) bytes += area * sizeof(glm::u8vec3);
+    }
+  }
+  return bytes;
+}
+
+}  // namespace relief

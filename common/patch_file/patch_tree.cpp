@@ -1,0 +1,28 @@
+#include "common/patch_file/patch_tree.h"
+
+#include "common/io/file.h"
+#include "common/patch_file/patch_tree_layout.h"
+
+namespace relief {
+
+Result<PatchTree> PatchTree::open(const std::filesystem::path& path) {
+  const auto file = RandomAccessFile::open(path);
+  if (!file) return file.error();
+  auto layout = read_tree_layout(*file, path.string());
+  if (!layout) return layout.error();
+  PatchTree tree;
+  tree.path_ = path;
+  tree.extent_.spacing = layout->header.spacing;
+  tree.extent_.bounds = layout->header.bounds;
+  tree.extent_.bounding_radius = layout->header.bounding_radius;
+  tree.extent_.is_closed = layout->header.is_closed;
+  tree.tiles_ = std::move(layout->tiles);
+  return tree;
+}
+
+Result<PatchFile> PatchTree::open_tile(std::uint32_t tile) const {
+  assert(tile < tiles_.size() && "the caller looks at tiles()");
+  return PatchFile::open_tile(path_, tiles_[tile]);
+}
+
+}  // namespace relief

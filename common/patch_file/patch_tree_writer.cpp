@@ -1,0 +1,78 @@
+// Tiles become one file: copied one after another, their list behind them.
+#include <algorithm>
+
+#include "common/io/file.h"
+#include "common/patch_file/patch_tree.h"
+#include "common/patch_file/patch_tree_layout.h"
+
+namespace relief {
+namespace {
+
+/// Tiles are copied in pieces of this size.
+constexpr std::uint64_t kPieceBytes = std::uint64_t{4} << 20U;
+
+Result<TreeTile> tile_of(const TreePart& part) {
+  const auto file = RandomAccessFile::open(part.path);
+  if (!file) return file.error();
+  const auto layout = read_layout(*file, {0, file->size()}, part.path.string());
+  if (!layout) return layout.error();
+  TreeTile tile;
+  tile.bytes = layout->header.file_bytes;
+  tile.samples = layout->header.samples;
+  tile.patches = layout->header.patches;
+  tile.parent = part.parent;
+  tile.level = part.level;
+  tile.spacing = layout->header.spacing;
+  tile.box = box_of(layout->index);
+  return tile;
+}
+
+Status copy_tile(const TreePart& part, std::uint64_t bytes, AtomicFile& out) {
+  const auto file = RandomAccessFile::open(part.path);
+  if (!file) return file.error();
+  std::vector<std::byte> piece;
+  for (std::uint64_t at = 0; at < bytes; at += piece.size()) {
+    piece.resize(std::min(kPieceBytes, bytes - at));
+    if (Status read = file->read_at(at, piece); !read) return read;
+    if (Status written = out.write(piece); !written) return written;
+  }
+  return {};
+}
+
+}  // namespace
+
+Status write_patch_tree(const std::filesystem::path& path, const std::vector<TreePart>& parts,
+                        const PatchModel& extent) {
+  FileHeader header;
+  header.version = kTreeVersion;
+  header.spacing = extent.spacing;
+  header.bounds = extent.bounds;
+  header.bounding_radius = extent.bounding_radius;
+  header.is_closed = extent.is_closed;
+  header.index_offset = kHeaderBytes;
+  header.chunks = static_cast<std::uint32_t>(parts.size());
+  std::vector<TreeTile> tiles;
+  for (const TreePart& part : parts) {
+    assert((part.parent == kNoTile || part.parent < tiles.size()) && "parents come first");
+    const auto tile = tile_of(part);
+    if (!tile) return tile.error();
+    header.index_offset += tile->bytes;
+    header.patches += tile->level == 0 ? tile->patches : 0;
+    header.samples += tile->level == 0 ? tile->samples : 0;
+    tiles.push_back(*tile);
+  }
+  const std::vector<std::byte> index = write_tree_index(tiles);
+  header.index_checksum = crc32(index);
+  header.file_bytes = header.index_offset + index.size();
+
+  auto out = AtomicFile::create(path);
+  if (!out) return out.error();
+  if (Status written = out->write(write_header(header)); !written) return written;
+  for (std::size_t t = 0; t < parts.size(); ++t) {
+    if (Status copied = copy_tile(parts[t], tiles[t].bytes, *out); !copied) return copied;
+  }
+  if (Status written = out->write(index); !written) return written;
+  return out->commit();
+}
+
+}  // namespace relief

@@ -1,0 +1,22 @@
+// The index of version 1 of the patch file: records of fixed size (docs/patch-file.md, "Patch
+// record" and "Chunk record").
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/error.h"
+#include "common/patch_file/patch_file_layout.h"
+
+namespace relief {
+
+[[nodiscard]] std::vector<std::byte> write_plain_index(const FileIndex& index);
+
+/// Reads and checks the index; its checksum and size were found right. Errors are whole sentences
+/// that start with `name`.
+Result<FileIndex> parse_plain_index(std::span<const std::byte> bytes, const FileHeader& header,
+                                    const std::string& name);
+
+}  // namespace relief

@@ -1,0 +1,70 @@
+// What a surface does with light, and what can be said about it.
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "common/scene/choices.h"
+
+namespace relief {
+
+/// The numbers of materials that have any.
+struct MaterialConstants {
+  /// Of Glass: its index of refraction over that of what surrounds it.
+  float ior = 1.5F;
+  /// Of Glass: how much light is lost along a diameter of the body, as an exponent for each of R, G
+  /// and B (Beer-Lambert), so that it does not depend on the model's size. With one interface a
+  /// ray's path is that through a sphere: the diameter times the cosine of the angle at which the
+  /// ray is refracted. With two it is the ray's own, over the diameter of the model's bounding
+  /// sphere.
+  glm::vec3 absorption{0.0F};
+  /// Of Mirror and Split: 0 is smooth; the width of the microfacets' GGX distribution is its
+  /// square.
+  float roughness = 0.0F;
+  /// Of any kind: how much of what is behind a surface it covers. 1 is opaque.
+  float opacity = 1.0F;
+  /// Of Glass: 1, light is refracted where it is seen to enter, or 2, where it leaves too.
+  int interfaces = 1;
+
+  bool operator==(const MaterialConstants&) const = default;
+};
+
+struct MaterialSettings {
+  Material kind = Material::Lit;
+  MaterialConstants constants;
+
+  bool operator==(const MaterialSettings&) const = default;
+};
+
+/// What the numbers may be, on the command line and in scene files.
+inline constexpr NumberChoice kRefractiveIndices{1.0, 4.0};
+inline constexpr NumberChoice kAbsorptions{0.0, 100.0};
+inline constexpr NumberChoice kRoughnesses{0.0, 1.0};
+inline constexpr NumberChoice kOpacities{0.0, 1.0};
+inline constexpr NumberChoice kInterfaceCounts{1, 2};
+
+/// The most materials of a scene, and how many roughnesses above 0 may be among those of a picture:
+/// each has an environment of its own, of up to 16 MB.
+inline constexpr std::size_t kMaxMaterials = 256;
+inline constexpr std::size_t kMaxRoughnesses = 16;
+
+/// What someone (the command line, a scene, one of its views or models) says about a material.
+struct MaterialWords {
+  std::optional<Material> material;
+  std::optional<double> ior;
+  std::optional<glm::vec3> absorption;
+  std::optional<double> roughness;
+  std::optional<double> opacity;
+  std::optional<int> interfaces;
+
+  bool operator==(const MaterialWords&) const = default;
+};
+
+/// What `over` says, and where it says nothing, what `base` says.
+[[nodiscard]] MaterialWords overlay_material(MaterialWords base, const MaterialWords& over);
+
+/// The material of those words; what they leave out is as in MaterialSettings.
+[[nodiscard]] MaterialSettings material_of(const MaterialWords& words);
+
+}  // namespace relief

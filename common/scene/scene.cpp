@@ -1,0 +1,85 @@
+#include "common/scene/scene.h"
+
+#include <algorithm>
+
+namespace relief {
+namespace {
+
+template <class T>
+void take(std::optional<T>& to, const std::optional<T>& from) {
+  if (from) to = from;
+}
+
+constexpr double kDefaultFieldOfView = 45.0;
+
+}  // namespace
+
+std::vector<MaterialWords> materials_said(const std::vector<SceneModel>& models) {
+  std::vector<MaterialWords> said;
+  for (const SceneModel& model : models) {
+    if (std::find(said.begin(), said.end(), model.material) == said.end())
+      said.push_back(model.material);
+  }
+  return said;
+}
+
+SceneSettings overlay(SceneSettings base, const SceneSettings& over) {
+  if (over.orbit) base.eye.reset();
+  if (over.eye) base.orbit.reset();
+  if (over.fov_degrees) base.orthographic.reset();
+  if (over.orthographic) base.fov_degrees.reset();
+  take(base.size, over.size);
+  take(base.orbit, over.orbit);
+  take(base.eye, over.eye);
+  take(base.target, over.target);
+  take(base.up, over.up);
+  take(base.fov_degrees, over.fov_degrees);
+  take(base.orthographic, over.orthographic);
+  take(base.engine, over.engine);
+  take(base.primitive, over.primitive);
+  take(base.interpolation, over.interpolation);
+  take(base.sides, over.sides);
+  static_cast<MaterialWords&>(base) = overlay_material(base, over);
+  take(base.lights, over.lights);
+  take(base.ambient, over.ambient);
+  take(base.environment, over.environment);
+  take(base.background, over.background);
+  take(base.exposure, over.exposure);
+  take(base.outputs, over.outputs);
+  take(base.pixels_per_sample, over.pixels_per_sample);
+  take(base.radius_factor, over.radius_factor);
+  take(base.samples, over.samples);
+  take(base.filter, over.filter);
+  take(base.cutoff, over.cutoff);
+  take(base.layers, over.layers);
+  take(base.coverage_threshold, over.coverage_threshold);
+  take(base.time_budget_ms, over.time_budget_ms);
+  return base;
+}
+
+Result<Camera> camera_for(const SceneSettings& settings, const PatchModel& model) {
+  const glm::dvec3 centre = 0.5 * (model.bounds.min + model.bounds.max);
+  const double fov = settings.fov_degrees.value_or(kDefaultFieldOfView);
+  const PictureSize size = settings.size.value_or(PictureSize{});
+  const double aspect = static_cast<double>(size.width) / size.height;
+  // A model of no size, or of no patches, has no sphere to stand off from.
+  const double radius = model.bounding_radius > 0.0 ? model.bounding_radius : 1.0;
+  const auto projected = [&](Camera camera) {
+    if (settings.orthographic) {
+      camera.orthographic_height =
+          settings.orthographic->height.value_or(fitting_height(camera, centre, radius, aspect));
+    }
+    return camera;
+  };
+  if (settings.eye) {
+    const Camera camera{*settings.eye, settings.target.value_or(centre),
+                        settings.up.value_or(glm::dvec3(0.0, 1.0, 0.0)), fov};
+    if (camera.eye != camera.target) return projected(camera);
+    return Error{settings.target ? "the eye is where its target is"
+                                 : "the eye is in the middle of the model, which it looks at "
+                                   "unless a target is named"};
+  }
+  return projected(orbit_camera(centre, radius, settings.orbit.value_or(Orbit{}), fov, aspect));
+}
+
+}  // namespace relief

@@ -1,0 +1,133 @@
+// Scene files (docs/scene.md) to scenes.
+#include <algorithm>
+#include <set>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "common/io/file.h"
+#include "common/scene/json_text.h"
+#include "common/scene/json_values.h"
+#include "common/scene/scene.h"
+#include "common/scene/scene_settings_reader.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr NumberRange kScales{1e-9, 1e9};
+constexpr std::size_t kLongestName = 100;
+
+glm::dmat3 read_rotation(JsonValues& values, const JsonPlace& place) {
+  if (!values.object(place, {"axis", "degrees"})) return glm::dmat3(1.0);
+  const auto axis = values.required(place, "axis", "[x, y, z]");
+  const auto degrees = values.required(place, "degrees", "a number");
+  if (!axis || !degrees) return glm::dmat3(1.0);
+  return rotation_about(read_direction(values, *axis), read_angle(values, *degrees));
+}
+
+Transform read_transform(JsonValues& values, const JsonPlace& place) {
+  Transform transform;
+  if (!values.object(place, {"translation", "rotation", "scale"})) return transform;
+  if (const auto found = JsonValues::member(place, "translation"))
+    transform.translation = read_vector(values, *found);
+  if (const auto found = JsonValues::member(place, "rotation"))
+    transform.rotation = read_rotation(values, *found);
+  if (const auto found = JsonValues::member(place, "scale"))
+    transform.scale = values.number(*found, kScales, "a number from 1e-9 to 1e9");
+  return transform;
+}
+
+SceneModel read_model(JsonValues& values, const JsonPlace& place, const fs::path& folder) {
+  constexpr std::string_view kExpected = "the name of a patch file, a scan or a mesh";
+  SceneModel model;
+  std::vector<std::string_view> keys{"file", "transform", "closed"};
+  keys.insert(keys.end(), kMaterialKeys.begin(), kMaterialKeys.end());
+  if (!values.object(place, keys)) return model;
+  if (const auto file = values.required(place, "file", kExpected)) {
+    model.file = read_path(values, *file, folder, kExpected);
+    if (model.file.extension() == ".json")
+      values.refuse_value(*file, fmt::format("{}, not another scene", kExpected));
+  }
+  if (const auto found = JsonValues::member(place, "transform"))
+    model.transform = read_transform(values, *found);
+  if (const auto found = JsonValues::member(place, "closed"))
+    model.is_closed = values.boolean(*found);
+  model.material = read_material(values, place);
+  return model;
+}
+
+std::string read_name(JsonValues& values, const JsonPlace& place) {
+  constexpr std::string_view kExpected =
+      "a name of at most 100 letters, digits, -, _ and ., no . first";
+  std::string name = values.text(place, kExpected);
+  const bool good = std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+           c == '_' || c == '.';
+  });
+  if (!good || name.size() > kLongestName || name.starts_with('.'))
+    values.refuse_value(place, kExpected);
+  return name;
+}
+
+SceneView read_view(JsonValues& values, const JsonPlace& place, const fs::path& folder,
+                    const SceneSettings& of_all) {
+  SceneView view;
+  if (!values.object(place, with_setting_keys({"name"}))) return view;
+  if (const auto name = values.required(place, "name", "a name for the picture"))
+    view.name = read_name(values, *name);
+  view.settings = read_settings(values, place, folder);
+  const SceneSettings all = overlay(of_all, view.settings);
+  if (all.eye && all.eye == all.target) values.refuse(place.path, "the eye is where its target is");
+  if (!all.eye && (view.settings.target || view.settings.up))
+    values.refuse(place.path, "has target or up, which say nothing without an eye; add an eye");
+  return view;
+}
+
+Scene make_scene(JsonValues& values, const JsonPlace& root, const fs::path& folder) {
+  Scene scene;
+  if (!values.object(root, with_setting_keys({"models", "views"}))) return scene;
+  scene.settings = read_settings(values, root, folder);
+  if (const auto list = values.required(root, "models", "a list of models, at least one")) {
+    for (const JsonPlace& place : values.elements(*list, kMaxSceneModels, "models"))
+      scene.models.push_back(read_model(values, place, folder));
+    if (const std::size_t count = materials_said(scene.models).size(); count > kMaxMaterials) {
+      values.refuse(list->path, fmt::format("have {} different materials; at most {} are drawn",
+                                            count, kMaxMaterials));
+    }
+  }
+  if (const auto list = values.required(root, "views", "a list of views, at least one")) {
+    std::set<std::string> names;
+    for (const JsonPlace& place : values.elements(*list, kMaxSceneViews, "views")) {
+      scene.views.push_back(read_view(values, place, folder, scene.settings));
+      const std::string& name = scene.views.back().name;
+      if (!names.insert(name).second)
+        values.refuse(place.path + ".name", fmt::format("another view is called {} too", name));
+    }
+  }
+  return scene;
+}
+
+}  // namespace
+
+Result<Scene> read_scene(const fs::path& path) {
+  const auto file = RandomAccessFile::open(path);
+  if (!file) return file.error();
+  if (file->size() == 0) return make_error("{}: the file is empty", path.string());
+  if (file->size() > kMaxSceneBytes) {
+    return make_error("{}: has {} bytes; a scene file has at most {}", path.string(), file->size(),
+                      kMaxSceneBytes);
+  }
+  std::string text(file->size(), '\0');
+  const Status read = file->read_at(0, std::as_writable_bytes(std::span<char>(text)));
+  if (!read) return read.error();
+  const auto tree = parse_json(text, path.string());
+  if (!tree) return tree.error();
+  JsonValues values(path.string());
+  Scene scene = make_scene(values, {*tree, ""}, path.parent_path());
+  if (values.error()) return *values.error();
+  return scene;
+}
+
+}  // namespace relief

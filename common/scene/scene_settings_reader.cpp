@@ -1,0 +1,195 @@
+#include "common/scene/scene_settings_reader.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "common/image/srgb.h"
+#include "common/scene/lights_reader.h"
+
+namespace relief {
+namespace {
+
+constexpr NumberRange kCoordinates{-kMaxSceneCoordinate, kMaxSceneCoordinate};
+constexpr NumberRange kAngles{-1e6, 1e6};
+constexpr double kShortestDirection = 1e-12;
+constexpr double kNearestOrbit = 1e-6;  // bounding-sphere radii
+
+PictureSize read_size(JsonValues& values, const JsonPlace& place) {
+  constexpr std::string_view kExpected = "[width, height], whole numbers from 1 to 32768";
+  const auto n = values.numbers(place, {2, 2}, {1.0, kMaxPictureSide}, kExpected);
+  if (n.empty()) return {};
+  if (n[0] != std::floor(n[0]) || n[1] != std::floor(n[1])) values.refuse_value(place, kExpected);
+  return {static_cast<std::uint32_t>(n[0]), static_cast<std::uint32_t>(n[1])};
+}
+
+Orbit read_orbit(JsonValues& values, const JsonPlace& place) {
+  constexpr std::string_view kExpected =
+      "[azimuth, elevation] or [azimuth, elevation, distance], the distance above 0";
+  const auto n = values.numbers(place, {2, 3}, kAngles, kExpected);
+  if (n.empty()) return {};
+  if (n.size() == 3 && n[2] < kNearestOrbit) values.refuse_value(place, kExpected);
+  return {n[0], n[1], n.size() == 3 ? n[2] : 0.0};
+}
+
+OrthographicSize read_orthographic(JsonValues& values, const JsonPlace& place) {
+  if (place.value == "fit") return {};
+  return {values.number(place, {kOrthographicHeights.least, kOrthographicHeights.most},
+                        "the picture's height in world units, above 0, or \"fit\"")};
+}
+
+Background read_background(JsonValues& values, const JsonPlace& place) {
+  constexpr std::string_view kExpected = "[r, g, b], sRGB values from 0 to 1, or \"none\"";
+  if (place.value == "none") return {};
+  const auto n = values.numbers(place, {3, 3}, {0.0, 1.0}, kExpected);
+  if (n.empty()) return {};
+  const auto linear = [](double s) { return linear_from_srgb(static_cast<float>(s)); };
+  return {glm::vec3(linear(n[0]), linear(n[1]), linear(n[2]))};
+}
+
+Outputs read_outputs(JsonValues& values, const JsonPlace& place) {
+  constexpr std::string_view kExpected =
+      "a list of some of colour, normal, depth, uv, patch, or \"all\"";
+  Outputs outputs;
+  if (place.value == "all") return {true, true, true, true};
+  if (!place.value.is_array() || place.value.empty()) {
+    values.refuse_value(place, kExpected);
+    return outputs;
+  }
+  for (const nlohmann::json& name : place.value) {
+    if (!name.is_string() || !add_output(outputs, name.get_ref<const std::string&>()))
+      values.refuse_value({name, place.path}, kExpected);
+  }
+  return outputs;
+}
+
+int read_count(JsonValues& values, const JsonPlace& place, NumberChoice range,
+               std::string_view expected) {
+  const double n = values.number(place, {range.least, range.most}, expected);
+  if (n != std::floor(n)) values.refuse_value(place, expected);
+  return static_cast<int>(n);
+}
+
+}  // namespace
+
+std::vector<std::string_view> with_setting_keys(std::vector<std::string_view> keys) {
+  for (const char* key :
+       {"size",          "orbit",        "eye",        "target",    "up",
+        "fov",           "orthographic", "engine",     "primitive", "interpolation",
+        "sides",         "env",          "background", "outputs",   "pixels-per-sample",
+        "radius-factor", "samples",      "filter",     "cutoff",    "layers",
+        "tau",           "time-budget",  "lights",     "ambient",   "exposure"})
+    keys.emplace_back(key);
+  keys.insert(keys.end(), kMaterialKeys.begin(), kMaterialKeys.end());
+  return keys;
+}
+
+MaterialWords read_material(JsonValues& values, const JsonPlace& object) {
+  MaterialWords words;
+  if (const auto place = JsonValues::member(object, "material"))
+    words.material = values.choice(*place, kMaterials);
+  if (const auto place = JsonValues::member(object, "ior")) {
+    words.ior = values.number(*place, {kRefractiveIndices.least, kRefractiveIndices.most},
+                              "a number from 1 to 4");
+  }
+  if (const auto place = JsonValues::member(object, "absorption"))
+    words.absorption = read_linear_colour(values, *place, kAbsorptions.most);
+  if (const auto place = JsonValues::member(object, "interfaces"))
+    words.interfaces = read_count(values, *place, kInterfaceCounts, "1 or 2");
+  const auto read_fraction = [&](std::string_view key, NumberChoice choice) {
+    const auto place = JsonValues::member(object, key);
+    if (!place) return std::optional<double>();
+    return std::optional(
+        values.number(*place, {choice.least, choice.most}, "a number from 0 to 1"));
+  };
+  words.roughness = read_fraction("roughness", kRoughnesses);
+  words.opacity = read_fraction("opacity", kOpacities);
+  return words;
+}
+
+SceneSettings read_settings(JsonValues& values, const JsonPlace& object,
+                            const std::filesystem::path& folder) {
+  SceneSettings settings;
+  const auto read = [&object](std::string_view key, auto& to, const auto& value_at) {
+    if (const auto place = JsonValues::member(object, key)) to = value_at(*place);
+  };
+  const auto with = [&values](auto* read_value) {
+    return [&values, read_value](const JsonPlace& place) { return read_value(values, place); };
+  };
+  const auto named = [&values](const auto& table) {
+    return [&values, &table](const JsonPlace& place) { return values.choice(place, table); };
+  };
+  read("size", settings.size, with(read_size));
+  read("orbit", settings.orbit, with(read_orbit));
+  read("eye", settings.eye, with(read_vector));
+  read("target", settings.target, with(read_vector));
+  read("up", settings.up, with(read_direction));
+  read("fov", settings.fov_degrees, [&values](const JsonPlace& place) {
+    return values.number(place, {kMinFieldOfView, kMaxFieldOfView}, "degrees from 0.1 to 170");
+  });
+  read("orthographic", settings.orthographic, with(read_orthographic));
+  read("engine", settings.engine, named(kEngines));
+  read("primitive", settings.primitive, named(kPrimitives));
+  read("interpolation", settings.interpolation, named(kInterpolations));
+  read("sides", settings.sides, named(kSides));
+  static_cast<MaterialWords&>(settings) = read_material(values, object);
+  read("lights", settings.lights, with(read_lights));
+  read("ambient", settings.ambient,
+       [&values](const JsonPlace& place) { return read_linear_colour(values, place, kMaxLight); });
+  read("env", settings.environment, [&](const JsonPlace& place) {
+    return read_path(values, place, folder, "the name of an environment map, EXR or HDR");
+  });
+  read("background", settings.background, with(read_background));
+  read("outputs", settings.outputs, with(read_outputs));
+  const auto number = [&values](NumberChoice range, std::string_view expected) {
+    return [&values, range, expected](const JsonPlace& place) {
+      return values.number(place, {range.least, range.most}, expected);
+    };
+  };
+  const auto count = [&values](NumberChoice range, std::string_view expected) {
+    return [&values, range, expected](const JsonPlace& place) {
+      return read_count(values, place, range, expected);
+    };
+  };
+  read("pixels-per-sample", settings.pixels_per_sample,
+       number(kPixelsPerSample, "a number from 0 to 64"));
+  read("exposure", settings.exposure, number(kExposures, "stops from -20 to 20"));
+  read("radius-factor", settings.radius_factor, number(kRadiusFactors, "a number from 1 to 4"));
+  read("samples", settings.samples, count(kSampleCounts, "a whole number from 1 to 65536"));
+  read("filter", settings.filter, named(kFilters));
+  read("cutoff", settings.cutoff, number(kCutoffs, "a number from 0.1 to 20"));
+  read("layers", settings.layers, count(kLayerCounts, "a whole number from 1 to 64"));
+  read("tau", settings.coverage_threshold, number(kCoverageThresholds, "a number from 1e-6 to 1"));
+  read("time-budget", settings.time_budget_ms, number(kTimeBudgets, "milliseconds above 0"));
+  if (settings.orbit && (settings.eye || settings.target || settings.up))
+    values.refuse(object.path, "expected either an orbit or eye, target and up; found both");
+  if (settings.fov_degrees && settings.orthographic)
+    values.refuse(object.path, "expected either fov or orthographic; found both");
+  return settings;
+}
+
+std::filesystem::path read_path(JsonValues& values, const JsonPlace& place,
+                                const std::filesystem::path& folder, std::string_view expected) {
+  const std::string name = values.text(place, expected);
+  // With a zero byte it would be another file's name to the operating system.
+  if (name.find('\0') != std::string::npos) values.refuse_value(place, expected);
+  return folder / name;
+}
+
+glm::dvec3 read_vector(JsonValues& values, const JsonPlace& place) {
+  const auto n = values.numbers(place, {3, 3}, kCoordinates, "[x, y, z], three numbers");
+  return n.empty() ? glm::dvec3(0.0) : glm::dvec3(n[0], n[1], n[2]);
+}
+
+glm::dvec3 read_direction(JsonValues& values, const JsonPlace& place) {
+  const glm::dvec3 v = read_vector(values, place);
+  const double length = glm::length(v);
+  if (length > kShortestDirection) return v / length;
+  values.refuse_value(place, "[x, y, z] longer than 0");
+  return {0.0, 1.0, 0.0};
+}
+
+double read_angle(JsonValues& values, const JsonPlace& place) {
+  return values.number(place, kAngles, "degrees from -1e6 to 1e6");
+}
+
+}  // namespace relief

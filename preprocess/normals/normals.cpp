@@ -1,0 +1,226 @@
+#include "preprocess/normals/normals.h"
+
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "common/mesh/mesh_normals.h"
+
+namespace relief {
+namespace {
+
+// A neighbourhood whose smallest eigenvalue holds less than this share of the variance is flat
+// enough: about 6 degrees of tilt over 8 neighbours.
+constexpr double kFlatVariation = 0.01;
+
+struct PlaneFit {
+  glm::vec3 normal;
+  double variation;  // smallest eigenvalue over the sum of all
+  double rms;
+};
+
+PlaneFit fit_plane(const std::vector<glm::dvec3>& positions, std::size_t centre,
+                   std::span<const std::uint32_t> neighbours) {
+  const glm::dvec3 base = positions[centre];
+  glm::dvec3 sum(0.0);
+  for (const std::uint32_t j : neighbours) sum += positions[j] - base;
+  const double count = static_cast<double>(neighbours.size()) + 1.0;
+  const glm::dvec3 mean = sum / count;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  const auto add = [&](glm::dvec3 d) {
+    const Eigen::Vector3d v(d.x, d.y, d.z);
+    covariance.noalias() += v * v.transpose();
+  };
+  add(-mean);
+  for (const std::uint32_t j : neighbours) add(positions[j] - base - mean);
+  covariance /= count;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(covariance);
+  const Eigen::Vector3d& values = solver.eigenvalues();
+  const Eigen::Vector3d normal = solver.eigenvectors().col(0);
+  const double total = std::max(values.sum(), 1e-300);
+  return {glm::vec3(normal.x(), normal.y(), normal.z()), std::max(values[0], 0.0) / total,
+          std::sqrt(std::max(values[0], 0.0))};
+}
+
+bool usable(glm::vec3 n) {
+  const float length = glm::length(n);
+  return std::isfinite(length) && length > 1e-12F;
+}
+
+// Points whose normal is not usable take their frame's, on the side that most neighbours are on.
+// Passes until nothing changes, as neighbours may lack normals too.
+void fill_missing(const Points& points, const NeighbourGraph& graph, const LocalFrames& frames,
+                  std::vector<glm::vec3>& normals, std::vector<std::uint8_t>& missing) {
+  std::vector<std::uint32_t> filled;
+  do {
+    filled.clear();
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+      if (missing[i] == 0) continue;
+      float side = 0.0F;
+      bool seen = false;
+      for (const std::uint32_t j : graph.of(i)) {
+        if (missing[j] != 0) continue;
+        seen = true;
+        side += glm::dot(normals[j], frames.normals[i]);
+      }
+      if (!seen) continue;
+      normals[i] = side < 0.0F ? -frames.normals[i] : frames.normals[i];
+      filled.push_back(i);
+    }
+    for (const std::uint32_t i : filled) missing[i] = 0;
+  } while (!filled.empty());
+}
+
+// The mean of the usable normals around a point; short where the neighbours disagree (thin sheets).
+glm::vec3 neighbourhood_mean(const NeighbourGraph& graph, const std::vector<glm::vec3>& normals,
+                             const std::vector<std::uint8_t>& missing, std::size_t i) {
+  glm::vec3 sum(0.0F);
+  float count = 0.0F;
+  for (const std::uint32_t j : graph.of(i)) {
+    if (missing[j] != 0) continue;
+    sum += normals[j];
+    count += 1.0F;
+  }
+  return count > 0.0F ? sum / count : sum;
+}
+
+// Normals that point against a neighbourhood which is itself of one mind, or lie in its plane.
+std::vector<std::uint8_t> find_inconsistent(const NeighbourGraph& graph, const LocalFrames& frames,
+                                            const std::vector<glm::vec3>& normals,
+                                            const std::vector<std::uint8_t>& missing) {
+  std::vector<std::uint8_t> inconsistent(normals.size(), 0);
+  tbb::parallel_for(std::size_t{0}, normals.size(), [&](std::size_t i) {
+    if (missing[i] != 0) return;
+    const glm::vec3 mean = neighbourhood_mean(graph, normals, missing, i);
+    const bool of_one_mind = glm::length(mean) > 0.7F;
+    const bool flat = frames.roughness[i] < 0.3F * graph.spacing[i];
+    const bool against = of_one_mind && glm::dot(normals[i], mean) < 0.0F;
+    const bool in_plane = flat && std::abs(glm::dot(normals[i], frames.normals[i])) < 0.3F;
+    inconsistent[i] = against || in_plane ? 1 : 0;
+  });
+  return inconsistent;
+}
+
+// Share of flat neighbour pairs whose normals oppose each other: near 0 when oriented, 0.5 when the
+// signs are random, as tools leave them that only fit planes.
+double opposed_pairs(const NeighbourGraph& graph, const LocalFrames& frames,
+                     const std::vector<glm::vec3>& normals) {
+  std::uint64_t pairs = 0;
+  std::uint64_t opposed = 0;
+  const std::size_t nearest = std::min<std::size_t>(4, graph.k);
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    for (const std::uint32_t j : graph.of(i).first(nearest)) {
+      if (std::abs(glm::dot(frames.normals[i], frames.normals[j])) < 0.9F) continue;
+      ++pairs;
+      if (glm::dot(normals[i], normals[j]) < 0.0F) ++opposed;
+    }
+  }
+  return pairs > 0 ? static_cast<double>(opposed) / static_cast<double>(pairs) : 0.0;
+}
+
+// More opposed pairs than this are no repairable exceptions but a scan without orientation.
+constexpr double kUnorientedShare = 0.1;
+
+NormalsReport check_given(Points& points, const NeighbourGraph& graph, const LocalFrames& frames) {
+  NormalsReport report;
+  std::vector<std::uint8_t> missing(points.size(), 0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    glm::vec3& n = points.normals[i];
+    missing[i] = usable(n) ? 0 : 1;
+    n = missing[i] != 0 ? glm::vec3(0.0F) : glm::normalize(n);
+  }
+  std::vector<std::uint8_t> repaired = missing;
+  fill_missing(points, graph, frames, points.normals, missing);
+  if (opposed_pairs(graph, frames, points.normals) > kUnorientedShare) {
+    const std::vector<glm::vec3> before = points.normals;
+    report.sheets = orient_normals(points, graph, points.normals);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (glm::dot(before[i], points.normals[i]) < 0.0F) repaired[i] = 1;
+    }
+  }
+  std::vector<std::uint8_t> inconsistent =
+      find_inconsistent(graph, frames, points.normals, missing);
+  for (std::size_t i = 0; i < points.size(); ++i) repaired[i] |= inconsistent[i];
+  fill_missing(points, graph, frames, points.normals, inconsistent);
+  report.repaired =
+      static_cast<std::uint64_t>(std::count(repaired.begin(), repaired.end(), std::uint8_t{1}));
+  return report;
+}
+
+// Real meshes have a few bad edges at non-manifold spots; a soup has half of them.
+constexpr double kMostMisoriented = 0.05;
+
+bool has_normal(const Points& points) {
+  return std::any_of(points.normals.begin(), points.normals.end(), usable);
+}
+
+}  // namespace
+
+LocalFrames fit_local_frames(const std::vector<glm::dvec3>& positions,
+                             const NeighbourGraph& graph) {
+  LocalFrames frames;
+  frames.normals.resize(positions.size());
+  frames.roughness.resize(positions.size());
+  tbb::parallel_for(std::size_t{0}, positions.size(), [&](std::size_t i) {
+    const auto neighbours = graph.of(i);
+    PlaneFit best = fit_plane(positions, i, neighbours.first(std::min<std::size_t>(8, graph.k)));
+    if (best.variation > kFlatVariation && graph.k > 8) {
+      const PlaneFit wide = fit_plane(positions, i, neighbours);
+      if (wide.variation < best.variation) best = wide;
+    }
+    frames.normals[i] = best.normal;
+    frames.roughness[i] = static_cast<float>(best.rms);
+  });
+  return frames;
+}
+
+std::vector<glm::vec3> normals_of_faces(const Points& points, const MeshEdges& edges) {
+  if (points.triangles.empty() || has_normal(points) || edges.misoriented() >= kMostMisoriented)
+    return {};
+  return normals_from_triangles(points);
+}
+
+NormalsReport complete_normals(Points& points, const NeighbourGraph& graph,
+                               const LocalFrames& frames, const std::vector<glm::vec3>* of_faces) {
+  if (has_normal(points)) return check_given(points, graph, frames);
+
+  NormalsReport report;
+  report.estimated = true;
+  std::vector<glm::vec3> normals =
+      of_faces != nullptr ? *of_faces : normals_of_faces(points, MeshEdges(points));
+  if (!normals.empty()) {
+    points.normals = std::move(normals);
+    std::vector<std::uint8_t> missing(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) missing[i] = usable(points.normals[i]) ? 0 : 1;
+    fill_missing(points, graph, frames, points.normals, missing);
+    // Vertices without any oriented neighbour (islands without faces).
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (missing[i] != 0) points.normals[i] = frames.normals[i];
+    }
+  } else {
+    points.normals = frames.normals;
+    report.sheets = orient_normals(points, graph, points.normals);
+  }
+  return report;
+}
+
+std::vector<glm::vec3> smooth_normals(const std::vector<glm::vec3>& normals,
+                                      const NeighbourGraph& graph) {
+  std::vector<glm::vec3> smooth(normals.size());
+  tbb::parallel_for(std::size_t{0}, normals.size(), [&](std::size_t i) {
+    glm::vec3 sum = normals[i];
+    for (const std::uint32_t j : graph.of(i)) {
+      if (glm::dot(normals[i], normals[j]) > 0.0F) sum += normals[j];
+    }
+    smooth[i] = glm::normalize(sum);
+  });
+  return smooth;
+}
+
+}  // namespace relief

@@ -1,0 +1,69 @@
+#include "preprocess/partition/find_regions.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "preprocess/resample/patch_spacing.h"
+
+namespace relief {
+namespace {
+
+// 70 degrees stretch samples by 1 / cos 70 = 2.9 at most. 75 make a tenth fewer patches, and more
+// spikes at silhouettes (docs/decisions.md).
+constexpr double kDefaultConeDegrees = 70.0;
+// Regions of fewer points are no surface.
+constexpr std::size_t kLeastPatchPoints = 4;
+// A cloud of outliers: the eighth neighbour is this much farther than the scan's median one, and
+// the plane through the neighbourhood is left by more than this share of that distance (a ball of
+// points has 0.2 to 0.3, a surface that bends by 60 degrees across its neighbourhood 0.08).
+constexpr float kSparseInMedians = 4.0F;
+constexpr float kRoughShare = 0.08F;
+
+// The points that can be part of a surface: all but clouds of outliers, which are much sparser than
+// the scan and not flat either. (Single outliers are connected to nothing and make no region.)
+std::vector<std::uint32_t> surface_points(const std::vector<glm::dvec3>& positions,
+                                          std::size_t count, const NeighbourGraph& graph,
+                                          const LocalFrames& frames) {
+  std::vector<float> to_eighth(positions.size());
+  for (std::uint32_t i = 0; i < positions.size(); ++i) {
+    const std::uint32_t eighth = graph.of(i)[std::min(graph.k, 8U) - 1];
+    to_eighth[i] = static_cast<float>(glm::distance(positions[i], positions[eighth]));
+  }
+  std::vector<float> sorted = to_eighth;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  std::vector<std::uint32_t> points;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const bool scattered = to_eighth[i] > kSparseInMedians * *middle &&
+                           frames.roughness[i] > kRoughShare * to_eighth[i];
+    if (!scattered) points.push_back(i);
+  }
+  return points;
+}
+
+// Whether a region goes on among the points around, which are those from `count` on.
+bool goes_on_around(const SurfaceSamples& samples, const NeighbourGraph& graph,
+                    const Region& region, std::size_t count) {
+  return std::ranges::any_of(region.points, [&](std::uint32_t i) {
+    return std::ranges::any_of(
+        graph.of(i), [&](std::uint32_t j) { return j >= count && on_one_sheet(samples, i, j); });
+  });
+}
+
+}  // namespace
+
+std::vector<Region> find_regions(const Points& points, std::size_t count,
+                                 const NeighbourGraph& graph, const LocalFrames& frames,
+                                 const FindRegionsOptions& options, Progress& progress) {
+  const std::vector<glm::vec3> smooth = smooth_normals(points.normals, graph);
+  const SurfaceSamples samples{points.positions, smooth, graph.spacing, frames.roughness};
+  const double cone = options.cone_degrees > 0.0 ? options.cone_degrees : kDefaultConeDegrees;
+  std::vector<Region> regions = partition(
+      samples, graph, surface_points(points.positions, count, graph, frames), cone, progress);
+  std::erase_if(regions, [&](const Region& r) {
+    return r.points.size() < kLeastPatchPoints && !goes_on_around(samples, graph, r, count);
+  });
+  return regions;
+}
+
+}  // namespace relief

@@ -1,0 +1,269 @@
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <memory>
+#include <numbers>
+#include <optional>
+
+#include "preprocess/partition/borders.h"
+#include "preprocess/partition/candidate_queue.h"
+#include "preprocess/partition/normal_spread.h"
+#include "preprocess/partition/partition.h"
+
+namespace relief {
+namespace {
+
+constexpr std::uint32_t kNoCluster = 0xFFFFFFFFU;
+
+// A union of more points is first tried by the outermost normals, which takes as long as the test
+// of some hundreds of points. (On the Dragon the others are a tenth of all the points that are
+// tried.)
+constexpr std::size_t kManyPoints = 400;
+
+// So many of the best pairs are tried beside each other, where there is more than one thread: on
+// the first thousands of merges about 5 us each; later ones are spoilt by those before them.
+constexpr std::size_t kMostTrials = 32;
+constexpr std::size_t kLeastTrials = 4;
+
+constexpr double kCompactnessWeight = 0.01;
+constexpr double kSizeWeight = 2.0;
+
+// A region while it grows.
+struct Cluster {
+  Region region;
+  double area = 0.0;            // sum of squared local spacings
+  glm::dvec3 area_normal{0.0};  // sum of those times normals
+  double perimeter = 0.0;       // sum of `borders`
+  Borders borders;
+  std::unique_ptr<NormalSpread> spread;  // once it was asked for
+  std::uint32_t version = 0;
+};
+
+/// What came of trying to put a pair together.
+struct Trial {
+  Candidate candidate;
+  std::vector<std::uint32_t> points;  // of the union, if it was put together
+  std::optional<glm::vec3> normal;    // of its base plane, if it may be
+};
+
+class Merger {
+ public:
+  Merger(const SurfaceSamples& samples, const NeighbourGraph& graph, const MergeRule& rule,
+         std::vector<Region> regions)
+      : samples_(samples),
+        tests_([samples, limits = rule.limits] { return RegionTest(samples, limits); }),
+        cos_cone_(std::cos(glm::radians(rule.limits.cone_degrees))),
+        small_points_(rule.small_points) {
+    clusters_.resize(regions.size());
+    alive_ = regions.size();
+    std::vector<std::uint32_t> owner(samples.positions.size(), kNoCluster);
+    for (std::uint32_t c = 0; c < regions.size(); ++c) {
+      for (const std::uint32_t i : regions[c].points) {
+        const double a = double{samples.spacing[i]} * samples.spacing[i];
+        owner[i] = c;
+        clusters_[c].area += a;
+        clusters_[c].area_normal += a * glm::dvec3(samples.normals[i]);
+      }
+      total_area_ += clusters_[c].area;
+      clusters_[c].region = std::move(regions[c]);
+    }
+    add_borders(graph, owner);
+    for (Cluster& cluster : clusters_) {
+      for (const auto& [other, length] : cluster.borders) cluster.perimeter += length;
+    }
+    for (std::uint32_t c = 0; c < clusters_.size(); ++c) push_candidates(c, true);
+  }
+
+  std::vector<Region> run(Progress& progress) {
+    progress.begin_stage("merge", clusters_.size());
+    const std::size_t threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+    std::vector<Trial> trials;  // ahead of their turn, in their order
+    std::size_t next = 0;
+    while (!progress.cancelled()) {
+      if (next == trials.size()) {
+        trials = take_best(threads > 1 ? std::clamp(alive_ / 64, kLeastTrials, kMostTrials) : 1);
+        next = 0;
+        if (trials.empty()) break;
+        try_all(trials);
+      }
+      // What merges have made possible since the trials may be better.
+      const Candidate* best = best_candidate();
+      if (best != nullptr && trials[next].candidate.is_worse_than(*best)) {
+        std::vector<Trial> better = take_best(1);
+        try_all(better);
+        if (settle(better.front())) progress.advance(1);
+      } else if (settle(trials[next++])) {
+        progress.advance(1);
+      }
+    }
+    std::vector<Region> out;
+    for (Cluster& cluster : clusters_) {
+      if (!cluster.region.points.empty()) out.push_back(std::move(cluster.region));
+    }
+    return out;
+  }
+
+ private:
+  void add_borders(const NeighbourGraph& graph, const std::vector<std::uint32_t>& owner) {
+    const std::size_t near = std::min<std::size_t>(kBorderNeighbours, graph.k);
+    // For each point a bit for each of its neighbours that are in another cluster.
+    std::vector<std::uint8_t> across(owner.size(), 0);
+    tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(owner.size()), [&](auto i) {
+      if (owner[i] == kNoCluster) return;
+      for (std::size_t m = 0; m < near; ++m) {
+        const std::uint32_t j = graph.of(i)[m];
+        if (owner[j] == owner[i] || owner[j] == kNoCluster || !on_one_sheet(samples_, i, j))
+          continue;
+        across[i] |= static_cast<std::uint8_t>(1U << m);
+      }
+    });
+    for (std::uint32_t i = 0; i < owner.size(); ++i) {
+      for (std::size_t m = 0; across[i] >> m != 0; ++m) {
+        if ((across[i] >> m & 1) == 0) continue;
+        const std::uint32_t other = owner[graph.of(i)[m]];
+        // A point beside a straight border has about 3 of its 8 neighbours beyond it; both sides
+        // count.
+        const double length = double{samples_.spacing[i]} / 6.0;
+        clusters_[std::min(owner[i], other)].borders[std::max(owner[i], other)] += length;
+      }
+    }
+    // Borders are the same from both sides: told of the lower cluster, then copied.
+    for (std::uint32_t c = 0; c < clusters_.size(); ++c) {
+      for (const auto& [other, length] : clusters_[c].borders) {
+        if (other > c) clusters_[other].borders[c] = length;
+      }
+    }
+  }
+
+  // Lower is better. Flatness: share of the union's area that its mean normal loses (0 for a
+  // plane). Compactness: perimeter squared over 4 pi area (1 for a disc). Size: the square root of
+  // its share of the model keeps all patches growing alike. The weights were chosen on Dragon, Igea
+  // and Lucy for few patches of compact shape (docs/decisions.md).
+  [[nodiscard]] double cost(std::uint32_t ia, std::uint32_t ib, double border) const {
+    const Cluster& a = clusters_[ia];
+    const Cluster& b = clusters_[ib];
+    const double area = a.area + b.area;
+    const double flatness = 1.0 - glm::length(a.area_normal + b.area_normal) / area;
+    const double perimeter = std::max(a.perimeter + b.perimeter - 2.0 * border, 0.0);
+    const double compactness = perimeter * perimeter / (4.0 * std::numbers::pi * area);
+    return flatness + kCompactnessWeight * compactness +
+           kSizeWeight * std::sqrt(area / total_area_);
+  }
+
+  void push_candidates(std::uint32_t c, bool only_higher) {
+    for (const auto& [other, border] : clusters_[c].borders) {
+      if (only_higher && other < c) continue;
+      if (std::min(clusters_[c].region.points.size(), clusters_[other].region.points.size()) >=
+          small_points_) {
+        continue;
+      }
+      const std::uint32_t a = std::min(c, other);
+      const std::uint32_t b = std::max(c, other);
+      queue_.push({cost(a, b, border), a, b, clusters_[a].version, clusters_[b].version});
+    }
+  }
+
+  [[nodiscard]] bool is_current(const Candidate& c) const {
+    return clusters_[c.a].version == c.version_a && clusters_[c.b].version == c.version_b;
+  }
+
+  [[nodiscard]] const Candidate* best_candidate() {
+    return queue_.best([this](const Candidate& c) { return is_current(c); });
+  }
+
+  /// Takes up to `count` of the best candidates.
+  std::vector<Trial> take_best(std::size_t count) {
+    std::vector<Trial> trials;
+    while (trials.size() < count) {
+      const Candidate* best = best_candidate();
+      if (best == nullptr) break;
+      trials.push_back({*best, {}, {}});
+      queue_.pop();
+    }
+    return trials;
+  }
+
+  [[nodiscard]] bool is_many(const Candidate& c) const {
+    return clusters_[c.a].region.points.size() + clusters_[c.b].region.points.size() > kManyPoints;
+  }
+
+  void try_all(std::vector<Trial>& trials) {
+    for (const Trial& trial : trials) {
+      if (!is_many(trial.candidate)) continue;
+      for (const std::uint32_t c : {trial.candidate.a, trial.candidate.b}) {
+        Cluster& cluster = clusters_[c];
+        if (!cluster.spread)
+          cluster.spread = std::make_unique<NormalSpread>(samples_.normals, cluster.region.points);
+      }
+    }
+    if (trials.size() == 1) return try_union(trials.front());
+    tbb::parallel_for(std::size_t{0}, trials.size(), [&](std::size_t t) { try_union(trials[t]); });
+  }
+
+  void try_union(Trial& trial) {
+    const Cluster& a = clusters_[trial.candidate.a];
+    const Cluster& b = clusters_[trial.candidate.b];
+    if (is_many(trial.candidate) && NormalSpread::exceed(*a.spread, *b.spread, cos_cone_)) return;
+    trial.points.resize(a.region.points.size() + b.region.points.size());
+    std::merge(a.region.points.begin(), a.region.points.end(), b.region.points.begin(),
+               b.region.points.end(), trial.points.begin());
+    trial.normal = tests_.local().fit(trial.points);
+  }
+
+  /// Merges the pair if it may be and is still there.
+  bool settle(Trial& trial) {
+    if (!trial.normal || !is_current(trial.candidate)) return false;
+    std::uint32_t ia = trial.candidate.a;
+    std::uint32_t ib = trial.candidate.b;
+    if (clusters_[ia].region.points.size() < clusters_[ib].region.points.size()) std::swap(ia, ib);
+    Cluster& a = clusters_[ia];
+    Cluster& b = clusters_[ib];
+    if (is_many(trial.candidate)) {
+      a.spread->add(*b.spread);
+    } else {
+      a.spread.reset();
+    }
+    a.region = {std::move(trial.points), *trial.normal};
+    a.area += b.area;
+    a.area_normal += b.area_normal;
+    a.perimeter = std::max(a.perimeter + b.perimeter - 2.0 * b.borders[ia], 0.0);
+    for (const auto& [other, length] : b.borders) {
+      if (other == ia) continue;
+      a.borders[other] += length;
+      auto& back = clusters_[other].borders;
+      back[ia] += length;
+      back.erase(ib);
+    }
+    a.borders.erase(ib);
+    ++a.version;
+    const std::uint32_t next_version = b.version + 1;
+    b = Cluster{};
+    b.version = next_version;
+    --alive_;
+    push_candidates(ia, false);
+    return true;
+  }
+
+  SurfaceSamples samples_;
+  tbb::enumerable_thread_specific<RegionTest> tests_;
+  double cos_cone_;
+  std::size_t small_points_;
+  std::vector<Cluster> clusters_;
+  CandidateQueue queue_;
+  std::size_t alive_ = 0;
+  double total_area_ = 0.0;
+};
+
+}  // namespace
+
+std::vector<Region> merge(const SurfaceSamples& samples, const NeighbourGraph& graph,
+                          std::vector<Region> regions, const MergeRule& rule, Progress& progress) {
+  return Merger(samples, graph, rule, std::move(regions)).run(progress);
+}
+
+}  // namespace relief

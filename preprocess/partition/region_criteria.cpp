@@ -1,0 +1,160 @@
+#include "preprocess/partition/region_criteria.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace relief {
+namespace {
+
+constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+
+// Cells of 1.5 spacings hold two points of a sheet on average, so that a second sheet is met.
+constexpr double kCellInSpacings = 1.5;
+// Noise of twice its rms does not make a second sheet.
+constexpr double kToleranceInRoughness = 2.0;
+// Neighbours farther apart than this many spacings are not connected. A scan whose density changes
+// by a factor of four from one point to the next still is.
+constexpr double kLongestHop = 6.0;
+// More points in one cell than this need not all be compared with each other.
+constexpr int kMaxCompared = 8;
+// What single precision leaves of a unit vector's length squared, or less.
+constexpr double kSurelyWithin = 0.99999;
+
+std::int32_t floor_to_int(double value) {
+  const auto cut = static_cast<std::int32_t>(value);
+  return static_cast<double>(cut) > value ? cut - 1 : cut;
+}
+
+}  // namespace
+
+void complete_frame(glm::dvec3 n, glm::dvec3& u, glm::dvec3& v) {
+  const glm::dvec3 other = std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  u = glm::normalize(glm::cross(other, n));
+  v = glm::cross(n, u);
+}
+
+bool on_one_sheet(const SurfaceSamples& samples, std::uint32_t i, std::uint32_t j) {
+  if (!(glm::dot(samples.normals[i], samples.normals[j]) > 0.0F)) return false;
+  // The finer of both densities judges: an outlier's own would excuse any distance.
+  const double rough = std::min(samples.roughness[i], samples.roughness[j]);
+  const double spacing = std::min(samples.spacing[i], samples.spacing[j]);
+  const glm::dvec3 hop = samples.positions[j] - samples.positions[i];
+  const glm::dvec3 mean(glm::normalize(samples.normals[i] + samples.normals[j]));
+  return glm::length(hop) <= kLongestHop * spacing &&
+         std::abs(glm::dot(mean, hop)) <=
+             std::max(kSheetTolerance * spacing, kToleranceInRoughness * rough);
+}
+
+SheetScale sheet_scale(const SurfaceSamples& samples, std::span<const std::uint32_t> points,
+                       double sheet_tolerance) {
+  double area = 0.0;
+  double roughness = 0.0;
+  for (const std::uint32_t i : points) {
+    area += double{samples.spacing[i]} * samples.spacing[i];
+    roughness += samples.roughness[i];
+  }
+  const auto count = static_cast<double>(points.size());
+  const double spacing = std::sqrt(area / count);
+  return {kCellInSpacings * spacing,
+          std::max(sheet_tolerance * spacing, kToleranceInRoughness * roughness / count)};
+}
+
+RegionTest::RegionTest(const SurfaceSamples& samples, const RegionLimits& limits)
+    : samples_(samples),
+      cos_cone_(static_cast<float>(std::cos(glm::radians(limits.cone_degrees)))),
+      cone_(std::acos(cos_cone_)),
+      sheet_tolerance_(limits.sheet_tolerance),
+      density_ratio_(limits.density_ratio) {}
+
+std::optional<glm::vec3> RegionTest::fit_cone(std::span<const std::uint32_t> points) {
+  glm::vec3 sum(0.0F);
+  normals_.resize(points.size());
+  for (std::size_t m = 0; m < points.size(); ++m) {
+    const std::uint32_t i = points[m];
+    normals_.set(m, samples_.normals[i]);
+    sum += samples_.spacing[i] * samples_.spacing[i] * samples_.normals[i];
+  }
+  const float length = glm::length(sum);
+  if (!(length > 0.0F)) return std::nullopt;
+  glm::vec3 axis = sum / length;
+  // Badoiu and Clarkson: steps of 1/(m+1) towards the farthest normal converge on the centre of the
+  // smallest enclosing cap. 12 steps come within about a degree.
+  constexpr int kSteps = 12;
+  for (int step = 1; step <= kSteps; ++step) {
+    const float least = normals_.least_cosine(axis);
+    if (least >= cos_cone_) return axis;
+    // 25 degrees beyond the cone are not won back by moving the axis, as it starts near the middle.
+    if (step == 1 && std::acos(std::clamp(least, -1.0F, 1.0F)) > cone_ + glm::radians(25.0F)) {
+      return std::nullopt;
+    }
+    const glm::vec3 worst = normals_.at(normals_.find(axis, least));
+    axis = glm::normalize(axis + (worst - axis) / static_cast<float>(step + 3));
+  }
+  return std::nullopt;
+}
+
+bool RegionTest::single_valued(std::span<const std::uint32_t> points, glm::vec3 normal) {
+  glm::dvec3 u;
+  glm::dvec3 v;
+  complete_frame(glm::dvec3(normal), u, v);
+  const auto [cell, tolerance] = sheet_scale(samples_, points, sheet_tolerance_);
+
+  // What the table's order asks for at random is brought together first.
+  places_.clear();
+  keys_.clear();
+  const glm::dvec3 base = samples_.positions[points.front()];
+  for (const std::uint32_t i : points) {
+    const glm::dvec3 d = samples_.positions[i] - base;
+    const glm::dvec2 at = glm::dvec2(glm::dot(d, u), glm::dot(d, v)) / cell;
+    const auto x = floor_to_int(at.x);
+    const auto y = floor_to_int(at.y);
+    places_.push_back(samples_.positions[i]);
+    keys_.push_back(std::uint64_t{static_cast<std::uint32_t>(x)} << 32 |
+                    static_cast<std::uint32_t>(y));
+  }
+
+  const std::size_t capacity = std::bit_ceil(points.size() * 2);
+  table_.assign(capacity, kNone);
+  next_.resize(points.size());
+  for (std::uint32_t m = 0; m < points.size(); ++m) {
+    const std::uint64_t key = keys_[m];
+    std::size_t slot = (key * 0x9E3779B97F4A7C15ULL >> 20) & (capacity - 1);
+    while (table_[slot] != kNone && keys_[table_[slot]] != key) slot = (slot + 1) & (capacity - 1);
+    next_[m] = table_[slot];
+    table_[slot] = m;
+    int compared = 0;
+    for (std::uint32_t o = next_[m]; o != kNone && compared < kMaxCompared;
+         o = next_[o], ++compared) {
+      const glm::dvec3 apart = places_[m] - places_[o];
+      // Most are nearer to each other than they may be off: the mean normal is unit to rounding.
+      if (glm::dot(apart, apart) < kSurelyWithin * tolerance * tolerance) continue;
+      const glm::vec3 mean = glm::normalize(normals_.at(m) + normals_.at(o));
+      if (std::abs(glm::dot(glm::dvec3(mean), apart)) > tolerance) return false;
+    }
+  }
+  return true;
+}
+
+bool RegionTest::even_enough(std::span<const std::uint32_t> points) {
+  if (density_ratio_ <= 0.0) return true;
+  spacings_.clear();
+  for (const std::uint32_t i : points) spacings_.push_back(samples_.spacing[i]);
+  const auto tenth = static_cast<std::ptrdiff_t>(spacings_.size() / 10);
+  const auto fine = spacings_.begin() + tenth;
+  const auto coarse = spacings_.end() - 1 - tenth;
+  std::nth_element(spacings_.begin(), fine, spacings_.end());
+  std::nth_element(fine, coarse, spacings_.end());
+  return *coarse <= density_ratio_ * *fine;
+}
+
+std::optional<glm::vec3> RegionTest::fit(std::span<const std::uint32_t> points) {
+  if (!even_enough(points)) return std::nullopt;
+  const std::optional<glm::vec3> axis = fit_cone(points);
+  if (!axis || !single_valued(points, *axis)) return std::nullopt;
+  return axis;
+}
+
+}  // namespace relief

@@ -1,0 +1,203 @@
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "preprocess/readers/ply/ply_header.h"
+#include "preprocess/readers/ply/ply_values.h"
+#include "preprocess/readers/point_record.h"
+#include "preprocess/readers/polygons.h"
+#include "preprocess/readers/readers.h"
+
+namespace relief {
+namespace {
+
+/// A value as an index; whatever is none becomes kNoPoint.
+std::uint32_t to_index(double value) {
+  return value >= 0.0 && value < static_cast<double>(kNoPoint) ? static_cast<std::uint32_t>(value)
+                                                               : kNoPoint;
+}
+
+/// Reads the body, element by element in the header's order.
+template <class Values>
+class PlyBody {
+ public:
+  PlyBody(const Source& source, const PlyHeader& header)
+      : source_(source), header_(header), meter_(source), values_(source.text, header.body) {}
+
+  Result<Points> read() {
+    for (const PlyElement& element : header_.elements) {
+      if (element.properties.empty()) continue;
+      if (has_vertices_ && source_.sink != nullptr) {
+        source_.remarks.notes.push_back(
+            fmt::format("{}: its {} elements '{}' are not used with --memory", source_.name,
+                        element.count, element.name));
+        continue;
+      }
+      if (Status fits = check_count(element); !fits) return fits.error();
+      const Status status = element.name == "vertex" ? read_vertices(element) : read_lists(element);
+      if (!status) return status.error();
+    }
+    return std::move(points_);
+  }
+
+ private:
+  /// A count that the rest of the file cannot hold is refused before memory is taken for it.
+  Status check_count(const PlyElement& element) {
+    std::uint64_t least = 0;
+    for (const PlyProperty& p : element.properties) {
+      least += Values::least_size(p.count_type.value_or(p.type));
+    }
+    assert(least > 0 && "an element has properties, each of a byte or more");
+    if (element.count > values_.left() / least) {
+      return make_error(
+          "{}: the header states {} elements '{}', but the {} bytes after byte {} cannot hold "
+          "them; "
+          "the file is truncated or damaged",
+          source_.name, element.count, element.name, values_.left(), values_.offset());
+    }
+    return {};
+  }
+
+  Error failure(const PlyElement& element, std::uint64_t index) {
+    return make_error("{}: {} ({} {} of {}); the file is truncated or damaged", source_.name,
+                      impossible_list_
+                          ? values_.place() + ": a list is longer than the file or less than 0"
+                          : values_.failure(),
+                      element.name, index + 1, element.count);
+  }
+
+  Status read_vertices(const PlyElement& element) {
+    RecordLayout layout;
+    std::vector<Role> roles;  // per property
+    ColourNumbers colour_numbers = ColourNumbers::Integer;
+    for (const PlyProperty& property : element.properties) {
+      const Role role = layout.add(property.count_type ? Other : role_of(property.name));
+      roles.push_back(role);
+      if (role == Red && is_real(property.type)) colour_numbers = ColourNumbers::Real;
+    }
+    if (!layout.positions()) {
+      return make_error("{}: its vertices have no properties x, y and z", source_.name);
+    }
+    if (element.count >= kNoPoint) return too_many_points(source_, element.count);
+
+    has_vertices_ = true;
+    const std::uint64_t most = source_.sink != nullptr ? PointSink::kBlockPoints : element.count;
+    PointCollector points(layout, colour_numbers, std::min(most, element.count));
+    PointRecord record{};
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      if (!read_vertex(element, roles, record)) return failure(element, i);
+      if (!meter_.advance_to(values_.offset())) return interrupted_error();
+      points.add(record);
+      if (!points.is_block(source_)) continue;
+      if (Status given = points.give_block(source_); !given) return given;
+    }
+    // Faces may have come before the vertices.
+    std::vector<Triangle> triangles = std::move(points_.triangles);
+    points_ = points.finish();
+    points_.triangles = std::move(triangles);
+    return {};
+  }
+
+  bool read_vertex(const PlyElement& element, const std::vector<Role>& roles, PointRecord& record) {
+    if (!values_.begin_element()) return false;
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+      const PlyProperty& property = element.properties[p];
+      if (property.count_type ? !skip_list(property)
+                              : !values_.value(property.type, record[roles[p]])) {
+        return false;
+      }
+    }
+    return values_.end_element();
+  }
+
+  /// Any other element: faces and strips are kept, the rest is passed over.
+  Status read_lists(const PlyElement& element) {
+    const bool strips = element.name == "tristrips";
+    const bool faces = element.name == "face";
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      if (!values_.begin_element()) return failure(element, i);
+      for (const PlyProperty& property : element.properties) {
+        const bool wanted = (faces || strips) && property.count_type &&
+                            (property.name == "vertex_indices" || property.name == "vertex_index");
+        if (!(wanted ? read_list(property) : skip_property(property))) return failure(element, i);
+        if (!wanted || source_.sink != nullptr) continue;
+        if (strips) append_strips(list_, points_.triangles);
+        if (faces) append_polygon(list_, points_.triangles);
+      }
+      if (!values_.end_element()) return failure(element, i);
+      if (!meter_.advance_to(values_.offset())) return interrupted_error();
+    }
+    return {};
+  }
+
+  bool read_list(const PlyProperty& property) {
+    std::uint64_t count = 0;
+    if (!list_count(property, count)) return false;
+    list_.clear();
+    list_.reserve(count);
+    for (std::uint64_t i = 0; i < count; ++i) {
+      double value = 0.0;
+      if (!values_.value(property.type, value)) return false;
+      list_.push_back(to_index(value));
+    }
+    return true;
+  }
+
+  bool skip_property(const PlyProperty& property) {
+    return property.count_type ? skip_list(property) : values_.skip_values(property.type, 1);
+  }
+
+  bool skip_list(const PlyProperty& property) {
+    std::uint64_t count = 0;
+    return list_count(property, count) && values_.skip_values(property.type, count);
+  }
+
+  /// A list's length; false if there is none or the rest of the file is shorter.
+  bool list_count(const PlyProperty& property, std::uint64_t& count) {
+    double value = 0.0;
+    if (!values_.value(*property.count_type, value)) return false;
+    const std::uint64_t longest = values_.left() / Values::least_size(property.type);
+    const auto most = static_cast<double>(longest);
+    impossible_list_ = !(value >= 0.0 && value <= most && value == std::floor(value));
+    if (impossible_list_) return false;
+    count = static_cast<std::uint64_t>(value);
+    return true;
+  }
+
+  const Source& source_;
+  const PlyHeader& header_;
+  ReadMeter meter_;
+  Values values_;
+  Points points_;
+  std::vector<std::uint32_t> list_;
+  bool impossible_list_ = false;
+  bool has_vertices_ = false;  ///< they were read, or the sink has them
+};
+
+}  // namespace
+
+bool is_ply(std::string_view text) {
+  return text.starts_with("ply") && text.substr(3, 1).find_first_of("\n\r ") == 0;
+}
+
+Result<Points> read_ply(const Source& source) {
+  const auto header = read_ply_header(source);
+  if (!header) return header.error();
+  const auto vertices = std::ranges::count(header->elements, "vertex", &PlyElement::name);
+  if (vertices != 1) {
+    return make_error("{}: the header has {} elements 'vertex', but one is needed", source.name,
+                      vertices);
+  }
+  switch (header->encoding) {
+    case PlyEncoding::Ascii:
+      return PlyBody<PlyAsciiValues>(source, *header).read();
+    case PlyEncoding::LittleEndian:
+      return PlyBody<PlyBinaryValues<false>>(source, *header).read();
+    case PlyEncoding::BigEndian:
+      return PlyBody<PlyBinaryValues<true>>(source, *header).read();
+  }
+  return make_error("{}: unknown PLY encoding", source.name);
+}
+
+}  // namespace relief

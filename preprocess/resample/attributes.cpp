@@ -1,0 +1,144 @@
+#include "preprocess/resample/attributes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "common/image/srgb.h"
+#include "common/octahedral.h"
+#include "preprocess/resample/colour_interpolation.h"
+
+namespace relief {
+namespace {
+
+// Gives every unknown texel the mean of its known neighbours, ring by ring outward from the known.
+template <class Value>
+void continue_outward(std::vector<Value>& values, std::vector<std::uint8_t>& known,
+                      std::uint32_t width, std::uint32_t height) {
+  if (width == 0 || height == 0) return;
+  const auto for_neighbours = [&](std::size_t m, auto&& fn) {
+    const auto i = static_cast<std::uint32_t>(m % width);
+    const auto j = static_cast<std::uint32_t>(m / width);
+    for (std::uint32_t b = j > 0 ? j - 1 : 0; b <= std::min(j + 1, height - 1); ++b) {
+      for (std::uint32_t a = i > 0 ? i - 1 : 0; a <= std::min(i + 1, width - 1); ++a) {
+        fn(std::size_t{b} * width + a);
+      }
+    }
+  };
+  constexpr std::uint8_t kQueued = 2;
+  std::vector<std::size_t> front;
+  const auto enqueue_around = [&](std::size_t m, std::vector<std::size_t>& queue) {
+    for_neighbours(m, [&](std::size_t o) {
+      if (known[o] != 0) return;
+      known[o] = kQueued;
+      queue.push_back(o);
+    });
+  };
+  for (std::size_t m = 0; m < values.size(); ++m) {
+    if (known[m] == 1) enqueue_around(m, front);
+  }
+  while (!front.empty()) {
+    for (const std::size_t m : front) {
+      Value sum(0.0F);
+      float count = 0.0F;
+      for_neighbours(m, [&](std::size_t o) {
+        if (known[o] != 1) return;
+        sum += values[o];
+        count += 1.0F;
+      });
+      values[m] = sum / count;
+    }
+    for (const std::size_t m : front) known[m] = 1;
+    std::vector<std::size_t> next;
+    for (const std::size_t m : front) enqueue_around(m, next);
+    front = std::move(next);
+  }
+}
+
+// The mean of the colours around a place, of a scan that is finer than the texels, `step` apart.
+glm::vec3 mean_colour(const PatchPoints& points, const PointGrid& lookup, glm::dvec2 place,
+                      std::uint32_t nearest, double step, const std::vector<glm::u8vec3>& colours) {
+  const double to_nearest = glm::distance(glm::dvec2(points.positions[nearest]), place);
+  // Never narrower than to the nearest point, so that weights do not all vanish.
+  const double radius = std::max(0.5 * step, 0.6 * to_nearest);
+  glm::vec3 sum(0.0F);
+  float weights = 0.0F;
+  lookup.for_each_within(place.x, place.y, 2.5 * radius, [&](std::uint32_t p, double squared) {
+    const auto w = static_cast<float>(std::exp(-squared / (radius * radius)));
+    sum += w * linear_from_srgb8(colours[points.ids[p]]);
+    weights += w;
+  });
+  return sum / weights;
+}
+
+// A texel has a colour of its own if one of the nodes around it is a sample.
+bool beside_sample(const std::vector<NodeState>& states, const PatchGrid& grid, std::uint32_t a,
+                   std::uint32_t b, std::uint32_t scale) {
+  const std::uint32_t i0 = a / scale;
+  const std::uint32_t j0 = b / scale;
+  for (std::uint32_t j = j0; j <= std::min(j0 + 1, grid.height - 1); ++j) {
+    for (std::uint32_t i = i0; i <= std::min(i0 + 1, grid.width - 1); ++i) {
+      if (states[std::size_t{j} * grid.width + i] != NodeState::Hole) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+AttributeMap<glm::i16vec2> sample_normals(const std::vector<SurfacePoint>& surface,
+                                          const std::vector<NodeState>& states,
+                                          const PatchGrid& grid, bool from_points) {
+  std::vector<glm::vec3> normals(surface.size(), glm::vec3(0.0F));
+  std::vector<std::uint8_t> known(surface.size(), 0);
+  for (std::size_t m = 0; m < surface.size(); ++m) {
+    if (states[m] == NodeState::Hole) continue;
+    known[m] = 1;
+    normals[m] = from_points ? surface[m].given_normal : surface[m].fitted_normal;
+  }
+  continue_outward(normals, known, grid.width, grid.height);
+  AttributeMap<glm::i16vec2> map{grid.width, grid.height, 1, {}};
+  map.texels.reserve(normals.size());
+  for (const glm::vec3& n : normals) map.texels.push_back(snorm16_from_unit(n));
+  return map;
+}
+
+AttributeMap<glm::u8vec3> sample_colours(const PatchPoints& points, const PointGrid& lookup,
+                                         const std::vector<NodeState>& states,
+                                         const PatchGrid& grid,
+                                         const std::vector<glm::u8vec3>& colours,
+                                         std::uint32_t scale) {
+  AttributeMap<glm::u8vec3> map{
+      (grid.width - 1) * scale + 1, (grid.height - 1) * scale + 1, scale, {}};
+  const std::size_t size = std::size_t{map.width} * map.height;
+  std::vector<glm::vec3> values(size, glm::vec3(0.0F));
+  std::vector<std::uint8_t> known(size, 0);
+  const double step = grid.spacing / scale;
+  std::optional<ColourInterpolation> between;  // costs a fit a point: not where all is averaged
+  for (std::uint32_t b = 0; b < map.height; ++b) {
+    for (std::uint32_t a = 0; a < map.width; ++a) {
+      if (!beside_sample(states, grid, a, b, scale)) continue;
+      const double x = grid.x0 + a * step;
+      const double y = grid.y0 + b * step;
+      const std::uint32_t nearest = lookup.nearest(x, y, 4.0 * grid.spacing);
+      if (nearest == PointGrid::kNone) continue;
+      const std::size_t m = std::size_t{b} * map.width + a;
+      known[m] = 1;
+      if (points.spacing[nearest] < step) {
+        values[m] = mean_colour(points, lookup, {x, y}, nearest, step, colours);
+        continue;
+      }
+      if (!between) between.emplace(points, lookup, colours);
+      values[m] = between->at(x, y, nearest);
+    }
+  }
+  continue_outward(values, known, map.width, map.height);
+  map.texels.reserve(size);
+  for (const glm::vec3& v : values) {
+    map.texels.push_back(srgb8_from_linear(v));
+  }
+  return map;
+}
+
+}  // namespace relief

@@ -1,0 +1,45 @@
+// Colours between the points of a scan.
+#pragma once
+
+#include <cstdint>
+#include <glm/ext/vector_uint3_sized.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "preprocess/resample/point_grid.h"
+
+namespace relief {
+
+/// Interpolates the colours of a patch's points over its base plane by ordinary kriging with the
+/// linear variogram (Matheron 1963): exact at points, never beyond the colours around, and of all
+/// linear ways the best where colours change at edges, as their mean squared difference then grows
+/// with the distance. Distances are along the surface, and shorter along an edge than across it:
+/// the metric is steered by the structure tensor of the colours (as the kernels of Takeda et al.
+/// 2007, Kernel regression for image processing and reconstruction).
+class ColourInterpolation {
+ public:
+  /// `colours`: one per point of the scan, sRGB. Keeps references; `lookup` is over all of
+  /// `points`.
+  ColourInterpolation(const PatchPoints& points, const PointGrid& lookup,
+                      const std::vector<glm::u8vec3>& colours);
+
+  /// The linear colour at (x, y), local, to which the point `nearest` is nearest.
+  [[nodiscard]] glm::vec3 at(double x, double y, std::uint32_t nearest) const;
+
+ private:
+  /// Sum over the channels of the products of a gradient's components: along x, mixed, along y. Per
+  /// squared unit on the base plane.
+  using Tensor = glm::dvec3;
+  /// Across an edge and along it, for offsets on the base plane.
+  struct Metric;
+
+  [[nodiscard]] Tensor gradient_at(std::uint32_t point) const;
+  [[nodiscard]] Metric metric_at(double x, double y, std::uint32_t nearest) const;
+
+  const PatchPoints& points_;
+  const PointGrid& lookup_;
+  std::vector<glm::vec3> values_;  ///< linear
+  std::vector<Tensor> tensors_;    ///< per point
+};
+
+}  // namespace relief

@@ -1,0 +1,188 @@
+#include "preprocess/resample/mls.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <span>
+
+namespace relief {
+namespace {
+
+// The weight's scale in local scan spacings: small enough to keep the scan's detail, large enough
+// for at least six points with weight. Dragon: docs/decisions.md.
+constexpr double kScaleInSpacings = 1.0;
+// The least scale in grid spacings: a finer scan is averaged so that the grid does not alias.
+constexpr double kScaleInGridSpacings = 0.5;
+// Points beyond this many scales have weights below exp(-6.25) = 0.002 and are left out.
+constexpr double kCutoff = 2.5;
+// Ridge on the second-order terms, relative to the sum of weights (coordinates scaled by s).
+constexpr double kRidge = 2e-3;
+// The fit may leave the points' own tangent planes by this many scales; further is an overshoot.
+constexpr double kMaxOvershoot = 0.5;
+
+// Points whose normals differ from the nearest one's by more (60 degrees) lie beyond a crest: seen
+// from the base plane they are near, on the surface they are not.
+constexpr float kLeastLikeness = 0.5F;
+// Fitted normals may leave the mean normal by up to 37 degrees; further is an overshoot.
+constexpr float kLeastAgreement = 0.8F;
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Right = Eigen::Matrix<double, 6, 4>;
+
+/// Two doubles that the processor works on at once.
+using Pair = double __attribute__((vector_size(16)));
+
+/// What a point adds to a fit.
+struct Term {
+  std::array<Pair, 3> basis;     // of the polynomial, there
+  std::array<Pair, 3> weighted;  // that times the point's weight
+  std::array<double, 4> values;  // its height, then the components of its normal
+};
+
+/// The sums of a fit. Terms are taken in one by one, which is what rounding sees, but the sums of
+/// many stay in registers: half of the matrix fills them, the right side does again.
+struct Sums {
+  Matrix6 normal_matrix = Matrix6::Zero();  // the lower half of it
+  Right right_side = Right::Zero();  // heights, then the three components of the points' normals
+  double weight = 0.0;
+  double tangent = 0.0;  // weighted heights of tangent planes: the cheap implicit surface
+  glm::vec3 normal{0.0F};
+
+  void add(std::span<const Term> terms) {
+    add_to_matrix(terms);
+    add_to_right_side(terms);
+  }
+
+ private:
+  void add_to_matrix(std::span<const Term> terms) {
+    std::array<std::array<Pair, 3>, 6> columns;
+    for (int c = 0; c < 6; ++c) {
+      for (int r = c / 2; r < 3; ++r) columns[c][r] = pair_of(normal_matrix, r, c);
+    }
+    for (const Term& term : terms) {
+      for (int c = 0; c < 6; ++c) {
+        for (int r = c / 2; r < 3; ++r)
+          columns[c][r] += term.weighted[c / 2][c % 2] * term.basis[r];
+      }
+    }
+    for (int c = 0; c < 6; ++c) {
+      for (int r = c / 2; r < 3; ++r) set_pair(columns[c][r], r, c, normal_matrix);
+    }
+  }
+
+  void add_to_right_side(std::span<const Term> terms) {
+    std::array<std::array<Pair, 3>, 4> columns;
+    for (int c = 0; c < 4; ++c) {
+      for (int r = 0; r < 3; ++r) columns[c][r] = pair_of(right_side, r, c);
+    }
+    for (const Term& term : terms) {
+      for (int c = 0; c < 4; ++c) {
+        for (int r = 0; r < 3; ++r) columns[c][r] += term.values[c] * term.weighted[r];
+      }
+    }
+    for (int c = 0; c < 4; ++c) {
+      for (int r = 0; r < 3; ++r) set_pair(columns[c][r], r, c, right_side);
+    }
+  }
+
+  template <class Matrix>
+  static Pair pair_of(const Matrix& matrix, int pair, int column) {
+    return Pair{matrix(2 * pair, column), matrix(2 * pair + 1, column)};
+  }
+  template <class Matrix>
+  static void set_pair(Pair value, int pair, int column, Matrix& matrix) {
+    matrix(2 * pair, column) = value[0];
+    matrix(2 * pair + 1, column) = value[1];
+  }
+};
+
+/// A point with a say in a fit.
+struct Found {
+  std::uint32_t point;
+  double dz;       // above the spot
+  double squared;  // distance, in scales
+};
+
+/// Points are taken so many at a time; most fits have 15 to 25.
+constexpr std::size_t kBatch = 32;
+
+/// Takes points in.
+void take_in(const PatchPoints& points, std::span<const Found> found, glm::dvec3 about,
+             double scale, Sums& sums) {
+  std::array<Term, kBatch> terms;
+  for (std::size_t f = 0; f < found.size(); ++f) {
+    const auto [p, dz, squared] = found[f];
+    const double w = std::exp(-squared);
+    const double dx = (points.positions[p].x - about.x) / scale;
+    const double dy = (points.positions[p].y - about.y) / scale;
+    const glm::vec3 n = points.normals[p];
+    Term& term = terms[f];
+    term.basis = {Pair{1.0, dx}, Pair{dy, dx * dx}, Pair{dx * dy, dy * dy}};
+    for (std::size_t r = 0; r < 3; ++r) term.weighted[r] = w * term.basis[r];
+    term.values = {dz / scale, n.x, n.y, n.z};
+    sums.weight += w;
+    sums.tangent += w * (tangent_height(points, p, about.x, about.y) - about.z);
+    sums.normal += static_cast<float>(w) * n;
+  }
+  sums.add(std::span(terms).first(found.size()));
+}
+
+Sums accumulate(const PatchPoints& points, const PointGrid& lookup, glm::dvec3 about, double scale,
+                glm::vec3 normal) {
+  Sums sums;
+  std::array<Found, kBatch> found;
+  std::size_t count = 0;
+  lookup.for_each_within(about.x, about.y, kCutoff * scale,
+                         [&](std::uint32_t p, double plane_squared) {
+                           const double dz = points.positions[p].z - about.z;
+                           const double squared = (plane_squared + dz * dz) / (scale * scale);
+                           if (squared > kCutoff * kCutoff) return;
+                           if (glm::dot(normal, points.normals[p]) < kLeastLikeness) return;
+                           found[count++] = {p, dz, squared};
+                           if (count < kBatch) return;
+                           take_in(points, found, about, scale, sums);
+                           count = 0;
+                         });
+  take_in(points, std::span(found).first(count), about, scale, sums);
+  return sums;
+}
+
+glm::vec3 unit_or_up(glm::vec3 n) {
+  const float length = glm::length(n);
+  return length > 1e-6F ? n / length : glm::vec3(0.0F, 0.0F, 1.0F);
+}
+
+}  // namespace
+
+SurfacePoint evaluate_mls(const PatchPoints& points, const PointGrid& supporting,
+                          const PointGrid& all, double x, double y, double spacing) {
+  const std::uint32_t nearest = supporting.nearest(x, y, 16.0 * spacing);
+  if (nearest == PointGrid::kNone) return {0.0, {0, 0, 1}, {0, 0, 1}};
+  const glm::dvec3 about(x, y, tangent_height(points, nearest, x, y));
+  const double to_nearest = glm::distance(about, points.positions[nearest]);
+  const double scale = std::max({kScaleInSpacings * points.spacing[nearest],
+                                 kScaleInGridSpacings * spacing, 0.6 * to_nearest});
+
+  Sums sums = accumulate(points, all, about, scale, points.normals[nearest]);
+  if (!(sums.weight > 0.0)) return {about.z, points.normals[nearest], points.normals[nearest]};
+  for (int d = 3; d < 6; ++d) sums.normal_matrix(d, d) += kRidge * sums.weight;
+  for (int d = 1; d < 3; ++d) sums.normal_matrix(d, d) += 1e-6 * sums.weight;
+  const Right fit =
+      sums.normal_matrix.selfadjointView<Eigen::Lower>().ldlt().solve(sums.right_side);
+
+  SurfacePoint out;
+  const double implicit = sums.tangent / sums.weight;
+  const glm::vec3 mean = unit_or_up(sums.normal);
+  const bool sound =
+      fit.allFinite() && std::abs(fit(0, 0) * scale - implicit) <= kMaxOvershoot * scale;
+  out.height = about.z + (sound ? fit(0, 0) * scale : implicit);
+  out.fitted_normal = sound ? unit_or_up(glm::vec3(-fit(1, 0), -fit(2, 0), 1.0)) : mean;
+  // A mean alone leans towards where the points are; the fitted value does not.
+  const glm::vec3 fitted_mean = unit_or_up(glm::vec3(fit(0, 1), fit(0, 2), fit(0, 3)));
+  out.given_normal = sound && glm::dot(fitted_mean, mean) > kLeastAgreement ? fitted_mean : mean;
+  return out;
+}
+
+}  // namespace relief

@@ -1,0 +1,57 @@
+// The points of one region, and of its surroundings, in the frame of the patch they become.
+#pragma once
+
+#include <algorithm>
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <vector>
+
+#include "preprocess/partition/partition.h"
+
+namespace relief {
+
+/// A base plane with its two directions: local = transpose(axes) * (world - origin).
+struct PatchFrame {
+  glm::dvec3 origin{0.0};
+  glm::dmat3 axes{1.0};
+
+  [[nodiscard]] glm::dvec3 to_local(glm::dvec3 world) const {
+    return glm::transpose(axes) * (world - origin);
+  }
+};
+
+/// Points in a patch frame (x, y on the base plane, z the height; world units), the region's own
+/// first, then those of the overlap margin that support samples, then those too steep for that,
+/// which only steady the fits.
+struct PatchPoints {
+  PatchFrame frame;
+  std::size_t own = 0;             ///< this many belong to the region
+  std::size_t supporting = 0;      ///< this many, own ones among them, support samples
+  std::vector<std::uint32_t> ids;  ///< indices into the scan
+  std::vector<glm::dvec3> positions;
+  std::vector<glm::vec3> normals;  ///< unit, in the patch frame; all face +z
+  std::vector<float> spacing;      ///< local spacing of the scan
+
+  [[nodiscard]] std::size_t size() const { return ids.size(); }
+};
+
+/// The height above (x, y) of a point's tangent plane, followed to slopes of 84 degrees at most.
+[[nodiscard]] inline double tangent_height(const PatchPoints& points, std::uint32_t point, double x,
+                                           double y) {
+  // The cosine of 84 degrees, the limit of all regions.
+  constexpr float least_cosine = 0.1F;
+  const glm::dvec3 p = points.positions[point];
+  const glm::vec3 n = points.normals[point];
+  const double steep = std::max(n.z, least_cosine);
+  return p.z - (n.x * (x - p.x) + n.y * (y - p.y)) / steep;
+}
+
+/// Collects a region's points and those around it that lie on the same sheet, up to `margin` world
+/// units away on the base plane, over the neighbour graph (the papers' epsilon neighbourhood). The
+/// frame's first two axes run along the smallest rectangle around the region's own points.
+/// `membership` of all points; not read where `margin` is 0, which collects none around.
+[[nodiscard]] PatchPoints collect_patch_points(const SurfaceSamples& samples,
+                                               const NeighbourGraph& graph, const Region& region,
+                                               const Membership& membership, double margin);
+
+}  // namespace relief

@@ -1,0 +1,42 @@
+#include "preprocess/resample/patch_spacing.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+namespace relief {
+namespace {
+
+// The finest spacing that patches have is that of the densest twentieth of the points: less would
+// be the spacing of a few points that lie close by chance.
+constexpr double kFinestShare = 0.05;
+
+/// The value that this share of all are below.
+double quantile(std::vector<float>& values, double share) {
+  const auto place =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+}  // namespace
+
+std::vector<double> spacing_factors(const SurfaceSamples& samples,
+                                    const std::vector<Region>& regions) {
+  std::vector<float> all;
+  for (const Region& region : regions) {
+    for (const std::uint32_t i : region.points) all.push_back(samples.spacing[i]);
+  }
+  std::vector<double> factors(regions.size(), 1.0);
+  if (all.empty()) return factors;
+  const double usual = quantile(all, 0.5);
+  const double finest = quantile(all, kFinestShare) / usual;
+  tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t r) {
+    std::vector<float> own;
+    for (const std::uint32_t i : regions[r].points) own.push_back(samples.spacing[i]);
+    factors[r] = std::clamp(quantile(own, 0.5) / usual, finest, kWidestSpacingRatio * finest);
+  });
+  return factors;
+}
+
+}  // namespace relief

@@ -1,0 +1,67 @@
+// Points of a patch in square buckets over its base plane: the neighbour lookup of the resampling.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "preprocess/resample/patch_points.h"
+
+namespace relief {
+
+/// Buckets over the base plane. On a single-valued region, near on the plane is near on the
+/// surface, so this replaces a search in space.
+class PointGrid {
+ public:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+  /// Takes the first `count` of `points`; `cell` is the bucket side, world units.
+  PointGrid(const PatchPoints& points, std::size_t count, double cell);
+
+  /// The points taken.
+  [[nodiscard]] std::size_t size() const { return sorted_.size(); }
+
+  /// Calls fn(index, squared plane distance) for every point within `radius` of (x, y).
+  template <class Fn>
+  void for_each_within(double x, double y, double radius, Fn&& fn) const {
+    const std::int64_t i0 = column(x - radius);
+    const std::int64_t i1 = column(x + radius);
+    const std::int64_t j0 = row(y - radius);
+    const std::int64_t j1 = row(y + radius);
+    for (std::int64_t j = j0; j <= j1; ++j) {
+      const std::uint32_t* start = starts_.data() + j * columns_;
+      for (std::uint32_t m = start[i0]; m < start[i1 + 1]; ++m) {
+        const double dx = places_[m].x - x;
+        const double dy = places_[m].y - y;
+        const double squared = dx * dx + dy * dy;
+        if (squared <= radius * radius) fn(sorted_[m], squared);
+      }
+    }
+  }
+
+  /// The point nearest to (x, y) on the plane within `radius`, or kNone.
+  [[nodiscard]] std::uint32_t nearest(double x, double y, double radius) const;
+
+ private:
+  // What is beside the grid counts to its rim. (Clamped first, what is cut off is the floor.)
+  [[nodiscard]] std::int64_t column(double x) const {
+    return static_cast<std::int64_t>(
+        std::clamp((x - low_x_) / cell_, 0.0, static_cast<double>(columns_ - 1)));
+  }
+  [[nodiscard]] std::int64_t row(double y) const {
+    return static_cast<std::int64_t>(
+        std::clamp((y - low_y_) / cell_, 0.0, static_cast<double>(rows_ - 1)));
+  }
+
+  double cell_;
+  double low_x_ = 0.0;
+  double low_y_ = 0.0;
+  std::int64_t columns_ = 1;
+  std::int64_t rows_ = 1;
+  std::vector<std::uint32_t> starts_;  // of each bucket in sorted_, row-major, with an end
+  std::vector<std::uint32_t> sorted_;
+  std::vector<glm::dvec2> places_;  // of sorted_, beside each other as they are asked for
+};
+
+}  // namespace relief

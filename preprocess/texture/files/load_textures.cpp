@@ -1,0 +1,227 @@
+#include "preprocess/texture/files/load_textures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "common/image/image_io.h"
+#include "common/io/file.h"
+#include "common/mesh/mesh_texture.h"
+#include "preprocess/readers/obj/mtl.h"
+#include "preprocess/readers/source.h"
+#include "preprocess/readers/text_cursor.h"
+#include "preprocess/texture/files/decode_texture.h"
+#include "preprocess/texture/files/load_normal_maps.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A material of one of the material files, and the file.
+struct FoundMaterial {
+  MtlMaterial says;
+  fs::path file;
+};
+using FoundMaterials = std::map<std::string, FoundMaterial, std::less<>>;
+
+/// Names of pictures may have blanks; so may those of material files, of which a line may name
+/// several.
+std::vector<fs::path> material_files(const fs::path& mesh, const std::string& line) {
+  std::error_code ignored;
+  const fs::path whole = resolve_beside(mesh, line);
+  if (fs::exists(whole, ignored)) return {whole};
+  std::vector<fs::path> files;
+  TextCursor words(line);
+  if (!words.next_line()) return files;
+  for (std::string_view word = words.word(); !word.empty(); word = words.word())
+    files.push_back(resolve_beside(mesh, std::string(word)));
+  return files;
+}
+
+Result<FoundMaterials> read_material_files(const fs::path& mesh, const Points& points,
+                                           std::vector<std::string>& notes) {
+  FoundMaterials found;
+  for (const std::string& line : points.material_files) {
+    for (const fs::path& file : material_files(mesh, line)) {
+      std::error_code ignored;
+      if (!fs::exists(file, ignored)) {
+        notes.push_back(
+            fmt::format("{}: its materials are in {}, which is not there; they are "
+                        "left out",
+                        mesh.string(), file.string()));
+        continue;
+      }
+      const auto bytes = read_file(file);
+      if (!bytes) return bytes.error();
+      const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+      auto materials = read_mtl(file.string(), text);
+      if (!materials) return materials.error();
+      for (MtlMaterial& material : *materials) {
+        std::string name = material.material.name;
+        found.try_emplace(std::move(name), FoundMaterial{std::move(material), file});
+      }
+    }
+  }
+  return found;
+}
+
+Result<std::shared_ptr<const MeshTexture>> read_texture(const fs::path& file, TextureWrap wrap) {
+  return decode_texture<MeshTexture>(file.string(), read_image(file), wrap, "texture");
+}
+
+bool is_finite(const CornerTexcoords& corners) {
+  return std::all_of(corners.begin(), corners.end(),
+                     [](glm::vec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); });
+}
+
+/// Triangles whose texture coordinates are no numbers have no place in a texture.
+void drop_bad_texcoords(Points& points) {
+  for (std::size_t t = 0; t < points.triangle_materials.size(); ++t) {
+    std::uint32_t& material = points.triangle_materials[t];
+    if (material == kNoMaterial) continue;
+    const MeshMaterial& look = points.materials[material];
+    if (look.texture == nullptr && look.normals.texture == nullptr) continue;
+    if (!is_finite(texcoords_of(points, t))) material = kNoMaterial;
+  }
+}
+
+Status put_on_all(const fs::path& mesh, const fs::path& picture, Points& points) {
+  if (points.triangles.empty() || points.texcoords.empty()) {
+    return make_error("{}: it has no {}, so the texture {} cannot be put on it", mesh.string(),
+                      points.triangles.empty() ? "faces" : "texture coordinates", picture.string());
+  }
+  auto texture = read_texture(picture, TextureWrap::Repeat);
+  if (!texture) return texture.error();
+  MeshMaterial material;
+  material.name = picture.filename().string();
+  material.picture = picture.string();
+  material.texture = std::move(*texture);
+  points.materials = {std::move(material)};
+  points.triangle_materials.assign(points.triangles.size(), 0);
+  drop_bad_texcoords(points);
+  return {};
+}
+
+/// Reads the pictures of materials that are stated by the mesh file itself.
+Status read_stated_textures(const fs::path& mesh, Points& points) {
+  std::map<std::pair<const void*, bool>, std::shared_ptr<const MeshTexture>> textures;
+  for (MeshMaterial& material : points.materials) {
+    if (!material.is_stated || material.picture_bytes == nullptr || !material.has_texcoords)
+      continue;
+    const std::pair key(static_cast<const void*>(material.picture_bytes.get()), material.clamps);
+    auto texture = textures.find(key);
+    if (texture == textures.end()) {
+      const std::string name = fmt::format("{}: {}", mesh.string(), material.picture);
+      auto made = decode_texture<MeshTexture>(name, decode_image(name, *material.picture_bytes),
+                                              wrap_of(material.clamps), "texture");
+      if (!made) return made.error();
+      texture = textures.emplace(key, std::move(*made)).first;
+    }
+    material.texture = texture->second;
+  }
+  for (MeshMaterial& material : points.materials) material.picture_bytes.reset();
+  return {};
+}
+
+/// What a material file says about a material's normal map.
+void take_normals(const FoundMaterial& found, MeshMaterial& material,
+                  std::vector<std::string>& notes) {
+  material.normals = found.says.material.normals;
+  if (material.normals.picture.empty() || !material.has_texcoords) return;
+  material.normals.picture = resolve_beside(found.file, material.normals.picture).string();
+  if (found.says.ignored_of_normals.empty()) return;
+  notes.push_back(fmt::format("{}: normal map of material {}: {} is not read", found.file.string(),
+                              relief::quoted(material.name), found.says.ignored_of_normals));
+}
+
+/// What the material files say, for the materials that triangles name.
+Status resolve_materials(const fs::path& mesh, Points& points, std::vector<std::string>& notes) {
+  const auto found = read_material_files(mesh, points, notes);
+  if (!found) return found.error();
+  if (Status stated = read_stated_textures(mesh, points); !stated) return stated;
+  std::map<std::pair<fs::path, bool>, std::shared_ptr<const MeshTexture>> textures;
+  std::vector<bool> known(points.materials.size(), true);
+  for (std::size_t m = 0; m < points.materials.size(); ++m) {
+    MeshMaterial& material = points.materials[m];
+    if (material.is_stated) continue;
+    const auto says = found->find(material.name);
+    known[m] = says != found->end();
+    if (!known[m]) continue;
+    const MtlMaterial& said = says->second.says;
+    material.colour = said.material.colour;
+    take_normals(says->second, material, notes);
+    if (said.material.picture.empty() || !material.has_texcoords || points.texcoords.empty())
+      continue;
+    const fs::path file = resolve_beside(says->second.file, said.material.picture);
+    const std::pair key(file, said.material.clamps);
+    auto texture = textures.find(key);
+    if (texture == textures.end()) {
+      auto read = read_texture(file, wrap_of(said.material.clamps));
+      if (!read) {
+        return make_error(
+            "{} (the texture of material {} of {}; --texture names another, and none "
+            "does without)",
+            read.error().message, relief::quoted(material.name), mesh.string());
+      }
+      texture = textures.emplace(key, std::move(*read)).first;
+    }
+    if (!said.ignored_options.empty()) {
+      notes.push_back(fmt::format("{}: map_Kd of material {}: {} is not read",
+                                  says->second.file.string(), relief::quoted(material.name),
+                                  said.ignored_options));
+    }
+    material.picture = file.string();
+    material.texture = texture->second;
+    material.colour = glm::vec3(1.0F);
+  }
+  for (std::uint32_t& material : points.triangle_materials) {
+    if (material != kNoMaterial && !known[material]) material = kNoMaterial;
+  }
+  Status loaded = load_normal_maps(mesh, points, notes);
+  if (loaded) drop_bad_texcoords(points);
+  return loaded;
+}
+
+void leave_out(Points& points) {
+  points.materials.clear();
+  points.triangle_materials.clear();
+}
+
+}  // namespace
+
+fs::path resolve_beside(const fs::path& owner, const std::string& name) {
+  std::string slashes = name;
+  std::replace(slashes.begin(), slashes.end(), '\\', '/');
+  const fs::path inside = fs::path(slashes).lexically_normal();
+  const bool has_drive = slashes.size() > 1 && slashes[1] == ':';
+  const bool leaves =
+      inside.is_absolute() || has_drive || (!inside.empty() && *inside.begin() == fs::path(".."));
+  return owner.parent_path() / (leaves ? fs::path(slashes).filename() : inside);
+}
+
+bool has_triangle_colours(const Points& points) {
+  return std::any_of(points.triangle_materials.begin(), points.triangle_materials.end(),
+                     [](std::uint32_t material) { return material != kNoMaterial; });
+}
+
+Status load_textures(const fs::path& mesh, const TextureChoice& choice, Points& points,
+                     std::vector<std::string>& notes) {
+  Status done;
+  if (choice.left_out) {
+    leave_out(points);
+  } else if (!choice.picture.empty()) {
+    done = put_on_all(mesh, choice.picture, points);
+  } else {
+    done = resolve_materials(mesh, points, notes);
+  }
+  points.material_files.clear();
+  if (done && !has_triangle_colours(points)) leave_out(points);
+  return done;
+}
+
+}  // namespace relief

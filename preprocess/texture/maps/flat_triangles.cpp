@@ -1,0 +1,200 @@
+#include "preprocess/texture/maps/flat_triangles.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <span>
+#include <utility>
+
+namespace relief {
+namespace {
+
+/// In cells squared; what is thinner has no place for a texel.
+constexpr double kLeastArea = 1e-12;
+
+/// More than single precision rounds sums of lengths by.
+constexpr float kRounding = 1.0001F;
+
+/// Interleaves the lowest ten bits of three numbers (Morton 1966).
+std::uint32_t morton_code(glm::uvec3 place) {
+  std::uint32_t code = 0;
+  for (std::uint32_t bit = 0; bit < 10; ++bit) {
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+      code |= (place[axis] >> bit & 1U) << (3 * bit + static_cast<std::uint32_t>(axis));
+  }
+  return code;
+}
+
+double cross(glm::dvec2 a, glm::dvec2 b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+/// The lowest and the highest sample of a patch, height indices.
+glm::ivec2 height_range(const Patch& patch) {
+  glm::ivec2 range(kMaxHeightRange, 0);
+  for (const std::int32_t h : patch.heights) {
+    if (h != kHole) range = {std::min(range.x, h), std::max(range.y, h)};
+  }
+  return range;
+}
+
+/// Sees triangles as a patch does.
+class View {
+ public:
+  View(const Patch& patch, const Points& mesh)
+      : mesh_(mesh),
+        to_local_(glm::transpose(patch.axes)),
+        origin_(patch.origin),
+        spacing_(patch.spacing),
+        cells_(patch.width - 1, patch.height - 1) {}
+
+  /// Adds a triangle, unless it is beside the patch's grid or edge-on.
+  void add(std::uint32_t index, std::vector<FlatTriangle>& to) const {
+    FlatTriangle flat;
+    flat.index = index;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const glm::dvec3 place =
+          to_local_ * (mesh_.positions[mesh_.triangles[index][c]] - origin_) / spacing_;
+      flat.corners[c] = glm::dvec2(place);
+      flat.heights[static_cast<glm::length_t>(c)] = place.z;
+    }
+    const auto& p = flat.corners;
+    const glm::dvec2 low = glm::min(glm::min(p[0], p[1]), p[2]);
+    const glm::dvec2 high = glm::max(glm::max(p[0], p[1]), p[2]);
+    if (low.x > cells_.x || low.y > cells_.y || high.x < 0.0 || high.y < 0.0) return;
+    flat.twice_area = cross(p[1] - p[0], p[2] - p[0]);
+    if (std::abs(flat.twice_area) > kLeastArea) to.push_back(flat);
+  }
+
+ private:
+  const Points& mesh_;
+  glm::dmat3 to_local_;
+  glm::dvec3 origin_;
+  double spacing_;
+  glm::dvec2 cells_;
+};
+
+/// Sorts numbers below `end`. Where they are many a bit for each is quicker than comparing them.
+void sort_numbers(std::vector<std::uint32_t>& numbers, std::size_t end) {
+  constexpr std::size_t kFew = 64;
+  if (numbers.size() < end / kFew) {
+    std::ranges::sort(numbers);
+    return;
+  }
+  std::vector<std::uint64_t> bits(end / 64 + 1, 0);
+  for (const std::uint32_t n : numbers) bits[n / 64] |= std::uint64_t{1} << n % 64;
+  auto out = numbers.begin();
+  for (std::size_t word = 0; word < bits.size(); ++word) {
+    for (std::uint64_t left = bits[word]; left != 0; left &= left - 1)
+      *out++ = static_cast<std::uint32_t>(64 * word) +
+               static_cast<std::uint32_t>(std::countr_zero(left));
+  }
+}
+
+}  // namespace
+
+glm::dvec3 FlatTriangle::weights_at(glm::dvec2 place) const {
+  const glm::dvec2 a = corners[0] - place;
+  const glm::dvec2 b = corners[1] - place;
+  const glm::dvec2 c = corners[2] - place;
+  return glm::dvec3(cross(b, c), cross(c, a), cross(a, b)) / twice_area;
+}
+
+double FlatTriangle::twice_area_in_space() const {
+  const glm::dvec3 b(corners[1] - corners[0], heights.y - heights.x);
+  const glm::dvec3 c(corners[2] - corners[0], heights.z - heights.x);
+  return glm::length(glm::cross(b, c));
+}
+
+void TriangleSpheres::sort_by_place(std::vector<Sphere>& spheres, const Bounds& bounds) {
+  const glm::dvec3 size = bounds.max - bounds.min;
+  const double scale = 1023.0 / std::max({size.x, size.y, size.z, 1e-300});
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> keys;
+  keys.reserve(spheres.size());
+  for (std::uint32_t k = 0; k < spheres.size(); ++k) {
+    const glm::dvec3 place = (glm::dvec3(spheres[k].centre) + 0.5 * size) * scale;
+    keys.emplace_back(morton_code(glm::uvec3(glm::clamp(place, 0.0, 1023.0))), k);
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<Sphere> sorted;
+  sorted.reserve(spheres.size());
+  for (const auto& [code, k] : keys) sorted.push_back(spheres[k]);
+  spheres = std::move(sorted);
+}
+
+std::vector<TriangleSpheres::Sphere> TriangleSpheres::group(const std::vector<Sphere>& spheres) {
+  std::vector<Sphere> groups;
+  groups.reserve(spheres.size() / kGroup + 1);
+  for (std::size_t first = 0; first < spheres.size(); first += kGroup) {
+    const std::span<const Sphere> members =
+        std::span(spheres).subspan(first, std::min(kGroup, spheres.size() - first));
+    Sphere group;
+    for (const Sphere& s : members) group.centre += s.centre / static_cast<float>(members.size());
+    for (const Sphere& s : members)
+      group.radius = std::max(group.radius, glm::distance(group.centre, s.centre) + s.radius);
+    group.radius *= kRounding;
+    groups.push_back(group);
+  }
+  return groups;
+}
+
+TriangleSpheres::TriangleSpheres(const Points& mesh) : mesh_(mesh) {
+  const Bounds bounds = bounds_of(mesh.positions);
+  middle_ = 0.5 * (bounds.min + bounds.max);
+  spheres_.reserve(mesh.triangles.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Triangle& corners = mesh.triangles[t];
+    const glm::dvec3 a = mesh.positions[corners[0]] - middle_;
+    const glm::dvec3 b = mesh.positions[corners[1]] - middle_;
+    const glm::dvec3 c = mesh.positions[corners[2]] - middle_;
+    const glm::dvec3 centre = (a + b + c) / 3.0;
+    const double radius =
+        std::max({glm::distance(a, centre), glm::distance(b, centre), glm::distance(c, centre)});
+    // Single precision rounds the centre by less than a millionth of its distance.
+    spheres_.push_back(
+        {glm::vec3(centre), static_cast<float>(radius + 1e-6 * glm::length(centre)), t});
+  }
+  sort_by_place(spheres_, bounds);
+  groups_ = group(spheres_);
+  blocks_ = group(groups_);
+}
+
+std::vector<FlatTriangle> TriangleSpheres::find_over(const Patch& patch) const {
+  const glm::ivec2 range = height_range(patch);
+  const double to_cells = patch.height_step / patch.spacing;
+  const glm::dvec3 low(0.0, 0.0, range.x * to_cells - kTexelReach);
+  const glm::dvec3 high(patch.width - 1, patch.height - 1, range.y * to_cells + kTexelReach);
+  const glm::mat3 to_box = glm::mat3(glm::transpose(patch.axes));
+  const glm::vec3 centre(patch.origin - middle_ +
+                         patch.axes * (patch.spacing * 0.5 * (low + high)));
+  const glm::vec3 half = glm::vec3(patch.spacing * 0.5 * (high - low)) * kRounding;
+  const auto meets_box = [&](const Sphere& sphere) {
+    const glm::vec3 apart = glm::abs(to_box * (sphere.centre - centre)) - half;
+    return std::max({apart.x, apart.y, apart.z}) <= sphere.radius;
+  };
+  const auto for_each_met = [&](const std::vector<Sphere>& spheres, std::size_t group,
+                                const auto& fn) {
+    const std::size_t end = std::min((group + 1) * kGroup, spheres.size());
+    for (std::size_t k = group * kGroup; k < end; ++k) {
+      if (meets_box(spheres[k])) fn(k);
+    }
+  };
+  std::vector<std::uint32_t> near;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (!meets_box(blocks_[b])) continue;
+    for_each_met(groups_, b, [&](std::size_t g) {
+      for_each_met(spheres_, g, [&](std::size_t k) { near.push_back(spheres_[k].triangle); });
+    });
+  }
+  sort_numbers(near, spheres_.size());
+  std::vector<FlatTriangle> found;
+  found.reserve(near.size());
+  const View view(patch, mesh_);
+  for (const std::uint32_t t : near) view.add(t, found);
+  return found;
+}
+
+}  // namespace relief

@@ -1,0 +1,97 @@
+#include "preprocess/tiles/resample_tile.h"
+
+#include <algorithm>
+#include <cassert>
+#include <tuple>
+#include <utility>
+
+#include "preprocess/convert_stages.h"
+#include "preprocess/measure.h"
+#include "preprocess/resample/region_patches.h"
+#include "preprocess/tiles/checkpoint.h"
+
+namespace relief {
+namespace {
+
+/// What a report has: all but the patches.
+template <class Tile>
+auto fields_of(Tile& t) {
+  return std::tie(t.patch_count, t.points, t.sum_of_squares, t.error_max, t.uncovered, t.texels);
+}
+
+/// The survey's regions, and its normals on the sides that `turns` gives them. A region's points
+/// agree with each other in the survey already: it turns as most of them do.
+std::vector<Region> turn_regions(TileSurvey& survey, const std::vector<std::uint8_t>& turns) {
+  std::vector<Region> regions(survey.region_normals.size());
+  for (std::uint32_t i = 0; i < survey.region.size(); ++i) {
+    if (survey.region[i] != kNoRegion) regions[survey.region[i]].points.push_back(i);
+  }
+  for (std::size_t r = 0; r < regions.size(); ++r) regions[r].normal = survey.region_normals[r];
+  if (survey.sheets.count == 0) return regions;
+
+  std::vector<std::uint8_t> is_turned(survey.normals.size());
+  for (std::size_t i = 0; i < is_turned.size(); ++i)
+    is_turned[i] = turns[survey.sheets.of_point[i]];
+  for (Region& region : regions) {
+    std::size_t turned = 0;
+    for (const std::uint32_t i : region.points) turned += is_turned[i];
+    const bool turn_all = 2 * turned > region.points.size();
+    for (const std::uint32_t i : region.points) is_turned[i] = turn_all ? 1 : 0;
+    if (turn_all) region.normal = -region.normal;
+  }
+  for (std::size_t i = 0; i < is_turned.size(); ++i) {
+    if (is_turned[i] != 0) survey.normals[i] = -survey.normals[i];
+  }
+  return regions;
+}
+
+}  // namespace
+
+TilePatches resample_tile(TilePoints tile, TileSurvey survey,
+                          const std::vector<std::uint8_t>& turns,
+                          const std::vector<float>& halo_cosines, const ConvertOptions& options,
+                          double spacing, bool normals_estimated, Progress& progress) {
+  TilePatches made;
+  made.points = tile.own;
+  if (survey.region_normals.empty()) {
+    // Nothing is a surface here: all are as far off as measure_fidelity takes such points to be.
+    made.uncovered = tile.own;
+    made.error_max = tile.own > 0 ? kUncoveredInSpacings * spacing : 0.0;
+    made.sum_of_squares = static_cast<double>(tile.own) * made.error_max * made.error_max;
+    return made;
+  }
+  std::vector<Region> regions = turn_regions(survey, turns);
+  const NeighbourGraph graph = find_neighbours(tile.points.positions, kSurfaceNeighbours);
+  if (progress.cancelled()) return made;
+  const SurfaceSamples samples{tile.points.positions, survey.normals, graph.spacing,
+                               survey.roughness};
+  // How steep the halo's points are to their own patches decides about margins at the border.
+  Membership membership = membership_of(samples, regions);
+  assert(halo_cosines.size() == tile.home.size());
+  std::ranges::copy(halo_cosines,
+                    membership.cosine.begin() + static_cast<std::ptrdiff_t>(tile.own));
+  made.patches = make_patches(
+      samples, graph, membership, std::vector<double>(regions.size(), 1.0), tile.points.colours,
+      resample_options(options, spacing, normals_estimated), regions, progress);
+  if (progress.cancelled()) return made;
+  const Fidelity fidelity = measure_fidelity(tile.points.positions, tile.own, graph,
+                                             owners_of(regions, tile.points.size()), made.patches);
+  made.sum_of_squares = fidelity.rms * fidelity.rms * static_cast<double>(tile.own);
+  made.error_max = fidelity.max;
+  made.uncovered = fidelity.uncovered;
+  made.patch_count = made.patches.size();
+  count_texels(made.patches, made.texels);
+  return made;
+}
+
+Status save_report(const std::filesystem::path& path, const TilePatches& tile) {
+  return save_state(path, fields_of(tile));
+}
+
+Result<TilePatches> load_report(const std::filesystem::path& path) {
+  TilePatches tile;
+  if (Status loaded = load_state(path, fields_of(tile)); !loaded) return loaded.error();
+  return tile;
+}
+
+}  // namespace relief

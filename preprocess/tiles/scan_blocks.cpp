@@ -1,0 +1,123 @@
+#include "preprocess/tiles/scan_blocks.h"
+
+#include <fmt/format.h>
+
+#include <new>
+#include <stdexcept>
+#include <utility>
+
+#include "common/io/file.h"
+#include "common/io/mapped_file.h"
+#include "preprocess/points/keep_points.h"
+#include "preprocess/readers/format.h"
+#include "preprocess/readers/gunzip.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Of the formats that are read as a whole: points take up to this many times the file's bytes
+// while they are read (a binary PCD of x, y, z as floats: 12 bytes become 24, beside the file).
+constexpr std::uint64_t kMemoryPerFileByte = 4;
+
+void drop_nonfinite(Points& points, ScanCounts& counts) {
+  std::vector<std::uint8_t> dropped(points.size());
+  for (std::size_t i = 0; i < dropped.size(); ++i)
+    dropped[i] = is_finite(points.positions[i]) ? 0 : 1;
+  counts.nonfinite += drop_points(points, dropped);
+  counts.points += points.size();
+}
+
+/// Hands a reader's blocks on, and lets go of the memory of what was read.
+class FileSink final : public PointSink {
+ public:
+  FileSink(const MappedFile& file, const TakePoints& take, ScanCounts& counts)
+      : file_(file), take_(take), counts_(counts) {}
+
+  Status take(Points block) override {
+    block.texcoords.clear();
+    drop_nonfinite(block, counts_);
+    return take_(std::move(block));
+  }
+  void pass(std::size_t offset) override { file_.release_before(offset); }
+
+ private:
+  const MappedFile& file_;
+  const TakePoints& take_;
+  ScanCounts& counts_;
+};
+
+/// The file unpacked, if it is packed; found again if it was unpacked before.
+Result<MappedFile> open_unpacked(const fs::path& path, const fs::path& unpacked,
+                                 const Progress& progress) {
+  auto file = MappedFile::open(path);
+  if (!file || !is_gzip(file->bytes())) return file;
+  if (!fs::exists(unpacked)) {
+    auto out = AtomicFile::create(unpacked);
+    if (!out) return out.error();
+    const Status done = gunzip_pieces(path.string(), file->bytes(), progress,
+                                      [&](std::span<const std::byte> piece, std::size_t used) {
+                                        file->release_before(used);
+                                        return out->write(piece);
+                                      });
+    if (!done) return done.error();
+    if (Status there = out->commit(); !there) return there.error();
+  }
+  return MappedFile::open(unpacked);
+}
+
+Status read_file_blocks(const fs::path& path, const MappedFile& file, std::uint64_t memory,
+                        const TakePoints& take, ScanCounts& counts, std::vector<std::string>& notes,
+                        Progress& progress) {
+  std::string_view text(reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size());
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  const auto reader = find_reader(path, text);
+  if (!reader) return reader.error();
+  const bool in_blocks = reads_in_blocks(*reader);
+  if (!in_blocks && text.size() > memory / kMemoryPerFileByte) {
+    return make_error(
+        "{}: its {} MB can only be read as a whole, for which --memory is too small; PLY, LAS and "
+        "XYZ text are read in parts",
+        path.string(), text.size() / 1'000'000);
+  }
+  ReadRemarks remarks;
+  FileSink sink(file, take, counts);
+  auto rest = (*reader)({path.string(), text, progress, remarks, in_blocks ? &sink : nullptr});
+  if (!rest) return rest.error();
+  if (!rest->triangles.empty()) {
+    remarks.notes.push_back(
+        fmt::format("{}: its triangles are not used with --memory", path.string()));
+    rest->triangles.clear();
+  }
+  counts.left_out += remarks.left_out;
+  notes.insert(notes.end(), remarks.notes.begin(), remarks.notes.end());
+  return sink.take(std::move(*rest));
+}
+
+}  // namespace
+
+Result<ScanCounts> read_blocks(const std::vector<fs::path>& files, const fs::path& folder,
+                               std::uint64_t memory, const TakePoints& take,
+                               std::vector<std::string>& notes, Progress& progress) {
+  ScanCounts counts;
+  for (std::size_t number = 0; number < files.size(); ++number) {
+    const fs::path& path = files[number];
+    try {
+      const auto file = open_unpacked(path, folder / fmt::format("unpacked-{}", number), progress);
+      if (!file) return file.error();
+      const Status read = read_file_blocks(path, *file, memory, take, counts, notes, progress);
+      if (!read) return read.error();
+    } catch (const std::bad_alloc&) {
+      return make_error("{}: there is not enough memory to read it", path.string());
+    } catch (const std::length_error&) {
+      return make_error("{}: there is not enough memory to read it", path.string());
+    }
+  }
+  if (counts.points == 0) {
+    return make_error("{}: holds no points with finite coordinates", files.front().string());
+  }
+  return counts;
+}
+
+}  // namespace relief

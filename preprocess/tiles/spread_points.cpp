@@ -1,0 +1,162 @@
+#include "preprocess/tiles/spread_points.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "preprocess/points/neighbours.h"
+#include "preprocess/tiles/checkpoint.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Measured: a conversion's peak over its points, colours and normals among them, and what the
+// program and the buffers of files take beside that (docs/measurements.md, "Larger than memory").
+constexpr std::uint64_t kBytesPerPoint = 450;
+constexpr std::uint64_t kBaseBytes = std::uint64_t{96} << 20U;
+// Halos have about a tenth as many points as tiles of a million, and half as many as small ones.
+constexpr double kHaloShare = 0.5;
+
+/// Of what was read, what is said once.
+struct Look {
+  PointSample sample;
+  Bounds bounds;
+  ScanAttributes attributes{true, true};
+  bool some_normals = false;
+  bool some_colours = false;
+  std::optional<glm::dvec3> viewpoint;
+
+  void take(const Points& block) {
+    if (block.size() == 0) return;
+    for (const glm::dvec3& p : block.positions) {
+      sample.add(p);
+      extend(bounds, p);
+    }
+    attributes.normals = attributes.normals && !block.normals.empty();
+    attributes.colours = attributes.colours && !block.colours.empty();
+    some_normals = some_normals || !block.normals.empty();
+    some_colours = some_colours || !block.colours.empty();
+    viewpoint = block.viewpoint;
+  }
+};
+
+std::uint64_t bytes_of(const std::vector<fs::path>& files) {
+  std::uint64_t bytes = 0;
+  std::error_code ignored;
+  for (const fs::path& file : files) bytes += fs::file_size(file, ignored);
+  return bytes;
+}
+
+std::uint64_t points_for(std::uint64_t memory) {
+  return memory > kBaseBytes ? (memory - kBaseBytes) / kBytesPerPoint : 0;
+}
+
+template <class Scan>
+auto fields_of(Scan& s) {
+  return std::tie(s.layout.cuts, s.layout.tiles, s.layout.largest_halo, s.counts, s.attributes,
+                  s.bounds, s.viewpoint, s.read);
+}
+
+/// The first reading.
+Result<Look> look(const std::vector<fs::path>& files, const TileJob& job,
+                  const SpreadOptions& options, SpreadScan& scan, Progress& progress) {
+  Look seen;
+  progress.begin_stage("look", bytes_of(files));
+  const auto read = read_blocks(
+      files, job.folder(), options.memory_bytes,
+      [&](const Points& block) -> Status {
+        seen.take(block);
+        return {};
+      },
+      scan.notes, progress);
+  if (!read) return read.error();
+  scan.read = *read;
+  scan.bounds = seen.bounds;
+  scan.attributes = seen.attributes;
+  // Points seen from several places have no one viewpoint.
+  if (files.size() == 1) scan.viewpoint = seen.viewpoint;
+  const auto note_mixed = [&](bool some, bool all, std::string_view name) {
+    if (some && !all)
+      scan.notes.push_back(fmt::format("only some of the scans have {}; they are left out", name));
+  };
+  note_mixed(seen.some_normals, seen.attributes.normals, "normals");
+  note_mixed(seen.some_colours, seen.attributes.colours, "colours");
+  return seen;
+}
+
+/// The second reading.
+Status spread(const std::vector<fs::path>& files, const TileJob& job, const SpreadOptions& options,
+              SpreadScan& scan, Progress& progress) {
+  TileWriter tiles(job.folder(), scan.layout, scan.attributes);
+  progress.begin_stage("spread", bytes_of(files));
+  std::vector<std::string> told_before;
+  const auto read = read_blocks(
+      files, job.folder(), options.memory_bytes,
+      [&](const Points& block) { return tiles.add(block); }, told_before, progress);
+  if (!read) return read.error();
+  if (read->points != scan.read.points) {
+    return make_error("{}: had {} points at first and now {}; convert when it stays as it is",
+                      files.front().string(), scan.read.points, read->points);
+  }
+  if (Status done = tiles.finish(); !done) return done;
+  scan.counts = tiles.counts();
+  return {};
+}
+
+}  // namespace
+
+Status save_scan(const fs::path& path, const SpreadScan& scan) {
+  return save_state(path, fields_of(scan));
+}
+
+Result<SpreadScan> load_scan(const fs::path& path) {
+  SpreadScan scan;
+  if (Status loaded = load_state(path, fields_of(scan)); !loaded) return loaded.error();
+  return scan;
+}
+
+std::uint64_t memory_for(std::uint64_t points) {
+  return kBaseBytes + points * kBytesPerPoint;
+}
+
+std::uint64_t tile_points(const SpreadOptions& options) {
+  const double with_halo = static_cast<double>(points_for(options.memory_bytes));
+  return std::min(static_cast<std::uint64_t>(with_halo / (1.0 + kHaloShare)),
+                  options.most_tile_points);
+}
+
+Result<std::optional<SpreadScan>> spread_points(const std::vector<fs::path>& files,
+                                                const TileJob& job, const SpreadOptions& options,
+                                                Progress& progress) {
+  if (fs::exists(job.layout())) {
+    auto known = load_scan(job.layout());
+    if (!known) return known.error();
+    return std::optional(std::move(*known));
+  }
+  if (Status cleared = job.clear(); !cleared) return cleared.error();
+  SpreadScan scan;
+  const auto seen = look(files, job, options, scan, progress);
+  if (!seen) return seen.error();
+  const std::uint64_t most = points_for(options.memory_bytes);
+  if (scan.read.points <= std::max<std::uint64_t>(most, kLeastSurfacePoints))
+    return std::optional<SpreadScan>();
+
+  scan.layout = lay_tiles(seen->sample, tile_points(options), options.grid_spacing);
+  if (Status done = spread(files, job, options, scan, progress); !done) return done.error();
+  std::uint64_t largest = 0;
+  for (const TileCount& count : scan.counts) largest = std::max(largest, count.own + count.halo);
+  if (largest > most) {
+    return make_error(
+        "{}: --memory must be {} MB or more: {} points are too near to each other "
+        "to be cut apart",
+        files.front().string(), memory_for(largest) / 1'000'000 + 1, largest);
+  }
+  if (Status saved = save_scan(job.layout(), scan); !saved) return saved.error();
+  return std::optional(std::move(scan));
+}
+
+}  // namespace relief

@@ -1,0 +1,224 @@
+#include "preprocess/tiles/tile_conversion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "preprocess/convert_stages.h"
+#include "preprocess/tiles/checkpoint.h"
+#include "preprocess/tiles/join_sheets.h"
+#include "preprocess/tiles/resample_tile.h"
+#include "preprocess/tiles/survey.h"
+#include "preprocess/tiles/tile_files.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+
+class TileConversion {
+ public:
+  TileConversion(const TileTask& task, Progress& progress)
+      : name_(task.name),
+        folder_(task.folder),
+        scan_(task.scan),
+        options_(task.options),
+        file_options_(task.file_options),
+        progress_(progress),
+        centre_((scan_.bounds.min + scan_.bounds.max) / 2.0) {}
+
+  Result<ConvertedTiles> run() {
+    for (const auto step :
+         {&TileConversion::survey, &TileConversion::orient, &TileConversion::choose_grid,
+          &TileConversion::resample, &TileConversion::sum_up}) {
+      if (Status done = (this->*step)(); !done) return done.error();
+    }
+    return ConvertedTiles{std::move(result_), extent(), patches_};
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t tile_count() const {
+    return static_cast<std::uint32_t>(scan_.counts.size());
+  }
+  [[nodiscard]] bool is_resampled(std::uint32_t tile) const {
+    return fs::exists(folder_.part(tile));
+  }
+
+  Result<TilePoints> load(std::uint32_t tile) const {
+    auto loaded = load_tile(folder_.folder(), tile, scan_.counts[tile], scan_.attributes);
+    if (loaded) loaded->points.viewpoint = scan_.viewpoint;
+    return loaded;
+  }
+
+  Status survey() {
+    progress_.begin_stage("survey", scan_.read.points);
+    for (std::uint32_t tile = 0; tile < tile_count(); ++tile) {
+      if (!fs::exists(folder_.survey(tile)) && !fs::exists(folder_.turns())) {
+        if (Status done = survey_one(tile); !done) return done;
+      }
+      progress_.advance(scan_.counts[tile].own);
+    }
+    return {};
+  }
+
+  Status survey_one(std::uint32_t tile) {
+    auto loaded = load(tile);
+    if (!loaded) return loaded.error();
+    QuietProgress quiet(progress_);
+    const SurveyOptions survey_options{options_.cone_degrees, options_.spacing == 0.0, centre_};
+    const TileSurvey made = survey_tile(*loaded, survey_options, quiet);
+    if (progress_.cancelled()) return interrupted_error();
+    const std::vector<RimPoint> rim = rim_of(*loaded, made);
+    // The survey's file says that all three are there.
+    if (Status saved = save_state(folder_.rim(tile), std::tie(rim)); !saved) return saved;
+    if (Status saved = save_state(folder_.cosines(tile), std::tie(made.cosines)); !saved)
+      return saved;
+    return save_survey(folder_.survey(tile), made);
+  }
+
+  /// What the file of turns has.
+  auto orientation() { return std::tie(area_, radius_, repaired_, duplicates_, turns_); }
+
+  /// Which sheets turn round, and what else is only known when all tiles have been looked at.
+  Status orient() {
+    progress_.begin_stage("orient", 0);
+    if (!fs::exists(folder_.turns())) return orient_all();
+    if (Status loaded = load_state(folder_.turns(), orientation()); !loaded) return loaded;
+    return turns_.size() == tile_count() ? Status{} : wrong_state(folder_.turns());
+  }
+
+  Status orient_all() {
+    std::vector<SurveyPaths> paths;
+    for (std::uint32_t tile = 0; tile < tile_count(); ++tile)
+      paths.push_back({folder_.survey(tile), folder_.rim(tile)});
+    auto turns = join_sheets(paths, scan_.viewpoint.has_value(), progress_);
+    if (!turns) return turns.error();
+    turns_ = std::move(*turns);
+    for (std::uint32_t tile = 0; tile < tile_count(); ++tile) {
+      const auto survey = load_survey(folder_.survey(tile));
+      if (!survey) return survey.error();
+      area_ += survey->area;
+      radius_ = std::max(radius_, survey->radius);
+      repaired_ += survey->normals_repaired;
+      duplicates_ += scan_.counts[tile].own - survey->region.size();
+    }
+    return save_state(folder_.turns(), orientation());
+  }
+
+  Status choose_grid() {
+    const std::uint64_t points = scan_.read.points - duplicates_;
+    spacing_ =
+        options_.spacing > 0.0 ? options_.spacing : std::sqrt(area_ / static_cast<double>(points));
+    if (!(spacing_ > 0.0))
+      return make_error("{}: the points are too scattered to be a surface", name_);
+    if (area_ == 0.0) return {};
+    const Status checked = check_spacing(spacing_, area_, points);
+    return checked ? checked : make_error("{}: {}", name_, checked.error().message);
+  }
+
+  Status resample() {
+    progress_.begin_stage("resample", scan_.read.points);
+    for (std::uint32_t tile = 0; tile < tile_count(); ++tile) {
+      if (is_resampled(tile)) {
+        ++result_.tiles_found;
+      } else if (Status done = resample_one(tile); !done) {
+        return done;
+      }
+      remove_tile(folder_.folder(), tile);
+      progress_.advance(scan_.counts[tile].own);
+    }
+    return {};
+  }
+
+  Status resample_one(std::uint32_t tile) {
+    auto loaded = load(tile);
+    if (!loaded) return loaded.error();
+    merge_duplicates(*loaded);
+    auto survey = load_survey(folder_.survey(tile));
+    if (!survey) return survey.error();
+    const auto cosines = halo_cosines(*loaded, [&](std::uint32_t home) {
+      std::vector<float> of_home;
+      const Status read = load_state(folder_.cosines(home), std::tie(of_home));
+      return read ? Result(std::move(of_home)) : read.error();
+    });
+    if (!cosines) return cosines.error();
+    QuietProgress quiet(progress_);
+    TilePatches made = resample_tile(std::move(*loaded), std::move(*survey), turns_[tile], *cosines,
+                                     options_, spacing_, !scan_.attributes.normals, quiet);
+    if (progress_.cancelled()) return interrupted_error();
+    if (Status saved = save_report(folder_.part_report(tile), made); !saved) return saved;
+    PatchModel model = extent();
+    model.patches = std::move(made.patches);
+    return write_patch_file(folder_.part(tile), model, file_options_);
+  }
+
+  [[nodiscard]] PatchModel extent() const {
+    PatchModel model;
+    model.spacing = spacing_;
+    model.bounds = scan_.bounds;
+    model.bounding_radius = radius_;
+    model.has_colours = scan_.attributes.colours;
+    return model;
+  }
+
+  Status sum_up() {
+    TilePatches all;  // its sums
+    ConvertReport& report = result_.report;
+    for (std::uint32_t tile = 0; tile < tile_count(); ++tile) {
+      const auto one = load_report(folder_.part_report(tile));
+      if (!one) return one.error();
+      all.patch_count += one->patch_count;
+      all.points += one->points;
+      all.sum_of_squares += one->sum_of_squares;
+      report.error_max = std::max(report.error_max, one->error_max);
+      report.uncovered_points += one->uncovered;
+      report.colour_texels += one->texels.colour_texels;
+      report.texels_per_cell = std::max(report.texels_per_cell, one->texels.texels_per_cell);
+      report.normal_texels += one->texels.normal_texels;
+      report.normal_texels_per_cell =
+          std::max(report.normal_texels_per_cell, one->texels.normal_texels_per_cell);
+      result_.halo_points += scan_.counts[tile].halo;
+    }
+    patches_ = all.patch_count;
+    report.points = all.points;
+    report.normals_repaired = repaired_;
+    report.normals_estimated = !scan_.attributes.normals;
+    report.error_rms = std::sqrt(all.sum_of_squares / static_cast<double>(all.points));
+    report.psnr_db =
+        20.0 * std::log10(glm::distance(scan_.bounds.min, scan_.bounds.max) / report.error_rms);
+    result_.nonfinite = scan_.read.nonfinite;
+    result_.left_out = scan_.read.left_out;
+    result_.duplicates = duplicates_;
+    result_.tiles = tile_count();
+    result_.notes = scan_.notes;
+    return {};
+  }
+
+  const std::string& name_;
+  const TileFolder& folder_;
+  const SpreadScan& scan_;
+  const ConvertOptions& options_;
+  const PatchFileOptions& file_options_;
+  Progress& progress_;
+  glm::dvec3 centre_;
+
+  SheetTurns turns_;
+  double area_ = 0.0;    // of all regions, world units squared; 0 if the spacing is given
+  double radius_ = 0.0;  // of all points about the centre
+  std::uint64_t repaired_ = 0;
+  std::uint64_t duplicates_ = 0;
+  double spacing_ = 0.0;
+  TiledResult result_;
+  std::uint64_t patches_ = 0;
+};
+
+}  // namespace
+
+Result<ConvertedTiles> convert_spread(const TileTask& task, Progress& progress) {
+  return TileConversion(task, progress).run();
+}
+
+}  // namespace relief

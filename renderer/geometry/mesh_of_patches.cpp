@@ -1,0 +1,171 @@
+#include "renderer/geometry/mesh_of_patches.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+#include <span>
+#include <utility>
+
+#include "common/image/srgb.h"
+#include "common/mesh/mesh_texture.h"
+#include "common/mesh/normal_texture.h"
+#include "common/octahedral.h"
+#include "renderer/geometry/node_texels.h"
+#include "renderer/geometry/patch_normals.h"
+#include "renderer/geometry/proxy.h"
+#include "renderer/shading/materials.h"
+#include "shaders/include/shared.h"
+
+namespace relief {
+namespace {
+
+constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
+
+/// Adds a patch's samples and returns for each node which vertex it has become.
+std::vector<std::uint32_t> add_vertices(const Patch& patch, std::uint32_t id, bool coloured,
+                                        TriangleMesh& mesh) {
+  std::vector<std::uint32_t> vertices(patch.heights.size(), kNoVertex);
+  const AttributeMap<glm::i16vec2> normals = normal_map_of(patch);
+  const glm::mat3 axes(patch.axes);
+  for (std::uint32_t j = 0; j < patch.height; ++j) {
+    for (std::uint32_t i = 0; i < patch.width; ++i) {
+      if (patch.at(i, j) == kHole) continue;
+      vertices[std::size_t{j} * patch.width + i] =
+          static_cast<std::uint32_t>(mesh.positions.size());
+      mesh.positions.push_back(place_of(patch, i, j));
+      mesh.normals.push_back(glm::normalize(axes * normal_at_node(normals, i, j)));
+      if (coloured) {
+        const glm::vec3 colour = patch.colours.empty()
+                                     ? glm::vec3(shared::kNeutralGrey)
+                                     : linear_from_srgb8(texel_at(patch.colours, i, j));
+        mesh.colours.emplace_back(colour, 1.0F);
+      }
+      mesh.uvs.emplace_back(i, j);
+      mesh.patches.push_back(id + 1);
+    }
+  }
+  return vertices;
+}
+
+/// The texture coordinates of a node: its texel's middle.
+glm::vec2 texcoord_of(const AttributeMap<glm::u8vec3>& map, std::size_t i, std::size_t j) {
+  const glm::dvec2 texel(i * map.scale + 0.5, j * map.scale + 0.5);
+  return {texel / glm::dvec2(map.width, map.height)};
+}
+
+/// A colour map with several texels a cell becomes a texture of the triangles from `first` on.
+void add_texture(const Patch& patch, std::size_t first, TriangleMesh& mesh) {
+  if (patch.colours.scale < 2 || patch.colours.empty()) return;
+  const AttributeMap<glm::u8vec3>& map = patch.colours;
+  std::vector<glm::u8vec3> upward;  // textures have their top row first
+  upward.reserve(map.texels.size());
+  for (std::size_t row = map.height; row-- > 0;) {
+    const auto begin = map.texels.begin() + static_cast<std::ptrdiff_t>(row * map.width);
+    upward.insert(upward.end(), begin, begin + map.width);
+  }
+  MeshMaterial texture;
+  texture.texture = std::make_shared<const MeshTexture>(map.width, map.height, std::move(upward),
+                                                        TextureWrap::Clamp);
+  mesh.triangle_textures.resize(first, kNoMaterial);
+  mesh.triangle_textures.resize(mesh.triangles.size(),
+                                static_cast<std::uint32_t>(mesh.textures.size()));
+  mesh.textures.push_back(std::move(texture));
+  mesh.texcoords.resize(first);
+  for (std::size_t t = first; t < mesh.triangles.size(); ++t) {
+    CornerTexcoords corners{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const glm::vec2 node = mesh.uvs[mesh.triangles[t][c]];
+      corners[c] =
+          texcoord_of(map, static_cast<std::size_t>(node.x), static_cast<std::size_t>(node.y));
+    }
+    mesh.texcoords.push_back(corners);
+  }
+}
+
+/// A normal map with several texels a cell.
+PatchNormalMap normal_map_over(const Patch& patch) {
+  if (patch.normals.scale < 2 || patch.normals.empty()) return {};
+  const AttributeMap<glm::i16vec2>& map = patch.normals;
+  std::vector<glm::i16vec3> upward;  // textures have their top row first
+  upward.reserve(map.texels.size());
+  for (std::size_t row = map.height; row-- > 0;) {
+    for (std::size_t column = 0; column < map.width; ++column) {
+      const glm::vec3 normal = unit_from_snorm16(map.texels[row * map.width + column]);
+      upward.push_back(NormalTexture::texel_of(normal));
+    }
+  }
+  return {std::make_shared<const NormalTexture>(map.width, map.height, std::move(upward),
+                                                TextureWrap::Clamp),
+          glm::mat3(patch.axes), static_cast<float>(map.scale)};
+}
+
+void add_triangles(const Patch& patch, const std::vector<std::uint32_t>& vertices,
+                   TriangleMesh& mesh) {
+  const double largest_rise = shared::kSteepest * patch.spacing / patch.height_step;
+  const auto joined = [&](std::size_t a, std::size_t b) {
+    return vertices[a] != kNoVertex && vertices[b] != kNoVertex &&
+           std::abs(patch.heights[b] - patch.heights[a]) <= largest_rise;
+  };
+  for (std::size_t j = 0; j + 1 < patch.height; ++j) {
+    for (std::size_t i = 0; i + 1 < patch.width; ++i) {
+      const std::size_t node = j * patch.width + i;
+      const std::size_t above = node + patch.width;
+      if (joined(node, node + 1) && joined(node + 1, above + 1)) {
+        mesh.triangles.push_back({vertices[node], vertices[node + 1], vertices[above + 1]});
+      }
+      if (joined(node, above) && joined(above, above + 1)) {
+        mesh.triangles.push_back({vertices[node], vertices[above + 1], vertices[above]});
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Result<TriangleMesh> mesh_of_patches(const PatchModel& model) {
+  const std::size_t samples = count_samples(model);
+  if (samples >= kNoVertex) {
+    return make_error(
+        "the model has {} samples, but rays are traced through at most {}; convert "
+        "again with a larger spacing",
+        samples, kNoVertex - 1);
+  }
+  TriangleMesh mesh;
+  mesh.positions.reserve(samples);
+  mesh.normals.reserve(samples);
+  mesh.uvs.reserve(samples);
+  mesh.patches.reserve(samples);
+  if (model.has_colours) mesh.colours.reserve(samples);
+  mesh.triangles.reserve(2 * samples);
+  for (std::uint32_t p = 0; p < model.patches.size(); ++p) {
+    mesh.layer_gap = std::max(mesh.layer_gap, double{shared::kLayerGap} * model.patches[p].spacing);
+    const Patch& patch = model.patches[p];
+    const std::size_t first = mesh.triangles.size();
+    add_triangles(patch, add_vertices(patch, p, model.has_colours, mesh), mesh);
+    add_texture(patch, first, mesh);
+    if (PatchNormalMap map = normal_map_over(patch); map.texture != nullptr) {
+      mesh.patch_normals.resize(p);
+      mesh.patch_normals.push_back(std::move(map));
+    }
+  }
+  if (!mesh.triangle_textures.empty()) {
+    mesh.triangle_textures.resize(mesh.triangles.size(), kNoMaterial);
+    mesh.texcoords.resize(mesh.triangles.size());
+  }
+  mesh.materials = materials_of_patches(model, mesh.patches);
+  return mesh;
+}
+
+std::vector<MeshBody> bodies_of(const PatchModel& model) {
+  std::vector<MeshBody> bodies;
+  std::uint32_t vertices = 0;
+  for (const Placement& placement : model.placements) {
+    const auto run = std::span(model.patches).subspan(placement.first, placement.count);
+    bodies.push_back({vertices, 2.0 * placement.transform.scale * sphere_about(run).radius});
+    for (const Patch& patch : run) vertices += static_cast<std::uint32_t>(count_samples(patch));
+  }
+  return bodies;
+}
+
+}  // namespace relief

@@ -1,0 +1,27 @@
+// The triangles that corrected interpolation stands for, and that the primitive `cell` draws.
+#pragma once
+
+#include <vector>
+
+#include "common/error.h"
+#include "common/patch.h"
+#include "renderer/geometry/triangle_mesh.h"
+
+namespace relief {
+
+/// The triangulation of all patches: each grid cell halved along the diagonal from (0, 0) to (1, 1)
+/// (paper 001, section 3.5), but for triangles with a hole at a corner and those along whose cell's
+/// edge it rises by more than kSteepest cells, where a patch jumps from one sheet of the scan to
+/// another: no splat leans as much. Normals are those of the maps at the nodes, colours those of
+/// the whole map, and both also where it has several texels a cell. UVs are grid coordinates.
+///
+/// Patches are not joined: each has its own vertices, and where their margins overlap there are two
+/// surfaces, some hundredths of a cell apart, of which a ray meets the nearer. Between the ragged
+/// borders of two patches that do not overlap there is nothing, where `onepass` draws splats that
+/// reach half a cell beyond the border. Fails if there are more samples than 32 bits count.
+Result<TriangleMesh> mesh_of_patches(const PatchModel& model);
+
+/// TriangleMesh::bodies of a model with placements, once these are baked.
+[[nodiscard]] std::vector<MeshBody> bodies_of(const PatchModel& model);
+
+}  // namespace relief

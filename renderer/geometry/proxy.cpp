@@ -1,0 +1,68 @@
+#include "renderer/geometry/proxy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace relief {
+namespace {
+
+/// Where the model has no finer ones, vertices may be this many times as far apart.
+constexpr double kMostFarPixels = 2.0;
+/// The coarsest level has this many cubes across.
+constexpr double kFewestAcross = 3.0;
+
+/// World units a pixel, where the sphere is nearest to the eye; below 0 behind it.
+double nearest_pixel(const View& view, const Sphere& model) {
+  return pixel_at(view, -(view.rotation * (model.centre - view.eye)).z - model.radius);
+}
+
+}  // namespace
+
+Sphere sphere_about(std::span<const Patch> patches) {
+  Bounds box;
+  for_each_place(patches, [&box](glm::dvec3 p) { extend(box, p); });
+  if (box.empty()) return {};
+  Sphere sphere{0.5 * (box.min + box.max), 0.0};
+  for_each_place(patches, [&sphere](glm::dvec3 p) {
+    sphere.radius = std::max(sphere.radius, glm::distance(sphere.centre, p));
+  });
+  return sphere;
+}
+
+std::vector<double> far_spacings(const Sphere& model, double spacing) {
+  const double diameter = 2.0 * model.radius;
+  std::vector<double> spacings;
+  for (double s = 2.0 / kFarDiameter * diameter; s * kFewestAcross < diameter;
+       s *= std::sqrt(2.0)) {
+    if (s >= 2.0 * spacing) spacings.push_back(s);
+  }
+  return spacings;
+}
+
+FarModel moved(const Transform& transform, const FarModel& model) {
+  FarModel placed{{moved(transform, model.sphere.centre), transform.scale * model.sphere.radius},
+                  model.pixels,
+                  model.spacings};
+  for (double& spacing : placed.spacings) spacing *= transform.scale;
+  return placed;
+}
+
+bool is_far(const View& view, const FarModel& model) {
+  if (model.spacings.empty()) return false;
+  const double pixel = nearest_pixel(view, model.sphere);
+  // Where a pixel has several samples, View::far_diameter counts these.
+  const double samples = view.far_diameter / kFarDiameter;
+  const double most_pixels = 0.5 * model.pixels * kFarDiameter;
+  return 2.0 * model.sphere.radius < samples * most_pixels * pixel &&
+         model.spacings.front() <= samples * kMostFarPixels * model.pixels * pixel;
+}
+
+std::size_t choose_far_level(const View& view, const FarModel& model) {
+  const double most = model.pixels * nearest_pixel(view, model.sphere);
+  std::size_t level = 0;
+  while (level + 1 < model.spacings.size() && model.spacings[level + 1] <= most) ++level;
+  return level;
+}
+
+}  // namespace relief

@@ -1,0 +1,234 @@
+#include "renderer/geometry/proxy_levels.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <unordered_map>
+#include <utility>
+
+#include "common/image/srgb.h"
+#include "common/octahedral.h"
+#include "renderer/geometry/node_texels.h"
+#include "renderer/geometry/patch_normals.h"
+#include "shaders/include/shared.h"
+
+namespace relief {
+namespace {
+
+/// A cube of the grid.
+struct Cube {
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+  std::int64_t z = 0;
+
+  bool operator==(const Cube&) const = default;
+};
+
+struct CubeHash {
+  std::size_t operator()(const Cube& cube) const {
+    std::uint64_t hash = 0;
+    for (const std::int64_t value : {cube.x, cube.y, cube.z}) {
+      hash = (hash ^ static_cast<std::uint64_t>(value)) * 0x9E3779B97F4A7C15U;
+      hash ^= hash >> 29U;
+    }
+    return hash;
+  }
+};
+
+/// Samples that become one vertex: their sums, places from the middle of the model, and how far
+/// from the middle of their cube the one is whose place the vertex has.
+struct Cluster {
+  FarVertex sum;
+  glm::dmat3 normals{0.0};  ///< n n^T
+  glm::dvec3 offsets{0.0};  ///< (n . p) n
+  double count = 0.0;
+  double away = 0.0;                 ///< in cubes
+  std::uint32_t next = kNoMaterial;  ///< the next one of the cube
+};
+
+/// Collects samples, or the clusters of a finer level, into cubes of a grid.
+class CubeGrid {
+ public:
+  explicit CubeGrid(double spacing) : spacing_(spacing) {}
+
+  /// The number of the cluster that this one goes into.
+  std::uint32_t add(const Cluster& finer) {
+    const glm::dvec3 place = finer.sum.position / (finer.count * spacing_);
+    const glm::dvec3 low = glm::floor(place);
+    const double away = glm::distance(place, low + 0.5);
+    const std::uint32_t number = find(low, finer);
+    Cluster& cluster = clusters_[number];
+    if (cluster.count == 0.0 || away < cluster.away) {
+      cluster.away = away;
+      cluster.sum.patch = finer.sum.patch;
+      cluster.sum.place = finer.sum.place;
+    }
+    cluster.sum.position += finer.sum.position;
+    cluster.sum.normal += finer.sum.normal;
+    cluster.sum.colour += finer.sum.colour;
+    cluster.normals += finer.normals;
+    cluster.offsets += finer.offsets;
+    cluster.count += finer.count;
+    return number;
+  }
+
+  [[nodiscard]] const std::vector<Cluster>& clusters() const { return clusters_; }
+
+ private:
+  /// The cluster of the cube that faces the same way; a new one if there is none.
+  std::uint32_t find(glm::dvec3 low, const Cluster& finer) {
+    const Cube cube{static_cast<std::int64_t>(low.x), static_cast<std::int64_t>(low.y),
+                    static_cast<std::int64_t>(low.z)};
+    const auto added = static_cast<std::uint32_t>(clusters_.size());
+    std::uint32_t number = firsts_.try_emplace(cube, added).first->second;
+    std::uint32_t last = kNoMaterial;
+    while (number < added && number != kNoMaterial) {
+      if (glm::dot(clusters_[number].sum.normal, finer.sum.normal) > 0.0F) return number;
+      last = number;
+      number = clusters_[number].next;
+    }
+    if (last != kNoMaterial) clusters_[last].next = added;
+    clusters_.emplace_back();
+    return added;
+  }
+
+  double spacing_;
+  std::unordered_map<Cube, std::uint32_t, CubeHash> firsts_;
+  std::vector<Cluster> clusters_;
+};
+
+/// Where the tangent planes of the samples come nearest to meeting (Lindstrom 2000, "Out-of-core
+/// simplification of large polygonal models"): their mean would cut off what is narrower than a
+/// cube. `kToMean` draws it to the mean along directions that the planes leave open.
+glm::dvec3 place_of(const Cluster& cluster, double spacing) {
+  constexpr double kToMean = 0.01;
+  const glm::dvec3 mean = cluster.sum.position / cluster.count;
+  const glm::dmat3 planes = cluster.normals / cluster.count + glm::dmat3(kToMean);
+  const glm::dvec3 miss = (cluster.offsets - cluster.normals * mean) / cluster.count;
+  const glm::dvec3 step = glm::inverse(planes) * miss;
+  const double length = glm::length(step);
+  return mean + (length > spacing ? spacing / length : 1.0) * step;
+}
+
+/// Notes a triangle unless two of its corners have become one; the least corner comes first.
+void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                  std::vector<Triangle>& triangles) {
+  if (a == b || b == c || c == a) return;
+  if (b < a && b < c) {
+    triangles.push_back({b, c, a});
+  } else if (c < a && c < b) {
+    triangles.push_back({c, a, b});
+  } else {
+    triangles.push_back({a, b, c});
+  }
+}
+
+/// Each triangle once.
+void keep_unique(std::vector<Triangle>& triangles) {
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+}
+
+/// The mean of `value` over the texels that are nearer to a node than to any other.
+template <class Texel, class Value>
+glm::vec3 mean_at(const AttributeMap<Texel>& map, std::uint32_t i, std::uint32_t j,
+                  const Value& value) {
+  const TexelSum texels = sum_about_node(map, i, j, value);
+  return texels.sum / texels.count;
+}
+
+/// Adds a patch's samples to the grid; of each node the cluster that it is in, or kNoMaterial for a
+/// hole.
+std::vector<std::uint32_t> add_samples(const Patch& patch, std::uint32_t number, glm::dvec3 middle,
+                                       CubeGrid& grid) {
+  const AttributeMap<glm::i16vec2> normals = normal_map_of(patch);
+  const glm::mat3 axes(patch.axes);
+  std::vector<std::uint32_t> clusters(patch.heights.size(), kNoMaterial);
+  for (std::uint32_t j = 0; j < patch.height; ++j) {
+    for (std::uint32_t i = 0; i < patch.width; ++i) {
+      if (patch.at(i, j) == kHole) continue;
+      const glm::vec3 normal = mean_at(normals, i, j, unit_from_snorm16);
+      const glm::vec3 colour = patch.colours.empty()
+                                   ? glm::vec3(shared::kNeutralGrey)
+                                   : mean_at(patch.colours, i, j, [](glm::u8vec3 texel) {
+                                       return linear_from_srgb8(texel);
+                                     });
+      Cluster sample;
+      sample.sum = {place_of(patch, i, j) - middle, axes * normal, colour, number, glm::vec2(i, j)};
+      // A file from strangers may have texels that cancel.
+      const double length = glm::length(normal);
+      const glm::dvec3 n =
+          length > 0.0 ? patch.axes * (glm::dvec3(normal) / length) : patch.axes[2];
+      sample.normals = glm::outerProduct(n, n);
+      sample.offsets = glm::dot(n, sample.sum.position) * n;
+      sample.count = 1.0;
+      clusters[std::size_t{j} * patch.width + i] = grid.add(sample);
+    }
+  }
+  return clusters;
+}
+
+/// What is left of the triangles of its cells.
+void add_cells(const Patch& patch, const std::vector<std::uint32_t>& clusters,
+               std::vector<Triangle>& triangles) {
+  for (std::uint32_t j = 0; j + 1 < patch.height; ++j) {
+    for (std::uint32_t i = 0; i + 1 < patch.width; ++i) {
+      const std::size_t node = std::size_t{j} * patch.width + i;
+      const std::uint32_t a = clusters[node];
+      const std::uint32_t b = clusters[node + 1];
+      const std::uint32_t c = clusters[node + patch.width];
+      const std::uint32_t d = clusters[node + patch.width + 1];
+      if (a == kNoMaterial || b == kNoMaterial || c == kNoMaterial || d == kNoMaterial) continue;
+      add_triangle(a, b, d, triangles);
+      add_triangle(a, d, c, triangles);
+    }
+  }
+}
+
+FarLevel make_level(double spacing, glm::dvec3 middle, const CubeGrid& grid,
+                    const std::vector<Triangle>& triangles) {
+  FarLevel level{spacing, {}, triangles};
+  level.vertices.reserve(grid.clusters().size());
+  for (const Cluster& cluster : grid.clusters()) {
+    FarVertex vertex = cluster.sum;
+    vertex.position = middle + place_of(cluster, spacing);
+    vertex.normal /= static_cast<float>(cluster.count);
+    vertex.colour /= static_cast<float>(cluster.count);
+    level.vertices.push_back(vertex);
+  }
+  return level;
+}
+
+}  // namespace
+
+std::vector<FarLevel> make_far_levels(std::span<const Patch> patches, const FarModel& model) {
+  std::vector<FarLevel> levels;
+  if (model.spacings.empty()) return levels;
+  const glm::dvec3 middle = model.sphere.centre;
+  const std::span<const double> spacings(model.spacings);
+  CubeGrid grid(spacings.front());
+  std::vector<Triangle> triangles;
+  for (std::uint32_t p = 0; p < patches.size(); ++p) {
+    add_cells(patches[p], add_samples(patches[p], p, middle, grid), triangles);
+    keep_unique(triangles);
+  }
+  levels.push_back(make_level(spacings.front(), middle, grid, triangles));
+  for (const double spacing : spacings.subspan(1)) {
+    CubeGrid coarser(spacing);
+    std::vector<std::uint32_t> numbers;
+    numbers.reserve(grid.clusters().size());
+    for (const Cluster& cluster : grid.clusters()) numbers.push_back(coarser.add(cluster));
+    const std::vector<Triangle> finer = std::exchange(triangles, {});
+    for (const Triangle& t : finer)
+      add_triangle(numbers[t[0]], numbers[t[1]], numbers[t[2]], triangles);
+    keep_unique(triangles);
+    grid = std::move(coarser);
+    levels.push_back(make_level(spacing, middle, grid, triangles));
+  }
+  return levels;
+}
+
+}  // namespace relief

@@ -1,0 +1,41 @@
+// Coarse meshes of patches, for models seen from afar (far_model.h).
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "common/patch.h"
+#include "common/points.h"
+#include "renderer/geometry/proxy.h"
+
+namespace relief {
+
+/// The mean of some samples that are near each other and face the same way. Model frame.
+struct FarVertex {
+  glm::dvec3 position{0.0};
+  glm::vec3 normal{0.0F};   ///< the mean of unit vectors: shorter the more they differ
+  glm::vec3 colour{0.0F};   ///< linear
+  std::uint32_t patch = 0;  ///< of one of the samples: in the run of patches
+  glm::vec2 place{0.0F};    ///< grid coordinates of that sample
+};
+
+/// A model as a mesh whose vertices are about `spacing` apart.
+struct FarLevel {
+  double spacing = 0.0;
+  std::vector<FarVertex> vertices;
+  std::vector<Triangle> triangles;  ///< counter-clockwise seen from the normals' tips
+};
+
+/// Makes the levels (FarModel::spacings) of a run of patches, in its frame, by vertex clustering
+/// (Rossignac and Borrel 1993, "Multi-resolution 3D approximations for rendering complex scenes"):
+/// samples in one cube of a grid become one vertex, and what is left of the cells' triangles joins
+/// these. Samples in a cube whose normals point to different sides stay apart: a thin sheet keeps
+/// both of its sides. Neighbouring patches overlap, so that their samples share cubes and their
+/// meshes close.
+[[nodiscard]] std::vector<FarLevel> make_far_levels(std::span<const Patch> patches,
+                                                    const FarModel& model);
+
+}  // namespace relief

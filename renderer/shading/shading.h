@@ -1,0 +1,53 @@
+// Shading on the CPU, by the same text as the shaders (shaders/include/shading.h).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "renderer/render.h"
+#include "renderer/shading/cube_map.h"
+#include "renderer/shading/environment_cache.h"
+#include "renderer/view/view.h"
+#include "shaders/include/shared.h"
+
+namespace relief {
+
+/// A material and the environment that it reflects, null if it reflects none.
+struct LitMaterial {
+  MaterialSettings settings;
+  const CubeMap* cube = nullptr;
+};
+
+/// What surfaces are shaded with. Nothing is owned.
+struct Lighting {
+  shared::Frame frame;                 ///< has the lights
+  int lights = 0;                      ///< how many of them
+  std::vector<LitMaterial> materials;  ///< by index; not empty
+};
+
+/// The lighting of a picture; environments are made as they are needed. Fails if one can't be read.
+Result<Lighting> make_lighting(const RenderSettings& settings, const View& view,
+                               EnvironmentCache& environments);
+
+/// The material of that index; where there is but one, that, whatever the index.
+[[nodiscard]] const LitMaterial& lit_material(const Lighting& lighting, std::size_t material);
+[[nodiscard]] const MaterialSettings& material_of(const Lighting& lighting, std::size_t material);
+
+/// A surface as it is seen. World frame.
+struct SeenSurface {
+  glm::vec3 albedo{0.0F};   ///< linear
+  glm::vec3 normal{0.0F};   ///< unit
+  glm::vec3 ray{0.0F};      ///< unit, from the eye
+  glm::vec3 place{0.0F};    ///< from the eye; only point lights ask for it
+  glm::vec2 uv{0.0F};       ///< grid coordinates; only Split asks for them and for the patch
+  std::uint32_t patch = 1;  ///< patch id + 1
+};
+
+/// The light that it sends to the eye if it has that material (as material_of).
+[[nodiscard]] glm::vec3 shade(const Lighting& lighting, std::size_t material,
+                              const SeenSurface& surface);
+
+}  // namespace relief

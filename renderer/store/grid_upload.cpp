@@ -1,0 +1,124 @@
+#include "renderer/store/grid_upload.h"
+
+#include <span>
+
+#include "renderer/store/map_upload.h"
+
+namespace relief {
+namespace {
+
+/// What shaders know of a grid; where its maps are follows.
+shared::PatchInfo info_of(const Patch& patch, const Grid& grid) {
+  const auto stride = static_cast<float>(1U << grid.level);
+  shared::PatchInfo info{};
+  info.axis_v.w = grid.shape.height_step;
+  info.axis_n.w = grid.shape.slope_step;
+  info.nodes = {grid.nodes->width, grid.nodes->height, 0, grid.cells.first_row};
+  const float begin = grid.level > 0 ? 1.0F : 0.0F;
+  info.extent = {begin, begin + static_cast<float>(patch.width - 1) / stride,
+                 begin + static_cast<float>(patch.height - 1) / stride, stride};
+  return info;
+}
+
+glm::ivec4 place_of(const AtlasSpot& spot, std::int32_t scale) {
+  return {spot.x, spot.y, spot.layer, scale};
+}
+
+/// The patches that grids are levels of, each once, and which of them each grid's is.
+struct WholePatches {
+  PatchList patches;
+  std::vector<std::size_t> of_grids;
+};
+
+WholePatches whole_patches(const PatchModel& model, std::span<const Grid> grids) {
+  WholePatches whole;
+  std::map<std::size_t, std::size_t> numbers;
+  for (const Grid& grid : grids) {
+    const auto [found, is_new] = numbers.try_emplace(grid.patch, whole.patches.size());
+    if (is_new) whole.patches.push_back(&model.patches[grid.patch]);
+    whole.of_grids.push_back(found->second);
+  }
+  return whole;
+}
+
+/// Where the maps of whole patches are, in the cells of each level: `place` is the member for them,
+/// `scale` the texels per cell.
+template <class Scale>
+void note_places(const WholePatches& whole, const std::vector<AtlasSpot>& spots,
+                 glm::ivec4 shared::PatchInfo::*place, const Scale& scale,
+                 std::vector<Grid>& grids) {
+  for (std::size_t k = 0; k < grids.size(); ++k) {
+    const std::size_t patch = whole.of_grids[k];
+    const std::int32_t texels = scale(*whole.patches[patch]) << grids[k].level;
+    const std::int32_t before = grids[k].level > 0 ? texels : 0;  // it begins at node (1, 1)
+    grids[k].info.*place = place_of(spots[patch], texels) - glm::ivec4(before, before, 0, 0);
+  }
+}
+
+}  // namespace
+
+GridUpload::GridUpload(const Gl& gl, const PatchModel& model, const StoreNeeds& needs)
+    : gl_(gl), model_(model), needs_(needs), pages_(gl), cells_(gl) {}
+
+Result<std::size_t> GridUpload::get(std::size_t patch, std::uint32_t level) {
+  const auto [found, is_new] = numbers_.try_emplace({patch, level}, grids_.size());
+  if (!is_new) return found->second;
+  const Patch& whole = model_.patches[patch];
+  if (level > 0) coarser_.push_back(coarsen(whole, level));
+  Grid grid;
+  grid.patch = patch;
+  grid.level = level;
+  grid.nodes = level > 0 ? &coarser_.back().grid : &whole;
+  grid.shape = make_samples(*grid.nodes);
+  if (needs_.splats) {
+    const Result<RecordRun> added = pages_.add(grid.shape.records);
+    if (!added) return added.error();
+    grid.records = *added;
+  }
+  if (needs_.cells) {
+    Result<UploadedCells> added = cells_.add(level > 0 ? make_cells(coarser_.back(), grid.shape)
+                                                       : make_cells(whole, grid.shape));
+    if (!added) return added.error();
+    grid.cells = std::move(*added);
+  }
+  grid.shape.records = {};
+  grid.info = info_of(whole, grid);
+  grids_.push_back(std::move(grid));
+  return grids_.size() - 1;
+}
+
+Result<GridMaps> GridUpload::make_maps() {
+  GridMaps made;
+  if (needs_.heights) {
+    PatchList nodes;
+    for (const Grid& grid : grids_) nodes.push_back(grid.nodes);
+    Result<MapArray> maps = upload_heights(gl_, nodes);
+    if (!maps) return maps.error();
+    for (std::size_t k = 0; k < grids_.size(); ++k)
+      grids_[k].info.heights = place_of(maps->spots[k], 0);
+    made.heights = std::move(maps->texture);
+  }
+  const WholePatches whole = whole_patches(model_, grids_);
+  if (needs_.normals) {
+    Result<MapArray> maps = upload_normals(gl_, whole.patches);
+    if (!maps) return maps.error();
+    note_places(whole, maps->spots, &shared::PatchInfo::normals, normal_scale, grids_);
+    made.normals = std::move(maps->texture);
+  }
+  if (needs_.colours) {
+    Result<MapArray> maps = upload_colours(gl_, whole.patches);
+    if (!maps) return maps.error();
+    note_places(whole, maps->spots, &shared::PatchInfo::colours, colour_scale, grids_);
+    made.colours = std::move(maps->texture);
+  }
+  if (needs_.masks && !coarser_.empty()) {
+    Result<MapArray> maps = upload_masks(gl_, whole.patches);
+    if (!maps) return maps.error();
+    note_places(
+        whole, maps->spots, &shared::PatchInfo::masks, [](const Patch&) { return 1; }, grids_);
+    made.masks = std::move(maps->texture);
+  }
+  return made;
+}
+
+}  // namespace relief

@@ -1,0 +1,103 @@
+#include "renderer/store/proxy_store.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/packing.hpp>
+#include <glm/packing.hpp>
+#include <utility>
+
+#include "common/octahedral.h"
+
+namespace relief {
+namespace {
+
+/// Steps of a mesh's frame along the diameter of its sphere.
+constexpr double kSteps = 65535.0;
+
+/// Octahedral coordinates of 13 bits each, then how far the unit normals of a mean are spread: its
+/// length is 1 less the square of that, which has 6 bits.
+std::uint32_t pack_normal(glm::vec3 normal) {
+  const float length = glm::length(normal);
+  if (!(length > 0.0F)) return 0;
+  const glm::uvec2 place(
+      glm::round((0.5F * octahedral_from_unit(normal / length) + 0.5F) * 8191.0F));
+  const float spread = std::sqrt(std::max(1.0F - length, 0.0F));
+  return place.x | (place.y << 13U) |
+         (static_cast<std::uint32_t>(std::lround(spread * 63.0F)) << 26U);
+}
+
+shared::FarVertex pack(const FarVertex& vertex, const StoredFarMesh& mesh) {
+  const glm::uvec3 p(
+      glm::clamp(glm::round((vertex.position - mesh.origin) / mesh.unit), 0.0, kSteps));
+  return {p.x | (p.y << 16U), p.z | (glm::uint32{glm::packHalf1x16(vertex.colour.r)} << 16U),
+          glm::packHalf2x16({vertex.colour.g, vertex.colour.b}), pack_normal(vertex.normal)};
+}
+
+shared::FarSource source_of(const FarVertex& vertex) {
+  const glm::uvec2 place(vertex.place);
+  return {vertex.patch, place.x | (place.y << 16U)};
+}
+
+VertexArray make_attributes(const Gl& gl, const Buffer& indices, const Buffer& patches) {
+  VertexArray attributes(gl, "models from afar");
+  const GLuint id = attributes.id();
+  gl.VertexArrayBindingDivisor(id, 0, 1);
+  gl.EnableVertexArrayAttrib(id, RELIEF_ATTRIBUTE_PATCH);
+  gl.VertexArrayAttribIFormat(id, RELIEF_ATTRIBUTE_PATCH, 1, GL_UNSIGNED_INT, 0);
+  gl.VertexArrayAttribBinding(id, RELIEF_ATTRIBUTE_PATCH, 0);
+  gl.VertexArrayVertexBuffer(id, 0, patches.id(), 0, sizeof(std::uint32_t));
+  gl.VertexArrayElementBuffer(id, indices.id());
+  return attributes;
+}
+
+}  // namespace
+
+Result<std::uint32_t> FarUpload::add(std::span<const Patch> patches, const FarModel& model) {
+  const Sphere& sphere = model.sphere;
+  StoredFarMesh mesh{sphere.centre - sphere.radius, 2.0 * sphere.radius / kSteps, {}};
+  for (const FarLevel& level : make_far_levels(patches, model)) {
+    mesh.levels.push_back({static_cast<std::uint32_t>(vertices_.size()),
+                           static_cast<std::uint32_t>(indices_.size()),
+                           static_cast<std::uint32_t>(3 * level.triangles.size())});
+    for (const FarVertex& vertex : level.vertices) {
+      vertices_.push_back(pack(vertex, mesh));
+      sources_.push_back(source_of(vertex));
+    }
+    for (const Triangle& t : level.triangles) indices_.insert(indices_.end(), t.begin(), t.end());
+  }
+  const auto most = static_cast<std::size_t>(get_limit(gl_, GL_MAX_TEXTURE_BUFFER_SIZE));
+  if (vertices_.size() > most) {
+    return make_error(
+        "models seen from afar have {} vertices, more than this OpenGL can draw ({}); draw the "
+        "scene with pixels-per-sample 0",
+        vertices_.size(), most);
+  }
+  meshes_.push_back(std::move(mesh));
+  return static_cast<std::uint32_t>(meshes_.size() - 1);
+}
+
+std::uint32_t FarUpload::place(std::uint32_t patch) {
+  patches_.push_back(patch);
+  return static_cast<std::uint32_t>(patches_.size() - 1);
+}
+
+FarStore FarUpload::take(bool with_sources) {
+  Buffer indices = make_buffer(gl_, "far triangles", std::span<const std::uint32_t>(indices_));
+  Buffer patches = make_buffer(gl_, "far placements", std::span<const std::uint32_t>(patches_));
+  VertexArray attributes = make_attributes(gl_, indices, patches);
+  FarStore store{
+      std::move(meshes_),
+      make_table(gl_, "far vertices", GL_RGBA32UI, std::span<const shared::FarVertex>(vertices_)),
+      std::nullopt,
+      std::move(indices),
+      std::move(patches),
+      std::move(attributes)};
+  if (with_sources)
+    store.sources =
+        make_table(gl_, "far sources", GL_RG32UI, std::span<const shared::FarSource>(sources_));
+  return store;
+}
+
+}  // namespace relief

@@ -1,0 +1,71 @@
+// Meshes that stand for models seen from afar, on the GPU.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "common/error.h"
+#include "common/patch.h"
+#include "renderer/geometry/proxy.h"
+#include "renderer/geometry/proxy_levels.h"
+#include "renderer/gl/functions.h"
+#include "renderer/gl/object.h"
+#include "shaders/include/shared.h"
+
+namespace relief {
+
+/// A level of a mesh on the GPU.
+struct StoredFarLevel {
+  std::uint32_t first_vertex = 0;  ///< in FarStore::vertices
+  std::uint32_t first_index = 0;   ///< in FarStore::indices
+  std::uint32_t indices = 0;
+};
+
+/// A run of patches as meshes. They are in a frame of whole numbers: what is at p there is at
+/// origin + unit * p in the model's.
+struct StoredFarMesh {
+  glm::dvec3 origin{0.0};
+  double unit = 1.0;
+  std::vector<StoredFarLevel> levels;  ///< finest first
+};
+
+struct FarStore {
+  std::vector<StoredFarMesh> meshes;
+  Table vertices;                ///< shared::FarVertex
+  std::optional<Table> sources;  ///< shared::FarSource, where some picture tells patches or places
+  Buffer indices;                ///< 32 bits each, counted from the level's first vertex
+  Buffer patches;                ///< by placement: the per-instance attribute that names its frame
+  VertexArray attributes;        ///< these two
+};
+
+/// Collects the meshes of runs of patches and their placements, and uploads them.
+class FarUpload {
+ public:
+  explicit FarUpload(const Gl& gl) : gl_(gl) {}
+
+  /// Adds the levels of a run; returns its number. Fails if OpenGL lets no shader see as many
+  /// vertices.
+  Result<std::uint32_t> add(std::span<const Patch> patches, const FarModel& model);
+
+  /// Adds a placement whose frame is that patch of the store; returns its number.
+  std::uint32_t place(std::uint32_t patch);
+
+  [[nodiscard]] const StoredFarMesh& mesh(std::uint32_t number) const { return meshes_[number]; }
+  [[nodiscard]] bool empty() const { return meshes_.empty(); }
+
+  /// Uploads all that was added.
+  FarStore take(bool with_sources);
+
+ private:
+  const Gl& gl_;
+  std::vector<StoredFarMesh> meshes_;
+  std::vector<shared::FarVertex> vertices_;
+  std::vector<shared::FarSource> sources_;
+  std::vector<std::uint32_t> indices_;
+  std::vector<std::uint32_t> patches_;
+};
+
+}  // namespace relief

@@ -1,0 +1,279 @@
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "common/transform.h"
+#include "renderer/store/grid_upload.h"
+#include "renderer/store/patch_store.h"
+#include "shaders/include/shared.h"
+
+namespace relief {
+namespace {
+
+/// A model without placements is one placement that leaves it where it is.
+std::vector<Placement> placements_of(const PatchModel& model) {
+  if (!model.placements.empty()) return model.placements;
+  const std::uint8_t material = model.patches.empty() ? 0 : model.patches.front().material;
+  return {{0, static_cast<std::uint32_t>(model.patches.size()), {}, material, model.is_closed}};
+}
+
+/// A mesh that stands for a model has one material.
+bool has_one_material(const PatchModel& model) {
+  return !model.placements.empty() ||
+         std::all_of(model.patches.begin(), model.patches.end(), [&model](const Patch& patch) {
+           return patch.material == model.patches.front().material;
+         });
+}
+
+PatchExtent moved(const Transform& transform, const PatchExtent& extent) {
+  return {relief::moved(transform, extent.centre), transform.scale * extent.radius,
+          transform.scale * extent.spacing, extent.levels};
+}
+
+/// A run of patches as all of its placements have it.
+struct Run {
+  FarModel model;                     ///< model frame
+  std::optional<std::uint32_t> mesh;  ///< what stands for it, if some view draws it from afar
+  std::optional<Bounds> box;          ///< box_about, once it is asked for
+};
+
+/// Whether maps of the patches show more than their surface.
+bool has_fine_detail(std::span<const Patch> patches) {
+  return std::any_of(patches.begin(), patches.end(), [](const Patch& patch) {
+    return !patch.colours.empty() || patch.normals.scale > 1;
+  });
+}
+
+Run run_of(std::span<const Patch> patches) {
+  Run run;
+  double coarsest = 0.0;
+  for (const Patch& patch : patches) coarsest = std::max(coarsest, patch.spacing);
+  run.model.sphere = sphere_about(patches);
+  run.model.pixels = has_fine_detail(patches) ? kFarPixelsOfMaps : kFarPixels;
+  run.model.spacings = far_spacings(run.model.sphere, coarsest);
+  return run;
+}
+
+/// Uploads a model, one placement after the other.
+class ModelUpload {
+ public:
+  ModelUpload(const Gl& gl, const PatchModel& model, const StoreNeeds& needs,
+              std::span<const View> views)
+      : gl_(gl), model_(model), needs_(needs), views_(views), grids_(gl, model, needs), far_(gl) {
+    extents_.reserve(model.patches.size());
+    for (const Patch& patch : model.patches) extents_.push_back(extent_of(patch));
+  }
+
+  Status add(const Placement& placement) {
+    Run& run = run_at(placement);
+    const Transform& where = placement.transform;
+    std::vector<View> near_views;
+    StoredPlacement stored{relief::moved(where, run.model),
+                           static_cast<std::uint32_t>(levels_.size()),
+                           0,
+                           std::nullopt,
+                           glm::determinant(where.rotation) < 0.0,
+                           std::nullopt};
+    if (placement.is_closed && make_use_of_bodies(views_))
+      stored.body = Body{box_of(placement, run), where};
+    for (const View& view : views_) {
+      if (!is_far(view, stored.model)) near_views.push_back(view);
+    }
+    if (near_views.size() < views_.size()) {
+      const auto far = add_far(placement, run);
+      if (!far) return far.error();
+      stored.far = *far;
+    }
+    if (views_.empty() || !near_views.empty()) {
+      if (Status added = add_near(placement, near_views); !added) return added;
+      stored.count = placement.count;
+    }
+    diameters_.resize(patches_.size(), 2.0F * static_cast<float>(stored.model.sphere.radius));
+    placements_.push_back(std::move(stored));
+    first_id_ += placement.count;
+    return {};
+  }
+
+  Result<PatchStore> take() {
+    Result<GridMaps> maps = grids_.make_maps();
+    if (!maps) return maps.error();
+    Table table = make_patch_table();
+    PatchStore store{std::move(placements_),
+                     std::move(patches_),
+                     std::move(levels_),
+                     grids_.take_pages(),
+                     std::move(table),
+                     std::nullopt,
+                     std::nullopt,
+                     std::move(maps->heights),
+                     std::move(maps->normals),
+                     std::move(maps->colours),
+                     std::move(maps->masks),
+                     std::nullopt,
+                     std::nullopt};
+    if (needs_.cells) {
+      store.cells =
+          CellStore{std::move(parts_), grids_.take_cells(),
+                    make_buffer(gl_, "part places", std::span<const glm::uvec2>(places_))};
+    }
+    if (!far_.empty()) store.far = far_.take(needs_.sources);
+    if (needs_.bodies)
+      store.bodies = make_table(gl_, "bodies", GL_R32F, std::span<const float>(diameters_));
+    if (needs_.splats || !needs_.cells) {
+      std::vector<std::uint32_t> indices(store.patches.size());
+      std::iota(indices.begin(), indices.end(), 0U);
+      store.indices = make_buffer(gl_, "patch indices", std::span<const std::uint32_t>(indices));
+    }
+    const Status uploaded = check_errors(gl_, "the model");
+    if (!uploaded) return uploaded.error();
+    return store;
+  }
+
+ private:
+  /// What a row of the patch table says beside StoredPatch.
+  struct Row {
+    std::optional<std::size_t> grid;  ///< none: the frame of a mesh
+    std::uint32_t id = 0;
+  };
+
+  /// What its placements share; without what only views from afar ask for where there is none.
+  Run& run_at(const Placement& placement) {
+    const auto [found, is_new] = runs_.try_emplace({placement.first, placement.count});
+    if (!is_new) return found->second;
+    const auto patches = [&] {
+      return std::span(model_.patches).subspan(placement.first, placement.count);
+    };
+    if (needs_.bodies) found->second.model.sphere = sphere_about(patches());
+    const bool may_be_far = std::any_of(views_.begin(), views_.end(),
+                                        [](const View& view) { return view.far_diameter > 0.0; }) &&
+                            has_one_material(model_);
+    if (may_be_far) found->second = run_of(patches());
+    return found->second;
+  }
+
+  Bounds box_of(const Placement& placement, Run& run) {
+    if (!run.box)
+      run.box = box_about(std::span(model_.patches).subspan(placement.first, placement.count));
+    return *run.box;
+  }
+
+  /// The levels of its patches that the views choose.
+  Status add_near(const Placement& placement, std::span<const View> views) {
+    for (std::uint32_t k = 0; k < placement.count; ++k) {
+      const std::size_t p = placement.first + k;
+      const PatchExtent extent = moved(placement.transform, extents_[p]);
+      const std::vector<std::uint32_t> kept = levels_in(views, extent);
+      levels_.push_back({extent, static_cast<std::uint32_t>(patches_.size()),
+                         static_cast<std::uint32_t>(kept.size())});
+      const std::uint8_t material =
+          model_.placements.empty() ? model_.patches[p].material : placement.material;
+      for (const std::uint32_t level : kept) {
+        const Result<std::size_t> grid = grids_.get(p, level);
+        if (!grid) return grid.error();
+        add_grid(*grid, placement.transform, material, first_id_ + k);
+      }
+    }
+    return {};
+  }
+
+  void add_grid(std::size_t index, const Transform& where, std::uint8_t material,
+                std::uint32_t id) {
+    const Grid& grid = grids_.grid(index);
+    const PatchFrame frame = relief::moved(where, *grid.nodes);
+    StoredPatch kept;
+    kept.level = grid.level;
+    kept.material = material;
+    kept.placement = static_cast<std::uint32_t>(placements_.size());
+    kept.origin = frame.origin;
+    kept.axes = frame.axes;
+    kept.spacing = frame.spacing;
+    kept.side = std::max(grid.nodes->width, grid.nodes->height);
+    kept.centre = frame.origin + frame.axes * (frame.spacing * grid.shape.centre);
+    kept.radius = frame.spacing * grid.shape.radius;
+    kept.widest_disc = frame.spacing * grid.shape.widest_disc;
+    kept.records = grid.records;
+    const auto number = static_cast<std::uint32_t>(patches_.size());
+    for (const UploadedCells::Part& part : grid.cells.parts) {
+      parts_.push_back({number, frame.origin + frame.axes * (frame.spacing * part.centre),
+                        frame.spacing * part.radius, part.buffers});
+      places_.emplace_back(number, part.corner.x | (part.corner.y << 16U));
+    }
+    patches_.push_back(kept);
+    rows_.push_back({index, id});
+  }
+
+  /// The meshes that stand for it, made when it is the first of its run.
+  Result<StoredPlacement::Far> add_far(const Placement& placement, Run& run) {
+    if (!run.mesh) {
+      const Result<std::uint32_t> added =
+          far_.add(std::span(model_.patches).subspan(placement.first, placement.count), run.model);
+      if (!added) return added.error();
+      run.mesh = *added;
+    }
+    const StoredFarMesh& mesh = far_.mesh(*run.mesh);
+    StoredPatch frame;
+    frame.material = placement.material;
+    frame.placement = static_cast<std::uint32_t>(placements_.size());
+    frame.origin = relief::moved(placement.transform, mesh.origin);
+    frame.axes = placement.transform.rotation;
+    frame.spacing = placement.transform.scale * mesh.unit;
+    const auto patch = static_cast<std::uint32_t>(patches_.size());
+    const StoredPlacement::Far far{*run.mesh, patch, far_.place(patch)};
+    patches_.push_back(frame);
+    rows_.push_back({std::nullopt, first_id_});
+    return far;
+  }
+
+  Table make_patch_table() {
+    std::vector<shared::PatchInfo> table;
+    table.reserve(rows_.size());
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      const StoredPatch& patch = patches_[k];
+      shared::PatchInfo info{};
+      if (rows_[k].grid) info = grids_.grid(*rows_[k].grid).info;
+      info.axis_u = {glm::vec3(patch.axes[0]), static_cast<float>(patch.spacing)};
+      info.axis_v = {glm::vec3(patch.axes[1]), info.axis_v.w};
+      info.axis_n = {glm::vec3(patch.axes[2]), info.axis_n.w};
+      info.nodes.z = static_cast<int>(rows_[k].id);
+      info.heights.w = patch.material;
+      table.push_back(info);
+    }
+    return make_table(gl_, "patch table", GL_RGBA32I, std::span<const shared::PatchInfo>(table));
+  }
+
+  const Gl& gl_;
+  const PatchModel& model_;
+  const StoreNeeds& needs_;
+  std::span<const View> views_;
+  GridUpload grids_;
+  FarUpload far_;
+  std::vector<PatchExtent> extents_;  ///< of the model's patches, where they are stored
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Run> runs_;
+  std::vector<StoredPlacement> placements_;
+  std::vector<StoredPatch> patches_;
+  std::vector<Row> rows_;         ///< parallel to `patches_`
+  std::vector<float> diameters_;  ///< the same: of the model that it belongs to, world units
+  std::vector<StoredLevels> levels_;
+  std::vector<StoredPart> parts_;
+  std::vector<glm::uvec2> places_;
+  std::uint32_t first_id_ = 0;  ///< of the placement at work
+};
+
+}  // namespace
+
+Result<PatchStore> upload_model(const Gl& gl, const PatchModel& model, const StoreNeeds& needs,
+                                std::span<const View> views) {
+  ModelUpload upload(gl, model, needs, views);
+  for (const Placement& placement : placements_of(model)) {
+    if (Status added = upload.add(placement); !added) return added.error();
+  }
+  return upload.take();
+}
+
+}  // namespace relief

@@ -1,0 +1,100 @@
+#include "renderer/view/cull_mode.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "renderer/shading/materials.h"
+#include "renderer/store/patch_store.h"
+
+namespace relief {
+namespace {
+
+/// What splats may reach beyond the samples: the widest disc of a splat has a radius of
+/// sqrt(0.5) / 0.1 spacings where it is steepest.
+constexpr double kReachSpacings = 8.0;
+
+/// By placement: whether the view shows its front alone.
+std::vector<bool> front_alone(const PatchStore& store, const View& view) {
+  std::vector<bool> alone;
+  alone.reserve(store.placements.size());
+  for (const StoredPlacement& placement : store.placements) {
+    const bool outside =
+        view.sides == Sides::Auto && placement.body && sees_from_outside(view, *placement.body);
+    alone.push_back((view.sides == Sides::Front || outside) && !placement.is_mirrored);
+  }
+  return alone;
+}
+
+/// `patch_of` names the patch of a thing.
+template <class PatchOf>
+SidedList split(const PatchStore& store, const View& view, const std::vector<std::uint32_t>& things,
+                const PatchOf& patch_of) {
+  if (view.sides == Sides::Both) return {things, {}};
+  const std::vector<bool> alone = front_alone(store, view);
+  SidedList list;
+  for (const std::uint32_t thing : things) {
+    const bool front = alone[store.patches[patch_of(thing)].placement];
+    (front ? list.front : list.both).push_back(thing);
+  }
+  return list;
+}
+
+}  // namespace
+
+bool sees_from_outside(const View& view, const Body& body) {
+  const glm::dmat3 to_model = glm::transpose(body.where.rotation);
+  const glm::dvec3 eye = to_model * (view.eye - body.where.translation) / body.where.scale;
+  if (!view.orthographic) {
+    return glm::any(glm::lessThan(eye, body.box.min)) ||
+           glm::any(glm::greaterThan(eye, body.box.max));
+  }
+  const glm::dvec3 forward = to_model * (glm::transpose(view.rotation) * glm::dvec3(0, 0, -1));
+  const glm::dvec3 middle = 0.5 * (body.box.min + body.box.max);
+  const glm::dvec3 half = 0.5 * (body.box.max - body.box.min);
+  return glm::dot(forward, middle - eye) > glm::dot(glm::abs(forward), half);
+}
+
+Bounds box_about(std::span<const Patch> patches) {
+  Bounds box;
+  double coarsest = 0.0;
+  for (const Patch& patch : patches) coarsest = std::max(coarsest, patch.spacing);
+  for_each_place(patches, [&box](const glm::dvec3& place) { extend(box, place); });
+  if (box.empty()) return box;
+  return {box.min - kReachSpacings * coarsest, box.max + kReachSpacings * coarsest};
+}
+
+bool has_closed_bodies(const PatchModel& model) {
+  if (model.placements.empty()) return model.is_closed;
+  return std::any_of(model.placements.begin(), model.placements.end(),
+                     [](const Placement& placement) { return placement.is_closed; });
+}
+
+Sides sides_of(const RenderSettings& settings) {
+  if (settings.sides == Sides::Auto && is_transparent(settings)) return Sides::Both;
+  return settings.sides;
+}
+
+bool may_hide_backs(const RenderSettings& settings, bool closed) {
+  const Sides sides = sides_of(settings);
+  return sides == Sides::Front || (sides == Sides::Auto && closed);
+}
+
+bool make_use_of_bodies(std::span<const View> views) {
+  return std::any_of(views.begin(), views.end(),
+                     [](const View& view) { return view.sides == Sides::Auto; });
+}
+
+SidedList by_sides(const PatchStore& store, const View& view,
+                   const std::vector<std::uint32_t>& patches) {
+  return split(store, view, patches, [](std::uint32_t patch) { return patch; });
+}
+
+SidedList parts_by_sides(const PatchStore& store, const View& view,
+                         const std::vector<std::uint32_t>& parts) {
+  return split(store, view, parts,
+               [&store](std::uint32_t part) { return store.cells->parts[part].patch; });
+}
+
+}  // namespace relief

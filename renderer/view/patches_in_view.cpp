@@ -1,0 +1,174 @@
+#include "renderer/view/patches_in_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <iterator>
+
+#include "common/transform.h"
+#include "renderer/engines/onepass/back.h"
+#include "renderer/frame/image_parts.h"
+#include "renderer/shading/materials.h"
+
+namespace relief {
+namespace {
+
+/// Splats reach less far beyond samples at a patch's border (renderer/splat_reach.h).
+constexpr double kReachInSpacings = 8.0;
+
+/// Coarser levels of a patch reach beyond it by up to two of their cells, whose samples are seen
+/// pixels_per_sample_of() apart.
+constexpr double kReachInCells = 2.0;
+
+/// An overview has one normal and one colour a sample: farther apart than pixels they would blur.
+constexpr double kPixelsPerOverviewSample = 1.0;
+
+/// A sphere about samples, world frame of the file.
+struct Ball {
+  glm::dvec3 centre{0.0};
+  double radius = 0.0;  ///< less than 0: there are no samples
+};
+
+Ball ball_of(const Bounds& box) {
+  if (box.empty()) return {glm::dvec3(0.0), -1.0};
+  return {(box.min + box.max) / 2.0, glm::distance(box.min, box.max) / 2.0};
+}
+
+Ball ball_of(const PatchSummary& patch) {
+  if (patch.samples == 0) return {glm::dvec3(0.0), -1.0};
+  const glm::dvec3 low(0.0, 0.0, patch.min_height * patch.height_step);
+  const glm::dvec3 high((patch.width - 1) * patch.spacing, (patch.height - 1) * patch.spacing,
+                        patch.max_height * patch.height_step);
+  return {patch.origin + patch.axes * ((low + high) / 2.0), glm::distance(low, high) / 2.0};
+}
+
+/// Whether samples `spacing` apart can be in the picture.
+bool sees(const Onlooker& onlooker, const Ball& ball, double spacing) {
+  const double radius = onlooker.place.scale * (ball.radius + kReachInSpacings * spacing);
+  return ball.radius >= 0.0 &&
+         sees_sphere(onlooker.view, moved(onlooker.place, ball.centre), radius);
+}
+
+bool is_seen(std::span<const Onlooker> onlookers, const Ball& ball, double spacing) {
+  return std::any_of(onlookers.begin(), onlookers.end(),
+                     [&](const Onlooker& onlooker) { return sees(onlooker, ball, spacing); });
+}
+
+/// Whether a box's samples, where it is nearest to the eye, are as near to each other as asked for.
+bool is_fine_enough(const Onlooker& onlooker, const Bounds& box, double spacing) {
+  const Transform& place = onlooker.place;
+  const glm::dvec3 forward = -glm::transpose(onlooker.view.rotation)[2];
+  const glm::dvec3 in_model = glm::transpose(place.rotation) * forward;
+  const glm::dvec3 centre = moved(place, (box.min + box.max) / 2.0);
+  const glm::dvec3 half = (box.max - box.min) / 2.0;
+  const double depth = glm::dot(forward, centre - onlooker.view.eye) -
+                       place.scale * glm::dot(glm::abs(in_model), half);
+  if (depth <= 0.0 && !onlooker.view.orthographic) return false;
+  return spacing * place.scale <= onlooker.pixels * pixel_at(onlooker.view, depth);
+}
+
+/// Each tile's box about its own samples and those of all that it stands for, which may reach a
+/// little farther.
+std::vector<Bounds> whole_boxes(std::span<const TreeTile> tiles) {
+  std::vector<Bounds> boxes;
+  for (const TreeTile& tile : tiles) boxes.push_back(tile.box);
+  for (std::size_t t = tiles.size(); t-- > 0;) {
+    if (tiles[t].parent == kNoTile || boxes[t].empty()) continue;
+    extend(boxes[tiles[t].parent], boxes[t].min);
+    extend(boxes[tiles[t].parent], boxes[t].max);
+  }
+  return boxes;
+}
+
+/// Which tiles have each one for their parent; last those without.
+std::vector<std::vector<std::uint32_t>> children_of(std::span<const TreeTile> tiles) {
+  std::vector<std::vector<std::uint32_t>> children(tiles.size() + 1);
+  for (std::uint32_t t = 0; t < tiles.size(); ++t)
+    children[std::min<std::size_t>(tiles[t].parent, tiles.size())].push_back(t);
+  return children;
+}
+
+}  // namespace
+
+std::vector<Onlooker> onlookers_of(std::span<const RenderSettings> pictures,
+                                   std::span<const Transform> places, const PatchModel& extent) {
+  std::vector<Onlooker> onlookers;
+  for (const RenderSettings& picture : pictures) {
+    View view = make_view(picture.camera, picture.width, picture.height,
+                          {1.0, extent.bounds, extent.spacing});
+    // What is refracted may be beside the picture.
+    const double beside = has_two_interfaces(picture) ? onepass::kBackBorder : 0.0;
+    const double border = kReachInCells * pixels_per_sample_of(picture) +
+                          beside * std::max(picture.width, picture.height);
+    view = with_border(view, static_cast<std::uint32_t>(std::ceil(border)));
+    const double pixels = std::min(kPixelsPerOverviewSample, pixels_per_sample_of(picture)) /
+                          samples_a_side(picture.samples);
+    for (const Transform& place : places) onlookers.push_back({view, place, pixels});
+  }
+  return onlookers;
+}
+
+std::vector<std::uint32_t> choose_tiles(std::span<const TreeTile> tiles,
+                                        std::span<const Onlooker> onlookers) {
+  const std::vector<Bounds> boxes = whole_boxes(tiles);
+  const std::vector<std::vector<std::uint32_t>> children = children_of(tiles);
+  std::vector<std::uint32_t> chosen;
+  std::vector<std::uint32_t> open = children.back();
+  while (!open.empty()) {
+    const std::uint32_t t = open.back();
+    open.pop_back();
+    const Bounds& box = boxes[t];
+    const double spacing = tiles[t].spacing;
+    const Ball ball = ball_of(box);
+    if (!is_seen(onlookers, ball, spacing)) continue;
+    // What is too scattered for an overview may still be there in its children.
+    const bool is_enough =
+        children[t].empty() || (tiles[t].samples > 0 &&
+                                std::all_of(onlookers.begin(), onlookers.end(), [&](const auto& o) {
+                                  return !sees(o, ball, spacing) || is_fine_enough(o, box, spacing);
+                                }));
+    if (is_enough) {
+      chosen.push_back(t);
+    } else {
+      open.insert(open.end(), children[t].begin(), children[t].end());
+    }
+  }
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
+}
+
+Result<PartialModel> read_in_view(const PatchTree& tree, std::span<const Onlooker> onlookers,
+                                  Progress& progress) {
+  PartialModel read;
+  read.model = tree.extent();
+  const std::vector<std::uint32_t> tiles = choose_tiles(tree.tiles(), onlookers);
+  std::uint64_t patches = 0;
+  for (const std::uint32_t t : tiles) patches += tree.tiles()[t].patches;
+  progress.begin_stage("reading patches", patches);
+  PartProgress inner(progress);
+  std::uint64_t bytes = 0;
+  for (const std::uint32_t t : tiles) {
+    const auto file = tree.open_tile(t);
+    if (!file) return file.error();
+    std::vector<std::uint64_t> seen;
+    for (std::uint64_t p = 0; p < file->patches().size(); ++p) {
+      const PatchSummary& patch = file->patches()[p];
+      if (is_seen(onlookers, ball_of(patch), patch.spacing)) seen.push_back(p);
+    }
+    progress.advance(file->patches().size() - seen.size());
+    bytes += file->decoded_bytes(seen);
+    if (Status fits = fits_memory(file->name(), bytes); !fits) return fits.error();
+    auto some = file->read_patches(seen, inner);
+    if (!some) return some.error();
+    for (const std::uint64_t p : seen) read.samples += file->patches()[p].samples;
+    std::move(some->begin(), some->end(), std::back_inserter(read.model.patches));
+  }
+  read.tiles = tiles.size();
+  read.model.has_colours = std::any_of(read.model.patches.begin(), read.model.patches.end(),
+                                       [](const Patch& patch) { return !patch.colours.empty(); });
+  return read;
+}
+
+}  // namespace relief

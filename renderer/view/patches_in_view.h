@@ -1,0 +1,46 @@
+// What pictures need of a patch file that is larger than what they show: of each region the
+// coarsest patches that look like the finest, and of regions that are not seen none.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/error.h"
+#include "common/patch_file/patch_tree.h"
+#include "common/progress.h"
+#include "renderer/render.h"
+#include "renderer/view/view.h"
+
+namespace relief {
+
+/// A view of a file's model in one of its places.
+struct Onlooker {
+  View view;
+  Transform place;
+  /// Samples may be seen this far apart, in pixels; 0: they are to be the finest.
+  double pixels = 1.0;
+};
+
+/// Each of the pictures of each place. `extent`: of all that is drawn.
+[[nodiscard]] std::vector<Onlooker> onlookers_of(std::span<const RenderSettings> pictures,
+                                                 std::span<const Transform> places,
+                                                 const PatchModel& extent);
+
+/// The tiles whose patches show all that is seen, in the list's order: no region is in two of them.
+/// A tile stands for its children where its samples are seen at most Onlooker::pixels apart.
+[[nodiscard]] std::vector<std::uint32_t> choose_tiles(std::span<const TreeTile> tiles,
+                                                      std::span<const Onlooker> onlookers);
+
+/// What was read of a file, and what there is.
+struct PartialModel {
+  PatchModel model;
+  std::size_t tiles = 0;
+  std::uint64_t samples = 0;
+};
+
+/// Reads what the onlookers need. Refuses what does not fit into this machine's memory.
+Result<PartialModel> read_in_view(const PatchTree& tree, std::span<const Onlooker> onlookers,
+                                  Progress& progress);
+
+}  // namespace relief

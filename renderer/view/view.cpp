@@ -1,0 +1,183 @@
+#include "renderer/view/view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+#include <tuple>
+#include <utility>
+
+#include "renderer/shading/lighting.h"
+#include "renderer/store/patch_store.h"
+
+namespace relief {
+
+namespace {
+
+/// Beyond the model's bounds, which are those of its points: how much farther splats of `spacing`
+/// may reach, or be set back (kBorderSetBack over the cosine of kSteepest, and kBlendingDepth).
+constexpr double kSlackSpacings = 8.0;
+
+/// The same as a part of the bounds' depth: samples are not where the points are.
+constexpr double kSlackShare = 0.125;
+
+/// The depths of an orthographic view that are told apart.
+std::pair<double, double> depth_range(const View& view, const DepthNeeds& needs) {
+  if (needs.bounds.empty()) return {0.0, 1.0};
+  const glm::dvec3 backward = glm::transpose(view.rotation)[2];
+  const glm::dvec3 middle = 0.5 * (needs.bounds.min + needs.bounds.max);
+  const glm::dvec3 half = 0.5 * (needs.bounds.max - needs.bounds.min);
+  const double depth = glm::dot(backward, view.eye - middle);
+  const double size = glm::dot(glm::abs(backward), half);
+  const double slack = kSlackShare * glm::length(half) + kSlackSpacings * needs.spacing;
+  const double near = std::max(depth - size - slack, 0.0);
+  const double far = std::max(depth + size + slack, near);
+  if (!std::isfinite(far)) return {0.0, 1.0};  // bounds that a hostile file has
+  // Nothing of it is seen, or it has no size: any range is good.
+  return {near, far > near ? far : near + std::max(near, 1.0)};
+}
+
+/// Where the point at depth 1 that is seen at a window position lies right and up of the axis.
+glm::dvec2 place_in_picture(const View& view, glm::dvec2 window) {
+  const glm::dvec2 ndc = 2.0 * window / glm::dvec2(view.width, view.height) - 1.0;
+  return view.middle + ndc * glm::dvec2(view.slope_x, view.slope_y);
+}
+
+}  // namespace
+
+View make_view(const Camera& camera, std::uint32_t width, std::uint32_t height,
+               const DepthNeeds& needs) {
+  const double aspect = static_cast<double>(width) / height;
+  View view;
+  view.eye = camera.eye;
+  view.rotation = view_rotation(camera);
+  view.width = width;
+  view.height = height;
+  view.orthographic = camera.is_orthographic();
+  if (view.orthographic) {
+    view.slope_y = camera.orthographic_height / 2.0;
+    view.slope_x = view.slope_y * aspect;
+    std::tie(view.near, view.far) = depth_range(view, needs);
+    view.projection =
+        reversed_orthographic_projection({view.slope_x, view.slope_y, view.near, view.far});
+    return view;
+  }
+  view.projection =
+      glm::dmat4(reversed_infinite_projection(camera.vertical_fov_degrees, aspect, needs.near));
+  view.near = needs.near;
+  view.slope_y = std::tan(glm::radians(camera.vertical_fov_degrees) / 2.0);
+  view.slope_x = view.slope_y * aspect;
+  return view;
+}
+
+View view_of_part(const View& picture, const Raster& part) {
+  const glm::dvec2 size(part.width, part.height);
+  const glm::dvec2 share = size / glm::dvec2(picture.width, picture.height);
+  const glm::dvec2 corner(part.left, part.bottom);
+  // Of the whole picture this is exactly 0, and the view the same to the last bit.
+  const glm::dvec2 shift = (2.0 * corner + size) / glm::dvec2(picture.width, picture.height) - 1.0;
+  View view = picture;
+  view.slope_x = picture.slope_x * share.x;
+  view.slope_y = picture.slope_y * share.y;
+  view.middle = picture.middle + shift * glm::dvec2(picture.slope_x, picture.slope_y);
+  for (glm::length_t c = 0; c < 4; ++c) {
+    glm::dvec4& column = view.projection[c];
+    column.x = (column.x - shift.x * column.w) / share.x;
+    column.y = (column.y - shift.y * column.w) / share.y;
+  }
+  view.width = part.width * part.side;
+  view.height = part.height * part.side;
+  view.pixels_per_sample = picture.pixels_per_sample * part.side;
+  view.far_diameter = picture.far_diameter * part.side;
+  return view;
+}
+
+View with_border(const View& picture, std::uint32_t border) {
+  View view = picture;
+  view.width += 2 * border;
+  view.height += 2 * border;
+  const glm::dvec2 growth =
+      glm::dvec2(view.width, view.height) / glm::dvec2(picture.width, picture.height);
+  view.slope_x *= growth.x;
+  view.slope_y *= growth.y;
+  for (glm::length_t c = 0; c < 4; ++c) {
+    view.projection[c].x /= growth.x;
+    view.projection[c].y /= growth.y;
+  }
+  return view;
+}
+
+glm::dvec3 ray_through(const View& view, glm::dvec2 window) {
+  if (view.orthographic) return glm::transpose(view.rotation) * glm::dvec3(0.0, 0.0, -1.0);
+  return glm::transpose(view.rotation) * glm::dvec3(place_in_picture(view, window), -1.0);
+}
+
+glm::dvec3 ray_start(const View& view, glm::dvec2 window) {
+  if (!view.orthographic) return glm::dvec3(0.0);
+  return glm::transpose(view.rotation) * glm::dvec3(place_in_picture(view, window), 0.0);
+}
+
+double pixel_at(const View& view, double depth) {
+  const double pixel = 2.0 * view.slope_y / view.height;
+  return view.orthographic ? pixel : pixel * depth;
+}
+
+double distance_to(const View& view, glm::dvec3 place) {
+  if (!view.orthographic) return glm::distance(place, view.eye);
+  return -(view.rotation * (place - view.eye)).z;
+}
+
+shared::PatchView view_patch(const View& view, const StoredPatch& patch) {
+  const glm::dmat3 turn = view.rotation * patch.axes * patch.spacing;
+  const glm::dvec3 origin = view.rotation * (patch.origin - view.eye);
+  const glm::dmat4 eye_from_grid(glm::dvec4(turn[0], 0.0), glm::dvec4(turn[1], 0.0),
+                                 glm::dvec4(turn[2], 0.0), glm::dvec4(origin, 1.0));
+  shared::PatchView seen{};
+  seen.clip_from_grid = glm::mat4(view.projection * eye_from_grid);
+  if (view.orthographic) {
+    const glm::dvec3 forward = glm::transpose(view.rotation) * glm::dvec3(0.0, 0.0, -1.0);
+    seen.eye = glm::vec4(glm::dvec4(glm::transpose(patch.axes) * forward, -origin.z));
+    return seen;
+  }
+  const glm::dvec3 eye = glm::transpose(patch.axes) * (view.eye - patch.origin) / patch.spacing;
+  seen.eye = glm::vec4(glm::vec3(eye), 0.0F);
+  return seen;
+}
+
+bool sees_sphere(const View& view, glm::dvec3 centre, double radius) {
+  const glm::dvec3 c = view.rotation * (centre - view.eye);
+  const double depth = -c.z;
+  if (depth < -radius) return false;
+  // Distance to a side plane through the eye; its inward normal is (-1, 0, -slope) normalised.
+  const auto outside = [&view, depth, radius](double across, double slope) {
+    if (view.orthographic) return across - slope > radius;
+    return across - depth * slope > radius * std::sqrt(1.0 + slope * slope);
+  };
+  return !outside(c.x, view.middle.x + view.slope_x) &&
+         !outside(-c.x, view.slope_x - view.middle.x) &&
+         !outside(c.y, view.middle.y + view.slope_y) &&
+         !outside(-c.y, view.slope_y - view.middle.y);
+}
+
+shared::Frame make_frame(const View& view, double largest_sprite, const Lights& lights) {
+  const glm::dmat3 to_world = glm::transpose(view.rotation);
+  const double pixel_x = 2.0 * view.slope_x / view.width;
+  const double pixel_y = 2.0 * view.slope_y / view.height;
+  const auto direction = [&to_world](double x, double y, double z, double w) {
+    return glm::vec4(glm::dvec4(to_world * glm::dvec3(x, y, z), w));
+  };
+  shared::Frame frame{};
+  frame.ray_origin = direction(view.middle.x - view.slope_x, view.middle.y - view.slope_y,
+                               view.orthographic ? 0.0 : -1.0, view.near);
+  if (view.orthographic) frame.ray_along = direction(0.0, 0.0, -1.0, view.far - view.near);
+  frame.ray_x = direction(pixel_x, 0.0, 0.0, 1.0 / pixel_x);
+  frame.ray_y = direction(0.0, pixel_y, 0.0, largest_sprite);
+  frame.viewport = {view.width, view.height, 1.0F / static_cast<float>(view.width),
+                    1.0F / static_cast<float>(view.height)};
+  set_lights(frame, view, lights);
+  return frame;
+}
+
+}  // namespace relief

@@ -1,0 +1,152 @@
+// The camera: where an orbit stands, what fits into the picture, what depth is.
+#include "common/scene/camera.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec4.hpp>
+
+namespace relief {
+namespace {
+
+/// Double rounding of a handful of operations on numbers near 1.
+constexpr double kRounding = 1e-14;
+
+void expect_near(glm::dvec3 found, glm::dvec3 expected, double tolerance = kRounding) {
+  EXPECT_LE(glm::length(found - expected), tolerance)
+      << found.x << " " << found.y << " " << found.z << " instead of " << expected.x << " "
+      << expected.y << " " << expected.z;
+}
+
+TEST(OrbitCamera, StandsWhereTheAnglesSay) {
+  const glm::dvec3 centre(3.0, -2.0, 7.0);
+  const auto direction = [&](double azimuth, double elevation) {
+    const Camera camera = orbit_camera(centre, 0.5, {azimuth, elevation, 4.0}, 45.0, 1.25);
+    EXPECT_EQ(camera.target, centre);
+    EXPECT_EQ(camera.vertical_fov_degrees, 45.0);
+    EXPECT_NEAR(glm::length(camera.eye - centre), 4.0 * 0.5, kRounding);
+    return glm::normalize(camera.eye - centre);
+  };
+  expect_near(direction(0, 0), {0, 0, 1});
+  expect_near(direction(90, 0), {1, 0, 0});
+  expect_near(direction(180, 0), {0, 0, -1});
+  expect_near(direction(-90, 0), {-1, 0, 0});
+  expect_near(direction(0, 90), {0, 1, 0});
+  expect_near(direction(30, -90), {0, -1, 0});
+  expect_near(direction(90, 30), {std::sqrt(0.75), 0.5, 0});
+}
+
+TEST(OrbitCamera, LooksAtTheCentreWithYUp) {
+  for (const double azimuth : {0.0, 37.0, 200.0}) {
+    for (const double elevation : {-90.0, -89.0, 0.0, 60.0, 90.0}) {
+      const Camera camera = orbit_camera({1, 2, 3}, 2.0, {azimuth, elevation, 0.0}, 45.0, 1.0);
+      const glm::dmat3 view = view_rotation(camera);
+      // The centre lies straight ahead, and what is above it is above it in the picture.
+      const glm::dvec3 ahead = view * (camera.target - camera.eye);
+      expect_near(glm::normalize(ahead), {0, 0, -1});
+      expect_near(view * camera.up, {0, 1, 0});
+      EXPECT_NEAR(glm::determinant(view), 1.0, kRounding);
+      // The world's +Y points up in the picture, or straight along the view.
+      EXPECT_NEAR((view * glm::dvec3(0, 1, 0)).y, std::cos(glm::radians(elevation)), kRounding);
+    }
+  }
+}
+
+TEST(ViewRotation, IsARotationEvenIfUpRunsAlongTheView) {
+  for (const glm::dvec3 direction : {glm::dvec3(0, 1, 0), {0, -2, 0}, {0, 0, 3}, {1, 1, 1}}) {
+    Camera camera;
+    camera.eye = direction;
+    camera.target = {0, 0, 0};
+    camera.up = direction;
+    const glm::dmat3 view = view_rotation(camera);
+    const glm::dmat3 product = glm::transpose(view) * view;
+    for (glm::length_t c = 0; c < 3; ++c) {
+      for (glm::length_t r = 0; r < 3; ++r) {
+        EXPECT_NEAR(product[c][r], c == r ? 1.0 : 0.0, kRounding);
+      }
+    }
+    EXPECT_NEAR(glm::determinant(view), 1.0, kRounding);
+    expect_near(view * glm::normalize(direction), {0, 0, 1});
+  }
+}
+
+/// Clip coordinates of a world position, divided by w.
+glm::dvec3 project(const Camera& camera, double aspect, glm::dvec3 world) {
+  const glm::dvec3 eye = view_rotation(camera) * (world - camera.eye);
+  const glm::dvec4 clip =
+      glm::dmat4(reversed_infinite_projection(camera.vertical_fov_degrees, aspect, 0.01)) *
+      glm::dvec4(eye, 1.0);
+  return glm::dvec3(clip) / clip.w;
+}
+
+TEST(OrbitCamera, FitsTheSphereExactly) {
+  const glm::dvec3 centre(5.0, 1.0, -2.0);
+  const double radius = 3.0;
+  for (const double aspect : {0.5, 1.0, 1.25, 2.0}) {
+    const Camera camera = orbit_camera(centre, radius, {25.0, 40.0, 0.0}, 45.0, aspect);
+    double largest_x = 0.0;
+    double largest_y = 0.0;
+    const int steps = 720;
+    for (int a = 0; a < steps; ++a) {
+      for (int b = 0; b <= steps / 2; ++b) {
+        const double u = glm::radians(a * 360.0 / steps);
+        const double v = glm::radians(b * 360.0 / steps - 90.0);
+        const glm::dvec3 surface =
+            centre +
+            radius * glm::dvec3(std::cos(u) * std::cos(v), std::sin(v), std::sin(u) * std::cos(v));
+        const glm::dvec3 ndc = project(camera, aspect, surface);
+        largest_x = std::max(largest_x, std::abs(ndc.x));
+        largest_y = std::max(largest_y, std::abs(ndc.y));
+      }
+    }
+    // It touches the border of the smaller side. The points are half a degree apart, so that the
+    // touching one is missed by 2e-5 at most; the projection's matrix is single precision.
+    EXPECT_NEAR(aspect < 1.0 ? largest_x : largest_y, 1.0, 5e-5) << aspect;
+    EXPECT_LE(largest_x, 1.0 + 1e-6) << aspect;
+    EXPECT_LE(largest_y, 1.0 + 1e-6) << aspect;
+  }
+}
+
+TEST(OrthographicHeight, FitsTheSphereAboutTheLineOfSight) {
+  // Looks along -Z, past the sphere by 2 to the right and 1 up of it.
+  const Camera camera{{2.0, 1.0, 50.0}, {2.0, 1.0, 0.0}, {0.0, 1.0, 0.0}};
+  // Half the picture's height holds 1 + 3, half its width 2 + 3.
+  EXPECT_NEAR(fitting_height(camera, {}, 3.0, 2.0), 8.0, kRounding);
+  EXPECT_NEAR(fitting_height(camera, {}, 3.0, 1.0), 10.0, kRounding);
+  EXPECT_NEAR(fitting_height(camera, {}, 3.0, 0.5), 20.0, kRounding);
+  const Camera orbit = orbit_camera({5.0, 1.0, -2.0}, 3.0, {25.0, 40.0, 0.0}, 45.0, 1.25);
+  EXPECT_NEAR(fitting_height(orbit, {5.0, 1.0, -2.0}, 3.0, 1.25), 6.0, kRounding);
+}
+
+TEST(Projection, OfAnOrthographicCameraIsLinear) {
+  const glm::dmat4 m = reversed_orthographic_projection({4.0, 2.0, 10.0, 14.0});
+  const auto clip = [&m](glm::dvec3 eye) { return m * glm::dvec4(eye, 1.0); };
+  // From right to left, bottom to top, near to far; binary fractions, which are exact.
+  EXPECT_EQ(clip({4.0, -2.0, -10.0}), glm::dvec4(1.0, -1.0, 1.0, 1.0));
+  EXPECT_EQ(clip({-2.0, 1.0, -13.0}), glm::dvec4(-0.5, 0.5, 0.25, 1.0));
+  EXPECT_EQ(clip({0.0, 0.0, -14.0}), glm::dvec4(0.0, 0.0, 0.0, 1.0));
+}
+
+TEST(Projection, ReversesDepthToInfinity) {
+  const double near = 0.25;
+  const glm::mat4 m = reversed_infinite_projection(90.0, 2.0, near);
+  const auto depth = [&](float distance) {
+    const glm::vec4 clip = m * glm::vec4(0.0F, 0.0F, -distance, 1.0F);
+    EXPECT_EQ(clip.w, distance);
+    return clip.z / clip.w;
+  };
+  EXPECT_EQ(depth(0.25F), 1.0F);
+  EXPECT_EQ(depth(0.5F), 0.5F);
+  EXPECT_EQ(depth(1024.0F), 0.25F / 1024.0F);
+  EXPECT_GT(depth(1e30F), 0.0F);
+  // 90 degrees high and twice as wide: the corner of the picture at distance 1 is (2, 1).
+  const glm::vec4 corner = m * glm::vec4(2.0F, 1.0F, -1.0F, 1.0F);
+  EXPECT_NEAR(corner.x, 1.0F, 1e-6F);
+  EXPECT_NEAR(corner.y, 1.0F, 1e-6F);
+}
+
+}  // namespace
+}  // namespace relief

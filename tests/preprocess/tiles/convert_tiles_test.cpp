@@ -1,0 +1,349 @@
+// Conversions in tiles against those in memory; ended early and gone on with.
+#include "preprocess/convert_tiles.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstring>
+
+#include "common/octahedral.h"
+#include "preprocess/measure.h"
+#include "preprocess/tiles/spread_points.h"
+#include "tests/common/patch_file/read_whole.h"
+#include "tests/common/patch_file/sample_models.h"
+#include "tests/preprocess/readers/pack.h"
+#include "tests/preprocess/surfaces.h"
+#include "tests/preprocess/tiles/write_ply.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+using test::read_whole;
+using test::ScratchFolder;
+using test::slurp;
+using test::spill;
+using test::write_ply;
+
+/// Small tiles, of scans of more than 24,000 points.
+TileOptions tiles_of(std::uint64_t points) {
+  return {memory_for(24000), points, true, 4000};
+}
+
+Result<std::optional<TiledResult>> try_convert(const fs::path& scan, const fs::path& output,
+                                               Progress& progress,
+                                               const ConvertOptions& options = {},
+                                               const PatchFileOptions& file = {}) {
+  return convert_tiles({scan}, output, options, file, tiles_of(4000), progress);
+}
+
+TiledResult must_convert(const fs::path& scan, const fs::path& output,
+                         const ConvertOptions& options = {}, const PatchFileOptions& file = {}) {
+  Progress progress;
+  auto result = try_convert(scan, output, progress, options, file);
+  EXPECT_TRUE(result) << result.error().message;
+  EXPECT_TRUE(result && *result) << "it was not converted in tiles";
+  return result && *result ? **result : TiledResult{};
+}
+
+/// Of all points' distances to the patch that is nearest.
+double psnr_of(const Points& points, const PatchModel& model) {
+  double sum = 0.0;
+  for (const glm::dvec3& p : points.positions) {
+    double nearest = 1.0;
+    for (const Patch& patch : model.patches)
+      nearest = std::min(nearest, distance_to_patch(patch, p).value_or(1.0));
+    sum += nearest * nearest;
+  }
+  const double diagonal = glm::distance(model.bounds.min, model.bounds.max);
+  return 20.0 * std::log10(diagonal / std::sqrt(sum / static_cast<double>(points.size())));
+}
+
+/// Of all patches' samples the share whose normal is within a right angle of the surface's.
+template <class Surface>
+double share_facing(const PatchModel& model, const Surface& surface) {
+  std::size_t facing = 0;
+  std::size_t samples = 0;
+  for (const Patch& patch : model.patches) {
+    for (std::uint32_t j = 0; j < patch.height; ++j) {
+      for (std::uint32_t i = 0; i < patch.width; ++i) {
+        if (patch.at(i, j) == kHole) continue;
+        ++samples;
+        facing += glm::dot(patch.axes[2], surface.normal(place_of(patch, i, j))) > 0.0 ? 1 : 0;
+      }
+    }
+  }
+  return static_cast<double>(facing) / static_cast<double>(samples);
+}
+
+TEST(ConvertTiles, GivesWhatAConversionInMemoryGives) {
+  const ScratchFolder folder;
+  const test::Torus torus;
+  const Points points = test::sample_torus(torus, 0.02);  // 39,000
+  write_ply(folder / "torus.ply", points);
+  const TiledResult tiled = must_convert(folder / "torus.ply", folder / "torus.relief");
+  EXPECT_GE(tiled.tiles, 10U);
+  EXPECT_EQ(tiled.report.points, points.size());
+  EXPECT_EQ(tiled.report.uncovered_points, 0U);
+  const PatchModel model = read_whole(folder / "torus.relief");
+  // Tiles are oriented each for itself, and half of them would be turned the wrong way by chance.
+  EXPECT_EQ(share_facing(model, torus), 1.0);
+  EXPECT_NEAR(model.bounding_radius, 1.4, 0.01);
+  EXPECT_NEAR(model.spacing, 0.02, 0.002);
+  EXPECT_EQ(folder.count(), 2) << "the parts are still there";
+}
+
+TEST(ConvertTiles, IsAsNearToThePointsAsAConversionInMemory) {
+  const ScratchFolder folder;
+  const Points points = test::sample_torus({}, 0.02);
+  write_ply(folder / "torus.ply", points);
+  Progress progress;
+  const auto tiled = convert_tiles({folder / "torus.ply"}, folder / "torus.relief", {}, {},
+                                   tiles_of(12000), progress);
+  ASSERT_TRUE(tiled && *tiled);
+  EXPECT_EQ((*tiled)->tiles, 4U);
+  const double psnr = psnr_of(points, read_whole(folder / "torus.relief"));
+  const auto in_memory = convert(points, {}, progress);
+  ASSERT_TRUE(in_memory);
+  // Other patches of the same surface, some of them cut where tiles end and they are steep.
+  EXPECT_NEAR(psnr, in_memory->report.psnr_db, 0.5);
+  // Each tile is measured against its own patches alone, which tells less at its border.
+  EXPECT_LE((*tiled)->report.psnr_db, psnr);
+  EXPECT_GE((*tiled)->report.psnr_db, psnr - 1.0);
+}
+
+// A piece of a torus' surface is open, so that its own outside may well be the torus' inside.
+TEST(ConvertTiles, GivenNormalsAreFollowed) {
+  const ScratchFolder folder;
+  const test::Torus torus;
+  Points points = test::sample_torus(torus, 0.02);
+  for (const glm::dvec3& p : points.positions) points.normals.emplace_back(-torus.normal(p));
+  write_ply(folder / "torus.ply", points);
+  must_convert(folder / "torus.ply", folder / "torus.relief");
+  EXPECT_EQ(share_facing(read_whole(folder / "torus.relief"), torus), 0.0);
+}
+
+/// A plane of two by two, waved, whose middle is cut by tiles' borders.
+TEST(ConvertTiles, BordersOfTilesShowNoSeam) {
+  const ScratchFolder folder;
+  const auto height = [](double x, double y) {
+    return 0.05 * std::sin(5.0 * x) * std::cos(4.0 * y);
+  };
+  const Points points = test::sample_height_field(1.0, 0.01, height);
+  write_ply(folder / "waves.ply", points);
+  const TiledResult tiled = must_convert(folder / "waves.ply", folder / "waves.relief");
+  EXPECT_GE(tiled.tiles, 8U);
+  const PatchModel model = read_whole(folder / "waves.relief");
+  // Over each spot but the rim there is a cell of four samples, of one patch or another.
+  std::size_t bare = 0;
+  double worst = 0.0;
+  for (double y = -0.98; y < 0.98; y += 0.004) {
+    for (double x = -0.98; x < 0.98; x += 0.004) {
+      const glm::dvec3 p(x, y, height(x, y));
+      double nearest = 1.0;
+      for (const Patch& patch : model.patches) {
+        const glm::dvec3 local = glm::transpose(patch.axes) * (p - patch.origin) / patch.spacing;
+        const auto i = static_cast<std::int64_t>(std::floor(local.x));
+        const auto j = static_cast<std::int64_t>(std::floor(local.y));
+        if (i < 0 || j < 0 || i + 1 >= patch.width || j + 1 >= patch.height) continue;
+        double sum = 0.0;
+        bool whole = true;
+        for (const int di : {0, 1}) {
+          for (const int dj : {0, 1}) {
+            const std::int32_t h =
+                patch.at(static_cast<std::uint32_t>(i + di), static_cast<std::uint32_t>(j + dj));
+            whole = whole && h != kHole;
+            const double fx = local.x - static_cast<double>(i);
+            const double fy = local.y - static_cast<double>(j);
+            sum += (di == 1 ? fx : 1.0 - fx) * (dj == 1 ? fy : 1.0 - fy) * h * patch.height_step;
+          }
+        }
+        if (whole) nearest = std::min(nearest, std::abs(local.z * patch.spacing - sum));
+      }
+      bare += nearest == 1.0 ? 1 : 0;
+      if (nearest < 1.0) worst = std::max(worst, nearest);
+    }
+  }
+  EXPECT_EQ(bare, 0U);
+  // Half a height step of 0.0005, and chords of cells 0.01 wide over waves that bend
+  // by 1.25: 1.6e-5 and as much again for the slope of patches' planes.
+  EXPECT_LT(worst, 0.0004);
+}
+
+TEST(ConvertTiles, BytesDependOnNeitherThreadsNorWhatIsLeftOver) {
+  const ScratchFolder folder;
+  Points points = test::sample_torus({}, 0.02);
+  for (const glm::dvec3& p : points.positions)
+    points.colours.emplace_back(127.0 + 80.0 * p.x, 127.0 + 80.0 * p.y, 127.0 + 200.0 * p.z);
+  points.positions.push_back(points.positions.front());  // a duplicate
+  points.colours.push_back(points.colours.front());
+  write_ply(folder / "torus.ply", points);
+  ConvertOptions options;
+  options.threads = 1;
+  const TiledResult one = must_convert(folder / "torus.ply", folder / "one.relief", options);
+  EXPECT_EQ(one.duplicates, 1U);
+  const std::string expected = slurp(folder / "one.relief");
+  for (const int threads : {2, 4}) {
+    options.threads = threads;
+    must_convert(folder / "torus.ply", folder / "other.relief", options);
+    EXPECT_TRUE(slurp(folder / "other.relief") == expected) << threads;
+  }
+}
+
+TEST(ConvertTiles, CompactFilesAreTheSamePatches) {
+  const ScratchFolder folder;
+  write_ply(folder / "torus.ply", test::sample_torus({}, 0.02));
+  must_convert(folder / "torus.ply", folder / "fast.relief");
+  PatchFileOptions compact;
+  compact.codec = PatchCodec::Compact;
+  must_convert(folder / "torus.ply", folder / "compact.relief", {}, compact);
+  const PatchModel a = read_whole(folder / "fast.relief");
+  const PatchModel b = read_whole(folder / "compact.relief");
+  ASSERT_EQ(a.patches.size(), b.patches.size());
+  for (std::size_t p = 0; p < a.patches.size(); ++p)
+    EXPECT_EQ(a.patches[p].heights, b.patches[p].heights) << p;
+}
+
+/// Ends a conversion when it has asked so many times whether to stop; counts how often it asks.
+class StopsAfter final : public Progress {
+ public:
+  explicit StopsAfter(std::int64_t times) : times_(times) {}
+  [[nodiscard]] bool cancelled() const override { return asked_.fetch_add(1) >= times_; }
+  [[nodiscard]] std::int64_t asked() const { return asked_; }
+
+ private:
+  std::int64_t times_;
+  mutable std::atomic<std::int64_t> asked_{0};
+};
+
+TEST(ConvertTiles, GoesOnWhereItWasStopped) {
+  const ScratchFolder folder;
+  const fs::path scan = folder / "torus.ply";
+  const fs::path output = folder / "torus.relief";
+  write_ply(scan, test::sample_torus({}, 0.025));
+  StopsAfter never(std::int64_t{1} << 60U);
+  ASSERT_TRUE(try_convert(scan, folder / "whole.relief", never));
+  const std::string expected = slurp(folder / "whole.relief");
+  for (int tenth = 0; tenth < 10; ++tenth) {
+    SCOPED_TRACE(tenth);
+    StopsAfter progress(never.asked() * tenth / 10);
+    const auto stopped = try_convert(scan, output, progress);
+    ASSERT_FALSE(stopped);
+    EXPECT_EQ(stopped.error().message, "interrupted");
+    EXPECT_FALSE(fs::exists(output));
+    must_convert(scan, output);
+    EXPECT_TRUE(slurp(output) == expected);
+    EXPECT_FALSE(find_kept_tiles(output));
+    fs::remove(output);
+  }
+}
+
+/// Ends a conversion when three tiles have their patches.
+class StopsAtThirdTile final : public Progress {
+ public:
+  void begin_stage(std::string_view name, std::uint64_t /*units*/) override {
+    is_resampling_ = name == "resample";
+  }
+  void advance(std::uint64_t /*units*/) override { tiles_ += is_resampling_ ? 1 : 0; }
+  [[nodiscard]] bool cancelled() const override { return tiles_ >= 3; }
+
+ private:
+  bool is_resampling_ = false;
+  int tiles_ = 0;
+};
+
+void stop_in_the_middle(const fs::path& scan, const fs::path& output) {
+  StopsAtThirdTile progress;
+  ASSERT_FALSE(try_convert(scan, output, progress)) << "it came to its end";
+  ASSERT_TRUE(fs::exists(output.string() + ".parts/part-2.relief"));
+}
+
+TEST(ConvertTiles, TilesThatAreDoneAreNotMadeAgain) {
+  const ScratchFolder folder;
+  const fs::path scan = folder / "torus.ply";
+  write_ply(scan, test::sample_torus({}, 0.025));
+  EXPECT_EQ(must_convert(scan, folder / "whole.relief").tiles_found, 0U);
+  stop_in_the_middle(scan, folder / "torus.relief");
+  EXPECT_EQ(must_convert(scan, folder / "torus.relief").tiles_found, 3U);
+  EXPECT_TRUE(slurp(folder / "torus.relief") == slurp(folder / "whole.relief"));
+}
+
+TEST(ConvertTiles, BeginsAnewWhereTheFilesOrTheOptionsAreOthers) {
+  const ScratchFolder folder;
+  const fs::path scan = folder / "torus.ply";
+  const fs::path output = folder / "torus.relief";
+  write_ply(scan, test::sample_torus({}, 0.02));
+  stop_in_the_middle(scan, output);
+  ConvertOptions options;
+  options.spacing = 0.03;
+  EXPECT_EQ(must_convert(scan, output, options).tiles_found, 0U);
+  EXPECT_EQ(read_whole(output).spacing, 0.03);
+  fs::remove(output);
+  stop_in_the_middle(scan, output);
+  write_ply(scan, test::sample_torus({1.0, 0.3}, 0.018));
+  EXPECT_EQ(must_convert(scan, output).tiles_found, 0U);
+  EXPECT_NEAR(read_whole(output).bounding_radius, 1.3, 0.01);
+}
+
+TEST(ConvertTiles, DamagedPartsAreRefused) {
+  const ScratchFolder folder;
+  const fs::path scan = folder / "torus.ply";
+  const fs::path output = folder / "torus.relief";
+  write_ply(scan, test::sample_torus({}, 0.02));
+  stop_in_the_middle(scan, output);
+  const fs::path part = output.string() + ".parts/part-1.relief";
+  spill(part, slurp(part).substr(0, 200));
+  Progress progress;
+  const auto result = try_convert(scan, output, progress);
+  ASSERT_FALSE(result);
+  EXPECT_NE(result.error().message.find("part-1.relief"), std::string::npos);
+  EXPECT_FALSE(fs::exists(output));
+}
+
+TEST(ConvertTiles, FoldersOfOthersAreLeftAlone) {
+  const ScratchFolder folder;
+  write_ply(folder / "torus.ply", test::sample_torus({}, 0.02));
+  fs::create_directory(folder / "torus.relief.parts");
+  spill(folder / "torus.relief.parts" / "diary", "mine");
+  Progress progress;
+  const auto result = try_convert(folder / "torus.ply", folder / "torus.relief", progress);
+  ASSERT_FALSE(result);
+  EXPECT_NE(result.error().message.find("is not a folder that relief made"), std::string::npos);
+  EXPECT_EQ(slurp(folder / "torus.relief.parts" / "diary"), "mine");
+}
+
+TEST(ConvertTiles, WhatFitsIsNotConvertedInTiles) {
+  const ScratchFolder folder;
+  write_ply(folder / "torus.ply", test::sample_torus({}, 0.03));  // 17,000
+  Progress progress;
+  const auto result = try_convert(folder / "torus.ply", folder / "torus.relief", progress);
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_FALSE(*result);
+  EXPECT_EQ(folder.count(), 1);
+}
+
+TEST(ConvertTiles, PointsThatCannotBeCutApartAreRefused) {
+  const ScratchFolder folder;
+  Points points = test::sample_torus({}, 0.05);
+  points.positions.insert(points.positions.end(), 30000, glm::dvec3(1.4, 0.0, 0.0));
+  write_ply(folder / "torus.ply", points);
+  Progress progress;
+  const auto result = try_convert(folder / "torus.ply", folder / "torus.relief", progress);
+  ASSERT_FALSE(result);
+  EXPECT_NE(result.error().message.find("too near to each other to be cut apart"),
+            std::string::npos)
+      << result.error().message;
+  EXPECT_EQ(folder.count(), 1);
+}
+
+TEST(ConvertTiles, UnreadableFilesLeaveNothingBehind) {
+  const ScratchFolder folder;
+  Progress progress;
+  EXPECT_FALSE(try_convert(folder / "none.ply", folder / "a.relief", progress));
+  spill(folder / "bad.ply", "ply\nformat ascii 1.0\nelement vertex 5\n");
+  EXPECT_FALSE(try_convert(folder / "bad.ply", folder / "a.relief", progress));
+  EXPECT_EQ(folder.count(), 1);
+}
+
+}  // namespace
+}  // namespace relief

@@ -1,0 +1,186 @@
+// Files read in blocks give what they give as a whole.
+#include "preprocess/tiles/scan_blocks.h"
+
+#include <gtest/gtest.h>
+
+#include "preprocess/readers/read_points.h"
+#include "tests/common/patch_file/sample_models.h"
+#include "tests/preprocess/readers/scan_files.h"
+
+namespace relief {
+namespace {
+
+using test::pack;
+using test::ScratchFolder;
+using test::spill;
+
+constexpr std::size_t kPoints = 3 * 65536 + 17;  // three blocks and something
+
+struct Gathered {
+  Points points;
+  std::size_t blocks = 0;
+  ScanCounts counts;
+  std::vector<std::string> notes;
+};
+
+Gathered gather(const std::vector<std::filesystem::path>& files, const ScratchFolder& folder) {
+  Gathered all;
+  Progress progress;
+  const auto counts = read_blocks(
+      files, folder.path(), std::uint64_t{1} << 30U,
+      [&](const Points& block) -> Status {
+        if (block.size() == 0) return {};
+        ++all.blocks;
+        Points& to = all.points;
+        to.positions.insert(to.positions.end(), block.positions.begin(), block.positions.end());
+        to.normals.insert(to.normals.end(), block.normals.begin(), block.normals.end());
+        to.colours.insert(to.colours.end(), block.colours.begin(), block.colours.end());
+        return {};
+      },
+      all.notes, progress);
+  EXPECT_TRUE(counts) << counts.error().message;
+  if (counts) all.counts = *counts;
+  return all;
+}
+
+std::string gather_error(const std::filesystem::path& file, const ScratchFolder& folder,
+                         std::uint64_t memory = std::uint64_t{1} << 30U) {
+  Progress progress;
+  std::vector<std::string> notes;
+  const auto counts = read_blocks(
+      {file}, folder.path(), memory, [](const Points&) -> Status { return {}; }, notes, progress);
+  return counts ? "no error" : counts.error().message;
+}
+
+void expect_as_whole(const std::filesystem::path& file, const ScratchFolder& folder) {
+  Progress progress;
+  const auto whole = read_points(file, progress);
+  ASSERT_TRUE(whole) << whole.error().message;
+  const Gathered blocks = gather({file}, folder);
+  EXPECT_GE(blocks.blocks, 3U);
+  EXPECT_EQ(blocks.counts.points, whole->points.size());
+  EXPECT_EQ(blocks.counts.nonfinite, whole->dropped_nonfinite);
+  EXPECT_EQ(blocks.counts.left_out, whole->left_out);
+  EXPECT_EQ(blocks.points.positions, whole->points.positions);
+  EXPECT_EQ(blocks.points.normals, whole->points.normals);
+  EXPECT_EQ(blocks.points.colours, whole->points.colours);
+}
+
+std::string ply(std::string_view format, std::size_t points, bool faces) {
+  std::string text = fmt::format(
+      "ply\nformat {} 1.0\nelement vertex {}\nproperty double x\nproperty double y\nproperty "
+      "double "
+      "z\nproperty float nx\nproperty float ny\nproperty float nz\nproperty uchar red\nproperty "
+      "uchar green\nproperty uchar blue\n",
+      format, points);
+  if (faces) text += "element face 1\nproperty list uchar int vertex_indices\n";
+  text += "end_header\n";
+  for (std::size_t i = 0; i < points; ++i) {
+    const double x = 0.5 * static_cast<double>(i);
+    const auto red = static_cast<std::uint8_t>(i % 251);
+    if (format == "ascii") {
+      text +=
+          fmt::format("{} 1 -2 0 0 1 {} 7 9\n", i % 1000 == 5 ? "nan" : fmt::format("{}", x), red);
+    } else {
+      text += pack(test::ByteOrder::Little, i % 1000 == 5 ? std::nan("") : x, 1.0, -2.0, 0.F, 0.F,
+                   1.F, red, std::uint8_t{7}, std::uint8_t{9});
+    }
+  }
+  if (faces) text += pack(test::ByteOrder::Little, std::uint8_t{3}, 0, 1, 2);
+  return text;
+}
+
+TEST(ScanBlocks, PlyIsAsReadAsAWhole) {
+  const ScratchFolder folder;
+  for (const char* format : {"ascii", "binary_little_endian"}) {
+    spill(folder / "a.ply", ply(format, kPoints, false));
+    expect_as_whole(folder / "a.ply", folder);
+  }
+}
+
+TEST(ScanBlocks, FacesAreLeftOutAndTheUserIsTold) {
+  const ScratchFolder folder;
+  spill(folder / "a.ply", ply("binary_little_endian", 100, true));
+  const Gathered blocks = gather({folder / "a.ply"}, folder);
+  EXPECT_EQ(blocks.counts.points, 99U);  // one is NaN
+  ASSERT_EQ(blocks.notes.size(), 1U);
+  EXPECT_NE(blocks.notes[0].find("1 elements 'face' are not used with --memory"), std::string::npos)
+      << blocks.notes[0];
+}
+
+TEST(ScanBlocks, LasIsAsReadAsAWhole) {
+  const ScratchFolder folder;
+  test::LasFile las;
+  las.format = 2;
+  for (std::size_t i = 0; i < kPoints; ++i) {
+    test::LasPoint point;
+    point.steps = {static_cast<std::int32_t>(i), -5, 7};
+    point.withheld = i % 100 == 3;
+    // Only the last block tells that colours have 16 bits.
+    point.colour = {static_cast<std::uint16_t>(i + 1 == kPoints ? 65535 : i % 256), 0, 3};
+    las.points.push_back(point);
+  }
+  spill(folder / "a.las", test::las_file(las));
+  expect_as_whole(folder / "a.las", folder);
+}
+
+TEST(ScanBlocks, XyzIsAsReadAsAWholePlainAndPacked) {
+  const ScratchFolder folder;
+  std::string text = "x y z r g b\n";
+  for (std::size_t i = 0; i < kPoints; ++i)
+    text += fmt::format("{}.5 {} 3 {} 20 255\n", i, i % 7, i % 256);
+  spill(folder / "a.xyz", text);
+  expect_as_whole(folder / "a.xyz", folder);
+  spill(folder / "b.xyz.gz", test::gzip(text));
+  expect_as_whole(folder / "b.xyz.gz", folder);
+}
+
+TEST(ScanBlocks, FilesComeOneAfterAnother) {
+  const ScratchFolder folder;
+  spill(folder / "a.xyz", "1 2 3\n4 5 6\n");
+  spill(folder / "b.xyz", "7 8 9\n");
+  const Gathered blocks = gather({folder / "a.xyz", folder / "b.xyz"}, folder);
+  const std::vector<glm::dvec3> expected{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
+  EXPECT_EQ(blocks.points.positions, expected);
+}
+
+TEST(ScanBlocks, ColoursThatGrowBeyondTheirFirstScaleAreRefused) {
+  const ScratchFolder folder;
+  std::string text;
+  for (std::size_t i = 0; i < kPoints; ++i)
+    text += fmt::format("{} 2 3 {} 20 255\n", i, i + 1 == kPoints ? 65535 : 0);
+  spill(folder / "a.xyzrgb", text);
+  // The last points are fewer than a block, and read with the scale of those before.
+  EXPECT_EQ(gather_error(folder / "a.xyzrgb", folder), "no error");
+  for (std::size_t i = 0; i < 65536; ++i) text += "1 2 3 65535 20 255\n";
+  spill(folder / "a.xyzrgb", text);
+  EXPECT_NE(
+      gather_error(folder / "a.xyzrgb", folder).find("have colours up to 255, later ones larger"),
+      std::string::npos)
+      << gather_error(folder / "a.xyzrgb", folder);
+}
+
+TEST(ScanBlocks, FormatsThatAreReadAsAWholeMustFit) {
+  const ScratchFolder folder;
+  std::string obj;
+  for (int i = 0; i < 1000; ++i) obj += "v 1 2 3\n";
+  spill(folder / "a.obj", obj);
+  EXPECT_EQ(gather_error(folder / "a.obj", folder), "no error");
+  EXPECT_NE(gather_error(folder / "a.obj", folder, 10000).find("can only be read as a whole"),
+            std::string::npos);
+}
+
+TEST(ScanBlocks, DamageIsFoundAsItIsInTheWhole) {
+  const ScratchFolder folder;
+  const std::string good = ply("binary_little_endian", kPoints, false);
+  spill(folder / "a.ply", good.substr(0, good.size() - 1));
+  EXPECT_NE(gather_error(folder / "a.ply", folder).find("truncated"), std::string::npos);
+  const std::string packed = test::gzip(good);
+  spill(folder / "b.ply.gz", packed.substr(0, packed.size() / 2));
+  EXPECT_NE(gather_error(folder / "b.ply.gz", folder).find("truncated"), std::string::npos);
+  // Nothing half unpacked is left to be taken for the file.
+  EXPECT_FALSE(std::filesystem::exists(folder / "unpacked-0"));
+}
+
+}  // namespace
+}  // namespace relief

@@ -1,0 +1,214 @@
+// What the bench draws beside the engines, and what it reports. No test looks at how long it took.
+#include "renderer/bench/bench.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "renderer/bench/mesh_pass.h"
+#include "renderer/bench/shading_bound.h"
+#include "renderer/store/atlas.h"
+#include "renderer/view/draw_list.h"
+#include "tests/renderer/meshes.h"
+
+namespace relief {
+namespace {
+
+using test::small_picture;
+using test::values;
+
+RenderSettings bench_picture(const PatchModel& model) {
+  RenderSettings settings = small_picture(model);
+  settings.background.reset();
+  settings.debug = true;
+  settings.primitive = Primitive::Quad;
+  return settings;
+}
+
+/// Quads of both interpolations, cells, and two of multipass.
+std::vector<BenchWay> some_rows(const PatchModel& model) {
+  std::vector<BenchWay> rows(5, {&model, bench_picture(model)});
+  rows[0].settings.interpolation = Interpolation::Direct;
+  rows[2].settings.primitive = Primitive::Cell;
+  rows[3].settings.engine = rows[4].settings.engine = EngineKind::Multipass;
+  rows[3].settings.multipass.radius_factor = 1.0;
+  return rows;
+}
+
+test::SphereShape sphere() {
+  test::SphereShape shape;
+  shape.spacing = 0.1;
+  return shape;
+}
+
+BenchReport must_bench(const BenchJob& job) {
+  Progress silent;
+  const auto report = bench(job, silent);
+  EXPECT_TRUE(report) << report.error().message;
+  return report ? *report : BenchReport{};
+}
+
+RenderResult must_draw(const Result<std::unique_ptr<GlPreparedModel>>& prepared,
+                       const RenderSettings& settings) {
+  EXPECT_TRUE(prepared);
+  if (!prepared) return {};
+  Progress silent;
+  auto result = (*prepared)->render(settings, silent);
+  EXPECT_TRUE(result) << result.error().message;
+  return result ? *result : RenderResult{};
+}
+
+Result<std::shared_ptr<const OpenGl>> open_debug() {
+  return OpenGl::create(GlPlatform::Automatic, true, false);
+}
+
+TEST(Bench, ReportsEachRowAndWhatBoundsIt) {
+  const PatchModel model = test::sphere_model(sphere());
+  const TriangleMesh mesh = test::sphere_mesh(64);
+  const BenchJob job{some_rows(model), &mesh, 1, 2, 1};
+  const BenchReport report = must_bench(job);
+  ASSERT_EQ(report.rows.size(), job.rows.size());
+  ASSERT_TRUE(report.shading_bound);
+  ASSERT_TRUE(report.mesh);
+  for (std::size_t k = 0; k < job.rows.size(); ++k) {
+    // As the picture alone, whatever is drawn beside it.
+    const RenderResult alone = test::must_render(model, job.rows[k].settings);
+    EXPECT_EQ(report.rows[k].covered_pixels, alone.covered_pixels) << k;
+    EXPECT_EQ(report.rows[k].fragments, alone.fragments) << k;
+    EXPECT_GT(report.rows[k].time.frame_ms, 0.0) << k;
+  }
+  EXPECT_EQ(report.shading_bound->covered_pixels, report.rows[1].covered_pixels);
+  EXPECT_EQ(report.shading_bound->fragments, report.rows[1].covered_pixels);  // no overdraw
+}
+
+TEST(Bench, CountsTheBytesOfEachRowAlone) {
+  constexpr std::uint32_t kNodes = 12;
+  const PatchModel model = test::height_field(kNodes, [](double, double) { return 0.0; });
+  const BenchJob job{some_rows(model), nullptr, 1, 1, 0};
+  const BenchReport report = must_bench(job);
+  ASSERT_EQ(report.rows.size(), 5U);
+  // Corrected interpolation reads a height map, two bytes a node and a ring beyond the last; cells
+  // have no records and no such map.
+  const auto map = pack_atlas({{kNodes + 1, kNodes + 1}}, 16384, 1);
+  ASSERT_TRUE(map);
+  EXPECT_EQ(report.rows[1].model_bytes - report.rows[0].model_bytes,
+            std::uint64_t{2} * map->size.x * map->size.y);
+  EXPECT_LT(report.rows[2].model_bytes, report.rows[0].model_bytes);
+  // Multipass has the same model, drawn by a smaller command, and sums of normals: RGBA16F.
+  const std::uint64_t commands = sizeof(ElementsCommand) - sizeof(ArraysCommand);
+  const std::uint64_t pixels =
+      std::uint64_t{job.rows[0].settings.width} * job.rows[0].settings.height;
+  EXPECT_EQ(report.rows[3].model_bytes + commands, report.rows[0].model_bytes);
+  EXPECT_EQ(report.rows[3].gpu_bytes + commands, report.rows[0].gpu_bytes + 8 * pixels);
+  EXPECT_EQ(report.rows[0].gpu_bytes - report.rows[0].model_bytes, (8 + 4) * pixels);
+  EXPECT_FALSE(report.mesh);  // there is none
+}
+
+TEST(Bench, DrawsSeveralModels) {
+  const PatchModel coarse = test::sphere_model(sphere());
+  test::SphereShape shape = sphere();
+  shape.spacing = 0.05;
+  const PatchModel fine = test::sphere_model(shape);
+  const RenderSettings settings = bench_picture(coarse);
+  const BenchJob job{{{&coarse, settings}, {&fine, settings}}, nullptr, 0, 1, 0};
+  const BenchReport report = must_bench(job);
+  ASSERT_EQ(report.rows.size(), 2U);
+  EXPECT_EQ(report.rows[0].fragments, test::must_render(coarse, settings).fragments);
+  EXPECT_EQ(report.rows[1].fragments, test::must_render(fine, settings).fragments);
+  EXPECT_GT(report.rows[1].model_bytes, report.rows[0].model_bytes);
+}
+
+TEST(Bench, HasNoBoundOfAnEmptyPicture) {
+  const PatchModel model = test::sphere_model(sphere());
+  BenchJob job{some_rows(model), nullptr, 0, 1, 0};
+  for (BenchWay& row : job.rows)
+    row.settings.camera.target = 2.0 * row.settings.camera.eye;  // looks away
+  const BenchReport report = must_bench(job);
+  EXPECT_EQ(report.rows[0].covered_pixels, 0U);
+  EXPECT_FALSE(report.shading_bound);
+}
+
+TEST(Bench, CanBeInterrupted) {
+  class Stopped final : public Progress {
+   public:
+    [[nodiscard]] bool cancelled() const override { return true; }
+  } stopped;
+  const PatchModel model = test::sphere_model(sphere());
+  EXPECT_FALSE(bench({some_rows(model), nullptr, 0, 1, 0}, stopped));
+}
+
+TEST(ShadingBound, ShadesAsManyPixelsAsItIsTold) {
+  const PatchModel model = test::sphere_model(sphere());
+  for (const Material material : {Material::Unlit, Material::Lit, Material::Mirror}) {
+    RenderSettings settings = bench_picture(model);
+    settings.material = material;
+    const std::uint64_t all = std::uint64_t{settings.width} * settings.height;
+    for (const std::uint64_t pixels : {std::uint64_t{1000}, all}) {
+      const auto opengl = open_debug();
+      ASSERT_TRUE(opengl);
+      const RenderResult drawn = must_draw(
+          bench_passes::prepare_shading_bound(*opengl, model, settings, pixels), settings);
+      EXPECT_EQ(drawn.covered_pixels, pixels);
+      EXPECT_EQ(drawn.fragments, pixels);
+      for (const float red : values(drawn.image, "R")) ASSERT_TRUE(std::isfinite(red));
+    }
+  }
+}
+
+TEST(ShadingBound, LooksUpTheMapsOfThePatch) {
+  test::SphereShape shape = sphere();
+  shape.coloured = true;
+  const PatchModel model = test::sphere_model(shape);
+  RenderSettings settings = bench_picture(model);
+  settings.material = Material::Unlit;
+  const auto opengl = open_debug();
+  ASSERT_TRUE(opengl);
+  const RenderResult drawn =
+      must_draw(bench_passes::prepare_shading_bound(*opengl, model, settings, 2000), settings);
+  const auto& red = values(drawn.image, "R");
+  const auto [least, most] = std::minmax_element(red.begin(), red.end());
+  EXPECT_LT(*least, *most);  // looks up different texels
+}
+
+// The mesh pass against the ray tracer: the same triangles and normals, one sample a pixel.
+TEST(MeshPass, DrawsTheMesh) {
+  const PatchModel model = test::sphere_model(sphere());
+  const TriangleMesh mesh = test::sphere_mesh(64);
+  for (const Material material : {Material::Unlit, Material::Lit}) {
+    RenderSettings settings = bench_picture(model);
+    settings.material = material;
+    const auto opengl = open_debug();
+    ASSERT_TRUE(opengl);
+    const RenderResult drawn =
+        must_draw(bench_passes::prepare_mesh(*opengl, mesh, settings), settings);
+    settings.raytrace.samples = 1;
+    const RenderResult truth = test::must_trace(mesh, settings);
+    // Pixels whose middle is within 1/256 pixel of the silhouette (OpenGL snaps corners to that)
+    // may fall on either side: of some 400 on the rim, two.
+    EXPECT_LE(test::count_different(drawn.image, truth.image, 2), 4U);
+    EXPECT_GT(drawn.covered_pixels, 1000U);
+  }
+}
+
+TEST(MeshPass, HasColoursWhereTheMeshHas) {
+  const PatchModel model = test::height_field(8, [](double, double) { return 0.0; });
+  TriangleMesh mesh;
+  test::add_sheet(mesh, {-2.0, -2.0, 0.0}, {4.0, 0.0, 0.0}, {0.0, 4.0, 0.0},
+                  {0.25F, 0.5F, 0.75F, 1.0F});
+  RenderSettings settings = test::from_above(model, 8);
+  settings.background.reset();
+  settings.material = Material::Unlit;
+  const auto opengl = open_debug();
+  ASSERT_TRUE(opengl);
+  const RenderResult drawn =
+      must_draw(bench_passes::prepare_mesh(*opengl, mesh, settings), settings);
+  const std::size_t middle =
+      (std::size_t{settings.height} / 2) * settings.width + settings.width / 2;
+  // Exact in half floats.
+  EXPECT_EQ(values(drawn.image, "R")[middle], 0.25F);
+  EXPECT_EQ(values(drawn.image, "G")[middle], 0.5F);
+  EXPECT_EQ(values(drawn.image, "B")[middle], 0.75F);
+}
+
+}  // namespace
+}  // namespace relief

@@ -1,0 +1,275 @@
+#include "renderer/geometry/cells.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <random>
+#include <set>
+#include <utility>
+
+#include "shaders/include/shared.h"
+#include "tests/renderer/scenes.h"
+
+namespace relief {
+namespace {
+
+using Place = std::pair<std::uint32_t, std::uint32_t>;
+
+PatchCells cells_of(const Patch& patch) {
+  return make_cells(patch, make_samples(patch));
+}
+
+/// A flat patch whose nodes are holes where `hole` says so; heights tell the node.
+Patch patch_with_holes(std::uint32_t width, std::uint32_t height,
+                       const std::function<bool(std::uint32_t, std::uint32_t)>& hole) {
+  Patch patch;
+  patch.width = width;
+  patch.height = height;
+  patch.height_step = 1e-9;
+  for (std::uint32_t j = 0; j < height; ++j) {
+    for (std::uint32_t i = 0; i < width; ++i)
+      patch.heights.push_back(hole(i, j) ? kHole : static_cast<std::int32_t>((i + 7 * j) % 65000));
+  }
+  return patch;
+}
+
+/// Random holes in tatters of all lengths, so that runs begin and end everywhere.
+Patch tattered_patch(std::uint32_t width, std::uint32_t height) {
+  std::mt19937 random(11);
+  std::geometric_distribution<int> length(0.04);
+  bool hole = false;
+  int left = 0;
+  return patch_with_holes(width, height, [&](std::uint32_t, std::uint32_t) {
+    while (left == 0) {
+      hole = !hole;
+      left = hole ? length(random) / 8 : length(random);
+    }
+    --left;
+    return hole;
+  });
+}
+
+/// A height as fetch_height of heights.glsl reads it.
+std::uint32_t fetch_height(const PatchCells& cells, std::uint32_t i, std::uint32_t j) {
+  const CellRow& row = cells.rows[j];
+  if (i < (row.span & 0xFFFFU) || i >= row.span >> 16U) return shared::kHoleTexel;
+  return cells.heights[row.base + i];
+}
+
+TEST(Cells, HeightsAreFoundByTheirRows) {
+  const Patch patch = tattered_patch(61, 40);
+  const PatchCells cells = cells_of(patch);
+  ASSERT_EQ(cells.rows.size(), 41U);
+  for (std::uint32_t j = 0; j < 41; ++j) {
+    for (std::uint32_t i = 0; i < 62; ++i) {  // one beyond the last, as shaders ask for
+      const std::int32_t h = i < 61 && j < 40 ? patch.at(i, j) : kHole;
+      EXPECT_EQ(fetch_height(cells, i, j), h == kHole ? shared::kHoleTexel : h) << i << " " << j;
+    }
+  }
+}
+
+TEST(Cells, EachCellWithFourSamplesIsInOneRun) {
+  // More than one part each way.
+  const Patch patch = tattered_patch(shared::kPartCells + 40, shared::kPartCells + 3);
+  std::set<Place> expected;
+  for (std::uint32_t j = 0; j + 1 < patch.height; ++j) {
+    for (std::uint32_t i = 0; i + 1 < patch.width; ++i) {
+      if (patch.at(i, j) != kHole && patch.at(i + 1, j) != kHole && patch.at(i, j + 1) != kHole &&
+          patch.at(i + 1, j + 1) != kHole)
+        expected.emplace(i, j);
+    }
+  }
+  std::set<Place> drawn;
+  std::size_t count = 0;
+  const PatchCells cells = cells_of(patch);
+  EXPECT_EQ(cells.parts.size(), 4U);
+  for (const CellPart& part : cells.parts) {
+    for (const std::uint32_t run : part.runs) {
+      const std::uint32_t i = part.corner.x + (run & shared::kPlaceMask);
+      const std::uint32_t j = part.corner.y + ((run >> shared::kPlaceBits) & shared::kPlaceMask);
+      const std::uint32_t length = (run >> (2 * shared::kPlaceBits)) & shared::kRunCellsMask;
+      EXPECT_GE(length, 1U);
+      EXPECT_LE(length, static_cast<std::uint32_t>(shared::kRunCells));
+      for (std::uint32_t k = 0; k < length; ++k) drawn.emplace(i + k, j);
+      count += length;
+    }
+  }
+  EXPECT_GT(count, 10000U);
+  EXPECT_EQ(count, drawn.size());
+  EXPECT_EQ(drawn, expected);
+}
+
+/// The nodes that have a splat.
+std::set<Place> rims_of(const PatchCells& cells) {
+  std::set<Place> rims;
+  for (const CellPart& part : cells.parts) {
+    for (const RimRecord& rim : part.rims)
+      rims.emplace(part.corner.x + (rim.place & shared::kPlaceMask),
+                   part.corner.y + ((rim.place >> shared::kPlaceBits) & shared::kPlaceMask));
+  }
+  return rims;
+}
+
+TEST(Cells, AreNotDrawnWhereThePatchJumpsToAnotherSheet) {
+  // Two columns of two cells, of which the second rises by almost what splats lean, then by more.
+  for (const double rise : {0.99 * shared::kSteepest, 1.01 * shared::kSteepest}) {
+    const PatchModel model =
+        test::height_field(3, [&](double x, double) { return x > 0.5 ? rise : 0.0; });
+    std::uint32_t drawn = 0;
+    for (const CellPart& part : cells_of(model.patches[0]).parts) {
+      for (const std::uint32_t run : part.runs) {
+        drawn += (run >> (2 * shared::kPlaceBits)) & shared::kRunCellsMask;
+      }
+    }
+    EXPECT_EQ(drawn, rise < shared::kSteepest ? 4U : 2U);
+  }
+}
+
+TEST(Cells, BorderSamplesHaveTheirSplat) {
+  const Patch patch = tattered_patch(shared::kPartCells + 40, shared::kPartCells + 3);
+  std::set<Place> borders;
+  const PatchSamples samples = make_samples(patch);
+  for (const SampleRecord& record : samples.records) {
+    if ((record.place & shared::kBorderBit) == 0) continue;
+    borders.emplace(record.place & shared::kNodeMask,
+                    (record.place >> shared::kRowShift) & shared::kNodeMask);
+  }
+  EXPECT_EQ(rims_of(make_cells(patch, samples)), borders);  // the patch is flat: no creases
+}
+
+TEST(Cells, SplatsKeepTheirSlopesAndReaches) {
+  const PatchModel model =
+      test::height_field(9, [](double x, double y) { return 0.1 * x * x - 0.7 * y; });
+  const PatchSamples samples = make_samples(model.patches[0]);
+  const PatchCells cells = make_cells(model.patches[0], samples);
+  ASSERT_EQ(cells.parts.size(), 1U);
+  std::size_t next = 0;
+  for (const SampleRecord& record : samples.records) {
+    if ((record.place & shared::kBorderBit) == 0) continue;
+    ASSERT_LT(next, cells.parts[0].rims.size());
+    const RimRecord& rim = cells.parts[0].rims[next++];
+    EXPECT_EQ(rim.place >> 16U, record.shape >> 16U);
+    EXPECT_EQ(rim.reach, record.reach);
+  }
+  EXPECT_EQ(next, 32U);
+}
+
+TEST(Cells, ACreaseHasSplatsAndARoundingHasNone) {
+  // A roof of 45 degrees between two columns of nodes: each side's planes go on by half a cell
+  // above the cell that cuts the ridge off, 0.35 along their normals.
+  const PatchModel roof = test::height_field(20, [](double x, double) { return -std::abs(x); });
+  const std::set<Place> splats = rims_of(cells_of(roof.patches[0]));
+  for (std::uint32_t j = 2; j < 18; ++j) {
+    EXPECT_TRUE(splats.contains({9, j})) << j;
+    EXPECT_TRUE(splats.contains({10, j})) << j;
+    EXPECT_FALSE(splats.contains({5, j})) << j;
+  }
+  // A radius of 5 cells turns by 11 degrees a cell and is off the edges by 0.05.
+  const PatchModel round =
+      test::height_field(20, [](double x, double) { return std::sqrt(225.0 - x * x); });
+  EXPECT_EQ(rims_of(cells_of(round.patches[0])).size(), 4U * 19U);
+}
+
+TEST(Cells, OfALevelHaveSplatsBesideJumpsAlone) {
+  // A step of 30 cells between columns 20 and 21: in level 1 between those of columns 20 and 22,
+  // which are 11 and 12 there. What a hole touches reaches beyond the patch instead.
+  const PatchModel step =
+      test::height_field(41, [](double x, double) { return x < 0.5 ? 0.0 : 30.0; });
+  const PatchLevel level = coarsen(step.patches[0], 1);
+  std::set<Place> expected;
+  for (std::uint32_t j = 1; j <= 21; ++j) expected.insert({{11, j}, {12, j}});
+  EXPECT_EQ(rims_of(make_cells(level, make_samples(level.grid))), expected);
+}
+
+TEST(Cells, OfALevelAreEdgesWhereAHoleTouchesThem) {
+  const Patch patch = tattered_patch(61, 40);
+  const PatchLevel level = coarsen(patch, 1);
+  const PatchCells cells = make_cells(level, make_samples(level.grid));
+  ASSERT_EQ(cells.parts.size(), 1U);
+  const auto cells_in = [](const std::vector<std::uint32_t>& runs) {
+    std::set<Place> found;
+    for (const std::uint32_t run : runs) {
+      const std::uint32_t i = run & shared::kPlaceMask;
+      const std::uint32_t j = (run >> shared::kPlaceBits) & shared::kPlaceMask;
+      const std::uint32_t count = (run >> (2 * shared::kPlaceBits)) & shared::kRunCellsMask;
+      for (std::uint32_t c = 0; c < count; ++c) EXPECT_TRUE(found.insert({i + c, j}).second);
+    }
+    return found;
+  };
+  const std::set<Place> whole = cells_in(cells.parts[0].runs);
+  const std::set<Place> edges = cells_in(cells.parts[0].edge_runs);
+  for (const std::uint32_t run : cells.parts[0].edge_runs) {
+    EXPECT_LE((run >> (2 * shared::kPlaceBits)) & shared::kRunCellsMask,
+              static_cast<std::uint32_t>(shared::kEdgeRunCells));
+  }
+  EXPECT_GT(whole.size(), 20U);
+  EXPECT_GT(edges.size(), 20U);
+  for (const Place& place : whole)
+    EXPECT_EQ(level.whole[place.second * level.grid.width + place.first], 1);
+  for (const Place& place : edges)
+    EXPECT_EQ(level.whole[place.second * level.grid.width + place.first], 0);
+}
+
+TEST(Cells, SpheresHoldTheirPart) {
+  const PatchModel model = test::height_field(
+      300, [](double x, double y) { return 20.0 * std::sin(0.05 * x + 0.03 * y); });
+  const Patch& patch = model.patches[0];
+  const PatchSamples samples = make_samples(patch);
+  const PatchCells cells = make_cells(patch, samples);
+  ASSERT_EQ(cells.parts.size(), 4U);
+  for (const CellPart& part : cells.parts) {
+    const auto expect_inside = [&](std::uint32_t i, std::uint32_t j) {
+      const glm::dvec3 p(i, j, patch.at(i, j) * static_cast<double>(samples.height_step));
+      EXPECT_LE(glm::distance(p, part.centre), part.radius + 1e-9) << i << " " << j;
+    };
+    for (const std::uint32_t run : part.runs) {
+      const std::uint32_t i = part.corner.x + (run & shared::kPlaceMask);
+      const std::uint32_t j = part.corner.y + ((run >> shared::kPlaceBits) & shared::kPlaceMask);
+      const std::uint32_t length = (run >> (2 * shared::kPlaceBits)) & shared::kRunCellsMask;
+      expect_inside(i, j + 1);
+      expect_inside(i + length, j);
+    }
+    // 300 nodes are cut after 252: no sphere may be that of the whole patch.
+    EXPECT_LT(part.radius, 0.5 * 299.0 * std::sqrt(2.0));
+  }
+}
+
+TEST(Cells, TakeFourBytesASample) {
+  // Issue 4's bound, for a patch about as large and as ragged as the Dragon's: a disc of 1,900
+  // samples. Two bytes are the heights; an eighth of the samples are at the border, 8 bytes each.
+  const double radius = std::sqrt(1900.0 / std::acos(-1.0));
+  const Patch patch = patch_with_holes(51, 51, [radius](std::uint32_t i, std::uint32_t j) {
+    return std::hypot(i - 25.0, j - 25.0) > radius;
+  });
+  const PatchCells cells = cells_of(patch);
+  ASSERT_EQ(cells.parts.size(), 1U);
+  const std::size_t bytes = sizeof(std::uint16_t) * cells.heights.size() +
+                            sizeof(CellRow) * cells.rows.size() +
+                            sizeof(std::uint32_t) * cells.parts[0].runs.size() +
+                            sizeof(RimRecord) * cells.parts[0].rims.size();
+  EXPECT_LE(static_cast<double>(bytes), 4.0 * static_cast<double>(count_samples(patch)));
+}
+
+TEST(Cells, PatchesTooSmallForACellAreSplats) {
+  for (const std::uint32_t width : {1U, 2U}) {
+    const Patch patch =
+        patch_with_holes(width, 1, [](std::uint32_t, std::uint32_t) { return false; });
+    const PatchCells cells = cells_of(patch);
+    ASSERT_EQ(cells.parts.size(), 1U);
+    EXPECT_TRUE(cells.parts[0].runs.empty());
+    EXPECT_EQ(cells.parts[0].rims.size(), width);
+  }
+}
+
+TEST(Cells, PatchOfHolesHasNone) {
+  const Patch patch = patch_with_holes(30, 30, [](std::uint32_t, std::uint32_t) { return true; });
+  const PatchCells cells = cells_of(patch);
+  EXPECT_TRUE(cells.parts.empty());
+  EXPECT_TRUE(cells.heights.empty());
+}
+
+}  // namespace
+}  // namespace relief

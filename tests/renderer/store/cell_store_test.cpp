@@ -1,0 +1,95 @@
+// What is uploaded for each primitive, and nothing else.
+#include "renderer/store/cell_store.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "renderer/engines/onepass/features.h"
+#include "renderer/gl/context.h"
+#include "renderer/store/patch_store.h"
+#include "tests/renderer/scenes.h"
+
+namespace relief {
+namespace {
+
+class Stores : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto context = make_context(GlPlatform::Automatic, true);
+    ASSERT_TRUE(context) << context.error().message;
+    context_ = std::move(*context);
+    const auto functions = load_functions(*context_);
+    ASSERT_TRUE(functions) << functions.error().message;
+    gl_ = *functions;
+  }
+
+  /// What a picture with these settings needs of the model.
+  PatchStore upload(Primitive primitive, Interpolation interpolation) {
+    RenderSettings settings;
+    settings.primitive = primitive;
+    settings.interpolation = interpolation;
+    const std::uint32_t features = onepass::features_of(settings, model_.has_colours);
+    auto store = upload_model(gl_, model_, needs_of(features));
+    EXPECT_TRUE(store);
+    return std::move(*store);
+  }
+
+  PatchModel model_ = test::sphere_model({});
+  std::unique_ptr<GlContext> context_;
+  Gl gl_;
+};
+
+TEST_F(Stores, CellsHaveNoRecordsAndNoHeightMaps) {
+  for (const Interpolation interpolation : {Interpolation::Direct, Interpolation::Corrected}) {
+    const PatchStore store = upload(Primitive::Cell, interpolation);
+    EXPECT_TRUE(store.pages.empty());
+    EXPECT_FALSE(store.heights);
+    ASSERT_TRUE(store.cells);
+    EXPECT_EQ(store.cells->parts.size(), model_.patches.size());
+    EXPECT_EQ(store.cells->pages.size(), 1U);
+  }
+}
+
+TEST_F(Stores, SplatsHaveNoCellsAndHeightMapsOnlyForCorrections) {
+  for (const Primitive primitive : {Primitive::Quad, Primitive::Sprite}) {
+    const PatchStore direct = upload(primitive, Interpolation::Direct);
+    EXPECT_FALSE(direct.cells);
+    EXPECT_FALSE(direct.heights);
+    EXPECT_EQ(direct.pages.size(), 1U);
+    const PatchStore corrected = upload(primitive, Interpolation::Corrected);
+    EXPECT_FALSE(corrected.cells);
+    EXPECT_TRUE(corrected.heights);
+  }
+}
+
+TEST_F(Stores, RowsOfEachPatchFollowARowWithoutNodes) {
+  CellUpload upload(gl_);
+  const PatchModel model = test::height_field(5, [](double, double) { return 0.0; });
+  std::vector<std::int32_t> first;
+  std::vector<UploadedCells::Part> parts;
+  for (int patch = 0; patch < 3; ++patch) {
+    const auto added = upload.add(make_cells(model.patches[0], make_samples(model.patches[0])));
+    ASSERT_TRUE(added);
+    first.push_back(added->first_row);
+    parts.insert(parts.end(), added->parts.begin(), added->parts.end());
+  }
+  EXPECT_EQ(first, (std::vector<std::int32_t>{1, 7, 13}));
+  const std::vector<CellPage> pages = upload.take();
+  ASSERT_EQ(pages.size(), 1U);
+  std::vector<CellRow> rows(19);
+  gl_.GetNamedBufferSubData(pages[0].rows.buffer.id(), 0, 19 * sizeof(CellRow), rows.data());
+  for (const std::size_t r : {0U, 6U, 12U, 18U}) EXPECT_EQ(rows[r].span, 0U) << r;
+  // The third patch's second row: heights 55 to 59.
+  EXPECT_EQ(rows[14].base, 55U);
+  EXPECT_EQ(rows[14].span, 5U << 16U);
+  ASSERT_EQ(parts.size(), 3U);
+  EXPECT_EQ(parts[2].buffers.first_run, 8U);
+  EXPECT_EQ(parts[2].buffers.first_rim, 32U);
+}
+
+}  // namespace
+}  // namespace relief

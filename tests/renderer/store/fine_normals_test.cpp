@@ -1,0 +1,256 @@
+// Normal maps finer than the grid: exact, filtered, without neighbours' normals, at every level of
+// detail; in all engines.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <string>
+
+#include "common/octahedral.h"
+#include "renderer/engines/onepass/features.h"
+#include "renderer/frame/features.h"
+#include "renderer/geometry/levels.h"
+#include "tests/renderer/meshes.h"
+#include "tests/renderer/pictures.h"
+
+namespace relief {
+namespace {
+
+using test::degrees_between;
+using test::must_render;
+using test::normal_of;
+using test::values;
+
+constexpr std::uint32_t kNodes = 17;
+constexpr std::uint32_t kScale = 8;
+
+/// The normal at a place of the square in cells from its corner, any length.
+using Relief = std::function<glm::dvec3(double, double)>;
+
+Patch fine_patch(const Patch& plain, const Relief& normal, std::uint32_t scale = kScale) {
+  Patch patch = plain;
+  const std::uint32_t side = scale * (patch.width - 1) + 1;
+  patch.normals = {side, side, scale, {}};
+  for (std::uint32_t j = 0; j < side; ++j) {
+    for (std::uint32_t i = 0; i < side; ++i)
+      patch.normals.texels.push_back(snorm16_from_unit(
+          glm::vec3(glm::normalize(normal(double{1} * i / scale, double{1} * j / scale)))));
+  }
+  return patch;
+}
+
+/// A level square with a map of `scale` texels a cell.
+PatchModel fine_square(const Relief& normal, std::uint32_t nodes = kNodes,
+                       std::uint32_t scale = kScale) {
+  PatchModel model = test::height_field(nodes, [](double, double) { return 0.0; });
+  model.patches[0] = fine_patch(model.patches[0], normal, scale);
+  return model;
+}
+
+/// Runs `look` over the pictures of all ways to draw a model, the rivals among them.
+template <class Look>
+void for_all_ways(const PatchModel& model, RenderSettings settings, const Look& look) {
+  settings.background.reset();
+  settings.outputs = test::all_outputs();
+  for (const test::Way& way : test::all_ways()) {
+    settings.primitive = way.primitive;
+    settings.interpolation = way.interpolation;
+    look(must_render(model, settings), std::string(way.name));
+  }
+  settings.engine = EngineKind::Multipass;
+  for (const Primitive primitive : {Primitive::Quad, Primitive::Sprite}) {
+    settings.primitive = primitive;
+    look(must_render(model, settings), std::string("multipass"));
+  }
+  settings.engine = EngineKind::Raytrace;
+  settings.raytrace.samples = 1;
+  look(must_render(model, settings), std::string("raytrace"));
+}
+
+/// Of the pixels that are covered, the largest angle to `normal(x, y)`, which are the world
+/// coordinates seen there on the plane z = 0.
+double largest_angle(const RenderResult& result, const RenderSettings& settings,
+                     const std::function<glm::dvec3(double, double)>& normal, double reach) {
+  double largest = 0.0;
+  for (std::size_t y = 0; y < settings.height; ++y) {
+    for (std::size_t x = 0; x < settings.width; ++x) {
+      const std::size_t k = y * settings.width + x;
+      if (values(result.image, "A")[k] < 1.0F) continue;
+      const glm::dvec3 ray = test::pixel_ray(settings, x, y);
+      const glm::dvec3 at = settings.camera.eye - settings.camera.eye.z / ray.z * ray;
+      if (std::max(std::abs(at.x), std::abs(at.y)) > reach) continue;
+      largest = std::max(
+          largest, degrees_between(normal_of(result.image, k), glm::normalize(normal(at.x, at.y))));
+    }
+  }
+  return largest;
+}
+
+TEST(FineNormals, AreAFeatureOfTheirOwn) {
+  const auto up = [](double, double) { return glm::dvec3(0.0, 0.0, 1.0); };
+  const ModelMaps fine(fine_square(up));
+  const ModelMaps usual(fine_square(up, kNodes, 1));
+  RenderSettings settings;
+  settings.material = Material::Lit;
+  EXPECT_NE(scene_features(settings, fine) & RELIEF_FEATURE_FINE_NORMALS, 0U);
+  EXPECT_EQ(scene_features(settings, usual) & RELIEF_FEATURE_FINE_NORMALS, 0U);
+  // Cells that are shaded later would not know what a pixel sees of the map.
+  settings.primitive = Primitive::Cell;
+  EXPECT_EQ(onepass::features_of(settings, fine) & RELIEF_FEATURE_VISIBILITY, 0U);
+  EXPECT_NE(onepass::features_of(settings, usual) & RELIEF_FEATURE_VISIBILITY, 0U);
+  settings.material = Material::Unlit;  // which shows no normals
+  EXPECT_EQ(scene_features(settings, fine) & RELIEF_FEATURE_FINE_NORMALS, 0U);
+  settings.outputs.normal = true;
+  EXPECT_NE(scene_features(settings, fine) & RELIEF_FEATURE_FINE_NORMALS, 0U);
+}
+
+TEST(FineNormals, AConstantTiltComesOutAsItWentIn) {
+  const glm::dvec3 tilt = glm::normalize(glm::dvec3(0.3, -0.5, 0.8));
+  const PatchModel model = fine_square([&](double, double) { return tilt; });
+  // Seen askew and small: several mip levels and several places a pixel.
+  for (const std::uint32_t side : {12U, 96U}) {
+    RenderSettings settings = test::small_picture(model, {20.0, 15.0}, side);
+    settings.pixels_per_sample = 0.5;  // below 1 nothing is drawn from afar, which reads no map
+    for_all_ways(model, settings, [&](const RenderResult& result, const std::string& way) {
+      // The map's 16 bits are 0.003 degrees; normals are half floats, half a step of which is
+      // 2^-12: 0.014 degrees, and multipass sums them up in such.
+      EXPECT_LT(largest_angle(
+                    result, settings, [&](double, double) { return tilt; }, 100.0),
+                way == "multipass" ? 0.1 : 0.03)
+          << way;
+      EXPECT_GT(result.covered_pixels, 0U);
+    });
+  }
+}
+
+TEST(FineNormals, AreSharperThanTheGrid) {
+  // Waves two cells long, which a normal a node would not see at all: 8 pixels each.
+  const double pi = std::acos(-1.0);
+  const auto waves = [pi](double x, double y) {
+    return glm::dvec3(0.5 * std::cos(pi * x), 0.3 * std::sin(pi * y), 1.0);
+  };
+  const PatchModel model = fine_square(waves);
+  const RenderSettings settings = test::from_above(model, kNodes);
+  const double half = 0.5 * (kNodes - 1);
+  for_all_ways(model, settings, [&](const RenderResult& result, const std::string& way) {
+    const double angle = largest_angle(
+        result, settings, [&](double x, double y) { return waves(x + half, y + half); },
+        half - 1.0);
+    // What a pixel sees, a quarter of a cell, is level 1: means over h = 1/4 and bilinear between
+    // them. That has a variance of h^2 / 12 + h^2 / 4 at most and takes from a wave of wave number
+    // pi pi^2 / 2 of it, 10 % of a slope of 0.5: 2.3 degrees. A normal a node would be 27 off.
+    EXPECT_LT(angle, 2.4) << way;
+    EXPECT_GT(angle, 0.0) << way;
+  });
+}
+
+TEST(FineNormals, MinifiedTheyAreTheMeanDirection) {
+  // Ridges of one texel, four of which and more are in a pixel: up, each side 37 degrees away.
+  const PatchModel model = fine_square([](double x, double) {
+    return glm::dvec3(static_cast<int>(std::lround(x * kScale)) % 2 == 0 ? 0.6 : -0.6, 0.0, 0.8);
+  });
+  RenderSettings settings = test::from_above(model, kNodes);
+  settings.width = settings.height = 32;
+  const double inside = 0.5 * (kNodes - 1) - 2.0;
+  for_all_ways(model, settings, [&](const RenderResult& result, const std::string& way) {
+    if (way == "raytrace") return;  // filters by rays
+    const double angle = largest_angle(
+        result, settings, [](double, double) { return glm::dvec3(0.0, 0.0, 1.0); }, inside);
+    // Each level's mean has 16 bits.
+    EXPECT_LT(angle, way == "multipass" ? 0.1 : 0.03) << way;
+  });
+}
+
+TEST(FineNormals, NoPatchShowsItsNeighboursInTheAtlas) {
+  // Nine squares that tilt to the one or the other side in turns, seen ever smaller.
+  const glm::dvec3 one = glm::normalize(glm::dvec3(0.6, 0.0, 0.8));
+  const glm::dvec3 other = glm::normalize(glm::dvec3(-0.6, 0.0, 0.8));
+  PatchModel model = fine_square([&](double, double) { return one; });
+  const Patch first = model.patches[0];
+  for (int k = 1; k < 9; ++k) {
+    Patch square = fine_patch(first, [&](double, double) { return k % 2 == 1 ? other : one; });
+    square.origin += glm::dvec3(24.0 * (k % 3), 24.0 * (k / 3), 0.0);
+    model.patches.push_back(square);
+  }
+  model.bounds.max += glm::dvec3(48.0, 48.0, 0.0);
+  model.bounding_radius += 34.0;
+  for (const std::uint32_t side : {13U, 31U, 67U, 160U}) {
+    for_all_ways(
+        model, test::small_picture(model, {10.0, 20.0}, side),
+        [&](const RenderResult& result, const std::string& way) {
+          if (way == "multipass") return;  // whose splats blend
+          for (std::size_t k = 0; k < values(result.image, "A").size(); ++k) {
+            if (values(result.image, "A")[k] < 1.0F) continue;
+            const glm::dvec3 normal = normal_of(result.image, k);
+            EXPECT_LT(std::min(degrees_between(normal, one), degrees_between(normal, other)), 0.03)
+                << way;
+          }
+        });
+  }
+}
+
+TEST(FineNormals, CoarseLevelsKeepTheFineMap) {
+  const double pi = std::acos(-1.0);
+  const auto waves = [pi](double x, double y) {
+    return glm::dvec3(0.5 * std::cos(pi * x), 0.3 * std::sin(pi * y), 1.0);
+  };
+  const PatchModel model = fine_square(waves, 65);
+  // Askew: a footprint as wide as high has one or two places, as rounding has it.
+  RenderSettings settings = test::small_picture(model, {25.0, 40.0}, 256);
+  settings.background.reset();
+  settings.outputs = test::all_outputs();
+  settings.primitive = Primitive::Cell;
+  settings.pixels_per_sample = 0.0;
+  const RenderResult finest = must_render(model, settings);
+  settings.pixels_per_sample = 40.0;  // levels of eight cells: four waves
+  const RenderResult coarse = must_render(model, settings);
+  View view = make_view(settings.camera, settings.width, settings.height, 0.01);
+  view.pixels_per_sample = *settings.pixels_per_sample;
+  ASSERT_EQ(choose_level(view, extent_of(model.patches[0])), 3U);
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < values(finest.image, "A").size(); ++k) {
+    if (values(finest.image, "A")[k] < 1.0F || values(coarse.image, "A")[k] < 1.0F) continue;
+    const double angle = degrees_between(normal_of(finest.image, k), normal_of(coarse.image, k));
+    sum += angle;
+    ++count;
+  }
+  ASSERT_GT(count, 10'000U);
+  // Places of the two are equal up to rounding.
+  EXPECT_LT(sum / static_cast<double>(count), 0.05);
+}
+
+TEST(FineNormals, LitAndMirrorPicturesAreThoseOfRaysToThePatch) {
+  const double pi = std::acos(-1.0);
+  const PatchModel model = fine_square([pi](double x, double y) {
+    return glm::dvec3(0.4 * std::cos(0.5 * pi * x), 0.4 * std::sin(0.5 * pi * y), 1.0);
+  });
+  for (const Material material : {Material::Lit, Material::Mirror}) {
+    RenderSettings settings = test::small_picture(model, {20.0, 30.0});
+    settings.material = material;
+    settings.primitive = Primitive::Cell;
+    settings.background.reset();
+    const RenderResult drawn = must_render(model, settings);
+    settings.engine = EngineKind::Raytrace;
+    settings.raytrace.samples = 16;
+    const RenderResult traced = must_render(model, settings);
+    double squares = 0.0;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < values(drawn.image, "A").size(); ++k) {
+      if (values(drawn.image, "A")[k] < 1.0F || values(traced.image, "A")[k] < 1.0F) continue;
+      for (const char* channel : {"R", "G", "B"}) {
+        const double a = srgb_from_linear(values(drawn.image, channel)[k]);
+        const double b = srgb_from_linear(values(traced.image, channel)[k]);
+        squares += (a - b) * (a - b);
+        ++count;
+      }
+    }
+    const double psnr = -10.0 * std::log10(squares / static_cast<double>(count));
+    RecordProperty(material == Material::Lit ? "lit" : "mirror", std::to_string(psnr));
+    EXPECT_GT(psnr, material == Material::Lit ? 40.0 : 24.0);
+  }
+}
+
+}  // namespace
+}  // namespace relief

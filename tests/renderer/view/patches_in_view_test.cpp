@@ -1,0 +1,207 @@
+#include "renderer/view/patches_in_view.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "tests/common/patch_file/sample_models.h"
+#include "tests/renderer/pictures.h"
+#include "tests/renderer/scenes.h"
+
+namespace relief {
+namespace {
+
+/// A square of 16 by 16 tiles with overviews of 8 by 8, 4 by 4, 2 by 2 and 1, spacing 0.01 at the
+/// finest, on the plane z = 0 from (0, 0) to (16, 16).
+std::vector<TreeTile> quad_tree() {
+  std::vector<TreeTile> tiles;
+  std::uint32_t above = kNoTile;
+  for (std::uint32_t level = 4; level <= 4; --level) {
+    const auto first = static_cast<std::uint32_t>(tiles.size());
+    const std::uint32_t side = 16U >> level;
+    const double size = 16.0 / side;
+    for (std::uint32_t j = 0; j < side; ++j) {
+      for (std::uint32_t i = 0; i < side; ++i) {
+        TreeTile tile;
+        tile.level = level;
+        tile.parent = above == kNoTile ? kNoTile : above + j / 2 * (side / 2) + i / 2;
+        tile.samples = 10000;
+        tile.spacing = std::ldexp(0.01, static_cast<int>(level));
+        tile.box = {{size * i, size * j, 0.0}, {size * (i + 1), size * (j + 1), 0.1}};
+        tiles.push_back(tile);
+      }
+    }
+    above = first;
+  }
+  return tiles;
+}
+
+RenderSettings looking(glm::dvec3 eye, glm::dvec3 target) {
+  RenderSettings settings;
+  settings.width = settings.height = 1000;
+  settings.camera.eye = eye;
+  settings.camera.target = target;
+  settings.camera.up = {0.0, 1.0, 0.0};
+  settings.camera.vertical_fov_degrees = 53.13010235;  // as wide as deep
+  return settings;
+}
+
+std::vector<std::uint32_t> chosen_by(const std::vector<TreeTile>& tiles,
+                                     const std::vector<RenderSettings>& pictures,
+                                     const std::vector<Transform>& places = {Transform()}) {
+  return choose_tiles(tiles, onlookers_of(pictures, places, PatchModel()));
+}
+
+/// Each place of the square that is seen is in one chosen tile.
+void expect_cover(const std::vector<TreeTile>& tiles, const std::vector<std::uint32_t>& chosen,
+                  const std::function<bool(double, double)>& is_seen) {
+  for (double y = 0.5; y < 16.0; y += 1.0) {
+    for (double x = 0.5; x < 16.0; x += 1.0) {
+      std::size_t covering = 0;
+      for (const std::uint32_t t : chosen) {
+        const Bounds& box = tiles[t].box;
+        covering += x > box.min.x && x < box.max.x && y > box.min.y && y < box.max.y ? 1 : 0;
+      }
+      EXPECT_LE(covering, 1U) << x << ", " << y;
+      if (is_seen(x, y)) {
+        EXPECT_EQ(covering, 1U) << x << ", " << y;
+      }
+    }
+  }
+}
+
+TEST(PatchesInView, FromFarAwayTheCoarsestTileIsEnough) {
+  const auto tiles = quad_tree();
+  // At a distance of 165 a pixel is 0.165 wide, at 155 less than the 0.16 of the coarsest samples.
+  EXPECT_EQ(chosen_by(tiles, {looking({8, 8, 165}, {8, 8, 0})}), (std::vector<std::uint32_t>{0}));
+  EXPECT_EQ(chosen_by(tiles, {looking({8, 8, 155}, {8, 8, 0})}),
+            (std::vector<std::uint32_t>{1, 2, 3, 4}));
+}
+
+TEST(PatchesInView, NearTheEyeTilesAreFineAndFarOffCoarse) {
+  const auto tiles = quad_tree();
+  // Along the ground: one unit over the first row, toward the last.
+  const auto chosen = chosen_by(tiles, {looking({8.5, 0.5, 1.0}, {8.5, 30.0, 0.0})});
+  std::set<std::uint32_t> levels;
+  for (const std::uint32_t t : chosen) {
+    levels.insert(tiles[t].level);
+    const double nearest = std::max(tiles[t].box.min.y - 0.5, 0.0);
+    // No sample is more than about a pixel wide, and none is finer than its distance asks for but
+    // by the two of a level and the depth of its parent.
+    EXPECT_LE(tiles[t].spacing, std::max(0.001 * nearest * 1.1, 0.0101));
+  }
+  EXPECT_EQ(*levels.begin(), 0U);
+  EXPECT_GE(levels.size(), 1U);
+  expect_cover(tiles, chosen,
+               [](double x, double y) { return y > 2.0 && std::abs(x - 8.5) < 0.45 * (y - 0.5); });
+}
+
+TEST(PatchesInView, WhatIsBehindOrBesideIsLeftOut) {
+  const auto tiles = quad_tree();
+  EXPECT_TRUE(chosen_by(tiles, {looking({8, 8, 5}, {8, 8, 50})}).empty());
+  // Two units over the middle of a tile, of which a square of two is seen.
+  const auto chosen = chosen_by(tiles, {looking({4.5, 4.5, 2.0}, {4.5, 4.5, 0.0})});
+  for (const std::uint32_t t : chosen) EXPECT_EQ(tiles[t].level, 0U);
+  EXPECT_LE(chosen.size(), 16U);
+  expect_cover(tiles, chosen,
+               [](double x, double y) { return std::abs(x - 4.5) < 1 && std::abs(y - 4.5) < 1; });
+}
+
+TEST(PatchesInView, TheFinestOfSeveralViewsCounts) {
+  const auto tiles = quad_tree();
+  const auto far = looking({8, 8, 165}, {8, 8, 0});
+  const auto near = looking({4.5, 4.5, 2.0}, {4.5, 4.5, 0.0});
+  const auto chosen = chosen_by(tiles, {far, near});
+  EXPECT_GT(chosen.size(), 4U);
+  expect_cover(tiles, chosen, [](double, double) { return true; });
+  for (const std::uint32_t t : chosen_by(tiles, {near}))
+    EXPECT_TRUE(std::find(chosen.begin(), chosen.end(), t) != chosen.end()) << t;
+}
+
+TEST(PatchesInView, PlacesAndScalesCount) {
+  const auto tiles = quad_tree();
+  Transform place;
+  place.translation = {-80.0, -80.0, 0.0};
+  place.scale = 10.0;
+  // Ten times as large at ten times the distance.
+  EXPECT_EQ(chosen_by(tiles, {looking({0, 0, 1650}, {0, 0, 0})}, {place}),
+            (std::vector<std::uint32_t>{0}));
+  EXPECT_EQ(chosen_by(tiles, {looking({0, 0, 1550}, {0, 0, 0})}, {place}).size(), 4U);
+}
+
+TEST(PatchesInView, SamplesOfPixelsAndOrthographicHeightsCount) {
+  const auto tiles = quad_tree();
+  RenderSettings settings = looking({8, 8, 165}, {8, 8, 0});
+  settings.samples = 4;
+  EXPECT_EQ(chosen_by(tiles, {settings}).size(), 4U);
+  settings = looking({8, 8, 20}, {8, 8, 0});
+  settings.camera.orthographic_height = 161.0;
+  EXPECT_EQ(chosen_by(tiles, {settings}).size(), 1U);
+  settings.camera.orthographic_height = 159.0;
+  EXPECT_EQ(chosen_by(tiles, {settings}).size(), 4U);
+}
+
+TEST(PatchesInView, ChildrenStandInForATileWithoutSamples) {
+  auto tiles = quad_tree();
+  tiles[0].samples = tiles[2].samples = 0;
+  tiles[0].box = tiles[2].box = Bounds{};
+  const auto chosen = chosen_by(tiles, {looking({8, 8, 1650}, {8, 8, 0})});
+  EXPECT_EQ(chosen.size(), 7U);
+  expect_cover(tiles, chosen, [](double, double) { return true; });
+}
+
+TEST(PatchesInView, WhatIsDrawnAtItsFinestHasNoOverviews) {
+  const auto tiles = quad_tree();
+  RenderSettings settings = looking({8, 8, 165}, {8, 8, 0});
+  settings.pixels_per_sample = 0.0;
+  EXPECT_EQ(chosen_by(tiles, {settings}).size(), 256U);
+  settings.pixels_per_sample.reset();
+  settings.primitive = Primitive::Quad;
+  EXPECT_EQ(chosen_by(tiles, {settings}).size(), 256U);
+  settings.primitive = Primitive::Cell;
+  settings.engine = EngineKind::Multipass;
+  EXPECT_EQ(chosen_by(tiles, {settings}).size(), 256U);
+}
+
+/// What is not read is not seen: the picture is that of the whole model.
+TEST(PatchesInView, PicturesOfPartsAreThoseOfTheWhole) {
+  const test::ScratchFolder folder;
+  test::SphereShape shape;
+  shape.bumps = 0.1;
+  shape.spacing = 0.015;
+  shape.patches_per_side = 8;
+  const PatchModel model = test::sphere_model(shape);
+  ASSERT_TRUE(write_patch_file(folder / "sphere", model));
+  const auto tree = PatchTree::open(folder / "sphere");
+  ASSERT_TRUE(tree) << tree.error().message;
+  Progress progress;
+  const PatchModel whole = *PatchFile::open(folder / "sphere")->read_all(progress);
+  for (const double degrees : {4.0, 45.0}) {
+    RenderSettings settings = test::small_picture(model, {30.0, 20.0, 2.0}, 96);
+    settings.camera.vertical_fov_degrees = degrees;
+    settings.outputs = test::all_outputs();
+    settings.outputs.patch_id = false;  // counts what was read
+    const std::vector<RenderSettings> pictures{settings};
+    const std::vector<Transform> places(1);
+    const auto read = read_in_view(*tree, onlookers_of(pictures, places, whole), progress);
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_LT(read->model.patches.size(), degrees < 10.0 ? 80U : 385U);
+    EXPECT_EQ(read->samples, count_samples(read->model));
+    const Image a = test::must_render(read->model, settings).image;
+    const Image b = test::must_render(whole, settings).image;
+    ASSERT_EQ(a.channels.size(), b.channels.size());
+    // The last bit of half floats: colours of fewer patches lie elsewhere in their texture, where
+    // coordinates round otherwise.
+    for (std::size_t c = 0; c < a.channels.size(); ++c) {
+      for (std::size_t k = 0; k < a.channels[c].values.size(); ++k) {
+        const float x = a.channels[c].values[k];
+        const float y = b.channels[c].values[k];
+        ASSERT_TRUE(x == y || std::abs(x - y) < 1e-3F) << a.channels[c].name << x << " " << y;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace relief
