@@ -33,25 +33,28 @@ Box box_of(std::span<const Entry> entries) {
   return box;
 }
 
-/// The middle of the longest side of `box`. Of sides that are equally long but for rounding, the
-/// one along which the entries spread most; of these, the first axis. Moved to the nearest entry if
-/// all lie on one side of it.
+/// The middle of the longest side of `box`, moved to the nearest entry if all entries lie on one
+/// side of it. Of sides of the same length but for rounding, the one along which the entries spread
+/// farthest; of these, the first.
 Cut choose_cut(std::span<const Entry> entries, const Box& box) {
   constexpr double kAsLong = 1.0 - 0.00001;
   const glm::dvec3 sides = box.high - box.low;
   const double longest = std::max({sides.x, sides.y, sides.z});
-  const Box tight = box_of(entries);
   Cut cut;
-  double most = -1.0;
+  double farthest = -1.0;
   for (glm::length_t axis = 0; axis < 3; ++axis) {
-    const double spread = tight.high[axis] - tight.low[axis];
-    if (sides[axis] > kAsLong * longest && spread > most) {
-      cut.axis = axis;
-      most = spread;
+    // Without a longest side all entries are in one position, and any cut will do.
+    if (sides[axis] <= kAsLong * longest && longest > 0.0) continue;
+    double low = entries[0].position[axis];
+    double high = low;
+    for (const Entry& entry : entries) {
+      low = std::min(low, entry.position[axis]);
+      high = std::max(high, entry.position[axis]);
     }
+    if (high - low <= farthest) continue;
+    farthest = high - low;
+    cut = {axis, std::clamp((box.low[axis] + box.high[axis]) / 2.0, low, high)};
   }
-  const glm::length_t axis = cut.axis;
-  cut.value = std::clamp((box.low[axis] + box.high[axis]) / 2.0, tight.low[axis], tight.high[axis]);
   return cut;
 }
 

@@ -46,8 +46,9 @@ class PositionTree {
     }
   }
 
-  /// Calls `visit_leaf(first, count)` for every leaf whose squared distance to `from` is at most
-  /// `squared_reach()`, the nearer side of each split first. `squared_reach` may shrink on the way.
+  /// Calls `visit_leaf(first, count)` for the leaves that may hold positions whose squared distance
+  /// to `from` is at most `squared_reach()`, the nearer side of each split first. `squared_reach`
+  /// may shrink on the way.
   template <class SquaredReach, class VisitLeaf>
   void visit_near(glm::dvec3 from, const SquaredReach& squared_reach,
                   const VisitLeaf& visit_leaf) const {
@@ -58,7 +59,10 @@ class PositionTree {
       if (from[axis] > highest_[axis]) apart[axis] = from[axis] - highest_[axis];
     }
     apart *= apart;
-    visit(0, apart.x + apart.y + apart.z, apart, from, squared_reach, visit_leaf);
+    const double squared = apart.x + apart.y + apart.z;
+    if (squared > squared_reach()) return;
+    Visit<SquaredReach, VisitLeaf>{nodes_.data(), from, apart, squared_reach, visit_leaf}.at(
+        0, squared);
   }
 
  private:
@@ -74,24 +78,32 @@ class PositionTree {
   };
   struct Builder;
 
-  /// `squared` is the squared distance of `from` to the node's box, `by_axis` its parts.
+  /// One call of visit_near.
   template <class SquaredReach, class VisitLeaf>
-  void visit(std::uint32_t at, double squared, glm::dvec3& by_axis, const glm::dvec3& from,
-             const SquaredReach& squared_reach, const VisitLeaf& visit_leaf) const {
-    const Node& node = nodes_[at];
-    if (node.axis == kLeaf) return visit_leaf(std::size_t{node.first}, std::size_t{node.count});
-    const auto axis = static_cast<glm::length_t>(node.axis);
-    const double value = from[axis];
-    const bool lower = (value - node.low) + (value - node.high) < 0.0;
-    visit(lower ? at + 1 : node.first, squared, by_axis, from, squared_reach, visit_leaf);
-    const double beyond = value - (lower ? node.high : node.low);
-    const double before = by_axis[axis];
-    squared = squared + beyond * beyond - before;
-    if (squared > squared_reach()) return;
-    by_axis[axis] = beyond * beyond;
-    visit(lower ? node.first : at + 1, squared, by_axis, from, squared_reach, visit_leaf);
-    by_axis[axis] = before;
-  }
+  struct Visit {
+    const Node* nodes;
+    glm::dvec3 from;
+    glm::dvec3 by_axis;  ///< the parts of the squared distance to the node's box
+    const SquaredReach& squared_reach;
+    const VisitLeaf& visit_leaf;
+
+    /// `squared` is the squared distance to the node's box.
+    void at(std::uint32_t index, double squared) {
+      const Node& node = nodes[index];
+      if (node.axis == kLeaf) return visit_leaf(std::size_t{node.first}, std::size_t{node.count});
+      const auto axis = static_cast<glm::length_t>(node.axis);
+      const double value = from[axis];
+      const bool lower = (value - node.low) + (value - node.high) < 0.0;
+      at(lower ? index + 1 : node.first, squared);
+      const double beyond = value - (lower ? node.high : node.low);
+      const double before = by_axis[axis];
+      squared = squared + beyond * beyond - before;
+      if (squared > squared_reach()) return;
+      by_axis[axis] = beyond * beyond;
+      at(lower ? node.first : index + 1, squared);
+      by_axis[axis] = before;
+    }
+  };
 
   std::vector<Node> nodes_;           // a split, then its lower side's nodes, then its upper side's
   std::vector<std::uint32_t> order_;  // by slot
