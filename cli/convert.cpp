@@ -25,15 +25,14 @@
 #include "preprocess/convert_tiles.h"
 #include "preprocess/points/outliers.h"
 #include "preprocess/points/thin.h"
+#include "preprocess/readers/read_points.h"
 #include "preprocess/texture/maps/texture_maps.h"
 
 namespace relief::cli {
 namespace {
 
 constexpr const char* kConvertExamples =
-    "Reads PLY, PCD, LAS, PTX, OBJ, glTF, Draco, OFF, STL and XYZ text, each also gzipped. Several "
-    "files "
-    "become one model:\n"
+    "Several files become one model:\n"
     "they are taken as parts of one scan, in the frame that their coordinates are in. A .conf file "
     "(bun.conf)\n"
     "names range scans beside it and where each stands.\n"
@@ -232,7 +231,7 @@ void add_convert(CLI::App& app, Command& command) {
       ->check(CLI::Range(1, 1024))
       ->option_text("N");
   sub->add_flag("--json", arguments->json, "Print one JSON object on standard output");
-  sub->footer(kConvertExamples);
+  sub->footer("Reads " + readable_formats() + ", each also gzipped. " + kConvertExamples);
   sub->callback(
       [arguments, &command] { command = [arguments] { return run_convert(*arguments); }; });
 }
