@@ -16,7 +16,7 @@ using test::must_render;
 using test::values;
 
 // Half floats, three times rounded: each to 1 in 2048.
-constexpr float kRounding = 3.0F / 2048.0F;
+constexpr float kBlendRounding = 3.0F / 2048.0F;
 
 MaterialSettings unlit(float opacity) {
   MaterialSettings material{Material::Unlit, {}};
@@ -72,7 +72,7 @@ TEST_P(Opacity, LayersCoverWhatIsBehindThem) {
     for (const auto& c : cases) {
       settings.materials = {unlit(c.top), unlit(c.between), unlit(c.below)};
       const Image image = must_render(model, settings).image;
-      EXPECT_NEAR(values(image, "R")[middle], c.expected, kRounding)
+      EXPECT_NEAR(values(image, "R")[middle], c.expected, kBlendRounding)
           << c.top << " " << c.between << " " << orthographic_height;
     }
   }
@@ -88,8 +88,8 @@ TEST_P(Opacity, BackgroundsShowThrough) {
   settings.constants.opacity = 0.25F;
   const Image image = must_render(model, settings).image;
   const std::size_t middle = std::size_t{settings.height / 2} * settings.width + settings.width / 2;
-  EXPECT_NEAR(values(image, "A")[middle], 0.25F, kRounding);
-  EXPECT_NEAR(values(image, "R")[middle], 0.25F, kRounding);  // premultiplied
+  EXPECT_NEAR(values(image, "A")[middle], 0.25F, kBlendRounding);
+  EXPECT_NEAR(values(image, "R")[middle], 0.25F, kBlendRounding);  // premultiplied
   EXPECT_EQ(values(image, "A")[0], 0.0F);
 }
 
@@ -117,7 +117,7 @@ TEST(OpacityOfPatches, OverlapsCountOnce) {
         if (glm::length(glm::cross(settings.camera.eye, ray)) > 0.9) continue;
         ++inside;
         const float alpha = values(image, "A")[y * settings.width + x];
-        other += std::abs(alpha - 0.75F) > kRounding ? 1 : 0;
+        other += std::abs(alpha - 0.75F) > kBlendRounding ? 1 : 0;
       }
     }
     EXPECT_GT(inside, 1500U);

@@ -34,11 +34,11 @@ Quarter quarter_of(const Image& image, std::size_t k) {
   return x < 0.0 ? Quarter::Samples : Quarter::Both;
 }
 
-glm::vec3 colour(const Image& image, std::size_t k) {
+glm::vec3 split_colour(const Image& image, std::size_t k) {
   return {values(image, "R")[k], values(image, "G")[k], values(image, "B")[k]};
 }
 
-PatchModel bumpy_sphere() {
+PatchModel split_bumpy_sphere() {
   test::SphereShape shape;
   shape.spacing = 0.08;
   shape.bumps = 0.05;
@@ -81,8 +81,8 @@ std::array<std::size_t, 5> expect_quarters(const Pictures& pictures, const std::
     if (values(split, "A")[k] < 1.0F) continue;
     const Quarter quarter = quarter_of(split, k);
     ++counts[static_cast<std::size_t>(quarter)];
-    const glm::vec3 lit = colour(pictures.lit, k);
-    const glm::vec3 mirror = colour(pictures.mirror, k);
+    const glm::vec3 lit = split_colour(pictures.lit, k);
+    const glm::vec3 mirror = split_colour(pictures.mirror, k);
     const auto patch = static_cast<std::uint32_t>(values(split, "patch")[k]);
     const glm::vec2 uv(values(split, "UV.U")[k], values(split, "UV.V")[k]);
     const glm::vec3 expected = quarter == Quarter::Line     ? glm::vec3(1.0F)
@@ -90,7 +90,7 @@ std::array<std::size_t, 5> expect_quarters(const Pictures& pictures, const std::
                                : quarter == Quarter::Mirror ? mirror
                                : quarter == Quarter::Both   ? 0.5F * (lit + mirror)
                                                             : shared::stored_samples(uv, patch - 1);
-    const glm::vec3 off = glm::abs(colour(split, k) - expected);
+    const glm::vec3 off = glm::abs(split_colour(split, k) - expected);
     // Pictures are kept as half floats: 11 bits, rounded or cut off, of the split view and of both
     // that it may be the mean of.
     const float step = std::max({expected.r, expected.g, expected.b}) / 1024.0F;
@@ -101,7 +101,7 @@ std::array<std::size_t, 5> expect_quarters(const Pictures& pictures, const std::
 }
 
 TEST(SplitView, QuartersAreWhatTheirMaterialsAloneShow) {
-  const PatchModel model = bumpy_sphere();
+  const PatchModel model = split_bumpy_sphere();
   RenderSettings settings = close_up(model);
   settings.pixels_per_sample = 0.0;  // UV counts cells of the finest level
   for (const test::Method& way : test::all_methods()) {
@@ -117,7 +117,7 @@ TEST(SplitView, QuartersAreWhatTheirMaterialsAloneShow) {
 }
 
 TEST(SplitView, HasTheSameQuartersInOrthographicPictures) {
-  const PatchModel model = bumpy_sphere();
+  const PatchModel model = split_bumpy_sphere();
   RenderSettings settings = close_up(model);
   settings.camera.orthographic_height = 1.2;
   settings.pixels_per_sample = 0.0;
@@ -129,7 +129,7 @@ TEST(SplitView, HasTheSameQuartersInOrthographicPictures) {
 }
 
 TEST(SplitView, HasALineOfOnePixelWhereTheMiddleIsAPixels) {
-  const PatchModel model = bumpy_sphere();
+  const PatchModel model = split_bumpy_sphere();
   RenderSettings settings = close_up(model);
   settings.pixels_per_sample = 0.0;
   settings.width = 121;
@@ -139,7 +139,7 @@ TEST(SplitView, HasALineOfOnePixelWhereTheMiddleIsAPixels) {
 }
 
 TEST(SplitView, SharesAPictureWithOtherMaterials) {
-  PatchModel model = bumpy_sphere();
+  PatchModel model = split_bumpy_sphere();
   RenderSettings settings = close_up(model);
   settings.pixels_per_sample = 0.0;
   Pictures pictures(model, settings);
@@ -154,7 +154,7 @@ TEST(SplitView, SharesAPictureWithOtherMaterials) {
     const auto patch = static_cast<std::uint32_t>(values(mixed, "patch")[k]);
     if (patch == 0 || model.patches[patch - 1].material != 0) continue;
     ++seen;
-    if (glm::distance(colour(mixed, k), colour(pictures.split, k)) > 2e-3F) ++different;
+    if (glm::distance(split_colour(mixed, k), split_colour(pictures.split, k)) > 2e-3F) ++different;
   }
   EXPECT_GT(seen, 1000U);
   EXPECT_EQ(different, 0U);
@@ -219,7 +219,7 @@ TEST(SplitView, IsRefusedWhereNoPlaceOnAPatchIsKnown) {
   settings.material = Material::Lit;
   settings.materials = {{Material::Lit, {}}, {Material::Split, {}}};
   Progress silent;
-  EXPECT_FALSE(render(bumpy_sphere(), settings, silent));
+  EXPECT_FALSE(render(split_bumpy_sphere(), settings, silent));
 }
 
 }  // namespace

@@ -145,13 +145,13 @@ double share_of(const std::vector<double>& sorted, double share) {
   return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
 }
 
-PatchModel smooth_sphere() {
+PatchModel glass_sphere() {
   return test::sphere_model({.spacing = 0.04});
 }
 
 TEST(TwoInterfaces, RaysThroughASphereAreThoseOfTheClosedForm) {
   const LinearLight light;
-  const PatchModel model = smooth_sphere();
+  const PatchModel model = glass_sphere();
   const TriangleMesh mesh = test::sphere_mesh(256);
   for (const double height : {0.0, 2.4}) {
     for (const float ior : {1.0F, 1.5F, 2.4F}) {
@@ -170,7 +170,7 @@ TEST(TwoInterfaces, RaysThroughASphereAreThoseOfTheClosedForm) {
 
 TEST(TwoInterfaces, OnepassFindsWhereTheyLeaveASphere) {
   const LinearLight light;
-  const PatchModel model = smooth_sphere();
+  const PatchModel model = glass_sphere();
   for (const double height : {0.0, 2.4}) {
     for (const float ior : {1.0F, 1.5F, 2.4F}) {
       for (const int samples : {1, 4}) {
@@ -193,7 +193,7 @@ TEST(TwoInterfaces, OnepassFindsWhereTheyLeaveASphere) {
 
 TEST(TwoInterfaces, OnepassLooksBeyondThePicturesBorder) {
   const LinearLight light;
-  const PatchModel model = smooth_sphere();
+  const PatchModel model = glass_sphere();
   RenderSettings settings = glass_image(model, light, 1.5F);
   settings.camera = orbit_camera({}, 1.0, {25.0, 20.0, 1.9}, 45.0, 1.25);
   const std::vector<double> off =
@@ -204,7 +204,7 @@ TEST(TwoInterfaces, OnepassLooksBeyondThePicturesBorder) {
 
 TEST(TwoInterfaces, OneIsWhatItWas) {
   const LinearLight light;
-  const PatchModel model = smooth_sphere();
+  const PatchModel model = glass_sphere();
   RenderSettings settings = glass_image(model, light, 1.5F);
   settings.explain = true;
   const auto explanation = must_render(model, settings).explanation;
@@ -345,7 +345,7 @@ TEST(TwoInterfaces, LightGoesOnWhereAMeshIsOpen) {
   const LinearLight light;
   TriangleMesh sheet;
   test::add_sheet(sheet, {-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
-  RenderSettings settings = glass_image(smooth_sphere(), light, 1.5F);
+  RenderSettings settings = glass_image(glass_sphere(), light, 1.5F);
   settings.camera = {{3, 0, 3}, {0, 0, 0}, {0, 1, 0}, 10.0};
   settings.constants.absorption = {};
   const RenderResult two = test::must_trace(sheet, settings);
