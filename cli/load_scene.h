@@ -30,7 +30,10 @@ struct LoadedScene {
   bool mesh_is_input = false;  ///< all triangles of the mesh are faces of the files
 
   [[nodiscard]] RenderModel forms() const {
-    return {&patches, mesh ? &*mesh : nullptr, splats ? &*splats : nullptr};
+    RenderModel forms = RenderModel::of(patches);
+    if (mesh) forms.add(*mesh);
+    if (splats) forms.add(*splats);
+    return forms;
   }
 };
 

@@ -54,10 +54,10 @@ Status write_image(const std::filesystem::path& path, Image& image, double expos
 EngineNeeds needs_of(const RenderPlan& plan) {
   EngineNeeds needs;
   for (const Picture& picture : plan.pictures) {
-    const EngineKind engine = picture.settings.engine.value_or(RenderSettings{}.engine);
-    needs.patches |= is_on_opengl(engine);
-    needs.ewa |= engine == EngineKind::Ewa;
-    needs.raytrace |= engine == EngineKind::Raytrace;
+    const std::string engine = picture.settings.engine.value_or(RenderSettings{}.engine);
+    needs.patches |= needs_opengl(engine);
+    needs.ewa |= engine == "ewa";
+    needs.raytrace |= engine == "raytrace";
   }
   return needs;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cli/options/paths.h"
+#include "renderer/engine_registry.h"
 #include "renderer/shading/environment_files.h"
 #include "renderer/shading/materials.h"
 
@@ -108,7 +109,7 @@ Result<RenderSettings> render_settings_for(const Picture& picture, const PatchMo
   settings.height = size.height;
   settings.camera = *camera;
   settings.engine = said.engine.value_or(settings.engine);
-  const bool splats = settings.engine == EngineKind::Multipass;
+  const bool splats = settings.engine == "multipass";
   settings.primitive = said.primitive.value_or(splats ? Primitive::Quad : settings.primitive);
   settings.interpolation = said.interpolation.value_or(settings.interpolation);
   settings.cull = said.cull.value_or(settings.cull);
@@ -135,7 +136,7 @@ Result<RenderSettings> render_settings_for(const Picture& picture, const PatchMo
   settings.platform = arguments.platform;
   settings.explain = arguments.explain;
   // A slow engine is not run again for the sake of a timing that nobody asked for.
-  settings.frames = arguments.frames.value_or(is_on_opengl(settings.engine) ? settings.frames : 1);
+  settings.frames = arguments.frames.value_or(needs_opengl(settings.engine) ? settings.frames : 1);
   return settings;
 }
 

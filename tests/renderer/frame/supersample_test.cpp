@@ -130,7 +130,7 @@ std::vector<RenderSettings> methods(const RenderSettings& settings) {
   }
   for (const Primitive primitive : {Primitive::Sprite, Primitive::Quad}) {
     all.push_back(settings);
-    all.back().engine = EngineKind::Multipass;
+    all.back().engine = "multipass";
     all.back().primitive = primitive;
   }
   return all;
@@ -266,7 +266,7 @@ TEST(Supersampling, AgreesWithAsManyRays) {
   settings.samples = 64;
   settings.raytrace.samples = 64;
   const RenderResult drawn = must_render(model, settings);
-  settings.engine = EngineKind::Raytrace;
+  settings.engine = "raytrace";
   const RenderResult traced = must_render(model, settings);
   std::size_t partial = 0;
   std::size_t opaque = 0;

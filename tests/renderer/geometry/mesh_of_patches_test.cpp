@@ -130,7 +130,7 @@ struct Differences {
 Differences compare(const PatchModel& model, RenderSettings settings) {
   settings.outputs = test::all_outputs();
   const RenderResult drawn = must_render(model, settings);
-  settings.engine = EngineKind::Raytrace;
+  settings.engine = "raytrace";
   settings.raytrace.samples = 1;
   const RenderResult traced = must_render(model, settings);
   Differences differences;

@@ -116,7 +116,7 @@ TEST_F(Platforms, NumberOfThreadsChangesNoByteOfSums) {
             ::setenv("LP_NUM_THREADS", threads, 1);
             const PatchModel model = small_bumpy_sphere();
             RenderSettings settings = small_image(model, {20.0, 15.0, 1.4}, 128);
-            settings.engine = EngineKind::Multipass;
+            settings.engine = "multipass";
             settings.primitive = primitive;
             settings.outputs = test::all_outputs();
             render_and_exit(settings, model, folder() / threads);

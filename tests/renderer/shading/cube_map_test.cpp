@@ -158,7 +158,7 @@ TEST_F(Panorama, IsBehindTheModelAsOpenGlDrawsIt) {
     settings.background = glm::vec3(0.0F);
     settings.environment = path_;
     const Image traced = test::must_render(PatchModel{}, settings).image;
-    settings.engine = EngineKind::Onepass;
+    settings.engine = "onepass";
     const Image drawn = test::must_render(PatchModel{}, settings).image;
     for (const char* channel : {"R", "G", "B"}) {
       double worst = 0.0;

@@ -1,5 +1,5 @@
 // The split view: each quarter of the picture is what its material alone shows.
-#include "renderer/shading/split_view.h"
+#include "renderer/engine_checks.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <string>
+#include <string_view>
 
 #include "renderer/frame/features.h"
 #include "renderer/view/view.h"
@@ -110,7 +111,7 @@ TEST(SplitView, QuartersAreWhatTheirMaterialsAloneShow) {
     for (const std::size_t count : expect_quarters(Pictures(model, settings), way.name))
       EXPECT_GT(count, 200U) << way.name;
   }
-  settings.engine = EngineKind::Raytrace;
+  settings.engine = "raytrace";
   for (const std::size_t count : expect_quarters(Pictures(model, settings), "raytrace"))
     EXPECT_GT(count, 200U) << "raytrace";
 }
@@ -120,7 +121,7 @@ TEST(SplitView, HasTheSameQuartersInOrthographicPictures) {
   RenderSettings settings = close_up(model);
   settings.camera.orthographic_height = 1.2;
   settings.pixels_per_sample = 0.0;
-  for (const EngineKind engine : {EngineKind::Onepass, EngineKind::Raytrace}) {
+  for (const std::string_view engine : {"onepass", "raytrace"}) {
     settings.engine = engine;
     for (const std::size_t count : expect_quarters(Pictures(model, settings), "orthographic"))
       EXPECT_GT(count, 200U);
@@ -203,18 +204,18 @@ TEST(SplitView, HasAFeatureOfItsOwn) {
 TEST(SplitView, IsRefusedWhereNoPlaceOnAPatchIsKnown) {
   RenderSettings settings;
   settings.material = Material::Split;
-  const auto fault = [&settings](EngineKind engine, bool on_patches) {
-    settings.engine = engine;
-    const Status status = check_split_view(settings, on_patches);
+  const auto fault = [&settings](std::string_view engine, bool on_patches) {
+    const Status status = check_split_view(*find_engine(engine), settings,
+                                           on_patches ? ModelForm::Patches : ModelForm::Mesh);
     return status ? std::string() : status.error().message;
   };
-  EXPECT_EQ(fault(EngineKind::Onepass, true), "");
-  EXPECT_EQ(fault(EngineKind::Raytrace, true), "");
-  EXPECT_NE(fault(EngineKind::Multipass, true).find("multipass"), std::string::npos);
-  EXPECT_NE(fault(EngineKind::Ewa, true).find("ewa"), std::string::npos);
-  EXPECT_NE(fault(EngineKind::Raytrace, false).find("mesh"), std::string::npos);
+  EXPECT_EQ(fault("onepass", true), "");
+  EXPECT_EQ(fault("raytrace", true), "");
+  EXPECT_NE(fault("multipass", true).find("multipass"), std::string::npos);
+  EXPECT_NE(fault("ewa", true).find("ewa"), std::string::npos);
+  EXPECT_NE(fault("raytrace", false).find("mesh"), std::string::npos);
   // It reaches who renders, also where the material is one of several.
-  settings.engine = EngineKind::Multipass;
+  settings.engine = "multipass";
   settings.material = Material::Lit;
   settings.materials = {{Material::Lit, {}}, {Material::Split, {}}};
   Progress silent;

@@ -40,7 +40,7 @@ void for_all_colour_methods(const PatchModel& model, RenderSettings settings, co
     settings.interpolation = way.interpolation;
     look(must_render(model, settings), way.name);
   }
-  settings.engine = EngineKind::Multipass;
+  settings.engine = "multipass";
   for (const Primitive primitive : {Primitive::Quad, Primitive::Sprite}) {
     settings.primitive = primitive;
     look(must_render(model, settings), "multipass");

@@ -58,12 +58,12 @@ void for_all_normal_methods(const PatchModel& model, RenderSettings settings, co
     settings.interpolation = way.interpolation;
     look(must_render(model, settings), std::string(way.name));
   }
-  settings.engine = EngineKind::Multipass;
+  settings.engine = "multipass";
   for (const Primitive primitive : {Primitive::Quad, Primitive::Sprite}) {
     settings.primitive = primitive;
     look(must_render(model, settings), std::string("multipass"));
   }
-  settings.engine = EngineKind::Raytrace;
+  settings.engine = "raytrace";
   settings.raytrace.samples = 1;
   look(must_render(model, settings), std::string("raytrace"));
 }
@@ -234,7 +234,7 @@ TEST(FineNormals, LitAndMirrorPicturesAreThoseOfRaysToThePatch) {
     settings.primitive = Primitive::Cell;
     settings.background.reset();
     const RenderResult drawn = must_render(model, settings);
-    settings.engine = EngineKind::Raytrace;
+    settings.engine = "raytrace";
     settings.raytrace.samples = 16;
     const RenderResult traced = must_render(model, settings);
     double squares = 0.0;

@@ -17,17 +17,16 @@ using test::small_image;
 using test::values;
 
 struct CulledMethod {
-  EngineKind engine;
+  std::string_view engine;
   Primitive primitive;
   const char* name;
 };
 
-constexpr CulledMethod kMethods[] = {
-    {EngineKind::Onepass, Primitive::Cell, "cell"},
-    {EngineKind::Onepass, Primitive::Quad, "quad"},
-    {EngineKind::Onepass, Primitive::Sprite, "sprite"},
-    {EngineKind::Multipass, Primitive::Quad, "multipass quad"},
-    {EngineKind::Multipass, Primitive::Sprite, "multipass sprite"}};
+constexpr CulledMethod kMethods[] = {{"onepass", Primitive::Cell, "cell"},
+                                     {"onepass", Primitive::Quad, "quad"},
+                                     {"onepass", Primitive::Sprite, "sprite"},
+                                     {"multipass", Primitive::Quad, "multipass quad"},
+                                     {"multipass", Primitive::Sprite, "multipass sprite"}};
 
 PatchModel closed_sphere() {
   PatchModel model = test::sphere_model({.spacing = 0.05, .patches_per_side = 2, .bumps = 0.05});
