@@ -25,17 +25,15 @@
 #include "preprocess/convert_tiles.h"
 #include "preprocess/points/outliers.h"
 #include "preprocess/points/thin.h"
+#include "preprocess/readers/read_points.h"
 #include "preprocess/texture/maps/texture_maps.h"
 
 namespace relief::cli {
 namespace {
 
 constexpr const char* kConvertExamples =
-    "Reads PLY, PCD, LAS, PTX, OBJ, glTF, Draco, OFF, STL and XYZ text, each also gzipped. "
-    "Several\n"
-    "files are parts of one scan, in one frame. A .conf file (bun.conf) names range scans beside "
-    "it\n"
-    "and the pose of each.\n"
+    "Several files are parts of one scan, in one\n"
+    "frame. A .conf file (bun.conf) names range scans beside it and the pose of each.\n"
     "\n"
     "Examples:\n"
     "  relief convert dragon.ply.gz -o dragon.relief\n"
@@ -263,7 +261,7 @@ void add_convert(CLI::App& app, Command& command) {
   add_texture_options(*sub, *arguments);
   add_resource_options(*sub, *arguments);
   sub->add_flag("--json", arguments->json, "Print one JSON object on standard output");
-  sub->footer(kConvertExamples);
+  sub->footer("Reads " + readable_formats() + ", each also gzipped. " + kConvertExamples);
   sub->callback(
       [arguments, &command] { command = [arguments] { return run_convert(*arguments); }; });
 }

@@ -125,10 +125,10 @@ Status load_trees(const std::vector<SceneModel>& models, const TreeFiles& trees,
 EngineNeeds needs_of(const ScenePlan& plan) {
   EngineNeeds needs;
   for (const PlannedView& view : plan.views) {
-    const EngineKind engine = view.settings.engine.value_or(RenderSettings{}.engine);
-    needs.patches |= is_on_opengl(engine);
-    needs.ewa |= engine == EngineKind::Ewa;
-    needs.raytrace |= engine == EngineKind::Raytrace;
+    const std::string engine = view.settings.engine.value_or(RenderSettings{}.engine);
+    needs.patches |= needs_opengl(engine);
+    needs.ewa |= engine == "ewa";
+    needs.raytrace |= engine == "raytrace";
   }
   return needs;
 }

@@ -6,7 +6,7 @@
 #include "common/patch.h"
 #include "renderer/geometry/splat_cloud.h"
 #include "renderer/geometry/triangle_mesh.h"
-#include "renderer/render.h"
+#include "renderer/model.h"
 
 namespace relief {
 
@@ -19,7 +19,10 @@ struct LoadedScene {
   bool mesh_is_input = false;  ///< all triangles of the mesh are faces of the files
 
   [[nodiscard]] RenderModel forms() const {
-    return {&patches, mesh ? &*mesh : nullptr, splats ? &*splats : nullptr};
+    RenderModel forms = RenderModel::of(patches);
+    if (mesh) forms.add(*mesh);
+    if (splats) forms.add(*splats);
+    return forms;
   }
 };
 

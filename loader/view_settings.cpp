@@ -19,7 +19,7 @@ Result<RenderSettings> render_settings_of(const ScenePlan& plan, const PlannedVi
   settings.height = size.height;
   settings.camera = *camera;
   settings.engine = said.engine.value_or(settings.engine);
-  const bool splats = settings.engine == EngineKind::Multipass;
+  const bool splats = settings.engine == "multipass";
   settings.primitive = said.primitive.value_or(splats ? Primitive::Quad : settings.primitive);
   settings.interpolation = said.interpolation.value_or(settings.interpolation);
   settings.cull = said.cull.value_or(settings.cull);

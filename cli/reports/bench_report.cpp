@@ -37,7 +37,7 @@ std::optional<double> rival_ms(const BenchResult& result) {
   std::optional<double> best;
   for (std::size_t k = 0; k < result.rows.size(); ++k) {
     const RenderSettings& row = result.rows[k];
-    if (row.engine != EngineKind::Multipass ||
+    if (row.engine != "multipass" ||
         row.multipass.radius_factor != MultipassSettings{}.radius_factor)
       continue;
     const double ms = result.times.rows[k].time.frame_ms;
@@ -66,8 +66,8 @@ Json row_as_json(const BenchResult& result, std::size_t k) {
   const BenchRow& row = result.times.rows[k];
   const RowAccuracy& accuracy = result.accuracy[k];
   const Ratios ratios = ratios_of(result, row);
-  const bool onepass = settings.engine == EngineKind::Onepass;
-  return {{"engine", name_of(kEngines, settings.engine)},
+  const bool onepass = settings.engine == "onepass";
+  return {{"engine", settings.engine},
           {"primitive", name_of(kPrimitives, settings.primitive)},
           {"interpolation",
            onepass ? Json(name_of(kInterpolations, settings.interpolation)) : Json(nullptr)},
@@ -124,11 +124,11 @@ std::string row_as_text(const BenchResult& result, std::size_t k) {
 
 std::string name_of_row(const BenchResult& result, std::size_t row) {
   const RenderSettings& settings = result.rows[row];
-  std::string name = fmt::format("{} {}", name_of(kEngines, settings.engine),
-                                 name_of(kPrimitives, settings.primitive));
+  std::string name =
+      fmt::format("{} {}", settings.engine, name_of(kPrimitives, settings.primitive));
   if (const double pixels = pixels_per_sample_of(settings); pixels > 0.0)
     name += fmt::format(" {:g} px", pixels);
-  name += settings.engine == EngineKind::Onepass
+  name += settings.engine == "onepass"
               ? fmt::format(" {}", name_of(kInterpolations, settings.interpolation))
               : fmt::format(" {:g}", settings.multipass.radius_factor);
   if (result.swept_values[row])

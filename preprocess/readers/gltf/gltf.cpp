@@ -1,6 +1,8 @@
 // glTF 2.0, parsed by tinygltf; what it gives is not trusted.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -9,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "common/guard.h"
 #include "common/image/srgb.h"
 #include "common/io/file.h"
 #include "preprocess/readers/gltf/gltf_accessor.h"
@@ -74,6 +77,39 @@ bool read_beside(std::vector<unsigned char>* out, std::string* error, const std:
   return true;
 }
 
+bool refuse_to_write(std::string* /*error*/, const std::string& /*name*/,
+                     const std::vector<unsigned char>& /*bytes*/, void* /*user*/) {
+  return false;
+}
+
+/// Lets tinygltf read files beside the glTF file only. All callbacks are set: version 2.9 would
+/// otherwise go on with its own, which open any file. Versions from 2.8 on also ask for a file's
+/// size, and refuse files of more than 2 GiB by default.
+void read_files_beside(auto& loader, fs::path& owner) {
+  const auto set_callbacks = [&](auto callbacks) {
+    callbacks.FileExists = file_is_there;
+    callbacks.ExpandFilePath = [](const std::string& name, void*) { return name; };
+    callbacks.ReadWholeFile = read_beside;
+    callbacks.WriteWholeFile = refuse_to_write;
+    callbacks.user_data = &owner;
+    if constexpr (requires { callbacks.GetFileSizeInBytes; }) {
+      callbacks.GetFileSizeInBytes = [](std::size_t* size, std::string* error,
+                                        const std::string& name, void* user) {
+        std::error_code failed;
+        const auto found =
+            fs::file_size(resolve_beside(*static_cast<const fs::path*>(user), name), failed);
+        if (failed) *error += failed.message();
+        *size = failed ? 0 : static_cast<std::size_t>(found);
+        return !failed;
+      };
+    }
+    loader.SetFsCallbacks(callbacks);
+  };
+  set_callbacks(tinygltf::FsCallbacks{});
+  if constexpr (requires { loader.SetMaxExternalFileSize(SIZE_MAX); })
+    loader.SetMaxExternalFileSize(SIZE_MAX);
+}
+
 /// The first line of what tinygltf says.
 std::string first_line(const std::string& text) {
   const std::string line = text.substr(0, text.find('\n'));
@@ -129,21 +165,24 @@ class GltfReader {
       return make_error("{}: its JSON nests deeper than {} levels", source_.name, kMaxDepth);
     tinygltf::TinyGLTF loader;
     loader.SetImageLoader(keep_image, nullptr);
-    loader.SetFsCallbacks({file_is_there, [](const std::string& name, void*) { return name; },
-                           read_beside, nullptr, &path_});
+    read_files_beside(loader, path_);
     std::string error;
     std::string warning;
     const auto size = static_cast<unsigned int>(source_.text.size());
     if (source_.text.size() > UINT32_MAX)
       return make_error("{}: is larger than the 4 GiB that glTF allows", source_.name);
-    const bool good =
-        is_glb(source_.text)
-            ? loader.LoadBinaryFromMemory(
-                  &model_, &error, &warning,
-                  reinterpret_cast<const unsigned char*>(source_.text.data()), size)
-            : loader.LoadASCIIFromString(&model_, &error, &warning, source_.text.data(), size, "");
-    if (good) return {};
-    return make_error("{}: cannot be read as glTF: {}", source_.name, first_line(error));
+    const auto load = [&]() -> Status {
+      const char* const text = source_.text.data();
+      const bool good =
+          is_glb(source_.text)
+              ? loader.LoadBinaryFromMemory(&model_, &error, &warning,
+                                            reinterpret_cast<const unsigned char*>(text), size)
+              : loader.LoadASCIIFromString(&model_, &error, &warning, text, size, "");
+      if (good) return {};
+      return make_error("{}: cannot be read as glTF: {}", source_.name, first_line(error));
+    };
+    // tinygltf 2.8 throws std::out_of_range on a buffer of no bytes.
+    return guarded({.subject = source_.name, .task = "read it", .library = "tinygltf"}, load);
   }
 
   /// Of a binary file the JSON is its first chunk, after 20 bytes.
