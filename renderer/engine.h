@@ -94,6 +94,9 @@ struct EngineEntry {
   std::vector<Interpolation> interpolations = {};  ///< likewise
   EngineCapabilities capabilities = {};
   std::vector<EngineOption> options = {};
+  /// The variants that `relief bench` times, as values of some of the options. Only of engines that
+  /// need OpenGL.
+  std::vector<OptionValues> bench_variants = {};
   Result<std::unique_ptr<PreparedModel>> (*prepare)(const PrepareRequest& request) = nullptr;
 };
 
