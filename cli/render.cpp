@@ -76,7 +76,7 @@ Result<LoadedScene> load(const RenderPlan& plan, const RenderArguments& argument
                          Progress& progress) {
   const EngineNeeds needs = needs_of(plan);
   const TextureChoice textures = texture_choice(arguments.texture.file);
-  if (!needs.ewa || textures.picture.empty())
+  if (!needs.ewa || textures.image.empty())
     return load_scene(plan.models, textures, needs, progress,
                       [&](const PatchModel& extent) { return views_of(plan, extent, arguments); });
   auto splats = acquire_splats(arguments.input, arguments.texture,

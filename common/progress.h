@@ -1,4 +1,4 @@
-// How a long job tells what it does, and how it is asked to stop.
+// Progress of long jobs, and cancellation.
 #pragma once
 
 #include <atomic>
@@ -9,9 +9,9 @@
 
 namespace relief {
 
-/// Receives the progress of a long job. The base class ignores it; the command line draws a bar.
-/// A job calls `begin_stage` from one thread, `advance` from any, and looks at `cancelled`
-/// at least every few hundred milliseconds of work; it then returns `interrupted_error()`.
+/// Receives the progress of a long job. The base class ignores it; the command line draws a bar. A
+/// job calls `begin_stage` from one thread, `advance` from any thread, and checks `cancelled` at
+/// least every few hundred milliseconds of work; it then returns `interrupted_error()`.
 class Progress {
  public:
   Progress() = default;
@@ -19,16 +19,15 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// A new stage starts; `units` is how much work it has (0: not known).
+  /// Starts a stage of `units` units of work (0: unknown).
   virtual void begin_stage(std::string_view /*name*/, std::uint64_t /*units*/) {}
-  /// `units` more of the current stage are done. Thread-safe.
+  /// Adds finished units of the current stage. Thread-safe.
   virtual void advance(std::uint64_t /*units*/) {}
-  /// True once the user asked to stop. Thread-safe.
+  /// Returns whether the user asked to stop. Thread-safe.
   [[nodiscard]] virtual bool cancelled() const { return false; }
 };
 
-/// Of a job within another one, whose stages are not to be told: passes on that the user wants to
-/// stop.
+/// The progress of a nested job whose stages are not reported. Forwards only cancellation.
 class QuietProgress final : public Progress {
  public:
   explicit QuietProgress(const Progress& outer) : outer_(outer) {}
@@ -38,7 +37,7 @@ class QuietProgress final : public Progress {
   const Progress& outer_;
 };
 
-/// Of a part of a job: its stages are not told, but its units are units of the outer job's.
+/// The progress of a part of a job. Forwards units and cancellation, not stages.
 class PartProgress final : public Progress {
  public:
   explicit PartProgress(Progress& outer) : outer_(outer) {}
@@ -49,7 +48,7 @@ class PartProgress final : public Progress {
   Progress& outer_;
 };
 
-/// What a job returns when it was asked to stop.
+/// Returns the error of a job that the user interrupted.
 [[nodiscard]] inline Error interrupted_error() {
   return Error{"interrupted"};
 }

@@ -8,7 +8,7 @@
 namespace relief {
 namespace {
 
-/// What nanoflann finds, without the distances that nobody asks for.
+/// Receives nanoflann's results without the distances.
 class IndicesWithin {
  public:
   IndicesWithin(double squared_radius, std::vector<std::uint32_t>& found)

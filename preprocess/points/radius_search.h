@@ -1,4 +1,4 @@
-// All points within a radius: the neighbour search of what has a support of fixed size.
+// Finds all points within a radius.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace relief {
 
-/// A search among positions that the caller keeps alive and unchanged.
+/// A search among positions, which the caller keeps alive and unchanged.
 class RadiusSearch {
  public:
   explicit RadiusSearch(const std::vector<glm::dvec3>& positions);
