@@ -61,7 +61,7 @@ Status check_points(const std::vector<glm::dvec3>& positions) {
   return {};
 }
 
-// The area of all regions, as their points' local spacings tell it.
+// The area of all regions, estimated from their points' local spacings.
 double area_of(const std::vector<Region>& regions, const SurfaceSamples& samples) {
   double area = 0.0;
   for (const Region& region : regions) {
@@ -71,8 +71,8 @@ double area_of(const std::vector<Region>& regions, const SurfaceSamples& samples
   return area;
 }
 
-/// What a mesh's triangles tell, found while something else goes on: reading its edges and building
-/// a kd-tree take one thread each.
+/// Properties of a mesh's triangles, computed in the background: the edges and the kd-tree take one
+/// thread each.
 class MeshInTime {
  public:
   /// Nothing of a mesh without triangles. Its first `given` points are the file's. Positions and
@@ -196,7 +196,7 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
 }  // namespace
 
 Result<ConvertResult> convert(Points points, const ConvertOptions& options, Progress& progress) {
-  // The few vertices of a mesh with materials are not what is converted.
+  // The few vertices of a mesh with materials are not converted; its samples are.
   if (!has_triangle_colours(points)) {
     RELIEF_TRY(check_points(points.positions));
   }

@@ -6,10 +6,10 @@ namespace relief {
 
 Status check_spacing(double spacing, double area, std::uint64_t points) {
   // Grids beyond this many nodes per point come from a mistaken spacing, not from a scan.
-  constexpr double most_nodes_per_point = 4096.0;
-  constexpr double most_nodes = 4e9;
+  constexpr double max_nodes_per_point = 4096.0;
+  constexpr double max_nodes = 4e9;
   const double nodes = area / (spacing * spacing);
-  if (nodes > std::min(most_nodes, most_nodes_per_point * static_cast<double>(points))) {
+  if (nodes > std::min(max_nodes, max_nodes_per_point * static_cast<double>(points))) {
     return make_error(
         "a spacing of {} would give about {:.1e} samples for {} points; choose a larger --spacing",
         spacing, nodes, points);

@@ -40,7 +40,7 @@ Result<std::string> fingerprint_of(const std::vector<fs::path>& files,
   return text;
 }
 
-/// The tiles' own patches alone.
+/// Returns only the tiles' own patches.
 std::vector<TreePart> own_parts(const TileJob& job, std::size_t tiles) {
   std::vector<TreePart> parts;
   for (std::size_t tile = 0; tile < tiles; ++tile) parts.push_back({job.part(tile)});
@@ -64,7 +64,7 @@ Result<TiledResult> convert_all(const TiledModel& plan, bool overviews, const fs
   if (progress.cancelled()) return interrupted_error();
   const Status written = write_patch_tree(plan.job.whole(), parts, converted->extent);
   if (!written) {
-    return make_error("{}; if that comes again, remove {} and convert anew",
+    return make_error("{}; if this happens again, remove {} and convert again",
                       written.error().message, plan.job.folder().string());
   }
   const Status moved = move_into_place(plan.job.whole(), output);
@@ -74,7 +74,7 @@ Result<TiledResult> convert_all(const TiledModel& plan, bool overviews, const fs
 Result<std::optional<TiledResult>> convert_files(
     const std::vector<fs::path>& files, const fs::path& output, const ConvertOptions& options,
     const PatchFileOptions& file_options, const TileOptions& tile_options, Progress& progress) {
-  const SpreadOptions spread_options{tile_options.memory_bytes, tile_options.most_tile_points,
+  const SpreadOptions spread_options{tile_options.memory_bytes, tile_options.max_tile_points,
                                      options.spacing};
   RELIEF_TRY_ASSIGN(const auto fingerprint,
                     fingerprint_of(files, options, file_options, spread_options));

@@ -1,4 +1,4 @@
-// The exposures at which HDR-FLIP looks at two pictures.
+// The exposures of HDR-FLIP.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -30,7 +30,7 @@ Exposures find_exposures(const LinearColour& reference) {
   exposures.start = std::log2(light / brightest);
   exposures.stop = std::log2(light / median);
   const double stops = exposures.stop - exposures.start;
-  // Two equal exposures would tell no more than one.
+  // Two equal exposures add nothing to one.
   if (stops > 0.0) exposures.count = std::max(2, static_cast<int>(std::ceil(stops)));
   return exposures;
 }

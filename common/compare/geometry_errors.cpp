@@ -13,7 +13,7 @@
 namespace relief {
 namespace {
 
-/// One kind of channels in both pictures.
+/// One kind of channels in both images.
 template <std::size_t N>
 struct Channels {
   std::array<const std::vector<float>*, N> test;
@@ -35,7 +35,7 @@ Result<Channels<N>> find_channels(const Image& test, const Image& reference,
   for (std::size_t i = 0; i < N; ++i) {
     const Channel* const a = test.find(names[i]);
     const Channel* const b = reference.find(names[i]);
-    if (a == nullptr) return make_error("the picture under test has no channel {}", names[i]);
+    if (a == nullptr) return make_error("the image under test has no channel {}", names[i]);
     if (b == nullptr) return make_error("the reference has no channel {}", names[i]);
     found.test[i] = &a->values;
     found.reference[i] = &b->values;
@@ -95,7 +95,7 @@ Result<NormalErrors> measure_normals(const Image& test, const Image& reference,
     all.push_back(static_cast<float>(angle));
     for (int i = 0; i < 3; ++i) components.add(a[i] - b[i]);
   });
-  if (all.empty()) return make_error("no pixel is covered, with a normal, in both pictures");
+  if (all.empty()) return make_error("no pixel is covered, with a normal, in both images");
   return NormalErrors{angles.rms(), percentile(all, 0.99), psnr_db(components.rms(), 2.0)};
 }
 
@@ -119,7 +119,7 @@ Result<DepthErrors> measure_depth(const Image& test, const Image& reference,
     all.push_back(static_cast<float>(
         std::min(error, static_cast<double>(std::numeric_limits<float>::max()))));
   });
-  if (all.empty()) return make_error("no pixel is covered, with a depth, in both pictures");
+  if (all.empty()) return make_error("no pixel is covered, with a depth, in both images");
   DepthErrors errors{relative.rms(), percentile(all, 0.99), std::nullopt};
   if (range.size() > 0.0) errors.psnr_db = psnr_db(absolute.rms(), range.size());
   return errors;
@@ -142,8 +142,8 @@ Result<double> measure_uv_psnr_db(const Image& test, const Image& reference,
       range.include(b);
     }
   });
-  if (errors.count == 0) return make_error("no pixel shows the same patch in both pictures");
-  if (range.size() == 0.0) return make_error("the reference has one grid coordinate alone");
+  if (errors.count == 0) return make_error("no pixel shows the same patch in both images");
+  if (range.size() == 0.0) return make_error("the reference has only one grid coordinate");
   return psnr_db(errors.rms(), range.size());
 }
 

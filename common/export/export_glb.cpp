@@ -103,7 +103,7 @@ std::string document_of(const ExportRequest& request, glm::dvec3 origin,
   ordered_json node = {{"mesh", 0}};
   if (origin != glm::dvec3(0.0)) node["translation"] = numbers_of(origin);
   buffer_bytes = layout.bytes();
-  // A material says that the surface is no metal, which is what glTF takes where nothing is said.
+  // A material makes the surface non-metallic; glTF's default is metal.
   const ordered_json document = {
       {"asset", {{"version", "2.0"}, {"generator", fmt::format("relief {}", kVersion)}}},
       {"scene", 0},

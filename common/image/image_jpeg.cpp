@@ -1,4 +1,4 @@
-// JPEG pictures, in.
+// JPEG images, in.
 #include <turbojpeg.h>
 
 #include <array>

@@ -1,4 +1,4 @@
-// PNG pictures, 8 bit out, 8 and 16 bit in.
+// PNG images, 8 bit out, 8 and 16 bit in.
 #include <png.h>
 
 #include <algorithm>

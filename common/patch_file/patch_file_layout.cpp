@@ -91,7 +91,7 @@ Bounds box_of(const PatchSummary& patch) {
 
 std::string find_fault(const PatchSummary& patch) {
   if (!is_finite(patch.origin)) return "its origin is not finite";
-  if (!is_rotation(patch.axes)) return "its axes are no rotation";
+  if (!is_rotation(patch.axes)) return "its axes are not a rotation";
   if (!is_positive(patch.spacing)) return "its spacing is not above 0";
   if (!is_positive(patch.height_step)) return "its height step is not above 0";
   // Heights are 65534 steps at most: beyond these ratios a patch is a plane or a needle, and sums
@@ -162,7 +162,7 @@ Result<FileHeader> parse_header(std::span<const std::byte> bytes, std::uint64_t 
   ByteReader in(bytes);
   for (const std::uint8_t expected : kMagic) {
     if (in.left() == 0 || in.take<std::uint8_t>() != expected) {
-      return make_error("{}: is no .relief patch file", name);
+      return make_error("{}: is not a .relief patch file", name);
     }
   }
   if (in.left() < 4) return make_error("{}: the file is truncated within its header", name);
@@ -196,7 +196,7 @@ Result<FileHeader> parse_header(std::span<const std::byte> bytes, std::uint64_t 
   header.index_checksum = in.take<std::uint32_t>();
 
   if (file_bytes != header.file_bytes) {
-    return make_error("{}: the file has {} bytes where its header says {}; it is {}", name,
+    return make_error("{}: the file has {} bytes, but its header states {}; it is {}", name,
                       file_bytes, header.file_bytes,
                       file_bytes < header.file_bytes ? "truncated" : "damaged");
   }
@@ -226,7 +226,7 @@ Result<FileIndex> parse_index(std::span<const std::byte> bytes, const FileHeader
   for (const PatchRecord& patch : index->patches) samples += patch.summary.samples;
   if (samples != header.samples) {
     return make_error(
-        "{}: the patches have {} samples where the header says {}; the file is damaged", name,
+        "{}: the patches have {} samples, but the header states {}; the file is damaged", name,
         samples, header.samples);
   }
   return index;

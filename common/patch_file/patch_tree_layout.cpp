@@ -48,7 +48,7 @@ Status check_sums(const std::vector<TreeTile>& tiles, const FileHeader& header,
   if (bytes == header.index_offset && patches == header.patches && samples == header.samples)
     return {};
   return make_error(
-      "{}: its tiles end at byte {} and have {} patches with {} samples where the header says {}, "
+      "{}: its tiles end at byte {} and have {} patches with {} samples, but the header states {}, "
       "{} and {}; the file is damaged",
       name, bytes, patches, samples, header.index_offset, header.patches, header.samples);
 }
@@ -145,9 +145,8 @@ Result<FileLayout> read_tile(const RandomAccessFile& file, const TreeTile& tile,
   const FileHeader& header = layout->header;
   if (header.patches != tile.patches || header.samples != tile.samples ||
       header.spacing != tile.spacing || !holds(tile.box, box_of(layout->index), tile.spacing)) {
-    return make_error(
-        "{}: the tile at byte {} is not what the list of tiles says; the file is damaged", name,
-        tile.offset);
+    return make_error("{}: the tile at byte {} differs from the list of tiles; the file is damaged",
+                      name, tile.offset);
   }
   return layout;
 }

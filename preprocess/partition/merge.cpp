@@ -40,7 +40,7 @@ struct Cluster {
   glm::dvec3 area_normal{0.0};  // sum of those times normals
   double perimeter = 0.0;       // sum of `borders`
   Borders borders;
-  std::unique_ptr<NormalSpread> spread;  // once it was asked for
+  std::unique_ptr<NormalSpread> spread;  // computed on demand
   std::uint32_t version = 0;
 };
 
@@ -132,7 +132,7 @@ class Merger {
         clusters_[std::min(owner[i], other)].borders[std::max(owner[i], other)] += length;
       }
     }
-    // Borders are the same from both sides: told of the lower cluster, then copied.
+    // Borders are symmetric: computed for the lower cluster, then copied.
     for (std::uint32_t c = 0; c < clusters_.size(); ++c) {
       for (const auto& [other, length] : clusters_[c].borders) {
         if (other > c) clusters_[other].borders[c] = length;

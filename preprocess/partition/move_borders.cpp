@@ -27,10 +27,10 @@ constexpr double kMinGain = 1e-9;
 class Surrounding {
  public:
   void add(std::uint32_t region, double weight) {
-    std::size_t place = 0;
-    while (place < count_ && parts_[place].region != region) ++place;
-    if (place == count_) parts_[count_++] = {region, 0.0};
-    parts_[place].weight += weight;
+    std::size_t position = 0;
+    while (position < count_ && parts_[position].region != region) ++position;
+    if (position == count_) parts_[count_++] = {region, 0.0};
+    parts_[position].weight += weight;
   }
 
   struct Part {

@@ -24,7 +24,7 @@ std::array<glm::vec3, N> even_directions() {
 
 /// Normals and axes are unit to single precision, and so are the dots that RegionTest takes.
 constexpr double kRounding = 1e-5;
-/// So many normals of a set are looked at: 64 products each.
+/// Number of normals of a set that are used: 64 products each.
 constexpr std::size_t kMaxNormals = 256;
 /// Most sets are decided within ten; the limit is for those that just fit.
 constexpr int kMaxSteps = 32;

@@ -43,13 +43,12 @@ Membership membership_of(const SurfaceSamples& samples, const std::vector<Region
 
 std::vector<Region> partition(const SurfaceSamples& samples, const NeighbourGraph& graph,
                               std::vector<std::uint32_t> points, double cone_degrees,
-                              Progress& progress, double density_ratio) {
+                              Progress& progress) {
   const std::size_t small = small_points(points.size());
   progress.begin_stage("split", points.size());
-  std::vector<Region> regions =
-      split(samples, graph, std::move(points),
-            {kSplitShare * cone_degrees, kSheetTolerance, density_ratio}, progress);
-  const RegionLimits limits{cone_degrees, kSheetTolerance, density_ratio};
+  std::vector<Region> regions = split(samples, graph, std::move(points),
+                                      {.cone_degrees = kSplitShare * cone_degrees}, progress);
+  const RegionLimits limits{.cone_degrees = cone_degrees};
   regions = merge(samples, graph, std::move(regions), {limits}, progress);
   for (int round = 0; round < kBorderRounds && !progress.cancelled(); ++round) {
     move_borders(samples, graph, cone_degrees, kBorderWeights, regions);
@@ -57,8 +56,8 @@ std::vector<Region> partition(const SurfaceSamples& samples, const NeighbourGrap
     if (round + 1 == kBorderRounds) regions = part_components(samples, graph, regions);
     regions = merge(samples, graph, std::move(regions), {limits}, progress);
   }
-  const RegionLimits wide{std::max(cone_degrees, kWideConeDegrees), kWideSheetTolerance,
-                          density_ratio};
+  const RegionLimits wide{.cone_degrees = std::max(cone_degrees, kWideConeDegrees),
+                          .sheet_tolerance = kWideSheetTolerance};
   const MergeRule wide_rule{wide, small};
   regions = merge(samples, graph, std::move(regions), wide_rule, progress);
   std::sort(regions.begin(), regions.end(), [](const Region& a, const Region& b) {

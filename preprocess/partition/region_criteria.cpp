@@ -66,8 +66,7 @@ RegionTest::RegionTest(const SurfaceSamples& samples, const RegionLimits& limits
     : samples_(samples),
       cos_cone_(static_cast<float>(std::cos(glm::radians(limits.cone_degrees)))),
       cone_(std::acos(cos_cone_)),
-      sheet_tolerance_(limits.sheet_tolerance),
-      density_ratio_(limits.density_ratio) {}
+      sheet_tolerance_(limits.sheet_tolerance) {}
 
 std::optional<glm::vec3> RegionTest::fit_cone(std::span<const std::uint32_t> points) {
   glm::vec3 sum(0.0F);
@@ -103,7 +102,7 @@ bool RegionTest::single_valued(std::span<const std::uint32_t> points, glm::vec3 
   const auto [cell, tolerance] = sheet_scale(samples_, points, sheet_tolerance_);
 
   // What the table's order asks for at random is brought together first.
-  places_.clear();
+  positions_.clear();
   keys_.clear();
   const glm::dvec3 base = samples_.positions[points.front()];
   for (const std::uint32_t i : points) {
@@ -111,7 +110,7 @@ bool RegionTest::single_valued(std::span<const std::uint32_t> points, glm::vec3 
     const glm::dvec2 at = glm::dvec2(glm::dot(d, u), glm::dot(d, v)) / cell;
     const auto x = floor_to_int(at.x);
     const auto y = floor_to_int(at.y);
-    places_.push_back(samples_.positions[i]);
+    positions_.push_back(samples_.positions[i]);
     keys_.push_back(std::uint64_t{static_cast<std::uint32_t>(x)} << 32 |
                     static_cast<std::uint32_t>(y));
   }
@@ -128,7 +127,7 @@ bool RegionTest::single_valued(std::span<const std::uint32_t> points, glm::vec3 
     int compared = 0;
     for (std::uint32_t o = next_[m]; o != kNone && compared < kMaxCompared;
          o = next_[o], ++compared) {
-      const glm::dvec3 apart = places_[m] - places_[o];
+      const glm::dvec3 apart = positions_[m] - positions_[o];
       // Most are nearer to each other than they may be off: the mean normal is unit to rounding.
       if (glm::dot(apart, apart) < kSurelyWithin * tolerance * tolerance) continue;
       const glm::vec3 mean = glm::normalize(normals_.at(m) + normals_.at(o));
@@ -138,20 +137,7 @@ bool RegionTest::single_valued(std::span<const std::uint32_t> points, glm::vec3 
   return true;
 }
 
-bool RegionTest::even_enough(std::span<const std::uint32_t> points) {
-  if (density_ratio_ <= 0.0) return true;
-  spacings_.clear();
-  for (const std::uint32_t i : points) spacings_.push_back(samples_.spacing[i]);
-  const auto tenth = static_cast<std::ptrdiff_t>(spacings_.size() / 10);
-  const auto fine = spacings_.begin() + tenth;
-  const auto coarse = spacings_.end() - 1 - tenth;
-  std::nth_element(spacings_.begin(), fine, spacings_.end());
-  std::nth_element(fine, coarse, spacings_.end());
-  return *coarse <= density_ratio_ * *fine;
-}
-
 std::optional<glm::vec3> RegionTest::fit(std::span<const std::uint32_t> points) {
-  if (!even_enough(points)) return std::nullopt;
   const std::optional<glm::vec3> axis = fit_cone(points);
   if (!axis || !single_valued(points, *axis)) return std::nullopt;
   return axis;

@@ -54,7 +54,7 @@ double largest_mean(const std::vector<float>& means) {
 
 std::vector<std::uint8_t> find_sparse(const std::vector<float>& means,
                                       const NeighbourGraph& graph) {
-  // Even scans (grids) hardly deviate at all; what is twice as sparse is still one.
+  // Even scans (grids) hardly deviate at all; points twice as sparse still count as even.
   const double largest = std::max(largest_mean(means), 3.0 * double{median_of(means)});
   std::vector<std::uint8_t> sparse(means.size());
   tbb::parallel_for(std::size_t{0}, means.size(), [&](std::size_t i) {

@@ -1,4 +1,4 @@
-// Draco, decoded by Google's library. Its counts are looked at before it is asked.
+// Draco, decoded by Google's library, after a check of the stated counts.
 #include <draco/compression/decode.h>
 #include <draco/core/varint_decoding.h>
 #include <draco/metadata/geometry_metadata.h>
@@ -26,12 +26,12 @@ struct DracoStart {
   std::uint32_t faces = 0;
 };
 
-constexpr std::string_view kMagic = "DRACO";
+constexpr std::string_view kDracoMagic = "DRACO";
 constexpr std::uint16_t kHasMetadata = 0x8000;
 /// The densest real coding is near a bit a point; the library allocates for whatever is stated.
 constexpr std::uint64_t kMaxPointsPerByte = 256;
 
-/// Passes over what the file says about itself.
+/// Skips the metadata.
 bool skip_metadata(draco::DecoderBuffer& buffer) {
   draco::GeometryMetadata metadata;
   return draco::MetadataDecoder().DecodeGeometryMetadata(&buffer, &metadata);
@@ -41,7 +41,7 @@ bool skip_metadata(draco::DecoderBuffer& buffer) {
 bool read_start(std::string_view text, DracoStart& start) {
   draco::DecoderBuffer buffer;
   buffer.Init(text.data(), text.size());
-  buffer.Advance(static_cast<std::int64_t>(kMagic.size()));
+  buffer.Advance(static_cast<std::int64_t>(kDracoMagic.size()));
   if (!buffer.Decode(&start.major) || !buffer.Decode(&start.minor) || !buffer.Decode(&start.type) ||
       !buffer.Decode(&start.method) || !buffer.Decode(&start.flags)) {
     return false;
@@ -67,7 +67,7 @@ Status check_start(const Source& source) {
   }
   if (start.major != 2 || start.minor < 2) {
     return make_error(
-        "{}: is of Draco bitstream {}.{}, which cannot be read; code it anew with Draco 1.2 or "
+        "{}: has Draco bitstream {}.{}, which cannot be read; encode it again with Draco 1.2 or "
         "later",
         source.name, start.major, start.minor);
   }
@@ -147,7 +147,7 @@ Result<Points> decode(const Source& source) {
   if (!decoded.ok()) {
     return make_error("{}: cannot be decoded ({}); the file is truncated or damaged", source.name,
                       decoded.status().error_msg_string().empty()
-                          ? "Draco does not say why"
+                          ? "Draco gives no reason"
                           : decoded.status().error_msg_string());
   }
   const draco::PointCloud& cloud = *decoded.value();
@@ -168,7 +168,7 @@ Result<Points> decode(const Source& source) {
 }  // namespace
 
 bool is_drc(std::string_view text) {
-  return text.starts_with(kMagic);
+  return text.starts_with(kDracoMagic);
 }
 
 Result<Points> read_drc(const Source& source) {

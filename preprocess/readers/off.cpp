@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-/// What the keyword says about a vertex line: x y z, then nx ny nz, r g b [a], s t.
+/// The contents of a vertex line by the keyword: x y z, then nx ny nz, r g b [a], s t.
 struct OffKeyword {
   bool normals = false;
   bool colours = false;

@@ -56,19 +56,21 @@ void continue_outward(std::vector<Value>& values, std::vector<std::uint8_t>& kno
   }
 }
 
-// The mean of the colours around a place, of a scan that is finer than the texels, `step` apart.
-glm::vec3 mean_colour(const PatchPoints& points, const PointGrid& lookup, glm::dvec2 place,
+// The mean of the colours around a position, for scans finer than the texels, which are `step`
+// apart.
+glm::vec3 mean_colour(const PatchPoints& points, const PointGrid& lookup, glm::dvec2 position,
                       std::uint32_t nearest, double step, const std::vector<glm::u8vec3>& colours) {
-  const double to_nearest = glm::distance(glm::dvec2(points.positions[nearest]), place);
+  const double to_nearest = glm::distance(glm::dvec2(points.positions[nearest]), position);
   // Never narrower than to the nearest point, so that weights do not all vanish.
   const double radius = std::max(0.5 * step, 0.6 * to_nearest);
   glm::vec3 sum(0.0F);
   float weights = 0.0F;
-  lookup.for_each_within(place.x, place.y, 2.5 * radius, [&](std::uint32_t p, double squared) {
-    const auto w = static_cast<float>(std::exp(-squared / (radius * radius)));
-    sum += w * linear_from_srgb8(colours[points.ids[p]]);
-    weights += w;
-  });
+  lookup.for_each_within(
+      position.x, position.y, 2.5 * radius, [&](std::uint32_t p, double squared) {
+        const auto w = static_cast<float>(std::exp(-squared / (radius * radius)));
+        sum += w * linear_from_srgb8(colours[points.ids[p]]);
+        weights += w;
+      });
   return sum / weights;
 }
 

@@ -18,7 +18,7 @@ namespace {
 /// 0.05 dB.
 constexpr int kMaxPoints = 8;
 /// Gradients are fitted with weights exp(-d^2 / s^2), and averaged with others, s in local scan
-/// spacings; what is farther than so many scales is left out.
+/// spacings; points farther than this many scales are ignored.
 constexpr double kGradientScale = 1.5;
 constexpr double kTensorScale = 1.2;
 constexpr double kCutoff = 2.0;
@@ -126,13 +126,13 @@ ColourInterpolation::Metric ColourInterpolation::metric_at(double x, double y,
 
 glm::vec3 ColourInterpolation::at(double x, double y, std::uint32_t nearest) const {
   const Metric metric = metric_at(x, y, nearest);
-  const glm::dvec2 place(x, y);
-  const double to_nearest = glm::length(glm::dvec2(points_.positions[nearest]) - place);
+  const glm::dvec2 position(x, y);
+  const double to_nearest = glm::length(glm::dvec2(points_.positions[nearest]) - position);
   const double reach = std::max(kReach * points_.spacing[nearest], 2.0 * to_nearest);
   std::vector<std::pair<double, std::uint32_t>> around;
   around.reserve(64);
   lookup_.for_each_within(x, y, reach, [&](std::uint32_t p, double /*square*/) {
-    around.emplace_back(metric.distance(glm::dvec2(points_.positions[p]) - place), p);
+    around.emplace_back(metric.distance(glm::dvec2(points_.positions[p]) - position), p);
   });
   const auto count = std::min<std::ptrdiff_t>(kMaxPoints, std::ssize(around));
   std::partial_sort(around.begin(), around.begin() + count, around.end());

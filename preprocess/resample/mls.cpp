@@ -98,7 +98,7 @@ struct Sums {
   }
 };
 
-/// A point with a say in a fit.
+/// A weighted point of a fit.
 struct Found {
   std::uint32_t point;
   double dz;       // above the spot
@@ -179,7 +179,7 @@ SurfacePoint evaluate_mls(const PatchPoints& points, const PointGrid& supporting
       fit.allFinite() && std::abs(fit(0, 0) * scale - implicit) <= kMaxOvershoot * scale;
   out.height = about.z + (sound ? fit(0, 0) * scale : implicit);
   out.fitted_normal = sound ? unit_or_up(glm::vec3(-fit(1, 0), -fit(2, 0), 1.0)) : mean;
-  // A mean alone leans towards where the points are; the fitted value does not.
+  // A mean is biased towards the denser side; the fitted value is not.
   const glm::vec3 fitted_mean = unit_or_up(glm::vec3(fit(0, 1), fit(0, 2), fit(0, 3)));
   out.given_normal = sound && glm::dot(fitted_mean, mean) > kMinAgreement ? fitted_mean : mean;
   return out;

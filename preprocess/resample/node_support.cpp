@@ -15,9 +15,9 @@ constexpr double kReachInSpacings = 0.9;
 // That is on the base plane; on a slope the surface is longer. Along the point's tangent plane the
 // node may be this many spacings away. (A tighter limit makes pinholes where normals are noisy.)
 constexpr double kSlopeReachInSpacings = 3.0;
-// A point takes part in surrounding nodes up to this many of its own local scan spacings away. A
-// random sampling has an empty disc of radius 2.2 spacings about once in four million points
-// (exp(-pi 2.2^2)); the rest is for densities that change within the neighbourhood.
+// A point counts in surrounding nodes up to this many of its local scan spacings away. A random
+// sampling has an empty disc of radius 2.2 spacings about once in four million points (exp(-pi
+// 2.2^2)); the rest is for densities that change within the neighbourhood.
 constexpr double kSurroundInSpacings = 2.5;
 // ... or up to this many grid spacings, where the scan is finer than the grid: less is no gap that
 // a grid can keep.
@@ -37,7 +37,7 @@ bool is_close(const PatchPoints& points, std::uint32_t p, double x, double y, do
   return plane_squared + rise * rise <= slope_reach * slope_reach;
 }
 
-/// How far a point takes part in surrounding nodes.
+/// The distance up to which a point counts in surrounding nodes.
 double surround_reach(const PatchPoints& points, std::uint32_t p, double spacing) {
   return std::max(kSurroundInSpacings * points.spacing[p], kSurroundInGridSpacings * spacing);
 }
@@ -100,7 +100,7 @@ bool NodeSupport::have_all_octants(std::size_t begin, std::size_t end) const {
 
 template <class Fn>
 void NodeSupport::for_nodes_within(glm::dvec3 point, double radius, const Fn& fn) {
-  // A little outward, against rounding: what is beyond the radius is told by its distance.
+  // Slightly outward because of rounding; nodes beyond the radius are excluded by their distance.
   constexpr double slack = 1e-6;
   const auto first = [&](double low) {
     return static_cast<std::uint32_t>(std::max(0.0, low / grid_.spacing + 1.0 - slack));

@@ -155,7 +155,7 @@ void grow_margin(const SurfaceSamples& samples, const NeighbourGraph& graph, con
 }
 
 /// The least cosine to the base-plane normal with which a margin point supports samples.
-float least_support_cosine(float own_cosine) {
+float min_support_cosine(float own_cosine) {
   return own_cosine < kSteepOwnCosine ? kMinShareOfOwnCosine * own_cosine : kMinSupportCosine;
 }
 
@@ -178,8 +178,7 @@ PatchPoints collect_patch_points(const SurfaceSamples& samples, const NeighbourG
   const auto margin_begin = out.ids.begin() + static_cast<std::ptrdiff_t>(out.own);
   std::sort(margin_begin, out.ids.end());
   const auto steep = std::stable_partition(margin_begin, out.ids.end(), [&](std::uint32_t i) {
-    return glm::dot(samples.normals[i], region.normal) >=
-           least_support_cosine(membership.cosine[i]);
+    return glm::dot(samples.normals[i], region.normal) >= min_support_cosine(membership.cosine[i]);
   });
   out.supporting = static_cast<std::size_t>(steep - out.ids.begin());
 

@@ -13,10 +13,10 @@ constexpr double kFinestShare = 0.05;
 
 /// The value that this share of all are below.
 double quantile(std::vector<float>& values, double share) {
-  const auto place =
+  const auto at =
       values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
 }
 
 }  // namespace

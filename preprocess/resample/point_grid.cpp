@@ -32,11 +32,11 @@ PointGrid::PointGrid(const PatchPoints& points, std::size_t count, double cell) 
   for (std::size_t b = 1; b < starts_.size(); ++b) starts_[b] += starts_[b - 1];
   std::vector<std::uint32_t> cursor(starts_.begin(), starts_.end() - 1);
   sorted_.resize(count);
-  places_.resize(count);
+  positions_.resize(count);
   for (std::size_t p = 0; p < count; ++p) {
-    const std::uint32_t place = cursor[bucket(p)]++;
-    sorted_[place] = static_cast<std::uint32_t>(p);
-    places_[place] = glm::dvec2(points.positions[p]);
+    const std::uint32_t position = cursor[bucket(p)]++;
+    sorted_[position] = static_cast<std::uint32_t>(p);
+    positions_[position] = glm::dvec2(points.positions[p]);
   }
 }
 

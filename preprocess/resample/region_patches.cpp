@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-// Patches of fewer points are looked at for being covered by others.
+// Patches of fewer points are tested for being covered by others.
 constexpr std::size_t kSmallPatchPoints = 64;
 
 std::vector<Patch> resample_all(const SurfaceSamples& samples, const NeighbourGraph& graph,

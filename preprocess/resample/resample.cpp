@@ -79,7 +79,7 @@ void store_heights(const std::vector<SurfacePoint>& surface, const std::vector<N
   }
 }
 
-// Buckets about as large as what a fit looks at.
+// Buckets about as large as the neighbourhood of a fit.
 double bucket_side(const PatchPoints& points, double spacing) {
   double sum = 0.0;
   for (const float s : points.spacing) sum += s;

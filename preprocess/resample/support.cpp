@@ -50,7 +50,7 @@ class Surroundings {
     return false;
   }
 
-  /// With samples on opposite sides it is narrower than a grid can tell from a gap.
+  /// With samples on opposite sides, it is narrower than any gap that a grid can represent.
   [[nodiscard]] bool in_slit() const {
     return (is_sample(i_ - 1, j_) && is_sample(i_ + 1, j_)) ||
            (is_sample(i_, j_ - 1) && is_sample(i_, j_ + 1));

@@ -138,7 +138,7 @@ class Joiner {
   std::vector<SheetSums> sums_;                    // of all sheets
   std::vector<std::uint32_t> first_;               // of each tile's sheets
   std::vector<std::uint32_t> count_;               // of each tile's sheets; 0: normals are given
-  std::vector<std::uint8_t> has_surface_;          // tiles without have nothing to say
+  std::vector<std::uint8_t> has_surface_;          // tiles without sums do not count
   std::vector<std::vector<std::uint32_t>> homes_;  // of the points in each tile's rim
   std::unordered_map<std::uint64_t, std::int64_t> votes_;
 };

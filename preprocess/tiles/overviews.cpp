@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A level that leaves more than this share of the samples of the one below is not worth its bytes:
-/// what is left are borders of patches.
+/// the rest are borders of patches.
 constexpr double kMaxLeft = 0.6;
 /// Margins are in both patches that meet: points are a little more than a quarter of the samples,
 /// and tiles that were cut from a scan are 0.7 full on average.
@@ -125,7 +125,7 @@ Result<std::vector<TreePart>> make_overviews(const TiledModel& model, Progress& 
   std::vector<Level> levels;
   levels.push_back({model.job, model.scan, {}, 0.0});
   RELIEF_TRY(count_samples(levels.back()));
-  // A third as many samples as the model has, each looked at twice.
+  // A third as many samples as the model has, each processed twice.
   progress.begin_stage("overviews",
                        static_cast<std::uint64_t>(levels.back().all_samples * 2.0 / 3.0));
   PartProgress inner(progress);

@@ -71,7 +71,7 @@ class TileConversion {
     const TileSurvey made = survey_tile(loaded, survey_options, quiet);
     if (progress_.cancelled()) return interrupted_error();
     const std::vector<RimPoint> rim = rim_of(loaded, made);
-    // The survey's file says that all three are there.
+    // The survey's file, written last, proves that all three exist.
     RELIEF_TRY(save_checkpoint(folder_.rim(tile), std::tie(rim)));
     RELIEF_TRY(save_checkpoint(folder_.cosines(tile), std::tie(made.cosines)));
     return save_survey(folder_.survey(tile), made);
@@ -80,7 +80,7 @@ class TileConversion {
   /// What the file of turns has.
   auto orientation() { return std::tie(area_, radius_, repaired_, duplicates_, turns_); }
 
-  /// Which sheets turn round, and what else is only known when all tiles have been looked at.
+  /// The sheets to flip, and other results that need the surveys of all tiles.
   Status orient() {
     progress_.begin_stage("orient", 0);
     if (!fs::exists(folder_.turns())) return orient_all();

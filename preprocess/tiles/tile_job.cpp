@@ -44,7 +44,7 @@ bool is_foreign(const fs::path& folder) {
          });
 }
 
-/// Removes a folder's contents, but not the file that says whose it is, which goes last.
+/// Removes a folder's contents, the file that identifies it last.
 Status remove_contents(const fs::path& folder) {
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {

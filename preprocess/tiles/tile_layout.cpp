@@ -12,14 +12,15 @@ namespace relief {
 namespace {
 
 // 35 MB with the search for neighbours; a tile of a million points of 60 million has 4,000 of them,
-// which tell where its middle is to a hundredth.
+// which locate its median to a hundredth.
 constexpr std::size_t kMaxSampled = std::size_t{1} << 18U;
 
-// Outliers do not say how a scan lies: a side's length is that of all but these shares at its ends.
+// Outliers must not decide the shape of a scan: a side's length is that without these shares at its
+// ends.
 constexpr double kTail = 0.02;
 
 // A margin of a cell and the 2.5 spacings that its fits reach, then the points' neighbourhoods (16
-// neighbours reach 2.3 spacings; their spacing looks at neighbours of neighbours), and as much
+// neighbours reach 2.3 spacings; their spacing depends on neighbours of neighbours), and as much
 // again, as sparse spots are sparser than nine tenths of their tile.
 constexpr double kHaloInSpacings = 12.0;
 constexpr double kDenserThan = 0.9;
@@ -32,7 +33,7 @@ class Layouter {
       : points_(sample.points()),
         // A sample's squares are as many times larger as it has fewer points.
         spacing_factor_(1.0 / std::sqrt(static_cast<double>(sample.stride()))),
-        most_sampled_(std::max<std::uint64_t>(tile_points / sample.stride(), 16)),
+        max_sampled_(std::max<std::uint64_t>(tile_points / sample.stride(), 16)),
         grid_spacing_(grid_spacing),
         graph_(find_neighbours(points_, kSurfaceNeighbours)),
         order_(points_.size()) {
@@ -48,7 +49,7 @@ class Layouter {
   // Gives the node's number as Cut has it.
   std::int32_t lay(std::span<std::uint32_t> points, const Bounds& region) {
     const std::optional<TileLayout::Cut> cut =
-        points.size() > most_sampled_ ? find_cut(points) : std::nullopt;
+        points.size() > max_sampled_ ? find_cut(points) : std::nullopt;
     if (!cut) return add_tile(points, region);
     const auto number = static_cast<std::int32_t>(layout_.cuts.size());
     layout_.cuts.push_back(*cut);
@@ -108,7 +109,7 @@ class Layouter {
 
   const std::vector<glm::dvec3>& points_;
   double spacing_factor_;
-  std::uint64_t most_sampled_;
+  std::uint64_t max_sampled_;
   double grid_spacing_;
   NeighbourGraph graph_;
   std::vector<std::uint32_t> order_;

@@ -120,7 +120,7 @@ Status decode_heights_compact(std::span<const std::byte> bytes, std::uint32_t sa
   if (!in.is_sound()) return make_error("they end within the mask");
   const std::uint32_t marked = count_marked(mask);
   if (marked != samples) {
-    return make_error("the mask has {} samples where the index says {}", marked, samples);
+    return make_error("the mask has {} samples, but the index states {}", marked, samples);
   }
   HeightReader reader{in, &residual_classes()};
   const LevelGrid grid = visit_heights(

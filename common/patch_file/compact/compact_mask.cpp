@@ -7,8 +7,7 @@ namespace {
 
 #include "common/patch_file/compact/compact_mask_chances.inc"
 
-/// Which nodes are samples, of a row and the two above it, each with two nodes that are none at
-/// either end.
+/// Samples of a row and the two rows above it, each with two holes at either end.
 class MaskRows {
  public:
   explicit MaskRows(std::size_t width)
@@ -42,7 +41,7 @@ class MaskRows {
 };
 
 /// Calls `code(chance)` for each node in scan order; `chance` of 4096 is that it is a sample, and
-/// what is returned is whether it is one. What decides: two nodes to the west, five of the row
+/// the return value is whether it is a sample. The context: two nodes to the west, five of the row
 /// above and the one above that; outside of the grid there are no samples. `code` is taken and
 /// given back by value, so that a decoder's state stays in registers.
 template <class Code>

@@ -1,4 +1,4 @@
-// glTF 2.0, parsed by tinygltf; what it gives is not trusted.
+// glTF 2.0, parsed by tinygltf, whose results are not trusted.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -50,7 +50,7 @@ bool nests_too_deep(std::string_view json) {
   return false;
 }
 
-/// Keeps a picture's bytes as they are: common/image_io.h decodes what is used. Those in buffer
+/// Keeps an image's bytes undecoded: common/image/image_io.h decodes used images. Those in buffer
 /// views are found later, with their bounds checked.
 bool keep_image(tinygltf::Image* image, int /*index*/, std::string* /*error*/,
                 std::string* /*warning*/, int /*width*/, int /*height*/, const unsigned char* bytes,
@@ -110,10 +110,10 @@ void read_files_beside(auto& loader, fs::path& owner) {
     loader.SetMaxExternalFileSize(SIZE_MAX);
 }
 
-/// The first line of what tinygltf says.
+/// The first line of tinygltf's message.
 std::string first_line(const std::string& text) {
   const std::string line = text.substr(0, text.find('\n'));
-  return line.empty() ? "it is no glTF 2.0" : line;
+  return line.empty() ? "it is not glTF 2.0" : line;
 }
 
 glm::dmat4 transform_of(const tinygltf::Node& node) {
@@ -327,12 +327,12 @@ class GltfReader {
     return {};
   }
 
-  /// Colours of vertices are a factor of those of materials: alone they count where these are
-  /// white, which is what exporters of coloured points write.
+  /// Vertex colours multiply those of materials. They are used only if all materials are white, as
+  /// exporters of coloured points write them.
   void choose_colours() {
     const bool all_white = std::ranges::all_of(points_.materials, [](const MeshMaterial& m) {
-      return m.colour == glm::vec3(1.0F) && m.picture.empty() && m.image_bytes == nullptr &&
-             m.normals.picture.empty() && m.normals.image_bytes == nullptr;
+      return m.colour == glm::vec3(1.0F) && m.image.empty() && m.image_bytes == nullptr &&
+             m.normals.image.empty() && m.normals.image_bytes == nullptr;
     });
     if (points_.colours.size() != points_.size() || !all_white) {
       points_.colours.clear();

@@ -14,9 +14,10 @@ glm::u16vec3 colour_of(const char* record, std::size_t at) {
           load_whole<std::uint16_t>(record + at + 4)};
 }
 
-/// What the 16-bit colour fields of a file hold. Files do not say it; the largest value tells it.
+/// The contents of a file's 16-bit colour fields. Files do not state it; it follows from the
+/// largest value.
 enum class Colours {
-  None,   ///< the format has none, or all are 0: nobody has filled them in
+  None,   ///< the format has none, or all are 0 and thus unset
   Bytes,  ///< at most 255
   Words   ///< 16 bits
 };
@@ -36,7 +37,7 @@ Colours find_colours(const Source& source, const LasHeader& header) {
   return found;
 }
 
-/// Points that are there, but that the file itself says not to use.
+/// Points that the file marks as not to be used.
 struct LeftOut {
   std::uint64_t withheld = 0;
   std::uint64_t noise = 0;

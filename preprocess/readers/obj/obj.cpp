@@ -11,7 +11,7 @@
 namespace relief {
 namespace {
 
-/// What a face says about one of its corners: indices from 0; kNoPoint where there is none.
+/// The corner of a face: indices from 0; kNoPoint for missing ones.
 struct Corner {
   std::uint32_t position = kNoPoint;
   std::uint32_t texcoord = kNoPoint;
@@ -53,7 +53,7 @@ class ObjReader {
                       line_.expected(what));
   }
 
-  /// Statements that say nothing about points and faces (groups, curves) are passed over.
+  /// Other statements (groups, curves) are skipped.
   Status read_line() {
     const std::string_view keyword = line_.word();
     if (keyword == "v") return read_vertex();
@@ -202,7 +202,7 @@ class ObjReader {
   const Source& source_;
   TextCursor line_;
   Points points_;
-  std::map<std::pair<std::string, bool>, std::uint32_t> materials_;  ///< as material_of_face says
+  std::map<std::pair<std::string, bool>, std::uint32_t> materials_;  ///< by material_of_face
   std::string material_;  ///< of the faces to come; empty: none
   std::vector<glm::vec3> normals_;
   std::vector<glm::vec2> texcoords_;

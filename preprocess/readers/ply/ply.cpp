@@ -45,7 +45,7 @@ class PlyBody {
   Status check_count(const PlyElement& element) {
     std::uint64_t least = 0;
     for (const PlyProperty& p : element.properties) {
-      least += Values::least_size(p.count_type.value_or(p.type));
+      least += Values::min_size(p.count_type.value_or(p.type));
     }
     assert(least > 0 && "an element has properties, each of a byte or more");
     if (element.count > values_.left() / least) {
@@ -61,7 +61,7 @@ class PlyBody {
   Error failure(const PlyElement& element, std::uint64_t index) {
     return make_error("{}: {} ({} {} of {}); the file is truncated or damaged", source_.name,
                       impossible_list_
-                          ? values_.place() + ": a list is longer than the file or less than 0"
+                          ? values_.where() + ": a list is longer than the file or less than 0"
                           : values_.failure(),
                       element.name, index + 1, element.count);
   }
@@ -156,7 +156,7 @@ class PlyBody {
   bool list_count(const PlyProperty& property, std::uint64_t& count) {
     double value = 0.0;
     if (!values_.value(*property.count_type, value)) return false;
-    const std::uint64_t longest = values_.left() / Values::least_size(property.type);
+    const std::uint64_t longest = values_.left() / Values::min_size(property.type);
     const auto most = static_cast<double>(longest);
     impossible_list_ = !(value >= 0.0 && value <= most && value == std::floor(value));
     if (impossible_list_) return false;

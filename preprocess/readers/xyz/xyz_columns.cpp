@@ -65,7 +65,7 @@ ColumnRoles find_column_roles(const NumberTable& table, std::string_view names,
   const auto named = roles_from_names(table, names);
   ColumnRoles found = named.value_or(ColumnRoles{});
   if (named) {
-    // The name says which columns are the colour, only the numbers say their scale.
+    // The name gives the columns of the colour; their scale follows from the numbers.
     const auto red =
         static_cast<std::size_t>(std::ranges::find(found.roles, Red) - found.roles.begin());
     for (std::size_t i = 0; red < table.columns && i < table.rows(); ++i) {

@@ -66,7 +66,7 @@ SurfacePoints thin_out(const SurfacePoints& candidates, std::size_t count, doubl
     for (const Neighbour& neighbour : crowding[i]) weights[i] += neighbour.weight;
     entries[i] = {weights[i], static_cast<std::uint32_t>(i)};
   }
-  // Weights only fall, so that an entry that says too much is put back when it comes up.
+  // Weights only decrease, so an outdated entry is put back when it reaches the top.
   std::priority_queue<Entry> heap(std::less<Entry>(), std::move(entries));
   std::vector<bool> kept(candidates.size(), true);
   std::size_t left = candidates.size();

@@ -16,7 +16,7 @@ constexpr double kSteepest = 0.26;
 constexpr std::uint64_t kMaxTexelsUnasked = std::uint64_t{1} << 26U;
 constexpr std::uint64_t kMaxTexels = std::uint64_t{1} << 30U;
 
-/// Twice the area that a triangle has in its picture, texels.
+/// Twice the area that a triangle has in its image, texels.
 double image_area(const Points& mesh, std::uint32_t triangle, glm::dvec2 size) {
   if (size.x == 0.0) return 0.0;
   const CornerTexcoords at = texcoords_of(mesh, triangle);
@@ -25,7 +25,7 @@ double image_area(const Points& mesh, std::uint32_t triangle, glm::dvec2 size) {
   return std::abs(b.x * c.y - b.y * c.x);
 }
 
-/// Twice the area of triangles, in texels of their pictures and in cells of a patch.
+/// Twice the area of triangles, in texels of their images and in cells of a patch.
 struct Areas {
   double texels = 0.0;
   double cells = 0.0;
@@ -42,7 +42,7 @@ Areas areas_of(const Points& mesh, const std::vector<FlatTriangle>& triangles,
   return areas;
 }
 
-/// The power of two of texels a cell that holds what the pictures hold.
+/// The power of two of texels a cell that holds what the images hold.
 std::uint32_t scale_for(const Areas& areas) {
   if (!(areas.texels > 0.0) || !std::isfinite(areas.texels)) return 1;
   const double along_side = std::sqrt(areas.texels / areas.cells) / kEnough;

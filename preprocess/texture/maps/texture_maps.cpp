@@ -23,7 +23,7 @@ namespace {
 /// Linear, what patches without colours are drawn in.
 constexpr float kNeutralGrey = 0.5F;
 
-/// What a triangle shows, as a function of the place on the base plane.
+/// A triangle's colour as a function of the position on the base plane.
 class TriangleColour {
  public:
   TriangleColour(const Points& mesh, const FlatTriangle& triangle, double scale) {
@@ -35,9 +35,9 @@ class TriangleColour {
       texcoords_.emplace(triangle, texcoords_of(mesh, triangle.index), scale);
   }
 
-  [[nodiscard]] glm::vec3 at(glm::dvec2 place) const {
+  [[nodiscard]] glm::vec3 at(glm::dvec2 position) const {
     if (texture_ == nullptr) return colour_;
-    return colour_ * texture_->mean(texcoords_->at(place), texcoords_->du(), texcoords_->dv());
+    return colour_ * texture_->mean(texcoords_->at(position), texcoords_->du(), texcoords_->dv());
   }
 
  private:
@@ -63,8 +63,8 @@ AttributeMap<glm::u8vec3> make_map(const Points& mesh, const Patch& patch,
     if (kept[k] == 0) continue;
     const std::size_t column = k % map.width;
     const std::size_t row = k / map.width;
-    const glm::dvec2 place = glm::dvec2(column, row) / static_cast<double>(scale);
-    map.texels[k] = srgb8_from_linear(colours[shown[k]].at(place));
+    const glm::dvec2 position = glm::dvec2(column, row) / static_cast<double>(scale);
+    map.texels[k] = srgb8_from_linear(colours[shown[k]].at(position));
   }
   continue_over_holes(map, kept);
   return map;
@@ -98,7 +98,7 @@ Status map_textures(const Points& mesh, std::uint32_t texels_per_cell, std::vect
   std::vector<std::uint32_t> normal_scales;
   if (has_normal_maps(mesh)) {
     mapper.emplace(mesh, normals);
-    RELIEF_TRY_ASSIGN(auto chosen, scales_of_maps(mesh, patches, triangles, mapper->picture_size(),
+    RELIEF_TRY_ASSIGN(auto chosen, scales_of_maps(mesh, patches, triangles, mapper->image_size(),
                                                   texels_per_cell));
     normal_scales = std::move(chosen);
   }

@@ -1,4 +1,4 @@
-// What is covered, and where two pictures differ in it, on drawings of a few pixels.
+// What is covered, and where two images differ in it, on drawings of a few pixels.
 #include "common/compare/coverage.h"
 
 #include <gtest/gtest.h>
@@ -89,7 +89,7 @@ TEST(Coverage, DepthTellsBehindAnOpaqueBackground) {
   EXPECT_NE(fault(opaque, opaque), "");
   set_channel(opaque, "Z", [](int x, int) { return x == 1 ? 2.0F : kNothing; });
   EXPECT_EQ(count(opaque, opaque).covered_both, 1U);
-  // Beside a picture whose alpha would tell, depth is taken for both: an antialiased rim has a
+  // Beside an image whose alpha would tell, depth is taken for both: an antialiased rim has a
   // depth but little alpha.
   Image transparent = opaque;
   set_channel(transparent, "A", [](int x, int) { return x == 1 ? 0.25F : 0.0F; });
@@ -104,7 +104,7 @@ TEST(Coverage, DepthTellsBehindAnOpaqueBackground) {
 
 TEST(Coverage, IsUnknownWithoutAlphaAndDepth) {
   const Image covered = drawn({"#."});
-  EXPECT_NE(fault(grey_image(2, 1), covered).find("the picture under test has neither"),
+  EXPECT_NE(fault(grey_image(2, 1), covered).find("the image under test has neither"),
             std::string::npos);
   EXPECT_NE(fault(covered, grey_image(2, 1)).find("the reference has neither"), std::string::npos);
 }

@@ -1,4 +1,4 @@
-// Pictures of any format: what is no picture is refused, real environments are read.
+// Images of any format: what is no image is refused, real environments are read.
 #include "tests/common/image/image_testing.h"
 
 namespace relief {

@@ -87,7 +87,7 @@ TEST(Png, NeedsColour) {
   EXPECT_EQ(folder.count(), 0);
 }
 
-/// Writes a 4 x 2 picture by libpng's detailed interface.
+/// Writes a 4 x 2 image by libpng's detailed interface.
 void write_foreign_png(const std::filesystem::path& path, int bits, int colour_type,
                        int interlace) {
   std::FILE* file = std::fopen(path.c_str(), "wb");

@@ -239,7 +239,7 @@ TEST(CompactFile, KeepsHeightsColoursPlacesAndNormals) {
             if (kept[k] == 0) continue;
             // A 16th of a step each way, half of it off at most, along three axes: 0.054; what
             // turning does to a patch of this size is nothing beside.
-            ASSERT_LT(glm::distance(place_of(in, i, j), place_of(out, i, j)),
+            ASSERT_LT(glm::distance(position_of(in, i, j), position_of(out, i, j)),
                       0.06 * in.height_step);
             least = std::min(least, glm::dot(unit_from_snorm16(in.normals.texels[k]),
                                              unit_from_snorm16(out.normals.texels[k])));

@@ -276,7 +276,7 @@ TEST(WritePatchFile, RefusesWhatCouldNotBeRead) {
   EXPECT_EQ(message([&](PatchModel& m) { m.patches[1].origin.y = nan; }),
             "/a.relief: patch 1 cannot be written: its origin is not finite");
   EXPECT_EQ(message([&](PatchModel& m) { m.patches[2].axes[0] *= 1.00001; }),
-            "/a.relief: patch 2 cannot be written: its axes are no rotation");
+            "/a.relief: patch 2 cannot be written: its axes are not a rotation");
   EXPECT_NE(message([&](PatchModel& m) { m.patches[2].axes[0] *= -1.0; }), "");
   EXPECT_NE(message([&](PatchModel& m) { m.patches[2].axes[1].x = nan; }), "");
   EXPECT_NE(message([](PatchModel& m) { m.patches[0].spacing = 0.0; }), "");

@@ -27,8 +27,8 @@ std::vector<std::uint8_t> some_mask(std::size_t width, std::size_t height, unsig
   return mask;
 }
 
-/// Against prediction node by node: stretches that begin, end and stop at all places of a block and
-/// of a word, and values that wrap around.
+/// Against prediction node by node: stretches that begin, end and stop at all positions of a block
+/// and of a word, and values that wrap around.
 TEST(UndoPlane, SetsWhatNodeByNodeSets) {
   std::mt19937 random(7);
   for (std::size_t width = 1; width < 45; ++width) {

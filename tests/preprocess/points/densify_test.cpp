@@ -34,9 +34,10 @@ Points mesh_with_big_triangles(std::uint32_t side, std::uint32_t big) {
   return points;
 }
 
-double distance_to_nearest(const Points& points, glm::dvec3 place) {
+double distance_to_nearest(const Points& points, glm::dvec3 position) {
   double nearest = 1e9;
-  for (const glm::dvec3& p : points.positions) nearest = std::min(nearest, glm::distance(p, place));
+  for (const glm::dvec3& p : points.positions)
+    nearest = std::min(nearest, glm::distance(p, position));
   return nearest;
 }
 

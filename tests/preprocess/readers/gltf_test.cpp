@@ -30,7 +30,7 @@ void expect_triangle(const Points& points) {
   EXPECT_EQ(points.materials[points.triangle_materials[0]].colour, glm::vec3(1.0F, 0.5F, 0.0F));
 }
 
-/// The same with colours as bytes for its vertices, in the place of its texture coordinates.
+/// The same with colours as bytes for its vertices, instead of its texture coordinates.
 std::string coloured(const std::string& factor) {
   std::string text = embedded();
   const auto put = [&text](const std::string& what, const std::string& by) {

@@ -1,4 +1,4 @@
-// OBJ meshes with their material files and pictures.
+// OBJ meshes with their material files and images.
 #include "preprocess/texture/files/load_textures.h"
 
 #include <gtest/gtest.h>
@@ -66,7 +66,7 @@ TEST_F(LoadTextures, NamesWithBlanksAndOptionsLeadToPictures) {
   write_image("mesh/deeper/red paint.png", {1.0F, 0.0F, 0.0F});
   ASSERT_EQ(load(), "");
   EXPECT_TRUE(notes_.empty());
-  // The picture replaces Kd, which is black.
+  // The image replaces Kd, which is black.
   EXPECT_EQ(colour_of(0), glm::vec3(1.0F, 0.0F, 0.0F));
   EXPECT_EQ(colour_of(1), glm::vec3(linear_from_srgb(0.5F), 1.0F, 0.0F));
 }

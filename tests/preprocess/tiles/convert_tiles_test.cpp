@@ -69,7 +69,7 @@ double share_facing(const PatchModel& model, const Surface& surface) {
       for (std::uint32_t i = 0; i < patch.width; ++i) {
         if (patch.at(i, j) == kHole) continue;
         ++samples;
-        facing += glm::dot(patch.axes[2], surface.normal(place_of(patch, i, j))) > 0.0 ? 1 : 0;
+        facing += glm::dot(patch.axes[2], surface.normal(position_of(patch, i, j))) > 0.0 ? 1 : 0;
       }
     }
   }
