@@ -138,7 +138,7 @@ Result<LoadedScene> load_textured_splats(const ScenePlan& plan, const LoadOption
                                          Progress& progress) {
   AcquireOptions acquisition = options.acquisition;
   acquisition.cutoff = plan.views.front().settings.cutoff.value_or(EwaSettings{}.cutoff);
-  RELIEF_TRY_ASSIGN(auto splats, acquire_splats(plan.models.front().file, options.textures.picture,
+  RELIEF_TRY_ASSIGN(auto splats, acquire_splats(plan.models.front().file, options.textures.image,
                                                 acquisition, progress));
   LoadedScene scene;
   scene.patches.bounds = bounds_of(splats.positions);
@@ -183,7 +183,7 @@ Result<LoadedScene> load_models(const std::vector<SceneModel>& models,
 Result<LoadedScene> load_scene(const ScenePlan& plan, const LoadOptions& options,
                                Progress& progress) {
   const EngineNeeds needs = needs_of(plan);
-  if (needs.ewa && !options.textures.picture.empty())
+  if (needs.ewa && !options.textures.image.empty())
     return load_textured_splats(plan, options, progress);
   return load_models(
       plan.models, options.textures, needs, progress,

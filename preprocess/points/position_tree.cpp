@@ -82,9 +82,9 @@ std::size_t split_at(std::span<Entry> entries, Cut cut) {
   return std::clamp(entries.size() / 2, first_on, first_above);
 }
 
-}  // namespace
-
-struct PositionTree::Builder {
+/// Builds the nodes, PositionTree's own, over the entries.
+template <class Node>
+struct Builder {
   std::vector<Node>& nodes;
   std::span<Entry> all;
 
@@ -94,7 +94,7 @@ struct PositionTree::Builder {
     const std::span<Entry> entries = all.subspan(first, count);
     const std::size_t at = nodes.size();
     nodes.emplace_back();
-    if (count <= kLeafSize) {
+    if (count <= PositionTree::kLeafSize) {
       nodes[at].first = first;
       nodes[at].count = count;
       return box_of(entries);
@@ -115,6 +115,8 @@ struct PositionTree::Builder {
   }
 };
 
+}  // namespace
+
 PositionTree::PositionTree(const std::vector<glm::dvec3>& positions) {
   if (positions.empty()) return;
   std::vector<Entry> entries(positions.size());
@@ -122,7 +124,7 @@ PositionTree::PositionTree(const std::vector<glm::dvec3>& positions) {
   const Box box = box_of(entries);
   lowest_ = box.low;
   highest_ = box.high;
-  Builder{nodes_, entries}.add(0, static_cast<std::uint32_t>(entries.size()), box);
+  Builder<Node>{nodes_, entries}.add(0, static_cast<std::uint32_t>(entries.size()), box);
 
   order_.resize(entries.size());
   for (std::vector<double>* axis : {&x_, &y_, &z_}) axis->resize(entries.size() + kLeafSize);

@@ -76,7 +76,6 @@ class PositionTree {
     std::uint32_t first = 0;     ///< leaf: its first slot; split: the node of the upper side
     std::uint32_t count = 0;     ///< leaf: its slots
   };
-  struct Builder;
 
   /// One call of visit_near.
   template <class SquaredReach, class VisitLeaf>
