@@ -5,6 +5,7 @@
 
 #include "preprocess/readers/read_points.h"
 #include "tests/common/patch_file/sample_models.h"
+#include "tests/preprocess/readers/las_files.h"
 #include "tests/preprocess/readers/scan_files.h"
 
 namespace relief {
