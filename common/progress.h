@@ -23,11 +23,15 @@ class Progress {
   virtual void begin_stage(std::string_view /*name*/, std::uint64_t /*units*/) {}
   /// Adds finished units of the current stage. Thread-safe.
   virtual void advance(std::uint64_t /*units*/) {}
+  /// Something that the user should know although the job goes on, as one clause ("only some of the
+  /// scans have colours; they are left out"). Called from one thread.
+  virtual void note(std::string_view /*text*/) {}
   /// Returns whether the user asked to stop. Thread-safe.
   [[nodiscard]] virtual bool cancelled() const { return false; }
 };
 
-/// The progress of a nested job whose stages are not reported. Forwards only cancellation.
+/// The progress of a nested job whose stages, units and notes are not reported. Forwards only
+/// cancellation.
 class QuietProgress final : public Progress {
  public:
   explicit QuietProgress(const Progress& outer) : outer_(outer) {}
@@ -37,10 +41,11 @@ class QuietProgress final : public Progress {
   const Progress& outer_;
 };
 
-/// The progress of a part of a job. Forwards units and cancellation, not stages.
+/// The progress of a part of a job. Forwards units, notes and cancellation, not stages.
 class PartProgress final : public Progress {
  public:
   explicit PartProgress(Progress& outer) : outer_(outer) {}
+  void note(std::string_view text) override { outer_.note(text); }
   void advance(std::uint64_t units) override { outer_.advance(units); }
   [[nodiscard]] bool cancelled() const override { return outer_.cancelled(); }
 

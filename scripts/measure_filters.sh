@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The filters of paper 000's Figure 8 on a checkerboard plane, from grazing to magnified: prints the
-# Markdown tables of docs/accuracy_filters.md and makes its pictures.
+# Markdown tables of docs/measurements/filters.md and makes its pictures.
 # usage: scripts/measure_filters.sh BUILD_DIR OUT_DIR
 # Needs ImageMagick (Debian: imagemagick), which the project itself does not.
 set -euo pipefail

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # A bumpy sphere of 400,000 coloured points against its analytic truth: prints the Markdown table of
-# docs/accuracy_rivals.md and makes its picture. Needs jq and ImageMagick (Debian: imagemagick), which the
+# docs/measurements/coloured-points.md and makes its picture. Needs jq and ImageMagick (Debian: imagemagick), which the
 # project itself does not.
 # usage: scripts/measure_rivals.sh BUILD_DIR OUT_DIR [CUBE]
 # CUBE: side of the checker's cubes, in radii (0.06).

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Measures textured meshes for docs/accuracy_textured.md: pictures of `onepass` and `multipass`
+# Measures textured meshes for docs/measurements/textured-meshes.md: pictures of `onepass` and `multipass`
 # against rays to the input mesh with its own texture, at one texel a cell and at the default; and
 # the same of meshes with normal maps.
 #

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Crossing semi-transparent surfaces (paper 000, Figure 7) with 1 to 8 layers a pixel: prints the
-# Markdown table of docs/accuracy_transparency.md and makes its picture.
+# Markdown table of docs/measurements/transparency.md and makes its picture.
 # usage: scripts/measure_transparency.sh BUILD_DIR DATA_DIR OUT_DIR     (DATA_DIR: shared/data)
 # Needs ImageMagick (Debian: imagemagick), which the project itself does not.
 set -euo pipefail

@@ -23,7 +23,7 @@ RenderSettings compared(const RenderSettings& row, Material material) {
 
 RenderSettings truth_of(const RenderSettings& row, Material material) {
   RenderSettings settings = compared(row, material);
-  settings.engine = EngineKind::Raytrace;
+  settings.engine = "raytrace";
   settings.raytrace.samples = material == Material::Mirror ? kMirrorSamples : 1;
   return settings;
 }
@@ -37,8 +37,10 @@ Result<Image> trace(const BenchMethod& row, const TriangleMesh* mesh, Material m
                     Progress& progress) {
   const RenderSettings traced = truth_of(row.settings, material);
   Image truth;
+  RenderModel model = RenderModel::of(*row.patches);
+  if (mesh != nullptr) model.add(*mesh);
   const Status done = render_views(
-      {row.patches, mesh, nullptr}, {&traced, 1},
+      model, {&traced, 1},
       [&truth](std::size_t /*view*/, RenderResult picture) {
         truth = std::move(picture.image);
         return Status();
@@ -67,7 +69,7 @@ Result<std::vector<Comparison>> compare_in(Material material, const std::vector<
   for (std::size_t first = 0; first < rows.size();) {
     const std::vector<RenderSettings> pictures = rows_of_model(rows, first, material);
     const Status drawn = render_views(
-        {rows[first].patches, nullptr, nullptr}, pictures,
+        RenderModel::of(*rows[first].patches), pictures,
         [&](std::size_t row, RenderResult picture) -> Status {
           RELIEF_TRY_ASSIGN(auto comparison, compare_images(picture.image, truth, options, silent));
           comparison.flip.map = {};  // as large as the picture

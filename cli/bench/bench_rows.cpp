@@ -29,7 +29,7 @@ std::vector<double> level_policies(const RenderSettings& base) {
 
 std::vector<RenderSettings> bench_rows(const RenderSettings& base) {
   RenderSettings row = plain(base);
-  row.engine = EngineKind::Onepass;
+  row.engine = "onepass";
   std::vector<RenderSettings> rows;
   for (const Primitive primitive : {Primitive::Sprite, Primitive::Quad}) {
     for (const Interpolation interpolation : {Interpolation::Direct, Interpolation::Corrected}) {
@@ -39,7 +39,7 @@ std::vector<RenderSettings> bench_rows(const RenderSettings& base) {
     }
   }
   for (const RenderSettings& cells : level_rows(base, level_policies(base))) rows.push_back(cells);
-  row.engine = EngineKind::Multipass;
+  row.engine = "multipass";
   row.interpolation = RenderSettings{}.interpolation;
   for (const Primitive primitive : {Primitive::Sprite, Primitive::Quad}) {
     for (const double radius_factor : {1.0, 2.0}) {
@@ -67,7 +67,7 @@ std::vector<RenderSettings> compared_rows(const RenderSettings& base) {
 std::vector<RenderSettings> radius_factor_rows(const RenderSettings& base,
                                                const std::vector<double>& factors) {
   RenderSettings row = plain(base);
-  row.engine = EngineKind::Multipass;
+  row.engine = "multipass";
   row.primitive = Primitive::Quad;
   std::vector<RenderSettings> rows;
   rows.reserve(factors.size());
@@ -81,7 +81,7 @@ std::vector<RenderSettings> radius_factor_rows(const RenderSettings& base,
 std::vector<RenderSettings> level_rows(const RenderSettings& base,
                                        const std::vector<double>& pixels) {
   RenderSettings row = plain(base);
-  row.engine = EngineKind::Onepass;
+  row.engine = "onepass";
   row.primitive = Primitive::Cell;
   row.interpolation = RenderSettings{}.interpolation;
   std::vector<RenderSettings> rows(pixels.size(), row);
@@ -94,9 +94,8 @@ bool is_default(const RenderSettings& row) {
   if (row.engine != unasked.engine || row.primitive != unasked.primitive ||
       pixels_per_sample_of(row) != pixels_per_sample_of(unasked))
     return false;
-  return row.engine == EngineKind::Onepass
-             ? row.interpolation == unasked.interpolation
-             : row.multipass.radius_factor == unasked.multipass.radius_factor;
+  return row.engine == "onepass" ? row.interpolation == unasked.interpolation
+                                 : row.multipass.radius_factor == unasked.multipass.radius_factor;
 }
 
 std::size_t find_default(const std::vector<RenderSettings>& rows) {

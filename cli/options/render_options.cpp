@@ -6,8 +6,9 @@
 #include <map>
 #include <string>
 
-#include "cli/options/paths.h"
 #include "cli/options/values.h"
+#include "common/io/extension.h"
+#include "renderer/engine_registry.h"
 
 namespace relief::cli {
 namespace {
@@ -46,11 +47,20 @@ void add_number(CLI::App& sub, const std::string& name, std::optional<T>& to, Nu
 }
 
 void add_way_options(CLI::App& sub, SceneSettings& settings) {
-  add_choice(
-      sub, "--engine", settings.engine, kEngines,
-      "onepass draws patches in one pass, multipass in three (splats with deferred shading); ewa "
-      "splats points on the CPU, those of a scan or the samples of "
-      "patches; raytrace follows rays to a mesh's triangles or those of patches (onepass)");
+  std::vector<std::string> names;
+  for (const EngineEntry& engine : engines()) names.push_back(engine.name);
+  sub.add_option(
+         "--engine", settings.engine,
+         "onepass draws patches in one pass, multipass in three (splats with deferred shading); "
+         "ewa "
+         "splats points on the CPU, those of a scan or the samples of "
+         "patches; raytrace follows rays to a mesh's triangles or those of patches (onepass)")
+      ->check([names](const std::string& text) {
+        return find_engine(text) != nullptr
+                   ? std::string()
+                   : fmt::format("expected {}; found {}", fmt::join(names, ", "), text);
+      })
+      ->option_text(fmt::format("{}", fmt::join(names, "|")));
   add_choice(sub, "--primitive", settings.primitive, kPrimitives,
              "What is rasterised: a sprite or a quad for each sample, or the cells between them, "
              "which is for "
@@ -97,9 +107,9 @@ void add_engine_options(CLI::App& sub, SceneSettings& settings) {
 /// Nor an option of one material to another.
 void check_material_options(const RenderArguments& arguments) {
   const SceneSettings& settings = arguments.settings;
-  if (settings.exposure && ending(arguments.output) == ".exr")
+  if (settings.exposure && lower_extension(arguments.output) == ".exr")
     throw CLI::ValidationError("--exposure", "is for a .png; an EXR keeps the light as it is");
-  if (ending(arguments.input) == ".json") return;
+  if (lower_extension(arguments.input) == ".json") return;
   const Material material = settings.material.value_or(Material::Lit);
   if ((settings.ior || settings.absorption || settings.interfaces) && material != Material::Glass)
     throw CLI::ValidationError("--ior, --absorption, --interfaces", "are for --material glass");
@@ -110,28 +120,28 @@ void check_material_options(const RenderArguments& arguments) {
 /// An option of one engine says nothing to another. A scene's views may have several engines.
 void check_engine_options(const RenderArguments& arguments) {
   const SceneSettings& settings = arguments.settings;
-  const EngineKind engine = settings.engine.value_or(EngineKind::Onepass);
-  const std::string kind = ending(arguments.input);
+  const std::string engine = settings.engine.value_or("onepass");
+  const std::string kind = lower_extension(arguments.input);
   if (!arguments.texture.file.empty() && (kind == ".json" || kind == ".relief"))
     throw CLI::ValidationError("--texture", "needs a mesh");
-  if (engine != EngineKind::Ewa && (arguments.texture.acquisition || arguments.texture.points))
+  if (engine != "ewa" && (arguments.texture.acquisition || arguments.texture.points))
     throw CLI::ValidationError("--acquisition, --points", "are for --engine ewa");
   if (kind == ".json") return;
-  if (settings.pixels_per_sample && engine != EngineKind::Onepass)
+  if (settings.pixels_per_sample && engine != "onepass")
     throw CLI::ValidationError("--pixels-per-sample", "is for --engine onepass");
-  if (settings.radius_factor && engine != EngineKind::Multipass)
+  if (settings.radius_factor && engine != "multipass")
     throw CLI::ValidationError("--radius-factor", "is for --engine multipass");
-  if (settings.cull && !is_on_opengl(engine))
+  if (settings.cull && !needs_opengl(engine))
     throw CLI::ValidationError("--cull", "is for --engine onepass and multipass");
-  if (settings.primitive == Primitive::Cell && engine == EngineKind::Multipass)
+  if (settings.primitive == Primitive::Cell && engine == "multipass")
     throw CLI::ValidationError("--primitive", "cell is for --engine onepass");
-  if (settings.samples && engine == EngineKind::Ewa)
+  if (settings.samples && engine == "ewa")
     throw CLI::ValidationError("--samples", "is not for --engine ewa, which filters instead");
-  if (arguments.explain && !is_on_opengl(engine))
+  if (arguments.explain && !needs_opengl(engine))
     throw CLI::ValidationError("--explain", "is for --engine onepass");
   const bool for_ewa = settings.filter || settings.cutoff || settings.layers ||
                        settings.coverage_threshold || settings.time_budget_ms;
-  if (for_ewa && engine != EngineKind::Ewa) {
+  if (for_ewa && engine != "ewa") {
     throw CLI::ValidationError("--filter, --cutoff, --layers, --tau, --time-budget",
                                "are for --engine ewa");
   }
@@ -258,7 +268,7 @@ void check_camera(const SceneSettings& settings) {
 }
 
 void check_together(const RenderArguments& arguments) {
-  const std::string format = ending(arguments.output);
+  const std::string format = lower_extension(arguments.output);
   if (format != ".png" && format != ".exr") {
     throw CLI::ValidationError("--output", "expected a name that ends in .png or .exr");
   }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/bench/bench_rows.h"
+#include "cli/reports/json_values.h"
 
 namespace relief::cli {
 namespace {
@@ -17,16 +18,6 @@ std::string level_policy(const RenderSettings& settings) {
 }
 
 using Json = nlohmann::ordered_json;
-
-template <class T>
-Json value_or_null(const std::optional<T>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
-/// JSON knows no infinity.
-Json finite_or_null(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
 
 std::optional<double> ratio(double value, std::optional<double> over) {
   if (!over || *over <= 0.0) return std::nullopt;
@@ -46,7 +37,7 @@ std::optional<double> rival_ms(const BenchResult& result) {
   std::optional<double> best;
   for (std::size_t k = 0; k < result.rows.size(); ++k) {
     const RenderSettings& row = result.rows[k];
-    if (row.engine != EngineKind::Multipass ||
+    if (row.engine != "multipass" ||
         row.multipass.radius_factor != MultipassSettings{}.radius_factor)
       continue;
     const double ms = result.times.rows[k].time.frame_ms;
@@ -75,8 +66,8 @@ Json row_as_json(const BenchResult& result, std::size_t k) {
   const BenchRow& row = result.times.rows[k];
   const RowAccuracy& accuracy = result.accuracy[k];
   const Ratios ratios = ratios_of(result, row);
-  const bool onepass = settings.engine == EngineKind::Onepass;
-  return {{"engine", name_of(kEngines, settings.engine)},
+  const bool onepass = settings.engine == "onepass";
+  return {{"engine", settings.engine},
           {"primitive", name_of(kPrimitives, settings.primitive)},
           {"interpolation",
            onepass ? Json(name_of(kInterpolations, settings.interpolation)) : Json(nullptr)},
@@ -133,11 +124,11 @@ std::string row_as_text(const BenchResult& result, std::size_t k) {
 
 std::string name_of_row(const BenchResult& result, std::size_t row) {
   const RenderSettings& settings = result.rows[row];
-  std::string name = fmt::format("{} {}", name_of(kEngines, settings.engine),
-                                 name_of(kPrimitives, settings.primitive));
+  std::string name =
+      fmt::format("{} {}", settings.engine, name_of(kPrimitives, settings.primitive));
   if (const double pixels = pixels_per_sample_of(settings); pixels > 0.0)
     name += fmt::format(" {:g} px", pixels);
-  name += settings.engine == EngineKind::Onepass
+  name += settings.engine == "onepass"
               ? fmt::format(" {}", name_of(kInterpolations, settings.interpolation))
               : fmt::format(" {:g}", settings.multipass.radius_factor);
   if (result.swept_values[row])

@@ -7,39 +7,32 @@
 #include <optional>
 
 #include "cli/reports/explain_report.h"
+#include "cli/reports/json_values.h"
+#include "renderer/engine_registry.h"
 #include "renderer/frame/image_parts.h"
 #include "renderer/shading/materials.h"
 
 namespace relief::cli {
 namespace {
 
-template <class T>
-nlohmann::ordered_json value_or_null(const std::optional<T>& value) {
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
-}
-
 /// What was chosen about the engine.
 std::string way_of(const RenderSettings& settings) {
-  switch (settings.engine) {
-    case EngineKind::Onepass:
-      return fmt::format("{}, {}", name_of(kPrimitives, settings.primitive),
-                         name_of(kInterpolations, settings.interpolation));
-    case EngineKind::Multipass:
-      return fmt::format("{}, radius factor {:g}", name_of(kPrimitives, settings.primitive),
-                         settings.multipass.radius_factor);
-    case EngineKind::Ewa:
-      return std::string(name_of(kFilters, settings.ewa.filter));
-    case EngineKind::Raytrace:
-      return fmt::format("{} samples a pixel", settings.raytrace.samples);
+  if (settings.engine == "onepass") {
+    return fmt::format("{}, {}", name_of(kPrimitives, settings.primitive),
+                       name_of(kInterpolations, settings.interpolation));
   }
-  return {};
+  if (settings.engine == "multipass") {
+    return fmt::format("{}, radius factor {:g}", name_of(kPrimitives, settings.primitive),
+                       settings.multipass.radius_factor);
+  }
+  if (settings.engine == "ewa") return std::string(name_of(kFilters, settings.ewa.filter));
+  return fmt::format("{} samples a pixel", settings.raytrace.samples);
 }
 
 /// Samples that a pixel has; nothing of an engine that has none.
 std::optional<std::uint64_t> samples_of(const RenderSettings& settings) {
-  if (settings.engine == EngineKind::Raytrace)
-    return static_cast<std::uint64_t>(settings.raytrace.samples);
-  if (!is_on_opengl(settings.engine)) return std::nullopt;
+  if (settings.engine == "raytrace") return static_cast<std::uint64_t>(settings.raytrace.samples);
+  if (!needs_opengl(settings.engine)) return std::nullopt;
   const std::uint64_t side = samples_a_side(settings.samples);
   return side * side;
 }
@@ -58,20 +51,19 @@ std::string material_names(const RenderSettings& settings) {
 }  // namespace
 
 nlohmann::ordered_json as_json(const WrittenImage& written) {
-  const auto& [settings, result] = written;
+  const RenderSettings& settings = written.settings;
+  const RenderResult& result = written.result;
   const auto said_by = [](bool has, const auto& way) {
     return has ? nlohmann::ordered_json(way) : nlohmann::ordered_json(nullptr);
   };
   nlohmann::ordered_json json = {
-      {"engine", name_of(kEngines, settings.engine)},
+      {"engine", settings.engine},
       {"primitive",
-       said_by(is_on_opengl(settings.engine), name_of(kPrimitives, settings.primitive))},
-      {"interpolation", said_by(settings.engine == EngineKind::Onepass,
-                                name_of(kInterpolations, settings.interpolation))},
-      {"pixels_per_sample",
-       said_by(settings.engine == EngineKind::Onepass, pixels_per_sample_of(settings))},
-      {"radius_factor",
-       said_by(settings.engine == EngineKind::Multipass, settings.multipass.radius_factor)},
+       said_by(needs_opengl(settings.engine), name_of(kPrimitives, settings.primitive))},
+      {"interpolation",
+       said_by(settings.engine == "onepass", name_of(kInterpolations, settings.interpolation))},
+      {"pixels_per_sample", said_by(settings.engine == "onepass", pixels_per_sample_of(settings))},
+      {"radius_factor", said_by(settings.engine == "multipass", settings.multipass.radius_factor)},
       {"samples", value_or_null(samples_of(settings))},
       {"material", material_names(settings)},
       {"renderer", result.renderer},
@@ -89,20 +81,19 @@ nlohmann::ordered_json as_json(const WrittenImage& written) {
   return json;
 }
 
-nlohmann::ordered_json scene_as_json(const RenderPlan& plan,
-                                     const std::vector<WrittenImage>& written) {
+nlohmann::ordered_json scene_as_json(const std::vector<WrittenImage>& written) {
   nlohmann::ordered_json views = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < written.size(); ++i) {
-    nlohmann::ordered_json view = {{"name", plan.pictures[i].view},
-                                   {"output", plan.pictures[i].output.string()}};
-    view.update(as_json(written[i]));
+  for (const WrittenImage& image : written) {
+    nlohmann::ordered_json view = {{"name", image.view}, {"output", image.file.string()}};
+    view.update(as_json(image));
     views.push_back(std::move(view));
   }
   return {{"views", std::move(views)}};
 }
 
-std::string as_text(const Picture& picture, const WrittenImage& written) {
-  const auto& [settings, result] = written;
+std::string as_text(const WrittenImage& written) {
+  const RenderSettings& settings = written.settings;
+  const RenderResult& result = written.result;
   const std::string fragments =
       result.fragments ? fmt::format("{}", *result.fragments) : std::string("not counted");
   const std::string text = fmt::format(
@@ -113,9 +104,9 @@ std::string as_text(const Picture& picture, const WrittenImage& written) {
       "  frame           {:.2f} ms\n"
       "  covered pixels  {}\n"
       "  fragments       {}\n",
-      picture.output.string(), name_of(kEngines, settings.engine), way_of(settings),
-      material_names(settings), result.renderer, result.image.width, result.image.height,
-      result.frame_ms, result.covered_pixels, fragments);
+      written.file.string(), settings.engine, way_of(settings), material_names(settings),
+      result.renderer, result.image.width, result.image.height, result.frame_ms,
+      result.covered_pixels, fragments);
   return result.explanation ? text + as_text(*result.explanation) : text;
 }
 

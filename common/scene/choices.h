@@ -10,9 +10,6 @@
 
 namespace relief {
 
-/// A way to turn a model into pixels. Onepass: paper 001, on OpenGL. Multipass: what that paper
-/// calls standard. Ewa: paper 000, the reference. Raytrace: the truth.
-enum class EngineKind : std::uint8_t { Onepass, Multipass, Ewa, Raytrace };
 enum class Primitive : std::uint8_t { Sprite, Quad, Cell };
 enum class Interpolation : std::uint8_t { Direct, Corrected };
 enum class Material : std::uint8_t {
@@ -25,11 +22,6 @@ enum class Material : std::uint8_t {
 
 /// Which faces are not drawn. Auto: the back faces of models known to be closed.
 enum class CullMode : std::uint8_t { Auto, Back, None };
-
-/// The engines that draw patches on OpenGL.
-[[nodiscard]] constexpr bool is_on_opengl(EngineKind engine) {
-  return engine == EngineKind::Onepass || engine == EngineKind::Multipass;
-}
 
 /// The resampling filters that Figure 8 of paper 000 compares.
 enum class EwaFilter : std::uint8_t {
@@ -102,11 +94,6 @@ struct Named {
   T value;
 };
 
-/// The engines that this version has.
-inline constexpr std::array<Named<EngineKind>, 4> kEngines{{{"onepass", EngineKind::Onepass},
-                                                            {"multipass", EngineKind::Multipass},
-                                                            {"ewa", EngineKind::Ewa},
-                                                            {"raytrace", EngineKind::Raytrace}}};
 inline constexpr std::array<Named<EwaFilter>, 4> kFilters{{{"ewa", EwaFilter::Ewa},
                                                            {"source-space", EwaFilter::SourceSpace},
                                                            {"circular", EwaFilter::Circular},

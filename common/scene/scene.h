@@ -33,7 +33,7 @@ struct SceneSettings : MaterialWords {
   std::optional<glm::dvec3> up;
   std::optional<double> fov_degrees;  ///< not beside `orthographic`
   std::optional<OrthographicSize> orthographic;
-  std::optional<EngineKind> engine;
+  std::optional<std::string> engine;  ///< by name; the renderer knows which there are
   std::optional<Primitive> primitive;
   std::optional<Interpolation> interpolation;
   std::optional<CullMode> cull;              ///< onepass, multipass

@@ -1,5 +1,6 @@
 #include "common/scene/scene_settings_reader.h"
 
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -11,6 +12,8 @@ namespace {
 
 constexpr NumberRange kCoordinates{-kMaxSceneCoordinate, kMaxSceneCoordinate};
 constexpr NumberRange kAngles{-1e6, 1e6};
+constexpr std::array<Named<std::string_view>, 4> kEngineNames{
+    {{"onepass", "onepass"}, {"multipass", "multipass"}, {"ewa", "ewa"}, {"raytrace", "raytrace"}}};
 constexpr double kShortestDirection = 1e-12;
 constexpr double kNearestOrbit = 1e-6;  // bounding-sphere radii
 
@@ -127,7 +130,9 @@ SceneSettings read_settings(JsonValues& values, const JsonPlace& object,
     return values.number(place, {kMinFieldOfView, kMaxFieldOfView}, "degrees from 0.1 to 170");
   });
   read("orthographic", settings.orthographic, with(read_orthographic));
-  read("engine", settings.engine, named(kEngines));
+  read("engine", settings.engine, [&values](const JsonPlace& place) {
+    return std::string(values.choice(place, kEngineNames));
+  });
   read("primitive", settings.primitive, named(kPrimitives));
   read("interpolation", settings.interpolation, named(kInterpolations));
   read("cull", settings.cull, named(kCullModes));

@@ -27,21 +27,18 @@ NeighbourGraph find_neighbours(const std::vector<glm::dvec3>& positions, std::ui
   if (graph.k == 0) return graph;
   graph.indices.resize(std::size_t{n} * graph.k);
 
-  const PositionsAdaptor adaptor{positions};
-  const PositionTree tree(3, adaptor, nanoflann::KDTreeSingleIndexAdaptorParams(kTreeLeafSize));
+  const PositionTree tree(positions);
   const std::uint32_t density_k = std::min(kDensityNeighbours, graph.k);
   std::vector<float> raw_spacing(n);
 
   // In the order of the tree's leaves, so that what one search has read is there for the next.
-  const LeafPositions leaves(tree, positions);
-  const auto& order = tree.vAcc;
   tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, n, 1024), [&](const auto& range) {
-    NearestSearch nearest(tree, leaves, graph.k);
-    for (std::uint32_t place = range.begin(); place != range.end(); ++place) {
-      nearest.find(place);
-      const std::uint32_t i = order[place];
+    NearestSearch nearest(tree, graph.k);
+    for (std::uint32_t slot = range.begin(); slot != range.end(); ++slot) {
+      nearest.find(slot);
+      const std::uint32_t i = tree.index(slot);
       std::uint32_t* out = graph.indices.data() + std::size_t{i} * graph.k;
-      for (std::uint32_t m = 0; m < graph.k; ++m) out[m] = order[nearest.place(m)];
+      for (std::uint32_t m = 0; m < graph.k; ++m) out[m] = tree.index(nearest.slot(m));
       raw_spacing[i] = static_cast<float>(
           std::sqrt(std::numbers::pi * nearest.squared(density_k - 1) / density_k));
     }

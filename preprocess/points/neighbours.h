@@ -30,7 +30,8 @@ struct NeighbourGraph {
   }
 };
 
-/// Finds min(k, n - 1) nearest neighbours of all n points (nanoflann kd-tree, exact, in parallel).
+/// Finds min(k, n - 1) nearest neighbours of all n points (kd-tree, exact, in parallel).
+/// `NearestSearch` says which neighbours win at equal distances.
 /// The result does not depend on the number of threads.
 [[nodiscard]] NeighbourGraph find_neighbours(const std::vector<glm::dvec3>& positions,
                                              std::uint32_t k);

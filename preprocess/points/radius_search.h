@@ -8,7 +8,9 @@
 
 namespace relief {
 
-/// A search among positions, which the caller keeps alive and unchanged.
+class PositionTree;
+
+/// Finds the positions within a radius. Keeps its own copy of the positions, which are finite.
 class RadiusSearch {
  public:
   explicit RadiusSearch(const std::vector<glm::dvec3>& positions);
@@ -21,8 +23,7 @@ class RadiusSearch {
   void find(glm::dvec3 centre, double radius, std::vector<std::uint32_t>& found) const;
 
  private:
-  struct Tree;
-  std::unique_ptr<const Tree> tree_;
+  std::unique_ptr<const PositionTree> tree_;
 };
 
 }  // namespace relief

@@ -7,6 +7,7 @@
 
 #include "common/patch.h"
 #include "preprocess/convert.h"
+#include "preprocess/resample/resample.h"
 #include "preprocess/tiles/survey.h"
 
 namespace relief {

@@ -6,9 +6,9 @@
 
 #include "renderer/bench/mesh_pass.h"
 #include "renderer/bench/shading_bound.h"
-#include "renderer/engines/multipass/render_multipass.h"
+#include "renderer/engine_registry.h"
 #include "renderer/engines/onepass/features.h"
-#include "renderer/engines/onepass/render_onepass.h"
+#include "renderer/frame/gl_engine.h"
 #include "renderer/frame/median.h"
 #include "renderer/gl/open_gl.h"
 
@@ -28,15 +28,15 @@ struct Entry {
 /// it would alone.
 struct Group {
   const PatchModel* patches = nullptr;
-  EngineKind engine = EngineKind::Onepass;
+  std::string engine;
   StoreNeeds needs;
   double pixels_per_sample = 0.0;
   std::unique_ptr<GlPreparedModel> prepared;
 };
 
 StoreNeeds needs_of_row(const RenderSettings& row, ModelMaps maps) {
-  return needs_of(row.engine == EngineKind::Onepass ? onepass::features_of(row, maps)
-                                                    : scene_features(row, maps));
+  return needs_of(row.engine == "onepass" ? onepass::features_of(row, maps)
+                                          : scene_features(row, maps));
 }
 
 /// Everything that a bench makes; what is drawn goes before what it is drawn of.
@@ -92,12 +92,13 @@ class Bench {
           group.pixels_per_sample == pixels_per_sample_of(settings))
         return group.prepared.get();
     }
-    auto made = settings.engine == EngineKind::Onepass
-                    ? onepass::prepare(opengl_, *row.patches, {&settings, 1})
-                    : multipass::prepare(opengl_, *row.patches, {&settings, 1});
-    if (!made) return made.error();
+    const EngineEntry* const engine = find_engine(settings.engine);
+    assert(engine != nullptr && engine->capabilities.needs_opengl && "OpenGL draws patches");
+    const RenderModel model = RenderModel::of(*row.patches);
+    RELIEF_TRY_ASSIGN(auto made, engine->prepare({model, {&settings, 1}, opengl_}));
     groups_.push_back(
-        {row.patches, settings.engine, needs, pixels_per_sample_of(settings), std::move(*made)});
+        {row.patches, settings.engine, needs, pixels_per_sample_of(settings),
+         std::unique_ptr<GlPreparedModel>(static_cast<GlPreparedModel*>(made.release()))});
     return groups_.back().prepared.get();
   }
 
@@ -158,7 +159,7 @@ class Bench {
 Result<BenchReport> bench(const BenchJob& job, Progress& progress) {
   assert(job.reference < job.rows.size() && job.frames > 0);
   for ([[maybe_unused]] const BenchMethod& row : job.rows)
-    assert(row.patches != nullptr && is_on_opengl(row.settings.engine) && "OpenGL draws patches");
+    assert(row.patches != nullptr && needs_opengl(row.settings.engine) && "OpenGL draws patches");
   progress.begin_stage("prepare", 0);
   const RenderSettings& first = job.rows.front().settings;
   RELIEF_TRY_ASSIGN(auto opengl, OpenGl::create(first.platform, first.debug, true));

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "common/error.h"
+#include "common/patch.h"
 #include "common/progress.h"
-#include "renderer/render.h"
+#include "renderer/geometry/triangle_mesh.h"
+#include "renderer/settings.h"
 
 namespace relief {
 

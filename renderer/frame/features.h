@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "renderer/render.h"
+#include "renderer/settings.h"
 #include "renderer/shading/lighting.h"
 #include "renderer/shading/materials.h"
 #include "renderer/store/map_upload.h"

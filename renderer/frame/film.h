@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "common/image/image.h"
-#include "renderer/render.h"
+#include "renderer/settings.h"
 #include "renderer/shading/cube_map.h"
 #include "renderer/shading/environment_cache.h"
 #include "renderer/view/view.h"

@@ -1,16 +1,17 @@
 // What an engine on OpenGL implements.
 #pragma once
 
+#include <cassert>
 #include <memory>
 #include <span>
 #include <utility>
 
 #include "common/error.h"
+#include "renderer/engine.h"
 #include "renderer/frame/features.h"
 #include "renderer/frame/gl_image.h"
 #include "renderer/frame/gl_model.h"
 #include "renderer/frame/supersample.h"
-#include "renderer/prepared.h"
 
 namespace relief {
 
@@ -46,16 +47,17 @@ class GlPreparedModel : public PreparedModel {
   std::unique_ptr<GlModel> model_;  ///< first: what derived classes make of it goes before
 };
 
-/// Makes a model ready for an engine, whose feature bits of a picture features_of(settings,
-/// colours) gives.
+/// Makes a model ready for an engine, whose feature bits of an image features_of(settings, maps)
+/// gives.
 template <class Prepared, class FeaturesOf>
-Result<std::unique_ptr<GlPreparedModel>> prepare_on_gpu(std::shared_ptr<const OpenGl> opengl,
-                                                        const PatchModel& model,
-                                                        std::span<const RenderSettings> views,
-                                                        const FeaturesOf& features_of) {
-  RELIEF_TRY_ASSIGN(auto on_gpu, GlModel::create(std::move(opengl), model, views,
-                                                 needs_of(views, ModelMaps(model), features_of)));
-  return std::unique_ptr<GlPreparedModel>(std::make_unique<Prepared>(std::move(on_gpu)));
+Result<std::unique_ptr<PreparedModel>> prepare_on_gpu(const PrepareRequest& request,
+                                                      const FeaturesOf& features_of) {
+  const auto* const patches = request.model.find<PatchModel>();
+  assert(patches != nullptr && request.opengl != nullptr && "patches, to be drawn with OpenGL");
+  RELIEF_TRY_ASSIGN(auto on_gpu,
+                    GlModel::create(request.opengl, *patches, request.views,
+                                    needs_of(request.views, ModelMaps(*patches), features_of)));
+  return std::unique_ptr<PreparedModel>(std::make_unique<Prepared>(std::move(on_gpu)));
 }
 
 }  // namespace relief

@@ -13,7 +13,8 @@
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/gl/pass.h"
-#include "renderer/render.h"
+#include "renderer/result.h"
+#include "renderer/settings.h"
 #include "renderer/shading/environment.h"
 #include "renderer/view/view.h"
 

@@ -16,7 +16,8 @@
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/gl/open_gl.h"
-#include "renderer/render.h"
+#include "renderer/result.h"
+#include "renderer/settings.h"
 #include "renderer/shading/environment.h"
 #include "renderer/store/patch_store.h"
 

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "common/error.h"
-#include "renderer/render.h"
+#include "renderer/result.h"
+#include "renderer/settings.h"
 
 namespace relief {
 

@@ -8,7 +8,7 @@
 #include "common/image/image.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
-#include "renderer/render.h"
+#include "renderer/settings.h"
 
 namespace relief {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "common/error.h"
-#include "renderer/render.h"
+#include "renderer/gl/platform.h"
 
 namespace relief {
 

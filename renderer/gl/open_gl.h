@@ -9,7 +9,7 @@
 #include "renderer/gl/debug.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/recorder.h"
-#include "renderer/render.h"
+#include "renderer/settings.h"
 
 namespace relief {
 

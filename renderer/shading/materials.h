@@ -3,7 +3,8 @@
 
 #include <vector>
 
-#include "renderer/render.h"
+#include "common/patch.h"
+#include "renderer/settings.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "renderer/render.h"
+#include "renderer/settings.h"
 #include "renderer/shading/cube_map.h"
 #include "renderer/shading/environment_cache.h"
 #include "renderer/view/view.h"

@@ -9,7 +9,7 @@
 #include "common/instance.h"
 #include "common/patch.h"
 #include "renderer/gl/functions.h"
-#include "renderer/render.h"
+#include "renderer/settings.h"
 #include "renderer/view/view.h"
 
 namespace relief {

@@ -9,7 +9,7 @@
 #include "common/error.h"
 #include "common/patch_file/patch_tree.h"
 #include "common/progress.h"
-#include "renderer/render.h"
+#include "renderer/settings.h"
 #include "renderer/view/view.h"
 
 namespace relief {

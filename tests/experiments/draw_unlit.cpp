@@ -10,7 +10,7 @@ Result<Image> draw_unlit(const SplatCloud& cloud, const Camera& camera, std::uin
                          const EwaSettings& ewa) {
   Progress progress;
   RenderSettings settings;
-  settings.engine = EngineKind::Ewa;
+  settings.engine = "ewa";
   settings.width = settings.height = side;
   settings.camera = camera;
   settings.material = Material::Unlit;

@@ -78,7 +78,7 @@ std::vector<Region> regions_of(const std::vector<RayLayers>& layers, double near
   return regions;
 }
 
-Result<Image> draw(const Surfaces& surfaces, const Camera& camera, EngineKind engine, int layers) {
+Result<Image> draw(const Surfaces& surfaces, const Camera& camera, std::string engine, int layers) {
   Progress progress;
   RenderSettings settings;
   settings.width = settings.height = kSide;
@@ -88,8 +88,8 @@ Result<Image> draw(const Surfaces& surfaces, const Camera& camera, EngineKind en
   settings.frames = 1;
   settings.raytrace.samples = kSamples;
   settings.ewa.layers = layers;
-  auto result = engine == EngineKind::Ewa ? render(surfaces.cloud, settings, progress)
-                                          : render(surfaces.mesh, settings, progress);
+  auto result = engine == "ewa" ? render(surfaces.cloud, settings, progress)
+                                : render(surfaces.mesh, settings, progress);
   if (!result) return result.error();
   return std::move(result->image);
 }
@@ -103,9 +103,9 @@ struct Pair {
 /// With each number of layers, and with opaque surfaces: what other errors are worth.
 Result<std::vector<Pair>> draw_all(const Subject& subject, const Camera& camera,
                                    const std::string& prefix) {
-  const auto truth = draw(subject.surfaces, camera, EngineKind::Raytrace, 1);
-  const auto opaque_truth = draw(subject.opaque, camera, EngineKind::Raytrace, 1);
-  const auto opaque = draw(subject.opaque, camera, EngineKind::Ewa, kLayers.back());
+  const auto truth = draw(subject.surfaces, camera, "raytrace", 1);
+  const auto opaque_truth = draw(subject.opaque, camera, "raytrace", 1);
+  const auto opaque = draw(subject.opaque, camera, "ewa", kLayers.back());
   if (!truth) return truth.error();
   if (!opaque_truth) return opaque_truth.error();
   if (!opaque) return opaque.error();
@@ -113,7 +113,7 @@ Result<std::vector<Pair>> draw_all(const Subject& subject, const Camera& camera,
   if (!written) return written.error();
   std::vector<Pair> pairs;
   for (const int layers : kLayers) {
-    const auto picture = draw(subject.surfaces, camera, EngineKind::Ewa, layers);
+    const auto picture = draw(subject.surfaces, camera, "ewa", layers);
     if (!picture) return picture.error();
     const Status done = write_png(fmt::format("{}_{}.png", prefix, layers), *picture);
     if (!done) return done.error();

@@ -53,7 +53,7 @@ inline TriangleMesh sphere_mesh(std::uint32_t rings, glm::dvec3 centre = {}) {
 inline RenderSettings traced_image(const Camera& camera, std::uint32_t width = 96,
                                    std::uint32_t height = 80) {
   RenderSettings settings;
-  settings.engine = EngineKind::Raytrace;
+  settings.engine = "raytrace";
   settings.width = width;
   settings.height = height;
   settings.camera = camera;

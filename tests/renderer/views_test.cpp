@@ -51,7 +51,7 @@ TEST(Views, EachIsTheSameAsIfItWereTheOnlyOne) {
   std::vector<std::size_t> order;
   std::vector<RenderResult> pictures;
   const Status drawn = render_views(
-      RenderModel{&model}, views,
+      RenderModel::of(model), views,
       [&](std::size_t view, RenderResult picture) {
         order.push_back(view);
         pictures.push_back(std::move(picture));
@@ -79,7 +79,7 @@ TEST(Views, WhatOneOfThemReadsIsThereForIt) {
     Progress silent;
     std::vector<RenderResult> pictures;
     ASSERT_TRUE(render_views(
-        RenderModel{&model}, views,
+        RenderModel::of(model), views,
         [&pictures](std::size_t, RenderResult picture) {
           pictures.push_back(std::move(picture));
           return Status();
@@ -96,7 +96,7 @@ TEST(Views, WhatTheSinkSaysEndsTheRendering) {
   Progress silent;
   std::size_t taken = 0;
   const Status drawn = render_views(
-      RenderModel{&model}, views,
+      RenderModel::of(model), views,
       [&](std::size_t, const RenderResult&) {
         ++taken;
         return taken < 2 ? Status() : Status(Error{"the disk is full"});
@@ -130,12 +130,12 @@ TEST(Views, ProgressCountsThemAndStopsBetweenThem) {
     return Status();
   };
   Impatient patient(4);
-  EXPECT_TRUE(render_views(RenderModel{&model}, views, sink, patient));
+  EXPECT_TRUE(render_views(RenderModel::of(model), views, sink, patient));
   EXPECT_EQ(patient.promised, 3U);
   EXPECT_EQ(patient.done, 3U);
   taken = 0;
   Impatient impatient(2);
-  EXPECT_FALSE(render_views(RenderModel{&model}, views, sink, impatient));
+  EXPECT_FALSE(render_views(RenderModel::of(model), views, sink, impatient));
   EXPECT_EQ(taken, 2U);
 }
 

@@ -1,6 +1,7 @@
 // The glTF reader: from a parsed file, which is not trusted, to points.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>

@@ -1,6 +1,7 @@
 #include "preprocess/readers/gltf/gltf_nodes.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <glm/gtc/quaternion.hpp>
 #include <utility>
 

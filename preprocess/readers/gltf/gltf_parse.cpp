@@ -1,9 +1,11 @@
 #include "preprocess/readers/gltf/gltf_parse.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "common/guard.h"

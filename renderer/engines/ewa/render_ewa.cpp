@@ -1,12 +1,15 @@
 #include "renderer/engines/ewa/render_ewa.h"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <glm/geometric.hpp>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "common/transform.h"
+#include "renderer/engines/ewa/splats_of_samples.h"
 #include "renderer/engines/ewa/splatting.h"
 #include "renderer/frame/film.h"
 #include "renderer/frame/median.h"
@@ -101,12 +104,14 @@ class Prepared final : public PreparedModel {
 
 }  // namespace
 
-std::unique_ptr<PreparedModel> prepare(const SplatCloud& cloud) {
-  return std::make_unique<Prepared>(cloud);
-}
-
-std::unique_ptr<PreparedModel> prepare(SplatCloud&& cloud) {
-  return std::make_unique<Prepared>(std::move(cloud));
+Result<std::unique_ptr<PreparedModel>> prepare(const PrepareRequest& request) {
+  if (const auto* const cloud = request.model.find<SplatCloud>())
+    return std::unique_ptr<PreparedModel>(std::make_unique<Prepared>(*cloud));
+  const auto* const patches = request.model.find<PatchModel>();
+  assert(patches != nullptr && "there are points, or patches");
+  return std::unique_ptr<PreparedModel>(
+      std::make_unique<Prepared>(patches->instances.empty() ? splats_of_samples(*patches)
+                                                            : splats_of_samples(bake(*patches))));
 }
 
 Result<RenderResult> render_progressive(const SplatHierarchy& hierarchy,

@@ -6,16 +6,17 @@
 
 #include "common/error.h"
 #include "common/progress.h"
+#include "renderer/engine.h"
 #include "renderer/engines/ewa/splat_hierarchy.h"
-#include "renderer/prepared.h"
-#include "renderer/render.h"
+#include "renderer/result.h"
+#include "renderer/settings.h"
 #include "renderer/shading/environment_cache.h"
 
 namespace relief::ewa {
 
-/// Points for any number of views; environments and coarser levels are made when first needed.
-[[nodiscard]] std::unique_ptr<PreparedModel> prepare(const SplatCloud& cloud);
-[[nodiscard]] std::unique_ptr<PreparedModel> prepare(SplatCloud&& cloud);
+/// The model's points, or without any the samples of its patches, for any number of views.
+/// Environments and coarser levels are made when first needed.
+Result<std::unique_ptr<PreparedModel>> prepare(const PrepareRequest& request);
 
 /// Receives a picture that a finer one may follow.
 using ShowImage = std::function<void(const RenderResult&)>;

@@ -7,14 +7,18 @@
 #include "renderer/engines/multipass/sums.h"
 #include "renderer/frame/engine_cache.h"
 #include "renderer/frame/features.h"
+#include "renderer/frame/gl_engine.h"
 #include "renderer/frame/gl_image.h"
 #include "renderer/shading/materials.h"
 
 namespace relief::multipass {
 namespace {
 
-/// Of several materials each pixel has that of the patch in front, so that it must be known.
-RenderSettings with_patch_ids(RenderSettings settings) {
+/// Settings as this engine reads them. It splats samples, always the finest; and of several
+/// materials each pixel has that of the patch in front, so that the patch must be known.
+RenderSettings splatted(RenderSettings settings) {
+  if (settings.primitive == Primitive::Cell) settings.primitive = Primitive::Quad;
+  settings.pixels_per_sample = 0.0;
   settings.outputs.patch_id |= materials_of(settings).size() > 1;
   return settings;
 }
@@ -25,7 +29,7 @@ class Prepared final : public GlPreparedModel {
   using GlPreparedModel::GlPreparedModel;
 
   Result<GlDrawing> make_drawing(const RenderSettings& asked, const Raster& part) override {
-    const RenderSettings settings = with_patch_ids(asked);
+    const RenderSettings settings = splatted(asked);
     const std::uint32_t features = scene_features(settings, model().maps());
     RELIEF_TRY_ASSIGN(auto picture, model().make_picture(settings, part));
     RELIEF_TRY_ASSIGN(auto made, make_sums(model().gl(), picture.targets, features));
@@ -55,10 +59,11 @@ class Prepared final : public GlPreparedModel {
 
 }  // namespace
 
-Result<std::unique_ptr<GlPreparedModel>> prepare(std::shared_ptr<const OpenGl> opengl,
-                                                 const PatchModel& model,
-                                                 std::span<const RenderSettings> views) {
-  return prepare_on_gpu<Prepared>(std::move(opengl), model, views, scene_features);
+Result<std::unique_ptr<PreparedModel>> prepare(const PrepareRequest& request) {
+  std::vector<RenderSettings> views;
+  views.reserve(request.views.size());
+  for (const RenderSettings& settings : request.views) views.push_back(splatted(settings));
+  return prepare_on_gpu<Prepared>({request.model, views, request.opengl}, scene_features);
 }
 
 }  // namespace relief::multipass

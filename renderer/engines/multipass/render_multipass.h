@@ -1,21 +1,15 @@
-// The engine `multipass`, from a model to its pictures.
+// The engine `multipass`, from a model to its images.
 #pragma once
 
 #include <memory>
-#include <span>
 
 #include "common/error.h"
-#include "common/patch.h"
-#include "renderer/frame/gl_engine.h"
-#include "renderer/gl/open_gl.h"
-#include "renderer/render.h"
+#include "renderer/engine.h"
 
 namespace relief::multipass {
 
 /// Uploads what at least one of the views reads of the model: its heights, normals, colours.
-/// Programs and environments are made by the first picture that needs them.
-Result<std::unique_ptr<GlPreparedModel>> prepare(std::shared_ptr<const OpenGl> opengl,
-                                                 const PatchModel& model,
-                                                 std::span<const RenderSettings> views);
+/// Programs and environments are made by the first image that needs them. Gives a GlPreparedModel.
+Result<std::unique_ptr<PreparedModel>> prepare(const PrepareRequest& request);
 
 }  // namespace relief::multipass

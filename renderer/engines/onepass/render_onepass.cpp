@@ -7,6 +7,7 @@
 #include "renderer/engines/onepass/features.h"
 #include "renderer/engines/onepass/onepass.h"
 #include "renderer/frame/engine_cache.h"
+#include "renderer/frame/gl_engine.h"
 #include "renderer/frame/gl_image.h"
 #include "renderer/shading/materials.h"
 
@@ -110,10 +111,8 @@ class Prepared final : public GlPreparedModel {
 
 }  // namespace
 
-Result<std::unique_ptr<GlPreparedModel>> prepare(std::shared_ptr<const OpenGl> opengl,
-                                                 const PatchModel& model,
-                                                 std::span<const RenderSettings> views) {
-  return prepare_on_gpu<Prepared>(std::move(opengl), model, views, features_of);
+Result<std::unique_ptr<PreparedModel>> prepare(const PrepareRequest& request) {
+  return prepare_on_gpu<Prepared>(request, features_of);
 }
 
 }  // namespace relief::onepass

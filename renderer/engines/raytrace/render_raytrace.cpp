@@ -9,11 +9,13 @@
 #include <utility>
 #include <vector>
 
+#include "common/transform.h"
 #include "renderer/engines/raytrace/embree_scene.h"
 #include "renderer/engines/raytrace/sampling.h"
 #include "renderer/engines/raytrace/tracer.h"
 #include "renderer/frame/film.h"
 #include "renderer/frame/median.h"
+#include "renderer/geometry/mesh_of_patches.h"
 #include "renderer/owned_or_borrowed.h"
 #include "renderer/shading/environment_cache.h"
 #include "renderer/shading/materials.h"
@@ -106,6 +108,14 @@ Result<RenderResult> trace_image(const TriangleMesh& mesh, EnvironmentCache& env
   return result;
 }
 
+/// The triangles of patches, those of each instance in their place.
+Result<TriangleMesh> triangulate(const PatchModel& patches) {
+  if (patches.instances.empty()) return mesh_of_patches(patches);
+  auto mesh = mesh_of_patches(bake(patches));
+  if (mesh) mesh->bodies = bodies_of(patches);
+  return mesh;
+}
+
 class Prepared final : public PreparedModel {
  public:
   template <class Mesh>
@@ -122,12 +132,13 @@ class Prepared final : public PreparedModel {
 
 }  // namespace
 
-std::unique_ptr<PreparedModel> prepare(const TriangleMesh& mesh) {
-  return std::make_unique<Prepared>(mesh);
-}
-
-std::unique_ptr<PreparedModel> prepare(TriangleMesh&& mesh) {
-  return std::make_unique<Prepared>(std::move(mesh));
+Result<std::unique_ptr<PreparedModel>> prepare(const PrepareRequest& request) {
+  if (const auto* const mesh = request.model.find<TriangleMesh>())
+    return std::unique_ptr<PreparedModel>(std::make_unique<Prepared>(*mesh));
+  const auto* const patches = request.model.find<PatchModel>();
+  assert(patches != nullptr && "there is a mesh, or patches");
+  RELIEF_TRY_ASSIGN(auto mesh, triangulate(*patches));
+  return std::unique_ptr<PreparedModel>(std::make_unique<Prepared>(std::move(mesh)));
 }
 
 }  // namespace relief::raytrace

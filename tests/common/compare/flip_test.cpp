@@ -20,7 +20,7 @@ namespace {
 using test::image_of;
 using test::must_flip;
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kFlipInfinity = std::numeric_limits<float>::infinity();
 
 Image plain(float r, float g, float b) {
   return image_of(5, 4, [=](int, int) { return glm::vec3(r, g, b); });
@@ -230,7 +230,7 @@ TEST(Flip, LightAgainstBlackIsSeen) {
 TEST(Flip, BrokenPixelsAreWrongAndStayAlone) {
   Image reference = disc_light(0, kReferenceDisc);
   Image test = reference;
-  const float broken[] = {std::numeric_limits<float>::quiet_NaN(), kInfinity, -kInfinity};
+  const float broken[] = {std::numeric_limits<float>::quiet_NaN(), kFlipInfinity, -kFlipInfinity};
   for (std::size_t i = 0; i < 3; ++i) test.channels[i].values[500 + i] = broken[i];
   reference.channels[0].values[600] = broken[0];
   test.channels[0].values[600] = broken[0];

@@ -14,7 +14,7 @@ namespace relief {
 namespace {
 
 /// Single precision.
-constexpr double kRounding = 1e-6;
+constexpr double kTangentRounding = 1e-6;
 
 std::shared_ptr<const NormalTexture> flat_map() {
   return std::make_shared<const NormalTexture>(1, 1, std::vector<glm::i16vec3>{{0, 0, 32767}},
@@ -35,7 +35,7 @@ Points square(const Texcoord& texcoord) {
 }
 
 void expect_near(glm::dvec3 found, glm::dvec3 expected) {
-  for (glm::length_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], kRounding) << c;
+  for (glm::length_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], kTangentRounding) << c;
 }
 
 TangentFrame middle_frame(const Points& mesh, std::size_t triangle = 0) {

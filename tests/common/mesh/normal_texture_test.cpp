@@ -14,7 +14,7 @@ namespace relief {
 namespace {
 
 /// 16 bits round a component by half of 1 / 32767.
-constexpr float kRounding = 2e-5F;
+constexpr float kTexelRounding = 2e-5F;
 
 Image image_of_pixels(const std::vector<glm::vec3>& pixels) {
   Image image{static_cast<std::uint32_t>(pixels.size()), 1, {}};
@@ -26,7 +26,7 @@ Image image_of_pixels(const std::vector<glm::vec3>& pixels) {
 }
 
 void expect_near(glm::vec3 found, glm::vec3 expected) {
-  for (glm::length_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], kRounding) << c;
+  for (glm::length_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], kTexelRounding) << c;
 }
 
 TEST(NormalTexture, ZeroToOneIsMinusOneToOne) {

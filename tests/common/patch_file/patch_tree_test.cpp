@@ -63,7 +63,7 @@ Result<PatchModel> read_tile(const PatchTree& tree, std::uint32_t tile) {
 }
 
 /// The message of the first failure in reading a file and all of its tiles, or nothing.
-std::string read_failure(const ScratchFolder& folder, const std::string& bytes) {
+std::string tree_read_failure(const ScratchFolder& folder, const std::string& bytes) {
   spill(folder / "read", bytes);
   const auto file = PatchFile::open(folder / "read");
   if (!file) return file.error().message;
@@ -154,10 +154,10 @@ std::string valid_tree(const ScratchFolder& folder, PatchCodec codec) {
 TEST_P(PatchTreeOf, IsRefusedWhereverItEnds) {
   const ScratchFolder folder;
   const std::string bytes = valid_tree(folder, GetParam());
-  ASSERT_EQ(read_failure(folder, bytes), "");
+  ASSERT_EQ(tree_read_failure(folder, bytes), "");
   for (std::size_t length = 0; length < bytes.size(); ++length)
-    ASSERT_NE(read_failure(folder, bytes.substr(0, length)), "") << length;
-  ASSERT_NE(read_failure(folder, bytes + '\0'), "");
+    ASSERT_NE(tree_read_failure(folder, bytes.substr(0, length)), "") << length;
+  ASSERT_NE(tree_read_failure(folder, bytes + '\0'), "");
 }
 
 TEST_P(PatchTreeOf, IsRefusedWhereverAByteIsWrong) {
@@ -167,7 +167,7 @@ TEST_P(PatchTreeOf, IsRefusedWhereverAByteIsWrong) {
     for (const int flip : {0x01, 0x80, 0xFF}) {
       std::string damaged = bytes;
       damaged[at] = static_cast<char>(damaged[at] ^ flip);
-      ASSERT_NE(read_failure(folder, damaged), "") << "byte " << at << " flipped by " << flip;
+      ASSERT_NE(tree_read_failure(folder, damaged), "") << "byte " << at << " flipped by " << flip;
     }
   }
 }
@@ -186,7 +186,7 @@ std::string forged_failure(const std::function<void(FileHeader&, std::vector<Tre
   const auto text_of = [](const std::vector<std::byte>& bytes) {
     return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   };
-  return read_failure(folder, text_of(header) + tiles + text_of(index));
+  return tree_read_failure(folder, text_of(header) + tiles + text_of(index));
 }
 
 TEST(ForgedPatchTree, IsRefused) {
@@ -230,7 +230,7 @@ TEST(ForgedPatchTree, HasNoTilesOfItsOwnInItsTiles) {
     return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   };
   const std::string failure =
-      read_failure(folder, text_of(write_header(header)) + inner + text_of(index));
+      tree_read_failure(folder, text_of(write_header(header)) + inner + text_of(index));
   EXPECT_NE(failure.find("tiles have tiles of their own"), std::string::npos) << failure;
 }
 

@@ -90,7 +90,7 @@ TEST_F(Scenes, EveryKeyIsRead) {
   EXPECT_EQ(all.size->width, 640U);
   EXPECT_EQ(all.size->height, 480U);
   EXPECT_EQ(all.fov_degrees, 30.0);
-  EXPECT_EQ(all.engine, EngineKind::Onepass);
+  EXPECT_EQ(all.engine, "onepass");
   EXPECT_EQ(all.primitive, Primitive::Sprite);
   EXPECT_EQ(all.interpolation, Interpolation::Direct);
   EXPECT_EQ(all.cull, CullMode::Back);
@@ -359,7 +359,7 @@ TEST(SceneSettings, EveryMemberIsOverlaid) {
   over.target = glm::dvec3(2);
   over.up = glm::dvec3(3);
   over.fov_degrees = 4.0;
-  over.engine = EngineKind::Onepass;
+  over.engine = "onepass";
   over.primitive = Primitive::Quad;
   over.interpolation = Interpolation::Direct;
   over.cull = CullMode::None;

@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-constexpr auto kAll = [](const Candidate& /*candidate*/) { return true; };
+constexpr auto kAllPairs = [](const Candidate& /*candidate*/) { return true; };
 
 /// Takes all that are current, in the queue's order.
 template <class IsCurrent>
@@ -35,7 +35,7 @@ TEST(CandidateQueue, GivesTheBestFirst) {
   for (std::uint32_t k = 0; k < 5000; ++k)
     queue.push({std::ldexp(1.0, exponent(random)), k % 70, k % 110, 0, 0});
   queue.push({0.0, 1, 2, 0, 0});
-  const std::vector<Candidate> taken = take_all(queue, kAll);
+  const std::vector<Candidate> taken = take_all(queue, kAllPairs);
   EXPECT_EQ(taken.size(), 5001U);
   expect_in_order(taken);
 }
@@ -44,12 +44,12 @@ TEST(CandidateQueue, GivesWhatIsPushedLateInItsTurn) {
   CandidateQueue queue;
   for (std::uint32_t k = 1; k <= 100; ++k) queue.push({0.01 * k, k, 0, 0, 0});
   for (int k = 0; k < 50; ++k) {
-    ASSERT_NE(queue.best(kAll), nullptr);
+    ASSERT_NE(queue.best(kAllPairs), nullptr);
     queue.pop();
   }
   queue.push({0.005, 200, 0, 0, 0});  // better than all that are left
   queue.push({0.755, 201, 0, 0, 0});
-  const std::vector<Candidate> taken = take_all(queue, kAll);
+  const std::vector<Candidate> taken = take_all(queue, kAllPairs);
   ASSERT_EQ(taken.size(), 52U);
   EXPECT_EQ(taken.front().a, 200U);
   expect_in_order(taken);
@@ -60,14 +60,14 @@ TEST(CandidateQueue, LeavesOutWhatIsVoid) {
   for (std::uint32_t k = 0; k < 100; ++k) queue.push({1.0 + 0.1 * k, k, 0, k % 2, 0});
   const auto taken = take_all(queue, [](const Candidate& c) { return c.version_a == 1; });
   EXPECT_EQ(taken.size(), 50U);
-  EXPECT_EQ(queue.best(kAll), nullptr);
+  EXPECT_EQ(queue.best(kAllPairs), nullptr);
 }
 
 TEST(CandidateQueue, GivesWhatHasNoCostLast) {
   CandidateQueue queue;
   queue.push({std::numeric_limits<double>::quiet_NaN(), 1, 0, 0, 0});
   queue.push({2.0, 2, 0, 0, 0});
-  const std::vector<Candidate> taken = take_all(queue, kAll);
+  const std::vector<Candidate> taken = take_all(queue, kAllPairs);
   ASSERT_EQ(taken.size(), 2U);
   EXPECT_EQ(taken.front().a, 2U);
 }

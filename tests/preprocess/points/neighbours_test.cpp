@@ -35,6 +35,27 @@ TEST(Neighbours, FewerPointsThanNeighboursGiveAllOthers) {
   EXPECT_EQ(graph.indices.size(), 20U);
 }
 
+TEST(Neighbours, OnePointAndNoneHaveNoNeighbours) {
+  const NeighbourGraph one = find_neighbours({glm::dvec3(1.0)}, 16);
+  EXPECT_EQ(one.k, 0U);
+  EXPECT_TRUE(one.indices.empty());
+  EXPECT_EQ(find_neighbours({}, 16).k, 0U);
+}
+
+TEST(Neighbours, DuplicatesAreNeighboursAtNoDistance) {
+  std::vector<glm::dvec3> positions(12, glm::dvec3(2.0));
+  positions.emplace_back(3.0, 2.0, 2.0);
+  const NeighbourGraph graph = find_neighbours(positions, 8);
+  for (std::uint32_t i = 0; i < 12; ++i) {
+    for (const std::uint32_t j : graph.of(i)) {
+      EXPECT_NE(j, i);
+      EXPECT_LT(j, 12U);
+    }
+    EXPECT_EQ(graph.spacing[i], 0.0F);
+  }
+  EXPECT_GT(graph.spacing[12], 0.0F);
+}
+
 TEST(Neighbours, SpacingIsTheDistanceBetweenSamples) {
   constexpr double kStep = 0.02;
   const Points points = test::sample_height_field(0.5, kStep, [](double, double) { return 0.0; });

@@ -1,6 +1,10 @@
 // glTF: geometry in its place, materials, and files that are not to be trusted.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
+#include "tests/common/patch_file/sample_models.h"
 #include "tests/preprocess/readers/gltf_files.h"
 #include "tests/preprocess/readers/scan_files.h"
 
@@ -59,6 +63,20 @@ TEST(Gltf, TextAndBinaryAreTheSame) {
   expect_triangle(test::read("a.gltf", embedded()));
   expect_triangle(test::read("a.glb", test::binary_gltf()));
   expect_triangle(test::read("without_ending", test::binary_gltf()));
+}
+
+TEST(Gltf, BuffersAreReadBesideTheFileOnly) {
+  const test::ScratchFolder folder;
+  std::filesystem::create_directory(folder / "model");
+  for (const char* name : {"outside.bin", "model/inside.bin"})
+    std::ofstream(folder / name, std::ios::binary) << triangle_bytes();
+  const std::string name = (folder / "model/a.gltf").string();
+  const auto with_buffer = [](const std::string& uri) {
+    return document(R"("uri": ")" + uri + "\", ", kNode);
+  };
+  expect_triangle(test::read(name, with_buffer("inside.bin")));
+  for (const std::string& uri : {std::string("../outside.bin"), (folder / "outside.bin").string()})
+    EXPECT_NE(test::error(name, with_buffer(uri)).find("File not found"), std::string::npos) << uri;
 }
 
 TEST(Gltf, NodesPutMeshesInTheirPlaces) {

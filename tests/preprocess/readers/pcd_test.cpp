@@ -6,7 +6,7 @@ namespace {
 
 using glm::dvec3;
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kPcdNan = std::numeric_limits<float>::quiet_NaN();
 constexpr std::array<std::string_view, 4> kRgbFloat = {" rgb", " 4", " F", " 1"};
 
 TEST(PcdTest, ReadsTheSamePointsInEachEncoding) {
@@ -70,8 +70,8 @@ TEST(PcdTest, ReadsNormalsAndStepsOverFieldsOfManyNumbers) {
 TEST(PcdTest, DropsAndCountsTheInvalidPointsOfAnOrganisedCloud) {
   std::string file = pcd_header(4, "binary");
   file.replace(file.find("WIDTH 4\nHEIGHT 1"), 16, "WIDTH 2\nHEIGHT 2");
-  file += pack(kNan, kNan, kNan, 1.F, 2.F, 3.F, 4.F, std::numeric_limits<float>::infinity(), 6.F,
-               7.F, 8.F, 9.F);
+  file += pack(kPcdNan, kPcdNan, kPcdNan, 1.F, 2.F, 3.F, 4.F,
+               std::numeric_limits<float>::infinity(), 6.F, 7.F, 8.F, 9.F);
   const auto result = try_read("a.pcd", file);
   ASSERT_TRUE(result) << result.error().message;
   EXPECT_EQ(result->points_in_file, 4U);

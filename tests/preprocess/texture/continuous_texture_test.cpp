@@ -10,7 +10,7 @@ namespace relief::test {
 namespace {
 
 // Sums of floats near 1 with weights that are rounded to float.
-constexpr float kRounding = 1e-6F;
+constexpr float kTextureRounding = 1e-6F;
 
 TEST(ContinuousTexture, AConstantStaysConstant) {
   const auto texture =
@@ -18,7 +18,7 @@ TEST(ContinuousTexture, AConstantStaysConstant) {
   ASSERT_TRUE(texture);
   for (const double deviation : {1.0, 3.0, 8.0}) {
     for (float s = -1.3F; s < 2.0F; s += 0.37F) {
-      EXPECT_NEAR(texture->at({s, 0.4F - s}, deviation).r, 0.75F, kRounding);
+      EXPECT_NEAR(texture->at({s, 0.4F - s}, deviation).r, 0.75F, kTextureRounding);
     }
   }
 }
@@ -55,8 +55,8 @@ TEST(ContinuousTexture, RepeatsOutsideTheUnitSquare) {
       make_texture(16, [](double u, double v) { return u * u + 0.3 * v; }));
   ASSERT_TRUE(texture);
   const float inside = texture->at({0.125F, 0.75F}).r;
-  EXPECT_NEAR(texture->at({3.125F, -4.25F}).r, inside, kRounding);
-  EXPECT_NEAR(texture->at({-0.875F, 7.75F}).r, inside, kRounding);
+  EXPECT_NEAR(texture->at({3.125F, -4.25F}).r, inside, kTextureRounding);
+  EXPECT_NEAR(texture->at({-0.875F, 7.75F}).r, inside, kTextureRounding);
   for (const float far : {-1e-30F, 1e30F, -1e38F}) {
     EXPECT_TRUE(std::isfinite(texture->at({far, far}).r)) << far;
   }
@@ -66,7 +66,7 @@ TEST(ContinuousTexture, OneTexelIsAConstant) {
   const auto texture =
       ContinuousTexture::from_image(make_texture(1, [](double, double) { return 0.5; }));
   ASSERT_TRUE(texture);
-  EXPECT_NEAR(texture->at({0.9F, 0.1F}, 8.0).r, 0.5F, kRounding);
+  EXPECT_NEAR(texture->at({0.9F, 0.1F}, 8.0).r, 0.5F, kTextureRounding);
 }
 
 TEST(ContinuousTexture, ValuesThatAreNoNumbersCountAsZero) {

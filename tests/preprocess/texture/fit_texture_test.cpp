@@ -14,9 +14,9 @@
 namespace relief::test {
 namespace {
 
-using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+using FitMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-Points square_with_normals() {
+Points textured_square_with_normals() {
   Points mesh = unit_square();
   mesh.normals.assign(4, glm::vec3(0, 0, 1));
   return mesh;
@@ -34,8 +34,9 @@ SurfacePoints splats_at(const std::vector<glm::dvec3>& positions) {
 /// Even splats on the unit square with the basis at 16 places for each.
 struct EvenSquare {
   explicit EvenSquare(std::size_t count, BasisKind kind = BasisKind::Normalised)
-      : positions(spread_over_triangles(square_with_normals(), 16 * count)),
-        splats(thin_out(spread_over_triangles(square_with_normals(), 4 * count), count, 1.0)),
+      : positions(spread_over_triangles(textured_square_with_normals(), 16 * count)),
+        splats(
+            thin_out(spread_over_triangles(textured_square_with_normals(), 4 * count), count, 1.0)),
         basis(evaluate_basis(splats, {1.0 / std::sqrt(static_cast<double>(count)), 1.0, kind},
                              positions)) {}
 
@@ -50,8 +51,8 @@ TEST(SplatBasis, InnerProductsOfGaussiansAreGaussiansOfTheirDistance) {
   constexpr double kCutoff = 10.0;
   const SurfacePoints splats =
       splats_at({{0.5, 0.5, 0}, {0.5 + kH, 0.5, 0}, {0.5, 0.5 + 2.0 * kH, 0}});
-  const SurfacePoints positions = spread_over_triangles(square_with_normals(), 400'000);
-  const Matrix products =
+  const SurfacePoints positions = spread_over_triangles(textured_square_with_normals(), 400'000);
+  const FitMatrix products =
       inner_products(evaluate_basis(splats, {kH, kCutoff, BasisKind::Plain}, positions));
   for (Eigen::Index k = 0; k < 3; ++k) {
     for (Eigen::Index j = 0; j < 3; ++j) {
@@ -68,9 +69,9 @@ TEST(SplatBasis, InnerProductsOfGaussiansAreGaussiansOfTheirDistance) {
 TEST(SplatBasis, TruncatedGaussiansHaveTheNormThatTheirSupportLeaves) {
   // Over the disc of radius sqrt(2 c) h: the integral of exp(-r^2 / h^2) is pi h^2 (1 - e^-2c).
   constexpr double kH = 0.05;
-  const SurfacePoints positions = spread_over_triangles(square_with_normals(), 400'000);
+  const SurfacePoints positions = spread_over_triangles(textured_square_with_normals(), 400'000);
   for (const double cutoff : {0.5, 1.0, 3.0}) {
-    const Matrix products = inner_products(
+    const FitMatrix products = inner_products(
         evaluate_basis(splats_at({{0.5, 0.5, 0}}), {kH, cutoff, BasisKind::Plain}, positions));
     const double scale = 1.0 / (2.0 * std::numbers::pi * (1.0 - std::exp(-cutoff)));
     const double expected =
@@ -97,7 +98,7 @@ TEST(SplatBasis, SumsToOne) {
 TEST(SplatBasis, ReachesOnlyPlacesThatFaceTheSameWay) {
   SurfacePoints splats = splats_at({{0.5, 0.5, 0}, {0.5, 0.5, 1e-3}});
   splats.normals[1] = glm::vec3(0, 0, -1);
-  const SurfacePoints positions = spread_over_triangles(square_with_normals(), 1000);
+  const SurfacePoints positions = spread_over_triangles(textured_square_with_normals(), 1000);
   const BasisAtPositions basis =
       evaluate_basis(splats, {0.1, 1.0, BasisKind::Normalised}, positions);
   EXPECT_GT(basis.col(0).sum(), 0.0);

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kSquare =
+const std::string kTexturedSquare =
     "mtllib my colours.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\n"
     "usemtl of paint\nf 1/1 2/2 3/3\nusemtl plain\nf 1 3 4\n";
 
@@ -59,7 +59,7 @@ class LoadTextures : public testing::Test {
 };
 
 TEST_F(LoadTextures, NamesWithBlanksAndOptionsLeadToPictures) {
-  write("mesh/a.obj", kSquare);
+  write("mesh/a.obj", kTexturedSquare);
   write("mesh/my colours.mtl",
         "newmtl of paint\r\nKd 0 0 0\r\nmap_Kd -o 0 0 -s 1 1 1 -clamp on deeper\\red paint.png\r\n"
         "newmtl plain\nKd 0.5 1 0\n");
@@ -72,7 +72,7 @@ TEST_F(LoadTextures, NamesWithBlanksAndOptionsLeadToPictures) {
 }
 
 TEST_F(LoadTextures, MissingAndDamagedPicturesAreNamed) {
-  write("mesh/a.obj", kSquare);
+  write("mesh/a.obj", kTexturedSquare);
   write("mesh/my colours.mtl", "newmtl of paint\nmap_Kd gone.png\n");
   EXPECT_NE(load().find("gone.png"), std::string::npos);
   write("mesh/gone.png", "no picture");
@@ -85,7 +85,7 @@ TEST_F(LoadTextures, MissingAndDamagedPicturesAreNamed) {
 }
 
 TEST_F(LoadTextures, AMissingMaterialFileIsANoteAndAnUnreadOptionToo) {
-  write("mesh/a.obj", kSquare);
+  write("mesh/a.obj", kTexturedSquare);
   EXPECT_EQ(load(), "");
   ASSERT_EQ(notes_.size(), 2U);  // "my" and "colours.mtl": a line may name several
   EXPECT_NE(notes_[1].find("colours.mtl"), std::string::npos);
@@ -99,7 +99,7 @@ TEST_F(LoadTextures, AMissingMaterialFileIsANoteAndAnUnreadOptionToo) {
 
 TEST_F(LoadTextures, NamesDoNotLeadOutOfTheFolder) {
   write_image("secret.png", {0.0F, 1.0F, 0.0F});
-  write("mesh/a.obj", kSquare);
+  write("mesh/a.obj", kTexturedSquare);
   for (const std::string& name : {std::string("../secret.png"), (folder_ / "secret.png").string(),
                                   std::string("deeper/../../secret.png"),
                                   std::string("..\\secret.png"), std::string("C:\\secret.png")}) {
@@ -133,7 +133,7 @@ TEST_F(LoadTextures, OneTextureForAll) {
 TEST_F(LoadTextures, TextureCoordinatesThatAreNoNumbersHaveNoColour) {
   write_image("mesh/red.png", {1.0F, 0.0F, 0.0F});
   write("mesh/my colours.mtl", "newmtl of paint\nmap_Kd red.png\n");
-  std::string broken = kSquare;
+  std::string broken = kTexturedSquare;
   broken.replace(broken.find("vt 1 0"), 6, "vt nan 0");
   write("mesh/a.obj", broken);
   EXPECT_EQ(load(), "");

@@ -13,12 +13,12 @@ namespace relief {
 namespace {
 
 constexpr std::uint32_t kNodes = 9;
-constexpr double kSide = 2.0;
+constexpr double kGridSide = 2.0;
 
 /// A flat patch over [0, 2]^2 in z = 0, in 8 x 8 cells, one node a hole, with normals of its own.
 Patch flat_patch() {
   Patch patch;
-  patch.spacing = kSide / (kNodes - 1);
+  patch.spacing = kGridSide / (kNodes - 1);
   patch.height_step = 0.01;
   patch.width = patch.height = kNodes;
   patch.heights.assign(std::size_t{kNodes} * kNodes, 0);
@@ -42,7 +42,7 @@ Sheet make_sheet(std::uint32_t cells, double z = 0.0, bool faces_up = true) {
   Sheet sheet;
   for (std::uint32_t j = 0; j <= cells; ++j) {
     for (std::uint32_t i = 0; i <= cells; ++i) {
-      const glm::dvec2 position = kSide * glm::dvec2(i, j) / static_cast<double>(cells);
+      const glm::dvec2 position = kGridSide * glm::dvec2(i, j) / static_cast<double>(cells);
       sheet.mesh.positions.emplace_back(position, z);
       sheet.normals.emplace_back((faces_up ? 1.0 : -1.0) * leaning(position.x, position.y));
     }
@@ -87,12 +87,12 @@ glm::dvec3 up(double /*x*/, double /*y*/) {
 }
 
 // Rounding to 16 bits is 0.0025 degrees; acos of what is nearly 1 in single precision adds 0.03.
-constexpr double kRounding = 0.04;
+constexpr double kNodeRounding = 0.04;
 
 TEST(NodeNormals, AreInterpolatedBetweenTheCornersOfTriangles) {
   for (const std::uint32_t cells : {1U, 3U, 7U, 8U}) {
     // What is linear over the sheet is linear over each triangle.
-    EXPECT_LT(largest_error(with_normals_of(make_sheet(cells)), leaning), kRounding) << cells;
+    EXPECT_LT(largest_error(with_normals_of(make_sheet(cells)), leaning), kNodeRounding) << cells;
   }
 }
 
@@ -103,21 +103,21 @@ TEST(NodeNormals, HolesContinueTheSamplesAround) {
 }
 
 TEST(NodeNormals, StayWhatTheyAreWhereNoTriangleFacesThePatchsSide) {
-  EXPECT_LT(largest_error(with_normals_of(make_sheet(4, 0.0, false)), up), kRounding);
+  EXPECT_LT(largest_error(with_normals_of(make_sheet(4, 0.0, false)), up), kNodeRounding);
   // Four cells away is another sheet.
-  EXPECT_LT(largest_error(with_normals_of(make_sheet(4, 1.0)), up), kRounding);
+  EXPECT_LT(largest_error(with_normals_of(make_sheet(4, 1.0)), up), kNodeRounding);
 }
 
 TEST(NodeNormals, OfAMuchFinerMeshStayFitted) {
   // Triangles of 15 squares along 8 cells are just larger than an eighth of a cell, of 17 smaller.
-  EXPECT_LT(largest_error(with_normals_of(make_sheet(15)), leaning), kRounding);
-  EXPECT_LT(largest_error(with_normals_of(make_sheet(17)), up), kRounding);
+  EXPECT_LT(largest_error(with_normals_of(make_sheet(15)), leaning), kNodeRounding);
+  EXPECT_LT(largest_error(with_normals_of(make_sheet(17)), up), kNodeRounding);
 }
 
 TEST(NodeNormals, ThatCancelOutAreNotTaken) {
   Sheet sheet = make_sheet(1);
   std::fill(sheet.normals.begin(), sheet.normals.end(), glm::vec3(0.0F));
-  EXPECT_LT(largest_error(with_normals_of(sheet), up), kRounding);
+  EXPECT_LT(largest_error(with_normals_of(sheet), up), kNodeRounding);
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ Patch square_patch(double z, bool upward, glm::dvec3 offset) {
   return patch;
 }
 
-Status map(const Points& mesh, std::uint32_t texels, std::vector<Patch>& patches) {
+Status map_textures(const Points& mesh, std::uint32_t texels, std::vector<Patch>& patches) {
   Progress progress;
   return map_textures(mesh, texels, patches, progress);
 }
@@ -73,7 +73,7 @@ TEST(TextureMaps, TexelsShowTheTextureAtTheirPlace) {
     add_square(mesh, 0.0, true, 0, offset);
     std::vector<Patch> patches{square_patch(0.0, true, offset)};
     patches[0].heights[40] = kHole;
-    ASSERT_TRUE(map(mesh, 0, patches));
+    ASSERT_TRUE(map_textures(mesh, 0, patches));
     const AttributeMap<glm::u8vec3>& colours = patches[0].colours;
     // 128 texels over 8 cells.
     EXPECT_EQ(colours.scale, 16U);
@@ -96,7 +96,7 @@ TEST(TextureMaps, CoarserMapsAverageInsteadOfPickingTexels) {
   mesh.materials = {textured(128, std::move(checker))};
   add_square(mesh, 0.0, true, 0, glm::dvec3(0.0));
   std::vector<Patch> patches{square_patch(0.0, true, glm::dvec3(0.0))};
-  ASSERT_TRUE(map(mesh, 2, patches));
+  ASSERT_TRUE(map_textures(mesh, 2, patches));
   EXPECT_EQ(patches[0].colours.width, 17U);
   // Half the light is 188, and every level rounds to 8 bits.
   for (const glm::u8vec3 texel : patches[0].colours.texels) EXPECT_NEAR(texel.g, 188, 1);
@@ -114,7 +114,7 @@ TEST(TextureMaps, ThinSheetsHaveTwoSides) {
   // Patches exactly between the sides: only where they face tells.
   std::vector<Patch> patches{square_patch(0.01, true, glm::dvec3(0.0)),
                              square_patch(0.01, false, glm::dvec3(0.0))};
-  ASSERT_TRUE(map(mesh, 4, patches));
+  ASSERT_TRUE(map_textures(mesh, 4, patches));
   for (const glm::u8vec3 texel : patches[0].colours.texels)
     EXPECT_EQ(texel, glm::u8vec3(255, 0, 0));
   for (const glm::u8vec3 texel : patches[1].colours.texels)
@@ -130,12 +130,12 @@ TEST(TextureMaps, WhereThereIsNoMeshTheSurroundingsGoOn) {
   mesh.triangles.pop_back();
   mesh.triangle_materials.pop_back();
   std::vector<Patch> patches{square_patch(0.0, true, glm::dvec3(0.0))};
-  ASSERT_TRUE(map(mesh, 8, patches));
+  ASSERT_TRUE(map_textures(mesh, 8, patches));
   for (const glm::u8vec3 texel : patches[0].colours.texels)
     EXPECT_EQ(texel, glm::u8vec3(255, 0, 0));
   // A mesh that is elsewhere: neutral grey, half the light.
   for (glm::dvec3& p : mesh.positions) p.z += 100.0;
-  ASSERT_TRUE(map(mesh, 8, patches));
+  ASSERT_TRUE(map_textures(mesh, 8, patches));
   for (const glm::u8vec3 texel : patches[0].colours.texels) EXPECT_EQ(texel, glm::u8vec3(188));
 }
 
@@ -146,7 +146,7 @@ TEST(TextureMaps, MoreTexelsThanAPatchHoldsAreRefused) {
   std::vector<Patch> patches{square_patch(0.0, true, glm::dvec3(0.0))};
   patches[0].width = 300;
   patches[0].heights.assign(std::size_t{300} * 9, 0);
-  const Status refused = map(mesh, kMaxTexelsPerCell, patches);
+  const Status refused = map_textures(mesh, kMaxTexelsPerCell, patches);
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().message.find("64 texels a cell"), std::string::npos);
 }

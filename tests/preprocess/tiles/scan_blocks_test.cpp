@@ -15,7 +15,7 @@ using test::pack;
 using test::ScratchFolder;
 using test::spill;
 
-constexpr std::size_t kPoints = 3 * 65536 + 17;  // three blocks and something
+constexpr std::size_t kScanPoints = 3 * 65536 + 17;  // three blocks and something
 
 struct Gathered {
   Points points;
@@ -94,7 +94,7 @@ std::string ply(std::string_view format, std::size_t points, bool faces) {
 TEST(ScanBlocks, PlyIsAsReadAsAWhole) {
   const ScratchFolder folder;
   for (const char* format : {"ascii", "binary_little_endian"}) {
-    spill(folder / "a.ply", ply(format, kPoints, false));
+    spill(folder / "a.ply", ply(format, kScanPoints, false));
     expect_as_whole(folder / "a.ply", folder);
   }
 }
@@ -113,12 +113,12 @@ TEST(ScanBlocks, LasIsAsReadAsAWhole) {
   const ScratchFolder folder;
   test::LasFile las;
   las.format = 2;
-  for (std::size_t i = 0; i < kPoints; ++i) {
+  for (std::size_t i = 0; i < kScanPoints; ++i) {
     test::LasPoint point;
     point.steps = {static_cast<std::int32_t>(i), -5, 7};
     point.withheld = i % 100 == 3;
     // Only the last block tells that colours have 16 bits.
-    point.colour = {static_cast<std::uint16_t>(i + 1 == kPoints ? 65535 : i % 256), 0, 3};
+    point.colour = {static_cast<std::uint16_t>(i + 1 == kScanPoints ? 65535 : i % 256), 0, 3};
     las.points.push_back(point);
   }
   spill(folder / "a.las", test::las_file(las));
@@ -128,7 +128,7 @@ TEST(ScanBlocks, LasIsAsReadAsAWhole) {
 TEST(ScanBlocks, XyzIsAsReadAsAWholePlainAndPacked) {
   const ScratchFolder folder;
   std::string text = "x y z r g b\n";
-  for (std::size_t i = 0; i < kPoints; ++i)
+  for (std::size_t i = 0; i < kScanPoints; ++i)
     text += fmt::format("{}.5 {} 3 {} 20 255\n", i, i % 7, i % 256);
   spill(folder / "a.xyz", text);
   expect_as_whole(folder / "a.xyz", folder);
@@ -148,8 +148,8 @@ TEST(ScanBlocks, FilesComeOneAfterAnother) {
 TEST(ScanBlocks, ColoursThatGrowBeyondTheirFirstScaleAreRefused) {
   const ScratchFolder folder;
   std::string text;
-  for (std::size_t i = 0; i < kPoints; ++i)
-    text += fmt::format("{} 2 3 {} 20 255\n", i, i + 1 == kPoints ? 65535 : 0);
+  for (std::size_t i = 0; i < kScanPoints; ++i)
+    text += fmt::format("{} 2 3 {} 20 255\n", i, i + 1 == kScanPoints ? 65535 : 0);
   spill(folder / "a.xyzrgb", text);
   // The last points are fewer than a block, and read with the scale of those before.
   EXPECT_EQ(gather_error(folder / "a.xyzrgb", folder), "no error");
@@ -173,7 +173,7 @@ TEST(ScanBlocks, FormatsThatAreReadAsAWholeMustFit) {
 
 TEST(ScanBlocks, DamageIsFoundAsItIsInTheWhole) {
   const ScratchFolder folder;
-  const std::string good = ply("binary_little_endian", kPoints, false);
+  const std::string good = ply("binary_little_endian", kScanPoints, false);
   spill(folder / "a.ply", good.substr(0, good.size() - 1));
   EXPECT_NE(gather_error(folder / "a.ply", folder).find("truncated"), std::string::npos);
   const std::string packed = test::gzip(good);

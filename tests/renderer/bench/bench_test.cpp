@@ -30,7 +30,7 @@ std::vector<BenchMethod> some_rows(const PatchModel& model) {
   std::vector<BenchMethod> rows(5, {&model, bench_image(model)});
   rows[0].settings.interpolation = Interpolation::Direct;
   rows[2].settings.primitive = Primitive::Cell;
-  rows[3].settings.engine = rows[4].settings.engine = EngineKind::Multipass;
+  rows[3].settings.engine = rows[4].settings.engine = "multipass";
   rows[3].settings.multipass.radius_factor = 1.0;
   return rows;
 }

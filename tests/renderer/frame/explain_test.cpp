@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "renderer/frame/feature_names.h"
@@ -68,7 +69,7 @@ std::vector<RenderSettings> ways_to_draw(const PatchModel& model) {
     settings.interpolation = way.interpolation;
     all.push_back(settings);
   }
-  settings.engine = EngineKind::Multipass;
+  settings.engine = "multipass";
   for (const Primitive primitive : {Primitive::Sprite, Primitive::Quad}) {
     settings.primitive = primitive;
     all.push_back(settings);
@@ -118,7 +119,7 @@ TEST(Explain, UnlitAndUncolouredHasNothingToShadeWith) {
 
 TEST(Explain, EachFeatureBringsItsMap) {
   const PatchModel model = test::sphere_model(coloured_sphere());
-  for (const EngineKind engine : {EngineKind::Onepass, EngineKind::Multipass}) {
+  for (const std::string_view engine : {"onepass", "multipass"}) {
     RenderSettings settings = small_image(model);
     settings.engine = engine;
     settings.material = Material::Unlit;
@@ -147,7 +148,7 @@ void expect_all_bound(const PatchModel& model, const RenderSettings& settings) {
   for (const auto* const kind : {&e.buffers, &e.textures}) {
     EXPECT_FALSE(kind->empty());
     for (const Explanation::Memory& memory : *kind) {
-      EXPECT_TRUE(memory.bound) << name_of(kEngines, settings.engine) << " "
+      EXPECT_TRUE(memory.bound) << settings.engine << " "
                                 << name_of(kPrimitives, settings.primitive) << " " << memory.name;
     }
   }
@@ -248,7 +249,7 @@ TEST(Explain, TellsPassesAndDraws) {
   EXPECT_EQ(e.passes, Names{"onepass"});
   EXPECT_EQ(find(e.textures, "places"), nullptr);
 
-  settings.engine = EngineKind::Multipass;
+  settings.engine = "multipass";
   settings.material = Material::Lit;
   settings.primitive = Primitive::Sprite;
   e = explain(model, settings);

@@ -14,12 +14,12 @@ namespace {
 using test::must_render;
 using test::values;
 
-constexpr std::uint32_t kNodes = 9;
+constexpr std::uint32_t kSampledNodes = 9;
 /// A patch's border splats reach half a cell beyond its nodes.
-constexpr double kEdge = 0.5 * kNodes;
+constexpr double kEdge = 0.5 * kSampledNodes;
 
-/// Straight down on the plane of kNodes x kNodes cells, turned, `side` pixels for 2 kEdge cells: an
-/// upright or level edge would meet all samples of a column at once.
+/// Straight down on the plane of kSampledNodes x kSampledNodes cells, turned, `side` pixels for 2
+/// kEdge cells: an upright or level edge would meet all samples of a column at once.
 RenderSettings turned_image(std::uint32_t side, double turn_degrees) {
   const double turn = glm::radians(turn_degrees);
   RenderSettings settings;
@@ -35,21 +35,21 @@ RenderSettings turned_image(std::uint32_t side, double turn_degrees) {
 }
 
 PatchModel plane() {
-  return test::height_field(kNodes, [](double, double) { return 0.0; });
+  return test::height_field(kSampledNodes, [](double, double) { return 0.0; });
 }
 
 /// How many of a pixel's samples lie on the inner side of the plane's right edge.
-struct Expected {
+struct ExpectedMean {
   int inside = 0;
   int undecided = 0;       ///< so near to the edge that rounding may decide
   bool at_corner = false;  ///< of the plane, which is no half plane there
 };
 
-Expected count_inside(const RenderSettings& settings, std::size_t x, std::size_t y, int side) {
+ExpectedMean count_inside(const RenderSettings& settings, std::size_t x, std::size_t y, int side) {
   const double pixel = 2.0 * kEdge / settings.width;
   const glm::dvec2 up(settings.camera.up);
   const glm::dvec2 right(up.y, -up.x);
-  Expected expected;
+  ExpectedMean expected;
   for (int b = 0; b < side; ++b) {
     for (int a = 0; a < side; ++a) {
       const double across = (static_cast<double>(x) + (a + 0.5) / side) * pixel - kEdge;
@@ -130,7 +130,7 @@ std::vector<RenderSettings> methods(const RenderSettings& settings) {
   }
   for (const Primitive primitive : {Primitive::Sprite, Primitive::Quad}) {
     all.push_back(settings);
-    all.back().engine = EngineKind::Multipass;
+    all.back().engine = "multipass";
     all.back().primitive = primitive;
   }
   return all;
@@ -181,7 +181,7 @@ TEST(Supersampling, CoverageOfASlantedEdgeIsTheShareOfSamplesBehindIt) {
       std::size_t partial = 0;
       for (std::size_t y = 0; y < settings.height; ++y) {
         for (std::size_t x = 0; x < settings.width; ++x) {
-          const Expected expected = count_inside(settings, x, y, side);
+          const ExpectedMean expected = count_inside(settings, x, y, side);
           if (expected.at_corner) continue;
           const std::size_t k = y * settings.width + x;
           const float samples = static_cast<float>(side * side);
@@ -266,7 +266,7 @@ TEST(Supersampling, AgreesWithAsManyRays) {
   settings.samples = 64;
   settings.raytrace.samples = 64;
   const RenderResult drawn = must_render(model, settings);
-  settings.engine = EngineKind::Raytrace;
+  settings.engine = "raytrace";
   const RenderResult traced = must_render(model, settings);
   std::size_t partial = 0;
   std::size_t opaque = 0;

@@ -130,7 +130,7 @@ struct Differences {
 Differences compare(const PatchModel& model, RenderSettings settings) {
   settings.outputs = test::all_outputs();
   const RenderResult drawn = must_render(model, settings);
-  settings.engine = EngineKind::Raytrace;
+  settings.engine = "raytrace";
   settings.raytrace.samples = 1;
   const RenderResult traced = must_render(model, settings);
   Differences differences;
@@ -154,7 +154,7 @@ Differences compare(const PatchModel& model, RenderSettings settings) {
 
 /// A place is computed in single precision in the frame of a grid with up to 100 nodes a side: a
 /// few roundings of 100 * 6e-8 cells.
-constexpr double kRounding = 5e-5;
+constexpr double kMeshRounding = 5e-5;
 
 TEST(RayTracedPatches, AreWhatCorrectedInterpolationDraws) {
   std::mt19937 random(5);
@@ -169,8 +169,8 @@ TEST(RayTracedPatches, AreWhatCorrectedInterpolationDraws) {
   const Differences corrected = compare(model, settings);
   EXPECT_EQ(corrected.depth.size(), std::size_t{settings.width} * settings.height);
   EXPECT_EQ(corrected.only_drawn + corrected.only_traced, 0U);
-  EXPECT_LT(Differences::quantile(corrected.depth, 0.9), kRounding);
-  EXPECT_LT(Differences::quantile(corrected.uv, 0.9), kRounding);
+  EXPECT_LT(Differences::quantile(corrected.depth, 0.9), kMeshRounding);
+  EXPECT_LT(Differences::quantile(corrected.uv, 0.9), kMeshRounding);
   // In the remaining pixels another splat stands in front than that whose triangle the ray meets:
   // on slopes its tangent plane is above the triangle beside its own. That is within a cell.
   EXPECT_LT(Differences::quantile(corrected.uv, 1.0), 1.0);
@@ -186,8 +186,8 @@ TEST(RayTracedPatches, HaveTheNormalsOfOnepassAndItHasNoHoles) {
   for (const double azimuth : {30.0, 150.0, 270.0}) {
     const Differences corrected = compare(model, small_image(model, {azimuth, 20.0}));
     EXPECT_GT(corrected.depth.size(), 5000U);
-    EXPECT_LT(Differences::quantile(corrected.depth, 0.9), kRounding);
-    EXPECT_LT(Differences::quantile(corrected.uv, 0.9), kRounding);
+    EXPECT_LT(Differences::quantile(corrected.depth, 0.9), kMeshRounding);
+    EXPECT_LT(Differences::quantile(corrected.uv, 0.9), kMeshRounding);
     // Bilinear over a cell there, linear over half of one here: a quarter of how the slope changes
     // across both axes, 0.05^2 * 0.7 where the sphere leans by 45 degrees, is 0.025 degrees; half
     // floats add 0.014.

@@ -18,7 +18,7 @@ namespace {
 using test::small_image;
 
 /// A scene of overlapping patches in which anything that depended on order would show.
-PatchModel bumpy_sphere() {
+PatchModel small_bumpy_sphere() {
   test::SphereShape shape;
   shape.bumps = 0.1;
   shape.patches_per_side = 2;
@@ -92,7 +92,7 @@ TEST_F(Platforms, NumberOfThreadsChangesNoByte) {
       EXPECT_EXIT(
           {
             ::setenv("LP_NUM_THREADS", threads, 1);
-            const PatchModel model = bumpy_sphere();
+            const PatchModel model = small_bumpy_sphere();
             RenderSettings settings = small_image(model, {20.0, 15.0, 1.4}, 128);
             settings.primitive = way.primitive;
             settings.interpolation = way.interpolation;
@@ -114,9 +114,9 @@ TEST_F(Platforms, NumberOfThreadsChangesNoByteOfSums) {
       EXPECT_EXIT(
           {
             ::setenv("LP_NUM_THREADS", threads, 1);
-            const PatchModel model = bumpy_sphere();
+            const PatchModel model = small_bumpy_sphere();
             RenderSettings settings = small_image(model, {20.0, 15.0, 1.4}, 128);
-            settings.engine = EngineKind::Multipass;
+            settings.engine = "multipass";
             settings.primitive = primitive;
             settings.outputs = test::all_outputs();
             render_and_exit(settings, model, folder() / threads);
@@ -129,7 +129,7 @@ TEST_F(Platforms, NumberOfThreadsChangesNoByteOfSums) {
 }
 
 TEST(Osmesa, DrawsWhatEglDraws) {
-  const PatchModel model = bumpy_sphere();
+  const PatchModel model = small_bumpy_sphere();
   RenderSettings settings = small_image(model);
   for (const test::Method& way : test::all_methods()) {
     settings.primitive = way.primitive;

@@ -89,7 +89,7 @@ class GoldenMultipass : public testing::TestWithParam<Golden> {};
 TEST_P(GoldenMultipass, AreAsTheyWere) {
   const PatchModel model = model_for(GetParam());
   RenderSettings settings = settings_for(GetParam(), model);
-  settings.engine = EngineKind::Multipass;
+  settings.engine = "multipass";
   for (const Primitive primitive : {Primitive::Quad, Primitive::Sprite}) {
     settings.primitive = primitive;
     expect_golden(

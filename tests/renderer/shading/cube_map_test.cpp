@@ -158,7 +158,7 @@ TEST_F(Panorama, IsBehindTheModelAsOpenGlDrawsIt) {
     settings.background = glm::vec3(0.0F);
     settings.environment = path_;
     const Image traced = test::must_render(PatchModel{}, settings).image;
-    settings.engine = EngineKind::Onepass;
+    settings.engine = "onepass";
     const Image drawn = test::must_render(PatchModel{}, settings).image;
     for (const char* channel : {"R", "G", "B"}) {
       double worst = 0.0;
@@ -183,7 +183,7 @@ struct Panel {
 };
 
 /// The light of a direction, smooth and different for each.
-glm::vec3 tint(glm::dvec3 direction) {
+glm::vec3 cube_tint(glm::dvec3 direction) {
   return glm::vec3(0.5 + 0.25 * glm::normalize(direction));
 }
 
@@ -211,7 +211,7 @@ TEST_P(Crosses, AreAsSeenFromWithin) {
     for (std::uint32_t j = 0; j < size; ++j) {
       for (std::uint32_t i = 0; i < size; ++i) {
         const glm::dvec2 at = (2.0 * glm::dvec2(i, j) + 1.0) / double{1.0 * size} - 1.0;
-        const glm::vec3 light = tint(panel.forward + at.x * panel.right - at.y * panel.up);
+        const glm::vec3 light = cube_tint(panel.forward + at.x * panel.right - at.y * panel.up);
         const std::size_t k =
             (panel.row * size + j) * std::size_t{image.width} + panel.column * size + i;
         for (std::size_t c = 0; c < 3; ++c)
@@ -231,7 +231,7 @@ TEST_P(Crosses, AreAsSeenFromWithin) {
     const glm::dvec3 direction(normal(random), normal(random), normal(random));
     // Across a face the light changes by 0.25 in 32 texels or more; over an edge of the cube, where
     // texels meet at an angle, bilinear lookups are off by a part of a texel.
-    EXPECT_LT(largest(look_up(*cube, direction) - tint(direction)), 0.005F)
+    EXPECT_LT(largest(look_up(*cube, direction) - cube_tint(direction)), 0.005F)
         << direction.x << " " << direction.y << " " << direction.z;
   }
 }

@@ -49,7 +49,7 @@ Image picture(std::uint32_t width, std::uint32_t height,
 }
 
 /// What a camera sees over 90 degrees that stands in the middle.
-struct Look {
+struct EnvironmentLook {
   glm::dvec3 forward;
   glm::dvec3 right;
   glm::dvec3 up;
@@ -57,12 +57,12 @@ struct Look {
 
 /// Whoever looks ahead (-Z) turns to the right, to the left, raises the head, lowers it, does
 /// nothing, turns around.
-const std::array<Look, 6> kLooks{{{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
-                                  {{-1, 0, 0}, {0, 0, -1}, {0, 1, 0}},
-                                  {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
-                                  {{0, -1, 0}, {1, 0, 0}, {0, 0, -1}},
-                                  {{0, 0, -1}, {1, 0, 0}, {0, 1, 0}},
-                                  {{0, 0, 1}, {-1, 0, 0}, {0, 1, 0}}}};
+const std::array<EnvironmentLook, 6> kLooks{{{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
+                                             {{-1, 0, 0}, {0, 0, -1}, {0, 1, 0}},
+                                             {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
+                                             {{0, -1, 0}, {1, 0, 0}, {0, 0, -1}},
+                                             {{0, 0, -1}, {1, 0, 0}, {0, 1, 0}},
+                                             {{0, 0, 1}, {-1, 0, 0}, {0, 1, 0}}}};
 
 class SixFaces : public testing::Test {
  protected:
@@ -79,7 +79,7 @@ class SixFaces : public testing::Test {
 
   void write_faces(const FaceNames& names, std::uint32_t size) const {
     for (std::size_t face = 0; face < 6; ++face) {
-      const Look& look = kLooks[face];
+      const EnvironmentLook& look = kLooks[face];
       const Image seen = picture(size, size, [&look](double x, double y) {
         return tint(look.forward + (2.0 * x - 1.0) * look.right - (2.0 * y - 1.0) * look.up);
       });

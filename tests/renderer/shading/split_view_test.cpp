@@ -1,5 +1,5 @@
 // The split view: each quarter of the picture is what its material alone shows.
-#include "renderer/shading/split_view.h"
+#include "renderer/engine_checks.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <string>
+#include <string_view>
 
 #include "renderer/frame/features.h"
 #include "renderer/view/view.h"
@@ -33,11 +34,11 @@ Quarter quarter_of(const Image& image, std::size_t k) {
   return x < 0.0 ? Quarter::Samples : Quarter::Both;
 }
 
-glm::vec3 colour(const Image& image, std::size_t k) {
+glm::vec3 split_colour(const Image& image, std::size_t k) {
   return {values(image, "R")[k], values(image, "G")[k], values(image, "B")[k]};
 }
 
-PatchModel bumpy_sphere() {
+PatchModel split_bumpy_sphere() {
   test::SphereShape shape;
   shape.spacing = 0.08;
   shape.bumps = 0.05;
@@ -80,8 +81,8 @@ std::array<std::size_t, 5> expect_quarters(const Pictures& pictures, const std::
     if (values(split, "A")[k] < 1.0F) continue;
     const Quarter quarter = quarter_of(split, k);
     ++counts[static_cast<std::size_t>(quarter)];
-    const glm::vec3 lit = colour(pictures.lit, k);
-    const glm::vec3 mirror = colour(pictures.mirror, k);
+    const glm::vec3 lit = split_colour(pictures.lit, k);
+    const glm::vec3 mirror = split_colour(pictures.mirror, k);
     const auto patch = static_cast<std::uint32_t>(values(split, "patch")[k]);
     const glm::vec2 uv(values(split, "UV.U")[k], values(split, "UV.V")[k]);
     const glm::vec3 expected = quarter == Quarter::Line     ? glm::vec3(1.0F)
@@ -89,7 +90,7 @@ std::array<std::size_t, 5> expect_quarters(const Pictures& pictures, const std::
                                : quarter == Quarter::Mirror ? mirror
                                : quarter == Quarter::Both   ? 0.5F * (lit + mirror)
                                                             : shared::stored_samples(uv, patch - 1);
-    const glm::vec3 off = glm::abs(colour(split, k) - expected);
+    const glm::vec3 off = glm::abs(split_colour(split, k) - expected);
     // Pictures are kept as half floats: 11 bits, rounded or cut off, of the split view and of both
     // that it may be the mean of.
     const float step = std::max({expected.r, expected.g, expected.b}) / 1024.0F;
@@ -100,7 +101,7 @@ std::array<std::size_t, 5> expect_quarters(const Pictures& pictures, const std::
 }
 
 TEST(SplitView, QuartersAreWhatTheirMaterialsAloneShow) {
-  const PatchModel model = bumpy_sphere();
+  const PatchModel model = split_bumpy_sphere();
   RenderSettings settings = close_up(model);
   settings.pixels_per_sample = 0.0;  // UV counts cells of the finest level
   for (const test::Method& way : test::all_methods()) {
@@ -110,17 +111,17 @@ TEST(SplitView, QuartersAreWhatTheirMaterialsAloneShow) {
     for (const std::size_t count : expect_quarters(Pictures(model, settings), way.name))
       EXPECT_GT(count, 200U) << way.name;
   }
-  settings.engine = EngineKind::Raytrace;
+  settings.engine = "raytrace";
   for (const std::size_t count : expect_quarters(Pictures(model, settings), "raytrace"))
     EXPECT_GT(count, 200U) << "raytrace";
 }
 
 TEST(SplitView, HasTheSameQuartersInOrthographicPictures) {
-  const PatchModel model = bumpy_sphere();
+  const PatchModel model = split_bumpy_sphere();
   RenderSettings settings = close_up(model);
   settings.camera.orthographic_height = 1.2;
   settings.pixels_per_sample = 0.0;
-  for (const EngineKind engine : {EngineKind::Onepass, EngineKind::Raytrace}) {
+  for (const std::string_view engine : {"onepass", "raytrace"}) {
     settings.engine = engine;
     for (const std::size_t count : expect_quarters(Pictures(model, settings), "orthographic"))
       EXPECT_GT(count, 200U);
@@ -128,7 +129,7 @@ TEST(SplitView, HasTheSameQuartersInOrthographicPictures) {
 }
 
 TEST(SplitView, HasALineOfOnePixelWhereTheMiddleIsAPixels) {
-  const PatchModel model = bumpy_sphere();
+  const PatchModel model = split_bumpy_sphere();
   RenderSettings settings = close_up(model);
   settings.pixels_per_sample = 0.0;
   settings.width = 121;
@@ -138,7 +139,7 @@ TEST(SplitView, HasALineOfOnePixelWhereTheMiddleIsAPixels) {
 }
 
 TEST(SplitView, SharesAPictureWithOtherMaterials) {
-  PatchModel model = bumpy_sphere();
+  PatchModel model = split_bumpy_sphere();
   RenderSettings settings = close_up(model);
   settings.pixels_per_sample = 0.0;
   Pictures pictures(model, settings);
@@ -153,7 +154,7 @@ TEST(SplitView, SharesAPictureWithOtherMaterials) {
     const auto patch = static_cast<std::uint32_t>(values(mixed, "patch")[k]);
     if (patch == 0 || model.patches[patch - 1].material != 0) continue;
     ++seen;
-    if (glm::distance(colour(mixed, k), colour(pictures.split, k)) > 2e-3F) ++different;
+    if (glm::distance(split_colour(mixed, k), split_colour(pictures.split, k)) > 2e-3F) ++different;
   }
   EXPECT_GT(seen, 1000U);
   EXPECT_EQ(different, 0U);
@@ -203,22 +204,22 @@ TEST(SplitView, HasAFeatureOfItsOwn) {
 TEST(SplitView, IsRefusedWhereNoPlaceOnAPatchIsKnown) {
   RenderSettings settings;
   settings.material = Material::Split;
-  const auto fault = [&settings](EngineKind engine, bool on_patches) {
-    settings.engine = engine;
-    const Status status = check_split_view(settings, on_patches);
+  const auto fault = [&settings](std::string_view engine, bool on_patches) {
+    const Status status = check_split_view(*find_engine(engine), settings,
+                                           on_patches ? ModelForm::Patches : ModelForm::Mesh);
     return status ? std::string() : status.error().message;
   };
-  EXPECT_EQ(fault(EngineKind::Onepass, true), "");
-  EXPECT_EQ(fault(EngineKind::Raytrace, true), "");
-  EXPECT_NE(fault(EngineKind::Multipass, true).find("multipass"), std::string::npos);
-  EXPECT_NE(fault(EngineKind::Ewa, true).find("ewa"), std::string::npos);
-  EXPECT_NE(fault(EngineKind::Raytrace, false).find("mesh"), std::string::npos);
+  EXPECT_EQ(fault("onepass", true), "");
+  EXPECT_EQ(fault("raytrace", true), "");
+  EXPECT_NE(fault("multipass", true).find("multipass"), std::string::npos);
+  EXPECT_NE(fault("ewa", true).find("ewa"), std::string::npos);
+  EXPECT_NE(fault("raytrace", false).find("mesh"), std::string::npos);
   // It reaches who renders, also where the material is one of several.
-  settings.engine = EngineKind::Multipass;
+  settings.engine = "multipass";
   settings.material = Material::Lit;
   settings.materials = {{Material::Lit, {}}, {Material::Split, {}}};
   Progress silent;
-  EXPECT_FALSE(render(bumpy_sphere(), settings, silent));
+  EXPECT_FALSE(render(split_bumpy_sphere(), settings, silent));
 }
 
 }  // namespace

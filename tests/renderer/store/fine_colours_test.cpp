@@ -13,14 +13,14 @@ namespace {
 using test::must_render;
 using test::values;
 
-constexpr std::uint32_t kNodes = 17;
+constexpr std::uint32_t kColourNodes = 17;
 constexpr std::uint32_t kScale = 8;
-constexpr std::uint32_t kSide = kScale * (kNodes - 1) + 1;
+constexpr std::uint32_t kSide = kScale * (kColourNodes - 1) + 1;
 
 /// A level square with a map of kScale texels a cell; `colour` of texel (i, j).
 template <class Colour>
 PatchModel fine_square(const Colour& colour) {
-  PatchModel model = test::height_field(kNodes, [](double, double) { return 0.0; });
+  PatchModel model = test::height_field(kColourNodes, [](double, double) { return 0.0; });
   AttributeMap<glm::u8vec3>& map = model.patches[0].colours;
   map = {kSide, kSide, kScale, {}};
   for (std::uint32_t j = 0; j < kSide; ++j) {
@@ -32,7 +32,7 @@ PatchModel fine_square(const Colour& colour) {
 
 /// Runs `look` over the pictures of all methods to draw a model, multipass among them.
 template <class Look>
-void for_all_methods(const PatchModel& model, RenderSettings settings, const Look& look) {
+void for_all_colour_methods(const PatchModel& model, RenderSettings settings, const Look& look) {
   settings.material = Material::Unlit;
   settings.background.reset();
   for (const test::Method& way : test::all_methods()) {
@@ -40,7 +40,7 @@ void for_all_methods(const PatchModel& model, RenderSettings settings, const Loo
     settings.interpolation = way.interpolation;
     look(must_render(model, settings), way.name);
   }
-  settings.engine = EngineKind::Multipass;
+  settings.engine = "multipass";
   for (const Primitive primitive : {Primitive::Quad, Primitive::Sprite}) {
     settings.primitive = primitive;
     look(must_render(model, settings), "multipass");
@@ -50,7 +50,7 @@ void for_all_methods(const PatchModel& model, RenderSettings settings, const Loo
 TEST(FineColours, AreAFeatureOfTheirOwn) {
   const PatchModel fine = fine_square([](auto, auto) { return glm::u8vec3(9); });
   PatchModel usual = fine;
-  usual.patches[0].colours = {2 * (kNodes - 1) + 1, 2 * (kNodes - 1) + 1, 2, {}};
+  usual.patches[0].colours = {2 * (kColourNodes - 1) + 1, 2 * (kColourNodes - 1) + 1, 2, {}};
   usual.patches[0].colours.texels.resize(std::size_t{33} * 33);
   RenderSettings settings;
   settings.material = Material::Unlit;
@@ -65,14 +65,15 @@ TEST(FineColours, AConstantComesOutAsItWentIn) {
     const PatchModel model = fine_square([&](auto, auto) { return glm::u8vec3(grey); });
     // Seen askew and small: several mip levels and several places a pixel.
     for (const std::uint32_t side : {12U, 96U}) {
-      for_all_methods(model, test::small_image(model, {20.0, 15.0}, side),
-                      [&](const RenderResult& result, const char* way) {
-                        const std::vector<float>& alpha = values(result.image, "A");
-                        for (std::size_t k = 0; k < alpha.size(); ++k) {
-                          if (alpha[k] < 1.0F) continue;
-                          EXPECT_EQ(srgb8_from_linear(values(result.image, "G")[k]), grey) << way;
-                        }
-                      });
+      for_all_colour_methods(model, test::small_image(model, {20.0, 15.0}, side),
+                             [&](const RenderResult& result, const char* way) {
+                               const std::vector<float>& alpha = values(result.image, "A");
+                               for (std::size_t k = 0; k < alpha.size(); ++k) {
+                                 if (alpha[k] < 1.0F) continue;
+                                 EXPECT_EQ(srgb8_from_linear(values(result.image, "G")[k]), grey)
+                                     << way;
+                               }
+                             });
     }
   }
 }
@@ -81,9 +82,9 @@ TEST(FineColours, MinifiedTheyAreTheMeanOfTheirLight) {
   // Stripes of one texel, four of which and more are in a pixel.
   const PatchModel model =
       fine_square([](std::uint32_t i, auto) { return glm::u8vec3(i % 2 == 0 ? 0 : 255); });
-  RenderSettings settings = test::from_above(model, kNodes);
+  RenderSettings settings = test::from_above(model, kColourNodes);
   settings.width = settings.height = 32;
-  for_all_methods(model, settings, [](const RenderResult& result, const char* way) {
+  for_all_colour_methods(model, settings, [](const RenderResult& result, const char* way) {
     for (std::size_t y = 8; y < 24; ++y) {
       for (std::size_t x = 8; x < 24; ++x)
         // Each mip level rounds to 8 bits, half a step of which is 0.003 here.
@@ -108,19 +109,19 @@ TEST(FineColours, NoPatchShowsItsNeighboursInTheAtlas) {
   model.bounding_radius += 34.0;
   for (const std::uint32_t side : {13U, 20U, 31U, 46U, 67U, 160U}) {
     for (const Orbit orbit : {Orbit{0.0, 10.0}, Orbit{70.0, 30.0}}) {
-      for_all_methods(model, test::small_image(model, orbit, side),
-                      [&](const RenderResult& result, const char* way) {
-                        const std::vector<float>& alpha = values(result.image, "A");
-                        for (std::size_t k = 0; k < alpha.size(); ++k) {
-                          if (alpha[k] < 1.0F) continue;
-                          const float red = values(result.image, "R")[k];
-                          const float light = values(result.image, "B")[k];
-                          // Whose splats of two squares blend where both are in a pixel.
-                          if (std::string(way) == "multipass") continue;
-                          EXPECT_GT(std::max(red, light), 0.999F) << way;
-                          EXPECT_LT(std::min(red, light), 0.001F) << way;
-                        }
-                      });
+      for_all_colour_methods(model, test::small_image(model, orbit, side),
+                             [&](const RenderResult& result, const char* way) {
+                               const std::vector<float>& alpha = values(result.image, "A");
+                               for (std::size_t k = 0; k < alpha.size(); ++k) {
+                                 if (alpha[k] < 1.0F) continue;
+                                 const float red = values(result.image, "R")[k];
+                                 const float light = values(result.image, "B")[k];
+                                 // Whose splats of two squares blend where both are in a pixel.
+                                 if (std::string(way) == "multipass") continue;
+                                 EXPECT_GT(std::max(red, light), 0.999F) << way;
+                                 EXPECT_LT(std::min(red, light), 0.001F) << way;
+                               }
+                             });
     }
   }
 }

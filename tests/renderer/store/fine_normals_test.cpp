@@ -22,13 +22,13 @@ using test::must_render;
 using test::normal_of;
 using test::values;
 
-constexpr std::uint32_t kNodes = 17;
-constexpr std::uint32_t kScale = 8;
+constexpr std::uint32_t kNormalNodes = 17;
+constexpr std::uint32_t kNormalScale = 8;
 
 /// The normal at a place of the square in cells from its corner, any length.
 using Relief = std::function<glm::dvec3(double, double)>;
 
-Patch fine_patch(const Patch& plain, const Relief& normal, std::uint32_t scale = kScale) {
+Patch fine_patch(const Patch& plain, const Relief& normal, std::uint32_t scale = kNormalScale) {
   Patch patch = plain;
   const std::uint32_t side = scale * (patch.width - 1) + 1;
   patch.normals = {side, side, scale, {}};
@@ -41,8 +41,8 @@ Patch fine_patch(const Patch& plain, const Relief& normal, std::uint32_t scale =
 }
 
 /// A level square with a map of `scale` texels a cell.
-PatchModel fine_square(const Relief& normal, std::uint32_t nodes = kNodes,
-                       std::uint32_t scale = kScale) {
+PatchModel fine_square(const Relief& normal, std::uint32_t nodes = kNormalNodes,
+                       std::uint32_t scale = kNormalScale) {
   PatchModel model = test::height_field(nodes, [](double, double) { return 0.0; });
   model.patches[0] = fine_patch(model.patches[0], normal, scale);
   return model;
@@ -50,7 +50,7 @@ PatchModel fine_square(const Relief& normal, std::uint32_t nodes = kNodes,
 
 /// Runs `look` over the pictures of all methods to draw a model, the rivals among them.
 template <class Look>
-void for_all_methods(const PatchModel& model, RenderSettings settings, const Look& look) {
+void for_all_normal_methods(const PatchModel& model, RenderSettings settings, const Look& look) {
   settings.background.reset();
   settings.outputs = test::all_outputs();
   for (const test::Method& way : test::all_methods()) {
@@ -58,12 +58,12 @@ void for_all_methods(const PatchModel& model, RenderSettings settings, const Loo
     settings.interpolation = way.interpolation;
     look(must_render(model, settings), std::string(way.name));
   }
-  settings.engine = EngineKind::Multipass;
+  settings.engine = "multipass";
   for (const Primitive primitive : {Primitive::Quad, Primitive::Sprite}) {
     settings.primitive = primitive;
     look(must_render(model, settings), std::string("multipass"));
   }
-  settings.engine = EngineKind::Raytrace;
+  settings.engine = "raytrace";
   settings.raytrace.samples = 1;
   look(must_render(model, settings), std::string("raytrace"));
 }
@@ -90,7 +90,7 @@ double largest_angle(const RenderResult& result, const RenderSettings& settings,
 TEST(FineNormals, AreAFeatureOfTheirOwn) {
   const auto up = [](double, double) { return glm::dvec3(0.0, 0.0, 1.0); };
   const ModelMaps fine(fine_square(up));
-  const ModelMaps usual(fine_square(up, kNodes, 1));
+  const ModelMaps usual(fine_square(up, kNormalNodes, 1));
   RenderSettings settings;
   settings.material = Material::Lit;
   EXPECT_NE(scene_features(settings, fine) & RELIEF_FEATURE_FINE_NORMALS, 0U);
@@ -112,15 +112,16 @@ TEST(FineNormals, AConstantTiltComesOutAsItWentIn) {
   for (const std::uint32_t side : {12U, 96U}) {
     RenderSettings settings = test::small_image(model, {20.0, 15.0}, side);
     settings.pixels_per_sample = 0.5;  // below 1 nothing is drawn from afar, which reads no map
-    for_all_methods(model, settings, [&](const RenderResult& result, const std::string& way) {
-      // The map's 16 bits are 0.003 degrees; normals are half floats, half a step of which is
-      // 2^-12: 0.014 degrees, and multipass sums them up in such.
-      EXPECT_LT(largest_angle(
-                    result, settings, [&](double, double) { return tilt; }, 100.0),
-                way == "multipass" ? 0.1 : 0.03)
-          << way;
-      EXPECT_GT(result.covered_pixels, 0U);
-    });
+    for_all_normal_methods(
+        model, settings, [&](const RenderResult& result, const std::string& way) {
+          // The map's 16 bits are 0.003 degrees; normals are half floats, half a step of which is
+          // 2^-12: 0.014 degrees, and multipass sums them up in such.
+          EXPECT_LT(largest_angle(
+                        result, settings, [&](double, double) { return tilt; }, 100.0),
+                    way == "multipass" ? 0.1 : 0.03)
+              << way;
+          EXPECT_GT(result.covered_pixels, 0U);
+        });
   }
 }
 
@@ -131,9 +132,9 @@ TEST(FineNormals, AreSharperThanTheGrid) {
     return glm::dvec3(0.5 * std::cos(pi * x), 0.3 * std::sin(pi * y), 1.0);
   };
   const PatchModel model = fine_square(waves);
-  const RenderSettings settings = test::from_above(model, kNodes);
-  const double half = 0.5 * (kNodes - 1);
-  for_all_methods(model, settings, [&](const RenderResult& result, const std::string& way) {
+  const RenderSettings settings = test::from_above(model, kNormalNodes);
+  const double half = 0.5 * (kNormalNodes - 1);
+  for_all_normal_methods(model, settings, [&](const RenderResult& result, const std::string& way) {
     const double angle = largest_angle(
         result, settings, [&](double x, double y) { return waves(x + half, y + half); },
         half - 1.0);
@@ -148,12 +149,13 @@ TEST(FineNormals, AreSharperThanTheGrid) {
 TEST(FineNormals, MinifiedTheyAreTheMeanDirection) {
   // Ridges of one texel, four of which and more are in a pixel: up, each side 37 degrees away.
   const PatchModel model = fine_square([](double x, double) {
-    return glm::dvec3(static_cast<int>(std::lround(x * kScale)) % 2 == 0 ? 0.6 : -0.6, 0.0, 0.8);
+    return glm::dvec3(static_cast<int>(std::lround(x * kNormalScale)) % 2 == 0 ? 0.6 : -0.6, 0.0,
+                      0.8);
   });
-  RenderSettings settings = test::from_above(model, kNodes);
+  RenderSettings settings = test::from_above(model, kNormalNodes);
   settings.width = settings.height = 32;
-  const double inside = 0.5 * (kNodes - 1) - 2.0;
-  for_all_methods(model, settings, [&](const RenderResult& result, const std::string& way) {
+  const double inside = 0.5 * (kNormalNodes - 1) - 2.0;
+  for_all_normal_methods(model, settings, [&](const RenderResult& result, const std::string& way) {
     if (way == "raytrace") return;  // filters by rays
     const double angle = largest_angle(
         result, settings, [](double, double) { return glm::dvec3(0.0, 0.0, 1.0); }, inside);
@@ -176,7 +178,7 @@ TEST(FineNormals, NoPatchShowsItsNeighboursInTheAtlas) {
   model.bounds.max += glm::dvec3(48.0, 48.0, 0.0);
   model.bounding_radius += 34.0;
   for (const std::uint32_t side : {13U, 31U, 67U, 160U}) {
-    for_all_methods(
+    for_all_normal_methods(
         model, test::small_image(model, {10.0, 20.0}, side),
         [&](const RenderResult& result, const std::string& way) {
           if (way == "multipass") return;  // whose splats blend
@@ -232,7 +234,7 @@ TEST(FineNormals, LitAndMirrorPicturesAreThoseOfRaysToThePatch) {
     settings.primitive = Primitive::Cell;
     settings.background.reset();
     const RenderResult drawn = must_render(model, settings);
-    settings.engine = EngineKind::Raytrace;
+    settings.engine = "raytrace";
     settings.raytrace.samples = 16;
     const RenderResult traced = must_render(model, settings);
     double squares = 0.0;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <unistd.h>
+#include <string_view>
 
 #include <cmath>
 #include <filesystem>
@@ -24,8 +25,7 @@ using test::EngineMethod;
 using test::must_render;
 using test::values;
 
-constexpr EngineMethod kCells{EngineKind::Onepass, Primitive::Cell, Interpolation::Corrected,
-                              "cells"};
+constexpr EngineMethod kCells{"onepass", Primitive::Cell, Interpolation::Corrected, "cells"};
 
 glm::vec3 colour(const Image& image, std::size_t k) {
   return {values(image, "R")[k], values(image, "G")[k], values(image, "B")[k]};
@@ -92,7 +92,7 @@ TEST(OrthographicOpacity, OverlapsCountOnce) {
   test::SphereShape shape;
   shape.patches_per_side = 2;  // 24 patches, each two cells over its neighbours
   const PatchModel model = test::sphere_model(shape);
-  for (const EngineKind engine : {EngineKind::Onepass, EngineKind::Raytrace}) {
+  for (const std::string_view engine : {"onepass", "raytrace"}) {
     EngineMethod way = kCells;
     way.engine = engine;
     RenderSettings settings = by(way, test::small_image(model));
@@ -118,7 +118,7 @@ TEST(OrthographicSamples, AreThePixelsOfALargerPicture) {
   shape.bumps = 0.05;
   const PatchModel model = test::sphere_model(shape);
   for (const EngineMethod& way : all_engine_methods()) {
-    if (way.engine == EngineKind::Ewa || way.engine == EngineKind::Raytrace) continue;
+    if (way.engine == "ewa" || way.engine == "raytrace") continue;
     RenderSettings settings = by(way, test::small_image(model));
     settings.outputs = {};
     settings.camera.orthographic_height = 2.4;

@@ -92,7 +92,7 @@ TEST_P(OrthographicLimits, DoNotDependOnTheEyesDistance) {
 
 TEST_P(OrthographicLimits, AreAsRightAsPerspectiveOnes) {
   const PatchModel model = bumpy_sphere();
-  const EngineMethod truth{EngineKind::Raytrace, Primitive::Cell, Interpolation::Corrected, ""};
+  const EngineMethod truth{"raytrace", Primitive::Cell, Interpolation::Corrected, ""};
   const auto compared_to_truth = [&](const Camera& camera) {
     RenderSettings settings = orthographic_image(model, GetParam());
     RenderSettings traced = orthographic_image(model, truth);

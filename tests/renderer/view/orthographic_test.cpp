@@ -33,25 +33,25 @@ PatchModel plane_model() {
 /// How far beyond its outermost samples an engine draws a plane, in cells; nothing where that is
 /// no straight edge.
 std::optional<double> beyond_samples(const EngineMethod& way) {
-  if (way.engine == EngineKind::Raytrace) return 0.0;
-  const bool discs = way.engine == EngineKind::Onepass && way.primitive == Primitive::Sprite;
-  if (way.engine == EngineKind::Ewa || discs) return std::nullopt;
+  if (way.engine == "raytrace") return 0.0;
+  const bool discs = way.engine == "onepass" && way.primitive == Primitive::Sprite;
+  if (way.engine == "ewa" || discs) return std::nullopt;
   return 0.5;  // half a splat
 }
 
 /// How far the pieces that an engine draws a plane of reach, in cells: discs of as much as a splat
 /// and its margins, kernels that end at 4 standard deviations.
 double reach(const EngineMethod& way) {
-  return way.engine == EngineKind::Ewa ? 6.0 : 2.0;
+  return way.engine == "ewa" ? 6.0 : 2.0;
 }
 
 /// How far depths may be off, in cells over the cosine between ray and normal.
 double depth_tolerance(const EngineMethod& way) {
   // Kernels are as far apart as they are wide: the mean of planes that are all the same one, but
   // for heights and normals, both rounded to 1/1000 or better, over the two cells that they reach.
-  if (way.engine == EngineKind::Ewa) return 0.005;
+  if (way.engine == "ewa") return 0.005;
   // Heights are rounded to 1/1000 of a cell.
-  if (way.engine == EngineKind::Raytrace || way.is_cells()) return 0.002;
+  if (way.engine == "raytrace" || way.is_cells()) return 0.002;
   // Slopes are rounded to half of kSteepest / 127 along both axes, over the radius of a disc.
   return 2.0 * 0.5 * shared::kSteepest / 127.0;
 }
@@ -167,13 +167,12 @@ TEST_P(Orthographic, SphereOfManyPatchesHasNoHolesAndItsOwnNormals) {
     // The tolerances of Surfaces, for the same reasons. Splats that blend are seen through as much
     // of the sphere as they reach: discs of twice the radius, 1.4 cells, are off it by half of its
     // square over a radius of 20 cells.
-    const bool blends =
-        GetParam().engine == EngineKind::Multipass || GetParam().engine == EngineKind::Ewa;
+    const bool blends = GetParam().engine == "multipass" || GetParam().engine == "ewa";
     EXPECT_LT(errors.normal_degrees, blends ? 0.6 : 0.2) << height;
     EXPECT_LT(errors.depth_cells, blends ? 0.15 : 0.04) << height;
     // Discs in the plane of a splat at the rim stick out by as little as what is off it; a kernel
     // of ewa reaches two pixels.
-    if (GetParam().engine != EngineKind::Ewa) {
+    if (GetParam().engine != "ewa") {
       EXPECT_EQ(errors.rim, 0U) << height;
     }
   }
@@ -196,7 +195,7 @@ TEST_P(Orthographic, WhatIsBehindTheEyesPlaneIsCutOff) {
     // Where the plane cuts the sphere it is seen from without beyond, and from within before that.
     // A kernel of ewa, which has no half, is a cell or two wide.
     const double cut = std::sqrt(1.0 - 0.3 * 0.3);
-    const double width = GetParam().engine == EngineKind::Ewa ? 0.15 : 0.03;
+    const double width = GetParam().engine == "ewa" ? 0.15 : 0.03;
     if (std::abs(across - cut) < width || std::abs(across - 1.0) < 0.1) continue;
     if (across > 1.0) {
       ASSERT_EQ(values(image, "A")[k], 0.0F) << k;
@@ -214,7 +213,7 @@ TEST_P(Orthographic, WhatIsBehindTheEyesPlaneIsCutOff) {
 
 TEST_P(Orthographic, EyesPlaneCutsToThePixel) {
   // Points of ewa are seen whole or not at all.
-  if (GetParam().engine == EngineKind::Ewa) return;
+  if (GetParam().engine == "ewa") return;
   const PatchModel model = plane_model();
   RenderSettings settings = by(GetParam(), test::small_image(model));
   settings.camera = {{0.0, 0.0, 0.0}, {-1.0, -0.4, -1.0}, {0.0, 1.0, 0.0}};
@@ -230,8 +229,7 @@ TEST_P(Orthographic, EyesPlaneCutsToThePixel) {
     const glm::dvec3 place = start + depth * ray;
     if (std::max(std::abs(place.x), std::abs(place.y)) > kHalf - 2.0) continue;
     // Pass 1 of multipass sets all of the surface back before it is cut.
-    const double early =
-        GetParam().engine == EngineKind::Multipass ? double{shared::kBlendingDepth} : 0.0;
+    const double early = GetParam().engine == "multipass" ? double{shared::kBlendingDepth} : 0.0;
     const double slack = depth_tolerance(GetParam()) / std::abs(cosine);
     if (depth < slack && depth > -early - slack) continue;
     ASSERT_EQ(values(image, "A")[k] > 0.0F, depth > 0.0) << k << " " << depth;

@@ -160,7 +160,7 @@ TEST(PatchesInView, WhatIsDrawnAtItsFinestHasNoOverviews) {
   settings.primitive = Primitive::Quad;
   EXPECT_EQ(chosen_by(tiles, {settings}).size(), 256U);
   settings.primitive = Primitive::Cell;
-  settings.engine = EngineKind::Multipass;
+  settings.engine = "multipass";
   EXPECT_EQ(chosen_by(tiles, {settings}).size(), 256U);
 }
 

@@ -55,7 +55,7 @@ inline void append(SplatCloud& to, const SplatCloud& from) {
 /// the origin.
 inline RenderSettings ewa_image(glm::dvec3 eye, std::uint32_t side = 96) {
   RenderSettings settings;
-  settings.engine = EngineKind::Ewa;
+  settings.engine = "ewa";
   settings.width = settings.height = side;
   settings.camera = {eye, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 40.0};
   settings.material = Material::Unlit;

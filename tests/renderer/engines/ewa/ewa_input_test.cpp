@@ -36,8 +36,8 @@ void expect_same_image(const Image& a, const Image& b) {
     EXPECT_EQ(a.channels[c].values, b.channels[c].values) << a.channels[c].name;
 }
 
-const std::vector<EwaFilter> kFilters{EwaFilter::Ewa, EwaFilter::SourceSpace, EwaFilter::Circular,
-                                      EwaFilter::Unfiltered};
+const std::vector<EwaFilter> kInputFilters{EwaFilter::Ewa, EwaFilter::SourceSpace,
+                                           EwaFilter::Circular, EwaFilter::Unfiltered};
 
 TEST(EwaInput, PointsWithoutSurfaceChangeNothing) {
   const SplatCloud plane = test::plane_cloud(12, 4);
@@ -61,7 +61,7 @@ TEST(EwaInput, PointsWithoutSurfaceChangeNothing) {
   add_point(cloud, eye + glm::dvec3(5, 0, -0.2), {1, 0, 1}, 1.0);  // beside the picture
   add_point(cloud, {8, 0, 0}, glm::cross(glm::vec3(8, 0, -20), {0, 1, 0}), 0.0);
   add_point(cloud, {0, 6, 0}, {0.0F, 20.0F, 6.0F}, 1.0);  // edge-on
-  for (const EwaFilter filter : kFilters) {
+  for (const EwaFilter filter : kInputFilters) {
     RenderSettings settings = ewa_image(eye, 48);
     settings.ewa.filter = filter;
     const RenderResult with = must_splat(cloud, settings);
@@ -74,7 +74,7 @@ TEST(EwaInput, HugeSplatsFillThePictureAndNothingMore) {
   for (const double radius : {1e3, 1e30, 1e300}) {
     SplatCloud cloud;
     add_point(cloud, {0.5, 0.2, 0.0}, {0.3F, 0.2F, 1.0F}, radius);
-    for (const EwaFilter filter : kFilters) {
+    for (const EwaFilter filter : kInputFilters) {
       RenderSettings settings = ewa_image({0.0, 0.0, 5.0}, 24);
       settings.ewa.filter = filter;
       const RenderResult result = must_splat(cloud, settings);
@@ -93,7 +93,7 @@ TEST(EwaInput, TiltedSplatsAreNumbersAtEveryAngle) {
               glm::vec3(std::sin(angle), 0.0, std::cos(angle)), k % 7 == 0 ? 20.0 : 0.3,
               {1.0F, 1.0F, 1.0F, 0.01F * static_cast<float>(k % 101)});
   }
-  for (const EwaFilter filter : kFilters) {
+  for (const EwaFilter filter : kInputFilters) {
     for (const int layers : {1, 2, 4}) {
       RenderSettings settings = ewa_image({0.0, 0.0, 12.0}, 48);
       settings.ewa.filter = filter;

@@ -155,7 +155,7 @@ TEST(EwaSurface, SamplesOfPatchesLieWhereOnepassDrawsThem) {
   settings.camera.vertical_fov_degrees = 5.0;
   settings.ewa.cutoff = 8.0;
   const RenderResult splats = test::must_render(plane, settings);
-  settings.engine = EngineKind::Onepass;
+  settings.engine = "onepass";
   const RenderResult patches = test::must_render(plane, settings);
   ASSERT_EQ(splats.covered_pixels, 48U * 48U);
   ASSERT_EQ(patches.covered_pixels, 48U * 48U);

@@ -31,7 +31,7 @@ struct SplatMethod {
 class Multipass : public testing::TestWithParam<SplatMethod> {
  protected:
   static RenderSettings with_method(RenderSettings settings) {
-    settings.engine = EngineKind::Multipass;
+    settings.engine = "multipass";
     settings.primitive = GetParam().primitive;
     settings.multipass.radius_factor = GetParam().radius_factor;
     return settings;
@@ -211,12 +211,12 @@ TEST_P(Multipass, ViewsAndEnginesDoNotDisturbEachOther) {
   std::vector<RenderSettings> views;
   for (const std::uint32_t side : {64U, 40U, 96U})
     views.push_back(with_method(small_image(model, {20.0, 15.0, 1.4}, side)));
-  views[1].engine = EngineKind::Onepass;
+  views[1].engine = "onepass";
   views[2].outputs = test::all_outputs();
   Progress silent;
   std::vector<Image> pictures(views.size());
   ASSERT_TRUE(render_views(
-      RenderModel{&model}, views,
+      RenderModel::of(model), views,
       [&pictures](std::size_t view, const RenderResult& picture) {
         pictures[view] = picture.image;
         return Status();

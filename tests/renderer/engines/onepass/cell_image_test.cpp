@@ -46,7 +46,7 @@ TEST(CellImages, AreTheTrianglesOfThePatch) {
   const PatchModel model = wavy_field(0.1);
   RenderSettings settings = seen_from_above(model);
   const RenderResult cells = must_render(model, settings);
-  settings.engine = EngineKind::Raytrace;
+  settings.engine = "raytrace";
   settings.raytrace.samples = 1;
   const RenderResult rays = must_render(model, settings);
   std::size_t hit = 0;

@@ -23,18 +23,18 @@ using test::values;
 class Surfaces : public testing::TestWithParam<Method> {};
 
 /// Rms errors of a rendered sphere, over pixels that see it at more than 20 degrees.
-struct SphereErrors {
+struct SurfaceErrors {
   double normal_degrees = 0.0;
   double depth_cells = 0.0;
   std::size_t holes = 0;
   std::size_t pixels = 0;
 };
 
-SphereErrors sphere_errors(const test::SphereShape& shape, RenderSettings settings,
-                           const PatchModel& model) {
+SurfaceErrors sphere_errors(const test::SphereShape& shape, RenderSettings settings,
+                            const PatchModel& model) {
   settings.outputs = test::all_outputs();
   const RenderResult result = must_render(model, settings);
-  SphereErrors errors;
+  SurfaceErrors errors;
   if (result.image.channels.empty()) return errors;
   for (std::size_t y = 0; y < settings.height; ++y) {
     for (std::size_t x = 0; x < settings.width; ++x) {
@@ -77,7 +77,7 @@ TEST_P(Surfaces, SphereOfManyPatchesHasNoHolesAndItsOwnNormals) {
     RenderSettings settings = small_image(model, {30.0, 20.0, distance});
     settings.primitive = GetParam().primitive;
     settings.interpolation = GetParam().interpolation;
-    const SphereErrors errors = sphere_errors(shape, settings, model);
+    const SurfaceErrors errors = sphere_errors(shape, settings, model);
     EXPECT_GT(errors.pixels, 1000U);
     EXPECT_EQ(errors.holes, 0U) << distance;
     // A splat's plane is off the sphere by 0.0125 cells at its corner, a triangle by as much in its
@@ -141,7 +141,7 @@ TEST_P(Surfaces, PixelsSmallerThanSamplesHaveNoHoles) {
   RenderSettings settings = small_image(model, {50.0, -30.0}, 24);
   settings.primitive = GetParam().primitive;
   settings.interpolation = GetParam().interpolation;
-  const SphereErrors errors = sphere_errors(shape, settings, model);
+  const SurfaceErrors errors = sphere_errors(shape, settings, model);
   EXPECT_EQ(errors.holes, 0U);
 }
 

@@ -13,7 +13,7 @@ using test::must_trace;
 using test::values;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kHostileInfinity = std::numeric_limits<double>::infinity();
 
 /// Renders with every material, one and several rays a pixel, and looks at every value.
 void expect_finite(const TriangleMesh& mesh, const char* what) {
@@ -26,7 +26,7 @@ void expect_finite(const TriangleMesh& mesh, const char* what) {
       const RenderResult result = must_trace(mesh, settings);
       for (const Channel& channel : result.image.channels) {
         for (const float value : channel.values) {
-          const bool is_nothing = channel.name == "Z" && value == kInfinity;
+          const bool is_nothing = channel.name == "Z" && value == kHostileInfinity;
           ASSERT_TRUE(std::isfinite(value) || is_nothing) << what << ": " << channel.name;
         }
       }
@@ -90,7 +90,7 @@ TEST(HostileMesh, ColoursAndPlacesThatAreNone) {
 }
 
 TEST(HostileMesh, PositionsThatAreNoNumbersTakeTheirTrianglesAway) {
-  for (const double bad : {double{kNan}, kInfinity, -kInfinity}) {
+  for (const double bad : {double{kNan}, kHostileInfinity, -kHostileInfinity}) {
     TriangleMesh mesh = test::sphere_mesh(12);
     for (std::size_t k = 0; k < mesh.positions.size(); k += 5) mesh.positions[k].y = bad;
     expect_finite(mesh, "positions");

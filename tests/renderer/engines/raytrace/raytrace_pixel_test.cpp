@@ -161,7 +161,7 @@ TEST(Background, LiesBehindWhatIsNotCovered) {
 }
 
 /// Two spheres in one place, a red and a blue one, whose triangles come in random order.
-TriangleMesh two_spheres() {
+TriangleMesh two_traced_spheres() {
   TriangleMesh mesh = test::sphere_mesh(60);
   const auto vertices = static_cast<std::uint32_t>(mesh.positions.size());
   for (std::uint32_t k = 0; k < vertices; ++k) {
@@ -181,7 +181,7 @@ RenderSettings sphere_image() {
 }
 
 TEST(Ties, OfTwoTrianglesInOnePlaceTheFirstOfTheMeshIsSeen) {
-  TriangleMesh mesh = two_spheres();
+  TriangleMesh mesh = two_traced_spheres();
   RenderSettings settings = sphere_image();
   settings.material = Material::Unlit;
   const RenderResult all = must_trace(mesh, settings);
@@ -197,7 +197,7 @@ TEST(Ties, OfTwoTrianglesInOnePlaceTheFirstOfTheMeshIsSeen) {
 }
 
 TEST(Threads, DoNotChangeAByte) {
-  TriangleMesh mesh = two_spheres();
+  TriangleMesh mesh = two_traced_spheres();
   RenderSettings settings = sphere_image();
   settings.raytrace.samples = 4;
   const auto render_with = [&](std::size_t threads) {

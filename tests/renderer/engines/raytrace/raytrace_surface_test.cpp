@@ -13,7 +13,7 @@ using test::pixel_ray;
 using test::values;
 
 /// A float's rounding, relative.
-constexpr double kRounding = 6e-8;
+constexpr double kRayRounding = 6e-8;
 
 /// The largest errors over a plane that fills the picture.
 struct PlaneErrors {
@@ -67,9 +67,9 @@ TEST(RayTracedPlane, IsExactFromNearAndFar) {
     const PlaneErrors errors = plane_errors({0.3, -0.2, 0.1}, look.distance, look.fov_degrees);
     EXPECT_EQ(errors.covered, 96U * 80U) << look.distance;
     // The outputs are floats of exact values.
-    EXPECT_LT(errors.depth, kRounding) << look.distance;
-    EXPECT_LT(errors.uv, kRounding) << look.distance;
-    EXPECT_LT(errors.normal_degrees, 2.0 * kRounding * 180.0 / std::acos(-1.0)) << look.distance;
+    EXPECT_LT(errors.depth, kRayRounding) << look.distance;
+    EXPECT_LT(errors.uv, kRayRounding) << look.distance;
+    EXPECT_LT(errors.normal_degrees, 2.0 * kRayRounding * 180.0 / std::acos(-1.0)) << look.distance;
   }
 }
 
@@ -77,8 +77,8 @@ TEST(RayTracedPlane, IsExactAtGeoreferencedCoordinates) {
   const PlaneErrors errors = plane_errors({5.0e5, 4.2e6, 1.0e7}, 3.0, 40.0);
   EXPECT_EQ(errors.covered, 96U * 80U);
   // Doubles at 1e7 are 1.9e-9 apart; that is what the mesh itself is rounded to.
-  EXPECT_LT(errors.depth, kRounding + 4e-9);
-  EXPECT_LT(errors.uv, kRounding + 4e-9);
+  EXPECT_LT(errors.depth, kRayRounding + 4e-9);
+  EXPECT_LT(errors.uv, kRayRounding + 4e-9);
 }
 
 TEST(RayTracedSphere, HasItsSilhouetteDepthAndNormals) {
@@ -111,7 +111,7 @@ TEST(RayTracedSphere, HasItsSilhouetteDepthAndNormals) {
     const double depth = (-b - std::sqrt(b * b - a * (glm::dot(eye, eye) - 1.0))) / a;
     const double behind = values(result.image, "Z")[k] - depth;
     // Up to the sagitta below the sphere, seen at an angle; rays are a little longer than depths.
-    EXPECT_GT(behind, -2.0 * kRounding * depth);
+    EXPECT_GT(behind, -2.0 * kRayRounding * depth);
     EXPECT_LT(behind, 1.1 * sagitta / cosine);
     // The ray goes on below the sphere, along which the normal turns by `sagitta / tan`; linear
     // interpolation of unit vectors adds less than a quarter of that.

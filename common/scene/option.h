@@ -1,0 +1,48 @@
+// An option of an engine, as the command line, scene files and overrides see it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "common/error.h"
+#include "common/scene/choices.h"
+
+namespace relief {
+
+/// A number, or the name of a choice.
+using OptionValue = std::variant<double, std::string>;
+
+/// Values by key, as the command line and scene files give them. What is not given has no entry.
+using OptionValues = std::map<std::string, OptionValue, std::less<>>;
+
+enum class OptionKind : std::uint8_t { Integer, Number, Choice };
+
+/// What an option accepts, and the text of its help.
+struct OptionRow {
+  std::string key = {};  ///< the option without its dashes, and the key in a scene file
+  OptionKind kind = OptionKind::Number;
+  NumberChoice range{0.0, 0.0};           ///< of Integer and Number, both ends included
+  std::vector<std::string> choices = {};  ///< of Choice
+  std::string placeholder = {};   ///< in `--help`: "N", "MS"; empty for Choice, which lists them
+  std::string help = {};          ///< what it does and its unit: a sentence without a period
+  std::string default_text = {};  ///< "2", "4 with cells, else 0"; empty: none
+};
+
+/// What the option accepts: "a whole number from 1 to 64", "a number from 1 to 4", "ewa, circular".
+[[nodiscard]] std::string expected_of(const OptionRow& row);
+
+/// Fails unless the option accepts the value: "expected a number from 1 to 4; found 7".
+Status check_value(const OptionRow& row, const OptionValue& value);
+
+/// The value that a text on the command line stands for. Fails as check_value does.
+Result<OptionValue> parse_value(const OptionRow& row, std::string_view text);
+
+/// What `over` has, and where it has nothing, what `base` has.
+[[nodiscard]] OptionValues overlay_options(OptionValues base, const OptionValues& over);
+
+}  // namespace relief

@@ -1,0 +1,211 @@
+#include "loader/load_files.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "common/image/srgb.h"
+#include "common/io/extension.h"
+#include "common/io/file.h"
+#include "common/patch_file/patch_file.h"
+#include "preprocess/convert.h"
+#include "preprocess/normals/normals.h"
+#include "preprocess/points/neighbours.h"
+#include "preprocess/points/point_radii.h"
+#include "preprocess/readers/scan_poses.h"
+
+namespace relief {
+namespace {
+
+/// Appends an attribute if both sides have it for all their points; otherwise neither keeps it.
+/// Returns whether something was left out.
+template <class T>
+bool append_attribute(std::vector<T>& to, std::size_t to_points, const std::vector<T>& from) {
+  if (from.empty() != to.empty() && to_points > 0) {
+    to.clear();
+    return true;
+  }
+  to.insert(to.end(), from.begin(), from.end());
+  return false;
+}
+
+/// An attribute once left out stays out, whatever later files have.
+struct LeftOut {
+  bool normals = false;
+  bool colours = false;
+  bool texcoords = false;
+};
+
+/// Triangles keep their materials, and their texture coordinates with them, which by point may have
+/// been left out.
+void append_materials(Points& to, Points& from) {
+  if (from.materials.empty() && to.materials.empty()) {
+    to.corner_texcoords.clear();
+    return;
+  }
+  const auto give_corners = [](Points& points) {
+    if (!points.corner_texcoords.empty()) return;
+    points.corner_texcoords.resize(points.triangles.size());
+    if (points.texcoords.empty()) return;
+    for (std::size_t t = 0; t < points.triangles.size(); ++t)
+      points.corner_texcoords[t] = texcoords_of(points, t);
+  };
+  give_corners(to);
+  give_corners(from);
+  to.corner_texcoords.insert(to.corner_texcoords.end(), from.corner_texcoords.begin(),
+                             from.corner_texcoords.end());
+  if (!to.corner_tangents.empty() || !from.corner_tangents.empty()) {
+    to.corner_tangents.resize(to.triangles.size(), CornerTangents{});
+    from.corner_tangents.resize(from.triangles.size(), CornerTangents{});
+    to.corner_tangents.insert(to.corner_tangents.end(), from.corner_tangents.begin(),
+                              from.corner_tangents.end());
+  }
+  const auto before = static_cast<std::uint32_t>(to.materials.size());
+  to.triangle_materials.resize(to.triangles.size(), kNoMaterial);
+  from.triangle_materials.resize(from.triangles.size(), kNoMaterial);
+  for (const std::uint32_t material : from.triangle_materials)
+    to.triangle_materials.push_back(material == kNoMaterial ? material : material + before);
+  to.materials.insert(to.materials.end(), from.materials.begin(), from.materials.end());
+}
+
+void append(Points& to, Points from, LeftOut& left_out) {
+  const auto offset = static_cast<std::uint32_t>(to.size());
+  if (left_out.normals) from.normals.clear();
+  if (left_out.colours) from.colours.clear();
+  if (left_out.texcoords) from.texcoords.clear();
+  left_out.normals |= append_attribute(to.normals, offset, from.normals);
+  left_out.colours |= append_attribute(to.colours, offset, from.colours);
+  left_out.texcoords |= append_attribute(to.texcoords, offset, from.texcoords);
+  to.positions.insert(to.positions.end(), from.positions.begin(), from.positions.end());
+  append_materials(to, from);
+  to.triangles.reserve(to.triangles.size() + from.triangles.size());
+  for (const Triangle& t : from.triangles) {
+    to.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+  }
+  // Points seen from several positions have no single viewpoint.
+  if (offset == 0) {
+    to.viewpoint = from.viewpoint;
+  } else if (to.viewpoint != from.viewpoint) {
+    to.viewpoint.reset();
+  }
+}
+
+void note_left_out(const LeftOut& left_out, Progress& progress) {
+  const auto note_if = [&progress](bool is_left_out, std::string_view name) {
+    if (!is_left_out) return;
+    progress.note(fmt::format("only some of the scans have {}; they are left out", name));
+  };
+  note_if(left_out.normals, "normals");
+  note_if(left_out.colours, "colours");
+  note_if(left_out.texcoords, "texture coordinates");
+}
+
+}  // namespace
+
+Result<ReadResult> load_mesh(const std::filesystem::path& path, const TextureChoice& textures,
+                             Progress& progress) {
+  auto read = read_points(path, progress);
+  if (!read) return read;
+  std::vector<std::string> notes = std::move(read->notes);
+  const Status loaded = load_textures(path, textures, read->points, notes);
+  for (const std::string& text : notes) progress.note(text);
+  if (!loaded) return loaded.error();
+  return read;
+}
+
+namespace {
+
+/// A file, and the pose of its points if a .conf file names one.
+struct ScanFile {
+  std::filesystem::path path;
+  std::optional<ScanPose> pose;
+};
+
+/// The files, with each .conf file replaced by the scans that it names.
+Result<std::vector<ScanFile>> list_scans(const std::vector<std::filesystem::path>& paths) {
+  std::vector<ScanFile> scans;
+  for (const auto& path : paths) {
+    if (lower_extension(path) != ".conf") {
+      scans.push_back({path, std::nullopt});
+      continue;
+    }
+    RELIEF_TRY_ASSIGN(const auto bytes, read_file(path));
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    RELIEF_TRY_ASSIGN(const auto poses, read_scan_poses(path.string(), text));
+    for (const ScanPose& pose : poses) {
+      RELIEF_TRY_ASSIGN(const auto scan, find_scan(path, pose));
+      scans.push_back({scan, pose});
+    }
+  }
+  return scans;
+}
+
+}  // namespace
+
+Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
+                               const TextureChoice& textures, Progress& progress) {
+  const auto scans = list_scans(paths);
+  if (!scans) return scans.error();
+  if (scans->size() == 1 && !scans->front().pose)
+    return load_mesh(paths.front(), textures, progress);
+  ReadResult all;
+  LeftOut left_out;
+  for (const auto& [path, pose] : *scans) {
+    RELIEF_TRY_ASSIGN(auto scan, load_mesh(path, textures, progress));
+    if (pose) place_scan(*pose, scan.points);
+    all.points_in_file += scan.points_in_file;
+    all.dropped_nonfinite += scan.dropped_nonfinite;
+    all.left_out += scan.left_out;
+    all.merged_duplicates += scan.merged_duplicates;
+    if (all.points.size() + scan.points.size() > UINT32_MAX) {
+      return make_error("{}: with it the scans have more than {} points; convert fewer at a time",
+                        path.string(), UINT32_MAX);
+    }
+    append(all.points, std::move(scan.points), left_out);
+  }
+  note_left_out(left_out, progress);
+  ReadResult cleaned = clean_points(std::move(all.points));
+  all.points = std::move(cleaned.points);
+  all.merged_duplicates += cleaned.merged_duplicates;
+  return all;
+}
+
+Result<PatchModel> load_model(const std::filesystem::path& path, Progress& progress) {
+  if (lower_extension(path) == ".relief") {
+    RELIEF_TRY_ASSIGN(const auto file, PatchFile::open(path));
+    return file.read_all(progress);
+  }
+  auto scan = load_mesh(path, {}, progress);
+  if (!scan) return scan.error();
+  auto converted = convert(std::move(scan->points), {}, progress);
+  if (!converted) {
+    return make_error("{}: {}", path.string(), converted.error().message);
+  }
+  return std::move(converted->model);
+}
+
+Result<SplatCloud> splats_of_points(Points points, Progress& progress) {
+  if (points.size() < kMinSurfacePoints) {
+    return make_error("the scan has {} distinct points; at least {} are needed to find a surface",
+                      points.size(), kMinSurfacePoints);
+  }
+  progress.begin_stage("neighbours", 0);
+  const NeighbourGraph graph = find_neighbours(points.positions, kSurfaceNeighbours);
+  if (progress.cancelled()) return interrupted_error();
+  progress.begin_stage("normals", 0);
+  complete_normals(points, graph, fit_local_frames(points.positions, graph));
+  if (progress.cancelled()) return interrupted_error();
+  SplatCloud cloud;
+  cloud.radii = find_radii(graph);
+  cloud.colours.reserve(points.colours.size());
+  for (const glm::u8vec3 srgb : points.colours)
+    cloud.colours.emplace_back(linear_from_srgb8(srgb), 1.0F);
+  cloud.positions = std::move(points.positions);
+  cloud.normals = std::move(points.normals);
+  return cloud;
+}
+
+}  // namespace relief

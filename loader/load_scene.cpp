@@ -1,0 +1,193 @@
+#include "loader/load_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "common/io/extension.h"
+#include "common/patch_file/patch_tree.h"
+#include "common/transform.h"
+#include "loader/acquire_splats.h"
+#include "loader/assemble.h"
+#include "loader/load_files.h"
+#include "loader/view_settings.h"
+#include "preprocess/convert.h"
+#include "renderer/engines/ewa/splats_of_samples.h"
+#include "renderer/geometry/mesh_of_patches.h"
+#include "renderer/geometry/mesh_of_points.h"
+#include "renderer/view/patches_in_view.h"
+
+namespace relief {
+namespace {
+
+/// The forms other than patches that must be made here. Engines make what they need of patches
+/// themselves where the scene has patches only.
+struct Forms {
+  bool mesh = false;
+  bool splats = false;
+};
+
+Status add_mesh_of_patches(LoadedFile& file, const std::filesystem::path& path) {
+  auto mesh = mesh_of_patches(file.patches);
+  if (!mesh) return make_error("{}: {}", path.string(), mesh.error().message);
+  file.mesh = std::move(*mesh);
+  return {};
+}
+
+Result<LoadedFile> load_patch_file(const std::filesystem::path& path, Forms forms,
+                                   Progress& progress) {
+  RELIEF_TRY_ASSIGN(auto model, load_model(path, progress));
+  LoadedFile file;
+  file.patches = std::move(model);
+  if (forms.mesh) {
+    RELIEF_TRY(add_mesh_of_patches(file, path));
+  }
+  if (forms.splats) file.splats = ewa::splats_of_samples(file.patches);
+  return file;
+}
+
+Result<LoadedFile> load_scan(const std::filesystem::path& path, const TextureChoice& textures,
+                             EngineNeeds needs, Progress& progress) {
+  auto scan = load_mesh(path, textures, progress);
+  if (!scan) return scan.error();
+  LoadedFile file;
+  file.patches.bounds = bounds_of(scan->points.positions);
+  file.patches.bounding_radius = bounding_radius(scan->points.positions, file.patches.bounds);
+  const bool has_triangles = !scan->points.triangles.empty();
+  if (needs.raytrace && has_triangles) file.mesh = mesh_of_points(scan->points);
+  file.has_faces = file.mesh.has_value();
+  if (needs.ewa) {
+    auto splats = splats_of_points(scan->points, progress);
+    if (!splats) return make_error("{}: {}", path.string(), splats.error().message);
+    file.splats = std::move(*splats);
+  }
+  const bool traces_patches = needs.raytrace && !has_triangles;
+  if (!needs.patches && !traces_patches) return file;
+  auto converted = convert(std::move(scan->points), {}, progress);
+  if (!converted) return make_error("{}: {}", path.string(), converted.error().message);
+  file.patches = std::move(converted->model);
+  if (!traces_patches) return file;
+  RELIEF_TRY(add_mesh_of_patches(file, path));
+  return file;
+}
+
+using LoadedFiles = std::map<std::filesystem::path, LoadedFile>;
+using TreeFiles = std::map<std::filesystem::path, PatchTree>;
+
+/// The patch files that have tiles, opened.
+Result<TreeFiles> open_trees(const std::vector<SceneModel>& models) {
+  TreeFiles trees;
+  for (const SceneModel& model : models) {
+    if (lower_extension(model.file) != ".relief" || trees.find(model.file) != trees.end()) continue;
+    RELIEF_TRY_ASSIGN(auto tree, PatchTree::open(model.file));
+    if (tree.tiles().size() > 1) trees.emplace(model.file, std::move(tree));
+  }
+  return trees;
+}
+
+/// The scene's bounds, before any patch of the trees is read.
+Result<PatchModel> extent_of(const std::vector<SceneModel>& models, const LoadedFiles& loaded,
+                             const TreeFiles& trees) {
+  SceneAssembler assembler(models.size() > 1);
+  RELIEF_TRY(for_each_use(models, [&](const auto& path, const FileUse& use) {
+    const auto tree = trees.find(path);
+    LoadedFile file;
+    file.patches =
+        tree == trees.end() ? without_patches(loaded.at(path).patches) : tree->second.extent();
+    return assembler.add(file, use);
+  }));
+  return assembler.take().patches;
+}
+
+/// Reads what the views show of the trees.
+Status load_trees(const std::vector<SceneModel>& models, const TreeFiles& trees,
+                  const ViewsOf& views_of, LoadedFiles& loaded, Progress& progress) {
+  RELIEF_TRY_ASSIGN(const auto extent, extent_of(models, loaded, trees));
+  RELIEF_TRY_ASSIGN(const auto views, views_of(extent));
+  for (const auto& [path, tree] : trees) {
+    std::vector<Transform> positions;
+    for (const SceneModel& model : models) {
+      if (model.file == path) positions.push_back(model.transform);
+    }
+    RELIEF_TRY_ASSIGN(auto read,
+                      read_in_view(tree, onlookers_of(views, positions, extent), progress));
+    progress.note(fmt::format("{}: read {} of {} tiles, {} patches with {} samples", path.string(),
+                              read.tiles, tree.tiles().size(), read.model.patches.size(),
+                              read.samples));
+    loaded[path].patches = std::move(read.model);
+  }
+  return {};
+}
+
+/// Which engines draw the views.
+EngineNeeds needs_of(const ScenePlan& plan) {
+  EngineNeeds needs;
+  for (const PlannedView& view : plan.views) {
+    const std::string engine = view.settings.engine.value_or(RenderSettings{}.engine);
+    needs.patches |= needs_opengl(engine);
+    needs.ewa |= engine == "ewa";
+    needs.raytrace |= engine == "raytrace";
+  }
+  return needs;
+}
+
+/// Splats with the image's colours, spread over the faces of the plan's first model.
+Result<LoadedScene> load_textured_splats(const ScenePlan& plan, const LoadOptions& options,
+                                         Progress& progress) {
+  AcquireOptions acquisition = options.acquisition;
+  acquisition.cutoff = plan.views.front().settings.cutoff.value_or(EwaSettings{}.cutoff);
+  RELIEF_TRY_ASSIGN(auto splats, acquire_splats(plan.models.front().file, options.textures.picture,
+                                                acquisition, progress));
+  LoadedScene scene;
+  scene.patches.bounds = bounds_of(splats.positions);
+  scene.patches.bounding_radius = bounding_radius(splats.positions, scene.patches.bounds);
+  scene.splats = std::move(splats);
+  return scene;
+}
+
+}  // namespace
+
+Result<LoadedScene> load_models(const std::vector<SceneModel>& models,
+                                const TextureChoice& textures, EngineNeeds needs,
+                                Progress& progress, const ViewsOf& views) {
+  const bool has_scans = std::any_of(models.begin(), models.end(), [](const SceneModel& model) {
+    return lower_extension(model.file) != ".relief";
+  });
+  const Forms forms{needs.raytrace && has_scans, needs.ewa && has_scans};
+  // Engines that follow rays or splat points take all patches.
+  const bool may_choose = views && !needs.raytrace && !needs.ewa;
+  const auto trees = may_choose ? open_trees(models) : Result(TreeFiles());
+  if (!trees) return trees.error();
+
+  LoadedFiles loaded;
+  for (const SceneModel& model : models) {
+    if (loaded.find(model.file) != loaded.end() || trees->find(model.file) != trees->end())
+      continue;
+    RELIEF_TRY_ASSIGN(auto file, lower_extension(model.file) == ".relief"
+                                     ? load_patch_file(model.file, forms, progress)
+                                     : load_scan(model.file, textures, needs, progress));
+    loaded.emplace(model.file, std::move(file));
+  }
+  if (!trees->empty()) {
+    RELIEF_TRY(load_trees(models, *trees, views, loaded, progress));
+  }
+  SceneAssembler assembler(models.size() > 1);
+  RELIEF_TRY(for_each_use(models, [&](const auto& path, const FileUse& use) {
+    return assembler.add(loaded.at(path), use);
+  }));
+  return assembler.take();
+}
+
+Result<LoadedScene> load_scene(const ScenePlan& plan, const LoadOptions& options,
+                               Progress& progress) {
+  const EngineNeeds needs = needs_of(plan);
+  if (needs.ewa && !options.textures.picture.empty())
+    return load_textured_splats(plan, options, progress);
+  return load_models(
+      plan.models, options.textures, needs, progress,
+      [&plan](const PatchModel& extent) { return render_settings_of(plan, extent); });
+}
+
+}  // namespace relief

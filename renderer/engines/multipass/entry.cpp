@@ -1,0 +1,30 @@
+// The registry's entry of the engine `multipass`.
+#include "renderer/engine_options.h"
+#include "renderer/engines/multipass/render_multipass.h"
+
+namespace relief::multipass {
+
+EngineEntry entry() {
+  const std::vector<Primitive> primitives{Primitive::Quad, Primitive::Sprite};
+  return {.name = "multipass",
+          .summary = "splats the samples of patches in three passes, shaded last, with OpenGL",
+          .forms = {ModelForm::Patches},
+          .primitives = primitives,
+          .interpolations = {},
+          .capabilities = {.needs_opengl = true,
+                           .cull_modes = true,
+                           .samples_per_pixel = true,
+                           .explanation = true},
+          .options = {primitive_option(primitives), cull_option(), samples_option(),
+                      number_option({.key = "radius-factor",
+                                     .range = kRadiusFactors,
+                                     .placeholder = "F",
+                                     .help = "radius of the splats, over that of onepass's sprites",
+                                     .default_text = "2"},
+                                    [](RenderSettings& settings) -> double& {
+                                      return settings.multipass.radius_factor;
+                                    })},
+          .prepare = prepare};
+}
+
+}  // namespace relief::multipass

@@ -1,0 +1,46 @@
+// The registry's entry of the engine `onepass`.
+#include "renderer/engine_options.h"
+#include "renderer/engines/onepass/render_onepass.h"
+
+namespace relief::onepass {
+namespace {
+
+EngineOption pixels_per_sample_option() {
+  EngineOption option = number_option(
+      {.key = "pixels-per-sample",
+       .range = kPixelsPerSample,
+       .placeholder = "P",
+       .help = "draws coarser levels of patches where their samples are seen at most P pixels "
+               "apart; 0 always draws the finest",
+       .default_text = "4 with cells, else 0"},
+      [](RenderSettings& settings) -> double& { return settings.pixels_per_sample.emplace(); });
+  option.get = [](const RenderSettings& settings) {
+    return std::optional<OptionValue>(pixels_per_sample_of(settings));
+  };
+  return option;
+}
+
+}  // namespace
+
+EngineEntry entry() {
+  const std::vector<Primitive> primitives{Primitive::Cell, Primitive::Quad, Primitive::Sprite};
+  const std::vector<Interpolation> interpolations{Interpolation::Corrected, Interpolation::Direct};
+  return {.name = "onepass",
+          .summary = "draws patches in one pass [Ochotta 2008], with OpenGL",
+          .forms = {ModelForm::Patches},
+          .primitives = primitives,
+          .interpolations = interpolations,
+          .capabilities = {.needs_opengl = true,
+                           .transparency = Support::with(Primitive::Cell),
+                           .two_interfaces = Support::with(Primitive::Cell),
+                           .split_view = Support::always(),
+                           .cull_modes = true,
+                           .samples_per_pixel = true,
+                           .levels_of_detail = true,
+                           .explanation = true},
+          .options = {primitive_option(primitives), interpolation_option(interpolations),
+                      cull_option(), samples_option(), pixels_per_sample_option()},
+          .prepare = prepare};
+}
+
+}  // namespace relief::onepass

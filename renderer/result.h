@@ -1,0 +1,28 @@
+// What rendering an image gives.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "common/image/image.h"
+#include "renderer/frame/explanation.h"
+
+namespace relief {
+
+struct RenderResult {
+  Image image;
+  std::string renderer;          ///< OpenGL's own name, or the ray tracer's; "CPU" for ewa
+  double frame_ms = 0.0;         ///< median of wall-clock frame times, finished, without readback
+  std::optional<double> gpu_ms;  ///< median of OpenGL's timer, if it has one
+  std::uint64_t covered_pixels = 0;  ///< pixels with coverage above 0
+  /// Fragments shaded by the model's passes (the cost that [Ochotta 2008] counts), if they were
+  /// counted; for ewa contributions of kernels to pixels.
+  std::optional<std::uint64_t> fragments;
+  /// The coarser set of points that was drawn, 0: all of them; none without
+  /// EwaSettings::time_budget_ms.
+  std::optional<std::uint32_t> level;
+  std::optional<Explanation> explanation;  ///< if settings asked for it, of a timed frame
+};
+
+}  // namespace relief
