@@ -159,9 +159,10 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
                                                : choose_spacing(samples, graph, regions, factors,
                                                                 result.report.points);
   RELIEF_TRY(check_spacing(spacing, area_of(regions, samples), points.size()));
-  std::vector<Patch> patches =
-      make_patches(samples, graph, membership_of(samples, regions), factors, points.colours,
-                   resample_options(options, spacing, normals.estimated), regions, progress);
+  const Membership membership = membership_of(samples, regions);
+  std::vector<Patch> patches = make_patches(
+      {.samples = samples, .graph = graph, .membership = membership, .colours = points.colours},
+      factors, resample_options(options, spacing, normals.estimated), regions, progress);
   if (progress.cancelled()) return interrupted_error();
   if (patches.empty()) return make_error("the points are too scattered to be a surface");
 

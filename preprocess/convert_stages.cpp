@@ -19,8 +19,11 @@ Status check_spacing(double spacing, double area, std::uint64_t points) {
 
 ResampleOptions resample_options(const ConvertOptions& options, double spacing,
                                  bool normals_estimated) {
-  return {spacing, options.height_step, options.overlap_cells,
-          static_cast<std::uint32_t>(options.colour_scale), !normals_estimated};
+  return {.spacing = spacing,
+          .height_step = options.height_step,
+          .overlap_cells = options.overlap_cells,
+          .colour_scale = static_cast<std::uint32_t>(options.colour_scale),
+          .normals_from_points = !normals_estimated};
 }
 
 void count_texels(const std::vector<Patch>& patches, ConvertReport& report) {

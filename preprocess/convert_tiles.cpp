@@ -50,8 +50,12 @@ std::vector<TreePart> own_parts(const TileJob& job, std::size_t tiles) {
 /// From tiles of points to the patch file.
 Result<TiledResult> convert_all(const TiledModel& plan, bool overviews, const fs::path& output,
                                 Progress& progress) {
-  auto converted =
-      convert_spread({plan.name, plan.job, plan.scan, plan.options, plan.file_options}, progress);
+  auto converted = convert_spread({.name = plan.name,
+                                   .folder = plan.job,
+                                   .scan = plan.scan,
+                                   .options = plan.options,
+                                   .file_options = plan.file_options},
+                                  progress);
   if (!converted) return converted.error();
   if (converted->patches == 0)
     return make_error("{}: the points are too scattered to be a surface", plan.name);
@@ -83,14 +87,13 @@ Result<std::optional<TiledResult>> convert_files(
   if (!scan || !*scan) job.remove();  // what there is, is not worth to go on from
   if (!scan) return scan.error();
   if (!*scan) return std::optional<TiledResult>();
-  const TiledModel plan{files.front().string(),
-                        job,
-                        **scan,
-                        options,
-                        file_options,
-                        0.0,
-                        tile_points(spread_options),
-                        tile_options.overview_samples};
+  const TiledModel plan{.name = files.front().string(),
+                        .job = job,
+                        .scan = **scan,
+                        .options = options,
+                        .file_options = file_options,
+                        .tile_points = tile_points(spread_options),
+                        .overview_samples = tile_options.overview_samples};
   auto result = with_threads(
       options.threads, [&] { return convert_all(plan, tile_options.overviews, output, progress); });
   if (!result) return result.error();

@@ -9,13 +9,20 @@ namespace relief {
 [[nodiscard]] std::vector<std::uint32_t> owners_of(const std::vector<Region>& regions,
                                                    std::size_t points);
 
+/// What the regions of a scan are resampled from.
+struct ScanSurface {
+  const SurfaceSamples& samples;
+  const NeighbourGraph& graph;
+  const Membership& membership;             ///< of all points
+  const std::vector<glm::u8vec3>& colours;  ///< empty, or one for each point
+};
+
 /// Resamples every region; only some if the user interrupts. Then drops small patches that others
 /// cover, and those without a sample, from patches and regions, so that both stay parallel.
-/// `membership` covers all points; `factors` multiply the spacing of each region; `colours` is
-/// empty or has one colour for each point.
-[[nodiscard]] std::vector<Patch> make_patches(
-    const SurfaceSamples& samples, const NeighbourGraph& graph, const Membership& membership,
-    const std::vector<double>& factors, const std::vector<glm::u8vec3>& colours,
-    const ResampleOptions& options, std::vector<Region>& regions, Progress& progress);
+/// `factors` multiply the spacing of each region.
+[[nodiscard]] std::vector<Patch> make_patches(const ScanSurface& scan,
+                                              const std::vector<double>& factors,
+                                              const ResampleOptions& options,
+                                              std::vector<Region>& regions, Progress& progress);
 
 }  // namespace relief

@@ -7,6 +7,7 @@
 
 #include "common/patch.h"
 #include "preprocess/convert.h"
+#include "preprocess/resample/resample.h"
 #include "preprocess/tiles/survey.h"
 
 namespace relief {
@@ -22,14 +23,18 @@ struct TilePatches {
   ConvertReport texels;  ///< only its counts of texels are set
 };
 
-/// Makes a tile's patches from its points after survey_tile, with the survey's normals and regions.
-/// `turns`: whether to flip each sheet. `halo_cosines`: for each point of the halo, its cosine in
-/// the TileSurvey of its home tile. Incomplete if the user interrupts.
-[[nodiscard]] TilePatches resample_tile(TilePoints tile, TileSurvey survey,
-                                        const std::vector<std::uint8_t>& turns,
-                                        const std::vector<float>& halo_cosines,
-                                        const ConvertOptions& options, double spacing,
-                                        bool normals_estimated, Progress& progress);
+/// A tile that has been surveyed, with what only the surveys of all tiles decide.
+struct SurveyedTile {
+  TilePoints points;  ///< as survey_tile left them
+  TileSurvey survey;
+  const std::vector<std::uint8_t>& turns;  ///< whether to flip each sheet
+  /// For each point of the halo, its cosine in the TileSurvey of its home tile.
+  const std::vector<float>& halo_cosines;
+};
+
+/// Makes a tile's patches with the survey's normals and regions. Incomplete if the user interrupts.
+[[nodiscard]] TilePatches resample_tile(SurveyedTile tile, const ResampleOptions& options,
+                                        Progress& progress);
 
 /// The checkpoint of a tile, beside its patches.
 Status save_report(const std::filesystem::path& path, const TilePatches& tile);

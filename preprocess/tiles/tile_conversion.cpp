@@ -140,8 +140,12 @@ class TileConversion {
     });
     if (!cosines) return cosines.error();
     QuietProgress quiet(progress_);
-    TilePatches made = resample_tile(std::move(loaded), std::move(survey), turns_[tile], *cosines,
-                                     options_, spacing_, !scan_.attributes.normals, quiet);
+    TilePatches made =
+        resample_tile({.points = std::move(loaded),
+                       .survey = std::move(survey),
+                       .turns = turns_[tile],
+                       .halo_cosines = *cosines},
+                      resample_options(options_, spacing_, !scan_.attributes.normals), quiet);
     if (progress_.cancelled()) return interrupted_error();
     RELIEF_TRY(save_report(folder_.part_report(tile), made));
     PatchModel model = extent();

@@ -1,4 +1,4 @@
-// Moving models changes their frames alone; putting them together keeps every patch.
+// Transforming models changes only their frames; joining them keeps every patch.
 #include "common/transform.h"
 
 #include <gtest/gtest.h>

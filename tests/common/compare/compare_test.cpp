@@ -233,7 +233,7 @@ void expect_numbers(const Comparison& c) {
   for (const float value : c.flip.map) EXPECT_TRUE(value >= 0.0F && value <= 1.0F);
 }
 
-TEST(Compare, NoNumberIsNanWhateverThePicturesHold) {
+TEST(Compare, NoNumberIsNanWhateverTheImagesHold) {
   const float values[] = {kNan,    kInfinity, -kInfinity, 0.0F,  -0.0F, 1.0F,
                           3.4e38F, -3.4e38F,  1e-45F,     -1.0F, 0.5F,  1e-38F};
   std::mt19937 random(1);

@@ -26,7 +26,7 @@ Image plain(float r, float g, float b) {
   return image_of(5, 4, [=](int, int) { return glm::vec3(r, g, b); });
 }
 
-TEST(Flip, OfEqualPicturesIsZero) {
+TEST(Flip, OfEqualImagesIsZero) {
   const Image image = image_of(40, 30, [](int x, int y) {
     return glm::vec3(0.02F * static_cast<float>(x), 0.5F, 0.03F * static_cast<float>(y));
   });
@@ -38,9 +38,9 @@ TEST(Flip, OfEqualPicturesIsZero) {
 }
 
 TEST(Flip, OfPlainColoursIsTheColourDifference) {
-  // Filters leave plain colours alone. Green against blue is the largest difference there is.
+  // Filters do not change plain colours. Green against blue is the largest difference there is.
   EXPECT_NEAR(must_flip(plain(0, 1, 0), plain(0, 0, 1), FlipRange::Ldr).mean, 1.0, 1e-5);
-  // Black against white differs by 100 in L* alone; CIELAB of green (87.737, -86.185, 83.181) and
+  // Black against white differs by 100, only in L*; CIELAB of green (87.737, -86.185, 83.181) and
   // blue (32.302, 79.197, -107.864) is in every table.
   const double largest =
       std::abs(87.737 - 32.302) +
@@ -74,7 +74,7 @@ Image disc_image(int shift, const glm::vec3& colour) {
   });
 }
 
-/// The same as light of a wide range, in numbers that a float holds exactly; with sparks.
+/// Light of a wide range, in numbers that a float holds exactly; with sparks.
 Image disc_light(int shift, const glm::vec3& colour) {
   return image_of(40, 28, [&](int x, int y) {
     const glm::vec3 c = disc(x, y, shift, colour);
@@ -160,7 +160,7 @@ Image tall_image(int middle, float light) {
 TEST(Flip, DoesNotDependOnBandsAndThreads) {
   const Flip upper = must_flip(tall_image(60, 0.8F), tall_image(60, 0.7F), FlipRange::Ldr);
   EXPECT_GT(upper.mean, 0.001);
-  // The same disc at places that bands of rows cut otherwise.
+  // The disc at positions that bands of rows cut differently.
   for (const int shift : {1, 31, 64, 90}) {
     const Flip lower =
         must_flip(tall_image(60 + shift, 0.8F), tall_image(60 + shift, 0.7F), FlipRange::Ldr);
@@ -227,7 +227,7 @@ TEST(Flip, LightAgainstBlackIsSeen) {
   EXPECT_GT(must_flip(plain(0.5F, 0.5F, 0.5F), plain(0, 0, 0), FlipRange::Hdr).mean, 0.9);
 }
 
-TEST(Flip, BrokenPixelsAreWrongAndStayAlone) {
+TEST(Flip, BrokenPixelsAreWrongAndDoNotSpread) {
   Image reference = disc_light(0, kReferenceDisc);
   Image test = reference;
   const float broken[] = {std::numeric_limits<float>::quiet_NaN(), kFlipInfinity, -kFlipInfinity};

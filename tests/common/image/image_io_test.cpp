@@ -9,7 +9,7 @@ using test::ScratchFolder;
 using test::spill;
 using test::values_of;
 
-TEST(ReadImage, RefusesWhatIsNoPicture) {
+TEST(ReadImage, RefusesOtherFiles) {
   const ScratchFolder folder;
   spill(folder / "a.txt", "hello");
   EXPECT_EQ(failure(folder / "a.txt"),

@@ -28,7 +28,7 @@ TEST(Png, KeepsEvery8BitValueExactly) {
   }
   ASSERT_TRUE(write_png(folder / "a.png", image));
 
-  // Read by libpng alone.
+  // Read by libpng, without our reader.
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   ASSERT_NE(png_image_begin_read_from_file(&png, (folder / "a.png").c_str()), 0);

@@ -1,4 +1,4 @@
-// Radiance HDR: flat pixels, old and new runs; what is not read is told.
+// Radiance HDR: flat pixels, old and new runs; unsupported files are refused.
 #include "tests/common/image/image_testing.h"
 
 namespace relief {

@@ -215,7 +215,7 @@ PatchFileOptions compact(double normal_degrees) {
   return {PatchCodec::Compact, normal_degrees};
 }
 
-TEST(CompactFile, KeepsHeightsColoursPlacesAndNormals) {
+TEST(CompactFile, KeepsHeightsColoursPositionsAndNormals) {
   const ScratchFolder folder;
   for (const std::uint32_t colours : {0U, 1U, 3U}) {
     for (const double degrees : {0.1, 1.0, 5.0}) {
@@ -294,7 +294,7 @@ TEST(CompactFile, LeavesNormalsOutThatHeightsTell) {
             std::filesystem::file_size(folder / "kept.relief") / 2);
   const PatchModel read = read_whole(folder / "left_out.relief");
   for (const Patch& patch : read.patches) {
-    // There are normals all the same, those of the heights.
+    // There are still normals: those derived from the heights.
     ASSERT_EQ(patch.normals.texels.size(), patch.heights.size());
   }
   for (Patch& patch : model.patches) patch.normals = {};

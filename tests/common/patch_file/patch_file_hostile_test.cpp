@@ -203,7 +203,7 @@ TEST(ForgedPatchFile, CannotAskForMoreThanTheMachineHas) {
       << read_failure(folder, bytes);
 }
 
-/// The same of maps: 16129 x 16129 texels a patch, which need not be there to be counted.
+/// Maps of 16129 x 16129 texels a patch, which count without being there.
 TEST(ForgedPatchFile, CannotAskForMapsBeyondTheMachinesMemory) {
   const ScratchFolder folder;
   PatchModel model = bumpy_model(1, 1);

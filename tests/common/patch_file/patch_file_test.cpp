@@ -134,7 +134,7 @@ TEST(PatchFile, KeepsAModelWithoutPatches) {
   EXPECT_TRUE(model.bounds.empty());
 }
 
-TEST(PatchFile, TellsWhatIsInItWithoutReadingPatches) {
+TEST(PatchFile, DescribesItsContentWithoutReadingPatches) {
   const ScratchFolder folder;
   const PatchModel model = bumpy_model(5, 1);
   ASSERT_TRUE(write_patch_file(folder / "a.relief", model));
@@ -176,7 +176,7 @@ TEST(PatchFile, TellsWhatIsInItWithoutReadingPatches) {
   }
 }
 
-/// What is rounded stays as it is: a file that was read and written again is the same file.
+/// Rounding is idempotent: a file that is read and written again does not change.
 TEST(PatchFile, IsTheSameWhenWrittenAgain) {
   const ScratchFolder folder;
   ASSERT_TRUE(write_patch_file(folder / "a.relief", bumpy_model(9, 2)));

@@ -50,7 +50,7 @@ TEST(ScanPoses, WhatIsNoPoseIsRefusedWithItsLine) {
   EXPECT_EQ(failure(many), "a.conf: names more than 1000 scans");
 }
 
-TEST(ScanPoses, ScansAreLookedForBesideTheFileAlone) {
+TEST(ScanPoses, ScansAreOnlyLookedForBesideTheFile) {
   EXPECT_EQ(*find_scan("there/a.conf", {.file = "b.ply"}), fs::path("there/b.ply"));
   EXPECT_EQ(*find_scan("there/a.conf", {.file = "../../etc/b.PLY"}), fs::path("there/b.PLY"));
   for (const char* name : {"b.conf", "a", "b.ply/..", "/etc/passwd"})

@@ -95,7 +95,7 @@ TEST(SplatBasis, SumsToOne) {
   EXPECT_GT((plain.basis * ones).mean(), 1.0 - 0.26 * 152.0 / 400.0 - 0.01);
 }
 
-TEST(SplatBasis, ReachesOnlyPlacesThatFaceTheSameWay) {
+TEST(SplatBasis, ReachesOnlyPositionsThatFaceItsSide) {
   SurfacePoints splats = splats_at({{0.5, 0.5, 0}, {0.5, 0.5, 1e-3}});
   splats.normals[1] = glm::vec3(0, 0, -1);
   const SurfacePoints positions = spread_over_triangles(textured_square_with_normals(), 1000);
@@ -179,7 +179,7 @@ TEST(FitTexture, NoOtherCoefficientsHaveALessError) {
   }
 }
 
-TEST(ProjectTexture, IsTheWeightedMeanAndKeepsWhatNoPlaceSees) {
+TEST(ProjectTexture, IsTheWeightedMeanAndKeepsSplatsThatReachNoPosition) {
   BasisAtPositions basis(2, 3);
   basis.insert(0, 0) = 0.75;
   basis.insert(0, 1) = 0.25;

@@ -58,7 +58,7 @@ class LoadTextures : public testing::Test {
   std::vector<std::string> notes_;
 };
 
-TEST_F(LoadTextures, NamesWithBlanksAndOptionsLeadToPictures) {
+TEST_F(LoadTextures, NamesWithBlanksAndOptionsLeadToImages) {
   write("mesh/a.obj", kTexturedSquare);
   write("mesh/my colours.mtl",
         "newmtl of paint\r\nKd 0 0 0\r\nmap_Kd -o 0 0 -s 1 1 1 -clamp on deeper\\red paint.png\r\n"
@@ -71,7 +71,7 @@ TEST_F(LoadTextures, NamesWithBlanksAndOptionsLeadToPictures) {
   EXPECT_EQ(colour_of(1), glm::vec3(linear_from_srgb(0.5F), 1.0F, 0.0F));
 }
 
-TEST_F(LoadTextures, MissingAndDamagedPicturesAreNamed) {
+TEST_F(LoadTextures, MissingAndDamagedImagesAreNamed) {
   write("mesh/a.obj", kTexturedSquare);
   write("mesh/my colours.mtl", "newmtl of paint\nmap_Kd gone.png\n");
   EXPECT_NE(load().find("gone.png"), std::string::npos);
