@@ -135,8 +135,8 @@ Result<RenderSettings> render_settings_for(const Picture& picture, const PatchMo
   settings.ewa.time_budget_ms = said.time_budget_ms.value_or(settings.ewa.time_budget_ms);
   settings.platform = arguments.platform;
   settings.explain = arguments.explain;
-  // A slow engine is not run again for the sake of a timing that nobody asked for.
-  settings.frames = arguments.frames.value_or(needs_opengl(settings.engine) ? settings.frames : 1);
+  settings.frames = arguments.frames.value_or(0);
+  settings.count_fragments = arguments.frames.has_value();
   return settings;
 }
 
