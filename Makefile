@@ -1,17 +1,21 @@
-# Thin: each target is a script, so that each can be read and run alone.
-.PHONY: help demo test format lint
+# Thin: each target is a script, so that each can be read and run by itself.
+.PHONY: help demo test check format lint
 
 help:
-	@echo "make demo    install what is needed, build, convert and render the Stanford Dragon"
-	@echo "make test    build with every check enforced and run all tests"
+	@echo "make demo    install packages, build, convert and render the Stanford Dragon"
+	@echo "make test    install packages, build, run all tests"
+	@echo "make check   formatting, include cycles, documentation, clang-tidy, fuzzing, sanitizers"
 	@echo "make format  format all C++ files in place"
-	@echo "make lint    tell which C++ files are not formatted (make test does this and clang-tidy)"
+	@echo "make lint    list C++ files that are not formatted"
 
 demo:
 	@scripts/demo.sh
 
 test:
 	@scripts/test.sh
+
+check:
+	@scripts/check.sh
 
 format:
 	@scripts/format.sh

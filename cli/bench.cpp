@@ -16,13 +16,14 @@
 #include "cli/bench/bench_sweep.h"
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "cli/load_scene.h"
 #include "cli/options/paths.h"
 #include "cli/options/render_options.h"
-#include "cli/options/render_plan.h"
 #include "cli/plot/bench_plot.h"
 #include "cli/reports/bench_report.h"
+#include "common/io/extension.h"
 #include "common/io/file.h"
+#include "loader/load_scene.h"
+#include "loader/view_settings.h"
 #include "renderer/shading/materials.h"
 
 namespace relief::cli {
@@ -60,8 +61,8 @@ struct Models {
   std::vector<PatchModel> swept;
 };
 
-Result<Models> load(const RenderPlan& plan, const std::optional<Sweep>& sweep, Progress& progress) {
-  auto scene = load_scene(plan.models, {}, {.patches = true, .raytrace = true}, progress);
+Result<Models> load(const ScenePlan& plan, const std::optional<Sweep>& sweep, Progress& progress) {
+  auto scene = load_models(plan.models, {}, {.patches = true, .raytrace = true}, progress);
   if (!scene) return scene.error();
   Models models{std::move(*scene), {}};
   if (!sweep || !converts(*sweep)) return models;
@@ -105,12 +106,12 @@ Plan plan_rows(const Models& models, const RenderSettings& base,
   return plan;
 }
 
-Result<BenchResult> measure(const RenderPlan& scene, const BenchArguments& arguments) {
+Result<BenchResult> measure(const ScenePlan& scene, const BenchArguments& arguments) {
   ConsoleProgress progress;
   RELIEF_TRY_ASSIGN(const auto models, load(scene, arguments.sweep, progress));
-  const Picture& picture = scene.pictures.front();
-  RELIEF_TRY_ASSIGN(const auto base,
-                    render_settings_for(picture, models.scene.patches, arguments.picture));
+  const PlannedView& view = scene.views.front();
+  RELIEF_TRY_ASSIGN(auto base, render_settings_of(scene, view, models.scene.patches));
+  base.platform = arguments.picture.platform;
   if (uses(base, Material::Split)) {
     return make_error(
         "the material split is for relief render: most of the rows of relief bench can't show it; "
@@ -127,7 +128,7 @@ Result<BenchResult> measure(const RenderPlan& scene, const BenchArguments& argum
   const TriangleMesh* const mesh = models.scene.mesh ? &*models.scene.mesh : nullptr;
   RELIEF_TRY_ASSIGN(auto accuracy, measure_accuracy(job.rows, mesh, progress));
   result.scene = arguments.picture.input.string();
-  result.view = picture.view;
+  result.view = view.name;
   result.frames = job.frames;
   result.warm_up = job.warm_up;
   result.times = std::move(times);
@@ -136,9 +137,9 @@ Result<BenchResult> measure(const RenderPlan& scene, const BenchArguments& argum
 }
 
 int run_bench(const BenchArguments& arguments) {
-  const auto plan = make_plan(arguments.picture);
+  const auto plan = plan_scene(arguments.picture.input, arguments.picture.settings);
   if (!plan) return fail(plan.error());
-  const auto inputs = find_inputs(*plan, {});
+  const auto inputs = find_inputs(*plan);
   if (!inputs) return fail(inputs.error());
   if (!arguments.plot.empty()) {
     const Status writable = check_output(arguments.plot, *inputs);
@@ -155,7 +156,7 @@ int run_bench(const BenchArguments& arguments) {
 
 /// What is converted anew is a scan.
 void check_sweep(const BenchArguments& arguments) {
-  const std::string kind = ending(arguments.picture.input);
+  const std::string kind = lower_extension(arguments.picture.input);
   if (arguments.sweep && converts(*arguments.sweep) && (kind == ".relief" || kind == ".json"))
     throw CLI::ValidationError("--sweep", "spacing and height-step need a scan or a mesh");
 }
@@ -179,7 +180,8 @@ void add_bench(CLI::App& app, Command& command) {
   sub->add_option("--plot", arguments->plot,
                   "Write accuracy against time, with the Pareto front marked")
       ->check([](const std::string& name) {
-        return ending(name) == ".svg" ? std::string() : "expected a name that ends in .svg";
+        return lower_extension(name) == ".svg" ? std::string()
+                                               : "expected a name that ends in .svg";
       })
       ->option_text("OUT.svg");
   sub->add_option_function<std::string>(

@@ -1,5 +1,5 @@
-// The subcommands of `relief`, one file each. Each of these functions declares the subcommand's
-// options and returns nothing; what the user chose is run after parsing through `Command`.
+// The subcommands of `relief`, one file each. Each function declares the options of a subcommand.
+// Once they are parsed, `command` is what the user chose.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -7,26 +7,26 @@
 
 namespace relief::cli {
 
-/// What the command line asked for: returns the exit code (0 done, 1 could not do it, 2 wrong
-/// usage that only shows once all options are known).
+/// Runs what the command line asked for. Returns the exit code: 0 done, 1 failed, 2 wrong usage
+/// that shows only once all options are known.
 using Command = std::function<int()>;
 
-/// relief bench: every way to draw a scene, timed in turns and compared with the truth.
+/// relief bench: times every method to draw a scene and compares it with the truth.
 void add_bench(CLI::App& app, Command& command);
 
-/// relief compare: how far one picture is from another.
+/// relief compare: measures how far an image is from a reference.
 void add_compare(CLI::App& app, Command& command);
 
-/// relief convert: a scan becomes a patch file.
+/// relief convert: converts a scan to a patch file.
 void add_convert(CLI::App& app, Command& command);
 
-/// relief export: patches as points or as a mesh, for other programs.
+/// relief export: writes patches as points or as a mesh, for other programs.
 void add_export(CLI::App& app, Command& command);
 
-/// relief info: what a patch file holds, and whether every byte of it is right.
+/// relief info: prints what a patch file holds, and checks every byte of it.
 void add_info(CLI::App& app, Command& command);
 
-/// relief render: a patch file or a scan becomes a picture.
+/// relief render: renders a patch file, a scan or a scene.
 void add_render(CLI::App& app, Command& command);
 
 }  // namespace relief::cli

@@ -1,4 +1,4 @@
-// relief compare: how far one picture is from another.
+// relief compare: measures how far an image is from a reference.
 #include "common/compare/compare.h"
 
 #include <fmt/format.h>
@@ -19,16 +19,18 @@
 #include "cli/reports/comparison_report.h"
 #include "common/compare/heatmap.h"
 #include "common/image/image_io.h"
+#include "common/io/extension.h"
 
 namespace relief::cli {
 namespace {
 
 constexpr const char* kCompareExamples =
-    "In brackets: what is taken where an option is not given.\n"
-    "What can be measured depends on the channels: a PNG has colour (and alpha), an EXR of\n"
-    "`relief render` has all. What could not be measured is null in JSON; so is the PSNR of what\n"
-    "does not differ. KEY is any number in the JSON object. A limit on what could not be\n"
-    "measured fails.\n"
+    "What can be measured depends on the channels: a PNG has colour and perhaps alpha, an EXR of\n"
+    "`relief render` has all. A quantity that cannot be measured is null in JSON, and any limit on "
+    "it\n"
+    "fails. The PSNR of identical images is null, and passes any lower limit. KEY is the key of "
+    "any\n"
+    "number in the JSON object.\n"
     "\n"
     "Examples:\n"
     "  relief compare onepass.exr raytrace.exr\n"
@@ -45,7 +47,7 @@ struct CompareArguments {
   bool json = false;
 };
 
-/// A PNG holds what a display shows; only two pictures of light can be compared as light.
+/// A PNG holds what a display shows; only two images of light can be compared as light.
 FlipOptions flip_options(const CompareArguments& arguments) {
   FlipOptions options;
   options.pixels_per_degree = arguments.pixels_per_degree;
@@ -110,18 +112,20 @@ void add_limit_option(CLI::App& sub, CompareArguments& arguments, const char* na
 }  // namespace
 
 void add_compare(CLI::App& app, Command& command) {
-  auto* sub = app.add_subcommand("compare", "Tell how far a picture is from another one");
+  auto* sub = app.add_subcommand("compare", "Compare an image with a reference");
   const auto arguments = std::make_shared<CompareArguments>();
-  sub->add_option("A", arguments->test, "The picture under test: EXR, PNG, JPEG or Radiance HDR")
+  sub->add_option("A", arguments->test, "Image under test: EXR, PNG, JPEG or Radiance HDR")
       ->required()
       ->option_text("FILE");
-  sub->add_option("B", arguments->reference, "The reference, of the same size")
+  sub->add_option("B", arguments->reference, "Reference image, of the same size")
       ->required()
       ->option_text("FILE");
   sub->add_option("--heatmap", arguments->heatmap,
-                  "Write the FLIP error of each pixel as colours from black to pale yellow")
+                  "PNG to write the FLIP error of each pixel to, as colours from black to pale "
+                  "yellow (default: none)")
       ->check([](const std::string& name) {
-        return ending(name) == ".png" ? std::string() : "expected a name that ends in .png";
+        return lower_extension(name) == ".png" ? std::string()
+                                               : "expected a name that ends in .png";
       })
       ->option_text("OUT.png");
   sub->add_option_function<std::string>(
@@ -129,22 +133,27 @@ void add_compare(CLI::App& app, Command& command) {
          [arguments](const std::string& name) {
            arguments->range = name == "hdr" ? FlipRange::Hdr : FlipRange::Ldr;
          },
-         "ldr for what a display shows, hdr for light (ldr if one is a PNG, else hdr)")
+         "Kind of FLIP: ldr compares what a display shows, hdr compares light (default: ldr if an "
+         "image is a PNG, else hdr)")
       ->check(CLI::IsMember({"ldr", "hdr"}))
       ->option_text("ldr|hdr");
-  sub->add_option("--pixels-per-degree", arguments->pixels_per_degree,
-                  "How fine the observer of FLIP sees the pixels, 1 to 1000 (67.02: 0.7 m from a "
-                  "display 0.7 m wide with 3840 pixels)")
+  sub->add_option(
+         "--pixels-per-degree", arguments->pixels_per_degree,
+         "Pixels in a degree of the observer's view, for FLIP, 1 to 1000 (default 67.02: 0.7 m "
+         "from a display 0.7 m wide with 3840 pixels)")
       ->check([](const std::string& text) {
         const auto value = parse_number(text);
-        return value && *value >= 1.0 && *value <= 1000.0 ? std::string()
-                                                          : "expected a number from 1 to 1000";
+        return value && *value >= 1.0 && *value <= 1000.0
+                   ? std::string()
+                   : "expected a number from 1 to 1000; found " + text;
       })
       ->option_text("N");
-  add_limit_option(*sub, *arguments, "--fail-below", Bound::Below,
-                   "Exit code 1 if a quantity is below a value; may be repeated");
-  add_limit_option(*sub, *arguments, "--fail-above", Bound::Above,
-                   "Exit code 1 if a quantity is above a value; may be repeated");
+  add_limit_option(
+      *sub, *arguments, "--fail-below", Bound::Below,
+      "Exit with code 1 if quantity KEY is below VALUE; may be repeated (default: no limit)");
+  add_limit_option(
+      *sub, *arguments, "--fail-above", Bound::Above,
+      "Exit with code 1 if quantity KEY is above VALUE; may be repeated (default: no limit)");
   sub->add_flag("--json", arguments->json, "Print one JSON object on standard output");
   sub->footer(kCompareExamples);
   sub->callback(

@@ -54,10 +54,6 @@ int fail(const Error& error, std::string_view kept) {
   return kFailed;
 }
 
-void note(std::string_view text) {
-  fmt::print(stderr, "relief: {}\n", text);
-}
-
 int print_result(std::string_view text) {
   // Not fmt::print: it throws where standard output is full.
   const bool written =
@@ -94,6 +90,13 @@ void ConsoleProgress::advance(std::uint64_t units) {
   if (now.time_since_epoch().count() < next_draw_.load(std::memory_order_relaxed)) return;
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (lock) draw(now);
+}
+
+void ConsoleProgress::note(std::string_view text) {
+  const std::lock_guard lock(mutex_);
+  if (line_drawn_) fmt::print(stderr, "\r\x1b[K");
+  line_drawn_ = false;
+  fmt::print(stderr, "relief: {}\n", text);
 }
 
 const std::vector<ConsoleProgress::Stage>& ConsoleProgress::finish() {

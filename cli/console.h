@@ -1,5 +1,5 @@
-// What the command says and hears: results on standard output, everything else on standard error,
-// Ctrl-C as a wish that a long job can look at.
+// The command's input and output: prints results on standard output and everything else on standard
+// error, and lets long jobs see that the user pressed Ctrl-C.
 #pragma once
 
 #include <chrono>
@@ -18,28 +18,25 @@ inline constexpr int kDone = 0;
 inline constexpr int kFailed = 1;
 inline constexpr int kWrongUsage = 2;
 
-/// From here on the first SIGINT or SIGTERM is remembered (see interrupted) and the second one ends
-/// the process; a write beyond the file size limit fails like a full disk instead of killing it.
+/// Installs the signal handlers. The first SIGINT or SIGTERM is remembered (see interrupted) and
+/// the second one ends the process. A write beyond the file size limit fails like a full disk.
 void handle_signals();
 
 /// True once the user asked to stop.
 [[nodiscard]] bool interrupted();
 
-/// Says `error` in one line on standard error and returns kFailed. After an interrupt it says that
-/// instead: whatever failed then, failed because of it. `kept`: what was written before, if
-/// anything was ("2 of 12 pictures were written").
+/// Prints `error` in one line on standard error and returns kFailed. After an interrupt it prints
+/// "interrupted" instead, as that is why the job failed. `kept`: what was written before, if
+/// anything was ("2 of 12 images were written").
 int fail(const Error& error, std::string_view kept = {});
 
-/// A remark on standard error that ends nothing.
-void note(std::string_view text);
-
 /// Prints a result on standard output and returns the exit code: kFailed, with a sentence, if
-/// standard output takes no more (full disk).
+/// standard output cannot be written (full disk).
 int print_result(std::string_view text);
 int print_json(const nlohmann::ordered_json& result);
 
-/// The progress of a long job on standard error: one line with a bar and the time left, drawn only
-/// if standard error is a terminal. Also keeps how long each stage took.
+/// Prints the progress of a long job on standard error: notes, and one line with a bar and the time
+/// left if standard error is a terminal. Keeps how long each stage took.
 class ConsoleProgress final : public Progress {
  public:
   struct Stage {
@@ -52,6 +49,8 @@ class ConsoleProgress final : public Progress {
 
   void begin_stage(std::string_view name, std::uint64_t units) override;
   void advance(std::uint64_t units) override;
+  /// Prints the note in a line of its own.
+  void note(std::string_view text) override;
   [[nodiscard]] bool cancelled() const override { return interrupted(); }
 
   /// Ends the last stage, wipes the line and returns all stages in their order; stages with the

@@ -15,29 +15,25 @@
 #include <string>
 #include <vector>
 
-#include "cli/acquire.h"
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "cli/load.h"
 #include "cli/options/paths.h"
+#include "cli/options/texture_options.h"
 #include "cli/reports/convert_report.h"
 #include "common/patch_file/patch_file.h"
+#include "loader/load_files.h"
 #include "preprocess/convert_tiles.h"
 #include "preprocess/points/outliers.h"
 #include "preprocess/points/thin.h"
+#include "preprocess/readers/read_points.h"
 #include "preprocess/texture/maps/texture_maps.h"
 
 namespace relief::cli {
 namespace {
 
 constexpr const char* kConvertExamples =
-    "Reads PLY, PCD, LAS, PTX, OBJ, glTF, Draco, OFF, STL and XYZ text, each also gzipped. Several "
-    "files "
-    "become one model:\n"
-    "they are taken as parts of one scan, in the frame that their coordinates are in. A .conf file "
-    "(bun.conf)\n"
-    "names range scans beside it and where each stands.\n"
-    "In brackets: what is taken where an option is not given.\n"
+    "Several files are parts of one scan, in one\n"
+    "frame. A .conf file (bun.conf) names range scans beside it and the pose of each.\n"
     "\n"
     "Examples:\n"
     "  relief convert dragon.ply.gz -o dragon.relief\n"
@@ -51,27 +47,27 @@ struct ConvertArguments {
   std::filesystem::path texture;  ///< as texture_choice has it
   ConvertOptions options;
   PatchFileOptions file;
-  TileOptions tiles{.memory_bytes = 0};  ///< 0: as it takes, in one piece
+  TileOptions tiles{.memory_bytes = 0};  ///< 0: no limit, in one piece
   bool clean = false;
   double thin = 0.0;  ///< side of the cubes, scan's unit; 0: no thinning
   bool json = false;
 };
 
-/// Looks at what was written.
+/// Adds what the written file holds.
 Result<ConvertSummary> summarise(const ConvertArguments& arguments, ConvertSummary summary) {
   RELIEF_TRY_ASSIGN(const auto file, PatchFile::open(arguments.output));
   summary.file = file.info();
   return summary;
 }
 
-/// Converts in tiles; nothing if the scan is small enough for memory.
+/// Converts in tiles. Returns nothing if the scan fits into the memory limit.
 Result<std::optional<ConvertSummary>> convert_larger(const ConvertArguments& arguments,
                                                      Progress& progress) {
   RELIEF_TRY_ASSIGN(auto tiled, convert_tiles(arguments.inputs, arguments.output, arguments.options,
                                               arguments.file, arguments.tiles, progress));
   if (!tiled) return std::optional<ConvertSummary>();
   ConvertSummary summary;
-  for (const std::string& text : tiled->notes) note(text);
+  for (const std::string& text : tiled->notes) progress.note(text);
   summary.report = tiled->report;
   summary.read.dropped_nonfinite = tiled->nonfinite;
   summary.read.left_out = tiled->left_out;
@@ -92,7 +88,7 @@ Result<ConvertSummary> convert_files(const ConvertArguments& arguments, Progress
   ConvertSummary summary;
   if (arguments.clean) summary.outliers = remove_outliers(read.points, progress);
   if (summary.outliers.were_too_many)
-    note("more than half of the points look like outliers; --clean took none away");
+    progress.note("more than half of the points look like outliers; --clean removed none");
   if (progress.cancelled()) return interrupted_error();
   if (arguments.thin > 0.0) summary.thinned = thin_points(read.points, arguments.thin);
   auto converted = convert(std::move(read.points), arguments.options, progress);
@@ -117,11 +113,11 @@ std::vector<std::filesystem::path> files_read(const ConvertArguments& arguments)
   return files;
 }
 
-/// What is left of a conversion that ended early.
+/// What an interrupted conversion leaves behind; empty if nothing.
 std::string kept_by(const ConvertArguments& arguments) {
   const auto kept = find_kept_tiles(arguments.output);
   if (arguments.tiles.memory_bytes == 0 || !kept) return {};
-  return fmt::format("what is done is kept in {}, and the same command goes on from there",
+  return fmt::format("finished tiles are kept in {}; run the same command again to resume",
                      kept->string());
 }
 
@@ -145,94 +141,127 @@ int run_convert(const ConvertArguments& arguments) {
                         : print_result(convert_text(*summary, arguments.output));
 }
 
-}  // namespace
+/// The patches.
+void add_surface_options(CLI::App& sub, ConvertArguments& arguments) {
+  sub.add_option(
+         "--spacing", arguments.options.spacing,
+         "Distance between samples, in the scan's unit, above 0 (default: such that there are "
+         "about as many samples as points)")
+      ->check(CLI::PositiveNumber)
+      ->option_text("S");
+  sub.add_option(
+         "--height-step", arguments.options.height_step,
+         "Step that heights are rounded to, in the scan's unit, above 0 (default: spacing / 20)")
+      ->check(CLI::PositiveNumber)
+      ->option_text("S");
+  sub.add_flag(
+      "--adaptive-spacing", arguments.options.adaptive_spacing,
+      "Fit each patch's spacing to the local density of points, up to 8 to 1; --spacing is "
+      "then that of the median density");
+  sub.add_option(
+         "--cone-degrees", arguments.options.cone_degrees,
+         "Largest angle between the normal of a patch and of its points, in degrees, 1 to 89; "
+         "larger makes fewer patches (default 70)")
+      ->check(CLI::Range(1.0, 89.0))
+      ->option_text("DEG");
+  sub.add_option("--overlap", arguments.options.overlap_cells,
+                 fmt::format("Overlap of patches, in grid cells, 0 to 16 (default {})",
+                             arguments.options.overlap_cells))
+      ->check(CLI::Range(0, 16))
+      ->option_text("CELLS");
+}
 
-void add_convert(CLI::App& app, Command& command) {
-  auto* sub = app.add_subcommand("convert", "Convert a scan to a patch file");
-  const auto arguments = std::make_shared<ConvertArguments>();
-  sub->add_option("IN", arguments->inputs, "Scan or mesh files")
-      ->required()
-      ->option_text("FILE...");
-  sub->add_option("-o,--output", arguments->output, "The patch file to write (.relief)")
-      ->required()
-      ->option_text("FILE (required)");
-  sub->add_option(
-         "--spacing", arguments->options.spacing,
-         "Grid step in the scan's unit: smaller is more exact and makes a larger file (about as "
-         "many samples as points)")
+/// Which points are converted.
+void add_point_options(CLI::App& sub, ConvertArguments& arguments) {
+  sub.add_flag("--clean", arguments.clean,
+               "Remove outliers: points far from their neighbours, and clusters of fewer than 50 "
+               "points");
+  sub.add_option(
+         "--thin", arguments.thin,
+         "Keep one point in each cube of side S, in the scan's unit, above 0 (default: keeps "
+         "all)")
       ->check(CLI::PositiveNumber)
       ->option_text("S");
-  sub->add_option("--height-step", arguments->options.height_step,
-                  "What heights are rounded to, in the scan's unit: larger makes a smaller file (a "
-                  "twentieth of the spacing)")
-      ->check(CLI::PositiveNumber)
-      ->option_text("S");
-  auto* const adaptive = sub->add_flag(
-      "--adaptive-spacing", arguments->options.adaptive_spacing,
-      "Each patch's spacing follows the scan's density there, up to 8 to 1; --spacing is "
-      "then that of the usual density");
-  sub->add_option("--codec", arguments->file.codec,
-                  "fast: quickest to read and write; compact: about half the bytes of heights, and "
-                  "coarse levels that can be read alone (fast)")
+}
+
+/// How patches are coded.
+void add_file_options(CLI::App& sub, ConvertArguments& arguments) {
+  sub.add_option(
+         "--codec", arguments.file.codec,
+         "Codec: fast reads and writes quickest; compact halves the bytes of heights, and its "
+         "coarse levels can be read separately (default fast)")
       ->transform(CLI::CheckedTransformer(std::map<std::string, PatchCodec>{
           {"fast", PatchCodec::Fast}, {"compact", PatchCodec::Compact}}))
       ->option_text("fast|compact");
-  sub->add_option("--normal-degrees", arguments->file.normal_degrees,
-                  "With --codec compact: how far normals may be off (0.5); what is as near to the "
-                  "normals of the heights is not kept at all")
+  sub.add_option("--normal-degrees", arguments.file.normal_degrees,
+                 fmt::format("Largest error of normals, in degrees, {:g} to {:g}, with --codec "
+                             "compact; normals this near to those of the heights are not stored "
+                             "(default {:g})",
+                             kMinNormalDegrees, kMaxNormalDegrees, arguments.file.normal_degrees))
       ->check(CLI::Range(kMinNormalDegrees, kMaxNormalDegrees))
       ->option_text("DEG");
-  auto* const clean = sub->add_flag(
-      "--clean", arguments->clean,
-      "Take away outliers: points far from their neighbours, and clusters of fewer than 50");
-  auto* const thin =
-      sub->add_option("--thin", arguments->thin,
-                      "Take away all points but one in each cube of this side, in the scan's unit")
-          ->check(CLI::PositiveNumber)
-          ->option_text("S");
-  sub->add_option("--cone-degrees", arguments->options.cone_degrees,
-                  "Largest angle between a patch's normal and its points' normals; larger makes "
-                  "fewer patches")
-      ->check(CLI::Range(1.0, 89.0))
-      ->option_text("DEG");
-  sub->add_option(
-         "--overlap", arguments->options.overlap_cells,
-         fmt::format("Grid cells by which patches overlap ({})", arguments->options.overlap_cells))
-      ->check(CLI::Range(0, 16))
-      ->option_text("CELLS");
-  sub->add_option("--texture", arguments->texture,
-                  "Picture that a mesh's texture coordinates refer to, in place of its file's own; "
-                  "and none of its normal maps; none: neither")
+}
+
+void add_texture_options(CLI::App& sub, ConvertArguments& arguments) {
+  sub.add_option(
+         "--texture", arguments.texture,
+         "Image that the mesh's texture coordinates refer to, in place of the file's own images "
+         "and normal maps; none: no textures (default: the file's own)")
       ->option_text("FILE|none");
-  sub->add_option("--texels-per-cell", arguments->options.texels_per_cell,
-                  "Texels of colour and normal maps along a grid cell's side, of a mesh with a "
-                  "texture (a power of "
-                  "two for each patch that keeps the texture's own)")
+  sub.add_option(
+         "--texels-per-cell", arguments.options.texels_per_cell,
+         fmt::format("Texels of colour and normal maps along the side of a grid cell, for a mesh "
+                     "with textures, 1 to {} (default: the power of two that keeps the "
+                     "texture's resolution, patch by patch)",
+                     kMaxTexelsPerCell))
       ->check(CLI::Range(1U, kMaxTexelsPerCell))
       ->option_text("N");
+}
+
+void add_resource_options(CLI::App& sub, ConvertArguments& arguments) {
   auto* const memory =
-      sub->add_option(
-             "--memory", arguments->tiles.memory_bytes,
-             "Most memory to take, 256M or more: a scan that needs more is converted in tiles, "
-             "kept in OUT.parts until the end; if it is stopped or killed the same command "
-             "goes on from there. Triangles and textures are not used then (as it takes)")
-          ->excludes(adaptive)
-          ->excludes(clean)
-          ->excludes(thin)
+      sub.add_option(
+             "--memory", arguments.tiles.memory_bytes,
+             "Memory limit, 256M or more. A scan that needs more is converted in tiles, without "
+             "its triangles and textures; tiles are kept in OUT.parts until the end, so that "
+             "the same command resumes an interrupted conversion (default: no limit)")
+          ->excludes("--adaptive-spacing")
+          ->excludes("--clean")
+          ->excludes("--thin")
           ->transform(CLI::AsSizeValue(false))
           ->check(CLI::Range(kMinTileMemory, std::uint64_t{1} << 50U))
           ->option_text("BYTES");
-  sub->add_flag_callback(
-         "--no-overviews", [arguments] { arguments->tiles.overviews = false; },
-         "With --memory: without coarser patches over the model's own, by which a large "
-         "model is drawn from afar without reading all of it; two sevenths fewer bytes")
+  sub.add_flag_callback(
+         "--no-overviews", [&arguments] { arguments.tiles.overviews = false; },
+         "With --memory: leave out the coarse patches over the tiles, which let a large model be "
+         "drawn "
+         "from afar without reading all of it; saves two sevenths of the bytes")
       ->needs(memory);
-  sub->add_option("--threads", arguments->options.threads,
-                  "Threads; the file is the same with any number (all cores)")
+  sub.add_option(
+         "--threads", arguments.options.threads,
+         "Threads, 1 to 1024; the file does not depend on them (default: one for each core)")
       ->check(CLI::Range(1, 1024))
       ->option_text("N");
+}
+
+}  // namespace
+
+void add_convert(CLI::App& app, Command& command) {
+  auto* sub = app.add_subcommand("convert", "Convert a scan or mesh to a patch file");
+  const auto arguments = std::make_shared<ConvertArguments>();
+  sub->add_option("IN", arguments->inputs, "Scan or mesh files; several become one model")
+      ->required()
+      ->option_text("FILE...");
+  sub->add_option("-o,--output", arguments->output, "Patch file to write (.relief)")
+      ->required()
+      ->option_text("FILE (required)");
+  add_surface_options(*sub, *arguments);
+  add_point_options(*sub, *arguments);
+  add_file_options(*sub, *arguments);
+  add_texture_options(*sub, *arguments);
+  add_resource_options(*sub, *arguments);
   sub->add_flag("--json", arguments->json, "Print one JSON object on standard output");
-  sub->footer(kConvertExamples);
+  sub->footer("Reads " + readable_formats() + ", each also gzipped. " + kConvertExamples);
   sub->callback(
       [arguments, &command] { command = [arguments] { return run_convert(*arguments); }; });
 }

@@ -1,4 +1,4 @@
-// relief export: the surface of patches as a file that other programs read.
+// relief export: writes the surface of patches to a file that other programs read.
 #include "common/export/export.h"
 
 #include <fmt/format.h>
@@ -12,19 +12,20 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "cli/load.h"
 #include "cli/options/paths.h"
 #include "common/image/srgb.h"
+#include "common/io/extension.h"
+#include "loader/load_files.h"
 #include "renderer/geometry/mesh_of_patches.h"
 
 namespace relief::cli {
 namespace {
 
 constexpr const char* kExportExamples =
-    "Points are the samples of the patches; a mesh is these with the triangles that\n"
-    "`relief render --engine raytrace` meets. Patches are not joined, and overlap by a margin.\n"
-    "Normals and colours are those at the samples; coordinates are the scan's.\n"
-    "In brackets: what is taken where an option is not given.\n"
+    "Points are the samples of the patches, with their normals and colours, in the scan's\n"
+    "coordinates. A mesh joins the samples of each patch with triangles, as `relief render "
+    "--engine\n"
+    "raytrace` does. Patches are not joined to each other, and overlap by a margin.\n"
     "\n"
     "Examples:\n"
     "  relief export dragon.relief -o dragon.ply\n"
@@ -34,7 +35,7 @@ constexpr const char* kExportExamples =
 struct ExportArguments {
   std::filesystem::path input;
   std::filesystem::path output;
-  std::string as;  ///< "mesh", "points"; empty: what the format is most used for
+  std::string as;  ///< "mesh" or "points"; empty: the default of the format
   bool json = false;
 };
 
@@ -42,14 +43,14 @@ struct ExportArguments {
 struct Format {
   std::string_view ending;
   Status (*write)(const std::filesystem::path&, const ExportRequest&, Progress&);
-  bool is_mesh;  ///< unasked
+  bool is_mesh;  ///< by default
 };
 constexpr Format kFormats[] = {
     {".ply", export_ply, false}, {".obj", export_obj, true}, {".glb", export_glb, true}};
 
 const Format* format_of(const std::filesystem::path& output) {
   for (const Format& format : kFormats) {
-    if (format.ending == ending(output)) return &format;
+    if (format.ending == lower_extension(output)) return &format;
   }
   return nullptr;
 }
@@ -148,19 +149,19 @@ void add_export(CLI::App& app, Command& command) {
   auto* sub = app.add_subcommand("export", "Write patches as points or as a mesh");
   const auto arguments = std::make_shared<ExportArguments>();
   sub->add_option("PATCHES", arguments->input,
-                  "A patch file (.relief), or a scan or mesh, converted in memory")
+                  "Patch file (.relief), or a scan or mesh, which is converted in memory")
       ->required()
       ->option_text("FILE");
-  sub->add_option("-o,--output", arguments->output, "The file to write (.ply, .obj or .glb)")
+  sub->add_option("-o,--output", arguments->output, "File to write (.ply, .obj or .glb)")
       ->required()
       ->check([](const std::string& name) {
         return format_of(name) != nullptr
                    ? std::string()
-                   : std::string("expected a name that ends in .ply, .obj or .glb");
+                   : "expected a name that ends in .ply, .obj or .glb; found " + name;
       })
       ->option_text("FILE (required)");
   sub->add_option("--as", arguments->as,
-                  "What to write (points in a .ply, a mesh in an .obj or a .glb)")
+                  "What to write (default: points in a .ply, mesh in an .obj or .glb)")
       ->check(CLI::IsMember({"mesh", "points"}))
       ->option_text("mesh|points");
   sub->add_flag("--json", arguments->json, "Print one JSON object on standard output");

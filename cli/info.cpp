@@ -1,4 +1,4 @@
-// relief info: what a patch file holds, and whether every byte of it is right.
+// relief info: prints what a patch file holds, and checks every byte of it.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -156,13 +156,13 @@ int run_info(const InfoArguments& arguments) {
 }  // namespace
 
 void add_info(CLI::App& app, Command& command) {
-  auto* sub = app.add_subcommand("info", "Tell what a patch file holds");
+  auto* sub = app.add_subcommand("info", "Print what a patch file holds");
   const auto arguments = std::make_shared<InfoArguments>();
-  sub->add_option("PATCHES", arguments->input, "A patch file (.relief)")
+  sub->add_option("PATCHES", arguments->input, "Patch file (.relief)")
       ->required()
       ->option_text("FILE");
   sub->add_flag("--verify", arguments->verify,
-                "Decode everything; exit code 1 if any byte is wrong");
+                "Decode the whole file; exit code 1 if any byte is wrong");
   sub->add_flag("--json", arguments->json, "Print one JSON object on standard output");
   sub->footer(kInfoExamples);
   sub->callback([arguments, &command] { command = [arguments] { return run_info(*arguments); }; });

@@ -18,12 +18,12 @@ constexpr const char* kReliefExamples =
     "  relief compare dragon.exr truth.exr --heatmap difference.png\n"
     "  relief bench dragon.ply.gz --plot bench.svg\n"
     "\n"
-    "`relief SUBCOMMAND --help` tells all options of a subcommand.\n"
-    "Exit code: 0 done, 1 could not do it (one sentence says why), 2 wrong usage.";
+    "`relief SUBCOMMAND --help` prints all options of a subcommand. Flags are off by default.\n"
+    "Exit code: 0 done, 1 failed (one sentence says why), 2 wrong usage.";
 
 int run_relief(int argc, char** argv) {
   CLI::App app(
-      "Relief turns point scans into elevation-map patches and renders them in one pass.\n",
+      "Relief converts point scans to elevation-map patches and renders them in one pass.\n",
       "relief");
   app.set_version_flag("--version", std::string("relief ") + relief::kVersion);
   app.require_subcommand(1);

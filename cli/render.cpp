@@ -1,4 +1,4 @@
-// relief render: a patch file, a scan or a scene becomes pictures.
+// relief render: a patch file, a scan or a scene becomes images.
 #include "renderer/render.h"
 
 #include <fmt/format.h>
@@ -13,12 +13,13 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "cli/load_scene.h"
-#include "cli/options/paths.h"
+#include "cli/options/image_files.h"
 #include "cli/options/render_options.h"
-#include "cli/options/render_plan.h"
 #include "cli/reports/render_report.h"
 #include "common/image/image_io.h"
+#include "common/io/extension.h"
+#include "loader/load_scene.h"
+#include "loader/view_settings.h"
 
 namespace relief::cli {
 namespace {
@@ -42,7 +43,7 @@ constexpr const char* kRenderExamples =
 /// An EXR keeps the scene's light; a PNG has it as a camera with that exposure (stops) takes it,
 /// the background with it.
 Status write_image(const std::filesystem::path& path, Image& image, double exposure) {
-  if (ending(path) == ".exr") return write_exr(path, image);
+  if (lower_extension(path) == ".exr") return write_exr(path, image);
   const auto factor = static_cast<float>(std::exp2(exposure));
   for (Channel& channel : image.channels) {
     if (channel.name != "R" && channel.name != "G" && channel.name != "B") continue;
@@ -51,96 +52,71 @@ Status write_image(const std::filesystem::path& path, Image& image, double expos
   return write_png(path, image);
 }
 
-EngineNeeds needs_of(const RenderPlan& plan) {
-  EngineNeeds needs;
-  for (const Picture& picture : plan.pictures) {
-    const std::string engine = picture.settings.engine.value_or(RenderSettings{}.engine);
-    needs.patches |= needs_opengl(engine);
-    needs.ewa |= engine == "ewa";
-    needs.raytrace |= engine == "raytrace";
-  }
-  return needs;
+/// What only the command line decides about all images.
+void apply(const RenderArguments& arguments, const PlannedView& view, RenderSettings& settings) {
+  // An EXR holds all outputs by default, a PNG none but colour.
+  if (lower_extension(arguments.output) == ".exr")
+    settings.outputs = view.settings.outputs.value_or(Outputs{true, true, true, true});
+  else
+    settings.outputs = {};
+  settings.platform = arguments.platform;
+  settings.explain = arguments.explain;
+  settings.frames = arguments.frames.value_or(0);
+  settings.count_fragments = arguments.frames.has_value();
 }
 
-Result<std::vector<RenderSettings>> views_of(const RenderPlan& plan, const PatchModel& extent,
-                                             const RenderArguments& arguments) {
-  std::vector<RenderSettings> views;
-  for (const Picture& picture : plan.pictures) {
-    RELIEF_TRY_ASSIGN(auto settings, render_settings_for(picture, extent, arguments));
-    views.push_back(std::move(settings));
-  }
-  return views;
-}
-
-Result<LoadedScene> load(const RenderPlan& plan, const RenderArguments& arguments,
-                         Progress& progress) {
-  const EngineNeeds needs = needs_of(plan);
-  const TextureChoice textures = texture_choice(arguments.texture.file);
-  if (!needs.ewa || textures.picture.empty())
-    return load_scene(plan.models, textures, needs, progress,
-                      [&](const PatchModel& extent) { return views_of(plan, extent, arguments); });
-  auto splats = acquire_splats(arguments.input, arguments.texture,
-                               arguments.settings.cutoff.value_or(EwaSettings{}.cutoff), progress);
-  if (!splats) return splats.error();
-  LoadedScene scene;
-  scene.patches.bounds = bounds_of(splats->positions);
-  scene.patches.bounding_radius = bounding_radius(splats->positions, scene.patches.bounds);
-  scene.splats = std::move(*splats);
-  return scene;
-}
-
-/// Loads, renders and writes. `count`: how many pictures are written, also after a failure.
-Result<std::vector<WrittenImage>> make_images(const RenderPlan& plan,
+/// Loads, renders and writes. `count`: how many images are written, also after a failure.
+Result<std::vector<WrittenImage>> make_images(const ScenePlan& plan,
+                                              const std::vector<std::filesystem::path>& files,
                                               const RenderArguments& arguments,
                                               std::size_t& count) {
   ConsoleProgress progress;
-  RELIEF_TRY_ASSIGN(const auto scene, load(plan, arguments, progress));
+  RELIEF_TRY_ASSIGN(const auto scene, load_scene(plan, load_options(arguments.texture), progress));
   if (progress.cancelled()) return interrupted_error();
-  RELIEF_TRY_ASSIGN(const auto views, views_of(plan, scene.patches, arguments));
+  RELIEF_TRY_ASSIGN(auto views, render_settings_of(plan, scene.patches));
+  for (std::size_t i = 0; i < views.size(); ++i) apply(arguments, plan.views[i], views[i]);
   std::vector<WrittenImage> written(views.size());
-  const Status done = render_views(
+  RELIEF_TRY(render_views(
       scene.forms(), views,
-      [&](std::size_t view, RenderResult result) {
-        const Picture& picture = plan.pictures[view];
-        Status saved =
-            write_image(picture.output, result.image, picture.settings.exposure.value_or(0.0));
+      [&](std::size_t i, RenderResult result) {
+        const PlannedView& view = plan.views[i];
+        Status saved = write_image(files[i], result.image, view.settings.exposure.value_or(0.0));
         if (!saved) return saved;
         result.image.channels.clear();
-        written[view] = {views[view], std::move(result)};
+        written[i] = {view.name, files[i], views[i], std::move(result)};
         ++count;
         return Status();
       },
-      progress);
-  if (!done) return done.error();
+      progress));
   return written;
 }
 
-int report(const RenderPlan& plan, const std::vector<WrittenImage>& written, bool json) {
+int report(const ScenePlan& plan, const std::vector<WrittenImage>& written, bool json) {
   if (json)
-    return print_json(plan.scene.empty() ? as_json(written.front()) : scene_as_json(plan, written));
+    return print_json(plan.file.empty() ? as_json(written.front()) : scene_as_json(written));
   std::string text;
-  for (std::size_t i = 0; i < written.size(); ++i) text += as_text(plan.pictures[i], written[i]);
+  for (const WrittenImage& image : written) text += as_text(image);
   return print_result(text);
 }
 
 int run_render(const RenderArguments& arguments) {
-  const auto plan = make_plan(arguments);
+  const auto plan = plan_scene(arguments.input, arguments.settings);
   if (!plan) return fail(plan.error());
-  if (!outputs_differ(*plan, arguments)) {
+  if (!names_each_view(arguments.output, *plan)) {
     (void)fail(
-        make_error("{}: has {} views; put {{view}} into the output's name, as in "
-                   "out/{{view}}.exr",
-                   arguments.input.string(), plan->pictures.size()));
+        make_error("{}: has {} views; put {{view}} into the output's name, as in out/{{view}}.exr",
+                   arguments.input.string(), plan->views.size()));
     return kWrongUsage;
   }
-  if (const Status good = check_files(*plan, arguments.texture.file); !good)
+  const auto files = image_files(arguments.output, *plan);
+  if (const Status good = check_files(*plan, arguments.texture.file, files); !good)
     return fail(good.error());
   std::size_t count = 0;
-  const auto written = make_images(*plan, arguments, count);
+  const auto written = make_images(*plan, files, arguments, count);
   if (!written) {
     return fail(written.error(), count == 0 ? std::string()
-                                            : fmt::format("{} of {} pictures were written", count,
-                                                          plan->pictures.size()));
+                                            : fmt::format("{} of {} images were written", count,
+                                                          plan->views.size()));
   }
   return report(*plan, *written, arguments.json);
 }

@@ -1,27 +1,29 @@
 # `cmake --install`: the command, the libraries with their public headers, and what find_package(relief)
-# needs. A header is public if it is listed here; all others may change at any time.
+# needs.
 include(CMakePackageConfigHelpers)
 
+# The headers that a program includes by name. What they include is public too; all other headers may
+# change at any time. tests/install compiles each installed header by itself.
 set(RELIEF_PUBLIC_HEADERS
-  common/bounds.h common/camera.h common/choices.h common/error.h common/file.h common/image.h common/image_io.h
-  common/light.h common/material.h common/mesh_texture.h common/normal_texture.h
-  common/octahedral.h common/patch.h common/patch_file.h common/patch_tree.h
-  common/instance.h common/points.h common/progress.h common/scene.h
-  common/srgb.h common/texture_pyramid.h common/transform.h common/version.h
-  preprocess/convert.h preprocess/convert_tiles.h preprocess/read_points.h
-  renderer/engines/ewa/settings.h renderer/engines/multipass/settings.h
-  renderer/engines/raytrace/settings.h
-  renderer/explanation.h renderer/mesh_of_points.h renderer/render.h renderer/splat_cloud.h renderer/triangle_mesh.h)
-foreach(header IN LISTS RELIEF_PUBLIC_HEADERS)
-  cmake_path(GET header PARENT_PATH folder)
-  install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/relief/${folder})
-endforeach()
+  common/compare/compare.h common/error.h common/export/export.h common/image/image_io.h common/image/srgb.h
+  common/io/file.h common/mesh/mesh_texture.h common/mesh/normal_texture.h common/patch.h
+  common/patch_file/patch_file.h common/patch_file/patch_tree.h common/points.h common/progress.h
+  common/scene/scene.h common/transform.h common/version.h
+  loader/load_files.h loader/load_scene.h loader/scene_plan.h loader/view_settings.h
+  preprocess/convert.h preprocess/convert_tiles.h preprocess/readers/read_points.h
+  renderer/geometry/mesh_of_patches.h renderer/geometry/mesh_of_points.h renderer/render.h)
+install(CODE "
+  set(SOURCE ${PROJECT_SOURCE_DIR})
+  set(STAGE ${PROJECT_BINARY_DIR}/include/relief)
+  set(DESTINATION \${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}/relief)
+  set(HEADERS ${RELIEF_PUBLIC_HEADERS})
+  include(${PROJECT_SOURCE_DIR}/cmake/InstallHeaders.cmake)")
 
-foreach(module common preprocess renderer)
+foreach(module common preprocess renderer loader)
   set_target_properties(relief_${module} PROPERTIES EXPORT_NAME ${module})
   add_library(relief::${module} ALIAS relief_${module})
 endforeach()
-install(TARGETS relief relief_common relief_preprocess relief_renderer EXPORT relief
+install(TARGETS relief relief_common relief_preprocess relief_renderer relief_loader EXPORT relief
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})

@@ -25,12 +25,6 @@ if(RELIEF_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${RELIEF_CCACHE}")
 endif()
 
-if(RELIEF_FORMAT_CHECK)
-  add_custom_target(format_check ALL
-    COMMAND ${PROJECT_SOURCE_DIR}/scripts/format.sh --check
-    COMMENT "Checking the format of all C++ files; `make format` mends it")
-endif()
-
 # relief_test(NAME SOURCES... [LIBS ...]): one GoogleTest program, each of its tests known to ctest.
 function(relief_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBS" ${ARGN})

@@ -1,4 +1,4 @@
-// How a long job tells what it does, and how it is asked to stop.
+// How a long job reports what it does, and how it is asked to stop.
 #pragma once
 
 #include <atomic>
@@ -23,12 +23,15 @@ class Progress {
   virtual void begin_stage(std::string_view /*name*/, std::uint64_t /*units*/) {}
   /// `units` more of the current stage are done. Thread-safe.
   virtual void advance(std::uint64_t /*units*/) {}
+  /// Something that the user should know although the job goes on, as one clause ("only some of the
+  /// scans have colours; they are left out"). Called from one thread.
+  virtual void note(std::string_view /*text*/) {}
   /// True once the user asked to stop. Thread-safe.
   [[nodiscard]] virtual bool cancelled() const { return false; }
 };
 
-/// Of a job within another one, whose stages are not to be told: passes on that the user wants to
-/// stop.
+/// The progress of a job within another one. Hides its stages, units and notes; passes on that the
+/// user wants to stop.
 class QuietProgress final : public Progress {
  public:
   explicit QuietProgress(const Progress& outer) : outer_(outer) {}
@@ -38,10 +41,11 @@ class QuietProgress final : public Progress {
   const Progress& outer_;
 };
 
-/// Of a part of a job: its stages are not told, but its units are units of the outer job's.
+/// The progress of a part of a job. Hides its stages; its units are units of the outer job.
 class PartProgress final : public Progress {
  public:
   explicit PartProgress(Progress& outer) : outer_(outer) {}
+  void note(std::string_view text) override { outer_.note(text); }
   void advance(std::uint64_t units) override { outer_.advance(units); }
   [[nodiscard]] bool cancelled() const override { return outer_.cancelled(); }
 
@@ -49,7 +53,7 @@ class PartProgress final : public Progress {
   Progress& outer_;
 };
 
-/// What a job returns when it was asked to stop.
+/// The error that a job returns when it was asked to stop.
 [[nodiscard]] inline Error interrupted_error() {
   return Error{"interrupted"};
 }

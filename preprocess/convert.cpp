@@ -8,8 +8,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <string>
 #include <utility>
 
+#include "common/guard.h"
 #include "preprocess/convert_stages.h"
 #include "preprocess/measure.h"
 #include "preprocess/normals/closed_mesh.h"
@@ -86,7 +88,13 @@ class MeshInTime {
   }
   MeshInTime(const MeshInTime&) = delete;
   MeshInTime& operator=(const MeshInTime&) = delete;
-  ~MeshInTime() { wait(); }
+  ~MeshInTime() {
+    tasks_.cancel();
+    try {
+      wait();
+    } catch (...) {  // NOLINT: an error on the way here is already being returned
+    }
+  }
 
   void wait() { tasks_.wait(); }
 
@@ -140,8 +148,7 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   if (progress.cancelled()) return interrupted_error();
 
   std::vector<Region> regions =
-      find_regions(points, points.size(), graph, frames,
-                   {options.cone_degrees, options.adaptive_spacing}, progress);
+      find_regions(points, points.size(), graph, frames, options.cone_degrees, progress);
   if (progress.cancelled()) return interrupted_error();
 
   const SurfaceSamples samples{points.positions, points.normals, graph.spacing, frames.roughness};
@@ -193,7 +200,11 @@ Result<ConvertResult> convert(Points points, const ConvertOptions& options, Prog
   if (!has_triangle_colours(points)) {
     RELIEF_TRY(check_points(points.positions));
   }
-  return with_threads(options.threads, [&] { return convert_in_arena(points, options, progress); });
+  const std::string task = fmt::format("convert {} points", points.size());
+  return guarded({.subject = "", .task = task}, [&] {
+    return with_threads(options.threads,
+                        [&] { return convert_in_arena(points, options, progress); });
+  });
 }
 
 }  // namespace relief

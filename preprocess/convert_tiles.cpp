@@ -4,6 +4,7 @@
 #include <system_error>
 #include <utility>
 
+#include "common/guard.h"
 #include "common/io/file.h"
 #include "common/version.h"
 #include "preprocess/thread_limit.h"
@@ -70,9 +71,7 @@ Result<TiledResult> convert_all(const TiledModel& plan, bool overviews, const fs
   return moved ? Result(std::move(converted->result)) : moved.error();
 }
 
-}  // namespace
-
-Result<std::optional<TiledResult>> convert_tiles(
+Result<std::optional<TiledResult>> convert_files(
     const std::vector<fs::path>& files, const fs::path& output, const ConvertOptions& options,
     const PatchFileOptions& file_options, const TileOptions& tile_options, Progress& progress) {
   const SpreadOptions spread_options{tile_options.memory_bytes, tile_options.most_tile_points,
@@ -99,9 +98,21 @@ Result<std::optional<TiledResult>> convert_tiles(
   return std::optional(std::move(*result));
 }
 
+}  // namespace
+
+Result<std::optional<TiledResult>> convert_tiles(
+    const std::vector<fs::path>& files, const fs::path& output, const ConvertOptions& options,
+    const PatchFileOptions& file_options, const TileOptions& tile_options, Progress& progress) {
+  const std::string name = output.string();
+  return guarded({.subject = name, .task = "convert its tiles"}, [&] {
+    return convert_files(files, output, options, file_options, tile_options, progress);
+  });
+}
+
 std::optional<fs::path> find_kept_tiles(const fs::path& output) {
   fs::path folder = TileJob::folder_of(output);
-  return fs::exists(folder) ? std::optional(std::move(folder)) : std::nullopt;
+  std::error_code ignored;
+  return fs::exists(folder, ignored) ? std::optional(std::move(folder)) : std::nullopt;
 }
 
 }  // namespace relief

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# `make demo`: from a bare machine to two pictures of a scan.
+# `make demo`: from a bare machine to two images of a scan.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 out=build/demo
@@ -8,18 +8,23 @@ relief=build/release/cli/relief
 stage() { echo "== $1 (at ${SECONDS} s)"; }
 
 stage "packages"
-scripts/packages.sh build run demo
-stage "build"
+scripts/packages.sh build run
+stage "build, and the scan meanwhile"
+mkdir -p "$out"
+# npm alone is some 300 packages; nothing that is compiled waits for them.
+(scripts/packages.sh demo && models/fetch_dragon.sh "$out") >"$out/fetch.log" 2>&1 &
+fetch=$!
+trap 'kill $fetch 2>/dev/null || true' EXIT
 cmake --preset release
 cmake --build --preset release
-mkdir -p "$out"
 
 stage "scan"
-if models/fetch_dragon.sh "$out"; then
+if wait $fetch; then
   scan=$out/dragon_vrip.ply.gz
 else
   scan=$out/generated_knot.ply
-  echo "The Stanford Dragon can't be had (see above): this is a generated scan instead."
+  tail -n 1 "$out/fetch.log"
+  echo "The Stanford Dragon can't be had: this is a generated scan instead."
   build/release/models/generate_scan 400000 >"$scan"
 fi
 
@@ -54,5 +59,5 @@ row renderer "$(value lit renderer)"
 row "seconds in all" "$SECONDS"
 echo
 echo "Patch file  $PWD/$model"
-echo "Pictures    $PWD/$out/lit.png"
+echo "Images      $PWD/$out/lit.png"
 echo "            $PWD/$out/mirror.png"

@@ -1,9 +1,8 @@
 #!/usr/bin/env bash
-# The one list of the system packages that Relief needs (Debian 12 and 13, Ubuntu 24.04: the
-# names are those of all three). Installs those of
-# the given groups that are missing; says nothing when none is.
+# The one list of the system packages that Relief needs: the names are those of Debian 12 and 13 and of
+# Ubuntu 24.04. Installs the missing packages of the given groups; prints nothing if none is missing.
 #
-#   scripts/packages.sh build run [test] [demo]
+#   scripts/packages.sh build run [test] [check] [demo]
 #   scripts/packages.sh --list build run        # prints the names and installs nothing
 set -euo pipefail
 
@@ -13,9 +12,10 @@ group() {
       libfmt-dev libcli11-dev nlohmann-json3-dev libzstd-dev zlib1g-dev libopenexr-dev libpng-dev libturbojpeg0-dev libtinygltf-dev libdraco-dev \
       libembree-dev libegl-dev libgl-dev ;;
     run) echo libegl1 libgl1-mesa-dri libosmesa6 ;;  # opened while running; Mesa draws without a GPU
-    test) echo libgtest-dev clang-tidy clang-format clang libclang-rt-dev python3 ;;  # -rt: libFuzzer
+    test) echo libgtest-dev python3 ;;
+    check) echo clang-tidy clang-format clang libclang-rt-dev ;;  # -rt: libFuzzer
     demo) echo npm ca-certificates ;;                # the Dragon comes in an npm package
-    *) echo "packages.sh: no group '$1'; there are build, run, test and demo" >&2; return 2 ;;
+    *) echo "packages.sh: no group '$1'; there are build, run, test, check and demo" >&2; return 2 ;;
   esac
 }
 

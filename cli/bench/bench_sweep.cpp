@@ -5,8 +5,8 @@
 #include <string_view>
 #include <utility>
 
-#include "cli/load.h"
 #include "cli/options/values.h"
+#include "loader/load_files.h"
 #include "preprocess/convert.h"
 
 namespace relief::cli {

@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <system_error>
 
 namespace relief::cli {
@@ -32,14 +31,6 @@ Status check_output(const fs::path& path, const std::vector<fs::path>& inputs) {
     return make_error("{}: the directory {} can't be written to", name, directory.string());
   }
   return {};
-}
-
-std::string ending(const fs::path& path) {
-  std::string text = path.extension().string();
-  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return text;
 }
 
 }  // namespace relief::cli

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include "common/error.h"
@@ -13,8 +12,5 @@ namespace relief::cli {
 /// the `inputs` and nothing but a regular file stands there.
 Status check_output(const std::filesystem::path& path,
                     const std::vector<std::filesystem::path>& inputs);
-
-/// The ending of a path in lower case, with the dot; empty if there is none.
-[[nodiscard]] std::string ending(const std::filesystem::path& path);
 
 }  // namespace relief::cli

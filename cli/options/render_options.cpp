@@ -6,8 +6,8 @@
 #include <map>
 #include <string>
 
-#include "cli/options/paths.h"
 #include "cli/options/values.h"
+#include "common/io/extension.h"
 #include "renderer/engine_registry.h"
 
 namespace relief::cli {
@@ -107,9 +107,9 @@ void add_engine_options(CLI::App& sub, SceneSettings& settings) {
 /// Nor an option of one material to another.
 void check_material_options(const RenderArguments& arguments) {
   const SceneSettings& settings = arguments.settings;
-  if (settings.exposure && ending(arguments.output) == ".exr")
+  if (settings.exposure && lower_extension(arguments.output) == ".exr")
     throw CLI::ValidationError("--exposure", "is for a .png; an EXR keeps the light as it is");
-  if (ending(arguments.input) == ".json") return;
+  if (lower_extension(arguments.input) == ".json") return;
   const Material material = settings.material.value_or(Material::Lit);
   if ((settings.ior || settings.absorption || settings.interfaces) && material != Material::Glass)
     throw CLI::ValidationError("--ior, --absorption, --interfaces", "are for --material glass");
@@ -121,7 +121,7 @@ void check_material_options(const RenderArguments& arguments) {
 void check_engine_options(const RenderArguments& arguments) {
   const SceneSettings& settings = arguments.settings;
   const std::string engine = settings.engine.value_or("onepass");
-  const std::string kind = ending(arguments.input);
+  const std::string kind = lower_extension(arguments.input);
   if (!arguments.texture.file.empty() && (kind == ".json" || kind == ".relief"))
     throw CLI::ValidationError("--texture", "needs a mesh");
   if (engine != "ewa" && (arguments.texture.acquisition || arguments.texture.points))
@@ -268,7 +268,7 @@ void check_camera(const SceneSettings& settings) {
 }
 
 void check_together(const RenderArguments& arguments) {
-  const std::string format = ending(arguments.output);
+  const std::string format = lower_extension(arguments.output);
   if (format != ".png" && format != ".exr") {
     throw CLI::ValidationError("--output", "expected a name that ends in .png or .exr");
   }

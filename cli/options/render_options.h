@@ -1,10 +1,10 @@
-// What `relief render` can be told.
+// The options of `relief render`.
 #pragma once
 
 #include <CLI/App.hpp>
 #include <filesystem>
 
-#include "cli/acquire.h"
+#include "cli/options/texture_options.h"
 #include "common/scene/scene.h"
 #include "renderer/render.h"
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/bench/bench_rows.h"
+#include "cli/reports/json_values.h"
 
 namespace relief::cli {
 namespace {
@@ -17,16 +18,6 @@ std::string level_policy(const RenderSettings& settings) {
 }
 
 using Json = nlohmann::ordered_json;
-
-template <class T>
-Json value_or_null(const std::optional<T>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
-/// JSON knows no infinity.
-Json finite_or_null(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
 
 std::optional<double> ratio(double value, std::optional<double> over) {
   if (!over || *over <= 0.0) return std::nullopt;

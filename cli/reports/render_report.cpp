@@ -7,17 +7,13 @@
 #include <optional>
 
 #include "cli/reports/explain_report.h"
+#include "cli/reports/json_values.h"
 #include "renderer/engine_registry.h"
 #include "renderer/frame/image_parts.h"
 #include "renderer/shading/materials.h"
 
 namespace relief::cli {
 namespace {
-
-template <class T>
-nlohmann::ordered_json value_or_null(const std::optional<T>& value) {
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
-}
 
 /// What was chosen about the engine.
 std::string way_of(const RenderSettings& settings) {
@@ -55,7 +51,8 @@ std::string material_names(const RenderSettings& settings) {
 }  // namespace
 
 nlohmann::ordered_json as_json(const WrittenImage& written) {
-  const auto& [settings, result] = written;
+  const RenderSettings& settings = written.settings;
+  const RenderResult& result = written.result;
   const auto said_by = [](bool has, const auto& way) {
     return has ? nlohmann::ordered_json(way) : nlohmann::ordered_json(nullptr);
   };
@@ -84,20 +81,19 @@ nlohmann::ordered_json as_json(const WrittenImage& written) {
   return json;
 }
 
-nlohmann::ordered_json scene_as_json(const RenderPlan& plan,
-                                     const std::vector<WrittenImage>& written) {
+nlohmann::ordered_json scene_as_json(const std::vector<WrittenImage>& written) {
   nlohmann::ordered_json views = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < written.size(); ++i) {
-    nlohmann::ordered_json view = {{"name", plan.pictures[i].view},
-                                   {"output", plan.pictures[i].output.string()}};
-    view.update(as_json(written[i]));
+  for (const WrittenImage& image : written) {
+    nlohmann::ordered_json view = {{"name", image.view}, {"output", image.file.string()}};
+    view.update(as_json(image));
     views.push_back(std::move(view));
   }
   return {{"views", std::move(views)}};
 }
 
-std::string as_text(const Picture& picture, const WrittenImage& written) {
-  const auto& [settings, result] = written;
+std::string as_text(const WrittenImage& written) {
+  const RenderSettings& settings = written.settings;
+  const RenderResult& result = written.result;
   const std::string fragments =
       result.fragments ? fmt::format("{}", *result.fragments) : std::string("not counted");
   const std::string text = fmt::format(
@@ -108,7 +104,7 @@ std::string as_text(const Picture& picture, const WrittenImage& written) {
       "  frame           {:.2f} ms\n"
       "  covered pixels  {}\n"
       "  fragments       {}\n",
-      picture.output.string(), settings.engine, way_of(settings), material_names(settings),
+      written.file.string(), settings.engine, way_of(settings), material_names(settings),
       result.renderer, result.image.width, result.image.height, result.frame_ms,
       result.covered_pixels, fragments);
   return result.explanation ? text + as_text(*result.explanation) : text;

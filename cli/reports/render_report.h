@@ -1,17 +1,20 @@
-// What `relief render` tells about the pictures that it has made.
+// What `relief render` reports about the images that it wrote.
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
-#include "cli/options/render_plan.h"
 #include "renderer/render.h"
 
 namespace relief::cli {
 
-/// A picture that was written: what was asked of the renderer, and what came of it. The result's
+/// An image that was written: its view and file, the renderer's settings and result. The result's
 /// image has no channels any more.
 struct WrittenImage {
+  std::string view;  ///< its name in the scene file; empty without one
+  std::filesystem::path file;
   RenderSettings settings;
   RenderResult result;
 };
@@ -19,12 +22,10 @@ struct WrittenImage {
 /// The keys of DESIGN.md's `render`; with `explain`, if that was asked for.
 [[nodiscard]] nlohmann::ordered_json as_json(const WrittenImage& written);
 
-/// {"views": [...]}, each with its name, its output and the keys of as_json. `written` is parallel
-/// to the plan's pictures.
-[[nodiscard]] nlohmann::ordered_json scene_as_json(const RenderPlan& plan,
-                                                   const std::vector<WrittenImage>& written);
+/// {"views": [...]}, each with its name, its output and the keys of as_json.
+[[nodiscard]] nlohmann::ordered_json scene_as_json(const std::vector<WrittenImage>& written);
 
-/// The same for a person.
-[[nodiscard]] std::string as_text(const Picture& picture, const WrittenImage& written);
+/// Text for a person.
+[[nodiscard]] std::string as_text(const WrittenImage& written);
 
 }  // namespace relief::cli

@@ -223,14 +223,14 @@ Result<std::vector<std::byte>> encode_exr(const Image& image) try {
   }
   return std::move(stream.bytes());
 } catch (const std::exception& failure) {
-  return make_error("OpenEXR says: {}", failure.what());
+  return make_error("OpenEXR failed to encode it ({})", failure.what());
 }
 
 Result<Image> decode_exr(std::span<const std::byte> bytes) try {
   if (const auto fault = check_header(bytes)) return *fault;
   return read_pixels(bytes);
 } catch (const std::bad_alloc&) {
-  throw;  // read_image's to tell
+  throw;  // decode_image reports it
 } catch (const std::exception& failure) {
   return make_error("it is damaged ({})", failure.what());
 }

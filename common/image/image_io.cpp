@@ -1,8 +1,8 @@
 #include "common/image/image_io.h"
 
 #include <array>
-#include <new>
 
+#include "common/guard.h"
 #include "common/image/image_formats.h"
 #include "common/io/file.h"
 
@@ -11,10 +11,9 @@ namespace {
 
 template <class Encode>
 Status write_image(const std::filesystem::path& path, const Image& image, const Encode& encode) {
-  const auto bytes = encode(image);
+  const auto bytes = guarded({.subject = "", .task = "encode it"}, [&] { return encode(image); });
   if (!bytes) {
-    return make_error("{}: the picture cannot be written: {}", path.string(),
-                      bytes.error().message);
+    return make_error("{}: the image cannot be written: {}", path.string(), bytes.error().message);
   }
   return write_file_atomically(path, *bytes);
 }
@@ -66,15 +65,11 @@ Result<Image> decode_image(const std::string& name, std::span<const std::byte> b
     if (is_png(bytes)) return decode_png(bytes, transfer);
     if (is_jpeg(bytes)) return decode_jpeg(bytes, transfer);
     if (is_radiance(bytes)) return decode_radiance(bytes);
-    return make_error("it is no EXR, PNG, JPEG or Radiance HDR file");
+    return make_error("it is not an EXR, PNG, JPEG or Radiance HDR file");
   };
-  try {
-    auto image = decode();
-    if (image) return image;
-    return make_error("{}: the picture cannot be read: {}", name, image.error().message);
-  } catch (const std::bad_alloc&) {
-    return make_error("{}: the picture does not fit into memory", name);
-  }
+  auto image = guarded({.subject = "", .task = "decode it"}, decode);
+  if (image) return image;
+  return make_error("{}: the image cannot be read: {}", name, image.error().message);
 }
 
 bool is_png_file(const std::filesystem::path& path) {

@@ -4,6 +4,7 @@
 #include <new>
 #include <utility>
 
+#include "common/guard.h"
 #include "common/io/file.h"
 #include "common/patch_file/compact/compact_codec.h"
 #include "common/patch_file/compact/level_grid.h"
@@ -189,15 +190,19 @@ PatchFile::~PatchFile() = default;
 Result<PatchFile> PatchFile::open(const std::filesystem::path& path) {
   RELIEF_TRY_ASSIGN(auto file, RandomAccessFile::open(path));
   const std::string name = path.string();
-  RELIEF_TRY_ASSIGN(auto layout, read_own_layout(file, name));
-  return PatchFile(std::make_unique<State>(name, std::move(file), std::move(layout)));
+  return guarded({.subject = name, .task = "read its index"}, [&]() -> Result<PatchFile> {
+    RELIEF_TRY_ASSIGN(auto layout, read_own_layout(file, name));
+    return PatchFile(std::make_unique<State>(name, std::move(file), std::move(layout)));
+  });
 }
 
 Result<PatchFile> PatchFile::open_tile(const std::filesystem::path& path, const TreeTile& tile) {
   RELIEF_TRY_ASSIGN(auto file, RandomAccessFile::open(path));
   const std::string name = path.string();
-  RELIEF_TRY_ASSIGN(auto layout, read_tile(file, tile, name));
-  return PatchFile(std::make_unique<State>(name, std::move(file), std::move(layout)));
+  return guarded({.subject = name, .task = "read its index"}, [&]() -> Result<PatchFile> {
+    RELIEF_TRY_ASSIGN(auto layout, read_tile(file, tile, name));
+    return PatchFile(std::make_unique<State>(name, std::move(file), std::move(layout)));
+  });
 }
 
 const std::string& PatchFile::name() const {
@@ -246,7 +251,7 @@ Result<Patch> PatchFile::read_patch(std::uint64_t index, ZstdContexts& zstd) con
   }
   return patch;
 } catch (const std::bad_alloc&) {
-  return make_error("{}: there is not enough memory for patch {}", state_->name, index);
+  return make_error("{}: not enough memory to decode patch {}", state_->name, index);
 }
 
 Result<Patch> PatchFile::read_level(std::uint64_t index, unsigned level) const try {
@@ -254,7 +259,7 @@ Result<Patch> PatchFile::read_level(std::uint64_t index, unsigned level) const t
   ZstdContexts zstd;
   return state_->read_heights(index, level, zstd);
 } catch (const std::bad_alloc&) {
-  return make_error("{}: there is not enough memory for patch {}", state_->name, index);
+  return make_error("{}: not enough memory to decode patch {}", state_->name, index);
 }
 
 std::uint64_t PatchFile::decoded_bytes(std::span<const std::uint64_t> patches) const {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "common/guard.h"
 #include "common/io/file.h"
 #include "common/octahedral.h"
 #include "common/patch_file/compact/compact_codec.h"
@@ -173,10 +174,8 @@ FileIndex lay_out(const std::vector<EncodedPatch>& patches, PatchCodec codec) {
   return index;
 }
 
-}  // namespace
-
-Status write_patch_file(const std::filesystem::path& path, const PatchModel& model,
-                        const PatchFileOptions& options) {
+Status write_model(const std::filesystem::path& path, const PatchModel& model,
+                   const PatchFileOptions& options) {
   if (const auto fault = find_fault(model.spacing, model.bounds, model.bounding_radius);
       !fault.empty()) {
     return make_error("{}: the model cannot be written: {}", path.string(), fault);
@@ -220,6 +219,15 @@ Status write_patch_file(const std::filesystem::path& path, const PatchModel& mod
   }
   RELIEF_TRY(file.write(index));
   return file.commit();
+}
+
+}  // namespace
+
+Status write_patch_file(const std::filesystem::path& path, const PatchModel& model,
+                        const PatchFileOptions& options) {
+  const std::string name = path.string();
+  return guarded({.subject = name, .task = "write it"},
+                 [&] { return write_model(path, model, options); });
 }
 
 }  // namespace relief

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "common/guard.h"
 #include "common/patch_file/fast/zstd_contexts.h"
 #include "common/patch_file/patch_file.h"
 
@@ -23,30 +24,33 @@ Status fits_memory(const std::string& name, std::uint64_t decoded_bytes) {
 
 Result<std::vector<Patch>> PatchFile::read_patches(std::span<const std::uint64_t> patches,
                                                    Progress& progress) const {
-  // Of several errors the first patch's is told, whatever the threads do.
-  std::vector<Patch> read(patches.size());
-  tbb::enumerable_thread_specific<ZstdContexts> zstd;
-  std::mutex mutex;
-  std::size_t failed = patches.size();
-  Error error;
-  progress.begin_stage("reading patches", patches.size());
-  tbb::parallel_for(std::size_t{0}, patches.size(), [&](std::size_t i) {
-    if (progress.cancelled()) return;
-    auto patch = read_patch(patches[i], zstd.local());
-    if (patch) {
-      read[i] = *std::move(patch);
-    } else {
-      const std::scoped_lock lock(mutex);
-      if (i < failed) {
-        failed = i;
-        error = patch.error();
+  const auto read_them = [&]() -> Result<std::vector<Patch>> {
+    // Of several errors the first patch's is returned, whatever the threads do.
+    std::vector<Patch> read(patches.size());
+    tbb::enumerable_thread_specific<ZstdContexts> zstd;
+    std::mutex mutex;
+    std::size_t failed = patches.size();
+    Error error;
+    progress.begin_stage("reading patches", patches.size());
+    tbb::parallel_for(std::size_t{0}, patches.size(), [&](std::size_t i) {
+      if (progress.cancelled()) return;
+      auto patch = read_patch(patches[i], zstd.local());
+      if (patch) {
+        read[i] = *std::move(patch);
+      } else {
+        const std::scoped_lock lock(mutex);
+        if (i < failed) {
+          failed = i;
+          error = patch.error();
+        }
       }
-    }
-    progress.advance(1);
-  });
-  if (progress.cancelled()) return interrupted_error();
-  if (failed < patches.size()) return error;
-  return read;
+      progress.advance(1);
+    });
+    if (progress.cancelled()) return interrupted_error();
+    if (failed < patches.size()) return error;
+    return read;
+  };
+  return guarded({.subject = name(), .task = "read its patches"}, read_them);
 }
 
 Result<PatchModel> PatchFile::read_all(Progress& progress) const {

@@ -5,6 +5,8 @@
 #include <set>
 #include <vector>
 
+#include "common/guard.h"
+
 namespace relief {
 namespace {
 
@@ -73,9 +75,12 @@ class Checker final : public nlohmann::json_sax<nlohmann::json> {
 }  // namespace
 
 Result<nlohmann::json> parse_json(std::string_view text, const std::string& name) {
-  Checker checker(text, name);
-  if (!nlohmann::json::sax_parse(text, &checker)) return *checker.error();
-  return nlohmann::json::parse(text);
+  return guarded({.subject = name, .task = "read it", .library = "nlohmann-json"},
+                 [&]() -> Result<nlohmann::json> {
+                   Checker checker(text, name);
+                   if (!nlohmann::json::sax_parse(text, &checker)) return *checker.error();
+                   return nlohmann::json::parse(text);
+                 });
 }
 
 }  // namespace relief

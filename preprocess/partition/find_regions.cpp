@@ -54,10 +54,10 @@ bool goes_on_around(const SurfaceSamples& samples, const NeighbourGraph& graph,
 
 std::vector<Region> find_regions(const Points& points, std::size_t count,
                                  const NeighbourGraph& graph, const LocalFrames& frames,
-                                 const FindRegionsOptions& options, Progress& progress) {
+                                 double cone_degrees, Progress& progress) {
   const std::vector<glm::vec3> smooth = smooth_normals(points.normals, graph);
   const SurfaceSamples samples{points.positions, smooth, graph.spacing, frames.roughness};
-  const double cone = options.cone_degrees > 0.0 ? options.cone_degrees : kDefaultConeDegrees;
+  const double cone = cone_degrees > 0.0 ? cone_degrees : kDefaultConeDegrees;
   std::vector<Region> regions = partition(
       samples, graph, surface_points(points.positions, count, graph, frames), cone, progress);
   std::erase_if(regions, [&](const Region& r) {

@@ -5,18 +5,13 @@
 
 namespace relief {
 
-struct FindRegionsOptions {
-  double cone_degrees = 0.0;  ///< 0: default
-  bool keeps_densities_apart = false;
-};
-
-/// The regions of a scan's first `count` points, with those after them as what is around. Left out
-/// are clouds of outliers, and pieces too small to be a surface. Normals are unit. In part if the
-/// user interrupts.
+/// Returns the regions of a scan's first `count` points; the points after them are only
+/// surroundings. Leaves out clouds of outliers and pieces too small to be a surface. Normals are
+/// unit. `cone_degrees` is the largest angle between a region's normal and its points' normals; 0:
+/// default. Returns fewer regions if the user interrupts.
 [[nodiscard]] std::vector<Region> find_regions(const Points& points, std::size_t count,
                                                const NeighbourGraph& graph,
-                                               const LocalFrames& frames,
-                                               const FindRegionsOptions& options,
+                                               const LocalFrames& frames, double cone_degrees,
                                                Progress& progress);
 
 }  // namespace relief

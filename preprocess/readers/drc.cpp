@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "common/guard.h"
 #include "preprocess/readers/colours.h"
 #include "preprocess/readers/number_type.h"
 #include "preprocess/readers/readers.h"
@@ -136,13 +137,7 @@ Points points_of(const draco::PointCloud& cloud) {
   return points;
 }
 
-}  // namespace
-
-bool is_drc(std::string_view text) {
-  return text.starts_with(kMagic);
-}
-
-Result<Points> read_drc(const Source& source) {
+Result<Points> decode(const Source& source) {
   RELIEF_TRY(check_start(source));
   draco::DecoderBuffer buffer;
   buffer.Init(source.text.data(), source.text.size());
@@ -168,6 +163,17 @@ Result<Points> read_drc(const Source& source) {
     }
   }
   return points;
+}
+
+}  // namespace
+
+bool is_drc(std::string_view text) {
+  return text.starts_with(kMagic);
+}
+
+Result<Points> read_drc(const Source& source) {
+  return guarded({.subject = source.name, .task = "decode it", .library = "Draco"},
+                 [&] { return decode(source); });
 }
 
 }  // namespace relief

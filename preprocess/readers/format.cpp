@@ -3,46 +3,36 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "preprocess/readers/readers.h"
 
 namespace relief {
 namespace {
 
-/// The ending of the name in lower case, that of the packed file if it ends with ".gz".
-std::string ending(std::filesystem::path path) {
-  const auto lower = [](const std::filesystem::path& p) {
-    return lower_case(p.extension().string());
-  };
-  if (lower(path) == ".gz") path = path.stem();
-  return lower(path);
+/// What decides by content comes first; a binary STL file is known only by its length, so STL is
+/// the last of them.
+constexpr PointFormat kPointFormats[] = {
+    {"PLY", "ply", is_ply, FileForm::Either, true, read_ply},
+    {"PCD", "pcd", is_pcd, FileForm::Either, false, read_pcd},
+    {"LAS", "las laz", is_las, FileForm::Binary, true, read_las},
+    {"PTX", "ptx", nullptr, FileForm::Text, false, read_ptx},
+    {"OBJ", "obj", nullptr, FileForm::Text, false, read_obj},
+    {"glTF", "gltf glb", is_glb, FileForm::Either, false, read_gltf},
+    {"Draco", "drc", is_drc, FileForm::Binary, false, read_drc},
+    {"OFF", "off", is_off, FileForm::Text, false, read_off},
+    {"STL", "stl", is_stl, FileForm::Either, false, read_stl},
+    {"XYZ text", "xyz txt csv asc pts xyzrgb xyzn", nullptr, FileForm::Text, true, read_xyz},
+};
+
+/// The extension in lower case without its dot; of a packed file that before ".gz".
+std::string extension_of(std::filesystem::path path) {
+  if (lower_case(path.extension().string()) == ".gz") path = path.stem();
+  const std::string extension = lower_case(path.extension().string());
+  return extension.empty() ? extension : extension.substr(1);
 }
 
-Reader reader_by_content(std::string_view text) {
-  if (is_ply(text)) return read_ply;
-  if (is_pcd(text)) return read_pcd;
-  if (is_las(text)) return read_las;
-  if (is_binary_stl(text) || is_ascii_stl(text)) return read_stl;
-  if (is_off(text)) return read_off;
-  if (is_glb(text)) return read_gltf;
-  if (is_drc(text)) return read_drc;
-  return nullptr;
-}
-
-Reader reader_by_name(std::string_view name) {
-  constexpr std::pair<std::string_view, Reader> readers[] = {
-      {".ply", read_ply},    {".pcd", read_pcd},  {".obj", read_obj}, {".off", read_off},
-      {".gltf", read_gltf},  {".glb", read_gltf}, {".stl", read_stl}, {".xyz", read_xyz},
-      {".txt", read_xyz},    {".csv", read_xyz},  {".asc", read_xyz}, {".pts", read_xyz},
-      {".xyzrgb", read_xyz}, {".xyzn", read_xyz}, {".las", read_las}, {".laz", read_las},
-      {".ptx", read_ptx},    {".drc", read_drc}};
-  for (const auto& [ending, reader] : readers) {
-    if (ending == name) return reader;
-  }
-  return nullptr;
-}
-
-/// Formats that people may try, by their first bytes; empty if it is none of them.
+/// What an unsupported file is, by its first bytes; empty if unknown.
 std::string_view other_format(std::string_view text) {
   constexpr std::pair<std::string_view, std::string_view> others[] = {
       {"PK\x03\x04", "a ZIP archive"},
@@ -58,37 +48,77 @@ std::string_view other_format(std::string_view text) {
   return {};
 }
 
+/// "A, B and C"
+std::string join_names(const std::vector<std::string_view>& names) {
+  std::string joined;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (k > 0) joined += k + 1 == names.size() ? " and " : ", ";
+    joined += names[k];
+  }
+  return joined;
+}
+
 }  // namespace
 
-Result<Reader> find_reader(const std::filesystem::path& path, std::string_view text) {
-  constexpr std::string_view readable =
-      "PLY, PCD, LAS, PTX, OBJ, glTF, Draco, OFF, STL and XYZ text, plain or gzipped";
-  if (const Reader reader = reader_by_content(text)) return reader;
+bool PointFormat::has_extension(std::string_view extension) const {
+  for (std::string_view left = extensions; !left.empty();) {
+    const std::size_t end = std::min(left.find(' '), left.size());
+    if (left.substr(0, end) == extension) return true;
+    left.remove_prefix(std::min(end + 1, left.size()));
+  }
+  return false;
+}
+
+std::string_view PointFormat::target() const {
+  return extensions.substr(0, extensions.find(' '));
+}
+
+std::span<const PointFormat> point_formats() {
+  return kPointFormats;
+}
+
+std::string readable_formats() {
+  std::vector<std::string_view> names;
+  for (const PointFormat& format : kPointFormats) names.push_back(format.name);
+  return join_names(names);
+}
+
+std::string streamed_formats() {
+  std::vector<std::string_view> names;
+  for (const PointFormat& format : kPointFormats) {
+    if (format.streams) names.push_back(format.name);
+  }
+  return join_names(names);
+}
+
+Result<const PointFormat*> find_format(const std::filesystem::path& path, std::string_view text) {
+  for (const PointFormat& format : kPointFormats) {
+    if (format.recognises != nullptr && format.recognises(text)) return &format;
+  }
   if (text.starts_with("ASTM-E57")) {
     return make_error(
-        "{}: is an E57 file, which cannot be read; convert it first, with `pdal translate IN.e57 "
-        "OUT.las` or CloudCompare",
+        "{}: E57 files cannot be read; convert it first, with `pdal translate IN.e57 OUT.las` or "
+        "CloudCompare",
         path.string());
   }
   if (const auto other = other_format(text); !other.empty()) {
-    return make_error("{}: is {}, which cannot be read; {} can", path.string(), other, readable);
+    return make_error("{}: is {}, which cannot be read; readable formats are {}, plain or gzipped",
+                      path.string(), other, readable_formats());
   }
-  const Reader reader = reader_by_name(ending(path));
-  if (reader == nullptr) {
-    return make_error("{}: neither its first bytes nor its name tell a format that can be read: {}",
-                      path.string(), readable);
+  const std::string extension = extension_of(path);
+  const auto* const format = std::ranges::find_if(
+      kPointFormats, [&](const PointFormat& f) { return f.has_extension(extension); });
+  if (format == std::end(kPointFormats)) {
+    return make_error(
+        "{}: neither its content nor its extension is of a readable format; readable formats are "
+        "{}, plain or gzipped",
+        path.string(), readable_formats());
   }
-  const bool is_text =
-      reader == read_obj || reader == read_off || reader == read_xyz || reader == read_ptx;
-  if (is_text && text.substr(0, 4096).find('\0') != text.npos) {
-    return make_error("{}: has bytes of value 0, so it is not the plain text that its name says",
-                      path.string());
+  if (format->form == FileForm::Text && text.substr(0, 4096).find('\0') != text.npos) {
+    return make_error("{}: contains bytes of value 0, so it is not {} as its extension says",
+                      path.string(), format->name);
   }
-  return reader;
-}
-
-bool reads_in_blocks(Reader reader) {
-  return reader == read_ply || reader == read_las || reader == read_xyz;
+  return format;
 }
 
 }  // namespace relief

@@ -2,10 +2,9 @@
 
 #include <unistd.h>
 
-#include <new>
-#include <stdexcept>
 #include <utility>
 
+#include "common/guard.h"
 #include "common/io/file.h"
 #include "preprocess/readers/format.h"
 #include "preprocess/readers/gunzip.h"
@@ -32,10 +31,10 @@ Result<ReadResult> read_and_clean(const std::filesystem::path& path, std::vector
   // Editors on Windows put this mark before text.
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   if (text.empty()) return make_error("{}: the file is empty", name);
-  RELIEF_TRY_ASSIGN(const auto reader, find_reader(path, text));
+  RELIEF_TRY_ASSIGN(const PointFormat* const format, find_format(path, text));
   progress.begin_stage("read", text.size());
   ReadRemarks remarks;
-  auto points = (reader)({name, text, progress, remarks});
+  auto points = format->read({name, text, progress, remarks});
   if (!points) return points.error();
   bytes = std::vector<std::byte>();  // frees; = {} would keep the memory
 
@@ -56,22 +55,14 @@ Result<ReadResult> read_and_clean(const std::filesystem::path& path, std::vector
 
 Result<ReadResult> read_bytes(const std::filesystem::path& path, std::vector<std::byte> bytes,
                               Progress& progress) {
-  try {
-    return read_and_clean(path, std::move(bytes), progress);
-  } catch (const std::bad_alloc&) {
-    return make_error("{}: there is not enough memory to read it", path.string());
-  } catch (const std::length_error&) {
-    return make_error("{}: there is not enough memory to read it", path.string());
-  }
+  const std::string name = path.string();
+  return guarded({.subject = name, .task = "read it"},
+                 [&] { return read_and_clean(path, std::move(bytes), progress); });
 }
 
 Result<ReadResult> read_points(const std::filesystem::path& path, Progress& progress) {
-  try {
-    RELIEF_TRY_ASSIGN(auto bytes, read_file(path));
-    return read_bytes(path, std::move(bytes), progress);
-  } catch (const std::bad_alloc&) {
-    return make_error("{}: there is not enough memory to read it", path.string());
-  }
+  RELIEF_TRY_ASSIGN(auto bytes, read_file(path));
+  return read_bytes(path, std::move(bytes), progress);
 }
 
 }  // namespace relief

@@ -32,6 +32,12 @@ struct ReadResult {
 /// what was expected.
 Result<ReadResult> read_points(const std::filesystem::path& path, Progress& progress);
 
+/// The names of all formats that can be read, for messages: "PLY, PCD, ... and XYZ text".
+[[nodiscard]] std::string readable_formats();
+
+/// Those of the formats that are read in blocks, so that a scan may be larger than memory.
+[[nodiscard]] std::string streamed_formats();
+
 /// Drops non-finite points and merges duplicates, as read_points does; for points made elsewhere.
 /// `number`, if given, gets each point's place among those that are left, UINT32_MAX if it was
 /// dropped.

@@ -78,9 +78,8 @@ Result<Points> read_ptx(const Source& source);
 [[nodiscard]] bool is_glb(std::string_view text);
 [[nodiscard]] bool is_drc(std::string_view text);
 [[nodiscard]] bool is_off(std::string_view text);
-/// The size of the file is just what a binary STL file with its number of facets has. Text never
-/// passes: its 81st to 84th characters, taken as a number, ask for 25 GB or more.
-[[nodiscard]] bool is_binary_stl(std::string_view text);
-[[nodiscard]] bool is_ascii_stl(std::string_view text);
+/// ASCII by its first words; binary if the file's length is exactly that of the facets it states.
+/// Other text never passes: its 81st to 84th characters, taken as a number, ask for 25 GB or more.
+[[nodiscard]] bool is_stl(std::string_view text);
 
 }  // namespace relief

@@ -43,8 +43,8 @@ struct Source {
   std::string_view text;  ///< the whole file, text or not
   Progress& progress;
   ReadRemarks& remarks;
-  /// Where reads_in_blocks says so, takes the points; those that the reader returns come after
-  /// them, and triangles are left out. Null: the reader returns all.
+  /// Takes the points, if the format streams (see format.h); those that the reader returns come
+  /// after them, and triangles are left out. Null: the reader returns all.
   PointSink* sink = nullptr;
 };
 

@@ -90,8 +90,6 @@ Result<Points> read_ascii(const Source& source) {
   return points;
 }
 
-}  // namespace
-
 bool is_binary_stl(std::string_view text) {
   return text.size() >= kHeader + 4 && text.size() - kHeader - 4 == stated_facets(text) * kFacet;
 }
@@ -100,6 +98,12 @@ bool is_ascii_stl(std::string_view text) {
   const std::string start = lower_case(text.substr(0, 1024));
   return start.starts_with("solid") &&
          (start.find("facet") != start.npos || start.find("endsolid") != start.npos);
+}
+
+}  // namespace
+
+bool is_stl(std::string_view text) {
+  return is_binary_stl(text) || is_ascii_stl(text);
 }
 
 Result<Points> read_stl(const Source& source) {

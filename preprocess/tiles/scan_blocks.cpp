@@ -2,15 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <new>
-#include <stdexcept>
 #include <utility>
 
+#include "common/guard.h"
 #include "common/io/file.h"
 #include "common/io/mapped_file.h"
 #include "preprocess/points/keep_points.h"
 #include "preprocess/readers/format.h"
 #include "preprocess/readers/gunzip.h"
+#include "preprocess/readers/read_points.h"
 
 namespace relief {
 namespace {
@@ -71,17 +71,17 @@ Status read_file_blocks(const fs::path& path, const MappedFile& file, std::uint6
                         Progress& progress) {
   std::string_view text(reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size());
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  RELIEF_TRY_ASSIGN(const auto reader, find_reader(path, text));
-  const bool in_blocks = reads_in_blocks(reader);
-  if (!in_blocks && text.size() > memory / kMemoryPerFileByte) {
+  RELIEF_TRY_ASSIGN(const PointFormat* const format, find_format(path, text));
+  if (!format->streams && text.size() > memory / kMemoryPerFileByte) {
     return make_error(
-        "{}: its {} MB can only be read as a whole, for which --memory is too small; PLY, LAS and "
-        "XYZ text are read in parts",
-        path.string(), text.size() / 1'000'000);
+        "{}: its {} MB can only be read as a whole, for which --memory is too small; use more "
+        "memory, or a format that is read in blocks: {}",
+        path.string(), text.size() / 1'000'000, streamed_formats());
   }
   ReadRemarks remarks;
   FileSink sink(file, take, counts);
-  auto rest = (reader)({path.string(), text, progress, remarks, in_blocks ? &sink : nullptr});
+  auto rest =
+      format->read({path.string(), text, progress, remarks, format->streams ? &sink : nullptr});
   if (!rest) return rest.error();
   if (!rest->triangles.empty()) {
     remarks.notes.push_back(
@@ -101,15 +101,12 @@ Result<ScanCounts> read_blocks(const std::vector<fs::path>& files, const fs::pat
   ScanCounts counts;
   for (std::size_t number = 0; number < files.size(); ++number) {
     const fs::path& path = files[number];
-    try {
-      const auto file = open_unpacked(path, folder / fmt::format("unpacked-{}", number), progress);
-      if (!file) return file.error();
-      RELIEF_TRY(read_file_blocks(path, *file, memory, take, counts, notes, progress));
-    } catch (const std::bad_alloc&) {
-      return make_error("{}: there is not enough memory to read it", path.string());
-    } catch (const std::length_error&) {
-      return make_error("{}: there is not enough memory to read it", path.string());
-    }
+    const std::string name = path.string();
+    RELIEF_TRY(guarded({.subject = name, .task = "read it"}, [&]() -> Status {
+      RELIEF_TRY_ASSIGN(const auto file,
+                        open_unpacked(path, folder / fmt::format("unpacked-{}", number), progress));
+      return read_file_blocks(path, file, memory, take, counts, notes, progress);
+    }));
   }
   if (counts.points == 0) {
     return make_error("{}: holds no points with finite coordinates", files.front().string());

@@ -24,8 +24,8 @@ struct ScanCounts {
 using TakePoints = std::function<Status(Points block)>;
 
 /// Reads files one after another and hands their points on, in their order, all of them finite. Of
-/// PLY, LAS and XYZ text only a block is in memory at a time; other formats are read as a whole,
-/// and refused where that is more than `memory` bytes can be expected to hold. Packed files are
+/// formats that stream (see readers/format.h) only a block is in memory at a time; others are read
+/// as a whole, and refused if that is likely to take more than `memory` bytes. Packed files are
 /// unpacked to `folder` first, where a later call finds them. Triangles are left out. `notes` gets
 /// what the user should hear of.
 Result<ScanCounts> read_blocks(const std::vector<std::filesystem::path>& files,

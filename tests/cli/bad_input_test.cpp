@@ -211,8 +211,8 @@ TEST_F(BadInput, InterruptedConversionInTiles) {
   const Outcome run =
       run_relief({"convert", scan, "-o", path("out.relief"), "--memory", "256M"}, options);
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.err.find("relief: interrupted; what is done is kept in " + path("out.relief") +
-                         ".parts, and the same command goes on from there"),
+  EXPECT_NE(run.err.find("relief: interrupted; finished tiles are kept in " + path("out.relief") +
+                         ".parts; run the same command again to resume"),
             std::string::npos)
       << run.err;
   EXPECT_FALSE(std::filesystem::exists(path("out.relief")));

@@ -1,9 +1,13 @@
-// Fuzzes one reader of points: RELIEF_READER, as readers.h has it.
+// Fuzzes one reader of points, named by the target of its row in the table of formats:
+//   fuzz_points --format=ply ...
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <string_view>
 
-#include "preprocess/readers/readers.h"
+#include "preprocess/readers/format.h"
+#include "preprocess/readers/read_points.h"
 #include "tests/fuzz/memory_file.h"
 
 namespace relief::fuzz {
@@ -31,17 +35,42 @@ void check(const Points& points) {
   }
 }
 
+/// The format of this run.
+const PointFormat* fuzzed_format = nullptr;
+
+const PointFormat* format_of(std::string_view target) {
+  for (const PointFormat& format : point_formats()) {
+    if (format.target() == target) return &format;
+  }
+  return nullptr;
+}
+
 }  // namespace
 }  // namespace relief::fuzz
+
+// libFuzzer passes over options that begin with two dashes.
+extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv);  // NOLINT
+extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
+  constexpr std::string_view option = "--format=";
+  for (int k = 1; k < *argc; ++k) {
+    const std::string_view argument = (*argv)[k];
+    if (argument.starts_with(option))
+      relief::fuzz::fuzzed_format = relief::fuzz::format_of(argument.substr(option.size()));
+  }
+  if (relief::fuzz::fuzzed_format != nullptr) return 0;
+  std::fputs("fuzz_points needs --format=TARGET, of a row in preprocess/readers/format.cpp\n",
+             stderr);
+  std::exit(2);
+}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);  // NOLINT
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   relief::Progress progress;
   relief::ReadRemarks remarks;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  // read_bytes asks the readers nothing about an empty file.
+  // read_bytes refuses an empty file before any reader sees it.
   if (text.empty()) return 0;
-  auto points = relief::RELIEF_READER({"fuzzed", text, progress, remarks});
+  auto points = relief::fuzz::fuzzed_format->read({"fuzzed", text, progress, remarks});
   if (points) {
     relief::fuzz::check(relief::clean_points(*std::move(points)).points);
   } else {

@@ -7,10 +7,9 @@
 
 #include "common/image/image_formats.h"
 #include "common/patch_file/patch_file.h"
+#include "preprocess/readers/format.h"
 #include "tests/common/patch_file/sample_models.h"
-#include "tests/preprocess/readers/drc_files.h"
-#include "tests/preprocess/readers/gltf_files.h"
-#include "tests/preprocess/readers/scan_files.h"
+#include "tests/preprocess/readers/sample_files.h"
 
 namespace relief::test {
 namespace {
@@ -30,6 +29,7 @@ class Seeds {
            const std::vector<std::byte>& bytes) const {
     add(target, name, std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
   }
+  [[nodiscard]] bool has(const std::string& target) const { return fs::exists(folder_ / target); }
 
  private:
   fs::path folder_;
@@ -37,9 +37,9 @@ class Seeds {
 
 void add_scans(const Seeds& seeds) {
   for (const SampleFile& file : sample_files()) {
-    std::string target = fs::path(file.name).extension().string().substr(1);
-    if (target == "csv") target = "xyz";
-    seeds.add(target == "gz" ? "gunzip" : target, file.name, file.bytes);
+    const auto format = find_format(file.name, file.bytes);
+    // Packed files are not recognised before they are unpacked.
+    seeds.add(format ? std::string((*format)->target()) : "gunzip", file.name, file.bytes);
   }
   seeds.add("ply", "strips.ply",
             "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
@@ -58,8 +58,6 @@ void add_scans(const Seeds& seeds) {
   seeds.add("poses", "two.conf",
             "camera 0 0 -1 0 0 0 1\nbmesh a.ply 0 0 0 0 0 0 1\n"
             "bmesh scans/b.ply 1 2 3 0.5 0.5 0.5 0.5\n");
-  seeds.add("gltf", "embedded.gltf", embedded());
-  seeds.add("gltf", "binary.glb", binary_gltf());
   for (const auto method :
        {draco::POINT_CLOUD_SEQUENTIAL_ENCODING, draco::POINT_CLOUD_KD_TREE_ENCODING})
     seeds.add("drc", fmt::format("cloud{}", static_cast<int>(method)), drc_cloud(method));
@@ -86,19 +84,19 @@ void add_images(const Seeds& seeds) {
   Image image{4, 3, {}};
   for (const char* name : {"R", "G", "B"})
     image.channels.push_back({name, ChannelType::Half, std::vector<float>(12, 0.5F)});
-  if (const auto bytes = encode_png(image)) seeds.add("picture", "a.png", *bytes);
-  if (const auto bytes = encode_exr(image)) seeds.add("picture", "a.exr", *bytes);
-  seeds.add("picture", "a.hdr",
+  if (const auto bytes = encode_png(image)) seeds.add("image", "a.png", *bytes);
+  if (const auto bytes = encode_exr(image)) seeds.add("image", "a.exr", *bytes);
+  seeds.add("image", "a.hdr",
             "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 8\n" + pack(std::uint32_t{0x08000202}) +
                 "\x88\x10\x88\x20\x88\x30\x88\x80");
-  seeds.add("picture", "flat.hdr", "#?RGBE\nEXPOSURE=2\n\n+Y 1 +X 2\nabcdefgh");
+  seeds.add("image", "flat.hdr", "#?RGBE\nEXPOSURE=2\n\n+Y 1 +X 2\nabcdefgh");
   std::vector<unsigned char> pixels(8 * 8 * 3, 99);
   void* const encoder = tjInitCompress();
   unsigned char* bytes = nullptr;
   unsigned long count = 0;  // NOLINT: as libjpeg-turbo has it
   if (tjCompress2(encoder, pixels.data(), 8, 0, 8, TJPF_RGB, &bytes, &count, TJSAMP_420, 60, 0) ==
       0)
-    seeds.add("picture", "a.jpg", std::string(reinterpret_cast<const char*>(bytes), count));
+    seeds.add("image", "a.jpg", std::string(reinterpret_cast<const char*>(bytes), count));
   tjFree(bytes);
   tjDestroy(encoder);
 }
@@ -127,5 +125,10 @@ int main(int argc, char** argv) {
   relief::test::add_patch_files(seeds, argv[2]);
   relief::test::add_images(seeds);
   relief::test::add_scenes(seeds);
+  for (const relief::PointFormat& format : relief::point_formats()) {
+    if (seeds.has(std::string(format.target()))) continue;
+    fmt::print(stderr, "{} has no seed: add a file to sample_files()\n", format.name);
+    return 1;
+  }
   return 0;
 }

@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "common/guard.h"
 #include "common/image/srgb.h"
 #include "common/io/file.h"
 #include "preprocess/readers/gltf/gltf_accessor.h"
@@ -170,14 +171,18 @@ class GltfReader {
     const auto size = static_cast<unsigned int>(source_.text.size());
     if (source_.text.size() > UINT32_MAX)
       return make_error("{}: is larger than the 4 GiB that glTF allows", source_.name);
-    const bool good =
-        is_glb(source_.text)
-            ? loader.LoadBinaryFromMemory(
-                  &model_, &error, &warning,
-                  reinterpret_cast<const unsigned char*>(source_.text.data()), size)
-            : loader.LoadASCIIFromString(&model_, &error, &warning, source_.text.data(), size, "");
-    if (good) return {};
-    return make_error("{}: cannot be read as glTF: {}", source_.name, first_line(error));
+    const auto load = [&]() -> Status {
+      const char* const text = source_.text.data();
+      const bool good =
+          is_glb(source_.text)
+              ? loader.LoadBinaryFromMemory(&model_, &error, &warning,
+                                            reinterpret_cast<const unsigned char*>(text), size)
+              : loader.LoadASCIIFromString(&model_, &error, &warning, text, size, "");
+      if (good) return {};
+      return make_error("{}: cannot be read as glTF: {}", source_.name, first_line(error));
+    };
+    // tinygltf 2.8 throws std::out_of_range on a buffer of no bytes.
+    return guarded({.subject = source_.name, .task = "read it", .library = "tinygltf"}, load);
   }
 
   /// Of a binary file the JSON is its first chunk, after 20 bytes.

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "common/guard.h"
 #include "preprocess/normals/normals.h"
 #include "preprocess/points/neighbours.h"
 #include "preprocess/texture/acquisition/continuous_texture.h"
@@ -75,17 +76,8 @@ std::vector<glm::vec3> evaluate(const ContinuousTexture& texture, const SurfaceP
   return values;
 }
 
-}  // namespace
-
-std::size_t most_textured_points(double deviation, double cutoff) {
-  constexpr double kMaxEntries = 1e8;
-  const double splats_at_a_place = 2.0 * std::numbers::pi * cutoff * deviation * deviation;
-  return static_cast<std::size_t>(
-      std::max(1.0, kMaxEntries / (kPlacesPerPoint * splats_at_a_place)));
-}
-
-Result<AcquireResult> acquire_texture(Points mesh, const Image& texture,
-                                      const AcquireOptions& options, Progress& progress) {
+Result<AcquireResult> acquire(Points& mesh, const Image& texture, const AcquireOptions& options,
+                              Progress& progress) {
   RELIEF_TRY(check(mesh, options));
   RELIEF_TRY_ASSIGN(const auto image, ContinuousTexture::from_image(texture));
 
@@ -128,6 +120,22 @@ Result<AcquireResult> acquire_texture(Points mesh, const Image& texture,
   result.splats.positions = splats.positions;
   result.splats.normals = splats.normals;
   return result;
+}
+
+}  // namespace
+
+std::size_t most_textured_points(double deviation, double cutoff) {
+  constexpr double kMaxEntries = 1e8;
+  const double splats_at_a_place = 2.0 * std::numbers::pi * cutoff * deviation * deviation;
+  return static_cast<std::size_t>(
+      std::max(1.0, kMaxEntries / (kPlacesPerPoint * splats_at_a_place)));
+}
+
+Result<AcquireResult> acquire_texture(Points mesh, const Image& texture,
+                                      const AcquireOptions& options, Progress& progress) {
+  const std::string task = fmt::format("acquire a texture for {} points", options.points);
+  return guarded({.subject = "", .task = task},
+                 [&] { return acquire(mesh, texture, options, progress); });
 }
 
 }  // namespace relief

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <memory>
-#include <new>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "common/error.h"
+#include "common/guard.h"
 #include "common/image/image.h"
 #include "common/image/texture_pyramid.h"
 
@@ -21,13 +21,12 @@ Result<std::shared_ptr<const Texture>> decode_texture(const std::string& name,
                                                       const Result<Image>& image, TextureWrap wrap,
                                                       std::string_view what) {
   if (!image) return image.error();
-  try {
+  const std::string task = fmt::format("hold the {}", what);
+  return guarded({.subject = name, .task = task}, [&]() -> Result<std::shared_ptr<const Texture>> {
     auto texture = Texture::from_image(*image, wrap);
     if (!texture) return make_error("{}: {}", name, texture.error().message);
     return std::make_shared<const Texture>(std::move(*texture));
-  } catch (const std::bad_alloc&) {
-    return make_error("{}: the {} does not fit into memory", name, what);
-  }
+  });
 }
 
 /// How a texture goes on outside [0, 1]^2 that a mesh file says is clamped, or is not.

@@ -13,7 +13,7 @@ TEST(ReadImage, RefusesWhatIsNoPicture) {
   const ScratchFolder folder;
   spill(folder / "a.txt", "hello");
   EXPECT_EQ(failure(folder / "a.txt"),
-            ": the picture cannot be read: it is no EXR, PNG, JPEG or Radiance HDR file");
+            ": the image cannot be read: it is not an EXR, PNG, JPEG or Radiance HDR file");
   spill(folder / "empty.exr", "");
   EXPECT_EQ(failure(folder / "empty.exr"), ": the file is empty");
   EXPECT_EQ(failure(folder / "none.exr"), ": cannot be opened: no such file or directory");

@@ -189,6 +189,16 @@ TEST(Gltf, WhatPointsNowhereIsRefused) {
   EXPECT_NE(test::error("a.gltf", deep).find("nests deeper"), std::string::npos);
 }
 
+// tinygltf 2.8 throws std::out_of_range for it.
+TEST(Gltf, ABinaryFileWithABufferOfNoBytesIsRefused) {
+  std::string file = test::binary_gltf();
+  const std::string stated = R"("byteLength": 66)";
+  const std::size_t at = file.find(stated);
+  ASSERT_NE(at, std::string::npos);
+  file.replace(at, stated.size(), R"("byteLength": 0 )");
+  EXPECT_TRUE(test::error("a.glb", file).starts_with("a.glb: tinygltf failed to read it"));
+}
+
 TEST(Gltf, BytesChangedAnywhereDoNoHarm) {
   for (const std::string& whole : {embedded(), test::binary_gltf()}) {
     for (std::size_t k = 0; k < whole.size(); ++k) {

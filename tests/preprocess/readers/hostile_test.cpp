@@ -2,7 +2,7 @@
 #include <random>
 
 #include <algorithm>
-#include "tests/preprocess/readers/scan_files.h"
+#include "tests/preprocess/readers/sample_files.h"
 
 namespace relief::test {
 namespace {

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "tests/preprocess/readers/las_files.h"
 #include "tests/preprocess/readers/scan_files.h"
 
 namespace relief::test {
@@ -213,7 +214,7 @@ TEST(LasTest, SaysWhatToDoWithLazAndE57) {
       "it to LAS first, with `laszip -i IN.laz -o OUT.las` or `pdal translate IN.laz "
       "OUT.las`");
   EXPECT_EQ(error("a.e57", "ASTM-E57....."),
-            "a.e57: is an E57 file, which cannot be read; convert it first, with `pdal translate "
+            "a.e57: E57 files cannot be read; convert it first, with `pdal translate "
             "IN.e57 OUT.las` or CloudCompare");
 }
 

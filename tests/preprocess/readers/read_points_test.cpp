@@ -2,9 +2,11 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
 
+#include "preprocess/readers/format.h"
 #include "preprocess/readers/gunzip.h"
-#include "tests/preprocess/readers/scan_files.h"
+#include "tests/preprocess/readers/sample_files.h"
 
 namespace relief::test {
 namespace {
@@ -40,11 +42,32 @@ TEST(ReadBytesTest, ReadsEachFormatPlainAndGzipped) {
   }
 }
 
+TEST(FormatTest, EachRowHasASampleAndOwnsItsExtensions) {
+  std::set<std::string_view> sampled;
+  for (const SampleFile& file : sample_files()) {
+    if (file.name.ends_with(".gz")) continue;
+    const auto format = find_format(file.name, file.bytes);
+    ASSERT_TRUE(format) << format.error().message;
+    sampled.insert((*format)->name);
+  }
+  for (const PointFormat& format : point_formats()) {
+    EXPECT_TRUE(sampled.contains(format.name)) << format.name << " is missing in sample_files()";
+    const auto found = find_format(fmt::format("a.{}.GZ", format.target()), "?");
+    ASSERT_TRUE(found) << format.name;
+    EXPECT_EQ((*found)->name, format.name);
+    // Neither a part of an extension nor several are one.
+    EXPECT_FALSE(format.has_extension(format.target().substr(1))) << format.name;
+    EXPECT_FALSE(format.has_extension(""));
+    if (format.extensions.find(' ') != std::string_view::npos) {
+      EXPECT_FALSE(format.has_extension(format.extensions));
+    }
+  }
+}
+
 TEST(ReadBytesTest, TheBytesCountMoreThanTheName) {
   for (const SampleFile& file : sample_files()) {
-    if (file.name.ends_with(".obj") || file.name.ends_with(".ptx") || file.name.ends_with(".xyz") ||
-        file.name.ends_with(".csv"))
-      continue;
+    const auto format = find_format(file.name, file.bytes);
+    if (!format || (*format)->recognises == nullptr || !(*format)->recognises(file.bytes)) continue;
     EXPECT_EQ(read("a.obj", file.bytes).positions, read(file.name, file.bytes).positions)
         << file.name;
   }
@@ -79,16 +102,17 @@ TEST(ReadBytesTest, SaysWhatCannotBeRead) {
   EXPECT_EQ(error("empty.xyz.gz", gzip("")), "empty.xyz.gz: the file is empty");
   EXPECT_EQ(error("a.ply", "solid gold"),
             "a.ply: does not begin with 'ply', so it is not a PLY file");
-  EXPECT_EQ(
-      error("a.foo", "1 2 3\n"),
-      "a.foo: neither its first bytes nor its name tell a format that can be read: PLY, PCD, LAS, "
-      "PTX, OBJ, glTF, Draco, OFF, STL and XYZ text, plain or gzipped");
+  EXPECT_EQ(readable_formats(), "PLY, PCD, LAS, PTX, OBJ, glTF, Draco, OFF, STL and XYZ text");
+  EXPECT_EQ(streamed_formats(), "PLY, LAS and XYZ text");
+  EXPECT_EQ(error("a.foo", "1 2 3\n"),
+            "a.foo: neither its content nor its extension is of a readable format; readable "
+            "formats are " +
+                readable_formats() + ", plain or gzipped");
   EXPECT_EQ(error("a.zip", "PK\x03\x04..."),
-            "a.zip: is a ZIP archive, which cannot be read; PLY, PCD, LAS, PTX, OBJ, glTF, Draco, "
-            "OFF, STL and "
-            "XYZ text, plain or gzipped can");
+            "a.zip: is a ZIP archive, which cannot be read; readable formats are " +
+                readable_formats() + ", plain or gzipped");
   EXPECT_EQ(error("a.xyz", {"1\0 2\0 3\0\n\0", 9}),
-            "a.xyz: has bytes of value 0, so it is not the plain text that its name says");
+            "a.xyz: contains bytes of value 0, so it is not XYZ text as its extension says");
   EXPECT_EQ(error("a.xyz", "nan nan nan\ninf 0 0\n"),
             "a.xyz: holds no points: the coordinates of all 2 are NaN or infinite");
 }

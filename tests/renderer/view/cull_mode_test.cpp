@@ -16,13 +16,13 @@ using test::must_render;
 using test::small_image;
 using test::values;
 
-struct EngineMethod {
+struct CulledMethod {
   std::string_view engine;
   Primitive primitive;
   const char* name;
 };
 
-constexpr EngineMethod kMethods[] = {{"onepass", Primitive::Cell, "cell"},
+constexpr CulledMethod kMethods[] = {{"onepass", Primitive::Cell, "cell"},
                                      {"onepass", Primitive::Quad, "quad"},
                                      {"onepass", Primitive::Sprite, "sprite"},
                                      {"multipass", Primitive::Quad, "multipass quad"},
@@ -34,7 +34,7 @@ PatchModel closed_sphere() {
   return model;
 }
 
-RenderSettings picture_of(const PatchModel& model, const EngineMethod& way) {
+RenderSettings picture_of(const PatchModel& model, const CulledMethod& way) {
   RenderSettings settings = small_image(model);
   settings.engine = way.engine;
   settings.primitive = way.primitive;
@@ -82,7 +82,7 @@ void expect_same_but_for_rims(const RenderResult& a, const RenderResult& b, cons
 
 TEST(CullMode, OfAClosedBodyOnlyTheFrontIsSeen) {
   const PatchModel model = closed_sphere();
-  for (const EngineMethod& way : kMethods) {
+  for (const CulledMethod& way : kMethods) {
     for (const bool orthographic : {false, true}) {
       RenderSettings settings = picture_of(model, way);
       if (orthographic) settings.camera.orthographic_height = 2.4;
@@ -98,7 +98,7 @@ TEST(CullMode, OfAClosedBodyOnlyTheFrontIsSeen) {
 TEST(CullMode, OfWhatIsNotKnownToBeClosedBothAreSeen) {
   PatchModel model = closed_sphere();
   model.is_closed = false;
-  for (const EngineMethod& way : kMethods) {
+  for (const CulledMethod& way : kMethods) {
     const RenderSettings settings = picture_of(model, way);
     EXPECT_TRUE(
         same_image(with(settings, CullMode::Auto, model), with(settings, CullMode::None, model)))
@@ -109,7 +109,7 @@ TEST(CullMode, OfWhatIsNotKnownToBeClosedBothAreSeen) {
 TEST(CullMode, AFieldSeenFromBehindHasNoFront) {
   const PatchModel model =
       test::height_field(30, [](double x, double y) { return 0.2 * std::sin(0.4 * x + 0.3 * y); });
-  for (const EngineMethod& way : kMethods) {
+  for (const CulledMethod& way : kMethods) {
     for (const bool orthographic : {false, true}) {
       RenderSettings settings = picture_of(model, way);
       settings.camera = {{3.0, 2.0, -45.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 45.0};
@@ -126,7 +126,7 @@ TEST(CullMode, AFieldSeenFromBehindHasNoFront) {
 
 TEST(CullMode, FromWithinOrCutOpenABodyHasBoth) {
   const PatchModel model = closed_sphere();
-  for (const EngineMethod& way : kMethods) {
+  for (const CulledMethod& way : kMethods) {
     RenderSettings settings = picture_of(model, way);
     settings.camera = {{0.1, 0.0, 0.2}, {1.0, 0.2, 0.0}, {0.0, 1.0, 0.0}, 60.0};
     const RenderResult within = with(settings, CullMode::Auto, model);
@@ -167,7 +167,7 @@ TEST(CullMode, EachModelHasItsOwn) {
   glm::dmat3 mirror = turn;
   mirror[0] = -mirror[0];
   ASSERT_TRUE(add_instance(scene, {0, count, {{2.2, 0.0, 0.0}, mirror, 1.0}, 0}, extent));
-  for (const EngineMethod& way : kMethods) {
+  for (const CulledMethod& way : kMethods) {
     RenderSettings settings = picture_of(scene, way);
     settings.width = 240;
     settings.camera = orbit_camera({0.0, 0.0, 0.0}, 2.0, {10.0, 5.0}, 45.0, 2.5);
@@ -186,7 +186,7 @@ TEST(CullMode, EachModelHasItsOwn) {
 
 TEST(CullMode, AreExplained) {
   const PatchModel model = closed_sphere();
-  for (const EngineMethod& way : kMethods) {
+  for (const CulledMethod& way : kMethods) {
     RenderSettings settings = picture_of(model, way);
     settings.explain = true;
     for (const CullMode cull : {CullMode::None, CullMode::Auto}) {

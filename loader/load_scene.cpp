@@ -1,4 +1,4 @@
-#include "cli/load_scene.h"
+#include "loader/load_scene.h"
 
 #include <fmt/format.h>
 
@@ -6,23 +6,24 @@
 #include <map>
 #include <utility>
 
-#include "cli/console.h"
-#include "cli/load.h"
-#include "cli/options/paths.h"
-#include "cli/place_models.h"
+#include "common/io/extension.h"
 #include "common/patch_file/patch_tree.h"
 #include "common/transform.h"
+#include "loader/acquire_splats.h"
+#include "loader/assemble.h"
+#include "loader/load_files.h"
+#include "loader/view_settings.h"
 #include "preprocess/convert.h"
 #include "renderer/engines/ewa/splats_of_samples.h"
 #include "renderer/geometry/mesh_of_patches.h"
 #include "renderer/geometry/mesh_of_points.h"
 #include "renderer/view/patches_in_view.h"
 
-namespace relief::cli {
+namespace relief {
 namespace {
 
-/// Whether engines draw something else of the scene than patches. If not, they make what they need
-/// of the patches themselves.
+/// The forms other than patches that must be made here. Engines make what they need of patches
+/// themselves where the scene has patches only.
 struct Forms {
   bool mesh = false;
   bool splats = false;
@@ -79,58 +80,84 @@ using TreeFiles = std::map<std::filesystem::path, PatchTree>;
 Result<TreeFiles> open_trees(const std::vector<SceneModel>& models) {
   TreeFiles trees;
   for (const SceneModel& model : models) {
-    if (ending(model.file) != ".relief" || trees.find(model.file) != trees.end()) continue;
+    if (lower_extension(model.file) != ".relief" || trees.find(model.file) != trees.end()) continue;
     RELIEF_TRY_ASSIGN(auto tree, PatchTree::open(model.file));
     if (tree.tiles().size() > 1) trees.emplace(model.file, std::move(tree));
   }
   return trees;
 }
 
-/// The scene's bounds, of which no patch of the trees has been read.
+/// The scene's bounds, before any patch of the trees is read.
 Result<PatchModel> extent_of(const std::vector<SceneModel>& models, const LoadedFiles& loaded,
                              const TreeFiles& trees) {
-  Placer placer(models.size() > 1);
-  const Status placed = place_models(models, [&](const auto& path, const Use& use) {
+  SceneAssembler assembler(models.size() > 1);
+  RELIEF_TRY(for_each_use(models, [&](const auto& path, const FileUse& use) {
     const auto tree = trees.find(path);
     LoadedFile file;
     file.patches =
         tree == trees.end() ? without_patches(loaded.at(path).patches) : tree->second.extent();
-    return placer.place(file, use);
-  });
-  if (!placed) return placed.error();
-  return placer.take().patches;
+    return assembler.add(file, use);
+  }));
+  return assembler.take().patches;
 }
 
-/// Reads what the pictures show of the trees.
+/// Reads what the views show of the trees.
 Status load_trees(const std::vector<SceneModel>& models, const TreeFiles& trees,
-                  const ViewsOf& pictures_of, LoadedFiles& loaded, Progress& progress) {
+                  const ViewsOf& views_of, LoadedFiles& loaded, Progress& progress) {
   RELIEF_TRY_ASSIGN(const auto extent, extent_of(models, loaded, trees));
-  RELIEF_TRY_ASSIGN(const auto pictures, pictures_of(extent));
+  RELIEF_TRY_ASSIGN(const auto views, views_of(extent));
   for (const auto& [path, tree] : trees) {
-    std::vector<Transform> places;
+    std::vector<Transform> positions;
     for (const SceneModel& model : models) {
-      if (model.file == path) places.push_back(model.transform);
+      if (model.file == path) positions.push_back(model.transform);
     }
     RELIEF_TRY_ASSIGN(auto read,
-                      read_in_view(tree, onlookers_of(pictures, places, extent), progress));
-    note(fmt::format("{}: {} of {} tiles are read for this, {} patches with {} samples",
-                     path.string(), read.tiles, tree.tiles().size(), read.model.patches.size(),
-                     read.samples));
+                      read_in_view(tree, onlookers_of(views, positions, extent), progress));
+    progress.note(fmt::format("{}: read {} of {} tiles, {} patches with {} samples", path.string(),
+                              read.tiles, tree.tiles().size(), read.model.patches.size(),
+                              read.samples));
     loaded[path].patches = std::move(read.model);
   }
   return {};
 }
 
+/// Which engines draw the views.
+EngineNeeds needs_of(const ScenePlan& plan) {
+  EngineNeeds needs;
+  for (const PlannedView& view : plan.views) {
+    const std::string engine = view.settings.engine.value_or(RenderSettings{}.engine);
+    needs.patches |= needs_opengl(engine);
+    needs.ewa |= engine == "ewa";
+    needs.raytrace |= engine == "raytrace";
+  }
+  return needs;
+}
+
+/// Splats with the image's colours, spread over the faces of the plan's first model.
+Result<LoadedScene> load_textured_splats(const ScenePlan& plan, const LoadOptions& options,
+                                         Progress& progress) {
+  AcquireOptions acquisition = options.acquisition;
+  acquisition.cutoff = plan.views.front().settings.cutoff.value_or(EwaSettings{}.cutoff);
+  RELIEF_TRY_ASSIGN(auto splats, acquire_splats(plan.models.front().file, options.textures.picture,
+                                                acquisition, progress));
+  LoadedScene scene;
+  scene.patches.bounds = bounds_of(splats.positions);
+  scene.patches.bounding_radius = bounding_radius(splats.positions, scene.patches.bounds);
+  scene.splats = std::move(splats);
+  return scene;
+}
+
 }  // namespace
 
-Result<LoadedScene> load_scene(const std::vector<SceneModel>& models, const TextureChoice& textures,
-                               EngineNeeds needs, Progress& progress, const ViewsOf& pictures) {
+Result<LoadedScene> load_models(const std::vector<SceneModel>& models,
+                                const TextureChoice& textures, EngineNeeds needs,
+                                Progress& progress, const ViewsOf& views) {
   const bool has_scans = std::any_of(models.begin(), models.end(), [](const SceneModel& model) {
-    return ending(model.file) != ".relief";
+    return lower_extension(model.file) != ".relief";
   });
   const Forms forms{needs.raytrace && has_scans, needs.ewa && has_scans};
-  // What follows rays or splats points takes all patches.
-  const bool may_choose = pictures && !needs.raytrace && !needs.ewa;
+  // Engines that follow rays or splat points take all patches.
+  const bool may_choose = views && !needs.raytrace && !needs.ewa;
   const auto trees = may_choose ? open_trees(models) : Result(TreeFiles());
   if (!trees) return trees.error();
 
@@ -138,19 +165,29 @@ Result<LoadedScene> load_scene(const std::vector<SceneModel>& models, const Text
   for (const SceneModel& model : models) {
     if (loaded.find(model.file) != loaded.end() || trees->find(model.file) != trees->end())
       continue;
-    RELIEF_TRY_ASSIGN(auto file, ending(model.file) == ".relief"
+    RELIEF_TRY_ASSIGN(auto file, lower_extension(model.file) == ".relief"
                                      ? load_patch_file(model.file, forms, progress)
                                      : load_scan(model.file, textures, needs, progress));
     loaded.emplace(model.file, std::move(file));
   }
   if (!trees->empty()) {
-    RELIEF_TRY(load_trees(models, *trees, pictures, loaded, progress));
+    RELIEF_TRY(load_trees(models, *trees, views, loaded, progress));
   }
-  Placer placer(models.size() > 1);
-  const Status placed = place_models(
-      models, [&](const auto& path, const Use& use) { return placer.place(loaded.at(path), use); });
-  if (!placed) return placed.error();
-  return placer.take();
+  SceneAssembler assembler(models.size() > 1);
+  RELIEF_TRY(for_each_use(models, [&](const auto& path, const FileUse& use) {
+    return assembler.add(loaded.at(path), use);
+  }));
+  return assembler.take();
 }
 
-}  // namespace relief::cli
+Result<LoadedScene> load_scene(const ScenePlan& plan, const LoadOptions& options,
+                               Progress& progress) {
+  const EngineNeeds needs = needs_of(plan);
+  if (needs.ewa && !options.textures.picture.empty())
+    return load_textured_splats(plan, options, progress);
+  return load_models(
+      plan.models, options.textures, needs, progress,
+      [&plan](const PatchModel& extent) { return render_settings_of(plan, extent); });
+}
+
+}  // namespace relief

@@ -1,4 +1,4 @@
-#include "cli/place_models.h"
+#include "loader/assemble.h"
 
 #include <iterator>
 #include <utility>
@@ -6,13 +6,13 @@
 #include "common/transform.h"
 #include "renderer/append.h"
 
-namespace relief::cli {
+namespace relief {
 namespace {
 
-/// Moves a file's triangles and points to their place, gives them their material and appends them.
-/// `patches_before`: how many patches the models before have.
-Status place_forms(LoadedScene& scene, LoadedFile file, const Use& use,
-                   std::uint32_t patches_before) {
+/// Moves a file's triangles and points to their position, gives them their material and appends
+/// them. `patches_before`: how many patches the earlier models have.
+Status add_forms(LoadedScene& scene, LoadedFile file, const FileUse& use,
+                 std::uint32_t patches_before) {
   if (file.splats) {
     transform(*file.splats, use.where);
     if (use.material != 0)
@@ -30,13 +30,13 @@ Status place_forms(LoadedScene& scene, LoadedFile file, const Use& use,
 
 }  // namespace
 
-Status Placer::place(LoadedFile& file, const Use& use) {
+Status SceneAssembler::add(LoadedFile& file, const FileUse& use) {
   const std::uint32_t patches_before = patches_;
-  RELIEF_TRY(several_ ? add_place(file, use) : move_there(file.patches, use));
-  return place_forms(scene_, use.is_last ? std::move(file) : LoadedFile(file), use, patches_before);
+  RELIEF_TRY(several_ ? add_model_instance(file, use) : move_model(file.patches, use));
+  return add_forms(scene_, use.is_last ? std::move(file) : LoadedFile(file), use, patches_before);
 }
 
-Status Placer::move_there(PatchModel& model, const Use& use) {
+Status SceneAssembler::move_model(PatchModel& model, const FileUse& use) {
   for (Patch& patch : model.patches) patch.material = use.material;
   model.is_closed = use.is_closed.value_or(model.is_closed);
   patches_ += static_cast<std::uint32_t>(model.patches.size());
@@ -45,7 +45,7 @@ Status Placer::move_there(PatchModel& model, const Use& use) {
   return moved;
 }
 
-Status Placer::add_place(LoadedFile& file, const Use& use) {
+Status SceneAssembler::add_model_instance(LoadedFile& file, const FileUse& use) {
   PatchModel& model = file.patches;
   if (!file.run) {
     std::vector<Patch>& all = scene_.patches.patches;
@@ -61,4 +61,4 @@ Status Placer::add_place(LoadedFile& file, const Use& use) {
   return add_instance(scene_.patches, {first, count, use.where, use.material}, extent);
 }
 
-}  // namespace relief::cli
+}  // namespace relief

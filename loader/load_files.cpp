@@ -1,4 +1,4 @@
-#include "cli/load.h"
+#include "loader/load_files.h"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "cli/console.h"
-#include "cli/options/paths.h"
 #include "common/image/srgb.h"
+#include "common/io/extension.h"
 #include "common/io/file.h"
 #include "common/patch_file/patch_file.h"
 #include "preprocess/convert.h"
@@ -18,7 +17,7 @@
 #include "preprocess/points/point_radii.h"
 #include "preprocess/readers/scan_poses.h"
 
-namespace relief::cli {
+namespace relief {
 namespace {
 
 /// Appends an attribute if both sides have it for all their points; otherwise neither keeps it.
@@ -86,7 +85,7 @@ void append(Points& to, Points from, LeftOut& left_out) {
   for (const Triangle& t : from.triangles) {
     to.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
   }
-  // Points seen from several places have no one viewpoint.
+  // Points seen from several positions have no single viewpoint.
   if (offset == 0) {
     to.viewpoint = from.viewpoint;
   } else if (to.viewpoint != from.viewpoint) {
@@ -94,13 +93,14 @@ void append(Points& to, Points from, LeftOut& left_out) {
   }
 }
 
-void note_left_out(const LeftOut& left_out) {
-  const auto say = [](bool is_left_out, std::string_view name) {
-    if (is_left_out) note(fmt::format("only some of the scans have {}; they are left out", name));
+void note_left_out(const LeftOut& left_out, Progress& progress) {
+  const auto note_if = [&progress](bool is_left_out, std::string_view name) {
+    if (!is_left_out) return;
+    progress.note(fmt::format("only some of the scans have {}; they are left out", name));
   };
-  say(left_out.normals, "normals");
-  say(left_out.colours, "colours");
-  say(left_out.texcoords, "texture coordinates");
+  note_if(left_out.normals, "normals");
+  note_if(left_out.colours, "colours");
+  note_if(left_out.texcoords, "texture coordinates");
 }
 
 }  // namespace
@@ -111,24 +111,24 @@ Result<ReadResult> load_mesh(const std::filesystem::path& path, const TextureCho
   if (!read) return read;
   std::vector<std::string> notes = std::move(read->notes);
   const Status loaded = load_textures(path, textures, read->points, notes);
-  for (const std::string& text : notes) note(text);
+  for (const std::string& text : notes) progress.note(text);
   if (!loaded) return loaded.error();
   return read;
 }
 
 namespace {
 
-/// A file, and where its points stand if a .conf file says so.
+/// A file, and the pose of its points if a .conf file names one.
 struct ScanFile {
   std::filesystem::path path;
   std::optional<ScanPose> pose;
 };
 
-/// The files themselves, with the scans that .conf files name in place of these.
+/// The files, with each .conf file replaced by the scans that it names.
 Result<std::vector<ScanFile>> list_scans(const std::vector<std::filesystem::path>& paths) {
   std::vector<ScanFile> scans;
   for (const auto& path : paths) {
-    if (ending(path) != ".conf") {
+    if (lower_extension(path) != ".conf") {
       scans.push_back({path, std::nullopt});
       continue;
     }
@@ -166,7 +166,7 @@ Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
     }
     append(all.points, std::move(scan.points), left_out);
   }
-  note_left_out(left_out);
+  note_left_out(left_out, progress);
   ReadResult cleaned = clean_points(std::move(all.points));
   all.points = std::move(cleaned.points);
   all.merged_duplicates += cleaned.merged_duplicates;
@@ -174,7 +174,7 @@ Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
 }
 
 Result<PatchModel> load_model(const std::filesystem::path& path, Progress& progress) {
-  if (ending(path) == ".relief") {
+  if (lower_extension(path) == ".relief") {
     RELIEF_TRY_ASSIGN(const auto file, PatchFile::open(path));
     return file.read_all(progress);
   }
@@ -208,4 +208,4 @@ Result<SplatCloud> splats_of_points(Points points, Progress& progress) {
   return cloud;
 }
 
-}  // namespace relief::cli
+}  // namespace relief

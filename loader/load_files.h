@@ -1,4 +1,4 @@
-// What the user's input files hold, in memory.
+// Scans, meshes and patch files in memory.
 #pragma once
 
 #include <cstdint>
@@ -12,25 +12,24 @@
 #include "preprocess/texture/files/load_textures.h"
 #include "renderer/geometry/splat_cloud.h"
 
-namespace relief::cli {
+namespace relief {
 
-/// Reads a scan or mesh with its materials and textures. What is left out of these is noted on
-/// standard error.
+/// Reads a scan or mesh with its materials and textures. Notes what is left out of these.
 Result<ReadResult> load_mesh(const std::filesystem::path& path, const TextureChoice& textures,
                              Progress& progress);
 
-/// Reads one or more scans as one: positions in the files' own frames, one after the other. An
-/// attribute that only some of the files have is left out, with a note; duplicates between files
-/// are merged as within one.
+/// Reads one or more scans as one scan, in the frame of their coordinates. A .conf file names scans
+/// and the pose of each (preprocess/readers/scan_poses.h). Leaves out an attribute that only some
+/// of the files have, and notes it. Merges duplicates between files as within one.
 Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
                                const TextureChoice& textures, Progress& progress);
 
-/// A model from a .relief file, or from a scan or mesh that is converted with the default options.
+/// Reads a .relief file, or a scan or mesh and converts it with the default options.
 Result<PatchModel> load_model(const std::filesystem::path& path, Progress& progress);
 
-/// Points as the engine `ewa` takes them: colours linear and opaque, normals estimated or repaired
-/// as for a conversion, radii from the distances to their neighbours. Faces only help to find
+/// Makes splats of points: colours are linear and opaque, normals are estimated or repaired as for
+/// a conversion, radii follow from the distances to the neighbours. Faces only help to find
 /// normals. Fails, with a clause, if there are too few points or the user interrupts.
 Result<SplatCloud> splats_of_points(Points points, Progress& progress);
 
-}  // namespace relief::cli
+}  // namespace relief

@@ -1,0 +1,52 @@
+// Keeps the exceptions of other libraries, and of memory that runs out, inside ours.
+#pragma once
+
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "common/error.h"
+
+namespace relief {
+
+/// What a guarded call does, for its error.
+struct GuardedCall {
+  std::string_view subject;       ///< begins the error, usually a path; empty: nothing does
+  std::string_view task;          ///< a verb and its object: "read it"
+  std::string_view library = {};  ///< the one that is called; empty: several
+};
+
+/// The error of a call that ran out of memory.
+[[nodiscard]] inline Error not_enough_memory(const GuardedCall& call) {
+  return make_error("{}{}not enough memory to {}", call.subject, call.subject.empty() ? "" : ": ",
+                    call.task);
+}
+
+/// The error of a call that failed with an exception; `reason` is the exception's text.
+[[nodiscard]] inline Error call_failed(const GuardedCall& call, std::string_view reason) {
+  return make_error("{}{}{} failed to {} ({})", call.subject, call.subject.empty() ? "" : ": ",
+                    call.library.empty() ? "Relief" : call.library, call.task, reason);
+}
+
+/// Returns what `work` returns, a Result or a Status, or an error if it throws. Each call into a
+/// library that may throw on hostile input goes through here, and so does each public function
+/// whose memory depends on its input: no exception leaves our libraries.
+template <class Work>
+[[nodiscard]] std::invoke_result_t<Work&> guarded(const GuardedCall& call, Work&& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return not_enough_memory(call);
+  } catch (const std::length_error&) {
+    return not_enough_memory(call);  // a container was asked to grow beyond any memory
+  } catch (const std::exception& failure) {
+    return call_failed(call, failure.what());
+  } catch (...) {
+    return call_failed(call, "unknown reason");
+  }
+}
+
+}  // namespace relief

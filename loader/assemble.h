@@ -1,0 +1,76 @@
+// The models of a scene put together, each in its position.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "common/patch.h"
+#include "common/scene/scene.h"
+#include "loader/loaded_scene.h"
+
+namespace relief {
+
+/// Which of a scene's patches are those of a file.
+struct PatchRun {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+};
+
+/// A file in the forms that the scene needs. The patches always have the bounds.
+struct LoadedFile {
+  PatchModel patches;
+  std::optional<PatchRun> run;  ///< once `patches` have been moved into a scene of several models
+  std::optional<TriangleMesh> mesh;
+  std::optional<SplatCloud> splats;
+  bool has_faces = false;  ///< the mesh is the file's own
+};
+
+/// One model of a scene: a file in a position.
+struct FileUse {
+  Transform where;
+  std::uint8_t material = 0;      ///< its index in materials_said
+  bool is_last = true;            ///< no later model uses the file
+  std::optional<bool> is_closed;  ///< instead of what is known of the file
+};
+
+/// Puts models together. The only model of a scene is moved to its position; of several models the
+/// patches of a file are kept once, with one instance for each use.
+class SceneAssembler {
+ public:
+  explicit SceneAssembler(bool several) : several_(several) {}
+
+  /// Adds a model. The last use of a file takes its forms; earlier ones copy them.
+  Status add(LoadedFile& file, const FileUse& use);
+
+  LoadedScene take() { return std::move(scene_); }
+
+ private:
+  Status move_model(PatchModel& model, const FileUse& use);
+  Status add_model_instance(LoadedFile& file, const FileUse& use);
+
+  bool several_ = false;
+  LoadedScene scene_;
+  std::uint32_t patches_ = 0;  ///< of the models so far
+};
+
+/// Calls `add(path, use)` for each model, and adds the file's name to an error.
+template <class Add>
+Status for_each_use(const std::vector<SceneModel>& models, const Add& add) {
+  std::map<std::filesystem::path, std::size_t> uses;
+  for (const SceneModel& model : models) ++uses[model.file];
+  const std::vector<MaterialWords> said = materials_said(models);
+  for (const SceneModel& model : models) {
+    const auto material = std::find(said.begin(), said.end(), model.material) - said.begin();
+    const FileUse use{model.transform, static_cast<std::uint8_t>(material), --uses[model.file] == 0,
+                      model.is_closed};
+    const Status added = add(model.file, use);
+    if (!added) return make_error("{}: {}", model.file.string(), added.error().message);
+  }
+  return {};
+}
+
+}  // namespace relief

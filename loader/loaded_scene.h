@@ -1,0 +1,29 @@
+// The models of a scene in memory.
+#pragma once
+
+#include <optional>
+
+#include "common/patch.h"
+#include "renderer/geometry/splat_cloud.h"
+#include "renderer/geometry/triangle_mesh.h"
+#include "renderer/model.h"
+
+namespace relief {
+
+struct LoadedScene {
+  /// The patches of all models, if an engine draws them. The bounds are always there and do not
+  /// depend on the engines, so that cameras have the same position for all.
+  PatchModel patches;
+  std::optional<TriangleMesh> mesh;
+  std::optional<SplatCloud> splats;
+  bool mesh_is_input = false;  ///< all triangles of the mesh are faces of the files
+
+  [[nodiscard]] RenderModel forms() const {
+    RenderModel forms = RenderModel::of(patches);
+    if (mesh) forms.add(*mesh);
+    if (splats) forms.add(*splats);
+    return forms;
+  }
+};
+
+}  // namespace relief

@@ -1,0 +1,69 @@
+#include "loader/scene_plan.h"
+
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "common/io/extension.h"
+#include "renderer/shading/environment_files.h"
+#include "renderer/shading/materials.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The materials of a view of a scene; none if the models name none.
+std::vector<MaterialSettings> materials_for(const std::vector<MaterialWords>& of_models,
+                                            const MaterialWords& of_view,
+                                            const MaterialWords& overrides) {
+  std::vector<MaterialSettings> materials;
+  if (of_models == std::vector<MaterialWords>(1)) return materials;
+  for (const MaterialWords& own : of_models)
+    materials.push_back(material_of(overlay_material(overlay_material(of_view, own), overrides)));
+  return materials;
+}
+
+}  // namespace
+
+Result<ScenePlan> plan_scene(const fs::path& input, const SceneSettings& overrides) {
+  ScenePlan plan;
+  if (lower_extension(input) != ".json") {
+    plan.models.push_back({input, {}, {}, {}});
+    plan.views.push_back({"", overrides, {}});
+    return plan;
+  }
+  RELIEF_TRY_ASSIGN(auto scene, read_scene(input));
+  plan.file = input;
+  plan.models = std::move(scene.models);
+  const std::vector<MaterialWords> said = materials_said(plan.models);
+  for (const SceneView& view : scene.views) {
+    const SceneSettings of_view = overlay(scene.settings, view.settings);
+    plan.views.push_back(
+        {view.name, overlay(of_view, overrides), materials_for(said, of_view, overrides)});
+    const std::size_t count = roughnesses_of(plan.views.back().materials).size();
+    if (count > kMaxRoughnesses) {
+      return make_error("{}: view {}: has mirrors of {} roughnesses; at most {} are drawn",
+                        input.string(), view.name, count, kMaxRoughnesses);
+    }
+  }
+  return plan;
+}
+
+Result<std::vector<fs::path>> find_inputs(const ScenePlan& plan) {
+  std::set<fs::path> inputs;
+  for (const SceneModel& model : plan.models) inputs.insert(model.file);
+  for (const PlannedView& view : plan.views) {
+    if (!view.settings.environment || view.settings.environment->empty()) continue;
+    RELIEF_TRY_ASSIGN(const auto files, environment_files(*view.settings.environment));
+    inputs.insert(files.begin(), files.end());
+  }
+  for (const fs::path& input : inputs) {
+    std::error_code ignored;
+    if (!fs::exists(input, ignored)) return make_error("{}: there is no such file", input.string());
+  }
+  if (!plan.file.empty()) inputs.insert(plan.file);
+  return std::vector<fs::path>(inputs.begin(), inputs.end());
+}
+
+}  // namespace relief

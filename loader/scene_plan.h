@@ -1,0 +1,39 @@
+// What is to be drawn of a file that the user names: its models, and the views of them with their
+// settings.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/error.h"
+#include "common/scene/scene.h"
+
+namespace relief {
+
+/// A view to draw.
+struct PlannedView {
+  std::string name;  ///< in the scene file; empty without one
+  /// The overrides, over the view's settings, over the scene's.
+  SceneSettings settings;
+  /// By material number, if some model names a material of its own: the overrides, over the
+  /// model's material, over the view's and the scene's; in the order of materials_said.
+  std::vector<MaterialSettings> materials;
+};
+
+struct ScenePlan {
+  std::filesystem::path file;  ///< the scene file; empty without one
+  std::vector<SceneModel> models;
+  std::vector<PlannedView> views;
+};
+
+/// Reads a scene (.json). Any other file is a scene of one model and one view. `overrides` win over
+/// what the scene and its views say. Opens no file but the scene. Fails as read_scene does, and if
+/// the materials of a view have more than kMaxRoughnesses roughnesses.
+Result<ScenePlan> plan_scene(const std::filesystem::path& input, const SceneSettings& overrides);
+
+/// The files that the plan reads: the scene file, models and environments, each once. Fails if one
+/// is missing, so that it is known before any long work.
+Result<std::vector<std::filesystem::path>> find_inputs(const ScenePlan& plan);
+
+}  // namespace relief

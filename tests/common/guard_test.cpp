@@ -1,0 +1,46 @@
+#include "common/guard.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace relief {
+namespace {
+
+const GuardedCall kCall{.subject = "a.ply", .task = "read it", .library = "libply"};
+
+TEST(GuardTest, ReturnsWhatTheWorkReturns) {
+  const auto value = guarded(kCall, []() -> Result<int> { return 7; });
+  ASSERT_TRUE(value);
+  EXPECT_EQ(*value, 7);
+  EXPECT_TRUE(guarded(kCall, [] { return Status(); }));
+  EXPECT_EQ(guarded(kCall, []() -> Status { return make_error("a fault"); }).error().message,
+            "a fault");
+}
+
+TEST(GuardTest, ExceptionsBecomeErrors) {
+  const auto throwing = [](const auto& exception) {
+    return guarded(kCall, [&]() -> Status { throw exception; }).error().message;
+  };
+  EXPECT_EQ(throwing(std::out_of_range("at")), "a.ply: libply failed to read it (at)");
+  EXPECT_EQ(throwing(7), "a.ply: libply failed to read it (unknown reason)");
+  EXPECT_EQ(throwing(std::bad_alloc()), "a.ply: not enough memory to read it");
+  EXPECT_EQ(guarded({.subject = "", .task = "convert 5 points"},
+                    []() -> Status { throw std::runtime_error("x"); })
+                .error()
+                .message,
+            "Relief failed to convert 5 points (x)");
+}
+
+TEST(GuardTest, AVectorThatNoMemoryHoldsIsAnError) {
+  const auto huge = guarded(kCall, []() -> Result<std::vector<double>> {
+    std::vector<double> values;
+    values.resize(values.max_size());
+    return values;
+  });
+  ASSERT_FALSE(huge);
+  EXPECT_EQ(huge.error().message, "a.ply: not enough memory to read it");
+}
+
+}  // namespace
+}  // namespace relief
