@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "common/compare/compare.h"
+#include "renderer/render.h"
 
 namespace relief::cli {
 namespace {

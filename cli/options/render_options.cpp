@@ -247,8 +247,8 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments) {
   add_texture_options(sub, arguments.texture);
   sub.add_option(
          "--frames", arguments.frames,
-         "Frames to time, on OpenGL after a first one; the median is reported (3 of onepass and "
-         "multipass, else 1)")
+         "Time N frames, on OpenGL after a first one, report the median, and count fragments "
+         "(by default the image is drawn once)")
       ->check(CLI::Range(1, 100000))
       ->option_text("N");
   add_platform_option(sub, arguments.platform);

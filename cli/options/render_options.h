@@ -16,7 +16,7 @@ struct RenderArguments {
   TextureArguments texture;
   SceneSettings settings;  ///< what the options say; a scene's settings yield to it
   GlPlatform platform = GlPlatform::Automatic;
-  std::optional<int> frames;  ///< by default 3 on OpenGL, 1 of the engines on the CPU
+  std::optional<int> frames;  ///< to be timed; by default the image is drawn once
   bool explain = false;
   bool json = false;
 };
