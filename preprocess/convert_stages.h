@@ -3,7 +3,8 @@
 
 #include <vector>
 
-#include "preprocess/convert.h"
+#include "common/error.h"
+#include "preprocess/convert_options.h"
 #include "preprocess/resample/resample.h"
 
 namespace relief {

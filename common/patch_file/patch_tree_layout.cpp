@@ -7,6 +7,7 @@
 
 #include "common/io/file.h"
 #include "common/io/vector_bytes.h"
+#include "common/patch_file/fault.h"
 
 namespace relief {
 namespace {

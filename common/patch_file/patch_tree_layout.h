@@ -9,7 +9,7 @@
 
 #include "common/error.h"
 #include "common/patch_file/patch_file_layout.h"
-#include "common/patch_file/patch_tree.h"
+#include "common/patch_file/tree_tile.h"
 
 namespace relief {
 

@@ -11,6 +11,7 @@
 #include "common/octahedral.h"
 #include "common/patch_file/compact/compact_codec.h"
 #include "common/patch_file/fast/patch_codec.h"
+#include "common/patch_file/fault.h"
 #include "common/patch_file/patch_file.h"
 #include "common/patch_file/patch_file_layout.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "common/error.h"
-#include "common/patch_file/patch_file_layout.h"
+#include "common/patch_file/patch_file_records.h"
 
 namespace relief {
 

@@ -3,7 +3,8 @@
 
 #include <vector>
 
-#include "preprocess/partition/partition.h"
+#include "preprocess/partition/region.h"
+#include "preprocess/partition/region_criteria.h"
 
 namespace relief {
 

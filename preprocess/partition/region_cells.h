@@ -4,7 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "preprocess/partition/partition.h"
+#include "preprocess/partition/region.h"
+#include "preprocess/partition/region_criteria.h"
 
 namespace relief {
 

@@ -1,26 +1,14 @@
 // Reads point scans and meshes from files.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "common/error.h"
-#include "common/points.h"
 #include "common/progress.h"
+#include "preprocess/readers/read_result.h"
 
 namespace relief {
-
-/// The points of a file, and counts of those left out.
-struct ReadResult {
-  Points points;
-  std::uint64_t points_in_file = 0;
-  std::uint64_t dropped_nonfinite = 0;  ///< NaN or infinite coordinates
-  std::uint64_t left_out = 0;           ///< marked in the file as withheld or noise (LAS)
-  std::uint64_t merged_duplicates = 0;  ///< same position as an earlier point
-  std::vector<std::string> notes;       ///< for the user, a sentence each
-};
 
 /// Reads and cleans a file of any readable format (see readers.h), plain or gzipped. The format
 /// follows from the content, or from the extension if the content does not show it. Drops points

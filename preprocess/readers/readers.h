@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <vector>
 
-#include "preprocess/readers/read_points.h"
+#include "common/error.h"
+#include "common/progress.h"
+#include "preprocess/readers/read_result.h"
 #include "preprocess/readers/source.h"
 
 namespace relief {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "preprocess/resample/support.h"
+#include "preprocess/resample/patch_grid.h"
 
 namespace relief {
 

@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <string>
 
+#include "common/error.h"
+#include "common/patch_file/patch_file.h"
 #include "common/progress.h"
-#include "preprocess/convert_tiles.h"
 #include "preprocess/tiles/spread_points.h"
 #include "preprocess/tiles/tile_job.h"
+#include "preprocess/tiles/tile_options.h"
 
 namespace relief {
 

@@ -8,6 +8,7 @@
 #include "common/io/varint.h"
 #include "common/octahedral.h"
 #include "common/patch_file/compact/rotation_code.h"
+#include "common/patch_file/fault.h"
 
 namespace relief {
 namespace {

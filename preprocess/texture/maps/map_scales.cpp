@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "preprocess/texture/maps/texture_maps.h"
-
 namespace relief {
 namespace {
 

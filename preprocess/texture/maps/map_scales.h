@@ -13,6 +13,9 @@
 
 namespace relief {
 
+/// The finest resolution. Finer textures have more detail than an image of a whole patch shows.
+inline constexpr std::uint32_t kMaxTexelsPerCell = 64;
+
 /// Returns the size in texels of the image of a triangle's texture; 0 without one.
 using ImageSize = std::function<glm::dvec2(std::uint32_t triangle)>;
 

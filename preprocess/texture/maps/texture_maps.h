@@ -8,6 +8,7 @@
 #include "common/patch.h"
 #include "common/points.h"
 #include "common/progress.h"
+#include "preprocess/texture/maps/map_scales.h"
 
 namespace relief {
 
@@ -25,8 +26,5 @@ namespace relief {
 /// number of threads.
 Status map_textures(const Points& mesh, std::uint32_t texels_per_cell, std::vector<Patch>& patches,
                     Progress& progress);
-
-/// The finest resolution. Finer textures have more detail than an image of a whole patch shows.
-inline constexpr std::uint32_t kMaxTexelsPerCell = 64;
 
 }  // namespace relief
