@@ -19,8 +19,8 @@ namespace {
 // As in PNG: a byte above 127 and both line endings show a transfer that changed them.
 constexpr std::array<std::uint8_t, 8> kMagic{0x89, 'R', 'L', 'F', '\r', '\n', 0x1A, '\n'};
 
-/// How far the axes may be from orthonormal: rounding of a double rotation is near 1e-16, a
-/// matrix that was ever kept as floats near 1e-7.
+/// Tolerance of orthonormal axes: rounding of a double rotation is near 1e-16, of a matrix that was
+/// stored as floats near 1e-7.
 constexpr double kAxesTolerance = 1e-6;
 
 bool is_finite(const glm::dvec3& v) {
@@ -35,14 +35,14 @@ bool is_rotation(const glm::dmat3& axes) {
   const glm::dmat3 product = glm::transpose(axes) * axes;
   for (glm::length_t c = 0; c < 3; ++c) {
     for (glm::length_t r = 0; r < 3; ++r) {
-      // Negated so that NaN is found too.
+      // Negated to find NaN too.
       if (!(std::abs(product[c][r] - (c == r ? 1.0 : 0.0)) <= kAxesTolerance)) return false;
     }
   }
   return glm::determinant(axes) > 0.0;
 }
 
-/// Whether the index may have that many bytes; what comes after it relies on that.
+/// Returns whether the index may have that many bytes, on which later code relies.
 bool index_fits(const FileHeader& header, std::uint64_t bytes) {
   if (header.version == kTreeVersion)
     return bytes == header.chunks * std::uint64_t{kTileRecordBytes};
