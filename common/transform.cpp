@@ -26,7 +26,7 @@ bool fits_float(double value) {
 Bounds moved_bounds(const Transform& transform, const Bounds& bounds, double new_radius) {
   if (bounds.empty()) return bounds;
   const glm::dvec3 centre = moved(transform, 0.5 * (bounds.min + bounds.max));
-  // How far a turned box reaches along each axis, but no farther than the sphere.
+  // Returns the extent of a rotated box along each axis, limited by the sphere.
   const glm::dvec3 half = 0.5 * transform.scale * (bounds.max - bounds.min);
   glm::dvec3 reach(0.0);
   for (glm::length_t axis = 0; axis < 3; ++axis) {

@@ -75,8 +75,8 @@ double area_of(const std::vector<Region>& regions, const SurfaceSamples& samples
 /// thread each.
 class MeshInTime {
  public:
-  /// Nothing of a mesh without triangles. Its first `given` points are the file's. Positions and
-  /// triangles must stay as they are; normals, too, until `wait`.
+  /// Computes nothing for a mesh without triangles. The first `given` points are the file's.
+  /// Positions and triangles must not change, nor normals until `wait`.
   MeshInTime(const Points& mesh, std::size_t given) {
     if (mesh.triangles.empty()) return;
     tasks_.run([this, &mesh] { spheres_.emplace(mesh); });

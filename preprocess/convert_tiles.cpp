@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is converted, and how: all that the tiles depend on.
+/// Input and options: everything on which the tiles depend.
 Result<std::string> fingerprint_of(const std::vector<fs::path>& files,
                                    const ConvertOptions& options,
                                    const PatchFileOptions& file_options,
@@ -47,7 +47,7 @@ std::vector<TreePart> own_parts(const TileJob& job, std::size_t tiles) {
   return parts;
 }
 
-/// From tiles of points to the patch file.
+/// Makes the patch file from tiles of points.
 Result<TiledResult> convert_all(const TiledModel& plan, bool overviews, const fs::path& output,
                                 Progress& progress) {
   auto converted = convert_spread({.name = plan.name,
@@ -84,7 +84,7 @@ Result<std::optional<TiledResult>> convert_files(
                     fingerprint_of(files, options, file_options, spread_options));
   RELIEF_TRY_ASSIGN(auto job, TileJob::open(output, fingerprint));
   auto scan = spread_points(files, job, spread_options, progress);
-  if (!scan || !*scan) job.remove();  // what there is, is not worth to go on from
+  if (!scan || !*scan) job.remove();  // its results are not worth continuing
   if (!scan) return scan.error();
   if (!*scan) return std::optional<TiledResult>();
   const TiledModel plan{.name = files.front().string(),

@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-/// Infinitely far is a depth, that of nothing; all else must be finite.
+/// An infinite depth means background; all other values must be finite.
 bool is_value(const Channel& channel, float value) {
   return std::isfinite(value) || (channel.name == "Z" && value > 0.0F);
 }

@@ -12,8 +12,8 @@
 namespace relief {
 namespace {
 
-/// Rows that one task turns out. Filtering along the rows repeats the rows about them, at
-/// 67 pixels per degree 20; fewer rows would repeat more, more would leave the cache.
+/// Rows of one task. Filtering along the rows repeats the rows about them, at 67 pixels per degree
+/// 20; fewer rows would repeat more, more would leave the cache.
 constexpr std::uint32_t kBandRows = 64;
 
 /// What the eye resolves of XYZ as luminance Y and opponent colours X - Y and Y - Z: the papers'
@@ -34,7 +34,7 @@ struct Row {
   std::vector<float> edge_x, edge_y, point_x, point_y;
 };
 
-/// A row of luminance and opponent colours, going on beyond both ends for the filters.
+/// A row of luminance and opponent colours, continued beyond both ends for the filters.
 class PaddedRow {
  public:
   PaddedRow(std::uint32_t width, std::size_t padding) : padding_(padding) {
@@ -128,7 +128,7 @@ void filter_columns(const FilteredRows& rows, const FlipFilters& filters, std::s
   filter(rows.smooth, feature, filters.point, out.point_y);
 }
 
-/// The colour that the eye makes of pixel x, within what a display can show.
+/// Returns the perceived colour of pixel x, limited to a display's range.
 glm::vec3 seen_colour(const Contrast& c, std::size_t x) {
   const float y = c.luminance[x];
   const glm::vec3 xyz(y + c.red_green[x], y, y - c.blue_yellow[x] - c.blue_yellow_wide[x]);
@@ -159,7 +159,7 @@ float flip_at(const Row& a, const Row& b, std::size_t x) {
   if (are_equal(a.contrast, b.contrast, x)) return 0.0F;
   const float colour =
       std::min(colour_difference(seen_colour(a.contrast, x), seen_colour(b.contrast, x)), 1.0F);
-  // Where no colour differs there is no error, also where 0^0 would make one.
+  // Without a difference in colour there is no error, even if 0^0 would give one.
   return colour > 0.0F ? std::pow(colour, 1.0F - feature_difference(a, b, x)) : 0.0F;
 }
 

@@ -56,13 +56,13 @@ glm::dvec3 normal_at(const std::array<const std::vector<float>*, 3>& channels, s
   return {(*channels[0])[k], (*channels[1])[k], (*channels[2])[k]};
 }
 
-/// By arc tangent, for which lengths do not matter: an arc cosine loses angles below 1e-8 to
+/// By arc tangent, which does not depend on lengths: an arc cosine loses angles below 1e-8 to
 /// rounding, and those whose cosine is rounded beyond 1 to NaN.
 double angle_deg(const glm::dvec3& a, const glm::dvec3& b) {
   return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
 }
 
-/// The extent of what `include` saw.
+/// The range of included values.
 struct Range {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
@@ -78,7 +78,8 @@ struct Range {
 
 Result<NormalErrors> measure_normals(const Image& test, const Image& reference,
                                      const std::vector<std::uint8_t>* mask) {
-  // Below this length a half float's rounding starts to turn a normal; no engine writes such.
+  // Below this length, half-float rounding turns a normal noticeably; no engine writes such
+  // normals.
   constexpr double kShortest = 1e-3;
   const auto channels = find_channels<3>(test, reference, {"N.X", "N.Y", "N.Z"});
   if (!channels) return channels.error();
@@ -115,7 +116,7 @@ Result<DepthErrors> measure_depth(const Image& test, const Image& reference,
     relative.add(error);
     absolute.add(a - b);
     range.include(b);
-    // Beyond float only where a depth is all but 0 and another is not.
+    // Beyond float only if one depth is almost 0 and another is not.
     all.push_back(static_cast<float>(
         std::min(error, static_cast<double>(std::numeric_limits<float>::max()))));
   });

@@ -1,4 +1,4 @@
-// OpenEXR images.
+// Reads and writes OpenEXR images.
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>

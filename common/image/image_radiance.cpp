@@ -44,7 +44,7 @@ Error ends_early() {
   return make_error("it ends too early; it is truncated");
 }
 
-/// "-Y HEIGHT +X WIDTH", the one order of pixels in use.
+/// "-Y HEIGHT +X WIDTH", the only order of pixels in use.
 bool parse_resolution(std::string_view line, std::int64_t& width, std::int64_t& height) {
   const auto take_word = [&line](std::string_view word) {
     if (line.substr(0, word.size()) != word) return false;

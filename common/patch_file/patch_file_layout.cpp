@@ -18,7 +18,7 @@ namespace {
 // As in PNG: a byte above 127 and both line endings show a transfer that changed them.
 constexpr std::array<std::uint8_t, 8> kMagic{0x89, 'R', 'L', 'F', '\r', '\n', 0x1A, '\n'};
 
-/// Whether the index may have that many bytes; what comes after it relies on that.
+/// Returns whether the index may have that many bytes, on which later code relies.
 bool index_fits(const FileHeader& header, std::uint64_t bytes) {
   if (header.version == kTreeVersion)
     return bytes == header.chunks * std::uint64_t{kTileRecordBytes};

@@ -1,4 +1,4 @@
-// Reading a patch file patch by patch.
+// Reads a patch file patch by patch.
 #include <algorithm>
 #include <cmath>
 #include <new>

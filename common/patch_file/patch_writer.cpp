@@ -1,4 +1,4 @@
-// Writing a patch file: encode all patches in parallel, then lay them out in order.
+// Writes a patch file: encodes all patches in parallel, then lays them out in order.
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 

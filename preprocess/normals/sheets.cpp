@@ -6,8 +6,9 @@
 namespace relief {
 namespace {
 
-// Of a sheet's area, what its normals add up to if it is open and faces one way; flux over area to
-// the power of 1.5 at which the flux of such a sheet, and of any other, decides its outside.
+// Share of a sheet's area in the sum of its normals above which it is open and faces one way; flux
+// over area to the power of 1.5 at which the flux of such a sheet, and of any other, decides its
+// outside.
 constexpr double kOpenShare = 0.5;
 constexpr double kBentFlux = 0.05;
 constexpr double kMinFlux = 1e-3;
@@ -49,8 +50,8 @@ bool faces_inward(const SheetSums& sheet, bool has_viewpoint) {
   const double flux = has_viewpoint
                           ? sheet.to_viewpoint
                           : sheet.flux - glm::dot(sheet.area_normal, sheet.moment / sheet.area);
-  // An open sheet that hardly bends, as a terrain is, has no outside: +Z decides. (Normals of a
-  // closed surface add up to nothing; half a sphere has half its area and 0.3 of its scale.)
+  // An open sheet that hardly bends, such as a terrain, has no outside: +Z decides. (Normals of a
+  // closed surface cancel out; half a sphere has half its area and 0.3 of its scale.)
   const glm::dvec3 n = sheet.area_normal;
   const double scale = sheet.area * std::sqrt(sheet.area);
   const bool is_open = glm::length(n) > kOpenShare * sheet.area;

@@ -30,7 +30,7 @@ std::vector<Region> pieces_of(const SurfaceSamples& samples, const NeighbourGrap
         reached.push_back(j);
         waiting.push_back(j);
       }
-      // Most regions are whole, and small ones are known to be after a point or two.
+      // Most regions are connected, and small ones are confirmed after a point or two.
       if (reached.size() == region.points.size()) return {region};
     }
     std::sort(reached.begin(), reached.end());

@@ -20,7 +20,7 @@ constexpr double kToleranceInRoughness = 2.0;
 constexpr double kLongestHop = 6.0;
 // More points in one cell than this need not all be compared with each other.
 constexpr int kMaxCompared = 8;
-// What single precision leaves of a unit vector's length squared, or less.
+// A unit vector's squared length after rounding to single precision, or less.
 constexpr double kSurelyWithin = 0.99999;
 
 std::int32_t floor_to_int(double value) {
@@ -38,7 +38,7 @@ void complete_frame(glm::dvec3 n, glm::dvec3& u, glm::dvec3& v) {
 
 bool on_one_sheet(const SurfaceSamples& samples, std::uint32_t i, std::uint32_t j) {
   if (!(glm::dot(samples.normals[i], samples.normals[j]) > 0.0F)) return false;
-  // The finer of both densities judges: an outlier's own would excuse any distance.
+  // The finer of both densities decides: an outlier's own would allow any distance.
   const double rough = std::min(samples.roughness[i], samples.roughness[j]);
   const double spacing = std::min(samples.spacing[i], samples.spacing[j]);
   const glm::dvec3 hop = samples.positions[j] - samples.positions[i];
@@ -85,7 +85,7 @@ std::optional<glm::vec3> RegionTest::fit_cone(std::span<const std::uint32_t> poi
   for (int step = 1; step <= kSteps; ++step) {
     const float least = normals_.least_cosine(axis);
     if (least >= cos_cone_) return axis;
-    // 25 degrees beyond the cone are not won back by moving the axis, as it starts near the middle.
+    // Moving the axis cannot gain 25 degrees, because it starts near the middle.
     if (step == 1 && std::acos(std::clamp(least, -1.0F, 1.0F)) > cone_ + glm::radians(25.0F)) {
       return std::nullopt;
     }
@@ -101,7 +101,7 @@ bool RegionTest::single_valued(std::span<const std::uint32_t> points, glm::vec3 
   complete_frame(glm::dvec3(normal), u, v);
   const auto [cell, tolerance] = sheet_scale(samples_, points, sheet_tolerance_);
 
-  // What the table's order asks for at random is brought together first.
+  // Gathered first, because the table accesses it in random order.
   positions_.clear();
   keys_.clear();
   const glm::dvec3 base = samples_.positions[points.front()];
@@ -128,7 +128,7 @@ bool RegionTest::single_valued(std::span<const std::uint32_t> points, glm::vec3 
     for (std::uint32_t o = next_[m]; o != kNone && compared < kMaxCompared;
          o = next_[o], ++compared) {
       const glm::dvec3 apart = positions_[m] - positions_[o];
-      // Most are nearer to each other than they may be off: the mean normal is unit to rounding.
+      // Most pairs are closer than the tolerance; the mean normal is unit up to rounding.
       if (glm::dot(apart, apart) < kSurelyWithin * tolerance * tolerance) continue;
       const glm::vec3 mean = glm::normalize(normals_.at(m) + normals_.at(o));
       if (std::abs(glm::dot(glm::dvec3(mean), apart)) > tolerance) return false;

@@ -15,7 +15,7 @@
 namespace relief {
 namespace {
 
-/// What every file of bitstream 2.2 (Draco 1.2, 2017) and later begins with, behind "DRACO".
+/// The header of bitstream 2.2 (Draco 1.2, 2017) and later, after "DRACO".
 struct DracoStart {
   std::uint8_t major = 0;
   std::uint8_t minor = 0;
@@ -28,7 +28,7 @@ struct DracoStart {
 
 constexpr std::string_view kDracoMagic = "DRACO";
 constexpr std::uint16_t kHasMetadata = 0x8000;
-/// The densest real coding is near a bit a point; the library allocates for whatever is stated.
+/// The densest real coding is near a bit a point; the library allocates any stated count.
 constexpr std::uint64_t kMaxPointsPerByte = 256;
 
 /// Skips the metadata.
@@ -37,7 +37,7 @@ bool skip_metadata(draco::DecoderBuffer& buffer) {
   return draco::MetadataDecoder().DecodeGeometryMetadata(&buffer, &metadata);
 }
 
-/// Reads up to the counts. False if the bytes end or mean nothing.
+/// Reads up to the counts. Returns false if the bytes end or are invalid.
 bool read_start(std::string_view text, DracoStart& start) {
   draco::DecoderBuffer buffer;
   buffer.Init(text.data(), text.size());
@@ -84,13 +84,13 @@ bool is_number(draco::DataType type) {
   return type >= draco::DT_INT8 && type <= draco::DT_FLOAT64;
 }
 
-/// Numbers are the same in the same order, of which Draco counts from 1.
+/// The types have Draco's order, but Draco counts from 1.
 NumberType number_type(draco::DataType type) {
   return static_cast<NumberType>(type - draco::DT_INT8);
 }
 
 /// Values of an attribute, one for each point; empty if it has fewer components, or damaged ones.
-/// Draco's own conversion would believe the file that a bool is one, and cut integers.
+/// Draco's own conversion would trust the file's bools and truncate integers.
 template <class Vector>
 std::vector<Vector> values_of(const draco::PointCloud& cloud, const draco::PointAttribute* from) {
   constexpr auto components = static_cast<std::size_t>(Vector::length());
@@ -142,7 +142,7 @@ Result<Points> decode(const Source& source) {
   draco::DecoderBuffer buffer;
   buffer.Init(source.text.data(), source.text.size());
   draco::Decoder decoder;
-  // A mesh is given as the cloud that it also is.
+  // A mesh comes as its base class, a cloud.
   const auto decoded = decoder.DecodePointCloudFromBuffer(&buffer);
   if (!decoded.ok()) {
     return make_error("{}: cannot be decoded ({}); the file is truncated or damaged", source.name,

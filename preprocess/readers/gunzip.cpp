@@ -9,16 +9,16 @@ namespace relief {
 namespace {
 
 constexpr unsigned kZipMagic[] = {0x1F, 0x8B};
-/// zlib's own window is 32 KiB; it takes and gives at most 4 GiB a call.
+/// zlib's window is 32 KiB; a call handles at most 4 GiB.
 constexpr std::size_t kStep = std::size_t{1} << 20U;
-/// What is unpacked at a time.
+/// Bytes that are unpacked at a time.
 constexpr std::size_t kPieceBytes = std::size_t{64} << 10U;
 
 struct EndInflate {
   void operator()(z_stream* stream) const { inflateEnd(stream); }
 };
 
-/// Text of numbers is seldom packed tighter.
+/// Numbers as text are seldom packed tighter.
 constexpr std::size_t kLikelyRatio = 8;
 
 /// The size stated at the end of the file: a hint, because a file may have several members.

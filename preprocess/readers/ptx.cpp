@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-/// Least bytes of a point: four numbers of a digit each, with what separates them.
+/// Least bytes of a point: four numbers of a digit each, with separators.
 constexpr std::size_t kMinPoint = 8;
 
 /// A scanner's frame: the rows of its axes, and its position.

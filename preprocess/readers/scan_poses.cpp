@@ -22,7 +22,7 @@ Result<std::vector<ScanPose>> read_scan_poses(const std::string& name, std::stri
     for (glm::length_t c = 0; c < 3; ++c) good = good && line.number(pose.translation[c]);
     for (double& part : q) good = good && line.number(part);
     const double length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
-    // Written with six digits: a length off by a hundredth is no rotation but other numbers.
+    // Written with six digits: numbers with a length off by a hundredth are not a rotation.
     if (!good || !(std::abs(length - 1.0) < 0.01) ||
         !std::isfinite(glm::length(pose.translation))) {
       return make_error(

@@ -12,7 +12,7 @@
 namespace relief {
 namespace {
 
-// Gives every unknown texel the mean of its known neighbours, ring by ring outward from the known.
+// Sets every unknown texel to the mean of its known neighbours, ring by ring outward.
 template <class Value>
 void continue_outward(std::vector<Value>& values, std::vector<std::uint8_t>& known,
                       std::uint32_t width, std::uint32_t height) {
@@ -61,7 +61,7 @@ void continue_outward(std::vector<Value>& values, std::vector<std::uint8_t>& kno
 glm::vec3 mean_colour(const PatchPoints& points, const PointGrid& lookup, glm::dvec2 position,
                       std::uint32_t nearest, double step, const std::vector<glm::u8vec3>& colours) {
   const double to_nearest = glm::distance(glm::dvec2(points.positions[nearest]), position);
-  // Never narrower than to the nearest point, so that weights do not all vanish.
+  // At least the distance to the nearest point, so that some weight is above 0.
   const double radius = std::max(0.5 * step, 0.6 * to_nearest);
   glm::vec3 sum(0.0F);
   float weights = 0.0F;
@@ -74,7 +74,7 @@ glm::vec3 mean_colour(const PatchPoints& points, const PointGrid& lookup, glm::d
   return sum / weights;
 }
 
-// A texel has a colour of its own if one of the nodes around it is a sample.
+// A texel has its own colour if one of the nodes around it is a sample.
 bool beside_sample(const std::vector<NodeState>& states, const PatchGrid& grid, std::uint32_t a,
                    std::uint32_t b, std::uint32_t scale) {
   const std::uint32_t i0 = a / scale;
@@ -117,7 +117,8 @@ AttributeMap<glm::u8vec3> sample_colours(const PatchPoints& points, const PointG
   std::vector<glm::vec3> values(size, glm::vec3(0.0F));
   std::vector<std::uint8_t> known(size, 0);
   const double step = grid.spacing / scale;
-  std::optional<ColourInterpolation> between;  // costs a fit a point: not where all is averaged
+  std::optional<ColourInterpolation>
+      between;  // costs a fit for each point: not needed where colours are averaged
   for (std::uint32_t b = 0; b < map.height; ++b) {
     for (std::uint32_t a = 0; a < map.width; ++a) {
       if (!beside_sample(states, grid, a, b, scale)) continue;

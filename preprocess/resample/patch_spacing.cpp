@@ -7,11 +7,11 @@
 namespace relief {
 namespace {
 
-// The finest spacing that patches have is that of the densest twentieth of the points: less would
-// be the spacing of a few points that lie close by chance.
+// The finest spacing of patches is that of the densest twentieth of the points: a smaller share
+// could be a few points that are close by chance.
 constexpr double kFinestShare = 0.05;
 
-/// The value that this share of all are below.
+/// Returns the value below which this share of the values lie.
 double quantile(std::vector<float>& values, double share) {
   const auto at =
       values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));

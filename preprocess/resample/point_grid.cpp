@@ -15,7 +15,7 @@ PointGrid::PointGrid(const PatchPoints& points, std::size_t count, double cell) 
     high_x = std::max(high_x, points.positions[p].x);
     high_y = std::max(high_y, points.positions[p].y);
   }
-  // A far outlier must not buy a table larger than the points deserve.
+  // A far outlier must not make the table larger than the points justify.
   const double budget = 16.0 * static_cast<double>(count) + 1024.0;
   while (((high_x - low_x_) / cell_ + 1.0) * ((high_y - low_y_) / cell_ + 1.0) > budget) {
     cell_ *= 2.0;

@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-/// What a block of samples adds up to, patch frame.
+/// Sums of a block of samples, patch frame.
 struct BlockSums {
   glm::dvec3 position{0.0};  // nodes, nodes, height steps
   int samples = 0;
@@ -18,7 +18,7 @@ struct BlockSums {
   int texels = 0;
 };
 
-/// The colours nearest to a node: a cell's worth about it.
+/// The colours of the cell around a node.
 void add_texels(const AttributeMap<glm::u8vec3>& map, std::uint32_t i, std::uint32_t j,
                 BlockSums& sums) {
   const std::uint32_t half = map.scale / 2;

@@ -13,14 +13,14 @@
 namespace relief {
 namespace {
 
-/// What a report has: all but the patches.
+/// Contents of a report: everything but the patches.
 template <class Tile>
 auto tile_fields(Tile& t) {
   return std::tie(t.patch_count, t.points, t.sum_of_squares, t.error_max, t.uncovered, t.texels);
 }
 
 /// The survey's regions, and its normals on the sides that `turns` gives them. A region's points
-/// agree with each other in the survey already: it turns as most of them do.
+/// are already consistent in the survey: it flips if most of them do.
 std::vector<Region> turn_regions(TileSurvey& survey, const std::vector<std::uint8_t>& turns) {
   std::vector<Region> regions(survey.region_normals.size());
   for (std::uint32_t i = 0; i < survey.region.size(); ++i) {
@@ -54,7 +54,8 @@ TilePatches resample_tile(SurveyedTile surveyed, const ResampleOptions& options,
   TilePatches made;
   made.points = tile.own;
   if (survey.region_normals.empty()) {
-    // Nothing is a surface here: all are as far off as measure_fidelity takes such points to be.
+    // Without a surface, all points have the distance that measure_fidelity assumes for uncovered
+    // points.
     made.uncovered = tile.own;
     made.error_max = tile.own > 0 ? kUncoveredInSpacings * options.spacing : 0.0;
     made.sum_of_squares = static_cast<double>(tile.own) * made.error_max * made.error_max;
@@ -65,7 +66,7 @@ TilePatches resample_tile(SurveyedTile surveyed, const ResampleOptions& options,
   if (progress.cancelled()) return made;
   const SurfaceSamples samples{tile.points.positions, survey.normals, graph.spacing,
                                survey.roughness};
-  // How steep the halo's points are to their own patches decides about margins at the border.
+  // The slope of the halo's points in their own patches decides about margins at the border.
   Membership membership = membership_of(samples, regions);
   assert(surveyed.halo_cosines.size() == tile.home.size());
   std::ranges::copy(surveyed.halo_cosines,

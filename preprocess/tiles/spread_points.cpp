@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Measured: a conversion's peak over its points, colours and normals among them, and what the
-// program and the buffers of files take beside that (docs/measurements.md, "Larger than memory").
+// Measured: the peak memory of a conversion for each point, with colours and normals, and the
+// constant part of the program and file buffers (docs/measurements.md, "Larger than memory").
 constexpr std::uint64_t kBytesPerPoint = 450;
 constexpr std::uint64_t kBaseBytes = std::uint64_t{96} << 20U;
 // Halos have about a tenth as many points as tiles of a million, and half as many as small ones.

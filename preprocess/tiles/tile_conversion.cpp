@@ -77,7 +77,7 @@ class TileConversion {
     return save_survey(folder_.survey(tile), made);
   }
 
-  /// What the file of turns has.
+  /// Contents of the file of turns.
   auto orientation() { return std::tie(area_, radius_, repaired_, duplicates_, turns_); }
 
   /// The sheets to flip, and other results that need the surveys of all tiles.

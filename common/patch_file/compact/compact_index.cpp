@@ -13,7 +13,7 @@
 namespace relief {
 namespace {
 
-/// What a patch has that others of the model may not have.
+/// The members that differ between patches of a model.
 enum PatchFlag : std::uint8_t {
   OwnSpacing = 1,
   OwnHeightStep = 2,
@@ -43,7 +43,7 @@ void append_chunk(const ChunkRecord& chunk, std::vector<std::byte>& out) {
   if (chunk.size > 0) append_number(out, chunk.checksum);
 }
 
-/// Takes a chunk that lies at `offset`; false if the index ends within it or the chunk leaves the
+/// Reads a chunk at `offset`. Returns false if the index ends within it or the chunk leaves the
 /// file's data.
 bool take_chunk(ByteReader& in, const FileHeader& header, ChunkRecord& chunk,
                 std::uint64_t& offset) {

@@ -43,7 +43,7 @@ bool is_zero(std::span<const std::uint8_t> bytes) {
   return std::all_of(bytes.begin(), bytes.end(), [](std::uint8_t b) { return b == 0; });
 }
 
-/// As append_stream, for the low bytes of residuals.
+/// append_stream for the low bytes of residuals.
 void append_low_bytes(std::vector<std::byte>& out, std::span<const std::uint8_t> bytes,
                       ZstdContexts& zstd) {
   if (is_zero(bytes)) {
@@ -53,7 +53,7 @@ void append_low_bytes(std::vector<std::byte>& out, std::span<const std::uint8_t>
   std::vector<std::byte> frame(ZSTD_compressBound(bytes.size()));
   std::size_t size = compress_noise(bytes, frame, zstd);
   assert(ZSTD_isError(size) == 0U && "the buffer has the size that zstd asks for");
-  // What takes less than two bits a byte is not noise but steps, or a plane: it may well repeat.
+  // Data of less than two bits a byte are not noise but steps or a plane, which may repeat.
   if (size < bytes.size() / 4) {
     std::vector<std::byte> other(frame.size());
     const std::size_t searched = compress(bytes, other, zstd);

@@ -21,7 +21,7 @@
 namespace relief {
 namespace {
 
-/// Nodes may show one mesh again and again; nothing real comes near.
+/// Limits the points of nodes that repeat one mesh; real files have far fewer.
 constexpr std::size_t kMaxPoints = 200'000'000;
 
 class GltfReader {
@@ -49,7 +49,7 @@ class GltfReader {
     return make_error("{}: {}", source_.name, why.error().message);
   }
 
-  /// One for each of the file's, once with texture coordinates and once without.
+  /// Makes two materials for each of the file's: with texture coordinates and without.
   Status read_materials() {
     for (const tinygltf::Material& given : model_.materials) {
       MeshMaterial material;
@@ -140,7 +140,7 @@ class GltfReader {
     return {};
   }
 
-  /// Of the vertices, linear and perhaps with alpha. They count where all have them.
+  /// Reads vertex colours, linear and possibly with alpha. They are used if all vertices have them.
   Status read_colours(int index, std::size_t count) {
     if (index < 0 || static_cast<std::size_t>(index) >= model_.accessors.size()) return {};
     const int type = model_.accessors[static_cast<std::size_t>(index)].type;
@@ -169,7 +169,7 @@ class GltfReader {
     }
   }
 
-  /// glTF counts v downward.
+  /// In glTF, v points downward.
   Status read_texcoords(int accessor, std::size_t count) {
     points_.texcoords.resize(points_.size(), glm::vec2(0.0F));
     if (accessor < 0) return {};
@@ -195,7 +195,7 @@ class GltfReader {
     if (primitive.indices >= 0) {
       RELIEF_TRY_ASSIGN(const auto indices, read_accessor(model_, primitive.indices, 1));
       for (const double index : indices) {
-        // clean_points drops triangles of points that do not exist.
+        // clean_points drops triangles with invalid indices.
         const bool exists = index >= 0.0 && index < static_cast<double>(count);
         corners.push_back(exists
                               ? static_cast<std::uint32_t>(first + static_cast<std::size_t>(index))

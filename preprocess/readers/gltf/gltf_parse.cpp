@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// tinygltf's parser calls itself for what nests in JSON.
+/// Limits the recursion of tinygltf's parser in nested JSON.
 constexpr int kMaxDepth = 64;
 
 bool nests_too_deep(std::string_view json) {
@@ -40,8 +40,8 @@ bool nests_too_deep(std::string_view json) {
   return false;
 }
 
-/// Keeps an image's bytes undecoded: common/image/image_io.h decodes used images. Those in buffer
-/// views are found later, with their bounds checked.
+/// Keeps an image's bytes undecoded: common/image/image_io.h decodes used images. Images in buffer
+/// views are read later, with their bounds checked.
 bool keep_image(tinygltf::Image* image, int /*index*/, std::string* /*error*/,
                 std::string* /*warning*/, int /*width*/, int /*height*/, const unsigned char* bytes,
                 int count, void* /*user*/) {

@@ -42,14 +42,14 @@ struct LeftOut {
   std::uint64_t withheld = 0;
   std::uint64_t noise = 0;
 
-  /// Whether this point is one, which is then counted.
+  /// Returns whether this point is one, and counts it.
   bool takes(const char* record, bool is_wide) {
     const auto flags = load_whole<std::uint8_t>(record + 15);
     if ((flags & (is_wide ? 0x04U : 0x80U)) != 0) {
       ++withheld;
       return true;
     }
-    // Class 18, high noise, is only defined where classes have a byte of their own.
+    // Class 18, high noise, is only defined in formats with a separate byte for classes.
     const auto point_class = is_wide ? load_whole<std::uint8_t>(record + 16) : flags & 0x1FU;
     const bool is_noise = point_class == 7 || (is_wide && point_class == 18);
     noise += is_noise ? 1U : 0U;
@@ -85,7 +85,7 @@ Result<Points> read_las(const Source& source) {
                                  : header.points;
   points.positions.reserve(most);
   if (colours != Colours::None) points.colours.reserve(most);
-  // The upper byte is right for both methods to make 16 bits of a byte: times 256 and times 257.
+  // The upper byte is right for both ways of scaling a byte to 16 bits: times 256 and times 257.
   const unsigned shift = colours == Colours::Words ? 8 : 0;
   LeftOut left_out;
   ReadMeter meter(source);

@@ -40,7 +40,7 @@ class ObjReader {
     give_normals();
     give_texcoords();
     give_materials();
-    // Colours that only some vertices have are of no use.
+    // Colours of only some vertices are ignored.
     if (colours_.size() == points_.size()) {
       points_.colours = to_colours(colours_, ColourNumbers::Real);
     }
@@ -74,8 +74,8 @@ class ObjReader {
     return {};
   }
 
-  /// Materials are known by name until their files are read.
-  /// One and the same name is two of them where only some of its faces have texture coordinates.
+  /// Materials are known by name until their files are read. A name stands for two materials if
+  /// only some of its faces have texture coordinates.
   std::uint32_t material_of_face(bool has_texcoords) {
     if (material_.empty()) return kNoMaterial;
     const auto [found, is_new] = materials_.try_emplace(
@@ -89,7 +89,7 @@ class ObjReader {
     return found->second;
   }
 
-  /// Reads up to eight numbers, `least` or more, to the line's end; those not there are 0.
+  /// Reads up to eight numbers, at least `least`, to the line's end; missing ones are 0.
   bool read_numbers(std::size_t least) {
     std::fill(std::begin(numbers_), std::end(numbers_), 0.0);
     for (count_ = 0; count_ < std::size(numbers_) && !line_.at_line_end(); ++count_) {

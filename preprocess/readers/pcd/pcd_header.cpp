@@ -10,7 +10,7 @@
 namespace relief {
 namespace {
 
-/// The header's lines, collected; they come in any order that ends with DATA.
+/// Collects the header's lines, which have any order that ends with DATA.
 class PcdHeaderReader {
  public:
   explicit PcdHeaderReader(const Source& source)

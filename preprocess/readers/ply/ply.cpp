@@ -12,7 +12,7 @@
 namespace relief {
 namespace {
 
-/// A value as an index; whatever is none becomes kNoPoint.
+/// A value as an index; invalid ones become kNoPoint.
 std::uint32_t to_index(double value) {
   return value >= 0.0 && value < static_cast<double>(kNoPoint) ? static_cast<std::uint32_t>(value)
                                                                : kNoPoint;
@@ -41,7 +41,7 @@ class PlyBody {
   }
 
  private:
-  /// A count that the rest of the file cannot hold is refused before memory is taken for it.
+  /// A count that the rest of the file cannot hold is refused before memory is allocated.
   Status check_count(const PlyElement& element) {
     std::uint64_t least = 0;
     for (const PlyProperty& p : element.properties) {
@@ -110,7 +110,7 @@ class PlyBody {
     return values_.end_element();
   }
 
-  /// Any other element: faces and strips are kept, the rest is passed over.
+  /// Any other element: faces and strips are kept, the rest is skipped.
   Status read_lists(const PlyElement& element) {
     const bool strips = element.name == "tristrips";
     const bool faces = element.name == "face";
@@ -152,7 +152,7 @@ class PlyBody {
     return list_count(property, count) && values_.skip_values(property.type, count);
   }
 
-  /// A list's length; false if there is none or the rest of the file is shorter.
+  /// Reads a list's length; returns false if it is missing or the rest of the file is shorter.
   bool list_count(const PlyProperty& property, std::uint64_t& count) {
     double value = 0.0;
     if (!values_.value(*property.count_type, value)) return false;

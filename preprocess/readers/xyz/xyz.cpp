@@ -13,7 +13,7 @@ namespace {
 
 /// Tables with more columns are grids of heights, not points.
 constexpr std::size_t kMaxColumns = 24;
-/// A text whose numbers have not begun by then is some other text.
+/// A text without numbers in so many lines is not a list of points.
 constexpr std::size_t kMaxHeaderLines = 100;
 
 bool is_comment(std::string_view word) {

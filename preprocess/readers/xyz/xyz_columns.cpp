@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-/// The words of a header line in lower case; what marks a comment and quotes are left out.
+/// The words of a header line in lower case, without comment marks and quotes.
 std::vector<std::string> split_names(std::string_view line) {
   constexpr std::string_view between = " \t,;\"#/%";
   std::vector<std::string> names;
@@ -31,7 +31,7 @@ std::optional<ColumnRoles> roles_from_names(const NumberTable& table, std::strin
   return found;
 }
 
-/// What three neighbouring columns hold.
+/// The contents of three neighbouring columns.
 enum class Triple { Nothing, Normal, IntegerColour, RealColour };
 
 Triple classify(const NumberTable& table, std::size_t column) {

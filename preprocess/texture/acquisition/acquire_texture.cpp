@@ -19,10 +19,10 @@
 namespace relief {
 namespace {
 
-// Candidates for each point that stays. Yuksel takes 5; the sets of 4 are about as even, in less
-// time and memory.
+// Candidates for each kept point. Yuksel uses 5; 4 give about as even sets with less time and
+// memory.
 constexpr std::size_t kCandidatesPerPoint = 4;
-// Places at which the inner products are summed, for each splat. The equations then outnumber the
+// Positions at which inner products are summed, for each splat. The equations then outnumber the
 // unknowns 16 to 1, and the positions lie a quarter of h apart.
 constexpr std::size_t kPositionsPerPoint = 16;
 // Enough to distinguish a plane from noise if a mesh has no oriented faces.

@@ -18,10 +18,10 @@ namespace {
 
 struct Neighbour {
   std::uint32_t index = 0;
-  float weight = 0.0F;  ///< how much the two crowd each other
+  float weight = 0.0F;  ///< weight of the pair
 };
 
-/// Everyone's neighbours nearer than `reach`.
+/// The neighbours of each candidate within `reach`.
 std::vector<std::vector<Neighbour>> find_crowding(const SurfacePoints& points, double reach) {
   const RadiusSearch search(points.positions);
   std::vector<std::vector<Neighbour>> crowding(points.size());

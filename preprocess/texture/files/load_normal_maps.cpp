@@ -37,7 +37,8 @@ Result<SharedTexture> read(const std::filesystem::path& mesh, const MeshNormalMa
 Status load_normal_maps(const std::filesystem::path& mesh, Points& points,
                         std::vector<std::string>& notes) {
   std::map<std::tuple<const void*, std::string, bool>, SharedTexture> textures;
-  std::set<std::string> said;  // a material is two where some of its faces have no coordinates
+  std::set<std::string>
+      said;  // a material is split in two if some of its faces have no coordinates
   for (MeshMaterial& material : points.materials) {
     MeshNormalMap& map = material.normals;
     if (!map.left_out.empty() && said.insert(material.name).second) {

@@ -104,7 +104,7 @@ Status put_on_all(const fs::path& mesh, const fs::path& image, Points& points) {
   return {};
 }
 
-/// Reads the images of materials that are stated by the mesh file itself.
+/// Reads the images of materials defined in the mesh file itself.
 Status read_stated_textures(const fs::path& mesh, Points& points) {
   std::map<std::pair<const void*, bool>, std::shared_ptr<const MeshTexture>> textures;
   for (MeshMaterial& material : points.materials) {

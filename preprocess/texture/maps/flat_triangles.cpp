@@ -15,7 +15,7 @@ namespace {
 /// In cells squared; thinner triangles contain no texel.
 constexpr double kMinArea = 1e-12;
 
-/// More than single precision rounds sums of lengths by.
+/// More than the rounding of sums of lengths in single precision.
 constexpr float kRounding = 1.0001F;
 
 /// Interleaves the lowest ten bits of three numbers (Morton 1966).
@@ -41,7 +41,7 @@ glm::ivec2 height_range(const Patch& patch) {
   return range;
 }
 
-/// Sees triangles as a patch does.
+/// Projects triangles along a patch's normal.
 class View {
  public:
   View(const Patch& patch, const Points& mesh)
@@ -77,7 +77,7 @@ class View {
   glm::dvec2 cells_;
 };
 
-/// Sorts numbers below `end`. Where they are many a bit for each is quicker than comparing them.
+/// Sorts numbers below `end`. For many numbers, a bit set is faster than comparisons.
 void sort_numbers(std::vector<std::uint32_t>& numbers, std::size_t end) {
   constexpr std::size_t kFew = 64;
   if (numbers.size() < end / kFew) {

@@ -10,8 +10,7 @@
 namespace relief {
 namespace {
 
-/// How much nearer a triangle must be that faces away, cells: the back of a thin sheet has texels
-/// of its own.
+/// Handicap of triangles that face away, cells: the back of a thin sheet has its own texels.
 constexpr double kFacingAway = 3.0;
 /// Weights this far below 0 still count, so that no texel falls between two triangles.
 constexpr double kOnEdge = -1e-9;
@@ -59,7 +58,7 @@ std::vector<std::uint32_t> find_shown(const Patch& patch, std::uint32_t texels_p
   std::vector<std::uint32_t> shown(std::size_t{width} * height, kNoTriangle);
   std::vector<float> least(shown.size(), std::numeric_limits<float>::infinity());
   const double scale = texels_per_cell;
-  // Whole texels of the map, most often none of them.
+  // Whole texels of the map, often none.
   const auto first = [scale](double low, std::uint32_t side) {
     const double at = low * scale - 1e-6;
     if (!(at > 0.0)) return std::uint32_t{0};

@@ -20,7 +20,7 @@
 namespace relief {
 namespace {
 
-/// Linear, what patches without colours are drawn in.
+/// The linear colour of patches without colours.
 constexpr float kNeutralGrey = 0.5F;
 
 /// A triangle's colour as a function of the position on the base plane.
@@ -56,7 +56,7 @@ AttributeMap<glm::u8vec3> make_map(const Points& mesh, const Patch& patch,
   std::vector<TriangleColour> colours;
   colours.reserve(triangles.size());
   for (const FlatTriangle& triangle : triangles) colours.emplace_back(mesh, triangle, scale);
-  // What a patch file keeps: the rest is made anew when it is read, and is the same here.
+  // Only what a patch file stores: reading derives the rest, as this does.
   std::vector<std::uint8_t> kept = kept_texels(patch, scale);
   for (std::size_t k = 0; k < shown.size(); ++k) {
     if (shown[k] == kNoTriangle) kept[k] = 0;

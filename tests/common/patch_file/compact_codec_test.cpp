@@ -1,4 +1,4 @@
-// Codec 2 of the patch file: entropy coding, masks, heights, maps and instance.
+// Codec 2 of the patch file: entropy coding, masks, heights, maps and positions.
 #include <gtest/gtest.h>
 
 #include <glm/trigonometric.hpp>

@@ -75,7 +75,9 @@ double median_distance(const Points& scan, const Points& mesh) {
 
 TEST(ScanPoses, TheBunnysScansLieOnTheBunny) {
   const fs::path folder = fs::path(RELIEF_SOURCE_DIR) / "../shared/data/scans/bunny";
-  if (!fs::exists(folder)) GTEST_SKIP() << "no ../shared/data";
+  if (!fs::exists(folder)) {
+    GTEST_SKIP() << "needs the range scans in ../shared/data/scans/bunny beside the checkout";
+  }
   const fs::path conf = folder / "range/bun.conf";
   std::string text(fs::file_size(conf), '\0');
   std::ifstream(conf).read(text.data(), static_cast<std::streamsize>(text.size()));
