@@ -67,8 +67,8 @@ void apply(const RenderArguments& arguments, const PlannedView& view, RenderSett
     settings.outputs = {};
   settings.platform = arguments.platform;
   settings.explain = arguments.explain;
-  // A slow engine is not run again for the sake of a timing that nobody asked for.
-  settings.frames = arguments.frames.value_or(needs_opengl(settings.engine) ? settings.frames : 1);
+  settings.frames = arguments.frames.value_or(0);
+  settings.count_fragments = arguments.frames.has_value();
 }
 
 /// Loads, renders and writes. `count`: how many images are written, also after a failure.

@@ -141,7 +141,7 @@ Result<LoadedScene> load_textured_splats(const ScenePlan& plan, const LoadOption
   const OptionValues& values = plan.views.front().settings.options;
   if (const auto cutoff = values.find("cutoff"); cutoff != values.end())
     acquisition.cutoff = std::get<double>(cutoff->second);
-  RELIEF_TRY_ASSIGN(auto splats, acquire_splats(plan.models.front().file, options.textures.picture,
+  RELIEF_TRY_ASSIGN(auto splats, acquire_splats(plan.models.front().file, options.textures.image,
                                                 acquisition, progress));
   LoadedScene scene;
   scene.patches.bounds = bounds_of(splats.positions);
@@ -186,7 +186,7 @@ Result<LoadedScene> load_models(const std::vector<SceneModel>& models,
 Result<LoadedScene> load_scene(const ScenePlan& plan, const LoadOptions& options,
                                Progress& progress, std::span<const EngineEntry> among) {
   RELIEF_TRY_ASSIGN(const FormNeeds needs, needs_of(plan, among));
-  if (needs.splats && !options.textures.picture.empty())
+  if (needs.splats && !options.textures.image.empty())
     return load_textured_splats(plan, options, progress);
   return load_models(plan.models, options.textures, needs, progress, [&](const PatchModel& extent) {
     return render_settings_of(plan, extent, among);

@@ -19,6 +19,7 @@
 
 namespace relief {
 
+class EnvironmentCache;
 class OpenGl;
 
 /// A model that an engine has made ready for any number of images. What does not depend on the view
@@ -36,11 +37,17 @@ class PreparedModel {
   virtual Result<RenderResult> render(const RenderSettings& settings, Progress& progress) = 0;
 };
 
+/// Which levels of detail of a model's patches are kept on the GPU: those that the views choose, or
+/// all, for views that are not known yet.
+enum class KeptLevels : std::uint8_t { OfViews, All };
+
 /// What an engine prepares a model from.
 struct PrepareRequest {
   const RenderModel& model;               ///< has one of the engine's forms
   std::span<const RenderSettings> views;  ///< all of this engine; not empty
   std::shared_ptr<const OpenGl> opengl;   ///< current; null for an engine that does not need it
+  std::shared_ptr<EnvironmentCache> environments;  ///< decoded once, whatever engine asks first
+  KeptLevels levels = KeptLevels::OfViews;
 };
 
 /// Whether an engine can do something: never, always, or with some primitives only.
@@ -97,6 +104,8 @@ struct EngineEntry {
   /// The variants that `relief bench` times, as values of some of the options. Only of engines that
   /// need OpenGL.
   std::vector<OptionValues> bench_variants = {};
+  /// Makes a model ready. An engine that needs OpenGL gives a GlPreparedModel
+  /// (renderer/frame/gl_engine.h).
   Result<std::unique_ptr<PreparedModel>> (*prepare)(const PrepareRequest& request) = nullptr;
 };
 

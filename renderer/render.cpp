@@ -7,6 +7,7 @@
 
 #include "renderer/engine_checks.h"
 #include "renderer/gl/open_gl.h"
+#include "renderer/shading/environment_cache.h"
 
 namespace relief {
 namespace {
@@ -60,9 +61,13 @@ Status render_views(const RenderModel& model, std::span<const RenderSettings> vi
   const bool several = views.size() > 1;
   progress.begin_stage("render", several ? views.size() : 0);
   QuietProgress quiet(progress);  // of several views each is one step
+  const auto environments = std::make_shared<EnvironmentCache>();
   for (const EngineViews& group : group_by_engine(views, among)) {
     RELIEF_TRY_ASSIGN(const auto opengl, opengl_for(group));
-    RELIEF_TRY_ASSIGN(const auto prepared, group.engine->prepare({model, group.settings, opengl}));
+    RELIEF_TRY_ASSIGN(const auto prepared, group.engine->prepare({.model = model,
+                                                                  .views = group.settings,
+                                                                  .opengl = opengl,
+                                                                  .environments = environments}));
     for (std::size_t i = 0; i < group.settings.size(); ++i) {
       if (progress.cancelled()) return interrupted_error();
       RELIEF_TRY_ASSIGN(auto image,

@@ -12,9 +12,11 @@ namespace relief {
 
 struct RenderResult {
   Image image;
-  std::string renderer;          ///< OpenGL's own name, or the ray tracer's; "CPU" for ewa
-  double frame_ms = 0.0;         ///< median of wall-clock frame times, finished, without readback
-  std::optional<double> gpu_ms;  ///< median of OpenGL's timer, if it has one
+  std::string renderer;  ///< OpenGL's own name, or the ray tracer's; "CPU" for ewa
+  /// Wall-clock time of a finished frame, without readback: the median of RenderSettings::frames,
+  /// or without these of the only one, in which OpenGL may still be compiling shaders.
+  double frame_ms = 0.0;
+  std::optional<double> gpu_ms;      ///< likewise by OpenGL's timer, if it has one
   std::uint64_t covered_pixels = 0;  ///< pixels with coverage above 0
   /// Fragments shaded by the model's passes (the cost that [Ochotta 2008] counts), if they were
   /// counted; for ewa contributions of kernels to pixels.
@@ -22,7 +24,7 @@ struct RenderResult {
   /// The coarser set of points that was drawn, 0: all of them; none without
   /// EwaSettings::time_budget_ms.
   std::optional<std::uint32_t> level;
-  std::optional<Explanation> explanation;  ///< if settings asked for it, of a timed frame
+  std::optional<Explanation> explanation;  ///< if settings asked for it, of the frame
 };
 
 }  // namespace relief

@@ -50,10 +50,13 @@ struct RenderSettings {
   /// Values of engine options that have no member here: an engine's own (renderer/engine.h).
   OptionValues options;
   GlPlatform platform = GlPlatform::Automatic;
-  int frames = 3;      ///< timed frames; the median counts. on OpenGL one more is drawn before them
-  bool debug = false;  ///< OpenGL debug context; a high-severity message is an error
-  bool explain = false;  ///< RenderResult::explanation, of the engines on OpenGL; such an image
-                         ///< has nothing beside it that counts fragments
+  /// Frames to time, whose median is RenderResult::frame_ms; on OpenGL they follow the one that
+  /// draws the image. 0: only that is drawn, and timed.
+  int frames = 0;
+  bool count_fragments = false;  ///< RenderResult::fragments, in one more frame on OpenGL
+  bool debug = false;            ///< OpenGL debug context; a high-severity message is an error
+  bool explain = false;  ///< RenderResult::explanation, of the engines on OpenGL; fragments of
+                         ///< such an image are not counted
 };
 
 /// The default for cells. The Dragon at 1280x1024, lit, against a ray-traced truth: 4 pixels

@@ -3,7 +3,7 @@
 # Fails on any finding: a crash, a broken promise, undefined behaviour, a leak, more than 10 s for one
 # input or more than 2 GB. Findings are kept in build/fuzz/findings.
 #
-#   scripts/fuzz.sh [TARGET...]             fixed seed, 8000 inputs a target, from the seeds only: as CI does
+#   scripts/fuzz.sh [TARGET...]             fixed seed, 40000 inputs a target, from the seeds only: as CI does
 #   scripts/fuzz.sh --runs N [TARGET...]    fixed seed, N inputs a target
 #   scripts/fuzz.sh SECONDS [TARGET...]     random seed, SECONDS a target; inputs that reach new code are kept in
 #                                           build/fuzz/corpus and continued from
@@ -14,7 +14,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 usage() { sed -n 's/^# \{0,1\}//; 6,10p' "$0" >&2; exit 2; }
-budget="-seed=1 -runs=8000"
+budget="-seed=1 -runs=40000"
 fixed=yes
 case "${1:-}" in
   --runs)

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "common/compare/compare.h"
+#include "renderer/render.h"
 
 namespace relief::cli {
 namespace {
@@ -12,12 +13,12 @@ constexpr int kMirrorSamples = 16;
 /// Coverage is found by depth, also where the model fills the image (common/compare/coverage.h).
 constexpr Outputs kOutputs{.depth = true};
 
-/// The settings of a image that is compared.
+/// The settings of an image that is compared.
 RenderSettings compared(const RenderSettings& row, Material material) {
   RenderSettings settings = row;
   settings.material = material;
   settings.outputs = kOutputs;
-  settings.frames = 1;
+  settings.frames = 0;
   return settings;
 }
 

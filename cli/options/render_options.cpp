@@ -183,7 +183,8 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments) {
   add_texture_options(sub, arguments.texture);
   sub.add_option(
          "--frames", arguments.frames,
-         "Frames to time, 1 to 100000; the median is reported (default 3 with OpenGL, else 1)")
+         "Frames to time after the one that draws the image, 1 to 100000; reports the median, "
+         "and counts fragments (default: none)")
       ->check(CLI::Range(1, 100000))
       ->option_text("N");
   add_platform_option(sub, arguments.platform);

@@ -16,7 +16,7 @@ struct RenderArguments {
   TextureArguments texture;
   SceneSettings settings;  ///< overrides those of a scene
   GlPlatform platform = GlPlatform::Automatic;
-  std::optional<int> frames;  ///< by default 3 with OpenGL, 1 for engines on the CPU
+  std::optional<int> frames;  ///< to be timed; by default the image is drawn once
   bool explain = false;
   bool json = false;
 };

@@ -17,11 +17,11 @@ namespace {
 
 /// What is drawn in each round.
 struct Entry {
-  GlDrawing drawing;
-  PassTimer timer;
-  std::vector<double> frame_ms;
-  std::vector<double> gpu_ms;
-  BenchRow result;
+  GlFrame frame;
+  std::unique_ptr<GlDrawing> drawing = {};
+  std::vector<double> frame_ms = {};
+  std::vector<double> gpu_ms = {};
+  BenchRow result = {};
 };
 
 /// Rows of one engine that read the same of a model share it, so that each finds on the GPU what
@@ -56,11 +56,11 @@ class Bench {
   }
 
   void draw_round(bool timed) {
-    for (Entry& entry : entries_) {
-      const FrameTime time = time_frame(opengl_->gl(), entry.drawing, entry.timer);
+    for (const auto& entry : entries_) {
+      const FrameTime time = time_frame(opengl_->gl(), entry->frame, *entry->drawing);
       if (!timed) continue;
-      entry.frame_ms.push_back(time.wall_ms);
-      if (time.gpu_ms) entry.gpu_ms.push_back(*time.gpu_ms);
+      entry->frame_ms.push_back(time.wall_ms);
+      if (time.gpu_ms) entry->gpu_ms.push_back(*time.gpu_ms);
     }
   }
 
@@ -68,9 +68,9 @@ class Bench {
     BenchReport report;
     report.renderer = renderer_name(opengl_->gl());
     for (std::size_t k = 0; k < entries_.size(); ++k) {
-      BenchRow row = entries_[k].result;
-      row.time.frame_ms = median(entries_[k].frame_ms);
-      if (!entries_[k].gpu_ms.empty()) row.time.gpu_ms = median(entries_[k].gpu_ms);
+      BenchRow row = entries_[k]->result;
+      row.time.frame_ms = median(entries_[k]->frame_ms);
+      if (!entries_[k]->gpu_ms.empty()) row.time.gpu_ms = median(entries_[k]->gpu_ms);
       if (k < job_.rows.size()) report.rows.push_back(row);
       if (k == bound_) report.shading_bound = row;
       if (k == mesh_) report.mesh = row;
@@ -95,7 +95,10 @@ class Bench {
     const EngineEntry* const engine = find_engine(settings.engine);
     assert(engine != nullptr && engine->capabilities.needs_opengl && "OpenGL draws patches");
     const RenderModel model = RenderModel::of(*row.patches);
-    RELIEF_TRY_ASSIGN(auto made, engine->prepare({model, {&settings, 1}, opengl_}));
+    RELIEF_TRY_ASSIGN(auto made, engine->prepare({.model = model,
+                                                  .views = {&settings, 1},
+                                                  .opengl = opengl_,
+                                                  .environments = environments_}));
     groups_.push_back(
         {row.patches, settings.engine, needs, pixels_per_sample_of(settings),
          std::unique_ptr<GlPreparedModel>(static_cast<GlPreparedModel*>(made.release()))});
@@ -104,7 +107,7 @@ class Bench {
 
   Status prepare_references() {
     const auto& [patches, settings] = job_.rows[job_.reference];
-    const std::uint64_t pixels = entries_[job_.reference].result.covered_pixels;
+    const std::uint64_t pixels = entries_[job_.reference]->result.covered_pixels;
     if (pixels > 0) {
       RELIEF_TRY_ASSIGN(auto made,
                         bench_passes::prepare_shading_bound(opengl_, *patches, settings, pixels));
@@ -120,13 +123,17 @@ class Bench {
   }
 
   /// Makes a picture ready, draws it once, and keeps what its frame binds and shades.
-  Status add(GlPreparedModel& engine, const RenderSettings& settings) {
-    RELIEF_TRY_ASSIGN(auto drawing, engine.make_drawing(settings));
+  Status add(GlPreparedModel& engine, const RenderSettings& asked) {
     const Gl& gl = opengl_->gl();
-    Entry entry{std::move(drawing), PassTimer(gl), {}, {}, {}};
-    (void)time_frame(gl, entry.drawing, entry.timer);
-    const Explanation frame = gl.recorder->explain();
-    for (const auto* const kind : {&frame.buffers, &frame.textures}) {
+    const RenderSettings settings = engine.settled(asked);
+    RELIEF_TRY_ASSIGN(auto made, engine.model().make_frame(settings, whole_of(settings)));
+    // Before what draws into it is made: the entry stays where it is.
+    entries_.push_back(std::make_unique<Entry>(Entry{.frame = std::move(made)}));
+    Entry& entry = *entries_.back();
+    RELIEF_TRY_ASSIGN(entry.drawing, engine.make_drawing(entry.frame, settings, Counting::Off));
+    (void)time_frame(gl, entry.frame, *entry.drawing);
+    const Explanation seen = gl.recorder->explain();
+    for (const auto* const kind : {&seen.buffers, &seen.textures}) {
       for (const Explanation::Memory& memory : *kind) {
         if (!memory.bound) continue;
         entry.result.gpu_bytes += memory.bytes;
@@ -134,12 +141,13 @@ class Bench {
       }
     }
     RenderResult read;
-    read_picture(gl, entry.drawing.picture, settings.background.has_value(), read);
+    read_frame(gl, entry.frame, settings.background.has_value(), read);
     entry.result.covered_pixels = read.covered_pixels;
-    // Last: its picture has holes, as early depth tests let fragments hide others that are then
-    // discarded.
-    entry.result.fragments = count_fragments(gl, entry.drawing);
-    entries_.push_back(std::move(entry));
+    // Last, because a frame that is counted has holes.
+    RELIEF_TRY_ASSIGN(const auto counting,
+                      engine.make_drawing(entry.frame, settings, Counting::On));
+    assert(counting != nullptr && "what a bench draws can be counted");
+    entry.result.fragments = count_fragments(gl, entry.frame, *counting);
     return status();
   }
 
@@ -147,9 +155,10 @@ class Bench {
 
   const BenchJob& job_;
   std::shared_ptr<const OpenGl> opengl_;
+  std::shared_ptr<EnvironmentCache> environments_ = std::make_shared<EnvironmentCache>();
   std::vector<Group> groups_;
   std::vector<std::unique_ptr<GlPreparedModel>> references_;
-  std::vector<Entry> entries_;  ///< the rows, then what they are compared with
+  std::vector<std::unique_ptr<Entry>> entries_;  ///< the rows, then what they are compared with
   std::size_t bound_ = kNone;
   std::size_t mesh_ = kNone;
 };

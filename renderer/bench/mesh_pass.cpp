@@ -74,7 +74,7 @@ Uploaded upload(const Gl& gl, const TriangleMesh& mesh, const Bounds& bounds, bo
 }
 
 void draw_mesh(const Gl& gl, const Uploaded& mesh, const Program& program, const Table& view,
-               const GlPicture& picture, PassTimer& timer) {
+               const GlFrame& frame, PassTimer& timer) {
   const ScopedPass pass(gl, timer, "mesh");
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthFunc(GL_GREATER);
@@ -83,8 +83,8 @@ void draw_mesh(const Gl& gl, const Uploaded& mesh, const Program& program, const
   gl.UseProgram(program.id());
   gl.BindVertexArray(mesh.layout.id());
   gl.BindTextureUnit(RELIEF_TEXTURE_PATCH_VIEWS, view.texture.id());
-  if (picture.environment != nullptr)
-    gl.BindTextureUnit(RELIEF_TEXTURE_ENVIRONMENT, picture.environment->id());
+  if (frame.environment != nullptr)
+    gl.BindTextureUnit(RELIEF_TEXTURE_ENVIRONMENT, frame.environment->id());
   gl.DrawElements(GL_TRIANGLES, mesh.indices, GL_UNSIGNED_INT, nullptr);
   gl.BindTextureUnit(RELIEF_TEXTURE_ENVIRONMENT, 0);
   gl.BindTextureUnit(RELIEF_TEXTURE_PATCH_VIEWS, 0);
@@ -96,6 +96,22 @@ void draw_mesh(const Gl& gl, const Uploaded& mesh, const Program& program, const
   gl.Disable(GL_DEPTH_TEST);
 }
 
+class MeshDrawing final : public GlDrawing {
+ public:
+  MeshDrawing(const Gl& gl, const Uploaded& mesh, const Program& program, Table view)
+      : gl_(gl), mesh_(mesh), program_(program), view_(std::move(view)) {}
+
+  void draw(const GlFrame& frame, PassTimer& timer) const override {
+    draw_mesh(gl_, mesh_, program_, view_, frame, timer);
+  }
+
+ private:
+  const Gl& gl_;
+  const Uploaded& mesh_;
+  const Program& program_;
+  Table view_;  ///< the camera relative to the mesh
+};
+
 class PreparedMesh final : public GlPreparedModel {
  public:
   PreparedMesh(std::unique_ptr<GlModel> model, Uploaded mesh, Program program, Program counting)
@@ -104,18 +120,14 @@ class PreparedMesh final : public GlPreparedModel {
         program_(std::move(program)),
         counting_(std::move(counting)) {}
 
-  Result<GlDrawing> make_drawing(const RenderSettings& settings, const Raster& part) override {
-    RELIEF_TRY_ASSIGN(auto picture, model().make_picture(settings, part));
-    const Gl& gl = model().gl();
-    const shared::PatchView seen = view_patch(picture.view, mesh_.frame);
-    const auto view = std::make_shared<const Table>(
-        make_table(gl, "mesh view", GL_RGBA32F, std::span<const shared::PatchView>(&seen, 1)));
-    const auto draw_with = [&](const Program& program) {
-      return [this, &gl, &program, view](const GlPicture& frame, PassTimer& timer) {
-        draw_mesh(gl, mesh_, program, *view, frame, timer);
-      };
-    };
-    return GlDrawing{std::move(picture), draw_with(program_), draw_with(counting_)};
+  Result<std::unique_ptr<GlDrawing>> make_drawing(const GlFrame& frame,
+                                                  const RenderSettings& /*settings*/,
+                                                  Counting counting) override {
+    const shared::PatchView seen = view_patch(frame.view, mesh_.frame);
+    return std::unique_ptr<GlDrawing>(std::make_unique<MeshDrawing>(
+        model().gl(), mesh_, counting == Counting::On ? counting_ : program_,
+        make_table(model().gl(), "mesh view", GL_RGBA32F,
+                   std::span<const shared::PatchView>(&seen, 1))));
   }
 
  private:
@@ -137,7 +149,9 @@ Result<std::unique_ptr<GlPreparedModel>> prepare_mesh(std::shared_ptr<const Open
   PatchModel nothing;
   nothing.spacing = near_spacing(bounds);
   nothing.bounds = bounds;
-  auto on_gpu = GlModel::create(std::move(opengl), nothing, {}, {});
+  auto on_gpu = GlModel::create({.opengl = std::move(opengl),
+                                 .environments = std::make_shared<EnvironmentCache>(),
+                                 .patches = nothing});
   if (!on_gpu) return on_gpu.error();
   const Gl& gl = (*on_gpu)->gl();
   const std::uint32_t features = mesh_features(settings, mesh);

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/frame/engine_cache.h"
 #include "renderer/frame/features.h"
 #include "renderer/frame/sample_draws.h"
+#include "renderer/frame/variant_cache.h"
 #include "renderer/gl/program.h"
 #include "shaders/include/shared.h"
 
@@ -27,40 +27,49 @@ std::uint32_t largest_patch(const PatchModel& model) {
   return static_cast<std::uint32_t>(largest - model.patches.begin());
 }
 
-class Pass {
- public:
-  static Result<Pass> create(const Gl& gl, const PatchStore& store, std::uint32_t features) {
+/// The program of some features, and the model whose patch it shades.
+struct BoundVariant {
+  static Result<BoundVariant> create(const Gl& gl, const PatchStore& store,
+                                     std::uint32_t features) {
     RELIEF_TRY_ASSIGN(Program program, make_program(gl, "shading bound", "environment/screen.vert",
                                                     "bench/shading_bound.frag", features));
-    return Pass(gl, store, std::move(program));
+    return BoundVariant{&gl, SampleDraws(gl, store), std::move(program)};
   }
 
+  const Gl* gl;
+  SampleDraws samples;
+  Program program;
+};
+
+class BoundDrawing final : public GlDrawing {
+ public:
+  BoundDrawing(const BoundVariant& variant, std::uint32_t patch, std::uint64_t pixels)
+      : variant_(variant), patch_(patch), pixels_(pixels) {}
+
   /// Whole rows of pixels, and what is left of one.
-  void draw(const GlPicture& picture, std::uint32_t patch, std::uint64_t pixels,
-            PassTimer& timer) const {
-    const ScopedPass pass(*gl_, timer, "shading bound");
-    samples_.look(picture.view, {patch});
-    const BoundModel bound(*gl_, samples_, picture.environment);
-    gl_->Disable(GL_DEPTH_TEST);
-    gl_->UseProgram(program_.id());
-    gl_->ProgramUniform1i(program_.id(), RELIEF_UNIFORM_PATCH, static_cast<GLint>(patch));
-    const auto width = static_cast<GLsizei>(picture.targets.width);
-    const auto rows = static_cast<GLsizei>(pixels / picture.targets.width);
-    const auto rest = static_cast<GLsizei>(pixels % picture.targets.width);
-    gl_->Viewport(0, 0, width, rows);
-    gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+  void draw(const GlFrame& frame, PassTimer& timer) const override {
+    const Gl& gl = *variant_.gl;
+    const Program& program = variant_.program;
+    const ScopedPass pass(gl, timer, "shading bound");
+    variant_.samples.look(frame.view, {patch_});
+    const BoundModel bound(gl, variant_.samples, frame.environment);
+    gl.Disable(GL_DEPTH_TEST);
+    gl.UseProgram(program.id());
+    gl.ProgramUniform1i(program.id(), RELIEF_UNIFORM_PATCH, static_cast<GLint>(patch_));
+    const auto width = static_cast<GLsizei>(frame.targets.width);
+    const auto rows = static_cast<GLsizei>(pixels_ / frame.targets.width);
+    const auto rest = static_cast<GLsizei>(pixels_ % frame.targets.width);
+    gl.Viewport(0, 0, width, rows);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
     if (rest == 0) return;
-    gl_->Viewport(0, rows, rest, 1);
-    gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+    gl.Viewport(0, rows, rest, 1);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
   }
 
  private:
-  Pass(const Gl& gl, const PatchStore& store, Program program)
-      : gl_(&gl), samples_(gl, store), program_(std::move(program)) {}
-
-  const Gl* gl_;
-  SampleDraws samples_;
-  Program program_;
+  const BoundVariant& variant_;
+  std::uint32_t patch_;
+  std::uint64_t pixels_;
 };
 
 class PreparedShadingBound final : public GlPreparedModel {
@@ -68,19 +77,17 @@ class PreparedShadingBound final : public GlPreparedModel {
   PreparedShadingBound(std::unique_ptr<GlModel> model, std::uint32_t patch, std::uint64_t pixels)
       : GlPreparedModel(std::move(model)), patch_(patch), pixels_(pixels) {}
 
-  Result<GlDrawing> make_drawing(const RenderSettings& settings, const Raster& part) override {
-    const std::uint32_t features = surface_features(settings, model().maps());
-    RELIEF_TRY_ASSIGN(auto picture, model().make_picture(settings, part));
-    const auto draw_with = [this](const Pass& drawing) {
-      return [this, &drawing](const GlPicture& frame, PassTimer& timer) {
-        drawing.draw(frame, patch_, pixels_, timer);
-      };
-    };
-    return passes_.make_drawing(model(), features, std::move(picture), true, draw_with);
+  Result<std::unique_ptr<GlDrawing>> make_drawing(const GlFrame& /*frame*/,
+                                                  const RenderSettings& settings,
+                                                  Counting counting) override {
+    std::uint32_t features = surface_features(settings, model().maps());
+    if (counting == Counting::On) features |= RELIEF_FEATURE_COUNT_FRAGMENTS;
+    RELIEF_TRY_ASSIGN(const BoundVariant* variant, variants_.get(model(), features));
+    return std::unique_ptr<GlDrawing>(std::make_unique<BoundDrawing>(*variant, patch_, pixels_));
   }
 
  private:
-  EngineCache<Pass> passes_;
+  VariantCache<BoundVariant> variants_;
   std::uint32_t patch_;
   std::uint64_t pixels_;
 };
@@ -94,7 +101,10 @@ Result<std::unique_ptr<GlPreparedModel>> prepare_shading_bound(std::shared_ptr<c
   assert(!model.patches.empty() && "there is a patch to shade");
   StoreNeeds needs = needs_of(surface_features(settings, ModelMaps(model)));
   needs.splats = false;
-  auto on_gpu = GlModel::create(std::move(opengl), model, {}, needs);
+  auto on_gpu = GlModel::create({.opengl = std::move(opengl),
+                                 .environments = std::make_shared<EnvironmentCache>(),
+                                 .patches = model,
+                                 .needs = needs});
   if (!on_gpu) return on_gpu.error();
   return std::unique_ptr<GlPreparedModel>(
       std::make_unique<PreparedShadingBound>(std::move(*on_gpu), largest_patch(model), pixels));

@@ -1,4 +1,4 @@
-// What an engine on OpenGL implements.
+// What an engine on OpenGL implements, and how its images are made.
 #pragma once
 
 #include <cassert>
@@ -9,43 +9,51 @@
 #include "common/error.h"
 #include "renderer/engine.h"
 #include "renderer/frame/features.h"
-#include "renderer/frame/gl_image.h"
+#include "renderer/frame/gl_frame.h"
 #include "renderer/frame/gl_model.h"
-#include "renderer/frame/supersample.h"
 
 namespace relief {
+
+enum class Counting : bool { Off, On };
 
 /// A model on the GPU that an engine there has made ready.
 class GlPreparedModel : public PreparedModel {
  public:
   explicit GlPreparedModel(std::unique_ptr<GlModel> model) : model_(std::move(model)) {}
 
-  /// A part of a picture ready to be drawn, for any number of frames. It must go before this does.
-  virtual Result<GlDrawing> make_drawing(const RenderSettings& settings, const Raster& part) = 0;
+  /// Draws the image once and reads it back. First, in frames of their own, counts its fragments,
+  /// and last times `settings.frames` frames more, if that is asked for.
+  Result<RenderResult> render(const RenderSettings& asked, Progress& progress) override;
 
-  /// The whole picture, one sample a pixel.
-  Result<GlDrawing> make_drawing(const RenderSettings& settings) {
-    return make_drawing(settings, {0, 0, settings.width, settings.height, 1});
-  }
+  /// The settings as this engine reads them: what it does not offer has the value that it draws.
+  [[nodiscard]] virtual RenderSettings settled(const RenderSettings& asked) const { return asked; }
 
-  Result<RenderResult> render(const RenderSettings& settings, Progress& /*progress*/) override {
-    return settings.samples > 1 ? render_supersampled(*this, settings) : render_once(settings);
-  }
+  /// What draws the model into a frame that was made for these settings, which are settled. With
+  /// Counting::On it counts the fragments that it shades; null if it can't.
+  virtual Result<std::unique_ptr<GlDrawing>> make_drawing(const GlFrame& frame,
+                                                          const RenderSettings& settings,
+                                                          Counting counting) = 0;
 
-  /// With one sample a pixel, whatever the settings say.
-  Result<RenderResult> render_once(const RenderSettings& settings) {
-    RELIEF_TRY_ASSIGN(const auto drawing, make_drawing(settings));
-    auto result = model_->draw(drawing, settings);
-    if (result)
-      read_picture(model_->gl(), drawing.picture, settings.background.has_value(), *result);
-    return result;
-  }
+  /// Counts the fragments of a frame, if the settings ask for it and the engine can. Not of one
+  /// that is explained: what counts would be in the explanation.
+  Result<std::optional<std::uint64_t>> count_if_asked(const GlFrame& frame,
+                                                      const RenderSettings& settings);
+
+  /// What the frames of these settings took: `first`, which drew the image, unless more frames are
+  /// to be timed. Fails if OpenGL complains.
+  Result<RenderResult> measure(const GlFrame& frame, const GlDrawing& drawing,
+                               const RenderSettings& settings, FrameTime first) const;
 
   [[nodiscard]] GlModel& model() const { return *model_; }
 
  private:
   std::unique_ptr<GlModel> model_;  ///< first: what derived classes make of it goes before
 };
+
+/// The whole image, one sample a pixel.
+[[nodiscard]] inline Raster whole_of(const RenderSettings& settings) {
+  return {0, 0, settings.width, settings.height, 1};
+}
 
 /// Makes a model ready for an engine, whose feature bits of an image features_of(settings, maps)
 /// gives.
@@ -54,9 +62,14 @@ Result<std::unique_ptr<PreparedModel>> prepare_on_gpu(const PrepareRequest& requ
                                                       const FeaturesOf& features_of) {
   const auto* const patches = request.model.find<PatchModel>();
   assert(patches != nullptr && request.opengl != nullptr && "patches, to be drawn with OpenGL");
-  RELIEF_TRY_ASSIGN(auto on_gpu,
-                    GlModel::create(request.opengl, *patches, request.views,
-                                    needs_of(request.views, ModelMaps(*patches), features_of)));
+  RELIEF_TRY_ASSIGN(
+      auto on_gpu,
+      GlModel::create({.opengl = request.opengl,
+                       .environments = request.environments,
+                       .patches = *patches,
+                       .views = request.views,
+                       .levels = request.levels,
+                       .needs = needs_of(request.views, ModelMaps(*patches), features_of)}));
   return std::unique_ptr<PreparedModel>(std::make_unique<Prepared>(std::move(on_gpu)));
 }
 

@@ -37,68 +37,62 @@ DepthNeeds depth_needs_of(const PatchModel& model) {
 
 }  // namespace
 
-Result<std::unique_ptr<GlModel>> GlModel::create(std::shared_ptr<const OpenGl> opengl,
-                                                 const PatchModel& model,
-                                                 std::span<const RenderSettings> views,
-                                                 const StoreNeeds& needs) {
+Result<std::unique_ptr<GlModel>> GlModel::create(GlModelParts parts) {
   std::unique_ptr<GlModel> made(new GlModel);
-  made->opengl_ = std::move(opengl);
-  made->maps_ = ModelMaps(model);
-  made->depth_needs_ = depth_needs_of(model);
+  made->opengl_ = std::move(parts.opengl);
+  made->cubes_ = std::move(parts.environments);
+  made->maps_ = ModelMaps(parts.patches);
+  made->depth_needs_ = depth_needs_of(parts.patches);
   std::vector<View> looks;
-  looks.reserve(views.size());
-  for (const RenderSettings& settings : views) looks.push_back(made->view_of(settings));
-  RELIEF_TRY_ASSIGN(auto store, upload_model(made->gl(), model, needs, looks));
-  made->store_ = std::move(store);
+  looks.reserve(parts.views.size());
+  for (const RenderSettings& settings : parts.views) looks.push_back(made->view_of(settings));
+  RELIEF_TRY_ASSIGN(made->store_, upload_model(made->gl(), parts.patches, parts.needs,
+                                               {looks, parts.levels == KeptLevels::All}));
   return made;
 }
 
-Result<GlPicture> GlModel::make_picture(const RenderSettings& settings, const Raster& part) {
-  RELIEF_TRY_ASSIGN(Targets targets, make_targets(gl(), part.width * part.side,
-                                                  part.height * part.side, settings.outputs));
+Result<GlFrame> GlModel::make_frame(const RenderSettings& settings, const Raster& part,
+                                    std::optional<Targets> targets) {
+  if (!targets) {
+    RELIEF_TRY_ASSIGN(targets, make_targets(gl(), part.width * part.side, part.height * part.side,
+                                            settings.outputs));
+  }
   const View view = view_of_part(view_of(settings), part);
-  shared::Frame uniforms = make_frame(view, largest_sprite(gl()), settings.lights);
+  shared::Frame uniforms = relief::make_frame(view, largest_sprite(gl()), settings.lights);
   uniforms.material = info_of(materials_of(settings).front(), {});
-  GlPicture picture{view,
-                    std::move(targets),
-                    make_buffer(gl(), "frame", std::span<const shared::Frame>(&uniforms, 1)),
-                    settings.background.value_or(glm::vec3(0.0F)),
-                    nullptr,
-                    nullptr,
-                    std::nullopt,
-                    nullptr,
-                    nullptr,
-                    std::nullopt};
-  RELIEF_TRY(add_materials(settings, picture));
-  if (settings.environment.empty() || !settings.background) return picture;
-  RELIEF_TRY_ASSIGN(const auto surroundings, environment_for(settings.environment, 0.0F));
-  RELIEF_TRY_ASSIGN(const auto shown, backdrop(settings));
-  picture.surroundings = surroundings;
-  picture.backdrop = shown;
-  return picture;
+  GlFrame frame{
+      .view = view,
+      .targets = *std::move(targets),
+      .uniforms = make_buffer(gl(), "frame", std::span<const shared::Frame>(&uniforms, 1)),
+      .background = settings.background.value_or(glm::vec3(0.0F))};
+  RELIEF_TRY(add_materials(settings, frame));
+  if (settings.environment.empty() || !settings.background) return frame;
+  RELIEF_TRY_ASSIGN(frame.surroundings, environment_for(settings.environment, 0.0F));
+  RELIEF_TRY_ASSIGN(frame.backdrop, backdrop(settings));
+  return frame;
 }
 
-Status GlModel::add_materials(const RenderSettings& settings, GlPicture& picture) {
+Status GlModel::add_materials(const RenderSettings& settings, GlFrame& frame) {
   const std::vector<MaterialSettings> materials = materials_of(settings);
   const bool mixed = materials.size() > 1;
   if (reflects(settings)) {
     const float roughness = mixed ? 0.0F : roughness_of(materials.front());
     RELIEF_TRY_ASSIGN(const auto environment, environment_for(settings.environment, roughness));
-    picture.environment = environment;
+    frame.environment = environment;
   }
   if (!mixed) return {};
   const std::vector<float> roughnesses = roughnesses_of(materials);
   if (!roughnesses.empty()) {
     RELIEF_TRY_ASSIGN(const auto environments,
                       rough_environments_for(settings.environment, roughnesses));
-    picture.rough_environments = environments;
+    frame.rough_environments = environments;
   }
   std::vector<shared::MaterialInfo> infos;
   infos.reserve(kMaxMaterials);
   for (const MaterialSettings& material : materials)
     infos.push_back(info_of(material, roughnesses));
   infos.resize(kMaxMaterials);  // the whole block, as the shader declares it
-  picture.materials = make_buffer(gl(), "materials", std::span<const shared::MaterialInfo>(infos));
+  frame.materials = make_buffer(gl(), "materials", std::span<const shared::MaterialInfo>(infos));
   return {};
 }
 
@@ -110,19 +104,11 @@ View GlModel::view_of(const RenderSettings& settings) const {
   return view;
 }
 
-Result<RenderResult> GlModel::draw(const GlDrawing& drawing, const RenderSettings& settings) const {
-  auto result = draw_picture(gl(), drawing, settings);
-  if (!result) return result;
-  RELIEF_TRY(opengl_->status());
-  return result;
-}
-
 Result<const Texture*> GlModel::environment_for(const std::filesystem::path& path,
                                                 float roughness) {
   auto found = environments_.find({path, roughness});
   if (found == environments_.end()) {
-    EnvironmentCache cubes;
-    RELIEF_TRY_ASSIGN(const CubeMap* cube, cubes.get(path, roughness));
+    RELIEF_TRY_ASSIGN(const CubeMap* cube, cubes_->get(path, roughness));
     RELIEF_TRY_ASSIGN(Texture made, upload_environment(gl(), *cube));
     found = environments_.emplace(std::pair(path, roughness), std::move(made)).first;
   }
@@ -133,12 +119,12 @@ Result<const Texture*> GlModel::rough_environments_for(const std::filesystem::pa
                                                        const std::vector<float>& roughnesses) {
   auto found = rough_environments_.find({path, roughnesses});
   if (found == rough_environments_.end()) {
-    RELIEF_TRY_ASSIGN(const CubeMap smooth, load_environment(path));
+    RELIEF_TRY_ASSIGN(const CubeMap* smooth, cubes_->get(path));
     std::uint32_t size = 1;
-    for (const float roughness : roughnesses) size = std::max(size, rough_size(smooth, roughness));
+    for (const float roughness : roughnesses) size = std::max(size, rough_size(*smooth, roughness));
     std::vector<CubeMap> cubes;
     cubes.reserve(roughnesses.size());
-    for (const float roughness : roughnesses) cubes.push_back(prefilter(smooth, roughness, size));
+    for (const float roughness : roughnesses) cubes.push_back(prefilter(*smooth, roughness, size));
     RELIEF_TRY_ASSIGN(Texture made, upload_environments(gl(), cubes));
     found = rough_environments_.emplace(std::pair(path, roughnesses), std::move(made)).first;
   }

@@ -38,32 +38,39 @@ void replace_channels(Image colours, Image& image) {
 
 }  // namespace
 
-Result<RenderResult> render_supersampled(GlPreparedModel& model, const RenderSettings& settings) {
+Result<RenderResult> render_supersampled(GlPreparedModel& model, const RenderSettings& asked,
+                                         Progress& progress) {
   const Gl& gl = model.model().gl();
   std::optional<RenderResult> all;
-  const Outputs& outputs = settings.outputs;
+  const Outputs& outputs = asked.outputs;
+  RenderSettings one_sample = asked;
+  one_sample.samples = 1;
   if (outputs.normal || outputs.depth || outputs.uv || outputs.patch_id) {
-    RELIEF_TRY_ASSIGN(auto middles, model.render_once(settings));
-    all = std::move(middles);
+    RELIEF_TRY_ASSIGN(all, model.render(one_sample, progress));
   }
-  RenderSettings coloured = settings;
-  coloured.outputs = {};
+  one_sample.outputs = {};
+  const RenderSettings coloured = model.settled(one_sample);
   RELIEF_TRY_ASSIGN(const auto resolve, model.model().resolve());
-  RELIEF_TRY_ASSIGN(const auto resolved, make_resolved(gl, settings.width, settings.height));
-  for (const Raster& part : parts_of(settings.width, settings.height,
-                                     samples_a_side(settings.samples), largest_target(gl))) {
-    RELIEF_TRY_ASSIGN(auto drawing, model.make_drawing(coloured, part));
-    drawing.picture.resolve = {resolve, &resolved, part};
-    RELIEF_TRY_ASSIGN(auto drawn, model.model().draw(drawing, coloured));
+  RELIEF_TRY_ASSIGN(const auto resolved, make_resolved(gl, asked.width, asked.height));
+  for (const Raster& part :
+       parts_of(asked.width, asked.height, samples_a_side(asked.samples), largest_target(gl))) {
+    RELIEF_TRY_ASSIGN(GlFrame frame, model.model().make_frame(coloured, part));
+    frame.resolve = {resolve, &resolved, part};
+    RELIEF_TRY_ASSIGN(const auto drawing, model.make_drawing(frame, coloured, Counting::Off));
+    RELIEF_TRY_ASSIGN(const auto fragments, model.count_if_asked(frame, coloured));
+    FrameClock clock(gl);
+    draw_frame(gl, frame, *drawing, clock.timer());
+    RELIEF_TRY_ASSIGN(RenderResult drawn, model.measure(frame, *drawing, coloured, clock.finish()));
+    drawn.fragments = fragments;
     add_part(std::move(drawn), all);
   }
-  Image colours = read_colour(gl, resolved.colour, settings.width, settings.height);
+  Image colours = read_colour(gl, resolved.colour, asked.width, asked.height);
   if (all->image.channels.empty()) {
     all->image = std::move(colours);
   } else {
     replace_channels(std::move(colours), all->image);
   }
-  finish_coverage(settings.background.has_value(), *all);
+  finish_coverage(asked.background.has_value(), *all);
   return *std::move(all);
 }
 

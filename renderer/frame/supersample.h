@@ -1,7 +1,8 @@
-// Pictures with several samples a pixel, of any engine on OpenGL.
+// Images with several samples a pixel, of any engine on OpenGL.
 #pragma once
 
 #include "common/error.h"
+#include "common/progress.h"
 #include "renderer/result.h"
 #include "renderer/settings.h"
 
@@ -9,10 +10,11 @@ namespace relief {
 
 class GlPreparedModel;
 
-/// Draws a picture with at least `settings.samples` samples a pixel, in a square grid: the frame is
+/// Draws an image with at least `asked.samples` samples a pixel, in a square grid: the frame is
 /// drawn that much larger, in parts if need be, and the mean of linear light and coverage is taken.
 /// Normal, depth, UV and patch, if asked for, are those of the pixels' middles, from a frame of one
 /// sample a pixel. The time is that of all these together. Fails as one of them does.
-Result<RenderResult> render_supersampled(GlPreparedModel& model, const RenderSettings& settings);
+Result<RenderResult> render_supersampled(GlPreparedModel& model, const RenderSettings& asked,
+                                         Progress& progress);
 
 }  // namespace relief

@@ -99,10 +99,16 @@ struct PatchStore {
   std::optional<ProxyStore> far;
 };
 
+/// The views that a model is uploaded for.
+struct UploadViews {
+  std::span<const View> views = {};
+  bool all_levels = false;  ///< also those that none of the views chooses
+};
+
 /// Uploads a model, of each patch the levels that the views choose; the patches themselves without
 /// views. Fails if OpenGL lacks memory or a map is larger than it allows.
 Result<PatchStore> upload_model(const Gl& gl, const PatchModel& model, const StoreNeeds& needs,
-                                std::span<const View> views = {});
+                                const UploadViews& views = {});
 
 /// The level that the view chooses of each patch of the instances that it shows from near, as
 /// indices of `patches`. (The nearest one that is kept, for a view that the model was not uploaded

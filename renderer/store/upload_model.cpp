@@ -31,6 +31,12 @@ bool has_one_material(const PatchModel& model) {
          });
 }
 
+std::vector<std::uint32_t> all_levels_of(const PatchExtent& extent) {
+  std::vector<std::uint32_t> levels(extent.levels);
+  std::iota(levels.begin(), levels.end(), 0U);
+  return levels;
+}
+
 PatchExtent moved(const Transform& transform, const PatchExtent& extent) {
   return {relief::moved(transform, extent.centre), transform.scale * extent.radius,
           transform.scale * extent.spacing, extent.levels};
@@ -64,8 +70,14 @@ Run run_of(std::span<const Patch> patches) {
 class ModelUpload {
  public:
   ModelUpload(const Gl& gl, const PatchModel& model, const StoreNeeds& needs,
-              std::span<const View> views)
-      : gl_(gl), model_(model), needs_(needs), views_(views), grids_(gl, model, needs), proxy_(gl) {
+              const UploadViews& views)
+      : gl_(gl),
+        model_(model),
+        needs_(needs),
+        views_(views.views),
+        all_levels_(views.all_levels),
+        grids_(gl, model, needs),
+        proxy_(gl) {
     extents_.reserve(model.patches.size());
     for (const Patch& patch : model.patches) extents_.push_back(extent_of(patch));
   }
@@ -85,11 +97,13 @@ class ModelUpload {
     for (const View& view : views_) {
       if (!is_proxy(view, stored.model)) near_views.push_back(view);
     }
-    if (near_views.size() < views_.size()) {
+    const bool is_proxy_in_some =
+        all_levels_ ? !run.model.spacings.empty() : near_views.size() < views_.size();
+    if (is_proxy_in_some) {
       RELIEF_TRY_ASSIGN(const auto far, add_proxy(instance, run));
       stored.far = far;
     }
-    if (views_.empty() || !near_views.empty()) {
+    if (all_levels_ || views_.empty() || !near_views.empty()) {
       RELIEF_TRY(add_near(instance, near_views));
       stored.count = instance.count;
     }
@@ -166,7 +180,8 @@ class ModelUpload {
     for (std::uint32_t k = 0; k < instance.count; ++k) {
       const std::size_t p = instance.first + k;
       const PatchExtent extent = moved(instance.transform, extents_[p]);
-      const std::vector<std::uint32_t> kept = levels_in(views, extent);
+      const std::vector<std::uint32_t> kept =
+          all_levels_ ? all_levels_of(extent) : levels_in(views, extent);
       levels_.push_back({extent, static_cast<std::uint32_t>(patches_.size()),
                          static_cast<std::uint32_t>(kept.size())});
       const std::uint8_t material =
@@ -248,6 +263,7 @@ class ModelUpload {
   const PatchModel& model_;
   const StoreNeeds& needs_;
   std::span<const View> views_;
+  bool all_levels_;
   GridUpload grids_;
   ProxyUpload proxy_;
   std::vector<PatchExtent> extents_;  ///< of the model's patches, where they are stored
@@ -265,7 +281,7 @@ class ModelUpload {
 }  // namespace
 
 Result<PatchStore> upload_model(const Gl& gl, const PatchModel& model, const StoreNeeds& needs,
-                                std::span<const View> views) {
+                                const UploadViews& views) {
   ModelUpload upload(gl, model, needs, views);
   for (const Instance& instance : instances_of(model)) {
     RELIEF_TRY(upload.add(instance));

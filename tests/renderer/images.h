@@ -13,7 +13,7 @@
 
 namespace relief::test {
 
-/// Settings for a small picture of the whole model; debug contexts and one timed frame.
+/// Settings for a small picture of the whole model; debug contexts, and fragments are counted.
 inline RenderSettings small_image(const PatchModel& model, Orbit orbit = {20.0, 15.0},
                                   std::uint32_t side = 96) {
   RenderSettings settings;
@@ -21,7 +21,7 @@ inline RenderSettings small_image(const PatchModel& model, Orbit orbit = {20.0, 
   settings.height = side;
   settings.camera = orbit_camera(0.5 * (model.bounds.min + model.bounds.max), model.bounding_radius,
                                  orbit, 45.0, 1.25);
-  settings.frames = 1;
+  settings.count_fragments = true;
   settings.debug = true;
   return settings;
 }

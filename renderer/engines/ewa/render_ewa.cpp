@@ -86,32 +86,33 @@ Result<RenderResult> render_whole(const SplatCloud& cloud, EnvironmentCache& env
 class Prepared final : public PreparedModel {
  public:
   template <class Cloud>
-  explicit Prepared(Cloud&& cloud) : cloud_(std::forward<Cloud>(cloud)) {}
+  Prepared(Cloud&& cloud, std::shared_ptr<EnvironmentCache> environments)
+      : cloud_(std::forward<Cloud>(cloud)), environments_(std::move(environments)) {}
 
   Result<RenderResult> render(const RenderSettings& settings, Progress& progress) override {
     if (settings.ewa.time_budget_ms <= 0.0)
-      return render_whole(*cloud_, environments_, settings, progress);
+      return render_whole(*cloud_, *environments_, settings, progress);
     if (!hierarchy_) hierarchy_ = build_hierarchy(*cloud_);
     return render_progressive(
-        *hierarchy_, environments_, settings, [](const RenderResult&) {}, progress);
+        *hierarchy_, *environments_, settings, [](const RenderResult&) {}, progress);
   }
 
  private:
   OwnedOrBorrowed<SplatCloud> cloud_;
   std::optional<SplatHierarchy> hierarchy_;
-  EnvironmentCache environments_;
+  std::shared_ptr<EnvironmentCache> environments_;
 };
 
 }  // namespace
 
 Result<std::unique_ptr<PreparedModel>> prepare(const PrepareRequest& request) {
   if (const auto* const cloud = request.model.find<SplatCloud>())
-    return std::unique_ptr<PreparedModel>(std::make_unique<Prepared>(*cloud));
+    return std::unique_ptr<PreparedModel>(std::make_unique<Prepared>(*cloud, request.environments));
   const auto* const patches = request.model.find<PatchModel>();
   assert(patches != nullptr && "there are points, or patches");
-  return std::unique_ptr<PreparedModel>(
-      std::make_unique<Prepared>(patches->instances.empty() ? splats_of_samples(*patches)
-                                                            : splats_of_samples(bake(*patches))));
+  return std::unique_ptr<PreparedModel>(std::make_unique<Prepared>(
+      patches->instances.empty() ? splats_of_samples(*patches) : splats_of_samples(bake(*patches)),
+      request.environments));
 }
 
 Result<RenderResult> render_progressive(const SplatHierarchy& hierarchy,

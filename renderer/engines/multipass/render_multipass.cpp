@@ -1,21 +1,19 @@
 #include "renderer/engines/multipass/render_multipass.h"
 
+#include <memory>
 #include <utility>
 #include <vector>
 
-#include "renderer/engines/multipass/multipass.h"
-#include "renderer/engines/multipass/sums.h"
-#include "renderer/frame/engine_cache.h"
-#include "renderer/frame/features.h"
+#include "renderer/engines/multipass/drawing.h"
 #include "renderer/frame/gl_engine.h"
-#include "renderer/frame/gl_image.h"
+#include "renderer/frame/variant_cache.h"
 #include "renderer/shading/materials.h"
 
 namespace relief::multipass {
 namespace {
 
-/// Settings as this engine reads them. It splats samples, always the finest; and of several
-/// materials each pixel has that of the patch in front, so that the patch must be known.
+/// It splats samples, always the finest; and of several materials each pixel has that of the patch
+/// in front, so that the patch must be known.
 RenderSettings splatted(RenderSettings settings) {
   if (settings.primitive == Primitive::Cell) settings.primitive = Primitive::Quad;
   settings.pixels_per_sample = 0.0;
@@ -23,38 +21,28 @@ RenderSettings splatted(RenderSettings settings) {
   return settings;
 }
 
-/// The model on the GPU, and the programs that pictures have needed so far.
+/// The model on the GPU, and the variants that images have needed so far.
 class Prepared final : public GlPreparedModel {
  public:
   using GlPreparedModel::GlPreparedModel;
 
-  Result<GlDrawing> make_drawing(const RenderSettings& asked, const Raster& part) override {
-    const RenderSettings settings = splatted(asked);
-    const std::uint32_t features = scene_features(settings, model().maps());
-    RELIEF_TRY_ASSIGN(auto picture, model().make_picture(settings, part));
-    RELIEF_TRY_ASSIGN(auto made, make_sums(model().gl(), picture.targets, features));
-    const auto sums = std::make_shared<const Sums>(std::move(made));
-    const double factor = settings.multipass.radius_factor;
-    const auto draw_with = [&sums, factor](const Engine& drawing) {
-      return [sums, factor, &drawing](const GlPicture& frame, PassTimer& timer) {
-        drawing.draw(frame, *sums, factor, timer);
-      };
-    };
-    return engines_.make_drawing(model(), features, std::move(picture), !settings.explain,
-                                 draw_with);
+  [[nodiscard]] RenderSettings settled(const RenderSettings& asked) const override {
+    return splatted(asked);
   }
 
-  Result<RenderResult> render(const RenderSettings& asked, Progress& progress) override {
-    auto result = GlPreparedModel::render(asked, progress);
-    if (result && !asked.outputs.patch_id) {
-      std::erase_if(result->image.channels,
-                    [](const Channel& channel) { return channel.name == "patch"; });
-    }
-    return result;
+  Result<std::unique_ptr<GlDrawing>> make_drawing(const GlFrame& frame,
+                                                  const RenderSettings& settings,
+                                                  Counting counting) override {
+    std::uint32_t features = scene_features(settings, model().maps());
+    RELIEF_TRY_ASSIGN(auto sums, make_sums(model().gl(), frame.targets, features));
+    if (counting == Counting::On) features |= RELIEF_FEATURE_COUNT_FRAGMENTS;
+    RELIEF_TRY_ASSIGN(const Variant* variant, variants_.get(model(), features));
+    return std::unique_ptr<GlDrawing>(
+        std::make_unique<Drawing>(*variant, std::move(sums), settings.multipass.radius_factor));
   }
 
  private:
-  EngineCache<Engine> engines_;
+  VariantCache<Variant> variants_;
 };
 
 }  // namespace
@@ -63,7 +51,9 @@ Result<std::unique_ptr<PreparedModel>> prepare(const PrepareRequest& request) {
   std::vector<RenderSettings> views;
   views.reserve(request.views.size());
   for (const RenderSettings& settings : request.views) views.push_back(splatted(settings));
-  return prepare_on_gpu<Prepared>({request.model, views, request.opengl}, scene_features);
+  PrepareRequest settled = request;
+  settled.views = views;
+  return prepare_on_gpu<Prepared>(settled, scene_features);
 }
 
 }  // namespace relief::multipass

@@ -24,15 +24,6 @@ void bind_page(const Gl& gl, const CellPage& page) {
   gl.BindTextureUnit(RELIEF_TEXTURE_RIMS, page.rims.texture.id());
 }
 
-void draw_strips(const Gl& gl, const Program& program, const CellPage& page,
-                 const std::optional<Commands>& strips) {
-  if (!strips) return;
-  gl.UseProgram(program.id());
-  bind_page(gl, page);
-  gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, strips->buffer.id());
-  gl.MultiDrawArraysIndirect(GL_TRIANGLE_STRIP, nullptr, strips->count, 0);
-}
-
 }  // namespace
 
 CellDraws make_cell_draws(const Gl& gl, const CellStore& store, const SidedList& parts) {
@@ -57,14 +48,18 @@ void draw_cells(const Gl& gl, const Programs& programs, const CellDraws& draws, 
   // From the normals' side strips of cells are clockwise, because their first vertex is there
   // twice, and quads are not.
   gl.CullFace(behind ? GL_BACK : GL_FRONT);
-  for (const CellDraws::Page& page : draws.pages) {
-    const CulledFaces culled(gl, behind || page.front_alone);
-    draw_strips(gl, programs.main, *page.page, page.cells);
-  }
-  for (const CellDraws::Page& page : draws.pages) {
-    assert((programs.edges || !page.edges) && "what reaches beyond patches has its program");
-    const CulledFaces culled(gl, behind || page.front_alone);
-    if (page.edges) draw_strips(gl, *programs.edges, *page.page, page.edges);
+  for (const auto member : {&CellDraws::Page::cells, &CellDraws::Page::edges}) {
+    const bool edges = member == &CellDraws::Page::edges;
+    for (const CellDraws::Page& page : draws.pages) {
+      const std::optional<Commands>& strips = page.*member;
+      if (!strips) continue;
+      assert((programs.edges || !edges) && "what reaches beyond patches has its program");
+      const CulledFaces culled(gl, behind || page.front_alone);
+      gl.UseProgram((edges ? *programs.edges : programs.main).id());
+      bind_page(gl, *page.page);
+      gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, strips->buffer.id());
+      gl.MultiDrawArraysIndirect(GL_TRIANGLE_STRIP, nullptr, strips->count, 0);
+    }
   }
   gl.CullFace(behind ? GL_FRONT : GL_BACK);
   gl.UseProgram(programs.rims->id());

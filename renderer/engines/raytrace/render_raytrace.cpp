@@ -119,26 +119,28 @@ Result<TriangleMesh> triangulate(const PatchModel& patches) {
 class Prepared final : public PreparedModel {
  public:
   template <class Mesh>
-  explicit Prepared(Mesh&& mesh) : mesh_(std::forward<Mesh>(mesh)) {}
+  Prepared(Mesh&& mesh, std::shared_ptr<EnvironmentCache> environments)
+      : mesh_(std::forward<Mesh>(mesh)), environments_(std::move(environments)) {}
 
   Result<RenderResult> render(const RenderSettings& settings, Progress& progress) override {
-    return trace_image(*mesh_, environments_, settings, progress);
+    return trace_image(*mesh_, *environments_, settings, progress);
   }
 
  private:
   OwnedOrBorrowed<TriangleMesh> mesh_;
-  EnvironmentCache environments_;
+  std::shared_ptr<EnvironmentCache> environments_;
 };
 
 }  // namespace
 
 Result<std::unique_ptr<PreparedModel>> prepare(const PrepareRequest& request) {
   if (const auto* const mesh = request.model.find<TriangleMesh>())
-    return std::unique_ptr<PreparedModel>(std::make_unique<Prepared>(*mesh));
+    return std::unique_ptr<PreparedModel>(std::make_unique<Prepared>(*mesh, request.environments));
   const auto* const patches = request.model.find<PatchModel>();
   assert(patches != nullptr && "there is a mesh, or patches");
   RELIEF_TRY_ASSIGN(auto mesh, triangulate(*patches));
-  return std::unique_ptr<PreparedModel>(std::make_unique<Prepared>(std::move(mesh)));
+  return std::unique_ptr<PreparedModel>(
+      std::make_unique<Prepared>(std::move(mesh), request.environments));
 }
 
 }  // namespace relief::raytrace

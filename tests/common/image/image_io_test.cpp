@@ -1,4 +1,4 @@
-// Images of any format: files that are no image are refused, real environments are read.
+// Image files of any format: other files are refused, real environments are read.
 #include "tests/common/image/image_testing.h"
 
 namespace relief {
@@ -9,7 +9,7 @@ using test::ScratchFolder;
 using test::spill;
 using test::values_of;
 
-TEST(ReadImage, RefusesFilesThatAreNoImage) {
+TEST(ReadImage, RefusesOtherFiles) {
   const ScratchFolder folder;
   spill(folder / "a.txt", "hello");
   EXPECT_EQ(failure(folder / "a.txt"),
@@ -21,9 +21,10 @@ TEST(ReadImage, RefusesFilesThatAreNoImage) {
 }
 
 TEST(ReadImage, ReadsRealEnvironments) {
-  const auto envmaps = std::filesystem::path(RELIEF_SOURCE_DIR) / "../shared/data/envmaps";
-  if (!std::filesystem::exists(envmaps))
-    GTEST_SKIP() << "needs real environment maps, which are not in the repository: " << envmaps;
+  const auto envmaps = std::filesystem::path(RELIEF_TEST_DATA) / "../../../../shared/data/envmaps";
+  if (!std::filesystem::exists(envmaps)) {
+    GTEST_SKIP() << "needs the environments in ../shared/data/envmaps beside the checkout";
+  }
   // Largest values as in the folder's manifest, to its number of digits.
   const std::pair<const char*, float> files[] = {{"city.exr", 3.395e4F},
                                                  {"courtyard.exr", 55.56F},

@@ -29,7 +29,7 @@ RenderSettings turned_image(std::uint32_t side, double turn_degrees) {
                      {-std::sin(turn), std::cos(turn), 0.0},
                      45.0};
   settings.material = Material::Unlit;
-  settings.frames = 1;
+  settings.count_fragments = true;
   settings.debug = true;
   return settings;
 }
@@ -353,7 +353,7 @@ TEST(Supersampling, PartsMeetWithoutASeam) {
   plain.height = 8;
   plain.camera = {{0.0, 0.0, 0.08}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 45.0};
   plain.material = Material::Unlit;
-  plain.frames = 1;
+  plain.count_fragments = true;
   plain.debug = true;
   plain.pixels_per_sample = 0.0;
   for (RenderSettings settings : methods(plain)) {

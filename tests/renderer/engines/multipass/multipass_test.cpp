@@ -242,13 +242,15 @@ TEST(MultipassSums, AreThoseThatThePictureNeeds) {
   RenderSettings settings = small_image(model);
   const auto opengl = OpenGl::create(settings.platform, settings.debug, false);
   ASSERT_TRUE(opengl);
-  const auto gpu = GlModel::create(*opengl, model, {}, {});
+  const auto gpu = GlModel::create({.opengl = *opengl,
+                                   .environments = std::make_shared<EnvironmentCache>(),
+                                   .patches = model});
   ASSERT_TRUE(gpu);
   const auto sums_of = [&](bool coloured) {
-    const auto picture = (*gpu)->make_picture(settings, {0, 0, settings.width, settings.height, 1});
-    EXPECT_TRUE(picture);
+    const auto frame = (*gpu)->make_frame(settings, {0, 0, settings.width, settings.height, 1});
+    EXPECT_TRUE(frame);
     const auto sums =
-        multipass::make_sums((*gpu)->gl(), picture->targets, scene_features(settings, coloured));
+        multipass::make_sums((*gpu)->gl(), frame->targets, scene_features(settings, coloured));
     EXPECT_TRUE(sums);
     return std::string(sums->normals ? "normals " : "") + (sums->colours ? "colours " : "") +
            (sums->depths ? "depths " : "");

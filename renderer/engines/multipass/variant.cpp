@@ -1,0 +1,49 @@
+#include "renderer/engines/multipass/variant.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "renderer/gl/program.h"
+#include "shaders/include/shared.h"
+
+namespace relief::multipass {
+namespace {
+
+Result<SplatPrograms> make_splat_programs(const Gl& gl, std::string_view pass,
+                                          std::uint32_t features) {
+  const auto make = [&](std::string_view shape, std::string_view label, std::uint32_t bits) {
+    const std::string path = fmt::format("multipass/{}_{}", pass, shape);
+    return make_program(gl, fmt::format("{}{}", label, pass), path + ".vert", path + ".frag", bits);
+  };
+  if ((features & RELIEF_FEATURE_SPRITE) == 0) {
+    RELIEF_TRY_ASSIGN(Program all, make("triangle", "", features));
+    return SplatPrograms{std::move(all), std::nullopt};
+  }
+  RELIEF_TRY_ASSIGN(Program all, make("sprite", "", features));
+  RELIEF_TRY_ASSIGN(Program large,
+                    make("triangle", "large ",
+                         (features & ~(RELIEF_FEATURE_SPRITE | RELIEF_FEATURE_FRONT)) |
+                             RELIEF_FEATURE_LARGE_SPRITES));
+  return SplatPrograms{std::move(all), std::move(large)};
+}
+
+}  // namespace
+
+Result<Variant> Variant::create(const Gl& gl, const PatchStore& store, std::uint32_t features) {
+  RELIEF_TRY_ASSIGN(SplatPrograms visibility, make_splat_programs(gl, "visibility", features));
+  RELIEF_TRY_ASSIGN(SplatPrograms accumulation, make_splat_programs(gl, "accumulation", features));
+  RELIEF_TRY_ASSIGN(Program shading,
+                    make_program(gl, "shading", "environment/screen.vert", "multipass/shading.frag",
+                                 features & ~RELIEF_FEATURE_FRONT));
+  return Variant{.gl = &gl,
+                 .samples = SampleDraws(gl, store),
+                 .visibility = std::move(visibility),
+                 .accumulation = std::move(accumulation),
+                 .shading = std::move(shading),
+                 .nothing = VertexArray(gl, "no attributes")};
+}
+
+}  // namespace relief::multipass

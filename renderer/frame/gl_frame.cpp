@@ -1,0 +1,101 @@
+#include "renderer/frame/gl_frame.h"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "renderer/frame/median.h"
+
+namespace relief {
+namespace {
+
+void bind_frame(const Gl& gl, const GlFrame& frame) {
+  gl.BindFramebuffer(GL_FRAMEBUFFER, frame.targets.framebuffer.id());
+  gl.Viewport(0, 0, static_cast<GLsizei>(frame.targets.width),
+              static_cast<GLsizei>(frame.targets.height));
+  gl.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_FRAME, frame.uniforms.id());
+  if (frame.materials)
+    gl.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_MATERIALS, frame.materials->id());
+  const Texture* const rough = frame.rough_environments;
+  gl.BindTextureUnit(RELIEF_TEXTURE_ROUGH_ENVIRONMENTS, rough == nullptr ? 0 : rough->id());
+}
+
+void unbind_frame(const Gl& gl) {
+  gl.BindTextureUnit(RELIEF_TEXTURE_ROUGH_ENVIRONMENTS, 0);
+  gl.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_MATERIALS, 0);
+  gl.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_FRAME, 0);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+}  // namespace
+
+void draw_frame(const Gl& gl, const GlFrame& frame, const GlDrawing& drawing, PassTimer& timer) {
+  if (gl.recorder != nullptr) gl.recorder->begin_frame();
+  bind_frame(gl, frame);
+  clear_targets(gl, frame.targets, frame.background);
+  drawing.draw(frame, timer);
+  if (frame.backdrop != nullptr) frame.backdrop->draw(timer, *frame.surroundings);
+  drawing.draw_over(frame, timer);
+  if (frame.resolve) frame.resolve->draw(timer, frame.targets.colour);
+  unbind_frame(gl);
+}
+
+FrameTime FrameClock::finish() {
+  gl_->Finish();
+  const auto now = std::chrono::steady_clock::now();
+  const std::chrono::duration<double, std::milli> elapsed = now - start_;
+  start_ = now;
+  return {elapsed.count(), timer_.take()};
+}
+
+FrameTime time_frame(const Gl& gl, const GlFrame& frame, const GlDrawing& drawing) {
+  FrameClock clock(gl);
+  draw_frame(gl, frame, drawing, clock.timer());
+  return clock.finish();
+}
+
+void time_frames(const Gl& gl, const GlFrame& frame, const GlDrawing& drawing, int frames,
+                 RenderResult& result) {
+  std::vector<double> frame_ms;
+  std::vector<double> gpu_ms;
+  for (int i = 0; i < frames; ++i) {
+    const FrameTime time = time_frame(gl, frame, drawing);
+    frame_ms.push_back(time.wall_ms);
+    if (time.gpu_ms) gpu_ms.push_back(*time.gpu_ms);
+  }
+  if (!frame_ms.empty()) result.frame_ms = median(frame_ms);
+  if (!gpu_ms.empty()) result.gpu_ms = median(gpu_ms);
+}
+
+std::uint64_t count_fragments(const Gl& gl, const GlFrame& frame, const GlDrawing& counting) {
+  std::uint32_t count = 0;
+  const Buffer buffer =
+      make_buffer(gl, "fragment count", std::span<const std::uint32_t>(&count, 1));
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, RELIEF_BIND_FRAGMENT_COUNT, buffer.id());
+  PassTimer timer(gl);
+  draw_frame(gl, frame, counting, timer);
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, RELIEF_BIND_FRAGMENT_COUNT, 0);
+  gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  gl.GetNamedBufferSubData(buffer.id(), 0, sizeof(count), &count);
+  return count;
+}
+
+void read_frame(const Gl& gl, const GlFrame& frame, bool opaque, RenderResult& result) {
+  result.image = read_targets(gl, frame.targets);
+  finish_coverage(opaque, result);
+}
+
+void finish_coverage(bool opaque, RenderResult& result) {
+  for (Channel& channel : result.image.channels) {
+    if (channel.name != "A") continue;
+    result.covered_pixels = static_cast<std::uint64_t>(std::count_if(
+        channel.values.begin(), channel.values.end(), [](float alpha) { return alpha > 0.0F; }));
+    if (opaque) std::fill(channel.values.begin(), channel.values.end(), 1.0F);
+  }
+}
+
+std::string renderer_name(const Gl& gl) {
+  return reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
+}
+
+}  // namespace relief
