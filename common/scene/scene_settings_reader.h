@@ -34,17 +34,4 @@ inline constexpr std::array<std::string_view, 6> kMaterialKeys{
 /// The material among the members of an object.
 MaterialWords read_material(JsonValues& values, const JsonPlace& object);
 
-/// The name of a file, relative to `folder`.
-std::filesystem::path read_path(JsonValues& values, const JsonPlace& place,
-                                const std::filesystem::path& folder, std::string_view expected);
-
-/// [x, y, z], each from -kMaxSceneCoordinate to kMaxSceneCoordinate.
-glm::dvec3 read_vector(JsonValues& values, const JsonPlace& place);
-
-/// [x, y, z] of any length but 0, as a unit vector: so that nothing later under- or overflows.
-glm::dvec3 read_direction(JsonValues& values, const JsonPlace& place);
-
-/// Degrees; beyond a few turns only a mistake.
-double read_angle(JsonValues& values, const JsonPlace& place);
-
 }  // namespace relief
