@@ -10,7 +10,7 @@ namespace {
 
 constexpr NumberRange kCoordinates{-kMaxSceneCoordinate, kMaxSceneCoordinate};
 constexpr double kShortestDirection = 1e-12;
-constexpr NumberRange kAngles{-1e6, 1e6};
+constexpr NumberRange kAngleRange{-1e6, 1e6};
 
 }  // namespace
 
@@ -28,7 +28,7 @@ glm::dvec3 read_direction(JsonValues& values, const JsonPlace& place) {
 }
 
 double read_angle(JsonValues& values, const JsonPlace& place) {
-  return values.number(place, kAngles, "degrees from -1e6 to 1e6");
+  return values.number(place, kAngleRange, "degrees from -1e6 to 1e6");
 }
 
 }  // namespace relief
