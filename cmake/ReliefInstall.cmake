@@ -12,7 +12,8 @@ set(RELIEF_PUBLIC_HEADERS
   loader/load_files.h loader/load_scene.h loader/scene_plan.h loader/view_settings.h
   preprocess/convert.h preprocess/convert_options.h preprocess/convert_tiles.h
   preprocess/readers/read_points.h preprocess/readers/read_result.h preprocess/tiles/tile_options.h
-  renderer/geometry/mesh_of_patches.h renderer/geometry/mesh_of_points.h renderer/render.h)
+  renderer/geometry/mesh_of_patches.h renderer/geometry/mesh_of_points.h renderer/render.h
+  renderer/viewport.h)
 install(CODE "
   set(SOURCE ${PROJECT_SOURCE_DIR})
   set(STAGE ${PROJECT_BINARY_DIR}/include/relief)

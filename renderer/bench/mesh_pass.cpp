@@ -11,6 +11,7 @@
 #include "common/patch.h"
 #include "renderer/frame/features.h"
 #include "renderer/gl/program.h"
+#include "renderer/view/uniforms.h"
 #include "shaders/include/shared.h"
 
 namespace relief::bench_passes {
@@ -21,8 +22,9 @@ struct Vertex {
   glm::vec3 normal;
 };
 
-std::uint32_t mesh_features(const RenderSettings& settings, const TriangleMesh& mesh) {
-  return scene_features(settings, !mesh.colours.empty()) & ~RELIEF_FEATURE_SPRITE;
+Features mesh_features(const RenderSettings& settings, const TriangleMesh& mesh) {
+  return scene_features(settings, !mesh.colours.empty())
+      .without(RELIEF_FEATURE_SPRITE | RELIEF_FEATURE_FRONT);
 }
 
 /// A near plane in front of all that can be told apart: a part of the mesh's size, as the spacing
@@ -154,13 +156,13 @@ Result<std::unique_ptr<GlPreparedModel>> prepare_mesh(std::shared_ptr<const Open
                                  .patches = nothing});
   if (!on_gpu) return on_gpu.error();
   const Gl& gl = (*on_gpu)->gl();
-  const std::uint32_t features = mesh_features(settings, mesh);
-  const auto make = [&](std::uint32_t bits) {
+  const Features features = mesh_features(settings, mesh);
+  const auto make = [&](Features bits) {
     return make_program(gl, "mesh", "bench/mesh.vert", "bench/mesh.frag", bits);
   };
   RELIEF_TRY_ASSIGN(auto program, make(features));
   RELIEF_TRY_ASSIGN(auto counting, make(features | RELIEF_FEATURE_COUNT_FRAGMENTS));
-  Uploaded uploaded = upload(gl, mesh, bounds, (features & RELIEF_FEATURE_COLOURS) != 0);
+  Uploaded uploaded = upload(gl, mesh, bounds, features.has(RELIEF_FEATURE_COLOURS));
   RELIEF_TRY(check_errors(gl, "the mesh"));
   return std::unique_ptr<GlPreparedModel>(std::make_unique<PreparedMesh>(
       std::move(*on_gpu), std::move(uploaded), std::move(program), std::move(counting)));

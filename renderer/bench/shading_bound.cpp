@@ -15,8 +15,8 @@ namespace relief::bench_passes {
 namespace {
 
 /// What a surface needs that is rasterised somehow.
-std::uint32_t surface_features(const RenderSettings& settings, ModelMaps maps) {
-  return scene_features(settings, maps) & ~RELIEF_FEATURE_SPRITE;
+Features surface_features(const RenderSettings& settings, ModelMaps maps) {
+  return scene_features(settings, maps).without(RELIEF_FEATURE_SPRITE | RELIEF_FEATURE_FRONT);
 }
 
 std::uint32_t largest_patch(const PatchModel& model) {
@@ -29,8 +29,7 @@ std::uint32_t largest_patch(const PatchModel& model) {
 
 /// The program of some features, and the model whose patch it shades.
 struct BoundVariant {
-  static Result<BoundVariant> create(const Gl& gl, const PatchStore& store,
-                                     std::uint32_t features) {
+  static Result<BoundVariant> create(const Gl& gl, const PatchStore& store, Features features) {
     RELIEF_TRY_ASSIGN(Program program, make_program(gl, "shading bound", "environment/screen.vert",
                                                     "bench/shading_bound.frag", features));
     return BoundVariant{&gl, SampleDraws(gl, store), std::move(program)};
@@ -80,7 +79,7 @@ class PreparedShadingBound final : public GlPreparedModel {
   Result<std::unique_ptr<GlDrawing>> make_drawing(const GlFrame& /*frame*/,
                                                   const RenderSettings& settings,
                                                   Counting counting) override {
-    std::uint32_t features = surface_features(settings, model().maps());
+    Features features = surface_features(settings, model().maps());
     if (counting == Counting::On) features |= RELIEF_FEATURE_COUNT_FRAGMENTS;
     RELIEF_TRY_ASSIGN(const BoundVariant* variant, variants_.get(model(), features));
     return std::unique_ptr<GlDrawing>(std::make_unique<BoundDrawing>(*variant, patch_, pixels_));

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "common/error.h"
-#include "renderer/gl/program.h"
+#include "renderer/gl/shader_text.h"
 #include "shaders/include/shared.h"
 
 namespace relief {
@@ -36,16 +36,15 @@ std::map<std::uint32_t, std::string> read_names() {
 
 }  // namespace
 
-std::vector<std::string> feature_names(std::uint32_t features) {
+std::vector<std::string> feature_names(Features features) {
   std::map<std::uint32_t, std::string> names = read_names();
   std::vector<std::string> found;
-  for (std::uint32_t bit = 1; bit >> RELIEF_LIGHTS_SHIFT == 0; bit <<= 1U) {
-    if ((features & bit) == 0) continue;
+  for (std::uint32_t bit = 1; bit != 0; bit <<= 1U) {
+    if (!features.has(bit)) continue;
     const std::string& name = names[bit];
     found.push_back(name.empty() ? fmt::format("bit {:#x}", bit) : name);
   }
-  if (const std::uint32_t lights = features >> RELIEF_LIGHTS_SHIFT; lights > 0)
-    found.push_back(fmt::format("lights {}", lights));
+  if (features.lights > 0) found.push_back(fmt::format("lights {}", features.lights));
   return found;
 }
 

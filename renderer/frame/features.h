@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "renderer/gl/features.h"
 #include "renderer/settings.h"
 #include "renderer/shading/lighting.h"
 #include "renderer/shading/materials.h"
@@ -16,10 +17,10 @@
 namespace relief {
 
 /// Those of the materials, and of the lights where one of them is lit.
-[[nodiscard]] inline std::uint32_t material_features(const RenderSettings& settings) {
+[[nodiscard]] inline Features material_features(const RenderSettings& settings) {
   const std::vector<MaterialSettings> materials = materials_of(settings);
   const bool mixed = materials.size() > 1;
-  std::uint32_t features = mixed ? RELIEF_FEATURE_MIXED : 0U;
+  Features features = mixed ? RELIEF_FEATURE_MIXED : 0U;
   for (const MaterialSettings& material : materials) {
     if (material.kind == Material::Lit) features |= RELIEF_FEATURE_LIT;
     if (material.kind == Material::Mirror) features |= RELIEF_FEATURE_MIRROR;
@@ -28,13 +29,13 @@ namespace relief {
       features |= RELIEF_FEATURE_SPLIT | RELIEF_FEATURE_LIT | RELIEF_FEATURE_MIRROR;
     if (mixed && roughness_of(material) > 0.0F) features |= RELIEF_FEATURE_ROUGH;
   }
-  if ((features & RELIEF_FEATURE_LIT) == 0) return features;
+  if (!features.has(RELIEF_FEATURE_LIT)) return features;
   const std::vector<Light>& lights = settings.lights.list;
   const bool points = std::any_of(lights.begin(), lights.end(), [](const Light& light) {
     return light.kind == LightKind::Point;
   });
-  return features | (points ? RELIEF_FEATURE_POINT_LIGHTS : 0U) |
-         static_cast<std::uint32_t>(count_lights(settings.lights)) << RELIEF_LIGHTS_SHIFT;
+  features.lights = static_cast<std::uint32_t>(count_lights(settings.lights));
+  return features | (points ? RELIEF_FEATURE_POINT_LIGHTS : 0U);
 }
 
 /// What maps a model has beside the normals that all have.
@@ -64,17 +65,17 @@ struct ModelMaps {
 }
 
 /// Whether features read normals.
-[[nodiscard]] inline bool needs_normals(std::uint32_t features) {
-  return (features & (RELIEF_FEATURE_LIT | RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_GLASS |
-                      RELIEF_FEATURE_OUT_NORMAL)) != 0;
+[[nodiscard]] inline bool needs_normals(Features features) {
+  return features.has(RELIEF_FEATURE_LIT | RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_GLASS |
+                      RELIEF_FEATURE_OUT_NORMAL);
 }
 
 /// The feature bits of a picture that any engine on OpenGL can have.
-[[nodiscard]] inline std::uint32_t scene_features(const RenderSettings& settings, ModelMaps maps) {
+[[nodiscard]] inline Features scene_features(const RenderSettings& settings, ModelMaps maps) {
   const bool coloured =
       maps.colours && (uses(settings, Material::Unlit) || uses(settings, Material::Lit) ||
                        uses(settings, Material::Split));
-  const std::uint32_t shading =
+  const Features shading =
       material_features(settings) | (settings.outputs.normal ? RELIEF_FEATURE_OUT_NORMAL : 0U);
   return shading | (settings.camera.is_orthographic() ? RELIEF_FEATURE_ORTHOGRAPHIC : 0U) |
          (settings.primitive == Primitive::Sprite ? RELIEF_FEATURE_SPRITE : 0U) |
@@ -90,17 +91,17 @@ struct ModelMaps {
 }
 
 /// What those features read.
-[[nodiscard]] inline StoreNeeds needs_of(std::uint32_t features) {
-  const bool cells = (features & RELIEF_FEATURE_CELL) != 0;
+[[nodiscard]] inline StoreNeeds needs_of(Features features) {
+  const bool cells = features.has(RELIEF_FEATURE_CELL);
   StoreNeeds needs;
   needs.splats = !cells;
-  needs.heights = !cells && (features & RELIEF_FEATURE_CORRECTED) != 0;
+  needs.heights = !cells && features.has(RELIEF_FEATURE_CORRECTED);
   needs.cells = cells;
   needs.normals = needs_normals(features);
-  needs.colours = (features & RELIEF_FEATURE_COLOURS) != 0;
-  needs.masks = (features & RELIEF_FEATURE_MASKED) != 0;
-  needs.sources = (features & (RELIEF_FEATURE_OUT_UV | RELIEF_FEATURE_OUT_PATCH)) != 0;
-  needs.bodies = (features & RELIEF_FEATURE_TWO_INTERFACES) != 0;
+  needs.colours = features.has(RELIEF_FEATURE_COLOURS);
+  needs.masks = features.has(RELIEF_FEATURE_MASKED);
+  needs.sources = features.has(RELIEF_FEATURE_OUT_UV | RELIEF_FEATURE_OUT_PATCH);
+  needs.bodies = features.has(RELIEF_FEATURE_TWO_INTERFACES);
   return needs;
 }
 

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 
-#include "renderer/frame/supersample.h"
-
 namespace relief {
 
 Result<RenderResult> GlPreparedModel::render(const RenderSettings& asked, Progress& progress) {
-  if (asked.samples > 1) return render_supersampled(*this, asked, progress);
+  if (asked.samples > 1) return render_supersampled(asked, progress);
   const Gl& gl = model_->gl();
   const RenderSettings settings = settled(asked);
   RELIEF_TRY_ASSIGN(const GlFrame frame, model_->make_frame(settings, whole_of(settings)));

@@ -47,6 +47,12 @@ class GlPreparedModel : public PreparedModel {
   [[nodiscard]] GlModel& model() const { return *model_; }
 
  private:
+  /// Draws an image with at least `asked.samples` samples a pixel, in a square grid: the frame is
+  /// drawn that much larger, in parts if need be, and the mean of linear light and coverage is
+  /// taken. Normal, depth, UV and patch, if asked for, are those of the pixels' middles, from a
+  /// frame of one sample a pixel. The time is that of all these together.
+  Result<RenderResult> render_supersampled(const RenderSettings& asked, Progress& progress);
+
   std::unique_ptr<GlModel> model_;  ///< first: what derived classes make of it goes before
 };
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "renderer/frame/median.h"
+#include "shaders/include/shared.h"
 
 namespace relief {
 namespace {

@@ -12,6 +12,7 @@
 #include "renderer/shading/materials.h"
 #include "renderer/shading/rough_environment.h"
 #include "renderer/view/cull_mode.h"
+#include "renderer/view/uniforms.h"
 
 namespace relief {
 namespace {

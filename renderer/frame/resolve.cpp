@@ -17,8 +17,8 @@ Result<ResolvedColour> make_resolved(const Gl& gl, std::uint32_t width, std::uin
 }
 
 Result<Resolve> Resolve::create(const Gl& gl) {
-  RELIEF_TRY_ASSIGN(Program program,
-                    make_program(gl, "resolve", "environment/screen.vert", "resolve/mean.frag", 0));
+  RELIEF_TRY_ASSIGN(Program program, make_program(gl, "resolve", "environment/screen.vert",
+                                                  "resolve/mean.frag", {}));
   return Resolve(gl, std::move(program), VertexArray(gl, "no attributes"));
 }
 

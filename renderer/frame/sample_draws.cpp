@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "renderer/view/draw_list.h"
+#include "renderer/view/uniforms.h"
 #include "shaders/include/shared.h"
 
 namespace relief {

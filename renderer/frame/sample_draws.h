@@ -7,7 +7,7 @@
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/store/patch_store.h"
-#include "renderer/view/cull_mode.h"
+#include "renderer/view/sided_list.h"
 #include "renderer/view/view.h"
 
 namespace relief {

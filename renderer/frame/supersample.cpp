@@ -1,10 +1,10 @@
-#include "renderer/frame/supersample.h"
+// Images with several samples a pixel, of any engine on OpenGL.
+#include "renderer/frame/gl_engine.h"
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 
-#include "renderer/frame/gl_engine.h"
 #include "renderer/frame/image_parts.h"
 
 namespace relief {
@@ -38,29 +38,29 @@ void replace_channels(Image colours, Image& image) {
 
 }  // namespace
 
-Result<RenderResult> render_supersampled(GlPreparedModel& model, const RenderSettings& asked,
-                                         Progress& progress) {
-  const Gl& gl = model.model().gl();
+Result<RenderResult> GlPreparedModel::render_supersampled(const RenderSettings& asked,
+                                                          Progress& progress) {
+  const Gl& gl = model_->gl();
   std::optional<RenderResult> all;
   const Outputs& outputs = asked.outputs;
   RenderSettings one_sample = asked;
   one_sample.samples = 1;
   if (outputs.normal || outputs.depth || outputs.uv || outputs.patch_id) {
-    RELIEF_TRY_ASSIGN(all, model.render(one_sample, progress));
+    RELIEF_TRY_ASSIGN(all, render(one_sample, progress));
   }
   one_sample.outputs = {};
-  const RenderSettings coloured = model.settled(one_sample);
-  RELIEF_TRY_ASSIGN(const auto resolve, model.model().resolve());
+  const RenderSettings coloured = settled(one_sample);
+  RELIEF_TRY_ASSIGN(const auto resolve, model_->resolve());
   RELIEF_TRY_ASSIGN(const auto resolved, make_resolved(gl, asked.width, asked.height));
   for (const Raster& part :
        parts_of(asked.width, asked.height, samples_a_side(asked.samples), largest_target(gl))) {
-    RELIEF_TRY_ASSIGN(GlFrame frame, model.model().make_frame(coloured, part));
+    RELIEF_TRY_ASSIGN(GlFrame frame, model_->make_frame(coloured, part));
     frame.resolve = {resolve, &resolved, part};
-    RELIEF_TRY_ASSIGN(const auto drawing, model.make_drawing(frame, coloured, Counting::Off));
-    RELIEF_TRY_ASSIGN(const auto fragments, model.count_if_asked(frame, coloured));
+    RELIEF_TRY_ASSIGN(const auto drawing, make_drawing(frame, coloured, Counting::Off));
+    RELIEF_TRY_ASSIGN(const auto fragments, count_if_asked(frame, coloured));
     FrameClock clock(gl);
     draw_frame(gl, frame, *drawing, clock.timer());
-    RELIEF_TRY_ASSIGN(RenderResult drawn, model.measure(frame, *drawing, coloured, clock.finish()));
+    RELIEF_TRY_ASSIGN(RenderResult drawn, measure(frame, *drawing, coloured, clock.finish()));
     drawn.fragments = fragments;
     add_part(std::move(drawn), all);
   }

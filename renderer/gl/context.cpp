@@ -8,7 +8,21 @@ namespace {
 constexpr const char* kEglPackages = "libegl1 and libgl1-mesa-dri";
 constexpr const char* kOsmesaPackage = "libosmesa6";
 
+class AdoptedContext final : public GlContext {
+ public:
+  explicit AdoptedContext(GlLoader load) : load_(std::move(load)) {}
+  [[nodiscard]] GlFunction get_proc_address(const char* name) const override { return load_(name); }
+  [[nodiscard]] const char* name() const override { return "the application"; }
+
+ private:
+  GlLoader load_;
+};
+
 }  // namespace
+
+std::unique_ptr<GlContext> adopt_context(const GlLoader& load) {
+  return std::make_unique<AdoptedContext>(load);
+}
 
 Result<std::unique_ptr<GlContext>> make_context(GlPlatform platform, bool debug) {
   if (platform == GlPlatform::Osmesa) {

@@ -90,7 +90,7 @@ class EglContext final : public GlContext {
   EglContext(const EglContext&) = delete;
   EglContext& operator=(const EglContext&) = delete;
 
-  [[nodiscard]] Function get_proc_address(const char* name) const override {
+  [[nodiscard]] GlFunction get_proc_address(const char* name) const override {
     return egl_.get_proc_address(name);
   }
   [[nodiscard]] const char* name() const override { return "EGL"; }

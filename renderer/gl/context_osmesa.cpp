@@ -22,7 +22,7 @@ struct Osmesa {
   void (*destroy_context)(OsmesaContext context) = nullptr;
   GLboolean (*make_current)(OsmesaContext context, void* pixels, GLenum type, GLsizei width,
                             GLsizei height) = nullptr;
-  GlContext::Function (*get_proc_address)(const char* name) = nullptr;
+  GlFunction (*get_proc_address)(const char* name) = nullptr;
 };
 
 /// OSMesa draws into the caller's memory; the pictures live in framebuffers of their own, so that
@@ -40,7 +40,7 @@ class OsmesaGlContext final : public GlContext {
   OsmesaGlContext(const OsmesaGlContext&) = delete;
   OsmesaGlContext& operator=(const OsmesaGlContext&) = delete;
 
-  [[nodiscard]] Function get_proc_address(const char* name) const override {
+  [[nodiscard]] GlFunction get_proc_address(const char* name) const override {
     return osmesa_.get_proc_address(name);
   }
   [[nodiscard]] const char* name() const override { return "OSMesa"; }

@@ -17,11 +17,15 @@ class GlContext;
 #define RELIEF_GL_FUNCTIONS(F)                                         \
   F(PFNGLATTACHSHADERPROC, AttachShader)                               \
   F(PFNGLBEGINQUERYPROC, BeginQuery)                                   \
+  F(PFNGLBLENDEQUATIONSEPARATEPROC, BlendEquationSeparate)             \
   F(PFNGLBLENDFUNCPROC, BlendFunc)                                     \
+  F(PFNGLBLENDFUNCSEPARATEPROC, BlendFuncSeparate)                     \
+  F(PFNGLBLITNAMEDFRAMEBUFFERPROC, BlitNamedFramebuffer)               \
   F(PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC, CheckNamedFramebufferStatus) \
   F(PFNGLCLEARNAMEDFRAMEBUFFERFVPROC, ClearNamedFramebufferfv)         \
   F(PFNGLCLEARNAMEDFRAMEBUFFERUIVPROC, ClearNamedFramebufferuiv)       \
   F(PFNGLCLIPCONTROLPROC, ClipControl)                                 \
+  F(PFNGLCOLORMASKPROC, ColorMask)                                     \
   F(PFNGLCOMPILESHADERPROC, CompileShader)                             \
   F(PFNGLCREATEBUFFERSPROC, CreateBuffers)                             \
   F(PFNGLCREATEFRAMEBUFFERSPROC, CreateFramebuffers)                   \
@@ -41,8 +45,10 @@ class GlContext;
   F(PFNGLENABLEVERTEXARRAYATTRIBPROC, EnableVertexArrayAttrib)         \
   F(PFNGLENDQUERYPROC, EndQuery)                                       \
   F(PFNGLFINISHPROC, Finish)                                           \
+  F(PFNGLFRONTFACEPROC, FrontFace)                                     \
   F(PFNGLGENQUERIESPROC, GenQueries)                                   \
   F(PFNGLGENERATETEXTUREMIPMAPPROC, GenerateTextureMipmap)             \
+  F(PFNGLGETBOOLEANVPROC, GetBooleanv)                                 \
   F(PFNGLGETERRORPROC, GetError)                                       \
   F(PFNGLGETFLOATVPROC, GetFloatv)                                     \
   F(PFNGLGETINTEGERVPROC, GetIntegerv)                                 \
@@ -57,6 +63,7 @@ class GlContext;
   F(PFNGLGETTEXTUREIMAGEPROC, GetTextureImage)                         \
   F(PFNGLGETTEXTURELEVELPARAMETERIVPROC, GetTextureLevelParameteriv)   \
   F(PFNGLGETTEXTUREPARAMETERIVPROC, GetTextureParameteriv)             \
+  F(PFNGLISENABLEDPROC, IsEnabled)                                     \
   F(PFNGLLINKPROGRAMPROC, LinkProgram)                                 \
   F(PFNGLMEMORYBARRIERPROC, MemoryBarrier)                             \
   F(PFNGLNAMEDBUFFERSUBDATAPROC, NamedBufferSubData)                   \

@@ -8,8 +8,9 @@
 #include "renderer/gl/context.h"
 #include "renderer/gl/debug.h"
 #include "renderer/gl/functions.h"
+#include "renderer/gl/loader.h"
+#include "renderer/gl/platform.h"
 #include "renderer/gl/recorder.h"
-#include "renderer/settings.h"
 
 namespace relief {
 
@@ -19,6 +20,9 @@ class OpenGl {
   /// With `records`, everything that is made and drawn in it is kept track of.
   static Result<std::shared_ptr<const OpenGl>> create(GlPlatform platform, bool debug,
                                                       bool records);
+
+  /// The functions of the context that is current, which stays its owner's.
+  static Result<std::shared_ptr<const OpenGl>> adopt(const GlLoader& load);
 
   [[nodiscard]] const Gl& gl() const { return gl_; }
 

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "renderer/gl/shader_text.h"
+
 namespace relief {
 namespace {
 
@@ -46,7 +48,7 @@ void append_file(std::string& out, std::vector<std::string_view>& files, std::st
   }
 }
 
-Status compile(const Gl& gl, const Shader& shader, std::string_view path, std::uint32_t features) {
+Status compile(const Gl& gl, const Shader& shader, std::string_view path, Features features) {
   const std::string text = resolve_shader(path, features);
   const GLchar* const begin = text.data();
   const GLint length = static_cast<GLint>(text.size());
@@ -59,20 +61,22 @@ Status compile(const Gl& gl, const Shader& shader, std::string_view path, std::u
   GLsizei log_length = 0;
   gl.GetShaderInfoLog(shader.id(), static_cast<GLsizei>(log.size()), &log_length, log.data());
   log.resize(static_cast<std::size_t>(log_length));
-  return make_error("shaders/{} (features {:#x}) does not compile: {}", path, features, log);
+  return make_error("shaders/{} (features {:#x}) does not compile: {}", path, features.bits, log);
 }
 
 }  // namespace
 
-std::string resolve_shader(std::string_view path, std::uint32_t features) {
-  std::string out = fmt::format("#version 450 core\n#define RELIEF_FEATURES {}u\n", features);
+std::string resolve_shader(std::string_view path, Features features) {
+  std::string out =
+      fmt::format("#version 450 core\n#define RELIEF_FEATURES {}u\n#define RELIEF_LIGHTS {}\n",
+                  features.bits, features.lights);
   std::vector<std::string_view> files;
   append_file(out, files, path);
   return out;
 }
 
 Result<Program> make_program(const Gl& gl, std::string_view label, std::string_view vertex_path,
-                             std::string_view fragment_path, std::uint32_t features) {
+                             std::string_view fragment_path, Features features) {
   const Shader vertex(gl, GL_VERTEX_SHADER);
   RELIEF_TRY(compile(gl, vertex, vertex_path, features));
   const Shader fragment(gl, GL_FRAGMENT_SHADER);
@@ -94,7 +98,7 @@ Result<Program> make_program(const Gl& gl, std::string_view label, std::string_v
   gl.GetProgramInfoLog(program.id(), static_cast<GLsizei>(log.size()), &log_length, log.data());
   log.resize(static_cast<std::size_t>(log_length));
   return make_error("shaders/{} and {} (features {:#x}) do not link: {}", vertex_path,
-                    fragment_path, features, log);
+                    fragment_path, features.bits, log);
 }
 
 }  // namespace relief

@@ -1,9 +1,9 @@
 #include "renderer/gl/recorder.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "renderer/frame/feature_names.h"
-#include "renderer/gl/functions.h"
 
 namespace relief {
 namespace {
@@ -42,9 +42,12 @@ void GlRecorder::begin_frame() {
 
 Explanation GlRecorder::explain() const {
   Explanation all;
-  std::uint32_t features = 0;
+  Features features;
   for (const auto& [id, program] : programs_) {
-    if (program.variant.drawn) features |= program.features;
+    if (program.variant.drawn) {
+      features |= program.features.bits;
+      features.lights = std::max(features.lights, program.features.lights);
+    }
     all.variants.push_back(program.variant);
   }
   all.features = feature_names(features);
@@ -60,7 +63,7 @@ Explanation GlRecorder::explain() const {
 }
 
 void GlRecorder::add_program(GLuint id, std::string_view name, std::string_view vertex,
-                             std::string_view fragment, std::uint32_t features) {
+                             std::string_view fragment, Features features) {
   programs_[id] = {{std::string(name), std::string(vertex), std::string(fragment),
                     feature_names(features), false},
                    features};
@@ -92,11 +95,11 @@ void GlRecorder::store_texture_3d(GLuint id, GLsizei levels, GLenum /*format*/, 
 void GlRecorder::measure_texture(GLuint id, GLsizei levels) {
   const auto ask_level = [&](GLint level, GLenum name) {
     GLint value = 0;
-    gl_->GetTextureLevelParameteriv(id, level, name, &value);
+    level_parameter_(id, level, name, &value);
     return static_cast<std::uint64_t>(value);
   };
   GLint target = 0;
-  gl_->GetTextureParameteriv(id, GL_TEXTURE_TARGET, &target);
+  parameter_(id, GL_TEXTURE_TARGET, &target);
   const std::uint64_t faces = target == GL_TEXTURE_CUBE_MAP ? 6 : 1;
   std::uint64_t bits = 0;
   for (const GLenum part : {GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE,

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "renderer/frame/explanation.h"
+#include "renderer/gl/features.h"
 
 namespace relief {
 
@@ -32,9 +33,13 @@ class GlRecorder {
 
   /// A program was linked.
   void add_program(GLuint id, std::string_view name, std::string_view vertex,
-                   std::string_view fragment, std::uint32_t features);
+                   std::string_view fragment, Features features);
   /// Asks OpenGL through these functions how large textures are.
-  void ask(const Gl& gl) { gl_ = &gl; }
+  void ask(PFNGLGETTEXTURELEVELPARAMETERIVPROC level_parameter,
+           PFNGLGETTEXTUREPARAMETERIVPROC parameter) {
+    level_parameter_ = level_parameter;
+    parameter_ = parameter;
+  }
 
   // As the OpenGL functions of similar names.
   void name_object(GLenum kind, GLuint id, GLsizei length, const GLchar* label);
@@ -73,7 +78,7 @@ class GlRecorder {
   using Objects = std::map<GLuint, Object>;
   struct Variant {
     Explanation::Variant variant;
-    std::uint32_t features = 0;
+    Features features = 0;
   };
 
   void measure_texture(GLuint id, GLsizei levels);
@@ -83,7 +88,8 @@ class GlRecorder {
   void mark_texture(GLuint id);
   void add_draw(GLenum mode, std::uint64_t commands);
 
-  const Gl* gl_ = nullptr;
+  PFNGLGETTEXTURELEVELPARAMETERIVPROC level_parameter_ = nullptr;
+  PFNGLGETTEXTUREPARAMETERIVPROC parameter_ = nullptr;
   Objects buffers_;
   Objects textures_;
   std::map<GLuint, Variant> programs_;

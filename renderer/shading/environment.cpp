@@ -53,7 +53,7 @@ Result<Texture> upload_environments(const Gl& gl, const std::vector<CubeMap>& cu
   return upload_cubes(gl, "rough environments", GL_TEXTURE_CUBE_MAP_ARRAY, all);
 }
 
-Result<Backdrop> Backdrop::create(const Gl& gl, std::uint32_t features) {
+Result<Backdrop> Backdrop::create(const Gl& gl, Features features) {
   RELIEF_TRY_ASSIGN(Program program, make_program(gl, "backdrop", "environment/screen.vert",
                                                   "environment/backdrop.frag", features));
   return Backdrop(gl, std::move(program), VertexArray(gl, "no attributes"));

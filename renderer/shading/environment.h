@@ -24,7 +24,7 @@ Result<Texture> upload_environments(const Gl& gl, const std::vector<CubeMap>& cu
 class Backdrop {
  public:
   /// `features`: RELIEF_FEATURE_ORTHOGRAPHIC or none.
-  static Result<Backdrop> create(const Gl& gl, std::uint32_t features);
+  static Result<Backdrop> create(const Gl& gl, Features features);
   void draw(PassTimer& timer, const Texture& environment) const;
 
  private:

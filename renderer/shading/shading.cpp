@@ -4,6 +4,7 @@
 
 #include "renderer/shading/lighting.h"
 #include "renderer/shading/materials.h"
+#include "renderer/view/uniforms.h"
 #include "shaders/include/shading.h"
 #include "shaders/include/split_view.h"
 

@@ -6,7 +6,6 @@
 #include <glm/matrix.hpp>
 
 #include "renderer/shading/materials.h"
-#include "renderer/store/patch_store.h"
 
 namespace relief {
 namespace {
@@ -14,32 +13,6 @@ namespace {
 /// What splats may reach beyond the samples: the widest disc of a splat has a radius of
 /// sqrt(0.5) / 0.1 spacings where it is steepest.
 constexpr double kReachSpacings = 8.0;
-
-/// By instance: whether the view shows its front alone.
-std::vector<bool> front_alone(const PatchStore& store, const View& view) {
-  std::vector<bool> alone;
-  alone.reserve(store.instances.size());
-  for (const StoredInstance& instance : store.instances) {
-    const bool outside =
-        view.cull == CullMode::Auto && instance.body && sees_from_outside(view, *instance.body);
-    alone.push_back((view.cull == CullMode::Back || outside) && !instance.is_mirrored);
-  }
-  return alone;
-}
-
-/// `patch_of` names the patch of a thing.
-template <class PatchOf>
-SidedList split(const PatchStore& store, const View& view, const std::vector<std::uint32_t>& things,
-                const PatchOf& patch_of) {
-  if (view.cull == CullMode::None) return {things, {}};
-  const std::vector<bool> alone = front_alone(store, view);
-  SidedList list;
-  for (const std::uint32_t thing : things) {
-    const bool front = alone[store.patches[patch_of(thing)].instance];
-    (front ? list.front : list.both).push_back(thing);
-  }
-  return list;
-}
 
 }  // namespace
 
@@ -84,17 +57,6 @@ bool may_hide_backs(const RenderSettings& settings, bool closed) {
 bool make_use_of_bodies(std::span<const View> views) {
   return std::any_of(views.begin(), views.end(),
                      [](const View& view) { return view.cull == CullMode::Auto; });
-}
-
-SidedList by_cull_mode(const PatchStore& store, const View& view,
-                       const std::vector<std::uint32_t>& patches) {
-  return split(store, view, patches, [](std::uint32_t patch) { return patch; });
-}
-
-SidedList parts_by_cull_mode(const PatchStore& store, const View& view,
-                             const std::vector<std::uint32_t>& parts) {
-  return split(store, view, parts,
-               [&store](std::uint32_t part) { return store.cells->parts[part].patch; });
 }
 
 }  // namespace relief

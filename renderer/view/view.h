@@ -7,14 +7,11 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "common/bounds.h"
 #include "common/scene/camera.h"
 #include "common/scene/choices.h"
-#include "common/scene/light.h"
-#include "shaders/include/shared.h"
 
 namespace relief {
-
-struct StoredPatch;
 
 /// A rectangle of a picture, in its pixels from the lower left corner, and how finely it is drawn.
 struct Raster {
@@ -82,14 +79,7 @@ struct DepthNeeds {
 /// How far a place (world) is from the eye, or from the plane through an orthographic one.
 [[nodiscard]] double distance_to(const View& view, glm::dvec3 place);
 
-/// The camera relative to a patch.
-[[nodiscard]] shared::PatchView view_patch(const View& view, const StoredPatch& patch);
-
 /// Whether a sphere (world) can reach into the picture.
 [[nodiscard]] bool sees_sphere(const View& view, glm::dvec3 centre, double radius);
-
-/// What all patches of a frame share. `largest_sprite` in pixels.
-[[nodiscard]] shared::Frame make_frame(const View& view, double largest_sprite,
-                                       const Lights& lights);
 
 }  // namespace relief

@@ -31,7 +31,7 @@ vec3 shade_lit(vec3 albedo, vec3 facing, vec3 ray, float depth) {
 #else
   vec3 place = vec3(0.0);
 #endif
-  return lit(frame, int(RELIEF_FEATURES >> RELIEF_LIGHTS_SHIFT), albedo, facing, ray, place);
+  return lit(frame, RELIEF_LIGHTS, albedo, facing, ray, place);
 }
 #endif
 

@@ -17,8 +17,11 @@ using glm::vec4;
 #define RELIEF_CONST const
 #endif
 
-// Feature bits: the key of a shader variant. They come from the scene and the settings alone; each
-// says what it costs a frame that has it.
+// Feature bits: with the number of lights, the key of a shader variant (renderer/gl/features.h, which
+// also lists what does not go together). They come only from the scene and the settings; each says
+// what it costs a frame that has it. 25 of 32 are in use. The lights are a word of their own,
+// RELIEF_LIGHTS, so that the loop over them is known when a shader is compiled: a light more is a
+// highlight per fragment.
 
 // Sprites, ray-cast in the fragment stage; writes gl_FragDepth, so that no fragment is rejected
 // before it is shaded. Without it: quads with their own depth.
@@ -89,10 +92,6 @@ using glm::vec4;
 // Sprites of closed bodies are not drawn where they face away from the eye: a product per vertex.
 // (Triangles are left out by OpenGL, which needs no variant.)
 #define RELIEF_FEATURE_FRONT 32768u
-
-// How many lights there are, where the material is lit: a number in the highest bits, so that the
-// loop over them is known when a shader is compiled. A light more is a highlight per fragment.
-#define RELIEF_LIGHTS_SHIFT 27u
 
 // An orthographic camera: rays begin all over the plane through the eye, and depth values are
 // linear (include/projection.glsl). Costs nothing: it saves divisions.

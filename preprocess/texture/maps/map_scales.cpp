@@ -30,7 +30,7 @@ struct Areas {
 };
 
 Areas areas_of(const Points& mesh, const std::vector<FlatTriangle>& triangles,
-               const ImageSize& size_of) {
+               const TextureSize& size_of) {
   Areas areas;
   for (const FlatTriangle& t : triangles) {
     if (t.twice_area < kSteepest * t.twice_area_in_space()) continue;
@@ -66,7 +66,7 @@ bool fits(const Patch& patch, std::uint32_t scale) {
 /// more than twice as fine as needed.
 std::vector<std::uint32_t> choose_scales(const Points& mesh,
                                          const std::vector<std::vector<FlatTriangle>>& triangles,
-                                         const ImageSize& size_of) {
+                                         const TextureSize& size_of) {
   Areas all;
   std::vector<std::uint32_t> scales;
   for (const std::vector<FlatTriangle>& own : triangles) {
@@ -105,7 +105,7 @@ Status check_scales(const std::vector<Patch>& patches, const std::vector<std::ui
 
 Result<std::vector<std::uint32_t>> scales_of_maps(
     const Points& mesh, const std::vector<Patch>& patches,
-    const std::vector<std::vector<FlatTriangle>>& triangles, const ImageSize& size_of,
+    const std::vector<std::vector<FlatTriangle>>& triangles, const TextureSize& size_of,
     std::uint32_t texels_per_cell) {
   std::vector<std::uint32_t> scales(patches.size(), texels_per_cell);
   if (texels_per_cell == 0) {

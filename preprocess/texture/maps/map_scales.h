@@ -17,7 +17,7 @@ namespace relief {
 inline constexpr std::uint32_t kMaxTexelsPerCell = 64;
 
 /// Returns the size in texels of the image of a triangle's texture; 0 without one.
-using ImageSize = std::function<glm::dvec2(std::uint32_t triangle)>;
+using TextureSize = std::function<glm::dvec2(std::uint32_t triangle)>;
 
 /// Returns the texels along a side of a map, from the nodes along that side of its patch.
 [[nodiscard]] inline std::uint64_t map_side(std::uint32_t nodes, std::uint32_t scale) {
@@ -30,7 +30,7 @@ using ImageSize = std::function<glm::dvec2(std::uint32_t triangle)>;
 /// patch. Fails, with a clause, if the requested texels exceed a patch's limit or memory.
 Result<std::vector<std::uint32_t>> scales_of_maps(
     const Points& mesh, const std::vector<Patch>& patches,
-    const std::vector<std::vector<FlatTriangle>>& triangles, const ImageSize& size_of,
+    const std::vector<std::vector<FlatTriangle>>& triangles, const TextureSize& size_of,
     std::uint32_t texels_per_cell);
 
 }  // namespace relief

@@ -52,7 +52,7 @@ class TriangleNormals {
 NormalMapper::NormalMapper(const Points& mesh, const std::vector<glm::vec3>& normals)
     : mesh_(mesh), normals_(normals), tangents_(tangents_of(mesh, normals)) {}
 
-ImageSize NormalMapper::image_size() const {
+TextureSize NormalMapper::image_size() const {
   return [this](std::uint32_t triangle) {
     const MeshNormalMap* const map = triangle_normal_map(mesh_, triangle);
     return map == nullptr ? glm::dvec2(0.0)

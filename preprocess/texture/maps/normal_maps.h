@@ -20,7 +20,7 @@ class NormalMapper {
   NormalMapper(const Points& mesh, const std::vector<glm::vec3>& normals);
 
   /// Returns the size of a triangle's normal map.
-  [[nodiscard]] ImageSize image_size() const;
+  [[nodiscard]] TextureSize image_size() const;
 
   /// Returns whether one of a patch's triangles has a normal map. If not, its normals stay
   /// unchanged.

@@ -71,7 +71,7 @@ AttributeMap<glm::u8vec3> make_map(const Points& mesh, const Patch& patch,
 }
 
 /// The size of the texture that triangles show.
-ImageSize texture_size(const Points& mesh) {
+TextureSize texture_size(const Points& mesh) {
   return [&mesh](std::uint32_t triangle) {
     const std::uint32_t material = mesh.triangle_materials[triangle];
     if (material == kNoMaterial || mesh.materials[material].texture == nullptr)

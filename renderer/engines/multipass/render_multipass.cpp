@@ -33,7 +33,7 @@ class Prepared final : public GlPreparedModel {
   Result<std::unique_ptr<GlDrawing>> make_drawing(const GlFrame& frame,
                                                   const RenderSettings& settings,
                                                   Counting counting) override {
-    std::uint32_t features = scene_features(settings, model().maps());
+    Features features = scene_features(settings, model().maps());
     RELIEF_TRY_ASSIGN(auto sums, make_sums(model().gl(), frame.targets, features));
     if (counting == Counting::On) features |= RELIEF_FEATURE_COUNT_FRAGMENTS;
     RELIEF_TRY_ASSIGN(const Variant* variant, variants_.get(model(), features));

@@ -10,15 +10,15 @@
 
 namespace relief::multipass {
 
-Result<Sums> make_sums(const Gl& gl, const Targets& targets, std::uint32_t features) {
+Result<Sums> make_sums(const Gl& gl, const Targets& targets, Features features) {
   const auto make = [&](bool needed, const char* label, GLenum format) {
     return needed ? std::optional<Texture>(
                         make_attachment(gl, label, format, targets.width, targets.height))
                   : std::nullopt;
   };
   auto normals = make(needs_normals(features), "normal sums", GL_RGBA16F);
-  auto colours = make((features & RELIEF_FEATURE_COLOURS) != 0, "colour sums", GL_RGBA16F);
-  auto depths = make((features & (RELIEF_FEATURE_OUT_DEPTH | RELIEF_FEATURE_POINT_LIGHTS)) != 0,
+  auto colours = make(features.has(RELIEF_FEATURE_COLOURS), "colour sums", GL_RGBA16F);
+  auto depths = make(features.has(RELIEF_FEATURE_OUT_DEPTH | RELIEF_FEATURE_POINT_LIGHTS),
                      "depth sums", GL_RG32F);
   const Texture* z = &targets.z_buffer;
   Framebuffer visibility = make_framebuffer(

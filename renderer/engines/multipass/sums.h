@@ -23,7 +23,7 @@ struct Sums {
 };
 
 /// Makes them; `targets` must outlive them. Fails if OpenGL lacks memory.
-Result<Sums> make_sums(const Gl& gl, const Targets& targets, std::uint32_t features);
+Result<Sums> make_sums(const Gl& gl, const Targets& targets, Features features);
 
 /// Whether there is anything to sum up.
 [[nodiscard]] inline bool has_any(const Sums& sums) {

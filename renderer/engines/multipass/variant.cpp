@@ -12,32 +12,31 @@
 namespace relief::multipass {
 namespace {
 
-Result<SplatPrograms> make_splat_programs(const Gl& gl, std::string_view pass,
-                                          std::uint32_t features) {
-  const auto make = [&](std::string_view shape, std::string_view label, std::uint32_t bits) {
+Result<SplatPrograms> make_splat_programs(const Gl& gl, std::string_view pass, Features features) {
+  const auto make = [&](std::string_view shape, std::string_view label, Features bits) {
     const std::string path = fmt::format("multipass/{}_{}", pass, shape);
     return make_program(gl, fmt::format("{}{}", label, pass), path + ".vert", path + ".frag", bits);
   };
-  if ((features & RELIEF_FEATURE_SPRITE) == 0) {
+  if (!features.has(RELIEF_FEATURE_SPRITE)) {
     RELIEF_TRY_ASSIGN(Program all, make("triangle", "", features));
     return SplatPrograms{std::move(all), std::nullopt};
   }
   RELIEF_TRY_ASSIGN(Program all, make("sprite", "", features));
   RELIEF_TRY_ASSIGN(Program large,
                     make("triangle", "large ",
-                         (features & ~(RELIEF_FEATURE_SPRITE | RELIEF_FEATURE_FRONT)) |
+                         (features.without(RELIEF_FEATURE_SPRITE | RELIEF_FEATURE_FRONT)) |
                              RELIEF_FEATURE_LARGE_SPRITES));
   return SplatPrograms{std::move(all), std::move(large)};
 }
 
 }  // namespace
 
-Result<Variant> Variant::create(const Gl& gl, const PatchStore& store, std::uint32_t features) {
+Result<Variant> Variant::create(const Gl& gl, const PatchStore& store, Features features) {
   RELIEF_TRY_ASSIGN(SplatPrograms visibility, make_splat_programs(gl, "visibility", features));
   RELIEF_TRY_ASSIGN(SplatPrograms accumulation, make_splat_programs(gl, "accumulation", features));
   RELIEF_TRY_ASSIGN(Program shading,
                     make_program(gl, "shading", "environment/screen.vert", "multipass/shading.frag",
-                                 features & ~RELIEF_FEATURE_FRONT));
+                                 features.without(RELIEF_FEATURE_FRONT)));
   return Variant{.gl = &gl,
                  .samples = SampleDraws(gl, store),
                  .visibility = std::move(visibility),

@@ -23,7 +23,7 @@ struct SplatPrograms {
 /// outlive it.
 struct Variant {
   /// `features` from renderer/frame/features.h.
-  static Result<Variant> create(const Gl& gl, const PatchStore& store, std::uint32_t features);
+  static Result<Variant> create(const Gl& gl, const PatchStore& store, Features features);
 
   const Gl* gl;
   SampleDraws samples;

@@ -9,6 +9,7 @@
 #include "renderer/frame/attachments.h"
 #include "renderer/frame/sample_draws.h"
 #include "renderer/frame/targets.h"
+#include "renderer/view/uniforms.h"
 #include "shaders/include/shared.h"
 
 namespace relief::onepass {
@@ -25,7 +26,7 @@ View view_behind(const Gl& gl, const View& picture) {
 }  // namespace
 
 Result<Back> make_back(const Gl& gl, const View& picture, MaterialChoice materials,
-                       std::uint32_t features) {
+                       Features features) {
   const View view = view_behind(gl, picture);
   Texture z_buffer =
       make_attachment(gl, "back depth buffer", GL_DEPTH_COMPONENT32F, view.width, view.height);

@@ -29,7 +29,7 @@ struct Back {
 
 /// Makes it for a picture with this view. Fails if OpenGL lacks memory.
 Result<Back> make_back(const Gl& gl, const View& picture, MaterialChoice materials,
-                       std::uint32_t features);
+                       Features features);
 
 /// Clears it for a frame.
 void clear_back(const Gl& gl, const Back& back);

@@ -9,7 +9,7 @@
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/store/cell_store.h"
-#include "renderer/view/cull_mode.h"
+#include "renderer/view/sided_list.h"
 
 namespace relief::onepass {
 

@@ -15,14 +15,13 @@ inline constexpr std::uint32_t kShadedMaterials =
 inline constexpr std::uint32_t kFineFeatures =
     RELIEF_FEATURE_FINE_COLOURS | RELIEF_FEATURE_FINE_NORMALS;
 
-[[nodiscard]] inline std::uint32_t features_of(const RenderSettings& settings, ModelMaps maps) {
-  const std::uint32_t features =
-      scene_features(settings, maps) |
-      (has_two_interfaces(settings) ? RELIEF_FEATURE_TWO_INTERFACES : 0U);
+[[nodiscard]] inline Features features_of(const RenderSettings& settings, ModelMaps maps) {
+  const Features features = scene_features(settings, maps) |
+                            (has_two_interfaces(settings) ? RELIEF_FEATURE_TWO_INTERFACES : 0U);
   const bool cells = settings.primitive == Primitive::Cell;
   // A fine map is averaged over a pixel's footprint, which what was found does not tell.
   const bool later = is_transparent(settings) || has_two_interfaces(settings) ||
-                     ((features & kShadedMaterials) != 0 && (features & kFineFeatures) == 0);
+                     (features.has(kShadedMaterials) && !features.has(kFineFeatures));
   return features | (cells ? RELIEF_FEATURE_CELL : 0U) |
          (cells && later ? RELIEF_FEATURE_VISIBILITY : 0U) |
          (pixels_per_sample_of(settings) > 0.0 ? RELIEF_FEATURE_MASKED : 0U) |

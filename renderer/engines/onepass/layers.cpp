@@ -9,7 +9,7 @@ namespace relief::onepass {
 namespace {
 
 Result<Layer> make_layer(const Gl& gl, const Targets& targets, const Texture& colour,
-                         std::uint32_t features) {
+                         Features features) {
   Texture z_buffer =
       make_attachment(gl, "layer depth", GL_DEPTH_COMPONENT32F, targets.width, targets.height);
   Result<Visibility> visibility =
@@ -21,7 +21,7 @@ Result<Layer> make_layer(const Gl& gl, const Targets& targets, const Texture& co
 
 }  // namespace
 
-Result<Layers> make_layers(const Gl& gl, const Targets& targets, std::uint32_t features) {
+Result<Layers> make_layers(const Gl& gl, const Targets& targets, Features features) {
   Texture colour = make_attachment(gl, "layers", GL_RGBA16F, targets.width, targets.height);
   RELIEF_TRY_ASSIGN(Layer one, make_layer(gl, targets, colour, features));
   RELIEF_TRY_ASSIGN(Layer other, make_layer(gl, targets, colour, features));

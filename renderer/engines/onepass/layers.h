@@ -32,6 +32,6 @@ struct Layers {
 };
 
 /// Makes them; `targets` must outlive them. Fails if OpenGL lacks memory.
-Result<Layers> make_layers(const Gl& gl, const Targets& targets, std::uint32_t features);
+Result<Layers> make_layers(const Gl& gl, const Targets& targets, Features features);
 
 }  // namespace relief::onepass

@@ -28,49 +28,51 @@ std::uint32_t widest_side(const PatchStore& store) {
   return widest;
 }
 
-/// All but what models seen from afar have nothing to do with.
-constexpr std::uint32_t kProxyFeatures =
-    ~(RELIEF_FEATURE_CELL | RELIEF_FEATURE_MASKED | RELIEF_FEATURE_CORRECTED |
-      RELIEF_FEATURE_VISIBILITY | RELIEF_FEATURE_FINE_COLOURS | RELIEF_FEATURE_FINE_NORMALS |
-      RELIEF_FEATURE_LAYERED | RELIEF_FEATURE_TWO_INTERFACES);
+/// What models seen from afar have nothing to do with.
+constexpr std::uint32_t kNearFeatures = RELIEF_FEATURE_CELL | RELIEF_FEATURE_MASKED |
+                                        RELIEF_FEATURE_CORRECTED | RELIEF_FEATURE_VISIBILITY |
+                                        RELIEF_FEATURE_FINE_COLOURS | RELIEF_FEATURE_FINE_NORMALS |
+                                        RELIEF_FEATURE_LAYERED | RELIEF_FEATURE_TWO_INTERFACES;
 
-Result<Programs> make_cell_programs(const Gl& gl, const PatchStore& store, std::uint32_t features) {
+Result<Programs> make_cell_programs(const Gl& gl, const PatchStore& store, Features features) {
   // What finds the surface needs nothing of what shades it.
-  const bool shaded_later = (features & RELIEF_FEATURE_VISIBILITY) != 0;
-  const std::uint32_t found = shaded_later ? features & kFindingFeatures : features;
+  const bool shaded_later = features.has(RELIEF_FEATURE_VISIBILITY);
+  const Features found = shaded_later ? features.only(kFindingFeatures) : features;
   // A cell is the surface: there is nothing to correct.
-  const std::uint32_t whole = found & ~RELIEF_FEATURE_MASKED;
-  const std::uint32_t direct = ~RELIEF_FEATURE_CORRECTED;
-  RELIEF_TRY_ASSIGN(Program cells, make_program(gl, "cells", "onepass/cell.vert",
-                                                "onepass/quad.frag", whole & direct));
+  const Features whole = found.without(RELIEF_FEATURE_MASKED);
+  RELIEF_TRY_ASSIGN(Program cells,
+                    make_program(gl, "cells", "onepass/cell.vert", "onepass/quad.frag",
+                                 whole.without(RELIEF_FEATURE_CORRECTED)));
   RELIEF_TRY_ASSIGN(Program rims,
                     make_program(gl, "rims", "onepass/quad.vert", "onepass/quad.frag", whole));
   Programs programs{std::move(cells), std::nullopt, std::move(rims)};
   if (found != whole && store.masks) {
-    RELIEF_TRY_ASSIGN(Program edges, make_program(gl, "edges", "onepass/cell.vert",
-                                                  "onepass/quad.frag", found & direct));
+    RELIEF_TRY_ASSIGN(Program edges,
+                      make_program(gl, "edges", "onepass/cell.vert", "onepass/quad.frag",
+                                   found.without(RELIEF_FEATURE_CORRECTED)));
     programs.edges = std::move(edges);
   }
   if (store.far) {
-    RELIEF_TRY_ASSIGN(Program far, make_program(gl, "far models", "onepass/proxy.vert",
-                                                "onepass/proxy.frag", features & kProxyFeatures));
+    RELIEF_TRY_ASSIGN(Program far,
+                      make_program(gl, "far models", "onepass/proxy.vert", "onepass/proxy.frag",
+                                   features.without(kNearFeatures)));
     programs.far = std::move(far);
   }
   if (!shaded_later) return programs;
   RELIEF_TRY_ASSIGN(Program shading,
                     make_program(gl, "shading", "environment/screen.vert", "onepass/shading.frag",
-                                 features & ~(RELIEF_FEATURE_CELL | RELIEF_FEATURE_MASKED |
-                                              RELIEF_FEATURE_CORRECTED)));
+                                 features.without(RELIEF_FEATURE_CELL | RELIEF_FEATURE_MASKED |
+                                                  RELIEF_FEATURE_CORRECTED)));
   programs.shading = std::move(shading);
-  if ((features & RELIEF_FEATURE_LAYERED) != 0) {
+  if (features.has(RELIEF_FEATURE_LAYERED)) {
     RELIEF_TRY_ASSIGN(
         Program behind,
         make_program(gl, "shading behind", "environment/screen.vert", "onepass/shading.frag",
-                     features & ~(kOutputFeatures | RELIEF_FEATURE_CELL | RELIEF_FEATURE_MASKED |
-                                  RELIEF_FEATURE_CORRECTED)));
+                     features.without(kOutputFeatures | RELIEF_FEATURE_CELL |
+                                      RELIEF_FEATURE_MASKED | RELIEF_FEATURE_CORRECTED)));
     programs.behind = std::move(behind);
     RELIEF_TRY_ASSIGN(Program over,
-                      make_program(gl, "over", "environment/screen.vert", "onepass/over.frag", 0));
+                      make_program(gl, "over", "environment/screen.vert", "onepass/over.frag", {}));
     programs.over = std::move(over);
   }
   const float steps = place_steps(widest_side(store));
@@ -85,8 +87,8 @@ Result<Programs> make_cell_programs(const Gl& gl, const PatchStore& store, std::
   return programs;
 }
 
-Result<Programs> make_splat_programs(const Gl& gl, std::uint32_t features) {
-  if ((features & RELIEF_FEATURE_SPRITE) == 0) {
+Result<Programs> make_splat_programs(const Gl& gl, Features features) {
+  if (!features.has(RELIEF_FEATURE_SPRITE)) {
     RELIEF_TRY_ASSIGN(Program quads, make_program(gl, "quads", "onepass/quad.vert",
                                                   "onepass/quad.frag", features));
     return Programs{std::move(quads)};
@@ -96,16 +98,16 @@ Result<Programs> make_splat_programs(const Gl& gl, std::uint32_t features) {
   RELIEF_TRY_ASSIGN(
       Program large,
       make_program(gl, "large sprites", "onepass/large_sprite.vert", "onepass/quad.frag",
-                   (features & ~(RELIEF_FEATURE_SPRITE | RELIEF_FEATURE_FRONT)) |
+                   (features.without(RELIEF_FEATURE_SPRITE | RELIEF_FEATURE_FRONT)) |
                        RELIEF_FEATURE_LARGE_SPRITES));
   return Programs{std::move(sprites), std::move(large)};
 }
 
 }  // namespace
 
-Result<Programs> make_programs(const Gl& gl, const PatchStore& store, std::uint32_t features) {
-  return (features & RELIEF_FEATURE_CELL) != 0 ? make_cell_programs(gl, store, features)
-                                               : make_splat_programs(gl, features);
+Result<Programs> make_programs(const Gl& gl, const PatchStore& store, Features features) {
+  return features.has(RELIEF_FEATURE_CELL) ? make_cell_programs(gl, store, features)
+                                           : make_splat_programs(gl, features);
 }
 
 }  // namespace relief::onepass

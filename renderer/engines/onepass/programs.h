@@ -24,6 +24,6 @@ struct Programs {
 };
 
 /// Makes them. Fails if OpenGL refuses a shader.
-Result<Programs> make_programs(const Gl& gl, const PatchStore& store, std::uint32_t features);
+Result<Programs> make_programs(const Gl& gl, const PatchStore& store, Features features);
 
 }  // namespace relief::onepass

@@ -42,7 +42,7 @@ class Prepared final : public GlPreparedModel {
   Result<std::unique_ptr<GlDrawing>> make_drawing(const GlFrame& frame,
                                                   const RenderSettings& settings,
                                                   Counting counting) override {
-    RELIEF_TRY_ASSIGN(std::uint32_t features, features_for(settings));
+    RELIEF_TRY_ASSIGN(Features features, features_for(settings));
     if (is_transparent(settings)) {
       if (counting == Counting::On) return std::unique_ptr<GlDrawing>();
       return make_layered(frame, settings, features);
@@ -56,25 +56,25 @@ class Prepared final : public GlPreparedModel {
 
  private:
   /// The features of an image, but for what the model is too large for.
-  [[nodiscard]] Result<std::uint32_t> features_for(const RenderSettings& settings) const {
-    const std::uint32_t features = features_of(settings, model().maps());
+  [[nodiscard]] Result<Features> features_for(const RenderSettings& settings) const {
+    const Features features = features_of(settings, model().maps());
     if (can_be_found(model().store())) return features;
     if (has_two_interfaces(settings))
       return make_error("a scene of more than a million patches can't have two interfaces");
     if (is_transparent(settings))
       return make_error("a scene of more than a million patches can't be semi-transparent");
-    return features & ~RELIEF_FEATURE_VISIBILITY;
+    return features.without(RELIEF_FEATURE_VISIBILITY);
   }
 
   [[nodiscard]] Result<Buffers> make_buffers(const GlFrame& frame, const RenderSettings& settings,
-                                             std::uint32_t features) const {
+                                             Features features) const {
     Buffers buffers;
-    if ((features & RELIEF_FEATURE_VISIBILITY) == 0) return buffers;
+    if (!features.has(RELIEF_FEATURE_VISIBILITY)) return buffers;
     const Targets& targets = frame.targets;
     RELIEF_TRY_ASSIGN(
         buffers.visibility,
         make_visibility(model().gl(), {targets.width, targets.height}, targets.z_buffer, features));
-    if ((features & RELIEF_FEATURE_TWO_INTERFACES) == 0) return buffers;
+    if (!features.has(RELIEF_FEATURE_TWO_INTERFACES)) return buffers;
     RELIEF_TRY_ASSIGN(buffers.back, make_back(model().gl(), model().view_of(settings),
                                               materials_of_bodies(settings), features));
     return buffers;
@@ -82,7 +82,7 @@ class Prepared final : public GlPreparedModel {
 
   Result<std::unique_ptr<GlDrawing>> make_layered(const GlFrame& frame,
                                                   const RenderSettings& settings,
-                                                  std::uint32_t features) {
+                                                  Features features) {
     RELIEF_TRY_ASSIGN(const Variant* opaque, variants_.get(model(), features));
     RELIEF_TRY_ASSIGN(const Variant* layered,
                       variants_.get(model(), features | RELIEF_FEATURE_LAYERED));

@@ -27,7 +27,7 @@ DrawBatch make_splat_batch(const Variant& variant, const View& view) {
 
 }  // namespace
 
-Result<Variant> Variant::create(const Gl& gl, const PatchStore& store, std::uint32_t features) {
+Result<Variant> Variant::create(const Gl& gl, const PatchStore& store, Features features) {
   RELIEF_TRY_ASSIGN(Programs programs, make_programs(gl, store, features));
   const bool cells = programs.rims.has_value();
   return Variant{&gl, SampleDraws(gl, store, cells), std::move(programs)};

@@ -22,7 +22,7 @@ namespace relief::onepass {
 /// outlive it.
 struct Variant {
   /// `features` from features.h.
-  static Result<Variant> create(const Gl& gl, const PatchStore& store, std::uint32_t features);
+  static Result<Variant> create(const Gl& gl, const PatchStore& store, Features features);
 
   const Gl* gl;
   SampleDraws samples;

@@ -9,14 +9,14 @@
 namespace relief::onepass {
 
 Result<Visibility> make_visibility(const Gl& gl, glm::uvec2 size, const Texture& z_buffer,
-                                   std::uint32_t features, const VisibilityLabels& labels) {
+                                   Features features, const VisibilityLabels& labels) {
   const auto make = [&](const char* label, GLenum format) {
     return make_attachment(gl, label, format, size.x, size.y);
   };
   Texture places = make(labels.places, GL_RG32UI);
   std::optional<Texture> depths;
-  if ((features & (RELIEF_FEATURE_OUT_DEPTH | RELIEF_FEATURE_POINT_LIGHTS |
-                   RELIEF_FEATURE_TWO_INTERFACES)) != 0)
+  if (features.has(RELIEF_FEATURE_OUT_DEPTH | RELIEF_FEATURE_POINT_LIGHTS |
+                   RELIEF_FEATURE_TWO_INTERFACES))
     depths = make(labels.depths, GL_R32F);
   Framebuffer framebuffer = make_framebuffer(
       gl, labels.framebuffer, &z_buffer,

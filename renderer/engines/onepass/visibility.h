@@ -29,7 +29,7 @@ struct VisibilityLabels {
 
 /// Makes it, of the size of a picture; `z_buffer` must outlive it. Fails if OpenGL lacks memory.
 Result<Visibility> make_visibility(const Gl& gl, glm::uvec2 size, const Texture& z_buffer,
-                                   std::uint32_t features, const VisibilityLabels& labels = {});
+                                   Features features, const VisibilityLabels& labels = {});
 
 /// Whether every patch of the store has a number that a place can name.
 [[nodiscard]] bool can_be_found(const PatchStore& store);

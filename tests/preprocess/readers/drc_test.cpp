@@ -118,7 +118,7 @@ TEST(Drc, RefusesHostileCounts) {
 TEST(Drc, RefusesOlderBitstreams) {
   std::string bytes = all_files()[0];
   bytes[6] = 1;
-  EXPECT_NE(test::error("a.drc", bytes).find("is of Draco bitstream 2.1"), std::string::npos);
+  EXPECT_NE(test::error("a.drc", bytes).find("has Draco bitstream 2.1"), std::string::npos);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "renderer/frame/image_parts.h"
+#include "renderer/view/uniforms.h"
 #include "renderer/view/view.h"
 #include "tests/renderer/images.h"
 

@@ -238,7 +238,7 @@ TEST(MaterialFeatures, AreThoseInUseAlone) {
             RELIEF_FEATURE_MIXED | RELIEF_FEATURE_GLASS);
   // The camera's three lights, by number.
   EXPECT_EQ(features({with(Material::Lit)}),
-            RELIEF_FEATURE_LIT | RELIEF_FEATURE_COLOURS | 3U << RELIEF_LIGHTS_SHIFT);
+            Features(RELIEF_FEATURE_LIT | RELIEF_FEATURE_COLOURS, 3));
 }
 
 TEST(MixedMaterialsOnMultipass, PatchIdsStayOutOfThePicture) {

@@ -121,7 +121,7 @@ TEST(OpacityOfPatches, OverlapsCountOnce) {
       }
     }
     EXPECT_GT(inside, 1500U);
-    EXPECT_EQ(other, 0U) << static_cast<int>(engine);
+    EXPECT_EQ(other, 0U) << engine;
   }
 }
 

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "renderer/frame/features.h"
+#include "renderer/view/uniforms.h"
 #include "renderer/view/view.h"
 #include "shaders/include/split_view.h"
 #include "tests/renderer/images.h"
@@ -196,9 +197,10 @@ TEST(SplitView, SamplesAreDiscsOverTheirPatch) {
 TEST(SplitView, HasAFeatureOfItsOwn) {
   RenderSettings settings;
   settings.material = Material::Split;
-  EXPECT_EQ(scene_features(settings, true), RELIEF_FEATURE_SPLIT | RELIEF_FEATURE_LIT |
-                                                RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_COLOURS |
-                                                3U << RELIEF_LIGHTS_SHIFT);
+  EXPECT_EQ(scene_features(settings, true),
+            Features(RELIEF_FEATURE_SPLIT | RELIEF_FEATURE_LIT | RELIEF_FEATURE_MIRROR |
+                         RELIEF_FEATURE_COLOURS,
+                     3));
 }
 
 TEST(SplitView, IsRefusedWhereNoPlaceOnAPatchIsKnown) {

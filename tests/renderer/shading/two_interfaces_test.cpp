@@ -236,7 +236,7 @@ TEST(TwoInterfaces, OneIsWhatItWas) {
     EXPECT_FALSE(has(one->textures, is(texture)) || has(one->buffers, is(texture))) << texture;
   // Of what is no glass it says nothing.
   settings.material = Material::Mirror;
-  const std::uint32_t mirror = onepass::features_of(settings, false);
+  const Features mirror = onepass::features_of(settings, false);
   settings.constants.interfaces = 2;
   EXPECT_EQ(onepass::features_of(settings, false), mirror);
 }

@@ -32,7 +32,7 @@ class Stores : public testing::Test {
     RenderSettings settings;
     settings.primitive = primitive;
     settings.interpolation = interpolation;
-    const std::uint32_t features = onepass::features_of(settings, model_.has_colours);
+    const Features features = onepass::features_of(settings, model_.has_colours);
     auto store = upload_model(gl_, model_, needs_of(features));
     EXPECT_TRUE(store);
     return std::move(*store);

@@ -54,10 +54,10 @@ TEST(FineColours, AreAFeatureOfTheirOwn) {
   usual.patches[0].colours.texels.resize(std::size_t{33} * 33);
   RenderSettings settings;
   settings.material = Material::Unlit;
-  EXPECT_NE(scene_features(settings, ModelMaps(fine)) & RELIEF_FEATURE_FINE_COLOURS, 0U);
-  EXPECT_EQ(scene_features(settings, ModelMaps(usual)) & RELIEF_FEATURE_FINE_COLOURS, 0U);
+  EXPECT_TRUE(scene_features(settings, ModelMaps(fine)).has(RELIEF_FEATURE_FINE_COLOURS));
+  EXPECT_FALSE(scene_features(settings, ModelMaps(usual)).has(RELIEF_FEATURE_FINE_COLOURS));
   settings.material = Material::Mirror;  // which shows no colours
-  EXPECT_EQ(scene_features(settings, ModelMaps(fine)) & RELIEF_FEATURE_FINE_COLOURS, 0U);
+  EXPECT_FALSE(scene_features(settings, ModelMaps(fine)).has(RELIEF_FEATURE_FINE_COLOURS));
 }
 
 TEST(FineColours, AConstantComesOutAsItWentIn) {

@@ -93,16 +93,16 @@ TEST(FineNormals, AreAFeatureOfTheirOwn) {
   const ModelMaps usual(fine_square(up, kNormalNodes, 1));
   RenderSettings settings;
   settings.material = Material::Lit;
-  EXPECT_NE(scene_features(settings, fine) & RELIEF_FEATURE_FINE_NORMALS, 0U);
-  EXPECT_EQ(scene_features(settings, usual) & RELIEF_FEATURE_FINE_NORMALS, 0U);
+  EXPECT_TRUE(scene_features(settings, fine).has(RELIEF_FEATURE_FINE_NORMALS));
+  EXPECT_FALSE(scene_features(settings, usual).has(RELIEF_FEATURE_FINE_NORMALS));
   // Cells that are shaded later would not know what a pixel sees of the map.
   settings.primitive = Primitive::Cell;
-  EXPECT_EQ(onepass::features_of(settings, fine) & RELIEF_FEATURE_VISIBILITY, 0U);
-  EXPECT_NE(onepass::features_of(settings, usual) & RELIEF_FEATURE_VISIBILITY, 0U);
+  EXPECT_FALSE(onepass::features_of(settings, fine).has(RELIEF_FEATURE_VISIBILITY));
+  EXPECT_TRUE(onepass::features_of(settings, usual).has(RELIEF_FEATURE_VISIBILITY));
   settings.material = Material::Unlit;  // which shows no normals
-  EXPECT_EQ(scene_features(settings, fine) & RELIEF_FEATURE_FINE_NORMALS, 0U);
+  EXPECT_FALSE(scene_features(settings, fine).has(RELIEF_FEATURE_FINE_NORMALS));
   settings.outputs.normal = true;
-  EXPECT_NE(scene_features(settings, fine) & RELIEF_FEATURE_FINE_NORMALS, 0U);
+  EXPECT_TRUE(scene_features(settings, fine).has(RELIEF_FEATURE_FINE_NORMALS));
 }
 
 TEST(FineNormals, AConstantTiltComesOutAsItWentIn) {

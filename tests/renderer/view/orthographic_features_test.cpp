@@ -147,10 +147,10 @@ TEST(OrthographicSamples, AreThePixelsOfALargerPicture) {
 
 TEST(OrthographicFeature, IsNoneOfPerspectivePictures) {
   RenderSettings settings;
-  const std::uint32_t perspective = scene_features(settings, true);
+  const Features perspective = scene_features(settings, true);
   settings.camera.orthographic_height = 1.0;
   EXPECT_EQ(scene_features(settings, true), perspective | RELIEF_FEATURE_ORTHOGRAPHIC);
-  EXPECT_EQ(perspective & RELIEF_FEATURE_ORTHOGRAPHIC, 0U);
+  EXPECT_FALSE(perspective.has(RELIEF_FEATURE_ORTHOGRAPHIC));
 }
 
 TEST(OrthographicBench, DrawsTheSamePicture) {

@@ -20,7 +20,7 @@ std::vector<EngineEntry> engines_and_toy() {
 
 /// A single sample at the origin, seen from straight above: the middle of the image.
 PatchModel one_sample() {
-  PatchModel model = test::bumpy_sphere();
+  PatchModel model = test::sphere_model({.patches_per_side = 1});
   Patch patch = model.patches.front();
   patch.heights.assign(std::size_t{patch.width} * patch.height, kHole);
   patch.heights.front() = 0;

@@ -1,0 +1,59 @@
+// A model drawn into framebuffers of someone else's OpenGL context: what a window uses.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "common/error.h"
+#include "renderer/engine_registry.h"
+#include "renderer/gl/loader.h"
+#include "renderer/model.h"
+#include "renderer/settings.h"
+
+namespace relief {
+
+class EnvironmentCache;
+class OpenGl;
+
+/// A model on the GPU, uploaded once with all its levels, and drawn from any view into any
+/// framebuffer. The OpenGL 4.5 core context belongs to the caller: it is current on this thread,
+/// with no error pending, whenever a function of the viewport is called, the destructor's call
+/// among them. The viewport never makes a context current and never destroys one.
+///
+/// OpenGL's state is afterwards what it was before, but for these, which are unbound: texture units
+/// 0 to 26, uniform buffers 0 to 2, storage buffer 0.
+class Viewport {
+ public:
+  /// Uploads the model, which must outlive the viewport. `looks`: the engines, primitives,
+  /// interpolations, materials, lights and outputs that draw() will be given; their cameras and
+  /// sizes do not matter. Fails if OpenGL is older than 4.5 or lacks memory, or an engine of
+  /// `looks` does not draw this model with OpenGL.
+  static Result<std::unique_ptr<Viewport>> create(const GlLoader& load, const RenderModel& model,
+                                                  std::span<const RenderSettings> looks,
+                                                  std::span<const EngineEntry> among = engines());
+  ~Viewport();
+  Viewport(const Viewport&) = delete;
+  Viewport& operator=(const Viewport&) = delete;
+
+  /// Draws a view into the lower left `view.width` times `view.height` pixels of the framebuffer's
+  /// colour attachment: linear light, premultiplied, alpha the model's coverage. (OpenGL encodes it
+  /// as sRGB if the framebuffer is such and GL_FRAMEBUFFER_SRGB is enabled.) One sample a pixel.
+  /// Does not wait for OpenGL, nor touch the framebuffer's depth. The pixels are those of render().
+  /// Targets are made anew when the size or the outputs change.
+  Status draw(const RenderSettings& view, std::uint32_t framebuffer);
+
+ private:
+  struct Reused;  ///< the last frame's targets
+
+  Viewport();
+
+  std::shared_ptr<const OpenGl> opengl_;  ///< first: the last to go
+  std::shared_ptr<EnvironmentCache> environments_;
+  std::map<std::string, std::unique_ptr<PreparedModel>, std::less<>> prepared_;  ///< by engine
+  std::unique_ptr<Reused> reused_;
+};
+
+}  // namespace relief

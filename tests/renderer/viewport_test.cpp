@@ -1,0 +1,181 @@
+// A window's way to draw: in a context that the test owns, into the test's own framebuffer.
+#include "renderer/viewport.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "renderer/frame/attachments.h"
+#include "renderer/frame/targets.h"
+#include "renderer/gl/context.h"
+#include "renderer/gl/functions.h"
+#include "tests/renderer/images.h"
+#include "tests/renderer/scenes.h"
+
+namespace relief {
+namespace {
+
+PatchModel viewport_model() {
+  test::SphereShape shape;
+  shape.bumps = 0.1;
+  shape.patches_per_side = 2;
+  shape.coloured = true;
+  return test::sphere_model(shape);
+}
+
+/// From three sides, at two sizes and three levels of detail, the last from so far that the model
+/// is small.
+std::vector<RenderSettings> views_around(const PatchModel& model) {
+  std::vector<RenderSettings> views;
+  for (const std::uint32_t side : {64U, 96U}) {
+    views.push_back(test::small_image(model, {20.0, 15.0}, side));
+    views.back().pixels_per_sample = 0.0;
+    views.push_back(test::small_image(model, {140.0, -40.0}, side));
+    views.back().pixels_per_sample = 6.0;
+    views.push_back(test::small_image(model, {250.0, 60.0, 20.0}, side));
+  }
+  for (RenderSettings& view : views) view.background = std::nullopt;
+  return views;
+}
+
+/// A window, without the window.
+class Window {
+ public:
+  Window() : context_(must(make_context(GlPlatform::Automatic, false))) {
+    gl_ = must(load_functions(*context_));
+  }
+  [[nodiscard]] GlLoader loader() const {
+    return [this](const char* name) { return context_->get_proc_address(name); };
+  }
+  [[nodiscard]] const Gl& gl() const { return gl_; }
+
+ private:
+  template <class T>
+  static T must(Result<T> result) {
+    EXPECT_TRUE(result) << (result ? std::string() : result.error().message);
+    return *std::move(result);
+  }
+  std::unique_ptr<GlContext> context_;
+  Gl gl_;
+};
+
+struct WindowFramebuffer {
+  WindowFramebuffer(const Gl& gl, std::uint32_t width, std::uint32_t height)
+      : colour(make_attachment(gl, "window", GL_RGBA16F, width, height)),
+        framebuffer(make_framebuffer(gl, "window", nullptr, {{0, &colour}})) {}
+  Texture colour;
+  Framebuffer framebuffer;
+};
+
+TEST(Viewport, DrawsWhatRenderDoesFromAnyViewAtAnySize) {
+  const PatchModel model = viewport_model();
+  for (const char* const engine : {"onepass", "multipass"}) {
+    std::vector<RenderSettings> views = views_around(model);
+    std::vector<Image> expected;
+    for (RenderSettings& view : views) {
+      view.engine = engine;
+      expected.push_back(test::must_render(model, view).image);
+    }
+    const Window window;
+    const auto viewport =
+        Viewport::create(window.loader(), RenderModel::of(model), {views.data() + 2, 1});
+    ASSERT_TRUE(viewport) << viewport.error().message;
+    for (std::size_t k = 0; k < views.size(); ++k) {
+      const WindowFramebuffer into(window.gl(), views[k].width, views[k].height);
+      const Status drawn = (*viewport)->draw(views[k], into.framebuffer.id());
+      ASSERT_TRUE(drawn) << drawn.error().message;
+      const Image image = read_colour(window.gl(), into.colour, views[k].width, views[k].height);
+      for (const char* const channel : {"R", "G", "B", "A"})
+        EXPECT_EQ(test::values(image, channel), test::values(expected[k], channel))
+            << engine << " view " << k << " " << channel;
+    }
+  }
+}
+
+TEST(Viewport, LeavesTheStateOfOpenGlAsItWas) {
+  const PatchModel model = viewport_model();
+  const RenderSettings view = views_around(model).front();
+  const Window window;
+  const Gl& gl = window.gl();
+  const WindowFramebuffer into(gl, view.width, view.height);
+  const WindowFramebuffer other(gl, 8, 8);
+  const VertexArray vertices(gl, "window's");
+  const auto set = [&] {
+    gl.BindFramebuffer(GL_FRAMEBUFFER, other.framebuffer.id());
+    gl.BindVertexArray(vertices.id());
+    gl.Viewport(1, 2, 3, 4);
+    gl.Enable(GL_SCISSOR_TEST);
+    gl.Enable(GL_BLEND);
+    gl.Enable(GL_CULL_FACE);
+    gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_DST_ALPHA);
+    gl.DepthFunc(GL_LEQUAL);
+    gl.DepthMask(GL_FALSE);
+    gl.CullFace(GL_FRONT);
+    gl.FrontFace(GL_CW);
+    gl.ClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
+    gl.ColorMask(GL_TRUE, GL_FALSE, GL_TRUE, GL_FALSE);
+  };
+  const auto state = [&] {
+    std::vector<GLint> all;
+    for (const GLenum name : {GL_DRAW_FRAMEBUFFER_BINDING,
+                              GL_READ_FRAMEBUFFER_BINDING,
+                              GL_VERTEX_ARRAY_BINDING,
+                              GL_CURRENT_PROGRAM,
+                              GL_DRAW_INDIRECT_BUFFER_BINDING,
+                              GL_SCISSOR_TEST,
+                              GL_BLEND,
+                              GL_CULL_FACE,
+                              GL_DEPTH_TEST,
+                              GL_PROGRAM_POINT_SIZE,
+                              GL_TEXTURE_CUBE_MAP_SEAMLESS,
+                              GL_BLEND_SRC_RGB,
+                              GL_BLEND_DST_RGB,
+                              GL_BLEND_SRC_ALPHA,
+                              GL_BLEND_DST_ALPHA,
+                              GL_DEPTH_FUNC,
+                              GL_DEPTH_WRITEMASK,
+                              GL_CULL_FACE_MODE,
+                              GL_FRONT_FACE,
+                              GL_CLIP_ORIGIN,
+                              GL_CLIP_DEPTH_MODE})
+      all.push_back(get_limit(gl, name));
+    std::array<GLint, 4> four{};
+    gl.GetIntegerv(GL_VIEWPORT, four.data());
+    all.insert(all.end(), four.begin(), four.end());
+    gl.GetIntegerv(GL_COLOR_WRITEMASK, four.data());
+    all.insert(all.end(), four.begin(), four.end());
+    return all;
+  };
+  set();
+  const std::vector<GLint> before = state();
+  const auto viewport = Viewport::create(window.loader(), RenderModel::of(model), {&view, 1});
+  ASSERT_TRUE(viewport) << viewport.error().message;
+  EXPECT_EQ(state(), before);
+  ASSERT_TRUE((*viewport)->draw(view, into.framebuffer.id()));
+  EXPECT_EQ(state(), before);
+  const Image image = read_colour(gl, into.colour, view.width, view.height);
+  const std::vector<float>& alpha = test::values(image, "A");
+  EXPECT_GT(std::count(alpha.begin(), alpha.end(), 1.0F), 500);
+}
+
+TEST(Viewport, RefusesWhatItCanNotDraw) {
+  const PatchModel model = viewport_model();
+  RenderSettings view = views_around(model).front();
+  const Window window;
+  view.engine = "ewa";
+  const auto refused = Viewport::create(window.loader(), RenderModel::of(model), {&view, 1});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message,
+            "engine ewa does not draw with OpenGL, which a viewport needs");
+  view.engine = "onepass";
+  const auto viewport = Viewport::create(window.loader(), RenderModel::of(model), {&view, 1});
+  ASSERT_TRUE(viewport);
+  view.engine = "multipass";
+  EXPECT_FALSE((*viewport)->draw(view, 0));
+}
+
+}  // namespace
+}  // namespace relief
