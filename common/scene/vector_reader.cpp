@@ -1,7 +1,7 @@
-#include "common/scene/vector_values.h"
+#include "common/scene/vector_reader.h"
 
-#include <cmath>
 #include <glm/geometric.hpp>
+#include <string>
 
 #include "common/scene/scene.h"
 
@@ -10,9 +10,16 @@ namespace {
 
 constexpr NumberRange kCoordinates{-kMaxSceneCoordinate, kMaxSceneCoordinate};
 constexpr double kShortestDirection = 1e-12;
-constexpr NumberRange kAngleRange{-1e6, 1e6};
 
 }  // namespace
+
+std::filesystem::path read_path(JsonValues& values, const JsonPlace& place,
+                                const std::filesystem::path& folder, std::string_view expected) {
+  const std::string name = values.text(place, expected);
+  // With a zero byte it would be another file's name to the operating system.
+  if (name.find('\0') != std::string::npos) values.refuse_value(place, expected);
+  return folder / name;
+}
 
 glm::dvec3 read_vector(JsonValues& values, const JsonPlace& place) {
   const auto n = values.numbers(place, {3, 3}, kCoordinates, "[x, y, z], three numbers");
@@ -28,7 +35,7 @@ glm::dvec3 read_direction(JsonValues& values, const JsonPlace& place) {
 }
 
 double read_angle(JsonValues& values, const JsonPlace& place) {
-  return values.number(place, kAngleRange, "degrees from -1e6 to 1e6");
+  return values.number(place, kAngles, "degrees from -1e6 to 1e6");
 }
 
 }  // namespace relief
