@@ -28,7 +28,7 @@ constexpr std::uint32_t kNormalScale = 8;
 /// The normal at a place of the square in cells from its corner, any length.
 using Relief = std::function<glm::dvec3(double, double)>;
 
-Patch fine_patch(const Patch& plain, const Relief& normal, std::uint32_t scale = kNormalScale) {
+Patch patch_of_normals(const Patch& plain, const Relief& normal, std::uint32_t scale = kNormalScale) {
   Patch patch = plain;
   const std::uint32_t side = scale * (patch.width - 1) + 1;
   patch.normals = {side, side, scale, {}};
@@ -44,7 +44,7 @@ Patch fine_patch(const Patch& plain, const Relief& normal, std::uint32_t scale =
 PatchModel fine_square(const Relief& normal, std::uint32_t nodes = kNormalNodes,
                        std::uint32_t scale = kNormalScale) {
   PatchModel model = test::height_field(nodes, [](double, double) { return 0.0; });
-  model.patches[0] = fine_patch(model.patches[0], normal, scale);
+  model.patches[0] = patch_of_normals(model.patches[0], normal, scale);
   return model;
 }
 
@@ -171,7 +171,7 @@ TEST(FineNormals, NoPatchShowsItsNeighboursInTheAtlas) {
   PatchModel model = fine_square([&](double, double) { return one; });
   const Patch first = model.patches[0];
   for (int k = 1; k < 9; ++k) {
-    Patch square = fine_patch(first, [&](double, double) { return k % 2 == 1 ? other : one; });
+    Patch square = patch_of_normals(first, [&](double, double) { return k % 2 == 1 ? other : one; });
     square.origin += glm::dvec3(24.0 * (k % 3), 24.0 * (k / 3), 0.0);
     model.patches.push_back(square);
   }
