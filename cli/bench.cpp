@@ -1,5 +1,8 @@
-// relief bench: every way to draw a scene, timed in turns and compared with the truth.
+// relief bench: times every method to draw a scene and compares it with the truth.
 #include "renderer/bench/bench.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -16,6 +19,7 @@
 #include "cli/bench/bench_sweep.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/options/engine_options.h"
 #include "cli/options/paths.h"
 #include "cli/options/render_options.h"
 #include "cli/plot/bench_plot.h"
@@ -23,21 +27,22 @@
 #include "common/io/extension.h"
 #include "common/io/file.h"
 #include "loader/load_scene.h"
-#include "loader/view_settings.h"
 #include "renderer/shading/materials.h"
 
 namespace relief::cli {
 namespace {
 
 constexpr const char* kBenchExamples =
-    "In brackets: what is taken where an option is not given.\n"
-    "Draws each way in turns: frame k of every row before frame k + 1 of any, so that a machine\n"
-    "that drifts drifts for all. Times are medians, after two rounds that are not counted. The\n"
-    "bound shades as many pixels as the picture covers and nothing else; the mesh is the input's,\n"
-    "if it has faces. The truth is ray-traced: the scene's triangles, or else its patches. Of a\n"
-    ".json scene the first view is drawn; its engine, primitive, interpolation and background do\n"
-    "not count. A ratio is the row's time over that of multipass with radius factor 2 (its faster\n"
-    "primitive), of the bound, of the mesh. Bytes are those of the model on the GPU.\n"
+    "Draws all rows in turns: frame k of every row before frame k + 1 of any, so that a slower\n"
+    "machine slows all rows. Times are medians, after two rounds that are not timed. The truth is\n"
+    "ray traced: the triangles of the scene, or else of its patches. The bound shades as many "
+    "pixels\n"
+    "as the image covers and does nothing else. The mesh is the input's, if it has faces. Of a "
+    ".json\n"
+    "scene only the first view is drawn, without its background, with all engines. A ratio is the\n"
+    "row's time over that of multipass with its default radius factor (its faster primitive), of "
+    "the\n"
+    "bound, of the mesh. Bytes are those of the model on the GPU.\n"
     "\n"
     "Examples:\n"
     "  relief bench dragon.ply.gz --plot bench.svg\n"
@@ -46,7 +51,7 @@ constexpr const char* kBenchExamples =
 constexpr int kFrames = 20;
 
 struct BenchArguments {
-  RenderArguments picture;
+  RenderArguments image;
   std::filesystem::path plot;  ///< empty: none
   std::optional<Sweep> sweep;
 };
@@ -55,14 +60,14 @@ Status write_text(const std::filesystem::path& path, const std::string& text) {
   return write_file_atomically(path, std::as_bytes(std::span<const char>(text)));
 }
 
-/// Conversions of the scene: the first as it is unasked, then those of a sweep.
+/// Conversions of the scene: with the defaults, then those of a sweep.
 struct Models {
   LoadedScene scene;
   std::vector<PatchModel> swept;
 };
 
 Result<Models> load(const ScenePlan& plan, const std::optional<Sweep>& sweep, Progress& progress) {
-  auto scene = load_models(plan.models, {}, {.patches = true, .raytrace = true}, progress);
+  auto scene = load_models(plan.models, {}, {.patches = true, .mesh = true}, progress);
   if (!scene) return scene.error();
   Models models{std::move(*scene), {}};
   if (!sweep || !converts(*sweep)) return models;
@@ -84,20 +89,19 @@ struct Plan {
   }
 };
 
-Plan plan_rows(const Models& models, const RenderSettings& base,
-               const std::optional<Sweep>& sweep) {
+Result<Plan> plan_rows(const Models& models, const BenchView& view,
+                       const std::optional<Sweep>& sweep) {
   Plan plan;
-  const PatchModel& unasked = models.scene.patches;
-  for (const RenderSettings& row : sweep ? compared_rows(base) : bench_rows(base))
-    plan.add(unasked, row, std::nullopt);
-  if (sweep) plan.result.swept = name_of(kSwept, sweep->what);
+  const PatchModel& usual = models.scene.patches;
+  RELIEF_TRY_ASSIGN(const auto rows, sweep ? compared_rows(view) : bench_rows(view));
+  for (const RenderSettings& row : rows) plan.add(usual, row, std::nullopt);
+  if (sweep) plan.result.swept = sweep->key;
   if (sweep && !converts(*sweep)) {
-    const auto rows_of = sweep->what == Swept::RadiusFactor ? radius_factor_rows : level_rows;
-    for (const RenderSettings& row : rows_of(base, sweep->values))
-      plan.add(unasked, row, std::nullopt);
+    RELIEF_TRY_ASSIGN(const auto swept, swept_rows(view, sweep->key, sweep->values));
+    for (const RenderSettings& row : swept) plan.add(usual, row, std::nullopt);
   }
   for (std::size_t k = 0; k < models.swept.size(); ++k)
-    plan.add(models.swept[k], compared_rows(base).front(), sweep->values[k]);
+    plan.add(models.swept[k], rows.front(), sweep->values[k]);
   plan.job.reference = plan.result.reference = find_default(plan.result.rows);
   if (models.scene.mesh_is_input) {
     plan.job.mesh = &*models.scene.mesh;
@@ -110,24 +114,26 @@ Result<BenchResult> measure(const ScenePlan& scene, const BenchArguments& argume
   ConsoleProgress progress;
   RELIEF_TRY_ASSIGN(const auto models, load(scene, arguments.sweep, progress));
   const PlannedView& view = scene.views.front();
-  RELIEF_TRY_ASSIGN(auto base, render_settings_of(scene, view, models.scene.patches));
-  base.platform = arguments.picture.platform;
+  const BenchView bench_view{scene, view, models.scene.patches, arguments.image.platform};
+  RELIEF_TRY_ASSIGN(auto rows, plan_rows(models, bench_view, arguments.sweep));
+  auto& [job, result] = rows;
+  const RenderSettings& base = job.rows.front().settings;
   if (uses(base, Material::Split)) {
     return make_error(
-        "the material split is for relief render: most of the rows of relief bench can't show it; "
-        "take lit or mirror");
+        "the material split is for relief render: most rows of relief bench can't show it; take "
+        "lit "
+        "or mirror");
   }
   if (has_two_interfaces(base)) {
     return make_error(
-        "glass with two interfaces is for relief render: most of the rows of relief bench can't "
-        "show it; take --interfaces 1");
+        "glass with two interfaces is for relief render: most rows of relief bench can't show it; "
+        "take --interfaces 1");
   }
-  auto [job, result] = plan_rows(models, base, arguments.sweep);
-  job.frames = arguments.picture.frames.value_or(kFrames);
+  job.frames = arguments.image.frames.value_or(kFrames);
   RELIEF_TRY_ASSIGN(auto times, bench(job, progress));
   const TriangleMesh* const mesh = models.scene.mesh ? &*models.scene.mesh : nullptr;
   RELIEF_TRY_ASSIGN(auto accuracy, measure_accuracy(job.rows, mesh, progress));
-  result.scene = arguments.picture.input.string();
+  result.scene = arguments.image.input.string();
   result.view = view.name;
   result.frames = job.frames;
   result.warm_up = job.warm_up;
@@ -137,7 +143,7 @@ Result<BenchResult> measure(const ScenePlan& scene, const BenchArguments& argume
 }
 
 int run_bench(const BenchArguments& arguments) {
-  const auto plan = plan_scene(arguments.picture.input, arguments.picture.settings);
+  const auto plan = plan_scene(arguments.image.input, arguments.image.settings);
   if (!plan) return fail(plan.error());
   const auto inputs = find_inputs(*plan);
   if (!inputs) return fail(inputs.error());
@@ -151,48 +157,55 @@ int run_bench(const BenchArguments& arguments) {
     const Status written = write_text(arguments.plot, plot_as_svg(plot_of(*result)));
     if (!written) return fail(written.error());
   }
-  return arguments.picture.json ? print_json(as_json(*result)) : print_result(as_text(*result));
+  return arguments.image.json ? print_json(as_json(*result)) : print_result(as_text(*result));
 }
 
 /// What is converted anew is a scan.
 void check_sweep(const BenchArguments& arguments) {
-  const std::string kind = lower_extension(arguments.picture.input);
+  const std::string kind = lower_extension(arguments.image.input);
   if (arguments.sweep && converts(*arguments.sweep) && (kind == ".relief" || kind == ".json"))
-    throw CLI::ValidationError("--sweep", "spacing and height-step need a scan or a mesh");
+    throw CLI::ValidationError("--sweep", "spacing and height-step need a scan or a mesh; found " +
+                                              arguments.image.input.string());
 }
 
 }  // namespace
 
 void add_bench(CLI::App& app, Command& command) {
-  auto* sub = app.add_subcommand("bench", "Time every way to draw a scene against the truth");
+  auto* sub = app.add_subcommand("bench",
+                                 "Time every method to draw a scene and compare it with the truth");
   const auto arguments = std::make_shared<BenchArguments>();
-  RenderArguments& picture = arguments->picture;
-  sub->add_option("SCENE", picture.input, "A .relief file, a scan, a mesh or a .json scene")
+  RenderArguments& image = arguments->image;
+  sub->add_option("SCENE", image.input, "Patch file (.relief), scan, mesh, or .json scene")
       ->required()
       ->option_text("FILE");
-  add_camera_options(*sub, picture.settings);
-  add_material_options(*sub, picture.settings);
-  add_cull_option(*sub, picture.settings);
-  sub->add_option("--frames", picture.frames, "Timed frames of each row (20)")
+  add_camera_options(*sub, image.settings);
+  add_material_options(*sub, image.settings);
+  for (const SharedOption& option : shared_options()) {
+    if (option.row.key == "cull") add_engine_option(*sub, image.settings.options, option);
+  }
+  sub->add_option("--frames", image.frames, "Frames to time of each row, 1 to 100000 (default 20)")
       ->check(CLI::Range(1, 100000))
       ->option_text("N");
-  add_platform_option(*sub, picture.platform);
+  add_platform_option(*sub, image.platform);
   sub->add_option("--plot", arguments->plot,
-                  "Write accuracy against time, with the Pareto front marked")
+                  "SVG to write a plot of accuracy against time to, with the Pareto front marked "
+                  "(default: none)")
       ->check([](const std::string& name) {
         return lower_extension(name) == ".svg" ? std::string()
-                                               : "expected a name that ends in .svg";
+                                               : "expected a name that ends in .svg; found " + name;
       })
       ->option_text("OUT.svg");
   sub->add_option_function<std::string>(
          "--sweep", [arguments](const std::string& s) { arguments->sweep = parse_sweep(s); },
-         "One quantity with several values instead: the default way, multipass to compare with, "
-         "and a row for each value; spacing and height-step convert the scan anew")
-      ->option_text("spacing|height-step|radius-factor|pixels-per-sample=V,V,...");
-  sub->add_flag("--json", picture.json, "Print one JSON object on standard output");
+         fmt::format(
+             "Vary one quantity: a row for each of 1 to 16 values, beside the default method "
+             "and multipass; KEY is {}; {} and {} convert the scan again (default: none)",
+             fmt::join(sweep_keys(), ", "), kSpacing, kHeightStep))
+      ->option_text("KEY=V,V,...");
+  sub->add_flag("--json", image.json, "Print one JSON object on standard output");
   sub->footer(kBenchExamples);
   sub->callback([arguments, &command] {
-    check_camera(arguments->picture.settings);
+    check_camera(arguments->image.settings);
     check_sweep(*arguments);
     command = [arguments] { return run_bench(*arguments); };
   });

@@ -13,6 +13,7 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/options/engine_options.h"
 #include "cli/options/image_files.h"
 #include "cli/options/render_options.h"
 #include "cli/reports/render_report.h"
@@ -24,24 +25,29 @@
 namespace relief::cli {
 namespace {
 
-constexpr const char* kRenderExamples =
-    "In brackets: what is taken where an option is not given.\n"
-    "SCENE is a .relief file, or a scan or mesh that is converted in memory with the default\n"
-    "options (ewa draws its points and raytrace its triangles as they are), or a .json scene\n"
-    "(docs/scene.md): models in their places and views. Options given\n"
-    "here override a scene's. The camera looks at the middle of the model unless --eye says\n"
-    "otherwise. No display is needed.\n"
-    "\n"
-    "Examples:\n"
-    "  relief render dragon.relief -o dragon.png --orbit 30,20\n"
-    "  relief render dragon.relief -o dragon.png --material mirror --env studio.hdr\n"
-    "  relief render statue.ply -o statue.exr --material unlit --background none --size 4096x4096\n"
-    "  relief render dragon.relief -o top.png --eye 0,1,0 --target 0,0,0 --up 0,0,-1 "
-    "--orthographic 0.25\n"
-    "  relief render suite.json -o 'out/{view}.exr'";
+std::string render_footer() {
+  return "SCENE is a .relief file, a scan or mesh, or a .json scene (docs/scene.md) of models in "
+         "their\n"
+         "positions and views. A scan or mesh is converted in memory with the default options; "
+         "ewa\n"
+         "draws its points, raytrace its triangles. Options given here override those of a scene.\n"
+         "By default the camera sees the whole model. No display is needed.\n"
+         "\n"
+         "Engines:\n" +
+         list_engines() +
+         "\n"
+         "Examples:\n"
+         "  relief render dragon.relief -o dragon.png --orbit 30,20\n"
+         "  relief render dragon.relief -o dragon.png --material mirror --env studio.hdr\n"
+         "  relief render statue.ply -o statue.exr --material unlit --background none --size "
+         "4096x4096\n"
+         "  relief render dragon.relief -o top.png --eye 0,1,0 --target 0,0,0 --up 0,0,-1 "
+         "--orthographic 0.25\n"
+         "  relief render suite.json -o 'out/{view}.exr'";
+}
 
-/// An EXR keeps the scene's light; a PNG has it as a camera with that exposure (stops) takes it,
-/// the background with it.
+/// Writes an image. An EXR keeps the scene's light; a PNG multiplies it, and the background, by the
+/// exposure (stops).
 Status write_image(const std::filesystem::path& path, Image& image, double exposure) {
   if (lower_extension(path) == ".exr") return write_exr(path, image);
   const auto factor = static_cast<float>(std::exp2(exposure));
@@ -124,10 +130,10 @@ int run_render(const RenderArguments& arguments) {
 }  // namespace
 
 void add_render(CLI::App& app, Command& command) {
-  auto* sub = app.add_subcommand("render", "Render a patch file, a scan or a scene to pictures");
+  auto* sub = app.add_subcommand("render", "Render a patch file, a scan or a scene to images");
   const auto arguments = std::make_shared<RenderArguments>();
   add_render_options(*sub, *arguments);
-  sub->footer(kRenderExamples);
+  sub->footer(render_footer());
   sub->callback([arguments, &command] {
     check_together(*arguments);
     command = [arguments] { return run_render(*arguments); };

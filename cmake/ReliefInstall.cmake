@@ -7,11 +7,13 @@ include(CMakePackageConfigHelpers)
 set(RELIEF_PUBLIC_HEADERS
   common/compare/compare.h common/error.h common/export/export.h common/image/image_io.h common/image/srgb.h
   common/io/file.h common/mesh/mesh_texture.h common/mesh/normal_texture.h common/patch.h
-  common/patch_file/patch_file.h common/patch_file/patch_tree.h common/points.h common/progress.h
+  common/patch_file/patch_file.h common/patch_file/patch_tree.h common/patch_file/tree_tile.h common/points.h common/progress.h
   common/scene/scene.h common/transform.h common/version.h
   loader/load_files.h loader/load_scene.h loader/scene_plan.h loader/view_settings.h
-  preprocess/convert.h preprocess/convert_tiles.h preprocess/readers/read_points.h
-  renderer/geometry/mesh_of_patches.h renderer/geometry/mesh_of_points.h renderer/render.h renderer/viewport.h)
+  preprocess/convert.h preprocess/convert_options.h preprocess/convert_tiles.h
+  preprocess/readers/read_points.h preprocess/readers/read_result.h preprocess/tiles/tile_options.h
+  renderer/geometry/mesh_of_patches.h renderer/geometry/mesh_of_points.h renderer/render.h
+  renderer/viewport.h)
 install(CODE "
   set(SOURCE ${PROJECT_SOURCE_DIR})
   set(STAGE ${PROJECT_BINARY_DIR}/include/relief)

@@ -1,4 +1,4 @@
-// A box about points, and a sphere.
+// Bounding boxes and spheres of points.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -13,13 +13,13 @@ struct Bounds {
   [[nodiscard]] bool empty() const { return min.x > max.x; }
 };
 
-/// Makes the box the smallest that holds it and a point.
+/// Grows the box to hold a point.
 void extend(Bounds& box, glm::dvec3 point);
 
-/// The box about some points; empty if there are none.
+/// Returns the bounding box of some points; empty without points.
 [[nodiscard]] Bounds bounds_of(const std::vector<glm::dvec3>& positions);
 
-/// The radius of the sphere about the centre of `bounds` that holds all the points.
+/// Returns the radius of the smallest sphere about the centre of `bounds` that holds all points.
 [[nodiscard]] double bounding_radius(const std::vector<glm::dvec3>& positions,
                                      const Bounds& bounds);
 

@@ -1,4 +1,4 @@
-// What a user is told when something can't be done.
+// Errors as values: Error, Result and Status.
 #pragma once
 
 #include <fmt/core.h>
@@ -10,7 +10,8 @@
 
 namespace relief {
 
-/// One sentence for the user: what is wrong, where (file, line or byte), what to do.
+/// One sentence for the user: what is wrong, where (file, line or byte), what was found, what to
+/// do.
 struct Error {
   std::string message;
 };
@@ -21,7 +22,7 @@ template <class... Args>
   return Error{fmt::format(text, std::forward<Args>(args)...)};
 }
 
-/// A value, or the reason why there is none. Never a half-filled value.
+/// A value or an Error. Never a partial value.
 template <class T>
 class [[nodiscard]] Result {
  public:
@@ -44,7 +45,7 @@ class [[nodiscard]] Result {
   std::variant<T, Error> state_;
 };
 
-/// Done, or the reason why not.
+/// Success or an Error.
 class [[nodiscard]] Status {
  public:
   Status() = default;
@@ -62,15 +63,14 @@ class [[nodiscard]] Status {
 
 // NOLINTBEGIN(cppcoreguidelines-macro-usage): a function can't return from its caller.
 
-/// Returns the error of a Status or Result from the enclosing function; goes on if there is none.
+/// Returns the error of a Status or Result from the enclosing function; continues otherwise.
 #define RELIEF_TRY(...)                                                                      \
   do {                                                                                       \
     if (const auto relief_tried = (__VA_ARGS__); !relief_tried) return relief_tried.error(); \
   } while (false)
 
-/// Declares a variable with the value of a Result, as in
-/// `RELIEF_TRY_ASSIGN(const auto file, read_file(path));`. Returns the error from the enclosing
-/// function if there is none.
+/// Declares a variable with the value of a Result, as in `RELIEF_TRY_ASSIGN(const auto file,
+/// read_file(path));`. Returns the Result's error from the enclosing function if it has no value.
 #define RELIEF_TRY_ASSIGN(declaration, ...) \
   RELIEF_TRY_ASSIGN_AS(RELIEF_JOIN(relief_tried_, __LINE__), declaration, __VA_ARGS__)
 #define RELIEF_TRY_ASSIGN_AS(tried, declaration, ...) \

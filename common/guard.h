@@ -1,4 +1,4 @@
-// Keeps the exceptions of other libraries, and of memory that runs out, inside ours.
+// Turns exceptions of other libraries, and std::bad_alloc, into errors.
 #pragma once
 
 #include <exception>
@@ -12,26 +12,26 @@
 
 namespace relief {
 
-/// What a guarded call does, for its error.
+/// A guarded call, as its error describes it.
 struct GuardedCall {
-  std::string_view subject;       ///< begins the error, usually a path; empty: nothing does
+  std::string_view subject;       ///< begins the error, usually a path; may be empty
   std::string_view task;          ///< a verb and its object: "read it"
-  std::string_view library = {};  ///< the one that is called; empty: several
+  std::string_view library = {};  ///< the library that is called; empty: several
 };
 
-/// The error of a call that ran out of memory.
+/// Returns the error of a call that ran out of memory.
 [[nodiscard]] inline Error not_enough_memory(const GuardedCall& call) {
   return make_error("{}{}not enough memory to {}", call.subject, call.subject.empty() ? "" : ": ",
                     call.task);
 }
 
-/// The error of a call that failed with an exception; `reason` is the exception's text.
+/// Returns the error of a call that threw an exception; `reason` is the exception's text.
 [[nodiscard]] inline Error call_failed(const GuardedCall& call, std::string_view reason) {
   return make_error("{}{}{} failed to {} ({})", call.subject, call.subject.empty() ? "" : ": ",
                     call.library.empty() ? "Relief" : call.library, call.task, reason);
 }
 
-/// Returns what `work` returns, a Result or a Status, or an error if it throws. Each call into a
+/// Calls `work` and returns its Result or Status, or an error if it throws. Each call into a
 /// library that may throw on hostile input goes through here, and so does each public function
 /// whose memory depends on its input: no exception leaves our libraries.
 template <class Work>

@@ -1,4 +1,4 @@
-// Where models stand.
+// Transforms and instances of patches.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace relief {
 
-/// A similarity: scaled, then turned, then moved. The point p goes to
+/// A similarity transform: scale, then rotate, then translate. The point p goes to
 ///   translation + scale * (rotation * p).
 struct Transform {
   glm::dvec3 translation{0.0};  ///< world units
@@ -19,7 +19,7 @@ struct Transform {
   return transform.translation + transform.scale * (transform.rotation * p);
 }
 
-/// Where a run of a model's patches stands. The same patches may stand in many places.
+/// One placed copy of a run of a model's patches. Several instances may share patches.
 struct Instance {
   std::uint32_t first = 0;  ///< in PatchModel::patches
   std::uint32_t count = 0;

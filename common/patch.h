@@ -1,4 +1,4 @@
-// The patch model: what the preprocessing makes, the patch file keeps and the renderer draws.
+// The patch model, which preprocessing makes, the patch file stores and the renderer draws.
 #pragma once
 
 #include <cstdint>
@@ -17,17 +17,17 @@ namespace relief {
 /// The height value of a grid node without a sample (a hole).
 inline constexpr std::int32_t kHole = std::numeric_limits<std::int32_t>::min();
 
-/// The largest number of nodes along one side of a patch; bounds what a hostile file can ask for.
+/// The largest number of nodes along one side of a patch; limits what a hostile file can request.
 inline constexpr std::uint32_t kMaxPatchSide = 16384;
 
-/// Heights are at most this many steps apart within a patch, so that 16 bits hold them with a value
-/// left over for holes.
+/// Largest difference of heights within a patch, in height steps: 16 bits hold it, with one value
+/// left for holes.
 inline constexpr std::int32_t kMaxHeightRange = 65534;
 
 /// A rectangular attribute map of one patch: `scale` texels per grid cell along each side, texel
 /// (i, j) at grid coordinates (i / scale, j / scale). Thus its size is scale * (nodes - 1) + 1.
 /// Every texel has a value: those over holes continue their surroundings, so that a bilinear lookup
-/// near a hole never reads anything foreign.
+/// near a hole reads no unrelated value.
 template <class Texel>
 struct AttributeMap {
   std::uint32_t width = 0;
@@ -41,10 +41,10 @@ struct AttributeMap {
 /// A patch: a regular grid of heights over its base plane, with holes, and attribute maps.
 ///
 /// Frame: node (i, j) with height index h lies in the world at
-///   origin + axes * (i * spacing, j * spacing, h * height_step),
-/// where the columns of `axes` are the plane's two directions and its normal (right-handed,
-/// orthonormal). Everything else of a patch is relative to that, so that single precision is enough
-/// wherever in the world it stands (paper 001, section 3: plane parameters and a height array).
+///   origin + axes * (i * spacing, j * spacing, h * height_step), where the columns of `axes` are
+/// the plane's two directions and its normal (right-handed, orthonormal). All other members are
+/// relative to that frame, so that single precision suffices at any world position ([Ochotta 2008],
+/// section 3: plane parameters and a height array).
 struct Patch {
   glm::dvec3 origin{0.0};
   glm::dmat3 axes{1.0};
@@ -58,50 +58,50 @@ struct Patch {
       normals;  ///< octahedral unit normals in the patch frame, see common/octahedral.h
   AttributeMap<glm::u8vec3> colours;  ///< 8-bit sRGB; empty if the scan has no colour
 
-  std::uint8_t material = 0;  ///< which of a scene's materials; patch files have none
+  std::uint8_t material = 0;  ///< index into a scene's materials; not in patch files
 
   [[nodiscard]] std::int32_t at(std::uint32_t i, std::uint32_t j) const {
     return heights[std::size_t{j} * width + i];
   }
 };
 
-/// All patches of a model, with what a viewer must know before it reads the first of them.
+/// All patches of a model, with what a viewer needs before it reads the first patch.
 struct PatchModel {
   std::vector<Patch> patches;
-  /// Where runs of patches stand, in the order in which patch ids count on; none: each patch stands
-  /// once and where it is. Bounds and spacing are of what is placed. Patch files have none.
+  /// Instances of runs of patches, in the order of their patch ids. Empty: each patch is drawn
+  /// once, untransformed. Bounds and spacing include the instances. Not in patch files.
   std::vector<Instance> instances;
-  double spacing = 0.0;  ///< the spacing asked for or chosen; each patch has its own
+  double spacing = 0.0;  ///< the requested or chosen spacing; each patch has its own
   Bounds bounds;         ///< of the scan's points
   double bounding_radius =
       0.0;  ///< of the sphere about the centre of `bounds` that holds all points
   bool has_colours = false;
-  /// The surface is known to enclose a body, normals outward: from outside nobody sees its back.
+  /// The surface encloses a body, normals outward, so that its back is invisible from outside.
   bool is_closed = false;
 };
 
-/// Where a sample lies.
-[[nodiscard]] inline glm::dvec3 place_of(const Patch& patch, std::uint32_t i, std::uint32_t j) {
+/// Returns the world position of a sample.
+[[nodiscard]] inline glm::dvec3 position_of(const Patch& patch, std::uint32_t i, std::uint32_t j) {
   return patch.origin + patch.axes * glm::dvec3(i * patch.spacing, j * patch.spacing,
                                                 patch.at(i, j) * patch.height_step);
 }
 
-/// Calls `visit` with the place of every sample of some patches.
+/// Calls `visit` with the world position of every sample of the patches.
 template <class Visit>
-void for_each_place(std::span<const Patch> patches, const Visit& visit) {
+void for_each_position(std::span<const Patch> patches, const Visit& visit) {
   for (const Patch& patch : patches) {
     for (std::uint32_t j = 0; j < patch.height; ++j) {
       for (std::uint32_t i = 0; i < patch.width; ++i) {
-        if (patch.at(i, j) != kHole) visit(place_of(patch, i, j));
+        if (patch.at(i, j) != kHole) visit(position_of(patch, i, j));
       }
     }
   }
 }
 
-/// Number of samples (valid grid nodes) of a patch.
+/// Returns the number of samples (valid grid nodes) of a patch.
 [[nodiscard]] std::size_t count_samples(const Patch& patch);
 
-/// Number of samples of a model.
+/// Returns the number of samples of a model.
 [[nodiscard]] std::size_t count_samples(const PatchModel& model);
 
 }  // namespace relief

@@ -1,4 +1,4 @@
-// How a long job reports what it does, and how it is asked to stop.
+// Progress of long jobs, and cancellation.
 #pragma once
 
 #include <atomic>
@@ -9,9 +9,9 @@
 
 namespace relief {
 
-/// Receives the progress of a long job. The base class ignores it; the command line draws a bar.
-/// A job calls `begin_stage` from one thread, `advance` from any, and looks at `cancelled`
-/// at least every few hundred milliseconds of work; it then returns `interrupted_error()`.
+/// Receives the progress of a long job. The base class ignores it; the command line draws a bar. A
+/// job calls `begin_stage` from one thread, `advance` from any thread, and checks `cancelled` at
+/// least every few hundred milliseconds of work; it then returns `interrupted_error()`.
 class Progress {
  public:
   Progress() = default;
@@ -19,19 +19,19 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// A new stage starts; `units` is how much work it has (0: not known).
+  /// Starts a stage of `units` units of work (0: unknown).
   virtual void begin_stage(std::string_view /*name*/, std::uint64_t /*units*/) {}
-  /// `units` more of the current stage are done. Thread-safe.
+  /// Adds finished units of the current stage. Thread-safe.
   virtual void advance(std::uint64_t /*units*/) {}
   /// Something that the user should know although the job goes on, as one clause ("only some of the
   /// scans have colours; they are left out"). Called from one thread.
   virtual void note(std::string_view /*text*/) {}
-  /// True once the user asked to stop. Thread-safe.
+  /// Returns whether the user asked to stop. Thread-safe.
   [[nodiscard]] virtual bool cancelled() const { return false; }
 };
 
-/// The progress of a job within another one. Hides its stages, units and notes; passes on that the
-/// user wants to stop.
+/// The progress of a nested job whose stages, units and notes are not reported. Forwards only
+/// cancellation.
 class QuietProgress final : public Progress {
  public:
   explicit QuietProgress(const Progress& outer) : outer_(outer) {}
@@ -41,7 +41,7 @@ class QuietProgress final : public Progress {
   const Progress& outer_;
 };
 
-/// The progress of a part of a job. Hides its stages; its units are units of the outer job.
+/// The progress of a part of a job. Forwards units, notes and cancellation, not stages.
 class PartProgress final : public Progress {
  public:
   explicit PartProgress(Progress& outer) : outer_(outer) {}
@@ -53,7 +53,7 @@ class PartProgress final : public Progress {
   Progress& outer_;
 };
 
-/// The error that a job returns when it was asked to stop.
+/// Returns the error of a job that the user interrupted.
 [[nodiscard]] inline Error interrupted_error() {
   return Error{"interrupted"};
 }

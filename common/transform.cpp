@@ -26,7 +26,7 @@ bool fits_float(double value) {
 Bounds moved_bounds(const Transform& transform, const Bounds& bounds, double new_radius) {
   if (bounds.empty()) return bounds;
   const glm::dvec3 centre = moved(transform, 0.5 * (bounds.min + bounds.max));
-  // How far a turned box reaches along each axis, but no farther than the sphere.
+  // Returns the extent of a rotated box along each axis, limited by the sphere.
   const glm::dvec3 half = 0.5 * transform.scale * (bounds.max - bounds.min);
   glm::dvec3 reach(0.0);
   for (glm::length_t axis = 0; axis < 3; ++axis) {
@@ -40,7 +40,7 @@ Bounds moved_bounds(const Transform& transform, const Bounds& bounds, double new
 Status check_frame(const PatchFrame& frame) {
   if (fits_float(frame.spacing) && fits_float(frame.height_step) && is_finite(frame.origin))
     return {};
-  return Error{"the transform makes it larger or smaller than numbers can say"};
+  return Error{"the transform makes it too large or too small for single precision"};
 }
 
 void set_frame(Patch& patch, const PatchFrame& frame) {
@@ -50,7 +50,7 @@ void set_frame(Patch& patch, const PatchFrame& frame) {
   patch.height_step = frame.height_step;
 }
 
-/// Makes room for a model in another's bounds, spacing and what it is said to have.
+/// Extends a model's bounds, spacing and attributes for another model.
 void extend(PatchModel& to, const PatchModel& from) {
   if (from.bounds.empty()) return;
   to.has_colours = to.has_colours || from.has_colours;
@@ -96,7 +96,7 @@ Status transform_model(PatchModel& model, const Transform& transform) {
   model.bounds = moved_bounds(transform, model.bounds, model.bounding_radius);
   if (!std::isfinite(model.spacing) || !std::isfinite(model.bounding_radius) ||
       !is_finite(model.bounds.min) || !is_finite(model.bounds.max)) {
-    return Error{"the transform makes it larger than numbers can say"};
+    return Error{"the transform makes it too large for double precision"};
   }
   return {};
 }

@@ -1,4 +1,4 @@
-// Models moved, turned and scaled, and put together.
+// Transforms models, and joins several into one.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -10,11 +10,11 @@
 
 namespace relief {
 
-/// The rotation by an angle about an axis (any length but 0), counter-clockwise seen from the
-/// axis's tip.
+/// Returns the rotation by an angle about an axis (any length but 0), counter-clockwise seen from
+/// the axis's tip.
 [[nodiscard]] glm::dmat3 rotation_about(glm::dvec3 axis, double degrees);
 
-/// Where a patch lies (Patch).
+/// The frame of a patch, as in Patch.
 struct PatchFrame {
   glm::dvec3 origin{0.0};
   glm::dmat3 axes{1.0};
@@ -22,31 +22,31 @@ struct PatchFrame {
   double height_step = 1.0;
 };
 
-/// Where a transform takes it.
+/// Returns the transformed frame.
 [[nodiscard]] PatchFrame moved(const Transform& transform, const Patch& patch);
 
-/// Moves a model. Only the patches' frames and steps change, so that it is as exact as double
-/// precision, whatever the model's size. The new bounds are a box about the transformed one and the
-/// transformed sphere: they have its very middle, but may be larger than the points need.
-/// Fails, with a clause, if a patch's steps leave what single precision holds (the renderer keeps
-/// them so) or its place what double precision holds.
+/// Transforms a model. Only the patches' frames and steps change, so that the result is exact to
+/// double precision for any model size. The new bounds are a box about the transformed bounds, with
+/// their exact centre; they may be larger than the points need. Fails, with a clause, if a patch's
+/// steps leave the range of single precision (which the renderer uses) or its position that of
+/// double precision.
 Status transform_model(PatchModel& model, const Transform& transform);
 
-/// Appends the patches of `from`; their ids count on after those of `to`. A patch without colours
-/// stays without, and is drawn in the neutral grey beside coloured ones. The bounds become the box
-/// about both; the bounding sphere is one about both spheres, no larger than the box's. `spacing`
-/// becomes the finer one. Several closed models are together closed.
+/// Appends the patches of `from`; their ids continue after those of `to`. A patch without colours
+/// stays without, and is drawn in neutral grey beside coloured ones. The bounds become the box
+/// about both. The bounding sphere becomes one about both spheres, no larger than the box's.
+/// `spacing` becomes the finer one. The result is closed if both are.
 void append_model(PatchModel& to, PatchModel from);
 
-/// Puts patches of the model in one more place. `extent`: their bounds, sphere, spacing, whether
-/// they have colours and are closed, before they are placed; no patches. A model with instances
-/// stands where they say and nowhere else. Fails as transform_model() does.
+/// Adds an instance of some of the model's patches. `extent` has no patches; it gives their bounds,
+/// sphere, spacing, and whether they have colours and are closed, before the transform. A model
+/// with instances is drawn only through them. Fails as transform_model() does.
 Status add_instance(PatchModel& to, const Instance& instance, const PatchModel& extent);
 
-/// Each patch in each of its places, a patch of its own: for what knows no instances.
+/// Returns the model with each instance as patches of its own, for code that knows no instances.
 [[nodiscard]] PatchModel bake(const PatchModel& model);
 
-/// All but the patches and their instances.
+/// Returns a copy without patches and instances.
 [[nodiscard]] PatchModel without_patches(const PatchModel& model);
 
 }  // namespace relief

@@ -49,26 +49,26 @@ Result<LoadedFile> load_patch_file(const std::filesystem::path& path, Forms form
 }
 
 Result<LoadedFile> load_scan(const std::filesystem::path& path, const TextureChoice& textures,
-                             EngineNeeds needs, Progress& progress) {
+                             FormNeeds needs, Progress& progress) {
   auto scan = load_mesh(path, textures, progress);
   if (!scan) return scan.error();
   LoadedFile file;
   file.patches.bounds = bounds_of(scan->points.positions);
   file.patches.bounding_radius = bounding_radius(scan->points.positions, file.patches.bounds);
   const bool has_triangles = !scan->points.triangles.empty();
-  if (needs.raytrace && has_triangles) file.mesh = mesh_of_points(scan->points);
+  if (needs.mesh && has_triangles) file.mesh = mesh_of_points(scan->points);
   file.has_faces = file.mesh.has_value();
-  if (needs.ewa) {
+  if (needs.splats) {
     auto splats = splats_of_points(scan->points, progress);
     if (!splats) return make_error("{}: {}", path.string(), splats.error().message);
     file.splats = std::move(*splats);
   }
-  const bool traces_patches = needs.raytrace && !has_triangles;
-  if (!needs.patches && !traces_patches) return file;
+  const bool meshes_patches = needs.mesh && !has_triangles;
+  if (!needs.patches && !meshes_patches) return file;
   auto converted = convert(std::move(scan->points), {}, progress);
   if (!converted) return make_error("{}: {}", path.string(), converted.error().message);
   file.patches = std::move(converted->model);
-  if (!traces_patches) return file;
+  if (!meshes_patches) return file;
   RELIEF_TRY(add_mesh_of_patches(file, path));
   return file;
 }
@@ -121,14 +121,15 @@ Status load_trees(const std::vector<SceneModel>& models, const TreeFiles& trees,
   return {};
 }
 
-/// Which engines draw the views.
-EngineNeeds needs_of(const ScenePlan& plan) {
-  EngineNeeds needs;
+/// The forms that the engines of the views prefer.
+Result<FormNeeds> needs_of(const ScenePlan& plan, std::span<const EngineEntry> among) {
+  FormNeeds needs;
   for (const PlannedView& view : plan.views) {
-    const std::string engine = view.settings.engine.value_or(RenderSettings{}.engine);
-    needs.patches |= needs_opengl(engine);
-    needs.ewa |= engine == "ewa";
-    needs.raytrace |= engine == "raytrace";
+    RELIEF_TRY_ASSIGN(const EngineEntry* const engine, engine_of(view, among));
+    const ModelForm form = engine->forms.front();
+    needs.patches |= form == ModelForm::Patches;
+    needs.splats |= form == ModelForm::Splats;
+    needs.mesh |= form == ModelForm::Mesh;
   }
   return needs;
 }
@@ -137,8 +138,10 @@ EngineNeeds needs_of(const ScenePlan& plan) {
 Result<LoadedScene> load_textured_splats(const ScenePlan& plan, const LoadOptions& options,
                                          Progress& progress) {
   AcquireOptions acquisition = options.acquisition;
-  acquisition.cutoff = plan.views.front().settings.cutoff.value_or(EwaSettings{}.cutoff);
-  RELIEF_TRY_ASSIGN(auto splats, acquire_splats(plan.models.front().file, options.textures.picture,
+  const OptionValues& values = plan.views.front().settings.options;
+  if (const auto cutoff = values.find("cutoff"); cutoff != values.end())
+    acquisition.cutoff = std::get<double>(cutoff->second);
+  RELIEF_TRY_ASSIGN(auto splats, acquire_splats(plan.models.front().file, options.textures.image,
                                                 acquisition, progress));
   LoadedScene scene;
   scene.patches.bounds = bounds_of(splats.positions);
@@ -150,14 +153,14 @@ Result<LoadedScene> load_textured_splats(const ScenePlan& plan, const LoadOption
 }  // namespace
 
 Result<LoadedScene> load_models(const std::vector<SceneModel>& models,
-                                const TextureChoice& textures, EngineNeeds needs,
-                                Progress& progress, const ViewsOf& views) {
+                                const TextureChoice& textures, FormNeeds needs, Progress& progress,
+                                const ViewsOf& views) {
   const bool has_scans = std::any_of(models.begin(), models.end(), [](const SceneModel& model) {
     return lower_extension(model.file) != ".relief";
   });
-  const Forms forms{needs.raytrace && has_scans, needs.ewa && has_scans};
-  // Engines that follow rays or splat points take all patches.
-  const bool may_choose = views && !needs.raytrace && !needs.ewa;
+  const Forms forms{needs.mesh && has_scans, needs.splats && has_scans};
+  // Splats and meshes are made of all patches.
+  const bool may_choose = views && !needs.mesh && !needs.splats;
   const auto trees = may_choose ? open_trees(models) : Result(TreeFiles());
   if (!trees) return trees.error();
 
@@ -181,13 +184,13 @@ Result<LoadedScene> load_models(const std::vector<SceneModel>& models,
 }
 
 Result<LoadedScene> load_scene(const ScenePlan& plan, const LoadOptions& options,
-                               Progress& progress) {
-  const EngineNeeds needs = needs_of(plan);
-  if (needs.ewa && !options.textures.picture.empty())
+                               Progress& progress, std::span<const EngineEntry> among) {
+  RELIEF_TRY_ASSIGN(const FormNeeds needs, needs_of(plan, among));
+  if (needs.splats && !options.textures.image.empty())
     return load_textured_splats(plan, options, progress);
-  return load_models(
-      plan.models, options.textures, needs, progress,
-      [&plan](const PatchModel& extent) { return render_settings_of(plan, extent); });
+  return load_models(plan.models, options.textures, needs, progress, [&](const PatchModel& extent) {
+    return render_settings_of(plan, extent, among);
+  });
 }
 
 }  // namespace relief

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "common/error.h"
@@ -12,40 +13,40 @@
 #include "loader/scene_plan.h"
 #include "preprocess/texture/acquisition/acquisition.h"
 #include "preprocess/texture/files/load_textures.h"
-#include "renderer/render.h"
+#include "renderer/engine_registry.h"
 
 namespace relief {
 
-/// Which engines draw the scene.
-struct EngineNeeds {
-  bool patches = false;  ///< onepass, multipass
-  bool ewa = false;
-  bool raytrace = false;
+/// The forms that the engines of a scene prefer to draw.
+struct FormNeeds {
+  bool patches = false;
+  bool splats = false;
+  bool mesh = false;
 };
 
 /// Returns the views to draw of a scene whose bounds are known.
 using ViewsOf = std::function<Result<std::vector<RenderSettings>>(const PatchModel& extent)>;
 
 /// Reads the models and puts them in their positions. Reads a file that several of them name once.
-/// Converts a scan or mesh with the default options where an engine draws its patches: `onepass`,
-/// `multipass`, and `raytrace` if it has no triangles. `raytrace` takes its triangles, `ewa` its
-/// points as they are. `textures`: of scans and meshes. Of a patch file with tiles only what
-/// `views` show is read (renderer/view/patches_in_view.h); everything is read without `views`, and
-/// for `raytrace` and `ewa`.
+/// A scan or mesh gives the forms that are needed: its points as splats, its triangles, and patches
+/// by a conversion with the default options, which also stand for triangles if it has none.
+/// `textures`: of scans and meshes. Of a patch file with tiles only what `views` show is read
+/// (renderer/view/patches_in_view.h); everything is read without `views`, and if splats or a mesh
+/// are needed.
 Result<LoadedScene> load_models(const std::vector<SceneModel>& models,
-                                const TextureChoice& textures, EngineNeeds needs,
-                                Progress& progress, const ViewsOf& views = {});
+                                const TextureChoice& textures, FormNeeds needs, Progress& progress,
+                                const ViewsOf& views = {});
 
 struct LoadOptions {
   TextureChoice textures;  ///< of scans and meshes
-  /// How `ewa` makes splats of a mesh for which `textures` names an image. The cutoff is that of
-  /// the view's settings, whatever is said here.
+  /// How splats are made of a mesh for which `textures` names an image. The cutoff is that of the
+  /// first view's options, whatever is set here.
   AcquireOptions acquisition;
 };
 
-/// Loads what the views of a plan show. The views' settings follow by render_settings_of
-/// (loader/view_settings.h), with the scene's patches for the extent.
+/// Loads what the views of a plan show, in the forms that their engines prefer. The views' settings
+/// follow by render_settings_of (loader/view_settings.h), with the scene's patches for the extent.
 Result<LoadedScene> load_scene(const ScenePlan& plan, const LoadOptions& options,
-                               Progress& progress);
+                               Progress& progress, std::span<const EngineEntry> among = engines());
 
 }  // namespace relief

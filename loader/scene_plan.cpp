@@ -26,21 +26,29 @@ std::vector<MaterialSettings> materials_for(const std::vector<MaterialWords>& of
 
 }  // namespace
 
-Result<ScenePlan> plan_scene(const fs::path& input, const SceneSettings& overrides) {
+EngineKeys engine_keys(std::span<const EngineEntry> among) {
+  EngineKeys keys;
+  for (const EngineEntry& engine : among) keys.engines.push_back(engine.name);
+  for (SharedOption& option : shared_options(among)) keys.options.push_back(std::move(option.row));
+  return keys;
+}
+
+Result<ScenePlan> plan_scene(const fs::path& input, const SceneSettings& overrides,
+                             std::span<const EngineEntry> among) {
   ScenePlan plan;
   if (lower_extension(input) != ".json") {
     plan.models.push_back({input, {}, {}, {}});
     plan.views.push_back({"", overrides, {}});
     return plan;
   }
-  RELIEF_TRY_ASSIGN(auto scene, read_scene(input));
+  RELIEF_TRY_ASSIGN(auto scene, read_scene(input, engine_keys(among)));
   plan.file = input;
   plan.models = std::move(scene.models);
-  const std::vector<MaterialWords> said = materials_said(plan.models);
+  const std::vector<MaterialWords> of_models = materials_said(plan.models);
   for (const SceneView& view : scene.views) {
     const SceneSettings of_view = overlay(scene.settings, view.settings);
     plan.views.push_back(
-        {view.name, overlay(of_view, overrides), materials_for(said, of_view, overrides)});
+        {view.name, overlay(of_view, overrides), materials_for(of_models, of_view, overrides)});
     const std::size_t count = roughnesses_of(plan.views.back().materials).size();
     if (count > kMaxRoughnesses) {
       return make_error("{}: view {}: has mirrors of {} roughnesses; at most {} are drawn",

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "common/error.h"
 #include "common/scene/scene.h"
+#include "renderer/engine_registry.h"
 
 namespace relief {
 
@@ -28,9 +30,14 @@ struct ScenePlan {
 };
 
 /// Reads a scene (.json). Any other file is a scene of one model and one view. `overrides` win over
-/// what the scene and its views say. Opens no file but the scene. Fails as read_scene does, and if
+/// the settings of the scene and its views. Opens no file but the scene. Fails as read_scene does, and if
 /// the materials of a view have more than kMaxRoughnesses roughnesses.
-Result<ScenePlan> plan_scene(const std::filesystem::path& input, const SceneSettings& overrides);
+/// `among`: the engines that the scene can name.
+Result<ScenePlan> plan_scene(const std::filesystem::path& input, const SceneSettings& overrides,
+                             std::span<const EngineEntry> among = engines());
+
+/// The engines' names and options, as scene files have them.
+[[nodiscard]] EngineKeys engine_keys(std::span<const EngineEntry> among = engines());
 
 /// The files that the plan reads: the scene file, models and environments, each once. Fails if one
 /// is missing, so that it is known before any long work.

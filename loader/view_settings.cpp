@@ -1,56 +1,68 @@
 #include "loader/view_settings.h"
 
+#include <string>
 #include <utility>
 
 namespace relief {
+namespace {
+
+/// The engine's defaults, and those of the options that are its own.
+Result<RenderSettings> engine_settings(const PlannedView& view,
+                                       std::span<const EngineEntry> among) {
+  RELIEF_TRY_ASSIGN(const EngineEntry* const engine, engine_of(view, among));
+  OptionValues own;
+  for (const auto& [key, value] : view.settings.options) {
+    if (find_option(*engine, key) != nullptr) own.emplace(key, value);
+  }
+  RenderSettings settings = default_settings(*engine);
+  RELIEF_TRY(apply_options(*engine, own, settings));
+  return settings;
+}
+
+/// An error with the view's name before it.
+Error in_view(const ScenePlan& plan, const PlannedView& view, const Error& error) {
+  if (view.name.empty()) return error;
+  return make_error("{}: view {}: {}", plan.file.string(), view.name, error.message);
+}
+
+}  // namespace
+
+Result<const EngineEntry*> engine_of(const PlannedView& view, std::span<const EngineEntry> among) {
+  return engine_named(view.settings.engine.value_or(among.front().name), among);
+}
 
 Result<RenderSettings> render_settings_of(const ScenePlan& plan, const PlannedView& view,
-                                          const PatchModel& extent) {
-  const SceneSettings& said = view.settings;
-  const auto camera = camera_for(said, extent);
-  if (!camera) {
-    return view.name.empty() ? camera.error()
-                             : make_error("{}: view {}: {}", plan.file.string(), view.name,
-                                          camera.error().message);
-  }
-  RenderSettings settings;
-  const ImageSize size = said.size.value_or(ImageSize{});
+                                          const PatchModel& extent,
+                                          std::span<const EngineEntry> among) {
+  const SceneSettings& planned = view.settings;
+  const auto camera = camera_for(planned, extent);
+  if (!camera) return in_view(plan, view, camera.error());
+  auto made = engine_settings(view, among);
+  if (!made) return in_view(plan, view, made.error());
+  RenderSettings settings = *std::move(made);
+  const ImageSize size = planned.size.value_or(ImageSize{});
   settings.width = size.width;
   settings.height = size.height;
   settings.camera = *camera;
-  settings.engine = said.engine.value_or(settings.engine);
-  const bool splats = settings.engine == "multipass";
-  settings.primitive = said.primitive.value_or(splats ? Primitive::Quad : settings.primitive);
-  settings.interpolation = said.interpolation.value_or(settings.interpolation);
-  settings.cull = said.cull.value_or(settings.cull);
-  const MaterialSettings material = material_of(said);
+  const MaterialSettings material = material_of(planned);
   settings.material = material.kind;
   settings.constants = material.constants;
   settings.materials = view.materials;
-  settings.lights.list = said.lights.value_or(std::vector<Light>());
-  settings.lights.ambient = said.ambient.value_or(settings.lights.ambient);
-  settings.environment = said.environment.value_or(std::filesystem::path());
-  if (said.background) settings.background = said.background->colour;
-  settings.outputs = said.outputs.value_or(settings.outputs);
-  settings.pixels_per_sample = said.pixels_per_sample;
-  settings.multipass.radius_factor = said.radius_factor.value_or(settings.multipass.radius_factor);
-  settings.samples = said.samples.value_or(settings.samples);
-  settings.raytrace.samples = said.samples.value_or(settings.raytrace.samples);
-  settings.ewa.filter = said.filter.value_or(settings.ewa.filter);
-  settings.ewa.cutoff = said.cutoff.value_or(settings.ewa.cutoff);
-  settings.ewa.layers = said.layers.value_or(settings.ewa.layers);
-  settings.ewa.coverage_threshold =
-      said.coverage_threshold.value_or(settings.ewa.coverage_threshold);
-  settings.ewa.time_budget_ms = said.time_budget_ms.value_or(settings.ewa.time_budget_ms);
+  settings.lights.list = planned.lights.value_or(std::vector<Light>());
+  settings.lights.ambient = planned.ambient.value_or(settings.lights.ambient);
+  settings.environment = planned.environment.value_or(std::filesystem::path());
+  if (planned.background) settings.background = planned.background->colour;
+  settings.outputs = planned.outputs.value_or(settings.outputs);
   return settings;
 }
 
 Result<std::vector<RenderSettings>> render_settings_of(const ScenePlan& plan,
-                                                       const PatchModel& extent) {
+                                                       const PatchModel& extent,
+                                                       std::span<const EngineEntry> among) {
   std::vector<RenderSettings> views;
   views.reserve(plan.views.size());
   for (const PlannedView& view : plan.views) {
-    RELIEF_TRY_ASSIGN(auto settings, render_settings_of(plan, view, extent));
+    RELIEF_TRY_ASSIGN(auto settings, render_settings_of(plan, view, extent, among));
     views.push_back(std::move(settings));
   }
   return views;

@@ -61,7 +61,7 @@ Status check_points(const std::vector<glm::dvec3>& positions) {
   return {};
 }
 
-// The area of all regions, as their points' local spacings tell it.
+// The area of all regions, estimated from their points' local spacings.
 double area_of(const std::vector<Region>& regions, const SurfaceSamples& samples) {
   double area = 0.0;
   for (const Region& region : regions) {
@@ -71,12 +71,12 @@ double area_of(const std::vector<Region>& regions, const SurfaceSamples& samples
   return area;
 }
 
-/// What a mesh's triangles tell, found while something else goes on: reading its edges and building
-/// a kd-tree take one thread each.
+/// Properties of a mesh's triangles, computed in the background: the edges and the kd-tree take one
+/// thread each.
 class MeshInTime {
  public:
-  /// Nothing of a mesh without triangles. Its first `given` points are the file's. Positions and
-  /// triangles must stay as they are; normals, too, until `wait`.
+  /// Computes nothing for a mesh without triangles. The first `given` points are the file's.
+  /// Positions and triangles must not change, nor normals until `wait`.
   MeshInTime(const Points& mesh, std::size_t given) {
     if (mesh.triangles.empty()) return;
     tasks_.run([this, &mesh] { spheres_.emplace(mesh); });
@@ -159,9 +159,10 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
                                                : choose_spacing(samples, graph, regions, factors,
                                                                 result.report.points);
   RELIEF_TRY(check_spacing(spacing, area_of(regions, samples), points.size()));
-  std::vector<Patch> patches =
-      make_patches(samples, graph, membership_of(samples, regions), factors, points.colours,
-                   resample_options(options, spacing, normals.estimated), regions, progress);
+  const Membership membership = membership_of(samples, regions);
+  std::vector<Patch> patches = make_patches(
+      {.samples = samples, .graph = graph, .membership = membership, .colours = points.colours},
+      factors, resample_options(options, spacing, normals.estimated), regions, progress);
   if (progress.cancelled()) return interrupted_error();
   if (patches.empty()) return make_error("the points are too scattered to be a surface");
 
@@ -196,7 +197,7 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
 }  // namespace
 
 Result<ConvertResult> convert(Points points, const ConvertOptions& options, Progress& progress) {
-  // The few vertices of a mesh with materials are not what is converted.
+  // The few vertices of a mesh with materials are not converted; its samples are.
   if (!has_triangle_colours(points)) {
     RELIEF_TRY(check_points(points.positions));
   }

@@ -1,50 +1,12 @@
-// From points to patches: the whole preprocessing of paper 001, section 3.1, in its order.
+// Converts points to patches: the preprocessing of [Ochotta 2008], section 3.1.
 #pragma once
 
-#include <cstdint>
-
 #include "common/error.h"
-#include "common/patch.h"
 #include "common/points.h"
 #include "common/progress.h"
+#include "preprocess/convert_options.h"
 
 namespace relief {
-
-struct ConvertOptions {
-  double spacing = 0.0;  ///< grid step in world units; 0: about as many samples as points
-  double cone_degrees =
-      0.0;  ///< largest angle between a patch's normal and its points' normals; 0: default
-  int overlap_cells = 1;          ///< width of the overlap margin, in grid cells
-  double height_step = 0.0;       ///< world units per height index; 0: spacing / 20
-  bool adaptive_spacing = false;  ///< each patch's spacing follows the scan's density there, up to
-                                  ///< 8 to 1; `spacing` is then what is usual
-  int colour_scale = 2;     ///< colour texels per grid cell along each side, of coloured points
-  int texels_per_cell = 0;  ///< the same of a mesh with textures or materials, and normal texels
-                            ///< of one with normal maps, 1 to 64; 0: what keeps them (map_textures)
-  int threads = 0;          ///< 0: all cores. The result does not depend on it.
-};
-
-/// How well the patches render the points they came from.
-struct ConvertReport {
-  std::uint64_t points = 0;            ///< points that were converted; of a mesh with materials
-                                       ///< those spread over its triangles (sample_mesh)
-  std::uint64_t points_added = 0;      ///< on triangles larger than the spacing; not in `points`
-  std::uint64_t normals_repaired = 0;  ///< given normals that were zero, NaN or inconsistent
-  bool normals_estimated = false;      ///< the scan had none
-  double error_rms = 0.0;  ///< distance of the points to the patches' bilinear surface, world units
-  double error_max = 0.0;
-  double psnr_db = 0.0;                ///< 20 log10(bounding-box diagonal / error_rms)
-  std::uint64_t uncovered_points = 0;  ///< points farther than two spacings from every patch
-  std::uint64_t colour_texels = 0;     ///< of the colour maps, holes included
-  std::uint32_t texels_per_cell = 0;   ///< of the finest colour map, along a side; 0: no colours
-  std::uint64_t normal_texels = 0;     ///< as colour_texels, of the normal maps
-  std::uint32_t normal_texels_per_cell = 0;  ///< of the finest normal map, along a side
-};
-
-struct ConvertResult {
-  PatchModel model;
-  ConvertReport report;
-};
 
 /// Converts cleaned points (see clean_points) to patches. A mesh whose triangles have materials
 /// (load_textures) is sampled first, and its patches get maps of its textures. Fails with one

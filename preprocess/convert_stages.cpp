@@ -6,10 +6,10 @@ namespace relief {
 
 Status check_spacing(double spacing, double area, std::uint64_t points) {
   // Grids beyond this many nodes per point come from a mistaken spacing, not from a scan.
-  constexpr double most_nodes_per_point = 4096.0;
-  constexpr double most_nodes = 4e9;
+  constexpr double max_nodes_per_point = 4096.0;
+  constexpr double max_nodes = 4e9;
   const double nodes = area / (spacing * spacing);
-  if (nodes > std::min(most_nodes, most_nodes_per_point * static_cast<double>(points))) {
+  if (nodes > std::min(max_nodes, max_nodes_per_point * static_cast<double>(points))) {
     return make_error(
         "a spacing of {} would give about {:.1e} samples for {} points; choose a larger --spacing",
         spacing, nodes, points);
@@ -19,8 +19,11 @@ Status check_spacing(double spacing, double area, std::uint64_t points) {
 
 ResampleOptions resample_options(const ConvertOptions& options, double spacing,
                                  bool normals_estimated) {
-  return {spacing, options.height_step, options.overlap_cells,
-          static_cast<std::uint32_t>(options.colour_scale), !normals_estimated};
+  return {.spacing = spacing,
+          .height_step = options.height_step,
+          .overlap_cells = options.overlap_cells,
+          .colour_scale = static_cast<std::uint32_t>(options.colour_scale),
+          .normals_from_points = !normals_estimated};
 }
 
 void count_texels(const std::vector<Patch>& patches, ConvertReport& report) {

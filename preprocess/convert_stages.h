@@ -1,22 +1,23 @@
-// What a conversion in memory and one in tiles decide alike.
+// Decisions that conversion in memory and conversion in tiles share.
 #pragma once
 
 #include <vector>
 
-#include "preprocess/convert.h"
+#include "common/error.h"
+#include "preprocess/convert_options.h"
 #include "preprocess/resample/resample.h"
 
 namespace relief {
 
-/// Refuses a spacing whose grids over this area (world units squared) would have far more nodes
+/// Fails if grids of this spacing over this area (world units squared) would have far more nodes
 /// than the scan has points.
 Status check_spacing(double spacing, double area, std::uint64_t points);
 
-/// How regions are resampled at a spacing that was given or chosen.
+/// Returns the options for resampling regions at a given or chosen spacing.
 [[nodiscard]] ResampleOptions resample_options(const ConvertOptions& options, double spacing,
                                                bool normals_estimated);
 
-/// Adds the texels of some patches to a report.
+/// Adds the texel counts of the patches to a report.
 void count_texels(const std::vector<Patch>& patches, ConvertReport& report);
 
 }  // namespace relief

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is converted, and how: all that the tiles depend on.
+/// Input and options: everything on which the tiles depend.
 Result<std::string> fingerprint_of(const std::vector<fs::path>& files,
                                    const ConvertOptions& options,
                                    const PatchFileOptions& file_options,
@@ -40,18 +40,22 @@ Result<std::string> fingerprint_of(const std::vector<fs::path>& files,
   return text;
 }
 
-/// The tiles' own patches alone.
+/// Returns only the tiles' own patches.
 std::vector<TreePart> own_parts(const TileJob& job, std::size_t tiles) {
   std::vector<TreePart> parts;
   for (std::size_t tile = 0; tile < tiles; ++tile) parts.push_back({job.part(tile)});
   return parts;
 }
 
-/// From tiles of points to the patch file.
+/// Makes the patch file from tiles of points.
 Result<TiledResult> convert_all(const TiledModel& plan, bool overviews, const fs::path& output,
                                 Progress& progress) {
-  auto converted =
-      convert_spread({plan.name, plan.job, plan.scan, plan.options, plan.file_options}, progress);
+  auto converted = convert_spread({.name = plan.name,
+                                   .folder = plan.job,
+                                   .scan = plan.scan,
+                                   .options = plan.options,
+                                   .file_options = plan.file_options},
+                                  progress);
   if (!converted) return converted.error();
   if (converted->patches == 0)
     return make_error("{}: the points are too scattered to be a surface", plan.name);
@@ -64,7 +68,7 @@ Result<TiledResult> convert_all(const TiledModel& plan, bool overviews, const fs
   if (progress.cancelled()) return interrupted_error();
   const Status written = write_patch_tree(plan.job.whole(), parts, converted->extent);
   if (!written) {
-    return make_error("{}; if that comes again, remove {} and convert anew",
+    return make_error("{}; if this happens again, remove {} and convert again",
                       written.error().message, plan.job.folder().string());
   }
   const Status moved = move_into_place(plan.job.whole(), output);
@@ -74,23 +78,22 @@ Result<TiledResult> convert_all(const TiledModel& plan, bool overviews, const fs
 Result<std::optional<TiledResult>> convert_files(
     const std::vector<fs::path>& files, const fs::path& output, const ConvertOptions& options,
     const PatchFileOptions& file_options, const TileOptions& tile_options, Progress& progress) {
-  const SpreadOptions spread_options{tile_options.memory_bytes, tile_options.most_tile_points,
+  const SpreadOptions spread_options{tile_options.memory_bytes, tile_options.max_tile_points,
                                      options.spacing};
   RELIEF_TRY_ASSIGN(const auto fingerprint,
                     fingerprint_of(files, options, file_options, spread_options));
   RELIEF_TRY_ASSIGN(auto job, TileJob::open(output, fingerprint));
   auto scan = spread_points(files, job, spread_options, progress);
-  if (!scan || !*scan) job.remove();  // what there is, is not worth to go on from
+  if (!scan || !*scan) job.remove();  // its results are not worth continuing
   if (!scan) return scan.error();
   if (!*scan) return std::optional<TiledResult>();
-  const TiledModel plan{files.front().string(),
-                        job,
-                        **scan,
-                        options,
-                        file_options,
-                        0.0,
-                        tile_points(spread_options),
-                        tile_options.overview_samples};
+  const TiledModel plan{.name = files.front().string(),
+                        .job = job,
+                        .scan = **scan,
+                        .options = options,
+                        .file_options = file_options,
+                        .tile_points = tile_points(spread_options),
+                        .overview_samples = tile_options.overview_samples};
   auto result = with_threads(
       options.threads, [&] { return convert_all(plan, tile_options.overviews, output, progress); });
   if (!result) return result.error();

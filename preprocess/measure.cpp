@@ -69,8 +69,7 @@ double distance_or_far(const Patch& patch, glm::dvec3 point) {
   return distance_to_patch(patch, point).value_or(kFar);
 }
 
-// The least distance of a point to the patches that its neighbourhood belongs to, `except` left
-// out.
+// Returns the least distance of a point to the patches of its neighbourhood, without `except`.
 double neighbourhood_distance(const std::vector<glm::dvec3>& positions, const NeighbourGraph& graph,
                               const std::vector<std::uint32_t>& owner,
                               const std::vector<Patch>& patches, std::size_t point,
@@ -101,7 +100,7 @@ struct Sums {
 
 std::optional<double> distance_to_patch(const Patch& patch, glm::dvec3 point) {
   const glm::dvec3 local = glm::transpose(patch.axes) * (point - patch.origin) / patch.spacing;
-  // Two cells around the grid is as far as anything is looked for.
+  // Two cells around the grid are the search radius.
   if (local.x < -3.0 || local.y < -3.0 || local.x > patch.width + 2.0 ||
       local.y > patch.height + 2.0) {
     return std::nullopt;
@@ -128,7 +127,7 @@ Fidelity measure_fidelity(const std::vector<glm::dvec3>& positions, std::size_t 
   double largest_spacing = 0.0;
   for (const Patch& patch : patches) largest_spacing = std::max(largest_spacing, patch.spacing);
   const double limit = kUncoveredInSpacings * largest_spacing;
-  // Fixed chunks joined in order: floating-point sums do not depend on the number of threads.
+  // Fixed chunks, joined in order: floating-point sums do not depend on the number of threads.
   const Sums total = tbb::parallel_deterministic_reduce(
       tbb::blocked_range<std::size_t>(0, count, 4096), Sums{},
       [&](const tbb::blocked_range<std::size_t>& range, Sums sums) {

@@ -1,4 +1,4 @@
-// How far the patches are from the points they came from.
+// Measures the distance of points to patches.
 #pragma once
 
 #include <optional>
@@ -9,12 +9,13 @@
 
 namespace relief {
 
-/// Points farther than so many spacings from every patch are uncovered.
+/// Points farther than this many spacings from every patch are uncovered.
 inline constexpr double kUncoveredInSpacings = 2.0;
 
-/// The distance of a world point to a patch's bilinear surface along its normal (world units):
-/// within a cell of four samples the bilinear height, in a cell of three the plane through them,
-/// elsewhere the distance to the nearest sample within two cells. Nothing if there is none.
+/// Returns the distance (world units) of a world point to a patch's bilinear surface along the
+/// patch's normal. In a cell of four samples the surface is bilinear, in a cell of three a plane;
+/// elsewhere the distance is that to the nearest sample within two cells. Nothing if there is no
+/// such sample.
 [[nodiscard]] std::optional<double> distance_to_patch(const Patch& patch, glm::dvec3 point);
 
 struct Fidelity {
@@ -25,15 +26,15 @@ struct Fidelity {
 
 /// Measures the first `count` points against the patches of their neighbourhood; `owner` is each
 /// point's patch (index into `patches`, or patches.size() if it has none). Points farther than two
-/// spacings from those are tried against every patch; what no patch is near counts in `max` and
-/// `rms` with the distance of two spacings, the least it can be.
+/// spacings from those are compared with every patch. A point without a near patch counts in `max`
+/// and `rms` with two spacings, its least possible distance.
 [[nodiscard]] Fidelity measure_fidelity(const std::vector<glm::dvec3>& positions, std::size_t count,
                                         const NeighbourGraph& graph,
                                         const std::vector<std::uint32_t>& owner,
                                         const std::vector<Patch>& patches);
 
-/// Which of the small patches (at most `small_points` own points) others cover: every own point
-/// within one spacing of another patch that stays. `own_points` lists each patch's points.
+/// Returns which small patches (at most `small_points` own points) are covered by others: every own
+/// point is within one spacing of another remaining patch. `own_points` lists each patch's points.
 [[nodiscard]] std::vector<std::uint8_t> find_redundant(
     const std::vector<glm::dvec3>& positions, const NeighbourGraph& graph,
     const std::vector<std::uint32_t>& owner,

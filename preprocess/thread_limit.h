@@ -1,4 +1,4 @@
-// Work on no more threads than the user allows.
+// Limits the number of threads.
 #pragma once
 
 #include <tbb/global_control.h>
@@ -8,7 +8,7 @@
 
 namespace relief {
 
-/// Calls `work` where at most so many threads run (0: all cores) and gives what it returns.
+/// Calls `work` with at most this many threads (0: all cores) and returns its result.
 template <class Work>
 auto with_threads(int threads, const Work& work) {
   if (threads <= 0) threads = tbb::this_task_arena::max_concurrency();

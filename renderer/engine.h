@@ -101,6 +101,9 @@ struct EngineEntry {
   std::vector<Interpolation> interpolations = {};  ///< likewise
   EngineCapabilities capabilities = {};
   std::vector<EngineOption> options = {};
+  /// The variants that `relief bench` times, as values of some of the options. Only of engines that
+  /// need OpenGL.
+  std::vector<OptionValues> bench_variants = {};
   /// Makes a model ready. An engine that needs OpenGL gives a GlPreparedModel
   /// (renderer/frame/gl_engine.h).
   Result<std::unique_ptr<PreparedModel>> (*prepare)(const PrepareRequest& request) = nullptr;

@@ -1,5 +1,7 @@
 #include "renderer/engine_options.h"
 
+#include "renderer/frame/image_parts.h"
+
 namespace relief {
 
 EngineOption own_option(OptionRow row, OptionValue fallback) {
@@ -46,13 +48,18 @@ EngineOption cull_option() {
 }
 
 EngineOption samples_option() {
-  return number_option({.key = "samples",
-                        .range = kSampleCounts,
-                        .placeholder = "N",
-                        .help = "samples a pixel, in a square grid of at least N; 1 is not "
-                                "antialiased",
-                        .default_text = "1"},
-                       [](RenderSettings& settings) -> int& { return settings.samples; });
+  EngineOption option = number_option(
+      {.key = "samples",
+       .range = kSampleCounts,
+       .placeholder = "N",
+       .help = "samples a pixel, in a square grid of at least N; 1 is not antialiased",
+       .default_text = "1"},
+      [](RenderSettings& settings) -> int& { return settings.samples; });
+  option.get = [](const RenderSettings& settings) {
+    const auto side = static_cast<double>(samples_a_side(settings.samples));
+    return std::optional<OptionValue>(side * side);
+  };
+  return option;
 }
 
 }  // namespace relief

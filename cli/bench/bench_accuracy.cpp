@@ -10,15 +10,15 @@ namespace {
 
 constexpr int kMirrorSamples = 16;
 
-/// What coverage is found by, also where the model fills the picture (common/compare/coverage.h).
+/// Coverage is found by depth, also where the model fills the image (common/compare/coverage.h).
 constexpr Outputs kOutputs{.depth = true};
 
-/// The settings of a picture that is compared.
+/// The settings of an image that is compared.
 RenderSettings compared(const RenderSettings& row, Material material) {
   RenderSettings settings = row;
   settings.material = material;
   settings.outputs = kOutputs;
-  settings.frames = 1;
+  settings.frames = 0;
   return settings;
 }
 
@@ -42,8 +42,8 @@ Result<Image> trace(const BenchMethod& row, const TriangleMesh* mesh, Material m
   if (mesh != nullptr) model.add(*mesh);
   const Status done = render_views(
       model, {&traced, 1},
-      [&truth](std::size_t /*view*/, RenderResult picture) {
-        truth = std::move(picture.image);
+      [&truth](std::size_t /*view*/, RenderResult image) {
+        truth = std::move(image.image);
         return Status();
       },
       progress);
@@ -54,10 +54,10 @@ Result<Image> trace(const BenchMethod& row, const TriangleMesh* mesh, Material m
 /// The rows from `first` on that draw the same model.
 std::vector<RenderSettings> rows_of_model(const std::vector<BenchMethod>& rows, std::size_t first,
                                           Material material) {
-  std::vector<RenderSettings> pictures;
+  std::vector<RenderSettings> images;
   for (std::size_t k = first; k < rows.size() && rows[k].patches == rows[first].patches; ++k)
-    pictures.push_back(compared(rows[k].settings, material));
-  return pictures;
+    images.push_back(compared(rows[k].settings, material));
+  return images;
 }
 
 /// The rows in one material.
@@ -68,18 +68,18 @@ Result<std::vector<Comparison>> compare_in(Material material, const std::vector<
   const FlipOptions options{FlipRange::Ldr, kFlipPixelsPerDegree};
   Progress silent;
   for (std::size_t first = 0; first < rows.size();) {
-    const std::vector<RenderSettings> pictures = rows_of_model(rows, first, material);
+    const std::vector<RenderSettings> images = rows_of_model(rows, first, material);
     const Status drawn = render_views(
-        RenderModel::of(*rows[first].patches), pictures,
-        [&](std::size_t row, RenderResult picture) -> Status {
-          RELIEF_TRY_ASSIGN(auto comparison, compare_images(picture.image, truth, options, silent));
-          comparison.flip.map = {};  // as large as the picture
+        RenderModel::of(*rows[first].patches), images,
+        [&](std::size_t row, RenderResult image) -> Status {
+          RELIEF_TRY_ASSIGN(auto comparison, compare_images(image.image, truth, options, silent));
+          comparison.flip.map = {};  // as large as the image
           found[first + row] = std::move(comparison);
           return {};
         },
         progress);
     if (!drawn) return drawn.error();
-    first += pictures.size();
+    first += images.size();
   }
   std::vector<Comparison> all;
   all.reserve(found.size());

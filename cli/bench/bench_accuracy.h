@@ -1,4 +1,4 @@
-// How right the pictures of `relief bench` are.
+// The accuracy of the images of `relief bench`.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace relief::cli {
 
-/// A row's pictures against ray-traced ones; what could not be measured is nothing. The PSNR of
+/// A row's images against ray-traced ones; empty where it could not be measured. The PSNR of
 /// what does not differ is infinite.
 struct RowAccuracy {
   std::optional<double> psnr_db;          ///< in the row's material, over all pixels
@@ -24,7 +24,7 @@ struct RowAccuracy {
 
 /// Draws each row twice, in its material and as a mirror (of its environment, or the built-in one),
 /// and compares with the engine `raytrace`, which follows rays to the mesh or, if that is null, to
-/// the first row's patches: one ray a pixel where the picture has one sample too, and 16 for a
+/// the first row's patches: one ray a pixel where the image has one sample too, and 16 for a
 /// mirror, as one ray reads one point of an environment that all others filter. Rows have no
 /// background.
 Result<std::vector<RowAccuracy>> measure_accuracy(const std::vector<BenchMethod>& rows,

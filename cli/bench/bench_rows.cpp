@@ -1,101 +1,122 @@
 #include "cli/bench/bench_rows.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cassert>
 
-namespace relief::cli {
+#include "cli/reports/option_values.h"
+#include "loader/view_settings.h"
 
+namespace relief::cli {
 namespace {
 
-/// What all rows have.
-RenderSettings plain(RenderSettings base) {
-  base.background.reset();
-  base.outputs = {};
-  base.pixels_per_sample.reset();
-  return base;
+/// The keys of what an engine's variants choose.
+std::vector<std::string> variant_keys(const EngineEntry& engine) {
+  std::vector<std::string> keys;
+  for (const OptionValues& variant : engine.bench_variants) {
+    for (const auto& [key, value] : variant) {
+      if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+    }
+  }
+  return keys;
 }
 
-/// Pixels a sample: the finest levels, those that are there unasked, twice as coarse ones, and what
-/// is asked for beside them.
-std::vector<double> level_policies(const RenderSettings& base) {
-  std::vector<double> policies{0.0, kPixelsPerSampleOfCells, 2.0 * kPixelsPerSampleOfCells};
-  const double asked = base.pixels_per_sample.value_or(0.0);
-  if (std::find(policies.begin(), policies.end(), asked) == policies.end())
-    policies.push_back(asked);
-  return policies;
+bool has_name(const std::vector<RenderSettings>& rows, const std::string& name) {
+  return std::any_of(rows.begin(), rows.end(),
+                     [&name](const RenderSettings& row) { return name_of_row(row) == name; });
+}
+
+/// The engine of a row, which bench_row found.
+const EngineEntry& engine_of_row(const RenderSettings& row) {
+  const EngineEntry* const engine = find_engine(row.engine);
+  assert(engine != nullptr && "rows are made of the registry's engines");
+  return *engine;
+}
+
+/// Whether an option has the default value of the row's engine.
+bool has_default(const RenderSettings& row, const std::string& key) {
+  const EngineEntry& engine = engine_of_row(row);
+  const EngineOption* const option = find_option(engine, key);
+  assert(option != nullptr && "variants are made of the engine's options");
+  return option->get(row) == option->get(default_settings(engine));
 }
 
 }  // namespace
 
-std::vector<RenderSettings> bench_rows(const RenderSettings& base) {
-  RenderSettings row = plain(base);
-  row.engine = "onepass";
+Result<RenderSettings> bench_row(const BenchView& view, const EngineEntry& engine,
+                                 const OptionValues& values) {
+  PlannedView row = view.view;
+  row.settings.engine = engine.name;
+  for (const std::string& key : variant_keys(engine)) row.settings.options.erase(key);
+  row.settings.options = overlay_options(std::move(row.settings.options), values);
+  RELIEF_TRY_ASSIGN(auto settings, render_settings_of(view.plan, row, view.extent));
+  settings.background.reset();
+  settings.outputs = {};
+  settings.platform = view.platform;
+  return settings;
+}
+
+Result<std::vector<RenderSettings>> bench_rows(const BenchView& view) {
   std::vector<RenderSettings> rows;
-  for (const Primitive primitive : {Primitive::Sprite, Primitive::Quad}) {
-    for (const Interpolation interpolation : {Interpolation::Direct, Interpolation::Corrected}) {
-      row.primitive = primitive;
-      row.interpolation = interpolation;
-      rows.push_back(row);
+  for (const EngineEntry& engine : engines()) {
+    if (!engine.capabilities.needs_opengl) continue;
+    for (const OptionValues& variant : engine.bench_variants) {
+      RELIEF_TRY_ASSIGN(auto row, bench_row(view, engine, variant));
+      rows.push_back(std::move(row));
+    }
+    for (const std::string& key : variant_keys(engine)) {
+      const auto set = view.view.settings.options.find(key);
+      if (set == view.view.settings.options.end() || set->second.index() != 0) continue;
+      RELIEF_TRY_ASSIGN(auto row, bench_row(view, engine, {{key, set->second}}));
+      if (!has_name(rows, name_of_row(row))) rows.push_back(std::move(row));
     }
   }
-  for (const RenderSettings& cells : level_rows(base, level_policies(base))) rows.push_back(cells);
-  row.engine = "multipass";
-  row.interpolation = RenderSettings{}.interpolation;
-  for (const Primitive primitive : {Primitive::Sprite, Primitive::Quad}) {
-    for (const double radius_factor : {1.0, 2.0}) {
-      row.primitive = primitive;
-      row.multipass.radius_factor = radius_factor;
-      rows.push_back(row);
-    }
-  }
   return rows;
 }
 
-std::vector<RenderSettings> compared_rows(const RenderSettings& base) {
-  const RenderSettings unasked;
-  RenderSettings row = plain(base);
-  row.engine = unasked.engine;
-  row.primitive = unasked.primitive;
-  row.interpolation = unasked.interpolation;
-  row.multipass = unasked.multipass;
-  std::vector<RenderSettings> rows{row};
-  for (const RenderSettings& rival : radius_factor_rows(base, {MultipassSettings{}.radius_factor}))
-    rows.push_back(rival);
-  return rows;
+Result<std::vector<RenderSettings>> compared_rows(const BenchView& view) {
+  RELIEF_TRY_ASSIGN(const EngineEntry* const rival, engine_named(kRivalEngine));
+  RELIEF_TRY_ASSIGN(auto row, bench_row(view, engines().front(), {}));
+  RELIEF_TRY_ASSIGN(auto compared, bench_row(view, *rival, {}));
+  return std::vector<RenderSettings>{std::move(row), std::move(compared)};
 }
 
-std::vector<RenderSettings> radius_factor_rows(const RenderSettings& base,
-                                               const std::vector<double>& factors) {
-  RenderSettings row = plain(base);
-  row.engine = "multipass";
-  row.primitive = Primitive::Quad;
+Result<std::vector<RenderSettings>> swept_rows(const BenchView& view, const std::string& key,
+                                               const std::vector<double>& values) {
+  const auto all = engines();
+  const auto engine = std::find_if(all.begin(), all.end(), [&key](const EngineEntry& e) {
+    return e.capabilities.needs_opengl && find_option(e, key) != nullptr;
+  });
+  if (engine == all.end()) return make_error("no engine on OpenGL has an option {}", key);
   std::vector<RenderSettings> rows;
-  rows.reserve(factors.size());
-  for (const double factor : factors) {
-    row.multipass.radius_factor = factor;
-    rows.push_back(row);
+  for (const double value : values) {
+    RELIEF_TRY_ASSIGN(auto row, bench_row(view, *engine, {{key, value}}));
+    rows.push_back(std::move(row));
   }
   return rows;
 }
 
-std::vector<RenderSettings> level_rows(const RenderSettings& base,
-                                       const std::vector<double>& pixels) {
-  RenderSettings row = plain(base);
-  row.engine = "onepass";
-  row.primitive = Primitive::Cell;
-  row.interpolation = RenderSettings{}.interpolation;
-  std::vector<RenderSettings> rows(pixels.size(), row);
-  for (std::size_t k = 0; k < pixels.size(); ++k) rows[k].pixels_per_sample = pixels[k];
-  return rows;
+std::string name_of_row(const RenderSettings& row) {
+  std::vector<std::string> parts = options_as_text(row, variant_keys(engine_of_row(row)));
+  parts.insert(parts.begin(), row.engine);
+  return fmt::format("{}", fmt::join(parts, " "));
+}
+
+bool has_default_numbers(const RenderSettings& row) {
+  const std::vector<std::string> keys = variant_keys(engine_of_row(row));
+  return std::all_of(keys.begin(), keys.end(), [&row](const std::string& key) {
+    return find_option(engine_of_row(row), key)->row.kind == OptionKind::Choice ||
+           has_default(row, key);
+  });
 }
 
 bool is_default(const RenderSettings& row) {
-  const RenderSettings unasked;
-  if (row.engine != unasked.engine || row.primitive != unasked.primitive ||
-      pixels_per_sample_of(row) != pixels_per_sample_of(unasked))
-    return false;
-  return row.engine == "onepass" ? row.interpolation == unasked.interpolation
-                                 : row.multipass.radius_factor == unasked.multipass.radius_factor;
+  const std::vector<std::string> keys = variant_keys(engine_of_row(row));
+  return row.engine == engines().front().name &&
+         std::all_of(keys.begin(), keys.end(),
+                     [&row](const std::string& key) { return has_default(row, key); });
 }
 
 std::size_t find_default(const std::vector<RenderSettings>& rows) {

@@ -1,36 +1,54 @@
-// The rows of `relief bench`: every way to draw a scene on OpenGL.
+// The rows of `relief bench`: the engines' variants, as their entries list them.
 #pragma once
 
-#include <cstddef>
+#include <string>
 #include <vector>
 
-#include "renderer/render.h"
+#include "common/error.h"
+#include "loader/scene_plan.h"
+#include "renderer/engine_registry.h"
 
 namespace relief::cli {
 
-/// Engines x primitives x interpolations, and `multipass` with radius factors 1 and 2, all with the
-/// camera, size and material of `base`, colour alone, without a background (which costs all rows
-/// the same). Cells are the surface, so that the interpolation is one of their border splats alone:
-/// they have one row for each policy of levels (the finest, the one there is unasked, twice as
-/// coarse, and one that a scene asks for).
-[[nodiscard]] std::vector<RenderSettings> bench_rows(const RenderSettings& base);
+/// The engine that ratios of times refer to.
+inline constexpr const char* kRivalEngine = "multipass";
 
-/// What `relief render` does unasked, and what it is compared with: the fastest `multipass` with
-/// the radius factor that it has unasked.
-[[nodiscard]] std::vector<RenderSettings> compared_rows(const RenderSettings& base);
+/// What all rows share: the camera, size and material of a view.
+struct BenchView {
+  const ScenePlan& plan;
+  const PlannedView& view;
+  const PatchModel& extent;
+  GlPlatform platform = GlPlatform::Automatic;
+};
 
-/// `multipass` with these radius factors.
-[[nodiscard]] std::vector<RenderSettings> radius_factor_rows(const RenderSettings& base,
-                                                             const std::vector<double>& factors);
+/// A row: the view drawn by the engine with these option values. Options that the engine's variants
+/// choose are otherwise at their defaults, whatever the view sets; the view's other options count.
+/// Colour only, without a background, which would cost all rows alike.
+Result<RenderSettings> bench_row(const BenchView& view, const EngineEntry& engine,
+                                 const OptionValues& values);
 
-/// Cells of `onepass` with these pixels a sample.
-[[nodiscard]] std::vector<RenderSettings> level_rows(const RenderSettings& base,
-                                                     const std::vector<double>& pixels);
+/// The bench variants of all engines, each engine followed by a row for each number that the view
+/// sets and no variant has.
+Result<std::vector<RenderSettings>> bench_rows(const BenchView& view);
 
-/// Whether a row is what `relief render` does unasked.
+/// What `relief render` does by default, and kRivalEngine with its defaults.
+Result<std::vector<RenderSettings>> compared_rows(const BenchView& view);
+
+/// The first engine on OpenGL that has the option, with each of the values.
+Result<std::vector<RenderSettings>> swept_rows(const BenchView& view, const std::string& key,
+                                               const std::vector<double>& values);
+
+/// The name of a row: its engine and what its variants choose, "onepass cell corrected
+/// pixels-per-sample 4".
+[[nodiscard]] std::string name_of_row(const RenderSettings& row);
+
+/// Whether the numbers that a row's variants choose are those of its engine's defaults.
+[[nodiscard]] bool has_default_numbers(const RenderSettings& row);
+
+/// Whether a row is what `relief render` does by default.
 [[nodiscard]] bool is_default(const RenderSettings& row);
 
-/// The first row that is; there is one.
+/// The first row that is the default; there is one.
 [[nodiscard]] std::size_t find_default(const std::vector<RenderSettings>& rows);
 
 }  // namespace relief::cli

@@ -1,8 +1,6 @@
 // `relief bench --sweep`: one quantity with several values.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -10,29 +8,27 @@
 #include "common/error.h"
 #include "common/patch.h"
 #include "common/progress.h"
-#include "common/scene/choices.h"
 
 namespace relief::cli {
 
-/// What can be swept. Spacing and height step are those of the conversion, world units.
-enum class Swept : std::uint8_t { Spacing, HeightStep, RadiusFactor, PixelsPerSample };
-inline constexpr std::array<Named<Swept>, 4> kSwept{
-    {{"spacing", Swept::Spacing},
-     {"height-step", Swept::HeightStep},
-     {"radius-factor", Swept::RadiusFactor},
-     {"pixels-per-sample", Swept::PixelsPerSample}}};
-
 struct Sweep {
-  Swept what = Swept::Spacing;
-  std::vector<double> values;  ///< above 0; of pixels a sample also 0, the finest levels
+  std::string key;  ///< kSpacing, kHeightStep, or a number among the options of engines on OpenGL
+  std::vector<double> values;
 };
+
+/// Quantities of the conversion, in the scan's unit.
+inline constexpr const char* kSpacing = "spacing";
+inline constexpr const char* kHeightStep = "height-step";
+
+/// The keys that can be swept.
+[[nodiscard]] std::vector<std::string> sweep_keys();
 
 /// "KEY=V,V,...", 1 to 16 values. Throws CLI::ValidationError.
 [[nodiscard]] Sweep parse_sweep(const std::string& text);
 
 /// Whether the scan is converted anew for each value.
-[[nodiscard]] constexpr bool converts(const Sweep& sweep) {
-  return sweep.what == Swept::Spacing || sweep.what == Swept::HeightStep;
+[[nodiscard]] inline bool converts(const Sweep& sweep) {
+  return sweep.key == kSpacing || sweep.key == kHeightStep;
 }
 
 /// Converts a scan once for each value; all other options are the defaults.

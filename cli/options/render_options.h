@@ -12,9 +12,9 @@ namespace relief::cli {
 
 struct RenderArguments {
   std::filesystem::path input;   ///< a scene, a patch file, a scan or a mesh
-  std::filesystem::path output;  ///< with {view} in it for a scene of several views
+  std::filesystem::path output;  ///< has {view} in it for a scene of several views
   TextureArguments texture;
-  SceneSettings settings;  ///< what the options say; a scene's settings yield to it
+  SceneSettings settings;  ///< overrides those of a scene
   GlPlatform platform = GlPlatform::Automatic;
   std::optional<int> frames;  ///< to be timed; by default the image is drawn once
   bool explain = false;
@@ -24,17 +24,16 @@ struct RenderArguments {
 /// Declares the arguments and options of `sub`, which fill `arguments`. It must outlive `sub`.
 void add_render_options(CLI::App& sub, RenderArguments& arguments);
 
-/// Parts of them, for other subcommands: the picture's size and camera; which sides are drawn;
-/// material and environment; where OpenGL comes from.
+/// Parts of them, for other subcommands: image size and camera, material and environment, OpenGL
+/// platform.
 void add_camera_options(CLI::App& sub, SceneSettings& settings);
-void add_cull_option(CLI::App& sub, SceneSettings& settings);
 void add_material_options(CLI::App& sub, SceneSettings& settings);
 void add_platform_option(CLI::App& sub, GlPlatform& platform);
 
-/// What no single option's check can see about the camera; throws CLI::ValidationError.
+/// Checks the camera's options together. Throws CLI::ValidationError.
 void check_camera(const SceneSettings& settings);
 
-/// What no single option's check can see; throws CLI::ValidationError.
+/// Checks all options together. Throws CLI::ValidationError.
 void check_together(const RenderArguments& arguments);
 
 }  // namespace relief::cli

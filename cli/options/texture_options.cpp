@@ -19,17 +19,21 @@ TextureChoice texture_choice(const std::filesystem::path& option) {
 
 void add_texture_options(CLI::App& sub, TextureArguments& arguments) {
   auto* const texture =
-      sub.add_option("--texture", arguments.file,
-                     "Picture that a mesh's texture coordinates refer to, in place of its file's "
-                     "own; none: no texture. ewa: splats are spread over the faces")
+      sub.add_option(
+             "--texture", arguments.file,
+             "Image that the mesh's texture coordinates refer to, in place of the file's "
+             "own; none: no texture; ewa spreads splats over the faces (default: the file's "
+             "own)")
           ->option_text("FILE|none");
-  sub.add_option("--acquisition", arguments.acquisition,
-                 "ewa: how splats get the texture's colours: given is its value at the point, ewa "
-                 "its mean under the splat, optimised what comes nearest to it (optimised)")
+  sub.add_option(
+         "--acquisition", arguments.acquisition,
+         "ewa: how splats get the texture's colours: given takes its value at the point, ewa "
+         "its mean under the splat, optimised the nearest fit (default optimised)")
       ->check(CLI::IsMember(kAcquisitions))
       ->option_text("given|ewa|optimised")
       ->needs(texture);
-  sub.add_option("--points", arguments.points, "ewa: splats for a --texture (100000)")
+  sub.add_option("--points", arguments.points,
+                 "ewa: number of splats for a --texture, above 0 (default 100000)")
       ->check(CLI::PositiveNumber)
       ->option_text("N")
       ->needs(texture);

@@ -35,7 +35,7 @@ std::optional<Number> parse_as(std::string_view text) {
   return value;
 }
 
-/// The numbers of a comma-separated list, or nothing if one is none or not finite.
+/// The numbers of a comma-separated list, or nothing if an element is not a finite number.
 std::vector<double> parse_numbers(std::string_view text) {
   std::vector<double> numbers;
   for (const std::string_view part : split(text, ',')) {
@@ -63,7 +63,8 @@ ImageSize parse_size(const std::string& text) {
       return {*width, *height};
     }
   }
-  throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, each 1 to 32768, as in 1280x1024");
+  throw CLI::ValidationError(
+      "--size", "expected WIDTHxHEIGHT, each 1 to 32768, as in 1280x1024; found " + text);
 }
 
 Orbit parse_orbit(const std::string& text) {
@@ -71,7 +72,9 @@ Orbit parse_orbit(const std::string& text) {
   if (numbers.size() == 2) return {numbers[0], numbers[1], 0.0};
   if (numbers.size() == 3 && numbers[2] > 0.0) return {numbers[0], numbers[1], numbers[2]};
   throw CLI::ValidationError(
-      "--orbit", "expected AZIMUTH,ELEVATION[,DISTANCE] with DISTANCE above 0, as in 30,20,1.5");
+      "--orbit",
+      "expected AZIMUTH,ELEVATION[,DISTANCE] with DISTANCE above 0, as in 30,20,1.5; found " +
+          text);
 }
 
 OrthographicSize parse_orthographic(const std::string& text) {
@@ -80,7 +83,7 @@ OrthographicSize parse_orthographic(const std::string& text) {
   if (height && *height >= kOrthographicHeights.least && *height <= kOrthographicHeights.most)
     return {height};
   throw CLI::ValidationError("--orthographic",
-                             "expected the picture's height in the model's coordinates, above 0, "
+                             "expected the image's height in the model's coordinates, above 0, "
                              "or fit; found " +
                                  text);
 }
@@ -96,8 +99,9 @@ Background parse_background(const std::string& text) {
   const auto numbers = parse_numbers(text);
   const auto in_range = [](double n) { return n >= 0.0 && n <= 1.0; };
   if (numbers.size() != 3 || !std::all_of(numbers.begin(), numbers.end(), in_range)) {
-    throw CLI::ValidationError("--background",
-                               "expected R,G,B, sRGB values from 0 to 1 as in 1,1,1, or none");
+    throw CLI::ValidationError(
+        "--background",
+        "expected R,G,B, sRGB values from 0 to 1 as in 1,1,1, or none; found " + text);
   }
   const auto linear = [](double n) { return linear_from_srgb(static_cast<float>(n)); };
   return {glm::vec3(linear(numbers[0]), linear(numbers[1]), linear(numbers[2]))};
@@ -107,8 +111,8 @@ glm::vec3 parse_absorption(const std::string& text) {
   const auto numbers = parse_numbers(text);
   const auto in_range = [](double n) { return n >= kAbsorptions.least && n <= kAbsorptions.most; };
   if (numbers.size() != 3 || !std::all_of(numbers.begin(), numbers.end(), in_range)) {
-    throw CLI::ValidationError("--absorption",
-                               "expected R,G,B, exponents from 0 to 100 as in 2,0.5,0.3");
+    throw CLI::ValidationError(
+        "--absorption", "expected R,G,B, exponents from 0 to 100 as in 2,0.5,0.3; found " + text);
   }
   return {numbers[0], numbers[1], numbers[2]};
 }

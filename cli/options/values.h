@@ -1,5 +1,5 @@
-// Option values that are more than one number, parsed from the command line. What is wrong with a
-// value is thrown as CLI::ValidationError, which CLI11 turns into a message and exit code 2.
+// Parses option values that are more than one number. A wrong value throws CLI::ValidationError,
+// which CLI11 turns into a message and exit code 2.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -15,7 +15,7 @@ namespace relief::cli {
 /// "WxH", each 1 to 32768.
 [[nodiscard]] ImageSize parse_size(const std::string& text);
 
-/// A finite number, or nothing.
+/// A finite number, or nothing if the text is none.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
 
 /// "AZ,EL" or "AZ,EL,DIST": degrees, and bounding-sphere radii above 0.

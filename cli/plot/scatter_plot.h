@@ -6,7 +6,7 @@
 
 namespace relief::cli {
 
-/// One way to do it. Cost above 0; both finite.
+/// One method. Cost above 0; both finite.
 struct PlotPoint {
   std::string name;
   double cost = 1.0;

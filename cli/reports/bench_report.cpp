@@ -8,6 +8,7 @@
 
 #include "cli/bench/bench_rows.h"
 #include "cli/reports/json_values.h"
+#include "cli/reports/option_values.h"
 
 namespace relief::cli {
 namespace {
@@ -32,14 +33,12 @@ std::optional<double> gpu_ms_of(const std::optional<BenchRow>& row) {
   return row ? row->time.gpu_ms : std::nullopt;
 }
 
-/// The fastest `multipass` with the radius factor that it has unasked.
+/// The fastest row of the rival with its default radius factor.
 std::optional<double> rival_ms(const BenchResult& result) {
   std::optional<double> best;
   for (std::size_t k = 0; k < result.rows.size(); ++k) {
     const RenderSettings& row = result.rows[k];
-    if (row.engine != "multipass" ||
-        row.multipass.radius_factor != MultipassSettings{}.radius_factor)
-      continue;
+    if (row.engine != kRivalEngine || !has_default_numbers(row)) continue;
     const double ms = result.times.rows[k].time.frame_ms;
     best = std::min(best.value_or(ms), ms);
   }
@@ -66,32 +65,30 @@ Json row_as_json(const BenchResult& result, std::size_t k) {
   const BenchRow& row = result.times.rows[k];
   const RowAccuracy& accuracy = result.accuracy[k];
   const Ratios ratios = ratios_of(result, row);
-  const bool onepass = settings.engine == "onepass";
-  return {{"engine", settings.engine},
-          {"primitive", name_of(kPrimitives, settings.primitive)},
-          {"interpolation",
-           onepass ? Json(name_of(kInterpolations, settings.interpolation)) : Json(nullptr)},
-          {"radius_factor", onepass ? Json(nullptr) : Json(settings.multipass.radius_factor)},
-          {"level_policy", level_policy(settings)},
-          {"sweep_value", value_or_null(result.swept_values[k])},
-          {"samples", result.samples[k]},
-          {"default", is_default_row(result, k)},
-          {"frame_ms", row.time.frame_ms},
-          {"gpu_ms", value_or_null(row.time.gpu_ms)},
-          {"ratio_to_multipass", value_or_null(ratios.to_multipass)},
-          {"ratio_to_shading_bound", value_or_null(ratios.to_bound)},
-          {"ratio_to_mesh", value_or_null(ratios.to_mesh)},
-          {"covered_pixels", row.covered_pixels},
-          {"fragments", row.fragments},
-          {"overdraw", value_or_null(ratios.overdraw)},
-          {"gpu_bytes", row.gpu_bytes},
-          {"model_bytes", row.model_bytes},
-          {"psnr_db", finite_or_null(accuracy.psnr_db)},
-          {"psnr_covered_db", finite_or_null(accuracy.psnr_covered_db)},
-          {"psnr_mirror_db", finite_or_null(accuracy.psnr_mirror_db)},
-          {"psnr_mirror_covered_db", finite_or_null(accuracy.psnr_mirror_covered_db)},
-          {"flip_mean", finite_or_null(accuracy.flip_mean)},
-          {"holes", value_or_null(accuracy.holes)}};
+  Json json = {{"engine", settings.engine}};
+  json.update(options_as_json(settings));
+  json.erase("samples");  // those of a pixel; below are the model's
+  json.update({{"level_policy", level_policy(settings)},
+               {"sweep_value", value_or_null(result.swept_values[k])},
+               {"samples", result.samples[k]},
+               {"default", is_default_row(result, k)},
+               {"frame_ms", row.time.frame_ms},
+               {"gpu_ms", value_or_null(row.time.gpu_ms)},
+               {"ratio_to_multipass", value_or_null(ratios.to_multipass)},
+               {"ratio_to_shading_bound", value_or_null(ratios.to_bound)},
+               {"ratio_to_mesh", value_or_null(ratios.to_mesh)},
+               {"covered_pixels", row.covered_pixels},
+               {"fragments", row.fragments},
+               {"overdraw", value_or_null(ratios.overdraw)},
+               {"gpu_bytes", row.gpu_bytes},
+               {"model_bytes", row.model_bytes},
+               {"psnr_db", finite_or_null(accuracy.psnr_db)},
+               {"psnr_covered_db", finite_or_null(accuracy.psnr_covered_db)},
+               {"psnr_mirror_db", finite_or_null(accuracy.psnr_mirror_db)},
+               {"psnr_mirror_covered_db", finite_or_null(accuracy.psnr_mirror_covered_db)},
+               {"flip_mean", finite_or_null(accuracy.flip_mean)},
+               {"holes", value_or_null(accuracy.holes)}});
+  return json;
 }
 
 std::string number(const std::optional<double>& value, int digits) {
@@ -123,14 +120,7 @@ std::string row_as_text(const BenchResult& result, std::size_t k) {
 }  // namespace
 
 std::string name_of_row(const BenchResult& result, std::size_t row) {
-  const RenderSettings& settings = result.rows[row];
-  std::string name =
-      fmt::format("{} {}", settings.engine, name_of(kPrimitives, settings.primitive));
-  if (const double pixels = pixels_per_sample_of(settings); pixels > 0.0)
-    name += fmt::format(" {:g} px", pixels);
-  name += settings.engine == "onepass"
-              ? fmt::format(" {}", name_of(kInterpolations, settings.interpolation))
-              : fmt::format(" {:g}", settings.multipass.radius_factor);
+  std::string name = name_of_row(result.rows[row]);
   if (result.swept_values[row])
     name += fmt::format(", {} {:g}", result.swept, *result.swept_values[row]);
   return name;
@@ -169,7 +159,7 @@ std::string as_text(const BenchResult& result) {
   std::string text = fmt::format(
       "{}{}\n"
       "  renderer        {}\n"
-      "  picture         {}x{}, {}, {} pixels covered\n"
+      "  image           {}x{}, {}, {} pixels covered\n"
       "  frames          {} a row in turns, after {}; medians\n"
       "  samples         {}\n"
       "  shading bound   {} ms\n"
@@ -185,7 +175,7 @@ std::string as_text(const BenchResult& result) {
                       name_width(result), "frame ms", "/multipass", "/bound", "/mesh", "overdraw",
                       "model MB", "PSNR", "mirror", "FLIP", "holes");
   for (std::size_t k = 0; k < result.rows.size(); ++k) text += row_as_text(result, k);
-  text += "* what `relief render` does unasked\n";
+  text += "* what `relief render` draws by default\n";
   return text;
 }
 

@@ -1,4 +1,4 @@
-// What `relief bench` tells.
+// What `relief bench` reports.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct BenchResult {
   std::string view;  ///< its name in a scene file, or empty
   std::vector<RenderSettings> rows;
   std::string swept;                                ///< what --sweep varies, or empty
-  std::vector<std::optional<double>> swept_values;  ///< of the rows; nothing: as converted unasked
+  std::vector<std::optional<double>> swept_values;  ///< of the rows; none: as converted by default
   std::vector<std::uint64_t> samples;               ///< of the rows' models
   std::size_t reference = 0;                        ///< the row whose covered pixels the bound has
   int frames = 0;
@@ -28,14 +28,14 @@ struct BenchResult {
   std::vector<RowAccuracy> accuracy;
 };
 
-/// The name of a row: "onepass quad corrected", "multipass sprite 2", with what is swept "onepass
-/// quad corrected, spacing 0.01".
+/// The name of a row, with the value of a swept conversion: "onepass cell corrected
+/// pixels-per-sample 4, spacing 0.01".
 [[nodiscard]] std::string name_of_row(const BenchResult& result, std::size_t row);
 
-/// Whether a row is what `relief render` does unasked, with a scan as it is converted unasked.
+/// Whether a row is what `relief render` draws by default, of a scan that is converted by default.
 [[nodiscard]] bool is_default_row(const BenchResult& result, std::size_t row);
 
-/// The keys of DESIGN.md's `bench`, ratios, and what was asked for.
+/// One JSON object: what was measured, and a row for each method.
 [[nodiscard]] nlohmann::ordered_json as_json(const BenchResult& result);
 
 /// A table for a person, the default row marked by a star.

@@ -34,7 +34,7 @@ Value depth(const Comparison& c) {
 
 Value depth_psnr_db(const Comparison& c) {
   if (!c.depth) return c.depth.error();
-  if (!c.depth->psnr_db) return make_error("the reference has one depth alone");
+  if (!c.depth->psnr_db) return make_error("all depths of the reference are equal");
   return *c.depth->psnr_db;
 }
 

@@ -1,4 +1,4 @@
-// What `relief compare` says of a comparison: the measured quantities by name, JSON and text.
+// What `relief compare` reports: the measured quantities by name, as JSON and as text.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -25,7 +25,7 @@ struct Quantity {
 [[nodiscard]] nlohmann::ordered_json as_json(const Comparison& comparison,
                                              const FlipOptions& options);
 
-/// The same for people, without a title line.
+/// All quantities as text for a person, without a title line.
 [[nodiscard]] std::string as_text(const Comparison& comparison, const FlipOptions& options);
 
 }  // namespace relief::cli

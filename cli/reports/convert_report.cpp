@@ -94,7 +94,7 @@ std::string convert_text(const ConvertSummary& s, const std::filesystem::path& o
     separator = ", ";
   }
   if (s.outliers.sparse + s.outliers.cluster + s.thinned > 0)
-    text += fmt::format("\n  taken away        {} outliers, {} in small clusters, {} by thinning",
+    text += fmt::format("\n  removed           {} outliers, {} in small clusters, {} by thinning",
                         s.outliers.sparse, s.outliers.cluster, s.thinned);
   return text + "\n";
 }

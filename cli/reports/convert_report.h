@@ -1,4 +1,4 @@
-// What `relief convert` says in the end.
+// What `relief convert` reports.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ struct ConvertSummary {
 
 [[nodiscard]] nlohmann::ordered_json convert_json(const ConvertSummary& summary);
 
-/// The same for people.
+/// The summary as text for a person.
 [[nodiscard]] std::string convert_text(const ConvertSummary& summary,
                                        const std::filesystem::path& output);
 

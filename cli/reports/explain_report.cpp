@@ -89,7 +89,7 @@ std::string as_text(const Explanation& explanation) {
   for (const Explanation::Draw& draw : explanation.draws) {
     text += fmt::format("    {:<24} {}, {}, {} command{}{}\n", draw.pass, draw.program,
                         draw.primitive, draw.commands, draw.commands == 1 ? "" : "s",
-                        draw.front_alone ? ", front sides alone" : "");
+                        draw.front_alone ? ", front faces only" : "");
   }
   return text;
 }

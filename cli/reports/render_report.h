@@ -19,7 +19,8 @@ struct WrittenImage {
   RenderResult result;
 };
 
-/// The keys of DESIGN.md's `render`; with `explain`, if that was asked for.
+/// One JSON object: the engine and its options, sizes, times and counts; with `explain`, if that
+/// was asked for.
 [[nodiscard]] nlohmann::ordered_json as_json(const WrittenImage& written);
 
 /// {"views": [...]}, each with its name, its output and the keys of as_json.

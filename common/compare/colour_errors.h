@@ -1,4 +1,4 @@
-// The colours of two pictures and how far they are apart.
+// Differences between the colours of two images.
 #pragma once
 
 #include <array>
@@ -10,21 +10,22 @@
 
 namespace relief {
 
-/// The colour of a picture, made fit for computing: linear, premultiplied (so over black), finite,
+/// The colour of an image, made fit for computing: linear, premultiplied (so over black), finite,
 /// not negative.
 struct LinearColour {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   std::array<std::vector<float>, 3> rgb;  ///< one value a pixel each, row-major, top row first
-  std::vector<bool> broken;               ///< pixels whose colour was not finite; 0 is put there
+  std::vector<bool> broken;               ///< pixels whose colour was not finite, replaced by 0
 };
 
-/// The colour of `image`; values below 0 become 0. Fails, with a clause, if R, G or B is missing.
+/// Returns the colour of `image`; values below 0 become 0. Fails, with a clause, if R, G or B is
+/// missing.
 Result<LinearColour> take_colour(const Image& image);
 
-/// PSNR of two colours as a display shows them, in dB: sRGB-encoded, clamped to [0, 1], peak 1, the
-/// mean taken over the three channels. Pixels that are broken in either picture count with error 1
-/// in each channel. With `mask` only over pixels where it is not 0. +infinity where there is no
+/// Returns the PSNR in dB of two colours as a display shows them: sRGB-encoded, clamped to [0, 1],
+/// peak 1, mean over the three channels. Pixels that are broken in either image count with error 1
+/// in each channel. With `mask`, only pixels where it is not 0 count. +infinity without any
 /// difference.
 [[nodiscard]] double colour_psnr_db(const LinearColour& test, const LinearColour& reference,
                                     const std::vector<std::uint8_t>* mask);

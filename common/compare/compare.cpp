@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-/// Infinitely far is a depth, that of nothing; all else must be finite.
+/// An infinite depth means background; all other values must be finite.
 bool is_value(const Channel& channel, float value) {
   return std::isfinite(value) || (channel.name == "Z" && value > 0.0F);
 }
@@ -39,11 +39,11 @@ Result<Comparison> compare_images(const Image& test, const Image& reference,
                                   const FlipOptions& options, Progress& progress) {
   if (test.width != reference.width || test.height != reference.height) {
     return make_error(
-        "the picture under test has {}x{} pixels and the reference {}x{}; make both in one size",
+        "the image under test has {}x{} pixels and the reference {}x{}; make both in one size",
         test.width, test.height, reference.width, reference.height);
   }
   const auto colour = take_colour(test);
-  if (!colour) return make_error("the picture under test {}", colour.error().message);
+  if (!colour) return make_error("the image under test {}", colour.error().message);
   const auto reference_colour = take_colour(reference);
   if (!reference_colour) return make_error("the reference {}", reference_colour.error().message);
 
@@ -54,7 +54,7 @@ Result<Comparison> compare_images(const Image& test, const Image& reference,
   const auto psnr_covered_db = [&]() -> Result<double> {
     if (!masks) return masks.error();
     if (std::count(both->begin(), both->end(), 1) == 0) {
-      return make_error("no pixel is covered in both pictures");
+      return make_error("no pixel is covered in both images");
     }
     return colour_psnr_db(*colour, *reference_colour, both);
   };

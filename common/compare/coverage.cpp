@@ -8,7 +8,7 @@ namespace {
 
 constexpr float kCoveredAlpha = 0.5F;
 
-/// What in a picture can tell its coverage.
+/// The channel that determines an image's coverage.
 struct Sources {
   const Channel* alpha;  ///< null if there is none or it is 1 everywhere: an opaque background
   const Channel* depth;
@@ -16,7 +16,7 @@ struct Sources {
 
 Sources find_sources(const Image& image) {
   const Channel* alpha = image.find("A");
-  // Negated so that a NaN makes it tell: it is no opaque background then.
+  // Negated so that NaN counts as a transparent background.
   if (alpha != nullptr &&
       std::all_of(alpha->values.begin(), alpha->values.end(), [](float a) { return a >= 1.0F; })) {
     alpha = nullptr;
@@ -32,7 +32,7 @@ std::vector<std::uint8_t> make_mask(const Channel& channel, const IsCovered& is_
   return mask;
 }
 
-/// The mask of one picture; empty if nothing tells.
+/// Returns the mask of one image; empty if no channel determines it.
 std::vector<std::uint8_t> find_mask(const Sources& sources, bool depth_first) {
   if (sources.alpha != nullptr && !(depth_first && sources.depth != nullptr)) {
     return make_mask(*sources.alpha, [](float a) { return a >= kCoveredAlpha; });
@@ -43,7 +43,7 @@ std::vector<std::uint8_t> find_mask(const Sources& sources, bool depth_first) {
   return {};
 }
 
-/// Whether all pixels of the 3x3 block about (x, y) that lie in the picture are covered.
+/// Whether all pixels of the 3x3 block about (x, y) that lie in the image are covered.
 bool is_inside(const std::vector<std::uint8_t>& mask, std::uint32_t width, std::uint32_t height,
                std::uint32_t x, std::uint32_t y) {
   for (std::uint32_t v = y > 0 ? y - 1 : 0; v <= std::min(y + 1, height - 1); ++v) {
@@ -66,7 +66,7 @@ Result<CoverageMasks> find_coverage(const Image& test, const Image& reference) {
   masks.reference = find_mask(b, depth_first);
   if (masks.test.empty() || masks.reference.empty()) {
     return make_error("{} has neither a transparent background nor a channel Z",
-                      masks.test.empty() ? "the picture under test" : "the reference");
+                      masks.test.empty() ? "the image under test" : "the reference");
   }
   masks.both.resize(masks.test.size());
   std::transform(masks.test.begin(), masks.test.end(), masks.reference.begin(), masks.both.begin(),

@@ -1,4 +1,4 @@
-// Which pixels a model covers in two pictures, and where the pictures differ in that.
+// Which pixels a model covers in two images, and where the two differ.
 #pragma once
 
 #include <cstdint>
@@ -9,30 +9,30 @@
 
 namespace relief {
 
-/// 1 where a picture is covered, 0 elsewhere; row-major, top row first.
+/// 1 for covered pixels, 0 for others; row-major, top row first.
 struct CoverageMasks {
   std::vector<std::uint8_t> test;
   std::vector<std::uint8_t> reference;
   std::vector<std::uint8_t> both;
 };
 
-/// Finds what is covered. A picture's alpha tells if it is below 1 anywhere: covered is what has
-/// 0.5 or more of it, so that an antialiased silhouette and one that is not agree to half a pixel.
-/// Else (opaque background) the depth Z tells: covered is where it is finite. If alpha does not
-/// tell in both and both have Z, Z is taken for both. Fails, with a clause, if a picture has
+/// Finds the covered pixels of both images. If an image's alpha is below 1 anywhere, pixels with
+/// alpha 0.5 or more are covered, so that antialiased and aliased silhouettes agree to half a
+/// pixel. Otherwise (opaque background) pixels with finite depth Z are covered. If only one image
+/// has such an alpha and both have Z, Z decides in both. Fails, with a clause, if an image has
 /// neither.
 Result<CoverageMasks> find_coverage(const Image& test, const Image& reference);
 
-/// Where coverage differs, in pixels.
+/// Differences in coverage, in pixels.
 struct CoverageErrors {
   std::uint64_t covered_reference = 0;
   std::uint64_t covered_both = 0;
-  /// Covered in the reference alone, together with all eight neighbours there (the reference's
-  /// silhouette eroded by 3x3). What lies beyond the picture's rim counts as covered: a model that
-  /// the rim cuts has no silhouette there.
+  /// Covered only in the reference, where all eight neighbours are covered too (the reference's
+  /// silhouette eroded by 3x3). Pixels beyond the image's rim count as covered: a model cut by the
+  /// rim has no silhouette there.
   std::uint64_t holes = 0;
-  std::uint64_t border_missing = 0;  ///< covered in the reference alone, and no hole
-  std::uint64_t border_extra = 0;    ///< covered in the picture under test alone
+  std::uint64_t border_missing = 0;  ///< covered only in the reference, and not a hole
+  std::uint64_t border_extra = 0;    ///< covered only in the image under test
 };
 
 [[nodiscard]] CoverageErrors count_coverage_errors(const CoverageMasks& masks, std::uint32_t width,

@@ -1,4 +1,4 @@
-// FLIP, the difference between two pictures that a person sees who flips between them.
+// FLIP: the difference that a person sees when flipping between two images.
 //   LDR-FLIP: Andersson, Nilsson, Akenine-Moller, Oskarsson, Astrom, Fairchild, "FLIP: A Difference
 //     Evaluator for Alternating Images", HPG 2020.
 //   HDR-FLIP: Andersson, Nilsson, Shirley, Akenine-Moller, "Visualizing Errors in Rendered High
@@ -18,7 +18,7 @@ namespace relief {
 /// error over the exposures at which the reference shows something.
 enum class FlipRange : std::uint8_t { Ldr, Hdr };
 
-/// The papers' observer: 0.7 m from a display 0.7 m wide with 3840 pixels, about 67.02.
+/// The observer of the papers: 0.7 m from a display 0.7 m wide with 3840 pixels, about 67.02.
 inline constexpr double kFlipPixelsPerDegree = 3840.0 * 3.14159265358979323846 / 180.0;
 
 struct FlipOptions {
@@ -30,7 +30,7 @@ struct FlipOptions {
 struct Exposures {
   double start = 0.0;
   double stop = 0.0;
-  int count = 1;  ///< evenly from start to stop, both included
+  int count = 1;  ///< evenly spaced from start to stop, inclusive
 };
 
 struct Flip {
@@ -39,14 +39,14 @@ struct Flip {
   Exposures exposures;  ///< one, at 0, for Ldr
 };
 
-/// The FLIP map of two pictures of one size. A pixel that is broken in either has 1. Fails only
-/// when `progress` is cancelled.
+/// Returns the FLIP map of two images of one size. Pixels that are broken in either image have 1.
+/// Fails only if `progress` is cancelled.
 Result<Flip> measure_flip(const LinearColour& test, const LinearColour& reference,
                           const FlipOptions& options, Progress& progress);
 
-/// The exposures of HDR-FLIP (2021, section 3.3): at the first the reference's brightest pixel is
-/// tone-mapped to 0.85, at the last its median one; one exposure a stop, at least two. As in the
-/// published tool the median is taken for 1.2e-7 if it is less, as with a model on black.
+/// Returns the exposures of HDR-FLIP (2021, section 3.3): the first maps the reference's brightest
+/// pixel to 0.85, the last its median pixel; one exposure a stop, at least two. As in the published
+/// tool, the median is at least 1.2e-7, which matters for a model on black.
 [[nodiscard]] Exposures find_exposures(const LinearColour& reference);
 
 }  // namespace relief

@@ -1,5 +1,5 @@
-// The colour spaces of FLIP (2020, section 4.1). XYZ are here always divided by those of white
-// (D65), so that white is (1, 1, 1).
+// The colour spaces of FLIP (2020, section 4.1). XYZ values are divided by those of white (D65), so
+// that white is (1, 1, 1).
 #pragma once
 
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace relief {
 
-/// XYZ of linear RGB (Rec. 709).
+/// Returns XYZ of linear RGB (Rec. 709).
 [[nodiscard]] inline glm::vec3 xyz_from_rgb(const glm::vec3& c) {
   // The matrix of sRGB in exact fractions, rows divided by their sums, which are white.
   constexpr float kX = 10135552.0F + 8788810.0F + 4435075.0F;
@@ -18,14 +18,14 @@ namespace relief {
           (1425312.0F * c.x + 8788810.0F * c.y + 70074185.0F * c.z) / kZ};
 }
 
-/// Linear RGB of XYZ: the inverse.
+/// Returns linear RGB of XYZ.
 [[nodiscard]] inline glm::vec3 rgb_from_xyz(const glm::vec3& c) {
   return {3.080341988F * c.x - 1.537398969F * c.y - 0.542943019F * c.z,
           -0.921178396F * c.x + 1.875929984F * c.y + 0.045248412F * c.z,
           0.052881293F * c.x - 0.204011206F * c.y + 1.151129913F * c.z};
 }
 
-/// L*a*b* with the Hunt adjustment: colours fade as they get darker.
+/// Returns L*a*b* with the Hunt adjustment: colours fade as they get darker.
 [[nodiscard]] inline glm::vec3 hunt_lab_from_xyz(const glm::vec3& c) {
   const auto bend = [](float t) {
     constexpr float kKnee = 6.0F / 29.0F;
@@ -39,15 +39,16 @@ namespace relief {
   return {lightness, fade * 500.0F * (x - y), fade * 200.0F * (y - z)};
 }
 
-/// HyAB: the distance for large differences, city-block in lightness, Euclidean in the rest.
+/// Returns the HyAB distance, for large differences, city-block in lightness, Euclidean in the
+/// rest.
 [[nodiscard]] inline float hyab_distance(const glm::vec3& a, const glm::vec3& b) {
   const float da = a.y - b.y;
   const float db = a.z - b.z;
   return std::abs(a.x - b.x) + std::sqrt(da * da + db * db);
 }
 
-/// Colour difference in [0, 1] of two colours as hunt_lab_from_xyz gives them: large distances are
-/// compressed, and what is above 0.4 of the largest one (green against blue) shares the last 0.05.
+/// Returns the difference, in [0, 1], of two colours from hunt_lab_from_xyz. Large distances are
+/// compressed: those above 0.4 of the largest (green against blue) share the last 0.05.
 [[nodiscard]] inline float colour_difference(const glm::vec3& a, const glm::vec3& b) {
   constexpr float kExponent = 0.7F;
   constexpr float kBendAt = 0.4F;

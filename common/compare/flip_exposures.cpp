@@ -1,4 +1,4 @@
-// The exposures at which HDR-FLIP looks at two pictures.
+// The exposures of HDR-FLIP.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,8 +11,9 @@ namespace relief {
 
 Exposures find_exposures(const LinearColour& reference) {
   constexpr double kShown = 0.85;
-  // The published tool's floor of the median, which is 0 where a model stands on black. Here it is
-  // the brightest pixel's too: a black reference then has one exposure, at which any light is seen.
+  // The published tool's lower limit of the median, which is 0 for a model on black. Here it also
+  // limits the brightest pixel: a black reference then has one exposure, at which any light is
+  // visible.
   constexpr double kDarkest = std::numeric_limits<float>::epsilon();
   std::vector<float> luminances(reference.rgb[0].size());
   for (std::size_t k = 0; k < luminances.size(); ++k) {
@@ -30,7 +31,7 @@ Exposures find_exposures(const LinearColour& reference) {
   exposures.start = std::log2(light / brightest);
   exposures.stop = std::log2(light / median);
   const double stops = exposures.stop - exposures.start;
-  // Two equal exposures would tell no more than one.
+  // Two equal exposures add nothing to one.
   if (stops > 0.0) exposures.count = std::max(2, static_cast<int>(std::ceil(stops)));
   return exposures;
 }

@@ -9,9 +9,9 @@ namespace relief {
 /// Weights for the offsets -radius to radius.
 using Taps = std::vector<float>;
 
-/// What the eye resolves (2020, section 4.1.1: contrast sensitivity functions as Gaussians) and how
-/// it sees edges and points (section 4.2.1: derivatives of a Gaussian). Each is applied along x and
-/// then along y.
+/// Filters for what the eye resolves (2020, section 4.1.1: contrast sensitivity functions as
+/// Gaussians) and for edges and points (section 4.2.1: derivatives of a Gaussian). Each is applied
+/// along x and then along y.
 struct FlipFilters {
   std::size_t contrast_radius = 0;
   Taps luminance;         ///< of Y, sum 1

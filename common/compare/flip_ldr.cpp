@@ -12,8 +12,8 @@
 namespace relief {
 namespace {
 
-/// Rows that one task turns out. Filtering along the rows repeats the rows about them, at
-/// 67 pixels per degree 20; fewer rows would repeat more, more would leave the cache.
+/// Rows of one task. Filtering along the rows repeats the rows about them, at 67 pixels per degree
+/// 20; fewer rows would repeat more, more would leave the cache.
 constexpr std::uint32_t kBandRows = 64;
 
 /// What the eye resolves of XYZ as luminance Y and opponent colours X - Y and Y - Z: the papers'
@@ -22,7 +22,7 @@ struct Contrast {
   std::vector<float> luminance, red_green, blue_yellow, blue_yellow_wide;
 };
 
-/// Rows of one picture about a band, filtered along x.
+/// Rows of one image about a band, filtered along x.
 struct FilteredRows {
   Contrast contrast;
   std::vector<float> smooth, edge, point;
@@ -34,20 +34,20 @@ struct Row {
   std::vector<float> edge_x, edge_y, point_x, point_y;
 };
 
-/// A row of luminance and opponent colours, going on beyond both ends for the filters.
+/// A row of luminance and opponent colours, continued beyond both ends for the filters.
 class PaddedRow {
  public:
   PaddedRow(std::uint32_t width, std::size_t padding) : padding_(padding) {
     for (auto& channel : channels_) channel.resize(width + 2 * padding);
   }
 
-  void load(const LinearColour& picture, std::uint32_t y, std::optional<double> gain) {
-    const std::size_t first = std::size_t{y} * picture.width;
+  void load(const LinearColour& image, std::uint32_t y, std::optional<double> gain) {
+    const std::size_t first = std::size_t{y} * image.width;
     const auto shown = [&](std::size_t channel, std::size_t k) {
-      const float light = picture.rgb[channel][k];
+      const float light = image.rgb[channel][k];
       return gain ? tone_map(light, *gain) : std::min(light, 1.0F);
     };
-    for (std::size_t x = 0; x < picture.width; ++x) {
+    for (std::size_t x = 0; x < image.width; ++x) {
       const std::size_t k = first + x;
       const glm::vec3 xyz = xyz_from_rgb({shown(0, k), shown(1, k), shown(2, k)});
       channels_[0][padding_ + x] = xyz.y;
@@ -55,7 +55,7 @@ class PaddedRow {
       channels_[2][padding_ + x] = xyz.y - xyz.z;
     }
     for (auto& channel : channels_) {
-      const std::size_t end = padding_ + picture.width;
+      const std::size_t end = padding_ + image.width;
       std::fill(channel.begin(), channel.begin() + static_cast<std::ptrdiff_t>(padding_),
                 channel[padding_]);
       std::fill(channel.begin() + static_cast<std::ptrdiff_t>(end), channel.end(),
@@ -74,21 +74,21 @@ class PaddedRow {
 };
 
 /// Loads and filters along x the rows from `padding` above a band to `padding` below it.
-FilteredRows filter_rows(const LinearColour& picture, std::optional<double> gain,
+FilteredRows filter_rows(const LinearColour& image, std::optional<double> gain,
                          const FlipFilters& filters, std::uint32_t first, std::uint32_t rows) {
   const std::size_t padding = std::max(filters.contrast_radius, filters.feature_radius);
-  const std::size_t width = picture.width;
+  const std::size_t width = image.width;
   FilteredRows out;
   Contrast& contrast = out.contrast;
   for (auto* plane : {&contrast.luminance, &contrast.red_green, &contrast.blue_yellow,
                       &contrast.blue_yellow_wide, &out.smooth, &out.edge, &out.point}) {
     plane->resize(width * (rows + 2 * padding));
   }
-  PaddedRow row(picture.width, padding);
+  PaddedRow row(image.width, padding);
   for (std::size_t i = 0; i < rows + 2 * padding; ++i) {
     const auto y = static_cast<std::int64_t>(first + i) - static_cast<std::int64_t>(padding);
-    const auto inside = std::clamp<std::int64_t>(y, 0, std::int64_t{picture.height} - 1);
-    row.load(picture, static_cast<std::uint32_t>(inside), gain);
+    const auto inside = std::clamp<std::int64_t>(y, 0, std::int64_t{image.height} - 1);
+    row.load(image, static_cast<std::uint32_t>(inside), gain);
     const auto filter = [&](std::size_t channel, std::size_t radius, const Taps& taps,
                             std::vector<float>& to) {
       filter_along_row(row.start(channel, radius), taps, width, to.data() + i * width);
@@ -128,7 +128,7 @@ void filter_columns(const FilteredRows& rows, const FlipFilters& filters, std::s
   filter(rows.smooth, feature, filters.point, out.point_y);
 }
 
-/// The colour that the eye makes of pixel x, within what a display can show.
+/// Returns the perceived colour of pixel x, limited to a display's range.
 glm::vec3 seen_colour(const Contrast& c, std::size_t x) {
   const float y = c.luminance[x];
   const glm::vec3 xyz(y + c.red_green[x], y, y - c.blue_yellow[x] - c.blue_yellow_wide[x]);
@@ -159,7 +159,7 @@ float flip_at(const Row& a, const Row& b, std::size_t x) {
   if (are_equal(a.contrast, b.contrast, x)) return 0.0F;
   const float colour =
       std::min(colour_difference(seen_colour(a.contrast, x), seen_colour(b.contrast, x)), 1.0F);
-  // Where no colour differs there is no error, also where 0^0 would make one.
+  // Without a difference in colour there is no error, even if 0^0 would give one.
   return colour > 0.0F ? std::pow(colour, 1.0F - feature_difference(a, b, x)) : 0.0F;
 }
 

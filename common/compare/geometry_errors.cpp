@@ -13,7 +13,7 @@
 namespace relief {
 namespace {
 
-/// One kind of channels in both pictures.
+/// One kind of channels in both images.
 template <std::size_t N>
 struct Channels {
   std::array<const std::vector<float>*, N> test;
@@ -35,7 +35,7 @@ Result<Channels<N>> find_channels(const Image& test, const Image& reference,
   for (std::size_t i = 0; i < N; ++i) {
     const Channel* const a = test.find(names[i]);
     const Channel* const b = reference.find(names[i]);
-    if (a == nullptr) return make_error("the picture under test has no channel {}", names[i]);
+    if (a == nullptr) return make_error("the image under test has no channel {}", names[i]);
     if (b == nullptr) return make_error("the reference has no channel {}", names[i]);
     found.test[i] = &a->values;
     found.reference[i] = &b->values;
@@ -56,13 +56,13 @@ glm::dvec3 normal_at(const std::array<const std::vector<float>*, 3>& channels, s
   return {(*channels[0])[k], (*channels[1])[k], (*channels[2])[k]};
 }
 
-/// By arc tangent, for which lengths do not matter: an arc cosine loses angles below 1e-8 to
+/// By arc tangent, which does not depend on lengths: an arc cosine loses angles below 1e-8 to
 /// rounding, and those whose cosine is rounded beyond 1 to NaN.
 double angle_deg(const glm::dvec3& a, const glm::dvec3& b) {
   return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
 }
 
-/// The extent of what `include` saw.
+/// The range of included values.
 struct Range {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
@@ -78,7 +78,8 @@ struct Range {
 
 Result<NormalErrors> measure_normals(const Image& test, const Image& reference,
                                      const std::vector<std::uint8_t>* mask) {
-  // Below this length a half float's rounding starts to turn a normal; no engine writes such.
+  // Below this length, half-float rounding turns a normal noticeably; no engine writes such
+  // normals.
   constexpr double kShortest = 1e-3;
   const auto channels = find_channels<3>(test, reference, {"N.X", "N.Y", "N.Z"});
   if (!channels) return channels.error();
@@ -95,7 +96,7 @@ Result<NormalErrors> measure_normals(const Image& test, const Image& reference,
     all.push_back(static_cast<float>(angle));
     for (int i = 0; i < 3; ++i) components.add(a[i] - b[i]);
   });
-  if (all.empty()) return make_error("no pixel is covered, with a normal, in both pictures");
+  if (all.empty()) return make_error("no pixel is covered, with a normal, in both images");
   return NormalErrors{angles.rms(), percentile(all, 0.99), psnr_db(components.rms(), 2.0)};
 }
 
@@ -115,11 +116,11 @@ Result<DepthErrors> measure_depth(const Image& test, const Image& reference,
     relative.add(error);
     absolute.add(a - b);
     range.include(b);
-    // Beyond float only where a depth is all but 0 and another is not.
+    // Beyond float only if one depth is almost 0 and another is not.
     all.push_back(static_cast<float>(
         std::min(error, static_cast<double>(std::numeric_limits<float>::max()))));
   });
-  if (all.empty()) return make_error("no pixel is covered, with a depth, in both pictures");
+  if (all.empty()) return make_error("no pixel is covered, with a depth, in both images");
   DepthErrors errors{relative.rms(), percentile(all, 0.99), std::nullopt};
   if (range.size() > 0.0) errors.psnr_db = psnr_db(absolute.rms(), range.size());
   return errors;
@@ -142,8 +143,8 @@ Result<double> measure_uv_psnr_db(const Image& test, const Image& reference,
       range.include(b);
     }
   });
-  if (errors.count == 0) return make_error("no pixel shows the same patch in both pictures");
-  if (range.size() == 0.0) return make_error("the reference has one grid coordinate alone");
+  if (errors.count == 0) return make_error("no pixel shows the same patch in both images");
+  if (range.size() == 0.0) return make_error("the reference has only one grid coordinate");
   return psnr_db(errors.rms(), range.size());
 }
 

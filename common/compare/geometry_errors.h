@@ -1,5 +1,5 @@
-// How far normals, depths, grid coordinates and alpha of two pictures are apart. Errors are clauses
-// that say why something could not be measured.
+// Differences between normals, depths, grid coordinates and alpha of two images. Errors are clauses
+// that give the reason why a quantity could not be measured.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,11 @@
 namespace relief {
 
 /// Angles between the normals, over pixels of the mask whose normals are finite and not shorter
-/// than 0.001 in both pictures. Lengths do not matter to the angles.
+/// than 0.001 in both images. The angles do not depend on the lengths.
 struct NormalErrors {
   double rms_deg = 0.0;
-  double p99_deg = 0.0;  ///< 99 % of the pixels are no farther off
-  double psnr_db = 0.0;  ///< of the components as they are, peak 2; +infinity if equal
+  double p99_deg = 0.0;  ///< 99th percentile
+  double psnr_db = 0.0;  ///< of the components, peak 2; +infinity if equal
 };
 
 /// |Z - Z of the reference| / Z of the reference, over pixels of the mask where both are finite and
@@ -27,18 +27,18 @@ struct DepthErrors {
   std::optional<double> psnr_db;  ///< peak: the range of the reference's Z; none if that is 0
 };
 
-/// `mask`: pixels to look at (not 0); none: all.
+/// `mask`: compares only pixels where it is not 0; empty: all.
 Result<NormalErrors> measure_normals(const Image& test, const Image& reference,
                                      const std::vector<std::uint8_t>* mask);
 Result<DepthErrors> measure_depth(const Image& test, const Image& reference,
                                   const std::vector<std::uint8_t>* mask);
 
-/// PSNR of UV.U and UV.V in dB, over pixels of the mask that show the same patch in both pictures;
-/// peak: the range of the reference's coordinates.
+/// Returns the PSNR of UV.U and UV.V in dB, over pixels of the mask that show the same patch in
+/// both images; peak: the range of the reference's coordinates.
 Result<double> measure_uv_psnr_db(const Image& test, const Image& reference,
                                   const std::vector<std::uint8_t>* mask);
 
-/// PSNR of A in dB over all pixels, clamped to [0, 1], peak 1; what is no number counts as 0.
+/// Returns the PSNR of A in dB over all pixels, clamped to [0, 1], peak 1; NaN counts as 0.
 Result<double> measure_alpha_psnr_db(const Image& test, const Image& reference);
 
 }  // namespace relief

@@ -1,4 +1,4 @@
-// Error maps as pictures.
+// Error maps as images.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 namespace relief {
 
-/// The picture of a map of values in [0, 1] in the colours of magma, as FLIP is published: 0 is
-/// black, then violet, red, orange, 1 is a pale yellow. Each of the 256 colours comes out of
-/// write_png as the same 8-bit values.
+/// Returns a map of values in [0, 1] in the magma colours that FLIP is published in: from black (0)
+/// over violet, red and orange to pale yellow (1). write_png keeps each of the 256 colours as its
+/// 8-bit value.
 [[nodiscard]] Image make_heatmap(const std::vector<float>& map, std::uint32_t width,
                                  std::uint32_t height);
 

@@ -1,4 +1,4 @@
-// From light to what a display shows, as HDR-FLIP does it.
+// Tone mapping as in HDR-FLIP.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,8 @@ struct AcesCurve {
   static constexpr float kE = 0.14F;
 };
 
-/// The display's light, in [0, 1], for `light` (0 or more, finite) multiplied by `gain` (above 0).
+/// Returns the display's light, in [0, 1], for `light` (0 or more, finite) multiplied by `gain`
+/// (above 0).
 [[nodiscard]] inline float tone_map(float light, double gain) {
   // The curve is above 1 from 8 on; bounded, its squares stay finite at any exposure.
   constexpr double kBright = 1e4;
@@ -26,7 +27,7 @@ struct AcesCurve {
   return std::min(shown, 1.0F);
 }
 
-/// The light that is tone-mapped to `shown`, which is in [0, 1).
+/// Returns the light that is tone-mapped to `shown`, in [0, 1).
 [[nodiscard]] inline double light_shown_as(double shown) {
   // (a - shown c) x^2 + (b - shown d) x - shown e = 0, the root above 0.
   const double a = double{AcesCurve::kA} - shown * double{AcesCurve::kC};

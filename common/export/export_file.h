@@ -1,4 +1,4 @@
-// A file written from front to back by one of the exporters.
+// The output file of an exporter, written front to back.
 #pragma once
 
 #include <cstddef>
@@ -14,11 +14,11 @@
 
 namespace relief {
 
-/// Collects bytes and writes them in pieces. The first failure is kept for `finish`; what is
-/// appended after it is lost, so that only loops need to look at `good`.
+/// Collects bytes and writes them in pieces. Keeps the first failure for `finish` and ignores
+/// everything appended after it, so that only loops need to check for failure.
 class ExportFile {
  public:
-  /// `records`: points and triangles to come, for the progress.
+  /// `records`: number of points and triangles to write, for the progress.
   static Result<ExportFile> create(const std::filesystem::path& path, std::uint64_t records,
                                    Progress& progress);
 
@@ -26,19 +26,19 @@ class ExportFile {
     const auto bytes = std::as_bytes(std::span(text));
     buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
   }
-  /// Little-endian.
+  /// Appends numbers, little-endian.
   template <class... Numbers>
   void numbers(Numbers... numbers) {
     (append_number(buffer_, numbers), ...);
   }
 
-  /// A point or triangle is written. False: stop, something failed.
+  /// Ends a point or triangle. Returns false after a failure: stop then.
   [[nodiscard]] bool end_record() {
     ++records_;
     return buffer_.size() < kPiece || flush();
   }
 
-  /// Puts the file in its place.
+  /// Moves the complete file to its path.
   Status finish();
 
  private:
@@ -51,7 +51,7 @@ class ExportFile {
   AtomicFile file_;
   Progress* progress_;
   std::vector<std::byte> buffer_;
-  std::uint64_t records_ = 0;  ///< since the progress was told
+  std::uint64_t records_ = 0;  ///< since the last progress report
   Status status_;
 };
 

@@ -24,8 +24,8 @@ constexpr std::uint32_t kMagic = 0x46546C67;
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
 constexpr std::uint32_t kBinaryChunk = 0x004E4942;
 
-/// The nearest number that a float holds. Not by a cast: GCC 12.2 at -O2 takes two casts to float
-/// and back beside each other for nothing to do.
+/// Returns the nearest float. Not by a cast: GCC 12.2 at -O2 takes two casts to float and back
+/// beside each other for nothing to do.
 double rounded_to_float(double value) {
   constexpr int bits = 24;
   int exponent = 0;
@@ -37,7 +37,7 @@ glm::dvec3 rounded_to_floats(glm::dvec3 v) {
   return {rounded_to_float(v.x), rounded_to_float(v.y), rounded_to_float(v.z)};
 }
 
-/// Where the mesh's own zero is in the world: what a float holds, for programs that read no more.
+/// The world position of the mesh's origin, as floats, because many programs read no more.
 glm::dvec3 origin_of(const ExportRequest& request) {
   if (!needs_doubles(request.points, request.tolerance)) return glm::dvec3(0.0);
   const Bounds box = bounds_of(request.points.positions);
@@ -76,7 +76,7 @@ ordered_json numbers_of(glm::dvec3 v) {
   return {v.x, v.y, v.z};
 }
 
-/// The JSON of the file, and in `buffer_bytes` how long its buffer is.
+/// Returns the JSON of the file; sets `buffer_bytes` to the size of its buffer.
 std::string document_of(const ExportRequest& request, glm::dvec3 origin,
                         std::uint64_t& buffer_bytes) {
   const Points& points = request.points;
@@ -103,7 +103,7 @@ std::string document_of(const ExportRequest& request, glm::dvec3 origin,
   ordered_json node = {{"mesh", 0}};
   if (origin != glm::dvec3(0.0)) node["translation"] = numbers_of(origin);
   buffer_bytes = layout.bytes();
-  // A material says that the surface is no metal, which is what glTF takes where nothing is said.
+  // A material makes the surface non-metallic; glTF's default is metal.
   const ordered_json document = {
       {"asset", {{"version", "2.0"}, {"generator", fmt::format("relief {}", kVersion)}}},
       {"scene", 0},

@@ -17,7 +17,7 @@ Status export_obj(const std::filesystem::path& path, const ExportRequest& reques
     const glm::dvec3 p = points.positions[k];
     file->text(fmt::format("v {} {} {}", p.x, p.y, p.z));
     if (!points.colours.empty()) {
-      // Three decimals tell 256 values apart.
+      // Three decimals distinguish 256 values.
       const glm::vec3 c = glm::vec3(points.colours[k]) / 255.0F;
       file->text(fmt::format(" {:.3f} {:.3f} {:.3f}", c.r, c.g, c.b));
     }

@@ -18,7 +18,7 @@ std::string header_of(const Points& points, bool doubles) {
   if (!points.colours.empty())
     header += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
   if (!points.triangles.empty()) {
-    // Readers that know no unsigned indices are more than points beyond 2^31.
+    // Readers without unsigned indices are more common than scans beyond 2^31 points.
     header += fmt::format("element face {}\nproperty list uchar {} vertex_indices\n",
                           points.triangles.size(), points.size() > INT32_MAX ? "uint" : "int");
   }

@@ -1,4 +1,4 @@
-// Pictures in memory: any number of named float channels.
+// Images in memory: any number of named float channels.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,11 @@
 
 namespace relief {
 
-/// How a channel is kept in an EXR file. In memory every channel is float; ids up to 2^24 are
-/// exact.
+/// How an EXR file stores a channel. In memory every channel is float; ids up to 2^24 are exact.
 enum class ChannelType : std::uint8_t { Half, Float, Uint };
 
-/// What a reader does to the numbers of formats that hold sRGB (PNG and JPEG): turn them into
-/// light, or leave them as they are stored, from 0 to 1, where they are no colours.
+/// How a reader treats the values of sRGB formats (PNG and JPEG): Srgb converts them to linear
+/// light; None keeps them as stored, from 0 to 1, for images that hold no colours.
 enum class Transfer : std::uint8_t { Srgb, None };
 
 /// One channel, row-major, top row first.
@@ -23,10 +22,10 @@ struct Channel {
   std::vector<float> values;
 };
 
-/// A picture. Colour is linear, with Rec. 709 primaries. The names that engines write, as in EXR:
-/// R G B A (colour, premultiplied, and coverage), N.X N.Y N.Z (world normal), Z (distance along the
-/// view axis, +infinity where nothing is seen), UV.U UV.V (grid coordinates on the patch),
-/// patch (patch id + 1, 0 where nothing is seen).
+/// An image. Colour is linear, with Rec. 709 primaries. The names that engines write, as in EXR: R
+/// G B A (colour, premultiplied, and coverage), N.X N.Y N.Z (world normal), Z (distance along the
+/// view axis, +infinity for the background), UV.U UV.V (grid coordinates on the patch), patch
+/// (patch id + 1, 0 for the background).
 struct Image {
   std::uint32_t width = 0;
   std::uint32_t height = 0;

@@ -1,4 +1,4 @@
-// OpenEXR pictures.
+// Reads and writes OpenEXR images.
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
@@ -20,7 +20,7 @@
 namespace relief {
 namespace {
 
-/// A file of OpenEXR's in memory, to write to.
+/// An output stream of OpenEXR in memory.
 class MemoryOutput : public Imf::OStream {
  public:
   MemoryOutput() : Imf::OStream("memory") {}
@@ -42,7 +42,7 @@ class MemoryOutput : public Imf::OStream {
   std::size_t at_ = 0;
 };
 
-/// A file of OpenEXR's in memory, to read from.
+/// An input stream of OpenEXR in memory.
 class MemoryInput : public Imf::IStream {
  public:
   explicit MemoryInput(std::span<const std::byte> bytes) : Imf::IStream("memory"), bytes_(bytes) {}
@@ -65,7 +65,7 @@ class MemoryInput : public Imf::IStream {
   std::uint64_t at_ = 0;
 };
 
-/// A channel in the type in which OpenEXR takes it.
+/// A channel in OpenEXR's type.
 struct ExrChannel {
   Imf::PixelType type = Imf::FLOAT;
   std::vector<half> halves;
@@ -93,7 +93,7 @@ ExrChannel to_exr(const Channel& channel) {
       out.type = Imf::UINT;
       out.uints.resize(channel.values.size());
       std::transform(channel.values.begin(), channel.values.end(), out.uints.begin(), [](float v) {
-        // Compared in this order NaN becomes 0; 2^32 is a float, 2^32 - 1 is none.
+        // Compared in this order, NaN becomes 0; 2^32 is a float, 2^32 - 1 is not.
         if (!(v > 0.0F)) return std::uint32_t{0};
         if (v >= 4294967296.0F) return std::numeric_limits<std::uint32_t>::max();
         return static_cast<std::uint32_t>(v);
@@ -115,7 +115,8 @@ ChannelType from_exr(Imf::PixelType type) {
   return type == Imf::UINT ? ChannelType::Uint : ChannelType::Float;
 }
 
-/// The names and types of a file's channels; an error if one of them has not one value a pixel.
+/// Returns the names and types of a file's channels. Fails if a channel does not have one value a
+/// pixel.
 Result<std::vector<Channel>> list_channels(const Imf::Header& header) {
   std::vector<Channel> channels;
   for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
@@ -128,8 +129,8 @@ Result<std::vector<Channel>> list_channels(const Imf::Header& header) {
   return channels;
 }
 
-/// Whether all attributes of the headers lie within the file: OpenEXR allocates for each as many
-/// bytes as it says to have, up to 2 GiB.
+/// Returns whether all attributes of the headers lie within the file: OpenEXR allocates their
+/// stated sizes, up to 2 GiB each.
 bool attributes_fit(std::span<const std::byte> bytes) {
   const bool has_parts = std::to_integer<unsigned>(bytes[5] & std::byte{0x10}) != 0;
   std::size_t at = 8;
@@ -155,7 +156,7 @@ bool attributes_fit(std::span<const std::byte> bytes) {
   return true;
 }
 
-/// OpenEXR allocates by what the header says, so the header is looked at alone first.
+/// OpenEXR allocates by the header's sizes, so the header is checked first.
 std::optional<Error> check_header(std::span<const std::byte> bytes) {
   // A magic number and a version of 4 bytes each come before the header.
   if (bytes.size() < 8) return make_error("it ends too early");
@@ -163,7 +164,7 @@ std::optional<Error> check_header(std::span<const std::byte> bytes) {
   if (std::to_integer<unsigned>(bytes[5] & std::byte{0x08}) != 0) {
     return make_error("it holds deep pixels; flatten it first");
   }
-  if (!attributes_fit(bytes)) return make_error("its header says to be longer than the file");
+  if (!attributes_fit(bytes)) return make_error("its header is longer than the file");
   MemoryInput stream(bytes);
   stream.seekg(8);
   Imf::Header header;
@@ -201,7 +202,7 @@ bool is_exr(std::span<const std::byte> bytes) {
 }
 
 Result<std::vector<std::byte>> encode_exr(const Image& image) try {
-  assert(image.width > 0 && image.height > 0 && !image.channels.empty() && "a picture has pixels");
+  assert(image.width > 0 && image.height > 0 && !image.channels.empty() && "an image has pixels");
   Imf::Header header(static_cast<int>(image.width), static_cast<int>(image.height));
   header.compression() = Imf::ZIP_COMPRESSION;
   Imf::FrameBuffer frame;

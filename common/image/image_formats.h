@@ -1,5 +1,5 @@
-// The picture formats behind image_io.h, on bytes in memory. Decoders are safe on hostile bytes;
-// their errors are clauses without the file's name.
+// The image formats behind image_io.h, on bytes in memory. Decoders are safe on hostile bytes.
+// Their errors are clauses without the file's name.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace relief {
 
-/// The largest side of a picture that is read.
+/// The largest side of an image that is read.
 inline constexpr std::uint32_t kMaxImageSide = 65536;
 
 [[nodiscard]] bool is_exr(std::span<const std::byte> bytes);
@@ -31,8 +31,9 @@ Result<Image> decode_jpeg(std::span<const std::byte> bytes, Transfer transfer);
 /// Radiance .hdr; pixels are mantissa * 2^(exponent - 136), EXPOSURE lines are not undone.
 Result<Image> decode_radiance(std::span<const std::byte> bytes);
 
-/// Why a picture of this size is not read, as a clause: a side is 0 or above kMaxImageSide, or the
-/// values take more memory than any picture needs or than a file of `file_bytes` bytes can hold.
+/// Returns why an image of this size is refused, as a clause; nothing if it is accepted. Refused
+/// are sides of 0 or above kMaxImageSide, and more values than any image needs or than `file_bytes`
+/// bytes can encode.
 [[nodiscard]] std::optional<Error> find_size_fault(std::int64_t width, std::int64_t height,
                                                    std::size_t channels, std::size_t file_bytes);
 

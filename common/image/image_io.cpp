@@ -28,9 +28,9 @@ std::optional<Error> find_size_fault(std::int64_t width, std::int64_t height, st
   }
   // 2 GiB as floats: an environment map of 16384 x 8192 pixels in colour.
   constexpr std::uint64_t kMaxValues = std::uint64_t{1} << 29U;
-  // The tightest coding in use, DWAB of a picture of one colour, stays below this.
+  // The tightest coding in use, DWAB of an image of one colour, stays below this.
 #ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
-  constexpr std::uint64_t kMaxValuesPerByte = 64;  // large pictures are slow and find nothing more
+  constexpr std::uint64_t kMaxValuesPerByte = 64;  // large images are slow and find nothing more
 #else
   constexpr std::uint64_t kMaxValuesPerByte = 65536;
 #endif

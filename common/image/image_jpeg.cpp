@@ -1,4 +1,4 @@
-// JPEG pictures, in.
+// Reads JPEG images.
 #include <turbojpeg.h>
 
 #include <array>
@@ -56,7 +56,7 @@ Result<Image> decode_jpeg(std::span<const std::byte> bytes, Transfer transfer) {
   if (auto fault = find_size_fault(width, height, 3, bytes.size())) return *fault;
   std::vector<std::uint8_t> pixels(3 * static_cast<std::size_t>(width) *
                                    static_cast<std::size_t>(height));
-  // Stops at whatever is damaged, and at progressive files that repeat scans to take hours.
+  // Stops at damaged data, and at progressive files that repeat scans for hours of work.
   constexpr int kFlags = TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS | TJFLAG_ACCURATEDCT;
   if (tjDecompress2(decoder.get(), data, bytes.size(), pixels.data(), width, 0, height, TJPF_RGB,
                     kFlags) != 0) {

@@ -1,4 +1,4 @@
-// PNG pictures, 8 bit out, 8 and 16 bit in.
+// Writes PNG images of 8 bits, and reads those of 8 and 16 bits.
 #include <png.h>
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 namespace relief {
 namespace {
 
-/// What libpng's callbacks work on. libpng leaves on errors by longjmp, so nothing with a
-/// destructor may live in a frame between; all storage belongs to the caller.
+/// The data of libpng's callbacks. libpng reports errors by longjmp, so no frame in between may
+/// hold an object with a destructor; all storage belongs to the caller.
 struct PngInput {
   const std::byte* bytes = nullptr;
   std::size_t left = 0;
@@ -70,7 +70,7 @@ bool read_rows(png_structp png, png_bytepp rows) {
   return true;
 }
 
-/// Frees what libpng holds.
+/// Owns libpng's structures.
 class PngReader {
  public:
   explicit PngReader(PngInput& in)

@@ -1,4 +1,4 @@
-// Radiance .hdr pictures (Ward 1991, "Real Pixels"; the RLE codings of Radiance's color.c).
+// Radiance .hdr images (Ward 1991, "Real Pixels"; the RLE codings of Radiance's color.c).
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 using Rgbe = std::array<std::uint8_t, 4>;
 
-/// Takes bytes from the front; every function says whether there were enough.
+/// Takes bytes from the front; every function returns whether there were enough.
 struct Input {
   std::span<const std::byte> bytes;
 
@@ -44,7 +44,7 @@ Error ends_early() {
   return make_error("it ends too early; it is truncated");
 }
 
-/// "-Y HEIGHT +X WIDTH", the one order of pixels in use.
+/// "-Y HEIGHT +X WIDTH", the only order of pixels in use.
 bool parse_resolution(std::string_view line, std::int64_t& width, std::int64_t& height) {
   const auto take_word = [&line](std::string_view word) {
     if (line.substr(0, word.size()) != word) return false;
@@ -111,7 +111,7 @@ Status read_scanline(Input& in, std::vector<Rgbe>& row) {
   const bool is_new = first[0] == 2 && first[1] == 2 && first[2] < 128;
   if (!is_new || row.size() < 8 || row.size() > 32767) return read_old_rle(in, first, row);
   if ((std::size_t{first[2]} << 8U | first[3]) != row.size()) {
-    return make_error("a scanline has another width than the picture; it is damaged");
+    return make_error("a scanline has another width than the image; it is damaged");
   }
   return read_new_rle(in, row);
 }

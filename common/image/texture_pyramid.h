@@ -1,4 +1,4 @@
-// Textures with mip levels as functions: what pictures of colours and of normals have in common.
+// Textures with mip levels, for colours and for normals.
 #pragma once
 
 #include <algorithm>
@@ -15,10 +15,10 @@
 
 namespace relief {
 
-/// What a texture shows outside [0, 1]^2.
+/// How a texture continues outside [0, 1]^2.
 enum class TextureWrap : std::uint8_t { Repeat, Clamp };
 
-/// Texel `i` along an axis of `size` texels; what is outside as the texture wraps.
+/// Returns texel `i` along an axis of `size` texels, wrapped if it lies outside.
 [[nodiscard]] inline std::uint32_t wrapped_texel(std::int64_t i, std::uint32_t size,
                                                  TextureWrap wrap) {
   const auto n = std::int64_t{size};
@@ -28,15 +28,15 @@ enum class TextureWrap : std::uint8_t { Repeat, Clamp };
   return static_cast<std::uint32_t>(rest < 0 ? rest + n : rest);
 }
 
-/// A texture coordinate in or near [0, 1], so that its texel fits into 64 bits. In double
-/// precision, for v is still to be taken from 1.
+/// Returns a texture coordinate reduced to [0, 1] or near it, so that its texel index fits into 64
+/// bits. In double precision, because v is still subtracted from 1.
 [[nodiscard]] inline double near_texture(float coordinate, TextureWrap wrap) {
   const double c{coordinate};
   return wrap == TextureWrap::Repeat ? c - std::floor(c) : std::clamp(c, -1.0, 2.0);
 }
 
-/// A texture and its mip levels, each the mean of the one before. `Codec` says what a texel is:
-/// its type `Texel`, the vector that is filtered (`decode`) and back (`encode`).
+/// A texture and its mip levels, each the mean of the level before. `Codec` defines a texel: its
+/// type `Texel`, the conversion to the filtered vector (`decode`) and back (`encode`).
 template <class Codec>
 class TexturePyramid {
  public:
@@ -51,14 +51,15 @@ class TexturePyramid {
     while (levels_.back().texels.size() > 1) levels_.push_back(halve(levels_.back()));
   }
 
-  /// At (u, v), v upward: bilinear at the finest level. Finite for all finite (u, v).
+  /// Returns the value at (u, v), v upward: bilinear at the finest level. Finite for all finite (u,
+  /// v).
   [[nodiscard]] glm::vec3 at(glm::vec2 texcoord) const {
     return bilinear(levels_.front(), texcoord);
   }
 
-  /// The mean over the parallelogram about (u, v) that `du` and `dv` span (texture coordinates):
-  /// trilinear at the level of its shorter side, at as many places along its longer one as that is
-  /// longer, 16 at most (McCormack et al. 1999, "Feline").
+  /// Returns the mean over the parallelogram about (u, v) that `du` and `dv` span (texture
+  /// coordinates). Anisotropic: trilinear taps at the level of the shorter side, spread along the
+  /// longer side, at most 16 (McCormack et al. 1999, "Feline").
   [[nodiscard]] glm::vec3 mean(glm::vec2 texcoord, glm::vec2 du, glm::vec2 dv) const {
     const glm::vec2 size(width(), height());
     float longer = glm::length(du * size);
@@ -69,13 +70,13 @@ class TexturePyramid {
       along = dv;
     }
     if (!(longer > 1.0F) || !std::isfinite(longer)) return at(texcoord);
-    const float places = std::clamp(std::ceil(longer / std::max(shorter, 1.0F)), 1.0F, kMaxPlaces);
-    const float level = std::log2(std::max(longer / places, 1.0F));
+    const float taps = std::clamp(std::ceil(longer / std::max(shorter, 1.0F)), 1.0F, kMaxTaps);
+    const float level = std::log2(std::max(longer / taps, 1.0F));
     glm::vec3 sum(0.0F);
-    const auto count = static_cast<int>(places);
+    const auto count = static_cast<int>(taps);
     for (int k = 0; k < count; ++k)
-      sum += trilinear(texcoord + ((static_cast<float>(k) + 0.5F) / places - 0.5F) * along, level);
-    return sum / places;
+      sum += trilinear(texcoord + ((static_cast<float>(k) + 0.5F) / taps - 0.5F) * along, level);
+    return sum / taps;
   }
 
   [[nodiscard]] std::uint32_t width() const { return levels_.front().width; }
@@ -88,13 +89,13 @@ class TexturePyramid {
     std::vector<Texel> texels;
   };
 
-  /// More places along a footprint are averaged at a coarser level.
-  static constexpr float kMaxPlaces = 16.0F;
+  /// A footprint that needs more taps is averaged at a coarser level.
+  static constexpr float kMaxTaps = 16.0F;
 
   [[nodiscard]] static Level halve(const Level& finer) {
     Level coarser{std::max(finer.width / 2, 1U), std::max(finer.height / 2, 1U), {}};
     coarser.texels.reserve(std::size_t{coarser.width} * coarser.height);
-    // The texels that a coarser one covers: two along an axis, three where an odd one is left over.
+    // The texels under a coarser one: two along an axis, or three if an odd one is left over.
     const auto span = [](std::uint32_t k, std::uint32_t fine, std::uint32_t coarse) {
       return std::pair(static_cast<std::uint32_t>(std::uint64_t{k} * fine / coarse),
                        static_cast<std::uint32_t>((std::uint64_t{k} + 1) * fine / coarse));

@@ -1,4 +1,4 @@
-// Little-endian numbers in byte strings, the same on every machine.
+// Little-endian numbers in byte strings, on machines of any byte order.
 #pragma once
 
 #include <bit>
@@ -30,8 +30,7 @@ void append_number(std::vector<std::byte>& bytes, Number value) {
   }
 }
 
-/// Takes numbers from the front of a byte string. It is the caller who knows that they are there:
-/// it looks at `left()` first.
+/// Takes numbers from the front of a byte string. The caller checks `left()` first.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::byte> bytes) : bytes_(bytes) {}

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "No space left on device" and the like, in the middle of a sentence.
+/// Returns the system's message, such as "no space left on device", for the middle of a sentence.
 std::string reason(int error) {
   std::string text = std::generic_category().message(error);
   if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z') {
@@ -39,7 +39,7 @@ int transfer_all(std::size_t size, std::size_t& done, const Transfer& transfer) 
   return 0;
 }
 
-/// Where `path` leads when links are followed, also if nothing is there yet.
+/// Returns `path` with links resolved, also if the file does not exist yet.
 fs::path follow_links(const fs::path& path) {
   fs::path target = path;
   std::error_code ignored;

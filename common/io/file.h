@@ -1,5 +1,4 @@
-// Files as bytes: reading with one clear sentence on failure, writing that never leaves half a
-// file.
+// Reads files, and writes them atomically: never leaves a partial file.
 #pragma once
 
 #include <cstddef>
@@ -12,21 +11,20 @@
 
 namespace relief {
 
-/// Reads a whole file. Says what is wrong with a missing file, a directory, an unreadable or empty
-/// one.
+/// Reads a whole file. Fails on a missing, unreadable or empty file and on a directory.
 Result<std::vector<std::byte>> read_file(const std::filesystem::path& path);
 
 /// Writes `bytes` to a temporary file in the same directory and renames it to `path`. On any
 /// failure (no such directory, `path` is a directory, disk full) the temporary file is removed, an
-/// older `path` stays as it was and one sentence says what happened.
+/// existing `path` stays unchanged, and the error gives the reason.
 Status write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-/// Renames a file that is whole to `path`, on the same disk; a symbolic link is followed.
+/// Renames a complete file to `path`, on the same disk. Follows a symbolic link.
 Status move_into_place(const std::filesystem::path& file, const std::filesystem::path& path);
 
-/// The same in pieces, for what should not be held in memory as a whole: create, write, commit.
+/// Writes a file atomically in pieces, for data too large for memory: create, write, commit.
 /// Without a commit the destructor removes the temporary file, so that an early return leaves
-/// nothing behind. A symbolic link is followed; a device or a directory is refused.
+/// nothing behind. Follows a symbolic link; refuses a device or a directory.
 class AtomicFile {
  public:
   static Result<AtomicFile> create(const std::filesystem::path& path);
@@ -39,7 +37,7 @@ class AtomicFile {
 
   /// Appends `bytes`.
   Status write(std::span<const std::byte> bytes);
-  /// Puts the file in its place. Nothing may be written afterwards.
+  /// Renames the file to its path. Nothing may be written afterwards.
   Status commit();
 
  private:
@@ -47,13 +45,13 @@ class AtomicFile {
              std::filesystem::path temporary, int descriptor);
   void discard() noexcept;
 
-  std::filesystem::path named_;      ///< as the caller named it, for messages
-  std::filesystem::path target_;     ///< where links lead
+  std::filesystem::path named_;      ///< the caller's path, for messages
+  std::filesystem::path target_;     ///< with links resolved
   std::filesystem::path temporary_;  ///< beside target_; empty once committed or moved from
   int descriptor_ = -1;
 };
 
-/// A file open for reading at any place, from any thread.
+/// A file open for reading at any offset, from any thread.
 class RandomAccessFile {
  public:
   static Result<RandomAccessFile> open(const std::filesystem::path& path);
@@ -65,9 +63,9 @@ class RandomAccessFile {
   ~RandomAccessFile();
 
   [[nodiscard]] std::uint64_t size() const { return size_; }
-  /// Of the operating system; stays the file's own.
+  /// Returns the file descriptor, which the object keeps owning.
   [[nodiscard]] int descriptor() const { return descriptor_; }
-  /// Fills `bytes` from `offset`. Fails if the file ends before. Thread-safe.
+  /// Fills `bytes` from `offset`. Fails if the file ends earlier. Thread-safe.
   Status read_at(std::uint64_t offset, std::span<std::byte> bytes) const;
 
  private:

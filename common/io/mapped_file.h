@@ -1,4 +1,4 @@
-// A file as memory, of which only what is being read need be there.
+// Memory-mapped files.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,11 @@
 
 namespace relief {
 
-/// A whole file, mapped for reading. Whoever truncates it meanwhile ends the process, as with every
-/// mapped file.
+/// A whole file, mapped for reading. The process dies if another one truncates the file meanwhile,
+/// as with every mapped file.
 class MappedFile {
  public:
-  /// Fails with one sentence on a missing file, a directory, an unreadable or empty one.
+  /// Fails on a missing, unreadable or empty file and on a directory.
   static Result<MappedFile> open(const std::filesystem::path& path);
 
   MappedFile(MappedFile&& other) noexcept;
@@ -24,8 +24,7 @@ class MappedFile {
 
   [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
 
-  /// Lets memory go that holds the bytes before `offset`; they are read anew when they are asked
-  /// for again.
+  /// Releases the memory of the bytes before `offset`; a later access reads them from disk again.
   void release_before(std::size_t offset) const;
 
  private:

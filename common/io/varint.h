@@ -1,5 +1,5 @@
-// Whole numbers in as few bytes as they need: seven bits a byte, lowest first; the high bit says
-// that more follow (LEB128).
+// Variable-length integers (LEB128): seven bits a byte, lowest first; a set high bit means that
+// more follow.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,13 @@ void append_varint(std::vector<Byte>& out, std::uint64_t value) {
   out.push_back(static_cast<Byte>(value));
 }
 
-/// Small numbers of either sign: 0, -1, 1, -2 ... are 0, 1, 2, 3 ...
+/// Appends a signed number with zigzag coding: 0, -1, 1, -2 ... become 0, 1, 2, 3 ...
 inline void append_signed(std::vector<std::byte>& out, std::int64_t value) {
   const auto bits = static_cast<std::uint64_t>(value);
   append_varint(out, value < 0 ? ~(bits << 1U) : bits << 1U);
 }
 
-/// False if the bytes end within the number or it has more than 64 bits.
+/// Returns false if the bytes end within the number or it has more than 64 bits.
 [[nodiscard]] inline bool take_varint(ByteReader& in, std::uint64_t& value) {
   value = 0;
   for (unsigned shift = 0; shift < 64; shift += 7) {
@@ -33,7 +33,7 @@ inline void append_signed(std::vector<std::byte>& out, std::int64_t value) {
   return false;
 }
 
-/// The inverse of append_signed.
+/// Inverse of append_signed.
 [[nodiscard]] inline bool take_signed(ByteReader& in, std::int64_t& value) {
   std::uint64_t bits = 0;
   if (!take_varint(in, bits)) return false;

@@ -14,15 +14,16 @@ bool has_direction(glm::dvec3 v) {
   return std::isfinite(length) && length > 1e-12;
 }
 
-/// `v` laid into the plane of the unit vector `normal`, unit; 0 if that leaves nothing.
+/// Returns `v` projected into the plane of the unit vector `normal`, as a unit vector; 0 if nothing
+/// is left.
 glm::dvec3 in_plane(glm::dvec3 v, glm::dvec3 normal) {
   const glm::dvec3 flat = v - glm::dot(v, normal) * normal;
-  // What a vector along the normal leaves is rounding.
+  // A vector along the normal leaves only rounding errors.
   return has_direction(flat) && glm::length(flat) > 1e-6 * glm::length(v) ? glm::normalize(flat)
                                                                           : glm::dvec3(0.0);
 }
 
-/// Where u grows over a triangle, any length, and whether its texture is mirrored.
+/// The direction in which u grows over a triangle, any length, and whether the texture is mirrored.
 struct Direction {
   glm::dvec3 tangent{0.0};
   double handedness = 0.0;  ///< 0: its texture coordinates span no area
@@ -43,7 +44,8 @@ Direction direction_of(const Points& mesh, std::size_t triangle) {
   return {glm::normalize(along_u), sign};
 }
 
-/// The angle at corner `c` between the triangle's edges, laid into the plane of the normal there.
+/// Returns the angle at corner `c` between the triangle's edges, projected into the plane of the
+/// normal there.
 double angle_at(const Points& mesh, const Triangle& t, std::size_t c, glm::dvec3 normal) {
   const glm::dvec3 at = mesh.positions[t[c]];
   const glm::dvec3 one = in_plane(mesh.positions[t[(c + 1) % 3]] - at, normal);
@@ -51,7 +53,7 @@ double angle_at(const Points& mesh, const Triangle& t, std::size_t c, glm::dvec3
   return std::acos(std::clamp(glm::dot(one, other), -1.0, 1.0));
 }
 
-/// A corner of a triangle, by what corners must share to have one tangent.
+/// The key of a triangle's corner: corners with equal keys share a tangent.
 struct CornerKey {
   std::uint32_t point = 0;
   glm::vec2 texcoord{0.0F};
@@ -62,7 +64,7 @@ struct CornerKey {
   [[nodiscard]] auto shared() const { return std::tie(point, texcoord.x, texcoord.y, handedness); }
 };
 
-/// The corners of triangles with a normal map and a direction, those that share a tangent together.
+/// Returns the corners of triangles with a normal map and a direction, grouped by shared tangent.
 std::vector<CornerKey> sorted_corners(const Points& mesh,
                                       const std::vector<Direction>& directions) {
   std::vector<CornerKey> corners;

@@ -1,4 +1,4 @@
-// The frames that normal maps of meshes are relative to.
+// Tangent frames of meshes, to which normal maps are relative.
 #pragma once
 
 #include <array>
@@ -10,38 +10,39 @@
 
 namespace relief {
 
-/// Whether some triangle's material has a normal map (load_textures).
+/// Returns whether some triangle's material has a normal map (see load_textures).
 [[nodiscard]] bool has_normal_maps(const Points& mesh);
 
-/// The normal map of a triangle; null: none.
+/// Returns the normal map of a triangle; null without one.
 [[nodiscard]] const MeshNormalMap* triangle_normal_map(const Points& mesh, std::size_t triangle);
 
-/// Tangents of the corners of all triangles with a normal map: unit, square to the vertex' normal;
-/// w: 1, or -1 where the texture is mirrored. 0 for others, and where the texture coordinates span
-/// no area: the map says nothing there.
+/// Returns the tangents of the corners of all triangles with a normal map: unit, orthogonal to the
+/// vertex normal; w: 1, or -1 if the texture is mirrored. 0 for other triangles, and where the
+/// texture coordinates span no area, so that the map is undefined.
 ///
-/// Those that the file gives; else, as MikkTSpace has them (Mikkelsen 2008, "Simulation of Wrinkled
-/// Surfaces Revisited", chapter 5): the directions in which u grows over the triangles that share
-/// the vertex, its texture coordinates and the handedness, each laid into the plane of the vertex'
-/// normal, weighted by the angle at the vertex. (MikkTSpace leaves out what no edge connects, too.)
-/// `normals`: unit, of all points (vertex_normals).
+/// Uses the file's tangents if it has them, otherwise those of MikkTSpace (Mikkelsen 2008,
+/// "Simulation of Wrinkled Surfaces Revisited", chapter 5): the directions in which u grows over
+/// the triangles that share the vertex, its texture coordinates and the handedness, each projected
+/// into the plane of the vertex normal, weighted by the angle at the vertex. (MikkTSpace also
+/// ignores triangles that no edge connects.) `normals`: unit, of all points (vertex_normals).
 [[nodiscard]] std::vector<CornerTangents> tangents_of(const Points& mesh,
                                                       const std::vector<glm::vec3>& normals);
 
-/// The frame at a place of a triangle: linear over it and not made unit there, as the baker had it.
+/// The tangent frame at a position of a triangle: interpolated linearly and not normalised, as
+/// bakers do it.
 struct TangentFrame {
   glm::dvec3 tangent{0.0};
   glm::dvec3 bitangent{0.0};
   glm::dvec3 normal{0.0};
 };
 
-/// `normals`: unit, of the corners; `weights`: barycentric. Without a tangent it has the normal
-/// alone.
+/// `normals`: unit, of the corners; `weights`: barycentric. Without a tangent, the frame has only
+/// the normal.
 [[nodiscard]] TangentFrame frame_at(const CornerTangents& tangents,
                                     const std::array<glm::vec3, 3>& normals, glm::dvec3 weights);
 
-/// The unit normal that a normal map's vector stands for in that frame, with `scale` on its x and
-/// y; the frame's own where that has no direction. 0 if the frame has none either.
+/// Returns the unit normal of a normal map's vector in that frame, with its x and y multiplied by
+/// `scale`. The frame's normal if the vector has no direction; 0 if neither has one.
 [[nodiscard]] glm::dvec3 perturbed_normal(const TangentFrame& frame, glm::vec3 from_map,
                                           float scale);
 

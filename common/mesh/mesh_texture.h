@@ -1,4 +1,4 @@
-// The colours of a surface as a picture that texture coordinates refer to.
+// Colour textures of meshes.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -17,15 +17,15 @@ struct SrgbTexelCodec {
   static Texel encode(glm::vec3 light) { return srgb8_from_linear(light); }
 };
 
-/// A texture of 8-bit sRGB colours with its mip levels, each the mean in linear light of the one
-/// before. Filtering is in linear light, so that a constant colour stays what it is.
+/// A texture of 8-bit sRGB colours with its mip levels, each the mean, in linear light, of the
+/// level before. Filtering in linear light keeps a constant colour unchanged.
 class MeshTexture : public TexturePyramid<SrgbTexelCodec> {
  public:
   using TexturePyramid::TexturePyramid;
 
-  /// From the channels R, G, B (linear, premultiplied where there is an A), clamped to [0, 1]; what
-  /// is no number is 0. Opacity is left out: a wholly transparent pixel has the mean of the others.
-  /// Fails, with a clause, if a channel is missing, or if all is transparent.
+  /// Makes a texture of the channels R, G, B (linear, premultiplied if there is an A), clamped to
+  /// [0, 1]; NaN becomes 0. Opacity is ignored: a fully transparent pixel gets the mean of the
+  /// others. Fails, with a clause, if a channel is missing or all pixels are transparent.
   static Result<MeshTexture> from_image(const Image& image, TextureWrap wrap);
 };
 

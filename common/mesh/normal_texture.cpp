@@ -10,7 +10,7 @@
 namespace relief {
 namespace {
 
-/// The unit vector that a pixel stands for. `alpha` may be null.
+/// Returns the unit vector of a pixel. `alpha` may be null.
 glm::vec3 normal_of(const std::array<const Channel*, 3>& channels, const Channel* alpha,
                     std::size_t k) {
   const glm::vec3 flat(0.0F, 0.0F, 1.0F);

@@ -1,4 +1,4 @@
-// Giving the texels over holes a value that continues their surroundings.
+// Fills the texels over holes with values that continue their surroundings.
 #pragma once
 
 #include <cassert>
@@ -15,7 +15,7 @@ namespace relief {
 
 /// Sets every texel whose `kept` is 0 to the rounded mean of its eight neighbours that have a value
 /// already, ring by ring outward from the kept ones. A map without any kept texel stays as it is.
-/// Means of octahedral normals are right as long as none crosses the octahedron's fold, that is
+/// Means of octahedral normals are correct as long as none crosses the octahedron's fold, that is,
 /// for normals in the upper half space.
 template <class Texel>
 void continue_over_holes(AttributeMap<Texel>& map, std::span<const std::uint8_t> kept) {

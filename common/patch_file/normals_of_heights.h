@@ -1,4 +1,4 @@
-// Normals that follow from a patch's heights alone (docs/patch-file.md, "NRML").
+// Normals derived from a patch's heights (docs/patch-file.md, "NRML").
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 namespace relief {
 
-/// The normals of the heights at the samples, octahedral in the patch frame, in units of `step` of
-/// their 16-bit coordinates; (0, 0) at holes. No product is followed by a sum, so that compilers
-/// that fuse the two get the same.
+/// Returns the normals derived from the heights at the samples, octahedral in the patch frame, in
+/// units of `step` of their 16-bit coordinates; (0, 0) at holes. No sum follows a product, so that
+/// compilers that fuse the two compute equal results.
 [[nodiscard]] std::vector<glm::i16vec2> normals_of_heights(const Patch& patch, std::int32_t step);
 
 }  // namespace relief

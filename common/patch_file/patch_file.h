@@ -1,4 +1,5 @@
-// The .relief patch file (docs/patch-file.md). Reading trusts no byte of the file.
+// Reads and writes .relief patch files (docs/patch-file.md). Files are not trusted: every byte is
+// checked.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,7 @@ namespace relief {
 class ZstdContexts;
 struct TreeTile;
 
-/// What the header and the index of a patch file say; known without reading any patch.
+/// The header and index of a patch file, known without reading any patch.
 struct PatchFileInfo {
   std::uint32_t version = 0;
   std::string codec;  ///< "fast" (version 1) or "compact" (version 2)
@@ -25,18 +26,18 @@ struct PatchFileInfo {
   std::uint64_t samples = 0;
   double spacing = 0.0;  ///< as PatchModel::spacing, world units
   std::uint64_t file_bytes = 0;
-  std::uint64_t height_bytes = 0;  ///< of all chunks of heights, masks among them
+  std::uint64_t height_bytes = 0;  ///< of all chunks of heights, with masks
   std::uint64_t normal_bytes = 0;
   std::uint64_t colour_bytes = 0;
-  unsigned levels = 1;  ///< that read_level gives of the largest patch without decoding finer ones
+  unsigned levels = 1;  ///< levels of the largest patch that read_level decodes without finer ones
   Bounds bounds;
   double bounding_radius = 0.0;
   std::vector<std::string> attributes;  ///< "normal", "colour"
   bool is_closed = false;               ///< as PatchModel::is_closed
 };
 
-/// What the index says of one patch: enough to place it and to cull it before it is read. Terms and
-/// frame as in Patch.
+/// The index entry of one patch: enough to transform and cull it before it is read. Terms and frame
+/// as in Patch.
 struct PatchSummary {
   glm::dvec3 origin{0.0};
   glm::dmat3 axes{1.0};
@@ -53,10 +54,10 @@ struct PatchSummary {
   [[nodiscard]] bool operator==(const PatchSummary&) const = default;
 };
 
-/// A box about all samples that the patch can have by its summary, world.
+/// Returns a world box about all samples that a patch with this summary can have.
 [[nodiscard]] Bounds box_of(const PatchSummary& patch);
 
-/// How a file is coded: quick to write and read, or in about half the bytes.
+/// Codecs: Fast is quick to write and read, Compact takes about half the bytes.
 enum class PatchCodec : std::uint8_t { Fast, Compact };
 
 inline constexpr double kMinNormalDegrees = 0.1;
@@ -64,53 +65,55 @@ inline constexpr double kMaxNormalDegrees = 90.0;
 
 struct PatchFileOptions {
   PatchCodec codec = PatchCodec::Fast;
-  /// The largest error of normals of Compact, in degrees, from kMinNormalDegrees, which Fast
-  /// always keeps, to kMaxNormalDegrees, which keeps none: all are those of the heights. Where
-  /// these are near enough none is kept anyway.
+  /// Largest error of Compact's normals, in degrees: from kMinNormalDegrees, which Fast always
+  /// keeps, to kMaxNormalDegrees, which stores no normals. Normals within this angle of those
+  /// derived from the heights are not stored.
   double normal_degrees = 0.5;
 };
 
-/// Writes a model beside `path` and renames it there, so that `path` never holds half a file.
-/// The same model gives the same bytes. Compact rounds where patches stand, so that no sample moves
-/// by more than 0.1 height steps. Fails with one sentence (no such directory, disk full, ...).
+/// Writes a model atomically: `path` never holds a partial file. Equal models give equal bytes.
+/// Compact rounds the patches' origins, which moves no sample by more than 0.1 height steps. Fails
+/// with one sentence (no such directory, disk full, ...).
 Status write_patch_file(const std::filesystem::path& path, const PatchModel& model,
                         const PatchFileOptions& options = {});
 
-/// An open patch file: header and index are in memory, patches are read on demand. Of a file with
-/// tiles it has the model's own patches, of all tiles, and no coarser ones.
+/// An open patch file: header and index are in memory, patches are read on demand. For a file with
+/// tiles it has the patches of all tiles of level 0, and no coarser ones.
 class PatchFile {
  public:
-  /// Opens and checks header and index. One sentence if the file is missing, no patch file, of a
-  /// newer version, truncated or inconsistent.
+  /// Opens a file and checks its header and index. Fails with one sentence if the file is missing,
+  /// not a patch file, of a newer version, truncated or inconsistent.
   static Result<PatchFile> open(const std::filesystem::path& path);
 
-  /// The same of one of a file's tiles alone: PatchTree::open_tile().
+  /// Opens one tile of a file; see PatchTree::open_tile().
   static Result<PatchFile> open_tile(const std::filesystem::path& path, const TreeTile& tile);
 
   PatchFile(PatchFile&&) noexcept;
   PatchFile& operator=(PatchFile&&) noexcept;
   ~PatchFile();
 
-  /// The file's name, as errors begin.
+  /// The file's name, with which errors begin.
   [[nodiscard]] const std::string& name() const;
   [[nodiscard]] const PatchFileInfo& info() const;
 
-  /// One for each patch.
+  /// The index entries, one a patch.
   [[nodiscard]] const std::vector<PatchSummary>& patches() const;
 
   /// Reads, checks and decodes one patch; touches no other patch's bytes. Thread-safe.
   [[nodiscard]] Result<Patch> read_patch(std::uint64_t index) const;
-  /// The same, quicker for who reads many; `zstd` is one thread's.
+  /// Reads one patch with the caller's decoder state, which is faster for many patches. `zstd`
+  /// belongs to one thread.
   [[nodiscard]] Result<Patch> read_patch(std::uint64_t index, ZstdContexts& zstd) const;
 
-  /// What decoded patches take, at least.
+  /// Returns the least memory that the decoded patches take, in bytes.
   [[nodiscard]] std::uint64_t decoded_bytes(std::span<const std::uint64_t> patches) const;
 
-  /// As read_patch, but every 2^level-th node each way alone, with a spacing as much larger, and
-  /// without maps. In files that are compact no finer level is decoded. Thread-safe.
+  /// Reads every 2^level-th node of a patch in both directions, with a spacing 2^level times as
+  /// large, and without maps. In compact files, finer levels are not decoded. Thread-safe.
   [[nodiscard]] Result<Patch> read_level(std::uint64_t index, unsigned level) const;
 
-  /// Reads some patches (in parallel), in their order. The caller looks at fits_memory() first.
+  /// Reads some patches in parallel and returns them in order. The caller checks fits_memory()
+  /// first.
   [[nodiscard]] Result<std::vector<Patch>> read_patches(std::span<const std::uint64_t> patches,
                                                         Progress& progress) const;
 
@@ -123,8 +126,7 @@ class PatchFile {
   std::unique_ptr<State> state_;
 };
 
-/// Refuses patches that would take more than this machine's memory, in a sentence that begins with
-/// `name`.
+/// Fails if the patches would take more than this machine's memory. The error begins with `name`.
 Status fits_memory(const std::string& name, std::uint64_t decoded_bytes);
 
 }  // namespace relief

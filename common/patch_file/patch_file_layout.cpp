@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 #include <utility>
 
 #include "common/io/file.h"
 #include "common/io/vector_bytes.h"
 #include "common/patch_file/compact/compact_index.h"
+#include "common/patch_file/fault.h"
 #include "common/patch_file/plain_index.h"
 
 namespace relief {
@@ -19,30 +18,7 @@ namespace {
 // As in PNG: a byte above 127 and both line endings show a transfer that changed them.
 constexpr std::array<std::uint8_t, 8> kMagic{0x89, 'R', 'L', 'F', '\r', '\n', 0x1A, '\n'};
 
-/// How far the axes may be from orthonormal: rounding of a double rotation is near 1e-16, a
-/// matrix that was ever kept as floats near 1e-7.
-constexpr double kAxesTolerance = 1e-6;
-
-bool is_finite(const glm::dvec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-bool is_positive(double value) {
-  return std::isfinite(value) && value > 0.0;
-}
-
-bool is_rotation(const glm::dmat3& axes) {
-  const glm::dmat3 product = glm::transpose(axes) * axes;
-  for (glm::length_t c = 0; c < 3; ++c) {
-    for (glm::length_t r = 0; r < 3; ++r) {
-      // Negated so that NaN is found too.
-      if (!(std::abs(product[c][r] - (c == r ? 1.0 : 0.0)) <= kAxesTolerance)) return false;
-    }
-  }
-  return glm::determinant(axes) > 0.0;
-}
-
-/// Whether the index may have that many bytes; what comes after it relies on that.
+/// Returns whether the index may have that many bytes, on which later code relies.
 bool index_fits(const FileHeader& header, std::uint64_t bytes) {
   if (header.version == kTreeVersion)
     return bytes == header.chunks * std::uint64_t{kTileRecordBytes};
@@ -89,48 +65,6 @@ Bounds box_of(const PatchSummary& patch) {
   return box;
 }
 
-std::string find_fault(const PatchSummary& patch) {
-  if (!is_finite(patch.origin)) return "its origin is not finite";
-  if (!is_rotation(patch.axes)) return "its axes are no rotation";
-  if (!is_positive(patch.spacing)) return "its spacing is not above 0";
-  if (!is_positive(patch.height_step)) return "its height step is not above 0";
-  // Heights are 65534 steps at most: beyond these ratios a patch is a plane or a needle, and sums
-  // of its slopes leave double precision.
-  const double steps_per_cell = patch.spacing / patch.height_step;
-  if (!(steps_per_cell >= 1e-6 && steps_per_cell <= 1e9)) {
-    return "its height step does not go with its spacing";
-  }
-  if (patch.width == 0 || patch.height == 0 || patch.width > kMaxPatchSide ||
-      patch.height > kMaxPatchSide) {
-    return fmt::format("its size {}x{} is not within 1x1 to {}x{} nodes", patch.width, patch.height,
-                       kMaxPatchSide, kMaxPatchSide);
-  }
-  if (patch.samples > std::uint64_t{patch.width} * patch.height) {
-    return fmt::format("it has {} samples on {}x{} nodes", patch.samples, patch.width,
-                       patch.height);
-  }
-  if (patch.min_height > patch.max_height || patch.max_height > kMaxHeightRange) {
-    return fmt::format("its heights {} to {} are not within 0 to {}", patch.min_height,
-                       patch.max_height, kMaxHeightRange);
-  }
-  if (!(patch.cone_cosine >= -1.0F && patch.cone_cosine <= 1.0F)) {
-    return "its normal cone is none";
-  }
-  return {};
-}
-
-std::string find_fault(double spacing, const Bounds& bounds, double bounding_radius) {
-  if (!std::isfinite(spacing) || spacing < 0.0) return "its spacing is negative or not finite";
-  if (!std::isfinite(bounding_radius) || bounding_radius < 0.0) {
-    return "its bounding radius is negative or not finite";
-  }
-  if (!is_finite(bounds.min) || !is_finite(bounds.max)) return "its bounds are not finite";
-  if (!bounds.empty() && (bounds.min.y > bounds.max.y || bounds.min.z > bounds.max.z)) {
-    return "its bounds are inside out";
-  }
-  return {};
-}
-
 std::vector<std::byte> write_header(const FileHeader& header) {
   std::vector<std::byte> out;
   for (const std::uint8_t byte : kMagic) append_number(out, byte);
@@ -162,7 +96,7 @@ Result<FileHeader> parse_header(std::span<const std::byte> bytes, std::uint64_t 
   ByteReader in(bytes);
   for (const std::uint8_t expected : kMagic) {
     if (in.left() == 0 || in.take<std::uint8_t>() != expected) {
-      return make_error("{}: is no .relief patch file", name);
+      return make_error("{}: is not a .relief patch file", name);
     }
   }
   if (in.left() < 4) return make_error("{}: the file is truncated within its header", name);
@@ -196,7 +130,7 @@ Result<FileHeader> parse_header(std::span<const std::byte> bytes, std::uint64_t 
   header.index_checksum = in.take<std::uint32_t>();
 
   if (file_bytes != header.file_bytes) {
-    return make_error("{}: the file has {} bytes where its header says {}; it is {}", name,
+    return make_error("{}: the file has {} bytes, but its header states {}; it is {}", name,
                       file_bytes, header.file_bytes,
                       file_bytes < header.file_bytes ? "truncated" : "damaged");
   }
@@ -226,7 +160,7 @@ Result<FileIndex> parse_index(std::span<const std::byte> bytes, const FileHeader
   for (const PatchRecord& patch : index->patches) samples += patch.summary.samples;
   if (samples != header.samples) {
     return make_error(
-        "{}: the patches have {} samples where the header says {}; the file is damaged", name,
+        "{}: the patches have {} samples, but the header states {}; the file is damaged", name,
         samples, header.samples);
   }
   return index;

@@ -1,4 +1,4 @@
-// Reading a patch file patch by patch.
+// Reads a patch file patch by patch.
 #include <algorithm>
 #include <cmath>
 #include <new>
@@ -24,13 +24,13 @@ constexpr std::uint32_t kMaxMapTexels = 256;  // large maps are slow and find no
 constexpr std::uint32_t kMaxMapTexels = kMaxPatchSide;
 #endif
 
-/// Whether a map of so many texels a cell stays within the limits.
+/// Returns whether a map with this many texels per cell is within the limits.
 bool is_map_scale_valid(const PatchSummary& patch, std::uint32_t scale) {
   const std::uint64_t cells = std::max(patch.width, patch.height) - 1;
   return scale > 0 && scale * cells + 1 <= kMaxMapTexels;
 }
 
-/// What the index says of a patch, without heights and maps.
+/// Returns a patch as the index describes it, without heights and maps.
 Patch empty_patch(const PatchSummary& summary) {
   Patch patch;
   patch.origin = summary.origin;
@@ -42,7 +42,7 @@ Patch empty_patch(const PatchSummary& summary) {
   return patch;
 }
 
-/// Leaves every 2^level-th node each way, of a patch without maps.
+/// Keeps every 2^level-th node in both directions, of a patch without maps.
 void keep_level(unsigned level, Patch& patch) {
   Patch coarse = patch;
   coarse.width = ((patch.width - 1) >> level) + 1;
@@ -57,8 +57,8 @@ void keep_level(unsigned level, Patch& patch) {
   patch = std::move(coarse);
 }
 
-/// Viewers cull by the index's heights, so that they must be the decoded ones (`all` of them; a
-/// coarse level's lie among them).
+/// Viewers cull by the index's heights, so these must agree with the decoded ones. `all`: equal
+/// them; otherwise (coarse levels) contain them.
 Status check_height_range(const Patch& patch, const PatchSummary& summary, bool all) {
   std::int32_t lowest = kMaxHeightRange;
   std::int32_t highest = 0;
@@ -71,13 +71,13 @@ Status check_height_range(const Patch& patch, const PatchSummary& summary, bool 
   const bool are_within = lowest >= summary.min_height && highest <= summary.max_height;
   const bool are_equal = lowest == summary.min_height && highest == summary.max_height;
   if (all ? !are_equal : !are_within) {
-    return make_error("they are {} to {} where the index says {} to {}", lowest, highest,
+    return make_error("they are {} to {}, but the index states {} to {}", lowest, highest,
                       summary.min_height, summary.max_height);
   }
   return {};
 }
 
-/// What header and index say of the file's patches.
+/// Collects the information of header and index.
 PatchFileInfo info_of(const FileHeader& header, const FileIndex& index) {
   PatchFileInfo info;
   info.version = header.version;
@@ -136,7 +136,7 @@ struct PatchFile::State {
     return found == first + patch.chunk_count ? nullptr : &*found;
   }
 
-  /// Reads one chunk and hands its bytes to `decode`, which answers with a clause on failure.
+  /// Reads one chunk and passes its bytes to `decode`, whose errors are clauses.
   template <class Decode>
   Status read_chunk(std::uint64_t patch, const char* what, const ChunkRecord& chunk,
                     const Decode& decode) const {
@@ -160,7 +160,8 @@ struct PatchFile::State {
     return {};
   }
 
-  /// Reads a patch without its maps; of `level` 1 and more every 2^level-th node each way.
+  /// Reads a patch without its maps; for `level` 1 or more, every 2^level-th node in both
+  /// directions.
   [[nodiscard]] Result<Patch> read_heights(std::uint64_t number, unsigned level,
                                            ZstdContexts& zstd) const {
     const PatchRecord& record = index.patches[number];
@@ -224,7 +225,7 @@ Result<Patch> PatchFile::read_patch(std::uint64_t index) const {
 
 Result<Patch> PatchFile::read_patch(std::uint64_t index, ZstdContexts& zstd) const try {
   const State& s = *state_;
-  assert(index < s.index.patches.size() && "the caller looks at info().patches");
+  assert(index < s.index.patches.size() && "the caller checks info().patches");
   auto patch = s.read_heights(index, 0, zstd);
   if (!patch) return patch;
   const PatchRecord& record = s.index.patches[index];
@@ -255,7 +256,7 @@ Result<Patch> PatchFile::read_patch(std::uint64_t index, ZstdContexts& zstd) con
 }
 
 Result<Patch> PatchFile::read_level(std::uint64_t index, unsigned level) const try {
-  assert(index < state_->index.patches.size() && "the caller looks at info().patches");
+  assert(index < state_->index.patches.size() && "the caller checks info().patches");
   ZstdContexts zstd;
   return state_->read_heights(index, level, zstd);
 } catch (const std::bad_alloc&) {

@@ -19,7 +19,7 @@ Result<PatchTree> PatchTree::open(const std::filesystem::path& path) {
 }
 
 Result<PatchFile> PatchTree::open_tile(std::uint32_t tile) const {
-  assert(tile < tiles_.size() && "the caller looks at tiles()");
+  assert(tile < tiles_.size() && "the caller checks tiles()");
   return PatchFile::open_tile(path_, tiles_[tile]);
 }
 

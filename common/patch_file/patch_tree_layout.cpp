@@ -7,6 +7,7 @@
 
 #include "common/io/file.h"
 #include "common/io/vector_bytes.h"
+#include "common/patch_file/fault.h"
 
 namespace relief {
 namespace {
@@ -24,7 +25,7 @@ TreeTile take_tile(ByteReader& in) {
   return tile;
 }
 
-/// What speaks against a tile after those before it, as a clause; empty if nothing does.
+/// Returns what is wrong with a tile, given those before it, as a clause; empty if nothing is.
 std::string find_fault(const TreeTile& tile, const std::vector<TreeTile>& before) {
   if (tile.level >= kMaxTreeLevels) return fmt::format("its level is {}", tile.level);
   if (tile.parent != kNoTile) {
@@ -48,12 +49,12 @@ Status check_sums(const std::vector<TreeTile>& tiles, const FileHeader& header,
   if (bytes == header.index_offset && patches == header.patches && samples == header.samples)
     return {};
   return make_error(
-      "{}: its tiles end at byte {} and have {} patches with {} samples where the header says {}, "
+      "{}: its tiles end at byte {} and have {} patches with {} samples, but the header states {}, "
       "{} and {}; the file is damaged",
       name, bytes, patches, samples, header.index_offset, header.patches, header.samples);
 }
 
-/// A file without tiles as the one that it is.
+/// Returns a file without tiles as a single tile.
 Result<TreeTile> whole_file(const RandomAccessFile& file, const std::string& name) {
   const auto layout = read_layout(file, {0, file.size()}, name);
   if (!layout) return layout.error();
@@ -77,7 +78,7 @@ void append_index(const FileIndex& from, FileIndex& to) {
   to.chunks.insert(to.chunks.end(), from.chunks.begin(), from.chunks.end());
 }
 
-/// Whether a box holds another one, but for the rounding of their sides.
+/// Returns whether a box contains another one, up to the rounding of their sides.
 bool holds(const Bounds& box, const Bounds& inner, double slack) {
   return inner.empty() ||
          (!box.empty() && glm::all(glm::lessThanEqual(box.min - slack, inner.min)) &&
@@ -145,9 +146,8 @@ Result<FileLayout> read_tile(const RandomAccessFile& file, const TreeTile& tile,
   const FileHeader& header = layout->header;
   if (header.patches != tile.patches || header.samples != tile.samples ||
       header.spacing != tile.spacing || !holds(tile.box, box_of(layout->index), tile.spacing)) {
-    return make_error(
-        "{}: the tile at byte {} is not what the list of tiles says; the file is damaged", name,
-        tile.offset);
+    return make_error("{}: the tile at byte {} differs from the list of tiles; the file is damaged",
+                      name, tile.offset);
   }
   return layout;
 }

@@ -1,4 +1,4 @@
-// Tiles become one file: copied one after another, their list behind them.
+// Writes tiles to one file: copied one after another, followed by their list.
 #include <algorithm>
 
 #include "common/io/file.h"

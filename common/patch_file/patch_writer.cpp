@@ -1,4 +1,4 @@
-// Writing a patch file: encode all patches in parallel, then lay them out in order.
+// Writes a patch file: encodes all patches in parallel, then lays them out in order.
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 
@@ -11,6 +11,7 @@
 #include "common/octahedral.h"
 #include "common/patch_file/compact/compact_codec.h"
 #include "common/patch_file/fast/patch_codec.h"
+#include "common/patch_file/fault.h"
 #include "common/patch_file/patch_file.h"
 #include "common/patch_file/patch_file_layout.h"
 
@@ -46,7 +47,7 @@ std::string find_fault(const Patch& patch, const AttributeMap<Texel>& map, const
   return {};
 }
 
-/// What a patch must be so that its file can be read again; a clause, empty if it is.
+/// Returns why the patch's file could not be read again, as a clause; empty if it can.
 std::string find_fault(const Patch& patch, const PatchSummary& summary) {
   if (std::string fault = relief::find_fault(summary); !fault.empty()) return fault;
   if (patch.heights.size() != std::size_t{patch.width} * patch.height) {
@@ -63,7 +64,7 @@ std::string find_fault(const Patch& patch, const PatchSummary& summary) {
   return fault;
 }
 
-/// The normals as they come back from the file.
+/// Returns the normals as decoded from the file.
 std::vector<glm::i16vec2> normals_as_read(const Patch& patch, const PatchFileOptions& options) {
   if (options.codec == PatchCodec::Compact) {
     return rounded_normals_compact(patch, normal_step(options.normal_degrees));
@@ -73,7 +74,7 @@ std::vector<glm::i16vec2> normals_as_read(const Patch& patch, const PatchFileOpt
   return normals;
 }
 
-/// The cone about the mean normal that holds all kept normals.
+/// Computes the cone about the mean normal that holds all kept normals.
 void summarise_normals(const Patch& patch, const std::vector<glm::i16vec2>& normals,
                        PatchSummary& summary) {
   const std::vector<std::uint8_t> kept = kept_texels(patch, patch.normals.scale);
@@ -81,7 +82,7 @@ void summarise_normals(const Patch& patch, const std::vector<glm::i16vec2>& norm
   for (std::size_t k = 0; k < kept.size(); ++k) {
     if (kept[k] != 0) sum += unit_from_snorm16(normals[k]);
   }
-  // Normals that cancel each other have no cone.
+  // Normals that cancel out have no cone.
   if (glm::length(sum) < 1e-3) return;
   summary.cone_axis = snorm16_from_unit(glm::normalize(sum));
   const glm::vec3 axis = unit_from_snorm16(summary.cone_axis);
@@ -90,7 +91,7 @@ void summarise_normals(const Patch& patch, const std::vector<glm::i16vec2>& norm
     if (kept[k] == 0) continue;
     cosine = std::min(cosine, glm::dot(axis, unit_from_snorm16(normals[k])));
   }
-  // A little wider than measured, for the rounding of single precision.
+  // Slightly wider than measured, because of rounding in single precision.
   summary.cone_cosine = std::max(cosine - 1e-6F, -1.0F);
 }
 
@@ -115,7 +116,7 @@ PatchSummary summarise(const Patch& patch) {
   return summary;
 }
 
-/// Normals that may be off by a right angle need not be kept: a patch without its own ones.
+/// Encodes a patch without normals, for options that allow an error of a right angle.
 EncodedPatch encode(const Patch& patch, const PatchFileOptions& options, ZstdContexts& zstd);
 EncodedPatch encode_without_normals(const Patch& patch, PatchFileOptions options,
                                     ZstdContexts& zstd) {
@@ -152,7 +153,7 @@ EncodedPatch encode(const Patch& patch, const PatchFileOptions& options, ZstdCon
   return encoded;
 }
 
-/// Gives each chunk its place: patch after patch, without gaps.
+/// Assigns each chunk its offset: patch after patch, without gaps.
 FileIndex lay_out(const std::vector<EncodedPatch>& patches, PatchCodec codec) {
   FileIndex index;
   std::uint64_t offset = kHeaderBytes;
@@ -180,7 +181,7 @@ Status write_model(const std::filesystem::path& path, const PatchModel& model,
       !fault.empty()) {
     return make_error("{}: the model cannot be written: {}", path.string(), fault);
   }
-  // Before the work, so that a directory that is not there is known at once.
+  // Before encoding, so that a missing directory is reported at once.
   RELIEF_TRY_ASSIGN(auto file, AtomicFile::create(path));
 
   std::vector<EncodedPatch> encoded(model.patches.size());

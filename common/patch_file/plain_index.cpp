@@ -1,6 +1,7 @@
 #include "common/patch_file/plain_index.h"
 
 #include "common/io/vector_bytes.h"
+#include "common/patch_file/fault.h"
 
 namespace relief {
 namespace {

@@ -1,4 +1,4 @@
-// Reading many patches at once.
+// Reads many patches at once.
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <unistd.h>

@@ -17,7 +17,7 @@ Camera orbit_camera(glm::dvec3 centre, double radius, const Orbit& orbit,
   const double elevation = glm::radians(orbit.elevation_degrees);
   const glm::dvec3 outward(std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
                            std::cos(azimuth) * std::cos(elevation));
-  // Straight from above or below +Y is no usable up: there -Z (or +Z) points up in the picture.
+  // Straight from above or below +Y is no usable up: there -Z (or +Z) points up in the image.
   const glm::dvec3 up(-std::sin(azimuth) * std::sin(elevation), std::cos(elevation),
                       -std::cos(azimuth) * std::sin(elevation));
   return {centre + distance * outward, centre, up, vertical_fov_degrees};

@@ -10,13 +10,13 @@ namespace relief {
 
 /// A camera in world coordinates, looking from `eye` to `target`: a perspective one, or an
 /// orthographic one, whose rays are all parallel to that line and begin in the plane through `eye`
-/// across it. What is behind that plane is not seen; otherwise the distance says nothing.
+/// across it. What is behind that plane is not seen; otherwise the distance does not count.
 struct Camera {
   glm::dvec3 eye{0.0, 0.0, 1.0};
   glm::dvec3 target{0.0};
   glm::dvec3 up{0.0, 1.0, 0.0};
-  double vertical_fov_degrees = 45.0;  ///< of no meaning to an orthographic one
-  double orthographic_height = 0.0;    ///< of the picture, world units; above 0: orthographic
+  double vertical_fov_degrees = 45.0;  ///< ignored by an orthographic one
+  double orthographic_height = 0.0;    ///< of the image, world units; above 0: orthographic
 
   [[nodiscard]] bool is_orthographic() const { return orthographic_height > 0.0; }
 };
@@ -28,11 +28,11 @@ struct Orbit {
   double distance_in_radii = 0.0;  ///< 0: the bounding sphere just fits the smaller field of view
 };
 
-/// The camera of an orbit about a sphere (world units) for a picture of `aspect` = width / height.
+/// The camera of an orbit about a sphere (world units) for an image of `aspect` = width / height.
 [[nodiscard]] Camera orbit_camera(glm::dvec3 centre, double radius, const Orbit& orbit,
                                   double vertical_fov_degrees, double aspect);
 
-/// The height of an orthographic picture of `aspect` = width / height about the camera's line of
+/// The height of an orthographic image of `aspect` = width / height about the camera's line of
 /// sight into which a sphere (world units) just fits.
 [[nodiscard]] double fitting_height(const Camera& camera, glm::dvec3 centre, double radius,
                                     double aspect);
@@ -46,7 +46,7 @@ struct Orbit {
 [[nodiscard]] glm::mat4 reversed_infinite_projection(double vertical_fov_degrees, double aspect,
                                                      double near);
 
-/// What an orthographic camera sees, in eye coordinates: half the picture's sides, and the depths
+/// What an orthographic camera sees, in eye coordinates: half the image's sides, and the depths
 /// (world units along the view axis) between which depth values fall from 1 to 0.
 struct OrthographicBox {
   double half_width = 1.0;

@@ -1,4 +1,4 @@
-// What can be chosen about a picture, with the names that the command line and scene files use.
+// The choices for an image, with the names that the command line and scene files use.
 #pragma once
 
 #include <array>
@@ -17,13 +17,13 @@ enum class Material : std::uint8_t {
   Lit,
   Mirror,
   Glass,
-  Split  ///< for demonstration: quarters of the picture as Figure 1(d) of paper 001
+  Split  ///< for demonstration: quarters of the image as in Figure 1(d) of [Ochotta 2008]
 };
 
 /// Which faces are not drawn. Auto: the back faces of models known to be closed.
 enum class CullMode : std::uint8_t { Auto, Back, None };
 
-/// The resampling filters that Figure 8 of paper 000 compares.
+/// The resampling filters that Figure 8 of [Zwicker 2001] compares.
 enum class EwaFilter : std::uint8_t {
   Ewa,          ///< screen space, Eq. (7)
   SourceSpace,  ///< the same filter over the tangent plane, Eq. (8)
@@ -36,17 +36,17 @@ struct NumberChoice {
   double least;
   double most;
 };
-inline constexpr NumberChoice kSampleCounts{1, 65536};      ///< samples a pixel
-inline constexpr NumberChoice kRadiusFactors{1.0, 4.0};     ///< of multipass, 2 as in paper 001
+inline constexpr NumberChoice kSampleCounts{1, 65536};   ///< samples a pixel
+inline constexpr NumberChoice kRadiusFactors{1.0, 4.0};  ///< of multipass, 2 as in [Ochotta 2008]
 inline constexpr NumberChoice kPixelsPerSample{0.0, 64.0};  ///< of onepass; 0: no levels
-inline constexpr NumberChoice kCutoffs{0.1, 20.0};          ///< c of paper 000, an exponent
-inline constexpr NumberChoice kLayerCounts{1, 64};          ///< l of paper 000, fragments a pixel
-inline constexpr NumberChoice kCoverageThresholds{1e-6, 1.0};  ///< tau of paper 000
+inline constexpr NumberChoice kCutoffs{0.1, 20.0};          ///< c of [Zwicker 2001], an exponent
+inline constexpr NumberChoice kLayerCounts{1, 64};  ///< l of [Zwicker 2001], fragments a pixel
+inline constexpr NumberChoice kCoverageThresholds{1e-6, 1.0};  ///< tau of [Zwicker 2001]
 inline constexpr NumberChoice kTimeBudgets{1e-3, 1e9};         ///< milliseconds
 
 inline constexpr NumberChoice kExposures{-20.0, 20.0};  ///< stops
 
-/// Which outputs a picture has. Colour and coverage are always there; nothing is allocated, written
+/// Which outputs an image has. Colour and coverage are always there; nothing is allocated, written
 /// or read back for an output that is off.
 struct Outputs {
   bool normal = false;
@@ -73,16 +73,16 @@ struct ImageSize {
 };
 inline constexpr std::uint32_t kMaxRenderSide = 32768;
 
-/// Vertical fields of view, degrees: from a long telescope's to where a picture's rim is drawn out
+/// Vertical fields of view, degrees: from a long telescope's to where an image's rim is drawn out
 /// beyond use.
 inline constexpr double kMinFieldOfView = 0.1;
 inline constexpr double kMaxFieldOfView = 170.0;
 
-/// Heights of orthographic pictures, world units; a wider range than that of coordinates is of no
+/// Heights of orthographic images, world units; a wider range than that of coordinates is of no
 /// use.
 inline constexpr NumberChoice kOrthographicHeights{1e-12, 1e12};
 
-/// How large an orthographic picture is: a height (world units), or what the model fits into.
+/// The size of an orthographic image: a height (world units), or none to fit the whole model.
 struct OrthographicSize {
   std::optional<double> height;
 };

@@ -103,6 +103,14 @@ double JsonValues::number(const JsonPlace& place, NumberRange range, std::string
   return range.least;
 }
 
+OptionValue JsonValues::option(const JsonPlace& place, const OptionRow& row) {
+  OptionValue value = std::string();
+  if (place.value.is_number()) value = place.value.get<double>();
+  if (place.value.is_string()) value = place.value.get<std::string>();
+  if (!check_value(row, value)) refuse_value(place, expected_of(row));
+  return value;
+}
+
 std::vector<double> JsonValues::numbers(const JsonPlace& place, ListLength length,
                                         NumberRange range, std::string_view expected) {
   if (!place.value.is_array() || place.value.size() < length.least ||

@@ -11,6 +11,7 @@
 
 #include "common/error.h"
 #include "common/scene/choices.h"
+#include "common/scene/option.h"
 
 namespace relief {
 
@@ -44,7 +45,7 @@ class JsonValues {
 
   /// Remembers that something is wrong at a path: "FILE: PATH: CLAUSE".
   void refuse(const std::string& path, std::string_view clause);
-  /// The same, as "expected EXPECTED; found ..." with the value as it is.
+  /// Remembers that a value is wrong: "FILE: PATH: expected EXPECTED; found VALUE".
   void refuse_value(const JsonPlace& place, std::string_view expected);
 
   /// Whether it is an object with no other keys than these.
@@ -64,6 +65,9 @@ class JsonValues {
   /// A list of numbers in a range; empty where it isn't.
   std::vector<double> numbers(const JsonPlace& place, ListLength length, NumberRange range,
                               std::string_view expected);
+
+  /// The value of an option. A value that its row does not accept is wrong.
+  OptionValue option(const JsonPlace& place, const OptionRow& row);
 
   /// The value that a table has for a name.
   template <class T, std::size_t N>

@@ -20,7 +20,7 @@ struct Light {
   glm::vec3 colour{1.0F};
 };
 
-/// The most lights of a picture.
+/// The most lights of an image.
 inline constexpr std::size_t kMaxLights = 16;
 
 /// The brightest directional light, and the most that any light is at a surface: 16 of them, with
@@ -29,7 +29,7 @@ inline constexpr double kMaxLight = 1000.0;
 /// The brightest point light: it is kMaxLight at a distance of 30,000 world units.
 inline constexpr double kMaxPointLight = 1e12;
 
-/// What lights a picture.
+/// The lights of an image.
 struct Lights {
   std::vector<Light> list;   ///< at most kMaxLights; empty: three that are fixed to the camera
   glm::vec3 ambient{0.06F};  ///< linear, from everywhere

@@ -1,4 +1,4 @@
-// What a surface does with light, and what can be said about it.
+// Materials: what a surface does with light.
 #pragma once
 
 #include <array>
@@ -44,12 +44,12 @@ inline constexpr NumberChoice kRoughnesses{0.0, 1.0};
 inline constexpr NumberChoice kOpacities{0.0, 1.0};
 inline constexpr NumberChoice kInterfaceCounts{1, 2};
 
-/// The most materials of a scene, and how many roughnesses above 0 may be among those of a picture:
+/// The most materials of a scene, and how many roughnesses above 0 may be among those of an image:
 /// each has an environment of its own, of up to 16 MB.
 inline constexpr std::size_t kMaxMaterials = 256;
 inline constexpr std::size_t kMaxRoughnesses = 16;
 
-/// What someone (the command line, a scene, one of its views or models) says about a material.
+/// What the command line, a scene, one of its views or models sets for a material.
 struct MaterialWords {
   std::optional<Material> material;
   std::optional<double> ior;
@@ -61,10 +61,10 @@ struct MaterialWords {
   bool operator==(const MaterialWords&) const = default;
 };
 
-/// What `over` says, and where it says nothing, what `base` says.
+/// The settings of `base`, overridden by those that `over` has.
 [[nodiscard]] MaterialWords overlay_material(MaterialWords base, const MaterialWords& over);
 
-/// The material of those words; what they leave out is as in MaterialSettings.
+/// The material with those settings; the others are as in MaterialSettings.
 [[nodiscard]] MaterialSettings material_of(const MaterialWords& words);
 
 }  // namespace relief

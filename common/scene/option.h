@@ -33,6 +33,13 @@ struct OptionRow {
   std::string default_text = {};  ///< "2", "4 with cells, else 0"; empty: none
 };
 
+/// The engines that a scene may name, and their options. The renderer makes this of its registry; a
+/// key is in it once.
+struct EngineKeys {
+  std::vector<std::string> engines = {};
+  std::vector<OptionRow> options = {};
+};
+
 /// What the option accepts: "a whole number from 1 to 64", "a number from 1 to 4", "ewa, circular".
 [[nodiscard]] std::string expected_of(const OptionRow& row);
 

@@ -1,6 +1,7 @@
 #include "common/scene/scene.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace relief {
 namespace {
@@ -36,9 +37,6 @@ SceneSettings overlay(SceneSettings base, const SceneSettings& over) {
   take(base.fov_degrees, over.fov_degrees);
   take(base.orthographic, over.orthographic);
   take(base.engine, over.engine);
-  take(base.primitive, over.primitive);
-  take(base.interpolation, over.interpolation);
-  take(base.cull, over.cull);
   static_cast<MaterialWords&>(base) = overlay_material(base, over);
   take(base.lights, over.lights);
   take(base.ambient, over.ambient);
@@ -46,14 +44,7 @@ SceneSettings overlay(SceneSettings base, const SceneSettings& over) {
   take(base.background, over.background);
   take(base.exposure, over.exposure);
   take(base.outputs, over.outputs);
-  take(base.pixels_per_sample, over.pixels_per_sample);
-  take(base.radius_factor, over.radius_factor);
-  take(base.samples, over.samples);
-  take(base.filter, over.filter);
-  take(base.cutoff, over.cutoff);
-  take(base.layers, over.layers);
-  take(base.coverage_threshold, over.coverage_threshold);
-  take(base.time_budget_ms, over.time_budget_ms);
+  base.options = overlay_options(std::move(base.options), over.options);
   return base;
 }
 
@@ -62,7 +53,7 @@ Result<Camera> camera_for(const SceneSettings& settings, const PatchModel& model
   const double fov = settings.fov_degrees.value_or(kDefaultFieldOfView);
   const ImageSize size = settings.size.value_or(ImageSize{});
   const double aspect = static_cast<double>(size.width) / size.height;
-  // A model of no size, or of no patches, has no sphere to stand off from.
+  // A model without size or patches has no bounding sphere.
   const double radius = model.bounding_radius > 0.0 ? model.bounding_radius : 1.0;
   const auto projected = [&](Camera camera) {
     if (settings.orthographic) {

@@ -10,6 +10,7 @@
 #include "common/scene/json_values.h"
 #include "common/scene/scene.h"
 #include "common/scene/scene_settings_reader.h"
+#include "common/scene/vector_reader.h"
 
 namespace relief {
 namespace {
@@ -71,27 +72,27 @@ std::string read_name(JsonValues& values, const JsonPlace& place) {
   return name;
 }
 
-SceneView read_view(JsonValues& values, const JsonPlace& place, const fs::path& folder,
+SceneView read_view(JsonValues& values, const JsonPlace& place, const SettingsContext& context,
                     const SceneSettings& of_all) {
   SceneView view;
-  if (!values.object(place, with_setting_keys({"name"}))) return view;
-  if (const auto name = values.required(place, "name", "a name for the picture"))
+  if (!values.object(place, with_setting_keys({"name"}, context.engines))) return view;
+  if (const auto name = values.required(place, "name", "a name for the image"))
     view.name = read_name(values, *name);
-  view.settings = read_settings(values, place, folder);
+  view.settings = read_settings(values, place, context);
   const SceneSettings all = overlay(of_all, view.settings);
   if (all.eye && all.eye == all.target) values.refuse(place.path, "the eye is where its target is");
   if (!all.eye && (view.settings.target || view.settings.up))
-    values.refuse(place.path, "has target or up, which say nothing without an eye; add an eye");
+    values.refuse(place.path, "has a target or up, which need an eye; add an eye");
   return view;
 }
 
-Scene make_scene(JsonValues& values, const JsonPlace& root, const fs::path& folder) {
+Scene make_scene(JsonValues& values, const JsonPlace& root, const SettingsContext& context) {
   Scene scene;
-  if (!values.object(root, with_setting_keys({"models", "views"}))) return scene;
-  scene.settings = read_settings(values, root, folder);
+  if (!values.object(root, with_setting_keys({"models", "views"}, context.engines))) return scene;
+  scene.settings = read_settings(values, root, context);
   if (const auto list = values.required(root, "models", "a list of models, at least one")) {
     for (const JsonPlace& place : values.elements(*list, kMaxSceneModels, "models"))
-      scene.models.push_back(read_model(values, place, folder));
+      scene.models.push_back(read_model(values, place, context.folder));
     if (const std::size_t count = materials_said(scene.models).size(); count > kMaxMaterials) {
       values.refuse(list->path, fmt::format("have {} different materials; at most {} are drawn",
                                             count, kMaxMaterials));
@@ -100,10 +101,11 @@ Scene make_scene(JsonValues& values, const JsonPlace& root, const fs::path& fold
   if (const auto list = values.required(root, "views", "a list of views, at least one")) {
     std::set<std::string> names;
     for (const JsonPlace& place : values.elements(*list, kMaxSceneViews, "views")) {
-      scene.views.push_back(read_view(values, place, folder, scene.settings));
+      scene.views.push_back(read_view(values, place, context, scene.settings));
       const std::string& name = scene.views.back().name;
       if (!names.insert(name).second)
-        values.refuse(place.path + ".name", fmt::format("another view is called {} too", name));
+        values.refuse(place.path + ".name",
+                      fmt::format("another view has the name {}, too; rename one", name));
     }
   }
   return scene;
@@ -111,7 +113,7 @@ Scene make_scene(JsonValues& values, const JsonPlace& root, const fs::path& fold
 
 }  // namespace
 
-Result<Scene> read_scene(const fs::path& path) {
+Result<Scene> read_scene(const fs::path& path, const EngineKeys& engines) {
   RELIEF_TRY_ASSIGN(const auto file, RandomAccessFile::open(path));
   if (file.size() == 0) return make_error("{}: the file is empty", path.string());
   if (file.size() > kMaxSceneBytes) {
@@ -122,7 +124,8 @@ Result<Scene> read_scene(const fs::path& path) {
   RELIEF_TRY(file.read_at(0, std::as_writable_bytes(std::span<char>(text))));
   RELIEF_TRY_ASSIGN(const auto tree, parse_json(text, path.string()));
   JsonValues values(path.string());
-  Scene scene = make_scene(values, {tree, ""}, path.parent_path());
+  const fs::path folder = path.parent_path();
+  Scene scene = make_scene(values, {tree, ""}, {folder, engines});
   if (values.error()) return *values.error();
   return scene;
 }

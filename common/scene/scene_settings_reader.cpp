@@ -1,20 +1,17 @@
 #include "common/scene/scene_settings_reader.h"
 
-#include <array>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "common/image/srgb.h"
 #include "common/scene/lights_reader.h"
+#include "common/scene/vector_reader.h"
 
 namespace relief {
 namespace {
 
-constexpr NumberRange kCoordinates{-kMaxSceneCoordinate, kMaxSceneCoordinate};
-constexpr NumberRange kAngles{-1e6, 1e6};
-constexpr std::array<Named<std::string_view>, 4> kEngineNames{
-    {{"onepass", "onepass"}, {"multipass", "multipass"}, {"ewa", "ewa"}, {"raytrace", "raytrace"}}};
-constexpr double kShortestDirection = 1e-12;
 constexpr double kNearestOrbit = 1e-6;  // bounding-sphere radii
 
 ImageSize read_size(JsonValues& values, const JsonPlace& place) {
@@ -37,7 +34,7 @@ Orbit read_orbit(JsonValues& values, const JsonPlace& place) {
 OrthographicSize read_orthographic(JsonValues& values, const JsonPlace& place) {
   if (place.value == "fit") return {};
   return {values.number(place, {kOrthographicHeights.least, kOrthographicHeights.most},
-                        "the picture's height in world units, above 0, or \"fit\"")};
+                        "the image's height in world units, above 0, or \"fit\"")};
 }
 
 Background read_background(JsonValues& values, const JsonPlace& place) {
@@ -65,6 +62,15 @@ Outputs read_outputs(JsonValues& values, const JsonPlace& place) {
   return outputs;
 }
 
+/// The name of an engine.
+std::string read_engine(JsonValues& values, const JsonPlace& place, const EngineKeys& engines) {
+  const std::string name = place.value.is_string() ? place.value.get<std::string>() : std::string();
+  const auto& known = engines.engines;
+  if (std::find(known.begin(), known.end(), name) == known.end())
+    values.refuse_value(place, fmt::format("{}", fmt::join(known, ", ")));
+  return name;
+}
+
 int read_count(JsonValues& values, const JsonPlace& place, NumberChoice range,
                std::string_view expected) {
   const double n = values.number(place, {range.least, range.most}, expected);
@@ -74,14 +80,12 @@ int read_count(JsonValues& values, const JsonPlace& place, NumberChoice range,
 
 }  // namespace
 
-std::vector<std::string_view> with_setting_keys(std::vector<std::string_view> keys) {
-  for (const char* key :
-       {"size",          "orbit",        "eye",        "target",    "up",
-        "fov",           "orthographic", "engine",     "primitive", "interpolation",
-        "cull",          "env",          "background", "outputs",   "pixels-per-sample",
-        "radius-factor", "samples",      "filter",     "cutoff",    "layers",
-        "tau",           "time-budget",  "lights",     "ambient",   "exposure"})
+std::vector<std::string_view> with_setting_keys(std::vector<std::string_view> keys,
+                                                const EngineKeys& engines) {
+  for (const char* key : {"size", "orbit", "eye", "target", "up", "fov", "orthographic", "env",
+                          "background", "outputs", "lights", "ambient", "exposure", "engine"})
     keys.emplace_back(key);
+  for (const OptionRow& row : engines.options) keys.emplace_back(row.key);
   keys.insert(keys.end(), kMaterialKeys.begin(), kMaterialKeys.end());
   return keys;
 }
@@ -110,16 +114,13 @@ MaterialWords read_material(JsonValues& values, const JsonPlace& object) {
 }
 
 SceneSettings read_settings(JsonValues& values, const JsonPlace& object,
-                            const std::filesystem::path& folder) {
+                            const SettingsContext& context) {
   SceneSettings settings;
   const auto read = [&object](std::string_view key, auto& to, const auto& value_at) {
     if (const auto place = JsonValues::member(object, key)) to = value_at(*place);
   };
   const auto with = [&values](auto* read_value) {
     return [&values, read_value](const JsonPlace& place) { return read_value(values, place); };
-  };
-  const auto named = [&values](const auto& table) {
-    return [&values, &table](const JsonPlace& place) { return values.choice(place, table); };
   };
   read("size", settings.size, with(read_size));
   read("orbit", settings.orbit, with(read_orbit));
@@ -130,71 +131,29 @@ SceneSettings read_settings(JsonValues& values, const JsonPlace& object,
     return values.number(place, {kMinFieldOfView, kMaxFieldOfView}, "degrees from 0.1 to 170");
   });
   read("orthographic", settings.orthographic, with(read_orthographic));
-  read("engine", settings.engine, [&values](const JsonPlace& place) {
-    return std::string(values.choice(place, kEngineNames));
-  });
-  read("primitive", settings.primitive, named(kPrimitives));
-  read("interpolation", settings.interpolation, named(kInterpolations));
-  read("cull", settings.cull, named(kCullModes));
+  read("engine", settings.engine,
+       [&](const JsonPlace& place) { return read_engine(values, place, context.engines); });
+  for (const OptionRow& row : context.engines.options) {
+    if (const auto place = JsonValues::member(object, row.key))
+      settings.options.insert_or_assign(row.key, values.option(*place, row));
+  }
   static_cast<MaterialWords&>(settings) = read_material(values, object);
   read("lights", settings.lights, with(read_lights));
   read("ambient", settings.ambient,
        [&values](const JsonPlace& place) { return read_linear_colour(values, place, kMaxLight); });
   read("env", settings.environment, [&](const JsonPlace& place) {
-    return read_path(values, place, folder, "the name of an environment map, EXR or HDR");
+    return read_path(values, place, context.folder, "the name of an environment map, EXR or HDR");
   });
   read("background", settings.background, with(read_background));
   read("outputs", settings.outputs, with(read_outputs));
-  const auto number = [&values](NumberChoice range, std::string_view expected) {
-    return [&values, range, expected](const JsonPlace& place) {
-      return values.number(place, {range.least, range.most}, expected);
-    };
-  };
-  const auto count = [&values](NumberChoice range, std::string_view expected) {
-    return [&values, range, expected](const JsonPlace& place) {
-      return read_count(values, place, range, expected);
-    };
-  };
-  read("pixels-per-sample", settings.pixels_per_sample,
-       number(kPixelsPerSample, "a number from 0 to 64"));
-  read("exposure", settings.exposure, number(kExposures, "stops from -20 to 20"));
-  read("radius-factor", settings.radius_factor, number(kRadiusFactors, "a number from 1 to 4"));
-  read("samples", settings.samples, count(kSampleCounts, "a whole number from 1 to 65536"));
-  read("filter", settings.filter, named(kFilters));
-  read("cutoff", settings.cutoff, number(kCutoffs, "a number from 0.1 to 20"));
-  read("layers", settings.layers, count(kLayerCounts, "a whole number from 1 to 64"));
-  read("tau", settings.coverage_threshold, number(kCoverageThresholds, "a number from 1e-6 to 1"));
-  read("time-budget", settings.time_budget_ms, number(kTimeBudgets, "milliseconds above 0"));
+  read("exposure", settings.exposure, [&values](const JsonPlace& place) {
+    return values.number(place, {kExposures.least, kExposures.most}, "stops from -20 to 20");
+  });
   if (settings.orbit && (settings.eye || settings.target || settings.up))
     values.refuse(object.path, "expected either an orbit or eye, target and up; found both");
   if (settings.fov_degrees && settings.orthographic)
     values.refuse(object.path, "expected either fov or orthographic; found both");
   return settings;
-}
-
-std::filesystem::path read_path(JsonValues& values, const JsonPlace& place,
-                                const std::filesystem::path& folder, std::string_view expected) {
-  const std::string name = values.text(place, expected);
-  // With a zero byte it would be another file's name to the operating system.
-  if (name.find('\0') != std::string::npos) values.refuse_value(place, expected);
-  return folder / name;
-}
-
-glm::dvec3 read_vector(JsonValues& values, const JsonPlace& place) {
-  const auto n = values.numbers(place, {3, 3}, kCoordinates, "[x, y, z], three numbers");
-  return n.empty() ? glm::dvec3(0.0) : glm::dvec3(n[0], n[1], n[2]);
-}
-
-glm::dvec3 read_direction(JsonValues& values, const JsonPlace& place) {
-  const glm::dvec3 v = read_vector(values, place);
-  const double length = glm::length(v);
-  if (length > kShortestDirection) return v / length;
-  values.refuse_value(place, "[x, y, z] longer than 0");
-  return {0.0, 1.0, 0.0};
-}
-
-double read_angle(JsonValues& values, const JsonPlace& place) {
-  return values.number(place, kAngles, "degrees from -1e6 to 1e6");
 }
 
 }  // namespace relief

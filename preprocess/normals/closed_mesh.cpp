@@ -11,7 +11,7 @@
 namespace relief {
 namespace {
 
-/// Triangles that hang together by edges: a forest whose roots name the pieces.
+/// Triangles connected by edges: a forest whose roots identify the components.
 class Pieces {
  public:
   explicit Pieces(std::size_t triangles) : parents_(triangles) {
@@ -30,7 +30,7 @@ class Pieces {
   std::vector<std::uint32_t> parents_;
 };
 
-/// The pieces of a mesh in which every edge has its two triangles.
+/// The components of a mesh in which every edge has two triangles.
 Pieces join_pieces(const Points& mesh, const MeshEdges& edges) {
   Pieces pieces(mesh.triangles.size());
   for (std::uint32_t p = 0; p < mesh.size(); ++p) {
@@ -50,7 +50,7 @@ bool has_lone_points(const Points& mesh, std::size_t given) {
   return std::find(is_corner.begin(), end, false) != end;
 }
 
-/// Six times the volume that each piece encloses, at its root.
+/// Six times the volume of each component, at its root.
 std::vector<double> volumes_of(const Points& mesh, Pieces& pieces) {
   std::vector<double> volumes(mesh.triangles.size(), 0.0);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -63,8 +63,8 @@ std::vector<double> volumes_of(const Points& mesh, Pieces& pieces) {
   return volumes;
 }
 
-/// Whether more than a hundredth of the triangles have given normals against them: of a thin edge
-/// or a scanner's noise some do.
+/// Whether given normals oppose more than a hundredth of the triangles: some do at thin edges or
+/// because of noise.
 bool has_normals_against(const Points& mesh) {
   if (mesh.normals.empty()) return false;
   std::size_t against = 0;

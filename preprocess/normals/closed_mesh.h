@@ -1,4 +1,4 @@
-// Whether a mesh encloses a body.
+// Detects meshes that enclose a body.
 #pragma once
 
 #include "common/points.h"
@@ -6,12 +6,12 @@
 
 namespace relief {
 
-/// Whether a cleaned mesh is known to be the surface of one or several bodies, with normals
-/// outward: every point is a corner, every edge is one of exactly two triangles, which run through
-/// it in opposite directions, and every piece encloses a positive volume. (A body with a hollow in
-/// it is not: the hollow's volume is negative.) Normals that the mesh has must not point against
-/// its triangles: patches follow them. False without triangles. `edges` are the mesh's; its
-/// first `given` points are looked at, what was added to triangles later is not.
+/// Returns whether a cleaned mesh is the surface of one or several bodies, with normals outward.
+/// Every point must be a corner, every edge must belong to exactly two triangles, which traverse it
+/// in opposite directions, and every component must enclose a positive volume. (A body with a
+/// cavity is not closed in this sense: the cavity's volume is negative.) The mesh's normals must
+/// not oppose its triangles, because patches follow them. False without triangles. `edges` are the
+/// mesh's edges. Only the first `given` points are checked, not those added to triangles later.
 [[nodiscard]] bool is_closed_mesh(const Points& mesh, std::size_t given, const MeshEdges& edges);
 
 }  // namespace relief

@@ -8,14 +8,14 @@
 namespace relief {
 namespace {
 
-/// What the edges of some points are like.
+/// Statistics of the edges of some points.
 struct Census {
   bool all_have_two = true;
   std::uint64_t inner = 0;
   std::uint64_t alike = 0;
 };
 
-/// Takes the edges of one point in, the uses of each beside each other.
+/// Adds the edges of one point, with adjacent uses of each.
 void count(std::span<const EdgeUse> uses, Census& census) {
   for (std::size_t first = 0; first < uses.size();) {
     std::size_t end = first + 1;

@@ -1,4 +1,4 @@
-// The edges of a mesh with the triangles at each.
+// The edges of a mesh, with the triangles at each edge.
 #pragma once
 
 #include <cstdint>
@@ -9,34 +9,35 @@
 
 namespace relief {
 
-/// An edge as one triangle runs through it.
+/// An edge as traversed by one triangle.
 struct EdgeUse {
-  std::uint32_t greater = 0;  ///< of its two points
+  std::uint32_t greater = 0;  ///< of the edge's two points
   std::uint32_t triangle = 0;
-  bool forward = false;  ///< from the lesser point to the greater
+  bool forward = false;  ///< from the smaller index to the greater
 };
 
-/// All edges of a mesh whose triangles name points that it has. Built on all cores; the same with
-/// any number of them.
+/// All edges of a mesh with valid indices. Built in parallel; the result does not depend on the
+/// number of threads.
 class MeshEdges {
  public:
   explicit MeshEdges(const Points& mesh);
 
-  /// Those whose lesser point this is: the uses of one edge beside each other, in the triangles'
-  /// order.
+  /// Returns the edges whose smaller index is this point; uses of one edge are adjacent, in the
+  /// triangles' order.
   [[nodiscard]] std::span<const EdgeUse> of(std::uint32_t lesser) const {
     return std::span(uses_).subspan(starts_[lesser], starts_[lesser + 1] - starts_[lesser]);
   }
 
-  /// Whether each is one of exactly two triangles, which run through it in opposite directions.
+  /// Returns whether each edge belongs to exactly two triangles, which traverse it in opposite
+  /// directions.
   [[nodiscard]] bool all_have_two() const { return all_have_two_; }
 
-  /// Of the triangles that came to an edge after its first one, the share of those that run through
-  /// it in the first one's direction: 0 on an oriented mesh; 1 if no edge has two.
+  /// Returns the share of an edge's further triangles that traverse it in the direction of its
+  /// first one: 0 for an oriented mesh; 1 if no edge has two triangles.
   [[nodiscard]] double misoriented() const { return misoriented_; }
 
  private:
-  std::vector<std::uint64_t> starts_;  // of each lesser point in uses_, with an end
+  std::vector<std::uint64_t> starts_;  // of each smaller index in uses_, with an end
   std::vector<EdgeUse> uses_;
   bool all_have_two_ = true;
   double misoriented_ = 1.0;

@@ -53,8 +53,8 @@ bool usable(glm::vec3 n) {
   return std::isfinite(length) && length > 1e-12F;
 }
 
-// Points whose normal is not usable take their frame's, on the side that most neighbours are on.
-// Passes until nothing changes, as neighbours may lack normals too.
+// Points with unusable normals take their frame's, on the side of most neighbours. Passes until
+// nothing changes, as neighbours may lack normals too.
 void fill_missing(const Points& points, const NeighbourGraph& graph, const LocalFrames& frames,
                   std::vector<glm::vec3>& normals, std::vector<std::uint8_t>& missing) {
   std::vector<std::uint32_t> filled;
@@ -90,7 +90,7 @@ glm::vec3 neighbourhood_mean(const NeighbourGraph& graph, const std::vector<glm:
   return count > 0.0F ? sum / count : sum;
 }
 
-// Normals that point against a neighbourhood which is itself of one mind, or lie in its plane.
+// Normals that oppose a consistent neighbourhood, or lie in its plane.
 std::vector<std::uint8_t> find_inconsistent(const NeighbourGraph& graph, const LocalFrames& frames,
                                             const std::vector<glm::vec3>& normals,
                                             const std::vector<std::uint8_t>& missing) {
@@ -108,7 +108,7 @@ std::vector<std::uint8_t> find_inconsistent(const NeighbourGraph& graph, const L
 }
 
 // Share of flat neighbour pairs whose normals oppose each other: near 0 when oriented, 0.5 when the
-// signs are random, as tools leave them that only fit planes.
+// signs are random, as from tools that only fit planes.
 double opposed_pairs(const NeighbourGraph& graph, const LocalFrames& frames,
                      const std::vector<glm::vec3>& normals) {
   std::uint64_t pairs = 0;
@@ -124,7 +124,7 @@ double opposed_pairs(const NeighbourGraph& graph, const LocalFrames& frames,
   return pairs > 0 ? static_cast<double>(opposed) / static_cast<double>(pairs) : 0.0;
 }
 
-// More opposed pairs than this are no repairable exceptions but a scan without orientation.
+// With more opposed pairs, the scan has no orientation to repair.
 constexpr double kUnorientedShare = 0.1;
 
 NormalsReport check_given(Points& points, const NeighbourGraph& graph, const LocalFrames& frames) {

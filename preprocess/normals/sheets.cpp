@@ -6,8 +6,9 @@
 namespace relief {
 namespace {
 
-// Of a sheet's area, what its normals add up to if it is open and faces one way; flux over area to
-// the power of 1.5 that tells the outside of such a sheet, and of any other.
+// Share of a sheet's area in the sum of its normals above which it is open and faces one way; flux
+// over area to the power of 1.5 at which the flux of such a sheet, and of any other, decides its
+// outside.
 constexpr double kOpenShare = 0.5;
 constexpr double kBentFlux = 0.05;
 constexpr double kMinFlux = 1e-3;
@@ -29,13 +30,13 @@ std::vector<SheetSums> sum_up(const Points& points, std::size_t count,
   std::vector<SheetSums> sums(sheets.count);
   for (std::size_t i = 0; i < count; ++i) {
     const double area = double{spacing[i]} * spacing[i];
-    const glm::dvec3 place = points.positions[i] - base;
+    const glm::dvec3 position = points.positions[i] - base;
     const glm::dvec3 area_normal = area * glm::dvec3(normals[i]);
     SheetSums& sum = sums[sheets.of_point[i]];
     sum.area += area;
-    sum.moment += area * place;
+    sum.moment += area * position;
     sum.area_normal += area_normal;
-    sum.flux += glm::dot(area_normal, place);
+    sum.flux += glm::dot(area_normal, position);
     if (points.viewpoint) {
       sum.to_viewpoint +=
           glm::dot(area_normal, glm::normalize(*points.viewpoint - points.positions[i]));
@@ -49,8 +50,8 @@ bool faces_inward(const SheetSums& sheet, bool has_viewpoint) {
   const double flux = has_viewpoint
                           ? sheet.to_viewpoint
                           : sheet.flux - glm::dot(sheet.area_normal, sheet.moment / sheet.area);
-  // An open sheet that hardly bends, as a terrain is, has no outside: +Z decides. (Normals of a
-  // closed surface add up to nothing; half a sphere has half its area and 0.3 of its scale.)
+  // An open sheet that hardly bends, such as a terrain, has no outside: +Z decides. (Normals of a
+  // closed surface cancel out; half a sphere has half its area and 0.3 of its scale.)
   const glm::dvec3 n = sheet.area_normal;
   const double scale = sheet.area * std::sqrt(sheet.area);
   const bool is_open = glm::length(n) > kOpenShare * sheet.area;

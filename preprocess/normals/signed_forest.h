@@ -1,4 +1,4 @@
-// Which things are connected, and which of them are turned round relative to each other.
+// Connected components with relative orientation.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ class SignedForest {
   };
 
   Root find(std::uint32_t i) {
-    // Two passes: find the root with the sign on the way, then hang every node below it.
+    // Two passes: find the root and the sign, then attach every node to it.
     std::uint32_t root = i;
     bool flipped = false;
     while (parent_[root] != root) {

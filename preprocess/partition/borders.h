@@ -1,4 +1,4 @@
-// How long the borders of a region with its neighbours are, while regions merge.
+// Border lengths between regions while they merge.
 #pragma once
 
 #include <algorithm>
@@ -7,10 +7,11 @@
 
 namespace relief {
 
-/// The neighbours that make a border between two regions.
+/// The pairs of neighbours that form a border between two regions.
 inline constexpr std::uint32_t kBorderNeighbours = 8;
 
-/// The lengths of a cluster's borders with its neighbours: few, so a list does, by their numbers.
+/// The border lengths of a cluster by neighbour index. A sorted list, because a cluster has few
+/// neighbours.
 class Borders {
  public:
   struct Border {
@@ -19,13 +20,13 @@ class Borders {
   };
 
   double& operator[](std::uint32_t other) {
-    const auto at = place_of(other);
+    const auto at = find_entry(other);
     if (at != list_.end() && at->other == other) return at->length;
     return list_.insert(at, {other, 0.0})->length;
   }
 
   void erase(std::uint32_t other) {
-    const auto at = place_of(other);
+    const auto at = find_entry(other);
     if (at != list_.end() && at->other == other) list_.erase(at);
   }
 
@@ -33,7 +34,7 @@ class Borders {
   [[nodiscard]] auto end() const { return list_.end(); }
 
  private:
-  std::vector<Border>::iterator place_of(std::uint32_t other) {
+  std::vector<Border>::iterator find_entry(std::uint32_t other) {
     return std::lower_bound(list_.begin(), list_.end(), other,
                             [](const Border& b, std::uint32_t o) { return b.other < o; });
   }

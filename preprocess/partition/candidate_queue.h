@@ -11,7 +11,7 @@
 
 namespace relief {
 
-/// A pair of neighbouring clusters, and what they were when its cost was told.
+/// A pair of neighbouring clusters, and their versions when its cost was computed.
 struct Candidate {
   double cost;
   std::uint32_t a;
@@ -25,9 +25,9 @@ struct Candidate {
   }
 };
 
-/// Candidates, best first. Nine of ten are void before their turn (on the Dragon 520,000 of
-/// 579,000): they lie unsorted with those that cost about the same until it is the turn of these,
-/// and are left out then.
+/// A priority queue of candidates. Nine of ten become void before their turn (on the Dragon 520,000
+/// of 579,000), so candidates stay in unsorted buckets of similar cost. A bucket is sorted, without
+/// its void candidates, when its turn comes.
 class CandidateQueue {
  public:
   void push(const Candidate& candidate) {
@@ -37,7 +37,7 @@ class CandidateQueue {
     std::push_heap(heap_.begin(), heap_.end(), worse);
   }
 
-  /// The best of those that `is_current`, which stay so long as nothing merges; null if there is
+  /// Returns the best candidate that `is_current`, valid until the next merge; null if there is
   /// none.
   template <class IsCurrent>
   [[nodiscard]] const Candidate* best(const IsCurrent& is_current) {
@@ -51,7 +51,7 @@ class CandidateQueue {
     }
   }
 
-  /// Takes the best one away.
+  /// Removes the best candidate.
   void pop() {
     std::pop_heap(heap_.begin(), heap_.end(), worse);
     heap_.pop_back();
@@ -60,23 +60,23 @@ class CandidateQueue {
  private:
   static bool worse(const Candidate& a, const Candidate& b) { return a.is_worse_than(b); }
 
-  // By exponent and seven bits of the mantissa: costs of the first merges are a hundredth of those
-  // of the last ones.
+  // Buckets by exponent and seven bits of the mantissa: costs of the first merges are a hundredth
+  // of those of the last.
   static constexpr unsigned kCutBits = 16;
   static constexpr float kMinCost = 1.0F / 4096.0F;
   static constexpr float kMaxCost = 16.0F;
-  static constexpr std::uint32_t place_of(float cost) {
+  static constexpr std::uint32_t bucket_of(float cost) {
     return std::bit_cast<std::uint32_t>(cost) >> kCutBits;
   }
   static std::size_t bucket_of(double cost) {
-    // What is no number goes to the last one.
+    // NaN goes to the last bucket.
     const float within = cost < kMaxCost ? std::max(static_cast<float>(cost), kMinCost) : kMaxCost;
-    return place_of(within) - place_of(kMinCost);
+    return bucket_of(within) - bucket_of(kMinCost);
   }
 
-  std::vector<std::vector<Candidate>> buckets_{place_of(kMaxCost) - place_of(kMinCost) + 1};
+  std::vector<std::vector<Candidate>> buckets_{bucket_of(kMaxCost) - bucket_of(kMinCost) + 1};
   std::size_t next_ = 0;         // buckets before it are in the heap
-  std::vector<Candidate> heap_;  // the best first
+  std::vector<Candidate> heap_;  // best first
 };
 
 }  // namespace relief

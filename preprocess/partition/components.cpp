@@ -8,13 +8,13 @@
 namespace relief {
 namespace {
 
-// The pieces of one region. `done` is written at the region's own points alone.
+// The components of one region. `done` is written only at the region's own points.
 std::vector<Region> pieces_of(const SurfaceSamples& samples, const NeighbourGraph& graph,
                               const Region& region, const std::vector<std::uint32_t>& region_of,
                               std::vector<std::uint8_t>& done) {
   std::vector<Region> pieces;
   std::vector<std::uint32_t> reached;  // from the seed
-  std::vector<std::uint32_t> waiting;  // those whose neighbours were not looked at yet
+  std::vector<std::uint32_t> waiting;  // those whose neighbours are not yet visited
   for (const std::uint32_t seed : region.points) {
     if (done[seed] != 0) continue;
     done[seed] = 1;
@@ -30,7 +30,7 @@ std::vector<Region> pieces_of(const SurfaceSamples& samples, const NeighbourGrap
         reached.push_back(j);
         waiting.push_back(j);
       }
-      // Most regions are whole, and small ones are known to be after a point or two.
+      // Most regions are connected, and small ones are confirmed after a point or two.
       if (reached.size() == region.points.size()) return {region};
     }
     std::sort(reached.begin(), reached.end());

@@ -8,10 +8,10 @@
 namespace relief {
 namespace {
 
-// 70 degrees stretch samples by 1 / cos 70 = 2.9 at most. 75 make a tenth fewer patches, and more
+// 70 degrees stretch samples by at most 1 / cos 70 = 2.9. 75 make a tenth fewer patches, and more
 // spikes at silhouettes (docs/decisions/0030).
 constexpr double kDefaultConeDegrees = 70.0;
-// Regions of fewer points are no surface.
+// Regions of fewer points are not a surface.
 constexpr std::size_t kMinPatchPoints = 4;
 // A cloud of outliers: the eighth neighbour is this much farther than the scan's median one, and
 // the plane through the neighbourhood is left by more than this share of that distance (a ball of
@@ -20,7 +20,7 @@ constexpr float kSparseInMedians = 4.0F;
 constexpr float kRoughShare = 0.08F;
 
 // The points that can be part of a surface: all but clouds of outliers, which are much sparser than
-// the scan and not flat either. (Single outliers are connected to nothing and make no region.)
+// the scan and not flat either. (Single outliers are not connected and form no region.)
 std::vector<std::uint32_t> surface_points(const std::vector<glm::dvec3>& positions,
                                           std::size_t count, const NeighbourGraph& graph,
                                           const LocalFrames& frames) {
@@ -41,7 +41,7 @@ std::vector<std::uint32_t> surface_points(const std::vector<glm::dvec3>& positio
   return points;
 }
 
-// Whether a region goes on among the points around, which are those from `count` on.
+// Whether a region continues in the surrounding points, which are those from `count` on.
 bool goes_on_around(const SurfaceSamples& samples, const NeighbourGraph& graph,
                     const Region& region, std::size_t count) {
   return std::ranges::any_of(region.points, [&](std::uint32_t i) {

@@ -1,4 +1,4 @@
-// From points with normals to the regions that become patches.
+// Finds the regions of points that become patches.
 #pragma once
 
 #include "preprocess/partition/partition.h"

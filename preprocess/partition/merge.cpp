@@ -20,35 +20,34 @@ namespace {
 
 constexpr std::uint32_t kNoCluster = 0xFFFFFFFFU;
 
-// A union of more points is first tried by the outermost normals, which takes as long as the test
-// of some hundreds of points. (On the Dragon the others are a tenth of all the points that are
-// tried.)
+// Larger unions are first tested by their outermost normals, which takes as long as testing some
+// hundreds of points. (On the Dragon, smaller unions have a tenth of all tested points.)
 constexpr std::size_t kManyPoints = 400;
 
-// So many of the best pairs are tried beside each other, where there is more than one thread: on
-// the first thousands of merges about 5 us each; later ones are spoilt by those before them.
+// Number of best pairs that are tested in parallel. Pays off in the first thousands of merges, at
+// about 5 us each; later tests are invalidated by earlier merges.
 constexpr std::size_t kMaxTrials = 32;
 constexpr std::size_t kMinTrials = 4;
 
 constexpr double kCompactnessWeight = 0.01;
 constexpr double kSizeWeight = 2.0;
 
-// A region while it grows.
+// A growing region.
 struct Cluster {
   Region region;
   double area = 0.0;            // sum of squared local spacings
   glm::dvec3 area_normal{0.0};  // sum of those times normals
   double perimeter = 0.0;       // sum of `borders`
   Borders borders;
-  std::unique_ptr<NormalSpread> spread;  // once it was asked for
+  std::unique_ptr<NormalSpread> spread;  // computed on demand
   std::uint32_t version = 0;
 };
 
-/// What came of trying to put a pair together.
+/// The result of testing a pair.
 struct Trial {
   Candidate candidate;
-  std::vector<std::uint32_t> points;  // of the union, if it was put together
-  std::optional<glm::vec3> normal;    // of its base plane, if it may be
+  std::vector<std::uint32_t> points;  // of the union, if it was made
+  std::optional<glm::vec3> normal;    // of its base plane, if the union passes
 };
 
 class Merger {
@@ -82,7 +81,7 @@ class Merger {
   std::vector<Region> run(Progress& progress) {
     progress.begin_stage("merge", clusters_.size());
     const std::size_t threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
-    std::vector<Trial> trials;  // ahead of their turn, in their order
+    std::vector<Trial> trials;  // tested ahead of their turn, in order
     std::size_t next = 0;
     while (!progress.cancelled()) {
       if (next == trials.size()) {
@@ -91,7 +90,7 @@ class Merger {
         if (trials.empty()) break;
         try_all(trials);
       }
-      // What merges have made possible since the trials may be better.
+      // Pairs made possible by merges since these tests may be better.
       const Candidate* best = best_candidate();
       if (best != nullptr && trials[next].candidate.is_worse_than(*best)) {
         std::vector<Trial> better = take_best(1);
@@ -111,7 +110,7 @@ class Merger {
  private:
   void add_borders(const NeighbourGraph& graph, const std::vector<std::uint32_t>& owner) {
     const std::size_t near = std::min<std::size_t>(kBorderNeighbours, graph.k);
-    // For each point a bit for each of its neighbours that are in another cluster.
+    // For each point, a bit for each neighbour in another cluster.
     std::vector<std::uint8_t> across(owner.size(), 0);
     tbb::parallel_for(std::uint32_t{0}, static_cast<std::uint32_t>(owner.size()), [&](auto i) {
       if (owner[i] == kNoCluster) return;
@@ -126,13 +125,12 @@ class Merger {
       for (std::size_t m = 0; across[i] >> m != 0; ++m) {
         if ((across[i] >> m & 1) == 0) continue;
         const std::uint32_t other = owner[graph.of(i)[m]];
-        // A point beside a straight border has about 3 of its 8 neighbours beyond it; both sides
-        // count.
+        // A point at a straight border has about 3 of its 8 neighbours beyond it; both sides count.
         const double length = double{samples_.spacing[i]} / 6.0;
         clusters_[std::min(owner[i], other)].borders[std::max(owner[i], other)] += length;
       }
     }
-    // Borders are the same from both sides: told of the lower cluster, then copied.
+    // Borders are symmetric: computed for the lower cluster, then copied.
     for (std::uint32_t c = 0; c < clusters_.size(); ++c) {
       for (const auto& [other, length] : clusters_[c].borders) {
         if (other > c) clusters_[other].borders[c] = length;
@@ -176,7 +174,7 @@ class Merger {
     return queue_.best([this](const Candidate& c) { return is_current(c); });
   }
 
-  /// Takes up to `count` of the best candidates.
+  /// Removes up to `count` of the best candidates.
   std::vector<Trial> take_best(std::size_t count) {
     std::vector<Trial> trials;
     while (trials.size() < count) {
@@ -215,7 +213,7 @@ class Merger {
     trial.normal = tests_.local().fit(trial.points);
   }
 
-  /// Merges the pair if it may be and is still there.
+  /// Merges the pair if it passes and is still current.
   bool settle(Trial& trial) {
     if (!trial.normal || !is_current(trial.candidate)) return false;
     std::uint32_t ia = trial.candidate.a;

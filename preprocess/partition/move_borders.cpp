@@ -15,22 +15,22 @@
 namespace relief {
 namespace {
 
-// A border moves by a point's distance in each sweep. After ten, 113 points of the Dragon wait,
-// where 19,701 have moved; the limit is for pairs that would swap for ever, too.
+// A border moves by a point's distance in each sweep. After ten, 113 points of the Dragon still
+// wait and 19,701 have moved; the limit also ends pairs that swap forever.
 constexpr int kMaxSweeps = 10;
-// Points steeper than this (87 degrees) are as bad as those that are.
+// The cost of a point's slope is limited to that at 87 degrees.
 constexpr float kMinCosine = 0.05F;
-// What rounding may take for a gain.
+// Smaller gains may be rounding errors.
 constexpr double kMinGain = 1e-9;
 
-/// What a point has around it: its regions, and how much of its neighbourhood each holds.
+/// The regions around a point, and the share of its neighbourhood in each.
 class Surrounding {
  public:
   void add(std::uint32_t region, double weight) {
-    std::size_t place = 0;
-    while (place < count_ && parts_[place].region != region) ++place;
-    if (place == count_) parts_[count_++] = {region, 0.0};
-    parts_[place].weight += weight;
+    std::size_t position = 0;
+    while (position < count_ && parts_[position].region != region) ++position;
+    if (position == count_) parts_[count_++] = {region, 0.0};
+    parts_[position].weight += weight;
   }
 
   struct Part {
@@ -77,7 +77,7 @@ class BorderMover {
     }
   }
 
-  /// Gives the regions their points as they are now.
+  /// Sets the regions' points to the current assignment.
   void store(std::vector<Region>& regions) const {
     for (Region& region : regions) region.points.clear();
     for (std::uint32_t i = 0; i < cells_.size(); ++i) {
@@ -109,7 +109,7 @@ class BorderMover {
     return glm::dot(samples_.normals[point], cells_.normal(region));
   }
 
-  /// What it costs that a point is in a region which holds `weight` of its neighbourhood.
+  /// The cost of a point in a region that holds `weight` of its neighbourhood.
   [[nodiscard]] double cost(std::uint32_t point, std::uint32_t region, double weight) const {
     const double stretch = 1.0 / std::max(cosine(point, region), kMinCosine);
     return weights_.stretch * kBorderNeighbours * stretch - weight;
@@ -157,7 +157,7 @@ void move_borders(const SurfaceSamples& samples, const NeighbourGraph& graph, do
   tbb::enumerable_thread_specific<RegionTest> tests(
       [&] { return RegionTest(samples, {cone_degrees}); });
   tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t r) {
-    // Under its old normal a region passes too: cells that begin elsewhere may see it otherwise.
+    // A region may pass only with its old normal, because cells then begin elsewhere.
     if (const auto normal = tests.local().fit(regions[r].points)) regions[r].normal = *normal;
   });
 }

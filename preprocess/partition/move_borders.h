@@ -1,24 +1,25 @@
-// Borders between regions, made shorter and moved to where both sides suit their points better.
+// Moves borders between regions so that they are shorter and points suit their region better.
 #pragma once
 
 #include <vector>
 
-#include "preprocess/partition/partition.h"
+#include "preprocess/partition/region.h"
+#include "preprocess/partition/region_criteria.h"
 
 namespace relief {
 
-/// How borders weigh what they part.
+/// Weights of the terms of a border's cost.
 struct BorderWeights {
-  double stretch;  ///< of a point's stretch, the area of its surface over that of the base plane
-                   ///< below, beside the border that a point alone would have
-  double crease;   ///< how much shorter a border counts across which normals turn by 90 degrees: by
-                   ///< a factor of 1 + this
+  double stretch;  ///< of a point's stretch (its surface area over the area on the base plane),
+                   ///< relative to the border of a single point
+  double crease;   ///< a border across which normals turn by 90 degrees counts as shorter by a
+                   ///< factor of 1 + this
 };
 
-/// Lets points at borders join a neighbouring region, each where stretch and border then are less
-/// (Besag's iterated conditional modes, 1986), as long as the region keeps its normal cone and its
-/// single height. Regions may get empty (these are dropped) or fall apart (see part_components).
-/// Their normals are fitted anew. The result does not depend on the number of threads.
+/// Moves points at borders to a neighbouring region if stretch and border length decrease (Besag's
+/// iterated conditional modes, 1986) and the region keeps its normal cone and stays single-valued.
+/// Drops regions that become empty. Regions may fall apart (see part_components). Refits their
+/// normals. The result does not depend on the number of threads.
 void move_borders(const SurfaceSamples& samples, const NeighbourGraph& graph, double cone_degrees,
                   const BorderWeights& weights, std::vector<Region>& regions);
 

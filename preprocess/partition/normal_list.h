@@ -1,4 +1,4 @@
-// Normals laid out so that four are compared with an axis at once.
+// Normals stored so that SIMD compares four with an axis at once.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace relief {
 
-/// Some normals, each coordinate by itself. Keeps its memory when it shrinks.
+/// Normals as separate coordinate arrays. Keeps its memory when it shrinks.
 class NormalList {
  public:
   void resize(std::size_t size) {
@@ -26,7 +26,7 @@ class NormalList {
 
   [[nodiscard]] glm::vec3 at(std::size_t m) const { return {x_[m], y_[m], z_[m]}; }
 
-  /// The least product of any of them with an axis, or 2 of none.
+  /// Returns the least dot product of a normal with an axis; 2 without normals.
   [[nodiscard]] float least_cosine(glm::vec3 axis) const {
     Floats least = Floats{} + 2.0F;
     std::size_t m = 0;
@@ -41,7 +41,7 @@ class NormalList {
     return result;
   }
 
-  /// The first that has this product with the axis; if none has, the first.
+  /// Returns the first normal with this product with the axis; the first of all if none has it.
   [[nodiscard]] std::size_t find(glm::vec3 axis, float cosine) const {
     for (std::size_t m = 0; m < size_; m += kAtOnce) {
       const Floats c = cosines(m, axis);
@@ -62,14 +62,14 @@ class NormalList {
     return values;
   }
 
-  /// Of those from m on; beyond the last one they mean nothing.
+  /// Products of the normals from m on; undefined beyond the last one.
   [[nodiscard]] Floats cosines(std::size_t m, glm::vec3 axis) const {
     return axis.x * load(x_.data() + m) + axis.y * load(y_.data() + m) +
            axis.z * load(z_.data() + m);
   }
 
   std::size_t size_ = 0;
-  std::vector<float> x_;  // with room to read beyond the last
+  std::vector<float> x_;  // padded for reads beyond the last
   std::vector<float> y_;
   std::vector<float> z_;
 };

@@ -24,9 +24,9 @@ std::array<glm::vec3, N> even_directions() {
 
 /// Normals and axes are unit to single precision, and so are the dots that RegionTest takes.
 constexpr double kRounding = 1e-5;
-/// So many normals of a set are looked at: 64 products each.
+/// Number of normals of a set that are used: 64 products each.
 constexpr std::size_t kMaxNormals = 256;
-/// Most sets are decided within ten; the limit is for those that just fit.
+/// Most sets are decided within ten steps; the limit is for borderline sets.
 constexpr int kMaxSteps = 32;
 
 }  // namespace
@@ -61,7 +61,7 @@ void NormalSpread::add(const NormalSpread& other) {
 
 // The cosine of the narrowest cone about unit vectors is the length of the shortest vector in their
 // convex hull, so that any vector of the hull shorter than the wanted cosine proves that no such
-// cone is. Gilbert's steps (1966) towards the shortest one.
+// cone exists. Gilbert's steps (1966) towards the shortest one.
 bool NormalSpread::exceed(const NormalSpread& a, const NormalSpread& b, double cos_cone) {
   const double certain = cos_cone - kRounding;
   if (certain <= 0.0) return false;

@@ -1,4 +1,4 @@
-// The outermost of a set of normals, which tell that no cone of a given width holds them all.
+// The outermost normals of a set, for a quick test that no cone of a given width holds them all.
 #pragma once
 
 #include <array>
@@ -10,17 +10,17 @@
 
 namespace relief {
 
-/// Of a set of unit normals those that go farthest in each of 64 directions; of a large set those
-/// of an even sample, which can tell no less surely that a cone does not hold them.
+/// The unit normals of a set that extend farthest in each of 64 directions. Large sets are sampled
+/// evenly, which keeps a negative answer exact.
 class NormalSpread {
  public:
   NormalSpread(const std::vector<glm::vec3>& normals, std::span<const std::uint32_t> points);
 
-  /// Takes the normals of another set in.
+  /// Adds the normals of another set.
   void add(const NormalSpread& other);
 
-  /// True only if no cone of this half angle has all normals of both sets in it; then the test of
-  /// all of them (RegionTest) need not be made. Where it is false, that may still be so.
+  /// Returns true only if no cone of this half angle holds all normals of both sets, so that the
+  /// test of all normals (RegionTest) can be skipped. False decides nothing.
   [[nodiscard]] static bool exceed(const NormalSpread& a, const NormalSpread& b, double cos_cone);
 
  private:

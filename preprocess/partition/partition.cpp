@@ -8,16 +8,16 @@
 namespace relief {
 namespace {
 
-// Pieces are split to a small share of the patches' cone: merging is quick and gives better shapes
-// than cutting does. On the Dragon 0.5, 0.25 and 0.15 give 546, 459 and 440 regions.
+// Pieces are split to a small share of the patches' cone: merging is fast and gives better shapes
+// than cutting. On the Dragon 0.5, 0.25 and 0.15 give 546, 459 and 440 regions.
 constexpr double kSplitShare = 0.15;
 
-// What borders weigh, and how often they are moved and regions then merged: chosen on ten scans
+// Weights of borders, and the number of rounds of moving and merging: chosen on ten scans
 // (docs/decisions/0030 has the table).
 constexpr BorderWeights kBorderWeights{0.3, 4.0};
 constexpr int kBorderRounds = 2;
 
-// Wider limits for what stayed small. At 78 degrees a patch still has one height everywhere; its
+// Wider limits for remaining small regions. At 78 degrees a patch is still single-valued; its
 // samples are sparse there, but these are spots of a few dozen points.
 constexpr double kWideConeDegrees = 78.0;
 constexpr double kWideSheetTolerance = 2.0;
@@ -43,22 +43,21 @@ Membership membership_of(const SurfaceSamples& samples, const std::vector<Region
 
 std::vector<Region> partition(const SurfaceSamples& samples, const NeighbourGraph& graph,
                               std::vector<std::uint32_t> points, double cone_degrees,
-                              Progress& progress, double density_ratio) {
+                              Progress& progress) {
   const std::size_t small = small_points(points.size());
   progress.begin_stage("split", points.size());
-  std::vector<Region> regions =
-      split(samples, graph, std::move(points),
-            {kSplitShare * cone_degrees, kSheetTolerance, density_ratio}, progress);
-  const RegionLimits limits{cone_degrees, kSheetTolerance, density_ratio};
+  std::vector<Region> regions = split(samples, graph, std::move(points),
+                                      {.cone_degrees = kSplitShare * cone_degrees}, progress);
+  const RegionLimits limits{.cone_degrees = cone_degrees};
   regions = merge(samples, graph, std::move(regions), {limits}, progress);
   for (int round = 0; round < kBorderRounds && !progress.cancelled(); ++round) {
     move_borders(samples, graph, cone_degrees, kBorderWeights, regions);
-    // Once is enough: what merges after the first round may be in pieces, and joins them again.
+    // Once is enough: regions that fall apart in the first round join again in its merge.
     if (round + 1 == kBorderRounds) regions = part_components(samples, graph, regions);
     regions = merge(samples, graph, std::move(regions), {limits}, progress);
   }
-  const RegionLimits wide{std::max(cone_degrees, kWideConeDegrees), kWideSheetTolerance,
-                          density_ratio};
+  const RegionLimits wide{.cone_degrees = std::max(cone_degrees, kWideConeDegrees),
+                          .sheet_tolerance = kWideSheetTolerance};
   const MergeRule wide_rule{wide, small};
   regions = merge(samples, graph, std::move(regions), wide_rule, progress);
   std::sort(regions.begin(), regions.end(), [](const Region& a, const Region& b) {

@@ -41,8 +41,8 @@ RegionCells::Plane RegionCells::plane_of(const Region& region) const {
 }
 
 std::uint64_t RegionCells::key_of(std::uint32_t point, std::uint32_t region) const {
-  // 20 bits for each coordinate: a cell a million cells away is taken for the same one, and then
-  // only refuses the move.
+  // 20 bits for each coordinate: a cell a million cells away may collide, which only refuses the
+  // move.
   constexpr std::uint64_t bits = (1U << 20U) - 1U;
   const Plane& plane = planes_[region];
   const glm::dvec3 d = samples_.positions[point] - plane.base;
@@ -53,7 +53,7 @@ std::uint64_t RegionCells::key_of(std::uint32_t point, std::uint32_t region) con
 }
 
 std::size_t RegionCells::slot_of(std::uint64_t key) const {
-  // The product's high bits: all of the key's are in them, the region's too.
+  // The product's high bits depend on all bits of the key, the region's included.
   return (key * 0x9E3779B97F4A7C15ULL >> 32U) & (first_.size() - 1);
 }
 

@@ -20,7 +20,7 @@ constexpr double kToleranceInRoughness = 2.0;
 constexpr double kLongestHop = 6.0;
 // More points in one cell than this need not all be compared with each other.
 constexpr int kMaxCompared = 8;
-// What single precision leaves of a unit vector's length squared, or less.
+// A unit vector's squared length after rounding to single precision, or less.
 constexpr double kSurelyWithin = 0.99999;
 
 std::int32_t floor_to_int(double value) {
@@ -38,7 +38,7 @@ void complete_frame(glm::dvec3 n, glm::dvec3& u, glm::dvec3& v) {
 
 bool on_one_sheet(const SurfaceSamples& samples, std::uint32_t i, std::uint32_t j) {
   if (!(glm::dot(samples.normals[i], samples.normals[j]) > 0.0F)) return false;
-  // The finer of both densities judges: an outlier's own would excuse any distance.
+  // The finer of both densities decides: an outlier's own would allow any distance.
   const double rough = std::min(samples.roughness[i], samples.roughness[j]);
   const double spacing = std::min(samples.spacing[i], samples.spacing[j]);
   const glm::dvec3 hop = samples.positions[j] - samples.positions[i];
@@ -66,8 +66,7 @@ RegionTest::RegionTest(const SurfaceSamples& samples, const RegionLimits& limits
     : samples_(samples),
       cos_cone_(static_cast<float>(std::cos(glm::radians(limits.cone_degrees)))),
       cone_(std::acos(cos_cone_)),
-      sheet_tolerance_(limits.sheet_tolerance),
-      density_ratio_(limits.density_ratio) {}
+      sheet_tolerance_(limits.sheet_tolerance) {}
 
 std::optional<glm::vec3> RegionTest::fit_cone(std::span<const std::uint32_t> points) {
   glm::vec3 sum(0.0F);
@@ -86,7 +85,7 @@ std::optional<glm::vec3> RegionTest::fit_cone(std::span<const std::uint32_t> poi
   for (int step = 1; step <= kSteps; ++step) {
     const float least = normals_.least_cosine(axis);
     if (least >= cos_cone_) return axis;
-    // 25 degrees beyond the cone are not won back by moving the axis, as it starts near the middle.
+    // Moving the axis cannot gain 25 degrees, because it starts near the middle.
     if (step == 1 && std::acos(std::clamp(least, -1.0F, 1.0F)) > cone_ + glm::radians(25.0F)) {
       return std::nullopt;
     }
@@ -102,8 +101,8 @@ bool RegionTest::single_valued(std::span<const std::uint32_t> points, glm::vec3 
   complete_frame(glm::dvec3(normal), u, v);
   const auto [cell, tolerance] = sheet_scale(samples_, points, sheet_tolerance_);
 
-  // What the table's order asks for at random is brought together first.
-  places_.clear();
+  // Gathered first, because the table accesses it in random order.
+  positions_.clear();
   keys_.clear();
   const glm::dvec3 base = samples_.positions[points.front()];
   for (const std::uint32_t i : points) {
@@ -111,7 +110,7 @@ bool RegionTest::single_valued(std::span<const std::uint32_t> points, glm::vec3 
     const glm::dvec2 at = glm::dvec2(glm::dot(d, u), glm::dot(d, v)) / cell;
     const auto x = floor_to_int(at.x);
     const auto y = floor_to_int(at.y);
-    places_.push_back(samples_.positions[i]);
+    positions_.push_back(samples_.positions[i]);
     keys_.push_back(std::uint64_t{static_cast<std::uint32_t>(x)} << 32 |
                     static_cast<std::uint32_t>(y));
   }
@@ -128,8 +127,8 @@ bool RegionTest::single_valued(std::span<const std::uint32_t> points, glm::vec3 
     int compared = 0;
     for (std::uint32_t o = next_[m]; o != kNone && compared < kMaxCompared;
          o = next_[o], ++compared) {
-      const glm::dvec3 apart = places_[m] - places_[o];
-      // Most are nearer to each other than they may be off: the mean normal is unit to rounding.
+      const glm::dvec3 apart = positions_[m] - positions_[o];
+      // Most pairs are closer than the tolerance; the mean normal is unit up to rounding.
       if (glm::dot(apart, apart) < kSurelyWithin * tolerance * tolerance) continue;
       const glm::vec3 mean = glm::normalize(normals_.at(m) + normals_.at(o));
       if (std::abs(glm::dot(glm::dvec3(mean), apart)) > tolerance) return false;
@@ -138,20 +137,7 @@ bool RegionTest::single_valued(std::span<const std::uint32_t> points, glm::vec3 
   return true;
 }
 
-bool RegionTest::even_enough(std::span<const std::uint32_t> points) {
-  if (density_ratio_ <= 0.0) return true;
-  spacings_.clear();
-  for (const std::uint32_t i : points) spacings_.push_back(samples_.spacing[i]);
-  const auto tenth = static_cast<std::ptrdiff_t>(spacings_.size() / 10);
-  const auto fine = spacings_.begin() + tenth;
-  const auto coarse = spacings_.end() - 1 - tenth;
-  std::nth_element(spacings_.begin(), fine, spacings_.end());
-  std::nth_element(fine, coarse, spacings_.end());
-  return *coarse <= density_ratio_ * *fine;
-}
-
 std::optional<glm::vec3> RegionTest::fit(std::span<const std::uint32_t> points) {
-  if (!even_enough(points)) return std::nullopt;
   const std::optional<glm::vec3> axis = fit_cone(points);
   if (!axis || !single_valued(points, *axis)) return std::nullopt;
   return axis;

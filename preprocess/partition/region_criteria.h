@@ -1,4 +1,4 @@
-// Whether a set of points may share a patch: the normal cone, and one height over each spot.
+// Tests whether a set of points may share a patch: normal cone and single height.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace relief {
 
-/// What the partition looks at; normals are unit.
+/// The input of the partition; normals are unit.
 struct SurfaceSamples {
   const std::vector<glm::dvec3>& positions;
   const std::vector<glm::vec3>& normals;
@@ -22,31 +22,29 @@ struct SurfaceSamples {
 };
 
 /// Points farther apart along their normal than this many local spacings are on two sheets. Points
-/// of a smooth sheet leave each other's mean tangent plane by far less, even where it bends
-/// strongly; this leaves room for noise.
+/// of a smooth sheet are far closer to each other's mean tangent plane, even where it bends
+/// strongly; the rest is room for noise.
 inline constexpr double kSheetTolerance = 1.1;
 
-/// True if two neighbouring points are on one sheet: like normals, and neither off the other's
-/// tangent plane. What connects regions, and what separates sheets that lie close.
+/// Returns whether two neighbouring points are on one sheet: similar normals, and each near the
+/// other's tangent plane. Connects regions, and separates close sheets.
 [[nodiscard]] bool on_one_sheet(const SurfaceSamples& samples, std::uint32_t i, std::uint32_t j);
 
-/// What tells sheets apart in a set of points.
+/// The scale at which sheets in a set of points are distinguished.
 struct SheetScale {
   double cell = 0.0;       ///< side of the base plane's cells whose points are compared
-  double tolerance = 0.0;  ///< how far two of them may be off each other's tangent plane
+  double tolerance = 0.0;  ///< largest distance of two such points from each other's tangent plane
 };
 
-/// `sheet_tolerance`: as in RegionLimits.
+/// Returns the scale for some points. `sheet_tolerance`: as in RegionLimits.
 [[nodiscard]] SheetScale sheet_scale(const SurfaceSamples& samples,
                                      std::span<const std::uint32_t> points, double sheet_tolerance);
 
-/// How far a region may go.
+/// Limits of a region.
 struct RegionLimits {
   double cone_degrees = 0.0;  ///< largest angle between base-plane normal and point normal
   double sheet_tolerance = kSheetTolerance;  ///< points farther apart than this along the normal,
                                              ///< in spacings of the region, are on two sheets
-  double density_ratio = 0.0;  ///< a tenth of the points have this many times the spacing of
-                               ///< another tenth, at most; 0: any
 };
 
 /// Tests point sets; keeps its scratch memory between calls. One object per thread.
@@ -54,38 +52,32 @@ class RegionTest {
  public:
   RegionTest(const SurfaceSamples& samples, const RegionLimits& limits);
 
-  /// The base-plane normal under which the points pass all tests, or nothing.
+  /// Returns the base-plane normal with which the points pass both tests, or nothing.
   /// 1. Normal cone (Pauly and Gross 2001, section 3): the mean normal, then, if that fails, the
   ///    axis of the smallest enclosing cone, must have every point's normal within the cone.
-  /// 2. Single-valued: points that project into the same small cell must lie on one sheet, that is,
-  ///    on each other's tangent planes within the tolerance. A cone alone lets two parallel layers
-  ///    through.
-  /// 3. Where asked for, even: the scan's density is alike all over.
+  /// 2. Single-valued: points that project into one small cell must lie on one sheet, that is, on
+  ///    each other's tangent planes within the tolerance. A cone does not detect parallel layers.
   [[nodiscard]] std::optional<glm::vec3> fit(std::span<const std::uint32_t> points);
 
-  /// Test 1 alone, over unit normals that stand for the points.
+  /// Applies only test 1, to the points' unit normals.
   [[nodiscard]] std::optional<glm::vec3> fit_cone(std::span<const std::uint32_t> points);
 
  private:
-  [[nodiscard]] bool even_enough(std::span<const std::uint32_t> points);
-
-  /// Of the points whose cone was just fitted.
+  /// Test 2, for the points whose cone was just fitted.
   [[nodiscard]] bool single_valued(std::span<const std::uint32_t> points, glm::vec3 normal);
 
   SurfaceSamples samples_;
   float cos_cone_;
   float cone_;
   double sheet_tolerance_;
-  double density_ratio_;
-  std::vector<float> spacings_;
   NormalList normals_;
-  std::vector<glm::dvec3> places_;
+  std::vector<glm::dvec3> positions_;
   std::vector<std::uint32_t> table_;
   std::vector<std::uint64_t> keys_;
   std::vector<std::uint32_t> next_;
 };
 
-/// Two unit vectors that complete a unit normal to a right-handed frame (u, v, n).
+/// Computes two unit vectors that complete a unit normal to a right-handed frame (u, v, n).
 void complete_frame(glm::dvec3 n, glm::dvec3& u, glm::dvec3& v);
 
 }  // namespace relief

@@ -96,7 +96,7 @@ std::vector<Region> split(const SurfaceSamples& samples, const NeighbourGraph& g
                           std::vector<std::uint32_t> points, const RegionLimits& limits,
                           Progress& progress) {
   std::vector<Region> leaves = Splitter(samples, limits, progress).run(points);
-  // Tasks finish in any order; the result must not show it.
+  // Tasks finish in any order; the result must not depend on it.
   std::sort(leaves.begin(), leaves.end(),
             [](const Region& a, const Region& b) { return a.points.front() < b.points.front(); });
   return part_components(samples, graph, leaves);

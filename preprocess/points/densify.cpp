@@ -12,10 +12,10 @@
 namespace relief {
 namespace {
 
-// An edge longer than this many mean spacings gets points of its own.
+// Edges longer than this many mean spacings get points.
 constexpr double kLongEdge = 2.5;
-// Points added per point given, at most: a closed mesh of equal small triangles beside large ones
-// needs up to 2; needles, whose edges are long and whose area is small, could ask for any number.
+// Largest number of added points per given point: a closed mesh of equal small triangles beside
+// large ones needs up to 2; needles, with long edges and a small area, could need any number.
 constexpr std::size_t kMaxAddedPerPoint = 4;
 
 double total_area(const Points& points) {
@@ -117,7 +117,7 @@ std::size_t densify_triangles(Points& points) {
   const std::size_t given = points.size();
   if (points.triangles.empty() || given == 0) return 0;
   const double spacing = std::sqrt(total_area(points) / static_cast<double>(given));
-  // No area, or more than doubles hold: there is no spacing to fill triangles at.
+  // Without an area, or with one beyond doubles, there is no spacing for filling triangles.
   if (!(spacing > 0.0) || !std::isfinite(spacing)) return 0;
   const std::vector<std::uint32_t> large = with_long_edges(points, kLongEdge * spacing);
   // Counted only as far as allowed: needles could ask for thousands of points each.

@@ -1,4 +1,4 @@
-// Points on the triangles of a mesh that are larger than its spacing.
+// Adds points to mesh triangles that are larger than the mesh's spacing.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +7,11 @@
 
 namespace relief {
 
-/// Adds points on edges and triangles that span more than 2.5 mean spacings, about one apart, so
-/// that what a mesh says is surface does not become a gap. Attributes are interpolated. The mean
-/// spacing is sqrt(area / points). At most four points are added per point given: where that is not
-/// enough (meshes of needles) all of them are farther apart. They stand behind the given ones,
-/// without triangles. Returns how many were added.
+/// Adds points on edges and triangles that span more than 2.5 mean spacings, about one spacing
+/// apart, so that large triangles do not become gaps. Interpolates attributes. The mean spacing is
+/// sqrt(area / points). Adds at most four points per given point; if that is not enough (meshes of
+/// needles), all are farther apart. The added points follow the given ones and have no triangles.
+/// Returns their number.
 std::size_t densify_triangles(Points& points);
 
 }  // namespace relief

@@ -7,7 +7,7 @@
 namespace relief {
 namespace {
 
-/// Closes the gaps that dropped points leave. `kept` lists the points to keep, ascending.
+/// Closes the gaps of dropped points. `kept` lists the points to keep, ascending.
 template <class T>
 void compact(std::vector<T>& values, const std::vector<std::uint32_t>& kept) {
   if (values.empty()) return;
@@ -15,8 +15,7 @@ void compact(std::vector<T>& values, const std::vector<std::uint32_t>& kept) {
   values.resize(kept.size());
 }
 
-/// Renumbers triangles and drops those that have lost a corner, name a point that does not exist or
-/// have two corners in one point.
+/// Renumbers triangles and drops those with a lost or invalid corner or with two equal corners.
 void renumber(Points& points, const std::vector<std::uint32_t>& new_index) {
   std::vector<Triangle>& triangles = points.triangles;
   std::size_t left = 0;

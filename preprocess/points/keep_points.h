@@ -1,4 +1,4 @@
-// Leaving out some of a scan's points, with what hangs on them.
+// Removes points from a scan, with their attributes and triangles.
 #pragma once
 
 #include <cmath>
@@ -9,19 +9,20 @@
 
 namespace relief {
 
-/// Whether none of a vector's components is NaN or infinite.
+/// Returns whether no component of a vector is NaN or infinite.
 template <class Vector>
 [[nodiscard]] bool is_finite(const Vector& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// Keeps the points that `kept` lists (ascending) with their attributes. Triangles take the corners
-/// that `new_index` gives for the old ones, kNoPoint for none; those that lose a corner, or have
-/// two in one point, are dropped.
+/// Keeps the points listed in `kept` (ascending) with their attributes. `new_index` maps old
+/// indices to new ones, kNoPoint for removed points. Triangles that lose a corner, or have two
+/// equal corners, are dropped.
 void keep_points(Points& points, const std::vector<std::uint32_t>& kept,
                  const std::vector<std::uint32_t>& new_index);
 
-/// Drops the points i with `dropped[i]` not 0, and the triangles at them. Returns how many.
+/// Drops the points i with `dropped[i]` not 0, and their triangles. Returns the number of dropped
+/// points.
 std::uint64_t drop_points(Points& points, const std::vector<std::uint8_t>& dropped);
 
 }  // namespace relief

@@ -14,8 +14,9 @@
 namespace relief {
 namespace {
 
-// A Kinect's points are three times as far apart at the far end of a room as at the near one: the
-// deviation is one of logarithms, and 5 of them keep its walls (office1: 0.3 % of all points go).
+// A Kinect's points are three times as far apart at the far end of a room as at the near one: so
+// deviations are of logarithms, and 5 of them keep the room's walls (office1: 0.3 % of all points
+// go).
 constexpr double kMaxDeviations = 5.0;
 // The standard deviation of normal values over the median of their absolute deviations.
 constexpr double kSigmaPerMad = 1.4826;
@@ -43,7 +44,7 @@ std::vector<float> mean_distances(const std::vector<glm::dvec3>& positions,
   return means;
 }
 
-/// What is too far from its neighbours for the scan as a whole.
+/// Points too far from their neighbours, compared with the whole scan.
 double largest_mean(const std::vector<float>& means) {
   std::vector<double> logs(means.size());
   std::ranges::transform(means, logs.begin(), [](float d) { return std::log(double{d}); });
@@ -54,7 +55,7 @@ double largest_mean(const std::vector<float>& means) {
 
 std::vector<std::uint8_t> find_sparse(const std::vector<float>& means,
                                       const NeighbourGraph& graph) {
-  // Even scans (grids) hardly deviate at all; what is twice as sparse is still one.
+  // Even scans (grids) hardly deviate at all; points twice as sparse still count as even.
   const double largest = std::max(largest_mean(means), 3.0 * double{median_of(means)});
   std::vector<std::uint8_t> sparse(means.size());
   tbb::parallel_for(std::size_t{0}, means.size(), [&](std::size_t i) {
@@ -69,7 +70,7 @@ std::vector<std::uint8_t> find_small_clusters(const std::vector<glm::dvec3>& pos
                                               const NeighbourGraph& graph,
                                               const std::vector<std::uint8_t>& sparse) {
   const auto count = static_cast<std::uint32_t>(positions.size());
-  SignedForest clusters(count);  // nothing in it is turned round
+  SignedForest clusters(count);  // no normals are flipped
   for (std::uint32_t i = 0; i < count; ++i) {
     if (sparse[i] != 0) continue;
     for (const std::uint32_t j : graph.of(i)) {

@@ -1,4 +1,4 @@
-// What of a scan is dust: `relief convert --clean`.
+// Removes outliers: `relief convert --clean`.
 #pragma once
 
 #include <cstdint>
@@ -8,21 +8,21 @@
 
 namespace relief {
 
-/// How many points were taken away, and why.
+/// The number of removed points, by reason.
 struct OutlierReport {
-  std::uint64_t sparse = 0;    ///< farther from their neighbours than the scan or these are
+  std::uint64_t sparse = 0;    ///< unusually far from their neighbours
   std::uint64_t cluster = 0;   ///< in clusters too small to be a surface
-  bool were_too_many = false;  ///< more than half would have gone, so none was taken away
+  bool were_too_many = false;  ///< more than half would have been removed, so none was
 };
 
-/// Takes away points that are no part of a surface, and the triangles at them.
+/// Removes points that are not part of a surface, and their triangles.
 ///
-/// Sparse is a point whose mean distance to its 16 nearest neighbours is far above that of the
-/// whole scan (5 standard deviations of its logarithm, found from the median and the median
-/// deviation) or more than 3 times the median of those neighbours' own. Of what is left, points are
-/// linked that are neighbours within 4 local spacings; clusters of fewer than 50 go. The result
-/// does not depend on the number of threads. Scans of fewer than kMinSurfacePoints points stay as
-/// they are, and so do those of which more than half would go.
+/// A point is sparse if its mean distance to its 16 nearest neighbours is far above the scan's (5
+/// standard deviations of the logarithm, estimated from the median and the median deviation) or
+/// more than 3 times the median of those neighbours' own. The remaining points are linked if they
+/// are neighbours within 4 local spacings; clusters of fewer than 50 points are removed. The result
+/// does not depend on the number of threads. Scans of fewer than kMinSurfacePoints points, and
+/// those of which more than half would be removed, stay unchanged.
 OutlierReport remove_outliers(Points& points, Progress& progress);
 
 }  // namespace relief

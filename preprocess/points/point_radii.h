@@ -1,4 +1,4 @@
-// How far the surface reaches that each point of a scan stands for.
+// Radii of the surface that points represent.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,11 @@
 
 namespace relief {
 
-/// The radius h of each point, world units: 1.2 times the local spacing, from the distance to the
-/// 8th neighbour (paper 000, section 5: h from the distances in a small neighbourhood). With the
-/// spacing itself the sparser spots of a scan let what is behind them through (measured:
-/// docs/decisions/0073). An outlier's is no more than twice its neighbours' mean, so that it stays
-/// a speck. Every point has a neighbour.
+/// Returns the radius h of each point, world units: 1.2 times the local spacing, from the distance
+/// to the 8th neighbour ([Zwicker 2001], section 5: h from the distances in a small neighbourhood).
+/// A radius of only one spacing leaves sparse parts of a scan transparent (measured:
+/// docs/decisions/0073). An outlier's radius is at most twice its neighbours' mean, so that it
+/// stays small. Every point has a neighbour.
 [[nodiscard]] std::vector<double> find_radii(const NeighbourGraph& graph);
 
 }  // namespace relief

@@ -82,10 +82,8 @@ std::size_t split_at(std::span<Entry> entries, Cut cut) {
   return std::clamp(entries.size() / 2, first_on, first_above);
 }
 
-}  // namespace
-
-struct PositionTree::Builder {
-  std::vector<Node>& nodes;
+struct TreeBuilder {
+  std::vector<PositionTree::Node>& nodes;
   std::span<Entry> all;
 
   /// Adds the nodes of the slots [first, first + count), which lie in `box`. Returns the box of
@@ -94,7 +92,7 @@ struct PositionTree::Builder {
     const std::span<Entry> entries = all.subspan(first, count);
     const std::size_t at = nodes.size();
     nodes.emplace_back();
-    if (count <= kLeafSize) {
+    if (count <= PositionTree::kLeafSize) {
       nodes[at].first = first;
       nodes[at].count = count;
       return box_of(entries);
@@ -115,6 +113,8 @@ struct PositionTree::Builder {
   }
 };
 
+}  // namespace
+
 PositionTree::PositionTree(const std::vector<glm::dvec3>& positions) {
   if (positions.empty()) return;
   std::vector<Entry> entries(positions.size());
@@ -122,7 +122,7 @@ PositionTree::PositionTree(const std::vector<glm::dvec3>& positions) {
   const Box box = box_of(entries);
   lowest_ = box.low;
   highest_ = box.high;
-  Builder{nodes_, entries}.add(0, static_cast<std::uint32_t>(entries.size()), box);
+  TreeBuilder{nodes_, entries}.add(0, static_cast<std::uint32_t>(entries.size()), box);
 
   order_.resize(entries.size());
   for (std::vector<double>* axis : {&x_, &y_, &z_}) axis->resize(entries.size() + kLeafSize);

@@ -20,6 +20,16 @@ class PositionTree {
   /// The most positions in one leaf.
   static constexpr std::size_t kLeafSize = 16;
 
+  /// A leaf, or a split whose lower side is the next node.
+  struct Node {
+    static constexpr std::uint32_t kLeaf = 3;
+    double low = 0.0;            ///< split: the upper end of the lower side's positions
+    double high = 0.0;           ///< split: the lower end of the upper side's positions
+    std::uint32_t axis = kLeaf;  ///< of the split
+    std::uint32_t first = 0;     ///< leaf: its first slot; split: the node of the upper side
+    std::uint32_t count = 0;     ///< leaf: its slots
+  };
+
   /// All positions are finite.
   explicit PositionTree(const std::vector<glm::dvec3>& positions);
 
@@ -66,18 +76,6 @@ class PositionTree {
   }
 
  private:
-  static constexpr std::uint32_t kLeaf = 3;
-
-  /// A leaf, or a split whose lower side is the next node.
-  struct Node {
-    double low = 0.0;            ///< split: the upper end of the lower side's positions
-    double high = 0.0;           ///< split: the lower end of the upper side's positions
-    std::uint32_t axis = kLeaf;  ///< of the split
-    std::uint32_t first = 0;     ///< leaf: its first slot; split: the node of the upper side
-    std::uint32_t count = 0;     ///< leaf: its slots
-  };
-  struct Builder;
-
   /// One call of visit_near.
   template <class SquaredReach, class VisitLeaf>
   struct Visit {
@@ -90,7 +88,8 @@ class PositionTree {
     /// `squared` is the squared distance to the node's box.
     void at(std::uint32_t index, double squared) {
       const Node& node = nodes[index];
-      if (node.axis == kLeaf) return visit_leaf(std::size_t{node.first}, std::size_t{node.count});
+      if (node.axis == Node::kLeaf)
+        return visit_leaf(std::size_t{node.first}, std::size_t{node.count});
       const auto axis = static_cast<glm::length_t>(node.axis);
       const double value = from[axis];
       const bool lower = (value - node.low) + (value - node.high) < 0.0;

@@ -1,4 +1,4 @@
-// All points within a radius: the neighbour search of what has a support of fixed size.
+// Finds all points within a radius.
 #pragma once
 
 #include <cstdint>

@@ -22,7 +22,7 @@ glm::dvec3 cube_of(glm::dvec3 p, double spacing) {
   return glm::floor(p / spacing);
 }
 
-/// Points of one cube stand together, in the order of the file.
+/// Points of one cube are adjacent, in the order of the file.
 std::vector<std::uint32_t> by_cube(const std::vector<glm::dvec3>& positions, double spacing) {
   std::vector<std::uint32_t> order(positions.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -39,7 +39,7 @@ std::vector<std::uint32_t> by_cube(const std::vector<glm::dvec3>& positions, dou
 std::uint64_t thin_points(Points& points, double spacing) {
   const std::vector<glm::dvec3>& positions = points.positions;
   const auto is_lost = [&](glm::dvec3 p) { return !std::isfinite(glm::length(p / spacing)); };
-  // Cubes that no double can number are smaller than the distance of any two points.
+  // Cubes that doubles cannot number are smaller than any distance between points.
   if (std::ranges::any_of(positions, is_lost)) return 0;
   const std::vector<std::uint32_t> order = by_cube(positions, spacing);
   std::vector<std::uint8_t> dropped(positions.size(), 1);

@@ -1,4 +1,4 @@
-// Fewer points where a scan is denser than it needs to be: `relief convert --thin`.
+// Thins dense scans: `relief convert --thin`.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +7,10 @@
 
 namespace relief {
 
-/// Leaves of the points in each cube of side `spacing` (world units, above 0; cubes at its
-/// multiples) the one nearest to their mean, the first of equals; triangles at the others go.
-/// Returns how many were taken away. Neither threads nor the points of other cubes change what
-/// stays.
+/// Keeps one point in each cube of side `spacing` (world units, above 0; cubes at its multiples):
+/// the one nearest to the mean of the cube's points, the first of equals. Triangles at removed
+/// points are dropped. Returns the number of removed points. The result depends neither on threads
+/// nor on points of other cubes.
 std::uint64_t thin_points(Points& points, double spacing);
 
 }  // namespace relief

@@ -16,7 +16,7 @@ namespace {
 std::uint64_t hash(glm::dvec3 p) {
   std::uint64_t h = 0;
   for (int i = 0; i < 3; ++i) {
-    // Adding zero makes -0 and +0, which are equal, the same bits.
+    // Adding zero gives -0 and +0, which are equal, equal bits.
     h += std::bit_cast<std::uint64_t>(p[i] + 0.0) + 0x9E3779B97F4A7C15U;
     h = (h ^ (h >> 30U)) * 0xBF58476D1CE4E5B9U;
     h = (h ^ (h >> 27U)) * 0x94D049BB133111EBU;
@@ -31,7 +31,7 @@ class SeenPositions {
   explicit SeenPositions(std::size_t count)
       : slots_(std::bit_ceil(2 * count + 2), kNoPoint), mask_(slots_.size() - 1) {}
 
-  /// The index of an earlier point at the same position, or else `index`, which is then remembered.
+  /// Returns the index of an earlier point at this position; otherwise stores and returns `index`.
   std::uint32_t find_or_add(const std::vector<glm::dvec3>& positions, glm::dvec3 position,
                             std::uint32_t index) {
     for (std::uint64_t slot = hash(position) & mask_;; slot = (slot + 1) & mask_) {
@@ -45,8 +45,8 @@ class SeenPositions {
   std::uint64_t mask_;
 };
 
-/// Formats with one texture coordinate a point write the points of a seam once for each side.
-/// Merged they would keep one side's, so the triangles get their corners' own.
+/// Formats with one texture coordinate a point repeat the points of a seam for each side. Merged
+/// points keep one side's, so the triangles get their corners' own.
 void keep_seams(Points& points) {
   const auto count = points.size();
   points.corner_texcoords.reserve(points.triangles.size());
@@ -86,7 +86,7 @@ ReadResult clean_points(Points points, std::vector<std::uint32_t>* number) {
     ++result.merged_duplicates;
     new_index[i] = new_index[first];
     seam = seam || (!points.texcoords.empty() && points.texcoords[i] != points.texcoords[first]);
-    // The sum points where the mean does; its length is of no use to anyone.
+    // The sum has the mean's direction; its length does not matter.
     if (!points.normals.empty() && is_finite(points.normals[i])) {
       glm::vec3& normal = points.normals[first];
       normal = is_finite(normal) ? normal + points.normals[i] : points.normals[i];

@@ -1,4 +1,4 @@
-// Colours as files have them, to 8-bit sRGB.
+// Converts the colours of files to 8-bit sRGB.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -6,19 +6,19 @@
 
 namespace relief {
 
-/// What a file's colour numbers are.
+/// The type of a file's colour numbers.
 enum class ColourNumbers { Integer, Real };
 
-/// What colours as read are multiplied by so that they are 0..255. Files do not say it, so the
-/// largest value tells it: reals up to 1 are 0..1; anything up to 255 is 0..255; anything larger is
+/// Returns the factor that scales colours to 0..255. Files do not state their range, so it follows
+/// from the largest value: reals up to 1 mean 0..1, other values up to 255 mean 0..255, larger ones
 /// 0..65535.
 [[nodiscard]] float find_colour_scale(const std::vector<glm::vec3>& as_read, ColourNumbers numbers);
 
-/// Scales colours as read to 0..255. NaN becomes 0.
+/// Scales colours to 0..255. NaN becomes 0.
 [[nodiscard]] std::vector<glm::u8vec3> to_colours(const std::vector<glm::vec3>& as_read,
                                                   float scale);
 
-/// The same with the scale that they tell themselves.
+/// Scales colours to 0..255 by the factor that follows from their largest value.
 [[nodiscard]] std::vector<glm::u8vec3> to_colours(const std::vector<glm::vec3>& as_read,
                                                   ColourNumbers numbers);
 

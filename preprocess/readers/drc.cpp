@@ -1,4 +1,4 @@
-// Draco, decoded by Google's library. Its counts are looked at before it is asked.
+// Draco, decoded by Google's library, after a check of the stated counts.
 #include <draco/compression/decode.h>
 #include <draco/core/varint_decoding.h>
 #include <draco/metadata/geometry_metadata.h>
@@ -15,7 +15,7 @@
 namespace relief {
 namespace {
 
-/// What every file of bitstream 2.2 (Draco 1.2, 2017) and later begins with, behind "DRACO".
+/// The header of bitstream 2.2 (Draco 1.2, 2017) and later, after "DRACO".
 struct DracoStart {
   std::uint8_t major = 0;
   std::uint8_t minor = 0;
@@ -26,22 +26,22 @@ struct DracoStart {
   std::uint32_t faces = 0;
 };
 
-constexpr std::string_view kMagic = "DRACO";
+constexpr std::string_view kDracoMagic = "DRACO";
 constexpr std::uint16_t kHasMetadata = 0x8000;
-/// The densest real coding is near a bit a point; the library allocates for whatever is stated.
+/// The densest real coding is near a bit a point; the library allocates any stated count.
 constexpr std::uint64_t kMaxPointsPerByte = 256;
 
-/// Passes over what the file says about itself.
+/// Skips the metadata.
 bool skip_metadata(draco::DecoderBuffer& buffer) {
   draco::GeometryMetadata metadata;
   return draco::MetadataDecoder().DecodeGeometryMetadata(&buffer, &metadata);
 }
 
-/// Reads up to the counts. False if the bytes end or mean nothing.
+/// Reads up to the counts. Returns false if the bytes end or are invalid.
 bool read_start(std::string_view text, DracoStart& start) {
   draco::DecoderBuffer buffer;
   buffer.Init(text.data(), text.size());
-  buffer.Advance(static_cast<std::int64_t>(kMagic.size()));
+  buffer.Advance(static_cast<std::int64_t>(kDracoMagic.size()));
   if (!buffer.Decode(&start.major) || !buffer.Decode(&start.minor) || !buffer.Decode(&start.type) ||
       !buffer.Decode(&start.method) || !buffer.Decode(&start.flags)) {
     return false;
@@ -67,7 +67,7 @@ Status check_start(const Source& source) {
   }
   if (start.major != 2 || start.minor < 2) {
     return make_error(
-        "{}: is of Draco bitstream {}.{}, which cannot be read; code it anew with Draco 1.2 or "
+        "{}: has Draco bitstream {}.{}, which cannot be read; encode it again with Draco 1.2 or "
         "later",
         source.name, start.major, start.minor);
   }
@@ -84,13 +84,13 @@ bool is_number(draco::DataType type) {
   return type >= draco::DT_INT8 && type <= draco::DT_FLOAT64;
 }
 
-/// Numbers are the same in the same order, of which Draco counts from 1.
+/// The types have Draco's order, but Draco counts from 1.
 NumberType number_type(draco::DataType type) {
   return static_cast<NumberType>(type - draco::DT_INT8);
 }
 
 /// Values of an attribute, one for each point; empty if it has fewer components, or damaged ones.
-/// Draco's own conversion would believe the file that a bool is one, and cut integers.
+/// Draco's own conversion would trust the file's bools and truncate integers.
 template <class Vector>
 std::vector<Vector> values_of(const draco::PointCloud& cloud, const draco::PointAttribute* from) {
   constexpr auto components = static_cast<std::size_t>(Vector::length());
@@ -142,12 +142,12 @@ Result<Points> decode(const Source& source) {
   draco::DecoderBuffer buffer;
   buffer.Init(source.text.data(), source.text.size());
   draco::Decoder decoder;
-  // A mesh is given as the cloud that it also is.
+  // A mesh comes as its base class, a cloud.
   const auto decoded = decoder.DecodePointCloudFromBuffer(&buffer);
   if (!decoded.ok()) {
     return make_error("{}: cannot be decoded ({}); the file is truncated or damaged", source.name,
                       decoded.status().error_msg_string().empty()
-                          ? "Draco does not say why"
+                          ? "Draco gives no reason"
                           : decoded.status().error_msg_string());
   }
   const draco::PointCloud& cloud = *decoded.value();
@@ -168,7 +168,7 @@ Result<Points> decode(const Source& source) {
 }  // namespace
 
 bool is_drc(std::string_view text) {
-  return text.starts_with(kMagic);
+  return text.starts_with(kDracoMagic);
 }
 
 Result<Points> read_drc(const Source& source) {

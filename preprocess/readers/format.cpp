@@ -10,8 +10,8 @@
 namespace relief {
 namespace {
 
-/// What decides by content comes first; a binary STL file is known only by its length, so STL is
-/// the last of them.
+/// STL comes after the other recognised formats, because a binary STL file is recognised only by
+/// its length.
 constexpr PointFormat kPointFormats[] = {
     {"PLY", "ply", is_ply, FileForm::Either, true, read_ply},
     {"PCD", "pcd", is_pcd, FileForm::Either, false, read_pcd},
@@ -25,14 +25,14 @@ constexpr PointFormat kPointFormats[] = {
     {"XYZ text", "xyz txt csv asc pts xyzrgb xyzn", nullptr, FileForm::Text, true, read_xyz},
 };
 
-/// The extension in lower case without its dot; of a packed file that before ".gz".
+/// Returns the extension in lower case without its dot; for packed files the one before ".gz".
 std::string extension_of(std::filesystem::path path) {
   if (lower_case(path.extension().string()) == ".gz") path = path.stem();
   const std::string extension = lower_case(path.extension().string());
   return extension.empty() ? extension : extension.substr(1);
 }
 
-/// What an unsupported file is, by its first bytes; empty if unknown.
+/// Describes an unsupported file by its first bytes; empty if unknown.
 std::string_view other_format(std::string_view text) {
   constexpr std::pair<std::string_view, std::string_view> others[] = {
       {"PK\x03\x04", "a ZIP archive"},

@@ -1,4 +1,4 @@
-// The table of formats that can be read, and which of them a file has.
+// The table of readable formats, and format detection.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@
 
 namespace relief {
 
-/// A reader (see readers.h).
+/// The type of a reader (see readers.h).
 using Reader = Result<Points> (*)(const Source&);
 
-/// What a file looks like inside. In a text file, bytes of value 0 are refused.
+/// The content of a format's files. Bytes of value 0 are refused in text files.
 enum class FileForm : std::uint8_t { Text, Binary, Either };
 
 /// A format of points or meshes. Detection, messages, `--help`, `--memory`, the fuzz targets and
@@ -22,20 +22,20 @@ struct PointFormat {
   std::string_view name;  ///< in messages and help
   std::string_view
       extensions;  ///< lower case, separated by blanks; the first names the fuzz target
-  /// Whether a file's first bytes, or its length, are as the format demands; null if they do not
-  /// show it, so that only the extension decides.
+  /// Returns whether a file is of this format, by its first bytes or its length. Null if only the
+  /// extension decides.
   bool (*recognises)(std::string_view text);
   FileForm form;
   bool streams;  ///< the reader uses Source::sink, so that --memory reads the file in blocks
   Reader read;
 
-  /// Whether a file name's extension, in lower case without the dot, is of this format.
+  /// Returns whether an extension, in lower case without its dot, is of this format.
   [[nodiscard]] bool has_extension(std::string_view extension) const;
-  /// The fuzz target's name, and that of its seeds and dictionary.
+  /// Returns the name of the fuzz target, its seeds and its dictionary.
   [[nodiscard]] std::string_view target() const;
 };
 
-/// Every format, in the order in which files are compared with them.
+/// Returns all formats, in the order of detection.
 [[nodiscard]] std::span<const PointFormat> point_formats();
 
 /// Finds the format of a file: by its content if a format recognises it, otherwise by its extension

@@ -8,20 +8,20 @@
 namespace relief {
 namespace {
 
-constexpr unsigned kMagic[] = {0x1F, 0x8B};
-/// zlib's own window is 32 KiB; it takes and gives at most 4 GiB a call.
+constexpr unsigned kZipMagic[] = {0x1F, 0x8B};
+/// zlib's window is 32 KiB; a call handles at most 4 GiB.
 constexpr std::size_t kStep = std::size_t{1} << 20U;
-/// What is unpacked at a time.
+/// Bytes that are unpacked at a time.
 constexpr std::size_t kPieceBytes = std::size_t{64} << 10U;
 
 struct EndInflate {
   void operator()(z_stream* stream) const { inflateEnd(stream); }
 };
 
-/// Text of numbers is seldom packed tighter.
+/// Numbers as text are seldom packed tighter.
 constexpr std::size_t kLikelyRatio = 8;
 
-/// What the end of the file says of its size: a hint, as are others of a file with several members.
+/// The size stated at the end of the file: a hint, because a file may have several members.
 std::uint64_t stated_size(std::span<const std::byte> bytes) {
   std::uint64_t size = 0;
   for (const std::byte b : bytes.last(std::min<std::size_t>(4, bytes.size())))
@@ -37,8 +37,8 @@ bool only_zeros(std::span<const std::byte> bytes) {
 }  // namespace
 
 bool is_gzip(std::span<const std::byte> bytes) {
-  return bytes.size() >= 2 && std::to_integer<unsigned>(bytes[0]) == kMagic[0] &&
-         std::to_integer<unsigned>(bytes[1]) == kMagic[1];
+  return bytes.size() >= 2 && std::to_integer<unsigned>(bytes[0]) == kZipMagic[0] &&
+         std::to_integer<unsigned>(bytes[1]) == kZipMagic[1];
 }
 
 Status gunzip_pieces(const std::string& name, std::span<const std::byte> bytes,

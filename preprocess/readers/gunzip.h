@@ -1,4 +1,4 @@
-// gzip, as scans are often packed.
+// Decompresses gzip files.
 #pragma once
 
 #include <cstddef>
@@ -11,20 +11,21 @@
 
 namespace relief {
 
-/// Whether `bytes` begin as a gzip file does.
+/// Returns whether `bytes` begin as a gzip file.
 [[nodiscard]] bool is_gzip(std::span<const std::byte> bytes);
 
-/// Takes what was unpacked, piece by piece; `used`: packed bytes that it came from, all in all.
+/// Receives the decompressed data piece by piece. `used`: total number of compressed bytes read so
+/// far.
 using TakePiece = std::function<Status(std::span<const std::byte> piece, std::size_t used)>;
 
-/// Decompresses all members of a gzip file and hands them to `take`, whose failure ends it. `name`
-/// begins errors.
+/// Decompresses all members of a gzip file and passes them to `take`. Stops if `take` fails. Errors
+/// begin with `name`.
 Status gunzip_pieces(const std::string& name, std::span<const std::byte> bytes,
                      const Progress& progress, const TakePiece& take);
 
-/// Decompresses all members of a gzip file. The size that the file claims is not trusted: no more
-/// than eight times the packed bytes is set aside for it, memory is else taken as bytes come, and a
-/// file that grows beyond `limit` bytes is refused. `name` begins errors.
+/// Decompresses all members of a gzip file. The stated size is not trusted: at most eight times the
+/// compressed size is reserved for it, and memory then grows with the data. Fails if the data grow
+/// beyond `limit` bytes. Errors begin with `name`.
 Result<std::vector<std::byte>> gunzip(const std::string& name, std::span<const std::byte> bytes,
                                       std::uint64_t limit, const Progress& progress);
 

@@ -1,4 +1,4 @@
-// Numbers as binary files store them.
+// Number types of binary files.
 #pragma once
 
 #include <bit>
@@ -45,13 +45,13 @@ template <class Number, class Bits, bool BigEndian>
 }
 }  // namespace detail
 
-/// A little-endian whole number.
+/// Reads a little-endian unsigned integer.
 template <std::integral Number>
 [[nodiscard]] Number load_whole(const char* bytes) {
   return detail::load<Number, std::make_unsigned_t<Number>, false>(bytes);
 }
 
-/// Reads size_of(type) bytes. 64-bit integers above 2^53 are rounded; nothing else is.
+/// Reads size_of(type) bytes. Only 64-bit integers above 2^53 are rounded.
 template <bool BigEndian>
 [[nodiscard]] double load_number(NumberType type, const char* bytes) {
   using namespace detail;

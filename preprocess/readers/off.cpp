@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-/// What the keyword says about a vertex line: x y z, then nx ny nz, r g b [a], s t.
+/// The contents of a vertex line by the keyword: x y z, then nx ny nz, r g b [a], s t.
 struct OffKeyword {
   bool normals = false;
   bool colours = false;
@@ -17,7 +17,7 @@ struct OffKeyword {
   bool other_dimension = false;  ///< 4OFF, nOFF
 };
 
-/// [ST][C][N][4][n]OFF; false if `word` is no such keyword.
+/// [ST][C][N][4][n]OFF; false for other words.
 bool parse_keyword(std::string_view word, OffKeyword& keyword) {
   const auto skip = [&word](std::string_view prefix) {
     if (!word.starts_with(prefix)) return false;
@@ -114,7 +114,7 @@ class OffReader {
     return {};
   }
 
-  /// The last two numbers of the line: an opacity may stand between the colour and them.
+  /// The last two numbers of the line: an opacity may precede them.
   bool read_texcoord() {
     double numbers[3] = {};
     std::size_t count = 0;

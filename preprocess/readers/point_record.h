@@ -1,4 +1,4 @@
-// Points whose attributes come side by side, each under a name: PLY vertices, PCD points, columns.
+// Points stored as records of named numbers: PLY vertices, PCD points, text columns.
 #pragma once
 
 #include <array>
@@ -13,21 +13,21 @@
 
 namespace relief {
 
-/// What a named number means.
+/// The meaning of a number in a record.
 enum Role : std::uint8_t { X, Y, Z, Nx, Ny, Nz, Red, Green, Blue, U, V, Other };
 inline constexpr std::size_t kRoles = Other + 1;
 
 /// The numbers of one point, by role.
 using PointRecord = std::array<double, kRoles>;
 
-/// What a name (in lower case) means in any of the formats: x y z; nx or normal_x ...; red, r or
-/// diffuse_red ...; s t, u v or texture_u texture_v.
+/// Returns the role of a name (in lower case) in any of the formats: x y z; nx or normal_x ...;
+/// red, r or diffuse_red ...; s t, u v or texture_u texture_v.
 [[nodiscard]] Role role_of(std::string_view name);
 
-/// Which roles a record fills. Of two numbers with the same role the first counts.
+/// The roles of a record's numbers. If two numbers have one role, the first counts.
 class RecordLayout {
  public:
-  /// Adds the next number of the record; gives the role under which it is to be stored.
+  /// Adds the next number of the record and returns the role under which to store it.
   Role add(Role role);
 
   [[nodiscard]] bool positions() const { return has_[X] && has_[Y] && has_[Z]; }
@@ -42,18 +42,18 @@ class RecordLayout {
 /// Makes points from records.
 class PointCollector {
  public:
-  /// `count`: records to come, already checked against the size of the file.
+  /// `count`: number of records, already checked against the size of the file.
   PointCollector(const RecordLayout& layout, ColourNumbers colour_numbers, std::size_t count);
 
   void add(const PointRecord& record);
   [[nodiscard]] Points finish();
 
-  /// Whether the source's sink, if it has one, shall have what is there.
+  /// Returns whether a full block is ready for the source's sink.
   [[nodiscard]] bool is_block(const Source& source) const {
     return source.sink != nullptr && points_.positions.size() >= PointSink::kBlockPoints;
   }
-  /// Gives the sink what is there. The first block tells the scale of colours; fails if later ones
-  /// do not fit into it.
+  /// Passes the collected points to the sink. The first block determines the scale of colours;
+  /// fails if a later one exceeds it.
   Status give_block(const Source& source);
 
  private:
@@ -61,7 +61,7 @@ class PointCollector {
   ColourNumbers colour_numbers_;
   Points points_;
   std::vector<glm::vec3> colours_;
-  std::optional<float> colour_scale_;  ///< once a block has told it
+  std::optional<float> colour_scale_;  ///< set by the first block
 };
 
 }  // namespace relief

@@ -1,4 +1,4 @@
-// Triangles from the methods in which files write faces.
+// Splits the faces of files into triangles.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +17,8 @@ inline void append_polygon(std::span<const std::uint32_t> corners,
   }
 }
 
-/// Appends triangle strips as PLY's `tristrips` has them: each index makes a triangle with the two
-/// before it, every second one turned round; kNoPoint (written -1) starts a new strip,
-/// and with it the turning.
+/// Appends triangle strips as in PLY's `tristrips`: each index forms a triangle with the two before
+/// it, with every second one flipped. kNoPoint (written -1) starts a new strip.
 inline void append_strips(std::span<const std::uint32_t> indices,
                           std::vector<Triangle>& triangles) {
   std::size_t start = 0;

@@ -9,16 +9,16 @@
 namespace relief {
 namespace {
 
-/// Least bytes of a point: four numbers of a digit each, with what separates them.
+/// Least bytes of a point: four numbers of a digit each, with separators.
 constexpr std::size_t kMinPoint = 8;
 
-/// Where a scanner's frame stands: the rows of its axes, and its place.
+/// A scanner's frame: the rows of its axes, and its position.
 struct ScanFrame {
   glm::dvec3 axes[3];
-  glm::dvec3 place{0.0};
+  glm::dvec3 translation{0.0};
 
   [[nodiscard]] glm::dvec3 in_world(glm::dvec3 p) const {
-    return p.x * axes[0] + p.y * axes[1] + p.z * axes[2] + place;
+    return p.x * axes[0] + p.y * axes[1] + p.z * axes[2] + translation;
   }
 };
 
@@ -35,7 +35,7 @@ class PtxReader {
       ++scans;
       coloured += colours_.size() > before ? 1U : 0U;
     }
-    if (scans == 1) points_.viewpoint = frame_.place;
+    if (scans == 1) points_.viewpoint = frame_.translation;
     if (colours_.size() == points_.size()) {
       points_.colours = to_colours(colours_, ColourNumbers::Integer);
     } else if (coloured > 0) {
@@ -52,7 +52,7 @@ class PtxReader {
                       line_.expected(what));
   }
 
-  /// Columns, rows, the scanner's place and axes (which the matrix says again), the matrix, points.
+  /// Columns, rows, the scanner's position and axes (which the matrix repeats), the matrix, points.
   Status read_scan() {
     std::int64_t columns = 0;
     std::int64_t rows = 0;
@@ -81,8 +81,8 @@ class PtxReader {
       const glm::dvec3 row(numbers[0], numbers[1], numbers[2]);
       if (!std::isfinite(row.x + row.y + row.z))
         return wrong("finite numbers in the matrix before");
-      // Points are rows that are multiplied from the left, so the place is the last one.
-      (i < 3 ? frame_.axes[i] : frame_.place) = row;
+      // Points are rows that are multiplied from the left, so the translation is the last row.
+      (i < 3 ? frame_.axes[i] : frame_.translation) = row;
     }
     return {};
   }
@@ -112,7 +112,7 @@ class PtxReader {
       if (!line_.at_line_end()) return wrong("the line's end");
       if (!meter_.advance_to(line_.offset())) return interrupted_error();
       const glm::dvec3 p(n[0], n[1], n[2]);
-      // The scanner's own place stands for a beam that did not come back: NaN, as in PCD files.
+      // The scanner's own position means a beam without an echo: NaN, as in PCD files.
       constexpr double nan = std::numeric_limits<double>::quiet_NaN();
       points_.positions.push_back(p == glm::dvec3(0.0) ? glm::dvec3(nan) : frame_.in_world(p));
       if (coloured) colours_.emplace_back(n[4], n[5], n[6]);

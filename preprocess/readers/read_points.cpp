@@ -13,7 +13,8 @@
 namespace relief {
 namespace {
 
-/// How far a packed file may grow: half of this machine's memory. The points have to fit beside it.
+/// The largest size of an unpacked file: half of this machine's memory, so that its points also
+/// fit.
 std::uint64_t largest_text() {
   const auto pages = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES));
   const auto page_size = static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
@@ -28,7 +29,7 @@ Result<ReadResult> read_and_clean(const std::filesystem::path& path, std::vector
     bytes = std::move(unpacked);
   }
   std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  // Editors on Windows put this mark before text.
+  // The byte order mark that editors on Windows write.
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   if (text.empty()) return make_error("{}: the file is empty", name);
   RELIEF_TRY_ASSIGN(const PointFormat* const format, find_format(path, text));

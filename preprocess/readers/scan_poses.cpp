@@ -19,11 +19,12 @@ Result<std::vector<ScanPose>> read_scan_poses(const std::string& name, std::stri
     pose.file = std::string(line.word());
     double q[4] = {};
     bool good = !pose.file.empty();
-    for (glm::length_t c = 0; c < 3; ++c) good = good && line.number(pose.place[c]);
+    for (glm::length_t c = 0; c < 3; ++c) good = good && line.number(pose.translation[c]);
     for (double& part : q) good = good && line.number(part);
     const double length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
-    // Written with six digits: a length off by a hundredth is no rotation but other numbers.
-    if (!good || !(std::abs(length - 1.0) < 0.01) || !std::isfinite(glm::length(pose.place))) {
+    // Written with six digits: numbers with a length off by a hundredth are not a rotation.
+    if (!good || !(std::abs(length - 1.0) < 0.01) ||
+        !std::isfinite(glm::length(pose.translation))) {
       return make_error(
           "{}: line {}: expected bmesh FILE, a translation of three numbers and a quaternion of "
           "length 1",
@@ -42,7 +43,7 @@ Result<std::filesystem::path> find_scan(const std::filesystem::path& conf, const
   const std::filesystem::path path = resolve_beside(conf, pose.file);
   const std::string ending = lower_case(path.extension().string());
   if (ending != ".ply") {
-    return make_error("{}: names {}, which is no PLY file", conf.string(),
+    return make_error("{}: names {}, which is not a PLY file", conf.string(),
                       relief::quoted(pose.file));
   }
   std::error_code ignored;
@@ -54,12 +55,12 @@ Result<std::filesystem::path> find_scan(const std::filesystem::path& conf, const
 }
 
 void place_scan(const ScanPose& pose, Points& scan) {
-  for (glm::dvec3& p : scan.positions) p = pose.turn * p + pose.place;
+  for (glm::dvec3& p : scan.positions) p = pose.turn * p + pose.translation;
   for (glm::vec3& n : scan.normals) n = glm::vec3(pose.turn * glm::dvec3(n));
   for (CornerTangents& corners : scan.corner_tangents) {
     for (glm::vec4& t : corners) t = glm::vec4(glm::vec3(pose.turn * glm::dvec3(t)), t.w);
   }
-  if (scan.viewpoint) scan.viewpoint = pose.turn * *scan.viewpoint + pose.place;
+  if (scan.viewpoint) scan.viewpoint = pose.turn * *scan.viewpoint + pose.translation;
 }
 
 }  // namespace relief

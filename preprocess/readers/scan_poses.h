@@ -1,4 +1,4 @@
-// Range scans and where they stand: the .conf files of the Stanford 3D Scanning Repository.
+// Poses of range scans: the .conf files of the Stanford 3D Scanning Repository.
 #pragma once
 
 #include <cstdint>
@@ -14,26 +14,26 @@
 
 namespace relief {
 
-/// One scan: p of its file is at turn * p + place in the world.
+/// One scan: a point p of its file is at turn * p + translation in the world.
 struct ScanPose {
   std::string file;  ///< as the .conf file names it
   glm::dquat turn{1.0, 0.0, 0.0, 0.0};
-  glm::dvec3 place{0.0};
+  glm::dvec3 translation{0.0};
 };
 
-/// More scans than any object has; bounds what a hostile file asks for.
+/// More scans than any object has; limits what a hostile file can request.
 inline constexpr std::size_t kMaxScans = 1000;
 
-/// Reads lines `bmesh FILE tx ty tz qx qy qz qw`; `camera` and `mesh` lines that are none of a
-/// scan, blank ones and comments (#) are passed over. The quaternion is that of the way back, as
-/// these files have it. `name` begins errors.
+/// Reads lines `bmesh FILE tx ty tz qx qy qz qw`. Skips other lines, such as `camera` and `mesh`,
+/// blank lines and comments (#). As usual in these files, the quaternion is that of the inverse
+/// rotation. Errors begin with `name`.
 Result<std::vector<ScanPose>> read_scan_poses(const std::string& name, std::string_view text);
 
-/// Where the scan of a .conf file lies: beside it (see resolve_beside), as it is or with ".gz".
-/// Only PLY files are taken, so that no .conf leads to another.
+/// Returns the path of a scan of a .conf file: beside it (see resolve_beside), plain or with ".gz".
+/// Only PLY files are accepted, so that no .conf refers to another.
 Result<std::filesystem::path> find_scan(const std::filesystem::path& conf, const ScanPose& pose);
 
-/// Turns and moves a scan into the world.
+/// Transforms a scan into the world.
 void place_scan(const ScanPose& pose, Points& scan);
 
 }  // namespace relief

@@ -1,4 +1,4 @@
-// Lines and numbers of a text that is not trusted.
+// Reads lines, words and numbers of untrusted text.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 namespace relief {
 
 /// Walks over a text line by line and, within a line, word by word. Lines end with LF, CR LF or CR.
-/// Words are separated by spaces, tabs and whatever else `separators` names. Nothing is copied;
-/// line numbers are counted only when an error needs one.
+/// Words are separated by spaces, tabs and `separators`. Nothing is copied; lines are counted only
+/// when an error needs the number.
 class TextCursor {
  public:
   static constexpr std::string_view kBlanks = " \t\f\v";
@@ -18,33 +18,33 @@ class TextCursor {
   explicit TextCursor(std::string_view text, std::string_view separators = kBlanks,
                       char comment = '\0');
 
-  /// Goes to the next line that has a word in it; false at the end of the text.
+  /// Moves to the next line with a word; returns false at the end of the text.
   [[nodiscard]] bool next_line();
-  /// Goes to `offset`, the start of a line.
+  /// Moves to `offset`, the start of a line.
   void skip_to(std::size_t offset);
-  /// Goes past what is left of the line.
+  /// Skips the rest of the line.
   void skip_line();
 
-  /// Takes a number from the line: decimal, with or without exponent, nan, inf. False, and nothing
-  /// taken, if there is none. Values beyond double become infinite or zero.
+  /// Reads a number from the line: decimal, with or without exponent, nan, inf. Returns false and
+  /// moves nowhere if there is none. Values beyond double become infinite or zero.
   [[nodiscard]] bool number(double& value);
-  /// Takes an integer, if the next word is one from `least` to what 64 bits hold.
+  /// Reads an integer if the next word is one, from `least` to the largest of 64 bits.
   [[nodiscard]] bool integer(std::int64_t& value, std::int64_t least = INT64_MIN);
-  /// Takes a word; empty at the end of the line.
+  /// Reads a word; empty at the end of the line.
   [[nodiscard]] std::string_view word();
-  /// The next word, not taken.
+  /// Returns the next word without moving.
   [[nodiscard]] std::string_view peek();
-  /// Whether the line has no more words.
+  /// Returns whether the line has no more words.
   [[nodiscard]] bool at_line_end();
-  /// The rest of the line, without its end; taken.
+  /// Reads the rest of the line, without its end.
   [[nodiscard]] std::string_view rest_of_line();
 
   [[nodiscard]] std::size_t offset() const { return static_cast<std::size_t>(at_ - begin_); }
   [[nodiscard]] std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
-  /// The number of the current line, from 1. Counts: for errors only.
+  /// Returns the number of the current line, from 1. Counts lines: use it only for errors.
   [[nodiscard]] std::size_t line_number() const;
-  /// What stands where a number was expected, as a message: "line 12: expected a number, found
-  /// 'x'".
+  /// Returns a message about the next word, where a number was expected: "line 12: expected a
+  /// number, found 'x'".
   [[nodiscard]] std::string expected(std::string_view what);
 
  private:
@@ -65,7 +65,7 @@ class TextCursor {
   bool separator_[256] = {};
 };
 
-/// Reads the whole of `word` as a number, as TextCursor::number does.
+/// Reads all of `word` as a number, as TextCursor::number does.
 [[nodiscard]] bool parse_number(std::string_view word, double& value);
 
 }  // namespace relief

@@ -12,7 +12,7 @@
 namespace relief {
 namespace {
 
-// Gives every unknown texel the mean of its known neighbours, ring by ring outward from the known.
+// Sets every unknown texel to the mean of its known neighbours, ring by ring outward.
 template <class Value>
 void continue_outward(std::vector<Value>& values, std::vector<std::uint8_t>& known,
                       std::uint32_t width, std::uint32_t height) {
@@ -56,23 +56,25 @@ void continue_outward(std::vector<Value>& values, std::vector<std::uint8_t>& kno
   }
 }
 
-// The mean of the colours around a place, of a scan that is finer than the texels, `step` apart.
-glm::vec3 mean_colour(const PatchPoints& points, const PointGrid& lookup, glm::dvec2 place,
+// The mean of the colours around a position, for scans finer than the texels, which are `step`
+// apart.
+glm::vec3 mean_colour(const PatchPoints& points, const PointGrid& lookup, glm::dvec2 position,
                       std::uint32_t nearest, double step, const std::vector<glm::u8vec3>& colours) {
-  const double to_nearest = glm::distance(glm::dvec2(points.positions[nearest]), place);
-  // Never narrower than to the nearest point, so that weights do not all vanish.
+  const double to_nearest = glm::distance(glm::dvec2(points.positions[nearest]), position);
+  // At least the distance to the nearest point, so that some weight is above 0.
   const double radius = std::max(0.5 * step, 0.6 * to_nearest);
   glm::vec3 sum(0.0F);
   float weights = 0.0F;
-  lookup.for_each_within(place.x, place.y, 2.5 * radius, [&](std::uint32_t p, double squared) {
-    const auto w = static_cast<float>(std::exp(-squared / (radius * radius)));
-    sum += w * linear_from_srgb8(colours[points.ids[p]]);
-    weights += w;
-  });
+  lookup.for_each_within(
+      position.x, position.y, 2.5 * radius, [&](std::uint32_t p, double squared) {
+        const auto w = static_cast<float>(std::exp(-squared / (radius * radius)));
+        sum += w * linear_from_srgb8(colours[points.ids[p]]);
+        weights += w;
+      });
   return sum / weights;
 }
 
-// A texel has a colour of its own if one of the nodes around it is a sample.
+// A texel has its own colour if one of the nodes around it is a sample.
 bool beside_sample(const std::vector<NodeState>& states, const PatchGrid& grid, std::uint32_t a,
                    std::uint32_t b, std::uint32_t scale) {
   const std::uint32_t i0 = a / scale;
@@ -115,7 +117,8 @@ AttributeMap<glm::u8vec3> sample_colours(const PatchPoints& points, const PointG
   std::vector<glm::vec3> values(size, glm::vec3(0.0F));
   std::vector<std::uint8_t> known(size, 0);
   const double step = grid.spacing / scale;
-  std::optional<ColourInterpolation> between;  // costs a fit a point: not where all is averaged
+  std::optional<ColourInterpolation>
+      between;  // costs a fit for each point: not needed where colours are averaged
   for (std::uint32_t b = 0; b < map.height; ++b) {
     for (std::uint32_t a = 0; a < map.width; ++a) {
       if (!beside_sample(states, grid, a, b, scale)) continue;

@@ -1,4 +1,4 @@
-// Attribute maps of a patch: normals and colours on its base plane.
+// Computes the attribute maps of a patch: normals and colours on its base plane.
 #pragma once
 
 #include "common/patch.h"
@@ -7,15 +7,15 @@
 
 namespace relief {
 
-/// One normal per grid node: the fitted surface's, or the mean of the points' own. Holes continue
-/// their surroundings.
+/// Sets one normal per grid node: the fitted surface's, or the mean of the points' normals. Holes
+/// continue their surroundings.
 [[nodiscard]] AttributeMap<glm::i16vec2> sample_normals(const std::vector<SurfacePoint>& surface,
                                                         const std::vector<NodeState>& states,
                                                         const PatchGrid& grid, bool from_points);
 
-/// `scale` texels per grid cell: colours interpolated between the points (ColourInterpolation), and
-/// where the scan is finer than the texels the mean of the nearby ones, both in linear light.
-/// `colours` is one per point of the scan.
+/// Sets a colour map of `scale` texels per grid cell. Colours are interpolated between the points
+/// (ColourInterpolation); where the scan is finer than the texels, they are means of nearby points.
+/// Both in linear light. `colours` has one colour for each point of the scan.
 [[nodiscard]] AttributeMap<glm::u8vec3> sample_colours(
     const PatchPoints& points, const PointGrid& lookup, const std::vector<NodeState>& states,
     const PatchGrid& grid, const std::vector<glm::u8vec3>& colours, std::uint32_t scale);

@@ -14,33 +14,33 @@
 namespace relief {
 namespace {
 
-/// Points that a colour is made of. A checker of 11 spacings, points at random: 12 and 8 differ by
-/// 0.05 dB.
+/// Number of points that a colour is interpolated from. A checker of 11 spacings, points at random:
+/// 12 and 8 differ by 0.05 dB.
 constexpr int kMaxPoints = 8;
 /// Gradients are fitted with weights exp(-d^2 / s^2), and averaged with others, s in local scan
-/// spacings; what is farther than so many scales is left out.
+/// spacings; points farther than this many scales are ignored.
 constexpr double kGradientScale = 1.5;
 constexpr double kTensorScale = 1.2;
 constexpr double kCutoff = 2.0;
-/// Points for kriging are looked for within so many spacings.
+/// Search radius for kriging, in spacings.
 constexpr double kReach = 3.0;
-/// How much shorter distances are along an edge, and longer across it, at most. Checker of 11
+/// Largest factor by which distances shrink along an edge and grow across it. Checker of 11
 /// spacings, points on a loose grid: 1: 15.5 dB, 2: 16.8, 3: 17.3 with smoother gradients.
 constexpr double kMaxSteering = 3.0;
-/// Changes of colour per spacing below which there is no edge to speak of, and the ridge on
-/// gradients: noise of 8-bit colours.
+/// Changes of colour per spacing below which there is no edge, and the ridge on gradients: noise of
+/// 8-bit colours.
 constexpr double kNoise = 0.02;
 constexpr double kRidge = 1e-2;
-/// What coinciding points of different colours are apart, in spacings: they count as their mean.
+/// Assumed distance of coinciding points, in spacings: they count as their mean.
 constexpr double kNugget = 0.02;
-/// Slopes are followed up to 84 degrees, as tangent planes are.
+/// Slopes are limited to 84 degrees, like those of tangent planes.
 constexpr float kMinCosine = 0.1F;
 
 using Weights = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxPoints + 1, 1>;
 using Equations =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxPoints + 1, kMaxPoints + 1>;
 
-/// Takes offsets on the base plane to offsets along a surface with this normal, but for a turn.
+/// Maps offsets on the base plane to offsets along a surface with this normal, up to a rotation.
 glm::dmat2 along_surface(glm::vec3 normal) {
   const glm::dvec2 slope = glm::dvec2(normal) / double{std::max(normal.z, kMinCosine)};
   const double squared = glm::dot(slope, slope);
@@ -126,13 +126,13 @@ ColourInterpolation::Metric ColourInterpolation::metric_at(double x, double y,
 
 glm::vec3 ColourInterpolation::at(double x, double y, std::uint32_t nearest) const {
   const Metric metric = metric_at(x, y, nearest);
-  const glm::dvec2 place(x, y);
-  const double to_nearest = glm::length(glm::dvec2(points_.positions[nearest]) - place);
+  const glm::dvec2 position(x, y);
+  const double to_nearest = glm::length(glm::dvec2(points_.positions[nearest]) - position);
   const double reach = std::max(kReach * points_.spacing[nearest], 2.0 * to_nearest);
   std::vector<std::pair<double, std::uint32_t>> around;
   around.reserve(64);
   lookup_.for_each_within(x, y, reach, [&](std::uint32_t p, double /*square*/) {
-    around.emplace_back(metric.distance(glm::dvec2(points_.positions[p]) - place), p);
+    around.emplace_back(metric.distance(glm::dvec2(points_.positions[p]) - position), p);
   });
   const auto count = std::min<std::ptrdiff_t>(kMaxPoints, std::ssize(around));
   std::partial_sort(around.begin(), around.begin() + count, around.end());

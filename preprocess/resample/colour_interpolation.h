@@ -1,4 +1,4 @@
-// Colours between the points of a scan.
+// Interpolates colours between the points of a scan.
 #pragma once
 
 #include <cstdint>
@@ -11,26 +11,26 @@
 namespace relief {
 
 /// Interpolates the colours of a patch's points over its base plane by ordinary kriging with the
-/// linear variogram (Matheron 1963): exact at points, never beyond the colours around, and of all
-/// linear methods the best where colours change at edges, as their mean squared difference then
-/// grows with the distance. Distances are along the surface, and shorter along an edge than across
-/// it: the metric is steered by the structure tensor of the colours (as the kernels of Takeda et
-/// al. 2007, Kernel regression for image processing and reconstruction).
+/// linear variogram (Matheron 1963): exact at points, never beyond the surrounding colours, and the
+/// best linear method for colours that change at edges, because their mean squared difference grows
+/// with the distance. Distances are along the surface, and shorter along an edge than across it:
+/// the metric is steered by the structure tensor of the colours (as the kernels of Takeda et al.
+/// 2007, Kernel regression for image processing and reconstruction).
 class ColourInterpolation {
  public:
-  /// `colours`: one per point of the scan, sRGB. Keeps references; `lookup` is over all of
+  /// `colours`: one for each point of the scan, sRGB. Keeps references; `lookup` is over all of
   /// `points`.
   ColourInterpolation(const PatchPoints& points, const PointGrid& lookup,
                       const std::vector<glm::u8vec3>& colours);
 
-  /// The linear colour at (x, y), local, to which the point `nearest` is nearest.
+  /// Returns the linear colour at local (x, y). `nearest` is the nearest point.
   [[nodiscard]] glm::vec3 at(double x, double y, std::uint32_t nearest) const;
 
  private:
   /// Sum over the channels of the products of a gradient's components: along x, mixed, along y. Per
   /// squared unit on the base plane.
   using Tensor = glm::dvec3;
-  /// Across an edge and along it, for offsets on the base plane.
+  /// Distances across and along an edge, for offsets on the base plane.
   struct Metric;
 
   [[nodiscard]] Tensor gradient_at(std::uint32_t point) const;

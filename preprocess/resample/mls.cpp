@@ -22,8 +22,8 @@ constexpr double kFitRidge = 2e-3;
 // The fit may leave the points' own tangent planes by this many scales; further is an overshoot.
 constexpr double kMaxOvershoot = 0.5;
 
-// Points whose normals differ from the nearest one's by more (60 degrees) lie beyond a crest: seen
-// from the base plane they are near, on the surface they are not.
+// Points whose normals differ more from the nearest point's (60 degrees) lie beyond a crest: near
+// on the base plane, but far on the surface.
 constexpr float kMinLikeness = 0.5F;
 // Fitted normals may leave the mean normal by up to 37 degrees; further is an overshoot.
 constexpr float kMinAgreement = 0.8F;
@@ -31,18 +31,18 @@ constexpr float kMinAgreement = 0.8F;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Right = Eigen::Matrix<double, 6, 4>;
 
-/// Two doubles that the processor works on at once.
+/// Two doubles in one SIMD register.
 using Pair = double __attribute__((vector_size(16)));
 
-/// What a point adds to a fit.
+/// The contribution of a point to a fit.
 struct Term {
   std::array<Pair, 3> basis;     // of the polynomial, there
   std::array<Pair, 3> weighted;  // that times the point's weight
   std::array<double, 4> values;  // its height, then the components of its normal
 };
 
-/// The sums of a fit. Terms are taken in one by one, which is what rounding sees, but the sums of
-/// many stay in registers: half of the matrix fills them, the right side does again.
+/// The sums of a fit. Terms are added one by one, which defines the rounding, but sums stay in
+/// registers: first half of the matrix, then the right side.
 struct Sums {
   Matrix6 normal_matrix = Matrix6::Zero();  // the lower half of it
   Right right_side = Right::Zero();  // heights, then the three components of the points' normals
@@ -98,17 +98,17 @@ struct Sums {
   }
 };
 
-/// A point with a say in a fit.
+/// A weighted point of a fit.
 struct Found {
   std::uint32_t point;
   double dz;       // above the spot
   double squared;  // distance, in scales
 };
 
-/// Points are taken so many at a time; most fits have 15 to 25.
+/// Number of points that are added at a time; most fits have 15 to 25.
 constexpr std::size_t kBatch = 32;
 
-/// Takes points in.
+/// Adds points.
 void take_in(const PatchPoints& points, std::span<const Found> found, glm::dvec3 about,
              double scale, Sums& sums) {
   std::array<Term, kBatch> terms;
@@ -179,7 +179,7 @@ SurfacePoint evaluate_mls(const PatchPoints& points, const PointGrid& supporting
       fit.allFinite() && std::abs(fit(0, 0) * scale - implicit) <= kMaxOvershoot * scale;
   out.height = about.z + (sound ? fit(0, 0) * scale : implicit);
   out.fitted_normal = sound ? unit_or_up(glm::vec3(-fit(1, 0), -fit(2, 0), 1.0)) : mean;
-  // A mean alone leans towards where the points are; the fitted value does not.
+  // A mean is biased towards the denser side; the fitted value is not.
   const glm::vec3 fitted_mean = unit_or_up(glm::vec3(fit(0, 1), fit(0, 2), fit(0, 3)));
   out.given_normal = sound && glm::dot(fitted_mean, mean) > kMinAgreement ? fitted_mean : mean;
   return out;

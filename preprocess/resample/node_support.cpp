@@ -9,22 +9,22 @@
 namespace relief {
 namespace {
 
-// Within this many grid spacings of a point a node is taken without further question: a border
-// moves outward by less than one spacing.
+// A node within this many grid spacings of a point is always supported, so that a border moves
+// outward by less than one spacing.
 constexpr double kReachInSpacings = 0.9;
-// That is on the base plane; on a slope the surface is longer. Along the point's tangent plane the
-// node may be this many spacings away. (A tighter limit makes pinholes where normals are noisy.)
+// The limit above is on the base plane; on a slope the surface is longer. This is the limit along
+// the point's tangent plane. (A tighter limit makes pinholes where normals are noisy.)
 constexpr double kSlopeReachInSpacings = 3.0;
-// A point takes part in surrounding nodes up to this many of its own local scan spacings away. A
-// random sampling has an empty disc of radius 2.2 spacings about once in four million points
-// (exp(-pi 2.2^2)); the rest is for densities that change within the neighbourhood.
+// A point counts in surrounding nodes up to this many of its local scan spacings away. A random
+// sampling has an empty disc of radius 2.2 spacings about once in four million points (exp(-pi
+// 2.2^2)); the rest is for densities that change within the neighbourhood.
 constexpr double kSurroundInSpacings = 2.5;
-// ... or up to this many grid spacings, where the scan is finer than the grid: less is no gap that
-// a grid can keep.
+// ... or up to this many grid spacings, for scans finer than the grid: a grid cannot represent
+// smaller gaps.
 constexpr double kSurroundInGridSpacings = 1.5;
-// Such points are looked for within this many grid spacings.
+// Search radius for such points, in grid spacings.
 constexpr double kWidestSparseInSpacings = 8.0;
-// Surrounded: no empty sector wider than this.
+// A node is surrounded if no empty sector is wider than this.
 constexpr double kWidestSector = 160.0 / 180.0 * std::numbers::pi;
 
 constexpr std::uint8_t kAllOctants = 0xFF;
@@ -37,12 +37,12 @@ bool is_close(const PatchPoints& points, std::uint32_t p, double x, double y, do
   return plane_squared + rise * rise <= slope_reach * slope_reach;
 }
 
-/// How far a point takes part in surrounding nodes.
+/// The distance up to which a point counts in surrounding nodes.
 double surround_reach(const PatchPoints& points, std::uint32_t p, double spacing) {
   return std::max(kSurroundInSpacings * points.spacing[p], kSurroundInGridSpacings * spacing);
 }
 
-/// `widest_reach`: of the points of `lookup`, or more.
+/// `widest_reach`: at least that of any point of `lookup`.
 bool is_surrounded(const PatchPoints& points, const PointGrid& lookup, double x, double y,
                    double spacing, double widest_reach) {
   std::vector<double> angles;
@@ -60,14 +60,14 @@ bool is_surrounded(const PatchPoints& points, const PointGrid& lookup, double x,
   return widest <= kWidestSector;
 }
 
-/// The bit of the eighth of a turn that a direction lies in; bits are in the order of angles.
+/// Returns the bit of a direction's octant; bits are in the order of angles.
 std::uint8_t octant_bit(double dx, double dy) {
   const unsigned quadrant = dy < 0.0 ? (dx < 0.0 ? 2U : 3U) : (dx < 0.0 ? 1U : 0U);
   const unsigned steep = std::abs(dy) > std::abs(dx) ? 1U : 0U;
   return static_cast<std::uint8_t>(1U << (2U * quadrant + (steep ^ (quadrant & 1U))));
 }
 
-/// The most octants beside each other that have no bit.
+/// Returns the length of the longest run of octants without a bit.
 int empty_run(std::uint8_t octants) {
   int run = 0;
   auto empty = static_cast<std::uint8_t>(~octants);
@@ -100,7 +100,7 @@ bool NodeSupport::have_all_octants(std::size_t begin, std::size_t end) const {
 
 template <class Fn>
 void NodeSupport::for_nodes_within(glm::dvec3 point, double radius, const Fn& fn) {
-  // A little outward, against rounding: what is beyond the radius is told by its distance.
+  // Slightly outward because of rounding; nodes beyond the radius are excluded by their distance.
   constexpr double slack = 1e-6;
   const auto first = [&](double low) {
     return static_cast<std::uint32_t>(std::max(0.0, low / grid_.spacing + 1.0 - slack));
@@ -152,7 +152,8 @@ NodeSupport::NodeSupport(const PatchPoints& points, const PointGrid& lookup, con
 }
 
 bool NodeSupport::is_supported(std::uint32_t i, std::uint32_t j) const {
-  // A run of n empty octants is in an empty sector of n to n + 2: 45 n to 45 (n + 2) degrees.
+  // A run of n empty octants lies in an empty sector of n to n + 2 octants: 45 n to 45 (n + 2)
+  // degrees.
   const int run = empty_run(octants_[std::size_t{j} * grid_.width + i]);
   static_assert(kWidestSector > 1.01 * 3.0 * std::numbers::pi / 4.0 &&
                 1.01 * kWidestSector < std::numbers::pi);

@@ -11,20 +11,19 @@ namespace relief {
 namespace {
 
 // Margin points steeper than this (60 degrees) support no samples: a cell there is more than two
-// spacings long, and what sticks out beyond a crest is a spike (docs/decisions/0032 has the
-// figures).
+// spacings long, and points beyond a crest become spikes (docs/decisions/0032 has the figures).
 constexpr float kMinSupportCosine = 0.5F;
-// But those that their own region too sees at a slope of 53 degrees or more: where a border is
-// steep for both its patches, neither would have a margin. They support samples if they are not
-// twice as steep here (iron_scan, see-through pixels in twelve views of 1280x1024: 4, of which this
-// closes 3; for every point instead, fandisk lost 0.6 dB to spikes at its creases).
+// Exception: points at a slope of 53 degrees or more in their own region. At a border that is steep
+// for both patches, neither would have a margin. They support samples unless they are twice as
+// steep here (iron_scan, see-through pixels in twelve views of 1280x1024: 4, of which this closes
+// 3; for every point instead, fandisk lost 0.6 dB to spikes at its creases).
 constexpr float kSteepOwnCosine = 0.6F;
 constexpr float kMinShareOfOwnCosine = 0.5F;
-// Nor is the margin followed beyond this slope (80 degrees).
+// The margin ends at this slope (80 degrees).
 constexpr float kMinMarginCosine = 0.17F;
 
-/// The points without those that can't be the farthest in any direction: well inside the octagon
-/// of the farthest ones in eight.
+/// Removes points that cannot be the farthest in any direction: those well inside the octagon of
+/// the farthest points in eight directions.
 std::vector<glm::dvec2> near_hull(const std::vector<glm::dvec2>& points) {
   constexpr std::array<glm::dvec2, 8> directions{
       {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
@@ -39,7 +38,7 @@ std::vector<glm::dvec2> near_hull(const std::vector<glm::dvec2>& points) {
       corners[d] = p;
     }
   }
-  // What rounds to as far as a corner must stay.
+  // Points as far as a corner after rounding must stay.
   const double rounding =
       1e-9 * (glm::distance(corners[0], corners[4]) + glm::distance(corners[2], corners[6]));
   std::vector<glm::dvec2> near;
@@ -109,7 +108,7 @@ class PointSet {
  private:
   static constexpr std::uint32_t kEmpty = std::numeric_limits<std::uint32_t>::max();
 
-  /// Where the point is, or where it would be put.
+  /// Returns the slot of a point, or the free slot for it.
   [[nodiscard]] std::size_t slot_of(std::uint32_t point) const {
     const std::size_t mask = slots_.size() - 1;
     std::size_t slot = (point * 0x9E3779B97F4A7C15ULL >> 32U) & mask;
@@ -121,8 +120,8 @@ class PointSet {
   std::size_t count_ = 0;
 };
 
-// Grows outward from the region over the neighbour graph. Each reached point remembers the region's
-// point it was reached from; the distance to that one on the base plane is what `margin` limits.
+// Grows outward from the region through the neighbour graph. Each reached point remembers the
+// region's point from which it was reached; `margin` limits their distance on the base plane.
 void grow_margin(const SurfaceSamples& samples, const NeighbourGraph& graph, const Region& region,
                  const std::vector<std::uint32_t>& region_of, double margin,
                  std::vector<std::uint32_t>& ids) {
@@ -155,7 +154,7 @@ void grow_margin(const SurfaceSamples& samples, const NeighbourGraph& graph, con
 }
 
 /// The least cosine to the base-plane normal with which a margin point supports samples.
-float least_support_cosine(float own_cosine) {
+float min_support_cosine(float own_cosine) {
   return own_cosine < kSteepOwnCosine ? kMinShareOfOwnCosine * own_cosine : kMinSupportCosine;
 }
 
@@ -178,8 +177,7 @@ PatchPoints collect_patch_points(const SurfaceSamples& samples, const NeighbourG
   const auto margin_begin = out.ids.begin() + static_cast<std::ptrdiff_t>(out.own);
   std::sort(margin_begin, out.ids.end());
   const auto steep = std::stable_partition(margin_begin, out.ids.end(), [&](std::uint32_t i) {
-    return glm::dot(samples.normals[i], region.normal) >=
-           least_support_cosine(membership.cosine[i]);
+    return glm::dot(samples.normals[i], region.normal) >= min_support_cosine(membership.cosine[i]);
   });
   out.supporting = static_cast<std::size_t>(steep - out.ids.begin());
 

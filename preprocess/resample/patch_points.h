@@ -1,4 +1,4 @@
-// The points of one region, and of its surroundings, in the frame of the patch they become.
+// The points of a region and its surroundings, in the frame of the region's patch.
 #pragma once
 
 #include <algorithm>
@@ -20,13 +20,13 @@ struct PatchFrame {
   }
 };
 
-/// Points in a patch frame (x, y on the base plane, z the height; world units), the region's own
-/// first, then those of the overlap margin that support samples, then those too steep for that,
-/// which only steady the fits.
+/// Points in a patch frame (x, y on the base plane, z the height; world units): first the region's
+/// own, then those of the overlap margin that support samples, then those too steep for that, which
+/// only stabilise the fits.
 struct PatchPoints {
   PatchFrame frame;
-  std::size_t own = 0;             ///< this many belong to the region
-  std::size_t supporting = 0;      ///< this many, own ones among them, support samples
+  std::size_t own = 0;             ///< number of points of the region
+  std::size_t supporting = 0;      ///< number of points that support samples, own ones included
   std::vector<std::uint32_t> ids;  ///< indices into the scan
   std::vector<glm::dvec3> positions;
   std::vector<glm::vec3> normals;  ///< unit, in the patch frame; all face +z
@@ -35,7 +35,7 @@ struct PatchPoints {
   [[nodiscard]] std::size_t size() const { return ids.size(); }
 };
 
-/// The height above (x, y) of a point's tangent plane, followed to slopes of 84 degrees at most.
+/// Returns the height of a point's tangent plane above (x, y), for slopes up to 84 degrees.
 [[nodiscard]] inline double tangent_height(const PatchPoints& points, std::uint32_t point, double x,
                                            double y) {
   // The cosine of 84 degrees, the limit of all regions.
@@ -46,10 +46,10 @@ struct PatchPoints {
   return p.z - (n.x * (x - p.x) + n.y * (y - p.y)) / steep;
 }
 
-/// Collects a region's points and those around it that lie on the same sheet, up to `margin` world
-/// units away on the base plane, over the neighbour graph (the papers' epsilon neighbourhood). The
-/// frame's first two axes run along the smallest rectangle around the region's own points.
-/// `membership` of all points; not read where `margin` is 0, which collects none around.
+/// Collects a region's points and surrounding points of its sheet, up to `margin` world units away
+/// on the base plane, through the neighbour graph (the papers' epsilon neighbourhood). The frame's
+/// first two axes run along the smallest rectangle around the region's own points. `membership`
+/// covers all points; it is not read if `margin` is 0, which collects no surroundings.
 [[nodiscard]] PatchPoints collect_patch_points(const SurfaceSamples& samples,
                                                const NeighbourGraph& graph, const Region& region,
                                                const Membership& membership, double margin);

@@ -7,16 +7,16 @@
 namespace relief {
 namespace {
 
-// The finest spacing that patches have is that of the densest twentieth of the points: less would
-// be the spacing of a few points that lie close by chance.
+// The finest spacing of patches is that of the densest twentieth of the points: a smaller share
+// could be a few points that are close by chance.
 constexpr double kFinestShare = 0.05;
 
-/// The value that this share of all are below.
+/// Returns the value below which this share of the values lie.
 double quantile(std::vector<float>& values, double share) {
-  const auto place =
+  const auto at =
       values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// How far apart the samples of each patch are, where the scan's density differs.
+// Chooses each patch's spacing for scans of varying density.
 #pragma once
 
 #include <vector>
@@ -7,15 +7,15 @@
 
 namespace relief {
 
-/// The coarsest patch's spacing over the finest one's, at most.
+/// Largest ratio of the coarsest patch's spacing to the finest one's.
 inline constexpr double kWidestSpacingRatio = 8.0;
-/// In one region, the spacing that a tenth of the points exceed over the one that a tenth fall
-/// below, at most. Much less would part even scans for the noise of the estimate.
+/// Largest ratio, in one region, of the spacing that a tenth of the points exceed to the one that a
+/// tenth fall below. A much smaller limit would split even scans because of the estimate's noise.
 inline constexpr double kWidestDensityRatio = 3.0;
 
-/// The spacing of each region's patch in spacings of the model: the median of its points' local
-/// spacings over the median of all, from that of the densest twentieth of the scan to eight times
-/// it.
+/// Returns the spacing of each region's patch in spacings of the model: the median of its points'
+/// local spacings over the median of all points, limited to between that of the densest twentieth
+/// of the scan and eight times it.
 [[nodiscard]] std::vector<double> spacing_factors(const SurfaceSamples& samples,
                                                   const std::vector<Region>& regions);
 

@@ -15,7 +15,7 @@ PointGrid::PointGrid(const PatchPoints& points, std::size_t count, double cell) 
     high_x = std::max(high_x, points.positions[p].x);
     high_y = std::max(high_y, points.positions[p].y);
   }
-  // A far outlier must not buy a table larger than the points deserve.
+  // A far outlier must not make the table larger than the points justify.
   const double budget = 16.0 * static_cast<double>(count) + 1024.0;
   while (((high_x - low_x_) / cell_ + 1.0) * ((high_y - low_y_) / cell_ + 1.0) > budget) {
     cell_ *= 2.0;
@@ -32,11 +32,11 @@ PointGrid::PointGrid(const PatchPoints& points, std::size_t count, double cell) 
   for (std::size_t b = 1; b < starts_.size(); ++b) starts_[b] += starts_[b - 1];
   std::vector<std::uint32_t> cursor(starts_.begin(), starts_.end() - 1);
   sorted_.resize(count);
-  places_.resize(count);
+  positions_.resize(count);
   for (std::size_t p = 0; p < count; ++p) {
-    const std::uint32_t place = cursor[bucket(p)]++;
-    sorted_[place] = static_cast<std::uint32_t>(p);
-    places_[place] = glm::dvec2(points.positions[p]);
+    const std::uint32_t position = cursor[bucket(p)]++;
+    sorted_[position] = static_cast<std::uint32_t>(p);
+    positions_[position] = glm::dvec2(points.positions[p]);
   }
 }
 

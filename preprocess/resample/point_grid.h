@@ -1,4 +1,4 @@
-// Points of a patch in square buckets over its base plane: the neighbour lookup of the resampling.
+// The neighbour lookup of resampling: points of a patch in square buckets over its base plane.
 #pragma once
 
 #include <algorithm>
@@ -16,10 +16,10 @@ class PointGrid {
  public:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-  /// Takes the first `count` of `points`; `cell` is the bucket side, world units.
+  /// Uses the first `count` points; `cell` is the side of a bucket, world units.
   PointGrid(const PatchPoints& points, std::size_t count, double cell);
 
-  /// The points taken.
+  /// Returns the number of points used.
   [[nodiscard]] std::size_t size() const { return sorted_.size(); }
 
   /// Calls fn(index, squared plane distance) for every point within `radius` of (x, y).
@@ -32,19 +32,19 @@ class PointGrid {
     for (std::int64_t j = j0; j <= j1; ++j) {
       const std::uint32_t* start = starts_.data() + j * columns_;
       for (std::uint32_t m = start[i0]; m < start[i1 + 1]; ++m) {
-        const double dx = places_[m].x - x;
-        const double dy = places_[m].y - y;
+        const double dx = positions_[m].x - x;
+        const double dy = positions_[m].y - y;
         const double squared = dx * dx + dy * dy;
         if (squared <= radius * radius) fn(sorted_[m], squared);
       }
     }
   }
 
-  /// The point nearest to (x, y) on the plane within `radius`, or kNone.
+  /// Returns the point nearest to (x, y) on the plane within `radius`, or kNone.
   [[nodiscard]] std::uint32_t nearest(double x, double y, double radius) const;
 
  private:
-  // What is beside the grid counts to its rim. (Clamped first, what is cut off is the floor.)
+  // Positions outside the grid count to its rim. (Clamped first, so that truncation is the floor.)
   [[nodiscard]] std::int64_t column(double x) const {
     return static_cast<std::int64_t>(
         std::clamp((x - low_x_) / cell_, 0.0, static_cast<double>(columns_ - 1)));
@@ -61,7 +61,7 @@ class PointGrid {
   std::int64_t rows_ = 1;
   std::vector<std::uint32_t> starts_;  // of each bucket in sorted_, row-major, with an end
   std::vector<std::uint32_t> sorted_;
-  std::vector<glm::dvec2> places_;  // of sorted_, beside each other as they are asked for
+  std::vector<glm::dvec2> positions_;  // of sorted_, adjacent as they are read
 };
 
 }  // namespace relief

@@ -9,21 +9,20 @@
 namespace relief {
 namespace {
 
-// Patches of fewer points are looked at for being covered by others.
+// Patches of fewer points are tested for being covered by others.
 constexpr std::size_t kSmallPatchPoints = 64;
 
-std::vector<Patch> resample_all(const SurfaceSamples& samples, const NeighbourGraph& graph,
-                                const std::vector<Region>& regions, const Membership& membership,
-                                const std::vector<double>& factors,
-                                const std::vector<glm::u8vec3>& colours,
-                                const ResampleOptions& options, Progress& progress) {
-  progress.begin_stage("resample", samples.positions.size());
+std::vector<Patch> resample_all(const ScanSurface& scan, const std::vector<double>& factors,
+                                const ResampleOptions& options, const std::vector<Region>& regions,
+                                Progress& progress) {
+  progress.begin_stage("resample", scan.samples.positions.size());
   std::vector<Patch> patches(regions.size());
   tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t r) {
     if (progress.cancelled()) return;
     ResampleOptions own = options;
     own.spacing *= factors[r];
-    patches[r] = resample_region(samples, graph, regions[r], membership, colours, own);
+    patches[r] =
+        resample_region(scan.samples, scan.graph, regions[r], scan.membership, scan.colours, own);
     progress.advance(regions[r].points.size());
   });
   return patches;
@@ -59,14 +58,11 @@ std::vector<std::uint32_t> owners_of(const std::vector<Region>& regions, std::si
   return owner;
 }
 
-std::vector<Patch> make_patches(const SurfaceSamples& samples, const NeighbourGraph& graph,
-                                const Membership& membership, const std::vector<double>& factors,
-                                const std::vector<glm::u8vec3>& colours,
+std::vector<Patch> make_patches(const ScanSurface& scan, const std::vector<double>& factors,
                                 const ResampleOptions& options, std::vector<Region>& regions,
                                 Progress& progress) {
-  std::vector<Patch> patches =
-      resample_all(samples, graph, regions, membership, factors, colours, options, progress);
-  if (!progress.cancelled()) drop_redundant(samples, graph, regions, patches);
+  std::vector<Patch> patches = resample_all(scan, factors, options, regions, progress);
+  if (!progress.cancelled()) drop_redundant(scan.samples, scan.graph, regions, patches);
   return patches;
 }
 

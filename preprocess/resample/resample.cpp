@@ -13,9 +13,9 @@
 namespace relief {
 namespace {
 
-// Heights are rounded to a twentieth of a spacing (DESIGN.md).
+// Heights are rounded to a twentieth of a spacing by default.
 constexpr double kDefaultStepsPerSpacing = 20.0;
-// Margin nodes need points a little beyond them for their fits.
+// The fits of margin nodes need points slightly beyond them.
 constexpr double kFitReachInSpacings = 2.5;
 
 // The part of a grid that holds all its samples.
@@ -79,7 +79,7 @@ void store_heights(const std::vector<SurfacePoint>& surface, const std::vector<N
   }
 }
 
-// Buckets about as large as what a fit looks at.
+// Buckets about as large as the neighbourhood of a fit.
 double bucket_side(const PatchPoints& points, double spacing) {
   double sum = 0.0;
   for (const float s : points.spacing) sum += s;
@@ -148,8 +148,8 @@ double choose_spacing(const SurfaceSamples& samples, const NeighbourGraph& graph
     }
   }
   double spacing = std::sqrt(area / count);
-  // The area counts no borders and trusts estimated densities; counting nodes corrects for both.
-  // Two corrections come within about 1 %.
+  // The area ignores borders and relies on estimated densities; counting nodes corrects both. Two
+  // corrections come within about 1 %.
   for (int round = 0; round < 2; ++round) {
     std::vector<std::size_t> nodes(regions.size(), 0);
     tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t r) {

@@ -33,14 +33,14 @@ PatchGrid lay_grid(const PatchPoints& points, double spacing, int overlap_cells)
 
 namespace {
 
-/// What surrounds a hole.
+/// The surroundings of a hole.
 class Surroundings {
  public:
   Surroundings(const PatchGrid& grid, const std::vector<NodeState>& states, std::uint32_t i,
                std::uint32_t j)
       : grid_(grid), states_(states), i_(i), j_(j) {}
 
-  /// Whether one of its eight neighbours is a sample.
+  /// Returns whether one of the eight neighbours is a sample.
   [[nodiscard]] bool has_sample() const {
     for (std::uint32_t b = j_ > 0 ? j_ - 1 : 0; b <= j_ + 1; ++b) {
       for (std::uint32_t a = i_ > 0 ? i_ - 1 : 0; a <= i_ + 1; ++a) {
@@ -50,7 +50,7 @@ class Surroundings {
     return false;
   }
 
-  /// With samples on opposite sides it is narrower than a grid can tell from a gap.
+  /// With samples on opposite sides, it is narrower than any gap that a grid can represent.
   [[nodiscard]] bool in_slit() const {
     return (is_sample(i_ - 1, j_) && is_sample(i_ + 1, j_)) ||
            (is_sample(i_, j_ - 1) && is_sample(i_, j_ + 1));
@@ -103,7 +103,7 @@ std::vector<NodeState> find_support(const PatchPoints& points, const PatchLookup
       return around.has_sample() && by_supporting.is_supported(i, j);
     });
   }
-  // What is too steep between two margins is still seen through.
+  // A steep slit between two margins would remain a visible gap.
   fill_holes(grid, states, NodeState::Margin, [&](Node i, Node j, const Surroundings& around) {
     return around.in_slit() && is_supported(points, lookups.all, grid.x0 + i * grid.spacing,
                                             grid.y0 + j * grid.spacing, grid.spacing);

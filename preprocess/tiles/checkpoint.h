@@ -1,5 +1,5 @@
-// What a conversion in tiles keeps on disk from step to step, so that a later run can go on from
-// there. Of this machine and this version alone; a checksum tells damage.
+// Checkpoints of a conversion in tiles, from which a later run continues. Valid only on this
+// machine and for this version; a checksum detects damage.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace relief {
 
-/// Collects numbers and lists of them, then writes them at once.
+/// Collects numbers and lists of numbers, then writes them at once.
 class CheckpointWriter {
  public:
   template <class T>
@@ -32,7 +32,7 @@ class CheckpointWriter {
     }
   }
 
-  /// Writes beside and renames: `path` is whole or not there.
+  /// Writes `path` atomically.
   Status save(const std::filesystem::path& path) const;
 
  private:
@@ -45,13 +45,13 @@ class CheckpointWriter {
   std::vector<std::byte> bytes_;
 };
 
-/// Reads what CheckpointWriter wrote, in the same order.
+/// Reads the values of a CheckpointWriter, in their order.
 class CheckpointReader {
  public:
   /// Fails with one sentence if the file is missing or damaged.
   static Result<CheckpointReader> open(const std::filesystem::path& path);
 
-  /// False if the file has no such value: it is of another version.
+  /// Returns false if the file has no such value, so that it is of another version.
   template <class T>
   requires std::is_trivially_copyable_v<T>
   [[nodiscard]] bool take(T& value) {
@@ -71,7 +71,7 @@ class CheckpointReader {
       at_ += count * sizeof(T);
       return true;
     } else {
-      // Each item has its own count.
+      // Each item stores its own count.
       if (!take(count) || count > left() / sizeof(std::uint64_t)) return false;
       list.resize(count);
       return std::all_of(list.begin(), list.end(), [this](T& item) { return take(item); });
@@ -86,10 +86,10 @@ class CheckpointReader {
   std::size_t at_ = 0;
 };
 
-/// For a state file that is whole but not what this program writes.
+/// Returns the error of an undamaged checkpoint that this program did not write.
 [[nodiscard]] Error wrong_checkpoint(const std::filesystem::path& path);
 
-/// Writes a file of these values (std::tie), whole or not at all.
+/// Writes a file of these values (std::tie), atomically.
 template <class... Values>
 Status save_checkpoint(const std::filesystem::path& path, const std::tuple<Values&...>& values) {
   CheckpointWriter state;
@@ -97,7 +97,7 @@ Status save_checkpoint(const std::filesystem::path& path, const std::tuple<Value
   return state.save(path);
 }
 
-/// Reads what save_checkpoint wrote of the same values.
+/// Reads the values that save_checkpoint wrote.
 template <class... Values>
 Status load_checkpoint(const std::filesystem::path& path, const std::tuple<Values&...>& values) {
   RELIEF_TRY_ASSIGN(auto state, CheckpointReader::open(path));

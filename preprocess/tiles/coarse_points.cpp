@@ -9,16 +9,16 @@
 namespace relief {
 namespace {
 
-/// What a block of samples adds up to, patch frame.
+/// Sums of a block of samples, patch frame.
 struct BlockSums {
-  glm::dvec3 place{0.0};  // nodes, nodes, height steps
+  glm::dvec3 position{0.0};  // nodes, nodes, height steps
   int samples = 0;
   glm::vec3 normal{0.0F};
   glm::vec3 light{0.0F};
   int texels = 0;
 };
 
-/// The colours nearest to a node: a cell's worth about it.
+/// The colours of the cell around a node.
 void add_texels(const AttributeMap<glm::u8vec3>& map, std::uint32_t i, std::uint32_t j,
                 BlockSums& sums) {
   const std::uint32_t half = map.scale / 2;
@@ -37,7 +37,7 @@ void add_texels(const AttributeMap<glm::u8vec3>& map, std::uint32_t i, std::uint
 void add_node(const Patch& patch, std::uint32_t i, std::uint32_t j, BlockSums& sums) {
   const std::int32_t height = patch.at(i, j);
   if (height == kHole) return;
-  sums.place += glm::dvec3(i, j, height);
+  sums.position += glm::dvec3(i, j, height);
   ++sums.samples;
   const auto& normals = patch.normals;
   const std::size_t at = (std::size_t{j} * normals.width + std::size_t{i}) * normals.scale;
@@ -46,7 +46,7 @@ void add_node(const Patch& patch, std::uint32_t i, std::uint32_t j, BlockSums& s
 }
 
 void append(const Patch& patch, const BlockSums& sums, Points& points) {
-  const glm::dvec3 mean = sums.place / static_cast<double>(sums.samples);
+  const glm::dvec3 mean = sums.position / static_cast<double>(sums.samples);
   points.positions.push_back(
       patch.origin +
       patch.axes * (mean * glm::dvec3(patch.spacing, patch.spacing, patch.height_step)));

@@ -1,4 +1,4 @@
-// A patch's samples as the points of a coarser scan.
+// Makes the points of a coarser scan from a patch's samples.
 #pragma once
 
 #include "common/patch.h"
@@ -6,10 +6,10 @@
 
 namespace relief {
 
-/// A point for each two by two of a patch's nodes that have a sample: the means of the samples'
-/// places, normals and colours (of linear light), so that what is finer than the new spacing, twice
-/// the patch's, is averaged and not left out. World frame; has normals, and colours if the patch
-/// has.
+/// Returns a point for each two by two nodes of a patch that have a sample: the mean of the
+/// samples' positions, normals and colours (in linear light). Detail finer than the new spacing,
+/// twice the patch's, is averaged and not skipped. World frame. The points have normals, and
+/// colours if the patch has.
 [[nodiscard]] Points coarse_points(const Patch& patch);
 
 }  // namespace relief

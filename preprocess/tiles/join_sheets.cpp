@@ -14,8 +14,8 @@
 namespace relief {
 namespace {
 
-/// Two sheets of different tiles, by their numbers among all, and how many more of the points that
-/// both have agree than do not.
+/// Two sheets of different tiles, by global number, and the number of common points that agree
+/// minus those that do not.
 struct Link {
   std::uint32_t a;
   std::uint32_t b;
@@ -35,7 +35,7 @@ class Joiner {
   }
 
  private:
-  /// Sheet 0 of all is what needs no turning: given normals.
+  /// Global sheet 0 stands for given normals, which need no flip.
   Status number_sheets(const Progress& progress) {
     sums_.emplace_back();
     for (const SurveyPaths& tile : tiles_) {
@@ -60,7 +60,7 @@ class Joiner {
     return count_[tile] > 0 ? first_[tile] + sheet : 0;
   }
 
-  /// Home by home, so that two tiles' files at most are in memory.
+  /// Home by home, so that at most two tiles' files are in memory.
   Status count_votes(const Progress& progress) {
     const bool all_are_given = sums_.size() == 1;
     if (all_are_given) return {};
@@ -138,7 +138,7 @@ class Joiner {
   std::vector<SheetSums> sums_;                    // of all sheets
   std::vector<std::uint32_t> first_;               // of each tile's sheets
   std::vector<std::uint32_t> count_;               // of each tile's sheets; 0: normals are given
-  std::vector<std::uint8_t> has_surface_;          // tiles without have nothing to say
+  std::vector<std::uint8_t> has_surface_;          // tiles without sums do not count
   std::vector<std::vector<std::uint32_t>> homes_;  // of the points in each tile's rim
   std::unordered_map<std::uint64_t, std::int64_t> votes_;
 };

@@ -1,4 +1,4 @@
-// Normals of tiles that were oriented each for itself, made to agree.
+// Makes the orientations of normals of different tiles consistent.
 #pragma once
 
 #include <cstdint>
@@ -10,18 +10,19 @@
 
 namespace relief {
 
-/// For each tile, of each of its sheets, whether its normals are to be turned round.
+/// For each tile and each of its sheets: whether its normals must be flipped.
 using SheetTurns = std::vector<std::vector<std::uint8_t>>;
 
-/// Where a tile's survey and its rim are kept.
+/// Files of a tile's survey and its rim.
 struct SurveyPaths {
   std::filesystem::path survey;
   std::filesystem::path rim;
 };
 
-/// Points in the halos of tiles are seen by two tiles, which tells how their sheets lie to each
-/// other: joined along those that most points agree on, then turned outward (or to the viewpoint)
-/// as the sheets of one scan are. Sheets that touch a tile with given normals follow these.
+/// Joins the sheets of tiles. Points in halos belong to two tiles, which relates the orientation of
+/// their sheets. Sheets are joined along the relations that most points support, then turned
+/// outward (or to the viewpoint) like the sheets of one scan. Sheets that touch a tile with given
+/// normals follow these.
 Result<SheetTurns> join_sheets(const std::vector<SurveyPaths>& tiles, bool has_viewpoint,
                                const Progress& progress);
 

@@ -17,10 +17,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A level that leaves more than this share of the samples of the one below is not worth its bytes:
-/// what is left are borders of patches.
+/// the rest are borders of patches.
 constexpr double kMaxLeft = 0.6;
-/// Margins are in both patches that meet: points are a little more than a quarter of the samples,
-/// and tiles that were cut from a scan are 0.7 full on average.
+/// Margins belong to both adjacent patches: points are slightly more than a quarter of the samples,
+/// and tiles cut from a scan are 0.7 full on average.
 constexpr double kFullerThanCut = 1.2;
 
 /// The tiles of a level, whose parts are in a folder.
@@ -40,7 +40,7 @@ Status count_samples(Level& level) {
   return {};
 }
 
-/// Puts the points of a level's patches into the tiles of the next one.
+/// Distributes the points of a level's patches to the tiles of the next level.
 Status spread_level(const Level& below, TileWriter& tiles, SpreadScan& scan,
                     const Progress& progress) {
   for (std::uint32_t tile = 0; tile < below.scan.counts.size(); ++tile) {
@@ -60,7 +60,7 @@ Status spread_level(const Level& below, TileWriter& tiles, SpreadScan& scan,
   return tiles.finish();
 }
 
-/// The points of the level over `below` in their tiles' files.
+/// Writes the points of the level over `below` to tile files.
 Result<SpreadScan> open_level(const TiledModel& model, const Level& below, double spacing,
                               const TileFolder& folder, const Progress& progress) {
   if (fs::exists(folder.layout())) return load_scan(folder.layout());
@@ -82,7 +82,7 @@ Result<SpreadScan> open_level(const TiledModel& model, const Level& below, doubl
   return scan;
 }
 
-/// Makes the level over `below`, of that number.
+/// Makes the level over `below`; `level` is its number.
 Result<Level> make_level(const TiledModel& model, const Level& below, unsigned number,
                          Progress& progress) {
   ConvertOptions options = model.options;
@@ -99,7 +99,7 @@ Result<Level> make_level(const TiledModel& model, const Level& below, unsigned n
   return level;
 }
 
-/// All levels' tiles, the coarsest first, with their parents.
+/// Returns the tiles of all levels, the coarsest first, with their parents.
 std::vector<TreePart> list_tiles(const std::vector<Level>& levels) {
   std::vector<TreePart> parts;
   std::uint32_t above = 0;  // where the tiles of the level above begin
@@ -125,7 +125,7 @@ Result<std::vector<TreePart>> make_overviews(const TiledModel& model, Progress& 
   std::vector<Level> levels;
   levels.push_back({model.job, model.scan, {}, 0.0});
   RELIEF_TRY(count_samples(levels.back()));
-  // A third as many samples as the model has, each looked at twice.
+  // A third as many samples as the model has, each processed twice.
   progress.begin_stage("overviews",
                        static_cast<std::uint64_t>(levels.back().all_samples * 2.0 / 3.0));
   PartProgress inner(progress);

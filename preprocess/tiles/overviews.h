@@ -1,4 +1,4 @@
-// Coarser patches over the tiles of a large model, for viewers that are far away.
+// Makes overviews: tiles of coarser patches of a large model, for distant views.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace relief {
 
-/// The tiles whose patches are a job's own parts, and how they were made.
+/// The tiles of a job, and how their patches were made.
 struct TiledModel {
   std::string name;  ///< of the scan's first file; begins errors
   const TileJob& job;
@@ -22,15 +22,15 @@ struct TiledModel {
   const ConvertOptions& options;
   const PatchFileOptions& file_options;
   double spacing = 0.0;                ///< world units
-  std::uint64_t tile_points = 0;       ///< about how many points a tile may have
+  std::uint64_t tile_points = 0;       ///< approximate limit of points a tile
   std::uint64_t overview_samples = 0;  ///< as in TileOptions
 };
 
-/// Makes the overviews: level after level, each of twice the spacing of the one below, in as few
-/// tiles as its samples need, until one has few samples enough to be read at once. A level is
-/// converted as any scan in tiles is, its points being the samples of the level below
-/// (coarse_points), so that it can go on after a kill. Gives all tiles of the model, its own among
-/// them, the coarsest first. Fails with one sentence.
+/// Makes the overviews: level after level, each of twice the spacing of the one below and in as few
+/// tiles as possible, until one has few enough samples to be read at once. A level is converted
+/// like any scan in tiles, from the samples of the level below (coarse_points), so that it also
+/// continues after a kill. Returns all tiles of the model, those of level 0 included, the coarsest
+/// first. Fails with one sentence.
 Result<std::vector<TreePart>> make_overviews(const TiledModel& model, Progress& progress);
 
 }  // namespace relief

@@ -13,14 +13,14 @@
 namespace relief {
 namespace {
 
-/// What a report has: all but the patches.
+/// Contents of a report: everything but the patches.
 template <class Tile>
 auto tile_fields(Tile& t) {
   return std::tie(t.patch_count, t.points, t.sum_of_squares, t.error_max, t.uncovered, t.texels);
 }
 
 /// The survey's regions, and its normals on the sides that `turns` gives them. A region's points
-/// agree with each other in the survey already: it turns as most of them do.
+/// are already consistent in the survey: it flips if most of them do.
 std::vector<Region> turn_regions(TileSurvey& survey, const std::vector<std::uint8_t>& turns) {
   std::vector<Region> regions(survey.region_normals.size());
   for (std::uint32_t i = 0; i < survey.region.size(); ++i) {
@@ -47,32 +47,35 @@ std::vector<Region> turn_regions(TileSurvey& survey, const std::vector<std::uint
 
 }  // namespace
 
-TilePatches resample_tile(TilePoints tile, TileSurvey survey,
-                          const std::vector<std::uint8_t>& turns,
-                          const std::vector<float>& halo_cosines, const ConvertOptions& options,
-                          double spacing, bool normals_estimated, Progress& progress) {
+TilePatches resample_tile(SurveyedTile surveyed, const ResampleOptions& options,
+                          Progress& progress) {
+  const TilePoints& tile = surveyed.points;
+  TileSurvey& survey = surveyed.survey;
   TilePatches made;
   made.points = tile.own;
   if (survey.region_normals.empty()) {
-    // Nothing is a surface here: all are as far off as measure_fidelity takes such points to be.
+    // Without a surface, all points have the distance that measure_fidelity assumes for uncovered
+    // points.
     made.uncovered = tile.own;
-    made.error_max = tile.own > 0 ? kUncoveredInSpacings * spacing : 0.0;
+    made.error_max = tile.own > 0 ? kUncoveredInSpacings * options.spacing : 0.0;
     made.sum_of_squares = static_cast<double>(tile.own) * made.error_max * made.error_max;
     return made;
   }
-  std::vector<Region> regions = turn_regions(survey, turns);
+  std::vector<Region> regions = turn_regions(survey, surveyed.turns);
   const NeighbourGraph graph = find_neighbours(tile.points.positions, kSurfaceNeighbours);
   if (progress.cancelled()) return made;
   const SurfaceSamples samples{tile.points.positions, survey.normals, graph.spacing,
                                survey.roughness};
-  // How steep the halo's points are to their own patches decides about margins at the border.
+  // The slope of the halo's points in their own patches decides about margins at the border.
   Membership membership = membership_of(samples, regions);
-  assert(halo_cosines.size() == tile.home.size());
-  std::ranges::copy(halo_cosines,
+  assert(surveyed.halo_cosines.size() == tile.home.size());
+  std::ranges::copy(surveyed.halo_cosines,
                     membership.cosine.begin() + static_cast<std::ptrdiff_t>(tile.own));
-  made.patches = make_patches(
-      samples, graph, membership, std::vector<double>(regions.size(), 1.0), tile.points.colours,
-      resample_options(options, spacing, normals_estimated), regions, progress);
+  made.patches = make_patches({.samples = samples,
+                               .graph = graph,
+                               .membership = membership,
+                               .colours = tile.points.colours},
+                              std::vector<double>(regions.size(), 1.0), options, regions, progress);
   if (progress.cancelled()) return made;
   const Fidelity fidelity = measure_fidelity(tile.points.positions, tile.own, graph,
                                              owners_of(regions, tile.points.size()), made.patches);

@@ -1,4 +1,4 @@
-// The last look at a tile: its regions become patches.
+// The last step of a tile: makes patches of its regions.
 #pragma once
 
 #include <cstdint>
@@ -7,12 +7,12 @@
 
 #include "common/patch.h"
 #include "preprocess/convert.h"
+#include "preprocess/resample/resample.h"
 #include "preprocess/tiles/survey.h"
 
 namespace relief {
 
-/// A tile's patches, and how well they render its own points. Squares and counts add up to the
-/// scan's.
+/// A tile's patches, and their errors at its own points. Squares and counts add up to the scan's.
 struct TilePatches {
   std::vector<Patch> patches;
   std::uint64_t patch_count = 0;
@@ -20,20 +20,23 @@ struct TilePatches {
   double sum_of_squares = 0.0;  ///< of the points' distances to the patches, world units squared
   double error_max = 0.0;       ///< world units
   std::uint64_t uncovered = 0;
-  ConvertReport texels;  ///< its counts of texels alone
+  ConvertReport texels;  ///< only its counts of texels are set
 };
 
-/// Makes a tile's patches from its points, as survey_tile left them, with the normals and regions
-/// of its survey, whose sheets are turned round as `turns` says (one for each). `halo_cosines`: of
-/// each of the halo's points, as TileSurvey has it where it is at home. In part if the user
-/// interrupts.
-[[nodiscard]] TilePatches resample_tile(TilePoints tile, TileSurvey survey,
-                                        const std::vector<std::uint8_t>& turns,
-                                        const std::vector<float>& halo_cosines,
-                                        const ConvertOptions& options, double spacing,
-                                        bool normals_estimated, Progress& progress);
+/// A tile that has been surveyed, with what only the surveys of all tiles decide.
+struct SurveyedTile {
+  TilePoints points;  ///< as survey_tile left them
+  TileSurvey survey;
+  const std::vector<std::uint8_t>& turns;  ///< whether to flip each sheet
+  /// For each point of the halo, its cosine in the TileSurvey of its home tile.
+  const std::vector<float>& halo_cosines;
+};
 
-/// What is kept of a tile beside its patches.
+/// Makes a tile's patches with the survey's normals and regions. Incomplete if the user interrupts.
+[[nodiscard]] TilePatches resample_tile(SurveyedTile tile, const ResampleOptions& options,
+                                        Progress& progress);
+
+/// The checkpoint of a tile, beside its patches.
 Status save_report(const std::filesystem::path& path, const TilePatches& tile);
 Result<TilePatches> load_report(const std::filesystem::path& path);
 

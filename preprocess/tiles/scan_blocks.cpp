@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of the formats that are read as a whole: points take up to this many times the file's bytes
-// while they are read (a binary PCD of x, y, z as floats: 12 bytes become 24, beside the file).
+// For formats that are read as a whole: while reading, points take up to this many times the file's
+// bytes (a binary PCD of x, y, z as floats: 12 bytes become 24, beside the file).
 constexpr std::uint64_t kMemoryPerFileByte = 4;
 
 void drop_nonfinite(Points& points, ScanCounts& counts) {
@@ -29,7 +29,7 @@ void drop_nonfinite(Points& points, ScanCounts& counts) {
   counts.points += points.size();
 }
 
-/// Hands a reader's blocks on, and lets go of the memory of what was read.
+/// Passes a reader's blocks on, and releases the memory of what was read.
 class FileSink final : public PointSink {
  public:
   FileSink(const MappedFile& file, const TakePoints& take, ScanCounts& counts)
@@ -48,7 +48,7 @@ class FileSink final : public PointSink {
   ScanCounts& counts_;
 };
 
-/// The file unpacked, if it is packed; found again if it was unpacked before.
+/// Opens a file, unpacked if it is packed. Reuses an earlier unpacked copy.
 Result<MappedFile> open_unpacked(const fs::path& path, const fs::path& unpacked,
                                  const Progress& progress) {
   auto file = MappedFile::open(path);

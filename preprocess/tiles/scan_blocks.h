@@ -1,4 +1,4 @@
-// The files of one scan, read block by block.
+// Reads the files of one scan block by block.
 #pragma once
 
 #include <cstdint>
@@ -13,21 +13,21 @@
 
 namespace relief {
 
-/// What was read of a scan's files, and what was left out.
+/// Counts of the points of a scan's files.
 struct ScanCounts {
-  std::uint64_t points = 0;     ///< that are finite; duplicates among them
+  std::uint64_t points = 0;     ///< finite ones, duplicates included
   std::uint64_t nonfinite = 0;  ///< dropped
   std::uint64_t left_out = 0;   ///< marked in a file as withheld or noise (LAS)
 };
 
-/// Takes the next points.
+/// Receives the next points.
 using TakePoints = std::function<Status(Points block)>;
 
-/// Reads files one after another and hands their points on, in their order, all of them finite. Of
-/// formats that stream (see readers/format.h) only a block is in memory at a time; others are read
-/// as a whole, and refused if that is likely to take more than `memory` bytes. Packed files are
-/// unpacked to `folder` first, where a later call finds them. Triangles are left out. `notes` gets
-/// what the user should hear of.
+/// Reads files one after another and passes their points on, in their order, without NaN and
+/// infinite points. Of formats that stream (see readers/format.h) only a block is in memory at a
+/// time; others are read as a whole, and refused if that is likely to take more than `memory`
+/// bytes. Packed files are first unpacked to `folder`, where a later call finds them. Triangles are
+/// left out. Adds notes for the user to `notes`.
 Result<ScanCounts> read_blocks(const std::vector<std::filesystem::path>& files,
                                const std::filesystem::path& folder, std::uint64_t memory,
                                const TakePoints& take, std::vector<std::string>& notes,

@@ -14,14 +14,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Measured: a conversion's peak over its points, colours and normals among them, and what the
-// program and the buffers of files take beside that (docs/measurements.md, "Larger than memory").
+// Measured: the peak memory of a conversion for each point, with colours and normals, and the
+// constant part of the program and file buffers (docs/measurements.md, "Larger than memory").
 constexpr std::uint64_t kBytesPerPoint = 450;
 constexpr std::uint64_t kBaseBytes = std::uint64_t{96} << 20U;
 // Halos have about a tenth as many points as tiles of a million, and half as many as small ones.
 constexpr double kHaloShare = 0.5;
 
-/// Of what was read, what is said once.
+/// Report of the first run.
 struct Look {
   PointSample sample;
   Bounds bounds;
@@ -77,7 +77,7 @@ Result<Look> look(const std::vector<fs::path>& files, const TileJob& job,
   scan.read = *read;
   scan.bounds = seen.bounds;
   scan.attributes = seen.attributes;
-  // Points seen from several places have no one viewpoint.
+  // Points seen from several positions have no single viewpoint.
   if (files.size() == 1) scan.viewpoint = seen.viewpoint;
   const auto note_mixed = [&](bool some, bool all, std::string_view name) {
     if (some && !all)
@@ -99,8 +99,9 @@ Status spread(const std::vector<fs::path>& files, const TileJob& job, const Spre
       [&](const Points& block) { return tiles.add(block); }, told_before, progress);
   if (!read) return read.error();
   if (read->points != scan.read.points) {
-    return make_error("{}: had {} points at first and now {}; convert when it stays as it is",
-                      files.front().string(), scan.read.points, read->points);
+    return make_error(
+        "{}: had {} points at first and now has {}; convert it when it no longer changes",
+        files.front().string(), scan.read.points, read->points);
   }
   RELIEF_TRY(tiles.finish());
   scan.counts = tiles.counts();
@@ -126,7 +127,7 @@ std::uint64_t memory_for(std::uint64_t points) {
 std::uint64_t tile_points(const SpreadOptions& options) {
   const double with_halo = static_cast<double>(points_for(options.memory_bytes));
   return std::min(static_cast<std::uint64_t>(with_halo / (1.0 + kHaloShare)),
-                  options.most_tile_points);
+                  options.max_tile_points);
 }
 
 Result<std::optional<SpreadScan>> spread_points(const std::vector<fs::path>& files,

@@ -1,4 +1,4 @@
-// The points of a scan that is larger than memory, spread over tiles on disk.
+// Distributes the points of a scan larger than memory to tiles on disk.
 #pragma once
 
 #include <cstdint>
@@ -14,36 +14,37 @@
 
 namespace relief {
 
-/// A scan whose points are in its tiles' files.
+/// A scan with its points in tile files.
 struct SpreadScan {
   TileLayout layout;
-  std::vector<TileCount> counts;  ///< of each tile
+  std::vector<TileCount> counts;  ///< one for each tile
   ScanAttributes attributes;
   Bounds bounds;
-  std::optional<glm::dvec3> viewpoint;  ///< where the scanner stood, if the one file says so
+  std::optional<glm::dvec3>
+      viewpoint;  ///< position of the scanner, if the scan's only file gives it
   ScanCounts read;
   std::vector<std::string> notes;
 };
 
-/// What is kept of it but the notes, which the first run has told.
+/// The checkpoint of a scan. Without the notes, which the first run has reported.
 Status save_scan(const std::filesystem::path& path, const SpreadScan& scan);
 Result<SpreadScan> load_scan(const std::filesystem::path& path);
 
-/// The memory that a conversion of so many points at once is taken to need, bytes.
+/// Returns the memory that a conversion of this many points at once is assumed to need, bytes.
 [[nodiscard]] std::uint64_t memory_for(std::uint64_t points);
 
 struct SpreadOptions {
   std::uint64_t memory_bytes = 0;
-  std::uint64_t most_tile_points = 0;
-  double grid_spacing = 0.0;  ///< 0: not known yet
+  std::uint64_t max_tile_points = 0;
+  double grid_spacing = 0.0;  ///< 0: not yet known
 };
 
-/// About how many points a tile may have.
+/// Returns the approximate limit of points a tile.
 [[nodiscard]] std::uint64_t tile_points(const SpreadOptions& options);
 
-/// Reads the files twice: once to see where points are, once to put each into its tile. If the job
-/// has that done already, nothing is read. Nothing is given if a conversion of all points at once
-/// keeps to the memory. Fails if a tile has more points than the memory allows.
+/// Reads the files twice: once to lay out tiles, once to write each point to its tile. Reads
+/// nothing if the job has already done this. Returns nothing if a conversion of all points at once
+/// fits into the memory limit. Fails if a tile has more points than the limit allows.
 Result<std::optional<SpreadScan>> spread_points(const std::vector<std::filesystem::path>& files,
                                                 const TileJob& job, const SpreadOptions& options,
                                                 Progress& progress);

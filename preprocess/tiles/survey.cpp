@@ -18,8 +18,8 @@ std::vector<std::uint32_t> merge_duplicates(TilePoints& tile) {
   ReadResult cleaned = clean_points(std::move(tile.points), &number);
   tile.points = std::move(cleaned.points);
   if (cleaned.merged_duplicates == 0) return {};
-  // A point and its duplicates are in the same tile, so that those of the halo come after the own
-  // ones still.
+  // A point and its duplicates are in the same tile, so that points of the halo still follow own
+  // ones.
   std::size_t own = 0;
   for (std::size_t i = 0; i < tile.own; ++i) own = std::max<std::size_t>(own, number[i] + 1);
   std::size_t kept = own;
@@ -34,7 +34,7 @@ std::vector<std::uint32_t> merge_duplicates(TilePoints& tile) {
 
 namespace {
 
-/// What a survey's file has: all but the cosines.
+/// Contents of a survey's file: everything but the cosines.
 template <class Survey>
 auto survey_fields(Survey& s) {
   return std::tie(s.number, s.normals, s.roughness, s.sheets.of_point, s.sheets.count, s.sums,

@@ -1,5 +1,5 @@
-// The first look at a tile: everything that can be known of it without its neighbours and without
-// the spacing of the grid.
+// The first step of a tile: computes everything that needs neither its neighbours nor the grid
+// spacing.
 #pragma once
 
 #include <cstdint>
@@ -14,56 +14,56 @@
 
 namespace relief {
 
-/// The region of points that are in none.
+/// The region index of points in none.
 inline constexpr std::uint32_t kNoRegion = UINT32_MAX;
 
-/// What a tile's points are, in the order that merge_duplicates leaves: its own, then the halo's.
+/// Attributes of a tile's points, in the order of merge_duplicates: own points, then the halo.
 struct TileSurvey {
-  std::vector<std::uint32_t> number;      ///< of each point in the tile's own file, which place it
-                                          ///< has here; empty: the same
-  std::vector<glm::vec3> normals;         ///< unit; of each sheet on an unknown side
-  std::vector<float> roughness;           ///< as LocalFrames
+  std::vector<std::uint32_t>
+      number;  ///< new index of each point of the tile's own file; empty: unchanged
+  std::vector<glm::vec3> normals;         ///< unit; the side of each sheet is not yet decided
+  std::vector<float> roughness;           ///< as in LocalFrames
   Sheets sheets;                          ///< empty if normals were given and good
   std::vector<SheetSums> sums;            ///< of each sheet's own points
   std::vector<std::uint32_t> region;      ///< of the tile's own points
-  std::vector<glm::vec3> region_normals;  ///< as Region has them
-  /// Of each point in the tile's own file, as Membership has it; kept in a file of its own, as it
-  /// is what other tiles want to know.
+  std::vector<glm::vec3> region_normals;  ///< as in Region
+  /// As in Membership, for each point of the tile's own file. Kept in a separate file, because
+  /// other tiles read it.
   std::vector<float> cosines;
-  std::uint64_t normals_repaired = 0;  ///< of given ones, the halo's among them
-  double area = 0.0;                   ///< that a grid's samples cover, world units squared
+  std::uint64_t normals_repaired = 0;  ///< of given normals, those of the halo included
+  double area = 0.0;                   ///< covered by a grid's samples, world units squared
   double radius = 0.0;                 ///< of the own points about the scan's centre
 };
 
-/// A halo's point: what its home tile may know of it too.
+/// A point of the halo, as this tile sees it; its home tile has its own view.
 struct RimPoint {
   Home home;
-  glm::vec3 normal{0.0F};   ///< as the survey has it
-  std::uint32_t sheet = 0;  ///< of the survey's; 0 where it has none
+  glm::vec3 normal{0.0F};   ///< as in the survey
+  std::uint32_t sheet = 0;  ///< sheet of the survey; 0 if it has no sheets
 };
 
-/// Merges points at the same position, as clean_points does. Gives the new number of each of the
-/// tile's own points; nothing if there were no duplicates.
+/// Merges points at equal positions, as clean_points does. Returns the new index of each of the
+/// tile's own points; empty without duplicates.
 std::vector<std::uint32_t> merge_duplicates(TilePoints& tile);
 
 struct SurveyOptions {
   double cone_degrees = 0.0;
-  bool find_area = false;  ///< it is only needed where the spacing is to be chosen
+  bool find_area = false;  ///< only needed to choose the spacing
   glm::dvec3 centre{0.0};  ///< of the scan's bounds
 };
 
-/// Merges a tile's duplicates and looks at what is left. Of too few points to be a surface it has
-/// no regions. In part if the user interrupts. `tile` gets what is left, with normals.
+/// Merges a tile's duplicates and surveys the remaining points, which `tile` then has, with
+/// normals. Too few points for a surface give no regions. Incomplete if the user interrupts.
 [[nodiscard]] TileSurvey survey_tile(TilePoints& tile, const SurveyOptions& options,
                                      Progress& progress);
 
-/// Of a tile's halo, the cosines that the surveys of the points' homes have: `load` gives those of
-/// a tile.
+/// Returns, for each point of a tile's halo, its cosine in the survey of its home tile. `load`
+/// returns the cosines of a tile.
 Result<std::vector<float>> halo_cosines(
     const TilePoints& tile,
     const std::function<Result<std::vector<float>>(std::uint32_t tile)>& load);
 
-/// The halo's points, sorted by home.
+/// Returns the points of the halo, sorted by home.
 [[nodiscard]] std::vector<RimPoint> rim_of(const TilePoints& tile, const TileSurvey& survey);
 
 Status save_survey(const std::filesystem::path& path, const TileSurvey& survey);

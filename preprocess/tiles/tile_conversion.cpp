@@ -71,16 +71,16 @@ class TileConversion {
     const TileSurvey made = survey_tile(loaded, survey_options, quiet);
     if (progress_.cancelled()) return interrupted_error();
     const std::vector<RimPoint> rim = rim_of(loaded, made);
-    // The survey's file says that all three are there.
+    // The survey's file, written last, proves that all three exist.
     RELIEF_TRY(save_checkpoint(folder_.rim(tile), std::tie(rim)));
     RELIEF_TRY(save_checkpoint(folder_.cosines(tile), std::tie(made.cosines)));
     return save_survey(folder_.survey(tile), made);
   }
 
-  /// What the file of turns has.
+  /// Contents of the file of turns.
   auto orientation() { return std::tie(area_, radius_, repaired_, duplicates_, turns_); }
 
-  /// Which sheets turn round, and what else is only known when all tiles have been looked at.
+  /// The sheets to flip, and other results that need the surveys of all tiles.
   Status orient() {
     progress_.begin_stage("orient", 0);
     if (!fs::exists(folder_.turns())) return orient_all();
@@ -140,8 +140,12 @@ class TileConversion {
     });
     if (!cosines) return cosines.error();
     QuietProgress quiet(progress_);
-    TilePatches made = resample_tile(std::move(loaded), std::move(survey), turns_[tile], *cosines,
-                                     options_, spacing_, !scan_.attributes.normals, quiet);
+    TilePatches made =
+        resample_tile({.points = std::move(loaded),
+                       .survey = std::move(survey),
+                       .turns = turns_[tile],
+                       .halo_cosines = *cosines},
+                      resample_options(options_, spacing_, !scan_.attributes.normals), quiet);
     if (progress_.cancelled()) return interrupted_error();
     RELIEF_TRY(save_report(folder_.part_report(tile), made));
     PatchModel model = extent();

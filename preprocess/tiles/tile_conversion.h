@@ -1,18 +1,20 @@
-// From tiles of points on disk to tiles of patches.
+// Converts tiles of points on disk to tiles of patches.
 #pragma once
 
 #include <filesystem>
 #include <string>
 
+#include "common/error.h"
+#include "common/patch_file/patch_file.h"
 #include "common/progress.h"
-#include "preprocess/convert_tiles.h"
 #include "preprocess/tiles/spread_points.h"
 #include "preprocess/tiles/tile_job.h"
+#include "preprocess/tiles/tile_options.h"
 
 namespace relief {
 
-/// What is converted: the tiles whose points are in `folder`, and how. `name`, of the first file,
-/// begins errors.
+/// The tiles to convert, with points in `folder`, and the options. Errors begin with `name`, the
+/// first file's.
 struct TileTask {
   std::string name;
   const TileFolder& folder;
@@ -21,16 +23,15 @@ struct TileTask {
   const PatchFileOptions& file_options;
 };
 
-/// What the parts in the folder are together.
+/// The combined result of all parts in the folder.
 struct ConvertedTiles {
   TiledResult result;
   PatchModel extent;  ///< spacing, bounds and sphere, no patches
   std::uint64_t patches = 0;
 };
 
-/// Looks at each tile, makes their normals agree, chooses the spacing, resamples each tile, and
-/// leaves each tile's patches in the folder (TileFolder::part); what is there already is not made
-/// again.
+/// Surveys each tile, makes their normals consistent, chooses the spacing, resamples each tile, and
+/// writes its patches to the folder (TileFolder::part). Skips existing results.
 Result<ConvertedTiles> convert_spread(const TileTask& task, Progress& progress);
 
 }  // namespace relief

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// All buffers together.
+/// Size of all buffers together.
 constexpr std::size_t kBufferBytes = std::size_t{32} << 20U;
 /// Files are read in pieces of about this size.
 constexpr std::size_t kReadBytes = std::size_t{1} << 20U;
@@ -30,7 +30,7 @@ fs::path halo_path(const fs::path& folder, std::size_t tile) {
   return folder / fmt::format("halo-{}", tile);
 }
 
-/// A point's position, normal, colour and home, those that it has, one after another.
+/// A record: a point's position, normal, colour and home, if it has them.
 std::size_t record_bytes(ScanAttributes attributes, bool is_halo) {
   return sizeof(glm::dvec3) + (attributes.normals ? sizeof(glm::vec3) : 0) +
          (attributes.colours ? sizeof(glm::u8vec3) : 0) + (is_halo ? sizeof(Home) : 0);

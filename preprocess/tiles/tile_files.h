@@ -1,4 +1,4 @@
-// The points of each tile, and of its halo, as files.
+// Files of the points of each tile and its halo.
 #pragma once
 
 #include <cstdint>
@@ -12,41 +12,41 @@
 
 namespace relief {
 
-/// Where a halo's point is at home: the tile, and the point's number in that tile's file.
+/// The home of a halo's point: its tile, and its index in that tile's file.
 struct Home {
   std::uint32_t tile = 0;
   std::uint32_t point = 0;
 };
 
-/// Which attributes all of a scan's points have.
+/// The attributes that all points of a scan have.
 struct ScanAttributes {
   bool normals = false;
   bool colours = false;
 };
 
-/// A tile's points as its files have them.
+/// The points in a tile's files.
 struct TilePoints {
-  Points points;           ///< the tile's own, then those of the halo
-  std::size_t own = 0;     ///< this many are the tile's own
-  std::vector<Home> home;  ///< of the halo's
+  Points points;           ///< own points, then those of the halo
+  std::size_t own = 0;     ///< number of own points
+  std::vector<Home> home;  ///< of the halo's points
 };
 
-/// How many points a tile's files have.
+/// The number of points in a tile's files.
 struct TileCount {
   std::uint64_t own = 0;
   std::uint64_t halo = 0;
 };
 
-/// Spreads points over the files of their tiles and of those whose halos they are in. What is in
-/// memory is little and does not grow.
+/// Distributes points to the files of their tiles and of the tiles in whose halos they lie. Memory
+/// stays small and constant.
 class TileWriter {
  public:
-  /// `folder` must have none of the files yet. `layout` must stay as it is.
+  /// `folder` must not contain the files yet. `layout` must not change.
   TileWriter(std::filesystem::path folder, const TileLayout& layout, ScanAttributes attributes);
 
-  /// `block` has the attributes; others are passed over. Fails if the disk is full.
+  /// `block` has the attributes; others are ignored. Fails if the disk is full.
   Status add(const Points& block);
-  /// Writes what is left. Nothing may be added afterwards.
+  /// Writes the remaining points. Nothing may be added afterwards.
   Status finish();
 
   [[nodiscard]] const std::vector<TileCount>& counts() const { return counts_; }
@@ -67,11 +67,11 @@ class TileWriter {
   std::vector<TileCount> counts_;
 };
 
-/// Reads what TileWriter wrote of one tile.
+/// Reads the files of one tile.
 Result<TilePoints> load_tile(const std::filesystem::path& folder, std::uint32_t tile,
                              TileCount count, ScanAttributes attributes);
 
-/// Removes a tile's files, which are not needed any more.
+/// Removes the files of a tile.
 void remove_tile(const std::filesystem::path& folder, std::uint32_t tile);
 
 }  // namespace relief

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kJobFile = "job";
 
-/// AtomicFile's, left behind by a process that was killed.
+/// Temporary files of AtomicFile that a killed process left behind.
 bool is_temporary(const fs::path& path) {
   const std::string name = path.filename().string();
   return name.starts_with(".relief-") && name.ends_with(".tmp");
@@ -34,7 +34,7 @@ void remove_temporary(const fs::path& folder) {
   }
 }
 
-/// Whether a folder has anything in it that is not relief's.
+/// Returns whether a folder contains files that are not relief's.
 bool is_foreign(const fs::path& folder) {
   std::error_code error;
   if (fs::exists(folder / kJobFile, error)) return false;
@@ -44,7 +44,7 @@ bool is_foreign(const fs::path& folder) {
          });
 }
 
-/// Removes a folder's contents, but not the file that says whose it is, which goes last.
+/// Removes a folder's contents, the file that identifies it last.
 Status remove_contents(const fs::path& folder) {
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {

@@ -1,4 +1,4 @@
-// The folder in which a conversion in tiles keeps what is done.
+// The folder in which a conversion in tiles keeps its finished parts.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace relief {
 
-/// Where a conversion keeps what is done of some tiles.
+/// Paths of the finished parts of a conversion.
 class TileFolder {
  public:
   explicit TileFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -28,17 +28,16 @@ class TileFolder {
   std::filesystem::path folder_;
 };
 
-/// A conversion's own folder, beside its output and on the same disk. It stays when the conversion
-/// ends early, so that the same conversion can go on; nobody else works in it meanwhile.
+/// A conversion's own folder, beside its output and on the same disk. It remains if the conversion
+/// ends early, so that a later run can continue. A lock keeps other processes out.
 class TileJob : public TileFolder {
  public:
-  /// Opens the folder of the conversion to `output`, or makes it. `fingerprint` says what is
-  /// converted and how: what another conversion left there is removed first. Fails with one
-  /// sentence if a folder of that name is not a conversion's, another process works in it, or it
-  /// can't be written to.
+  /// Opens or makes the folder of the conversion to `output`. `fingerprint` identifies input and
+  /// options: files of a different conversion are removed first. Fails with one sentence if the
+  /// folder is not a conversion's, is in use by another process, or is not writable.
   static Result<TileJob> open(const std::filesystem::path& output, const std::string& fingerprint);
 
-  /// Where the folder of the conversion to `output` is.
+  /// Returns the folder of the conversion to `output`.
   [[nodiscard]] static std::filesystem::path folder_of(const std::filesystem::path& output);
 
   TileJob(TileJob&& other) noexcept;
@@ -47,17 +46,17 @@ class TileJob : public TileFolder {
   TileJob& operator=(const TileJob&) = delete;
   ~TileJob();
 
-  /// Whether an earlier run has left something.
+  /// Returns whether an earlier run left results.
   [[nodiscard]] bool is_resumed() const { return is_resumed_; }
 
-  /// The whole file, before it is moved to its place.
+  /// Returns the path of the complete file, before it is moved to the output.
   [[nodiscard]] std::filesystem::path whole() const { return folder_ / "whole.relief"; }
-  /// The folder within for the tiles of a coarser level, 1 or more.
+  /// Returns the subfolder for the tiles of a coarser level, 1 or more.
   [[nodiscard]] TileFolder overview(unsigned level) const;
 
-  /// Removes all but the fingerprint, to begin anew.
+  /// Removes everything but the fingerprint, to start again.
   Status clear() const;
-  /// Removes the folder: all is done.
+  /// Removes the folder, at the end.
   void remove() const;
 
  private:

@@ -12,15 +12,16 @@ namespace relief {
 namespace {
 
 // 35 MB with the search for neighbours; a tile of a million points of 60 million has 4,000 of them,
-// which tell where its middle is to a hundredth.
+// which locate its median to a hundredth.
 constexpr std::size_t kMaxSampled = std::size_t{1} << 18U;
 
-// Outliers do not say how a scan lies: a side's length is that of all but these shares at its ends.
+// Outliers must not decide the shape of a scan: a side's length is that without these shares at its
+// ends.
 constexpr double kTail = 0.02;
 
 // A margin of a cell and the 2.5 spacings that its fits reach, then the points' neighbourhoods (16
-// neighbours reach 2.3 spacings; their spacing looks at neighbours of neighbours), and as much
-// again, as sparse spots are sparser than nine tenths of their tile.
+// neighbours reach 2.3 spacings; their spacing depends on neighbours of neighbours), doubled,
+// because sparse parts are sparser than nine tenths of their tile.
 constexpr double kHaloInSpacings = 12.0;
 constexpr double kDenserThan = 0.9;
 
@@ -30,9 +31,9 @@ class Layouter {
  public:
   Layouter(const PointSample& sample, std::uint64_t tile_points, double grid_spacing)
       : points_(sample.points()),
-        // A sample's squares are as many times larger as it has fewer points.
+        // Squares of local spacings grow by the factor by which a sample thins the points.
         spacing_factor_(1.0 / std::sqrt(static_cast<double>(sample.stride()))),
-        most_sampled_(std::max<std::uint64_t>(tile_points / sample.stride(), 16)),
+        max_sampled_(std::max<std::uint64_t>(tile_points / sample.stride(), 16)),
         grid_spacing_(grid_spacing),
         graph_(find_neighbours(points_, kSurfaceNeighbours)),
         order_(points_.size()) {
@@ -45,10 +46,10 @@ class Layouter {
   }
 
  private:
-  // Gives the node's number as Cut has it.
+  // Returns the node's number as in Cut.
   std::int32_t lay(std::span<std::uint32_t> points, const Bounds& region) {
     const std::optional<TileLayout::Cut> cut =
-        points.size() > most_sampled_ ? find_cut(points) : std::nullopt;
+        points.size() > max_sampled_ ? find_cut(points) : std::nullopt;
     if (!cut) return add_tile(points, region);
     const auto number = static_cast<std::int32_t>(layout_.cuts.size());
     layout_.cuts.push_back(*cut);
@@ -67,7 +68,7 @@ class Layouter {
     return number;
   }
 
-  // At the median of the longest side that has points on both sides of its median; none if all
+  // Cuts at the median of the longest side that has points on both sides; nothing if all points
   // coincide.
   std::optional<TileLayout::Cut> find_cut(std::span<const std::uint32_t> points) {
     std::vector<double> along(points.size());
@@ -108,14 +109,14 @@ class Layouter {
 
   const std::vector<glm::dvec3>& points_;
   double spacing_factor_;
-  std::uint64_t most_sampled_;
+  std::uint64_t max_sampled_;
   double grid_spacing_;
   NeighbourGraph graph_;
   std::vector<std::uint32_t> order_;
   TileLayout layout_;
 };
 
-/// Cuts of a layout again, but for those that are needed no more.
+/// Copies the cuts of a layout that are still needed.
 class Coarsener {
  public:
   Coarsener(const TileLayout& from, std::span<const double> load, double most, double grid_spacing)

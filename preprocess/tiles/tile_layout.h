@@ -1,4 +1,4 @@
-// Where a scan that is larger than memory is cut into tiles.
+// Cuts scans larger than memory into tiles.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace relief {
 
-/// A part of space, half open, infinite where the scan ends; and how far around it points are
-/// needed so that its own are neighboured as in the whole scan, world units.
+/// A half-open box, infinite where the scan ends, and the width of its halo, world units: with the
+/// points of the halo, own points have the neighbourhoods that they have in the whole scan.
 struct Tile {
   Bounds region;
   double halo = 0.0;
@@ -20,7 +20,7 @@ struct Tile {
 
 /// A kd-tree whose leaves are tiles.
 struct TileLayout {
-  /// What is below a cut is left, the rest right: another cut, or a tile (~ its number).
+  /// Child below the cut (left) or at and above it (right): another cut, or a tile (~ its index).
   struct Cut {
     std::int32_t axis = 0;
     std::int32_t left = 0;
@@ -28,15 +28,14 @@ struct TileLayout {
     double at = 0.0;
   };
 
-  std::vector<Cut> cuts;  ///< the first is the root; none: one tile
+  std::vector<Cut> cuts;  ///< the first is the root; empty: one tile
   std::vector<Tile> tiles;
   double largest_halo = 0.0;
 
   [[nodiscard]] std::uint32_t tile_of(glm::dvec3 point) const;
-  /// The tile of a finer layout's tile: the one that it lies in if that layout's cuts are these
-  /// and more.
+  /// Returns the tile that contains a tile of a finer layout, if that layout's cuts extend these.
   [[nodiscard]] std::uint32_t tile_about(const Tile& finer) const;
-  /// The tiles in whose halo a point is that is in `own`.
+  /// Returns the tiles in whose halo a point of tile `own` lies.
   void find_halos(glm::dvec3 point, std::uint32_t own, std::vector<std::uint32_t>& found) const;
 
  private:
@@ -44,13 +43,13 @@ struct TileLayout {
                         std::vector<std::uint32_t>& found) const;
 };
 
-/// Every so many-th point of a scan, enough of them to see how it is spread.
+/// A regular sample of a scan's points, enough for its distribution.
 class PointSample {
  public:
   void add(glm::dvec3 point);
 
   [[nodiscard]] const std::vector<glm::dvec3>& points() const { return points_; }
-  /// Each stands for so many.
+  /// Number of points that each represents.
   [[nodiscard]] std::uint64_t stride() const { return stride_; }
 
  private:
@@ -59,14 +58,14 @@ class PointSample {
   std::uint64_t seen_ = 0;
 };
 
-/// Cuts at medians, across the longest side of what most points are in, until no tile has more than
-/// about `tile_points` of the scan's points. Halos are as wide as a patch's margin, its fits and
-/// neighbourhoods reach at the scan's local spacing, or at the grid's (0: not known).
+/// Cuts at medians, across the longest side of the box of most points, until no tile has more than
+/// about `tile_points` of the scan's points. Halos are as wide as a patch's margin, fits and
+/// neighbourhoods, at the scan's local spacing or the grid's (0: unknown).
 [[nodiscard]] TileLayout lay_tiles(const PointSample& sample, std::uint64_t tile_points,
                                    double grid_spacing);
 
-/// The same cuts, but those whose tiles have, with `load` of each tile, no more than `most`
-/// together: these are one tile. Halos are as lay_tiles makes them for that spacing.
+/// Returns a layout without the cuts whose tiles together have a load of at most `most`: these
+/// become one tile. `load`: one value for each tile. Halos are those of lay_tiles for that spacing.
 [[nodiscard]] TileLayout coarser_layout(const TileLayout& layout, std::span<const double> load,
                                         double most, double grid_spacing);
 

@@ -33,7 +33,7 @@ std::vector<std::uint32_t> add_vertices(const Patch& patch, std::uint32_t id, bo
       if (patch.at(i, j) == kHole) continue;
       vertices[std::size_t{j} * patch.width + i] =
           static_cast<std::uint32_t>(mesh.positions.size());
-      mesh.positions.push_back(place_of(patch, i, j));
+      mesh.positions.push_back(position_of(patch, i, j));
       mesh.normals.push_back(glm::normalize(axes * normal_at_node(normals, i, j)));
       if (coloured) {
         const glm::vec3 colour = patch.colours.empty()

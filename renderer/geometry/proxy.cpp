@@ -21,10 +21,10 @@ double nearest_pixel(const View& view, const Sphere& model) {
 
 Sphere sphere_about(std::span<const Patch> patches) {
   Bounds box;
-  for_each_place(patches, [&box](glm::dvec3 p) { extend(box, p); });
+  for_each_position(patches, [&box](glm::dvec3 p) { extend(box, p); });
   if (box.empty()) return {};
   Sphere sphere{0.5 * (box.min + box.max), 0.0};
-  for_each_place(patches, [&sphere](glm::dvec3 p) {
+  for_each_position(patches, [&sphere](glm::dvec3 p) {
     sphere.radius = std::max(sphere.radius, glm::distance(sphere.centre, p));
   });
   return sphere;

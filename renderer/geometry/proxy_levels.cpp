@@ -103,7 +103,7 @@ class CubeGrid {
 /// Where the tangent planes of the samples come nearest to meeting (Lindstrom 2000, "Out-of-core
 /// simplification of large polygonal models"): their mean would cut off what is narrower than a
 /// cube. `kToMean` draws it to the mean along directions that the planes leave open.
-glm::dvec3 place_of(const Cluster& cluster, double spacing) {
+glm::dvec3 position_of(const Cluster& cluster, double spacing) {
   constexpr double kToMean = 0.01;
   const glm::dvec3 mean = cluster.sum.position / cluster.count;
   const glm::dmat3 planes = cluster.normals / cluster.count + glm::dmat3(kToMean);
@@ -157,7 +157,8 @@ std::vector<std::uint32_t> add_samples(const Patch& patch, std::uint32_t number,
                                        return linear_from_srgb8(texel);
                                      });
       Cluster sample;
-      sample.sum = {place_of(patch, i, j) - middle, axes * normal, colour, number, glm::vec2(i, j)};
+      sample.sum = {position_of(patch, i, j) - middle, axes * normal, colour, number,
+                    glm::vec2(i, j)};
       // A file from strangers may have texels that cancel.
       const double length = glm::length(normal);
       const glm::dvec3 n =
@@ -194,7 +195,7 @@ ProxyLevel make_level(double spacing, glm::dvec3 middle, const CubeGrid& grid,
   level.vertices.reserve(grid.clusters().size());
   for (const Cluster& cluster : grid.clusters()) {
     ProxyVertex vertex = cluster.sum;
-    vertex.position = middle + place_of(cluster, spacing);
+    vertex.position = middle + position_of(cluster, spacing);
     vertex.normal /= static_cast<float>(cluster.count);
     vertex.colour /= static_cast<float>(cluster.count);
     level.vertices.push_back(vertex);

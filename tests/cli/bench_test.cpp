@@ -81,7 +81,7 @@ TEST_F(BenchCommand, TellsEachWayToDrawAMesh) {
   EXPECT_EQ(defaults, 1);
   const std::string plot = bytes_of(path("bench.svg"));
   EXPECT_EQ(plot.rfind("<svg", 0), 0U);
-  EXPECT_NE(plot.find("multipass sprite 2"), std::string::npos);
+  EXPECT_NE(plot.find("multipass sprite radius-factor 2"), std::string::npos);
 }
 
 // The default row is what `relief render` draws: the same settings, pixels and fragments.

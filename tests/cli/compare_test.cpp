@@ -164,7 +164,7 @@ TEST_F(CompareCommand, ALimitOnWhatIsNotThereFails) {
   const std::string a = write_image("a.exr", flat);
   const std::string b = write_image("b.exr", model_image());
   compare({a, b, "--fail-above", "normal_rms_deg=1"}, 1);
-  EXPECT_NE(said_.find("normal_rms_deg was not measured (the picture under test has no channel "
+  EXPECT_NE(said_.find("normal_rms_deg was not measured (the image under test has no channel "
                        "N.X)"),
             std::string::npos)
       << said_;

@@ -227,7 +227,7 @@ TEST_F(EndToEnd, WhatCleaningAndThinningTakeIsTold) {
   EXPECT_EQ(less["points"].get<int>() + less["points_thinned"].get<int>() + 2,
             plain["points"].get<int>());
   const Outcome told = run_relief(words);
-  EXPECT_NE(told.out.find("taken away        2 outliers, 0 in small clusters"), std::string::npos)
+  EXPECT_NE(told.out.find("removed           2 outliers, 0 in small clusters"), std::string::npos)
       << told.out;
   words.back() = "0";
   EXPECT_EQ(run_relief(words).exit_code, 2);
@@ -248,7 +248,7 @@ TEST_F(EndToEnd, PointsThatAreNoneAreCounted) {
 TEST_F(EndToEnd, TheSmallDragon) {
   const std::string scan =
       std::string(RELIEF_SOURCE_DIR) + "/../shared/data/scans/dragon/dragon_vrip_res4.ply.gz";
-  if (!std::filesystem::exists(scan)) GTEST_SKIP() << "no scan data beside this checkout";
+  if (!std::filesystem::exists(scan)) GTEST_SKIP() << "needs the Dragon scan, which is not in the repository: " << scan;
   json result = run_json({"convert", scan, "-o", path("dragon.relief")});
   EXPECT_EQ(result["points"], 5205);
   EXPECT_LE(result["uncovered_points"], 2);  // 0.05 % of the points

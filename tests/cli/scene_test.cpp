@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/image/image_io.h"
-#include "common/scene/scene.h"
+#include "loader/scene_plan.h"
 #include "tests/cli/run_relief.h"
 
 namespace relief::test {
@@ -175,7 +175,7 @@ TEST_F(SceneCommand, ThePageOfTheFormatHasAGoodExample) {
   const std::string page = bytes_of(std::string(RELIEF_SOURCE_DIR) + "/docs/scene.md");
   const std::size_t begin = page.find("```json\n") + 8;
   const auto scene =
-      read_scene(write("page.json", page.substr(begin, page.find("```", begin) - begin)));
+      plan_scene(write("page.json", page.substr(begin, page.find("```", begin) - begin)), {});
   ASSERT_TRUE(scene) << scene.error().message;
   EXPECT_EQ(scene->models.size(), 2U);
   EXPECT_EQ(scene->views.size(), 3U);
@@ -241,7 +241,7 @@ TEST_F(SceneCommand, AFailureLeavesWholePicturesAndSaysSo) {
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_EQ(run.out, "");
   EXPECT_NE(run.err.find("b.exr: cannot be written"), std::string::npos) << run.err;
-  EXPECT_NE(run.err.find("; 1 of 2 pictures were written\n"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("; 1 of 2 images were written\n"), std::string::npos) << run.err;
   EXPECT_EQ(files(), (std::vector<std::string>{"a.exr", "knot.ply", "knot.relief", "sizes.json"}));
   EXPECT_TRUE(read_image(path("a.exr")));
 }

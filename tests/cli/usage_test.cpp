@@ -1,4 +1,10 @@
-// Wrong usage is told before any work and ends with exit code 2; help and version with 0.
+// Wrong usage is reported before any work and ends with exit code 2; help and version with 0.
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "common/version.h"
 #include "tests/cli/run_relief.h"
 
 namespace relief::test {
@@ -126,19 +132,80 @@ TEST(Usage, WrongUsageIsExitCodeTwo) {
   }
 }
 
-TEST(Usage, HelpAndVersionAreResults) {
-  for (const std::vector<std::string>& arguments :
-       std::vector<std::vector<std::string>>{{"--help"},
-                                             {"--version"},
-                                             {"compare", "--help"},
-                                             {"convert", "--help"},
-                                             {"info", "--help"},
-                                             {"render", "--help"}}) {
-    const Outcome run = run_relief(arguments);
-    EXPECT_EQ(run.exit_code, 0);
-    EXPECT_EQ(run.err, "");
-    EXPECT_NE(run.out.find("elief"), std::string::npos) << run.out;
+/// An option in a help text.
+struct ListedOption {
+  std::string names;  ///< "-o,--output"
+  std::string value;  ///< "FILE (required)"; empty for a flag
+  std::string text;
+};
+
+/// The options of a help text. CLI11 begins descriptions in column 31, on the next line if the name
+/// is long.
+std::vector<ListedOption> options_of(const std::string& help) {
+  constexpr std::size_t kColumn = 30;
+  std::vector<ListedOption> options;
+  std::istringstream lines(help);
+  std::string line;
+  while (std::getline(lines, line) && line != "Options:" && line != "OPTIONS:") {
   }
+  while (std::getline(lines, line) && !line.empty()) {
+    if (line.rfind(std::string(kColumn, ' '), 0) == 0) {
+      if (!options.empty()) options.back().text += line.substr(kColumn) + " ";
+      continue;
+    }
+    const bool short_name = line.size() > kColumn && line[kColumn - 1] == ' ';
+    std::istringstream name(short_name ? line.substr(0, kColumn) : line);
+    ListedOption option;
+    name >> option.names;
+    std::getline(name >> std::ws, option.value);
+    option.value.erase(option.value.find_last_not_of(' ') + 1);
+    // What an option needs or excludes stands behind its value.
+    for (const char* relation : {"Needs:", "Excludes:"})
+      option.value = option.value.substr(0, option.value.find(relation));
+    option.value.erase(option.value.find_last_not_of(' ') + 1);
+    if (short_name) option.text = line.substr(kColumn) + " ";
+    options.push_back(option);
+  }
+  return options;
+}
+
+std::string help_of(const std::string& subcommand) {
+  const Outcome run = run_relief({subcommand, "--help"});
+  EXPECT_EQ(run.exit_code, 0) << subcommand;
+  EXPECT_EQ(run.err, "") << subcommand;
+  return run.out;
+}
+
+// The number of options is written down here, so that one that is lost or not listed is noticed.
+TEST(Usage, HelpListsEveryOptionWithItsDefault) {
+  const std::map<std::string, std::size_t> counts{{"bench", 22}, {"compare", 7}, {"convert", 17},
+                                                  {"export", 4}, {"info", 3},    {"render", 37}};
+  for (const auto& [subcommand, count] : counts) {
+    const std::vector<ListedOption> options = options_of(help_of(subcommand));
+    EXPECT_EQ(options.size(), count) << subcommand;
+    for (const ListedOption& option : options) {
+      const std::string where = subcommand + " " + option.names + " " + option.value;
+      EXPECT_FALSE(option.text.empty()) << where;
+      if (option.value.empty()) continue;
+      EXPECT_TRUE(option.value.find("(required)") != std::string::npos ||
+                  option.text.find("(default") != std::string::npos ||
+                  option.text.find("(off by default)") != std::string::npos)
+          << where << ": " << option.text;
+    }
+  }
+}
+
+TEST(Usage, HelpNamesTheSubcommandsAndVersionTheVersion) {
+  const Outcome help = run_relief({"--help"});
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_EQ(help.err, "");
+  for (const char* subcommand : {"bench", "compare", "convert", "export", "info", "render"})
+    EXPECT_NE(help.out.find(std::string("\n  ") + subcommand + " "), std::string::npos)
+        << subcommand;
+  const Outcome version = run_relief({"--version"});
+  EXPECT_EQ(version.exit_code, 0);
+  EXPECT_EQ(version.err, "");
+  EXPECT_EQ(version.out, std::string("relief ") + kVersion + "\n");
 }
 
 }  // namespace

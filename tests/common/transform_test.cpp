@@ -1,4 +1,4 @@
-// Moving models changes their frames alone; putting them together keeps every patch.
+// Transforming models changes only their frames; joining them keeps every patch.
 #include "common/transform.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ glm::dvec3 node(const Patch& patch, std::uint32_t i, std::uint32_t j) {
 }
 
 // Written out again: what it is measured by must not be what is tested.
-glm::dvec3 expected_place(const Transform& t, glm::dvec3 p) {
+glm::dvec3 expected_position(const Transform& t, glm::dvec3 p) {
   return t.translation + t.scale * (t.rotation * p);
 }
 
@@ -53,7 +53,7 @@ TEST(TransformModel, MovesEveryNode) {
       for (std::uint32_t i = 0; i < patch.width; ++i) {
         // Coordinates up to 1e7, where doubles are 2e-9 apart; a dozen roundings.
         EXPECT_LT(glm::distance(node(after.patches[p], i, j),
-                                expected_place(kAnywhere, node(patch, i, j))),
+                                expected_position(kAnywhere, node(patch, i, j))),
                   1e-7);
       }
     }

@@ -1,4 +1,4 @@
-// Fuzzes the readers of pictures: PNG, JPEG, EXR and Radiance.
+// Fuzzes the readers of images: PNG, JPEG, EXR and Radiance.
 #include "common/image/image_io.h"
 #include "tests/fuzz/memory_file.h"
 

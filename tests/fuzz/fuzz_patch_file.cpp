@@ -13,7 +13,7 @@ void check(const Patch& patch) {
 }
 
 void read(const PatchFile& file) {
-  // The index tells beforehand what a patch takes. Large ones are slow here and find nothing more.
+  // The index gives a patch's size. Large patches are slow here and find nothing more.
   constexpr std::uint64_t kMaxNodes = 4096;
   constexpr std::size_t kMaxPatches = 4;
   for (std::size_t i = 0; i < std::min(file.patches().size(), kMaxPatches); ++i) {

@@ -5,7 +5,11 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);  // NOLINT
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const relief::fuzz::MemoryFile file(data, size);
-  if (const auto scene = relief::read_scene(file.path())) {
+  static const relief::EngineKeys kKeys{
+      {"onepass", "raytrace"},
+      {{.key = "primitive", .kind = relief::OptionKind::Choice, .choices = {"cell", "quad"}},
+       {.key = "samples", .kind = relief::OptionKind::Integer, .range = {1.0, 64.0}}}};
+  if (const auto scene = relief::read_scene(file.path(), kKeys)) {
     relief::fuzz::require(!scene->models.empty() && !scene->views.empty());
   }
   return 0;

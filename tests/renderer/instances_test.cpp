@@ -190,7 +190,7 @@ TEST_P(Proxies, TellThePlaceOfASampleNearby) {
     const auto j = static_cast<std::uint32_t>(values(result.image, "UV.V")[k]);
     ASSERT_LT(i, patch.width);
     ASSERT_LT(j, patch.height);
-    const glm::dvec3 sample = place_of(patch, i, j);
+    const glm::dvec3 sample = position_of(patch, i, j);
     const glm::dvec3 normal(values(result.image, "N.X")[k], values(result.image, "N.Y")[k],
                             values(result.image, "N.Z")[k]);
     // A triangle tells one of its corners, at most two cubes of 0.1 and their diagonals away.

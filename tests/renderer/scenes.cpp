@@ -104,9 +104,9 @@ glm::dmat3 axes_about(glm::dvec3 n) {
 
 PatchModel model_of(std::vector<Patch> patches) {
   PatchModel model;
-  for_each_place(patches, [&](glm::dvec3 p) { extend(model.bounds, p); });
+  for_each_position(patches, [&](glm::dvec3 p) { extend(model.bounds, p); });
   const glm::dvec3 middle = 0.5 * (model.bounds.min + model.bounds.max);
-  for_each_place(patches, [&](glm::dvec3 p) {
+  for_each_position(patches, [&](glm::dvec3 p) {
     model.bounding_radius = std::max(model.bounding_radius, glm::distance(p, middle));
   });
   model.spacing = patches.empty() ? 0.0 : patches.front().spacing;

@@ -71,7 +71,7 @@ struct HeightReader {
 };
 
 /// Runs `visit_coarsest` and then `visit_level` for each finer level down to `finest`; `prepare`
-/// sets up the heights of a level before it is visited. Gives the finest one.
+/// sets up the heights of a level before it is visited. Returns the finest one.
 template <class Prepare, class Code>
 LevelGrid visit_heights(std::span<const std::uint8_t> mask, std::uint32_t width,
                         std::uint32_t height, unsigned finest, const Prepare& prepare, Code& code) {
@@ -110,8 +110,8 @@ std::vector<std::byte> encode_heights_compact(const Patch& patch) {
 
 Status decode_heights_compact(std::span<const std::byte> bytes, std::uint32_t samples,
                               unsigned level, Patch& patch) {
-  // A node of the mask takes log2(4096 / 4095) bits at least: a chunk of fewer bytes is a bomb,
-  // which would be seen only behind the whole mask.
+  // A node of the mask takes at least log2(4096 / 4095) bits: a chunk of fewer bytes is a bomb,
+  // which decoding would notice only after the whole mask.
   constexpr std::uint64_t kMaxNodesPerByte = 32768;
   const std::uint64_t nodes = std::uint64_t{patch.width} * patch.height;
   if (nodes / kMaxNodesPerByte > bytes.size()) return make_error("they are too few for the mask");
@@ -120,7 +120,7 @@ Status decode_heights_compact(std::span<const std::byte> bytes, std::uint32_t sa
   if (!in.is_sound()) return make_error("they end within the mask");
   const std::uint32_t marked = count_marked(mask);
   if (marked != samples) {
-    return make_error("the mask has {} samples where the index says {}", marked, samples);
+    return make_error("the mask has {} samples, but the index states {}", marked, samples);
   }
   HeightReader reader{in, &residual_classes()};
   const LevelGrid grid = visit_heights(

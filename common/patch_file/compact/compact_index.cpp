@@ -8,11 +8,12 @@
 #include "common/io/varint.h"
 #include "common/octahedral.h"
 #include "common/patch_file/compact/rotation_code.h"
+#include "common/patch_file/fault.h"
 
 namespace relief {
 namespace {
 
-/// What a patch has that others of the model may not have.
+/// The members that differ between patches of a model.
 enum PatchFlag : std::uint8_t {
   OwnSpacing = 1,
   OwnHeightStep = 2,
@@ -21,18 +22,18 @@ enum PatchFlag : std::uint8_t {
   AllFlags = 15,
 };
 
-/// Places that double precision can tell from their neighbours.
-constexpr double kLargestPlace = 4503599627370496.0;  // 2^52
+/// Positions up to this magnitude are distinct in double precision.
+constexpr double kLargestPosition = 4503599627370496.0;  // 2^52
 
 /// Cones are kept in bytes: an octahedral coordinate is 258 of 16 bits, a cosine 1 / 127.
 constexpr std::int32_t kConeAxisStep = 258;
 constexpr float kConeCosines = 127.0F;
 
-glm::dvec3 steps_of(const glm::dvec3& place, const glm::dvec3& base, double step) {
-  return glm::round((place - base) / step);
+glm::dvec3 steps_of(const glm::dvec3& position, const glm::dvec3& base, double step) {
+  return glm::round((position - base) / step);
 }
 
-/// The height step that need not be said again: the first patch's, as most models have one alone.
+/// The height step that is stored once: the first patch's, because most models have only one.
 double common_height_step(const FileIndex& index) {
   return index.patches.empty() ? 1.0 : index.patches.front().summary.height_step;
 }
@@ -42,7 +43,7 @@ void append_chunk(const ChunkRecord& chunk, std::vector<std::byte>& out) {
   if (chunk.size > 0) append_number(out, chunk.checksum);
 }
 
-/// Takes a chunk that lies at `offset`; false if the index ends within it or the chunk leaves the
+/// Reads a chunk at `offset`. Returns false if the index ends within it or the chunk leaves the
 /// file's data.
 bool take_chunk(ByteReader& in, const FileHeader& header, ChunkRecord& chunk,
                 std::uint64_t& offset) {
@@ -60,12 +61,12 @@ bool take_chunk(ByteReader& in, const FileHeader& header, ChunkRecord& chunk,
   return true;
 }
 
-/// What places are relative to.
+/// The base of positions.
 glm::dvec3 index_base(const Bounds& bounds) {
   return bounds.empty() ? glm::dvec3(0.0) : bounds.min;
 }
 
-/// Steps in which places are kept; 1 for a model without patches.
+/// The step of stored positions; 1 for a model without patches.
 double instance_step(const std::vector<PatchRecord>& patches) {
   if (patches.empty()) return 1.0;
   double least = patches.front().summary.height_step;
@@ -73,13 +74,14 @@ double instance_step(const std::vector<PatchRecord>& patches) {
   return std::exp2(std::floor(std::log2(least / 16.0)));
 }
 
-/// What is left of a patch's place, axes and normal cone.
+/// A patch's position, axes and normal cone as stored.
 PatchSummary rounded_summary(const PatchSummary& patch, const glm::dvec3& base, double step) {
   PatchSummary rounded = patch;
-  const glm::dvec3 places = steps_of(patch.origin, base, step);
-  // Farther away than steps can be told apart there is nothing to round.
-  if (std::max({std::abs(places.x), std::abs(places.y), std::abs(places.z)}) < kLargestPlace) {
-    rounded.origin = base + places * step;
+  const glm::dvec3 positions = steps_of(patch.origin, base, step);
+  // Beyond this distance, steps are not distinct and nothing is rounded.
+  if (std::max({std::abs(positions.x), std::abs(positions.y), std::abs(positions.z)}) <
+      kLargestPosition) {
+    rounded.origin = base + positions * step;
   }
   rounded.axes = decode_rotation(encode_rotation(patch.axes));
   for (glm::length_t c = 0; c < 2; ++c) {

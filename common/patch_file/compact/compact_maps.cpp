@@ -35,8 +35,8 @@ std::uint32_t expectation_at(const Neighbours& magnitudes) {
 
 /// Calls `code(channel, k, prediction, residual class)` for every kept texel in scan order, all
 /// channels of one before those of the next; it sets or reads the value and returns the residual.
-/// A residual is expected to be like those around it and, half as much, like that of the channel
-/// before.
+/// The expected residual is that of those around it and, with half the weight, that of the previous
+/// channel.
 template <std::size_t Channels, class Predict, class Code>
 void visit_map(const KeptGrid& grid, const std::array<std::vector<std::int32_t>, Channels>& values,
                const Predict& predict, const Code& code) {
@@ -95,7 +95,7 @@ Status decode_map(std::span<const std::byte> bytes, const KeptGrid& grid, const 
   return {};
 }
 
-/// What a normal is coded relative to, and in which steps.
+/// The base and the step of coded normals.
 struct NormalFrame {
   std::uint16_t step = 1;
   std::vector<glm::i16vec2> bases;  ///< the heights' own normals; zero for maps finer than the grid

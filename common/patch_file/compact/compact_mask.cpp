@@ -7,14 +7,13 @@ namespace {
 
 #include "common/patch_file/compact/compact_mask_chances.inc"
 
-/// Which nodes are samples, of a row and the two above it, each with two nodes that are none at
-/// either end.
+/// Samples of a row and the two rows above it, each with two holes at either end.
 class MaskRows {
  public:
   explicit MaskRows(std::size_t width)
       : width_(width), row_(width + 4), above_(row_), second_(row_), contexts_(width) {}
 
-  /// Goes on to the next row.
+  /// Moves to the next row.
   void go_down() {
     second_.swap(above_);
     above_.swap(row_);
@@ -42,9 +41,9 @@ class MaskRows {
 };
 
 /// Calls `code(chance)` for each node in scan order; `chance` of 4096 is that it is a sample, and
-/// what is returned is whether it is one. What decides: two nodes to the west, five of the row
-/// above and the one above that; outside of the grid there are no samples. `code` is taken and
-/// given back by value, so that a decoder's state stays in registers.
+/// the return value is whether it is a sample. The context: two nodes to the west, five of the row
+/// above and the one above that; outside the grid are holes. `code` is passed and returned by
+/// value, so that a decoder's state stays in registers.
 template <class Code>
 [[nodiscard]] Code visit_mask(std::size_t width, std::size_t height, Code code) {
   MaskRows rows(width);
@@ -54,7 +53,7 @@ template <class Code>
     std::uint8_t* const row = rows.row();
     unsigned west = 0;
     for (std::size_t i = 0; i < width; ++i) {
-      // Two methods, so that processors guess which one it is: most nodes are as those before them.
+      // Two branches, which processors predict well, because most nodes equal those before them.
       if (code(kSampleChances[contexts[i] | west])) {
         row[i] = 1;
         west = (west << 1U & 2U) | 1U;

@@ -13,7 +13,7 @@ namespace relief {
 /// Codes a row-major mask of 0 and 1.
 void put_mask(RansEncoder& out, std::span<const std::uint8_t> mask, std::size_t width);
 
-/// The inverse of put_mask. On damaged bytes any mask; the decoder tells that it is not sound.
+/// Inverse of put_mask. Damaged bytes may give any mask; the decoder's is_sound() is then false.
 [[nodiscard]] std::vector<std::uint8_t> take_mask(RansDecoder& in, std::size_t width,
                                                   std::size_t height);
 

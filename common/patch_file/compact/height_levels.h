@@ -1,5 +1,5 @@
-// The order in which codec 2 of the patch file visits heights, coarse levels first, and what it
-// expects of each: the same for writing, reading and training.
+// The order in which codec 2 of the patch file visits heights, coarse levels first, and the height
+// it expects for each. Writing, reading and training share this code.
 #pragma once
 
 #include <algorithm>
@@ -17,24 +17,25 @@
 
 namespace relief {
 
-/// What is expected of one height, which is less kHeightBase as those of a LevelGrid are.
+/// The prediction of one height, less kHeightBase like all heights of a LevelGrid.
 struct Expectation {
   std::int32_t height = 0;
   unsigned residual_class = 0;
 };
 
-/// Larger residuals are as large to those that are expected to be like them.
+/// Magnitudes are clamped to this when they predict others.
 inline constexpr std::uint32_t kMaxMagnitude = 255;
 
-/// The class of the coarsest level's residuals, which follow from next to nothing.
+/// The class of the coarsest level's residuals, which have almost no prediction.
 inline constexpr unsigned kCoarsestClass = 46;
 
-/// Errors of rows were learned on all levels, of which the finest has three quarters of the nodes:
-/// what they are on each level, in quarters; the last for all coarser ones too.
+/// Factors of the rows' errors for each level, in quarters; the last also for all coarser levels.
+/// The errors were learned on all levels together, of which the finest has three quarters of the
+/// nodes.
 inline constexpr std::array<std::uint32_t, 7> kErrorScales{3, 5, 8, 14, 26, 42, 64};
 
-/// How much of the errors of a pass's rows is expected, in 1/256, by the bits of the near residuals
-/// whose nodes are samples: what those that are missing would have said.
+/// Share of a pass's row errors in the expectation, in 1/256, by the bits of the near residuals
+/// whose nodes are samples. It stands in for the missing ones.
 template <const HeightPass& Pass>
 inline constexpr auto kErrorWeights = [] {
   std::array<std::uint32_t, 1U << kNearResiduals> weights{};
@@ -47,7 +48,7 @@ inline constexpr auto kErrorWeights = [] {
 }();
 
 /// Visits the samples of a level's pass: `code(height, expectation)` sets or reads the height and
-/// returns the magnitude of the residual, at most kMaxMagnitude. It is taken and given back by
+/// returns the magnitude of the residual, at most kMaxMagnitude. `code` is passed and returned by
 /// value, so that a decoder's state stays in registers.
 template <const HeightPass& Pass, class Code>
 [[nodiscard]] Code visit_pass(const PredictorTable& table, LevelGrid& grid, Code code) {
@@ -69,7 +70,7 @@ template <const HeightPass& Pass, class Code>
     std::int16_t* const heights = &grid.heights[first];
     std::uint8_t* const magnitudes = &grid.magnitudes[first];
     const std::size_t nodes = (grid.width - Pass.first + Pass.step - 1) / Pass.step;
-    // Of the node visited before this one and of the one before that; 0 where no sample is.
+    // Of the two nodes visited before this one; 0 for a hole.
     std::uint32_t before = 0;
     std::uint32_t second = 0;
     for (std::size_t n = 0; n < nodes; ++n) {
@@ -87,7 +88,7 @@ template <const HeightPass& Pass, class Code>
         magnitude += error_of_all;
       } else {
         const PredictorRow& weights = table.row(known & kNeighbourBits);
-        // The height before is the last one, where there is one; without neighbours, too.
+        // The previous height is the last sample's, also without neighbours.
         const std::int32_t of_last =
             weights.known != 0 ? weights.weights[Row::kBefore] : 1 << kWeightBits;
         height += row.sum(n, weights) + of_last * last;
@@ -105,14 +106,14 @@ template <const HeightPass& Pass, class Code>
   return code;
 }
 
-/// Visits the samples of a level that are on no coarser one.
+/// Visits the samples of a level that no coarser level has.
 template <class Code>
 [[nodiscard]] Code visit_level(const PredictorTables& tables, LevelGrid& grid, Code code) {
   code = visit_pass<kRowPass>(tables.rows, grid, std::move(code));
   return visit_pass<kColumnPass>(tables.columns, grid, std::move(code));
 }
 
-/// Visits the at most four samples of the coarsest level; each is expected as the one before.
+/// Visits the at most four samples of the coarsest level; each is predicted by the one before.
 template <class Code>
 [[nodiscard]] Code visit_coarsest(LevelGrid& grid, Code code) {
   for (std::uint32_t j = 0; j < grid.height; ++j) {

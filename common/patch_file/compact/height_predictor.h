@@ -1,5 +1,5 @@
-// What codec 2 of the patch file expects a height to be, from those around it that are coded
-// already (docs/patch-file.md, "Codec 2").
+// How codec 2 of the patch file predicts a height from coded heights around it (docs/patch-file.md,
+// "Codec 2").
 #pragma once
 
 #include <array>
@@ -9,14 +9,13 @@
 
 namespace relief {
 
-/// A node relative to the one that is predicted; (0, 0) stands for none.
+/// A node relative to the predicted one; (0, 0) stands for none.
 struct NodeOffset {
   std::int8_t i = 0;
   std::int8_t j = 0;
 };
 
-/// A residual that was coded before on the same level, and its share (in 1/256) in what is
-/// expected.
+/// An earlier residual of the same level, and its share (in 1/256) in the expected magnitude.
 struct NearResidual {
   NodeOffset at;
   std::uint8_t weight = 0;
@@ -27,21 +26,21 @@ inline constexpr std::size_t kNearResiduals = 5;
 /// Weights of predictions are in 1/1024.
 inline constexpr unsigned kWeightBits = 10;
 
-/// How a height follows from those neighbours that are there.
+/// The prediction of a height from the neighbours that exist.
 struct PredictorRow {
   std::uint16_t known = 0;  ///< bit k: neighbour k of the stencil is used
   std::uint16_t error = 0;  ///< the mean magnitude of residuals, in 1/16
   std::array<std::int16_t, kMaxNeighbours> weights{};  ///< their sum is 1024
 };
 
-/// A level is coded in two passes, and each looks at its own neighbours.
+/// A level is coded in two passes with different neighbours.
 struct HeightPass {
   std::uint32_t first;      ///< its first column
   int step;                 ///< from each of its columns to the next
   std::uint32_t first_row;  ///< every second one from there
   std::array<NodeOffset, kMaxNeighbours> neighbours;
   std::array<NearResidual, kNearResiduals> residuals;
-  std::uint32_t error_weight;  ///< of PredictorRow::error in what is expected, in 1/256
+  std::uint32_t error_weight;  ///< share of PredictorRow::error in the expected magnitude, in 1/256
 };
 
 /// Nodes with odd i and even j.
@@ -61,7 +60,7 @@ inline constexpr HeightPass kColumnPass{
     {{{{-1, 0}, 77}, {{-2, 0}, 18}, {{0, -2}, 33}, {{1, -2}, 18}, {{0, 1}, 14}}},
     48};
 
-/// The share of the residual at a node in what a pass expects.
+/// Returns the share of the residual at a node in a pass's expected magnitude.
 [[nodiscard]] constexpr std::uint32_t weight_at(const HeightPass& pass, int i, int j) {
   for (const NearResidual& near : pass.residuals) {
     if (near.at.i == i && near.at.j == j) return near.weight;
@@ -69,8 +68,8 @@ inline constexpr HeightPass kColumnPass{
   return 0;
 }
 
-/// For all neighbours that may be there the row that is taken: of those whose neighbours are all
-/// there the one with the most of them, and of these the one with the least error.
+/// The row to use for each set of existing neighbours: among the rows whose neighbours all exist,
+/// the one with the most neighbours, and among these the one with the least error.
 class PredictorTable {
  public:
   explicit PredictorTable(std::span<const PredictorRow> rows);
@@ -86,7 +85,7 @@ struct PredictorTables {
   PredictorTable columns;  ///< of kColumnPass
 };
 
-/// The tables of codec 2; made once.
+/// Returns the tables of codec 2; made once.
 [[nodiscard]] const PredictorTables& predictor_tables();
 
 }  // namespace relief

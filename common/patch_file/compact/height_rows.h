@@ -1,5 +1,5 @@
-// What codec 2 of the patch file expects of a row of heights, many nodes at a time: all but what
-// hangs on the sample that is visited just before.
+// Predicts a row of heights for codec 2 of the patch file, many nodes at a time, except for the
+// part that depends on the sample visited just before.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@
 
 namespace relief {
 
-/// Calls `use(k)` for each k below `Count`, each in its own code. GCC calls the larger ones as
-/// functions if it is not told, with vectors in memory: a fifth of the time of decoding.
+/// Calls `use(k)` for each k below `Count`, each inlined. GCC does not inline the larger ones by
+/// default and passes vectors through memory, which takes a fifth of the decoding time.
 template <std::size_t Count, class Use>
 [[gnu::always_inline]] inline void unrolled(const Use& use) {
   [&]<std::size_t... K>(std::index_sequence<K...>) __attribute__((always_inline)) {
@@ -32,11 +32,11 @@ template <std::size_t Count, class Use>
 template <const HeightPass& Pass>
 class HeightRow {
  public:
-  /// Neighbours and near residuals as bits: bit k is neighbour k, if that is a sample, bit
-  /// kMaxNeighbours + k the node of near residual k.
+  /// Bits of neighbours and near residuals: bit k is set if neighbour k is a sample, bit
+  /// kMaxNeighbours + k if the node of near residual k is.
   static constexpr std::size_t kBits = kMaxNeighbours + kNearResiduals;
   static constexpr std::uint32_t kAll = (1U << kBits) - 1U;
-  /// The neighbour that is visited just before a node.
+  /// The neighbour visited just before a node.
   static constexpr std::size_t kBefore = [] {
     std::size_t k = 0;
     while (Pass.neighbours[k].i != -Pass.step || Pass.neighbours[k].j != 0) ++k;
@@ -51,7 +51,7 @@ class HeightRow {
         sums_(known_.size()),
         near_(known_.size()) {}
 
-  /// Goes to row j of the grid. Rows above were visited, and so was this one by other passes.
+  /// Moves to row j of the grid. Rows above are already visited, and this row by other passes.
   void go_to(const LevelGrid& grid, std::uint32_t j) {
     const std::size_t first = grid.node(Pass.first, j);
     samples_ = &grid.samples[first];
@@ -60,14 +60,14 @@ class HeightRow {
     for (std::size_t n = 0; n < known_.size(); n += LevelGrid::kBlock / Pass.step) look_at_block(n);
   }
 
-  /// The samples about node n.
+  /// The samples around node n.
   [[nodiscard]] std::uint32_t known(std::size_t n) const { return known_[n]; }
   /// The sum of weight * height over all neighbours but kBefore, for nodes of kAll.
   [[nodiscard]] std::int32_t sum(std::size_t n) const { return sums_[n]; }
   /// The sum of weight * magnitude over the near residuals of other rows.
   [[nodiscard]] std::uint32_t near(std::size_t n) const { return near_[n]; }
 
-  /// As `sum`, with other weights; those of neighbours that are no samples are 0.
+  /// `sum` with other weights; those of holes are 0.
   [[nodiscard]] std::int32_t sum(std::size_t n, const PredictorRow& row) const {
     const std::int16_t* const node = heights_ + n * Pass.step;
     std::int32_t sum = 0;
@@ -78,7 +78,7 @@ class HeightRow {
   }
 
  private:
-  /// Of these the visitor knows more: they are of the row itself.
+  /// The visitor handles these: they belong to the row itself.
   static constexpr bool is_elsewhere(NearResidual near) {
     return near.weight > 0 && near.at.j != 0;
   }
@@ -95,7 +95,7 @@ class HeightRow {
     _mm_storeu_si128(reinterpret_cast<__m128i*>(to), values);
   }
 
-  /// Of bit k the samples of sixteen columns.
+  /// Sets bit k from the samples of sixteen columns.
   template <std::size_t Bit>
   [[nodiscard]] __m128i samples(std::size_t n) const {
     constexpr NodeOffset kAt = Bit < kMaxNeighbours
@@ -111,7 +111,7 @@ class HeightRow {
 
   /// Sixteen columns: that many nodes, or half as many in every second one.
   void look_at_block(std::size_t n) {
-    // A third of a patch's rectangle has no samples: nobody asks for what is said of its nodes.
+    // A third of a patch's rectangle has no samples; its nodes need no values.
     const __m128i none = _mm_cmpeq_epi8(load(samples_ + n * Pass.step), _mm_setzero_si128());
     if (_mm_movemask_epi8(none) == 0xFFFF) return;
     if constexpr (Pass.step == 2) {
@@ -126,7 +126,7 @@ class HeightRow {
     }
   }
 
-  // Bytes of every second column are numbers of 16 bits whose higher bytes are cleared.
+  // Bytes of every second column are read as 16-bit numbers with cleared high bytes.
 
   void find_known_of_eight(std::size_t n) {
     const __m128i low_bytes = _mm_set1_epi16(0xFF);
@@ -180,8 +180,8 @@ class HeightRow {
     store(&near_[n + 8], high);
   }
 
-  /// Products of heights and weights are added by twos: where columns are every second one, the
-  /// height between two of them counts nothing; where they are not, two neighbours of a node.
+  /// Products of heights and weights are added in pairs: for every second column, the height
+  /// between two columns counts 0; otherwise the pair is two neighbours of a node.
   void add_heights_of_eight(std::size_t n) {
     const auto& weights = of_all_.weights;
     const std::int16_t* const first = heights_ + n * Pass.step;

@@ -1,5 +1,5 @@
-// The grids on which codec 2 of the patch file works: every 2^level-th node of a patch each way,
-// with room around them, so that looking at neighbours needs no test for the rim.
+// The grids of codec 2 of the patch file: every 2^level-th node of a patch in both directions, with
+// a margin, so that access to neighbours needs no test for the rim.
 #pragma once
 
 #include <algorithm>
@@ -12,13 +12,14 @@
 
 namespace relief {
 
-/// One level of a patch. Nodes (-kRim, -kRim) to (width + kRim - 1, height + kRim - 1) may be
-/// looked at; those outside of the grid are no samples.
+/// One level of a patch. Nodes (-kRim, -kRim) to (width + kRim - 1, height + kRim - 1) may be read;
+/// those outside the grid are holes.
 struct LevelGrid {
-  static constexpr std::uint32_t kRim = 3;  ///< as far as predictions look (height_predictor.h)
-  /// Heights are kept less this, as signed numbers of 16 bits: SIMD multiplies those in one step.
+  static constexpr std::uint32_t kRim = 3;  ///< reach of predictions (height_predictor.h)
+  /// Subtracted from heights, so that they are signed 16-bit numbers, which SIMD multiplies in one
+  /// step.
   static constexpr std::int32_t kHeightBase = 32768;
-  /// Rows are looked at in blocks of this many nodes; what is behind the last row's end is read.
+  /// Rows are read in blocks of this many nodes, also beyond the end of the last row.
   static constexpr std::uint32_t kBlock = 16;
   static constexpr std::size_t padded(std::size_t width) {
     return (width + kBlock - 1) / kBlock * kBlock;
@@ -33,22 +34,22 @@ struct LevelGrid {
         heights(samples.size()),
         magnitudes(samples.size()) {}
 
-  unsigned level;  ///< each node is 2^level nodes of the patch from the next
+  unsigned level;  ///< neighbouring nodes are 2^level nodes of the patch apart
   std::uint32_t width;
   std::uint32_t height;
-  std::size_t stride;                    ///< from a node to the one below it
+  std::size_t stride;                    ///< distance of vertical neighbours
   std::vector<std::uint8_t> samples;     ///< 1 at samples, else 0
-  std::vector<std::int16_t> heights;     ///< of samples that are coded already
+  std::vector<std::int16_t> heights;     ///< of already coded samples
   std::vector<std::uint8_t> magnitudes;  ///< of the residuals coded on this level, at most 255
 
-  std::int32_t last = -kHeightBase;  ///< the height that was coded last
+  std::int32_t last = -kHeightBase;  ///< the last coded height
 
   [[nodiscard]] std::size_t node(std::uint32_t i, std::uint32_t j) const {
     return (j + kRim) * stride + i + kRim;
   }
 };
 
-/// The coarsest level of a grid: the one that leaves at most two nodes each way.
+/// Returns the coarsest level of a grid, which has at most two nodes in each direction.
 [[nodiscard]] inline unsigned coarsest_level(std::uint32_t width, std::uint32_t height) {
   unsigned level = 0;
   while (((width - 1) >> level) > 1 || ((height - 1) >> level) > 1) ++level;
@@ -69,7 +70,7 @@ inline void mark_samples(std::span<const std::uint8_t> mask, std::size_t width, 
   }
 }
 
-/// Copies the heights of the next coarser level to where its nodes are on `fine`.
+/// Copies the heights of the next coarser level to its nodes on `fine`.
 inline void take_heights(const LevelGrid& coarse, LevelGrid& fine) {
   fine.last = coarse.last;
   for (std::uint32_t j = 0; j < coarse.height; ++j) {

@@ -1,6 +1,6 @@
 // Entropy coding for codec 2 of the patch file: range asymmetric numeral systems (Duda, "Asymmetric
 // numeral systems", arXiv:1311.2540, 2013), one 32-bit state, 16-bit words (docs/patch-file.md,
-// "Codec 2"). What is coded is an interval of 0..4095, as wide as the symbol is probable.
+// "Codec 2"). Each symbol is an interval of 0..4095, as wide as the symbol is probable.
 #pragma once
 
 #include <array>
@@ -14,18 +14,18 @@ namespace relief {
 
 inline constexpr unsigned kProbabilityBits = 12;
 inline constexpr std::uint32_t kProbabilityOne = 1U << kProbabilityBits;
-/// States lie from here to 2^32 - 1; coding starts and decoding ends with this one.
+/// The lowest state; states reach up to 2^32 - 1. Coding starts and decoding ends with this one.
 inline constexpr std::uint32_t kMinState = 1U << 16U;
-/// The most equally probable bits that one interval holds.
+/// The largest number of equally probable bits in one interval.
 inline constexpr unsigned kMaxRawBits = kProbabilityBits;
 
-/// The share of the numbers 0..4095 that stands for a symbol.
+/// The interval of 0..4095 of a symbol.
 struct Interval {
   std::uint16_t start = 0;
-  std::uint16_t width = 0;  ///< 1 to 4095, or 4096 for what is certain
+  std::uint16_t width = 0;  ///< 1 to 4095, or 4096 if certain
 };
 
-/// Collects intervals in the order in which they will be decoded.
+/// Collects intervals in the order of decoding.
 class RansEncoder {
  public:
   void put(Interval interval) {
@@ -33,7 +33,7 @@ class RansEncoder {
     intervals_.push_back(interval);
   }
 
-  /// `count` bits of equal probability, at most 16.
+  /// Adds `count` equally probable bits, at most 16.
   void put_bits(std::uint32_t value, unsigned count) {
     assert(count <= 16 && value >> count == 0);
     if (count > kMaxRawBits) {
@@ -52,8 +52,7 @@ class RansEncoder {
   std::vector<Interval> intervals_;
 };
 
-/// Takes symbols from bytes that may be hostile: past their end it reads zeros, and `is_sound` is
-/// false then.
+/// Decodes symbols from hostile bytes: past their end it reads zeros, and `is_sound` becomes false.
 class RansDecoder {
  public:
   explicit RansDecoder(std::span<const std::byte> bytes) : bytes_(bytes) {
@@ -63,10 +62,10 @@ class RansDecoder {
     }
   }
 
-  /// Where the next symbol's interval is to be looked up.
+  /// Returns the number to look up in the symbols' intervals.
   [[nodiscard]] std::uint32_t peek() const { return state_ & (kProbabilityOne - 1); }
 
-  /// Goes on behind a symbol whose interval held peek().
+  /// Removes a symbol, whose interval held peek().
   void advance(Interval interval) {
     step(interval);
     if (state_ < kMinState) {
@@ -75,9 +74,9 @@ class RansDecoder {
     }
   }
 
-  /// As `advance`, without a branch on whether a word is read: where symbols are of a few bits that
-  /// is guessed wrong too often (a twentieth of the time of decoding heights). Where they are of
-  /// next to none, as in masks, `advance` is the faster one.
+  /// `advance` without a branch on reading a word. For symbols of a few bits that branch is
+  /// mispredicted too often (a twentieth of the time of decoding heights). For cheaper symbols, as
+  /// in masks, `advance` is faster.
   void advance_evenly(Interval interval) {
     step(interval);
     const std::uint32_t reads = state_ < kMinState ? 1 : 0;
@@ -91,10 +90,10 @@ class RansDecoder {
     return low | take_raw(count - 8) << 8U;
   }
 
-  /// Nothing was read that is not there.
+  /// Returns whether nothing was read past the end.
   [[nodiscard]] bool is_sound() const { return at_ <= bytes_.size(); }
 
-  /// Everything was read, and it ended where an encoder begins.
+  /// Returns whether all bytes were read and the state is an encoder's first.
   [[nodiscard]] bool is_at_end() const { return at_ == bytes_.size() && state_ == kMinState; }
 
  private:
@@ -109,7 +108,7 @@ class RansDecoder {
     state_ = interval.width * (state_ >> kProbabilityBits) + (peek() - interval.start);
   }
 
-  /// The word that is to be read next.
+  /// The next word to read.
   [[nodiscard]] std::uint32_t word() const {
     static constexpr std::array<std::byte, 2> kNone{};
     const std::byte* const from = at_ + 2 <= bytes_.size() ? bytes_.data() + at_ : kNone.data();

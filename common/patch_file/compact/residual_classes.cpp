@@ -46,7 +46,7 @@ void make_class(unsigned number, ResidualClasses& classes) {
     classes.shift[number] = static_cast<std::uint8_t>(1 + (number - kFirstShifted) / 4);
   }
   const std::vector<std::uint64_t> list = probabilities(number);
-  // What is not expected happens more often than a Laplacian says: the escape has a grain more.
+  // Outliers are more frequent than in a Laplacian: the escape gets one unit more.
   constexpr std::uint32_t kMinEscape = 1;
   std::array<std::uint32_t, ResidualClasses::kMaxSymbols> widths{};
   std::uint32_t sum = 0;
@@ -96,7 +96,7 @@ void put_residual(RansEncoder& out, unsigned residual_class, std::uint16_t resid
   const std::uint32_t escape = classes.escape[residual_class];
   out.put(classes.intervals[residual_class][std::min(value, escape)]);
   if (value >= escape) {
-    // The number of bits of what is left plus one, then these bits without the leading one.
+    // The number of bits of the remainder plus one, then these bits without the leading one.
     const std::uint32_t rest = value - escape + 1;
     const auto bits = static_cast<unsigned>(std::bit_width(rest)) - 1U;
     out.put_bits(bits, 4);

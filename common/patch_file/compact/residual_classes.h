@@ -1,4 +1,4 @@
-// How probable residuals are, by how large they are expected to be (docs/patch-file.md, "Codec 2").
+// Probabilities of residuals by their expected magnitude (docs/patch-file.md, "Codec 2").
 #pragma once
 
 #include <array>
@@ -13,9 +13,9 @@ namespace relief {
 inline constexpr unsigned kExpectationBits = 8;
 inline constexpr unsigned kResidualClasses = 53;
 
-/// The class of residuals whose magnitude is expected to be `expectation` / 256.
+/// Returns the class of residuals with an expected magnitude of `expectation` / 256.
 [[nodiscard]] inline unsigned class_of(std::uint32_t expectation) {
-  // From 1/32 on: less than that the most certain prediction does not expect.
+  // From 1/32 on: the most certain predictions expect no less.
   constexpr unsigned kMinOctave = 3;
   if (expectation < (1U << kMinOctave)) return 0;
   const auto octave = static_cast<unsigned>(std::bit_width(expectation)) - 1U;
@@ -24,40 +24,42 @@ inline constexpr unsigned kResidualClasses = 53;
   return number < kResidualClasses ? number : kResidualClasses - 1;
 }
 
-/// Classes of expectations below this are looked up: each symbol of a row waits for its class.
+/// Classes of expectations below this come from a table, because each symbol of a row waits for its
+/// class.
 inline constexpr std::uint32_t kQuickExpectations = 8192;
 
 /// The intervals of all classes. A residual's zigzag number (residuals.h) without its `shift`
 /// lowest bits, which follow as they are, is the symbol; the last symbol stands for all larger
-/// ones. One table after the other, as a decoder waits for `symbol_at` of the class alone.
+/// ones. The tables lie one after the other, because a decoder waits only for the class's
+/// `symbol_at`.
 struct ResidualClasses {
   static constexpr unsigned kMaxSymbols = 64;
-  /// Intervals are whole multiples of 4, so that where symbols are takes 1 KiB a class: those of
-  /// the most frequent classes stay in a core's first cache.
+  /// Intervals are whole multiples of 4, so that the positions of symbols take 1 KiB a class: those
+  /// of the most frequent classes stay in the first-level cache.
   static constexpr unsigned kGrainBits = 2;
   static constexpr std::uint32_t kGrains = kProbabilityOne >> kGrainBits;
   template <class Value>
   using OfClasses = std::array<Value, kResidualClasses>;
   OfClasses<std::uint8_t> shift{};
   OfClasses<std::uint8_t> escape{};  ///< the last symbol
-  OfClasses<std::uint8_t> plain{};   ///< lesser symbols are residuals, nothing follows them
+  OfClasses<std::uint8_t> plain{};   ///< smaller symbols are complete residuals
   OfClasses<std::array<Interval, kMaxSymbols>> intervals{};
   OfClasses<std::array<std::uint8_t, kGrains>> symbol_at{};
   std::array<std::uint8_t, kQuickExpectations> quick{};  ///< class_of(index)
 
-  /// As class_of.
+  /// Returns class_of(expectation).
   [[nodiscard]] unsigned number_of(std::uint32_t expectation) const {
     return expectation < kQuickExpectations ? quick[expectation] : class_of(expectation);
   }
 };
 
-/// All classes; made once, the same on every machine.
+/// Returns all classes; made once, equal on every machine.
 [[nodiscard]] const ResidualClasses& residual_classes();
 
-/// Codes zigzag numbers.
+/// Encodes zigzag numbers.
 void put_residual(RansEncoder& out, unsigned residual_class, std::uint16_t residual);
 
-/// Takes a symbol: the residual itself if it is below `classes.plain`.
+/// Decodes a symbol, which is the residual if it is below `classes.plain`.
 [[nodiscard]] inline std::uint32_t take_symbol(RansDecoder& in, const ResidualClasses& classes,
                                                unsigned residual_class) {
   const std::uint32_t symbol =
@@ -66,7 +68,7 @@ void put_residual(RansEncoder& out, unsigned residual_class, std::uint16_t resid
   return symbol;
 }
 
-/// Takes what follows a symbol that is not below `classes.plain`, and gives the residual.
+/// Decodes the bits after a symbol of `classes.plain` or above, and returns the residual.
 [[nodiscard]] inline std::uint16_t take_rest(RansDecoder& in, const ResidualClasses& classes,
                                              unsigned residual_class, std::uint32_t symbol) {
   if (symbol == classes.escape[residual_class]) {

@@ -7,14 +7,14 @@
 
 namespace relief {
 
-/// Three words; bits 30 and 31 of the first say which component is left out, the low 30 of each are
-/// the others.
+/// Three words. Bits 30 and 31 of the first are the index of the omitted component; the low 30 bits
+/// of each are the others.
 using RotationCode = std::array<std::uint32_t, 3>;
 
-/// `axes` are orthonormal and right-handed; their directions come back within 4e-9 radians.
+/// Encodes orthonormal, right-handed `axes`. Decoded directions are within 4e-9 radians.
 [[nodiscard]] RotationCode encode_rotation(const glm::dmat3& axes);
 
-/// Any code gives a rotation.
+/// Decodes a rotation; every code is valid.
 [[nodiscard]] glm::dmat3 decode_rotation(const RotationCode& code);
 
 }  // namespace relief

@@ -1,4 +1,4 @@
-// Which nodes of a grid are samples, as run lengths: part of codec 1 of the patch file.
+// Masks of samples as run lengths: part of codec 1 of the patch file.
 #pragma once
 
 #include <cstddef>
@@ -12,12 +12,12 @@
 
 namespace relief {
 
-/// Appends a row-major mask of ones and zeros. A node is coded by whether it differs from the node
-/// north of it, so that only where a border leans does anything cost.
+/// Appends a row-major mask of ones and zeros. A node is coded as its difference to the node north
+/// of it, so that only slanted borders cost bytes.
 void append_mask(std::vector<std::byte>& out, std::span<const std::uint8_t> mask, std::size_t width,
                  ZstdContexts& zstd);
 
-/// The inverse of append_mask. Safe on hostile bytes: allocates at most 2 bytes a node.
+/// Inverse of append_mask. Safe on hostile bytes; allocates at most 2 bytes a node.
 Result<std::vector<std::uint8_t>> take_mask(ByteReader& in, std::size_t width, std::size_t height,
                                             ZstdContexts& zstd);
 

@@ -11,9 +11,9 @@
 namespace relief {
 namespace {
 
-/// What a normal is coded relative to. The encoder takes what is shorter: scanned surfaces are
-/// rough, and then their heights tell more than the normals beside (on the Stanford Dragon 11.2
-/// against 12.7 bits a normal); smooth ones and maps finer than the grid go on as planes.
+/// The base of coded normals. The encoder chooses the shorter result: scanned surfaces are rough,
+/// and their heights then predict better than neighbouring normals (on the Stanford Dragon 11.2
+/// against 12.7 bits a normal); smooth surfaces and maps finer than the grid continue as planes.
 enum class NormalPredictor : std::uint8_t { Plane = 0, Heights = 1 };
 
 std::int32_t rounded_quotient(std::int32_t value) {

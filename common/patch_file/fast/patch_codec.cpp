@@ -74,7 +74,7 @@ Status decode_heights(std::span<const std::byte> bytes, std::uint32_t samples, P
   RELIEF_TRY_ASSIGN(const auto mask, take_mask(in, patch.width, patch.height, zstd));
   const std::uint32_t marked = count_marked(mask);
   if (marked != samples) {
-    return make_error("the mask has {} samples where the index says {}", marked, samples);
+    return make_error("the mask has {} samples, but the index states {}", marked, samples);
   }
   RELIEF_TRY_ASSIGN(const auto differences, take_differences(in, marked, kDifferencePadding, zstd));
   RELIEF_TRY(check_end(in));

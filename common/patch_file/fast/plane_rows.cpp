@@ -14,7 +14,7 @@
 namespace relief {
 namespace {
 
-/// Stretches are set in blocks of this many nodes; what is set behind their ends is no matter.
+/// Stretches are set in blocks of this many nodes; values beyond their ends are ignored.
 constexpr std::size_t kBlock = 8;
 static_assert(kBlock <= kDifferencePadding);
 
@@ -104,11 +104,11 @@ Neighbours neighbours_in(const KeptRows& rows, const std::uint16_t* row, const s
   return at;
 }
 
-/// Stores 16-bit values; tells whether a kept one is 65535. Without branches, and of all rows at
+/// Stores 16-bit values; returns whether a kept one is 65535. Without branches, and of all rows at
 /// once: compilers make SIMD of it.
 bool store(std::span<const std::uint8_t> kept, const std::uint16_t* from, std::int32_t hole,
            std::int32_t* __restrict to) {
-  std::int32_t next_values = 0;  // Bit 16 is of 65535 + 1 alone.
+  std::int32_t next_values = 0;  // Bit 16 is set only for 65535 + 1.
   for (std::size_t k = 0; k < kept.size(); ++k) {
     const std::int32_t keep = -std::int32_t{kept[k]};
     const std::int32_t value = from[k] & keep;

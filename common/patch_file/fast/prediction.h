@@ -1,4 +1,4 @@
-// Predicting integers on a grid with holes from the neighbours that a decoder already has.
+// Predicts integers on a grid with holes from neighbours that a decoder already has.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace relief {
 
-/// A row-major grid of integers of which some are kept (1) and the others are holes (0).
+/// A row-major grid of integers; some are kept (1), the others are holes (0).
 struct KeptGrid {
   std::size_t width = 0;
   std::size_t height = 0;
@@ -30,7 +30,8 @@ struct Neighbours {
   std::int32_t ne = 0;
 };
 
-/// The plane through three neighbours, or the nearest neighbour, or `last` (the value kept last).
+/// Predicts by the plane through three neighbours, or the nearest neighbour, or `last` (the last
+/// kept value).
 [[nodiscard]] inline std::int32_t predict_plane(const Neighbours& at, std::int32_t last) {
   if (at.west && at.north && at.north_west) return at.w + at.n - at.nw;
   if (at.west) return at.w;
@@ -39,23 +40,24 @@ struct Neighbours {
   return at.north_east ? at.ne : last;
 }
 
-/// The mean of the western and the northern neighbour, rounded toward zero; for what varies little
-/// about zero and has no slope to continue.
+/// Predicts by the mean of the western and the northern neighbour, rounded toward zero; for values
+/// that vary little about zero and have no slope to continue.
 [[nodiscard]] inline std::int32_t predict_mean(const Neighbours& at, std::int32_t /*last*/) {
   if (at.west && at.north) return (at.w + at.n) / 2;
   return at.w + at.n;
 }
 
-/// The median of the western value, the northern one and the plane through both and the one between
-/// (as JPEG-LS does, ITU-T T.87: an edge is not continued beyond what is on either side); as
-/// predict_plane where they are not all there.
+/// Predicts by the median of the western value, the northern value and the plane through both and
+/// the one between (as in JPEG-LS, ITU-T T.87, which does not continue an edge beyond either side);
+/// by predict_plane if one of them is missing.
 [[nodiscard]] inline std::int32_t predict_median(const Neighbours& at, std::int32_t last) {
   const std::int32_t plane = predict_plane(at, last);
   if (!(at.west && at.north && at.north_west)) return plane;
   return std::clamp(plane, std::min(at.w, at.n), std::max(at.w, at.n));
 }
 
-/// The neighbours of node k, which stands in column i. Reads `values` at kept nodes before k alone.
+/// Returns the neighbours of node k, which is in column i. Reads `values` only at kept nodes before
+/// k.
 [[nodiscard]] inline Neighbours neighbours_at(const KeptGrid& grid,
                                               std::span<const std::int32_t> values, std::size_t i,
                                               std::size_t k) {
@@ -75,7 +77,7 @@ struct Neighbours {
 }
 
 /// Calls `visit(k, prediction)` for each kept node k in scan order; it returns the value there.
-/// Reads `values` only at kept nodes that were visited before.
+/// Reads `values` only at visited nodes.
 template <class Predict, class Visit>
 void visit_predicted(const KeptGrid& grid, std::span<const std::int32_t> values,
                      const Predict& predict, const Visit& visit) {
@@ -98,8 +100,8 @@ void append_predicted(const KeptGrid& grid, std::span<const std::int32_t> values
   });
 }
 
-/// The inverse of append_predicted: sets each kept value to what `from_bits` makes of its 16 bits.
-/// `residuals` are as many as there are kept nodes.
+/// Inverse of append_predicted: sets each kept value to `from_bits` of its 16 bits. `residuals` has
+/// one value for each kept node.
 template <class Predict, class FromBits>
 void undo_predicted(const KeptGrid& grid, std::span<const std::uint16_t> residuals,
                     const Predict& predict, const FromBits& from_bits,

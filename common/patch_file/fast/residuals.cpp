@@ -12,10 +12,10 @@ namespace {
 /// Higher levels search longer for repetitions.
 constexpr int kZstdLevel = 9;
 
-/// Compresses what is like noise: bytes that repeat by chance alone. To say where three or four of
-/// them stood before takes more bits than their own, and level 9 searches for nothing else: without
-/// it the low bytes of heights take 0.93 to 0.97 of the bytes and a tenth of the time, and decode
-/// in 0.6 to 0.8 of theirs.
+/// Compresses noise, in which bytes repeat only by chance. To say where three or four of them stood
+/// before takes more bits than their own, and level 9 searches for nothing else: without it the low
+/// bytes of heights take 0.93 to 0.97 of the bytes and a tenth of the time, and decode in 0.6 to
+/// 0.8 of theirs.
 std::size_t compress_noise(std::span<const std::uint8_t> bytes, std::vector<std::byte>& frame,
                            ZstdContexts& zstd) {
   ZSTD_CCtx* const context = zstd.compression();
@@ -43,7 +43,7 @@ bool is_zero(std::span<const std::uint8_t> bytes) {
   return std::all_of(bytes.begin(), bytes.end(), [](std::uint8_t b) { return b == 0; });
 }
 
-/// As append_stream, for the low bytes of residuals.
+/// append_stream for the low bytes of residuals.
 void append_low_bytes(std::vector<std::byte>& out, std::span<const std::uint8_t> bytes,
                       ZstdContexts& zstd) {
   if (is_zero(bytes)) {
@@ -53,7 +53,7 @@ void append_low_bytes(std::vector<std::byte>& out, std::span<const std::uint8_t>
   std::vector<std::byte> frame(ZSTD_compressBound(bytes.size()));
   std::size_t size = compress_noise(bytes, frame, zstd);
   assert(ZSTD_isError(size) == 0U && "the buffer has the size that zstd asks for");
-  // What takes less than two bits a byte is not noise but steps, or a plane: it may well repeat.
+  // Data of less than two bits a byte are not noise but steps or a plane, which may repeat.
   if (size < bytes.size() / 4) {
     std::vector<std::byte> other(frame.size());
     const std::size_t searched = compress(bytes, other, zstd);
@@ -139,8 +139,8 @@ void append_residuals(std::vector<std::byte>& out, std::span<const std::uint16_t
 
 namespace {
 
-/// Takes two streams and calls `use(residual)` for what both say of each number; its results come
-/// first in a vector that has `padding` zeros more.
+/// Decodes two streams and calls `use(residual)` for each number; its results come first in a
+/// vector that has `padding` zeros more.
 template <class Use>
 Result<std::vector<std::uint16_t>> take_numbers(ByteReader& in, std::size_t count,
                                                 std::size_t padding, ZstdContexts& zstd,

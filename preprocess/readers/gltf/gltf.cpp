@@ -1,9 +1,7 @@
-// glTF 2.0, parsed by tinygltf; what it gives is not trusted.
+// The glTF reader: from a parsed file, which is not trusted, to points.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
-#include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
@@ -11,136 +9,27 @@
 #include <string>
 #include <utility>
 
-#include "common/guard.h"
 #include "common/image/srgb.h"
-#include "common/io/file.h"
 #include "preprocess/readers/gltf/gltf_accessor.h"
+#include "preprocess/readers/gltf/gltf_nodes.h"
+#include "preprocess/readers/gltf/gltf_parse.h"
 #include "preprocess/readers/gltf/gltf_tangents.h"
 #include "preprocess/readers/gltf/gltf_textures.h"
 #include "preprocess/readers/polygons.h"
 #include "preprocess/readers/readers.h"
-#include "preprocess/texture/files/load_textures.h"
 
 namespace relief {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// tinygltf's parser calls itself for what nests in JSON.
-constexpr int kMaxDepth = 64;
-/// Nodes may show one mesh again and again; nothing real comes near.
+/// Limits the points of nodes that repeat one mesh; real files have far fewer.
 constexpr std::size_t kMaxPoints = 200'000'000;
-
-bool nests_too_deep(std::string_view json) {
-  int depth = 0;
-  bool in_text = false;
-  for (std::size_t k = 0; k < json.size(); ++k) {
-    const char c = json[k];
-    if (in_text) {
-      if (c == '\\') ++k;
-      in_text = c != '"';
-    } else if (c == '"') {
-      in_text = true;
-    } else if (c == '{' || c == '[') {
-      if (++depth > kMaxDepth) return true;
-    } else if (c == '}' || c == ']') {
-      --depth;
-    }
-  }
-  return false;
-}
-
-/// Keeps a picture's bytes as they are: common/image_io.h decodes what is used. Those in buffer
-/// views are found later, with their bounds checked.
-bool keep_image(tinygltf::Image* image, int /*index*/, std::string* /*error*/,
-                std::string* /*warning*/, int /*width*/, int /*height*/, const unsigned char* bytes,
-                int count, void* /*user*/) {
-  if (image->bufferView < 0 && bytes != nullptr && count > 0)
-    image->image.assign(bytes, bytes + count);
-  return true;
-}
-
-bool file_is_there(const std::string& name, void* user) {
-  std::error_code ignored;
-  return fs::is_regular_file(resolve_beside(*static_cast<const fs::path*>(user), name), ignored);
-}
-
-bool read_beside(std::vector<unsigned char>* out, std::string* error, const std::string& name,
-                 void* user) {
-  const auto bytes = read_file(resolve_beside(*static_cast<const fs::path*>(user), name));
-  if (!bytes) {
-    *error += bytes.error().message;
-    return false;
-  }
-  const auto* const begin = reinterpret_cast<const unsigned char*>(bytes->data());
-  out->assign(begin, begin + bytes->size());
-  return true;
-}
-
-bool refuse_to_write(std::string* /*error*/, const std::string& /*name*/,
-                     const std::vector<unsigned char>& /*bytes*/, void* /*user*/) {
-  return false;
-}
-
-/// Lets tinygltf read files beside the glTF file only. All callbacks are set: version 2.9 would
-/// otherwise go on with its own, which open any file. Versions from 2.8 on also ask for a file's
-/// size, and refuse files of more than 2 GiB by default.
-void read_files_beside(auto& loader, fs::path& owner) {
-  const auto set_callbacks = [&](auto callbacks) {
-    callbacks.FileExists = file_is_there;
-    callbacks.ExpandFilePath = [](const std::string& name, void*) { return name; };
-    callbacks.ReadWholeFile = read_beside;
-    callbacks.WriteWholeFile = refuse_to_write;
-    callbacks.user_data = &owner;
-    if constexpr (requires { callbacks.GetFileSizeInBytes; }) {
-      callbacks.GetFileSizeInBytes = [](std::size_t* size, std::string* error,
-                                        const std::string& name, void* user) {
-        std::error_code failed;
-        const auto found =
-            fs::file_size(resolve_beside(*static_cast<const fs::path*>(user), name), failed);
-        if (failed) *error += failed.message();
-        *size = failed ? 0 : static_cast<std::size_t>(found);
-        return !failed;
-      };
-    }
-    loader.SetFsCallbacks(callbacks);
-  };
-  set_callbacks(tinygltf::FsCallbacks{});
-  if constexpr (requires { loader.SetMaxExternalFileSize(SIZE_MAX); })
-    loader.SetMaxExternalFileSize(SIZE_MAX);
-}
-
-/// The first line of what tinygltf says.
-std::string first_line(const std::string& text) {
-  const std::string line = text.substr(0, text.find('\n'));
-  return line.empty() ? "it is no glTF 2.0" : line;
-}
-
-glm::dmat4 transform_of(const tinygltf::Node& node) {
-  glm::dmat4 matrix(1.0);
-  if (node.matrix.size() == 16) {
-    for (glm::length_t k = 0; k < 16; ++k)
-      matrix[k / 4][k % 4] = node.matrix[static_cast<std::size_t>(k)];
-    return matrix;
-  }
-  if (node.translation.size() == 3)
-    matrix[3] = {node.translation[0], node.translation[1], node.translation[2], 1.0};
-  if (node.rotation.size() == 4) {
-    matrix = matrix * glm::mat4_cast(glm::normalize(glm::dquat(
-                          node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2])));
-  }
-  if (node.scale.size() == 3) {
-    for (glm::length_t c = 0; c < 3; ++c) matrix[c] *= node.scale[static_cast<std::size_t>(c)];
-  }
-  return matrix;
-}
 
 class GltfReader {
  public:
-  explicit GltfReader(const Source& source) : source_(source), path_(source.name) {}
+  GltfReader(const Source& source, tinygltf::Model model)
+      : source_(source), model_(std::move(model)) {}
 
   Result<Points> read() {
-    RELIEF_TRY(parse());
     if (!model_.extensionsRequired.empty()) {
       return make_error("{}: needs the extension {}, which is not read; export it without",
                         source_.name, relief::quoted(model_.extensionsRequired.front()));
@@ -160,40 +49,7 @@ class GltfReader {
     return make_error("{}: {}", source_.name, why.error().message);
   }
 
-  Status parse() {
-    if (nests_too_deep(source_.text.substr(0, json_end())))
-      return make_error("{}: its JSON nests deeper than {} levels", source_.name, kMaxDepth);
-    tinygltf::TinyGLTF loader;
-    loader.SetImageLoader(keep_image, nullptr);
-    read_files_beside(loader, path_);
-    std::string error;
-    std::string warning;
-    const auto size = static_cast<unsigned int>(source_.text.size());
-    if (source_.text.size() > UINT32_MAX)
-      return make_error("{}: is larger than the 4 GiB that glTF allows", source_.name);
-    const auto load = [&]() -> Status {
-      const char* const text = source_.text.data();
-      const bool good =
-          is_glb(source_.text)
-              ? loader.LoadBinaryFromMemory(&model_, &error, &warning,
-                                            reinterpret_cast<const unsigned char*>(text), size)
-              : loader.LoadASCIIFromString(&model_, &error, &warning, text, size, "");
-      if (good) return {};
-      return make_error("{}: cannot be read as glTF: {}", source_.name, first_line(error));
-    };
-    // tinygltf 2.8 throws std::out_of_range on a buffer of no bytes.
-    return guarded({.subject = source_.name, .task = "read it", .library = "tinygltf"}, load);
-  }
-
-  /// Of a binary file the JSON is its first chunk, after 20 bytes.
-  [[nodiscard]] std::size_t json_end() const {
-    if (!is_glb(source_.text) || source_.text.size() < 20) return source_.text.size();
-    std::uint32_t length = 0;
-    std::memcpy(&length, source_.text.data() + 12, 4);
-    return std::min<std::size_t>(source_.text.size(), std::size_t{20} + length);
-  }
-
-  /// One for each of the file's, once with texture coordinates and once without.
+  /// Makes two materials for each of the file's: with texture coordinates and without.
   Status read_materials() {
     for (const tinygltf::Material& given : model_.materials) {
       MeshMaterial material;
@@ -220,38 +76,9 @@ class GltfReader {
   }
 
   Status read_scene() {
-    std::vector<std::pair<int, glm::dmat4>> to_do;
-    if (model_.scenes.empty()) {
-      std::vector<bool> is_child(model_.nodes.size(), false);
-      for (const tinygltf::Node& node : model_.nodes) {
-        for (const int child : node.children) {
-          if (child >= 0 && static_cast<std::size_t>(child) < is_child.size())
-            is_child[static_cast<std::size_t>(child)] = true;
-        }
-      }
-      for (std::size_t n = 0; n < is_child.size(); ++n) {
-        if (!is_child[n]) to_do.emplace_back(static_cast<int>(n), glm::dmat4(1.0));
-      }
-    } else {
-      const auto scene = static_cast<std::size_t>(std::max(model_.defaultScene, 0));
-      if (scene >= model_.scenes.size()) return make_error("there is no scene {}", scene);
-      for (const int node : model_.scenes[scene].nodes) to_do.emplace_back(node, glm::dmat4(1.0));
-    }
-    std::vector<bool> seen(model_.nodes.size(), false);
-    while (!to_do.empty()) {
-      const auto [index, parent] = to_do.back();
-      to_do.pop_back();
-      if (index < 0 || static_cast<std::size_t>(index) >= model_.nodes.size())
-        return make_error("there is no node {}", index);
-      if (seen[static_cast<std::size_t>(index)])
-        return make_error("node {} has several parents, or is its own", index);
-      seen[static_cast<std::size_t>(index)] = true;
-      const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(index)];
-      const glm::dmat4 placed = parent * transform_of(node);
-      if (node.mesh >= 0) {
-        RELIEF_TRY(read_mesh(node.mesh, placed));
-      }
-      for (const int child : node.children) to_do.emplace_back(child, placed);
+    RELIEF_TRY_ASSIGN(const auto meshes, placed_meshes(model_));
+    for (const PlacedMesh& mesh : meshes) {
+      RELIEF_TRY(read_mesh(mesh.mesh, mesh.to_world));
     }
     return {};
   }
@@ -313,7 +140,7 @@ class GltfReader {
     return {};
   }
 
-  /// Of the vertices, linear and perhaps with alpha. They count where all have them.
+  /// Reads vertex colours, linear and possibly with alpha. They are used if all vertices have them.
   Status read_colours(int index, std::size_t count) {
     if (index < 0 || static_cast<std::size_t>(index) >= model_.accessors.size()) return {};
     const int type = model_.accessors[static_cast<std::size_t>(index)].type;
@@ -327,12 +154,12 @@ class GltfReader {
     return {};
   }
 
-  /// Colours of vertices are a factor of those of materials: alone they count where these are
-  /// white, which is what exporters of coloured points write.
+  /// Vertex colours multiply those of materials. They are used only if all materials are white, as
+  /// exporters of coloured points write them.
   void choose_colours() {
     const bool all_white = std::ranges::all_of(points_.materials, [](const MeshMaterial& m) {
-      return m.colour == glm::vec3(1.0F) && m.picture.empty() && m.image_bytes == nullptr &&
-             m.normals.picture.empty() && m.normals.image_bytes == nullptr;
+      return m.colour == glm::vec3(1.0F) && m.image.empty() && m.image_bytes == nullptr &&
+             m.normals.image.empty() && m.normals.image_bytes == nullptr;
     });
     if (points_.colours.size() != points_.size() || !all_white) {
       points_.colours.clear();
@@ -342,7 +169,7 @@ class GltfReader {
     }
   }
 
-  /// glTF counts v downward.
+  /// In glTF, v points downward.
   Status read_texcoords(int accessor, std::size_t count) {
     points_.texcoords.resize(points_.size(), glm::vec2(0.0F));
     if (accessor < 0) return {};
@@ -368,7 +195,7 @@ class GltfReader {
     if (primitive.indices >= 0) {
       RELIEF_TRY_ASSIGN(const auto indices, read_accessor(model_, primitive.indices, 1));
       for (const double index : indices) {
-        // clean_points drops triangles of points that do not exist.
+        // clean_points drops triangles with invalid indices.
         const bool exists = index >= 0.0 && index < static_cast<double>(count);
         corners.push_back(exists
                               ? static_cast<std::uint32_t>(first + static_cast<std::size_t>(index))
@@ -395,7 +222,6 @@ class GltfReader {
   }
 
   const Source& source_;
-  fs::path path_;
   tinygltf::Model model_;
   Points points_;
   GltfTextures textures_{model_};
@@ -406,12 +232,9 @@ class GltfReader {
 
 }  // namespace
 
-bool is_glb(std::string_view text) {
-  return text.starts_with("glTF");
-}
-
 Result<Points> read_gltf(const Source& source) {
-  return GltfReader(source).read();
+  RELIEF_TRY_ASSIGN(auto model, parse_gltf(source));
+  return GltfReader(source, std::move(model)).read();
 }
 
 }  // namespace relief

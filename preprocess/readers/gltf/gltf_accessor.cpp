@@ -7,7 +7,7 @@
 namespace relief {
 namespace {
 
-/// An index of the file into a list of it.
+/// Returns whether a file's index is valid for one of its lists.
 template <class List>
 bool is_index(int index, const List& list) {
   return index >= 0 && static_cast<std::size_t>(index) < list.size();
@@ -22,7 +22,7 @@ double take(const std::byte* bytes, bool normalised) {
   return std::max(value / static_cast<double>(std::numeric_limits<Number>::max()), -1.0);
 }
 
-/// How a number of an accessor is read; null for types that glTF does not have.
+/// Returns the function that reads a number of an accessor; null for types that glTF does not have.
 using Take = double (*)(const std::byte*, bool);
 Take take_for(int component_type) {
   switch (component_type) {

@@ -1,4 +1,4 @@
-// Numbers out of a glTF file's buffers. Not a public header: it needs tinygltf.
+// Reads numbers from the buffers of a glTF file. Not a public header: it needs tinygltf.
 #pragma once
 
 #include <cstddef>
@@ -8,19 +8,18 @@
 
 #include "common/error.h"
 
-// Pictures are decoded by common/image_io.h, files read by common/file.h.
+// common/image/image_io.h decodes images, common/io/file.h reads files.
 #define TINYGLTF_NO_STB_IMAGE
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #include <tiny_gltf.h>
 
 namespace relief {
 
-/// The bytes of a buffer view, or a clause that says why there are none. No index and no length of
-/// the file is trusted.
+/// Returns the bytes of a buffer view. Indices and lengths are not trusted. Errors are clauses.
 Result<std::span<const std::byte>> view_bytes(const tinygltf::Model& model, int view);
 
-/// All numbers of an accessor of `components` components (1 to 4) each, as doubles; those of
-/// normalised integers in [0, 1] or [-1, 1]. Errors are clauses.
+/// Returns all numbers of an accessor of `components` components (1 to 4) as doubles; normalised
+/// integers in [0, 1] or [-1, 1]. Errors are clauses.
 Result<std::vector<double>> read_accessor(const tinygltf::Model& model, int accessor,
                                           int components);
 

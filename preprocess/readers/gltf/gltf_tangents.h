@@ -1,4 +1,4 @@
-// The tangents that a glTF file gives. Not a public header: it needs tinygltf.
+// Reads the tangents of a glTF file. Not a public header: it needs tinygltf.
 #pragma once
 
 #include <cstddef>
@@ -12,13 +12,13 @@
 
 namespace relief {
 
-/// The first `count` tangents of an accessor in the world, as CornerTangents have them, but by
-/// point; fewer if it has fewer. A node that mirrors turns their handedness round. Errors are
-/// clauses.
+/// Returns the first `count` tangents of an accessor in the world, one a point, in the form of
+/// CornerTangents; fewer if the accessor has fewer. A mirroring node flips their handedness. Errors
+/// are clauses.
 Result<std::vector<glm::vec4>> read_tangents(const tinygltf::Model& model, int accessor,
                                              std::size_t count, const glm::dmat4& placed);
 
-/// The same by triangle; corners that are no points have none.
+/// Returns the tangents of points by triangle corner; 0 for corners with invalid indices.
 [[nodiscard]] std::vector<CornerTangents> by_corner(const std::vector<glm::vec4>& tangents,
                                                     const std::vector<Triangle>& triangles);
 

@@ -20,8 +20,8 @@ Result<MeshImage> GltfTextures::read(int index) {
     out.clamps = sampler.wrapS == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE &&
                  sampler.wrapT == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
   }
-  RELIEF_TRY_ASSIGN(auto bytes, picture_of(texture.source));
-  out.picture = name_of(texture.source);
+  RELIEF_TRY_ASSIGN(auto bytes, image_of(texture.source));
+  out.image = name_of(texture.source);
   out.image_bytes = std::move(bytes);
   return out;
 }
@@ -32,7 +32,7 @@ Result<MeshNormalMap> GltfTextures::read_normals(const tinygltf::NormalTextureIn
   if (info.index < 0) return map;
   if (info.texCoord != texcoord_set) {
     map.left_out = fmt::format(
-        "its normal map has texture coordinates of its own (TEXCOORD_{}), "
+        "its normal map has its own texture coordinates (TEXCOORD_{}), "
         "which are not read",
         info.texCoord);
     return map;
@@ -49,10 +49,10 @@ std::string GltfTextures::name_of(int image) const {
   return uri.empty() ? fmt::format("image {}", image) : relief::quoted(uri);
 }
 
-Result<std::shared_ptr<const std::vector<std::byte>>> GltfTextures::picture_of(int index) {
-  pictures_.resize(model_.images.size());
-  auto& picture = pictures_[static_cast<std::size_t>(index)];
-  if (picture != nullptr) return picture;
+Result<std::shared_ptr<const std::vector<std::byte>>> GltfTextures::image_of(int index) {
+  images_.resize(model_.images.size());
+  auto& kept = images_[static_cast<std::size_t>(index)];
+  if (kept != nullptr) return kept;
   const tinygltf::Image& image = model_.images[static_cast<std::size_t>(index)];
   std::span<const std::byte> bytes = std::as_bytes(std::span(image.image));
   if (image.bufferView >= 0) {
@@ -63,8 +63,8 @@ Result<std::shared_ptr<const std::vector<std::byte>>> GltfTextures::picture_of(i
     return make_error("its texture {} cannot be read; put it beside the file, or use --texture",
                       name_of(index));
   }
-  picture = std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.end());
-  return picture;
+  kept = std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.end());
+  return kept;
 }
 
 int texcoord_set_of(const tinygltf::Material& material) {

@@ -1,5 +1,4 @@
-// The textures that a glTF file's materials name, as pictures in memory. Not a public header: it
-// needs tinygltf.
+// Reads the textures of a glTF file's materials. Not a public header: it needs tinygltf.
 #pragma once
 
 #include <cstddef>
@@ -13,31 +12,31 @@
 
 namespace relief {
 
-/// Finds textures by their index. No index of the file is trusted; errors are clauses.
+/// Finds textures by index. Indices are not trusted. Errors are clauses.
 class GltfTextures {
  public:
-  /// The model must outlive it, and its images be kept as they are in the file.
+  /// The model must outlive this object and keep its images undecoded.
   explicit GltfTextures(const tinygltf::Model& model) : model_(model) {}
 
-  /// A texture, undecoded; `picture` is its image's name for messages. Textures that show one image
-  /// share its bytes.
+  /// Returns an undecoded texture; `image` is the image's name for messages. Textures with a common
+  /// image share its bytes.
   Result<MeshImage> read(int index);
 
-  /// The normal map of a material, whose texture coordinates are the set `texcoord_set`: one that
-  /// has others is left out, for a point has one texture coordinate.
+  /// Returns the normal map of a material whose texture coordinates are the set `texcoord_set`. A
+  /// map with another set is left out, because a point has one texture coordinate.
   Result<MeshNormalMap> read_normals(const tinygltf::NormalTextureInfo& info, int texcoord_set);
 
  private:
-  /// Of an image that there is.
+  /// `image` must be a valid index.
   [[nodiscard]] std::string name_of(int image) const;
-  Result<std::shared_ptr<const std::vector<std::byte>>> picture_of(int index);
+  Result<std::shared_ptr<const std::vector<std::byte>>> image_of(int index);
 
   const tinygltf::Model& model_;
-  std::vector<std::shared_ptr<const std::vector<std::byte>>> pictures_;  ///< by image
+  std::vector<std::shared_ptr<const std::vector<std::byte>>> images_;  ///< by image
 };
 
-/// Which set of texture coordinates a material's textures have: that of the base colour's, or of
-/// the normal map where there is no other.
+/// Returns a material's set of texture coordinates: that of the base colour, or of the normal map
+/// if there is no base colour texture.
 [[nodiscard]] int texcoord_set_of(const tinygltf::Material& material);
 
 }  // namespace relief

@@ -14,9 +14,10 @@ glm::u16vec3 colour_of(const char* record, std::size_t at) {
           load_whole<std::uint16_t>(record + at + 4)};
 }
 
-/// What the 16-bit colour fields of a file hold. Files do not say it; the largest value tells it.
+/// The contents of a file's 16-bit colour fields. Files do not state it; it follows from the
+/// largest value.
 enum class Colours {
-  None,   ///< the format has none, or all are 0: nobody has filled them in
+  None,   ///< the format has none, or all are 0 and thus unset
   Bytes,  ///< at most 255
   Words   ///< 16 bits
 };
@@ -36,19 +37,19 @@ Colours find_colours(const Source& source, const LasHeader& header) {
   return found;
 }
 
-/// Points that are there, but that the file itself says not to use.
+/// Points that the file marks as not to be used.
 struct LeftOut {
   std::uint64_t withheld = 0;
   std::uint64_t noise = 0;
 
-  /// Whether this point is one, which is then counted.
+  /// Returns whether this point is one, and counts it.
   bool takes(const char* record, bool is_wide) {
     const auto flags = load_whole<std::uint8_t>(record + 15);
     if ((flags & (is_wide ? 0x04U : 0x80U)) != 0) {
       ++withheld;
       return true;
     }
-    // Class 18, high noise, is only defined where classes have a byte of their own.
+    // Class 18, high noise, is only defined in formats with a separate byte for classes.
     const auto point_class = is_wide ? load_whole<std::uint8_t>(record + 16) : flags & 0x1FU;
     const bool is_noise = point_class == 7 || (is_wide && point_class == 18);
     noise += is_noise ? 1U : 0U;
@@ -84,7 +85,7 @@ Result<Points> read_las(const Source& source) {
                                  : header.points;
   points.positions.reserve(most);
   if (colours != Colours::None) points.colours.reserve(most);
-  // The upper byte is right for both methods to make 16 bits of a byte: times 256 and times 257.
+  // The upper byte is right for both ways of scaling a byte to 16 bits: times 256 and times 257.
   const unsigned shift = colours == Colours::Words ? 8 : 0;
   LeftOut left_out;
   ReadMeter meter(source);

@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-/// Bytes of a point and where its colour stands, by point record format (LAS 1.4 R15, tables 7 to
+/// Bytes of a point and the offset of its colour, by point record format (LAS 1.4 R15, tables 7 to
 /// 17).
 struct RecordShape {
   std::size_t size;
@@ -19,7 +19,7 @@ constexpr RecordShape kShapes[] = {{20, 0}, {28, 0},  {26, 20}, {34, 28}, {57, 0
                                    {30, 0}, {36, 30}, {38, 30}, {59, 0},  {67, 30}};
 constexpr std::uint32_t kFormats = std::size(kShapes);
 
-/// Where the header has what (LAS 1.4 R15, table 3).
+/// Offsets in the header (LAS 1.4 R15, table 3).
 constexpr std::size_t kMajor = 24;
 constexpr std::size_t kMinor = 25;
 constexpr std::size_t kHeaderSize = 94;
@@ -30,13 +30,13 @@ constexpr std::size_t kStride = 105;
 constexpr std::size_t kLegacyPoints = 107;
 constexpr std::size_t kScale = 131;
 constexpr std::size_t kOffset = 155;
-constexpr std::size_t kHeaderEnd = 227;  ///< of LAS 1.2; what LAS 1.3 adds is about waveforms
+constexpr std::size_t kHeaderEnd = 227;  ///< of LAS 1.2; LAS 1.3 adds only waveforms
 constexpr std::size_t kExtendedRecords = 235;
 constexpr std::size_t kExtendedCount = 243;
 constexpr std::size_t kPoints = 247;
 constexpr std::size_t kHeaderEnd14 = 375;
 
-/// Variable length records: a header in which the length of what follows it stands at byte 20.
+/// Variable length records: a header with the length of the data at byte 20.
 constexpr std::size_t kRecordHeader = 54;
 constexpr std::size_t kExtendedRecordHeader = 60;
 constexpr std::size_t kRecordLength = 20;
@@ -140,11 +140,11 @@ class LasHeaderReader {
     return {};
   }
 
-  /// Walks over `count` records from `at` on, none of which reaches beyond `end`.
+  /// Skips `count` records from `at` on; none may reach beyond `end`.
   template <class Length>
   Status walk(std::uint64_t at, std::uint64_t count, std::uint64_t end, std::size_t count_at,
               std::size_t record_header) const {
-    // Each record has at least a header, so that a count that lies ends this soon.
+    // Each record has at least a header, so that a wrong count ends this soon.
     for (std::uint64_t i = 0; i < count; ++i) {
       const bool begins = end - at >= record_header;
       if (!begins || whole<Length>(at + kRecordLength) > end - at - record_header) {

@@ -1,4 +1,4 @@
-// What a LAS file says it holds.
+// Reads the header of LAS files.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace relief {
 
-/// A point's place is offset + scale * (its three integers).
+/// A point's position is offset + scale * (its three integers).
 struct LasHeader {
   std::uint32_t format = 0;  ///< point record format, 0 to 10
   std::size_t body = 0;      ///< byte of the first point
@@ -18,14 +18,14 @@ struct LasHeader {
   glm::dvec3 scale{1.0};
   glm::dvec3 offset{0.0};
 
-  /// Formats 6 to 10 have flags and classes in bytes of their own.
+  /// Formats 6 to 10 have separate bytes for flags and classes.
   [[nodiscard]] bool is_wide() const { return format >= 6; }
-  /// Where a point's red, green and blue begin; 0: it has none.
+  /// Offset of a point's red, green and blue; 0: no colours.
   [[nodiscard]] std::size_t colour_at() const;
 };
 
-/// Reads and checks the header (LAS 1.1 to 1.4, ASPRS): what it states fits into the file, the
-/// variable length records too, and all of the points are there.
+/// Reads and checks the header (LAS 1.1 to 1.4, ASPRS). Variable length records and all points must
+/// fit into the file.
 Result<LasHeader> read_las_header(const Source& source);
 
 }  // namespace relief

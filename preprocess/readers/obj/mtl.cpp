@@ -19,7 +19,7 @@ struct MapOption {
   std::string_view name;
   int words = 1;
   bool numbers = false;  ///< only words that are numbers belong to it
-  bool harmless = true;  ///< the picture is the same without it
+  bool harmless = true;  ///< the image is the same without it
 };
 
 constexpr std::array<MapOption, 13> kMapOptions{{{"-blendu", 1},
@@ -46,12 +46,12 @@ bool changes_nothing(std::string_view option, const std::vector<double>& values)
   return (option == "-o" || option == "-t") && all(0.0);
 }
 
-/// What the statement of a map says.
+/// The statement of a map.
 struct MapStatement {
   std::string file;
   bool clamps = false;    ///< -clamp on
   float strength = 1.0F;  ///< -bm
-  std::string ignored;    ///< options that would change the picture
+  std::string ignored;    ///< options that would change the image
 };
 
 MapStatement read_map(TextCursor& line) {
@@ -80,7 +80,7 @@ MapStatement read_map(TextCursor& line) {
   return out;
 }
 
-/// Kd R G B, or R alone for a grey. Spectral curves and CIE XYZ are not read.
+/// Kd R G B, or only R for a grey. Spectral curves and CIE XYZ are not read.
 std::optional<glm::vec3> read_colour(TextCursor& line) {
   glm::dvec3 srgb(0.0);
   if (!line.number(srgb.r)) return std::nullopt;
@@ -96,13 +96,13 @@ std::optional<glm::vec3> read_colour(TextCursor& line) {
 }
 
 void take_colours(MapStatement map, MtlMaterial& out) {
-  out.material.picture = std::move(map.file);
+  out.material.image = std::move(map.file);
   out.material.clamps = map.clamps;
   out.ignored_options = std::move(map.ignored);
 }
 
 void take_normals(MapStatement map, MtlMaterial& out) {
-  out.material.normals.picture = std::move(map.file);
+  out.material.normals.image = std::move(map.file);
   out.material.normals.clamps = map.clamps;
   out.material.normals.scale = map.strength;
   out.ignored_of_normals = std::move(map.ignored);
@@ -141,7 +141,7 @@ Result<std::vector<MtlMaterial>> read_mtl(const std::string& name, std::string_v
     }
   }
   for (MtlMaterial& material : materials) {
-    if (!material.material.normals.picture.empty()) material.material.normals.left_out.clear();
+    if (!material.material.normals.image.empty()) material.material.normals.left_out.clear();
   }
   return materials;
 }

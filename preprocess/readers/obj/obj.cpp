@@ -11,7 +11,7 @@
 namespace relief {
 namespace {
 
-/// What a face says about one of its corners: indices from 0; kNoPoint where there is none.
+/// The corner of a face: indices from 0; kNoPoint for missing ones.
 struct Corner {
   std::uint32_t position = kNoPoint;
   std::uint32_t texcoord = kNoPoint;
@@ -40,7 +40,7 @@ class ObjReader {
     give_normals();
     give_texcoords();
     give_materials();
-    // Colours that only some vertices have are of no use.
+    // Colours of only some vertices are ignored.
     if (colours_.size() == points_.size()) {
       points_.colours = to_colours(colours_, ColourNumbers::Real);
     }
@@ -53,7 +53,7 @@ class ObjReader {
                       line_.expected(what));
   }
 
-  /// Statements that say nothing about points and faces (groups, curves) are passed over.
+  /// Other statements (groups, curves) are skipped.
   Status read_line() {
     const std::string_view keyword = line_.word();
     if (keyword == "v") return read_vertex();
@@ -74,8 +74,8 @@ class ObjReader {
     return {};
   }
 
-  /// Materials are known by name until their files are read.
-  /// One and the same name is two of them where only some of its faces have texture coordinates.
+  /// Materials are known by name until their files are read. A name stands for two materials if
+  /// only some of its faces have texture coordinates.
   std::uint32_t material_of_face(bool has_texcoords) {
     if (material_.empty()) return kNoMaterial;
     const auto [found, is_new] = materials_.try_emplace(
@@ -89,7 +89,7 @@ class ObjReader {
     return found->second;
   }
 
-  /// Reads up to eight numbers, `least` or more, to the line's end; those not there are 0.
+  /// Reads up to eight numbers, at least `least`, to the line's end; missing ones are 0.
   bool read_numbers(std::size_t least) {
     std::fill(std::begin(numbers_), std::end(numbers_), 0.0);
     for (count_ = 0; count_ < std::size(numbers_) && !line_.at_line_end(); ++count_) {
@@ -202,7 +202,7 @@ class ObjReader {
   const Source& source_;
   TextCursor line_;
   Points points_;
-  std::map<std::pair<std::string, bool>, std::uint32_t> materials_;  ///< as material_of_face says
+  std::map<std::pair<std::string, bool>, std::uint32_t> materials_;  ///< by material_of_face
   std::string material_;  ///< of the faces to come; empty: none
   std::vector<glm::vec3> normals_;
   std::vector<glm::vec2> texcoords_;

@@ -22,9 +22,8 @@ void unpack_colour(std::uint32_t argb, PointRecord& record) {
   record[Blue] = argb & 0xFFU;
 }
 
-/// A packed colour written as text. Some writers print the integer, some print the float that has
-/// its bits: such floats are below 1e-30 if the alpha byte is 0, negative or beyond 32 bits
-/// otherwise.
+/// A packed colour written as text. Some writers print the integer, some the float with its bits:
+/// such floats are below 1e-30 if the alpha byte is 0, negative or beyond 32 bits otherwise.
 std::uint32_t packed_colour(double value) {
   constexpr double two_to_32 = 4294967296.0;
   if (std::isnan(value)) return 0;
@@ -62,7 +61,7 @@ Error too_short(const Source& source, const PcdHeader& header, std::uint64_t lef
 Result<Points> read_ascii(const Source& source, const PcdHeader& header, const PcdLayout& layout) {
   TextCursor line(source.text, TextCursor::kBlanks, '#');
   line.skip_to(header.body);
-  // A digit and a separator is the least that a field takes.
+  // A field takes at least a digit and a separator.
   if (header.points > (line.left() + 1) / (2 * header.fields.size())) {
     return too_short(source, header, line.left());
   }
@@ -91,9 +90,8 @@ Result<Points> read_ascii(const Source& source, const PcdHeader& header, const P
   return points.finish();
 }
 
-/// Reads a binary body. `field_start[f]` is where field f of the first point stands in `body` and
-/// `field_step[f]` how far it is to that of the next: points follow points, or fields follow
-/// fields.
+/// Reads a binary body. `field_start[f]` is the offset of field f of the first point in `body`,
+/// `field_step[f]` the distance to that of the next: points follow points, or fields follow fields.
 Result<Points> read_records(const Source& source, const PcdHeader& header, const PcdLayout& layout,
                             std::string_view body, const std::vector<std::uint64_t>& field_start,
                             const std::vector<std::uint64_t>& field_step) {

@@ -10,7 +10,7 @@
 namespace relief {
 namespace {
 
-/// The header's lines, collected; they come in any order that ends with DATA.
+/// Collects the header's lines, which have any order that ends with DATA.
 class PcdHeaderReader {
  public:
   explicit PcdHeaderReader(const Source& source)
@@ -60,7 +60,7 @@ class PcdHeaderReader {
     } else if (keyword == "DATA") {
       return read_encoding();
     } else if (keyword != "VERSION") {
-      return make_error("{}: line {}: {} is no PCD header line; the header is damaged",
+      return make_error("{}: line {}: {} is not a PCD header line; the header is damaged",
                         source_.name, line_.line_number(), relief::quoted(keyword));
     }
     return {};

@@ -1,4 +1,4 @@
-// What a PCD file says it holds.
+// Reads the header of PCD files.
 #pragma once
 
 #include <cstdint>
@@ -26,11 +26,11 @@ struct PcdHeader {
   std::vector<PcdField> fields;
   std::uint64_t stride = 0;  ///< bytes per point
   std::uint64_t points = 0;
-  std::optional<glm::dvec3> viewpoint;  ///< unless it is the default, which says nothing
+  std::optional<glm::dvec3> viewpoint;  ///< unless it is the default, which is meaningless
   std::size_t body = 0;                 ///< offset of the first byte after the header
 };
 
-/// Reads the header. The number of points is as stated, not yet checked against the body.
+/// Reads the header. The number of points is not yet checked against the body.
 Result<PcdHeader> read_pcd_header(const Source& source);
 
 }  // namespace relief

@@ -12,7 +12,7 @@
 namespace relief {
 namespace {
 
-/// A value as an index; whatever is none becomes kNoPoint.
+/// A value as an index; invalid ones become kNoPoint.
 std::uint32_t to_index(double value) {
   return value >= 0.0 && value < static_cast<double>(kNoPoint) ? static_cast<std::uint32_t>(value)
                                                                : kNoPoint;
@@ -41,11 +41,11 @@ class PlyBody {
   }
 
  private:
-  /// A count that the rest of the file cannot hold is refused before memory is taken for it.
+  /// A count that the rest of the file cannot hold is refused before memory is allocated.
   Status check_count(const PlyElement& element) {
     std::uint64_t least = 0;
     for (const PlyProperty& p : element.properties) {
-      least += Values::least_size(p.count_type.value_or(p.type));
+      least += Values::min_size(p.count_type.value_or(p.type));
     }
     assert(least > 0 && "an element has properties, each of a byte or more");
     if (element.count > values_.left() / least) {
@@ -61,7 +61,7 @@ class PlyBody {
   Error failure(const PlyElement& element, std::uint64_t index) {
     return make_error("{}: {} ({} {} of {}); the file is truncated or damaged", source_.name,
                       impossible_list_
-                          ? values_.place() + ": a list is longer than the file or less than 0"
+                          ? values_.where() + ": a list is longer than the file or less than 0"
                           : values_.failure(),
                       element.name, index + 1, element.count);
   }
@@ -110,7 +110,7 @@ class PlyBody {
     return values_.end_element();
   }
 
-  /// Any other element: faces and strips are kept, the rest is passed over.
+  /// Any other element: faces and strips are kept, the rest is skipped.
   Status read_lists(const PlyElement& element) {
     const bool strips = element.name == "tristrips";
     const bool faces = element.name == "face";
@@ -152,11 +152,11 @@ class PlyBody {
     return list_count(property, count) && values_.skip_values(property.type, count);
   }
 
-  /// A list's length; false if there is none or the rest of the file is shorter.
+  /// Reads a list's length; returns false if it is missing or the rest of the file is shorter.
   bool list_count(const PlyProperty& property, std::uint64_t& count) {
     double value = 0.0;
     if (!values_.value(*property.count_type, value)) return false;
-    const std::uint64_t longest = values_.left() / Values::least_size(property.type);
+    const std::uint64_t longest = values_.left() / Values::min_size(property.type);
     const auto most = static_cast<double>(longest);
     impossible_list_ = !(value >= 0.0 && value <= most && value == std::floor(value));
     if (impossible_list_) return false;

@@ -1,4 +1,4 @@
-// What a PLY file says it holds.
+// Reads the header of PLY files.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ struct PlyHeader {
   std::size_t body = 0;              ///< offset of the first byte after the header
 };
 
-/// Reads the header. Counts are as stated, not yet checked against the bytes of the body.
+/// Reads the header. Counts are not yet checked against the bytes of the body.
 Result<PlyHeader> read_ply_header(const Source& source);
 
 }  // namespace relief

@@ -1,4 +1,4 @@
-// The numbers of a PLY body, one by one, in each of its encodings. Nothing is read beyond the end.
+// Reads the numbers of a PLY body, one by one, in all encodings. Never reads beyond the end.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace relief {
 
-/// An ASCII body: one line per element, as the format demands; blank lines are passed over.
+/// An ASCII body: one line per element, as the format requires; blank lines are skipped.
 class PlyAsciiValues {
  public:
   PlyAsciiValues(std::string_view text, std::size_t body) : text_(text) { text_.skip_to(body); }
@@ -32,20 +32,20 @@ class PlyAsciiValues {
     return true;
   }
 
-  /// The least number of bytes that one value takes: a digit and what separates it from the next.
-  [[nodiscard]] static std::uint64_t least_size(NumberType /*type*/) { return 2; }
-  /// One more than there are: the last number of a text needs no separator.
+  /// The least number of bytes of a value: a digit and a separator.
+  [[nodiscard]] static std::uint64_t min_size(NumberType /*type*/) { return 2; }
+  /// One more than the file has: the last number of a text needs no separator.
   [[nodiscard]] std::uint64_t left() const { return text_.left() + 1; }
   [[nodiscard]] std::size_t offset() const { return text_.offset(); }
-  /// Where and why the last call returned false.
+  /// Returns where and why the last call returned false.
   [[nodiscard]] std::string failure() {
     return text_.expected(ended_ ? "the line's end" : "a number");
   }
-  [[nodiscard]] std::string place() const { return fmt::format("line {}", text_.line_number()); }
+  [[nodiscard]] std::string where() const { return fmt::format("line {}", text_.line_number()); }
 
  private:
   TextCursor text_;
-  bool ended_ = false;  ///< whether all numbers of the element were there
+  bool ended_ = false;  ///< whether a number of the element was missing
 };
 
 /// A binary body.
@@ -68,11 +68,11 @@ class PlyBinaryValues {
     return true;
   }
 
-  [[nodiscard]] static std::uint64_t least_size(NumberType type) { return size_of(type); }
+  [[nodiscard]] static std::uint64_t min_size(NumberType type) { return size_of(type); }
   [[nodiscard]] std::uint64_t left() const { return text_.size() - offset_; }
   [[nodiscard]] std::size_t offset() const { return offset_; }
-  [[nodiscard]] std::string failure() const { return place() + ": the data end early"; }
-  [[nodiscard]] std::string place() const { return fmt::format("byte {}", offset_); }
+  [[nodiscard]] std::string failure() const { return where() + ": the data end early"; }
+  [[nodiscard]] std::string where() const { return fmt::format("byte {}", offset_); }
 
  private:
   std::string_view text_;

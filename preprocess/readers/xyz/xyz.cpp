@@ -13,7 +13,7 @@ namespace {
 
 /// Tables with more columns are grids of heights, not points.
 constexpr std::size_t kMaxColumns = 24;
-/// A text whose numbers have not begun by then is some other text.
+/// A text without numbers in so many lines is not a list of points.
 constexpr std::size_t kMaxHeaderLines = 100;
 
 bool is_comment(std::string_view word) {
@@ -99,7 +99,7 @@ class XyzReader {
   }
 
   Status take_row(std::span<const double> row) {
-    // One number alone is how many points follow, as .pts files have it.
+    // A line with a single number is the number of following points, as in .pts files.
     if (row.size() == 1) {
       if (!(row[0] >= 0.0 && row[0] < static_cast<double>(kNoPoint))) {
         return make_error("{}: line {}: expected a point or a number of points", source_.name,
@@ -121,7 +121,7 @@ class XyzReader {
     return collector_->give_block(source_);
   }
 
-  /// Moves the table's rows to the collector. The first ones tell what the columns mean.
+  /// Moves the table's rows to the collector. The first rows determine the meaning of the columns.
   void collect() {
     if (!collector_) find_columns();
     PointRecord record{};

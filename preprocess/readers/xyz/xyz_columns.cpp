@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-/// The words of a header line in lower case; what marks a comment and quotes are left out.
+/// The words of a header line in lower case, without comment marks and quotes.
 std::vector<std::string> split_names(std::string_view line) {
   constexpr std::string_view between = " \t,;\"#/%";
   std::vector<std::string> names;
@@ -31,7 +31,7 @@ std::optional<ColumnRoles> roles_from_names(const NumberTable& table, std::strin
   return found;
 }
 
-/// What three neighbouring columns hold.
+/// The contents of three neighbouring columns.
 enum class Triple { Nothing, Normal, IntegerColour, RealColour };
 
 Triple classify(const NumberTable& table, std::size_t column) {
@@ -65,7 +65,7 @@ ColumnRoles find_column_roles(const NumberTable& table, std::string_view names,
   const auto named = roles_from_names(table, names);
   ColumnRoles found = named.value_or(ColumnRoles{});
   if (named) {
-    // The name says which columns are the colour, only the numbers say their scale.
+    // The name gives the columns of the colour; their scale follows from the numbers.
     const auto red =
         static_cast<std::size_t>(std::ranges::find(found.roles, Red) - found.roles.begin());
     for (std::size_t i = 0; red < table.columns && i < table.rows(); ++i) {

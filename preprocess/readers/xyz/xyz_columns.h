@@ -1,4 +1,4 @@
-// What the columns of a text file mean that does not say so.
+// Determines the meaning of columns in text files without a format description.
 #pragma once
 
 #include <string>
@@ -24,15 +24,14 @@ struct ColumnRoles {
 
 /// Gives each column its role.
 /// 1. Names, if the line before the numbers has one for each column, x, y and z among them.
-/// 2. Otherwise the first three columns are x, y and z, and each later group of three is tried,
-/// from
-///    left to right, one column further if it is nothing:
+/// 2. Otherwise the first three columns are x, y and z. Each later group of three is tried, from
+///    left to right, one column further if nothing matches:
 ///    - integers from 0 to 65535, not all of them 0 or 1: a colour;
 ///    - vectors of length 1 (within 5 %, in 9 of 10 rows that are not 0): a normal;
 ///    - numbers from 0 to 1: a colour.
-///    What is left (intensity, classification, time) is ignored.
-/// `extension` settles what the numbers leave open: `.xyzn` has normals, `.xyzrgb` colours, and the
-/// fourth of seven columns of `.pts` is the intensity.
+///    Other columns (intensity, classification, time) are ignored.
+/// `extension` decides ambiguous cases: `.xyzn` has normals, `.xyzrgb` colours, and the fourth of
+/// seven columns of `.pts` is the intensity.
 [[nodiscard]] ColumnRoles find_column_roles(const NumberTable& table, std::string_view names,
                                             std::string_view extension);
 

@@ -19,13 +19,13 @@
 namespace relief {
 namespace {
 
-// Candidates for each point that stays. Yuksel takes 5; the sets of 4 are about as even, in less
-// time and memory.
+// Candidates for each kept point. Yuksel uses 5; 4 give about as even sets with less time and
+// memory.
 constexpr std::size_t kCandidatesPerPoint = 4;
-// Places at which the inner products are summed, for each splat. The equations then outnumber the
-// unknowns 16 to 1, and the places lie a quarter of h apart.
-constexpr std::size_t kPlacesPerPoint = 16;
-// Enough to tell a plane from noise where a mesh has no oriented faces.
+// Positions at which inner products are summed, for each splat. The equations then outnumber the
+// unknowns 16 to 1, and the positions lie a quarter of h apart.
+constexpr std::size_t kPositionsPerPoint = 16;
+// Enough to distinguish a plane from noise if a mesh has no oriented faces.
 constexpr std::uint32_t kNeighbours = 16;
 
 bool is_finite(glm::vec2 v) {
@@ -42,19 +42,19 @@ bool all_finite(const std::vector<T>& texcoords) {
 }
 
 Status check(const Points& mesh, const AcquireOptions& options) {
-  const std::size_t most = most_textured_points(options.deviation, options.cutoff);
+  const std::size_t most = max_textured_points(options.deviation, options.cutoff);
   if (options.points < 1 || options.points > most) {
     return make_error("{} points cannot be spread; with a cutoff of {} ask for 1 to {}",
                       options.points, options.cutoff, most);
   }
   if (mesh.triangles.empty()) {
-    return make_error("there are no triangles to put a texture on; give a mesh");
+    return make_error("there are no triangles for the texture; use a mesh");
   }
   if (mesh.texcoords.empty()) {
-    return make_error("there are no texture coordinates; give a mesh that has them");
+    return make_error("there are no texture coordinates; use a mesh that has them");
   }
   if (!all_finite(mesh.texcoords) || !all_finite(mesh.corner_texcoords)) {
-    return make_error("some texture coordinates are no finite numbers; mend the mesh");
+    return make_error("some texture coordinates are NaN or infinite; repair the mesh");
   }
   const double area = area_of(mesh).world;
   if (!(area > 0.0) || !std::isfinite(area)) {
@@ -68,11 +68,12 @@ void complete_normals(Points& mesh) {
   complete_normals(mesh, graph, fit_local_frames(mesh.positions, graph));
 }
 
-std::vector<glm::vec3> evaluate(const ContinuousTexture& texture, const SurfacePoints& places,
+std::vector<glm::vec3> evaluate(const ContinuousTexture& texture, const SurfacePoints& positions,
                                 double deviation) {
-  std::vector<glm::vec3> values(places.size());
-  tbb::parallel_for(std::size_t{0}, places.size(),
-                    [&](std::size_t i) { values[i] = texture.at(places.texcoords[i], deviation); });
+  std::vector<glm::vec3> values(positions.size());
+  tbb::parallel_for(std::size_t{0}, positions.size(), [&](std::size_t i) {
+    values[i] = texture.at(positions.texcoords[i], deviation);
+  });
   return values;
 }
 
@@ -97,17 +98,17 @@ Result<AcquireResult> acquire(Points& mesh, const Image& texture, const AcquireO
   result.splats.deviation =
       options.deviation * std::sqrt(area.world / static_cast<double>(options.points));
   result.splats.colours = evaluate(image, splats, 1.0);
-  // A Gaussian of half the distance between places lets nothing through that they would alias; it
+  // A Gaussian of half the distance between positions removes all detail that they would alias; it
   // adds 1/64 to the variance of a splat's own.
-  const SurfacePoints places = spread_over_triangles(mesh, kPlacesPerPoint * options.points);
-  const double texels_apart = std::sqrt(texels / static_cast<double>(places.size()));
+  const SurfacePoints positions = spread_over_triangles(mesh, kPositionsPerPoint * options.points);
+  const double texels_apart = std::sqrt(texels / static_cast<double>(positions.size()));
   const std::vector<glm::vec3> truth = evaluate(
-      image, places, std::clamp(texels_apart / 2.0, 1.0, ContinuousTexture::kLargestDeviation));
+      image, positions, std::clamp(texels_apart / 2.0, 1.0, ContinuousTexture::kLargestDeviation));
   if (progress.cancelled()) return interrupted_error();
 
   progress.begin_stage("fit texture", 0);
-  const BasisAtPlaces basis =
-      evaluate_basis(splats, {result.splats.deviation, options.cutoff, options.basis}, places);
+  const BasisAtPositions basis =
+      evaluate_basis(splats, {result.splats.deviation, options.cutoff, options.basis}, positions);
   if (options.acquisition != Acquisition::Given) {
     result.splats.colours = project_texture(basis, truth, result.splats.colours);
   }
@@ -124,11 +125,11 @@ Result<AcquireResult> acquire(Points& mesh, const Image& texture, const AcquireO
 
 }  // namespace
 
-std::size_t most_textured_points(double deviation, double cutoff) {
+std::size_t max_textured_points(double deviation, double cutoff) {
   constexpr double kMaxEntries = 1e8;
-  const double splats_at_a_place = 2.0 * std::numbers::pi * cutoff * deviation * deviation;
+  const double splats_at_a_position = 2.0 * std::numbers::pi * cutoff * deviation * deviation;
   return static_cast<std::size_t>(
-      std::max(1.0, kMaxEntries / (kPlacesPerPoint * splats_at_a_place)));
+      std::max(1.0, kMaxEntries / (kPositionsPerPoint * splats_at_a_position)));
 }
 
 Result<AcquireResult> acquire_texture(Points mesh, const Image& texture,

@@ -1,4 +1,4 @@
-// From a textured mesh to coloured splats: paper 000, section 5.
+// Makes coloured splats from a textured mesh ([Zwicker 2001], section 5).
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -12,11 +12,12 @@
 
 namespace relief {
 
-/// Splats with a texture's coefficients. All vectors have the same length. World frame.
+/// Splats with a texture's coefficients. All vectors have equal length. World frame.
 struct TexturedSplats {
   std::vector<glm::dvec3> positions;
   std::vector<glm::vec3> normals;  ///< unit, outward
-  /// Linear RGB coefficients. Optimised ones may leave the texture's range: their sum does not.
+  /// Linear RGB coefficients. Optimised coefficients may leave the texture's range, but their sum
+  /// does not.
   std::vector<glm::vec3> colours;
   double deviation = 0.0;  ///< h of section 5, world units
 };
@@ -26,10 +27,10 @@ struct AcquireResult {
   AcquireReport report;
 };
 
-/// Spreads points over the mesh, evenly but irregularly, and gives them coefficients. Normals that
-/// the mesh lacks are made from its triangles. Fails with one sentence: no triangles, no (finite)
-/// texture coordinates, no area, a texture without colour, a number of points out of range, an
-/// interruption by the user. The result does not depend on the number of threads.
+/// Spreads points over the mesh, evenly but irregularly, and computes their coefficients. Missing
+/// normals are computed from the triangles. Fails with one sentence if there are no triangles, no
+/// finite texture coordinates or no area, if the texture has no colour, if the number of points is
+/// out of range, or if the user interrupts. The result does not depend on the number of threads.
 Result<AcquireResult> acquire_texture(Points mesh, const Image& texture,
                                       const AcquireOptions& options, Progress& progress);
 

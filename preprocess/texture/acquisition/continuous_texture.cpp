@@ -15,7 +15,7 @@ constexpr float kMax = 65504.0F;
 constexpr std::size_t kMaxTaps =
     2 * static_cast<std::size_t>(kReach * ContinuousTexture::kLargestDeviation) + 2;
 
-/// The texels along one axis that a place sees, with weights that sum to 1.
+/// The texels along one axis that contribute to a position, with weights that sum to 1.
 struct Taps {
   std::array<std::uint32_t, kMaxTaps> texel{};
   std::array<float, kMaxTaps> weight{};

@@ -1,4 +1,4 @@
-// A texture as a continuous function.
+// Textures as continuous functions.
 #pragma once
 
 #include <cstdint>
@@ -11,25 +11,25 @@
 
 namespace relief {
 
-/// c_c(s) = sum_i c_i n(s - s_i) of paper 000, section 5: a Gaussian of unit variance (in texels)
-/// on each texel. It ends at four standard deviations and its weights are made to sum to 1, so that
-/// a constant stays constant. The texture repeats outside [0, 1]^2.
+/// c_c(s) = sum_i c_i n(s - s_i) of [Zwicker 2001], section 5: a Gaussian of unit variance (in
+/// texels) on each texel. The Gaussian ends at four standard deviations and its weights are scaled
+/// to sum to 1, which preserves constants. The texture repeats outside [0, 1]^2.
 class ContinuousTexture {
  public:
-  /// From the channels R, G, B (linear). Values that are no numbers count as 0, others are
-  /// clamped to what half precision holds. Fails with one sentence if a channel is missing or the
-  /// picture is empty.
+  /// Makes a texture of the channels R, G, B (linear). NaN becomes 0; other values are clamped to
+  /// the range of half precision. Fails with one sentence if a channel is missing or the image is
+  /// empty.
   static Result<ContinuousTexture> from_image(const Image& image);
 
-  /// Linear RGB at (u, v), v upward; finite for finite (u, v). `deviation`: the Gaussian's, in
-  /// texels, 1 to kLargestDeviation. More than 1 keeps a texture from aliasing that is finer than
-  /// the places where it is asked for.
+  /// Returns linear RGB at (u, v), v upward; finite for finite (u, v). `deviation` of the Gaussian
+  /// in texels, 1 to kLargestDeviation. Values above 1 prevent aliasing of a texture that is finer
+  /// than the sampled positions.
   [[nodiscard]] glm::vec3 at(glm::vec2 texcoord, double deviation = 1.0) const;
 
   [[nodiscard]] std::uint32_t width() const { return width_; }
   [[nodiscard]] std::uint32_t height() const { return height_; }
 
-  /// Bounds the work of one evaluation: 65 x 65 texels.
+  /// Limits one evaluation to 65 x 65 texels.
   static constexpr double kLargestDeviation = 8.0;
 
  private:

@@ -18,10 +18,10 @@ namespace {
 
 struct Neighbour {
   std::uint32_t index = 0;
-  float weight = 0.0F;  ///< how much the two crowd each other
+  float weight = 0.0F;  ///< weight of the pair
 };
 
-/// Everyone's neighbours nearer than `reach`.
+/// The neighbours of each candidate within `reach`.
 std::vector<std::vector<Neighbour>> find_crowding(const SurfacePoints& points, double reach) {
   const RadiusSearch search(points.positions);
   std::vector<std::vector<Neighbour>> crowding(points.size());
@@ -66,7 +66,7 @@ SurfacePoints thin_out(const SurfacePoints& candidates, std::size_t count, doubl
     for (const Neighbour& neighbour : crowding[i]) weights[i] += neighbour.weight;
     entries[i] = {weights[i], static_cast<std::uint32_t>(i)};
   }
-  // Weights only fall, so that an entry that says too much is put back when it comes up.
+  // Weights only decrease, so an outdated entry is put back when it reaches the top.
   std::priority_queue<Entry> heap(std::less<Entry>(), std::move(entries));
   std::vector<bool> kept(candidates.size(), true);
   std::size_t left = candidates.size();

@@ -1,4 +1,4 @@
-// An irregular but even choice of points on a surface: the splats of a textured mesh.
+// Chooses irregular but evenly spread points on a surface, for the splats of a textured mesh.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +7,11 @@
 
 namespace relief {
 
-/// Keeps `count` of the candidates (at least as many), evenly: the candidate with the most crowded
-/// neighbourhood goes first, until `count` are left (Yuksel 2015, "Sample elimination for
-/// generating Poisson disk sample sets", with its weight (1 - d / 2 r_max)^8). Sheets that face
-/// away from each other do not crowd each other. `area`: that of the surface, world units squared.
-/// The order of the candidates is kept. Does not depend on the number of threads.
+/// Keeps `count` of the candidates (at least as many), evenly: removes the candidate with the most
+/// crowded neighbourhood until `count` are left (Yuksel 2015, "Sample elimination for generating
+/// Poisson disk sample sets", with its weight (1 - d / 2 r_max)^8). Sheets that face away from each
+/// other do not count as crowded. `area` of the surface, world units squared. Keeps the order of
+/// the candidates. The result does not depend on the number of threads.
 [[nodiscard]] SurfacePoints thin_out(const SurfacePoints& candidates, std::size_t count,
                                      double area);
 

@@ -45,14 +45,14 @@ Eigen::VectorXd scattered(Eigen::Index size) {
 
 }  // namespace
 
-std::vector<glm::vec3> project_texture(const BasisAtPlaces& basis,
+std::vector<glm::vec3> project_texture(const BasisAtPositions& basis,
                                        const std::vector<glm::vec3>& texture,
                                        const std::vector<glm::vec3>& fallback) {
   std::vector<glm::dvec3> sums(fallback.size(), glm::dvec3(0.0));
   std::vector<double> weights(fallback.size(), 0.0);
   for (Eigen::Index q = 0; q < basis.outerSize(); ++q) {
     const glm::dvec3 value(texture[static_cast<std::size_t>(q)]);
-    for (BasisAtPlaces::InnerIterator entry(basis, q); entry; ++entry) {
+    for (BasisAtPositions::InnerIterator entry(basis, q); entry; ++entry) {
       const auto k = static_cast<std::size_t>(entry.col());
       sums[k] += entry.value() * value;
       weights[k] += entry.value();
@@ -65,14 +65,14 @@ std::vector<glm::vec3> project_texture(const BasisAtPlaces& basis,
   return coefficients;
 }
 
-Eigen::SparseMatrix<double, Eigen::RowMajor> inner_products(const BasisAtPlaces& basis) {
-  const BasisAtPlaces by_splat = basis.transpose();
+Eigen::SparseMatrix<double, Eigen::RowMajor> inner_products(const BasisAtPositions& basis) {
+  const BasisAtPositions by_splat = basis.transpose();
   Eigen::SparseMatrix<double, Eigen::RowMajor> products = by_splat * basis;
   products *= 1.0 / static_cast<double>(std::max<Eigen::Index>(basis.rows(), 1));
   return products;
 }
 
-std::vector<glm::vec3> fit_texture(const BasisAtPlaces& basis,
+std::vector<glm::vec3> fit_texture(const BasisAtPositions& basis,
                                    const std::vector<glm::vec3>& texture,
                                    const std::vector<glm::vec3>& start, const Progress& progress,
                                    FitReport& report) {
@@ -100,7 +100,7 @@ std::vector<glm::vec3> fit_texture(const BasisAtPlaces& basis,
   return coefficients;
 }
 
-double rms_error(const BasisAtPlaces& basis, const std::vector<glm::vec3>& coefficients,
+double rms_error(const BasisAtPositions& basis, const std::vector<glm::vec3>& coefficients,
                  const std::vector<glm::vec3>& texture) {
   double squared = 0.0;
   for (glm::length_t c = 0; c < 3; ++c) {

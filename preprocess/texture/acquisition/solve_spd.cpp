@@ -32,7 +32,7 @@ std::optional<double> condition_of(const std::vector<double>& alphas,
 
 SpdSolution solve_spd(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix,
                       const Eigen::VectorXd& right_side, const Eigen::VectorXd& start,
-                      double tolerance, int most_iterations, const Progress& progress) {
+                      double tolerance, int max_iterations, const Progress& progress) {
   assert(matrix.rows() == matrix.cols() && matrix.rows() == right_side.size() &&
          right_side.size() == start.size());
   SpdSolution solution;
@@ -50,7 +50,7 @@ SpdSolution solve_spd(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix
   double rho = residual.dot(scaled);
   std::vector<double> alphas;
   std::vector<double> betas;
-  while (residual.norm() > tolerance * scale && solution.iterations < most_iterations &&
+  while (residual.norm() > tolerance * scale && solution.iterations < max_iterations &&
          !progress.cancelled()) {
     const Eigen::VectorXd image = matrix * direction;
     const double curvature = direction.dot(image);

@@ -14,8 +14,9 @@
 namespace relief {
 namespace {
 
-// A place within the support in the tangent plane may lie off that plane; where the surface bends
-// so much that this is not enough, normals differ too much for the plane to be a parameterisation.
+// A position within the support in the tangent plane may lie off that plane; where the surface
+// bends so much that this is not enough, normals differ too much for the plane to be a
+// parameterisation.
 constexpr double kSearchReach = 1.1;
 
 struct Entry {
@@ -26,14 +27,14 @@ struct Entry {
 using Row = std::vector<Entry>;
 
 Row evaluate_row(const SurfacePoints& splats, const SplatBasis& basis, const RadiusSearch& search,
-                 glm::dvec3 place, glm::vec3 normal, std::vector<std::uint32_t>& found) {
+                 glm::dvec3 position, glm::vec3 normal, std::vector<std::uint32_t>& found) {
   const double variance = basis.deviation * basis.deviation;
-  search.find(place, kSearchReach * std::sqrt(2.0 * basis.cutoff * variance), found);
+  search.find(position, kSearchReach * std::sqrt(2.0 * basis.cutoff * variance), found);
   Row row;
   double sum = 0.0;
   for (const std::uint32_t k : found) {
     if (glm::dot(normal, splats.normals[k]) <= 0.0F) continue;
-    const glm::dvec3 offset = place - splats.positions[k];
+    const glm::dvec3 offset = position - splats.positions[k];
     const double height = glm::dot(offset, glm::dvec3(splats.normals[k]));
     const double exponent = (glm::dot(offset, offset) - height * height) / (2.0 * variance);
     if (exponent >= basis.cutoff) continue;
@@ -51,22 +52,22 @@ Row evaluate_row(const SurfacePoints& splats, const SplatBasis& basis, const Rad
 
 Eigen::SparseMatrix<double, Eigen::RowMajor> evaluate_basis(const SurfacePoints& splats,
                                                             const SplatBasis& basis,
-                                                            const SurfacePoints& places) {
+                                                            const SurfacePoints& positions) {
   assert(basis.deviation > 0.0 && basis.cutoff > 0.0);
   const RadiusSearch search(splats.positions);
-  std::vector<Row> rows(places.size());
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, places.size(), 1024), [&](const auto& range) {
-        std::vector<std::uint32_t> found;
-        for (std::size_t q = range.begin(); q != range.end(); ++q) {
-          rows[q] =
-              evaluate_row(splats, basis, search, places.positions[q], places.normals[q], found);
-        }
-      });
+  std::vector<Row> rows(positions.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, positions.size(), 1024),
+                    [&](const auto& range) {
+                      std::vector<std::uint32_t> found;
+                      for (std::size_t q = range.begin(); q != range.end(); ++q) {
+                        rows[q] = evaluate_row(splats, basis, search, positions.positions[q],
+                                               positions.normals[q], found);
+                      }
+                    });
   std::size_t entries = 0;
   for (const Row& row : rows) entries += row.size();
   assert(entries < std::numeric_limits<int>::max() && "callers bound the number of places");
-  Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(static_cast<Eigen::Index>(places.size()),
+  Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(static_cast<Eigen::Index>(positions.size()),
                                                       static_cast<Eigen::Index>(splats.size()));
   matrix.reserve(static_cast<Eigen::Index>(entries));
   for (std::size_t q = 0; q < rows.size(); ++q) {

@@ -1,4 +1,4 @@
-// The basis functions of splats, and what they make of coefficients.
+// The basis functions of splats.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -14,9 +14,10 @@ struct SplatBasis {
   BasisKind kind = BasisKind::Normalised;
 };
 
-/// Row q, column k: basis function k at `places[q]`, in the tangent plane of splat k (section 4).
-/// A splat reaches only places that face the same way. Does not depend on the number of threads.
+/// Returns the matrix whose row q, column k is basis function k at `positions[q]`, in the tangent
+/// plane of splat k (section 4). A splat reaches only positions whose normals face its side. The
+/// result does not depend on the number of threads.
 [[nodiscard]] Eigen::SparseMatrix<double, Eigen::RowMajor> evaluate_basis(
-    const SurfacePoints& splats, const SplatBasis& basis, const SurfacePoints& places);
+    const SurfacePoints& splats, const SplatBasis& basis, const SurfacePoints& positions);
 
 }  // namespace relief

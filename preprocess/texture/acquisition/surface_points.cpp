@@ -25,7 +25,7 @@ glm::dvec3 area_vector(const Points& mesh, const Triangle& t) {
 }
 
 /// Numbers in [0, 1)^2 that differ from triangle to triangle (the finaliser of SplitMix64), so that
-/// small triangles do not all have their one point in the same place.
+/// the single points of small triangles are not all at one relative position.
 glm::dvec2 offset_of(std::uint64_t triangle) {
   std::uint64_t h = (triangle + 1) * 0x9E3779B97F4A7C15U;
   h = (h ^ (h >> 30U)) * 0xBF58476D1CE4E5B9U;
@@ -45,8 +45,8 @@ glm::dvec3 weights_of(glm::dvec2 offset, std::size_t i) {
   return {1.0 - s.x - s.y, s.x, s.y};
 }
 
-void place(const Points& mesh, std::size_t triangle, glm::dvec3 w, std::size_t index,
-           SurfacePoints& out) {
+void put_point(const Points& mesh, std::size_t triangle, glm::dvec3 w, std::size_t index,
+               SurfacePoints& out) {
   const Triangle& t = mesh.triangles[triangle];
   const glm::vec3 weight(w);
   // Relative to a corner: at UTM size a weighted sum of positions would lose digits.
@@ -99,7 +99,7 @@ SurfacePoints spread_over_triangles(const Points& mesh, std::size_t count) {
                       for (std::size_t t = range.begin(); t != range.end(); ++t) {
                         const glm::dvec2 offset = offset_of(t);
                         for (std::size_t i = first[t]; i < first[t + 1]; ++i) {
-                          place(mesh, t, weights_of(offset, i - first[t]), i, out);
+                          put_point(mesh, t, weights_of(offset, i - first[t]), i, out);
                         }
                       }
                     });

@@ -1,4 +1,4 @@
-// From a decoded picture to a texture that materials share.
+// Makes textures that materials share of decoded images.
 #pragma once
 
 #include <memory>
@@ -13,9 +13,9 @@
 
 namespace relief {
 
-/// The picture as a `Texture` (MeshTexture, NormalTexture). Fails with one sentence that begins
-/// with `name`, the picture's, or with what reading it said; `what` is what messages call the
-/// texture.
+/// Returns the image as a `Texture` (MeshTexture, NormalTexture). Fails with the error of reading
+/// the image, or with one sentence that begins with `name`, the image's name. `what` is the
+/// texture's description in messages.
 template <class Texture>
 Result<std::shared_ptr<const Texture>> decode_texture(const std::string& name,
                                                       const Result<Image>& image, TextureWrap wrap,
@@ -29,7 +29,7 @@ Result<std::shared_ptr<const Texture>> decode_texture(const std::string& name,
   });
 }
 
-/// How a texture goes on outside [0, 1]^2 that a mesh file says is clamped, or is not.
+/// Returns how a texture continues outside [0, 1]^2, given whether the mesh file clamps it.
 [[nodiscard]] inline TextureWrap wrap_of(bool clamps) {
   return clamps ? TextureWrap::Clamp : TextureWrap::Repeat;
 }

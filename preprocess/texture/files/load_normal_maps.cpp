@@ -27,9 +27,9 @@ Result<SharedTexture> decode(const std::string& name, std::span<const std::byte>
 Result<SharedTexture> read(const std::filesystem::path& mesh, const MeshNormalMap& map) {
   const TextureWrap wrap = wrap_of(map.clamps);
   if (map.image_bytes != nullptr)
-    return decode(fmt::format("{}: {}", mesh.string(), map.picture), *map.image_bytes, wrap);
-  RELIEF_TRY_ASSIGN(const auto bytes, read_file(map.picture));
-  return decode(map.picture, bytes, wrap);
+    return decode(fmt::format("{}: {}", mesh.string(), map.image), *map.image_bytes, wrap);
+  RELIEF_TRY_ASSIGN(const auto bytes, read_file(map.image));
+  return decode(map.image, bytes, wrap);
 }
 
 }  // namespace
@@ -37,18 +37,19 @@ Result<SharedTexture> read(const std::filesystem::path& mesh, const MeshNormalMa
 Status load_normal_maps(const std::filesystem::path& mesh, Points& points,
                         std::vector<std::string>& notes) {
   std::map<std::tuple<const void*, std::string, bool>, SharedTexture> textures;
-  std::set<std::string> said;  // a material is two where some of its faces have no coordinates
+  std::set<std::string>
+      said;  // a material is split in two if some of its faces have no coordinates
   for (MeshMaterial& material : points.materials) {
     MeshNormalMap& map = material.normals;
     if (!map.left_out.empty() && said.insert(material.name).second) {
       notes.push_back(fmt::format("{}: material {}: {}", mesh.string(),
                                   relief::quoted(material.name), map.left_out));
     }
-    if (map.picture.empty() || !map.left_out.empty() || !material.has_texcoords ||
+    if (map.image.empty() || !map.left_out.empty() || !material.has_texcoords ||
         points.texcoords.empty())
       continue;
     const void* const bytes = map.image_bytes.get();
-    const std::tuple key(bytes, bytes == nullptr ? map.picture : std::string(), map.clamps);
+    const std::tuple key(bytes, bytes == nullptr ? map.image : std::string(), map.clamps);
     auto texture = textures.find(key);
     if (texture == textures.end()) {
       auto made = read(mesh, map);

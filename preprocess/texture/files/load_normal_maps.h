@@ -1,4 +1,4 @@
-// The normal maps of meshes, from what their files say to textures in memory.
+// Loads the normal maps of meshes.
 #pragma once
 
 #include <filesystem>
@@ -10,10 +10,10 @@
 
 namespace relief {
 
-/// Reads the normal maps that the materials of `points` name: `picture` is a path by now, or says
-/// whose `image_bytes` they are. Materials without texture coordinates get none. Fails with one
-/// sentence, which names the picture, if one is missing, too large or damaged; what a material
-/// leaves out is a note.
+/// Reads the normal maps of the materials of `points`; `image` is a resolved path, or the name of
+/// `image_bytes`. Materials without texture coordinates get none. Fails with one sentence, which
+/// names the image, if one is missing, too large or damaged. Adds a note for each normal map that
+/// is left out.
 Status load_normal_maps(const std::filesystem::path& mesh, Points& points,
                         std::vector<std::string>& notes);
 

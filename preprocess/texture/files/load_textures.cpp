@@ -29,7 +29,7 @@ struct FoundMaterial {
 };
 using FoundMaterials = std::map<std::string, FoundMaterial, std::less<>>;
 
-/// Names of pictures may have blanks; so may those of material files, of which a line may name
+/// Names of images may have blanks; so may those of material files, of which a line may name
 /// several.
 std::vector<fs::path> material_files(const fs::path& mesh, const std::string& line) {
   std::error_code ignored;
@@ -77,7 +77,7 @@ bool are_finite(const CornerTexcoords& corners) {
                      [](glm::vec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); });
 }
 
-/// Triangles whose texture coordinates are no numbers have no place in a texture.
+/// Triangles with NaN or infinite texture coordinates get no texture.
 void drop_bad_texcoords(Points& points) {
   for (std::size_t t = 0; t < points.triangle_materials.size(); ++t) {
     std::uint32_t& material = points.triangle_materials[t];
@@ -88,15 +88,15 @@ void drop_bad_texcoords(Points& points) {
   }
 }
 
-Status put_on_all(const fs::path& mesh, const fs::path& picture, Points& points) {
+Status put_on_all(const fs::path& mesh, const fs::path& image, Points& points) {
   if (points.triangles.empty() || points.texcoords.empty()) {
     return make_error("{}: it has no {}, so the texture {} cannot be put on it", mesh.string(),
-                      points.triangles.empty() ? "faces" : "texture coordinates", picture.string());
+                      points.triangles.empty() ? "faces" : "texture coordinates", image.string());
   }
-  RELIEF_TRY_ASSIGN(auto texture, read_texture(picture, TextureWrap::Repeat));
+  RELIEF_TRY_ASSIGN(auto texture, read_texture(image, TextureWrap::Repeat));
   MeshMaterial material;
-  material.name = picture.filename().string();
-  material.picture = picture.string();
+  material.name = image.filename().string();
+  material.image = image.string();
   material.texture = std::move(texture);
   points.materials = {std::move(material)};
   points.triangle_materials.assign(points.triangles.size(), 0);
@@ -104,7 +104,7 @@ Status put_on_all(const fs::path& mesh, const fs::path& picture, Points& points)
   return {};
 }
 
-/// Reads the pictures of materials that are stated by the mesh file itself.
+/// Reads the images of materials defined in the mesh file itself.
 Status read_stated_textures(const fs::path& mesh, Points& points) {
   std::map<std::pair<const void*, bool>, std::shared_ptr<const MeshTexture>> textures;
   for (MeshMaterial& material : points.materials) {
@@ -112,7 +112,7 @@ Status read_stated_textures(const fs::path& mesh, Points& points) {
     const std::pair key(static_cast<const void*>(material.image_bytes.get()), material.clamps);
     auto texture = textures.find(key);
     if (texture == textures.end()) {
-      const std::string name = fmt::format("{}: {}", mesh.string(), material.picture);
+      const std::string name = fmt::format("{}: {}", mesh.string(), material.image);
       RELIEF_TRY_ASSIGN(auto made,
                         decode_texture<MeshTexture>(name, decode_image(name, *material.image_bytes),
                                                     wrap_of(material.clamps), "texture"));
@@ -124,18 +124,18 @@ Status read_stated_textures(const fs::path& mesh, Points& points) {
   return {};
 }
 
-/// What a material file says about a material's normal map.
+/// Takes a material's normal map from its material file.
 void take_normals(const FoundMaterial& found, MeshMaterial& material,
                   std::vector<std::string>& notes) {
   material.normals = found.says.material.normals;
-  if (material.normals.picture.empty() || !material.has_texcoords) return;
-  material.normals.picture = resolve_beside(found.file, material.normals.picture).string();
+  if (material.normals.image.empty() || !material.has_texcoords) return;
+  material.normals.image = resolve_beside(found.file, material.normals.image).string();
   if (found.says.ignored_of_normals.empty()) return;
   notes.push_back(fmt::format("{}: normal map of material {}: {} is not read", found.file.string(),
                               relief::quoted(material.name), found.says.ignored_of_normals));
 }
 
-/// What the material files say, for the materials that triangles name.
+/// Completes the materials that triangles name from the material files.
 Status resolve_materials(const fs::path& mesh, Points& points, std::vector<std::string>& notes) {
   RELIEF_TRY_ASSIGN(const auto found, read_material_files(mesh, points, notes));
   RELIEF_TRY(read_stated_textures(mesh, points));
@@ -150,9 +150,9 @@ Status resolve_materials(const fs::path& mesh, Points& points, std::vector<std::
     const MtlMaterial& said = says->second.says;
     material.colour = said.material.colour;
     take_normals(says->second, material, notes);
-    if (said.material.picture.empty() || !material.has_texcoords || points.texcoords.empty())
+    if (said.material.image.empty() || !material.has_texcoords || points.texcoords.empty())
       continue;
-    const fs::path file = resolve_beside(says->second.file, said.material.picture);
+    const fs::path file = resolve_beside(says->second.file, said.material.image);
     const std::pair key(file, said.material.clamps);
     auto texture = textures.find(key);
     if (texture == textures.end()) {
@@ -170,7 +170,7 @@ Status resolve_materials(const fs::path& mesh, Points& points, std::vector<std::
                                   says->second.file.string(), relief::quoted(material.name),
                                   said.ignored_options));
     }
-    material.picture = file.string();
+    material.image = file.string();
     material.texture = texture->second;
     material.colour = glm::vec3(1.0F);
   }
@@ -209,8 +209,8 @@ Status load_textures(const fs::path& mesh, const TextureChoice& choice, Points& 
   Status done;
   if (choice.left_out) {
     leave_out(points);
-  } else if (!choice.picture.empty()) {
-    done = put_on_all(mesh, choice.picture, points);
+  } else if (!choice.image.empty()) {
+    done = put_on_all(mesh, choice.image, points);
   } else {
     done = resolve_materials(mesh, points, notes);
   }

@@ -1,4 +1,4 @@
-// From what a mesh file says about its colours to pictures in memory.
+// Loads the materials and textures of meshes.
 #pragma once
 
 #include <filesystem>
@@ -10,31 +10,31 @@
 
 namespace relief {
 
-/// Where the colours and the normal maps of a mesh's triangles come from.
+/// The source of colours and normal maps of a mesh's triangles.
 struct TextureChoice {
-  bool left_out = false;          ///< what the file says about them is left out
-  std::filesystem::path picture;  ///< one texture for all triangles instead, and no normal maps;
-                                  ///< empty: the file's own
+  bool left_out = false;        ///< ignore the file's colours and normal maps
+  std::filesystem::path image;  ///< one texture for all triangles instead, without normal maps;
+                                ///< empty: the file's textures
 };
 
-/// Reads the material files and the pictures (textures and normal maps) that `mesh`, which points
-/// were read from, names, and leaves in `points` the materials that have colours; triangles of
-/// others have kNoMaterial.
+/// Reads the material files and images (textures and normal maps) that the file `mesh` names.
+/// `points` are those read from `mesh`; they keep only materials with colours. Triangles of others
+/// get kNoMaterial.
 ///
-/// Names are relative to the folder of the file that they stand in. What would lead out of that
-/// folder (an absolute path, a drive, ..) is looked for by its last part beside the file: files
-/// from strangers must not make Relief read others.
+/// Names are relative to the folder of the file that contains them. If a name leads out of that
+/// folder (an absolute path, a drive, ..), only its last part is used: untrusted files must not
+/// make Relief read others.
 ///
-/// Fails with one sentence if a picture that triangles use is missing, too large or damaged, or if
-/// `choice` names one for a mesh that can have none. A material file that is missing is a note: the
-/// shape is whole without it.
+/// Fails with one sentence if an image that triangles use is missing, too large or damaged, or if
+/// `choice` names one for a mesh that can have none. A missing material file is only a note,
+/// because the shape is complete without it.
 Status load_textures(const std::filesystem::path& mesh, const TextureChoice& choice, Points& points,
                      std::vector<std::string>& notes);
 
-/// Whether some triangle has a colour of its own.
+/// Returns whether some triangle has a material.
 [[nodiscard]] bool has_triangle_colours(const Points& points);
 
-/// Where a name in the file `owner` leads, as above.
+/// Returns the path of a name in the file `owner`, as described for load_textures.
 [[nodiscard]] std::filesystem::path resolve_beside(const std::filesystem::path& owner,
                                                    const std::string& name);
 

@@ -12,18 +12,18 @@
 namespace relief {
 namespace {
 
-/// In cells squared; what is thinner has no place for a texel.
+/// In cells squared; thinner triangles contain no texel.
 constexpr double kMinArea = 1e-12;
 
-/// More than single precision rounds sums of lengths by.
+/// More than the rounding of sums of lengths in single precision.
 constexpr float kRounding = 1.0001F;
 
 /// Interleaves the lowest ten bits of three numbers (Morton 1966).
-std::uint32_t morton_code(glm::uvec3 place) {
+std::uint32_t morton_code(glm::uvec3 position) {
   std::uint32_t code = 0;
   for (std::uint32_t bit = 0; bit < 10; ++bit) {
     for (glm::length_t axis = 0; axis < 3; ++axis)
-      code |= (place[axis] >> bit & 1U) << (3 * bit + static_cast<std::uint32_t>(axis));
+      code |= (position[axis] >> bit & 1U) << (3 * bit + static_cast<std::uint32_t>(axis));
   }
   return code;
 }
@@ -41,7 +41,7 @@ glm::ivec2 height_range(const Patch& patch) {
   return range;
 }
 
-/// Sees triangles as a patch does.
+/// Projects triangles along a patch's normal.
 class View {
  public:
   View(const Patch& patch, const Points& mesh)
@@ -56,10 +56,10 @@ class View {
     FlatTriangle flat;
     flat.index = index;
     for (std::size_t c = 0; c < 3; ++c) {
-      const glm::dvec3 place =
+      const glm::dvec3 position =
           to_local_ * (mesh_.positions[mesh_.triangles[index][c]] - origin_) / spacing_;
-      flat.corners[c] = glm::dvec2(place);
-      flat.heights[static_cast<glm::length_t>(c)] = place.z;
+      flat.corners[c] = glm::dvec2(position);
+      flat.heights[static_cast<glm::length_t>(c)] = position.z;
     }
     const auto& p = flat.corners;
     const glm::dvec2 low = glm::min(glm::min(p[0], p[1]), p[2]);
@@ -77,7 +77,7 @@ class View {
   glm::dvec2 cells_;
 };
 
-/// Sorts numbers below `end`. Where they are many a bit for each is quicker than comparing them.
+/// Sorts numbers below `end`. For many numbers, a bit set is faster than comparisons.
 void sort_numbers(std::vector<std::uint32_t>& numbers, std::size_t end) {
   constexpr std::size_t kFew = 64;
   if (numbers.size() < end / kFew) {
@@ -96,10 +96,10 @@ void sort_numbers(std::vector<std::uint32_t>& numbers, std::size_t end) {
 
 }  // namespace
 
-glm::dvec3 FlatTriangle::weights_at(glm::dvec2 place) const {
-  const glm::dvec2 a = corners[0] - place;
-  const glm::dvec2 b = corners[1] - place;
-  const glm::dvec2 c = corners[2] - place;
+glm::dvec3 FlatTriangle::weights_at(glm::dvec2 position) const {
+  const glm::dvec2 a = corners[0] - position;
+  const glm::dvec2 b = corners[1] - position;
+  const glm::dvec2 c = corners[2] - position;
   return glm::dvec3(cross(b, c), cross(c, a), cross(a, b)) / twice_area;
 }
 
@@ -109,14 +109,14 @@ double FlatTriangle::twice_area_in_space() const {
   return glm::length(glm::cross(b, c));
 }
 
-void TriangleSpheres::sort_by_place(std::vector<Sphere>& spheres, const Bounds& bounds) {
+void TriangleSpheres::sort_by_position(std::vector<Sphere>& spheres, const Bounds& bounds) {
   const glm::dvec3 size = bounds.max - bounds.min;
   const double scale = 1023.0 / std::max({size.x, size.y, size.z, 1e-300});
   std::vector<std::pair<std::uint32_t, std::uint32_t>> keys;
   keys.reserve(spheres.size());
   for (std::uint32_t k = 0; k < spheres.size(); ++k) {
-    const glm::dvec3 place = (glm::dvec3(spheres[k].centre) + 0.5 * size) * scale;
-    keys.emplace_back(morton_code(glm::uvec3(glm::clamp(place, 0.0, 1023.0))), k);
+    const glm::dvec3 position = (glm::dvec3(spheres[k].centre) + 0.5 * size) * scale;
+    keys.emplace_back(morton_code(glm::uvec3(glm::clamp(position, 0.0, 1023.0))), k);
   }
   std::sort(keys.begin(), keys.end());
   std::vector<Sphere> sorted;
@@ -157,7 +157,7 @@ TriangleSpheres::TriangleSpheres(const Points& mesh) : mesh_(mesh) {
     spheres_.push_back(
         {glm::vec3(centre), static_cast<float>(radius + 1e-6 * glm::length(centre)), t});
   }
-  sort_by_place(spheres_, bounds);
+  sort_by_position(spheres_, bounds);
   groups_ = group(spheres_);
   blocks_ = group(groups_);
 }

@@ -3,20 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "preprocess/texture/maps/texture_maps.h"
-
 namespace relief {
 namespace {
 
-/// A power of two that is this much too small is good enough: twice as many texels a side show no
+/// A power of two that is too small by this factor suffices: twice as many texels a side show no
 /// more.
 constexpr double kEnough = 1.12;
-/// Triangles steeper than this (a cosine) are some other patch's to show.
+/// Triangles steeper than this (a cosine) belong to another patch.
 constexpr double kSteepest = 0.26;
 constexpr std::uint64_t kMaxTexelsUnasked = std::uint64_t{1} << 26U;
 constexpr std::uint64_t kMaxTexels = std::uint64_t{1} << 30U;
 
-/// Twice the area that a triangle has in its picture, texels.
+/// Returns twice the area of a triangle in its image, texels.
 double image_area(const Points& mesh, std::uint32_t triangle, glm::dvec2 size) {
   if (size.x == 0.0) return 0.0;
   const CornerTexcoords at = texcoords_of(mesh, triangle);
@@ -25,14 +23,14 @@ double image_area(const Points& mesh, std::uint32_t triangle, glm::dvec2 size) {
   return std::abs(b.x * c.y - b.y * c.x);
 }
 
-/// Twice the area of triangles, in texels of their pictures and in cells of a patch.
+/// Twice the area of triangles, in texels of their images and in cells of a patch.
 struct Areas {
   double texels = 0.0;
   double cells = 0.0;
 };
 
 Areas areas_of(const Points& mesh, const std::vector<FlatTriangle>& triangles,
-               const ImageSize& size_of) {
+               const TextureSize& size_of) {
   Areas areas;
   for (const FlatTriangle& t : triangles) {
     if (t.twice_area < kSteepest * t.twice_area_in_space()) continue;
@@ -42,7 +40,7 @@ Areas areas_of(const Points& mesh, const std::vector<FlatTriangle>& triangles,
   return areas;
 }
 
-/// The power of two of texels a cell that holds what the pictures hold.
+/// Returns the power of two of texels per cell that keeps the images' resolution.
 std::uint32_t scale_for(const Areas& areas) {
   if (!(areas.texels > 0.0) || !std::isfinite(areas.texels)) return 1;
   const double along_side = std::sqrt(areas.texels / areas.cells) / kEnough;
@@ -59,16 +57,16 @@ std::uint64_t count_texels(const std::vector<Patch>& patches,
   return sum;
 }
 
-/// CullMode that patch files hold, with room for gutters beside the map.
+/// Largest side that patch files hold, with room for gutters beside the map.
 bool fits(const Patch& patch, std::uint32_t scale) {
   return map_side(std::max(patch.width, patch.height) + 8, scale) <= kMaxPatchSide;
 }
 
-/// A scale for each patch. Gutters and mip levels are those of the finest map, so that none is more
-/// than twice as fine as all together need.
+/// A scale for each patch. Gutters and mip levels are those of the finest map, so that no map is
+/// more than twice as fine as needed.
 std::vector<std::uint32_t> choose_scales(const Points& mesh,
                                          const std::vector<std::vector<FlatTriangle>>& triangles,
-                                         const ImageSize& size_of) {
+                                         const TextureSize& size_of) {
   Areas all;
   std::vector<std::uint32_t> scales;
   for (const std::vector<FlatTriangle>& own : triangles) {
@@ -82,7 +80,7 @@ std::vector<std::uint32_t> choose_scales(const Points& mesh,
   return scales;
 }
 
-/// Coarser everywhere until it is not too much.
+/// All maps become coarser until they fit.
 void limit_scales(const std::vector<Patch>& patches, std::vector<std::uint32_t>& scales) {
   for (std::size_t p = 0; p < patches.size(); ++p) {
     while (scales[p] > 1 && !fits(patches[p], scales[p])) scales[p] /= 2;
@@ -107,7 +105,7 @@ Status check_scales(const std::vector<Patch>& patches, const std::vector<std::ui
 
 Result<std::vector<std::uint32_t>> scales_of_maps(
     const Points& mesh, const std::vector<Patch>& patches,
-    const std::vector<std::vector<FlatTriangle>>& triangles, const ImageSize& size_of,
+    const std::vector<std::vector<FlatTriangle>>& triangles, const TextureSize& size_of,
     std::uint32_t texels_per_cell) {
   std::vector<std::uint32_t> scales(patches.size(), texels_per_cell);
   if (texels_per_cell == 0) {

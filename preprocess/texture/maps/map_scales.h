@@ -1,4 +1,4 @@
-// How fine the maps of patches are that were made of textured meshes.
+// Chooses the resolution of the maps of patches from textured meshes.
 #pragma once
 
 #include <cstdint>
@@ -13,21 +13,24 @@
 
 namespace relief {
 
-/// The size in texels of the picture that a triangle of the mesh shows; 0: none.
-using ImageSize = std::function<glm::dvec2(std::uint32_t triangle)>;
+/// The finest resolution. Finer textures have more detail than an image of a whole patch shows.
+inline constexpr std::uint32_t kMaxTexelsPerCell = 64;
 
-/// Nodes along a side of a patch to texels along that of its map.
+/// Returns the size in texels of the image of a triangle's texture; 0 without one.
+using TextureSize = std::function<glm::dvec2(std::uint32_t triangle)>;
+
+/// Returns the texels along a side of a map, from the nodes along that side of its patch.
 [[nodiscard]] inline std::uint64_t map_side(std::uint32_t nodes, std::uint32_t scale) {
   return std::uint64_t{scale} * (nodes - 1) + 1;
 }
 
-/// Texels a cell of each patch's map: `texels_per_cell`, or where that is 0 the power of two that
-/// keeps the texels of what its triangles show, together not more than 64 Mi texels (coarser
-/// everywhere then); 1 where they show nothing. `triangles` are those over each patch. Fails, with
-/// a clause, if as many as asked for are more than a patch or memory can hold.
+/// Returns the texels per cell of each patch's map: `texels_per_cell`, or if that is 0 the power of
+/// two that keeps the resolution of its triangles' textures; 1 without textures. All maps together
+/// have at most 64 Mi texels; all become coarser if necessary. `triangles` are those over each
+/// patch. Fails, with a clause, if the requested texels exceed a patch's limit or memory.
 Result<std::vector<std::uint32_t>> scales_of_maps(
     const Points& mesh, const std::vector<Patch>& patches,
-    const std::vector<std::vector<FlatTriangle>>& triangles, const ImageSize& size_of,
+    const std::vector<std::vector<FlatTriangle>>& triangles, const TextureSize& size_of,
     std::uint32_t texels_per_cell);
 
 }  // namespace relief

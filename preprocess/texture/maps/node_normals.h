@@ -1,4 +1,4 @@
-// Normals of samples from the mesh that the points are of.
+// Takes the normals of samples from the mesh.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -10,14 +10,15 @@
 
 namespace relief {
 
-/// Gives a patch's samples the normals that the mesh has there, interpolated between the corners of
-/// the triangle nearest to the patch's own surface (find_shown). What a fit makes of the points
-/// smooths them; a mesh says what is between its points. Samples over which no triangle faces the
-/// patch's side keep their normals. So do all, if the triangles are smaller than those between
-/// points half a cell apart: then a fit is a mean over a cell, and one place of it would alias.
+/// Sets the normals of a patch's samples to the mesh's normals, interpolated between the corners of
+/// the triangle nearest to the patch's surface (find_shown). Fitted normals are smoother, but a
+/// mesh defines the surface between its points. Samples under no triangle that faces the patch's
+/// side keep their normals. All keep them if the triangles are smaller than those between points
+/// half a cell apart: a fit is then a mean over a cell, and a single position of the mesh would
+/// alias.
 ///
-/// `normals`: unit, of the mesh's points, 0 where there is none; `triangles`: those over the patch,
-/// whose normals must have one texel a cell.
+/// `normals`: unit, of the mesh's points, 0 for missing ones. `triangles`: those over the patch.
+/// The patch's normals must have one texel per cell.
 void take_mesh_normals(const Points& mesh, const std::vector<glm::vec3>& normals,
                        const std::vector<FlatTriangle>& triangles, Patch& patch);
 

@@ -17,7 +17,7 @@
 namespace relief {
 namespace {
 
-/// The normals that a triangle shows, as a function of the place on the base plane.
+/// A triangle's normals as a function of the position on the base plane.
 class TriangleNormals {
  public:
   TriangleNormals(const Points& mesh, const std::vector<glm::vec3>& normals,
@@ -31,11 +31,11 @@ class TriangleNormals {
   }
 
   /// World, unit; 0 where there is none.
-  [[nodiscard]] glm::dvec3 at(glm::dvec2 place) const {
-    const TangentFrame frame = frame_at(tangents_, normals_, triangle_->weights_at(place));
+  [[nodiscard]] glm::dvec3 at(glm::dvec2 position) const {
+    const TangentFrame frame = frame_at(tangents_, normals_, triangle_->weights_at(position));
     if (map_ == nullptr) return perturbed_normal(frame, {0.0F, 0.0F, 1.0F}, 1.0F);
     return perturbed_normal(
-        frame, map_->texture->mean(texcoords_->at(place), texcoords_->du(), texcoords_->dv()),
+        frame, map_->texture->mean(texcoords_->at(position), texcoords_->du(), texcoords_->dv()),
         map_->scale);
   }
 
@@ -52,7 +52,7 @@ class TriangleNormals {
 NormalMapper::NormalMapper(const Points& mesh, const std::vector<glm::vec3>& normals)
     : mesh_(mesh), normals_(normals), tangents_(tangents_of(mesh, normals)) {}
 
-ImageSize NormalMapper::picture_size() const {
+TextureSize NormalMapper::image_size() const {
   return [this](std::uint32_t triangle) {
     const MeshNormalMap* const map = triangle_normal_map(mesh_, triangle);
     return map == nullptr ? glm::dvec2(0.0)
@@ -78,11 +78,11 @@ void NormalMapper::map(const std::vector<FlatTriangle>& triangles, std::uint32_t
   std::vector<std::uint8_t> kept = kept_texels(patch, scale);
   for (std::size_t k = 0; k < shown.size(); ++k) {
     if (kept[k] == 0) continue;
-    const glm::dvec2 place =
+    const glm::dvec2 position =
         glm::dvec2(k % fine.width, k / fine.width) / static_cast<double>(scale);
     glm::dvec3 normal(0.0);
     if (shown[k] != kNoTriangle && triangles[shown[k]].twice_area > 0.0)
-      normal = to_patch * normals[shown[k]].at(place);
+      normal = to_patch * normals[shown[k]].at(position);
     kept[k] = normal == glm::dvec3(0.0) ? 0 : 1;
     if (kept[k] != 0) fine.texels[k] = snorm16_from_unit(glm::vec3(normal));
   }

@@ -1,4 +1,4 @@
-// Normal maps of patches from those of the mesh that they were made of.
+// Makes the normal maps of patches from those of their mesh.
 #pragma once
 
 #include <cstdint>
@@ -12,24 +12,25 @@
 
 namespace relief {
 
-/// Gives patches the normal maps of a mesh, perturbed smooth normals of it, at a resolution of
-/// their own. Threads may share one.
+/// Gives patches a mesh's perturbed normals as maps, each with its own resolution. Threads may
+/// share an object.
 class NormalMapper {
  public:
-  /// `normals`: of the mesh's points (vertex_normals). Both must outlive it.
+  /// `normals` of the mesh's points (vertex_normals). Mesh and normals must outlive this object.
   NormalMapper(const Points& mesh, const std::vector<glm::vec3>& normals);
 
-  /// The size of the normal map that a triangle has.
-  [[nodiscard]] ImageSize picture_size() const;
+  /// Returns the size of a triangle's normal map.
+  [[nodiscard]] TextureSize image_size() const;
 
-  /// Whether one of a patch's triangles has a normal map. If not, its normals can stay as they are.
+  /// Returns whether one of a patch's triangles has a normal map. If not, its normals stay
+  /// unchanged.
   [[nodiscard]] bool has_map(const std::vector<FlatTriangle>& triangles) const;
 
-  /// Replaces a patch's normals by a map of `scale` texels a cell. A texel has the normal of the
-  /// triangle that it shows (`shown`, which find_shown made of `triangles`, those over the patch,
-  /// at that scale): the mean of the normal map over the texel in the triangle's tangent frame, or
-  /// without a normal map the smooth one. Texels over holes, and those that meet no triangle that
-  /// faces the patch's side, continue their surroundings.
+  /// Replaces a patch's normals by a map of `scale` texels a cell. A texel gets the normal of the
+  /// triangle that it shows: the mean of the normal map over the texel, in the triangle's tangent
+  /// frame, or the smooth normal without a normal map. `triangles`: those over the patch. `shown`:
+  /// their find_shown at that scale. Texels over holes, and those without a triangle that faces the
+  /// patch's side, continue their surroundings.
   void map(const std::vector<FlatTriangle>& triangles, std::uint32_t scale,
            const std::vector<std::uint32_t>& shown, Patch& patch) const;
 

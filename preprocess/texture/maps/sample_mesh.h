@@ -1,4 +1,4 @@
-// The points that a coloured mesh is converted from.
+// Samples coloured meshes for conversion.
 #pragma once
 
 #include "common/error.h"
@@ -6,14 +6,14 @@
 
 namespace relief {
 
-/// Points on the triangles of a mesh that has colours of its own, evenly apart, with the vertices'
-/// normals interpolated as `raytrace` does: the file's, or where they are missing the means of the
-/// triangles'. For textured meshes are coarse: their shape is in the triangles between the
-/// vertices, which are far apart beside the texels. No faces and no attributes but normals.
+/// Returns evenly spaced points on the triangles of a coloured mesh, with normals interpolated
+/// between vertices as `raytrace` does: the file's normals, or means of the triangles' if they are
+/// missing. Textured meshes need this because their vertices are far apart compared with texels.
+/// The result has no faces and no attributes but normals.
 ///
-/// There are 100,000, or as many as vertices where these are more; and where `spacing` (world
-/// units) is above 0, one for each square of it at least, up to 2 million. Fails, with a clause, if
-/// the triangles have no area. Does not depend on the number of threads.
+/// The number of points is 100,000, or that of the vertices if they are more. If `spacing` (world
+/// units) is above 0, it is at least one for each square of that side, up to 2 million. Fails, with
+/// a clause, if the triangles have no area. The result does not depend on the number of threads.
 Result<Points> sample_mesh(const Points& mesh, double spacing);
 
 }  // namespace relief

@@ -10,8 +10,7 @@
 namespace relief {
 namespace {
 
-/// How much nearer a triangle must be that faces away, cells: the back of a thin sheet has texels
-/// of its own.
+/// Handicap of triangles that face away, cells: the back of a thin sheet has its own texels.
 constexpr double kFacingAway = 3.0;
 /// Weights this far below 0 still count, so that no texel falls between two triangles.
 constexpr double kOnEdge = -1e-9;
@@ -30,11 +29,11 @@ class Surface {
     continue_over_holes(heights_, kept);
   }
 
-  [[nodiscard]] double at(glm::dvec2 place) const {
-    const auto i = static_cast<std::uint32_t>(place.x);
-    const auto j = static_cast<std::uint32_t>(place.y);
-    const double x = place.x - i;
-    const double y = place.y - j;
+  [[nodiscard]] double at(glm::dvec2 position) const {
+    const auto i = static_cast<std::uint32_t>(position.x);
+    const auto j = static_cast<std::uint32_t>(position.y);
+    const double x = position.x - i;
+    const double y = position.y - j;
     return in_cells_ * ((1.0 - y) * ((1.0 - x) * node(i, j) + x * node(i + 1, j)) +
                         y * ((1.0 - x) * node(i, j + 1) + x * node(i + 1, j + 1)));
   }
@@ -59,7 +58,7 @@ std::vector<std::uint32_t> find_shown(const Patch& patch, std::uint32_t texels_p
   std::vector<std::uint32_t> shown(std::size_t{width} * height, kNoTriangle);
   std::vector<float> least(shown.size(), std::numeric_limits<float>::infinity());
   const double scale = texels_per_cell;
-  // Whole texels of the map, most often none of them.
+  // Whole texels of the map, often none.
   const auto first = [scale](double low, std::uint32_t side) {
     const double at = low * scale - 1e-6;
     if (!(at > 0.0)) return std::uint32_t{0};
@@ -83,10 +82,10 @@ std::vector<std::uint32_t> find_shown(const Patch& patch, std::uint32_t texels_p
     const std::uint32_t b1 = end(high, height);
     for (std::uint32_t b = first(low, height); b < b1; ++b) {
       for (std::uint32_t a = a0; a < a1; ++a) {
-        const glm::dvec2 place(a / scale, b / scale);
-        const glm::dvec3 weights = triangle.weights_at(place);
+        const glm::dvec2 position(a / scale, b / scale);
+        const glm::dvec3 weights = triangle.weights_at(position);
         if (std::min({weights.x, weights.y, weights.z}) < kOnEdge) continue;
-        const double away = std::abs(glm::dot(weights, triangle.heights) - surface.at(place));
+        const double away = std::abs(glm::dot(weights, triangle.heights) - surface.at(position));
         const auto cost = static_cast<float>(away + penalty);
         const std::size_t k = std::size_t{b} * width + a;
         if (away > kTexelReach || !(cost < least[k])) continue;
@@ -106,8 +105,8 @@ TexcoordsOverPatch::TexcoordsOverPatch(const FlatTriangle& triangle, const Corne
   dv_ = glm::vec2(at({0.0, 1.0 / scale}) - here);
 }
 
-glm::dvec2 TexcoordsOverPatch::at(glm::dvec2 place) const {
-  const glm::dvec3 w = triangle_->weights_at(place);
+glm::dvec2 TexcoordsOverPatch::at(glm::dvec2 position) const {
+  const glm::dvec3 w = triangle_->weights_at(position);
   return w.x * glm::dvec2(corners_[0]) + w.y * glm::dvec2(corners_[1]) +
          w.z * glm::dvec2(corners_[2]);
 }

@@ -1,4 +1,4 @@
-// Which triangle of a mesh each texel of a patch's maps shows.
+// Finds the triangle of a mesh that each texel of a patch's maps shows.
 #pragma once
 
 #include <cstdint>
@@ -12,25 +12,25 @@
 
 namespace relief {
 
-/// What a texel shows that meets no triangle.
+/// The index for texels without a triangle.
 inline constexpr std::uint32_t kNoTriangle = std::numeric_limits<std::uint32_t>::max();
 
-/// For each texel of a map with `scale` texels a cell the index, in `triangles`, of the one that is
-/// nearest to the patch's own surface along its normal, at most three cells away; one that faces
-/// away counts as three cells farther. Row-major.
+/// Returns, for each texel of a map with `scale` texels per cell, the index in `triangles` of the
+/// one nearest to the patch's surface along its normal, at most three cells away. Triangles that
+/// face away count as three cells farther. Row-major.
 [[nodiscard]] std::vector<std::uint32_t> find_shown(const Patch& patch, std::uint32_t scale,
                                                     const std::vector<FlatTriangle>& triangles);
 
-/// What weighs the texture coordinates of a triangle's corners at a place of its patch. Weights are
-/// linear in the place, so that a texel's step is the same everywhere.
+/// A triangle's texture coordinates as a function of the position on its patch. They are linear, so
+/// that the step between texels is constant.
 class TexcoordsOverPatch {
  public:
-  /// `scale`: texels a cell. `triangle` must outlive it.
+  /// `scale`: texels per cell. `triangle` must outlive this object.
   TexcoordsOverPatch(const FlatTriangle& triangle, const CornerTexcoords& corners, double scale);
 
-  /// At a place in grid coordinates.
-  [[nodiscard]] glm::dvec2 at(glm::dvec2 place) const;
-  /// Their change from texel to texel, along a row and along a column.
+  /// Returns the texture coordinates at a position in grid coordinates.
+  [[nodiscard]] glm::dvec2 at(glm::dvec2 position) const;
+  /// Return the change from texel to texel, along a row and along a column.
   [[nodiscard]] glm::vec2 du() const { return du_; }
   [[nodiscard]] glm::vec2 dv() const { return dv_; }
 

@@ -20,10 +20,10 @@
 namespace relief {
 namespace {
 
-/// Linear, what patches without colours are drawn in.
+/// The linear colour of patches without colours.
 constexpr float kNeutralGrey = 0.5F;
 
-/// What a triangle shows, as a function of the place on the base plane.
+/// A triangle's colour as a function of the position on the base plane.
 class TriangleColour {
  public:
   TriangleColour(const Points& mesh, const FlatTriangle& triangle, double scale) {
@@ -35,9 +35,9 @@ class TriangleColour {
       texcoords_.emplace(triangle, texcoords_of(mesh, triangle.index), scale);
   }
 
-  [[nodiscard]] glm::vec3 at(glm::dvec2 place) const {
+  [[nodiscard]] glm::vec3 at(glm::dvec2 position) const {
     if (texture_ == nullptr) return colour_;
-    return colour_ * texture_->mean(texcoords_->at(place), texcoords_->du(), texcoords_->dv());
+    return colour_ * texture_->mean(texcoords_->at(position), texcoords_->du(), texcoords_->dv());
   }
 
  private:
@@ -56,22 +56,22 @@ AttributeMap<glm::u8vec3> make_map(const Points& mesh, const Patch& patch,
   std::vector<TriangleColour> colours;
   colours.reserve(triangles.size());
   for (const FlatTriangle& triangle : triangles) colours.emplace_back(mesh, triangle, scale);
-  // What a patch file keeps: the rest is made anew when it is read, and is the same here.
+  // Only what a patch file stores: reading derives the rest, as this does.
   std::vector<std::uint8_t> kept = kept_texels(patch, scale);
   for (std::size_t k = 0; k < shown.size(); ++k) {
     if (shown[k] == kNoTriangle) kept[k] = 0;
     if (kept[k] == 0) continue;
     const std::size_t column = k % map.width;
     const std::size_t row = k / map.width;
-    const glm::dvec2 place = glm::dvec2(column, row) / static_cast<double>(scale);
-    map.texels[k] = srgb8_from_linear(colours[shown[k]].at(place));
+    const glm::dvec2 position = glm::dvec2(column, row) / static_cast<double>(scale);
+    map.texels[k] = srgb8_from_linear(colours[shown[k]].at(position));
   }
   continue_over_holes(map, kept);
   return map;
 }
 
 /// The size of the texture that triangles show.
-ImageSize texture_size(const Points& mesh) {
+TextureSize texture_size(const Points& mesh) {
   return [&mesh](std::uint32_t triangle) {
     const std::uint32_t material = mesh.triangle_materials[triangle];
     if (material == kNoMaterial || mesh.materials[material].texture == nullptr)
@@ -98,7 +98,7 @@ Status map_textures(const Points& mesh, std::uint32_t texels_per_cell, std::vect
   std::vector<std::uint32_t> normal_scales;
   if (has_normal_maps(mesh)) {
     mapper.emplace(mesh, normals);
-    RELIEF_TRY_ASSIGN(auto chosen, scales_of_maps(mesh, patches, triangles, mapper->picture_size(),
+    RELIEF_TRY_ASSIGN(auto chosen, scales_of_maps(mesh, patches, triangles, mapper->image_size(),
                                                   texels_per_cell));
     normal_scales = std::move(chosen);
   }

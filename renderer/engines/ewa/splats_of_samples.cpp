@@ -22,7 +22,7 @@ void append_samples(const Patch& patch, std::uint32_t id, bool coloured, SplatCl
       if (patch.at(i, j) == kHole) continue;
       const glm::vec3 normal = normal_at_node(normals, i, j);
       const double cosine = std::max(double{normal.z}, kMinTiltCosine);
-      cloud.positions.push_back(place_of(patch, i, j));
+      cloud.positions.push_back(position_of(patch, i, j));
       cloud.normals.emplace_back(patch.axes * glm::dvec3(normal));
       cloud.radii.push_back(patch.spacing / std::sqrt(cosine));
       cloud.uvs.emplace_back(i, j);

@@ -24,6 +24,10 @@ EngineEntry entry() {
                                     [](RenderSettings& settings) -> double& {
                                       return settings.multipass.radius_factor;
                                     })},
+          .bench_variants = {{{"primitive", "sprite"}, {"radius-factor", 1.0}},
+                             {{"primitive", "sprite"}, {"radius-factor", 2.0}},
+                             {{"primitive", "quad"}, {"radius-factor", 1.0}},
+                             {{"primitive", "quad"}, {"radius-factor", 2.0}}},
           .prepare = prepare};
 }
 

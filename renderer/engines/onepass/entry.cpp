@@ -20,6 +20,22 @@ EngineOption pixels_per_sample_option() {
   return option;
 }
 
+/// Cells are the surface, so that the interpolation is only that of their border splats: they have
+/// a variant for each policy of levels (the finest, the default, twice as coarse).
+std::vector<OptionValues> bench_variants() {
+  const auto variant = [](const char* primitive, const char* interpolation, double pixels) {
+    return OptionValues{
+        {"primitive", primitive}, {"interpolation", interpolation}, {"pixels-per-sample", pixels}};
+  };
+  return {variant("sprite", "direct", 0.0),
+          variant("sprite", "corrected", 0.0),
+          variant("quad", "direct", 0.0),
+          variant("quad", "corrected", 0.0),
+          variant("cell", "corrected", 0.0),
+          variant("cell", "corrected", kPixelsPerSampleOfCells),
+          variant("cell", "corrected", 2.0 * kPixelsPerSampleOfCells)};
+}
+
 }  // namespace
 
 EngineEntry entry() {
@@ -40,6 +56,7 @@ EngineEntry entry() {
                            .explanation = true},
           .options = {primitive_option(primitives), interpolation_option(interpolations),
                       cull_option(), samples_option(), pixels_per_sample_option()},
+          .bench_variants = bench_variants(),
           .prepare = prepare};
 }
 

@@ -1,4 +1,4 @@
-// The numbers of a comparison, each against what was put into the pictures.
+// The numbers of a comparison, each against what was put into the images.
 #include "common/compare/compare.h"
 
 #include <gtest/gtest.h>
@@ -176,8 +176,8 @@ TEST(Compare, WhatIsMissingIsNamed) {
   Image full = with_normal(grey_image(4, 1), [](int, int) { return leaning(0.0); });
   set_channel(full, "Z", [](int, int) { return 1.0F; });
   const Comparison comparison = must_compare(grey_image(4, 1), full);
-  EXPECT_EQ(comparison.normal.error().message, "the picture under test has no channel N.X");
-  EXPECT_EQ(comparison.depth.error().message, "the picture under test has no channel Z");
+  EXPECT_EQ(comparison.normal.error().message, "the image under test has no channel N.X");
+  EXPECT_EQ(comparison.depth.error().message, "the image under test has no channel Z");
   EXPECT_EQ(must_compare(full, grey_image(4, 1)).depth.error().message,
             "the reference has no channel Z");
 }
@@ -203,7 +203,7 @@ TEST(Compare, SaysWhatCanNotBeCompared) {
   EXPECT_NE(message(grey_image(4, 3), grey_image(4, 4)).find("4x3"), std::string::npos);
   Image depth{2, 2, {}};
   set_channel(depth, "Z", [](int, int) { return 1.0F; });
-  EXPECT_EQ(message(depth, grey_image(2, 2)), "the picture under test has no channel R");
+  EXPECT_EQ(message(depth, grey_image(2, 2)), "the image under test has no channel R");
   EXPECT_EQ(message(grey_image(2, 2), depth), "the reference has no channel R");
 }
 
@@ -233,7 +233,7 @@ void expect_numbers(const Comparison& c) {
   for (const float value : c.flip.map) EXPECT_TRUE(value >= 0.0F && value <= 1.0F);
 }
 
-TEST(Compare, NoNumberIsNanWhateverThePicturesHold) {
+TEST(Compare, NoNumberIsNanWhateverTheImagesHold) {
   const float values[] = {kNan,    kInfinity, -kInfinity, 0.0F,  -0.0F, 1.0F,
                           3.4e38F, -3.4e38F,  1e-45F,     -1.0F, 0.5F,  1e-38F};
   std::mt19937 random(1);

@@ -1,4 +1,4 @@
-// What is covered, and where two pictures differ in it, on drawings of a few pixels.
+// What is covered, and where two images differ in it, on drawings of a few pixels.
 #include "common/compare/coverage.h"
 
 #include <gtest/gtest.h>
@@ -67,7 +67,7 @@ TEST(Coverage, DiagonalNeighboursErodeToo) {
   EXPECT_EQ(errors.border_missing, 1U);
 }
 
-TEST(Coverage, ThePicturesRimIsNoSilhouette) {
+TEST(Coverage, TheRimOfTheImageIsNoSilhouette) {
   const Image reference = drawn({"###.", "###.", "###."});
   const CoverageErrors errors = count(drawn({".##.", "###.", "###."}), reference);
   EXPECT_EQ(errors.holes, 1U);
@@ -82,15 +82,15 @@ TEST(Coverage, HalfAnAlphaCovers) {
   EXPECT_EQ(count(test, reference).covered_both, 1U);
 }
 
-TEST(Coverage, DepthTellsBehindAnOpaqueBackground) {
+TEST(Coverage, DepthDecidesWithAnOpaqueBackground) {
   constexpr float kNothing = std::numeric_limits<float>::infinity();
   Image opaque = grey_image(3, 1);
   set_channel(opaque, "A", [](int, int) { return 1.0F; });
   EXPECT_NE(fault(opaque, opaque), "");
   set_channel(opaque, "Z", [](int x, int) { return x == 1 ? 2.0F : kNothing; });
   EXPECT_EQ(count(opaque, opaque).covered_both, 1U);
-  // Beside a picture whose alpha would tell, depth is taken for both: an antialiased rim has a
-  // depth but little alpha.
+  // Depth decides for both images, even if one has a transparent background: an antialiased rim has
+  // a depth but little alpha.
   Image transparent = opaque;
   set_channel(transparent, "A", [](int x, int) { return x == 1 ? 0.25F : 0.0F; });
   EXPECT_EQ(count(transparent, opaque).covered_both, 1U);
@@ -104,12 +104,12 @@ TEST(Coverage, DepthTellsBehindAnOpaqueBackground) {
 
 TEST(Coverage, IsUnknownWithoutAlphaAndDepth) {
   const Image covered = drawn({"#."});
-  EXPECT_NE(fault(grey_image(2, 1), covered).find("the picture under test has neither"),
+  EXPECT_NE(fault(grey_image(2, 1), covered).find("the image under test has neither"),
             std::string::npos);
   EXPECT_NE(fault(covered, grey_image(2, 1)).find("the reference has neither"), std::string::npos);
 }
 
-TEST(Coverage, AnEmptyPictureMissesAll) {
+TEST(Coverage, AnEmptyImageMissesAll) {
   const Image reference = drawn({".....", ".###.", ".###.", ".###.", "....."});
   const CoverageErrors errors =
       count(drawn({".....", ".....", ".....", ".....", "....."}), reference);

@@ -17,17 +17,17 @@
 namespace relief {
 namespace {
 
+using test::image_of;
 using test::must_flip;
-using test::picture;
 
 constexpr float kFlipInfinity = std::numeric_limits<float>::infinity();
 
 Image plain(float r, float g, float b) {
-  return picture(5, 4, [=](int, int) { return glm::vec3(r, g, b); });
+  return image_of(5, 4, [=](int, int) { return glm::vec3(r, g, b); });
 }
 
-TEST(Flip, OfEqualPicturesIsZero) {
-  const Image image = picture(40, 30, [](int x, int y) {
+TEST(Flip, OfEqualImagesIsZero) {
+  const Image image = image_of(40, 30, [](int x, int y) {
     return glm::vec3(0.02F * static_cast<float>(x), 0.5F, 0.03F * static_cast<float>(y));
   });
   for (const FlipRange range : {FlipRange::Ldr, FlipRange::Hdr}) {
@@ -38,9 +38,9 @@ TEST(Flip, OfEqualPicturesIsZero) {
 }
 
 TEST(Flip, OfPlainColoursIsTheColourDifference) {
-  // Filters leave plain colours alone. Green against blue is the largest difference there is.
+  // Filters do not change plain colours. Green against blue is the largest difference there is.
   EXPECT_NEAR(must_flip(plain(0, 1, 0), plain(0, 0, 1), FlipRange::Ldr).mean, 1.0, 1e-5);
-  // Black against white differs by 100 in L* alone; CIELAB of green (87.737, -86.185, 83.181) and
+  // Black against white differs by 100, only in L*; CIELAB of green (87.737, -86.185, 83.181) and
   // blue (32.302, 79.197, -107.864) is in every table.
   const double largest =
       std::abs(87.737 - 32.302) +
@@ -61,22 +61,22 @@ TEST(Flip, OfPlainColoursIsTheColourDifference) {
               small * 0.95 / 0.4, 1e-4);
 }
 
-/// A disc on a ramp; the disc's place and colour differ between the pictures. 8-bit sRGB values.
+/// A disc on a ramp; the disc's place and colour differ between the images. 8-bit sRGB values.
 glm::vec3 disc(int x, int y, int shift, const glm::vec3& colour) {
   const bool inside = (x - 20 - shift) * (x - 20 - shift) + (y - 14) * (y - 14) < 100;
   return inside ? colour : glm::vec3(30 + 2 * x, 40 + 3 * y, 90);
 }
 
 Image disc_image(int shift, const glm::vec3& colour) {
-  return picture(40, 28, [&](int x, int y) {
+  return image_of(40, 28, [&](int x, int y) {
     const glm::vec3 c = disc(x, y, shift, colour) / 255.0F;
     return glm::vec3(linear_from_srgb(c.x), linear_from_srgb(c.y), linear_from_srgb(c.z));
   });
 }
 
-/// The same as light of a wide range, in numbers that a float holds exactly; with sparks.
+/// Light of a wide range, in numbers that a float holds exactly; with sparks.
 Image disc_light(int shift, const glm::vec3& colour) {
-  return picture(40, 28, [&](int x, int y) {
+  return image_of(40, 28, [&](int x, int y) {
     const glm::vec3 c = disc(x, y, shift, colour);
     const bool spark = c == colour && (x + y) % 7 == 0;
     return c * c * ((spark ? 16.0F : 1.0F) / 1024.0F);
@@ -86,7 +86,7 @@ Image disc_light(int shift, const glm::vec3& colour) {
 const glm::vec3 kTestDisc(205, 118, 44);
 const glm::vec3 kReferenceDisc(200, 120, 40);
 
-/// What the published tool says of these pictures (flip-evaluator 1.7 of PyPI, asked by
+/// What the published tool says of these images (flip-evaluator 1.7 of PyPI, asked by
 /// flip_published.py in this folder): the mean of its map and six of the map's pixels.
 struct Published {
   double mean;
@@ -94,12 +94,12 @@ struct Published {
 };
 
 void expect_published(const Flip& flip, const Published& published) {
-  // Both compute in single precision. On pictures of 1.3 million pixels means differed by 3e-8,
+  // Both compute in single precision. On images of 1.3 million pixels means differed by 3e-8,
   // pixels by up to 1.5e-4: a root magnifies the rounding of all but equal features.
   EXPECT_NEAR(flip.mean, published.mean, 1e-6);
-  const std::size_t places[6][2] = {{0, 0}, {9, 14}, {10, 14}, {20, 14}, {31, 14}, {39, 27}};
+  const std::size_t positions[6][2] = {{0, 0}, {9, 14}, {10, 14}, {20, 14}, {31, 14}, {39, 27}};
   for (int i = 0; i < 6; ++i) {
-    const std::size_t at = places[i][1] * 40 + places[i][0];
+    const std::size_t at = positions[i][1] * 40 + positions[i][0];
     EXPECT_NEAR(flip.map[at], published.pixels[i], 2e-4) << i;
   }
 }
@@ -149,9 +149,9 @@ TEST(Flip, TreatsRowsAndColumnsAlike) {
   }
 }
 
-/// A disc at a height of a tall picture.
+/// A disc at a height of a tall image.
 Image tall_image(int middle, float light) {
-  return picture(30, 200, [=](int x, int y) {
+  return image_of(30, 200, [=](int x, int y) {
     const bool inside = (x - 15) * (x - 15) + (y - middle) * (y - middle) < 50;
     return glm::vec3(inside ? light : 0.2F, 0.3F, 0.1F);
   });
@@ -160,7 +160,7 @@ Image tall_image(int middle, float light) {
 TEST(Flip, DoesNotDependOnBandsAndThreads) {
   const Flip upper = must_flip(tall_image(60, 0.8F), tall_image(60, 0.7F), FlipRange::Ldr);
   EXPECT_GT(upper.mean, 0.001);
-  // The same disc at places that bands of rows cut otherwise.
+  // The disc at positions that bands of rows cut differently.
   for (const int shift : {1, 31, 64, 90}) {
     const Flip lower =
         must_flip(tall_image(60 + shift, 0.8F), tall_image(60 + shift, 0.7F), FlipRange::Ldr);
@@ -201,7 +201,7 @@ TEST(Flip, ExposuresReachFromTheBrightestToTheMedian) {
   EXPECT_EQ(tone_map(3e38F, 1e30), 1.0F);  // and not infinity over infinity
   const auto exposures_of = [](const std::function<float(int, int)>& value) {
     return find_exposures(
-        *take_colour(picture(8, 8, [&](int x, int y) { return glm::vec3(value(x, y)); })));
+        *take_colour(image_of(8, 8, [&](int x, int y) { return glm::vec3(value(x, y)); })));
   };
   // A luminance of 1 is one but for rounding: its weights add up to 1.
   const Exposures plain_light = exposures_of([](int, int) { return 1.0F; });
@@ -227,7 +227,7 @@ TEST(Flip, LightAgainstBlackIsSeen) {
   EXPECT_GT(must_flip(plain(0.5F, 0.5F, 0.5F), plain(0, 0, 0), FlipRange::Hdr).mean, 0.9);
 }
 
-TEST(Flip, BrokenPixelsAreWrongAndStayAlone) {
+TEST(Flip, BrokenPixelsAreWrongAndDoNotSpread) {
   Image reference = disc_light(0, kReferenceDisc);
   Image test = reference;
   const float broken[] = {std::numeric_limits<float>::quiet_NaN(), kFlipInfinity, -kFlipInfinity};
@@ -244,10 +244,10 @@ TEST(Flip, BrokenPixelsAreWrongAndStayAlone) {
 
 TEST(Flip, HugeTinyAndNegativeLightStaysWithinBounds) {
   const float values[] = {3e38F, 1e-45F, -3e38F, 0.0F, 1.0F, 65504.0F, -0.0F};
-  const Image test = picture(20, 20, [&](int x, int y) {
+  const Image test = image_of(20, 20, [&](int x, int y) {
     return glm::vec3(values[(x + y) % 7], values[(x * y) % 7], values[x % 7]);
   });
-  const Image reference = picture(20, 20, [&](int x, int y) {
+  const Image reference = image_of(20, 20, [&](int x, int y) {
     return glm::vec3(values[(x + 2 * y) % 7], values[y % 7], values[(x + 1) % 7]);
   });
   for (const FlipRange range : {FlipRange::Ldr, FlipRange::Hdr}) {

@@ -1,4 +1,4 @@
-// Small pictures for the tests of common/compare/.
+// Small images for the tests of common/compare/.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -33,8 +33,8 @@ inline void set_channel(Image& image, const std::string& name, const ValueAt& va
   image.channels.push_back({name, ChannelType::Float, values});
 }
 
-/// A picture with R, G and B, linear.
-inline Image picture(std::uint32_t width, std::uint32_t height, const ColourAt& colour) {
+/// An image with R, G and B, linear.
+inline Image image_of(std::uint32_t width, std::uint32_t height, const ColourAt& colour) {
   Image image{width, height, {}};
   set_channel(image, "R", [&](int x, int y) { return colour(x, y).x; });
   set_channel(image, "G", [&](int x, int y) { return colour(x, y).y; });
@@ -43,10 +43,10 @@ inline Image picture(std::uint32_t width, std::uint32_t height, const ColourAt& 
 }
 
 inline Image grey_image(std::uint32_t width, std::uint32_t height, float light = 0.25F) {
-  return picture(width, height, [light](int, int) { return glm::vec3(light); });
+  return image_of(width, height, [light](int, int) { return glm::vec3(light); });
 }
 
-/// FLIP of two pictures with colour.
+/// FLIP of two images with colour.
 inline Flip must_flip(const Image& test, const Image& reference, FlipRange range,
                       double pixels_per_degree = kFlipPixelsPerDegree) {
   Progress progress;

@@ -106,7 +106,7 @@ TEST_F(ExportTest, GlbComesBack) {
   for (const bool mesh : {true, false}) {
     const Points near = sample_points({0.5, -0.5, 0.0}, mesh);
     expect_same(round_trip("near.glb", near), near, kFloatRounding);
-    // A float alone would be off by 0.25 here. The sum with the node's place is a double's
+    // A float would be off by 0.25 here. The sum with the node's translation is a double's
     // rounding.
     const Points far = sample_points(kUtm, mesh);
     expect_same(round_trip("far.glb", far), far, kFloatRounding + 1e-9);

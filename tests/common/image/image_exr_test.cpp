@@ -147,7 +147,7 @@ TEST(Exr, RefusesAttributesBeyondItsEnd) {
                                         7);
   spill(folder / "a.exr", bytes);
   EXPECT_NE(failure(folder / "a.exr").find("longer than the file"), std::string::npos);
-  // The same in the second of several headers.
+  // In the second of several headers.
   std::string parts = start + std::string("\1\0\0\0x\0", 6) + bytes.substr(8);
   parts[5] = 0x10;
   spill(folder / "a.exr", parts);

@@ -1,4 +1,4 @@
-// Pictures of any format: what is no picture is refused, real environments are read.
+// Image files of any format: other files are refused, real environments are read.
 #include "tests/common/image/image_testing.h"
 
 namespace relief {
@@ -9,7 +9,7 @@ using test::ScratchFolder;
 using test::spill;
 using test::values_of;
 
-TEST(ReadImage, RefusesWhatIsNoPicture) {
+TEST(ReadImage, RefusesOtherFiles) {
   const ScratchFolder folder;
   spill(folder / "a.txt", "hello");
   EXPECT_EQ(failure(folder / "a.txt"),
@@ -21,8 +21,10 @@ TEST(ReadImage, RefusesWhatIsNoPicture) {
 }
 
 TEST(ReadImage, ReadsRealEnvironments) {
-  const std::filesystem::path envmaps = "/work/shared/data/envmaps";
-  if (!std::filesystem::exists(envmaps)) GTEST_SKIP() << envmaps << " is not here";
+  const auto envmaps = std::filesystem::path(RELIEF_TEST_DATA) / "../../../../shared/data/envmaps";
+  if (!std::filesystem::exists(envmaps)) {
+    GTEST_SKIP() << "needs the environments in ../shared/data/envmaps beside the checkout";
+  }
   // Largest values as in the folder's manifest, to its number of digits.
   const std::pair<const char*, float> files[] = {{"city.exr", 3.395e4F},
                                                  {"courtyard.exr", 55.56F},

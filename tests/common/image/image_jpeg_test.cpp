@@ -1,4 +1,4 @@
-// JPEG pictures: colours, and damage.
+// JPEG images: colours, and damage.
 #include <gtest/gtest.h>
 #include <turbojpeg.h>
 
@@ -8,7 +8,7 @@
 namespace relief {
 namespace {
 
-/// A picture of one colour, at the best quality.
+/// An image of one colour, at the best quality.
 std::vector<std::byte> encode(int side, glm::u8vec3 colour, int format = TJPF_RGB) {
   std::vector<unsigned char> pixels;
   for (int k = 0; k < side * side; ++k) {
@@ -41,7 +41,7 @@ TEST(Jpeg, ColoursComeBack) {
 
 TEST(Jpeg, EveryTruncationIsRefused) {
   const std::vector<std::byte> whole = encode(20, {200, 40, 90});
-  // The last two bytes say that the picture ends, which nobody needs to know.
+  // The last two bytes say that the image ends, which nobody needs to know.
   for (std::size_t length = 1; length + 2 < whole.size(); ++length) {
     const auto cut = decode_image("a.jpg", std::span(whole).first(length));
     ASSERT_FALSE(cut) << length;

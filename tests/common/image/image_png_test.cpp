@@ -28,7 +28,7 @@ TEST(Png, KeepsEvery8BitValueExactly) {
   }
   ASSERT_TRUE(write_png(folder / "a.png", image));
 
-  // Read by libpng alone.
+  // Read by libpng, without our reader.
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   ASSERT_NE(png_image_begin_read_from_file(&png, (folder / "a.png").c_str()), 0);
@@ -87,7 +87,7 @@ TEST(Png, NeedsColour) {
   EXPECT_EQ(folder.count(), 0);
 }
 
-/// Writes a 4 x 2 picture by libpng's detailed interface.
+/// Writes a 4 x 2 image by libpng's detailed interface.
 void write_foreign_png(const std::filesystem::path& path, int bits, int colour_type,
                        int interlace) {
   std::FILE* file = std::fopen(path.c_str(), "wb");

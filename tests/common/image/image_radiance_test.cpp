@@ -1,4 +1,4 @@
-// Radiance HDR: flat pixels, old and new runs; what is not read is told.
+// Radiance HDR: flat pixels, old and new runs; unsupported files are refused.
 #include "tests/common/image/image_testing.h"
 
 namespace relief {
@@ -84,7 +84,7 @@ TEST(Radiance, SaysWhatItDoesNotRead) {
     spill(folder / "a.hdr", radiance(size, {1, 2, 3, 4}));
     EXPECT_NE(failure(folder / "a.hdr"), "") << size;
   }
-  // Runs that leave the picture, or that repeat a pixel that is not there.
+  // Runs that leave the image, or that repeat a pixel that is not there.
   spill(folder / "a.hdr", radiance("-Y 1 +X 4", {9, 8, 7, 136, 1, 1, 1, 200}));
   EXPECT_NE(failure(folder / "a.hdr").find("scanline"), std::string::npos);
   spill(folder / "a.hdr", radiance("-Y 1 +X 4", {1, 1, 1, 2, 9, 8, 7, 136}));

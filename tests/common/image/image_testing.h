@@ -1,4 +1,4 @@
-// What the tests of the picture formats share.
+// What the tests of the image formats share.
 #pragma once
 
 #include <gtest/gtest.h>

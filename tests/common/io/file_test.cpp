@@ -199,7 +199,7 @@ TEST(FullDisk, LeavesNoPartialFile) {
     ASSERT_FALSE(written) << name;
     EXPECT_EQ(written.error().message, path.string() + ": cannot be written: file too large");
     EXPECT_EQ(folder.count(), 0);
-    // And it is the disk alone that was in the way.
+    // Only the full disk was in the way.
     ASSERT_TRUE(write(path)) << name;
     std::filesystem::remove(path);
   };

@@ -1,4 +1,4 @@
-// Textures as functions: constants stay, means are in linear light, edges wrap as they are told.
+// Textures as functions: constants stay, means are in linear light, edges wrap as requested.
 #include "common/mesh/mesh_texture.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ TEST(MeshTexture, MeansAreOfLightNotOfCodes) {
   const MeshTexture texture(8, 8, checker, TextureWrap::Repeat);
   // Half the light; a level has it in 8 bits, half a step of which is 0.003 here.
   EXPECT_NEAR(texture.mean({0.4F, 0.4F}, {1.0F, 0.0F}, {0.0F, 1.0F}).g, 0.5F, 0.003F);
-  // A footprint along one axis alone: 8 places at the finest level, of which as many are black.
+  // A footprint along only one axis: 8 taps at the finest level, half of them black.
   EXPECT_NEAR(texture.mean({0.5F, 0.5F}, {1.0F, 0.0F}, {0.0F, 0.001F}).g, 0.5F, 1e-5F);
 }
 
@@ -45,7 +45,7 @@ TEST(MeshTexture, VGoesUpAndTexelsAreAtTheirMiddles) {
   EXPECT_EQ(texture.at({0.5F, 0.5F}), glm::vec3(0.5F, 0.5F, 0.0F));
 }
 
-TEST(MeshTexture, WrapsAsTold) {
+TEST(MeshTexture, WrapsAsRequested) {
   const std::vector<glm::u8vec3> texels{{255, 255, 255}, {0, 0, 0}};
   const MeshTexture repeated(2, 1, texels, TextureWrap::Repeat);
   const MeshTexture clamped(2, 1, texels, TextureWrap::Clamp);

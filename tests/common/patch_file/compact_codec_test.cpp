@@ -1,4 +1,4 @@
-// Codec 2 of the patch file: entropy coding, masks, heights, maps and instance.
+// Codec 2 of the patch file: entropy coding, masks, heights, maps and positions.
 #include <gtest/gtest.h>
 
 #include <glm/trigonometric.hpp>
@@ -215,7 +215,7 @@ PatchFileOptions compact(double normal_degrees) {
   return {PatchCodec::Compact, normal_degrees};
 }
 
-TEST(CompactFile, KeepsHeightsColoursPlacesAndNormals) {
+TEST(CompactFile, KeepsHeightsColoursPositionsAndNormals) {
   const ScratchFolder folder;
   for (const std::uint32_t colours : {0U, 1U, 3U}) {
     for (const double degrees : {0.1, 1.0, 5.0}) {
@@ -239,7 +239,7 @@ TEST(CompactFile, KeepsHeightsColoursPlacesAndNormals) {
             if (kept[k] == 0) continue;
             // A 16th of a step each way, half of it off at most, along three axes: 0.054; what
             // turning does to a patch of this size is nothing beside.
-            ASSERT_LT(glm::distance(place_of(in, i, j), place_of(out, i, j)),
+            ASSERT_LT(glm::distance(position_of(in, i, j), position_of(out, i, j)),
                       0.06 * in.height_step);
             least = std::min(least, glm::dot(unit_from_snorm16(in.normals.texels[k]),
                                              unit_from_snorm16(out.normals.texels[k])));
@@ -294,7 +294,7 @@ TEST(CompactFile, LeavesNormalsOutThatHeightsTell) {
             std::filesystem::file_size(folder / "kept.relief") / 2);
   const PatchModel read = read_whole(folder / "left_out.relief");
   for (const Patch& patch : read.patches) {
-    // There are normals all the same, those of the heights.
+    // There are still normals: those derived from the heights.
     ASSERT_EQ(patch.normals.texels.size(), patch.heights.size());
   }
   for (Patch& patch : model.patches) patch.normals = {};

@@ -203,7 +203,7 @@ TEST(ForgedPatchFile, CannotAskForMoreThanTheMachineHas) {
       << read_failure(folder, bytes);
 }
 
-/// The same of maps: 16129 x 16129 texels a patch, which need not be there to be counted.
+/// Maps of 16129 x 16129 texels a patch, which count without being there.
 TEST(ForgedPatchFile, CannotAskForMapsBeyondTheMachinesMemory) {
   const ScratchFolder folder;
   PatchModel model = bumpy_model(1, 1);
@@ -230,7 +230,7 @@ TEST(ForeignPatchFile, IsNamedInOneSentence) {
   // A newer version may have any header behind its number.
   EXPECT_EQ(read_failure(folder, bytes.substr(0, 12)),
             "patch file version 7; this program reads versions 1 to 3; get a newer relief");
-  EXPECT_EQ(read_failure(folder, "ply\nformat ascii 1.0\n"), "is no .relief patch file");
+  EXPECT_EQ(read_failure(folder, "ply\nformat ascii 1.0\n"), "is not a .relief patch file");
   EXPECT_EQ(read_failure(folder, ""), "the file is empty");
   EXPECT_EQ(read_failure(folder, valid_bytes(folder).substr(0, 40)),
             "the file is truncated within its header");

@@ -134,7 +134,7 @@ TEST(PatchFile, KeepsAModelWithoutPatches) {
   EXPECT_TRUE(model.bounds.empty());
 }
 
-TEST(PatchFile, TellsWhatIsInItWithoutReadingPatches) {
+TEST(PatchFile, DescribesItsContentWithoutReadingPatches) {
   const ScratchFolder folder;
   const PatchModel model = bumpy_model(5, 1);
   ASSERT_TRUE(write_patch_file(folder / "a.relief", model));
@@ -176,7 +176,7 @@ TEST(PatchFile, TellsWhatIsInItWithoutReadingPatches) {
   }
 }
 
-/// What is rounded stays as it is: a file that was read and written again is the same file.
+/// Rounding is idempotent: a file that is read and written again does not change.
 TEST(PatchFile, IsTheSameWhenWrittenAgain) {
   const ScratchFolder folder;
   ASSERT_TRUE(write_patch_file(folder / "a.relief", bumpy_model(9, 2)));
@@ -276,7 +276,7 @@ TEST(WritePatchFile, RefusesWhatCouldNotBeRead) {
   EXPECT_EQ(message([&](PatchModel& m) { m.patches[1].origin.y = nan; }),
             "/a.relief: patch 1 cannot be written: its origin is not finite");
   EXPECT_EQ(message([&](PatchModel& m) { m.patches[2].axes[0] *= 1.00001; }),
-            "/a.relief: patch 2 cannot be written: its axes are no rotation");
+            "/a.relief: patch 2 cannot be written: its axes are not a rotation");
   EXPECT_NE(message([&](PatchModel& m) { m.patches[2].axes[0] *= -1.0; }), "");
   EXPECT_NE(message([&](PatchModel& m) { m.patches[2].axes[1].x = nan; }), "");
   EXPECT_NE(message([](PatchModel& m) { m.patches[0].spacing = 0.0; }), "");

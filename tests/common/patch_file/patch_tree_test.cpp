@@ -103,10 +103,10 @@ TEST_P(PatchTreeOf, HasTheTilesThatWereWritten) {
     const auto read = read_tile(*tree, t);
     ASSERT_TRUE(read) << read.error().message;
     expect_same(read->patches, expected.patches);
-    for_each_place(expected.patches, [&](glm::dvec3 place) {
+    for_each_position(expected.patches, [&](glm::dvec3 position) {
       for (glm::length_t axis = 0; axis < 3; ++axis) {
-        EXPECT_GE(place[axis], tile.box.min[axis]);
-        EXPECT_LE(place[axis], tile.box.max[axis]);
+        EXPECT_GE(position[axis], tile.box.min[axis]);
+        EXPECT_LE(position[axis], tile.box.max[axis]);
       }
     });
   }
@@ -204,7 +204,7 @@ TEST(ForgedPatchTree, IsRefused) {
          [](auto&, auto& tiles) { tiles[1].bytes = UINT64_MAX; });
   expect("it has 127 bytes", [](auto&, auto& tiles) { tiles[2].bytes = 127; });
   expect("tiles end at byte", [](auto&, auto& tiles) { --tiles[1].bytes; });
-  expect("where the header says", [](auto&, auto& tiles) { ++tiles[1].samples; });
+  expect("but the header states", [](auto&, auto& tiles) { ++tiles[1].samples; });
   expect("not what the list of tiles says", [](auto&, auto& tiles) { ++tiles[0].samples; });
   expect("not what the list of tiles says", [](auto&, auto& tiles) { tiles[1].spacing *= 2.0; });
   expect("not what the list of tiles says", [](auto&, auto& tiles) { tiles[1].box.max.x -= 1.0; });

@@ -27,8 +27,8 @@ std::vector<std::uint8_t> some_mask(std::size_t width, std::size_t height, unsig
   return mask;
 }
 
-/// Against prediction node by node: stretches that begin, end and stop at all places of a block and
-/// of a word, and values that wrap around.
+/// Against prediction node by node: stretches that begin, end and stop at all positions of a block
+/// and of a word, and values that wrap around.
 TEST(UndoPlane, SetsWhatNodeByNodeSets) {
   std::mt19937 random(7);
   for (std::size_t width = 1; width < 45; ++width) {
@@ -52,7 +52,7 @@ TEST(UndoPlane, SetsWhatNodeByNodeSets) {
   }
 }
 
-TEST(UndoPlane, TellsOf65535AtSamplesAlone) {
+TEST(UndoPlane, Reports65535OnlyAtSamples) {
   const std::vector<std::uint8_t> mask{1, 0, 1};
   std::vector<std::int32_t> values(mask.size());
   std::vector<std::uint16_t> differences(2 + kDifferencePadding);
@@ -85,7 +85,8 @@ TEST(Residuals, OfStepsTakeNextToNothing) {
   ZstdContexts zstd;
   std::vector<std::byte> bytes;
   append_residuals(bytes, residuals, zstd);
-  // zstd's level 9 takes 25 bytes and 8 for the streams' sizes; Huffman's code alone 5000.
+  // zstd's level 9 takes 25 bytes and 8 for the streams' sizes; Huffman's code without matches
+  // 5000.
   EXPECT_LT(bytes.size(), 100U);
   ByteReader in(bytes);
   const auto back = take_residuals(in, residuals.size(), zstd);
@@ -102,7 +103,7 @@ TEST(Residuals, OfNoiseTakeTheirEntropy) {
   ZstdContexts zstd;
   std::vector<std::byte> bytes;
   append_residuals(bytes, residuals, zstd);
-  // The same bytes as any stream, by zstd's level 9.
+  // The bytes as an ordinary stream of zstd's level 9.
   const std::vector<std::uint8_t> low(residuals.begin(), residuals.end());
   std::vector<std::byte> searched;
   append_stream(searched, low, zstd);

@@ -12,11 +12,19 @@
 namespace relief {
 namespace {
 
+/// Engines and options that no library has: scene files know those that they are given.
+EngineKeys made_up_engines() {
+  return {{"dots", "lines"},
+          {{.key = "shape", .kind = OptionKind::Choice, .choices = {"round", "square"}},
+           {.key = "dot-size", .kind = OptionKind::Number, .range = {1.0, 4.0}},
+           {.key = "passes", .kind = OptionKind::Integer, .range = {1.0, 64.0}}}};
+}
+
 class Scenes : public testing::Test {
  protected:
   Result<Scene> read(const std::string& text) {
     test::spill(folder_ / "scene.json", text);
-    return read_scene(folder_ / "scene.json");
+    return read_scene(folder_ / "scene.json", made_up_engines());
   }
   Scene must_read(const std::string& text) {
     const auto scene = read(text);
@@ -60,8 +68,7 @@ TEST_F(Scenes, EveryKeyIsRead) {
       {"file": "/b.ply", "transform": {"translation": [1, -2.5, 3e2],
                                        "rotation": {"axis": [0, 0, 2], "degrees": 90}, "scale": 2}}
     ],
-    "size": [640, 480], "fov": 30, "engine": "onepass", "primitive": "sprite",
-    "interpolation": "direct", "cull": "back", "radius-factor": 1.5, "pixels-per-sample": 2.5, "material": "mirror", "env": "sky.hdr",
+    "size": [640, 480], "fov": 30, "engine": "lines", "shape": "square", "dot-size": 1.5, "passes": 3, "material": "mirror", "env": "sky.hdr",
     "lights": [{"direction": [0, 3, 4]},
                {"position": [1, 2, 3], "colour": [1, 0.5, 0], "intensity": 8}], "ambient": [0, 0.5, 2],
     "ior": 1.25, "absorption": [1, 0, 100], "roughness": 0.5, "interfaces": 1, "exposure": -1.5,
@@ -90,12 +97,8 @@ TEST_F(Scenes, EveryKeyIsRead) {
   EXPECT_EQ(all.size->width, 640U);
   EXPECT_EQ(all.size->height, 480U);
   EXPECT_EQ(all.fov_degrees, 30.0);
-  EXPECT_EQ(all.engine, "onepass");
-  EXPECT_EQ(all.primitive, Primitive::Sprite);
-  EXPECT_EQ(all.interpolation, Interpolation::Direct);
-  EXPECT_EQ(all.cull, CullMode::Back);
-  EXPECT_EQ(all.radius_factor, 1.5);
-  EXPECT_EQ(all.pixels_per_sample, 2.5);
+  EXPECT_EQ(all.engine, "lines");
+  EXPECT_EQ(all.options, (OptionValues{{"shape", "square"}, {"dot-size", 1.5}, {"passes", 3.0}}));
   EXPECT_EQ(all.material, Material::Mirror);
   EXPECT_EQ(all.ior, 1.25);
   EXPECT_EQ(all.absorption, glm::vec3(1, 0, 100));
@@ -159,21 +162,24 @@ TEST_F(Scenes, SettingsThatAreWrong) {
       {R"("fov": 180)", "fov: expected degrees from 0.1 to 170; found 180"},
       {R"("fov": "45")", "fov: expected degrees from 0.1 to 170; found \"45\""},
       {R"("orthographic": 0)",
-       "orthographic: expected the picture's height in world units, above "
+       "orthographic: expected the image's height in world units, above "
        "0, or \"fit\"; found 0"},
-      {R"("orthographic": -2)",
-       "orthographic: expected the picture's height in world units, above"},
-      {R"("orthographic": "wide")", "orthographic: expected the picture's height in world units"},
-      {R"("orthographic": [1])", "orthographic: expected the picture's height in world units"},
-      {R"("orthographic": null)", "orthographic: expected the picture's height in world units"},
-      {R"("orthographic": true)", "orthographic: expected the picture's height in world units"},
+      {R"("orthographic": -2)", "orthographic: expected the image's height in world units, above"},
+      {R"("orthographic": "wide")", "orthographic: expected the image's height in world units"},
+      {R"("orthographic": [1])", "orthographic: expected the image's height in world units"},
+      {R"("orthographic": null)", "orthographic: expected the image's height in world units"},
+      {R"("orthographic": true)", "orthographic: expected the image's height in world units"},
       {R"("orthographic": 1, "fov": 45)", "expected either fov or orthographic; found both"},
-      {R"("engine": "embree")", "engine: expected onepass"},
-      {R"("primitive": "disc")", "primitive: expected sprite, quad, cell; found \"disc\""},
-      {R"("interpolation": 1)", "interpolation: expected direct, corrected; found 1"},
-      {R"("cull": "front")", "cull: expected auto, back, none; found \"front\""},
-      {R"("pixels-per-sample": 65)", "pixels-per-sample: expected a number from 0 to 64; found 65"},
-      {R"("radius-factor": 0.5)", "radius-factor: expected a number from 1 to 4; found 0.5"},
+      {R"("engine": "embree")", "engine: expected dots, lines; found \"embree\""},
+      {R"("engine": 1)", "engine: expected dots, lines; found 1"},
+      {R"("primitive": "cell")",
+       "does not know the key \"primitive\"; expected models, views, size"},
+      {R"("shape": "oval")", "shape: expected round, square; found \"oval\""},
+      {R"("shape": 1)", "shape: expected round, square; found 1"},
+      {R"("dot-size": 0.5)", "dot-size: expected a number from 1 to 4; found 0.5"},
+      {R"("dot-size": "2")", "dot-size: expected a number from 1 to 4; found \"2\""},
+      {R"("dot-size": [2])", "dot-size: expected a number from 1 to 4; found a list"},
+      {R"("passes": 1.5)", "passes: expected a whole number from 1 to 64; found 1.5"},
       {R"("material": "gold")",
        "material: expected unlit, lit, mirror, glass, split; found \"gold\""},
       {R"("ior": 0.9)", "ior: expected a number from 1 to 4; found 0.9"},
@@ -269,11 +275,12 @@ TEST_F(Scenes, ViewsThatAreWrong) {
       {"[{}]", "views[0].name: is missing; expected a name"},
       {R"([{"name": 1}])", "views[0].name: expected a name of at most 100 letters"},
       {R"([{"name": "a"}, {"name": "b"}, {"name": "a"}])",
-       "views[2].name: another view is called a too"},
+       "views[2].name: another view has the name a, too; rename one"},
       {R"([{"name": "a", "models": []}])", "views[0]: does not know the key \"models\""},
       {R"([{"name": "a"}, {"name": "b", "orbit": 5}])", "views[1].orbit: expected [azimuth"},
-      {R"([{"name": "a", "target": [0, 0, 0]}])", "views[0]: has target or up, which say nothing"},
-      {R"([{"name": "a", "up": [0, 0, 1]}])", "views[0]: has target or up, which say nothing"}};
+      {R"([{"name": "a", "target": [0, 0, 0]}])",
+       "views[0]: has a target or up, which need an eye"},
+      {R"([{"name": "a", "up": [0, 0, 1]}])", "views[0]: has a target or up, which need an eye"}};
   for (const auto& [views, start] : cases) expect_starts(about_views(views), start);
   for (const std::string name :
        {"", ".", "..", ".hidden", "a/b", "a\\\\b", "a b", "\\u00e4", "a\\n", "a\\u0000"}) {
@@ -326,7 +333,7 @@ TEST_F(Scenes, HostileFilesAreRefusedEarly) {
   EXPECT_EQ(shown.find('\x1b'), std::string::npos);
 }
 
-TEST(SceneSettings, WhatIsSaidLaterCountsAndOrbitsAndEyesDisplaceEachOther) {
+TEST(SceneSettings, LaterSettingsOverrideAndOrbitsAndEyesReplaceEachOther) {
   SceneSettings base;
   base.orbit = Orbit{10, 20, 0};
   base.material = Material::Unlit;
@@ -341,7 +348,16 @@ TEST(SceneSettings, WhatIsSaidLaterCountsAndOrbitsAndEyesDisplaceEachOther) {
   EXPECT_FALSE(overlay(over, base).eye);
 }
 
-TEST(SceneSettings, FieldsOfViewAndOrthographicPicturesDisplaceEachOther) {
+TEST(SceneSettings, OptionsAreOverlaidByKey) {
+  SceneSettings base;
+  base.options = {{"shape", "round"}, {"passes", 2.0}};
+  SceneSettings over;
+  over.options = {{"passes", 3.0}, {"dot-size", 1.0}};
+  EXPECT_EQ(overlay(base, over).options,
+            (OptionValues{{"shape", "round"}, {"passes", 3.0}, {"dot-size", 1.0}}));
+}
+
+TEST(SceneSettings, FieldsOfViewAndOrthographicImagesReplaceEachOther) {
   SceneSettings perspective;
   perspective.fov_degrees = 20.0;
   SceneSettings orthographic;
@@ -360,10 +376,7 @@ TEST(SceneSettings, EveryMemberIsOverlaid) {
   over.up = glm::dvec3(3);
   over.fov_degrees = 4.0;
   over.engine = "onepass";
-  over.primitive = Primitive::Quad;
-  over.interpolation = Interpolation::Direct;
-  over.cull = CullMode::None;
-  over.radius_factor = 1.0;
+  over.options = {{"samples", 2.0}};
   over.material = Material::Lit;
   over.ior = 2.0;
   over.absorption = glm::vec3(1);
@@ -376,10 +389,9 @@ TEST(SceneSettings, EveryMemberIsOverlaid) {
   over.outputs = Outputs{};
   const SceneSettings both = overlay({}, over);
   EXPECT_TRUE(both.size && both.eye && both.target && both.up && both.fov_degrees && both.engine &&
-              both.primitive && both.interpolation && both.cull && both.radius_factor &&
-              both.material && both.lights && both.ambient && both.ior && both.absorption &&
-              both.roughness && both.exposure && both.environment && both.background &&
-              both.outputs);
+              !both.options.empty() && both.material && both.lights && both.ambient && both.ior &&
+              both.absorption && both.roughness && both.exposure && both.environment &&
+              both.background && both.outputs);
 }
 
 TEST(SceneSettings, TheCameraIsOnAnOrbitOrAtTheEye) {
@@ -409,7 +421,7 @@ TEST(SceneSettings, TheCameraIsOnAnOrbitOrAtTheEye) {
   settings.orthographic = OrthographicSize{2.5};
   EXPECT_EQ(camera_for(settings, model)->orthographic_height, 2.5);
   EXPECT_FALSE(camera_for({}, model)->is_orthographic());
-  // Unasked for a height, the sphere of radius 3 about (1, 2, 3), which is 1 to the side of the
+  // By default the sphere of radius 3 about (1, 2, 3), which is 1 to the side of the
   // line of sight and 2 above it, is as high as 2 (2 + 3).
   settings.orthographic = OrthographicSize{};
   settings.eye = glm::dvec3(0.0, 0.0, 20.0);

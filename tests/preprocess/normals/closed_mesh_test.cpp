@@ -1,4 +1,4 @@
-// What is known to be closed: a mistake here leaves parts of a model out of its pictures.
+// What is known to be closed: a mistake here leaves parts of a model out of its images.
 #include "preprocess/normals/closed_mesh.h"
 
 #include <gtest/gtest.h>

@@ -38,7 +38,7 @@ TEST(MeshEdges, CountsThoseThatTwoTrianglesRunThroughAlike) {
   EXPECT_EQ(edges.misoriented(), 0.5);  // three of six
 }
 
-TEST(MeshEdges, TellsBordersAndEdgesOfThreeTriangles) {
+TEST(MeshEdges, FindsBordersAndEdgesOfThreeTriangles) {
   Points open = tetrahedron();
   open.triangles.pop_back();
   EXPECT_FALSE(MeshEdges(open).all_have_two());

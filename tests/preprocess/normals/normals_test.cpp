@@ -144,7 +144,7 @@ TEST(Normals, GoodGivenOnesAreKeptAsTheyAre) {
 }
 
 TEST(Normals, ComeFromFacesWhereThereAreAny) {
-  // A tetrahedron's corner would confuse a plane fit; a fan over a ridge tells by its winding.
+  // A tetrahedron's corner would confuse a plane fit; the winding of a fan over a ridge decides.
   Points points = test::sample_height_field(0.5, 0.1, [](double, double) { return 0.0; });
   const auto side = static_cast<std::uint32_t>(std::lround(std::sqrt(points.size())));
   for (std::uint32_t j = 0; j + 1 < side; ++j) {

@@ -34,9 +34,10 @@ Points mesh_with_big_triangles(std::uint32_t side, std::uint32_t big) {
   return points;
 }
 
-double distance_to_nearest(const Points& points, glm::dvec3 place) {
+double distance_to_nearest(const Points& points, glm::dvec3 position) {
   double nearest = 1e9;
-  for (const glm::dvec3& p : points.positions) nearest = std::min(nearest, glm::distance(p, place));
+  for (const glm::dvec3& p : points.positions)
+    nearest = std::min(nearest, glm::distance(p, position));
   return nearest;
 }
 
@@ -53,7 +54,7 @@ TEST(Densify, FillsTrianglesThatAreLargerThanTheSpacing) {
   }
 }
 
-TEST(Densify, LeavesEvenMeshesAndScansAlone) {
+TEST(Densify, DoesNotChangeEvenMeshesAndScans) {
   Points even = mesh_with_big_triangles(20, 1);
   EXPECT_EQ(densify_triangles(even), 0U);
   Points scan = test::sample_sphere(1000);
@@ -109,7 +110,7 @@ TEST(Densify, NeedlesAreNoBomb) {
   EXPECT_LE(points.size(), 20U);  // four per point given
 }
 
-TEST(Densify, TrianglesWithoutAreaAreLeftAlone) {
+TEST(Densify, TrianglesWithoutAreaGetNoPoints) {
   // Long edges and no area: there is no spacing to fill them at.
   Points points;
   for (int i = 0; i < 30; ++i) points.positions.emplace_back(i, i % 2, 0.0);

@@ -67,7 +67,7 @@ TEST(Drc, ReadsMeshesWithTextureCoordinates) {
     for (const Triangle& t : points.triangles) {
       std::array<std::size_t, 3> corners{};
       for (std::size_t c = 0; c < 3; ++c) corners[c] = which(points.positions[t[c]]);
-      // The same turn, begun at any corner.
+      // Equal winding, from any first corner.
       std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
       EXPECT_TRUE((corners == std::array<std::size_t, 3>{0, 1, 2}) ||
                   (corners == std::array<std::size_t, 3>{0, 2, 3}));
@@ -87,7 +87,7 @@ TEST(Drc, IsRefusedWhereverItEnds) {
   }
 }
 
-/// No checksum tells: only no crash, and no triangle without its points.
+/// Draco has no checksum: the test asks only for no crash and no triangle with invalid points.
 TEST(Drc, SurvivesDamage) {
   std::mt19937 random(1);
   for (const std::string& bytes : all_files()) {
@@ -118,7 +118,7 @@ TEST(Drc, RefusesHostileCounts) {
 TEST(Drc, RefusesOlderBitstreams) {
   std::string bytes = all_files()[0];
   bytes[6] = 1;
-  EXPECT_NE(test::error("a.drc", bytes).find("is of Draco bitstream 2.1"), std::string::npos);
+  EXPECT_NE(test::error("a.drc", bytes).find("has Draco bitstream 2.1"), std::string::npos);
 }
 
 }  // namespace

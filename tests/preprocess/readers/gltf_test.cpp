@@ -30,7 +30,7 @@ void expect_triangle(const Points& points) {
   EXPECT_EQ(points.materials[points.triangle_materials[0]].colour, glm::vec3(1.0F, 0.5F, 0.0F));
 }
 
-/// The same with colours as bytes for its vertices, in the place of its texture coordinates.
+/// The document with vertex colours as bytes instead of texture coordinates.
 std::string coloured(const std::string& factor) {
   std::string text = embedded();
   const auto put = [&text](const std::string& what, const std::string& by) {
@@ -79,7 +79,7 @@ TEST(Gltf, BuffersAreReadBesideTheFileOnly) {
     EXPECT_NE(test::error(name, with_buffer(uri)).find("File not found"), std::string::npos) << uri;
 }
 
-TEST(Gltf, NodesPutMeshesInTheirPlaces) {
+TEST(Gltf, NodesTransformMeshes) {
   const Points points =
       test::read("a.gltf", embedded(R"([{"children": [1, 2], "translation": [10, 0, 0]},
         {"mesh": 0, "scale": [2, 2, 2], "rotation": [0, 0, 0.7071067811865476, 0.7071067811865476]},

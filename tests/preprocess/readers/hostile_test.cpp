@@ -8,7 +8,7 @@ namespace relief::test {
 namespace {
 
 /// The length of a file without what follows the last separator: in a text that ends without a line
-/// end, "12" cut to "1" cannot be told from "1".
+/// end, "12" cut to "1" looks like "1".
 std::size_t without_last_number(const SampleFile& file) {
   const std::size_t last = file.bytes.find_last_not_of('\n');
   return file.bytes.find_last_of(" \n", last) + 2;
@@ -67,7 +67,7 @@ TEST(HostileTest, DamagedGzipGivesAnAnswer) {
     for (int bit = 0; bit < 8; ++bit) {
       std::string bytes = file.bytes;
       bytes[at] = static_cast<char>(bytes[at] ^ (1 << bit));
-      // Some bits mean nothing, others name the same text elsewhere: the checksum tells.
+      // Some bits mean nothing, others refer to equal text elsewhere; the checksum decides.
       const auto result = try_read(file.name, bytes);
       if (result) {
         EXPECT_EQ(result->points.positions, whole.positions) << at;
@@ -94,7 +94,7 @@ TEST(HostileTest, NumbersSwappedForHugeOnesGiveAnAnswer) {
         (void)try_read(file.name, bytes.substr(0, at) + number + bytes.substr(end));
       }
     }
-    // The same for the binary counts and indices.
+    // Binary counts and indices.
     for (std::size_t at = 0; at + 4 <= bytes.size(); ++at) {
       for (const std::uint32_t number : {UINT32_MAX, 0x80000000U, 0x7FFFFFFFU, 0x40000000U}) {
         std::string changed = bytes;

@@ -80,7 +80,7 @@ TEST(LasTest, KeepsAQuarterOfAMillimetreAtUtmSize) {
   }
 }
 
-TEST(LasTest, TellsBytesInColourFieldsFromWords) {
+TEST(LasTest, DistinguishesBytesInColourFieldsFromWords) {
   const auto colours = [](std::vector<std::array<std::uint16_t, 3>> values) {
     LasFile file{.format = 2};
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -111,7 +111,7 @@ TEST(LasTest, LeavesOutWithheldPointsAndNoiseAndCountsThem) {
                    {{5, 0, 0}, 31}, {{6, 0, 0}, 7, true}, {{7, 0, 0}, 0, false}, {{8, 0, 0}, 12}};
     const auto result = try_read("a.las", las_file(file));
     ASSERT_TRUE(result);
-    // Class 18 is noise in formats 6 to 10 alone; before it is for anyone to use.
+    // Class 18 is noise only in formats 6 to 10; earlier formats leave it to users.
     const bool wide = format >= 6;
     EXPECT_EQ(result->points.size(), wide ? 4U : 5U);
     EXPECT_EQ(result->points.colours.size(), result->points.size());

@@ -99,7 +99,7 @@ TEST(PlyTest, ReadsColoursOfEveryScale) {
   struct Case {
     std::string_view type, names, row;
   };
-  // 13107 / 65535 = 0.2 = 51 / 255; the largest value of the file tells the scale.
+  // 13107 / 65535 = 0.2 = 51 / 255; the scale follows from the file's largest value.
   const Case cases[] = {{"uchar", "red green blue", "51 0 255"},
                         {"ushort", "r g b", "13107 0 65535"},
                         {"float", "diffuse_red diffuse_green diffuse_blue", "0.2 0 1"},

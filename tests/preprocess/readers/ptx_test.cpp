@@ -9,9 +9,9 @@ using glm::dvec3;
 using glm::u8vec3;
 
 /// The header of a scan whose frame is turned by a quarter about z (x to y) and moved.
-std::string header(int columns, int rows, std::string_view place = "500000.25 4649776.125 10") {
+std::string header(int columns, int rows, std::string_view position = "500000.25 4649776.125 10") {
   return fmt::format("{}\n{}\n{}\n0 1 0\n-1 0 0\n0 0 1\n0 1 0 0\n-1 0 0 0\n0 0 1 0\n{} 1\n",
-                     columns, rows, place, place);
+                     columns, rows, position, position);
 }
 
 TEST(PtxTest, PutsPointsIntoTheWorldAndDropsBeamsThatDidNotComeBack) {

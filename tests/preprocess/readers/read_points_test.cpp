@@ -37,7 +37,7 @@ TEST(ReadBytesTest, ReadsEachFormatPlainAndGzipped) {
     EXPECT_GE(plain.size(), 3U) << file.name;
     if (file.name.ends_with(".gz")) continue;
     EXPECT_EQ(read(file.name + ".gz", gzip(file.bytes)).positions, plain.positions) << file.name;
-    // What is packed is told by its bytes, not by the name.
+    // Packed files are recognised by their bytes, not by the name.
     EXPECT_EQ(read(file.name, gzip(file.bytes)).positions, plain.positions) << file.name;
   }
 }
@@ -154,7 +154,7 @@ class Impatient : public Progress {
   std::uint64_t patience_;
 };
 
-TEST_F(ReadPointsTest, TellsItsProgressAndStopsWhenAsked) {
+TEST_F(ReadPointsTest, ReportsProgressAndStopsWhenAsked) {
   std::string text;
   for (int i = 0; i < 500'000; ++i) text += fmt::format("{} 2 3\n", i);
   const auto path = write("a.xyz", text);

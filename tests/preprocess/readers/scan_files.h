@@ -65,7 +65,7 @@ inline std::string pcd_header(std::size_t points, std::string_view data, int siz
       more[0], size, size, size, more[1], more[2], more[3], points, points, data);
 }
 
-/// LZF made of literals alone: legal, and readable by every LZF decoder.
+/// LZF of literals only: legal, and readable by every LZF decoder.
 inline std::string lzf_literals(std::string_view bytes) {
   std::string out;
   for (; !bytes.empty(); bytes.remove_prefix(std::min<std::size_t>(32, bytes.size()))) {

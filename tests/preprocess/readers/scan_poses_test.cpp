@@ -50,7 +50,7 @@ TEST(ScanPoses, WhatIsNoPoseIsRefusedWithItsLine) {
   EXPECT_EQ(failure(many), "a.conf: names more than 1000 scans");
 }
 
-TEST(ScanPoses, ScansAreLookedForBesideTheFileAlone) {
+TEST(ScanPoses, ScansAreOnlyLookedForBesideTheFile) {
   EXPECT_EQ(*find_scan("there/a.conf", {.file = "b.ply"}), fs::path("there/b.ply"));
   EXPECT_EQ(*find_scan("there/a.conf", {.file = "../../etc/b.PLY"}), fs::path("there/b.PLY"));
   for (const char* name : {"b.conf", "a", "b.ply/..", "/etc/passwd"})
@@ -75,7 +75,9 @@ double median_distance(const Points& scan, const Points& mesh) {
 
 TEST(ScanPoses, TheBunnysScansLieOnTheBunny) {
   const fs::path folder = fs::path(RELIEF_SOURCE_DIR) / "../shared/data/scans/bunny";
-  if (!fs::exists(folder)) GTEST_SKIP() << "no ../shared/data";
+  if (!fs::exists(folder)) {
+    GTEST_SKIP() << "needs the range scans in ../shared/data/scans/bunny beside the checkout";
+  }
   const fs::path conf = folder / "range/bun.conf";
   std::string text(fs::file_size(conf), '\0');
   std::ifstream(conf).read(text.data(), static_cast<std::streamsize>(text.size()));

@@ -79,8 +79,8 @@ TEST(ColourInterpolation, MeetsThePoints) {
     const glm::vec3 c = between.at(all.points.positions[k].x, all.points.positions[k].y, k);
     sum += std::abs(c.g - linear(all.colours[k].g));
   }
-  // Coinciding points are told apart by a fiftieth of a spacing, so a point gives its neighbours
-  // about that share; random colours differ by 0.35 in the mean.
+  // Coinciding points count as a fiftieth of a spacing apart, so a point gives its neighbours about
+  // that share; random colours differ by 0.35 in the mean.
   EXPECT_LT(sum / static_cast<double>(all.points.size()), 0.02 * 0.35 * 3.0);
 }
 

@@ -124,7 +124,7 @@ TEST(Resample, PutsSamplesOnTheSphere) {
   const Partitioned scan(test::sample_sphere(8000));
   const double spacing = std::sqrt(4.0 * std::numbers::pi / 8000.0);
   const Deviation worst = worst_deviation(scan.patches(options_for(spacing)), test::Sphere{});
-  // Rounding alone is spacing / 40; the fits may add as much again at one-sided borders.
+  // Rounding contributes spacing / 40; the fits may add as much again at one-sided borders.
   EXPECT_LT(worst.distance, spacing / 10.0);
   EXPECT_LT(worst.angle_degrees, 3.0);
 }

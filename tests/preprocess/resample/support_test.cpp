@@ -83,10 +83,10 @@ TEST(Support, OfANodeIsTheSameAskedOfThePoints) {
   const auto next = [&random] { return static_cast<double>(random()) * 0x1p-32; };
   PatchPoints points;
   for (std::uint32_t k = 0; k < 1500; ++k) {
-    const glm::dvec3 place(30.0 * std::sqrt(next()), 30.0 * next(), 4.0 * next());
-    if (glm::distance(glm::dvec2(place), glm::dvec2(20.0, 15.0)) < 4.0) continue;
+    const glm::dvec3 position(30.0 * std::sqrt(next()), 30.0 * next(), 4.0 * next());
+    if (glm::distance(glm::dvec2(position), glm::dvec2(20.0, 15.0)) < 4.0) continue;
     points.ids.push_back(k);
-    points.positions.push_back(place);
+    points.positions.push_back(position);
     points.normals.emplace_back(0.0F, 0.0F, 1.0F);
     points.spacing.push_back(static_cast<float>(0.2 + 2.0 * next()));
   }

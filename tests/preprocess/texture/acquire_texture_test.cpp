@@ -207,11 +207,11 @@ TEST(AcquireTexture, SaysWhatIsMissing) {
   EXPECT_EQ(failure(mesh, Image{}), "the texture has no pixels");
   mesh.texcoords[2].y = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(failure(mesh, texture),
-            "some texture coordinates are no finite numbers; mend the mesh");
+            "some texture coordinates are NaN or infinite; repair the mesh");
   mesh.texcoords.clear();
-  EXPECT_EQ(failure(mesh, texture), "there are no texture coordinates; give a mesh that has them");
+  EXPECT_EQ(failure(mesh, texture), "there are no texture coordinates; use a mesh that has them");
   mesh.triangles.clear();
-  EXPECT_EQ(failure(mesh, texture), "there are no triangles to put a texture on; give a mesh");
+  EXPECT_EQ(failure(mesh, texture), "there are no triangles for the texture; use a mesh");
   mesh = unit_square();
   mesh.triangles = {{0, 1, 1}, {2, 2, 2}};
   EXPECT_EQ(failure(mesh, texture), "the triangles have no area that points could be spread over");

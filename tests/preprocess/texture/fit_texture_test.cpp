@@ -22,7 +22,7 @@ Points textured_square_with_normals() {
   return mesh;
 }
 
-/// Splats at given places of the unit square.
+/// Splats at given positions of the unit square.
 SurfacePoints splats_at(const std::vector<glm::dvec3>& positions) {
   SurfacePoints splats;
   splats.positions = positions;
@@ -34,15 +34,15 @@ SurfacePoints splats_at(const std::vector<glm::dvec3>& positions) {
 /// Even splats on the unit square with the basis at 16 places for each.
 struct EvenSquare {
   explicit EvenSquare(std::size_t count, BasisKind kind = BasisKind::Normalised)
-      : places(spread_over_triangles(textured_square_with_normals(), 16 * count)),
+      : positions(spread_over_triangles(textured_square_with_normals(), 16 * count)),
         splats(
             thin_out(spread_over_triangles(textured_square_with_normals(), 4 * count), count, 1.0)),
         basis(evaluate_basis(splats, {1.0 / std::sqrt(static_cast<double>(count)), 1.0, kind},
-                             places)) {}
+                             positions)) {}
 
-  SurfacePoints places;
+  SurfacePoints positions;
   SurfacePoints splats;
-  BasisAtPlaces basis;
+  BasisAtPositions basis;
 };
 
 TEST(SplatBasis, InnerProductsOfGaussiansAreGaussiansOfTheirDistance) {
@@ -51,9 +51,9 @@ TEST(SplatBasis, InnerProductsOfGaussiansAreGaussiansOfTheirDistance) {
   constexpr double kCutoff = 10.0;
   const SurfacePoints splats =
       splats_at({{0.5, 0.5, 0}, {0.5 + kH, 0.5, 0}, {0.5, 0.5 + 2.0 * kH, 0}});
-  const SurfacePoints places = spread_over_triangles(textured_square_with_normals(), 400'000);
+  const SurfacePoints positions = spread_over_triangles(textured_square_with_normals(), 400'000);
   const FitMatrix products =
-      inner_products(evaluate_basis(splats, {kH, kCutoff, BasisKind::Plain}, places));
+      inner_products(evaluate_basis(splats, {kH, kCutoff, BasisKind::Plain}, positions));
   for (Eigen::Index k = 0; k < 3; ++k) {
     for (Eigen::Index j = 0; j < 3; ++j) {
       const double d = glm::distance(splats.positions[static_cast<std::size_t>(k)],
@@ -69,10 +69,10 @@ TEST(SplatBasis, InnerProductsOfGaussiansAreGaussiansOfTheirDistance) {
 TEST(SplatBasis, TruncatedGaussiansHaveTheNormThatTheirSupportLeaves) {
   // Over the disc of radius sqrt(2 c) h: the integral of exp(-r^2 / h^2) is pi h^2 (1 - e^-2c).
   constexpr double kH = 0.05;
-  const SurfacePoints places = spread_over_triangles(textured_square_with_normals(), 400'000);
+  const SurfacePoints positions = spread_over_triangles(textured_square_with_normals(), 400'000);
   for (const double cutoff : {0.5, 1.0, 3.0}) {
     const FitMatrix products = inner_products(
-        evaluate_basis(splats_at({{0.5, 0.5, 0}}), {kH, cutoff, BasisKind::Plain}, places));
+        evaluate_basis(splats_at({{0.5, 0.5, 0}}), {kH, cutoff, BasisKind::Plain}, positions));
     const double scale = 1.0 / (2.0 * std::numbers::pi * (1.0 - std::exp(-cutoff)));
     const double expected =
         scale * scale * std::numbers::pi * kH * kH * (1.0 - std::exp(-2.0 * cutoff));
@@ -95,19 +95,20 @@ TEST(SplatBasis, SumsToOne) {
   EXPECT_GT((plain.basis * ones).mean(), 1.0 - 0.26 * 152.0 / 400.0 - 0.01);
 }
 
-TEST(SplatBasis, ReachesOnlyPlacesThatFaceTheSameWay) {
+TEST(SplatBasis, ReachesOnlyPositionsThatFaceItsSide) {
   SurfacePoints splats = splats_at({{0.5, 0.5, 0}, {0.5, 0.5, 1e-3}});
   splats.normals[1] = glm::vec3(0, 0, -1);
-  const SurfacePoints places = spread_over_triangles(textured_square_with_normals(), 1000);
-  const BasisAtPlaces basis = evaluate_basis(splats, {0.1, 1.0, BasisKind::Normalised}, places);
+  const SurfacePoints positions = spread_over_triangles(textured_square_with_normals(), 1000);
+  const BasisAtPositions basis =
+      evaluate_basis(splats, {0.1, 1.0, BasisKind::Normalised}, positions);
   EXPECT_GT(basis.col(0).sum(), 0.0);
   EXPECT_EQ(basis.col(1).sum(), 0.0);
 }
 
 TEST(SplatBasis, IsEvaluatedInTheTangentPlane) {
-  SurfacePoints place = splats_at({{0.55, 0.5, 0.08}});
-  const BasisAtPlaces basis =
-      evaluate_basis(splats_at({{0.5, 0.5, 0.0}}), {0.1, 1.0, BasisKind::Plain}, place);
+  SurfacePoints position = splats_at({{0.55, 0.5, 0.08}});
+  const BasisAtPositions basis =
+      evaluate_basis(splats_at({{0.5, 0.5, 0.0}}), {0.1, 1.0, BasisKind::Plain}, position);
   const double expected = std::exp(-0.5 * 0.25) / (2.0 * std::numbers::pi * (1.0 - std::exp(-1.0)));
   EXPECT_NEAR(basis.coeff(0, 0), expected, 1e-12) << "the height of 0.8 h plays no part";
 }
@@ -124,8 +125,9 @@ TEST(FitTexture, TheMatrixIsSymmetricAndPositiveDefiniteAndItsConditionIsKnown) 
     EXPECT_GT(values.minCoeff(), 0.0);
     FitReport report;
     const std::vector<glm::vec3> zero(200, glm::vec3(0.0F));
-    (void)fit_texture(square.basis, std::vector<glm::vec3>(square.places.size(), glm::vec3(1.0F)),
-                      zero, Progress(), report);
+    (void)fit_texture(square.basis,
+                      std::vector<glm::vec3>(square.positions.size(), glm::vec3(1.0F)), zero,
+                      Progress(), report);
     ASSERT_TRUE(report.condition);
     // Lanczos sees the ends of the spectrum from within; at a residual of 1e-9 to a percent.
     const double condition = values.maxCoeff() / values.minCoeff();
@@ -140,7 +142,7 @@ TEST(FitTexture, FindsTheCoefficientsOfAFunctionThatTheBasisHas) {
   Eigen::VectorXd w(300);
   for (Eigen::Index k = 0; k < 300; ++k) w[k] = std::sin(static_cast<double>(3 * k * k));
   const Eigen::VectorXd function = square.basis * w;
-  std::vector<glm::vec3> texture(square.places.size());
+  std::vector<glm::vec3> texture(square.positions.size());
   for (std::size_t q = 0; q < texture.size(); ++q) {
     const auto value = static_cast<float>(function[static_cast<Eigen::Index>(q)]);
     texture[q] = glm::vec3(value, -2.0F * value, 0.0F);
@@ -160,9 +162,9 @@ TEST(FitTexture, FindsTheCoefficientsOfAFunctionThatTheBasisHas) {
 
 TEST(FitTexture, NoOtherCoefficientsHaveALessError) {
   const EvenSquare square(150);
-  std::vector<glm::vec3> texture(square.places.size());
+  std::vector<glm::vec3> texture(square.positions.size());
   for (std::size_t q = 0; q < texture.size(); ++q) {
-    texture[q] = glm::vec3(square.places.positions[q].x > 0.37 ? 1.0F : 0.0F);
+    texture[q] = glm::vec3(square.positions.positions[q].x > 0.37 ? 1.0F : 0.0F);
   }
   FitReport report;
   const std::vector<glm::vec3> start(150, glm::vec3(0.5F));
@@ -177,8 +179,8 @@ TEST(FitTexture, NoOtherCoefficientsHaveALessError) {
   }
 }
 
-TEST(ProjectTexture, IsTheWeightedMeanAndKeepsWhatNoPlaceSees) {
-  BasisAtPlaces basis(2, 3);
+TEST(ProjectTexture, IsTheWeightedMeanAndKeepsSplatsThatReachNoPosition) {
+  BasisAtPositions basis(2, 3);
   basis.insert(0, 0) = 0.75;
   basis.insert(0, 1) = 0.25;
   basis.insert(1, 0) = 0.25;

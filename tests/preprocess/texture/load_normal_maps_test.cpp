@@ -82,7 +82,7 @@ TEST_F(LoadNormalMaps, MissingAndDamagedOnesAreNamed) {
   EXPECT_EQ(load("newmtl m\nnorm gone.png\n", {true, {}}), "");
 }
 
-TEST_F(LoadNormalMaps, PicturesOfImpossibleSizesAreNamed) {
+TEST_F(LoadNormalMaps, ImagesOfImpossibleSizesAreNamed) {
   std::ifstream file(folder_ / "tilt map.png", std::ios::binary);
   const std::string good((std::istreambuf_iterator<char>(file)), {});
   // PNG's width and height are bytes 16 to 23. libpng sees wrong checksums; either way it is one

@@ -1,4 +1,4 @@
-// OBJ meshes with their material files and pictures.
+// OBJ meshes with their material files and images.
 #include "preprocess/texture/files/load_textures.h"
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ class LoadTextures : public testing::Test {
   std::vector<std::string> notes_;
 };
 
-TEST_F(LoadTextures, NamesWithBlanksAndOptionsLeadToPictures) {
+TEST_F(LoadTextures, NamesWithBlanksAndOptionsLeadToImages) {
   write("mesh/a.obj", kTexturedSquare);
   write("mesh/my colours.mtl",
         "newmtl of paint\r\nKd 0 0 0\r\nmap_Kd -o 0 0 -s 1 1 1 -clamp on deeper\\red paint.png\r\n"
@@ -66,12 +66,12 @@ TEST_F(LoadTextures, NamesWithBlanksAndOptionsLeadToPictures) {
   write_image("mesh/deeper/red paint.png", {1.0F, 0.0F, 0.0F});
   ASSERT_EQ(load(), "");
   EXPECT_TRUE(notes_.empty());
-  // The picture replaces Kd, which is black.
+  // The image replaces Kd, which is black.
   EXPECT_EQ(colour_of(0), glm::vec3(1.0F, 0.0F, 0.0F));
   EXPECT_EQ(colour_of(1), glm::vec3(linear_from_srgb(0.5F), 1.0F, 0.0F));
 }
 
-TEST_F(LoadTextures, MissingAndDamagedPicturesAreNamed) {
+TEST_F(LoadTextures, MissingAndDamagedImagesAreNamed) {
   write("mesh/a.obj", kTexturedSquare);
   write("mesh/my colours.mtl", "newmtl of paint\nmap_Kd gone.png\n");
   EXPECT_NE(load().find("gone.png"), std::string::npos);

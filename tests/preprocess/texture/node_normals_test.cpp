@@ -42,9 +42,9 @@ Sheet make_sheet(std::uint32_t cells, double z = 0.0, bool faces_up = true) {
   Sheet sheet;
   for (std::uint32_t j = 0; j <= cells; ++j) {
     for (std::uint32_t i = 0; i <= cells; ++i) {
-      const glm::dvec2 place = kGridSide * glm::dvec2(i, j) / static_cast<double>(cells);
-      sheet.mesh.positions.emplace_back(place, z);
-      sheet.normals.emplace_back((faces_up ? 1.0 : -1.0) * leaning(place.x, place.y));
+      const glm::dvec2 position = kGridSide * glm::dvec2(i, j) / static_cast<double>(cells);
+      sheet.mesh.positions.emplace_back(position, z);
+      sheet.normals.emplace_back((faces_up ? 1.0 : -1.0) * leaning(position.x, position.y));
     }
   }
   for (std::uint32_t j = 0; j < cells; ++j) {

@@ -134,7 +134,7 @@ glm::dvec3 waves(double u, double v) {
   return {-0.6 * std::cos(6.0 * pi * u), -0.4 * std::sin(4.0 * pi * v), 1.0};
 }
 
-TEST(NormalMaps, TexelsHaveTheNormalsOfTheirPlaces) {
+TEST(NormalMaps, TexelsHaveTheNormalsOfTheirPositions) {
   std::vector<Patch> patches{square_patch()};
   ASSERT_TRUE(map(square(with_normals(256, waves)), 0, patches));
   const AttributeMap<glm::i16vec2>& normals = patches[0].normals;

@@ -66,10 +66,10 @@ TEST(SurfacePoints, SmallTrianglesGetTheirShareToo) {
   const SurfacePoints points = spread_over_triangles(mesh, count);
   ASSERT_EQ(points.size(), count);
   // Their one point is not in the same corner of all of them.
-  const auto at_same_place = std::ranges::count_if(points.positions, [&](glm::dvec3 p) {
+  const auto at_same_position = std::ranges::count_if(points.positions, [&](glm::dvec3 p) {
     return glm::distance(glm::fract(p), glm::fract(points.positions[0])) < 1e-6;
   });
-  EXPECT_LE(at_same_place, 2);
+  EXPECT_LE(at_same_position, 2);
   for (const double x : {0.0, kSide / 2.0}) {
     for (const double y : {0.0, kSide / 2.0}) {
       const auto within = std::ranges::count_if(points.positions, [&](glm::dvec3 p) {

@@ -66,7 +66,7 @@ Status map_textures(const Points& mesh, std::uint32_t texels, std::vector<Patch>
   return map_textures(mesh, texels, patches, progress);
 }
 
-TEST(TextureMaps, TexelsShowTheTextureAtTheirPlace) {
+TEST(TextureMaps, TexelsShowTheTextureAtTheirPosition) {
   for (const glm::dvec3 offset : {glm::dvec3(0.0), glm::dvec3(5.0e5, 4.2e6, 300.0)}) {
     Points mesh;
     mesh.materials = {ramp(128)};
@@ -111,7 +111,7 @@ TEST(TextureMaps, ThinSheetsHaveTwoSides) {
   mesh.materials = {red, blue};
   add_square(mesh, 0.02, true, 0, glm::dvec3(0.0));
   add_square(mesh, 0.0, false, 1, glm::dvec3(0.0));
-  // Patches exactly between the sides: only where they face tells.
+  // Patches exactly between the sides: only their orientation decides.
   std::vector<Patch> patches{square_patch(0.01, true, glm::dvec3(0.0)),
                              square_patch(0.01, false, glm::dvec3(0.0))};
   ASSERT_TRUE(map_textures(mesh, 4, patches));

@@ -27,8 +27,8 @@ Patch slope(std::uint32_t width, std::uint32_t height, std::uint32_t colours) {
 }
 
 /// In nodes and height steps.
-glm::dvec3 in_grid(const Patch& patch, glm::dvec3 place) {
-  return glm::transpose(patch.axes) * (place - patch.origin) /
+glm::dvec3 in_grid(const Patch& patch, glm::dvec3 position) {
+  return glm::transpose(patch.axes) * (position - patch.origin) /
          glm::dvec3(patch.spacing, patch.spacing, patch.height_step);
 }
 

@@ -69,7 +69,7 @@ double share_facing(const PatchModel& model, const Surface& surface) {
       for (std::uint32_t i = 0; i < patch.width; ++i) {
         if (patch.at(i, j) == kHole) continue;
         ++samples;
-        facing += glm::dot(patch.axes[2], surface.normal(place_of(patch, i, j))) > 0.0 ? 1 : 0;
+        facing += glm::dot(patch.axes[2], surface.normal(position_of(patch, i, j))) > 0.0 ? 1 : 0;
       }
     }
   }
@@ -107,7 +107,7 @@ TEST(ConvertTiles, IsAsNearToThePointsAsAConversionInMemory) {
   ASSERT_TRUE(in_memory);
   // Other patches of the same surface, some of them cut where tiles end and they are steep.
   EXPECT_NEAR(psnr, in_memory->report.psnr_db, 0.5);
-  // Each tile is measured against its own patches alone, which tells less at its border.
+  // Each tile is measured only against its own patches, which is less exact at its border.
   EXPECT_LE((*tiled)->report.psnr_db, psnr);
   EXPECT_GE((*tiled)->report.psnr_db, psnr - 1.0);
 }
@@ -300,7 +300,7 @@ TEST(ConvertTiles, DamagedPartsAreRefused) {
   EXPECT_FALSE(fs::exists(output));
 }
 
-TEST(ConvertTiles, FoldersOfOthersAreLeftAlone) {
+TEST(ConvertTiles, FoldersOfOthersAreNotTouched) {
   const ScratchFolder folder;
   write_ply(folder / "torus.ply", test::sample_torus({}, 0.02));
   fs::create_directory(folder / "torus.relief.parts");

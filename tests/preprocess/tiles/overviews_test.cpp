@@ -31,7 +31,7 @@ PatchTree must_convert(const fs::path& scan, const fs::path& output, TileOptions
 /// Tiles of 4,000 points, levels until one has few samples.
 TileOptions small_tiles() {
   TileOptions options;
-  options.most_tile_points = 4000;
+  options.max_tile_points = 4000;
   options.overview_samples = 1500;
   return options;
 }
@@ -104,12 +104,12 @@ TEST(Overviews, ShowTheSurfaceFromItsSide) {
       for (std::uint32_t j = 0; j < patch.height; ++j) {
         for (std::uint32_t i = 0; i < patch.width; ++i) {
           if (patch.at(i, j) == kHole) continue;
-          const glm::dvec3 place = place_of(patch, i, j);
-          distances.push_back(std::abs(torus.distance(place)) / spacing);
+          const glm::dvec3 position = position_of(patch, i, j);
+          distances.push_back(std::abs(torus.distance(position)) / spacing);
           // Two margins of up to 90 degrees; the wrong side would be about -1.
-          EXPECT_GT(glm::dot(patch.axes[2], torus.normal(place)), -0.1);
+          EXPECT_GT(glm::dot(patch.axes[2], torus.normal(position)), -0.1);
           const glm::u8vec3 colour = patch.colours.texels[std::size_t{j} * patch.width + i];
-          shifts.push_back(std::abs(colour.b - 127.0 - 200.0 * place.z) / 200.0 / spacing);
+          shifts.push_back(std::abs(colour.b - 127.0 - 200.0 * position.z) / 200.0 / spacing);
         }
       }
     }

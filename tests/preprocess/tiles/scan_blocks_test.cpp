@@ -5,6 +5,7 @@
 
 #include "preprocess/readers/read_points.h"
 #include "tests/common/patch_file/sample_models.h"
+#include "tests/preprocess/readers/las_files.h"
 #include "tests/preprocess/readers/scan_files.h"
 
 namespace relief {
@@ -98,7 +99,7 @@ TEST(ScanBlocks, PlyIsAsReadAsAWhole) {
   }
 }
 
-TEST(ScanBlocks, FacesAreLeftOutAndTheUserIsTold) {
+TEST(ScanBlocks, FacesAreLeftOutWithANote) {
   const ScratchFolder folder;
   spill(folder / "a.ply", ply("binary_little_endian", 100, true));
   const Gathered blocks = gather({folder / "a.ply"}, folder);
@@ -116,7 +117,7 @@ TEST(ScanBlocks, LasIsAsReadAsAWhole) {
     test::LasPoint point;
     point.steps = {static_cast<std::int32_t>(i), -5, 7};
     point.withheld = i % 100 == 3;
-    // Only the last block tells that colours have 16 bits.
+    // Only the last block shows that colours have 16 bits.
     point.colour = {static_cast<std::uint16_t>(i + 1 == kScanPoints ? 65535 : i % 256), 0, 3};
     las.points.push_back(point);
   }

@@ -112,7 +112,8 @@ TEST(TileLayout, CoarserTilesAreWholeOnes) {
   std::vector<double> together(coarse.tiles.size());
   for (std::size_t t = 0; t < fine.tiles.size(); ++t)
     together[coarse.tile_about(fine.tiles[t])] += load[t];
-  // Fours but where the full one is: it and its sibling alone, the two beside them together.
+  // Groups of four except at the full tile: it and its sibling are separate, the two beside them
+  // joined.
   std::ranges::sort(together);
   EXPECT_EQ(together, (std::vector<double>{470.0, 940.0, 1880.0, 1880.0, 1880.0, 3000.0}));
   EXPECT_DOUBLE_EQ(coarse.largest_halo, 1.2);

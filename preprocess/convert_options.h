@@ -1,0 +1,48 @@
+// What can be chosen about a conversion, and what it reports.
+#pragma once
+
+#include <cstdint>
+
+#include "common/patch.h"
+
+namespace relief {
+
+struct ConvertOptions {
+  double spacing = 0.0;  ///< grid step in world units; 0: about as many samples as points
+  double cone_degrees =
+      0.0;  ///< largest angle between a patch's normal and its points' normals; 0: default
+  int overlap_cells = 1;          ///< width of the overlap margin, in grid cells
+  double height_step = 0.0;       ///< world units per height index; 0: spacing / 20
+  bool adaptive_spacing = false;  ///< each patch's spacing follows the scan's local density, up to
+                                  ///< 8 to 1; `spacing` is then the typical one
+  int colour_scale = 2;  ///< colour texels per grid cell along each side, of coloured points
+  int texels_per_cell =
+      0;  ///< colour texels per grid cell of meshes with textures or materials, and normal texels
+          ///< of meshes with normal maps, 1 to 64; 0: as many as keep their detail (map_textures)
+  int threads = 0;  ///< 0: all cores. The result does not depend on it.
+};
+
+/// Statistics of a conversion.
+struct ConvertReport {
+  std::uint64_t points = 0;  ///< converted points; for a mesh with materials, those spread over its
+                             ///< triangles (sample_mesh)
+  std::uint64_t points_added = 0;      ///< on triangles larger than the spacing; not in `points`
+  std::uint64_t normals_repaired = 0;  ///< given normals that were zero, NaN or inconsistent
+  bool normals_estimated = false;      ///< the scan had no normals
+  double error_rms = 0.0;  ///< distance of the points to the patches' bilinear surface, world units
+  double error_max = 0.0;
+  double psnr_db = 0.0;                ///< 20 log10(bounding-box diagonal / error_rms)
+  std::uint64_t uncovered_points = 0;  ///< points farther than two spacings from every patch
+  std::uint64_t colour_texels = 0;     ///< of the colour maps, holes included
+  std::uint32_t texels_per_cell =
+      0;  ///< of the finest colour map, along a side of a cell; 0: no colours
+  std::uint64_t normal_texels = 0;           ///< of the normal maps, holes included
+  std::uint32_t normal_texels_per_cell = 0;  ///< of the finest normal map, along a side of a cell
+};
+
+struct ConvertResult {
+  PatchModel model;
+  ConvertReport report;
+};
+
+}  // namespace relief

@@ -1,0 +1,38 @@
+// What can be chosen about a conversion in tiles, and what it reports.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "preprocess/convert_options.h"
+
+namespace relief {
+
+/// The smallest memory limit of a conversion in tiles.
+inline constexpr std::uint64_t kMinTileMemory = std::uint64_t{256} << 20U;
+
+struct TileOptions {
+  std::uint64_t memory_bytes = kMinTileMemory;  ///< memory limit
+  /// Upper limit on a tile's points at any memory limit, so that the result does not depend on
+  /// memory as long as it is enough for such tiles.
+  std::uint64_t max_tile_points = std::uint64_t{1} << 20U;
+  bool overviews = true;  ///< coarser patches, for distant views
+  /// Largest number of samples of the coarsest overview: fewer than an image has pixels, read and
+  /// drawn in a few milliseconds.
+  std::uint64_t overview_samples = std::uint64_t{1} << 16U;
+};
+
+/// Result of a conversion in tiles.
+struct TiledResult {
+  ConvertReport report;  ///< `normals_repaired` counts the points near tiles' borders for each tile
+  std::uint64_t nonfinite = 0;   ///< points dropped
+  std::uint64_t left_out = 0;    ///< points marked as withheld or noise (LAS)
+  std::uint64_t duplicates = 0;  ///< points merged
+  std::uint64_t tiles = 0;
+  std::uint64_t halo_points = 0;   ///< points of other tiles in halos, over all tiles
+  std::uint64_t tiles_found = 0;   ///< finished by an earlier run
+  std::vector<std::string> notes;  ///< for the user, a sentence each
+};
+
+}  // namespace relief

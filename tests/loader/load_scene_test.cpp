@@ -1,0 +1,121 @@
+// What the loader makes of files that a user names. It prints nothing: notes go to the progress.
+#include "loader/load_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "loader/load_files.h"
+#include "loader/view_settings.h"
+#include "models/knot_scan.h"
+#include "tests/common/patch_file/sample_models.h"
+
+namespace relief {
+namespace {
+
+/// Keeps the notes.
+class Notes final : public Progress {
+ public:
+  void note(std::string_view text) override { notes.emplace_back(text); }
+  std::vector<std::string> notes;
+};
+
+class Loading : public testing::Test {
+ protected:
+  std::filesystem::path write(const std::string& name, const std::string& text) {
+    test::spill(folder_ / name.c_str(), text);
+    return folder_ / name.c_str();
+  }
+  LoadedScene must_load(const std::filesystem::path& file, const std::string& engine) {
+    SceneSettings settings;
+    settings.engine = engine;
+    const auto plan = plan_scene(file, settings);
+    EXPECT_TRUE(plan) << plan.error().message;
+    auto scene = load_scene(*plan, {}, notes_);
+    if (scene) return std::move(*scene);
+    ADD_FAILURE() << scene.error().message;
+    return {};
+  }
+
+  test::ScratchFolder folder_;
+  Notes notes_;
+};
+
+/// A square of 2 x 2 triangles' worth of corners, as OFF.
+constexpr const char* kSquare =
+    "OFF\n9 8 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n0 2 0\n1 2 0\n2 2 0\n"
+    "3 0 1 4\n3 0 4 3\n3 1 2 5\n3 1 5 4\n3 3 4 7\n3 3 7 6\n3 4 5 8\n3 4 8 7\n";
+
+TEST_F(Loading, OtherFilesAreScenesOfOneModelAndOneView) {
+  SceneSettings overrides;
+  overrides.fov_degrees = 30.0;
+  const auto plan = plan_scene(folder_ / "none.ply", overrides);
+  ASSERT_TRUE(plan) << "no file is opened yet";
+  ASSERT_EQ(plan->models.size(), 1U);
+  ASSERT_EQ(plan->views.size(), 1U);
+  EXPECT_EQ(plan->views.front().name, "");
+  EXPECT_EQ(plan->views.front().settings.fov_degrees, 30.0);
+  const auto missing = find_inputs(*plan);
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().message, (folder_ / "none.ply").string() + ": there is no such file");
+}
+
+TEST_F(Loading, GivesEachEngineTheFormThatItPrefers) {
+  const auto scan = write("knot.ply", knot_scan_ply(3000));
+  const LoadedScene patches = must_load(scan, "onepass");
+  EXPECT_FALSE(patches.patches.patches.empty());
+  EXPECT_FALSE(patches.mesh || patches.splats);
+  const LoadedScene splats = must_load(scan, "ewa");
+  ASSERT_TRUE(splats.splats);
+  EXPECT_EQ(splats.splats->positions.size(), 3000U);
+  EXPECT_TRUE(splats.patches.patches.empty());
+  // The camera depends on the bounds, and these not on the engine.
+  EXPECT_EQ(splats.patches.bounds.min, patches.patches.bounds.min);
+  const LoadedScene of_patches = must_load(scan, "raytrace");
+  ASSERT_TRUE(of_patches.mesh);
+  EXPECT_FALSE(of_patches.mesh_is_input) << "a scan has no triangles of its own";
+  const LoadedScene mesh = must_load(write("square.off", kSquare), "raytrace");
+  ASSERT_TRUE(mesh.mesh);
+  EXPECT_EQ(mesh.mesh->triangles.size(), 8U);
+  EXPECT_TRUE(mesh.mesh_is_input);
+  EXPECT_TRUE(notes_.notes.empty());
+}
+
+TEST_F(Loading, PutsInstancesInTheirPositions) {
+  write("square.off", kSquare);
+  const auto file = write("scene.json", R"({"models": [{"file": "square.off"},
+      {"file": "square.off", "transform": {"translation": [10, 0, 0]}, "material": "mirror"}],
+      "views": [{"name": "a", "engine": "raytrace"}, {"name": "b", "material": "unlit"}]})");
+  const auto plan = plan_scene(file, {});
+  ASSERT_TRUE(plan) << plan.error().message;
+  ASSERT_EQ(plan->views[1].materials.size(), 2U);
+  EXPECT_EQ(plan->views[1].materials[0].kind, Material::Unlit);
+  EXPECT_EQ(plan->views[1].materials[1].kind, Material::Mirror) << "the model's own wins";
+  const auto scene = load_scene(*plan, {}, notes_);
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_EQ(scene->patches.instances.size(), 2U);
+  EXPECT_EQ(scene->mesh->triangles.size(), 16U);
+  EXPECT_EQ(scene->patches.bounds.max.x, 12.0);
+  const auto views = render_settings_of(*plan, scene->patches);
+  ASSERT_TRUE(views) << views.error().message;
+  EXPECT_EQ((*views)[0].engine, "raytrace");
+  EXPECT_EQ((*views)[1].engine, "onepass");
+}
+
+TEST_F(Loading, NotesWhatOnlySomeOfTheScansHave) {
+  const auto plain = write("plain.off", kSquare);
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+      "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+      "end_header\n5 5 5 1 2 3\n";
+  const auto read = load_points({plain, write("coloured.ply", header)}, {}, notes_);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->points.size(), 10U);
+  EXPECT_TRUE(read->points.colours.empty());
+  EXPECT_EQ(notes_.notes,
+            (std::vector<std::string>{"only some of the scans have colours; they are left out"}));
+}
+
+}  // namespace
+}  // namespace relief
