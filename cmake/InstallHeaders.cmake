@@ -2,6 +2,8 @@
 # In this tree headers include each other by their path from its root ("common/patch.h"); installed
 # ones do so as <relief/common/patch.h>, so that a user needs include/ on the path and nothing else.
 # Takes SOURCE (the tree), STAGE (an empty folder to make them in), DESTINATION, and HEADERS.
+# An install script inherits no policies.
+cmake_policy(VERSION 3.25)
 set(INCLUDE_LINE "^#include \"([^\"]+)\"")
 
 set(waiting ${HEADERS})

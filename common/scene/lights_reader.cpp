@@ -1,6 +1,6 @@
 #include "common/scene/lights_reader.h"
 
-#include "common/scene/vector_reader.h"
+#include "common/scene/vector_values.h"
 
 namespace relief {
 namespace {

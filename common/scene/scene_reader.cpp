@@ -10,7 +10,7 @@
 #include "common/scene/json_values.h"
 #include "common/scene/scene.h"
 #include "common/scene/scene_settings_reader.h"
-#include "common/scene/vector_reader.h"
+#include "common/scene/vector_values.h"
 
 namespace relief {
 namespace {

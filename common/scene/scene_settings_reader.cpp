@@ -4,14 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "common/image/srgb.h"
 #include "common/scene/lights_reader.h"
-#include "common/scene/vector_reader.h"
+#include "common/scene/vector_values.h"
 
 namespace relief {
 namespace {
 
+constexpr NumberRange kAngles{-1e6, 1e6};
 constexpr double kNearestOrbit = 1e-6;  // bounding-sphere radii
 
 ImageSize read_size(JsonValues& values, const JsonPlace& place) {
@@ -154,6 +156,14 @@ SceneSettings read_settings(JsonValues& values, const JsonPlace& object,
   if (settings.fov_degrees && settings.orthographic)
     values.refuse(object.path, "expected either fov or orthographic; found both");
   return settings;
+}
+
+std::filesystem::path read_path(JsonValues& values, const JsonPlace& place,
+                                const std::filesystem::path& folder, std::string_view expected) {
+  const std::string name = values.text(place, expected);
+  // With a zero byte it would be another file's name to the operating system.
+  if (name.find('\0') != std::string::npos) values.refuse_value(place, expected);
+  return folder / name;
 }
 
 }  // namespace relief

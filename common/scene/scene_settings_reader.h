@@ -34,4 +34,8 @@ inline constexpr std::array<std::string_view, 6> kMaterialKeys{
 /// The material among the members of an object.
 MaterialWords read_material(JsonValues& values, const JsonPlace& object);
 
+/// The name of a file, relative to `folder`.
+std::filesystem::path read_path(JsonValues& values, const JsonPlace& place,
+                                const std::filesystem::path& folder, std::string_view expected);
+
 }  // namespace relief
