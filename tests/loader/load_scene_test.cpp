@@ -1,6 +1,7 @@
 // What the loader makes of files that a user names. It prints nothing: notes go to the progress.
 #include "loader/load_scene.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -42,10 +43,18 @@ class Loading : public testing::Test {
   Notes notes_;
 };
 
-/// A square of 2 x 2 triangles' worth of corners, as OFF.
-constexpr const char* kSquare =
-    "OFF\n9 8 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n0 2 0\n1 2 0\n2 2 0\n"
-    "3 0 1 4\n3 0 4 3\n3 1 2 5\n3 1 5 4\n3 3 4 7\n3 3 7 6\n3 4 5 8\n3 4 8 7\n";
+/// A square of 5 x 5 points, 0 to 4 in X and Y, with 32 triangles, as OFF.
+std::string square_off() {
+  std::string off = "OFF\n25 32 0\n";
+  for (int k = 0; k < 25; ++k) off += fmt::format("{} {} 0\n", k % 5, k / 5);
+  for (int j = 0; j < 4; ++j) {
+    for (int i = 0; i < 4; ++i) {
+      const int a = 5 * j + i;
+      off += fmt::format("3 {} {} {}\n3 {} {} {}\n", a, a + 1, a + 6, a, a + 6, a + 5);
+    }
+  }
+  return off;
+}
 
 TEST_F(Loading, OtherFilesAreScenesOfOneModelAndOneView) {
   SceneSettings overrides;
@@ -68,22 +77,24 @@ TEST_F(Loading, GivesEachEngineTheFormThatItPrefers) {
   EXPECT_FALSE(patches.mesh || patches.splats);
   const LoadedScene splats = must_load(scan, "ewa");
   ASSERT_TRUE(splats.splats);
-  EXPECT_EQ(splats.splats->positions.size(), 3000U);
+  const auto read = load_points({scan}, {}, notes_);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(splats.splats->positions.size(), read->points.size());
   EXPECT_TRUE(splats.patches.patches.empty());
   // The camera depends on the bounds, and these not on the engine.
   EXPECT_EQ(splats.patches.bounds.min, patches.patches.bounds.min);
   const LoadedScene of_patches = must_load(scan, "raytrace");
   ASSERT_TRUE(of_patches.mesh);
   EXPECT_FALSE(of_patches.mesh_is_input) << "a scan has no triangles of its own";
-  const LoadedScene mesh = must_load(write("square.off", kSquare), "raytrace");
+  const LoadedScene mesh = must_load(write("square.off", square_off()), "raytrace");
   ASSERT_TRUE(mesh.mesh);
-  EXPECT_EQ(mesh.mesh->triangles.size(), 8U);
+  EXPECT_EQ(mesh.mesh->triangles.size(), 32U);
   EXPECT_TRUE(mesh.mesh_is_input);
   EXPECT_TRUE(notes_.notes.empty());
 }
 
 TEST_F(Loading, PutsInstancesInTheirPositions) {
-  write("square.off", kSquare);
+  write("square.off", square_off());
   const auto file = write("scene.json", R"({"models": [{"file": "square.off"},
       {"file": "square.off", "transform": {"translation": [10, 0, 0]}, "material": "mirror"}],
       "views": [{"name": "a", "engine": "raytrace"}, {"name": "b", "material": "unlit"}]})");
@@ -95,8 +106,8 @@ TEST_F(Loading, PutsInstancesInTheirPositions) {
   const auto scene = load_scene(*plan, {}, notes_);
   ASSERT_TRUE(scene) << scene.error().message;
   EXPECT_EQ(scene->patches.instances.size(), 2U);
-  EXPECT_EQ(scene->mesh->triangles.size(), 16U);
-  EXPECT_EQ(scene->patches.bounds.max.x, 12.0);
+  EXPECT_EQ(scene->mesh->triangles.size(), 64U);
+  EXPECT_EQ(scene->patches.bounds.max.x, 14.0);
   const auto views = render_settings_of(*plan, scene->patches);
   ASSERT_TRUE(views) << views.error().message;
   EXPECT_EQ((*views)[0].engine, "raytrace");
@@ -104,14 +115,14 @@ TEST_F(Loading, PutsInstancesInTheirPositions) {
 }
 
 TEST_F(Loading, NotesWhatOnlySomeOfTheScansHave) {
-  const auto plain = write("plain.off", kSquare);
+  const auto plain = write("plain.off", square_off());
   const std::string header =
       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
       "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
-      "end_header\n5 5 5 1 2 3\n";
+      "end_header\n9 9 9 1 2 3\n";
   const auto read = load_points({plain, write("coloured.ply", header)}, {}, notes_);
   ASSERT_TRUE(read) << read.error().message;
-  EXPECT_EQ(read->points.size(), 10U);
+  EXPECT_EQ(read->points.size(), 26U);
   EXPECT_TRUE(read->points.colours.empty());
   EXPECT_EQ(notes_.notes,
             (std::vector<std::string>{"only some of the scans have colours; they are left out"}));

@@ -15,7 +15,7 @@ namespace {
 /// Double rounding of a handful of operations on numbers near 1.
 constexpr double kRounding = 1e-14;
 
-void expect_near(glm::dvec3 found, glm::dvec3 expected, double tolerance = kRounding) {
+void expect_close(glm::dvec3 found, glm::dvec3 expected, double tolerance = kRounding) {
   EXPECT_LE(glm::length(found - expected), tolerance)
       << found.x << " " << found.y << " " << found.z << " instead of " << expected.x << " "
       << expected.y << " " << expected.z;
@@ -30,13 +30,13 @@ TEST(OrbitCamera, StandsWhereTheAnglesSay) {
     EXPECT_NEAR(glm::length(camera.eye - centre), 4.0 * 0.5, kRounding);
     return glm::normalize(camera.eye - centre);
   };
-  expect_near(direction(0, 0), {0, 0, 1});
-  expect_near(direction(90, 0), {1, 0, 0});
-  expect_near(direction(180, 0), {0, 0, -1});
-  expect_near(direction(-90, 0), {-1, 0, 0});
-  expect_near(direction(0, 90), {0, 1, 0});
-  expect_near(direction(30, -90), {0, -1, 0});
-  expect_near(direction(90, 30), {std::sqrt(0.75), 0.5, 0});
+  expect_close(direction(0, 0), {0, 0, 1});
+  expect_close(direction(90, 0), {1, 0, 0});
+  expect_close(direction(180, 0), {0, 0, -1});
+  expect_close(direction(-90, 0), {-1, 0, 0});
+  expect_close(direction(0, 90), {0, 1, 0});
+  expect_close(direction(30, -90), {0, -1, 0});
+  expect_close(direction(90, 30), {std::sqrt(0.75), 0.5, 0});
 }
 
 TEST(OrbitCamera, LooksAtTheCentreWithYUp) {
@@ -46,8 +46,8 @@ TEST(OrbitCamera, LooksAtTheCentreWithYUp) {
       const glm::dmat3 view = view_rotation(camera);
       // The centre lies straight ahead, and what is above it is above it in the picture.
       const glm::dvec3 ahead = view * (camera.target - camera.eye);
-      expect_near(glm::normalize(ahead), {0, 0, -1});
-      expect_near(view * camera.up, {0, 1, 0});
+      expect_close(glm::normalize(ahead), {0, 0, -1});
+      expect_close(view * camera.up, {0, 1, 0});
       EXPECT_NEAR(glm::determinant(view), 1.0, kRounding);
       // The world's +Y points up in the picture, or straight along the view.
       EXPECT_NEAR((view * glm::dvec3(0, 1, 0)).y, std::cos(glm::radians(elevation)), kRounding);
@@ -69,7 +69,7 @@ TEST(ViewRotation, IsARotationEvenIfUpRunsAlongTheView) {
       }
     }
     EXPECT_NEAR(glm::determinant(view), 1.0, kRounding);
-    expect_near(view * glm::normalize(direction), {0, 0, 1});
+    expect_close(view * glm::normalize(direction), {0, 0, 1});
   }
 }
 
