@@ -9,7 +9,6 @@
 #include <string>
 
 #include "common/image/image_io.h"
-#include "tests/renderer/golden/compare_golden.h"
 #include "tests/renderer/images.h"
 
 namespace relief {
@@ -60,7 +59,6 @@ void expect_golden(const std::string& name, const RenderResult& result) {
   ASSERT_EQ(image.width, result.image.width);
   ASSERT_EQ(image.height, result.image.height);
 
-#include "tmp_stats.inc"
   std::string recorded;
   std::ifstream file(kFolder / "RENDERER");
   std::getline(file, recorded);

@@ -1,0 +1,34 @@
+#include "common/scene/vector_values.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "common/scene/scene.h"
+
+namespace relief {
+namespace {
+
+constexpr NumberRange kCoordinates{-kMaxSceneCoordinate, kMaxSceneCoordinate};
+constexpr double kShortestDirection = 1e-12;
+constexpr NumberRange kAngleRange{-1e6, 1e6};
+
+}  // namespace
+
+glm::dvec3 read_vector(JsonValues& values, const JsonPlace& place) {
+  const auto n = values.numbers(place, {3, 3}, kCoordinates, "[x, y, z], three numbers");
+  return n.empty() ? glm::dvec3(0.0) : glm::dvec3(n[0], n[1], n[2]);
+}
+
+glm::dvec3 read_direction(JsonValues& values, const JsonPlace& place) {
+  const glm::dvec3 v = read_vector(values, place);
+  const double length = glm::length(v);
+  if (length > kShortestDirection) return v / length;
+  values.refuse_value(place, "[x, y, z] longer than 0");
+  return {0.0, 1.0, 0.0};
+}
+
+double read_angle(JsonValues& values, const JsonPlace& place) {
+  return values.number(place, kAngleRange, "degrees from -1e6 to 1e6");
+}
+
+}  // namespace relief
