@@ -34,7 +34,7 @@ model=$out/model.relief
 stage "render"
 for material in lit mirror; do
   "$relief" render "$model" -o "$out/$material.png" --material $material --orbit 20,10 \
-    --json >"$out/$material.json"
+    --frames 3 --json >"$out/$material.json"
 done
 
 # One value of a JSON object as the command prints it, a key a line; fractions rounded.

@@ -19,7 +19,7 @@ number() { sed -n "s/.*\"$1\": \([0-9.e+-]*\).*/\1/p" | head -1; }
 row() {
   local name=$1 material=$2 truth=$3
   shift 3
-  "$relief" render "$@" --material "$material" --background none -o "$out/test.exr" --json \
+  "$relief" render "$@" --material "$material" --background none -o "$out/test.exr" --frames 3 --json \
     >"$out/render.json"
   "$relief" compare "$out/test.exr" "$truth" --json >"$out/compare.json"
   printf '| %s | %s | %.2f | %.2f | %.0f | %s |\n' "$name" "$material" \

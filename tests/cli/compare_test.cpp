@@ -18,7 +18,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 /// A square model of 10 x 10 pixels in 20 x 16, with every channel that `relief render` writes.
 Image model_image(float green = 0.2F) {
-  Image image = picture(20, 16, [green](int x, int y) {
+  Image image = test::image_of(20, 16, [green](int x, int y) {
     return x >= 5 && x < 15 && y >= 3 && y < 13 ? glm::vec3(0.5F, green, 0.1F) : glm::vec3(0);
   });
   const auto where_covered = [](float value, float nothing) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -88,9 +89,23 @@ TEST(Viewport, DrawsWhatRenderDoesFromAnyViewAtAnySize) {
       const Status drawn = (*viewport)->draw(views[k], into.framebuffer.id());
       ASSERT_TRUE(drawn) << drawn.error().message;
       const Image image = read_colour(window.gl(), into.colour, views[k].width, views[k].height);
-      for (const char* const channel : {"R", "G", "B", "A"})
-        EXPECT_EQ(test::values(image, channel), test::values(expected[k], channel))
-            << engine << " view " << k << " " << channel;
+      EXPECT_EQ(test::values(image, "A"), test::values(expected[k], "A")) << engine << " " << k;
+      // At the finest level and from afar to the byte. Coarser levels beside others lie elsewhere
+      // in the atlas of normals than alone, which moves what is read from it by a rounding: by up
+      // to a step of half floats below 1.
+      const float most = k % 3 == 1 ? 0x1p-11F : 0.0F;
+      for (const char* const channel : {"R", "G", "B"}) {
+        const std::vector<float>& drawn_values = test::values(image, channel);
+        const std::vector<float>& wanted = test::values(expected[k], channel);
+        float largest = 0.0F;
+        std::size_t different = 0;
+        for (std::size_t p = 0; p < wanted.size(); ++p) {
+          largest = std::max(largest, std::abs(drawn_values[p] - wanted[p]));
+          different += drawn_values[p] != wanted[p] ? 1 : 0;
+        }
+        EXPECT_LE(largest, most) << engine << " view " << k << " " << channel << ": " << different;
+        EXPECT_LE(different, most > 0.0F ? wanted.size() / 100 : 0U) << engine << " " << k;
+      }
     }
   }
 }

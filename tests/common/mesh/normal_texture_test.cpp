@@ -25,7 +25,7 @@ Image image_of_pixels(const std::vector<glm::vec3>& pixels) {
   return image;
 }
 
-void expect_near(glm::vec3 found, glm::vec3 expected) {
+void expect_normal_near(glm::vec3 found, glm::vec3 expected) {
   for (glm::length_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], kTexelRounding) << c;
 }
 
@@ -34,8 +34,8 @@ TEST(NormalTexture, ZeroToOneIsMinusOneToOne) {
   const auto texture = NormalTexture::from_image(
       image_of_pixels({{0.8F, 0.5F, 0.9F}, {0.5F, 0.1F, 1.1F}}), TextureWrap::Clamp);
   ASSERT_TRUE(texture);
-  expect_near(texture->at({0.25F, 0.5F}), {0.6F, 0.0F, 0.8F});
-  expect_near(texture->at({0.75F, 0.5F}), glm::normalize(glm::vec3(0.0F, -0.8F, 1.2F)));
+  expect_normal_near(texture->at({0.25F, 0.5F}), {0.6F, 0.0F, 0.8F});
+  expect_normal_near(texture->at({0.75F, 0.5F}), glm::normalize(glm::vec3(0.0F, -0.8F, 1.2F)));
 }
 
 TEST(NormalTexture, WhatHasNoDirectionIsFlatAndNoneLeavesTheSurface) {
@@ -50,9 +50,9 @@ TEST(NormalTexture, WhatHasNoDirectionIsFlatAndNoneLeavesTheSurface) {
   const auto texture = NormalTexture::from_image(image, TextureWrap::Clamp);
   ASSERT_TRUE(texture);
   for (const float u : {0.1F, 0.3F, 0.5F, 0.9F})
-    expect_near(texture->at({u, 0.5F}), {0.0F, 0.0F, 1.0F});
+    expect_normal_near(texture->at({u, 0.5F}), {0.0F, 0.0F, 1.0F});
   // Blue below a half points into the surface: no farther than along it.
-  expect_near(texture->at({0.7F, 0.5F}), {1.0F, 0.0F, 0.0F});
+  expect_normal_near(texture->at({0.7F, 0.5F}), {1.0F, 0.0F, 0.0F});
   image.channels.erase(image.channels.begin());
   EXPECT_FALSE(NormalTexture::from_image(image, TextureWrap::Clamp));
   EXPECT_FALSE(NormalTexture::from_image(image_of_pixels({}), TextureWrap::Clamp));
@@ -63,7 +63,7 @@ TEST(NormalTexture, MeansAreShorterWhereNormalsSpread) {
   for (int k = 0; k < 64; ++k) ridges.emplace_back(k % 2 == 0 ? 0.8F : 0.2F, 0.5F, 0.9F);
   const auto texture = NormalTexture::from_image(image_of_pixels(ridges), TextureWrap::Repeat);
   ASSERT_TRUE(texture);
-  expect_near(texture->mean({0.4F, 0.5F}, {1.0F, 0.0F}, {0.0F, 1.0F}), {0.0F, 0.0F, 0.8F});
+  expect_normal_near(texture->mean({0.4F, 0.5F}, {1.0F, 0.0F}, {0.0F, 1.0F}), {0.0F, 0.0F, 0.8F});
 }
 
 TEST(NormalTexture, StoredNumbersAreNotTurnedIntoLight) {

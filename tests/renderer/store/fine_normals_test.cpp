@@ -28,7 +28,8 @@ constexpr std::uint32_t kNormalScale = 8;
 /// The normal at a place of the square in cells from its corner, any length.
 using Relief = std::function<glm::dvec3(double, double)>;
 
-Patch fine_patch(const Patch& plain, const Relief& normal, std::uint32_t scale = kNormalScale) {
+Patch patch_of_normals(const Patch& plain, const Relief& normal,
+                       std::uint32_t scale = kNormalScale) {
   Patch patch = plain;
   const std::uint32_t side = scale * (patch.width - 1) + 1;
   patch.normals = {side, side, scale, {}};
@@ -41,10 +42,10 @@ Patch fine_patch(const Patch& plain, const Relief& normal, std::uint32_t scale =
 }
 
 /// A level square with a map of `scale` texels a cell.
-PatchModel fine_square(const Relief& normal, std::uint32_t nodes = kNormalNodes,
-                       std::uint32_t scale = kNormalScale) {
+PatchModel square_of_normals(const Relief& normal, std::uint32_t nodes = kNormalNodes,
+                             std::uint32_t scale = kNormalScale) {
   PatchModel model = test::height_field(nodes, [](double, double) { return 0.0; });
-  model.patches[0] = fine_patch(model.patches[0], normal, scale);
+  model.patches[0] = patch_of_normals(model.patches[0], normal, scale);
   return model;
 }
 
@@ -89,8 +90,8 @@ double largest_angle(const RenderResult& result, const RenderSettings& settings,
 
 TEST(FineNormals, AreAFeatureOfTheirOwn) {
   const auto up = [](double, double) { return glm::dvec3(0.0, 0.0, 1.0); };
-  const ModelMaps fine(fine_square(up));
-  const ModelMaps usual(fine_square(up, kNormalNodes, 1));
+  const ModelMaps fine(square_of_normals(up));
+  const ModelMaps usual(square_of_normals(up, kNormalNodes, 1));
   RenderSettings settings;
   settings.material = Material::Lit;
   EXPECT_TRUE(scene_features(settings, fine).has(RELIEF_FEATURE_FINE_NORMALS));
@@ -107,7 +108,7 @@ TEST(FineNormals, AreAFeatureOfTheirOwn) {
 
 TEST(FineNormals, AConstantTiltComesOutAsItWentIn) {
   const glm::dvec3 tilt = glm::normalize(glm::dvec3(0.3, -0.5, 0.8));
-  const PatchModel model = fine_square([&](double, double) { return tilt; });
+  const PatchModel model = square_of_normals([&](double, double) { return tilt; });
   // Seen askew and small: several mip levels and several places a pixel.
   for (const std::uint32_t side : {12U, 96U}) {
     RenderSettings settings = test::small_image(model, {20.0, 15.0}, side);
@@ -131,7 +132,7 @@ TEST(FineNormals, AreSharperThanTheGrid) {
   const auto waves = [pi](double x, double y) {
     return glm::dvec3(0.5 * std::cos(pi * x), 0.3 * std::sin(pi * y), 1.0);
   };
-  const PatchModel model = fine_square(waves);
+  const PatchModel model = square_of_normals(waves);
   const RenderSettings settings = test::from_above(model, kNormalNodes);
   const double half = 0.5 * (kNormalNodes - 1);
   for_all_normal_methods(model, settings, [&](const RenderResult& result, const std::string& way) {
@@ -148,7 +149,7 @@ TEST(FineNormals, AreSharperThanTheGrid) {
 
 TEST(FineNormals, MinifiedTheyAreTheMeanDirection) {
   // Ridges of one texel, four of which and more are in a pixel: up, each side 37 degrees away.
-  const PatchModel model = fine_square([](double x, double) {
+  const PatchModel model = square_of_normals([](double x, double) {
     return glm::dvec3(static_cast<int>(std::lround(x * kNormalScale)) % 2 == 0 ? 0.6 : -0.6, 0.0,
                       0.8);
   });
@@ -168,10 +169,11 @@ TEST(FineNormals, NoPatchShowsItsNeighboursInTheAtlas) {
   // Nine squares that tilt to the one or the other side in turns, seen ever smaller.
   const glm::dvec3 one = glm::normalize(glm::dvec3(0.6, 0.0, 0.8));
   const glm::dvec3 other = glm::normalize(glm::dvec3(-0.6, 0.0, 0.8));
-  PatchModel model = fine_square([&](double, double) { return one; });
+  PatchModel model = square_of_normals([&](double, double) { return one; });
   const Patch first = model.patches[0];
   for (int k = 1; k < 9; ++k) {
-    Patch square = fine_patch(first, [&](double, double) { return k % 2 == 1 ? other : one; });
+    Patch square =
+        patch_of_normals(first, [&](double, double) { return k % 2 == 1 ? other : one; });
     square.origin += glm::dvec3(24.0 * (k % 3), 24.0 * (k / 3), 0.0);
     model.patches.push_back(square);
   }
@@ -197,7 +199,7 @@ TEST(FineNormals, CoarseLevelsKeepTheFineMap) {
   const auto waves = [pi](double x, double y) {
     return glm::dvec3(0.5 * std::cos(pi * x), 0.3 * std::sin(pi * y), 1.0);
   };
-  const PatchModel model = fine_square(waves, 65);
+  const PatchModel model = square_of_normals(waves, 65);
   // Askew: a footprint as wide as high has one or two places, as rounding has it.
   RenderSettings settings = test::small_image(model, {25.0, 40.0}, 256);
   settings.background.reset();
@@ -225,7 +227,7 @@ TEST(FineNormals, CoarseLevelsKeepTheFineMap) {
 
 TEST(FineNormals, LitAndMirrorPicturesAreThoseOfRaysToThePatch) {
   const double pi = std::acos(-1.0);
-  const PatchModel model = fine_square([pi](double x, double y) {
+  const PatchModel model = square_of_normals([pi](double x, double y) {
     return glm::dvec3(0.4 * std::cos(0.5 * pi * x), 0.4 * std::sin(0.5 * pi * y), 1.0);
   });
   for (const Material material : {Material::Lit, Material::Mirror}) {
