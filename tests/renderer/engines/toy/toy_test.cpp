@@ -31,7 +31,7 @@ PatchModel one_sample() {
 TEST(ToyEngine, DrawsEachSampleAsOnePixel) {
   const std::vector<EngineEntry> all = engines_and_toy();
   const PatchModel model = one_sample();
-  const glm::dvec3 sample = place_of(model.patches.front(), 0, 0);
+  const glm::dvec3 sample = position_of(model.patches.front(), 0, 0);
   RenderSettings settings = default_settings(*find_engine("toy", all));
   settings.width = settings.height = 5;
   settings.camera = {sample + glm::dvec3(0.0, 0.0, 3.0), sample, {0.0, 1.0, 0.0}, 45.0};
@@ -80,7 +80,9 @@ TEST(EngineRegistry, DefaultsAreThoseOfTheTables) {
       const auto value = option.get(settings);
       ASSERT_TRUE(value);
       const auto written = parse_value(option.row, option.row.default_text);
-      if (written) EXPECT_EQ(*written, *value) << engine.name << " " << option.row.key;
+      if (written) {
+        EXPECT_EQ(*written, *value) << engine.name << " " << option.row.key;
+      }
       // What is put in comes out.
       const OptionValue other = option.row.kind == OptionKind::Choice
                                     ? OptionValue(option.row.choices.back())
