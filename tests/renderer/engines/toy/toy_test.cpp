@@ -80,7 +80,9 @@ TEST(EngineRegistry, DefaultsAreThoseOfTheTables) {
       const auto value = option.get(settings);
       ASSERT_TRUE(value);
       const auto written = parse_value(option.row, option.row.default_text);
-      if (written) EXPECT_EQ(*written, *value) << engine.name << " " << option.row.key;
+      if (written) {
+        EXPECT_EQ(*written, *value) << engine.name << " " << option.row.key;
+      }
       // What is put in comes out.
       const OptionValue other = option.row.kind == OptionKind::Choice
                                     ? OptionValue(option.row.choices.back())
