@@ -29,7 +29,7 @@ class Prepared final : public PreparedModel {
       for (std::uint32_t j = 0; j < patch.height; ++j) {
         for (std::uint32_t i = 0; i < patch.width; ++i) {
           if (patch.at(i, j) == kHole) continue;
-          const glm::dvec3 seen = view.rotation * (place_of(patch, i, j) - view.eye);
+          const glm::dvec3 seen = view.rotation * (position_of(patch, i, j) - view.eye);
           if (seen.z >= 0.0) continue;
           const double u = seen.x / (-seen.z * view.slope_x);
           const double v = seen.y / (-seen.z * view.slope_y);

@@ -31,7 +31,7 @@ PatchModel one_sample() {
 TEST(ToyEngine, DrawsEachSampleAsOnePixel) {
   const std::vector<EngineEntry> all = engines_and_toy();
   const PatchModel model = one_sample();
-  const glm::dvec3 sample = place_of(model.patches.front(), 0, 0);
+  const glm::dvec3 sample = position_of(model.patches.front(), 0, 0);
   RenderSettings settings = default_settings(*find_engine("toy", all));
   settings.width = settings.height = 5;
   settings.camera = {sample + glm::dvec3(0.0, 0.0, 3.0), sample, {0.0, 1.0, 0.0}, 45.0};
