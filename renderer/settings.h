@@ -67,6 +67,7 @@ inline constexpr double kPixelsPerSampleOfCells = 4.0;
 /// Each patch is drawn at its coarsest level whose samples are seen at most this far apart, in
 /// pixels; 0: the finest, the default for sprites and quads, the methods of [Ochotta 2008].
 [[nodiscard]] inline double pixels_per_sample_of(const RenderSettings& settings) {
+  if (settings.engine != "onepass") return 0.0;  // the only engine with levels of detail
   const bool cells = settings.primitive == Primitive::Cell;
   return settings.pixels_per_sample.value_or(cells ? kPixelsPerSampleOfCells : 0.0);
 }

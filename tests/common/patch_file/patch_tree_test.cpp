@@ -205,10 +205,10 @@ TEST(ForgedPatchTree, IsRefused) {
   expect("it has 127 bytes", [](auto&, auto& tiles) { tiles[2].bytes = 127; });
   expect("tiles end at byte", [](auto&, auto& tiles) { --tiles[1].bytes; });
   expect("but the header states", [](auto&, auto& tiles) { ++tiles[1].samples; });
-  expect("not what the list of tiles says", [](auto&, auto& tiles) { ++tiles[0].samples; });
-  expect("not what the list of tiles says", [](auto&, auto& tiles) { tiles[1].spacing *= 2.0; });
-  expect("not what the list of tiles says", [](auto&, auto& tiles) { tiles[1].box.max.x -= 1.0; });
-  expect("not what the list of tiles says", [](auto&, auto& tiles) { tiles[1].box = Bounds{}; });
+  expect("differs from the list of tiles", [](auto&, auto& tiles) { ++tiles[0].samples; });
+  expect("differs from the list of tiles", [](auto&, auto& tiles) { tiles[1].spacing *= 2.0; });
+  expect("differs from the list of tiles", [](auto&, auto& tiles) { tiles[1].box.max.x -= 1.0; });
+  expect("differs from the list of tiles", [](auto&, auto& tiles) { tiles[1].box = Bounds{}; });
   expect("does not fit at byte", [](auto& header, auto&) { header.chunks = UINT32_MAX; });
   expect("its bounds are not finite",
          [](auto&, auto& tiles) { tiles[1].box.max.x = std::numeric_limits<double>::infinity(); });

@@ -243,7 +243,7 @@ DECODERS = {b"HGHT": decode_heights, b"NRML": decode_normals, b"COLR": decode_co
 
 # Codec 2 and the index of version 2.
 
-COMPACT = pathlib.Path(__file__).resolve().parents[2] / "common" / "compact"
+COMPACT = pathlib.Path(__file__).resolve().parents[3] / "common" / "patch_file" / "compact"
 
 
 def table(file, name):
