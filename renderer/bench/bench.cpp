@@ -122,7 +122,7 @@ class Bench {
     return add(*references_.back(), settings);
   }
 
-  /// Makes a picture ready, draws it once, and keeps what its frame binds and shades.
+  /// Makes an image ready, draws it once, and keeps what its frame binds and shades.
   Status add(GlPreparedModel& engine, const RenderSettings& asked) {
     const Gl& gl = opengl_->gl();
     const RenderSettings settings = engine.settled(asked);

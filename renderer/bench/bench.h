@@ -1,4 +1,4 @@
-// Times pictures against each other in one run, and against what bounds them.
+// Times images against each other in one run, and against what bounds them.
 #pragma once
 
 #include <cstddef>
@@ -48,7 +48,7 @@ struct BenchReport {
   std::string renderer;        ///< OpenGL's own name
   std::vector<BenchRow> rows;  ///< parallel to BenchJob::rows
   /// A pass that shades as many pixels as the reference row covers, with the same material and
-  /// lookups: what no picture of it can be faster than. Nothing if it covers none.
+  /// lookups: what no image of it can be faster than. Nothing if it covers none.
   std::optional<BenchRow> shading_bound;
   /// The input mesh as one indexed triangle list with vertex normals (and colours), the same
   /// material, nothing culled.

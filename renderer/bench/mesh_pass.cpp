@@ -147,7 +147,7 @@ Result<std::unique_ptr<GlPreparedModel>> prepare_mesh(std::shared_ptr<const Open
     return make_error("the mesh has {} triangles, more than one draw can have ({})",
                       mesh.triangles.size(), std::numeric_limits<GLsizei>::max() / 3);
   const Bounds bounds = bounds_of(mesh.positions);
-  // What pictures need beside the mesh comes with a model; this one has no patches.
+  // What images need beside the mesh comes with a model; this one has no patches.
   PatchModel nothing;
   nothing.spacing = near_spacing(bounds);
   nothing.bounds = bounds;

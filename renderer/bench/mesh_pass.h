@@ -11,7 +11,7 @@
 namespace relief::bench_passes {
 
 /// Uploads the mesh: 32-bit indices, positions and normals as floats, colours too if it has any and
-/// the material shows them. Its pictures are one indexed draw with the depth test, nothing culled.
+/// the material shows them. Its images are one indexed draw with the depth test, nothing culled.
 /// Fails if OpenGL lacks memory or the mesh has more than 2^31 - 1 indices.
 Result<std::unique_ptr<GlPreparedModel>> prepare_mesh(std::shared_ptr<const OpenGl> opengl,
                                                       const TriangleMesh& mesh,

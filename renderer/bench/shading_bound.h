@@ -1,4 +1,4 @@
-// The least that a picture can cost: shading each of its pixels once.
+// The least that an image can cost: shading each of its pixels once.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace relief::bench_passes {
 
-/// A pass over `pixels` pixels of a picture, which shades the patch with the most nodes with the
-/// picture's material and lookups: no vertices to speak of, no depth, no overdraw. The model has at
+/// A pass over `pixels` pixels of an image, which shades the patch with the most nodes with the
+/// image's material and lookups: no vertices to speak of, no depth, no overdraw. The model has at
 /// least one patch.
 Result<std::unique_ptr<GlPreparedModel>> prepare_shading_bound(std::shared_ptr<const OpenGl> opengl,
                                                                const PatchModel& model,

@@ -1,4 +1,4 @@
-// What passes draw into: textures of a picture's size, and the framebuffers that hold them.
+// What passes draw into: textures of an image's size, and the framebuffers that hold them.
 #pragma once
 
 #include <cstdint>

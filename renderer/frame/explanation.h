@@ -1,4 +1,4 @@
-// What a picture took on OpenGL: nothing that its scene does not use should be in it.
+// What an image took on OpenGL: nothing that its scene does not use should be in it.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace relief {
 
-/// Recorded while the picture was made and drawn (renderer/gl/recorder.h); names are the labels
+/// Recorded while the image was made and drawn (renderer/gl/recorder.h); names are the labels
 /// that the objects have in a debugger.
 struct Explanation {
   /// A program, compiled with the code of its features alone.

@@ -70,7 +70,7 @@ struct ModelMaps {
                       RELIEF_FEATURE_OUT_NORMAL);
 }
 
-/// The feature bits of a picture that any engine on OpenGL can have.
+/// The feature bits of an image that any engine on OpenGL can have.
 [[nodiscard]] inline Features scene_features(const RenderSettings& settings, ModelMaps maps) {
   const bool coloured =
       maps.colours && (uses(settings, Material::Unlit) || uses(settings, Material::Lit) ||

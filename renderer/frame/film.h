@@ -1,4 +1,4 @@
-// The picture that an engine on the CPU fills, and how it becomes an Image.
+// The image that an engine on the CPU fills, and how it becomes an Image.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ struct FilmPixel {
   std::uint32_t patch = 0;                               ///< patch id + 1
 };
 
-/// The pixels of a picture, row-major, top row first.
+/// The pixels of an image, row-major, top row first.
 struct Film {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
@@ -39,7 +39,7 @@ struct Surroundings {
   std::optional<glm::vec3> background;  ///< linear; none: alpha stays the coverage
 };
 
-/// The environment, if the picture has one and a background for it to be. Fails if it can't be
+/// The environment, if the image has one and a background for it to be. Fails if it can't be
 /// read.
 Result<Surroundings> surroundings_of(const RenderSettings& settings,
                                      EnvironmentCache& environments);

@@ -1,4 +1,4 @@
-// A model and its surroundings on OpenGL, for any engine there and any number of pictures.
+// A model and its surroundings on OpenGL, for any engine there and any number of images.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// How a picture with several samples a pixel is cut into parts that one target can hold.
+// How an image with several samples a pixel is cut into parts that one target can hold.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ inline constexpr std::uint64_t kMaxPartSamples = std::uint64_t{1} << 24U;
 /// Samples along a pixel's side for at least `samples` of them in a pixel, at least 1.
 [[nodiscard]] std::uint32_t samples_a_side(int samples);
 
-/// The parts of a picture with `side` samples along each side of a pixel, row by row from the lower
+/// The parts of an image with `side` samples along each side of a pixel, row by row from the lower
 /// left, each of at most `largest` samples along a side and, unless it is one pixel, of at most
 /// kMaxPartSamples. They are as alike in size as whole pixels allow. `largest` is not below
 /// `side`.

@@ -11,7 +11,7 @@
 
 namespace relief {
 
-/// A picture's colour and coverage, half float, while its parts are resolved into it.
+/// An image's colour and coverage, half float, while its parts are resolved into it.
 struct ResolvedColour {
   Framebuffer framebuffer;
   Texture colour;
@@ -25,7 +25,7 @@ class Resolve {
  public:
   static Result<Resolve> create(const Gl& gl);
 
-  /// Reads the part's `samples` and writes its pixels `into` the picture; leaves no framebuffer
+  /// Reads the part's `samples` and writes its pixels `into` the image; leaves no framebuffer
   /// bound.
   void draw(PassTimer& timer, const Texture& samples, const Raster& part,
             const ResolvedColour& into) const;

@@ -1,4 +1,4 @@
-// The framebuffer of a picture, and how it becomes an Image.
+// The framebuffer of an image, and how it becomes an Image.
 #pragma once
 
 #include <cstdint>
@@ -27,10 +27,10 @@ struct Targets {
   std::optional<Texture> patch_id;
 };
 
-/// The most pixels along a side of a picture.
+/// The most pixels along a side of an image.
 [[nodiscard]] std::uint32_t largest_target(const Gl& gl);
 
-/// Fails if the picture is larger than OpenGL allows or its memory.
+/// Fails if the image is larger than OpenGL allows or its memory.
 Result<Targets> make_targets(const Gl& gl, std::uint32_t width, std::uint32_t height,
                              const Outputs& outputs);
 

@@ -50,7 +50,7 @@ struct PatchCells {
 ///
 /// A cell is drawn if all four samples are valid and no edge rises by more than kSteepest cells:
 /// what mesh_of_patches.h makes for the ray tracer, halved along the same diagonal. (A fixed one:
-/// corrected interpolation, which the border splats follow, has it too, so that pictures of all
+/// corrected interpolation, which the border splats follow, has it too, so that images of all
 /// three agree, and a run needs no bit a cell to say which.)
 [[nodiscard]] PatchCells make_cells(const Patch& patch, const PatchSamples& samples);
 

@@ -10,10 +10,11 @@
 namespace relief {
 
 /// The triangulation of all patches: each grid cell halved along the diagonal from (0, 0) to (1, 1)
-/// (paper 001, section 3.5), but for triangles with a hole at a corner and those along whose cell's
-/// edge it rises by more than kSteepest cells, where a patch jumps from one sheet of the scan to
-/// another: no splat leans as much. Normals are those of the maps at the nodes, colours those of
-/// the whole map, and both also where it has several texels a cell. UVs are grid coordinates.
+/// ([Ochotta 2008], section 3.5), but for triangles with a hole at a corner and those along whose
+/// cell's edge it rises by more than kSteepest cells, where a patch jumps from one sheet of the
+/// scan to another: no splat leans as much. Normals are those of the maps at the nodes, colours
+/// those of the whole map, and both also where it has several texels a cell. UVs are grid
+/// coordinates.
 ///
 /// Patches are not joined: each has its own vertices, and where their margins overlap there are two
 /// surfaces, some hundredths of a cell apart, of which a ray meets the nearer. Between the ragged

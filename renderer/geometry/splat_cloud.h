@@ -9,8 +9,8 @@
 
 namespace relief {
 
-/// Points with Gaussian basis functions over their tangent planes (paper 000, section 3.1). Every
-/// vector is empty or as long as `positions`. World frame.
+/// Points with Gaussian basis functions over their tangent planes ([Zwicker 2001], section 3.1).
+/// Every vector is empty or as long as `positions`. World frame.
 struct SplatCloud {
   std::vector<glm::dvec3> positions;
   std::vector<glm::vec3> normals;  ///< unit, outward; always there

@@ -25,7 +25,7 @@ struct Osmesa {
   GlFunction (*get_proc_address)(const char* name) = nullptr;
 };
 
-/// OSMesa draws into the caller's memory; the pictures live in framebuffers of their own, so that
+/// OSMesa draws into the caller's memory; the images live in framebuffers of their own, so that
 /// memory is one pixel.
 using Pixel = std::array<GLubyte, 4>;
 

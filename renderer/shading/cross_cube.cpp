@@ -17,10 +17,10 @@ constexpr std::array<CrossPlace, 6> kWideCross{
 constexpr std::array<CrossPlace, 6> kHighCross{
     {{2, 1, false}, {0, 1, false}, {1, 0, true}, {1, 2, true}, {1, 3, true}, {1, 1, false}}};
 
-/// Which of six pictures a face of a cube is: ahead, the fifth, is toward -Z.
+/// Which of six images a face of a cube is: ahead, the fifth, is toward -Z.
 constexpr std::array<std::size_t, 6> kImageOfFace{0, 1, 2, 3, 5, 4};
 
-/// A face from a picture as it is seen from within, which is `texel(column, row)`: OpenGL's faces
+/// A face from an image as it is seen from within, which is `texel(column, row)`: OpenGL's faces
 /// are seen from outside, which mirrors them.
 template <class Texel>
 std::vector<glm::vec3> mirrored(std::size_t size, bool turned, const Texel& texel) {

@@ -1,4 +1,4 @@
-// The surroundings as six pictures around the eye: made and looked up on the CPU, uploaded for the
+// The surroundings as six images around the eye: made and looked up on the CPU, uploaded for the
 // GPU, so that all engines see the same.
 #pragma once
 
@@ -26,7 +26,7 @@ struct CubeMap {
 /// The light from a direction (any length but 0): bilinear, seamless over the edges of the cube.
 [[nodiscard]] glm::vec3 look_up(const CubeMap& cube, glm::dvec3 direction);
 
-/// The surroundings from an EXR or HDR picture, equirectangular (+Y up, its middle toward -Z, its
+/// The surroundings from an EXR or HDR image, equirectangular (+Y up, its middle toward -Z, its
 /// right half toward +X) or a cross of six faces as seen from within, four wide and three high or
 /// three wide and four high (its middle toward -Z; in the second row +X is right of it and -X left,
 /// +Y above and -Y below; +Z at the right end, or upside down at the lower end). Six files, a face

@@ -1,4 +1,4 @@
-// Making cube maps: from pictures, or the built-in one.
+// Making cube maps: from images, or the built-in one.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -17,7 +17,7 @@ namespace relief {
 namespace {
 
 constexpr std::uint32_t kSmallestFace = 64;
-constexpr std::uint32_t kLargestFace = 2048;  // 300 MB of floats; pictures of 8192 texels
+constexpr std::uint32_t kLargestFace = 2048;  // 300 MB of floats; images of 8192 texels
 constexpr std::uint32_t kBuiltInFace = 512;
 constexpr float kBrightest = 65000.0F;  // below the largest half float, 65504
 
@@ -44,7 +44,7 @@ CubeMap make_grid_cube() {
   });
 }
 
-/// The colour of a picture, interleaved, fit for half floats.
+/// The colour of an image, interleaved, fit for half floats.
 Result<std::vector<glm::vec3>> colour_of(const Image& image, const std::filesystem::path& path) {
   const Channel* grey = image.find("Y");
   const Channel* red = image.find("R");
@@ -64,7 +64,7 @@ Result<std::vector<glm::vec3>> colour_of(const Image& image, const std::filesyst
   return texels;
 }
 
-/// An equirectangular picture. Its sides wrap around, its poles do not.
+/// An equirectangular image. Its sides wrap around, its poles do not.
 struct Panorama {
   std::int64_t width = 0;
   std::int64_t height = 0;
@@ -94,7 +94,7 @@ struct Panorama {
 template <class LookUp>
 CubeMap resample(std::uint32_t texels, const LookUp& look_up) {
   const std::uint32_t size = std::bit_ceil(std::clamp(texels, kSmallestFace, kLargestFace));
-  // Where the picture is finer than the largest face, a texel is the mean of places within it.
+  // Where the image is finer than the largest face, a texel is the mean of places within it.
   const int places = std::max(static_cast<int>((texels + size - 1) / size), 1);
   return make_cube(size, [&](std::size_t face, glm::dvec2 st) {
     glm::vec3 sum(0.0F);
@@ -146,7 +146,7 @@ Result<CubeMap> load_environment(const std::filesystem::path& path) {
   RELIEF_TRY_ASSIGN(auto texels, colour_of(image, path));
   if (is_cross(image.width, image.height)) return fit(cut_cross(texels, image.width, image.height));
   const Panorama panorama{image.width, image.height, std::move(texels)};
-  // A face spans 90 of the picture's 180 degrees of height.
+  // A face spans 90 of the image's 180 degrees of height.
   return resample(image.height / 2, [&panorama](glm::dvec3 d) { return panorama.look_up(d); });
 }
 

@@ -1,4 +1,4 @@
-// The materials of a picture.
+// The materials of an image.
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@ namespace relief {
 [[nodiscard]] std::vector<std::uint8_t> materials_of_patches(
     const PatchModel& model, const std::vector<std::uint32_t>& patches);
 
-/// Whether the picture has such a material.
+/// Whether the image has such a material.
 [[nodiscard]] bool uses(const RenderSettings& settings, Material kind);
 
 /// Whether some material reflects the environment.

@@ -28,7 +28,7 @@ struct Lighting {
   std::vector<LitMaterial> materials;  ///< by index; not empty
 };
 
-/// The lighting of a picture; environments are made as they are needed. Fails if one can't be read.
+/// The lighting of an image; environments are made as they are needed. Fails if one can't be read.
 Result<Lighting> make_lighting(const RenderSettings& settings, const View& view,
                                EnvironmentCache& environments);
 

@@ -34,12 +34,11 @@ struct StoredProxyMesh {
 
 struct ProxyStore {
   std::vector<StoredProxyMesh> meshes;
-  Table vertices;  ///< shared::ProxyVertex
-  std::optional<Table>
-      sources;             ///< shared::ProxySource, where some picture tells patches or places
-  Buffer indices;          ///< 32 bits each, counted from the level's first vertex
-  Buffer patches;          ///< by instance: the per-instance attribute that names its frame
-  VertexArray attributes;  ///< these two
+  Table vertices;                ///< shared::ProxyVertex
+  std::optional<Table> sources;  ///< shared::ProxySource, where some image tells patches or places
+  Buffer indices;                ///< 32 bits each, counted from the level's first vertex
+  Buffer patches;                ///< by instance: the per-instance attribute that names its frame
+  VertexArray attributes;        ///< these two
 };
 
 /// Collects the meshes of runs of patches and their instances, and uploads them.

@@ -29,11 +29,11 @@ struct Body {
 /// Whether some model is known to be closed.
 [[nodiscard]] bool has_closed_bodies(const PatchModel& model);
 
-/// The sides that a picture shows. What is semi-transparent is looked through, at its back sides
+/// The sides that an image shows. What is semi-transparent is looked through, at its back sides
 /// too, unless the settings want the front.
 [[nodiscard]] CullMode cull_mode_of(const RenderSettings& settings);
 
-/// Whether a picture may leave back sides out. `closed`: has_closed_bodies.
+/// Whether an image may leave back sides out. `closed`: has_closed_bodies.
 [[nodiscard]] bool may_hide_backs(const RenderSettings& settings, bool closed);
 
 /// Whether some view asks where closed surfaces stand.

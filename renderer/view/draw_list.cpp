@@ -39,7 +39,7 @@ std::vector<std::uint32_t> find_near(const PatchStore& store, const View& view,
                                      const std::vector<std::uint32_t>& visible, double radius,
                                      double largest_sprite) {
   // A sprite is at most as large as a disc of this radius that faces the eye from its nearest
-  // point: 2 r / (z - r) / pixel wide at depth z, times sqrt(1 + slope^2) toward the picture's
+  // point: 2 r / (z - r) / pixel wide at depth z, times sqrt(1 + slope^2) toward the image's
   // corners.
   const double pixel = 2.0 * view.slope_y / view.height;
   const glm::dvec2 corner = glm::abs(view.middle) + glm::dvec2(view.slope_x, view.slope_y);

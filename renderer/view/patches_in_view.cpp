@@ -44,7 +44,7 @@ Ball ball_of(const PatchSummary& patch) {
   return {patch.origin + patch.axes * ((low + high) / 2.0), glm::distance(low, high) / 2.0};
 }
 
-/// Whether samples `spacing` apart can be in the picture.
+/// Whether samples `spacing` apart can be in the image.
 bool sees(const Onlooker& onlooker, const Ball& ball, double spacing) {
   const double radius = onlooker.place.scale * (ball.radius + kReachInSpacings * spacing);
   return ball.radius >= 0.0 &&
@@ -98,7 +98,7 @@ std::vector<Onlooker> onlookers_of(std::span<const RenderSettings> pictures,
   for (const RenderSettings& picture : pictures) {
     View view = make_view(picture.camera, picture.width, picture.height,
                           {1.0, extent.bounds, extent.spacing});
-    // What is refracted may be beside the picture.
+    // What is refracted may be beside the image.
     const double beside = has_two_interfaces(picture) ? onepass::kBackBorder : 0.0;
     const double border = kReachInCells * pixels_per_sample_of(picture) +
                           beside * std::max(picture.width, picture.height);

@@ -1,4 +1,4 @@
-// What pictures need of a patch file that is larger than what they show: of each region the
+// What images need of a patch file that is larger than what they show: of each region the
 // coarsest patches that look like the finest, and of regions that are not seen none.
 #pragma once
 
@@ -22,7 +22,7 @@ struct Onlooker {
   double pixels = 1.0;
 };
 
-/// Each of the pictures of each place. `extent`: of all that is drawn.
+/// Each of the images of each place. `extent`: of all that is drawn.
 [[nodiscard]] std::vector<Onlooker> onlookers_of(std::span<const RenderSettings> pictures,
                                                  std::span<const Transform> places,
                                                  const PatchModel& extent);

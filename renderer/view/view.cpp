@@ -73,7 +73,7 @@ View view_of_part(const View& picture, const Raster& part) {
   const glm::dvec2 size(part.width, part.height);
   const glm::dvec2 share = size / glm::dvec2(picture.width, picture.height);
   const glm::dvec2 corner(part.left, part.bottom);
-  // Of the whole picture this is exactly 0, and the view the same to the last bit.
+  // Of the whole image this is exactly 0, and the view the same to the last bit.
   const glm::dvec2 shift = (2.0 * corner + size) / glm::dvec2(picture.width, picture.height) - 1.0;
   View view = picture;
   view.slope_x = picture.slope_x * share.x;

@@ -13,7 +13,7 @@
 
 namespace relief {
 
-/// A rectangle of a picture, in its pixels from the lower left corner, and how finely it is drawn.
+/// A rectangle of an image, in its pixels from the lower left corner, and how finely it is drawn.
 struct Raster {
   std::uint32_t left = 0;
   std::uint32_t bottom = 0;
@@ -22,18 +22,18 @@ struct Raster {
   std::uint32_t side = 1;  ///< samples along each side of a pixel, a texel of a target each
 };
 
-/// A camera with a picture size. World units, pixels.
+/// A camera with an image size. World units, pixels.
 struct View {
   glm::dvec3 eye{0.0};
   glm::dmat3 rotation{1.0};  ///< world to eye directions (x right, y up, z backward)
   glm::dmat4 projection{1.0};
   bool orthographic = false;
   double near = 0.0;
-  double far = 0.0;      ///< where depth values end at 0; only of an orthographic camera
-  double slope_x = 1.0;  ///< half the picture's width and height at distance 1; of an orthographic
-  double slope_y = 1.0;  ///< camera at any distance
-  glm::dvec2 middle{0.0};  ///< where the picture's middle is at distance 1, right and up of the
-                           ///< camera's axis: 0 but for a part of a picture
+  double far = 0.0;        ///< where depth values end at 0; only of an orthographic camera
+  double slope_x = 1.0;    ///< half the image's width and height at distance 1; of an orthographic
+  double slope_y = 1.0;    ///< camera at any distance
+  glm::dvec2 middle{0.0};  ///< where the image's middle is at distance 1, right and up of the
+                           ///< camera's axis: 0 but for a part of an image
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   double pixels_per_sample = 0.0;  ///< levels of detail: how far apart samples may be seen
@@ -60,10 +60,10 @@ struct DepthNeeds {
   return make_view(camera, width, height, DepthNeeds{near, {}, 0.0});
 }
 
-/// What shows a part of the view's picture: its pixels are the part's samples.
+/// What shows a part of the view's image: its pixels are the part's samples.
 [[nodiscard]] View view_of_part(const View& picture, const Raster& part);
 
-/// The same camera with a picture that shows more: `border` pixels on each side.
+/// The same camera with an image that shows more: `border` pixels on each side.
 [[nodiscard]] View with_border(const View& picture, std::uint32_t border);
 
 /// The direction through a window position (pixels from the lower left corner), world, of length 1
@@ -79,7 +79,7 @@ struct DepthNeeds {
 /// How far a place (world) is from the eye, or from the plane through an orthographic one.
 [[nodiscard]] double distance_to(const View& view, glm::dvec3 place);
 
-/// Whether a sphere (world) can reach into the picture.
+/// Whether a sphere (world) can reach into the image.
 [[nodiscard]] bool sees_sphere(const View& view, glm::dvec3 centre, double radius);
 
 }  // namespace relief

@@ -1,4 +1,4 @@
-// The bound of the bench: shades a pixel for each pixel of the picture, without finding out what it
+// The bound of the bench: shades a pixel for each pixel of the image, without finding out what it
 // shows. Looks up one patch's maps, a cell a pixel, so that neighbours read neighbours as they do on a
 // surface.
 #include "include/counting.glsl"

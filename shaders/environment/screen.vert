@@ -1,4 +1,4 @@
-// One triangle over the whole picture, at infinite depth.
+// One triangle over the whole image, at infinite depth.
 void main() {
   gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
 }

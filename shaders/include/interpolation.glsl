@@ -1,4 +1,4 @@
-// Attribute interpolation, section 3.5 of paper 001.
+// Attribute interpolation, section 3.5 of [Ochotta 2008].
 #include "include/heights.glsl"
 
 // A place against the virtual triangle under it (grid frame).

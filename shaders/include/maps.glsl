@@ -56,7 +56,7 @@ Lookups lookups_over(PatchInfo info, vec2 uv, vec4 footprint, float texels) {
     longer = shorter;
     shorter = other;
   }
-  // In this form a footprint that is no number becomes none.
+  // In this form a footprint that is NaN becomes none.
   float kept = longer < 1e6 ? min(1.0, min(room.x, room.y) / max(longer, 1e-6)) : 0.0;
   along *= kept;
   longer *= kept * texels;

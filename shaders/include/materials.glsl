@@ -83,7 +83,7 @@ vec3 shade_material(int index, vec3 albedo, vec3 normal, vec3 ray, float depth) 
 #if (RELIEF_FEATURES & RELIEF_FEATURE_MIXED) != 0u
   MaterialInfo material = materials[index];
   int kind = int(material.constants.x);
-  // Neighbours in a picture may have other materials, so that lookups must not hang on the kind:
+  // Neighbours in an image may have other materials, so that lookups must not hang on the kind:
   // which copy of the environment they read follows from all of them.
 #if (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u
   if (kind == kLit) colour = shade_lit(albedo, facing_normal(normal, ray), ray, depth);

@@ -71,9 +71,9 @@ struct SplitRay {
   float path;         ///< through the glass, in diameters of the body (MaterialConstants)
 };
 
-/// Reflection and refraction at one interface (paper 001, section 3.6), unpolarised, by Fresnel's
-/// equations. `facing`: the normal on the ray's side; `ratio`: index of refraction there over that
-/// behind it. Beyond the critical angle all light is reflected.
+/// Reflection and refraction at one interface ([Ochotta 2008], section 3.6), unpolarised, by
+/// Fresnel's equations. `facing`: the normal on the ray's side; `ratio`: index of refraction there
+/// over that behind it. Beyond the critical angle all light is reflected.
 RELIEF_FUNCTION SplitRay split_facing(vec3 facing, vec3 ray, float ratio) {
   float before = max(-dot(facing, ray), 0.0f);
   // Snell's law, in a form that is exact for an index of 1; beyond the critical angle 0, for which

@@ -17,9 +17,9 @@ using glm::vec4;
 #define RELIEF_CONST const
 #endif
 
-// Feature bits: with the number of lights, the key of a shader variant (renderer/gl/features.h, which
-// also lists what does not go together). They come only from the scene and the settings; each says
-// what it costs a frame that has it. 25 of 32 are in use. The lights are a word of their own,
+// Feature bits: with the number of lights, the key of a shader variant (renderer/gl/features.h,
+// which also lists what does not go together). They come only from the scene and the settings; each
+// says what it costs a frame that has it. 25 of 32 are in use. The lights are a word of their own,
 // RELIEF_LIGHTS, so that the loop over them is known when a shader is compiled: a light more is a
 // highlight per fragment.
 
@@ -63,7 +63,7 @@ using glm::vec4;
 // fragment; of cells only where a hole touches them, which is a second program.
 #define RELIEF_FEATURE_MASKED 4096u
 
-// Cells find the surface first and a pass over the picture shades it, each pixel once: 8 bytes a
+// Cells find the surface first and a pass over the image shades it, each pixel once: 8 bytes a
 // pixel more, 12 where depth is needed. Triangles of a few pixels would shade several times as many
 // as they cover.
 #define RELIEF_FEATURE_VISIBILITY 8192u
@@ -80,7 +80,7 @@ using glm::vec4;
 #define RELIEF_FEATURE_TWO_INTERFACES 16777216u
 // The split view: all of LIT and MIRROR, which it has beside it, and the sample that is nearest.
 #define RELIEF_FEATURE_SPLIT 131072u
-// Several materials in one picture: a patch names its own. All that there are bits for are computed
+// Several materials in one image: a patch names its own. All that there are bits for are computed
 // for every fragment, and one of them is taken.
 #define RELIEF_FEATURE_MIXED 2097152u
 // Beside MIXED: some mirrors are rough, which is one more lookup. (Alone a rough mirror costs what
@@ -150,7 +150,7 @@ using glm::vec4;
 #define RELIEF_TEXTURE_BACK_DEPTHS 25
 #define RELIEF_TEXTURE_BODIES 26
 
-/// Uniform of `multipass`: radius of its discs over that of Eq. (1) of paper 001.
+/// Uniform of `multipass`: radius of its discs over that of Eq. (1) of [Ochotta 2008].
 #define RELIEF_UNIFORM_RADIUS_FACTOR 0
 
 /// Uniform of `onepass`: steps a cell of the places that it notes (visibility.glsl).
@@ -162,7 +162,7 @@ using glm::vec4;
 /// Uniform of the bench's shading bound: the patch that it shades.
 #define RELIEF_UNIFORM_PATCH 0
 
-/// Uniform that averages samples: where its part of the picture is, and how many it has.
+/// Uniform that averages samples: where its part of the image is, and how many it has.
 #define RELIEF_UNIFORM_PART 0
 
 /// Vertex attributes: the patch that a draw command draws, through its base instance; with cells
@@ -292,13 +292,13 @@ RELIEF_CONST float kMaxFootprintPlaces = 16.0f;
 /// Linear reflectance of a model without colours: a neutral grey.
 RELIEF_CONST float kNeutralGrey = 0.5f;
 
-/// The most lights of a picture.
+/// The most lights of an image.
 RELIEF_CONST int kMaxLights = 16;
 
 /// No light is brighter than this at a surface.
 RELIEF_CONST float kBrightestLight = 1000.0f;
 
-/// The most materials of a picture.
+/// The most materials of an image.
 RELIEF_CONST int kMaxMaterials = 256;
 
 /// What MaterialInfo::constants begins with: the kind, as common/choices.h numbers them.
@@ -309,7 +309,7 @@ RELIEF_CONST int kGlass = 3;
 RELIEF_CONST int kSplit = 4;
 
 /// Half the width of the line between the quarters of a split view, in pixels: two pixels where
-/// their border is the picture's middle, one where the middle is a pixel's.
+/// their border is the image's middle, one where the middle is a pixel's.
 RELIEF_CONST float kSplitLine = 0.75f;
 
 /// Radius of the samples that it shows, in cells: less than the half with which discs touch.
@@ -385,7 +385,7 @@ struct Frame {
   vec4 light_ambient;
   vec4 light_place[kMaxLights];  ///< world; w 0: toward the light, 1: where it is from the eye
   vec4 light_colour[kMaxLights];
-  MaterialInfo material;  ///< the picture's, if it has but one
+  MaterialInfo material;  ///< the image's, if it has but one
 };
 
 RELIEF_CONST int kPatchInfoRows = 9;

@@ -83,7 +83,7 @@ vec3 splat_corner(Splat splat, vec4 reach, int corner) {
   return splat.centre + vec3(offset, dot(offset, splat.slope));
 }
 
-// Radius of the splat's disc in cells: Eq. (1) of paper 001, or what covers the splat's parallelogram
+// Radius of the splat's disc in cells: Eq. (1) of [Ochotta 2008], or what covers the splat's parallelogram
 // if that is more. Nodes of a plane that leans by an angle of cosine c along a grid axis form
 // rectangles of 1 by 1/c, whose corners a disc of half their diagonal, sqrt(1 + 1/c^2) / 2, just
 // reaches; leaning any other way needs less. Eq. (1) reaches that for c from 0.21 to 1, at both ends

@@ -19,13 +19,13 @@ struct SpriteBox {
   vec2 centre;    // normalised device coordinates
   float size;     // pixels
   float nearest;  // depth value of the disc's nearest point, not set back
-  bool visible;   // false: all of it is outside the picture
+  bool visible;   // false: all of it is outside the image
   bool drawable;  // as a sprite: visible, in front of the eye and within OpenGL's largest point
 };
 
 // Exact bounds of the projected disc (Weyrich et al. 2007, from the dual conic of the disc), taken
-// relative to its projected centre so that a small disc far from the middle of the picture does not
-// cancel away. Clipped to the picture: OpenGL drops points whose centre lies outside.
+// relative to its projected centre so that a small disc far from the middle of the image does not
+// cancel away. Clipped to the image: OpenGL drops points whose centre lies outside.
 SpriteBox bound_disc(Splat splat, float radius, mat4 clip_from_grid) {
   DiscAxes axes = disc_axes(splat.slope);
   vec4 c = clip_from_grid * vec4(splat.centre, 1.0);

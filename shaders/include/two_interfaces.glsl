@@ -1,9 +1,9 @@
-// Glass with two interfaces: where a refracted ray leaves the body, found in a picture of the
+// Glass with two interfaces: where a refracted ray leaves the body, found in an image of the
 // surfaces that are seen from behind (Wyman 2005, "An Approximate Image-Space Approach for
 // Interactive Refraction"). Its includes stand where it is included: here they would be within an #if.
 
 layout(std140, binding = RELIEF_BIND_BACK_FRAME) uniform BackFrameBlock {
-  Frame back_frame;  // the picture's camera, with a wider picture
+  Frame back_frame;  // the image's camera, with a wider image
 };
 layout(binding = RELIEF_TEXTURE_BACK_PLACES) uniform usampler2D back_places;
 layout(binding = RELIEF_TEXTURE_BACK_DEPTHS) uniform sampler2D back_depths;  // 0: nothing
@@ -12,7 +12,7 @@ layout(binding = RELIEF_TEXTURE_BODIES) uniform samplerBuffer bodies;
 // Of the model that is shaded, its bounding sphere's; whoever shades it sets it.
 float body_diameter = 1.0;
 
-// The place (world, from the eye) that the back picture shows at a window position and depth.
+// The place (world, from the eye) that the back image shows at a window position and depth.
 vec3 back_place(vec2 window, float depth) {
   vec3 through =
       back_frame.ray_origin.xyz + window.x * back_frame.ray_x.xyz + window.y * back_frame.ray_y.xyz;
@@ -23,7 +23,7 @@ vec3 back_place(vec2 window, float depth) {
 #endif
 }
 
-// Where the back picture shows a place; beyond its border the nearest pixel's middle.
+// Where the back image shows a place; beyond its border the nearest pixel's middle.
 vec2 back_window(vec3 place) {
   float squared = back_frame.ray_x.w * back_frame.ray_x.w;  // pixels are square
 #if (RELIEF_FEATURES & RELIEF_FEATURE_ORTHOGRAPHIC) != 0u

@@ -14,7 +14,7 @@ float covering_radius(Splat splat) {
   return kCoveringSlack * sqrt(max(max(squared.x, squared.y), max(squared.z, squared.w)));
 }
 
-// Eq. (1) of paper 001 times the factor, in cells. At least what covers the splat's parallelogram,
+// Eq. (1) of [Ochotta 2008] times the factor, in cells. At least what covers the splat's parallelogram,
 // so that no pixel that pass 1 covers is without weight; at least what reaches the next pixels
 // where samples are smaller than those: the low-pass filter of Botsch et al. 2005, for discs that
 // face the eye.

@@ -1,4 +1,4 @@
-// A point sprite per sample (section 3.4 of paper 001), just large enough for its disc.
+// A point sprite per sample (section 3.4 of [Ochotta 2008]), just large enough for its disc.
 #include "include/splats.glsl"
 #include "include/sprites.glsl"
 

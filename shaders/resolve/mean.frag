@@ -3,7 +3,7 @@
 
 layout(binding = RELIEF_TEXTURE_PIXEL_SAMPLES) uniform sampler2D pixel_samples;
 
-// The part's lower left corner in the picture; samples along a pixel's side.
+// The part's lower left corner in the image; samples along a pixel's side.
 layout(location = RELIEF_UNIFORM_PART) uniform ivec3 part;
 
 layout(location = RELIEF_OUT_COLOUR) out vec4 out_colour;

@@ -1,4 +1,4 @@
-// relief convert --adaptive-spacing: a scan whose density differs, its patches and its pictures.
+// relief convert --adaptive-spacing: a scan whose density differs, its patches and its images.
 #include <fmt/format.h>
 
 #include <algorithm>

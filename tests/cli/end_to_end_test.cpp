@@ -1,4 +1,4 @@
-// The main job from a scan to a picture, through the command alone.
+// The main job from a scan to an image, through the command alone.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -134,7 +134,7 @@ TEST_F(EndToEnd, LargerScansAreConvertedInTilesWithinTheMemory) {
   double spacing = info["spacing"];
   for (const json& level : info["overviews"])
     EXPECT_DOUBLE_EQ(level["spacing"].get<double>(), spacing *= 2.0);
-  // From afar the coarsest level alone is read, and the picture is that of all patches.
+  // From afar the coarsest level alone is read, and the image is that of all patches.
   const std::vector<std::string> render{"render",  path("knot.relief"), "--size",   "400x400",
                                         "--orbit", "30,40,12",          "--frames", "1",
                                         "-o"};
@@ -150,7 +150,7 @@ TEST_F(EndToEnd, LargerScansAreConvertedInTilesWithinTheMemory) {
   EXPECT_EQ(rendered("all.exr", {"--pixels-per-sample", "0"}).exit_code, 0);
   const json compared = run_json({"compare", path("far.exr"), path("all.exr"), "--flip", "ldr"});
   // Where the silhouettes of three parts of the knot cross, a pixel between them is open in one
-  // picture and not in the other.
+  // image and not in the other.
   EXPECT_LE(compared["holes"], 1);
   // 120 pixels across, of normals that differ from pixel to pixel: 35 dB with means of them.
   EXPECT_GT(compared["psnr_db"], 30.0);
@@ -248,7 +248,8 @@ TEST_F(EndToEnd, PointsThatAreNoneAreCounted) {
 TEST_F(EndToEnd, TheSmallDragon) {
   const std::string scan =
       std::string(RELIEF_SOURCE_DIR) + "/../shared/data/scans/dragon/dragon_vrip_res4.ply.gz";
-  if (!std::filesystem::exists(scan)) GTEST_SKIP() << "needs the Dragon scan, which is not in the repository: " << scan;
+  if (!std::filesystem::exists(scan))
+    GTEST_SKIP() << "needs the Dragon scan, which is not in the repository: " << scan;
   json result = run_json({"convert", scan, "-o", path("dragon.relief")});
   EXPECT_EQ(result["points"], 5205);
   EXPECT_LE(result["uncovered_points"], 2);  // 0.05 % of the points
@@ -298,7 +299,7 @@ TEST_F(EndToEnd, EwaSplatsPointsOfAScanAndSamplesOfPatches) {
   EXPECT_NEAR(covered(model, {}), points, 0.1 * points);
   for (const char* filter : {"source-space", "circular", "unfiltered"})
     EXPECT_NEAR(covered(scan, {"--filter", filter}), points, 0.2 * points) << filter;
-  // However little time there is, there is a picture; coarser points reach farther.
+  // However little time there is, there is an image; coarser points reach farther.
   EXPECT_GE(covered(scan, {"--time-budget", "0.001"}), 0.9 * points);
 }
 

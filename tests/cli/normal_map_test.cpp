@@ -1,4 +1,4 @@
-// Normal maps of meshes from the file to the picture: relief convert, render and their messages.
+// Normal maps of meshes from the file to the image: relief convert, render and their messages.
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
@@ -163,7 +163,7 @@ TEST_F(NormalMapCli, MeshesWithoutOneStayAsTheyAre) {
                                   "--texels-per-cell", "4", "--spacing", "0.05"});
   EXPECT_NE(run.out.find("\"texels_per_cell\": 4"), std::string::npos);
   EXPECT_NE(run.out.find("\"normal_texels_per_cell\": 1"), std::string::npos) << run.out;
-  // And pictures without a feature for them.
+  // And images without a feature for them.
   const Outcome drawn =
       run_relief({"render", path("plain.relief"), "-o", path("o.exr"), "--explain", "--json"});
   EXPECT_EQ(drawn.out.find("fine_normals"), std::string::npos);

@@ -113,7 +113,7 @@ TEST_F(SceneCommand, ModelsStandWhereTheirTransformsPutThem) {
   const json views = run_json({"render", scene, "-o", path("{view}.png")})["views"];
   EXPECT_EQ(views[0]["covered_pixels"], 0);
   EXPECT_GT(views[1]["covered_pixels"], 500);
-  // The same picture but for pixels at the rim.
+  // The same image but for pixels at the rim.
   EXPECT_NEAR(views[2]["covered_pixels"], views[1]["covered_pixels"], 5);
 }
 

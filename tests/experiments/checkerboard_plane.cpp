@@ -29,7 +29,7 @@ class Ground {
   /// The line across the view at which the plane ends.
   [[nodiscard]] double end() const { return end_; }
 
-  /// Where the ray through a place of the picture (from its upper left corner) meets the plane.
+  /// Where the ray through a place of the image (from its upper left corner) meets the plane.
   [[nodiscard]] std::optional<glm::dvec2> at(glm::dvec2 place) const {
     const glm::dvec3 ray = ray_through(view_, {place.x, side_ - place.y});
     if (!(ray.z < 0.0)) return std::nullopt;

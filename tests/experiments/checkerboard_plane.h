@@ -1,4 +1,4 @@
-// The plane of paper 000, Figure 8: a checkerboard, sampled at the nodes of a regular grid.
+// The plane of [Zwicker 2001], Figure 8: a checkerboard, sampled at the nodes of a regular grid.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,11 @@ namespace relief::experiment {
 struct PlaneView {
   std::string name;
   double inclination = 0.0;  ///< degrees between the view axis and the plane's normal
-  double pixels = 1.0;       ///< a spacing's width in the middle of the picture
+  double pixels = 1.0;       ///< a spacing's width in the middle of the image
 };
 
 /// Squares of kSquare x kSquare points. The grid is turned in the plane by kTurn degrees, so that
-/// it does not lie along the picture's rows.
+/// it does not lie along the image's rows.
 inline constexpr double kSquare = 4.0;
 inline constexpr double kTurn = 10.0;
 
@@ -28,10 +28,10 @@ inline constexpr double kFar = 2048.0;
 
 [[nodiscard]] Camera camera_of(const PlaneView& view, std::uint32_t side);
 
-/// The points of the plane that a picture shows, and eight spacings more; h is one spacing.
+/// The points of the plane that an image shows, and eight spacings more; h is one spacing.
 [[nodiscard]] SplatCloud plane_points(const PlaneView& view, std::uint32_t side);
 
-/// What the picture should show.
+/// What the image should show.
 struct PlaneTruths {
   Truths checkerboard;  ///< the checkerboard itself, with its sharp edges
   /// The function that the points stand for: Eq. (1) with the normalised basis of section 5, whose

@@ -1,5 +1,5 @@
-// Semi-transparent surfaces that cross (paper 000, Figure 7): points for the engine `ewa`, and the
-// triangles between them for the ray tracer.
+// Semi-transparent surfaces that cross ([Zwicker 2001], Figure 7): points for the engine `ewa`, and
+// the triangles between them for the ray tracer.
 #pragma once
 
 #include "common/points.h"

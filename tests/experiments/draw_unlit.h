@@ -11,7 +11,7 @@
 
 namespace relief::experiment {
 
-/// The splats' colours, unlit; `side`: of the square picture, in pixels.
+/// The splats' colours, unlit; `side`: of the square image, in pixels.
 Result<Image> draw_unlit(const SplatCloud& cloud, const Camera& camera, std::uint32_t side,
                          const EwaSettings& ewa);
 

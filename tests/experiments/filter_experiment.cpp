@@ -1,4 +1,4 @@
-// Measures paper 000, Figure 8: the filters of the engine `ewa` on a checkerboard plane, from
+// Measures [Zwicker 2001], Figure 8: the filters of the engine `ewa` on a checkerboard plane, from
 // grazing to magnified, against the truth of 1024 rays a pixel.
 // usage: filter_experiment OUT_DIR
 // Prints Markdown tables (PSNR in dB / FLIP) and writes OUT_DIR/filter_VIEW_WAY.png.
@@ -43,7 +43,7 @@ struct Subject {
   PlaneView view;
   PlaneTruths truths;
   std::vector<Mapping> mappings;
-  std::vector<Image> cut;    ///< pictures by kFilters with kCutoff
+  std::vector<Image> cut;    ///< images by kFilters with kCutoff
   std::vector<Image> uncut;  ///< with kNoCutoff
 };
 
@@ -104,7 +104,7 @@ std::vector<Region> regions_of(const Subject& subject) {
   return regions;
 }
 
-/// A column of a table: a picture of each view.
+/// A column of a table: an image of each view.
 struct Column {
   std::string name;
   std::function<const Image&(const Subject&)> picture;
@@ -139,7 +139,7 @@ void print_table(const std::vector<Subject>& subjects, const char* title,
   }
 }
 
-/// Pixels that the plane covers wholly and a picture leaves transparent.
+/// Pixels that the plane covers wholly and an image leaves transparent.
 std::size_t count_gaps(const std::vector<Subject>& subjects) {
   std::size_t gaps = 0;
   for (const Subject& subject : subjects) {

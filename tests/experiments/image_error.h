@@ -1,4 +1,4 @@
-// How far a picture is from what it should be, over some of its pixels.
+// How far an image is from what it should be, over some of its pixels.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct ImageError {
 };
 
 /// What `relief compare --flip ldr` would say of the pixels of the mask alone: both means are over
-/// them, and beside them the truth is put into the picture. Fails if the mask is empty or a picture
+/// them, and beside them the truth is put into the image. Fails if the mask is empty or an image
 /// has no colour.
 Result<ImageError> measure_error(const Image& picture, const Image& truth, const Mask& mask);
 

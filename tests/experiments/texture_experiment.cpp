@@ -1,5 +1,5 @@
-// Measures paper 000, section 5: optimised against view-independent texture acquisition and the
-// texture's values as given, at three magnifications (Figure 6), through the engine `ewa`.
+// Measures [Zwicker 2001], section 5: optimised against view-independent texture acquisition and
+// the texture's values as given, at three magnifications (Figure 6), through the engine `ewa`.
 // usage: texture_experiment OUT_DIR NAME MESH|- TEXTURE|- POINTS AZ,EL CUTOFF
 // -: checkerboard plane. Prints rows of a Markdown table (for each view PSNR in dB against the
 // Gaussian truth / PSNR against the box truth / FLIP against it; then the minified view's PSNR by

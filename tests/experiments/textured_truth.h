@@ -11,7 +11,7 @@
 namespace relief::experiment {
 
 /// Rasterises the front of the mesh with 8 x 8 samples a pixel, evaluates the texture's continuous
-/// function at each and filters. What lies beside the picture counts as not covered.
+/// function at each and filters. What lies beside the image counts as not covered.
 [[nodiscard]] Truths render_truth(const Points& mesh, const ContinuousTexture& texture,
                                   const Camera& camera, std::uint32_t side);
 

@@ -1,7 +1,6 @@
-// Measures paper 000, Figure 7: crossing semi-transparent surfaces, by the engine `ewa` with 1 to 8
-// layers a pixel, against transparency by ray tracing.
-// usage: transparency_experiment OUT_DIR SCAN
-// SCAN: a mesh for the second subject. Prints a Markdown table (PSNR in dB / FLIP) and writes
+// Measures [Zwicker 2001], Figure 7: crossing semi-transparent surfaces, by the engine `ewa` with 1
+// to 8 layers a pixel, against transparency by ray tracing. usage: transparency_experiment OUT_DIR
+// SCAN SCAN: a mesh for the second subject. Prints a Markdown table (PSNR in dB / FLIP) and writes
 // OUT_DIR/transparency_SUBJECT_AZ_EL_WAY.png, WAY a number of layers or
 // "truth".
 #include <fmt/format.h>
@@ -94,7 +93,7 @@ Result<Image> draw(const Surfaces& surfaces, const Camera& camera, std::string e
   return std::move(result->image);
 }
 
-/// A picture and what it should be.
+/// An image and what it should be.
 struct Pair {
   Image picture;
   Image truth;

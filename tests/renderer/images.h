@@ -13,7 +13,7 @@
 
 namespace relief::test {
 
-/// Settings for a small picture of the whole model; debug contexts, and fragments are counted.
+/// Settings for a small image of the whole model; debug contexts, and fragments are counted.
 inline RenderSettings small_image(const PatchModel& model, Orbit orbit = {20.0, 15.0},
                                   std::uint32_t side = 96) {
   RenderSettings settings;
@@ -41,7 +41,7 @@ inline Outputs all_outputs() {
   return {true, true, true, true};
 }
 
-/// Renders; a failure fails the test and gives an empty picture.
+/// Renders; a failure fails the test and gives an empty image.
 inline RenderResult must_render(const PatchModel& model, const RenderSettings& settings) {
   Progress silent;
   auto result = render(model, settings, silent);

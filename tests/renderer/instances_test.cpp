@@ -105,7 +105,7 @@ TEST(Instances, PatchIdsCountOnFromOneToTheNext) {
   EXPECT_LE(*std::max_element(ids.begin(), ids.end()), 5.0F * 6.0F);
 }
 
-/// A sphere of radius 1 that is `pixels` wide in a picture of 160 x 128.
+/// A sphere of radius 1 that is `pixels` wide in an image of 160 x 128.
 struct ProxySphere {
   PatchModel model = test::sphere_model({.spacing = 0.02, .patches_per_side = 2, .coloured = true});
   RenderSettings settings;

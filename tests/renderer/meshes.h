@@ -1,4 +1,4 @@
-// Meshes with known surfaces, and pictures of them, for the ray tracer's tests.
+// Meshes with known surfaces, and images of them, for the ray tracer's tests.
 #pragma once
 
 #include <cmath>
@@ -49,7 +49,7 @@ inline TriangleMesh sphere_mesh(std::uint32_t rings, glm::dvec3 centre = {}) {
   return mesh;
 }
 
-/// Settings for a traced picture, one ray a pixel, all outputs, transparent background.
+/// Settings for a traced image, one ray a pixel, all outputs, transparent background.
 inline RenderSettings traced_image(const Camera& camera, std::uint32_t width = 96,
                                    std::uint32_t height = 80) {
   RenderSettings settings;
@@ -64,7 +64,7 @@ inline RenderSettings traced_image(const Camera& camera, std::uint32_t width = 9
   return settings;
 }
 
-/// Renders; a failure fails the test and gives an empty picture.
+/// Renders; a failure fails the test and gives an empty image.
 inline RenderResult must_trace(const TriangleMesh& mesh, const RenderSettings& settings) {
   Progress silent;
   auto result = render(mesh, settings, silent);

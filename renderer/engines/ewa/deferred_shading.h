@@ -1,4 +1,4 @@
-// Shading of the surfaces that splatting leaves in the pixels (paper 000, section 4).
+// Shading of the surfaces that splatting leaves in the pixels ([Zwicker 2001], section 4).
 #pragma once
 
 #include "renderer/engines/ewa/layered_buffer.h"
@@ -7,7 +7,7 @@
 
 namespace relief::ewa {
 
-/// The colour that a surface shows at a place in the picture (pixels from the upper left corner,
+/// The colour that a surface shows at a place in the image (pixels from the upper left corner,
 /// the middle of a pixel). Where normals cancelled out, it faces the eye. A mirror's reflection is
 /// averaged over the pixel, in which the normal turns toward its neighbours', by up to 4 x 4
 /// lookups: a single one would alias however well the normals are filtered.

@@ -1,4 +1,4 @@
-// What a pixel collects of one surface (paper 000, table 1).
+// What a pixel collects of one surface ([Zwicker 2001], table 1).
 #pragma once
 
 #include <algorithm>

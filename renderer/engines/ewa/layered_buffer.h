@@ -1,4 +1,4 @@
-// The layered frame buffer of paper 000, section 6: a few fragments per pixel, each the
+// The layered frame buffer of [Zwicker 2001], section 6: a few fragments per pixel, each the
 // contributions of one surface. With one layer, the frame buffer of section 4.
 #pragma once
 

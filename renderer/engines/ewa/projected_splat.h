@@ -21,7 +21,7 @@ struct SplatCamera {
 
 [[nodiscard]] SplatCamera make_splat_camera(const View& view, const EwaSettings& settings);
 
-/// The depth of a tangent plane over the picture. The inverse depth of a plane is linear in pixels,
+/// The depth of a tangent plane over the image. The inverse depth of a plane is linear in pixels,
 /// or orthographic its depth, so that forward differencing is exact.
 struct TangentDepth {
   double middle = 1.0;     ///< that quantity at the kernel's centre
@@ -62,10 +62,10 @@ template <class Kernel>
 /// Projects a point (world; `radius` is h). Nothing if it can't be seen:
 /// - not before the near plane (orthographic: the eye's), or outside the frustum by more than its
 /// kernel reaches (the affine
-///   approximation would smear what is beside the eye over the picture);
+///   approximation would smear what is beside the eye over the image);
 /// - seen edge-on (see map_tangent_plane) or too small to matter (see screen_kernel);
 /// - no surface: position, normal or radius not finite, a zero normal, a radius not above 0.
-/// A radius above the point's depth, whose kernel fills the picture, is taken as the depth. The
+/// A radius above the point's depth, whose kernel fills the image, is taken as the depth. The
 /// tangent plane's depth ends at half and twice the point's, or orthographic kEdgeRadii radii from
 /// it: a kernel's cut-off is nearer.
 template <class Kernel>

@@ -1,7 +1,7 @@
-// The resampling kernel of a point: its basis function, mapped to the picture and band-limited
-// (paper 000, sections 3.3 and 4).
+// The resampling kernel of a point: its basis function, mapped to the image and band-limited
+// ([Zwicker 2001], sections 3.3 and 4).
 //
-// Camera frame of this engine: x right, y down (as the rows of a picture go), z forward, the eye at
+// Camera frame of this engine: x right, y down (as the rows of an image go), z forward, the eye at
 // the origin. Pixels: x right, y down from the upper left corner, pixel (i, j) about (i + 1/2, j +
 // 1/2).
 #pragma once

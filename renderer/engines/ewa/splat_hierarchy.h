@@ -1,4 +1,4 @@
-// Coarser point sets of a cloud, for progressive rendering (paper 000, section 8).
+// Coarser point sets of a cloud, for progressive rendering ([Zwicker 2001], section 8).
 #pragma once
 
 #include <cstddef>

@@ -32,7 +32,7 @@ struct Chunk {
   std::vector<TileEntry> entries;  ///< by tile, and within a tile in the cloud's order
 };
 
-/// The tiles of a picture, row by row.
+/// The tiles of an image, row by row.
 struct Tiling {
   std::int64_t width = 0;  ///< pixels
   std::int64_t height = 0;
@@ -72,7 +72,7 @@ Chunk<Kernel> project_chunk(const SplatCloud& cloud, std::size_t begin, std::siz
   return chunk;
 }
 
-/// What a caller left undefined does not spread over the picture.
+/// What a caller left undefined does not spread over the image.
 template <class Vector>
 Vector finite_or_zero(Vector v) {
   for (glm::length_t i = 0; i < Vector::length(); ++i) v[i] = std::isfinite(v[i]) ? v[i] : 0.0;

@@ -1,4 +1,4 @@
-// Splats a cloud of points into a picture (paper 000, section 4), in parallel over tiles.
+// Splats a cloud of points into an image ([Zwicker 2001], section 4), in parallel over tiles.
 #pragma once
 
 #include <cstdint>

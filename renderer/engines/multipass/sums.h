@@ -11,15 +11,15 @@
 
 namespace relief::multipass {
 
-/// One for each picture, of its size. A sum that no feature asks for does not exist. Half floats
+/// One for each image, of its size. A sum that no feature asks for does not exist. Half floats
 /// for what a colour target keeps as half floats too: floats changed no PSNR in its second digit.
 struct Sums {
   std::optional<Texture> normals;  ///< RGBA16F: weighted normal, weights
   std::optional<Texture> colours;  ///< RGBA16F: weighted linear colour, weights
   std::optional<Texture> depths;   ///< RG32F: weighted depth, weights
-  Framebuffer visibility;          ///< pass 1: the picture's depth buffer, UV and patch id
+  Framebuffer visibility;          ///< pass 1: the image's depth buffer, UV and patch id
   Framebuffer accumulation;        ///< pass 2: the sums, tested against that depth
-  Framebuffer shading;             ///< pass 3: the picture's colour, normal and depth
+  Framebuffer shading;             ///< pass 3: the image's colour, normal and depth
 };
 
 /// Makes them; `targets` must outlive them. Fails if OpenGL lacks memory.

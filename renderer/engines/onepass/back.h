@@ -13,11 +13,11 @@
 
 namespace relief::onepass {
 
-/// How much more than the picture it shows on each side, as a share of the picture's longer side:
-/// rays leave bodies that reach beyond the picture there.
+/// How much more than the image it shows on each side, as a share of the image's longer side:
+/// rays leave bodies that reach beyond the image there.
 inline constexpr double kBackBorder = 0.125;
 
-/// One for each picture, of its whole and one sample a pixel, also for a part of it that has
+/// One for each image, of its whole and one sample a pixel, also for a part of it that has
 /// several.
 struct Back {
   View view;
@@ -27,7 +27,7 @@ struct Back {
   Buffer uniforms;   ///< shared::Frame of `view`
 };
 
-/// Makes it for a picture with this view. Fails if OpenGL lacks memory.
+/// Makes it for an image with this view. Fails if OpenGL lacks memory.
 Result<Back> make_back(const Gl& gl, const View& picture, MaterialChoice materials,
                        Features features);
 

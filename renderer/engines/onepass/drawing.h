@@ -21,7 +21,7 @@ struct Buffers {
 /// 1. back: the far side of glass with two interfaces, if there is any;
 /// 2. visibility and shading: the cells find the surface, and a pass over the image shades it; or
 ///    onepass: everything shades its own fragments, where that is cheaper;
-/// 3. far models: those seen small enough, as meshes.
+/// 3. proxies: those seen small enough, as meshes.
 class Drawing final : public GlDrawing {
  public:
   /// `variant` must outlive it; `buffers` were made for the frame and the variant's features.

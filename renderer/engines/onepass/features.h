@@ -1,4 +1,4 @@
-// The shader variant that a picture of `onepass` needs.
+// The shader variant that an image of `onepass` needs.
 #pragma once
 
 #include <cstdint>

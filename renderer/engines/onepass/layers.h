@@ -23,12 +23,12 @@ struct Layer {
   Framebuffer shading;  ///< Layers::colour, tested against the layer's depth
 };
 
-/// One for each picture with a semi-transparent material, of its size.
+/// One for each image with a semi-transparent material, of its size.
 struct Layers {
   Texture colour;             ///< RGBA16F: the layers so far, premultiplied
   std::array<Layer, 2> pair;  ///< the one before and the one at work, in turns
-  Framebuffer front;          ///< of the first: with the picture's outputs beside its colour
-  Framebuffer over;           ///< the picture's colour alone
+  Framebuffer front;          ///< of the first: with the image's outputs beside its colour
+  Framebuffer over;           ///< the image's colour alone
 };
 
 /// Makes them; `targets` must outlive them. Fails if OpenGL lacks memory.

@@ -10,7 +10,7 @@
 namespace relief::onepass {
 namespace {
 
-/// Of the features of a picture that is shaded later, those of the pass that finds the surface.
+/// Of the features of an image that is shaded later, those of the pass that finds the surface.
 constexpr std::uint32_t kFindingFeatures =
     RELIEF_FEATURE_VISIBILITY | RELIEF_FEATURE_CELL | RELIEF_FEATURE_MASKED |
     RELIEF_FEATURE_CORRECTED | RELIEF_FEATURE_OUT_DEPTH | RELIEF_FEATURE_POINT_LIGHTS |

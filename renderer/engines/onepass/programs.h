@@ -18,7 +18,7 @@ struct Programs {
   std::optional<Program> rims = std::nullopt;           ///< with cells: their border splats
   std::optional<Program> edges = std::nullopt;    ///< with cells: those of levels that holes touch
   std::optional<Program> behind = std::nullopt;   ///< of layers: shading all but the first
-  std::optional<Program> over = std::nullopt;     ///< of layers: puts them over the picture
+  std::optional<Program> over = std::nullopt;     ///< of layers: puts them over the image
   std::optional<Program> shading = std::nullopt;  ///< where cells only find what is seen
   std::optional<Program> far = std::nullopt;      ///< of models seen from afar
 };

@@ -12,12 +12,12 @@
 
 namespace relief::onepass {
 
-/// One for each picture, of its size. It is never cleared: where the depth buffer is, nothing reads
+/// One for each image, of its size. It is never cleared: where the depth buffer is, nothing reads
 /// it.
 struct Visibility {
   Texture places;                 ///< RG32UI: as shaders/include/visibility.glsl packs them
   std::optional<Texture> depths;  ///< R32F: along the view axis, where features need it
-  Framebuffer framebuffer;        ///< they and the picture's depth buffer
+  Framebuffer framebuffer;        ///< they and the image's depth buffer
 };
 
 /// What OpenGL calls the parts of one.
@@ -27,7 +27,7 @@ struct VisibilityLabels {
   const char* framebuffer = "visibility";
 };
 
-/// Makes it, of the size of a picture; `z_buffer` must outlive it. Fails if OpenGL lacks memory.
+/// Makes it, of the size of an image; `z_buffer` must outlive it. Fails if OpenGL lacks memory.
 Result<Visibility> make_visibility(const Gl& gl, glm::uvec2 size, const Texture& z_buffer,
                                    Features features, const VisibilityLabels& labels = {});
 

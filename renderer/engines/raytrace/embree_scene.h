@@ -36,7 +36,7 @@ enum class RayStarts : std::uint8_t { AtEye, Anywhere };
 /// matters.
 class EmbreeScene {
  public:
-  /// The mesh must outlive it. Triangles with a corner that is no number are left out. Fails if the
+  /// The mesh must outlive it. Triangles with a corner that is NaN are left out. Fails if the
   /// memory does not suffice or the user interrupts.
   static Result<EmbreeScene> build(const TriangleMesh& mesh, glm::dvec3 eye,
                                    const Progress& progress, RayStarts starts = RayStarts::AtEye);

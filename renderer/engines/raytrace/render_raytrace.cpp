@@ -70,7 +70,7 @@ void trace_frame(const Tracer& tracer, const std::vector<glm::dvec2>& pattern, b
   });
 }
 
-/// One picture; `environments` has those of earlier ones.
+/// One image; `environments` has those of earlier ones.
 Result<RenderResult> trace_image(const TriangleMesh& mesh, EnvironmentCache& environments,
                                  const RenderSettings& settings, Progress& progress) {
   assert(mesh.normals.size() == mesh.positions.size() && "a mesh has normals");

@@ -16,7 +16,7 @@
 namespace relief::raytrace {
 namespace {
 
-/// What is behind this much of a surface can't be seen: a 16-bit picture has steps of 1.5e-5.
+/// What is behind this much of a surface can't be seen: a 16-bit image has steps of 1.5e-5.
 constexpr float kOpaqueEnough = 1.0F - 1e-6F;
 
 bool has_transparent_vertex(const TriangleMesh& mesh) {

@@ -1,4 +1,4 @@
-// The camera: where an orbit stands, what fits into the picture, what depth is.
+// The camera: where an orbit stands, what fits into the image, what depth is.
 #include "common/scene/camera.h"
 
 #include <gtest/gtest.h>
@@ -44,12 +44,12 @@ TEST(OrbitCamera, LooksAtTheCentreWithYUp) {
     for (const double elevation : {-90.0, -89.0, 0.0, 60.0, 90.0}) {
       const Camera camera = orbit_camera({1, 2, 3}, 2.0, {azimuth, elevation, 0.0}, 45.0, 1.0);
       const glm::dmat3 view = view_rotation(camera);
-      // The centre lies straight ahead, and what is above it is above it in the picture.
+      // The centre lies straight ahead, and what is above it is above it in the image.
       const glm::dvec3 ahead = view * (camera.target - camera.eye);
       expect_close(glm::normalize(ahead), {0, 0, -1});
       expect_close(view * camera.up, {0, 1, 0});
       EXPECT_NEAR(glm::determinant(view), 1.0, kRounding);
-      // The world's +Y points up in the picture, or straight along the view.
+      // The world's +Y points up in the image, or straight along the view.
       EXPECT_NEAR((view * glm::dvec3(0, 1, 0)).y, std::cos(glm::radians(elevation)), kRounding);
     }
   }
@@ -113,7 +113,7 @@ TEST(OrbitCamera, FitsTheSphereExactly) {
 TEST(OrthographicHeight, FitsTheSphereAboutTheLineOfSight) {
   // Looks along -Z, past the sphere by 2 to the right and 1 up of it.
   const Camera camera{{2.0, 1.0, 50.0}, {2.0, 1.0, 0.0}, {0.0, 1.0, 0.0}};
-  // Half the picture's height holds 1 + 3, half its width 2 + 3.
+  // Half the image's height holds 1 + 3, half its width 2 + 3.
   EXPECT_NEAR(fitting_height(camera, {}, 3.0, 2.0), 8.0, kRounding);
   EXPECT_NEAR(fitting_height(camera, {}, 3.0, 1.0), 10.0, kRounding);
   EXPECT_NEAR(fitting_height(camera, {}, 3.0, 0.5), 20.0, kRounding);
@@ -142,7 +142,7 @@ TEST(Projection, ReversesDepthToInfinity) {
   EXPECT_EQ(depth(0.5F), 0.5F);
   EXPECT_EQ(depth(1024.0F), 0.25F / 1024.0F);
   EXPECT_GT(depth(1e30F), 0.0F);
-  // 90 degrees high and twice as wide: the corner of the picture at distance 1 is (2, 1).
+  // 90 degrees high and twice as wide: the corner of the image at distance 1 is (2, 1).
   const glm::vec4 corner = m * glm::vec4(2.0F, 1.0F, -1.0F, 1.0F);
   EXPECT_NEAR(corner.x, 1.0F, 1e-6F);
   EXPECT_NEAR(corner.y, 1.0F, 1e-6F);

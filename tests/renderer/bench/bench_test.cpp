@@ -71,7 +71,7 @@ TEST(Bench, ReportsEachRowAndWhatBoundsIt) {
   ASSERT_TRUE(report.shading_bound);
   ASSERT_TRUE(report.mesh);
   for (std::size_t k = 0; k < job.rows.size(); ++k) {
-    // As the picture alone, whatever is drawn beside it.
+    // As the image alone, whatever is drawn beside it.
     const RenderResult alone = test::must_render(model, job.rows[k].settings);
     EXPECT_EQ(report.rows[k].covered_pixels, alone.covered_pixels) << k;
     EXPECT_EQ(report.rows[k].fragments, alone.fragments) << k;

@@ -1,4 +1,4 @@
-// What is recorded of a picture: what its scene uses, and nothing else.
+// What is recorded of an image: what its scene uses, and nothing else.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What a picture holds: exact colours, coverage, channels, environments.
+// What an image holds: exact colours, coverage, channels, environments.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -35,7 +35,7 @@ TEST(Unlit, EveryGreyComesOutAsItWentIn) {
     settings.interpolation = way.interpolation;
     const RenderResult result = must_render(model, settings);
     for (std::uint32_t grey = 0; grey < 256; ++grey) {
-      // The field's middle node, in the picture: 4 pixels a cell, rows from the top (+y).
+      // The field's middle node, in the image: 4 pixels a cell, rows from the top (+y).
       const std::uint32_t x = 4 * (3 * (grey % 16) + 1) + 2;
       const std::uint32_t y = 4 * kNodes - 1 - (4 * (3 * (grey / 16) + 1) + 2);
       for (const char* channel : {"R", "G", "B"}) {
@@ -177,7 +177,7 @@ TEST_F(Environments, BackdropShowsWhatLiesInEachDirection) {
     settings.camera = {{0, 0, 0}, direction, {0.1, 1, 0.2}, 10.0};
     const RenderResult result = must_render(model, settings);
     const std::size_t middle = settings.height / 2 * settings.width + settings.width / 2;
-    // The sphere stands in the +Z direction, far and small, beside the middle of no other picture.
+    // The sphere stands in the +Z direction, far and small, beside the middle of no other image.
     if (direction.z < 0.5) {
       EXPECT_EQ(result.covered_pixels, 0U);
       EXPECT_EQ(values(result.image, "R")[middle], colour.x);

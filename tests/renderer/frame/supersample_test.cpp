@@ -201,7 +201,7 @@ TEST(Supersampling, CoverageOfASlantedEdgeIsTheShareOfSamplesBehindIt) {
   }
 }
 
-/// The mean of a picture's squares of `side` by `side` pixels.
+/// The mean of an image's squares of `side` by `side` pixels.
 std::vector<float> shrink(const Image& image, const char* channel, std::uint32_t side) {
   const std::vector<float>& large = values(image, channel);
   const std::size_t width = image.width / side;

@@ -1,4 +1,4 @@
-// Coarser levels of patches: what they hold, which a view chooses, and their pictures.
+// Coarser levels of patches: what they hold, which a view chooses, and their images.
 #include "renderer/geometry/levels.h"
 
 #include <gtest/gtest.h>

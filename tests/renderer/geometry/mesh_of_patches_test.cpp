@@ -111,7 +111,7 @@ TEST(MeshOfPatches, ThinAndEmptyPatchesHaveNoTriangles) {
   EXPECT_TRUE(holes->positions.empty());
 }
 
-/// How far two pictures of one model are apart where both show the same patch.
+/// How far two images of one model are apart where both show the same patch.
 struct Differences {
   std::vector<double> depth;    ///< cells
   std::vector<double> uv;       ///< cells

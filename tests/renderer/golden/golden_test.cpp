@@ -1,4 +1,4 @@
-// Pictures as they were when someone last looked at them. RELIEF_UPDATE_GOLDEN=1 writes them anew:
+// Images as they were when someone last looked at them. RELIEF_UPDATE_GOLDEN=1 writes them anew:
 // look at every one before it is committed.
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ PatchModel model_for(const Golden& golden) {
   return test::sphere_model(shape);
 }
 
-/// The picture of a golden image, but for the engine.
+/// The image of a golden image, but for the engine.
 RenderSettings settings_for(const Golden& golden, const PatchModel& model) {
   RenderSettings settings = test::small_image(model, {25.0, 20.0, golden.distance});
   settings.camera.orthographic_height = golden.orthographic_height;
@@ -66,7 +66,7 @@ void expect_golden(const std::string& name, const RenderResult& result) {
     EXPECT_EQ(test::count_different(image, result.image, 0), 0U);
   } else {
     // Another compiler of shaders, vector width or GPU rounds otherwise, so that ties between
-    // splats and pixels on a rim fall the other way: at most a hundredth of the picture, as one
+    // splats and pixels on a rim fall the other way: at most a hundredth of the image, as one
     // pixel all around the silhouette would be.
     EXPECT_LE(test::count_different(image, result.image, 3), image.width * image.height / 100)
         << "drawn by " << result.renderer << ", recorded with " << recorded;

@@ -140,7 +140,7 @@ TEST_F(Panorama, LiesAroundTheEyeAsTheConventionSays) {
     const double first = std::max({a.x, a.y, a.z});
     const double second = a.x + a.y + a.z - first - std::min({a.x, a.y, a.z});
     if (second > first * (1.0 - 1.0 / 64.0)) tolerance += 0.5 * 0.5 / 64.0;
-    // At the poles the picture's last row, half a step away, is repeated.
+    // At the poles the image's last row, half a step away, is repeated.
     if (glm::length(glm::dvec2(d.x, d.z)) < 0.1) tolerance += 0.5 * 0.025;
     EXPECT_LT(largest(look_up(*cube, d) - glm::vec3(0.5 + 0.5 * d)), tolerance)
         << d.x << " " << d.y << " " << d.z;

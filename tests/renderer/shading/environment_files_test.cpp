@@ -33,7 +33,7 @@ glm::vec3 tint(glm::dvec3 direction) {
   return glm::vec3(0.5 + 0.5 * glm::normalize(direction));
 }
 
-/// A picture whose colour is `light(x, y)` at the pixels' middles in [0, 1], y downward.
+/// An image whose colour is `light(x, y)` at the pixels' middles in [0, 1], y downward.
 Image picture(std::uint32_t width, std::uint32_t height,
               const std::function<glm::vec3(double, double)>& light) {
   Image image{width, height, {}};

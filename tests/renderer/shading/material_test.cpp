@@ -1,5 +1,5 @@
 // Every material and light in every engine, against the ray tracer, which shades by the same text;
-// and materials of several patches in one picture.
+// and materials of several patches in one image.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -23,7 +23,7 @@ namespace {
 using test::must_render;
 using test::values;
 
-/// What a picture shows besides the model.
+/// What an image shows besides the model.
 struct Look {
   const char* name;
   MaterialSettings material;
@@ -204,7 +204,7 @@ TEST_P(MixedMaterials, EachPatchIsAsInAPictureOfItsMaterialAlone) {
       ++covered;
       const Image& alone = patch <= patches_of_first ? first : second;
       for (const char* channel : {"R", "G", "B"}) {
-        // The rough environment of a mixed picture may have another size; else the same lookups.
+        // The rough environment of a mixed image may have another size; else the same lookups.
         if (std::abs(values(mixed, channel)[k] - values(alone, channel)[k]) > 2e-3F) {
           ++different;
           break;

@@ -82,7 +82,7 @@ TEST_P(Opacity, BackgroundsShowThrough) {
   const PatchModel model = sheet(0.0, 255, 0);
   RenderSettings settings = from_above(model);
   settings.engine = GetParam();
-  settings.camera.eye *= 2.0;  // so that the sheet fills half the picture's width
+  settings.camera.eye *= 2.0;  // so that the sheet fills half the image's width
   settings.background = std::nullopt;
   settings.material = Material::Unlit;
   settings.constants.opacity = 0.25F;

@@ -1,4 +1,4 @@
-// The split view: each quarter of the picture is what its material alone shows.
+// The split view: each quarter of the image is what its material alone shows.
 #include "renderer/engine_checks.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ PatchModel split_bumpy_sphere() {
   return test::sphere_model(shape);
 }
 
-/// A close-up that fills the picture.
+/// A close-up that fills the image.
 RenderSettings close_up(const PatchModel& model) {
   RenderSettings settings = test::small_image(model, {25.0, 20.0, 1.3});
   settings.background.reset();
@@ -72,8 +72,8 @@ struct Pictures {
   }
 };
 
-/// How many pixels show each quarter; they are compared with `pictures` on the way. The samples are
-/// looked up where the picture says that it is.
+/// How many pixels show each quarter; they are compared with `images` on the way. The samples are
+/// looked up where the image says that it is.
 std::array<std::size_t, 5> expect_quarters(const Pictures& pictures, const std::string& what) {
   const Image& split = pictures.split;
   std::array<std::size_t, 5> counts{};
@@ -92,7 +92,7 @@ std::array<std::size_t, 5> expect_quarters(const Pictures& pictures, const std::
                                : quarter == Quarter::Both   ? 0.5F * (lit + mirror)
                                                             : shared::stored_samples(uv, patch - 1);
     const glm::vec3 off = glm::abs(split_colour(split, k) - expected);
-    // Pictures are kept as half floats: 11 bits, rounded or cut off, of the split view and of both
+    // Images are kept as half floats: 11 bits, rounded or cut off, of the split view and of both
     // that it may be the mean of.
     const float step = std::max({expected.r, expected.g, expected.b}) / 1024.0F;
     if (std::max({off.r, off.g, off.b}) > 2.0F * step) ++wrong;

@@ -27,7 +27,7 @@ class Stores : public testing::Test {
     gl_ = *functions;
   }
 
-  /// What a picture with these settings needs of the model.
+  /// What an image with these settings needs of the model.
   PatchStore upload(Primitive primitive, Interpolation interpolation) {
     RenderSettings settings;
     settings.primitive = primitive;

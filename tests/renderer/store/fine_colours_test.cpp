@@ -30,7 +30,7 @@ PatchModel fine_square(const Colour& colour) {
   return model;
 }
 
-/// Runs `look` over the pictures of all methods to draw a model, multipass among them.
+/// Runs `look` over the images of all methods to draw a model, multipass among them.
 template <class Look>
 void for_all_colour_methods(const PatchModel& model, RenderSettings settings, const Look& look) {
   settings.material = Material::Unlit;

@@ -49,7 +49,7 @@ PatchModel square_of_normals(const Relief& normal, std::uint32_t nodes = kNormal
   return model;
 }
 
-/// Runs `look` over the pictures of all methods to draw a model, the rivals among them.
+/// Runs `look` over the images of all methods to draw a model, the rivals among them.
 template <class Look>
 void for_all_normal_methods(const PatchModel& model, RenderSettings settings, const Look& look) {
   settings.background.reset();

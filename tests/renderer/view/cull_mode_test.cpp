@@ -1,4 +1,4 @@
-// Pictures without what faces away from the eye: as if it were drawn, or it is drawn.
+// Images without what faces away from the eye: as if it were drawn, or it is drawn.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -58,7 +58,7 @@ bool same_image(const RenderResult& a, const RenderResult& b) {
   return a.covered_pixels > 0;
 }
 
-/// Whether the pictures differ, and by no more than a share of the pixels of a rim: back sides show
+/// Whether the images differ, and by no more than a share of the pixels of a rim: back sides show
 /// at silhouettes, by parts of a sample, which is a pixel here. `b` covers nothing else than `a`.
 void expect_same_but_for_rims(const RenderResult& a, const RenderResult& b, const char* name) {
   const std::vector<float>& depth = values(a.image, "Z");

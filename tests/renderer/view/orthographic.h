@@ -1,4 +1,4 @@
-// Orthographic pictures, for the tests of them.
+// Orthographic images, for the tests of them.
 #pragma once
 
 #include <glm/geometric.hpp>
@@ -37,7 +37,7 @@ inline const std::vector<EngineMethod>& all_engine_methods() {
   return methods;
 }
 
-/// The picture by an engine: all outputs, transparent where nothing is, the finest level, a ray a
+/// The image by an engine: all outputs, transparent where nothing is, the finest level, a ray a
 /// pixel.
 inline RenderSettings by(const EngineMethod& way, RenderSettings settings) {
   settings.engine = way.engine;
@@ -50,7 +50,7 @@ inline RenderSettings by(const EngineMethod& way, RenderSettings settings) {
   return settings;
 }
 
-/// World units a pixel of an orthographic picture.
+/// World units a pixel of an orthographic image.
 inline double pixel_size(const RenderSettings& settings) {
   return settings.camera.orthographic_height / settings.height;
 }

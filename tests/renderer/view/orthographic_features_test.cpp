@@ -1,4 +1,4 @@
-// What orthographic pictures may have beside a model: surroundings, reflections, opacity, samples,
+// What orthographic images may have beside a model: surroundings, reflections, opacity, samples,
 // levels; and what the bench draws of them.
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ glm::vec3 colour(const Image& image, std::size_t k) {
   return {values(image, "R")[k], values(image, "G")[k], values(image, "B")[k]};
 }
 
-/// A flat square of 12 nodes a side that fills the picture, seen at a slant.
+/// A flat square of 12 nodes a side that fills the image, seen at a slant.
 RenderSettings slanted_image(const PatchModel& model) {
   RenderSettings settings = test::small_image(model, {}, 48);
   settings.camera = {{9.0, 5.0, 20.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};

@@ -1,4 +1,4 @@
-// What orthographic pictures have in common with perspective ones.
+// What orthographic images have in common with perspective ones.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ Camera seen_from(Camera camera, double distance) {
   return camera;
 }
 
-/// Rms difference of colours (linear) where both pictures are covered and neither is within a few
+/// Rms difference of colours (linear) where both images are covered and neither is within a few
 /// cells of the rim.
 double colour_difference(const Image& a, const Image& b) {
   double squared = 0.0;
@@ -106,7 +106,7 @@ TEST_P(OrthographicLimits, AreAsRightAsPerspectiveOnes) {
   const auto perspective = compared_to_truth(seen_from(camera, 2.6));
   ASSERT_TRUE(orthographic && perspective);
   EXPECT_EQ(orthographic->coverage->holes, 0U);
-  // The pictures show the same sphere as large, but not the same of it: a dB.
+  // The images show the same sphere as large, but not the same of it: a dB.
   EXPECT_GE(*orthographic->psnr_covered_db, *perspective->psnr_covered_db - 1.0);
 }
 

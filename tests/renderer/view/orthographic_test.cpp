@@ -1,4 +1,4 @@
-// Orthographic pictures of a plane and a sphere, pixel by pixel against their formulas.
+// Orthographic images of a plane and a sphere, pixel by pixel against their formulas.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -108,7 +108,7 @@ std::optional<double> meet_sphere(glm::dvec3 start, glm::dvec3 ray, double radiu
   return std::nullopt;
 }
 
-/// A picture of a sphere: how right it is where it is seen at more than 20 degrees, and at the rim.
+/// An image of a sphere: how right it is where it is seen at more than 20 degrees, and at the rim.
 struct SphereErrors {
   double normal_degrees = 0.0;  ///< rms
   double depth_cells = 0.0;     ///< rms

@@ -164,7 +164,7 @@ TEST(PatchesInView, WhatIsDrawnAtItsFinestHasNoOverviews) {
   EXPECT_EQ(chosen_by(tiles, {settings}).size(), 256U);
 }
 
-/// What is not read is not seen: the picture is that of the whole model.
+/// What is not read is not seen: the image is that of the whole model.
 TEST(PatchesInView, PicturesOfPartsAreThoseOfTheWhole) {
   const test::ScratchFolder folder;
   test::SphereShape shape;

@@ -51,7 +51,7 @@ inline void append(SplatCloud& to, const SplatCloud& from) {
     add_point(to, from.positions[k], from.normals[k], from.radii[k], from.colours[k]);
 }
 
-/// A square picture with all outputs, unlit, transparent where nothing is, seen from `eye` toward
+/// A square image with all outputs, unlit, transparent where nothing is, seen from `eye` toward
 /// the origin.
 inline RenderSettings ewa_image(glm::dvec3 eye, std::uint32_t side = 96) {
   RenderSettings settings;
@@ -65,7 +65,7 @@ inline RenderSettings ewa_image(glm::dvec3 eye, std::uint32_t side = 96) {
   return settings;
 }
 
-/// How far away an eye over the origin sees one unit as `pixels` of such a picture.
+/// How far away an eye over the origin sees one unit as `pixels` of such an image.
 inline double distance_for(double pixels, std::uint32_t side = 96) {
   return side / (2.0 * pixels * std::tan(std::numbers::pi / 9.0));
 }

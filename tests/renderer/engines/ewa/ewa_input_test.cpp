@@ -58,7 +58,7 @@ TEST(EwaInput, PointsWithoutSurfaceChangeNothing) {
   add_point(cloud, {3, 1, 25}, up, 1e30);                          //
   add_point(cloud, eye, up, 1.0);                                  // at the eye
   add_point(cloud, eye + glm::dvec3(5, 0, 0), up, 1.0);            // on the eye plane
-  add_point(cloud, eye + glm::dvec3(5, 0, -0.2), {1, 0, 1}, 1.0);  // beside the picture
+  add_point(cloud, eye + glm::dvec3(5, 0, -0.2), {1, 0, 1}, 1.0);  // beside the image
   add_point(cloud, {8, 0, 0}, glm::cross(glm::vec3(8, 0, -20), {0, 1, 0}), 0.0);
   add_point(cloud, {0, 6, 0}, {0.0F, 20.0F, 6.0F}, 1.0);  // edge-on
   for (const EwaFilter filter : kInputFilters) {

@@ -1,4 +1,4 @@
-// Coarser point sets, and pictures that are refined while time remains.
+// Coarser point sets, and images that are refined while time remains.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -23,7 +23,7 @@ const std::vector<EwaFilter> kFilters{EwaFilter::Ewa, EwaFilter::SourceSpace, Ew
 
 TEST(EwaSurface, PlaneIsExactAndWhole) {
   const SplatCloud cloud = plane_cloud(60, 60);
-  // Magnified, one to one, minified; straight and at 35 degrees over the plane, all of the picture
+  // Magnified, one to one, minified; straight and at 35 degrees over the plane, all of the image
   // within the plane.
   for (const glm::dvec3 eye :
        {glm::dvec3(0, 0, 6), glm::dvec3(0.3, 0.2, 60), glm::dvec3(3, -2, 130),

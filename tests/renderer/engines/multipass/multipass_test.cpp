@@ -92,7 +92,7 @@ TEST_P(Multipass, SheetsNearEachOtherBlendAndOthersHide) {
     model.patches[1].origin.z = model.patches[0].origin.z + cells;
     return values(must_render(model, settings).image, "R")[middle];
   };
-  // In the middle of the picture both are seen at the same place of the grid, with the same
+  // In the middle of the image both are seen at the same place of the grid, with the same
   // weights.
   EXPECT_NEAR(brightness(0.9 * double{shared::kBlendingDepth}), 0.5F, 0.02F);
   EXPECT_EQ(brightness(1.1 * double{shared::kBlendingDepth}), 1.0F);
@@ -242,9 +242,8 @@ TEST(MultipassSums, AreThoseThatThePictureNeeds) {
   RenderSettings settings = small_image(model);
   const auto opengl = OpenGl::create(settings.platform, settings.debug, false);
   ASSERT_TRUE(opengl);
-  const auto gpu = GlModel::create({.opengl = *opengl,
-                                   .environments = std::make_shared<EnvironmentCache>(),
-                                   .patches = model});
+  const auto gpu = GlModel::create(
+      {.opengl = *opengl, .environments = std::make_shared<EnvironmentCache>(), .patches = model});
   ASSERT_TRUE(gpu);
   const auto sums_of = [&](bool coloured) {
     const auto frame = (*gpu)->make_frame(settings, {0, 0, settings.width, settings.height, 1});

@@ -92,7 +92,7 @@ TEST_P(Surfaces, SphereOfManyPatchesHasNoHolesAndItsOwnNormals) {
 TEST_P(Surfaces, NoiseHasNoHoles) {
   // Uniform noise of +-0.3 cells on slopes up to 45 degrees is worse than any scan that was
   // smoothed by moving least squares. From above and from 40 degrees over the base plane the
-  // picture is full of surface, so that every pixel of background is a hole.
+  // image is full of surface, so that every pixel of background is a hole.
   std::mt19937 random(3);
   std::uniform_real_distribution<double> noise(-0.3, 0.3);
   PatchModel model = test::height_field(90, [&](double x, double y) {

@@ -18,7 +18,7 @@ using test::add_sheet;
 using test::must_trace;
 using test::values;
 
-/// Straight down onto the plane z = 0: a picture of `side` pixels, each 1 x 1.
+/// Straight down onto the plane z = 0: an image of `side` pixels, each 1 x 1.
 RenderSettings straight_down(std::uint32_t side) {
   const double half = 0.5 * side;
   return test::traced_image({{0.0, 0.0, half}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 90.0}, side, side);
@@ -60,7 +60,7 @@ double area_below(glm::dvec2 corner, glm::dvec2 n, double offset) {
 }
 
 TEST(PixelSamples, CoverageOfAHalfPlaneIsItsAreaInThePixel) {
-  // Everything left of a slanted line through the picture, 16 pixels wide.
+  // Everything left of a slanted line through the image, 16 pixels wide.
   const glm::dvec2 n = glm::normalize(glm::dvec2(1.0, 0.37));
   constexpr double kOffset = 0.21;
   const glm::dvec2 along(-n.y, n.x);
@@ -128,7 +128,7 @@ TEST(Opacity, SheetsBlendFrontToBackWhateverTheirOrderInTheMesh) {
 }
 
 TEST(Opacity, WhereSheetsCrossTheirOrderChanges) {
-  // Two sheets that meet in the picture's middle column line, as in Figure 7 of paper 000.
+  // Two sheets that meet in the image's middle column line, as in Figure 7 of [Zwicker 2001].
   TriangleMesh mesh;
   const glm::vec4 red(1.0F, 0.0F, 0.0F, 0.5F);
   const glm::vec4 blue(0.0F, 0.0F, 1.0F, 0.5F);

@@ -15,7 +15,7 @@ using test::values;
 /// A float's rounding, relative.
 constexpr double kRayRounding = 6e-8;
 
-/// The largest errors over a plane that fills the picture.
+/// The largest errors over a plane that fills the image.
 struct PlaneErrors {
   double depth = 0.0;  ///< relative
   double uv = 0.0;     ///< world units, over the size of the sheet
