@@ -30,9 +30,9 @@ struct ScenePlan {
 };
 
 /// Reads a scene (.json). Any other file is a scene of one model and one view. `overrides` win over
-/// the settings of the scene and its views. Opens no file but the scene. Fails as read_scene does, and if
-/// the materials of a view have more than kMaxRoughnesses roughnesses.
-/// `among`: the engines that the scene can name.
+/// the settings of the scene and its views. Opens no file but the scene. Fails as read_scene does,
+/// and if the materials of a view have more than kMaxRoughnesses roughnesses. `among`: the engines
+/// that the scene can name.
 Result<ScenePlan> plan_scene(const std::filesystem::path& input, const SceneSettings& overrides,
                              std::span<const EngineEntry> among = engines());
 
