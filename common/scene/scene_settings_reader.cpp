@@ -66,7 +66,7 @@ Outputs read_outputs(JsonValues& values, const JsonPlace& place) {
 
 /// The name of an engine.
 std::string read_engine(JsonValues& values, const JsonPlace& place, const EngineKeys& engines) {
-  const std::string name = place.value.is_string() ? place.value.get<std::string>() : std::string();
+  std::string name = place.value.is_string() ? place.value.get<std::string>() : std::string();
   const auto& known = engines.engines;
   if (std::find(known.begin(), known.end(), name) == known.end())
     values.refuse_value(place, fmt::format("{}", fmt::join(known, ", ")));
