@@ -53,6 +53,7 @@ Result<std::vector<int>> root_nodes(const tinygltf::Model& model) {
 Result<std::vector<PlacedMesh>> placed_meshes(const tinygltf::Model& model) {
   RELIEF_TRY_ASSIGN(const auto roots, root_nodes(model));
   std::vector<std::pair<int, glm::dmat4>> to_do;
+  to_do.reserve(roots.size());
   for (const int node : roots) to_do.emplace_back(node, glm::dmat4(1.0));
   std::vector<bool> seen(model.nodes.size(), false);
   std::vector<PlacedMesh> meshes;
