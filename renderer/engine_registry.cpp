@@ -25,9 +25,9 @@ RELIEF_ENGINES(RELIEF_ENGINE_DECLARED)
 
 std::span<const EngineEntry> engines() {
 #define RELIEF_ENGINE_LISTED(folder) folder::entry(),
-  static const std::array kEntries{RELIEF_ENGINES(RELIEF_ENGINE_LISTED)};
+  static const std::array entries{RELIEF_ENGINES(RELIEF_ENGINE_LISTED)};
 #undef RELIEF_ENGINE_LISTED
-  return kEntries;
+  return entries;
 }
 
 const EngineEntry* find_engine(std::string_view name, std::span<const EngineEntry> among) {

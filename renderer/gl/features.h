@@ -1,8 +1,8 @@
 // The key of a shader variant. The bits and their costs: shaders/include/shared.h.
 #pragma once
 
-#include <compare>
 #include <cstdint>
+#include <tuple>
 
 #include "shaders/include/shared.h"
 
@@ -30,7 +30,10 @@ struct Features {
     return *this;
   }
 
-  auto operator<=>(const Features&) const = default;
+  bool operator==(const Features&) const = default;
+  [[nodiscard]] bool operator<(const Features& other) const {
+    return std::tie(bits, lights) < std::tie(other.bits, other.lights);
+  }
 };
 
 [[nodiscard]] constexpr Features operator|(Features features, std::uint32_t more) {
