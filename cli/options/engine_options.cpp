@@ -12,12 +12,14 @@ namespace {
 
 std::vector<std::string> names_of(std::span<const EngineEntry> among) {
   std::vector<std::string> names;
+  names.reserve(among.size());
   for (const EngineEntry& engine : among) names.push_back(engine.name);
   return names;
 }
 
 std::string names_of(const std::vector<const EngineEntry*>& some) {
   std::vector<std::string> names;
+  names.reserve(some.size());
   for (const EngineEntry* engine : some) names.push_back(engine->name);
   return fmt::format("{}", fmt::join(names, ", "));
 }
