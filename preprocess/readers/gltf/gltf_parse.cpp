@@ -67,6 +67,39 @@ bool read_beside(std::vector<unsigned char>* out, std::string* error, const std:
   return true;
 }
 
+bool refuse_to_write(std::string* /*error*/, const std::string& /*name*/,
+                     const std::vector<unsigned char>& /*bytes*/, void* /*user*/) {
+  return false;
+}
+
+/// Lets tinygltf read files beside the glTF file only. All callbacks are set: version 2.9 would
+/// otherwise go on with its own, which open any file. Versions from 2.8 on also ask for a file's
+/// size, and refuse files of more than 2 GiB by default.
+void read_files_beside(auto& loader, fs::path& owner) {
+  const auto set_callbacks = [&](auto callbacks) {
+    callbacks.FileExists = file_is_there;
+    callbacks.ExpandFilePath = [](const std::string& name, void*) { return name; };
+    callbacks.ReadWholeFile = read_beside;
+    callbacks.WriteWholeFile = refuse_to_write;
+    callbacks.user_data = &owner;
+    if constexpr (requires { callbacks.GetFileSizeInBytes; }) {
+      callbacks.GetFileSizeInBytes = [](std::size_t* size, std::string* error,
+                                        const std::string& name, void* user) {
+        std::error_code failed;
+        const auto found =
+            fs::file_size(resolve_beside(*static_cast<const fs::path*>(user), name), failed);
+        if (failed) *error += failed.message();
+        *size = failed ? 0 : static_cast<std::size_t>(found);
+        return !failed;
+      };
+    }
+    loader.SetFsCallbacks(callbacks);
+  };
+  set_callbacks(tinygltf::FsCallbacks{});
+  if constexpr (requires { loader.SetMaxExternalFileSize(SIZE_MAX); })
+    loader.SetMaxExternalFileSize(SIZE_MAX);
+}
+
 /// The first line of tinygltf's message.
 std::string first_line(const std::string& text) {
   const std::string line = text.substr(0, text.find('\n'));
@@ -93,8 +126,7 @@ Result<tinygltf::Model> parse_gltf(const Source& source) {
   fs::path path(source.name);
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(keep_image, nullptr);
-  loader.SetFsCallbacks({file_is_there, [](const std::string& name, void*) { return name; },
-                         read_beside, nullptr, &path});
+  read_files_beside(loader, path);
   std::string error;
   std::string warning;
   const auto size = static_cast<unsigned int>(source.text.size());
