@@ -20,8 +20,8 @@ std::vector<EngineEntry> engines_and_toy() {
 }
 
 const std::vector<EngineEntry>& all_engines() {
-  static const std::vector<EngineEntry> kAll = engines_and_toy();
-  return kAll;
+  static const std::vector<EngineEntry> all = engines_and_toy();
+  return all;
 }
 
 /// The settings of a command line; throws CLI::Error if it is wrong.
