@@ -4,7 +4,7 @@
 help:
 	@echo "make demo    install packages, build, convert and render the Stanford Dragon"
 	@echo "make test    install packages, build, run all tests"
-	@echo "make check   formatting, include cycles, documentation, clang-tidy, fuzzing, sanitizers"
+	@echo "make check   formatting, include cycles, documentation, clang-tidy, fuzzing with sanitizers"
 	@echo "make format  format all C++ files in place"
 	@echo "make lint    list C++ files that are not formatted"
 
