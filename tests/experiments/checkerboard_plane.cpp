@@ -66,13 +66,13 @@ double sign_at(double x) {
 /// What Gaussians at the nodes make of sign_at, normalised. The basis of a regular grid is a
 /// product over both axes, and so is the checkerboard's sign.
 double smooth_sign_at(double x) {
-  constexpr int kReach = 4;  // exp(-c) with c = 8
-  const double first = std::floor(x) - kReach + 0.5;
+  constexpr int kNodeReach = 4;  // exp(-c) with c = 8
+  const double first = std::floor(x) - kNodeReach + 0.5;
   double sum = 0.0;
   double weights = 0.0;
-  for (int i = 0; i <= 2 * kReach; ++i) {
+  for (int i = 0; i <= 2 * kNodeReach; ++i) {
     const double node = first + i;
-    if (std::abs(node - x) > kReach) continue;
+    if (std::abs(node - x) > kNodeReach) continue;
     const double weight = std::exp(-0.5 * (node - x) * (node - x));
     sum += weight * sign_at(node);
     weights += weight;
