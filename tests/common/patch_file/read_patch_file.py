@@ -492,7 +492,9 @@ def axes_of(words):
         number = word & (1 << 30) - 1
         number -= (number >> 29) << 30
         parts.append(number / (math.sqrt(2.0) * ((1 << 29) - 1)))
-    parts.insert(left_out, math.sqrt(max(0.0, 1.0 - sum(p * p for p in parts))))
+    # From left to right, as a C++ program adds: from Python 3.12 on sum() rounds once at the end.
+    first, second, third = parts
+    parts.insert(left_out, math.sqrt(max(0.0, 1.0 - (first * first + second * second + third * third))))
     w, x, y, z = parts
     s = 2.0 / (w * w + x * x + y * y + z * z)
     return [
