@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
 #include "common/image/image_io.h"
+#include "common/image/srgb.h"
 #include "tests/renderer/images.h"
 
 namespace relief {
@@ -42,6 +44,40 @@ RenderSettings settings_for(const Golden& golden, const PatchModel& model) {
   return settings;
 }
 
+/// Pixels of `image` with a channel (8-bit sRGB) more than `threshold` outside the range of the
+/// same pixel of `golden` and its eight neighbours.
+std::size_t count_strangers(const Image& golden, const Image& image, int threshold) {
+  const auto level = [](const Image& of, const char* channel, std::size_t k) {
+    const float value = test::values(of, channel)[k];
+    return *channel == 'A' ? static_cast<int>(std::lround(255.0F * value))
+                           : srgb8_from_linear(value);
+  };
+  const auto is_stranger = [&](const char* channel, std::size_t x, std::size_t y) {
+    int min = 255;
+    int max = 0;
+    for (std::size_t j = y - std::min<std::size_t>(y, 1);
+         j <= std::min<std::size_t>(y + 1, golden.height - 1); ++j) {
+      for (std::size_t i = x - std::min<std::size_t>(x, 1);
+           i <= std::min<std::size_t>(x + 1, golden.width - 1); ++i) {
+        const int around = level(golden, channel, j * golden.width + i);
+        min = std::min(min, around);
+        max = std::max(max, around);
+      }
+    }
+    const int drawn = level(image, channel, y * image.width + x);
+    return drawn < min - threshold || drawn > max + threshold;
+  };
+  std::size_t strangers = 0;
+  for (std::size_t y = 0; y < image.height; ++y) {
+    for (std::size_t x = 0; x < image.width; ++x) {
+      bool any = false;
+      for (const char* channel : {"R", "G", "B", "A"}) any = any || is_stranger(channel, x, y);
+      strangers += any ? 1 : 0;
+    }
+  }
+  return strangers;
+}
+
 void expect_golden(const std::string& name, const RenderResult& result) {
   const std::filesystem::path path = kFolder / (name + ".png");
   if (std::getenv("RELIEF_UPDATE_GOLDEN") != nullptr) {
@@ -64,13 +100,32 @@ void expect_golden(const std::string& name, const RenderResult& result) {
   std::getline(file, recorded);
   if (result.renderer == recorded) {
     EXPECT_EQ(test::count_different(image, result.image, 0), 0U);
-  } else {
-    // Another compiler of shaders, vector width or GPU rounds otherwise, so that ties between
-    // splats and pixels on a rim fall the other way: at most a hundredth of the image, as one
-    // pixel all around the silhouette would be.
-    EXPECT_LE(test::count_different(image, result.image, 3), image.width * image.height / 100)
-        << "drawn by " << result.renderer << ", recorded with " << recorded;
+    return;
   }
+  SCOPED_TRACE("drawn by " + result.renderer + ", recorded with " + recorded);
+  if (result.renderer.starts_with("llvmpipe")) {
+    // Mesa 22.3 with LLVM 15 against Mesa 25.0 with LLVM 19: 3 levels in 3 pixels of a mirror of
+    // quads, 1 level in at most 21 pixels elsewhere. Vectors of 128 bits instead of 256: none.
+    EXPECT_EQ(test::count_different(image, result.image, 3), 0U);
+    return;
+  }
+  // A GPU breaks ties on rims differently. Then a pixel shows what a neighbour shows: never a new
+  // colour, and not more pixels than a silhouette has.
+  EXPECT_EQ(count_strangers(image, result.image, 3), 0U);
+  EXPECT_LE(test::count_different(image, result.image, 3), image.width * image.height / 100);
+}
+
+TEST(GoldenRule, FindsColoursThatNoNeighbourShows) {
+  const Golden lit{"lit", Material::Lit, 0.0};
+  const PatchModel model = model_for(lit);
+  const Image image = test::must_render(model, settings_for(lit, model)).image;
+  EXPECT_EQ(count_strangers(image, image, 0), 0U);
+  Image speck = image;
+  const std::size_t centre = std::size_t{speck.height / 2} * speck.width + speck.width / 2;
+  for (Channel& channel : speck.channels) {
+    if (channel.name == "R") channel.values[centre] = 4.0F * channel.values[centre] + 1.0F;
+  }
+  EXPECT_EQ(count_strangers(image, speck, 3), 1U);
 }
 
 class GoldenImages : public testing::TestWithParam<std::tuple<test::Method, Golden>> {};
