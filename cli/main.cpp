@@ -54,9 +54,10 @@ int main(int argc, char** argv) {
   try {
     return run_relief(argc, argv);
   } catch (const std::bad_alloc&) {
-    return relief::cli::fail(relief::Error{"not enough memory for this model"});
+    return relief::cli::fail(relief::Error{
+        "not enough memory for this model; use a smaller model, or a machine with more"});
   } catch (const std::exception& error) {
-    return relief::cli::fail(
-        relief::make_error("internal error: {}; please report it", error.what()));
+    return relief::cli::fail(relief::make_error(
+        "internal error: {}; report it with the command and its input", error.what()));
   }
 }

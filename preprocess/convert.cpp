@@ -202,10 +202,14 @@ Result<ConvertResult> convert(Points points, const ConvertOptions& options, Prog
     RELIEF_TRY(check_points(points.positions));
   }
   const std::string task = fmt::format("convert {} points", points.size());
-  return guarded({.subject = "", .task = task}, [&] {
-    return with_threads(options.threads,
-                        [&] { return convert_in_arena(points, options, progress); });
-  });
+  return guarded({.subject = "",
+                  .task = task,
+                  .advice = kReportDefect,
+                  .memory_advice = "convert with --memory or with a larger --spacing"},
+                 [&] {
+                   return with_threads(options.threads,
+                                       [&] { return convert_in_arena(points, options, progress); });
+                 });
 }
 
 }  // namespace relief

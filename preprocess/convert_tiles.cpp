@@ -107,9 +107,12 @@ Result<std::optional<TiledResult>> convert_tiles(
     const std::vector<fs::path>& files, const fs::path& output, const ConvertOptions& options,
     const PatchFileOptions& file_options, const TileOptions& tile_options, Progress& progress) {
   const std::string name = output.string();
-  return guarded({.subject = name, .task = "convert its tiles"}, [&] {
-    return convert_files(files, output, options, file_options, tile_options, progress);
-  });
+  return guarded(
+      {.subject = name,
+       .task = "convert its tiles",
+       .advice = kReportDefect,
+       .memory_advice = "set a lower --memory or a larger --spacing"},
+      [&] { return convert_files(files, output, options, file_options, tile_options, progress); });
 }
 
 std::optional<fs::path> find_kept_tiles(const fs::path& output) {

@@ -224,7 +224,7 @@ Result<std::vector<std::byte>> encode_exr(const Image& image) try {
   }
   return std::move(stream.bytes());
 } catch (const std::exception& failure) {
-  return make_error("OpenEXR failed to encode it ({})", failure.what());
+  return make_error("OpenEXR failed to encode it ({}); write a PNG instead", failure.what());
 }
 
 Result<Image> decode_exr(std::span<const std::byte> bytes) try {

@@ -11,7 +11,11 @@ namespace {
 
 template <class Encode>
 Status write_image(const std::filesystem::path& path, const Image& image, const Encode& encode) {
-  const auto bytes = guarded({.subject = "", .task = "encode it"}, [&] { return encode(image); });
+  const auto bytes = guarded({.subject = "",
+                              .task = "encode it",
+                              .advice = kReportDefect,
+                              .memory_advice = "free some memory, or render a smaller image"},
+                             [&] { return encode(image); });
   if (!bytes) {
     return make_error("{}: the image cannot be written: {}", path.string(), bytes.error().message);
   }
@@ -67,7 +71,11 @@ Result<Image> decode_image(const std::string& name, std::span<const std::byte> b
     if (is_radiance(bytes)) return decode_radiance(bytes);
     return make_error("it is not an EXR, PNG, JPEG or Radiance HDR file");
   };
-  auto image = guarded({.subject = "", .task = "decode it"}, decode);
+  auto image = guarded({.subject = "",
+                        .task = "decode it",
+                        .advice = "the file may be damaged: write it again",
+                        .memory_advice = "free some memory, or use a smaller image"},
+                       decode);
   if (image) return image;
   return make_error("{}: the image cannot be read: {}", name, image.error().message);
 }

@@ -40,7 +40,8 @@ bool is_jpeg(std::span<const std::byte> bytes) {
 
 Result<Image> decode_jpeg(std::span<const std::byte> bytes, Transfer transfer) {
   const std::unique_ptr<void, Close> decoder(tjInitDecompress());
-  if (decoder == nullptr) return make_error("not enough memory to decode it");
+  if (decoder == nullptr)
+    return make_error("not enough memory to decode it; free some memory, or use a smaller image");
   const auto* const data = reinterpret_cast<const unsigned char*>(bytes.data());
   int width = 0;
   int height = 0;

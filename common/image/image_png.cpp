@@ -137,7 +137,8 @@ Result<Image> decode_png(std::span<const std::byte> bytes, Transfer transfer) {
   in.bytes = bytes.data();
   in.left = bytes.size();
   const PngReader reader(in);
-  if (reader.info() == nullptr) return make_error("not enough memory to decode it");
+  if (reader.info() == nullptr)
+    return make_error("not enough memory to decode it; free some memory, or use a smaller image");
   if (!read_header(reader.png(), reader.info(), &in)) {
     return make_error("it is damaged ({})", in.error.data());
   }
@@ -188,7 +189,7 @@ Result<std::vector<std::byte>> encode_png(const Image& image) {
   std::vector<std::byte> bytes(PNG_IMAGE_PNG_SIZE_MAX(png));
   png_alloc_size_t size = bytes.size();
   if (png_image_write_to_memory(&png, bytes.data(), &size, 0, samples.data(), 0, nullptr) == 0) {
-    return make_error("libpng failed to encode it ({})", png.message);
+    return make_error("libpng failed to encode it ({}); write an EXR instead", png.message);
   }
   bytes.resize(size);
   return bytes;

@@ -115,7 +115,9 @@ Result<std::vector<std::byte>> read_file(const fs::path& path) {
     RELIEF_TRY(file.read_at(0, bytes));
     return bytes;
   } catch (const std::bad_alloc&) {
-    return make_error("{}: its {} MB do not fit into memory", path.string(), file.size() >> 20U);
+    return make_error(
+        "{}: its {} MB do not fit into memory; free some memory, or use a machine with more",
+        path.string(), file.size() >> 20U);
   }
 }
 

@@ -111,6 +111,14 @@ PatchFileInfo info_of(const FileHeader& header, const FileIndex& index) {
   return info;
 }
 
+/// `name` must outlive the call.
+GuardedCall reading_index(const std::string& name) {
+  return {.subject = name,
+          .task = "read its index",
+          .advice = "the file may be damaged: convert the scan again",
+          .memory_advice = kMoreMemory};
+}
+
 }  // namespace
 
 struct PatchFile::State {
@@ -191,7 +199,7 @@ PatchFile::~PatchFile() = default;
 Result<PatchFile> PatchFile::open(const std::filesystem::path& path) {
   RELIEF_TRY_ASSIGN(auto file, RandomAccessFile::open(path));
   const std::string name = path.string();
-  return guarded({.subject = name, .task = "read its index"}, [&]() -> Result<PatchFile> {
+  return guarded(reading_index(name), [&]() -> Result<PatchFile> {
     RELIEF_TRY_ASSIGN(auto layout, read_own_layout(file, name));
     return PatchFile(std::make_unique<State>(name, std::move(file), std::move(layout)));
   });
@@ -200,7 +208,7 @@ Result<PatchFile> PatchFile::open(const std::filesystem::path& path) {
 Result<PatchFile> PatchFile::open_tile(const std::filesystem::path& path, const TreeTile& tile) {
   RELIEF_TRY_ASSIGN(auto file, RandomAccessFile::open(path));
   const std::string name = path.string();
-  return guarded({.subject = name, .task = "read its index"}, [&]() -> Result<PatchFile> {
+  return guarded(reading_index(name), [&]() -> Result<PatchFile> {
     RELIEF_TRY_ASSIGN(auto layout, read_tile(file, tile, name));
     return PatchFile(std::make_unique<State>(name, std::move(file), std::move(layout)));
   });
@@ -252,7 +260,8 @@ Result<Patch> PatchFile::read_patch(std::uint64_t index, ZstdContexts& zstd) con
   }
   return patch;
 } catch (const std::bad_alloc&) {
-  return make_error("{}: not enough memory to decode patch {}", state_->name, index);
+  return make_error("{}: not enough memory to decode patch {}; {}", state_->name, index,
+                    kMoreMemory);
 }
 
 Result<Patch> PatchFile::read_level(std::uint64_t index, unsigned level) const try {
@@ -260,7 +269,8 @@ Result<Patch> PatchFile::read_level(std::uint64_t index, unsigned level) const t
   ZstdContexts zstd;
   return state_->read_heights(index, level, zstd);
 } catch (const std::bad_alloc&) {
-  return make_error("{}: not enough memory to decode patch {}", state_->name, index);
+  return make_error("{}: not enough memory to decode patch {}; {}", state_->name, index,
+                    kMoreMemory);
 }
 
 std::uint64_t PatchFile::decoded_bytes(std::span<const std::uint64_t> patches) const {

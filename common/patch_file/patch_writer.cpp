@@ -227,7 +227,10 @@ Status write_model(const std::filesystem::path& path, const PatchModel& model,
 Status write_patch_file(const std::filesystem::path& path, const PatchModel& model,
                         const PatchFileOptions& options) {
   const std::string name = path.string();
-  return guarded({.subject = name, .task = "write it"},
+  return guarded({.subject = name,
+                  .task = "write it",
+                  .advice = kReportDefect,
+                  .memory_advice = "free some memory, or convert with a larger --spacing"},
                  [&] { return write_model(path, model, options); });
 }
 

@@ -18,8 +18,10 @@ Status fits_memory(const std::string& name, std::uint64_t decoded_bytes) {
   const std::uint64_t there = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
                               static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
   if (decoded_bytes <= there) return {};
-  return make_error("{}: the patches take {} MB of memory, but this machine has {} MB", name,
-                    decoded_bytes >> 20U, there >> 20U);
+  return make_error(
+      "{}: the patches take {} MB of memory, but this machine has {} MB; convert the scan again "
+      "with a larger --spacing, or use a machine with more",
+      name, decoded_bytes >> 20U, there >> 20U);
 }
 
 Result<std::vector<Patch>> PatchFile::read_patches(std::span<const std::uint64_t> patches,
@@ -50,7 +52,11 @@ Result<std::vector<Patch>> PatchFile::read_patches(std::span<const std::uint64_t
     if (failed < patches.size()) return error;
     return read;
   };
-  return guarded({.subject = name(), .task = "read its patches"}, read_them);
+  return guarded({.subject = name(),
+                  .task = "read its patches",
+                  .advice = "the file may be damaged: convert the scan again",
+                  .memory_advice = kMoreMemory},
+                 read_them);
 }
 
 Result<PatchModel> PatchFile::read_all(Progress& progress) const {

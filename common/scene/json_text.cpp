@@ -75,7 +75,11 @@ class Checker final : public nlohmann::json_sax<nlohmann::json> {
 }  // namespace
 
 Result<nlohmann::json> parse_json(std::string_view text, const std::string& name) {
-  return guarded({.subject = name, .task = "read it", .library = "nlohmann-json"},
+  return guarded({.subject = name,
+                  .task = "read it",
+                  .library = "nlohmann-json",
+                  .advice = "check that the file is valid JSON",
+                  .memory_advice = kMoreMemory},
                  [&]() -> Result<nlohmann::json> {
                    Checker checker(text, name);
                    if (!nlohmann::json::sax_parse(text, &checker)) return *checker.error();

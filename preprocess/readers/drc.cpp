@@ -172,7 +172,11 @@ bool is_drc(std::string_view text) {
 }
 
 Result<Points> read_drc(const Source& source) {
-  return guarded({.subject = source.name, .task = "decode it", .library = "Draco"},
+  return guarded({.subject = source.name,
+                  .task = "decode it",
+                  .library = "Draco",
+                  .advice = "the file may be damaged: write it again, or convert it to PLY",
+                  .memory_advice = "convert it to PLY, which --memory reads in blocks"},
                  [&] { return decode(source); });
 }
 

@@ -46,7 +46,8 @@ Status gunzip_pieces(const std::string& name, std::span<const std::byte> bytes,
   z_stream stream{};
   constexpr int gzip_only = 16 + MAX_WBITS;
   if (inflateInit2(&stream, gzip_only) != Z_OK) {
-    return make_error("{}: not enough memory to decompress it", name);
+    return make_error("{}: not enough memory to decompress it; decompress it with gunzip first",
+                      name);
   }
   const std::unique_ptr<z_stream, EndInflate> end_inflate(&stream);
 
@@ -74,7 +75,8 @@ Status gunzip_pieces(const std::string& name, std::span<const std::byte> bytes,
       }
       inflateReset(&stream);
     } else if (code == Z_MEM_ERROR) {
-      return make_error("{}: not enough memory to decompress it", name);
+      return make_error("{}: not enough memory to decompress it; decompress it with gunzip first",
+                        name);
     } else if (code != Z_OK && code != Z_BUF_ERROR) {
       return make_error("{}: byte {}: the compressed data is damaged ({})", name, used,
                         stream.msg != nullptr ? stream.msg : "not as gzip defines it");

@@ -57,7 +57,10 @@ Result<ReadResult> read_and_clean(const std::filesystem::path& path, std::vector
 Result<ReadResult> read_bytes(const std::filesystem::path& path, std::vector<std::byte> bytes,
                               Progress& progress) {
   const std::string name = path.string();
-  return guarded({.subject = name, .task = "read it"},
+  return guarded({.subject = name,
+                  .task = "read it",
+                  .advice = "the file may be damaged: write it again, or convert it to PLY",
+                  .memory_advice = "convert with --memory"},
                  [&] { return read_and_clean(path, std::move(bytes), progress); });
 }
 

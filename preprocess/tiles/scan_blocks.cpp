@@ -102,7 +102,12 @@ Result<ScanCounts> read_blocks(const std::vector<fs::path>& files, const fs::pat
   for (std::size_t number = 0; number < files.size(); ++number) {
     const fs::path& path = files[number];
     const std::string name = path.string();
-    RELIEF_TRY(guarded({.subject = name, .task = "read it"}, [&]() -> Status {
+    const GuardedCall reading{
+        .subject = name,
+        .task = "read it",
+        .advice = "the file may be damaged: write it again, or convert it to PLY",
+        .memory_advice = "set a lower --memory"};
+    RELIEF_TRY(guarded(reading, [&]() -> Status {
       RELIEF_TRY_ASSIGN(const auto file,
                         open_unpacked(path, folder / fmt::format("unpacked-{}", number), progress));
       return read_file_blocks(path, file, memory, take, counts, notes, progress);

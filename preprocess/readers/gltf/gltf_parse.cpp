@@ -144,7 +144,12 @@ Result<tinygltf::Model> parse_gltf(const Source& source) {
     return make_error("{}: cannot be read as glTF: {}", source.name, first_line(error));
   };
   // tinygltf 2.8 throws std::out_of_range on a buffer of no bytes.
-  return guarded({.subject = source.name, .task = "read it", .library = "tinygltf"}, load);
+  return guarded({.subject = source.name,
+                  .task = "read it",
+                  .library = "tinygltf",
+                  .advice = "the file may be damaged: write it again, or convert it to PLY",
+                  .memory_advice = "convert it to PLY, which --memory reads in blocks"},
+                 load);
 }
 
 }  // namespace relief

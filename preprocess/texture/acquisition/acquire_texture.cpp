@@ -135,7 +135,10 @@ std::size_t max_textured_points(double deviation, double cutoff) {
 Result<AcquireResult> acquire_texture(Points mesh, const Image& texture,
                                       const AcquireOptions& options, Progress& progress) {
   const std::string task = fmt::format("acquire a texture for {} points", options.points);
-  return guarded({.subject = "", .task = task},
+  return guarded({.subject = "",
+                  .task = task,
+                  .advice = kReportDefect,
+                  .memory_advice = "use fewer points or a smaller texture"},
                  [&] { return acquire(mesh, texture, options, progress); });
 }
 

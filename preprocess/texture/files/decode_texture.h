@@ -22,7 +22,11 @@ Result<std::shared_ptr<const Texture>> decode_texture(const std::string& name,
                                                       std::string_view what) {
   if (!image) return image.error();
   const std::string task = fmt::format("hold the {}", what);
-  return guarded({.subject = name, .task = task}, [&]() -> Result<std::shared_ptr<const Texture>> {
+  const GuardedCall holding{.subject = name,
+                            .task = task,
+                            .advice = kReportDefect,
+                            .memory_advice = "free some memory, or use a smaller image"};
+  return guarded(holding, [&]() -> Result<std::shared_ptr<const Texture>> {
     auto texture = Texture::from_image(*image, wrap);
     if (!texture) return make_error("{}: {}", name, texture.error().message);
     return std::make_shared<const Texture>(std::move(*texture));

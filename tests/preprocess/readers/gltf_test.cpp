@@ -196,7 +196,10 @@ TEST(Gltf, ABinaryFileWithABufferOfNoBytesIsRefused) {
   const std::size_t at = file.find(stated);
   ASSERT_NE(at, std::string::npos);
   file.replace(at, stated.size(), R"("byteLength": 0 )");
-  EXPECT_TRUE(test::error("a.glb", file).starts_with("a.glb: tinygltf failed to read it"));
+  const std::string error = test::error("a.glb", file);
+  EXPECT_TRUE(error.starts_with("a.glb: tinygltf failed to read it (")) << error;
+  EXPECT_TRUE(error.ends_with("the file may be damaged: write it again, or convert it to PLY"))
+      << error;
 }
 
 TEST(Gltf, BytesChangedAnywhereDoNoHarm) {
