@@ -1,4 +1,4 @@
-// The models of a scene put together, each in its position.
+// Assembles the models of a scene, each in its position.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace relief {
 
-/// Which of a scene's patches are those of a file.
+/// The range of a file's patches in a scene.
 struct PatchRun {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
@@ -32,13 +32,13 @@ struct LoadedFile {
 /// One model of a scene: a file in a position.
 struct FileUse {
   Transform where;
-  std::uint8_t material = 0;      ///< its index in materials_said
+  std::uint8_t material = 0;      ///< its index in distinct_materials
   bool is_last = true;            ///< no later model uses the file
-  std::optional<bool> is_closed;  ///< instead of what is known of the file
+  std::optional<bool> is_closed;  ///< overrides what the file says
 };
 
-/// Puts models together. The only model of a scene is moved to its position; of several models the
-/// patches of a file are kept once, with one instance for each use.
+/// Assembles models. A scene's only model is moved to its position. Of several models, the patches
+/// of a file are kept once, with one instance for each use.
 class SceneAssembler {
  public:
   explicit SceneAssembler(bool several) : several_(several) {}
@@ -62,9 +62,10 @@ template <class Add>
 Status for_each_use(const std::vector<SceneModel>& models, const Add& add) {
   std::map<std::filesystem::path, std::size_t> uses;
   for (const SceneModel& model : models) ++uses[model.file];
-  const std::vector<MaterialWords> said = materials_said(models);
+  const std::vector<MaterialOverrides> materials = distinct_materials(models);
   for (const SceneModel& model : models) {
-    const auto material = std::find(said.begin(), said.end(), model.material) - said.begin();
+    const auto material =
+        std::find(materials.begin(), materials.end(), model.material) - materials.begin();
     const FileUse use{model.transform, static_cast<std::uint8_t>(material), --uses[model.file] == 0,
                       model.is_closed};
     const Status added = add(model.file, use);

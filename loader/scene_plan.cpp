@@ -14,12 +14,12 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The materials of a view of a scene; none if the models name none.
-std::vector<MaterialSettings> materials_for(const std::vector<MaterialWords>& of_models,
-                                            const MaterialWords& of_view,
-                                            const MaterialWords& overrides) {
+std::vector<MaterialSettings> materials_for(const std::vector<MaterialOverrides>& of_models,
+                                            const MaterialOverrides& of_view,
+                                            const MaterialOverrides& overrides) {
   std::vector<MaterialSettings> materials;
-  if (of_models == std::vector<MaterialWords>(1)) return materials;
-  for (const MaterialWords& own : of_models)
+  if (of_models == std::vector<MaterialOverrides>(1)) return materials;
+  for (const MaterialOverrides& own : of_models)
     materials.push_back(material_of(overlay_material(overlay_material(of_view, own), overrides)));
   return materials;
 }
@@ -44,7 +44,7 @@ Result<ScenePlan> plan_scene(const fs::path& input, const SceneSettings& overrid
   RELIEF_TRY_ASSIGN(auto scene, read_scene(input, engine_keys(among)));
   plan.file = input;
   plan.models = std::move(scene.models);
-  const std::vector<MaterialWords> of_models = materials_said(plan.models);
+  const std::vector<MaterialOverrides> of_models = distinct_materials(plan.models);
   for (const SceneView& view : scene.views) {
     const SceneSettings of_view = overlay(scene.settings, view.settings);
     plan.views.push_back(

@@ -19,7 +19,7 @@ struct PlannedView {
   /// The overrides, over the view's settings, over the scene's.
   SceneSettings settings;
   /// By material number, if some model names a material of its own: the overrides, over the
-  /// model's material, over the view's and the scene's; in the order of materials_said.
+  /// model's material, over the view's and the scene's; in the order of distinct_materials().
   std::vector<MaterialSettings> materials;
 };
 

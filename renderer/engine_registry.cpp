@@ -79,8 +79,8 @@ namespace {
 
 /// Accepts what another engine's option of the same key does, too.
 void widen(OptionRow& row, const OptionRow& other) {
-  row.range.least = std::min(row.range.least, other.range.least);
-  row.range.most = std::max(row.range.most, other.range.most);
+  row.range.min = std::min(row.range.min, other.range.min);
+  row.range.max = std::max(row.range.max, other.range.max);
   for (const std::string& choice : other.choices) {
     if (std::find(row.choices.begin(), row.choices.end(), choice) == row.choices.end())
       row.choices.push_back(choice);

@@ -38,7 +38,7 @@ std::string default_text(const SharedOption& option, std::size_t first, std::siz
 
 std::string range_text(const OptionRow& row) {
   if (row.kind == OptionKind::Choice) return {};
-  return fmt::format(", {:g} to {:g}", row.range.least, row.range.most);
+  return fmt::format(", {:g} to {:g}", row.range.min, row.range.max);
 }
 
 /// "; cell only with onepass", for choices that some of the engines do not have.

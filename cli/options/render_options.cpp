@@ -39,10 +39,10 @@ void add_number(CLI::App& sub, const std::string& name, std::optional<T>& to, Nu
   sub.add_option(name, to, description)
       ->check([range](const std::string& text) {
         const std::optional<double> value = parse_number(text);
-        const bool good = value && *value >= range.least && *value <= range.most;
+        const bool good = value && *value >= range.min && *value <= range.max;
         return good ? std::string()
-                    : fmt::format("expected a number from {:g} to {:g}; found {}", range.least,
-                                  range.most, text);
+                    : fmt::format("expected a number from {:g} to {:g}; found {}", range.min,
+                                  range.max, text);
       })
       ->option_text(letter);
 }

@@ -80,7 +80,7 @@ Orbit parse_orbit(const std::string& text) {
 OrthographicSize parse_orthographic(const std::string& text) {
   if (text == "fit") return {};
   const auto height = parse_number(text);
-  if (height && *height >= kOrthographicHeights.least && *height <= kOrthographicHeights.most)
+  if (height && *height >= kOrthographicHeights.min && *height <= kOrthographicHeights.max)
     return {height};
   throw CLI::ValidationError("--orthographic",
                              "expected the image's height in the model's coordinates, above 0, "
@@ -109,7 +109,7 @@ Background parse_background(const std::string& text) {
 
 glm::vec3 parse_absorption(const std::string& text) {
   const auto numbers = parse_numbers(text);
-  const auto in_range = [](double n) { return n >= kAbsorptions.least && n <= kAbsorptions.most; };
+  const auto in_range = [](double n) { return n >= kAbsorptions.min && n <= kAbsorptions.max; };
   if (numbers.size() != 3 || !std::all_of(numbers.begin(), numbers.end(), in_range)) {
     throw CLI::ValidationError(
         "--absorption", "expected R,G,B, exponents from 0 to 100 as in 2,0.5,0.3; found " + text);

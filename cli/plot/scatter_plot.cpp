@@ -61,7 +61,7 @@ Axis cost_axis(const Plot& plot) {
   }
   for (const PlotLine& line : plot.lines) logs.push_back(std::log10(line.cost));
   Axis axis = axis_of(logs, 0.4);
-  axis.most += 0.35 * (axis.most - axis.least);  // for the labels, which are to the right
+  axis.max += 0.35 * (axis.max - axis.min);  // for the labels, which are to the right
   return axis;
 }
 
@@ -71,7 +71,7 @@ Axis quality_axis(const PlotPanel& panel) {
   return axis_of(values, 1.0);
 }
 
-/// One panel, as it is drawn.
+/// Draws one panel.
 class Panel {
  public:
   Panel(const PlotPanel& panel, const Axis& cost, double left)
@@ -86,7 +86,7 @@ class Panel {
     const std::vector<std::size_t> front = pareto_front(panel_.points);
     draw_front(front);
     for (const PlotPoint& point : panel_.points) {
-      const auto [x, y] = place(point);
+      const auto [x, y] = position_of(point);
       taken_.push_back({x - 7.0, y - 7.0, x + 7.0, y + 7.0});
     }
     for (std::size_t k = 0; k < panel_.points.size(); ++k)
@@ -96,12 +96,12 @@ class Panel {
 
  private:
   [[nodiscard]] double x_of(double cost) const {
-    return frame_.x0 + cost_.place(std::log10(cost)) * (frame_.x1 - frame_.x0);
+    return frame_.x0 + cost_.fraction(std::log10(cost)) * (frame_.x1 - frame_.x0);
   }
   [[nodiscard]] double y_of(double quality) const {
-    return frame_.y1 - quality_.place(quality) * (frame_.y1 - frame_.y0);
+    return frame_.y1 - quality_.fraction(quality) * (frame_.y1 - frame_.y0);
   }
-  [[nodiscard]] std::array<double, 2> place(const PlotPoint& point) const {
+  [[nodiscard]] std::array<double, 2> position_of(const PlotPoint& point) const {
     return {x_of(point.cost), y_of(point.quality)};
   }
 
@@ -146,29 +146,29 @@ class Panel {
     if (front.size() < 2) return;
     std::string corners;
     for (const std::size_t k : front) {
-      const auto [x, y] = place(panel_.points[k]);
+      const auto [x, y] = position_of(panel_.points[k]);
       corners += fmt::format("{:.1f},{:.1f} ", x, y);
     }
     svg_ += fmt::format(R"(<polyline class="front" points="{}"/>)", corners) + "\n";
   }
 
   void draw_point(const PlotPoint& point, bool best) {
-    const auto [x, y] = place(point);
+    const auto [x, y] = position_of(point);
     svg_ += fmt::format(R"(<circle class="{}" cx="{:.1f}" cy="{:.1f}" r="4.5"/>)",
                         best ? "best" : "point", x, y) +
             "\n";
     if (point.marked)
       svg_ += fmt::format(R"(<circle class="ring" cx="{:.1f}" cy="{:.1f}" r="8"/>)", x, y) + "\n";
-    const Box label = place_label(x, y, width_of(point.name));
-    const bool before = label.x1 < x;  // where the width of letters is another, it ends in place
+    const Box label = find_label_box(x, y, width_of(point.name));
+    const bool before = label.x1 < x;  // with another font it still ends there
     svg_ += fmt::format(R"(<text class="{}" text-anchor="{}" x="{:.1f}" y="{:.1f}">{}</text>)",
                         best ? "best-label" : "label", before ? "end" : "start",
                         before ? label.x1 : label.x0, label.y1 - 3.0, escaped(point.name)) +
             "\n";
   }
 
-  /// Where a label is written: beside its point, where nothing is yet, as near as that can be.
-  Box place_label(double x, double y, double width) {
+  /// Returns the free box for a label that is nearest to its point.
+  Box find_label_box(double x, double y, double width) {
     Box first{};
     for (int step = 0; step < 12; ++step) {
       const double away = 0.5 * kLine * step;

@@ -31,10 +31,10 @@ enum class EwaFilter : std::uint8_t {
   Unfiltered    ///< ellipses without the low-pass filter
 };
 
-/// What an engine's numbers may be; the same on the command line and in scene files.
+/// The range of a numeric option, on the command line and in scene files.
 struct NumberChoice {
-  double least;
-  double most;
+  double min;
+  double max;
 };
 inline constexpr NumberChoice kSampleCounts{1, 65536};   ///< samples a pixel
 inline constexpr NumberChoice kRadiusFactors{1.0, 4.0};  ///< of multipass, 2 as in [Ochotta 2008]
@@ -46,8 +46,8 @@ inline constexpr NumberChoice kTimeBudgets{1e-3, 1e9};         ///< milliseconds
 
 inline constexpr NumberChoice kExposures{-20.0, 20.0};  ///< stops
 
-/// Which outputs an image has. Colour and coverage are always there; nothing is allocated, written
-/// or read back for an output that is off.
+/// The outputs of an image, beside colour and coverage, which every image has. Nothing is
+/// allocated, written or read back for an output that is off.
 struct Outputs {
   bool normal = false;
   bool depth = false;
@@ -55,8 +55,8 @@ struct Outputs {
   bool patch_id = false;
 };
 
-/// Turns on the output of a name: normal, depth, uv or patch; colour is always on. False if there
-/// is no such output.
+/// Turns on an output: normal, depth, uv or patch; colour is always on. Returns false for any other
+/// name.
 [[nodiscard]] inline bool add_output(Outputs& outputs, std::string_view name) {
   if (name == "colour") return true;
   if (name == "normal") return outputs.normal = true;
@@ -73,13 +73,12 @@ struct ImageSize {
 };
 inline constexpr std::uint32_t kMaxRenderSide = 32768;
 
-/// Vertical fields of view, degrees: from a long telescope's to where an image's rim is drawn out
-/// beyond use.
+/// Vertical fields of view, degrees: from a telescope's to where the distortion at an image's rim
+/// makes it useless.
 inline constexpr double kMinFieldOfView = 0.1;
 inline constexpr double kMaxFieldOfView = 170.0;
 
-/// Heights of orthographic images, world units; a wider range than that of coordinates is of no
-/// use.
+/// Heights of orthographic images, world units: as wide a range as that of coordinates.
 inline constexpr NumberChoice kOrthographicHeights{1e-12, 1e12};
 
 /// The size of an orthographic image: a height (world units), or none to fit the whole model.
@@ -110,7 +109,7 @@ inline constexpr std::array<Named<Material>, 5> kMaterials{{{"unlit", Material::
                                                             {"glass", Material::Glass},
                                                             {"split", Material::Split}}};
 
-/// The value of a name, if the table has it.
+/// Returns the value of a name, if the table has it.
 template <class T, std::size_t N>
 [[nodiscard]] constexpr std::optional<T> find_named(const std::array<Named<T>, N>& table,
                                                     std::string_view name) {
@@ -120,7 +119,7 @@ template <class T, std::size_t N>
   return std::nullopt;
 }
 
-/// The name of a value; empty if the table lacks it.
+/// Returns the name of a value; empty if the table lacks it.
 template <class T, std::size_t N>
 [[nodiscard]] constexpr std::string_view name_of(const std::array<Named<T>, N>& table, T value) {
   for (const Named<T>& named : table) {
@@ -129,7 +128,7 @@ template <class T, std::size_t N>
   return {};
 }
 
-/// All names with `separator` between them.
+/// Returns all names with `separator` between them.
 template <class T, std::size_t N>
 [[nodiscard]] std::string list_names(const std::array<Named<T>, N>& table,
                                      std::string_view separator) {

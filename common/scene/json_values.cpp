@@ -31,32 +31,32 @@ void JsonValues::refuse(const std::string& path, std::string_view clause) {
                         : make_error("{}: {}: {}", file_, path, clause);
 }
 
-void JsonValues::refuse_value(const JsonPlace& place, std::string_view expected) {
-  refuse(place.path, fmt::format("expected {}; found {}", expected, shown(place.value)));
+void JsonValues::refuse_value(const JsonNode& node, std::string_view expected) {
+  refuse(node.path, fmt::format("expected {}; found {}", expected, shown(node.value)));
 }
 
-bool JsonValues::object(const JsonPlace& place, const std::vector<std::string_view>& keys) {
-  if (!place.value.is_object()) {
-    refuse_value(place, fmt::format("an object with {}", fmt::join(keys, ", ")));
+bool JsonValues::object(const JsonNode& node, const std::vector<std::string_view>& keys) {
+  if (!node.value.is_object()) {
+    refuse_value(node, fmt::format("an object with {}", fmt::join(keys, ", ")));
     return false;
   }
-  for (const auto& [key, value] : place.value.items()) {
+  for (const auto& [key, value] : node.value.items()) {
     if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
-    refuse(place.path, fmt::format("does not know the key {}; expected {}", shown(json(key)),
-                                   fmt::join(keys, ", ")));
+    refuse(node.path, fmt::format("does not know the key {}; expected {}", shown(json(key)),
+                                  fmt::join(keys, ", ")));
     return false;
   }
   return true;
 }
 
-std::optional<JsonPlace> JsonValues::member(const JsonPlace& object, std::string_view key) {
+std::optional<JsonNode> JsonValues::member(const JsonNode& object, std::string_view key) {
   const auto found = object.value.find(std::string(key));
   if (found == object.value.end()) return std::nullopt;
-  return JsonPlace{*found, path_of(object.path, key)};
+  return JsonNode{*found, path_of(object.path, key)};
 }
 
-std::optional<JsonPlace> JsonValues::required(const JsonPlace& object, std::string_view key,
-                                              std::string_view expected) {
+std::optional<JsonNode> JsonValues::required(const JsonNode& object, std::string_view key,
+                                             std::string_view expected) {
   auto found = member(object, key);
   if (!found) {
     refuse(path_of(object.path, key), fmt::format("is missing; expected {}", expected));
@@ -64,65 +64,63 @@ std::optional<JsonPlace> JsonValues::required(const JsonPlace& object, std::stri
   return found;
 }
 
-std::vector<JsonPlace> JsonValues::elements(const JsonPlace& place, std::size_t most,
-                                            std::string_view what) {
-  std::vector<JsonPlace> elements;
-  if (!place.value.is_array() || place.value.empty()) {
-    refuse_value(place, fmt::format("a list of {}, at least one", what));
+std::vector<JsonNode> JsonValues::elements(const JsonNode& node, std::size_t max,
+                                           std::string_view what) {
+  std::vector<JsonNode> elements;
+  if (!node.value.is_array() || node.value.empty()) {
+    refuse_value(node, fmt::format("a list of {}, at least one", what));
     return elements;
   }
-  if (place.value.size() > most) {
-    refuse(place.path,
-           fmt::format("has {} {}; at most {} are read", place.value.size(), what, most));
+  if (node.value.size() > max) {
+    refuse(node.path, fmt::format("has {} {}; at most {} are read", node.value.size(), what, max));
     return elements;
   }
-  for (const json& value : place.value) {
-    elements.push_back({value, fmt::format("{}[{}]", place.path, elements.size())});
+  for (const json& value : node.value) {
+    elements.push_back({value, fmt::format("{}[{}]", node.path, elements.size())});
   }
   return elements;
 }
 
-std::string JsonValues::text(const JsonPlace& place, std::string_view expected) {
-  if (place.value.is_string() && !place.value.get_ref<const std::string&>().empty()) {
-    return place.value.get<std::string>();
+std::string JsonValues::text(const JsonNode& node, std::string_view expected) {
+  if (node.value.is_string() && !node.value.get_ref<const std::string&>().empty()) {
+    return node.value.get<std::string>();
   }
-  refuse_value(place, expected);
+  refuse_value(node, expected);
   return {};
 }
 
-bool JsonValues::boolean(const JsonPlace& place) {
-  if (place.value.is_boolean()) return place.value.get<bool>();
-  refuse_value(place, "true or false");
+bool JsonValues::boolean(const JsonNode& node) {
+  if (node.value.is_boolean()) return node.value.get<bool>();
+  refuse_value(node, "true or false");
   return false;
 }
 
-double JsonValues::number(const JsonPlace& place, NumberRange range, std::string_view expected) {
-  const double number = place.value.is_number() ? place.value.get<double>() : 0.0;
-  if (place.value.is_number() && number >= range.least && number <= range.most) return number;
-  refuse_value(place, expected);
-  return range.least;
+double JsonValues::number(const JsonNode& node, NumberRange range, std::string_view expected) {
+  const double number = node.value.is_number() ? node.value.get<double>() : 0.0;
+  if (node.value.is_number() && number >= range.min && number <= range.max) return number;
+  refuse_value(node, expected);
+  return range.min;
 }
 
-OptionValue JsonValues::option(const JsonPlace& place, const OptionRow& row) {
+OptionValue JsonValues::option(const JsonNode& node, const OptionRow& row) {
   OptionValue value = std::string();
-  if (place.value.is_number()) value = place.value.get<double>();
-  if (place.value.is_string()) value = place.value.get<std::string>();
-  if (!check_value(row, value)) refuse_value(place, expected_of(row));
+  if (node.value.is_number()) value = node.value.get<double>();
+  if (node.value.is_string()) value = node.value.get<std::string>();
+  if (!check_value(row, value)) refuse_value(node, expected_of(row));
   return value;
 }
 
-std::vector<double> JsonValues::numbers(const JsonPlace& place, ListLength length,
-                                        NumberRange range, std::string_view expected) {
-  if (!place.value.is_array() || place.value.size() < length.least ||
-      place.value.size() > length.most) {
-    refuse_value(place, expected);
+std::vector<double> JsonValues::numbers(const JsonNode& node, ListLength length, NumberRange range,
+                                        std::string_view expected) {
+  if (!node.value.is_array() || node.value.size() < length.min || node.value.size() > length.max) {
+    refuse_value(node, expected);
     return {};
   }
   std::vector<double> numbers;
-  for (const json& value : place.value) {
-    const JsonPlace element{value, fmt::format("{}[{}]", place.path, numbers.size())};
+  for (const json& value : node.value) {
+    const JsonNode element{value, fmt::format("{}[{}]", node.path, numbers.size())};
     numbers.push_back(
-        number(element, range, fmt::format("a number from {:g} to {:g}", range.least, range.most)));
+        number(element, range, fmt::format("a number from {:g} to {:g}", range.min, range.max)));
   }
   return error_ ? std::vector<double>() : numbers;
 }

@@ -1,4 +1,5 @@
-// Typed values from a JSON tree, each with its place. Not a public header: it needs nlohmann::json.
+// Typed values from a JSON tree, with their paths for messages. Not a public header: it needs
+// nlohmann::json.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -15,68 +16,67 @@
 
 namespace relief {
 
-/// A value and where it stands, as in "views[3].orbit"; the path of the whole file is empty.
-struct JsonPlace {
+/// A value and its path in the file, such as "views[3].orbit"; the path of the root is empty.
+struct JsonNode {
   const nlohmann::json& value;
   std::string path;
 };
 
-/// How many numbers a list has.
+/// How many numbers a list may have.
 struct ListLength {
-  std::size_t least = 0;
-  std::size_t most = 0;
+  std::size_t min = 0;
+  std::size_t max = 0;
 };
 
-/// Inclusive.
+/// A range of numbers, both ends included.
 struct NumberRange {
-  double least = 0.0;
-  double most = 0.0;
+  double min = 0.0;
+  double max = 0.0;
 };
 
-/// Takes values out of a tree and remembers the first that is not what it should be; from then on
-/// all it returns are defaults. Thus a reader reads on and asks once, at its end.
+/// Reads typed values from a tree and keeps the first error. After an error it returns defaults, so
+/// that a reader checks error() only once, at its end.
 class JsonValues {
  public:
-  /// `file` begins every sentence.
+  /// `file` begins every message.
   explicit JsonValues(std::string file) : file_(std::move(file)) {}
 
-  /// What was wrong first, if anything was.
+  /// Returns the first error, if there was one.
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
 
-  /// Remembers that something is wrong at a path: "FILE: PATH: CLAUSE".
+  /// Records an error at a path: "FILE: PATH: CLAUSE".
   void refuse(const std::string& path, std::string_view clause);
-  /// Remembers that a value is wrong: "FILE: PATH: expected EXPECTED; found VALUE".
-  void refuse_value(const JsonPlace& place, std::string_view expected);
+  /// Records a wrong value: "FILE: PATH: expected EXPECTED; found VALUE".
+  void refuse_value(const JsonNode& node, std::string_view expected);
 
-  /// Whether it is an object with no other keys than these.
-  bool object(const JsonPlace& place, const std::vector<std::string_view>& keys);
-  /// The value of a key of an object, if it has it.
-  [[nodiscard]] static std::optional<JsonPlace> member(const JsonPlace& object,
-                                                       std::string_view key);
-  /// The value of a key that must be there.
-  std::optional<JsonPlace> required(const JsonPlace& object, std::string_view key,
-                                    std::string_view expected);
-  /// The elements of an array of 1 to `most`; `what` names them ("views").
-  std::vector<JsonPlace> elements(const JsonPlace& place, std::size_t most, std::string_view what);
+  /// Checks that it is an object with no other keys than these.
+  bool object(const JsonNode& node, const std::vector<std::string_view>& keys);
+  /// Returns the value of a key, if the object has it.
+  [[nodiscard]] static std::optional<JsonNode> member(const JsonNode& object, std::string_view key);
+  /// Returns the value of a required key.
+  std::optional<JsonNode> required(const JsonNode& object, std::string_view key,
+                                   std::string_view expected);
+  /// Returns the elements of an array of 1 to `max`; `what` names them ("views").
+  std::vector<JsonNode> elements(const JsonNode& node, std::size_t max, std::string_view what);
 
-  std::string text(const JsonPlace& place, std::string_view expected);
-  double number(const JsonPlace& place, NumberRange range, std::string_view expected);
-  bool boolean(const JsonPlace& place);
-  /// A list of numbers in a range; empty where it isn't.
-  std::vector<double> numbers(const JsonPlace& place, ListLength length, NumberRange range,
+  std::string text(const JsonNode& node, std::string_view expected);
+  double number(const JsonNode& node, NumberRange range, std::string_view expected);
+  bool boolean(const JsonNode& node);
+  /// Returns a list of numbers in a range; empty after an error.
+  std::vector<double> numbers(const JsonNode& node, ListLength length, NumberRange range,
                               std::string_view expected);
 
-  /// The value of an option. A value that its row does not accept is wrong.
-  OptionValue option(const JsonPlace& place, const OptionRow& row);
+  /// Returns the value of an option, checked against its row.
+  OptionValue option(const JsonNode& node, const OptionRow& row);
 
-  /// The value that a table has for a name.
+  /// Returns the value that a table has for a name.
   template <class T, std::size_t N>
-  T choice(const JsonPlace& place, const std::array<Named<T>, N>& table) {
-    if (place.value.is_string()) {
-      if (const auto found = find_named(table, place.value.get_ref<const std::string&>()))
+  T choice(const JsonNode& node, const std::array<Named<T>, N>& table) {
+    if (node.value.is_string()) {
+      if (const auto found = find_named(table, node.value.get_ref<const std::string&>()))
         return *found;
     }
-    refuse_value(place, list_names(table, ", "));
+    refuse_value(node, list_names(table, ", "));
     return table.front().value;
   }
 

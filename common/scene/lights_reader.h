@@ -10,9 +10,9 @@ namespace relief {
 
 /// A list of 1 to kMaxLights lights, each with a direction or a position and, if it is not white
 /// and of intensity 1, with a colour and an intensity.
-std::vector<Light> read_lights(JsonValues& values, const JsonPlace& place);
+std::vector<Light> read_lights(JsonValues& values, const JsonNode& node);
 
-/// [r, g, b], linear, each from 0 to `most`.
-glm::vec3 read_linear_colour(JsonValues& values, const JsonPlace& place, double most);
+/// [r, g, b], linear, each from 0 to `max`.
+glm::vec3 read_linear_colour(JsonValues& values, const JsonNode& node, double max);
 
 }  // namespace relief

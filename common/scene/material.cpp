@@ -2,7 +2,7 @@
 
 namespace relief {
 
-MaterialWords overlay_material(MaterialWords base, const MaterialWords& over) {
+MaterialOverrides overlay_material(MaterialOverrides base, const MaterialOverrides& over) {
   if (over.material) base.material = over.material;
   if (over.ior) base.ior = over.ior;
   if (over.absorption) base.absorption = over.absorption;
@@ -12,15 +12,15 @@ MaterialWords overlay_material(MaterialWords base, const MaterialWords& over) {
   return base;
 }
 
-MaterialSettings material_of(const MaterialWords& words) {
+MaterialSettings material_of(const MaterialOverrides& overrides) {
   MaterialSettings settings;
-  settings.kind = words.material.value_or(settings.kind);
+  settings.kind = overrides.material.value_or(settings.kind);
   MaterialConstants& constants = settings.constants;
-  constants.ior = static_cast<float>(words.ior.value_or(constants.ior));
-  constants.absorption = words.absorption.value_or(constants.absorption);
-  constants.roughness = static_cast<float>(words.roughness.value_or(constants.roughness));
-  constants.opacity = static_cast<float>(words.opacity.value_or(constants.opacity));
-  constants.interfaces = words.interfaces.value_or(constants.interfaces);
+  constants.ior = static_cast<float>(overrides.ior.value_or(constants.ior));
+  constants.absorption = overrides.absorption.value_or(constants.absorption);
+  constants.roughness = static_cast<float>(overrides.roughness.value_or(constants.roughness));
+  constants.opacity = static_cast<float>(overrides.opacity.value_or(constants.opacity));
+  constants.interfaces = overrides.interfaces.value_or(constants.interfaces);
   return settings;
 }
 

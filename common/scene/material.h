@@ -9,9 +9,9 @@
 
 namespace relief {
 
-/// The numbers of materials that have any.
+/// The parameters of materials.
 struct MaterialConstants {
-  /// Of Glass: its index of refraction over that of what surrounds it.
+  /// Of Glass: its index of refraction, relative to its surroundings.
   float ior = 1.5F;
   /// Of Glass: how much light is lost along a diameter of the body, as an exponent for each of R, G
   /// and B (Beer-Lambert), so that it does not depend on the model's size. With one interface a
@@ -22,9 +22,9 @@ struct MaterialConstants {
   /// Of Mirror and Split: 0 is smooth; the width of the microfacets' GGX distribution is its
   /// square.
   float roughness = 0.0F;
-  /// Of any kind: how much of what is behind a surface it covers. 1 is opaque.
+  /// Of any kind: the share of the background that a surface covers. 1 is opaque.
   float opacity = 1.0F;
-  /// Of Glass: 1, light is refracted where it is seen to enter, or 2, where it leaves too.
+  /// Of Glass: 1 refracts light where it enters; 2 also where it leaves.
   int interfaces = 1;
 
   bool operator==(const MaterialConstants&) const = default;
@@ -37,20 +37,20 @@ struct MaterialSettings {
   bool operator==(const MaterialSettings&) const = default;
 };
 
-/// What the numbers may be, on the command line and in scene files.
+/// Ranges of the parameters, on the command line and in scene files.
 inline constexpr NumberChoice kRefractiveIndices{1.0, 4.0};
 inline constexpr NumberChoice kAbsorptions{0.0, 100.0};
 inline constexpr NumberChoice kRoughnesses{0.0, 1.0};
 inline constexpr NumberChoice kOpacities{0.0, 1.0};
 inline constexpr NumberChoice kInterfaceCounts{1, 2};
 
-/// The most materials of a scene, and how many roughnesses above 0 may be among those of an image:
-/// each has an environment of its own, of up to 16 MB.
+/// Maximum number of materials of a scene, and of roughnesses above 0 in an image: each roughness
+/// has its own environment of up to 16 MB.
 inline constexpr std::size_t kMaxMaterials = 256;
 inline constexpr std::size_t kMaxRoughnesses = 16;
 
-/// What the command line, a scene, one of its views or models sets for a material.
-struct MaterialWords {
+/// The material parameters that the command line, a scene, a view or a model sets.
+struct MaterialOverrides {
   std::optional<Material> material;
   std::optional<double> ior;
   std::optional<glm::vec3> absorption;
@@ -58,13 +58,14 @@ struct MaterialWords {
   std::optional<double> opacity;
   std::optional<int> interfaces;
 
-  bool operator==(const MaterialWords&) const = default;
+  bool operator==(const MaterialOverrides&) const = default;
 };
 
 /// The settings of `base`, overridden by those that `over` has.
-[[nodiscard]] MaterialWords overlay_material(MaterialWords base, const MaterialWords& over);
+[[nodiscard]] MaterialOverrides overlay_material(MaterialOverrides base,
+                                                 const MaterialOverrides& over);
 
 /// The material with those settings; the others are as in MaterialSettings.
-[[nodiscard]] MaterialSettings material_of(const MaterialWords& words);
+[[nodiscard]] MaterialSettings material_of(const MaterialOverrides& overrides);
 
 }  // namespace relief

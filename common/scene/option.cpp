@@ -21,7 +21,7 @@ bool accepts(const OptionRow& row, const OptionValue& value) {
            std::find(row.choices.begin(), row.choices.end(), *name) != row.choices.end();
   }
   const double* const number = std::get_if<double>(&value);
-  if (number == nullptr || !(*number >= row.range.least && *number <= row.range.most)) return false;
+  if (number == nullptr || !(*number >= row.range.min && *number <= row.range.max)) return false;
   return row.kind == OptionKind::Number || *number == std::floor(*number);
 }
 
@@ -30,8 +30,8 @@ bool accepts(const OptionRow& row, const OptionValue& value) {
 std::string expected_of(const OptionRow& row) {
   if (row.kind == OptionKind::Choice) return fmt::format("{}", fmt::join(row.choices, ", "));
   return fmt::format("a {} from {:g} to {:g}",
-                     row.kind == OptionKind::Integer ? "whole number" : "number", row.range.least,
-                     row.range.most);
+                     row.kind == OptionKind::Integer ? "whole number" : "number", row.range.min,
+                     row.range.max);
 }
 
 Status check_value(const OptionRow& row, const OptionValue& value) {

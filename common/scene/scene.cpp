@@ -15,13 +15,13 @@ constexpr double kDefaultFieldOfView = 45.0;
 
 }  // namespace
 
-std::vector<MaterialWords> materials_said(const std::vector<SceneModel>& models) {
-  std::vector<MaterialWords> said;
+std::vector<MaterialOverrides> distinct_materials(const std::vector<SceneModel>& models) {
+  std::vector<MaterialOverrides> distinct;
   for (const SceneModel& model : models) {
-    if (std::find(said.begin(), said.end(), model.material) == said.end())
-      said.push_back(model.material);
+    if (std::find(distinct.begin(), distinct.end(), model.material) == distinct.end())
+      distinct.push_back(model.material);
   }
-  return said;
+  return distinct;
 }
 
 SceneSettings overlay(SceneSettings base, const SceneSettings& over) {
@@ -37,7 +37,7 @@ SceneSettings overlay(SceneSettings base, const SceneSettings& over) {
   take(base.fov_degrees, over.fov_degrees);
   take(base.orthographic, over.orthographic);
   take(base.engine, over.engine);
-  static_cast<MaterialWords&>(base) = overlay_material(base, over);
+  static_cast<MaterialOverrides&>(base) = overlay_material(base, over);
   take(base.lights, over.lights);
   take(base.ambient, over.ambient);
   take(base.environment, over.environment);

@@ -16,67 +16,67 @@ namespace {
 constexpr NumberRange kAngles{-1e6, 1e6};
 constexpr double kNearestOrbit = 1e-6;  // bounding-sphere radii
 
-ImageSize read_size(JsonValues& values, const JsonPlace& place) {
+ImageSize read_size(JsonValues& values, const JsonNode& node) {
   constexpr std::string_view kExpected = "[width, height], whole numbers from 1 to 32768";
-  const auto n = values.numbers(place, {2, 2}, {1.0, kMaxRenderSide}, kExpected);
+  const auto n = values.numbers(node, {2, 2}, {1.0, kMaxRenderSide}, kExpected);
   if (n.empty()) return {};
-  if (n[0] != std::floor(n[0]) || n[1] != std::floor(n[1])) values.refuse_value(place, kExpected);
+  if (n[0] != std::floor(n[0]) || n[1] != std::floor(n[1])) values.refuse_value(node, kExpected);
   return {static_cast<std::uint32_t>(n[0]), static_cast<std::uint32_t>(n[1])};
 }
 
-Orbit read_orbit(JsonValues& values, const JsonPlace& place) {
+Orbit read_orbit(JsonValues& values, const JsonNode& node) {
   constexpr std::string_view kExpected =
       "[azimuth, elevation] or [azimuth, elevation, distance], the distance above 0";
-  const auto n = values.numbers(place, {2, 3}, kAngles, kExpected);
+  const auto n = values.numbers(node, {2, 3}, kAngles, kExpected);
   if (n.empty()) return {};
-  if (n.size() == 3 && n[2] < kNearestOrbit) values.refuse_value(place, kExpected);
+  if (n.size() == 3 && n[2] < kNearestOrbit) values.refuse_value(node, kExpected);
   return {n[0], n[1], n.size() == 3 ? n[2] : 0.0};
 }
 
-OrthographicSize read_orthographic(JsonValues& values, const JsonPlace& place) {
-  if (place.value == "fit") return {};
-  return {values.number(place, {kOrthographicHeights.least, kOrthographicHeights.most},
+OrthographicSize read_orthographic(JsonValues& values, const JsonNode& node) {
+  if (node.value == "fit") return {};
+  return {values.number(node, {kOrthographicHeights.min, kOrthographicHeights.max},
                         "the image's height in world units, above 0, or \"fit\"")};
 }
 
-Background read_background(JsonValues& values, const JsonPlace& place) {
+Background read_background(JsonValues& values, const JsonNode& node) {
   constexpr std::string_view kExpected = "[r, g, b], sRGB values from 0 to 1, or \"none\"";
-  if (place.value == "none") return {};
-  const auto n = values.numbers(place, {3, 3}, {0.0, 1.0}, kExpected);
+  if (node.value == "none") return {};
+  const auto n = values.numbers(node, {3, 3}, {0.0, 1.0}, kExpected);
   if (n.empty()) return {};
   const auto linear = [](double s) { return linear_from_srgb(static_cast<float>(s)); };
   return {glm::vec3(linear(n[0]), linear(n[1]), linear(n[2]))};
 }
 
-Outputs read_outputs(JsonValues& values, const JsonPlace& place) {
+Outputs read_outputs(JsonValues& values, const JsonNode& node) {
   constexpr std::string_view kExpected =
       "a list of some of colour, normal, depth, uv, patch, or \"all\"";
   Outputs outputs;
-  if (place.value == "all") return {true, true, true, true};
-  if (!place.value.is_array() || place.value.empty()) {
-    values.refuse_value(place, kExpected);
+  if (node.value == "all") return {true, true, true, true};
+  if (!node.value.is_array() || node.value.empty()) {
+    values.refuse_value(node, kExpected);
     return outputs;
   }
-  for (const nlohmann::json& name : place.value) {
+  for (const nlohmann::json& name : node.value) {
     if (!name.is_string() || !add_output(outputs, name.get_ref<const std::string&>()))
-      values.refuse_value({name, place.path}, kExpected);
+      values.refuse_value({name, node.path}, kExpected);
   }
   return outputs;
 }
 
 /// The name of an engine.
-std::string read_engine(JsonValues& values, const JsonPlace& place, const EngineKeys& engines) {
-  std::string name = place.value.is_string() ? place.value.get<std::string>() : std::string();
+std::string read_engine(JsonValues& values, const JsonNode& node, const EngineKeys& engines) {
+  std::string name = node.value.is_string() ? node.value.get<std::string>() : std::string();
   const auto& known = engines.engines;
   if (std::find(known.begin(), known.end(), name) == known.end())
-    values.refuse_value(place, fmt::format("{}", fmt::join(known, ", ")));
+    values.refuse_value(node, fmt::format("{}", fmt::join(known, ", ")));
   return name;
 }
 
-int read_count(JsonValues& values, const JsonPlace& place, NumberChoice range,
+int read_count(JsonValues& values, const JsonNode& node, NumberChoice range,
                std::string_view expected) {
-  const double n = values.number(place, {range.least, range.most}, expected);
-  if (n != std::floor(n)) values.refuse_value(place, expected);
+  const double n = values.number(node, {range.min, range.max}, expected);
+  if (n != std::floor(n)) values.refuse_value(node, expected);
   return static_cast<int>(n);
 }
 
@@ -92,64 +92,63 @@ std::vector<std::string_view> with_setting_keys(std::vector<std::string_view> ke
   return keys;
 }
 
-MaterialWords read_material(JsonValues& values, const JsonPlace& object) {
-  MaterialWords words;
-  if (const auto place = JsonValues::member(object, "material"))
-    words.material = values.choice(*place, kMaterials);
-  if (const auto place = JsonValues::member(object, "ior")) {
-    words.ior = values.number(*place, {kRefractiveIndices.least, kRefractiveIndices.most},
-                              "a number from 1 to 4");
+MaterialOverrides read_material(JsonValues& values, const JsonNode& object) {
+  MaterialOverrides overrides;
+  if (const auto node = JsonValues::member(object, "material"))
+    overrides.material = values.choice(*node, kMaterials);
+  if (const auto node = JsonValues::member(object, "ior")) {
+    overrides.ior = values.number(*node, {kRefractiveIndices.min, kRefractiveIndices.max},
+                                  "a number from 1 to 4");
   }
-  if (const auto place = JsonValues::member(object, "absorption"))
-    words.absorption = read_linear_colour(values, *place, kAbsorptions.most);
-  if (const auto place = JsonValues::member(object, "interfaces"))
-    words.interfaces = read_count(values, *place, kInterfaceCounts, "1 or 2");
+  if (const auto node = JsonValues::member(object, "absorption"))
+    overrides.absorption = read_linear_colour(values, *node, kAbsorptions.max);
+  if (const auto node = JsonValues::member(object, "interfaces"))
+    overrides.interfaces = read_count(values, *node, kInterfaceCounts, "1 or 2");
   const auto read_fraction = [&](std::string_view key, NumberChoice choice) {
-    const auto place = JsonValues::member(object, key);
-    if (!place) return std::optional<double>();
-    return std::optional(
-        values.number(*place, {choice.least, choice.most}, "a number from 0 to 1"));
+    const auto node = JsonValues::member(object, key);
+    if (!node) return std::optional<double>();
+    return std::optional(values.number(*node, {choice.min, choice.max}, "a number from 0 to 1"));
   };
-  words.roughness = read_fraction("roughness", kRoughnesses);
-  words.opacity = read_fraction("opacity", kOpacities);
-  return words;
+  overrides.roughness = read_fraction("roughness", kRoughnesses);
+  overrides.opacity = read_fraction("opacity", kOpacities);
+  return overrides;
 }
 
-SceneSettings read_settings(JsonValues& values, const JsonPlace& object,
+SceneSettings read_settings(JsonValues& values, const JsonNode& object,
                             const SettingsContext& context) {
   SceneSettings settings;
   const auto read = [&object](std::string_view key, auto& to, const auto& value_at) {
-    if (const auto place = JsonValues::member(object, key)) to = value_at(*place);
+    if (const auto node = JsonValues::member(object, key)) to = value_at(*node);
   };
   const auto with = [&values](auto* read_value) {
-    return [&values, read_value](const JsonPlace& place) { return read_value(values, place); };
+    return [&values, read_value](const JsonNode& node) { return read_value(values, node); };
   };
   read("size", settings.size, with(read_size));
   read("orbit", settings.orbit, with(read_orbit));
   read("eye", settings.eye, with(read_vector));
   read("target", settings.target, with(read_vector));
   read("up", settings.up, with(read_direction));
-  read("fov", settings.fov_degrees, [&values](const JsonPlace& place) {
-    return values.number(place, {kMinFieldOfView, kMaxFieldOfView}, "degrees from 0.1 to 170");
+  read("fov", settings.fov_degrees, [&values](const JsonNode& node) {
+    return values.number(node, {kMinFieldOfView, kMaxFieldOfView}, "degrees from 0.1 to 170");
   });
   read("orthographic", settings.orthographic, with(read_orthographic));
   read("engine", settings.engine,
-       [&](const JsonPlace& place) { return read_engine(values, place, context.engines); });
+       [&](const JsonNode& node) { return read_engine(values, node, context.engines); });
   for (const OptionRow& row : context.engines.options) {
-    if (const auto place = JsonValues::member(object, row.key))
-      settings.options.insert_or_assign(row.key, values.option(*place, row));
+    if (const auto node = JsonValues::member(object, row.key))
+      settings.options.insert_or_assign(row.key, values.option(*node, row));
   }
-  static_cast<MaterialWords&>(settings) = read_material(values, object);
+  static_cast<MaterialOverrides&>(settings) = read_material(values, object);
   read("lights", settings.lights, with(read_lights));
   read("ambient", settings.ambient,
-       [&values](const JsonPlace& place) { return read_linear_colour(values, place, kMaxLight); });
-  read("env", settings.environment, [&](const JsonPlace& place) {
-    return read_path(values, place, context.folder, "the name of an environment map, EXR or HDR");
+       [&values](const JsonNode& node) { return read_linear_colour(values, node, kMaxLight); });
+  read("env", settings.environment, [&](const JsonNode& node) {
+    return read_path(values, node, context.folder, "the name of an environment map, EXR or HDR");
   });
   read("background", settings.background, with(read_background));
   read("outputs", settings.outputs, with(read_outputs));
-  read("exposure", settings.exposure, [&values](const JsonPlace& place) {
-    return values.number(place, {kExposures.least, kExposures.most}, "stops from -20 to 20");
+  read("exposure", settings.exposure, [&values](const JsonNode& node) {
+    return values.number(node, {kExposures.min, kExposures.max}, "stops from -20 to 20");
   });
   if (settings.orbit && (settings.eye || settings.target || settings.up))
     values.refuse(object.path, "expected either an orbit or eye, target and up; found both");
@@ -158,11 +157,11 @@ SceneSettings read_settings(JsonValues& values, const JsonPlace& object,
   return settings;
 }
 
-std::filesystem::path read_path(JsonValues& values, const JsonPlace& place,
+std::filesystem::path read_path(JsonValues& values, const JsonNode& node,
                                 const std::filesystem::path& folder, std::string_view expected) {
-  const std::string name = values.text(place, expected);
+  const std::string name = values.text(node, expected);
   // With a zero byte it would be another file's name to the operating system.
-  if (name.find('\0') != std::string::npos) values.refuse_value(place, expected);
+  if (name.find('\0') != std::string::npos) values.refuse_value(node, expected);
   return folder / name;
 }
 

@@ -24,7 +24,7 @@ struct SettingsContext {
                                                               const EngineKeys& engines);
 
 /// The settings among the members of an object.
-SceneSettings read_settings(JsonValues& values, const JsonPlace& object,
+SceneSettings read_settings(JsonValues& values, const JsonNode& object,
                             const SettingsContext& context);
 
 /// The keys of a material.
@@ -32,10 +32,10 @@ inline constexpr std::array<std::string_view, 6> kMaterialKeys{
     "material", "ior", "absorption", "roughness", "opacity", "interfaces"};
 
 /// The material among the members of an object.
-MaterialWords read_material(JsonValues& values, const JsonPlace& object);
+MaterialOverrides read_material(JsonValues& values, const JsonNode& object);
 
 /// The name of a file, relative to `folder`.
-std::filesystem::path read_path(JsonValues& values, const JsonPlace& place,
+std::filesystem::path read_path(JsonValues& values, const JsonNode& node,
                                 const std::filesystem::path& folder, std::string_view expected);
 
 }  // namespace relief

@@ -14,21 +14,21 @@ constexpr NumberRange kAngleRange{-1e6, 1e6};
 
 }  // namespace
 
-glm::dvec3 read_vector(JsonValues& values, const JsonPlace& place) {
-  const auto n = values.numbers(place, {3, 3}, kCoordinates, "[x, y, z], three numbers");
+glm::dvec3 read_vector(JsonValues& values, const JsonNode& node) {
+  const auto n = values.numbers(node, {3, 3}, kCoordinates, "[x, y, z], three numbers");
   return n.empty() ? glm::dvec3(0.0) : glm::dvec3(n[0], n[1], n[2]);
 }
 
-glm::dvec3 read_direction(JsonValues& values, const JsonPlace& place) {
-  const glm::dvec3 v = read_vector(values, place);
+glm::dvec3 read_direction(JsonValues& values, const JsonNode& node) {
+  const glm::dvec3 v = read_vector(values, node);
   const double length = glm::length(v);
   if (length > kShortestDirection) return v / length;
-  values.refuse_value(place, "[x, y, z] longer than 0");
+  values.refuse_value(node, "[x, y, z] longer than 0");
   return {0.0, 1.0, 0.0};
 }
 
-double read_angle(JsonValues& values, const JsonPlace& place) {
-  return values.number(place, kAngleRange, "degrees from -1e6 to 1e6");
+double read_angle(JsonValues& values, const JsonNode& node) {
+  return values.number(node, kAngleRange, "degrees from -1e6 to 1e6");
 }
 
 }  // namespace relief

@@ -46,7 +46,7 @@ void set_lights(shared::Frame& frame, const View& view, const Lights& lights) {
   for (std::size_t i = 0; i < lights.list.size(); ++i) {
     const Light& light = lights.list[i];
     const bool is_point = light.kind == LightKind::Point;
-    const glm::dvec3 place = is_point ? light.place - view.eye : light.place;
+    const glm::dvec3 place = is_point ? light.position - view.eye : light.position;
     frame.light_place[i] = glm::vec4(glm::dvec4(place, is_point ? 1.0 : 0.0));
     frame.light_colour[i] = glm::vec4(light.colour, 0.0F);
   }

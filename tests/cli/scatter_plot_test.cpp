@@ -36,9 +36,9 @@ TEST(PlotAxis, TicksAreRoundAndWithinTheRange) {
 
 TEST(PlotAxis, OfOneValueHasAWidth) {
   const Axis axis = axis_of({3.0}, 1.0);
-  EXPECT_DOUBLE_EQ(axis.least, 2.5);
-  EXPECT_DOUBLE_EQ(axis.most, 3.5);
-  EXPECT_DOUBLE_EQ(axis.place(3.0), 0.5);
+  EXPECT_DOUBLE_EQ(axis.min, 2.5);
+  EXPECT_DOUBLE_EQ(axis.max, 3.5);
+  EXPECT_DOUBLE_EQ(axis.fraction(3.0), 0.5);
 }
 
 std::size_t count(const std::string& text, const std::string& part) {

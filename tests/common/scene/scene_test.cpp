@@ -84,8 +84,8 @@ TEST_F(Scenes, EveryKeyIsRead) {
   EXPECT_EQ(scene.models[0].transform.scale, 1.0);
   EXPECT_EQ(scene.models[0].transform.rotation, glm::dmat3(1.0));
   EXPECT_EQ(scene.models[0].material,
-            (MaterialWords{Material::Glass, 2.0, glm::vec3(0, 1, 2), std::nullopt, 0.5, 2}));
-  EXPECT_EQ(scene.models[1].material, MaterialWords{});
+            (MaterialOverrides{Material::Glass, 2.0, glm::vec3(0, 1, 2), std::nullopt, 0.5, 2}));
+  EXPECT_EQ(scene.models[1].material, MaterialOverrides{});
   EXPECT_EQ(scene.models[0].is_closed, true);
   EXPECT_FALSE(scene.models[1].is_closed);
   EXPECT_EQ(scene.models[1].file, "/b.ply");
@@ -108,10 +108,10 @@ TEST_F(Scenes, EveryKeyIsRead) {
   EXPECT_EQ(all.environment, folder_ / "sky.hdr");
   ASSERT_EQ(all.lights->size(), 2U);
   EXPECT_EQ((*all.lights)[0].kind, LightKind::Directional);
-  EXPECT_LT(glm::distance((*all.lights)[0].place, glm::dvec3(0, 0.6, 0.8)), 1e-15);
+  EXPECT_LT(glm::distance((*all.lights)[0].position, glm::dvec3(0, 0.6, 0.8)), 1e-15);
   EXPECT_EQ((*all.lights)[0].colour, glm::vec3(1));
   EXPECT_EQ((*all.lights)[1].kind, LightKind::Point);
-  EXPECT_EQ((*all.lights)[1].place, glm::dvec3(1, 2, 3));
+  EXPECT_EQ((*all.lights)[1].position, glm::dvec3(1, 2, 3));
   EXPECT_EQ((*all.lights)[1].colour, glm::vec3(8, 4, 0));
   EXPECT_EQ(*all.ambient, glm::vec3(0, 0.5, 2));
   EXPECT_EQ(*all.background->colour, glm::vec3(1, linear_from_srgb(0.5F), 0));

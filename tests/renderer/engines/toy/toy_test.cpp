@@ -86,7 +86,7 @@ TEST(EngineRegistry, DefaultsAreThoseOfTheTables) {
       // What is put in comes out.
       const OptionValue other = option.row.kind == OptionKind::Choice
                                     ? OptionValue(option.row.choices.back())
-                                    : OptionValue(option.row.range.most);
+                                    : OptionValue(option.row.range.max);
       RenderSettings changed = settings;
       ASSERT_TRUE(apply_options(engine, {{option.row.key, other}}, changed));
       EXPECT_EQ(option.get(changed), other) << engine.name << " " << option.row.key;
