@@ -81,7 +81,7 @@ Result<Summary> export_file(const ExportArguments& arguments, Progress& progress
   RELIEF_TRY_ASSIGN(auto model, load_model(arguments.input, progress));
   const bool as_mesh = arguments.as.empty() ? format.is_mesh : arguments.as == "mesh";
   const bool is_closed = model.is_closed;
-  // Heights are coded in steps of a twentieth of the spacing; a fiftieth of such a step more does
+  // Heights are coded in steps of a twentieth of the spacing; a fiftieth of a step more does
   // not show.
   const double tolerance = model.spacing / 1000.0;
   progress.begin_stage("mesh", 0);

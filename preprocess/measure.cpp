@@ -69,7 +69,7 @@ double distance_or_far(const Patch& patch, glm::dvec3 point) {
   return distance_to_patch(patch, point).value_or(kFar);
 }
 
-// Returns the least distance of a point to the patches of its neighbourhood, without `except`.
+// Returns the smallest distance of a point to the patches of its neighbourhood, without `except`.
 double neighbourhood_distance(const std::vector<glm::dvec3>& positions, const NeighbourGraph& graph,
                               const std::vector<std::uint32_t>& owner,
                               const std::vector<Patch>& patches, std::size_t point,

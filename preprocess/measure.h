@@ -27,7 +27,7 @@ struct Fidelity {
 /// Measures the first `count` points against the patches of their neighbourhood; `owner` is each
 /// point's patch (index into `patches`, or patches.size() if it has none). Points farther than two
 /// spacings from those are compared with every patch. A point without a near patch counts in `max`
-/// and `rms` with two spacings, its least possible distance.
+/// and `rms` with two spacings, its smallest possible distance.
 [[nodiscard]] Fidelity measure_fidelity(const std::vector<glm::dvec3>& positions, std::size_t count,
                                         const NeighbourGraph& graph,
                                         const std::vector<std::uint32_t>& owner,

@@ -8,7 +8,7 @@
 namespace relief::cli {
 namespace {
 
-/// The most memory that this process has had.
+/// Peak memory of this process.
 std::uint64_t peak_bytes() {
   struct rusage usage {};
   ::getrusage(RUSAGE_SELF, &usage);

@@ -45,7 +45,7 @@ void ignore_warning(png_structp /*png*/, png_const_charp /*text*/) {}
 /// Reads the header and asks for grey, grey-alpha, RGB or RGBA of 8 or 16 bits in the machine's
 /// byte order.
 bool read_header(png_structp png, png_infop info, PngInput* in) {
-  if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT: libpng's way to report an error
+  if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT: libpng reports errors by longjmp
   png_set_user_limits(png, kMaxImageSide, kMaxImageSide);
   png_set_read_fn(png, in, take_bytes);
 #ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
@@ -64,7 +64,7 @@ bool read_header(png_structp png, png_infop info, PngInput* in) {
 }
 
 bool read_rows(png_structp png, png_bytepp rows) {
-  if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT: libpng's way to report an error
+  if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT: libpng reports errors by longjmp
   png_read_image(png, rows);
   png_read_end(png, nullptr);
   return true;

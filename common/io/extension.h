@@ -1,4 +1,4 @@
-// What a file's name says about its format.
+// File name extensions.
 #pragma once
 
 #include <filesystem>

@@ -73,7 +73,7 @@ struct PatchFileOptions {
 
 /// Writes a model atomically: `path` never holds a partial file. Equal models give equal bytes.
 /// Compact rounds the patches' origins, which moves no sample by more than 0.1 height steps. Fails
-/// with one sentence (no such directory, disk full, ...).
+/// with one sentence (missing directory, disk full, ...).
 Status write_patch_file(const std::filesystem::path& path, const PatchModel& model,
                         const PatchFileOptions& options = {});
 
@@ -105,7 +105,7 @@ class PatchFile {
   /// belongs to one thread.
   [[nodiscard]] Result<Patch> read_patch(std::uint64_t index, ZstdContexts& zstd) const;
 
-  /// Returns the least memory that the decoded patches take, in bytes.
+  /// Returns the minimum memory that the decoded patches take, in bytes.
   [[nodiscard]] std::uint64_t decoded_bytes(std::span<const std::uint64_t> patches) const;
 
   /// Reads every 2^level-th node of a patch in both directions, with a spacing 2^level times as

@@ -82,7 +82,7 @@ std::vector<std::byte> write_header(const FileHeader& header) {
   append_number(out, header.is_closed ? kClosedFlag : std::uint64_t{0});
   append_number(out, header.index_checksum);
   append_number(out, crc32(out));
-  assert(out.size() == kHeaderBytes && "the header has the size that the format says");
+  assert(out.size() == kHeaderBytes && "the header has the size that the format defines");
   return out;
 }
 

@@ -99,7 +99,7 @@ std::vector<std::byte> write_tree_index(std::span<const TreeTile> tiles) {
     append_vector(out, tile.box.min);
     append_vector(out, tile.box.max);
   }
-  assert(out.size() == tiles.size() * kTileRecordBytes && "as large as the format says");
+  assert(out.size() == tiles.size() * kTileRecordBytes && "the size that the format defines");
   return out;
 }
 

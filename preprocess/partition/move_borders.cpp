@@ -126,13 +126,13 @@ class BorderMover {
       around.add(region, 1.0 / (1.0 + weights_.crease * turn));
     }
     std::uint32_t best = own;
-    double least = cost(point, own, around.begin()->weight) - kMinGain;
+    double lowest = cost(point, own, around.begin()->weight) - kMinGain;
     for (const auto& [region, weight] : around) {
       if (region == own || cosine(point, region) < cos_cone_) continue;
       const double here = cost(point, region, weight);
-      if (here >= least || !cells_.is_on_its_sheet(point, region)) continue;
+      if (here >= lowest || !cells_.is_on_its_sheet(point, region)) continue;
       best = region;
-      least = here;
+      lowest = here;
     }
     return best;
   }

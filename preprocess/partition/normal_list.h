@@ -26,16 +26,16 @@ class NormalList {
 
   [[nodiscard]] glm::vec3 at(std::size_t m) const { return {x_[m], y_[m], z_[m]}; }
 
-  /// Returns the least dot product of a normal with an axis; 2 without normals.
-  [[nodiscard]] float least_cosine(glm::vec3 axis) const {
-    Floats least = Floats{} + 2.0F;
+  /// Returns the smallest dot product of a normal with an axis; 2 without normals.
+  [[nodiscard]] float min_cosine(glm::vec3 axis) const {
+    Floats smallest = Floats{} + 2.0F;
     std::size_t m = 0;
     for (; m + kAtOnce <= size_; m += kAtOnce) {
       const Floats c = cosines(m, axis);
-      least = c < least ? c : least;
+      smallest = c < smallest ? c : smallest;
     }
     float result = 2.0F;
-    for (std::size_t lane = 0; lane < kAtOnce; ++lane) result = std::min(result, least[lane]);
+    for (std::size_t lane = 0; lane < kAtOnce; ++lane) result = std::min(result, smallest[lane]);
     const Floats rest = cosines(m, axis);
     for (std::size_t lane = 0; m + lane < size_; ++lane) result = std::min(result, rest[lane]);
     return result;

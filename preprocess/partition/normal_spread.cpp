@@ -70,18 +70,18 @@ bool NormalSpread::exceed(const NormalSpread& a, const NormalSpread& b, double c
     const double squared = glm::dot(in_hull, in_hull);
     if (squared < certain * certain) return true;
     glm::dvec3 worst(0.0);
-    double least = 2.0;
+    double smallest = 2.0;
     for (const NormalSpread* set : {&a, &b}) {
       for (const glm::vec3 n : set->outermost_) {
         const double along = glm::dot(in_hull, glm::dvec3(n));
-        if (along >= least) continue;
-        least = along;
+        if (along >= smallest) continue;
+        smallest = along;
         worst = n;
       }
     }
-    if (least >= cos_cone * std::sqrt(squared)) return false;  // this axis holds them
-    const glm::dvec3 way = worst - in_hull;
-    in_hull += std::clamp(-glm::dot(in_hull, way) / glm::dot(way, way), 0.0, 1.0) * way;
+    if (smallest >= cos_cone * std::sqrt(squared)) return false;  // this axis holds them
+    const glm::dvec3 change = worst - in_hull;
+    in_hull += std::clamp(-glm::dot(in_hull, change) / glm::dot(change, change), 0.0, 1.0) * change;
   }
   return false;
 }

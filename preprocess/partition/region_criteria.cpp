@@ -83,13 +83,13 @@ std::optional<glm::vec3> RegionTest::fit_cone(std::span<const std::uint32_t> poi
   // smallest enclosing cap. 12 steps come within about a degree.
   constexpr int kSteps = 12;
   for (int step = 1; step <= kSteps; ++step) {
-    const float least = normals_.least_cosine(axis);
-    if (least >= cos_cone_) return axis;
+    const float smallest = normals_.min_cosine(axis);
+    if (smallest >= cos_cone_) return axis;
     // Moving the axis cannot gain 25 degrees, because it starts near the middle.
-    if (step == 1 && std::acos(std::clamp(least, -1.0F, 1.0F)) > cone_ + glm::radians(25.0F)) {
+    if (step == 1 && std::acos(std::clamp(smallest, -1.0F, 1.0F)) > cone_ + glm::radians(25.0F)) {
       return std::nullopt;
     }
-    const glm::vec3 worst = normals_.at(normals_.find(axis, least));
+    const glm::vec3 worst = normals_.at(normals_.find(axis, smallest));
     axis = glm::normalize(axis + (worst - axis) / static_cast<float>(step + 3));
   }
   return std::nullopt;

@@ -45,7 +45,7 @@ NeighbourGraph find_neighbours(const std::vector<glm::dvec3>& positions, std::ui
   });
 
   // Half its own, half its neighbours' mean: a single r_8 scatters by about 20 % on random samples,
-  // a mean alone takes a sparse border for as dense as what it borders on.
+  // the mean alone takes a sparse border for as dense as what it borders on.
   graph.spacing.resize(n);
   tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, n, 4096), [&](const auto& range) {
     for (std::uint32_t i = range.begin(); i != range.end(); ++i) {

@@ -17,7 +17,7 @@ namespace relief {
 /// Patch files depend on that order: it decides between neighbours at equal distances.
 class PositionTree {
  public:
-  /// The most positions in one leaf.
+  /// Maximum number of positions in a leaf.
   static constexpr std::size_t kLeafSize = 16;
 
   /// A leaf, or a split whose lower side is the next node.
@@ -58,7 +58,7 @@ class PositionTree {
 
   /// Calls `visit_leaf(first, count)` for the leaves that may hold positions whose squared distance
   /// to `from` is at most `squared_reach()`, the nearer side of each split first. `squared_reach`
-  /// may shrink on the way.
+  /// may shrink during the search.
   template <class SquaredReach, class VisitLeaf>
   void visit_near(glm::dvec3 from, const SquaredReach& squared_reach,
                   const VisitLeaf& visit_leaf) const {

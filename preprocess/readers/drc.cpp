@@ -71,8 +71,8 @@ Status check_start(const Source& source) {
         "later",
         source.name, start.major, start.minor);
   }
-  const std::uint64_t most = source.text.size() * kMaxPointsPerByte;
-  if (start.points > most || start.faces > most) {
+  const std::uint64_t limit = source.text.size() * kMaxPointsPerByte;
+  if (start.points > limit || start.faces > limit) {
     return make_error("{}: states {} points and {} faces, which cannot be in {} bytes", source.name,
                       start.points, start.faces, source.text.size());
   }

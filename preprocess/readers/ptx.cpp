@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-/// Least bytes of a point: four numbers of a digit each, with separators.
+/// Fewest bytes of a point: four numbers of a digit each, with separators.
 constexpr std::size_t kMinPoint = 8;
 
 /// A scanner's frame: the rows of its axes, and its position.
@@ -60,8 +60,8 @@ class PtxReader {
     if (!line_.next_line() || !line_.integer(rows, 0) || !line_.at_line_end())
       return wrong("a number of rows");
     const auto count = static_cast<std::uint64_t>(columns);
-    const std::uint64_t most = (line_.left() + 1) / kMinPoint;
-    if (rows != 0 && count > most / static_cast<std::uint64_t>(rows)) {
+    const std::uint64_t limit = (line_.left() + 1) / kMinPoint;
+    if (rows != 0 && count > limit / static_cast<std::uint64_t>(rows)) {
       return make_error(
           "{}: line {}: states {} columns and {} rows, but the {} bytes that are left cannot hold "
           "as many points; the file is truncated or damaged",
@@ -74,7 +74,7 @@ class PtxReader {
   Status read_frame() {
     double numbers[4] = {};
     for (int i = 0; i < 4; ++i) {
-      if (!read_line(numbers, 3)) return wrong("three numbers of the scanner's place and axes");
+      if (!read_line(numbers, 3)) return wrong("three numbers of the scanner's position and axes");
     }
     for (int i = 0; i < 4; ++i) {
       if (!read_line(numbers, 4)) return wrong("four numbers of the scan's matrix");

@@ -55,7 +55,7 @@ class ReadMeter {
 
   /// `offset`: bytes read so far. If it returns false, return interrupted_error().
   [[nodiscard]] bool advance_to(std::size_t offset) {
-    return offset < told_ + kStep || report(offset);
+    return offset < reported_ + kStep || report(offset);
   }
 
  private:
@@ -63,15 +63,15 @@ class ReadMeter {
   static constexpr std::size_t kStep = std::size_t{1} << 20U;
 
   [[nodiscard]] bool report(std::size_t offset) {
-    progress_.advance(offset - told_);
-    told_ = offset;
+    progress_.advance(offset - reported_);
+    reported_ = offset;
     if (sink_ != nullptr) sink_->pass(offset);
     return !progress_.cancelled();
   }
 
   Progress& progress_;
   PointSink* sink_;
-  std::size_t told_ = 0;
+  std::size_t reported_ = 0;
 };
 
 /// Returns `text` in quotes for a message: at most 24 characters, without control characters.

@@ -78,10 +78,10 @@ bool TextCursor::number(double& value) {
   return true;
 }
 
-bool TextCursor::integer(std::int64_t& value, std::int64_t least) {
+bool TextCursor::integer(std::int64_t& value, std::int64_t min) {
   const std::string_view next = peek();
   const auto [stop, code] = std::from_chars(next.data(), next.data() + next.size(), value);
-  if (code != std::errc{} || stop != next.data() + next.size() || value < least) return false;
+  if (code != std::errc{} || stop != next.data() + next.size() || value < min) return false;
   at_ += next.size();
   return true;
 }

@@ -28,8 +28,8 @@ class TextCursor {
   /// Reads a number from the line: decimal, with or without exponent, nan, inf. Returns false and
   /// moves nowhere if there is none. Values beyond double become infinite or zero.
   [[nodiscard]] bool number(double& value);
-  /// Reads an integer if the next word is one, from `least` to the largest of 64 bits.
-  [[nodiscard]] bool integer(std::int64_t& value, std::int64_t least = INT64_MIN);
+  /// Reads an integer if the next word is one, from `min` to the largest of 64 bits.
+  [[nodiscard]] bool integer(std::int64_t& value, std::int64_t min = INT64_MIN);
   /// Reads a word; empty at the end of the line.
   [[nodiscard]] std::string_view word();
   /// Returns the next word without moving.

@@ -13,7 +13,7 @@ namespace {
 // The weight's scale in local scan spacings: small enough to keep the scan's detail, large enough
 // for at least six points with weight. Dragon: docs/decisions/0036.
 constexpr double kScaleInSpacings = 1.0;
-// The least scale in grid spacings: a finer scan is averaged so that the grid does not alias.
+// Minimum scale in grid spacings: a finer scan is averaged so that the grid does not alias.
 constexpr double kScaleInGridSpacings = 0.5;
 // Points beyond this many scales have weights below exp(-6.25) = 0.002 and are left out.
 constexpr double kWeightCutoff = 2.5;

@@ -153,7 +153,7 @@ void grow_margin(const SurfaceSamples& samples, const NeighbourGraph& graph, con
   }
 }
 
-/// The least cosine to the base-plane normal with which a margin point supports samples.
+/// Minimum cosine to the base-plane normal with which a margin point supports samples.
 float min_support_cosine(float own_cosine) {
   return own_cosine < kSteepOwnCosine ? kMinShareOfOwnCosine * own_cosine : kMinSupportCosine;
 }

@@ -39,10 +39,10 @@ struct PatchPoints {
 [[nodiscard]] inline double tangent_height(const PatchPoints& points, std::uint32_t point, double x,
                                            double y) {
   // The cosine of 84 degrees, the limit of all regions.
-  constexpr float least_cosine = 0.1F;
+  constexpr float min_cosine = 0.1F;
   const glm::dvec3 p = points.positions[point];
   const glm::vec3 n = points.normals[point];
-  const double steep = std::max(n.z, least_cosine);
+  const double steep = std::max(n.z, min_cosine);
   return p.z - (n.x * (x - p.x) + n.y * (y - p.y)) / steep;
 }
 

@@ -88,15 +88,15 @@ Result<Look> look(const std::vector<fs::path>& files, const TileJob& job,
   return seen;
 }
 
-/// The second reading.
+/// Reads the files again and writes the points of each tile.
 Status spread(const std::vector<fs::path>& files, const TileJob& job, const SpreadOptions& options,
               SpreadScan& scan, Progress& progress) {
   TileWriter tiles(job.folder(), scan.layout, scan.attributes);
   progress.begin_stage("spread", bytes_of(files));
-  std::vector<std::string> told_before;
+  std::vector<std::string> repeated_notes;
   const auto read = read_blocks(
       files, job.folder(), options.memory_bytes,
-      [&](const Points& block) { return tiles.add(block); }, told_before, progress);
+      [&](const Points& block) { return tiles.add(block); }, repeated_notes, progress);
   if (!read) return read.error();
   if (read->points != scan.read.points) {
     return make_error(
@@ -140,15 +140,15 @@ Result<std::optional<SpreadScan>> spread_points(const std::vector<fs::path>& fil
   RELIEF_TRY(job.clear());
   SpreadScan scan;
   RELIEF_TRY_ASSIGN(const auto seen, look(files, job, options, scan, progress));
-  const std::uint64_t most = points_for(options.memory_bytes);
-  if (scan.read.points <= std::max<std::uint64_t>(most, kMinSurfacePoints))
+  const std::uint64_t limit = points_for(options.memory_bytes);
+  if (scan.read.points <= std::max<std::uint64_t>(limit, kMinSurfacePoints))
     return std::optional<SpreadScan>();
 
   scan.layout = lay_tiles(seen.sample, tile_points(options), options.grid_spacing);
   RELIEF_TRY(spread(files, job, options, scan, progress));
   std::uint64_t largest = 0;
   for (const TileCount& count : scan.counts) largest = std::max(largest, count.own + count.halo);
-  if (largest > most) {
+  if (largest > limit) {
     return make_error(
         "{}: --memory must be {} MB or more: {} points are too near to each other "
         "to be cut apart",

@@ -62,9 +62,9 @@ class Layouter {
     below.max[cut->axis] = above.min[cut->axis] = cut->at;
     const std::int32_t left_node = lay(points.first(left), below);
     const std::int32_t right_node = lay(points.subspan(left), above);
-    TileLayout::Cut& placed = layout_.cuts[static_cast<std::size_t>(number)];
-    placed.left = left_node;
-    placed.right = right_node;
+    TileLayout::Cut& stored = layout_.cuts[static_cast<std::size_t>(number)];
+    stored.left = left_node;
+    stored.right = right_node;
     return number;
   }
 
@@ -119,8 +119,9 @@ class Layouter {
 /// Copies the cuts of a layout that are still needed.
 class Coarsener {
  public:
-  Coarsener(const TileLayout& from, std::span<const double> load, double most, double grid_spacing)
-      : from_(from), load_(load), most_(most), grid_spacing_(grid_spacing) {}
+  Coarsener(const TileLayout& from, std::span<const double> load, double max_load,
+            double grid_spacing)
+      : from_(from), load_(load), max_load_(max_load), grid_spacing_(grid_spacing) {}
 
   TileLayout run() {
     lay(from_.cuts.empty() ? ~0 : 0, {glm::dvec3(-kInfinity), glm::dvec3(kInfinity)});
@@ -141,7 +142,7 @@ class Coarsener {
   }
 
   std::int32_t lay(std::int32_t node, const Bounds& region) {
-    if (node < 0 || load_below(node) <= most_) {
+    if (node < 0 || load_below(node) <= max_load_) {
       layout_.tiles.push_back({region, kHaloInSpacings * grid_spacing_});
       return ~static_cast<std::int32_t>(layout_.tiles.size() - 1);
     }
@@ -160,7 +161,7 @@ class Coarsener {
 
   const TileLayout& from_;
   std::span<const double> load_;
-  double most_;
+  double max_load_;
   double grid_spacing_;
   TileLayout layout_;
 };
@@ -227,9 +228,9 @@ TileLayout lay_tiles(const PointSample& sample, std::uint64_t tile_points, doubl
   return Layouter(sample, tile_points, grid_spacing).run();
 }
 
-TileLayout coarser_layout(const TileLayout& layout, std::span<const double> load, double most,
+TileLayout coarser_layout(const TileLayout& layout, std::span<const double> load, double max_load,
                           double grid_spacing) {
-  return Coarsener(layout, load, most, grid_spacing).run();
+  return Coarsener(layout, load, max_load, grid_spacing).run();
 }
 
 }  // namespace relief

@@ -58,8 +58,8 @@ class PointSample {
   std::uint64_t seen_ = 0;
 };
 
-/// Cuts at medians, across the longest side of the box of most points, until no tile has more than
-/// about `tile_points` of the scan's points. Halos are as wide as a patch's margin, fits and
+/// Cuts at medians, across the longest side of the box with the most points, until no tile has more
+/// than about `tile_points` of the scan's points. Halos are as wide as a patch's margin, fits and
 /// neighbourhoods, at the scan's local spacing or the grid's (0: unknown).
 [[nodiscard]] TileLayout lay_tiles(const PointSample& sample, std::uint64_t tile_points,
                                    double grid_spacing);
@@ -67,6 +67,6 @@ class PointSample {
 /// Returns a layout without the cuts whose tiles together have a load of at most `most`: these
 /// become one tile. `load`: one value for each tile. Halos are those of lay_tiles for that spacing.
 [[nodiscard]] TileLayout coarser_layout(const TileLayout& layout, std::span<const double> load,
-                                        double most, double grid_spacing);
+                                        double max_load, double grid_spacing);
 
 }  // namespace relief

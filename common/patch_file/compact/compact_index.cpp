@@ -69,9 +69,9 @@ glm::dvec3 index_base(const Bounds& bounds) {
 /// The step of stored positions; 1 for a model without patches.
 double instance_step(const std::vector<PatchRecord>& patches) {
   if (patches.empty()) return 1.0;
-  double least = patches.front().summary.height_step;
-  for (const PatchRecord& patch : patches) least = std::min(least, patch.summary.height_step);
-  return std::exp2(std::floor(std::log2(least / 16.0)));
+  double smallest = patches.front().summary.height_step;
+  for (const PatchRecord& patch : patches) smallest = std::min(smallest, patch.summary.height_step);
+  return std::exp2(std::floor(std::log2(smallest / 16.0)));
 }
 
 /// A patch's position, axes and normal cone as stored.
@@ -158,7 +158,8 @@ Result<FileIndex> parse_compact_index(std::span<const std::byte> bytes, const Fi
   if (in.left() < 2 * sizeof(double)) return damaged(0, "it is missing");
   const auto step = in.take<double>();
   const auto height_step = in.take<double>();
-  if (!std::isfinite(step) || step <= 0.0) return damaged(0, "places have no step above 0");
+  if (!std::isfinite(step) || step <= 0.0)
+    return damaged(0, "the step of positions is not above 0");
   const glm::dvec3 base = index_base(header.bounds);
   FileIndex index;
   index.patches.reserve(header.patches);

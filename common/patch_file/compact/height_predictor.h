@@ -69,7 +69,7 @@ inline constexpr HeightPass kColumnPass{
 }
 
 /// The row to use for each set of existing neighbours: among the rows whose neighbours all exist,
-/// the one with the most neighbours, and among these the one with the least error.
+/// the one with the most neighbours, and among these the one with the smallest error.
 class PredictorTable {
  public:
   explicit PredictorTable(std::span<const PredictorRow> rows);

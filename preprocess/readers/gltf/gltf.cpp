@@ -76,26 +76,26 @@ class GltfReader {
   }
 
   Status read_scene() {
-    RELIEF_TRY_ASSIGN(const auto meshes, placed_meshes(model_));
-    for (const PlacedMesh& mesh : meshes) {
+    RELIEF_TRY_ASSIGN(const auto meshes, mesh_instances(model_));
+    for (const MeshInstance& mesh : meshes) {
       RELIEF_TRY(read_mesh(mesh.mesh, mesh.to_world));
     }
     return {};
   }
 
-  Status read_mesh(int index, const glm::dmat4& placed) {
+  Status read_mesh(int index, const glm::dmat4& to_world) {
     if (static_cast<std::size_t>(index) >= model_.meshes.size())
       return make_error("there is no mesh {}", index);
     if (source_.progress.cancelled()) return interrupted_error();
     for (const tinygltf::Primitive& primitive :
          model_.meshes[static_cast<std::size_t>(index)].primitives) {
-      if (Status done = read_primitive(primitive, placed); !done)
+      if (Status done = read_primitive(primitive, to_world); !done)
         return make_error("mesh {}: {}", index, done.error().message);
     }
     return {};
   }
 
-  Status read_primitive(const tinygltf::Primitive& primitive, const glm::dmat4& placed) {
+  Status read_primitive(const tinygltf::Primitive& primitive, const glm::dmat4& to_world) {
     const auto attribute = [&primitive](const std::string& name) {
       const auto found = primitive.attributes.find(name);
       return found == primitive.attributes.end() ? -1 : found->second;
@@ -107,9 +107,9 @@ class GltfReader {
       return make_error("its nodes show more than {} points together", kMaxPoints);
     for (std::size_t k = 0; k < count; ++k) {
       const double* p = positions.data() + 3 * k;
-      points_.positions.emplace_back(placed * glm::dvec4(p[0], p[1], p[2], 1.0));
+      points_.positions.emplace_back(to_world * glm::dvec4(p[0], p[1], p[2], 1.0));
     }
-    RELIEF_TRY(read_normals(attribute("NORMAL"), count, placed));
+    RELIEF_TRY(read_normals(attribute("NORMAL"), count, to_world));
     RELIEF_TRY(read_colours(attribute("COLOR_0"), count));
     const bool is_material = primitive.material >= 0 &&
                              static_cast<std::size_t>(primitive.material) < model_.materials.size();
@@ -120,18 +120,18 @@ class GltfReader {
     }
     const int texcoords = attribute(name);
     RELIEF_TRY(read_texcoords(texcoords, count));
-    RELIEF_TRY(keep_tangents(attribute("TANGENT"), count, placed));
+    RELIEF_TRY(keep_tangents(attribute("TANGENT"), count, to_world));
     const std::uint32_t material =
         is_material ? 2 * static_cast<std::uint32_t>(primitive.material) + (texcoords < 0 ? 1U : 0U)
                     : kNoMaterial;
-    return read_triangles(primitive, first, count, material, glm::determinant(placed) < 0.0);
+    return read_triangles(primitive, first, count, material, glm::determinant(to_world) < 0.0);
   }
 
-  Status read_normals(int accessor, std::size_t count, const glm::dmat4& placed) {
+  Status read_normals(int accessor, std::size_t count, const glm::dmat4& to_world) {
     points_.normals.resize(points_.size(), glm::vec3(0.0F));
     if (accessor < 0) return {};
     RELIEF_TRY_ASSIGN(const auto normals, read_accessor(model_, accessor, 3));
-    const glm::dmat3 turn = glm::transpose(glm::inverse(glm::dmat3(placed)));
+    const glm::dmat3 turn = glm::transpose(glm::inverse(glm::dmat3(to_world)));
     for (std::size_t k = 0; k < std::min(count, normals.size() / 3); ++k) {
       const double* n = normals.data() + 3 * k;
       points_.normals[points_.size() - count + k] = turn * glm::dvec3(n[0], n[1], n[2]);
@@ -181,9 +181,9 @@ class GltfReader {
     return {};
   }
 
-  Status keep_tangents(int accessor, std::size_t count, const glm::dmat4& placed) {
+  Status keep_tangents(int accessor, std::size_t count, const glm::dmat4& to_world) {
     if (accessor < 0) return {};
-    RELIEF_TRY_ASSIGN(auto tangents, read_tangents(model_, accessor, count, placed));
+    RELIEF_TRY_ASSIGN(auto tangents, read_tangents(model_, accessor, count, to_world));
     tangents_.resize(points_.size() - count, glm::vec4(0.0F));
     tangents_.insert(tangents_.end(), tangents.begin(), tangents.end());
     return {};

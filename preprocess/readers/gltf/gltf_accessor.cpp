@@ -47,13 +47,14 @@ Take take_for(int component_type) {
 
 Result<std::span<const std::byte>> view_bytes(const tinygltf::Model& model, int view) {
   if (!is_index(view, model.bufferViews)) return make_error("there is no bufferView {}", view);
-  const tinygltf::BufferView& asked = model.bufferViews[static_cast<std::size_t>(view)];
-  if (!is_index(asked.buffer, model.buffers))
-    return make_error("there is no buffer {}", asked.buffer);
-  const auto& data = model.buffers[static_cast<std::size_t>(asked.buffer)].data;
-  if (asked.byteOffset > data.size() || asked.byteLength > data.size() - asked.byteOffset)
+  const tinygltf::BufferView& buffer_view = model.bufferViews[static_cast<std::size_t>(view)];
+  if (!is_index(buffer_view.buffer, model.buffers))
+    return make_error("there is no buffer {}", buffer_view.buffer);
+  const auto& data = model.buffers[static_cast<std::size_t>(buffer_view.buffer)].data;
+  if (buffer_view.byteOffset > data.size() ||
+      buffer_view.byteLength > data.size() - buffer_view.byteOffset)
     return make_error("bufferView {} reaches beyond its buffer of {} bytes", view, data.size());
-  return std::as_bytes(std::span(data)).subspan(asked.byteOffset, asked.byteLength);
+  return std::as_bytes(std::span(data)).subspan(buffer_view.byteOffset, buffer_view.byteLength);
 }
 
 Result<std::vector<double>> read_accessor(const tinygltf::Model& model, int index, int components) {

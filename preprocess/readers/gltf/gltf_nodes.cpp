@@ -50,13 +50,13 @@ Result<std::vector<int>> root_nodes(const tinygltf::Model& model) {
 
 }  // namespace
 
-Result<std::vector<PlacedMesh>> placed_meshes(const tinygltf::Model& model) {
+Result<std::vector<MeshInstance>> mesh_instances(const tinygltf::Model& model) {
   RELIEF_TRY_ASSIGN(const auto roots, root_nodes(model));
   std::vector<std::pair<int, glm::dmat4>> to_do;
   to_do.reserve(roots.size());
   for (const int node : roots) to_do.emplace_back(node, glm::dmat4(1.0));
   std::vector<bool> seen(model.nodes.size(), false);
-  std::vector<PlacedMesh> meshes;
+  std::vector<MeshInstance> meshes;
   while (!to_do.empty()) {
     const auto [index, parent] = to_do.back();
     to_do.pop_back();

@@ -7,9 +7,9 @@
 namespace relief {
 
 Result<std::vector<glm::vec4>> read_tangents(const tinygltf::Model& model, int accessor,
-                                             std::size_t count, const glm::dmat4& placed) {
+                                             std::size_t count, const glm::dmat4& to_world) {
   RELIEF_TRY_ASSIGN(const auto given, read_accessor(model, accessor, 4));
-  const glm::dmat3 turn(placed);
+  const glm::dmat3 turn(to_world);
   const float handedness = glm::determinant(turn) < 0.0 ? -1.0F : 1.0F;
   std::vector<glm::vec4> tangents;
   tangents.reserve(std::min(count, given.size() / 4));

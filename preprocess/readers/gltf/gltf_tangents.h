@@ -16,7 +16,7 @@ namespace relief {
 /// CornerTangents; fewer if the accessor has fewer. A mirroring node flips their handedness. Errors
 /// are clauses.
 Result<std::vector<glm::vec4>> read_tangents(const tinygltf::Model& model, int accessor,
-                                             std::size_t count, const glm::dmat4& placed);
+                                             std::size_t count, const glm::dmat4& to_world);
 
 /// Returns the tangents of points by triangle corner; 0 for corners with invalid indices.
 [[nodiscard]] std::vector<CornerTangents> by_corner(const std::vector<glm::vec4>& tangents,

@@ -57,7 +57,7 @@ struct LeftOut {
   }
 };
 
-void tell(const Source& source, Colours colours, const LeftOut& left_out) {
+void add_remarks(const Source& source, Colours colours, const LeftOut& left_out) {
   if (colours == Colours::Bytes) {
     source.remarks.notes.push_back(fmt::format(
         "{}: its colours are at most 255 and taken as 8-bit, though their fields have 16 bits",
@@ -80,12 +80,12 @@ Result<Points> read_las(const Source& source) {
   const Colours colours = find_colours(source, header);
   Points points;
   std::uint64_t given = 0;  // to the sink
-  const std::uint64_t most = source.sink != nullptr
-                                 ? std::min<std::uint64_t>(header.points, PointSink::kBlockPoints)
-                                 : header.points;
-  points.positions.reserve(most);
-  if (colours != Colours::None) points.colours.reserve(most);
-  // The upper byte is right for both ways of scaling a byte to 16 bits: times 256 and times 257.
+  const std::uint64_t capacity =
+      source.sink != nullptr ? std::min<std::uint64_t>(header.points, PointSink::kBlockPoints)
+                             : header.points;
+  points.positions.reserve(capacity);
+  if (colours != Colours::None) points.colours.reserve(capacity);
+  // The upper byte is right for both scalings of a byte to 16 bits, by 256 and by 257.
   const unsigned shift = colours == Colours::Words ? 8 : 0;
   LeftOut left_out;
   ReadMeter meter(source);
@@ -106,7 +106,7 @@ Result<Points> read_las(const Source& source) {
       if (Status taken = source.sink->take(std::exchange(points, {})); !taken) return taken.error();
     }
   }
-  tell(source, colours, left_out);
+  add_remarks(source, colours, left_out);
   if (points.size() + given == 0 && source.remarks.left_out > 0) {
     return make_error("{}: holds no points to use: all {} are marked as withheld or noise",
                       source.name, header.points);

@@ -87,12 +87,12 @@ class LasHeaderReader {
 
   Status read_layout() {
     header_size_ = whole<std::uint16_t>(kHeaderSize);
-    const std::size_t least = is_14_ ? kHeaderEnd14 : kHeaderEnd;
-    if (header_size_ < least || header_size_ > size_) {
+    const std::size_t min_size = is_14_ ? kHeaderEnd14 : kHeaderEnd;
+    if (header_size_ < min_size || header_size_ > size_) {
       return damaged(kHeaderSize,
                      fmt::format("the header is said to have {} bytes, but it has at least {} and "
                                  "the file {}",
-                                 header_size_, least, size_));
+                                 header_size_, min_size, size_));
     }
     const auto format = whole<std::uint8_t>(kFormat);
     if ((format & 0x80U) != 0) {

@@ -90,12 +90,12 @@ class ObjReader {
   }
 
   /// Reads up to eight numbers, at least `least`, to the line's end; missing ones are 0.
-  bool read_numbers(std::size_t least) {
+  bool read_numbers(std::size_t min_count) {
     std::fill(std::begin(numbers_), std::end(numbers_), 0.0);
     for (count_ = 0; count_ < std::size(numbers_) && !line_.at_line_end(); ++count_) {
       if (!line_.number(numbers_[count_])) return false;
     }
-    return count_ >= least && line_.at_line_end();
+    return count_ >= min_count && line_.at_line_end();
   }
 
   /// v x y z [w] [r g b]

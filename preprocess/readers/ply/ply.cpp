@@ -43,12 +43,12 @@ class PlyBody {
  private:
   /// A count that the rest of the file cannot hold is refused before memory is allocated.
   Status check_count(const PlyElement& element) {
-    std::uint64_t least = 0;
+    std::uint64_t min_bytes = 0;
     for (const PlyProperty& p : element.properties) {
-      least += Values::min_size(p.count_type.value_or(p.type));
+      min_bytes += Values::min_size(p.count_type.value_or(p.type));
     }
-    assert(least > 0 && "an element has properties, each of a byte or more");
-    if (element.count > values_.left() / least) {
+    assert(min_bytes > 0 && "an element has properties, each of a byte or more");
+    if (element.count > values_.left() / min_bytes) {
       return make_error(
           "{}: the header states {} elements '{}', but the {} bytes after byte {} cannot hold "
           "them; "
@@ -81,8 +81,9 @@ class PlyBody {
     if (element.count >= kNoPoint) return too_many_points(source_, element.count);
 
     has_vertices_ = true;
-    const std::uint64_t most = source_.sink != nullptr ? PointSink::kBlockPoints : element.count;
-    PointCollector points(layout, colour_numbers, std::min(most, element.count));
+    const std::uint64_t capacity =
+        source_.sink != nullptr ? PointSink::kBlockPoints : element.count;
+    PointCollector points(layout, colour_numbers, std::min(capacity, element.count));
     PointRecord record{};
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (!read_vertex(element, roles, record)) return failure(element, i);
@@ -157,8 +158,8 @@ class PlyBody {
     double value = 0.0;
     if (!values_.value(*property.count_type, value)) return false;
     const std::uint64_t longest = values_.left() / Values::min_size(property.type);
-    const auto most = static_cast<double>(longest);
-    impossible_list_ = !(value >= 0.0 && value <= most && value == std::floor(value));
+    const auto max_length = static_cast<double>(longest);
+    impossible_list_ = !(value >= 0.0 && value <= max_length && value == std::floor(value));
     if (impossible_list_) return false;
     count = static_cast<std::uint64_t>(value);
     return true;

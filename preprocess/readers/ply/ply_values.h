@@ -32,7 +32,7 @@ class PlyAsciiValues {
     return true;
   }
 
-  /// The least number of bytes of a value: a digit and a separator.
+  /// The minimum number of bytes of a value: a digit and a separator.
   [[nodiscard]] static std::uint64_t min_size(NumberType /*type*/) { return 2; }
   /// One more than the file has: the last number of a text needs no separator.
   [[nodiscard]] std::uint64_t left() const { return text_.left() + 1; }

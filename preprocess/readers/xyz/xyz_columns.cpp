@@ -36,7 +36,7 @@ enum class Triple { Nothing, Normal, IntegerColour, RealColour };
 
 Triple classify(const NumberTable& table, std::size_t column) {
   bool integers = true;
-  double least = 0.0;
+  double smallest = 0.0;
   double largest = 0.0;
   std::size_t vectors = 0;
   std::size_t unit_vectors = 0;
@@ -48,13 +48,14 @@ Triple classify(const NumberTable& table, std::size_t column) {
     unit_vectors += std::abs(length - 1.0) < 0.05 ? 1 : 0;
     for (std::size_t k = 0; k < 3; ++k) {
       integers = integers && v[k] == std::floor(v[k]);
-      least = std::min(least, v[k]);
+      smallest = std::min(smallest, v[k]);
       largest = std::max(largest, v[k]);
     }
   }
-  if (integers && least >= 0.0 && largest > 1.0 && largest <= 65535.0) return Triple::IntegerColour;
+  if (integers && smallest >= 0.0 && largest > 1.0 && largest <= 65535.0)
+    return Triple::IntegerColour;
   if (vectors > 0 && 10 * unit_vectors >= 9 * vectors) return Triple::Normal;
-  if (least >= 0.0 && largest <= 1.0) return Triple::RealColour;
+  if (smallest >= 0.0 && largest <= 1.0) return Triple::RealColour;
   return Triple::Nothing;
 }
 

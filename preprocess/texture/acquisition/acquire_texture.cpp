@@ -42,10 +42,10 @@ bool all_finite(const std::vector<T>& texcoords) {
 }
 
 Status check(const Points& mesh, const AcquireOptions& options) {
-  const std::size_t most = max_textured_points(options.deviation, options.cutoff);
-  if (options.points < 1 || options.points > most) {
+  const std::size_t limit = max_textured_points(options.deviation, options.cutoff);
+  if (options.points < 1 || options.points > limit) {
     return make_error("{} points cannot be spread; with a cutoff of {} ask for 1 to {}",
-                      options.points, options.cutoff, most);
+                      options.points, options.cutoff, limit);
   }
   if (mesh.triangles.empty()) {
     return make_error("there are no triangles for the texture; use a mesh");

@@ -11,7 +11,7 @@ namespace relief {
 enum class Acquisition : std::uint8_t {
   Given,            ///< the texture's value at the point, like a scanner's colour
   ViewIndependent,  ///< the texture's mean under the splat: view-independent EWA
-  Optimised,        ///< the least L2 error, Eq. (11)
+  Optimised,        ///< the smallest L2 error, Eq. (11)
 };
 
 /// How the Gaussians r_k of [Zwicker 2001], section 3.1, become a function on the surface. Both
@@ -28,9 +28,9 @@ enum class BasisKind : std::uint8_t {
 struct AcquireOptions {
   Acquisition acquisition = Acquisition::Optimised;
   std::size_t points = 100'000;  ///< 1 to max_textured_points()
-  /// h of section 5 in distances between points, sqrt(area / points). The fit's error is least at
-  /// 1.0 to 1.1 (cutoff 1); at 1.1 the sum of kernels is below 0.4 (tau of section 7) at 1 position
-  /// in 100,000, at 1.0 at 1 in 600.
+  /// h of section 5 in distances between points, sqrt(area / points). The fit's error is smallest
+  /// at 1.0 to 1.1 (cutoff 1); at 1.1 the sum of kernels is below 0.4 (tau of section 7) at 1
+  /// position in 100,000, at 1.0 at 1 in 600.
   double deviation = 1.1;
   double cutoff = 1.0;  ///< cutoff of the engine that draws the splats
   BasisKind basis = BasisKind::Normalised;

@@ -27,8 +27,8 @@ using BasisAtPositions = Eigen::SparseMatrix<double, Eigen::RowMajor>;
     const BasisAtPositions& basis);
 
 /// Returns the optimised coefficients ([Zwicker 2001], section 5 and appendix A): the solution of R
-/// w = c, which has the least L2 error against the texture. Starts from `start`, which remains for
-/// splats that reach no position. Returns an intermediate result if `progress` is cancelled.
+/// w = c, which has the smallest L2 error against the texture. Starts from `start`, which remains
+/// for splats that reach no position. Returns an intermediate result if `progress` is cancelled.
 [[nodiscard]] std::vector<glm::vec3> fit_texture(const BasisAtPositions& basis,
                                                  const std::vector<glm::vec3>& texture,
                                                  const std::vector<glm::vec3>& start,

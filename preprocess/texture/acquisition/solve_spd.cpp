@@ -23,9 +23,9 @@ std::optional<double> condition_of(const std::vector<double>& alphas,
   }
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
   solver.computeFromTridiagonal(diagonal, beside, Eigen::EigenvaluesOnly);
-  const double least = solver.eigenvalues().minCoeff();
-  if (!(least > 0.0)) return std::nullopt;
-  return solver.eigenvalues().maxCoeff() / least;
+  const double smallest = solver.eigenvalues().minCoeff();
+  if (!(smallest > 0.0)) return std::nullopt;
+  return solver.eigenvalues().maxCoeff() / smallest;
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ SpdSolution solve_spd(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix
     rho = next;
     ++solution.iterations;
   }
-  // Computed anew: the one that is carried along drifts away from the true one.
+  // Computed again, because the updated residual drifts away from the true one.
   solution.residual = (right_side - matrix * solution.x).norm() / scale;
   solution.condition = condition_of(alphas, betas);
   return solution;

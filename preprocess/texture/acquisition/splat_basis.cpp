@@ -66,7 +66,7 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> evaluate_basis(const SurfacePoints&
                     });
   std::size_t entries = 0;
   for (const Row& row : rows) entries += row.size();
-  assert(entries < std::numeric_limits<int>::max() && "callers bound the number of places");
+  assert(entries < std::numeric_limits<int>::max() && "callers bound the number of entries");
   Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(static_cast<Eigen::Index>(positions.size()),
                                                       static_cast<Eigen::Index>(splats.size()));
   matrix.reserve(static_cast<Eigen::Index>(entries));

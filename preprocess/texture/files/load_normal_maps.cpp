@@ -38,10 +38,10 @@ Status load_normal_maps(const std::filesystem::path& mesh, Points& points,
                         std::vector<std::string>& notes) {
   std::map<std::tuple<const void*, std::string, bool>, SharedTexture> textures;
   std::set<std::string>
-      said;  // a material is split in two if some of its faces have no coordinates
+      reported;  // a material is split in two if some of its faces have no coordinates
   for (MeshMaterial& material : points.materials) {
     MeshNormalMap& map = material.normals;
-    if (!map.left_out.empty() && said.insert(material.name).second) {
+    if (!map.left_out.empty() && reported.insert(material.name).second) {
       notes.push_back(fmt::format("{}: material {}: {}", mesh.string(),
                                   relief::quoted(material.name), map.left_out));
     }

@@ -22,15 +22,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A material of one of the material files, and the file.
+/// A material and its material file.
 struct FoundMaterial {
-  MtlMaterial says;
+  MtlMaterial entry;
   fs::path file;
 };
 using FoundMaterials = std::map<std::string, FoundMaterial, std::less<>>;
 
-/// Names of images may have blanks; so may those of material files, of which a line may name
-/// several.
+/// Returns the material files of a `mtllib` line. It may name several, and names may have blanks.
 std::vector<fs::path> material_files(const fs::path& mesh, const std::string& line) {
   std::error_code ignored;
   const fs::path whole = resolve_beside(mesh, line);
@@ -127,12 +126,12 @@ Status read_stated_textures(const fs::path& mesh, Points& points) {
 /// Takes a material's normal map from its material file.
 void take_normals(const FoundMaterial& found, MeshMaterial& material,
                   std::vector<std::string>& notes) {
-  material.normals = found.says.material.normals;
+  material.normals = found.entry.material.normals;
   if (material.normals.image.empty() || !material.has_texcoords) return;
   material.normals.image = resolve_beside(found.file, material.normals.image).string();
-  if (found.says.ignored_of_normals.empty()) return;
+  if (found.entry.ignored_of_normals.empty()) return;
   notes.push_back(fmt::format("{}: normal map of material {}: {} is not read", found.file.string(),
-                              relief::quoted(material.name), found.says.ignored_of_normals));
+                              relief::quoted(material.name), found.entry.ignored_of_normals));
 }
 
 /// Completes the materials that triangles name from the material files.
@@ -144,19 +143,19 @@ Status resolve_materials(const fs::path& mesh, Points& points, std::vector<std::
   for (std::size_t m = 0; m < points.materials.size(); ++m) {
     MeshMaterial& material = points.materials[m];
     if (material.is_stated) continue;
-    const auto says = found.find(material.name);
-    known[m] = says != found.end();
+    const auto it = found.find(material.name);
+    known[m] = it != found.end();
     if (!known[m]) continue;
-    const MtlMaterial& said = says->second.says;
-    material.colour = said.material.colour;
-    take_normals(says->second, material, notes);
-    if (said.material.image.empty() || !material.has_texcoords || points.texcoords.empty())
+    const MtlMaterial& entry = it->second.entry;
+    material.colour = entry.material.colour;
+    take_normals(it->second, material, notes);
+    if (entry.material.image.empty() || !material.has_texcoords || points.texcoords.empty())
       continue;
-    const fs::path file = resolve_beside(says->second.file, said.material.image);
-    const std::pair key(file, said.material.clamps);
+    const fs::path file = resolve_beside(it->second.file, entry.material.image);
+    const std::pair key(file, entry.material.clamps);
     auto texture = textures.find(key);
     if (texture == textures.end()) {
-      auto read = read_texture(file, wrap_of(said.material.clamps));
+      auto read = read_texture(file, wrap_of(entry.material.clamps));
       if (!read) {
         return make_error(
             "{} (the texture of material {} of {}; --texture names another, and none "
@@ -165,10 +164,10 @@ Status resolve_materials(const fs::path& mesh, Points& points, std::vector<std::
       }
       texture = textures.emplace(key, std::move(*read)).first;
     }
-    if (!said.ignored_options.empty()) {
+    if (!entry.ignored_options.empty()) {
       notes.push_back(fmt::format("{}: map_Kd of material {}: {} is not read",
-                                  says->second.file.string(), relief::quoted(material.name),
-                                  said.ignored_options));
+                                  it->second.file.string(), relief::quoted(material.name),
+                                  entry.ignored_options));
     }
     material.image = file.string();
     material.texture = texture->second;

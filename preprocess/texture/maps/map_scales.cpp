@@ -75,8 +75,8 @@ std::vector<std::uint32_t> choose_scales(const Points& mesh,
     all.cells += areas.cells;
     scales.push_back(scale_for(areas));
   }
-  const std::uint32_t most = 2 * scale_for(all);
-  for (std::uint32_t& scale : scales) scale = std::min(scale, most);
+  const std::uint32_t limit = 2 * scale_for(all);
+  for (std::uint32_t& scale : scales) scale = std::min(scale, limit);
   return scales;
 }
 

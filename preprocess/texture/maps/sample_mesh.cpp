@@ -21,8 +21,8 @@ constexpr std::size_t kCandidatesPerPoint = 4;
 std::size_t count_points(std::size_t vertices, double area, double spacing) {
   const std::size_t usual = std::max(vertices, kMinPoints);
   if (!(spacing > 0.0)) return usual;
-  const double asked = std::min(std::ceil(area / (spacing * spacing)), kMaxPoints);
-  return std::max(usual, static_cast<std::size_t>(asked));
+  const double wanted = std::min(std::ceil(area / (spacing * spacing)), kMaxPoints);
+  return std::max(usual, static_cast<std::size_t>(wanted));
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ std::vector<std::uint32_t> find_shown(const Patch& patch, std::uint32_t texels_p
   const auto height = static_cast<std::uint32_t>(map_side(patch.height, texels_per_cell));
   const Surface surface(patch);
   std::vector<std::uint32_t> shown(std::size_t{width} * height, kNoTriangle);
-  std::vector<float> least(shown.size(), std::numeric_limits<float>::infinity());
+  std::vector<float> lowest_cost(shown.size(), std::numeric_limits<float>::infinity());
   const double scale = texels_per_cell;
   // Whole texels of the map, often none.
   const auto first = [scale](double low, std::uint32_t side) {
@@ -88,8 +88,8 @@ std::vector<std::uint32_t> find_shown(const Patch& patch, std::uint32_t texels_p
         const double away = std::abs(glm::dot(weights, triangle.heights) - surface.at(position));
         const auto cost = static_cast<float>(away + penalty);
         const std::size_t k = std::size_t{b} * width + a;
-        if (away > kTexelReach || !(cost < least[k])) continue;
-        least[k] = cost;
+        if (away > kTexelReach || !(cost < lowest_cost[k])) continue;
+        lowest_cost[k] = cost;
         shown[k] = t;
       }
     }
