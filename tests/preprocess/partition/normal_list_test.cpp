@@ -27,8 +27,8 @@ TEST(NormalList, FindsTheFarthestNormalOfAnyNumber) {
       if (cosine < least) farthest = m;
       least = std::min(least, cosine);
     }
-    EXPECT_FLOAT_EQ(list.least_cosine(axis), least) << size;
-    EXPECT_EQ(list.find(axis, list.least_cosine(axis)), farthest) << size;
+    EXPECT_FLOAT_EQ(list.min_cosine(axis), least) << size;
+    EXPECT_EQ(list.find(axis, list.min_cosine(axis)), farthest) << size;
   }
 }
 
