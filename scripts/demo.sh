@@ -11,7 +11,7 @@ stage "packages"
 scripts/packages.sh build run
 stage "build, and the scan meanwhile"
 mkdir -p "$out"
-# npm alone is some 300 packages; nothing that is compiled waits for them.
+# npm needs some 300 packages. The build does not wait for them.
 (scripts/packages.sh demo && models/fetch_dragon.sh "$out") >"$out/fetch.log" 2>&1 &
 fetch=$!
 trap 'kill $fetch 2>/dev/null || true' EXIT

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Formats every C++ file of the tree, and the header that GLSL shares, in place; with --check it only
-# tells which are not formatted.
+# Formats every C++ file of the tree, and the header that GLSL shares, in place. With --check it only
+# lists the files that are not formatted.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 mode=(-i)

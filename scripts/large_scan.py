@@ -43,7 +43,7 @@ def read_vertices(path):
     xyz = np.unique(xyz.astype(np.float64), axis=0)
     xyz = xyz[:, [0, 2, 1]] * [1, -1, 1]  # scans of statues have y upward
     xyz -= [*(xyz.min(0) + xyz.max(0))[:2] / 2, xyz[:, 2].min()]
-    # The area of the surface, roughly: cubes that have points, of which each side shows one face.
+    # The area of the surface, roughly: each occupied cube shows one face.
     side = np.ptp(xyz, axis=0).max() / 100
     cubes = len(np.unique(np.floor(xyz / side).astype(np.int64), axis=0))
     return xyz, np.sqrt(cubes * side * side / len(xyz))
@@ -102,8 +102,8 @@ def main():
             record = np.zeros(len(xyz), RECORD)
             record["xyz"] = np.rint((xyz + rng.normal(0, NOISE, xyz.shape)) / SCALE)
             record["rgb"] = np.clip(rgb, 0, 255).astype(np.uint16) * 257
-            place = ORIGIN + SCALE * record["xyz"]
-            low, high = np.minimum(low, place.min(0)), np.maximum(high, place.max(0))
+            position = ORIGIN + SCALE * record["xyz"]
+            low, high = np.minimum(low, position.min(0)), np.maximum(high, position.max(0))
             count += len(xyz)
             record.tofile(out)
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Makes the pictures of docs/images from a patch file of the Stanford Dragon.
+# Makes the images of docs/images from a patch file of the Stanford Dragon.
 # usage: scripts/make_images.sh RELIEF_BINARY DRAGON.relief ENVIRONMENT
-# ENVIRONMENT: of the materials, an EXR or HDR (venice_sunset_1k.hdr).
+# ENVIRONMENT: an EXR or HDR image for the materials (venice_sunset_1k.hdr).
 # Needs ImageMagick (Debian: imagemagick), which the project itself does not.
 set -euo pipefail
 relief=$1
@@ -11,8 +11,8 @@ out=$(cd "$(dirname "$0")/.." && pwd)/docs/images
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# picture NAME MATERIAL INTERPOLATION CAMERA...: of quads, whose interpolations differ most to see.
-picture() {
+# render_quads NAME MATERIAL INTERPOLATION CAMERA...: quads show the difference of interpolations best.
+render_quads() {
   local name=$1 material=$2 interpolation=$3
   shift 3
   "$relief" render "$dragon" -o "$work/$name.png" --size 1280x1024 --primitive quad --material "$material" \
@@ -23,7 +23,7 @@ picture() {
 for azimuth in 20 110 200 290; do
   for material in lit mirror; do
     for interpolation in corrected direct; do
-      picture "orbit_${azimuth}_${material}_$interpolation" "$material" "$interpolation" \
+      render_quads "orbit_${azimuth}_${material}_$interpolation" "$material" "$interpolation" \
         --orbit "$azimuth,15,2.2"
     done
   done
@@ -41,7 +41,7 @@ montage "$work"/orbit_20_lit_corrected.png "$work"/orbit_20_lit_direct.png \
 # A close-up of the neck, where a splat covers tens of pixels (paper 001, Figures 5 and 7).
 for material in lit mirror; do
   for interpolation in corrected direct; do
-    picture "close_${material}_$interpolation" "$material" "$interpolation" \
+    render_quads "close_${material}_$interpolation" "$material" "$interpolation" \
       --eye=-0.05,0.12,0.09 --target=-0.055,0.118,0 --fov 12
   done
 done
@@ -57,7 +57,7 @@ convert "$work/orbit_20_mirror_corrected.png" -resize 640x512 -quality 90 -strip
 material() {
   local name=$1
   shift
-  picture "head_$name" "$1" corrected --eye=-0.105,0.175,0.1 --target=-0.06,0.15,0.02 \
+  render_quads "head_$name" "$1" corrected --eye=-0.105,0.175,0.1 --target=-0.06,0.15,0.02 \
     --env "$environment" "${@:2}"
 }
 material mirror mirror

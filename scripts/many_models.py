@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Writes a scene of one model in front of many copies of it, which stand in rows behind.
+"""Writes a scene of one model in front of many copies of it, in rows.
 
     scripts/many_models.py dragon.relief 1000 out/thousand.json
     relief render out/thousand.json -o out/thousand.png --frames 9
 
-The first is seen from the side of --orbit 45,15, whole; each copy is turned otherwise. --gap: distance of two
-of them in bounding-box diagonals. With a number of 1 the scene is what a thousand are compared with.
---relief: the command that reads the model's bounds.
+The camera sees the whole first model, as from --orbit 45,15. Each copy has another rotation. A number of 1
+gives the scene to compare with. --gap: distance between models, in bounding-box diagonals. --relief: the command
+that reads the model's bounds.
 """
 import argparse
 import json
@@ -19,16 +19,16 @@ HALF_FOV = math.radians(22.5)
 
 
 def main():
-    arguments = argparse.ArgumentParser(description=__doc__,
-                                        formatter_class=argparse.RawDescriptionHelpFormatter)
-    arguments.add_argument("model", type=pathlib.Path)
-    arguments.add_argument("number", type=int)
-    arguments.add_argument("out", type=pathlib.Path)
-    arguments.add_argument("--gap", type=float, default=2.25)
-    arguments.add_argument("--relief", default="relief")
-    asked = arguments.parse_args()
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("model", type=pathlib.Path)
+    parser.add_argument("number", type=int)
+    parser.add_argument("out", type=pathlib.Path)
+    parser.add_argument("--gap", type=float, default=2.25)
+    parser.add_argument("--relief", default="relief")
+    arguments = parser.parse_args()
 
-    info = json.loads(subprocess.run([asked.relief, "info", "--json", asked.model],
+    info = json.loads(subprocess.run([arguments.relief, "info", "--json", arguments.model],
                                      check=True, capture_output=True).stdout)
     low, high = info["bounds_min"], info["bounds_max"]
     centre = [(a + b) / 2 for a, b in zip(low, high)]
@@ -39,16 +39,16 @@ def main():
     distance = 0.5 * diagonal / math.sin(HALF_FOV)
     eye = [c + distance * d for c, d in zip(centre, outward)]
 
-    models = [{"file": str(asked.model.resolve())}]
-    for copy in range(asked.number - 1):
+    models = [{"file": str(arguments.model.resolve())}]
+    for copy in range(arguments.number - 1):
         row, column = 1 + copy // PER_ROW, copy % PER_ROW - PER_ROW // 2
-        back, side = asked.gap * diagonal * row, asked.gap * diagonal * column
+        back, side = arguments.gap * diagonal * row, arguments.gap * diagonal * column
         models.append({"file": models[0]["file"], "transform": {
             "translation": [-math.sin(azimuth) * back + math.cos(azimuth) * side, 0,
                             -math.cos(azimuth) * back - math.sin(azimuth) * side],
             "rotation": {"axis": [0, 1, 0], "degrees": 37 * (copy + 1) % 360}}})
     scene = {"models": models, "views": [{"name": "front", "eye": eye, "target": centre}]}
-    asked.out.write_text(json.dumps(scene, indent=1))
+    arguments.out.write_text(json.dumps(scene, indent=1))
 
 
 if __name__ == "__main__":

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Renders models with every engine from twelve views and compares the pictures with ray-traced ones:
+# Renders models with every engine from twelve views and compares the images with ray-traced ones:
 # prints a Markdown table. Needs jq.
 # usage: scripts/measure_accuracy.sh RELIEF_BINARY DATA_FOLDER [WIDTHxHEIGHT [MODEL...]]
-# WAYS="WAY;WAY" in the environment: these rows alone, named as in the table. SETTINGS, a JSON object:
-# what all views have beside their orbits (docs/scene.md).
+# METHODS="METHOD;METHOD" in the environment: only these rows, named as in the table. SETTINGS, a JSON object:
+# further settings of all views (docs/scene.md).
 set -euo pipefail
 relief=$1
 data=$2
@@ -15,7 +15,7 @@ if [ ${#models[@]} -eq 0 ]; then
     scans/happy_buddha_50k.obj.gz sharp/fandisk_large.off.gz sharp/iron_scan.ply
     colour/lion_takanawa_rgb_normals.ply.gz)
 fi
-IFS=';' read -ra methods <<<"${WAYS:-onepass cell corrected 4;onepass cell corrected;onepass quad corrected;onepass quad direct;onepass sprite corrected;onepass sprite direct;ewa}"
+IFS=';' read -ra methods <<<"${METHODS:-onepass cell corrected 4;onepass cell corrected;onepass quad corrected;onepass quad direct;onepass sprite corrected;onepass sprite direct;ewa}"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -29,8 +29,8 @@ scene() {
     '{models: [{file: $model}], size: ($size | split("x") | map(tonumber)), background: "none",
       views: [$views | to_entries[] | {name: "\(.key)", orbit: .value}]} + $settings' >"$1"
 }
-# pictures NAME SCENE OPTION...: twelve pictures NAME/VIEW.exr.
-pictures() {
+# render_views NAME SCENE OPTION...: renders twelve images NAME/VIEW.exr.
+render_views() {
   local name=$1 scene=$2
   shift 2
   mkdir -p "$work/$name"
@@ -51,21 +51,21 @@ for model in "${models[@]}"; do
   "$relief" convert "$data/$model" -o "$work/model.relief" --json >"$work/convert.json"
   scene "$work/patches.json" model.relief
   scene "$work/mesh.json" "$(realpath "$data/$model")"
-  pictures truth.lit "$work/mesh.json" --engine raytrace --samples 1 --material lit
+  render_views truth.lit "$work/mesh.json" --engine raytrace --samples 1 --material lit
   # One ray a pixel reads one point of the environment, which no other engine does.
-  pictures truth.mirror "$work/mesh.json" --engine raytrace --samples 16 --material mirror --outputs colour
-  for way in "${methods[@]}"; do
+  render_views truth.mirror "$work/mesh.json" --engine raytrace --samples 16 --material mirror --outputs colour
+  for method in "${methods[@]}"; do
     # ENGINE, or ENGINE PRIMITIVE INTERPOLATION [PIXELS A SAMPLE].
-    read -ra words <<<"$way"
+    read -ra words <<<"$method"
     options=(--engine "${words[0]}")
     if [ ${#words[@]} -gt 2 ]; then
       options+=(--primitive "${words[1]}" --interpolation "${words[2]}" --pixels-per-sample "${words[3]:-0}")
     fi
-    pictures lit "$work/patches.json" "${options[@]}" --material lit
-    pictures mirror "$work/patches.json" "${options[@]}" --material mirror --outputs colour
+    render_views lit "$work/patches.json" "${options[@]}" --material lit
+    render_views mirror "$work/patches.json" "${options[@]}" --material mirror --outputs colour
     errors lit truth.lit >"$work/lit.errors"
     errors mirror truth.mirror >"$work/mirror.errors"
-    jq -rn --arg row "| $(basename "$model") | $way" --slurpfile lit "$work/lit.errors" \
+    jq -rn --arg row "| $(basename "$model") | $method" --slurpfile lit "$work/lit.errors" \
       --slurpfile mirror "$work/mirror.errors" '
       def mean(f): (map(f) | add / length);
       def total(f): (map(f) | add);

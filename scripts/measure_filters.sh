@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The filters of paper 000's Figure 8 on a checkerboard plane, from grazing to magnified: prints the
-# Markdown tables of docs/measurements/filters.md and makes its pictures.
+# Markdown tables of docs/measurements/filters.md and makes its images.
 # usage: scripts/measure_filters.sh BUILD_DIR OUT_DIR
 # Needs ImageMagick (Debian: imagemagick), which the project itself does not.
 set -euo pipefail
@@ -14,13 +14,13 @@ cmake --build "$build" --target filter_experiment >&2
 sheet() {
   local name=$1 crop=$2
   shift 2
-  local pictures=()
+  local tiles=()
   for view in "$@"; do
-    for way in truth ewa source-space circular unfiltered; do
-      pictures+=("$out/filter_${view}_$way.png")
+    for method in truth ewa source-space circular unfiltered; do
+      tiles+=("$out/filter_${view}_$method.png")
     done
   done
-  montage "${pictures[@]}" -gravity center -crop "$crop+0+0" +repage -tile 5x -geometry +2+2 \
+  montage "${tiles[@]}" -gravity center -crop "$crop+0+0" +repage -tile 5x -geometry +2+2 \
     -quality 75 -strip "$images/$name.jpg"
 }
 sheet filters_grazing 256x256 grazing70 grazing80 grazing85

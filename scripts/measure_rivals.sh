@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # A bumpy sphere of 400,000 coloured points against its analytic truth: prints the Markdown table of
-# docs/measurements/coloured-points.md and makes its picture. Needs jq and ImageMagick (Debian: imagemagick), which the
+# docs/measurements/coloured-points.md and makes its image. Needs jq and ImageMagick (Debian: imagemagick), which the
 # project itself does not.
 # usage: scripts/measure_rivals.sh BUILD_DIR OUT_DIR [CUBE]
 # CUBE: side of the checker's cubes, in radii (0.06).
@@ -16,13 +16,13 @@ psnr() {
   local view=$1 input=$2 eye=0,0,3
   shift 2
   [ "$view" = full ] || eye=0,0,1.6
-  "$relief" render "$input" -o "$out/picture.exr" --outputs colour --eye $eye --target 0,0,0 \
+  "$relief" render "$input" -o "$out/test.exr" --outputs colour --eye $eye --target 0,0,0 \
     --material unlit --frames 1 "$@" >/dev/null
-  "$relief" compare "$out/picture.exr" "$out/truth_$view.exr" --flip ldr --json |
+  "$relief" compare "$out/test.exr" "$out/truth_$view.exr" --flip ldr --json |
     jq -r '.psnr_db * 10 | round / 10'
 }
 
-# row NAME MODEL|SCAN OPTION...: a way to draw, over both scans and both views.
+# row NAME MODEL|SCAN OPTION...: a rendering method, for both scans and both views.
 row() {
   local name=$1 form=$2 line scan view
   shift 2

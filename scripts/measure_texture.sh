@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Texture acquisition (paper 000, section 5) at Figure 6's three magnifications, each way of it against
-# the texture itself: prints the Markdown table of docs/measurements/texture-acquisition.md and leaves the pictures.
+# Texture acquisition (paper 000, section 5) at Figure 6's three magnifications, each method against
+# the texture itself: prints the Markdown table of docs/measurements/texture-acquisition.md and keeps the images.
 # usage: scripts/measure_texture.sh BUILD_DIR DATA_DIR OUT_DIR     (DATA_DIR: shared/data)
 set -euo pipefail
 build=$1 data=$2 out=$3

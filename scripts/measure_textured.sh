@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Measures textured meshes for docs/measurements/textured-meshes.md: pictures of `onepass` and `multipass`
+# Measures textured meshes for docs/measurements/textured-meshes.md: images of `onepass` and `multipass`
 # against rays to the input mesh with its own texture, at one texel a cell and at the default; and
-# the same of meshes with normal maps.
+# meshes with normal maps likewise.
 #
 #   scripts/measure_textured.sh [RELIEF] [OUT] [colours|normals]
-#   # build/release/cli/relief, out/textured; unasked both
+# Defaults: build/release/cli/relief, out/textured, both.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 relief=${1:-build/release/cli/relief}
@@ -32,9 +32,9 @@ model() {
   local name=$1 mesh=$2 options=$3 view=$4
   # shellcheck disable=SC2086
   for texels in 1 default; do
-    local file="$out/$name.$texels.relief" asked=()
-    [ "$texels" = default ] || asked=(--texels-per-cell "$texels")
-    "$relief" convert "$mesh" $options "${asked[@]}" -o "$file" --json >"$out/convert.json"
+    local file="$out/$name.$texels.relief" texel_options=()
+    [ "$texels" = default ] || texel_options=(--texels-per-cell "$texels")
+    "$relief" convert "$mesh" $options "${texel_options[@]}" -o "$file" --json >"$out/convert.json"
     "$relief" render "$file" $view --material unlit -o "$out/$name.$texels.png" --explain --json \
       >"$out/explain.json"
     printf '\n**%s, %s texels a cell**: %s samples, up to %s texels a cell, file %s bytes, colour maps %s bytes on the GPU\n\n' \
@@ -64,15 +64,15 @@ normal_map() {
   sed '/^norm/d' "$out/$name.mtl" >"$out/$name.plain.mtl"
   sed "s/^mtllib .*/mtllib $name.plain.mtl/" "$mesh" >"$out/$name.plain.obj"
   printf '\n**%s**\n\n| map | samples | texels a cell | file | normal maps on the GPU |\n| --- | --- | --- | --- | --- |\n' "$name"
-  for way in none one own; do
-    local from=$mesh asked=()
-    [ $way = none ] && from=$out/$name.plain.obj
-    [ $way = one ] && asked=(--texels-per-cell 1)
-    "$relief" convert "$from" "${asked[@]}" -o "$out/$name.$way.relief" --json >"$out/convert.json"
+  for map in none one own; do
+    local from=$mesh texel_options=()
+    [ $map = none ] && from=$out/$name.plain.obj
+    [ $map = one ] && texel_options=(--texels-per-cell 1)
+    "$relief" convert "$from" "${texel_options[@]}" -o "$out/$name.$map.relief" --json >"$out/convert.json"
     # shellcheck disable=SC2086
-    "$relief" render "$out/$name.$way.relief" $view -o "$out/$name.$way.png" --explain --json \
+    "$relief" render "$out/$name.$map.relief" $view -o "$out/$name.$map.png" --explain --json \
       >"$out/explain.json"
-    printf '| %s | %s | %s | %s | %s |\n' $way "$(number samples <"$out/convert.json")" \
+    printf '| %s | %s | %s | %s | %s |\n' $map "$(number samples <"$out/convert.json")" \
       "$(number normal_texels_per_cell <"$out/convert.json")" \
       "$(number file_bytes <"$out/convert.json")" \
       "$(tr -d '\n' <"$out/explain.json" | grep -o '"normal maps"[^}]*' | number bytes)"

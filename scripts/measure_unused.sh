@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
-# What the code of features that a scene does not use costs: takes the shaders that a picture is drawn
-# with, removes all that their preprocessor leaves out, and times frames with the one and the other in
-# turns. Prints the lines of both, the median of the ratios (with the code over without it) and the
-# quartiles. Mesa alone can exchange shaders so. Needs jq and cpp.
+# Measures the cost of shader code for features that a scene does not use. Takes the shaders of an image, removes
+# what their preprocessor leaves out, and times frames with both versions, alternating. Prints the number of lines
+# of both, and the median and quartiles of the ratio (with the code over without it). Only Mesa can exchange shaders like this. Needs jq and cpp.
 # usage: scripts/measure_unused.sh RELIEF_BINARY SCENE [ROUNDS [OPTION...]]
 set -euo pipefail
 relief=$1

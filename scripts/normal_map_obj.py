@@ -2,11 +2,11 @@
 """Puts a procedural normal map on a mesh: writes OBJ, MTL and PNG.
 
     scripts/normal_map_obj.py out/studs.obj                       # a sphere
-    scripts/normal_map_obj.py out/spot.obj --mesh spot.obj --picture spot.png
+    scripts/normal_map_obj.py out/spot.obj --mesh spot.obj --image spot.png
 
---mesh: an OBJ file with texture coordinates, whose faces are kept, instead of the sphere. --picture:
-its colours. --side: the normal map's pixels along each side. --waves: of the relief along u (as many
-along v for a mesh, half as many for the sphere, whose v is half as long). --steepest: its largest slope.
+--mesh: an OBJ file with texture coordinates that replaces the sphere. --image: its texture. --side: pixels
+along each side of the normal map. --waves: number of waves along u (as many along v for a mesh, half as many
+for the sphere, whose v is half as long). --steepest: largest slope.
 """
 import argparse
 import math
@@ -68,33 +68,34 @@ def sphere_lines(rings):
 
 
 def main():
-    arguments = argparse.ArgumentParser(description=__doc__,
-                                        formatter_class=argparse.RawDescriptionHelpFormatter)
-    arguments.add_argument("out", type=pathlib.Path)
-    arguments.add_argument("--mesh", type=pathlib.Path)
-    arguments.add_argument("--picture", type=pathlib.Path)
-    arguments.add_argument("--side", type=int, default=1024)
-    arguments.add_argument("--waves", type=int, default=32)
-    arguments.add_argument("--steepest", type=float, default=0.8)
-    asked = arguments.parse_args()
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("out", type=pathlib.Path)
+    parser.add_argument("--mesh", type=pathlib.Path)
+    parser.add_argument("--image", type=pathlib.Path)
+    parser.add_argument("--side", type=int, default=1024)
+    parser.add_argument("--waves", type=int, default=32)
+    parser.add_argument("--steepest", type=float, default=0.8)
+    arguments = parser.parse_args()
 
-    asked.out.parent.mkdir(parents=True, exist_ok=True)
-    half = 1 if asked.mesh else 2
-    picture = asked.out.with_name(asked.out.stem + "_normals.png")
-    write_png(picture, asked.side, normal_rows(asked.side, asked.side, asked.waves,
-                                               asked.waves // half, asked.steepest))
-    material = f"newmtl studs\nKd 0.7 0.7 0.7\nnorm {picture.name}\n"
-    if asked.picture:
-        shutil.copyfile(asked.picture, asked.out.parent / asked.picture.name)
-        material += f"map_Kd {asked.picture.name}\n"
-    asked.out.with_suffix(".mtl").write_text(material)
+    arguments.out.parent.mkdir(parents=True, exist_ok=True)
+    half = 1 if arguments.mesh else 2
+    normal_map = arguments.out.with_name(arguments.out.stem + "_normals.png")
+    rows = normal_rows(arguments.side, arguments.side, arguments.waves, arguments.waves // half,
+                       arguments.steepest)
+    write_png(normal_map, arguments.side, rows)
+    material = f"newmtl studs\nKd 0.7 0.7 0.7\nnorm {normal_map.name}\n"
+    if arguments.image:
+        shutil.copyfile(arguments.image, arguments.out.parent / arguments.image.name)
+        material += f"map_Kd {arguments.image.name}\n"
+    arguments.out.with_suffix(".mtl").write_text(material)
     lines = sphere_lines(64)
-    if asked.mesh:
+    if arguments.mesh:
         kept = ("v", "vt", "vn", "f")
-        lines = (line for line in asked.mesh.read_text().splitlines()
+        lines = (line for line in arguments.mesh.read_text().splitlines()
                  if line.split(" ", 1)[0] in kept)
-    with open(asked.out, "w") as out:
-        out.write(f"mtllib {asked.out.with_suffix('.mtl').name}\nusemtl studs\n")
+    with open(arguments.out, "w") as out:
+        out.write(f"mtllib {arguments.out.with_suffix('.mtl').name}\nusemtl studs\n")
         out.writelines(line + "\n" for line in lines)
 
 

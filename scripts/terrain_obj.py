@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Writes a grid of heights and a picture over it as a textured mesh: OBJ, MTL and a copy of the picture.
+"""Writes a grid of heights with an image over it as a textured mesh: OBJ, MTL and a copy of the image.
 
     scripts/terrain_obj.py ../shared/data/terrain/vtkjs_dem.csv ../shared/data/terrain/vtkjs_dem.jpg out/dem.obj
 
-Rows of the CSV file run from the picture's top to its bottom. --step: distance of two heights;
---exaggerate: factor on them. The defaults are those of vtk.js's example of this very terrain.
+Rows of the CSV file run from the image's top to its bottom. --step: distance between two heights;
+--exaggerate: factor on them. The defaults are those of the vtk.js example of this terrain.
 """
 import argparse
 import csv
@@ -13,33 +13,33 @@ import shutil
 
 
 def main():
-    arguments = argparse.ArgumentParser(description=__doc__,
-                                        formatter_class=argparse.RawDescriptionHelpFormatter)
-    arguments.add_argument("heights", type=pathlib.Path)
-    arguments.add_argument("picture", type=pathlib.Path)
-    arguments.add_argument("out", type=pathlib.Path)
-    arguments.add_argument("--step", type=float, default=0.01568)
-    arguments.add_argument("--exaggerate", type=float, default=0.06666)
-    asked = arguments.parse_args()
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("heights", type=pathlib.Path)
+    parser.add_argument("image", type=pathlib.Path)
+    parser.add_argument("out", type=pathlib.Path)
+    parser.add_argument("--step", type=float, default=0.01568)
+    parser.add_argument("--exaggerate", type=float, default=0.06666)
+    arguments = parser.parse_args()
 
-    with open(asked.heights, newline="") as file:
+    with open(arguments.heights, newline="") as file:
         rows = [[float(cell) for cell in row] for row in csv.reader(file) if row]
     height, width = len(rows), len(rows[0])
     if any(len(row) != width for row in rows) or width < 2 or height < 2:
-        raise SystemExit(f"{asked.heights}: its rows do not all have the same number of heights")
+        raise SystemExit(f"{arguments.heights}: its rows do not all have the same number of heights")
 
-    # The picture lies beside the mesh: names that lead out of its folder are not followed.
-    asked.out.parent.mkdir(parents=True, exist_ok=True)
-    shutil.copyfile(asked.picture, asked.out.parent / asked.picture.name)
-    material = asked.out.with_suffix(".mtl")
-    material.write_text(f"newmtl ground\nmap_Kd {asked.picture.name}\n")
-    with open(asked.out, "w") as out:
+    # The image lies beside the mesh: names that lead out of its folder are not followed.
+    arguments.out.parent.mkdir(parents=True, exist_ok=True)
+    shutil.copyfile(arguments.image, arguments.out.parent / arguments.image.name)
+    material = arguments.out.with_suffix(".mtl")
+    material.write_text(f"newmtl ground\nmap_Kd {arguments.image.name}\n")
+    with open(arguments.out, "w") as out:
         out.write(f"mtllib {material.name}\nusemtl ground\n")
         for j, row in enumerate(rows):
             for i, value in enumerate(row):
-                x = (i - (width - 1) / 2) * asked.step
-                z = (j - (height - 1) / 2) * asked.step
-                out.write(f"v {x:.6g} {value * asked.exaggerate:.6g} {z:.6g}\n")
+                x = (i - (width - 1) / 2) * arguments.step
+                z = (j - (height - 1) / 2) * arguments.step
+                out.write(f"v {x:.6g} {value * arguments.exaggerate:.6g} {z:.6g}\n")
         for j in range(height):
             for i in range(width):
                 out.write(f"vt {i / (width - 1):.7g} {1 - j / (height - 1):.7g}\n")

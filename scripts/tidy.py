@@ -90,25 +90,25 @@ def run_tidy(file, flags):
 
 def write_unit(files, unit):
     """Writes files as one. Not as includes: the analyzer skips what is not in the main file."""
-    lines, places = [], []
+    lines, sources = [], []
     for file in files:
         text = file.read_text().splitlines()
         lines += text
-        places += [f"{file}:{k + 1}" for k in range(len(text))]
+        sources += [f"{file}:{k + 1}" for k in range(len(text))]
     unit.write_text("\n".join(lines) + "\n")
-    return places
+    return sources
 
 
 def check(group, unit):
     if len(group.files) > 1:
-        places = write_unit(group.files, unit)
-        findings = re.sub(re.escape(str(unit)) + r":(\d+)", lambda m: places[int(m[1]) - 1],
+        sources = write_unit(group.files, unit)
+        findings = re.sub(re.escape(str(unit)) + r":(\d+)", lambda m: sources[int(m[1]) - 1],
                           run_tidy(unit, group.flags))
         if "[clang-diagnostic-" not in findings:
             return findings
         reason = re.search(r"error: (.*) \[clang-diagnostic-", findings)[1]
         print(f"{len(group.files)} files from {group.files[0].relative_to(ROOT)} on do not compile "
-              f"together, so that each is checked alone: {reason}", flush=True)
+              f"together, so that each is checked by itself: {reason}", flush=True)
     return "".join(run_tidy(file, group.flags) for file in group.files)
 
 
