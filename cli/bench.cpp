@@ -76,7 +76,7 @@ Result<Models> load(const ScenePlan& plan, const std::optional<Sweep>& sweep, Pr
   return models;
 }
 
-/// All that is to be drawn; what is measured is filled in later.
+/// The rows to draw, and the result that measurements complete.
 struct Plan {
   BenchJob job;
   BenchResult result;
@@ -160,7 +160,7 @@ int run_bench(const BenchArguments& arguments) {
   return arguments.image.json ? print_json(as_json(*result)) : print_result(as_text(*result));
 }
 
-/// What is converted anew is a scan.
+/// Checks that a sweep that converts has a scan or a mesh as input.
 void check_sweep(const BenchArguments& arguments) {
   const std::string kind = lower_extension(arguments.image.input);
   if (arguments.sweep && converts(*arguments.sweep) && (kind == ".relief" || kind == ".json"))

@@ -1,5 +1,5 @@
 // The subcommands of `relief`, one file each. Each function declares the options of a subcommand.
-// Once they are parsed, `command` is what the user chose.
+// Parsing sets `command` to the subcommand that the user chose.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -7,8 +7,8 @@
 
 namespace relief::cli {
 
-/// Runs what the command line asked for. Returns the exit code: 0 done, 1 failed, 2 wrong usage
-/// that shows only once all options are known.
+/// Runs the chosen subcommand. Returns the exit code: 0 done, 1 failed, 2 wrong usage that only all
+/// options together show.
 using Command = std::function<int()>;
 
 /// relief bench: times every method to draw a scene and compares it with the truth.
@@ -23,7 +23,7 @@ void add_convert(CLI::App& app, Command& command);
 /// relief export: writes patches as points or as a mesh, for other programs.
 void add_export(CLI::App& app, Command& command);
 
-/// relief info: prints what a patch file holds, and checks every byte of it.
+/// relief info: prints the contents of a patch file and checks every byte of it.
 void add_info(CLI::App& app, Command& command);
 
 /// relief render: renders a patch file, a scan or a scene.

@@ -47,7 +47,7 @@ struct CompareArguments {
   bool json = false;
 };
 
-/// A PNG holds what a display shows; only two images of light can be compared as light.
+/// A PNG holds display values; only two images with radiance can be compared as radiance.
 FlipOptions flip_options(const CompareArguments& arguments) {
   FlipOptions options;
   options.pixels_per_degree = arguments.pixels_per_degree;

@@ -22,12 +22,12 @@ inline constexpr int kWrongUsage = 2;
 /// the second one ends the process. A write beyond the file size limit fails like a full disk.
 void handle_signals();
 
-/// True once the user asked to stop.
+/// Returns true after an interrupt by the user.
 [[nodiscard]] bool interrupted();
 
 /// Prints `error` in one line on standard error and returns kFailed. After an interrupt it prints
-/// "interrupted" instead, as that is why the job failed. `kept`: what was written before, if
-/// anything was ("2 of 12 images were written").
+/// "interrupted" instead, because that made the job fail. `kept`: the files written before, if any
+/// ("2 of 12 images were written").
 int fail(const Error& error, std::string_view kept = {});
 
 /// Prints a result on standard output and returns the exit code: kFailed, with a sentence, if

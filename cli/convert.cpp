@@ -53,7 +53,7 @@ struct ConvertArguments {
   bool json = false;
 };
 
-/// Adds what the written file holds.
+/// Adds the contents of the written file.
 Result<ConvertSummary> summarise(const ConvertArguments& arguments, ConvertSummary summary) {
   RELIEF_TRY_ASSIGN(const auto file, PatchFile::open(arguments.output));
   summary.file = file.info();

@@ -87,7 +87,7 @@ Result<Summary> export_file(const ExportArguments& arguments, Progress& progress
   progress.begin_stage("mesh", 0);
   auto mesh = mesh_of_patches(model);
   if (!mesh) return make_error("{}: {}", arguments.input.string(), mesh.error().message);
-  model = {};  // as large as what is made of it
+  model = {};  // frees memory: the export is as large
   const Points points = points_of(std::move(*mesh), as_mesh);
   if (points.positions.empty())
     return make_error("{}: has no samples to export", arguments.input.string());

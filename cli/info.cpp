@@ -1,4 +1,4 @@
-// relief info: prints what a patch file holds, and checks every byte of it.
+// relief info: prints the contents of a patch file and checks every byte of it.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

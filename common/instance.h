@@ -19,13 +19,14 @@ struct Transform {
   return transform.translation + transform.scale * (transform.rotation * p);
 }
 
-/// One placed copy of a run of a model's patches. Several instances may share patches.
+/// One copy, with its own transform, of a run of a model's patches. Several instances may share
+/// patches.
 struct Instance {
   std::uint32_t first = 0;  ///< in PatchModel::patches
   std::uint32_t count = 0;
   Transform transform;
-  std::uint8_t material = 0;  ///< instead of Patch::material
-  bool is_closed = false;     ///< instead of PatchModel::is_closed
+  std::uint8_t material = 0;  ///< replaces Patch::material
+  bool is_closed = false;     ///< replaces PatchModel::is_closed
 };
 
 }  // namespace relief

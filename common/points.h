@@ -52,7 +52,7 @@ struct MeshMaterial : MeshImage {
   MeshNormalMap normals;
 };
 
-/// The index that stands for "no material": such triangles have no colour of their own.
+/// The index that stands for "no material": these triangles have no colour of their own.
 inline constexpr std::uint32_t kNoMaterial = UINT32_MAX;
 
 /// Points with their file's attributes. An attribute vector is empty or as long as `positions`.

@@ -23,10 +23,10 @@ class Progress {
   virtual void begin_stage(std::string_view /*name*/, std::uint64_t /*units*/) {}
   /// Adds finished units of the current stage. Thread-safe.
   virtual void advance(std::uint64_t /*units*/) {}
-  /// Something that the user should know although the job goes on, as one clause ("only some of the
-  /// scans have colours; they are left out"). Called from one thread.
+  /// Reports a condition that the user should know while the job goes on, as one clause ("only some
+  /// of the scans have colours; they are left out"). Called from one thread.
   virtual void note(std::string_view /*text*/) {}
-  /// Returns whether the user asked to stop. Thread-safe.
+  /// Returns whether the user interrupted the job. Thread-safe.
   [[nodiscard]] virtual bool cancelled() const { return false; }
 };
 

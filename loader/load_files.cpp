@@ -32,7 +32,7 @@ bool append_attribute(std::vector<T>& to, std::size_t to_points, const std::vect
   return false;
 }
 
-/// An attribute once left out stays out, whatever later files have.
+/// An attribute that was left out once stays out, even if later files have it.
 struct LeftOut {
   bool normals = false;
   bool colours = false;

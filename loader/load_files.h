@@ -14,7 +14,7 @@
 
 namespace relief {
 
-/// Reads a scan or mesh with its materials and textures. Notes what is left out of these.
+/// Reads a scan or mesh with its materials and textures. Adds a note for each that is left out.
 Result<ReadResult> load_mesh(const std::filesystem::path& path, const TextureChoice& textures,
                              Progress& progress);
 

@@ -22,8 +22,8 @@
 namespace relief {
 namespace {
 
-/// The forms other than patches that must be made here. Engines make what they need of patches
-/// themselves where the scene has patches only.
+/// The forms besides patches that must be made here. If a scene has only patches, engines derive
+/// the form that they need.
 struct Forms {
   bool mesh = false;
   bool splats = false;
@@ -101,7 +101,7 @@ Result<PatchModel> extent_of(const std::vector<SceneModel>& models, const Loaded
   return assembler.take().patches;
 }
 
-/// Reads what the views show of the trees.
+/// Reads the tiles of the trees that the views show.
 Status load_trees(const std::vector<SceneModel>& models, const TreeFiles& trees,
                   const ViewsOf& views_of, LoadedFiles& loaded, Progress& progress) {
   RELIEF_TRY_ASSIGN(const auto extent, extent_of(models, loaded, trees));

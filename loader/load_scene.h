@@ -30,22 +30,23 @@ using ViewsOf = std::function<Result<std::vector<RenderSettings>>(const PatchMod
 /// Reads the models and puts them in their positions. Reads a file that several of them name once.
 /// A scan or mesh gives the forms that are needed: its points as splats, its triangles, and patches
 /// by a conversion with the default options, which also stand for triangles if it has none.
-/// `textures`: of scans and meshes. Of a patch file with tiles only what `views` show is read
-/// (renderer/view/patches_in_view.h); everything is read without `views`, and if splats or a mesh
-/// are needed.
+/// `textures`: of scans and meshes. Reads only those tiles of a patch file that `views` show
+/// (renderer/view/patches_in_view.h); reads all without `views`, and if splats or a mesh are
+/// needed.
 Result<LoadedScene> load_models(const std::vector<SceneModel>& models,
                                 const TextureChoice& textures, FormNeeds needs, Progress& progress,
                                 const ViewsOf& views = {});
 
 struct LoadOptions {
   TextureChoice textures;  ///< of scans and meshes
-  /// How splats are made of a mesh for which `textures` names an image. The cutoff is that of the
-  /// first view's options, whatever is set here.
+  /// How splats are made of a mesh for which `textures` names an image. The cutoff is always that
+  /// of the first view's options.
   AcquireOptions acquisition;
 };
 
-/// Loads what the views of a plan show, in the forms that their engines prefer. The views' settings
-/// follow by render_settings_of (loader/view_settings.h), with the scene's patches for the extent.
+/// Loads the models that the views of a plan show, in the forms that their engines prefer. The
+/// views' settings follow by render_settings_of (loader/view_settings.h), with the scene's patches
+/// for the extent.
 Result<LoadedScene> load_scene(const ScenePlan& plan, const LoadOptions& options,
                                Progress& progress, std::span<const EngineEntry> among = engines());
 

@@ -12,16 +12,16 @@
 
 namespace relief {
 
-/// The renderer's settings of a view, with the engine's defaults for what the plan leaves open.
-/// Options of other engines do not count. `extent`: the bounds and the bounding sphere of all that
-/// is drawn, which the camera depends on; its patches are not looked at. Outputs beside colour are
-/// those that the plan names. Fails if the eye is where it looks, or the engine does not accept the
-/// value of an option.
+/// Returns the renderer's settings of a view, with the engine's defaults for options that the plan
+/// does not set. Ignores options of other engines. `extent`: bounds and bounding sphere of the
+/// whole scene, for the camera; its patches are not used. Outputs beside colour are those that the
+/// plan names. Fails if the eye is at its target, or if the engine does not accept the value of an
+/// option.
 Result<RenderSettings> render_settings_of(const ScenePlan& plan, const PlannedView& view,
                                           const PatchModel& extent,
                                           std::span<const EngineEntry> among = engines());
 
-/// The renderer's settings of all views, in their order.
+/// Returns the renderer's settings of all views, in order.
 Result<std::vector<RenderSettings>> render_settings_of(
     const ScenePlan& plan, const PatchModel& extent,
     std::span<const EngineEntry> among = engines());

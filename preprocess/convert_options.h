@@ -1,4 +1,4 @@
-// What can be chosen about a conversion, and what it reports.
+// Options and report of a conversion.
 #pragma once
 
 #include <cstdint>

@@ -12,7 +12,7 @@
 namespace relief::cli {
 
 /// A row's images against ray-traced ones; empty where it could not be measured. The PSNR of
-/// what does not differ is infinite.
+/// the PSNR of equal images is infinite.
 struct RowAccuracy {
   std::optional<double> psnr_db;          ///< in the row's material, over all pixels
   std::optional<double> psnr_covered_db;  ///< over those that both cover

@@ -13,7 +13,7 @@ namespace relief::cli {
 /// The engine that ratios of times refer to.
 inline constexpr const char* kRivalEngine = "multipass";
 
-/// What all rows share: the camera, size and material of a view.
+/// The settings that all rows share: the camera, size and material of a view.
 struct BenchView {
   const ScenePlan& plan;
   const PlannedView& view;
@@ -21,9 +21,9 @@ struct BenchView {
   GlPlatform platform = GlPlatform::Automatic;
 };
 
-/// A row: the view drawn by the engine with these option values. Options that the engine's variants
-/// choose are otherwise at their defaults, whatever the view sets; the view's other options count.
-/// Colour only, without a background, which would cost all rows alike.
+/// Returns a row: the view drawn by the engine with these option values. Options that the engine's
+/// variants choose and that `values` lacks are at their defaults; the other options are the view's.
+/// Outputs are colour only, without a background, which would cost all rows the same.
 Result<RenderSettings> bench_row(const BenchView& view, const EngineEntry& engine,
                                  const OptionValues& values);
 
@@ -31,7 +31,7 @@ Result<RenderSettings> bench_row(const BenchView& view, const EngineEntry& engin
 /// sets and no variant has.
 Result<std::vector<RenderSettings>> bench_rows(const BenchView& view);
 
-/// What `relief render` does by default, and kRivalEngine with its defaults.
+/// Returns the default row of `relief render`, and kRivalEngine with its defaults.
 Result<std::vector<RenderSettings>> compared_rows(const BenchView& view);
 
 /// The first engine on OpenGL that has the option, with each of the values.

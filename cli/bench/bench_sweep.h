@@ -26,7 +26,7 @@ inline constexpr const char* kHeightStep = "height-step";
 /// "KEY=V,V,...", 1 to 16 values. Throws CLI::ValidationError.
 [[nodiscard]] Sweep parse_sweep(const std::string& text);
 
-/// Whether the scan is converted anew for each value.
+/// Returns whether the scan is converted again for each value.
 [[nodiscard]] inline bool converts(const Sweep& sweep) {
   return sweep.key == kSpacing || sweep.key == kHeightStep;
 }

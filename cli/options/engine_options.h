@@ -18,7 +18,7 @@ void add_engine_options(CLI::App& sub, SceneSettings& settings,
 void add_engine_option(CLI::App& sub, OptionValues& values, const SharedOption& option,
                        std::span<const EngineEntry> among = engines());
 
-/// The help of an option: the engines that have it, what it does, its range, its default.
+/// Returns the help of an option: its engines, its effect, its range, its default.
 [[nodiscard]] std::string help_of(const SharedOption& option, std::span<const EngineEntry> among);
 
 /// One line an engine: its name and summary.

@@ -19,12 +19,12 @@ struct Limit {
   double value = 0.0;
 };
 
-/// "KEY=VALUE". Throws CLI::ValidationError if there is no such quantity or the value is no finite
-/// number.
+/// Parses "KEY=VALUE". Throws CLI::ValidationError if the quantity is unknown or the value is not a
+/// finite number.
 [[nodiscard]] Limit parse_limit(const std::string& text, Bound fail);
 
-/// Clauses about all limits that do not hold, or nothing. A quantity that was not measured holds no
-/// limit; the PSNR of what does not differ is infinite and so above any.
+/// Returns clauses about all limits that do not hold; nothing if all hold. A quantity that was not
+/// measured fails its limits. The PSNR of equal images is infinite and passes every lower bound.
 [[nodiscard]] std::optional<Error> find_broken_limits(const std::vector<Limit>& limits,
                                                       const Comparison& comparison);
 

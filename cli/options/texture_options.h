@@ -12,7 +12,7 @@
 namespace relief::cli {
 
 struct TextureArguments {
-  std::filesystem::path file;              ///< empty: what the mesh names; "none": no texture
+  std::filesystem::path file;  ///< empty: the images that the mesh names; "none": no texture
   std::optional<std::string> acquisition;  ///< of `ewa`
   std::optional<std::size_t> points;       ///< of `ewa`
 };

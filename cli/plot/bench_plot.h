@@ -1,4 +1,4 @@
-// What `relief bench --plot` draws.
+// The plot of `relief bench --plot`.
 #pragma once
 
 #include "cli/plot/scatter_plot.h"
@@ -6,9 +6,9 @@
 
 namespace relief::cli {
 
-/// PSNR against frame time: in the rows' material and, beside it, as a mirror (whose time is not
-/// another: it is the accuracy alone that is looked at there). Rows whose PSNR was not measured or
-/// is infinite are not in it. The default is marked; the bound and the mesh are lines.
+/// Plots PSNR against frame time: one panel for the rows' material and one for a mirror, with the
+/// same times. Leaves out rows whose PSNR was not measured or is infinite. The default is marked;
+/// the bound and the mesh are lines.
 [[nodiscard]] Plot plot_of(const BenchResult& result);
 
 }  // namespace relief::cli

@@ -33,12 +33,12 @@ struct Plot {
   std::vector<PlotLine> lines;
 };
 
-/// Places in `points` of those that no other one beats: none is at most as dear and at least as
-/// good, and better in one of the two. From the cheapest to the dearest.
+/// Returns the indices of the points that no other point dominates, by increasing cost. A point
+/// dominates another if it is no more expensive and no worse, and better in one of the two.
 [[nodiscard]] std::vector<std::size_t> pareto_front(const std::vector<PlotPoint>& points);
 
-/// The plot, with a logarithmic axis of cost; points of the Pareto front are full and joined. The
-/// same plot gives the same text.
+/// Returns the plot as SVG, with a logarithmic axis of cost. Points of the Pareto front are filled
+/// and joined. Equal plots give equal text.
 [[nodiscard]] std::string plot_as_svg(const Plot& plot);
 
 }  // namespace relief::cli

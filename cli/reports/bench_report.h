@@ -28,17 +28,18 @@ struct BenchResult {
   std::vector<RowAccuracy> accuracy;
 };
 
-/// The name of a row, with the value of a swept conversion: "onepass cell corrected
+/// Returns the name of a row, with the value of a swept conversion: "onepass cell corrected
 /// pixels-per-sample 4, spacing 0.01".
 [[nodiscard]] std::string name_of_row(const BenchResult& result, std::size_t row);
 
-/// Whether a row is what `relief render` draws by default, of a scan that is converted by default.
+/// Returns whether a row is the default of `relief render`, of a scan converted with default
+/// options.
 [[nodiscard]] bool is_default_row(const BenchResult& result, std::size_t row);
 
-/// One JSON object: what was measured, and a row for each method.
+/// Returns one JSON object: the scene, the machine and a row for each method.
 [[nodiscard]] nlohmann::ordered_json as_json(const BenchResult& result);
 
-/// A table for a person, the default row marked by a star.
+/// Returns a table as text, with a star at the default row.
 [[nodiscard]] std::string as_text(const BenchResult& result);
 
 }  // namespace relief::cli

@@ -13,7 +13,7 @@ namespace relief::cli {
 struct Quantity {
   const char* key;
   bool is_count;  ///< a whole number
-  /// Its value, +infinity for the PSNR of what does not differ; or why it was not measured, as a
+  /// Its value, +infinity for the PSNR of equal images; or the reason why it was not measured, as a
   /// clause.
   Result<double> (*measure)(const Comparison& comparison);
 };
@@ -21,11 +21,11 @@ struct Quantity {
 /// All quantities, in the order of the JSON object.
 [[nodiscard]] const std::vector<Quantity>& quantities();
 
-/// All quantities, null where there is no finite value, and what was done.
+/// Returns all quantities, null where there is no finite value, and the options of the comparison.
 [[nodiscard]] nlohmann::ordered_json as_json(const Comparison& comparison,
                                              const FlipOptions& options);
 
-/// All quantities as text for a person, without a title line.
+/// Returns all quantities as text, without a title line.
 [[nodiscard]] std::string as_text(const Comparison& comparison, const FlipOptions& options);
 
 }  // namespace relief::cli

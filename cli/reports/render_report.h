@@ -19,14 +19,14 @@ struct WrittenImage {
   RenderResult result;
 };
 
-/// One JSON object: the engine and its options, sizes, times and counts; with `explain`, if that
-/// was asked for.
+/// Returns one JSON object: the engine and its options, sizes, times and counts, and `explain` with
+/// --explain.
 [[nodiscard]] nlohmann::ordered_json as_json(const WrittenImage& written);
 
 /// {"views": [...]}, each with its name, its output and the keys of as_json.
 [[nodiscard]] nlohmann::ordered_json scene_as_json(const std::vector<WrittenImage>& written);
 
-/// Text for a person.
+/// Returns the report as text.
 [[nodiscard]] std::string as_text(const WrittenImage& written);
 
 }  // namespace relief::cli

@@ -19,7 +19,7 @@ struct CoverageMasks {
 /// Finds the covered pixels of both images. If an image's alpha is below 1 anywhere, pixels with
 /// alpha 0.5 or more are covered, so that antialiased and aliased silhouettes agree to half a
 /// pixel. Otherwise (opaque background) pixels with finite depth Z are covered. If only one image
-/// has such an alpha and both have Z, Z decides in both. Fails, with a clause, if an image has
+/// has an alpha below 1 and both have Z, Z decides in both. Fails, with a clause, if an image has
 /// neither.
 Result<CoverageMasks> find_coverage(const Image& test, const Image& reference);
 

@@ -14,8 +14,8 @@
 
 namespace relief {
 
-/// Ldr: colours are what a display shows, clamped to [0, 1]. Hdr: colours are light; the largest
-/// error over the exposures at which the reference shows something.
+/// Ldr: colours are display values, clamped to [0, 1]. Hdr: colours are radiance; the error is the
+/// largest over the exposures that suit the reference.
 enum class FlipRange : std::uint8_t { Ldr, Hdr };
 
 /// The observer of the papers: 0.7 m from a display 0.7 m wide with 3840 pixels, about 67.02.

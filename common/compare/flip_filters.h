@@ -9,7 +9,7 @@ namespace relief {
 /// Weights for the offsets -radius to radius.
 using Taps = std::vector<float>;
 
-/// Filters for what the eye resolves (2020, section 4.1.1: contrast sensitivity functions as
+/// Filters for the resolution of the eye (2020, section 4.1.1: contrast sensitivity functions as
 /// Gaussians) and for edges and points (section 4.2.1: derivatives of a Gaussian). Each is applied
 /// along x and then along y.
 struct FlipFilters {

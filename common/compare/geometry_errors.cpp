@@ -78,8 +78,8 @@ struct Range {
 
 Result<NormalErrors> measure_normals(const Image& test, const Image& reference,
                                      const std::vector<std::uint8_t>* mask) {
-  // Below this length, half-float rounding turns a normal noticeably; no engine writes such
-  // normals.
+  // Below this length, half-float rounding turns a normal noticeably; no engine writes
+  // shorter normals.
   constexpr double kShortest = 1e-3;
   const auto channels = find_channels<3>(test, reference, {"N.X", "N.Y", "N.Z"});
   if (!channels) return channels.error();

@@ -31,9 +31,9 @@ Result<Image> decode_jpeg(std::span<const std::byte> bytes, Transfer transfer);
 /// Radiance .hdr; pixels are mantissa * 2^(exponent - 136), EXPOSURE lines are not undone.
 Result<Image> decode_radiance(std::span<const std::byte> bytes);
 
-/// Returns why an image of this size is refused, as a clause; nothing if it is accepted. Refused
-/// are sides of 0 or above kMaxImageSide, and more values than any image needs or than `file_bytes`
-/// bytes can encode.
+/// Returns why an image of this size is refused, as a clause; nothing if it is accepted. Refuses
+/// sides of 0 or above kMaxImageSide, and more values than images need or than `file_bytes` bytes
+/// can encode.
 [[nodiscard]] std::optional<Error> find_size_fault(std::int64_t width, std::int64_t height,
                                                    std::size_t channels, std::size_t file_bytes);
 

@@ -83,8 +83,9 @@ Status read_new_rle(Input& in, std::vector<Rgbe>& row) {
   return {};
 }
 
-/// Whole pixels; 1, 1, 1, n repeats the one before n times, and once more shifted by 8 bits for
-/// each such pixel that follows at once. `first` is taken already.
+/// Reads a row of whole pixels. 1, 1, 1, n repeats the previous pixel n times; in a run of these
+/// pixels, each further n is shifted by 8 more bits. `first` is the row's first pixel, already
+/// read.
 Status read_old_rle(Input& in, const Rgbe& first, std::vector<Rgbe>& row) {
   Rgbe pixel = first;
   unsigned shift = 0;

@@ -46,8 +46,8 @@ struct Orbit {
 [[nodiscard]] glm::mat4 reversed_infinite_projection(double vertical_fov_degrees, double aspect,
                                                      double near);
 
-/// What an orthographic camera sees, in eye coordinates: half the image's sides, and the depths
-/// (world units along the view axis) between which depth values fall from 1 to 0.
+/// The visible box of an orthographic camera, in eye coordinates: half the image's sides, and the
+/// depths (world units along the view axis) between which depth values fall from 1 to 0.
 struct OrthographicBox {
   double half_width = 1.0;
   double half_height = 1.0;

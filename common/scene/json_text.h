@@ -9,12 +9,12 @@
 
 namespace relief {
 
-/// Deeper nesting than this is refused; what Relief reads needs five levels.
+/// Maximum depth of nesting; Relief's files need five levels.
 inline constexpr std::size_t kMaxJsonDepth = 16;
 
-/// Parses JSON (RFC 8259). Refuses, in one sentence that begins with `name`, what is no JSON (with
-/// line and column, both from 1, columns in bytes), numbers beyond double precision, objects that
-/// have a key twice, and nesting deeper than kMaxJsonDepth.
+/// Parses JSON (RFC 8259). Refuses, in one sentence that begins with `name`, text that is not
+/// JSON (with line and column, both from 1, columns in bytes), numbers beyond double precision,
+/// objects that have a key twice, and nesting deeper than kMaxJsonDepth.
 Result<nlohmann::json> parse_json(std::string_view text, const std::string& name);
 
 }  // namespace relief

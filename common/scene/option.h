@@ -1,4 +1,4 @@
-// An option of an engine, as the command line, scene files and overrides see it.
+// An option of an engine, for the command line, scene files and overrides.
 #pragma once
 
 #include <cstdint>
@@ -17,24 +17,25 @@ namespace relief {
 /// A number, or the name of a choice.
 using OptionValue = std::variant<double, std::string>;
 
-/// Values by key, as the command line and scene files give them. What is not given has no entry.
+/// Values by key, as the command line and scene files give them. A value that is not given has no
+/// entry.
 using OptionValues = std::map<std::string, OptionValue, std::less<>>;
 
 enum class OptionKind : std::uint8_t { Integer, Number, Choice };
 
-/// What an option accepts, and the text of its help.
+/// The values that an option accepts, and the text of its help.
 struct OptionRow {
   std::string key = {};  ///< the option without its dashes, and the key in a scene file
   OptionKind kind = OptionKind::Number;
   NumberChoice range{0.0, 0.0};           ///< of Integer and Number, both ends included
   std::vector<std::string> choices = {};  ///< of Choice
   std::string placeholder = {};   ///< in `--help`: "N", "MS"; empty for Choice, which lists them
-  std::string help = {};          ///< what it does and its unit: a sentence without a period
+  std::string help = {};          ///< its effect and its unit: a sentence without a period
   std::string default_text = {};  ///< "2", "4 with cells, else 0"; empty: none
 };
 
-/// The engines that a scene may name, and their options. The renderer makes this of its registry; a
-/// key is in it once.
+/// The engines that a scene may name, and their options. The renderer derives this from its
+/// registry. Keys are unique.
 struct EngineKeys {
   std::vector<std::string> engines = {};
   std::vector<OptionRow> options = {};

@@ -31,7 +31,7 @@ NeighbourGraph find_neighbours(const std::vector<glm::dvec3>& positions, std::ui
   const std::uint32_t density_k = std::min(kDensityNeighbours, graph.k);
   std::vector<float> raw_spacing(n);
 
-  // In the order of the tree's leaves, so that what one search has read is there for the next.
+  // In the order of the tree's leaves, so that a search finds in the cache what the last one read.
   tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, n, 1024), [&](const auto& range) {
     NearestSearch nearest(tree, graph.k);
     for (std::uint32_t slot = range.begin(); slot != range.end(); ++slot) {
@@ -45,7 +45,7 @@ NeighbourGraph find_neighbours(const std::vector<glm::dvec3>& positions, std::ui
   });
 
   // Half its own, half its neighbours' mean: a single r_8 scatters by about 20 % on random samples,
-  // the mean alone takes a sparse border for as dense as what it borders on.
+  // the mean alone takes a sparse border for as dense as its surroundings.
   graph.spacing.resize(n);
   tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, n, 4096), [&](const auto& range) {
     for (std::uint32_t i = range.begin(); i != range.end(); ++i) {

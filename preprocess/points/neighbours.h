@@ -13,13 +13,13 @@ namespace relief {
 /// Neighbours per point that surfaces are found from: 8 for the density, 16 for planes through
 /// noise.
 inline constexpr std::uint32_t kSurfaceNeighbours = 16;
-/// Fewer points give no neighbourhoods to speak of.
+/// Scans with fewer points have no useful neighbourhoods.
 inline constexpr std::size_t kMinSurfacePoints = 16;
 
-/// The k nearest neighbours of every point, and what follows from them.
+/// The k nearest neighbours of every point, and the local spacing that follows from them.
 struct NeighbourGraph {
   std::uint32_t k = 0;
-  std::vector<std::uint32_t> indices;  ///< k per point, nearest first, the point itself left out
+  std::vector<std::uint32_t> indices;  ///< k per point, nearest first, without the point itself
   /// Local spacing of the scan at each point, world units: the side of the square that holds one
   /// point on average, sqrt(pi r^2 / 8) with r the distance to the 8th neighbour; half its own,
   /// half the mean of its neighbours'.

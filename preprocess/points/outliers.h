@@ -12,7 +12,7 @@ namespace relief {
 struct OutlierReport {
   std::uint64_t sparse = 0;    ///< unusually far from their neighbours
   std::uint64_t cluster = 0;   ///< in clusters too small to be a surface
-  bool were_too_many = false;  ///< more than half would have been removed, so none was
+  bool were_too_many = false;  ///< more than half would have been removed, so none were
 };
 
 /// Removes points that are not part of a surface, and their triangles.
@@ -22,7 +22,7 @@ struct OutlierReport {
 /// more than 3 times the median of those neighbours' own. The remaining points are linked if they
 /// are neighbours within 4 local spacings; clusters of fewer than 50 points are removed. The result
 /// does not depend on the number of threads. Scans of fewer than kMinSurfacePoints points, and
-/// those of which more than half would be removed, stay unchanged.
+/// scans that would lose more than half of their points, stay unchanged.
 OutlierReport remove_outliers(Points& points, Progress& progress);
 
 }  // namespace relief

@@ -23,7 +23,7 @@ struct Cut {
   double value = 0.0;
 };
 
-/// The box of the entries, of which there is at least one.
+/// Returns the box of the entries; there is at least one.
 Box box_of(std::span<const Entry> entries) {
   Box box{entries[0].position, entries[0].position};
   for (const Entry& entry : entries) {

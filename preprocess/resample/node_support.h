@@ -10,7 +10,7 @@ namespace relief {
 
 /// Returns whether the points of `lookup` support a sample at (x, y): one lies within 0.9 spacings
 /// on the base plane, or, in sparse parts, points surround it closely enough to interpolate.
-/// Borders are thus extrapolated by less than one spacing, and gaps wider than about three local
+/// So borders are extrapolated by less than one spacing, and gaps wider than about three local
 /// spacings stay gaps.
 [[nodiscard]] bool is_supported(const PatchPoints& points, const PointGrid& lookup, double x,
                                 double y, double spacing);

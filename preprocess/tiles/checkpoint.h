@@ -51,7 +51,7 @@ class CheckpointReader {
   /// Fails with one sentence if the file is missing or damaged.
   static Result<CheckpointReader> open(const std::filesystem::path& path);
 
-  /// Returns false if the file has no such value, so that it is of another version.
+  /// Returns false if the file lacks this value, because another version wrote it.
   template <class T>
   requires std::is_trivially_copyable_v<T>
   [[nodiscard]] bool take(T& value) {

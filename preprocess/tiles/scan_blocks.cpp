@@ -29,7 +29,7 @@ void drop_nonfinite(Points& points, ScanCounts& counts) {
   counts.points += points.size();
 }
 
-/// Passes a reader's blocks on, and releases the memory of what was read.
+/// Passes a reader's blocks on and releases the memory of bytes already read.
 class FileSink final : public PointSink {
  public:
   FileSink(const MappedFile& file, const TakePoints& take, ScanCounts& counts)

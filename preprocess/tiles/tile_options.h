@@ -1,4 +1,4 @@
-// What can be chosen about a conversion in tiles, and what it reports.
+// Options and report of a conversion in tiles.
 #pragma once
 
 #include <cstdint>

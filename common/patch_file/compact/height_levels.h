@@ -30,8 +30,7 @@ inline constexpr std::uint32_t kMaxMagnitude = 255;
 inline constexpr unsigned kCoarsestClass = 46;
 
 /// Factors of the rows' errors for each level, in quarters; the last also for all coarser levels.
-/// The errors were learned on all levels together, of which the finest has three quarters of the
-/// nodes.
+/// The errors were learned on all levels together; the finest has three quarters of the nodes.
 inline constexpr std::array<std::uint32_t, 7> kErrorScales{3, 5, 8, 14, 26, 42, 64};
 
 /// Share of a pass's row errors in the expectation, in 1/256, by the bits of the near residuals

@@ -60,7 +60,7 @@ void make_class(unsigned number, ResidualClasses& classes) {
   widths[list.size()] =
       kMinEscape + static_cast<std::uint32_t>(left * ResidualClasses::kGrains >> 32U);
   sum += widths[list.size()];
-  // What rounding leaves over or takes goes to the most probable symbol.
+  // The remainder of rounding goes to the most probable symbol.
   widths[0] += ResidualClasses::kGrains - sum;
   classes.escape[number] = static_cast<std::uint8_t>(list.size());
   classes.plain[number] = classes.shift[number] == 0 ? classes.escape[number] : 0;

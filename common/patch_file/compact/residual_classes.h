@@ -15,7 +15,7 @@ inline constexpr unsigned kResidualClasses = 53;
 
 /// Returns the class of residuals with an expected magnitude of `expectation` / 256.
 [[nodiscard]] inline unsigned class_of(std::uint32_t expectation) {
-  // From 1/32 on: the most certain predictions expect no less.
+  // 8/256 = 1/32: the smallest magnitude that predictions expect.
   constexpr unsigned kMinOctave = 3;
   if (expectation < (1U << kMinOctave)) return 0;
   const auto octave = static_cast<unsigned>(std::bit_width(expectation)) - 1U;

@@ -61,9 +61,9 @@ std::size_t end_of_holes(const KeptRows& rows, std::size_t i) {
   return std::min(i, rows.width);
 }
 
-/// Sets `count` nodes whose western, northern and north-western neighbours are all kept: what a
-/// value is above its northern neighbour is the sum of all differences so far. `row` and `north`
-/// begin at the first of them.
+/// Sets `count` nodes whose western, northern and north-western neighbours are all kept: the
+/// difference between a value and its northern neighbour is the sum of all differences so far.
+/// `row` and `north` begin at the first of them.
 void set_stretch(const std::uint16_t* differences, std::size_t count, const std::uint16_t* north,
                  std::uint16_t* row) {
   auto above = static_cast<std::uint16_t>(row[-1] - north[-1]);

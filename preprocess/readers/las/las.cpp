@@ -17,7 +17,7 @@ glm::u16vec3 colour_of(const char* record, std::size_t at) {
 /// The contents of a file's 16-bit colour fields. Files do not state it; it follows from the
 /// largest value.
 enum class Colours {
-  None,   ///< the format has none, or all are 0 and thus unset
+  None,   ///< the format has none, or all are 0, so unset
   Bytes,  ///< at most 255
   Words   ///< 16 bits
 };

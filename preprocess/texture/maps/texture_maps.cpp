@@ -56,7 +56,7 @@ AttributeMap<glm::u8vec3> make_map(const Points& mesh, const Patch& patch,
   std::vector<TriangleColour> colours;
   colours.reserve(triangles.size());
   for (const FlatTriangle& triangle : triangles) colours.emplace_back(mesh, triangle, scale);
-  // Only what a patch file stores: reading derives the rest, as this does.
+  // Only the values that a patch file stores: a reader derives the others in the same manner.
   std::vector<std::uint8_t> kept = kept_texels(patch, scale);
   for (std::size_t k = 0; k < shown.size(); ++k) {
     if (shown[k] == kNoTriangle) kept[k] = 0;

@@ -17,7 +17,7 @@ namespace relief {
 /// away, preferably one that faces the patch's side. Its colour is the mean of the texture over the
 /// texel (MeshTexture::mean). Texels over holes, and those without a triangle, continue their
 /// surroundings. Triangles without a material are neutral grey. If materials have normal maps, the
-/// patches' normals become maps with their own resolution, too (NormalMapper).
+/// patches' normals also become maps with their own resolution (NormalMapper).
 ///
 /// `texels_per_cell` along each side: 1 to kMaxTexelsPerCell. 0: for each patch the power of two
 /// that keeps its texture's resolution, with at most 64 Mi texels in all (192 MiB of colours, 256
