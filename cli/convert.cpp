@@ -113,7 +113,7 @@ std::vector<std::filesystem::path> files_read(const ConvertArguments& arguments)
   return files;
 }
 
-/// What an interrupted conversion leaves behind; empty if nothing.
+/// Describes the tiles that an interrupted conversion keeps; empty if there are none.
 std::string kept_by(const ConvertArguments& arguments) {
   const auto kept = find_kept_tiles(arguments.output);
   if (arguments.tiles.memory_bytes == 0 || !kept) return {};
@@ -171,7 +171,7 @@ void add_surface_options(CLI::App& sub, ConvertArguments& arguments) {
       ->option_text("CELLS");
 }
 
-/// Which points are converted.
+/// Adds the options that select points.
 void add_point_options(CLI::App& sub, ConvertArguments& arguments) {
   sub.add_flag("--clean", arguments.clean,
                "Remove outliers: points far from their neighbours, and clusters of fewer than 50 "
@@ -184,7 +184,7 @@ void add_point_options(CLI::App& sub, ConvertArguments& arguments) {
       ->option_text("S");
 }
 
-/// How patches are coded.
+/// Adds the options of the patch file.
 void add_file_options(CLI::App& sub, ConvertArguments& arguments) {
   sub.add_option(
          "--codec", arguments.file.codec,

@@ -58,7 +58,7 @@ Status write_image(const std::filesystem::path& path, Image& image, double expos
   return write_png(path, image);
 }
 
-/// What only the command line decides about all images.
+/// Applies the settings that only the command line has.
 void apply(const RenderArguments& arguments, const PlannedView& view, RenderSettings& settings) {
   // An EXR holds all outputs by default, a PNG none but colour.
   if (lower_extension(arguments.output) == ".exr")

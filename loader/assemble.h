@@ -34,7 +34,7 @@ struct FileUse {
   Transform where;
   std::uint8_t material = 0;      ///< its index in distinct_materials
   bool is_last = true;            ///< no later model uses the file
-  std::optional<bool> is_closed;  ///< overrides what the file says
+  std::optional<bool> is_closed;  ///< overrides the file's own flag
 };
 
 /// Assembles models. A scene's only model is moved to its position. Of several models, the patches

@@ -39,8 +39,8 @@ Result<LoadedScene> load_models(const std::vector<SceneModel>& models,
 
 struct LoadOptions {
   TextureChoice textures;  ///< of scans and meshes
-  /// How splats are made of a mesh for which `textures` names an image. The cutoff is always that
-  /// of the first view's options.
+  /// Options for making splats of a mesh for which `textures` names an image. The cutoff is always
+  /// that of the first view's options.
   AcquireOptions acquisition;
 };
 

@@ -1,5 +1,4 @@
-// What is to be drawn of a file that the user names: its models, and the views of them with their
-// settings.
+// The plan for a file that the user names: its models, and their views with settings.
 #pragma once
 
 #include <filesystem>
@@ -36,7 +35,7 @@ struct ScenePlan {
 Result<ScenePlan> plan_scene(const std::filesystem::path& input, const SceneSettings& overrides,
                              std::span<const EngineEntry> among = engines());
 
-/// The engines' names and options, as scene files have them.
+/// Returns the engines' names and options for reading scene files.
 [[nodiscard]] EngineKeys engine_keys(std::span<const EngineEntry> among = engines());
 
 /// The files that the plan reads: the scene file, models and environments, each once. Fails if one

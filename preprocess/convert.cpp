@@ -92,7 +92,7 @@ class MeshInTime {
     tasks_.cancel();
     try {
       wait();
-    } catch (...) {  // NOLINT: an error on the way here is already being returned
+    } catch (...) {  // NOLINT: an error is already being returned
     }
   }
 

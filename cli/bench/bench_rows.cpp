@@ -35,7 +35,7 @@ const EngineEntry& engine_of_row(const RenderSettings& row) {
   return *engine;
 }
 
-/// Whether an option has the default value of the row's engine.
+/// Returns whether an option has the default value of the row's engine.
 bool has_default(const RenderSettings& row, const std::string& key) {
   const EngineEntry& engine = engine_of_row(row);
   const EngineOption* const option = find_option(engine, key);

@@ -42,10 +42,10 @@ Result<std::vector<RenderSettings>> swept_rows(const BenchView& view, const std:
 /// pixels-per-sample 4".
 [[nodiscard]] std::string name_of_row(const RenderSettings& row);
 
-/// Whether the numbers that a row's variants choose are those of its engine's defaults.
+/// Returns whether the numbers that a row's variants choose are those of its engine's defaults.
 [[nodiscard]] bool has_default_numbers(const RenderSettings& row);
 
-/// Whether a row is what `relief render` does by default.
+/// Returns whether a row has the defaults of `relief render`.
 [[nodiscard]] bool is_default(const RenderSettings& row);
 
 /// The first row that is the default; there is one.

@@ -8,8 +8,8 @@
 
 namespace relief::cli {
 
-/// Whether a file can be written at `path`: its directory exists and is writable, `path` is none of
-/// the `inputs` and nothing but a regular file stands there.
+/// Checks that a file can be written at `path`: its directory exists and is writable, `path` is not
+/// one of `inputs`, and is not an existing file of another kind than a regular one.
 Status check_output(const std::filesystem::path& path,
                     const std::vector<std::filesystem::path>& inputs);
 

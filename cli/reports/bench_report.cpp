@@ -45,7 +45,7 @@ std::optional<double> rival_ms(const BenchResult& result) {
   return best;
 }
 
-/// What a row is, and how it compares with the others.
+/// A row relative to the others.
 struct Ratios {
   std::optional<double> overdraw;
   std::optional<double> to_multipass;

@@ -1,4 +1,4 @@
-// What `relief bench` reports.
+// The report of `relief bench`.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace relief::cli {
 
-/// All that was measured. The vectors run parallel.
+/// All measurements. The vectors have an entry for each row.
 struct BenchResult {
   std::string scene;
   std::string view;  ///< its name in a scene file, or empty

@@ -1,4 +1,4 @@
-// What `relief compare` reports: the measured quantities by name, as JSON and as text.
+// The report of `relief compare`: the measured quantities by name, as JSON and as text.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,4 +1,4 @@
-// What `relief convert` reports.
+// The report of `relief convert`.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ struct ConvertSummary {
 
 [[nodiscard]] nlohmann::ordered_json convert_json(const ConvertSummary& summary);
 
-/// The summary as text for a person.
+/// Returns the summary as text.
 [[nodiscard]] std::string convert_text(const ConvertSummary& summary,
                                        const std::filesystem::path& output);
 

@@ -1,4 +1,4 @@
-// What `relief render --explain` reports.
+// The report of `relief render --explain`.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,7 +12,7 @@ namespace relief::cli {
 /// there.
 [[nodiscard]] nlohmann::ordered_json as_json(const Explanation& explanation);
 
-/// The explanation as indented text for a person.
+/// Returns the explanation as indented text.
 [[nodiscard]] std::string as_text(const Explanation& explanation);
 
 }  // namespace relief::cli

@@ -1,4 +1,4 @@
-// What `relief render` reports about the images that it wrote.
+// The report of `relief render` about the images that it wrote.
 #pragma once
 
 #include <filesystem>

@@ -43,7 +43,7 @@ std::vector<std::uint8_t> find_mask(const Sources& sources, bool depth_first) {
   return {};
 }
 
-/// Whether all pixels of the 3x3 block about (x, y) that lie in the image are covered.
+/// Returns whether all pixels of the 3x3 block about (x, y) that lie in the image are covered.
 bool is_inside(const std::vector<std::uint8_t>& mask, std::uint32_t width, std::uint32_t height,
                std::uint32_t x, std::uint32_t y) {
   for (std::uint32_t v = y > 0 ? y - 1 : 0; v <= std::min(y + 1, height - 1); ++v) {

@@ -1,4 +1,4 @@
-// Which pixels a model covers in two images, and where the two differ.
+// The pixels that a model covers in two images, and their differences.
 #pragma once
 
 #include <cstdint>

@@ -16,8 +16,8 @@ namespace {
 /// 20; fewer rows would repeat more, more would leave the cache.
 constexpr std::uint32_t kBandRows = 64;
 
-/// What the eye resolves of XYZ as luminance Y and opponent colours X - Y and Y - Z: the papers'
-/// YCxCz without its factors and offset, which linear filters pass on.
+/// XYZ filtered for the resolution of the eye, as luminance Y and opponent colours X - Y and Y - Z:
+/// the papers' YCxCz without its factors and offset, which linear filters pass on.
 struct Contrast {
   std::vector<float> luminance, red_green, blue_yellow, blue_yellow_wide;
 };
@@ -63,7 +63,7 @@ class PaddedRow {
     }
   }
 
-  /// Where a filter of `radius` starts to read.
+  /// Returns the first value that a filter of `radius` reads.
   [[nodiscard]] const float* start(std::size_t channel, std::size_t radius) const {
     return channels_[channel].data() + (padding_ - radius);
   }

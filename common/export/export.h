@@ -9,7 +9,7 @@
 
 namespace relief {
 
-/// What to write: positions, and normals, colours and triangles if `points` has them. Without
+/// The data to write: positions, and normals, colours and triangles if `points` has them. Without
 /// triangles the file holds points. Other members are ignored.
 struct ExportRequest {
   const Points& points;

@@ -8,10 +8,11 @@
 
 namespace relief {
 
-/// How an EXR file stores a channel. In memory every channel is float; ids up to 2^24 are exact.
+/// The type of a channel in an EXR file. In memory every channel is float; ids up to 2^24 are
+/// exact.
 enum class ChannelType : std::uint8_t { Half, Float, Uint };
 
-/// How a reader treats the values of sRGB formats (PNG and JPEG): Srgb converts them to linear
+/// The treatment of values of sRGB formats (PNG and JPEG): Srgb converts them to linear
 /// light; None keeps them as stored, from 0 to 1, for images that hold no colours.
 enum class Transfer : std::uint8_t { Srgb, None };
 

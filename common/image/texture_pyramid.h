@@ -15,7 +15,7 @@
 
 namespace relief {
 
-/// How a texture continues outside [0, 1]^2.
+/// The continuation of a texture outside [0, 1]^2.
 enum class TextureWrap : std::uint8_t { Repeat, Clamp };
 
 /// Returns texel `i` along an axis of `size` texels, wrapped if it lies outside.

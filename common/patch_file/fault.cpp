@@ -8,8 +8,8 @@
 namespace relief {
 namespace {
 
-/// How far the axes may be from orthonormal: rounding of a double rotation is near 1e-16, a
-/// matrix that was ever kept as floats near 1e-7.
+/// Tolerance of orthonormal axes: the rounding of a double rotation is near 1e-16, that of a matrix
+/// once stored as floats near 1e-7.
 constexpr double kAxesTolerance = 1e-6;
 
 bool is_finite(const glm::dvec3& v) {

@@ -1,4 +1,4 @@
-// What may be wrong with the values of a patch file that were read or are to be written.
+// Checks the values of a patch file after reading and before writing.
 #pragma once
 
 #include <string>

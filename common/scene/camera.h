@@ -21,7 +21,7 @@ struct Camera {
   [[nodiscard]] bool is_orthographic() const { return orthographic_height > 0.0; }
 };
 
-/// Where a camera on an orbit stands. Azimuth 0 is +Z and turns to +X; elevation lifts to +Y.
+/// The position of a camera on an orbit. Azimuth 0 is +Z and turns to +X; elevation lifts to +Y.
 struct Orbit {
   double azimuth_degrees = 0.0;
   double elevation_degrees = 0.0;

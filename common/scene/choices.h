@@ -20,7 +20,7 @@ enum class Material : std::uint8_t {
   Split  ///< for demonstration: quarters of the image as in Figure 1(d) of [Ochotta 2008]
 };
 
-/// Which faces are not drawn. Auto: the back faces of models known to be closed.
+/// The faces that are not drawn. Auto: the back faces of models known to be closed.
 enum class CullMode : std::uint8_t { Auto, Back, None };
 
 /// The resampling filters that Figure 8 of [Zwicker 2001] compares.

@@ -22,7 +22,7 @@ struct JsonNode {
   std::string path;
 };
 
-/// How many numbers a list may have.
+/// Limits of the number of values in a list.
 struct ListLength {
   std::size_t min = 0;
   std::size_t max = 0;

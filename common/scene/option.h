@@ -41,7 +41,8 @@ struct EngineKeys {
   std::vector<OptionRow> options = {};
 };
 
-/// What the option accepts: "a whole number from 1 to 64", "a number from 1 to 4", "ewa, circular".
+/// Returns the accepted values: "a whole number from 1 to 64", "a number from 1 to 4", "ewa,
+/// circular".
 [[nodiscard]] std::string expected_of(const OptionRow& row);
 
 /// Fails unless the option accepts the value: "expected a number from 1 to 4; found 7".
@@ -50,7 +51,7 @@ Status check_value(const OptionRow& row, const OptionValue& value);
 /// The value that a text on the command line stands for. Fails as check_value does.
 Result<OptionValue> parse_value(const OptionRow& row, std::string_view text);
 
-/// What `over` has, and where it has nothing, what `base` has.
+/// Returns the values of `base`, overridden by those that `over` has.
 [[nodiscard]] OptionValues overlay_options(OptionValues base, const OptionValues& over);
 
 }  // namespace relief

@@ -48,7 +48,7 @@ struct SceneModel {
   std::filesystem::path file;
   Transform transform;
   MaterialOverrides material;     ///< overrides that of views
-  std::optional<bool> is_closed;  ///< overrides what the file says
+  std::optional<bool> is_closed;  ///< overrides the file's own flag
 };
 
 struct SceneView {

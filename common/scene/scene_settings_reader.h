@@ -13,7 +13,7 @@
 
 namespace relief {
 
-/// What read_settings needs to know beside the object.
+/// The context in which read_settings reads an object.
 struct SettingsContext {
   const std::filesystem::path& folder;  ///< that paths are relative to
   const EngineKeys& engines;

@@ -63,8 +63,8 @@ std::vector<double> volumes_of(const Points& mesh, Pieces& pieces) {
   return volumes;
 }
 
-/// Whether given normals oppose more than a hundredth of the triangles: some do at thin edges or
-/// because of noise.
+/// Returns whether given normals oppose more than a hundredth of the triangles: some do at thin
+/// edges or because of noise.
 bool has_normals_against(const Points& mesh) {
   if (mesh.normals.empty()) return false;
   std::size_t against = 0;

@@ -41,7 +41,7 @@ std::vector<std::uint32_t> surface_points(const std::vector<glm::dvec3>& positio
   return points;
 }
 
-// Whether a region continues in the surrounding points, which are those from `count` on.
+// Returns whether a region continues in the surrounding points, which are those from `count` on.
 bool goes_on_around(const SurfaceSamples& samples, const NeighbourGraph& graph,
                     const Region& region, std::size_t count) {
   return std::ranges::any_of(region.points, [&](std::uint32_t i) {

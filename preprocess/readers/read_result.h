@@ -1,4 +1,4 @@
-// What reading a scan gives.
+// The result of reading a scan.
 #pragma once
 
 #include <cstdint>

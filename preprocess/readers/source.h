@@ -13,7 +13,7 @@
 
 namespace relief {
 
-/// What a reader reports beside the points.
+/// The remarks of a reader beside the points.
 struct ReadRemarks {
   std::uint64_t left_out = 0;  ///< points that the file marks as not to be used
   std::vector<std::string>

@@ -29,7 +29,7 @@ constexpr double kWidestSector = 160.0 / 180.0 * std::numbers::pi;
 
 constexpr std::uint8_t kAllOctants = 0xFF;
 
-/// Whether a node at (x, y), within kReachInSpacings of a point, is close to it.
+/// Returns whether a node at (x, y), within kReachInSpacings of a point, is close to it.
 bool is_close(const PatchPoints& points, std::uint32_t p, double x, double y, double plane_squared,
               double spacing) {
   const double slope_reach = kSlopeReachInSpacings * spacing;

@@ -9,7 +9,7 @@ namespace relief {
 [[nodiscard]] std::vector<std::uint32_t> owners_of(const std::vector<Region>& regions,
                                                    std::size_t points);
 
-/// What the regions of a scan are resampled from.
+/// The input of resampling the regions of a scan.
 struct ScanSurface {
   const SurfaceSamples& samples;
   const NeighbourGraph& graph;

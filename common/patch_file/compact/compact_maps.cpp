@@ -18,7 +18,7 @@
 namespace relief {
 namespace {
 
-/// Where nothing is known yet, residuals of this magnitude are expected, in 1/256.
+/// The expected magnitude of residuals before any are known, in 1/256.
 constexpr std::uint32_t kFirstExpectation = 8 << kExpectationBits;
 
 /// The magnitude, in 1/256, that the residuals of one channel have around texel k: those to the

@@ -1,4 +1,5 @@
-// Which nodes of a patch are samples, in codec 2 of the patch file (docs/patch-file.md, "Codec 2").
+// The mask of the nodes of a patch that are samples, in codec 2 of the patch file
+// (docs/patch-file.md, "Codec 2").
 #pragma once
 
 #include <cstddef>

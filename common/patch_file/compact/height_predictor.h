@@ -1,5 +1,5 @@
-// How codec 2 of the patch file predicts a height from coded heights around it (docs/patch-file.md,
-// "Codec 2").
+// Predicts a height from the coded heights around it, in codec 2 of the patch file
+// (docs/patch-file.md, "Codec 2").
 #pragma once
 
 #include <array>

@@ -14,7 +14,7 @@ enum class Acquisition : std::uint8_t {
   Optimised,        ///< the smallest L2 error, Eq. (11)
 };
 
-/// How the Gaussians r_k of [Zwicker 2001], section 3.1, become a function on the surface. Both
+/// The function on the surface that the Gaussians r_k of [Zwicker 2001], section 3.1, form. Both
 /// kinds are scaled to sum to 1, so that a constant texture has that constant as its coefficients.
 enum class BasisKind : std::uint8_t {
   /// r_k / sum_j r_j, as shown by engines that divide by the sum of contributions, Eq. (9). The sum
