@@ -130,8 +130,9 @@ void check_engine_options(const SceneSettings& settings, std::span<const EngineE
             "--" + key, fmt::format("engine {}: {}", engine->name, good.error().message));
       continue;
     }
-    const auto shared = std::find_if(
-        all.begin(), all.end(), [key = key](const SharedOption& o) { return o.row.key == key; });
+    const auto shared =
+        std::find_if(all.begin(), all.end(),
+                     [&wanted = key](const SharedOption& o) { return o.row.key == wanted; });
     throw CLI::ValidationError("--" + key, fmt::format("engine {} does not have it, only {}",
                                                        engine->name, names_of(shared->engines)));
   }
