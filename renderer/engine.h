@@ -13,6 +13,7 @@
 #include "common/progress.h"
 #include "common/scene/choices.h"
 #include "common/scene/option.h"
+#include "renderer/gl/features.h"
 #include "renderer/model.h"
 #include "renderer/result.h"
 #include "renderer/settings.h"
@@ -21,6 +22,7 @@ namespace relief {
 
 class EnvironmentCache;
 class OpenGl;
+struct ModelMaps;
 
 /// A model that an engine has made ready for any number of images. What does not depend on the view
 /// is made when this is made (the model on the GPU, a tree over triangles, a cloud of splats), or
@@ -104,6 +106,9 @@ struct EngineEntry {
   /// The variants that `relief bench` times, as values of some of the options. Only of engines that
   /// need OpenGL.
   std::vector<OptionValues> bench_variants = {};
+  /// The feature bits of an image, from which follows what is uploaded of a model with these maps.
+  /// Only of engines that need OpenGL.
+  Features (*features)(const RenderSettings& settings, ModelMaps maps) = nullptr;
   /// Makes a model ready. An engine that needs OpenGL gives a GlPreparedModel
   /// (renderer/frame/gl_engine.h).
   Result<std::unique_ptr<PreparedModel>> (*prepare)(const PrepareRequest& request) = nullptr;

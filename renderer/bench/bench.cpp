@@ -7,7 +7,6 @@
 #include "renderer/bench/mesh_pass.h"
 #include "renderer/bench/shading_bound.h"
 #include "renderer/engine_registry.h"
-#include "renderer/engines/onepass/features.h"
 #include "renderer/frame/gl_engine.h"
 #include "renderer/frame/median.h"
 #include "renderer/gl/open_gl.h"
@@ -33,11 +32,6 @@ struct Group {
   double pixels_per_sample = 0.0;
   std::unique_ptr<GlPreparedModel> prepared;
 };
-
-StoreNeeds needs_of_row(const RenderSettings& row, ModelMaps maps) {
-  return needs_of(row.engine == "onepass" ? onepass::features_of(row, maps)
-                                          : scene_features(row, maps));
-}
 
 /// Everything that a bench makes; what is drawn goes before what it is drawn of.
 class Bench {
@@ -86,14 +80,14 @@ class Bench {
  private:
   Result<GlPreparedModel*> engine_for(const BenchMethod& row) {
     const RenderSettings& settings = row.settings;
-    const StoreNeeds needs = needs_of_row(settings, ModelMaps(*row.patches));
+    const EngineEntry* const engine = find_engine(settings.engine);
+    assert(engine != nullptr && engine->capabilities.needs_opengl && "OpenGL draws patches");
+    const StoreNeeds needs = needs_of(engine->features(settings, ModelMaps(*row.patches)));
     for (const Group& group : groups_) {
       if (group.patches == row.patches && group.engine == settings.engine && group.needs == needs &&
           group.pixels_per_sample == pixels_per_sample_of(settings))
         return group.prepared.get();
     }
-    const EngineEntry* const engine = find_engine(settings.engine);
-    assert(engine != nullptr && engine->capabilities.needs_opengl && "OpenGL draws patches");
     const RenderModel model = RenderModel::of(*row.patches);
     RELIEF_TRY_ASSIGN(auto made, engine->prepare({.model = model,
                                                   .views = {&settings, 1},

@@ -1,6 +1,7 @@
 // The registry's entry of the engine `multipass`.
 #include "renderer/engine_options.h"
 #include "renderer/engines/multipass/render_multipass.h"
+#include "renderer/frame/features.h"
 
 namespace relief::multipass {
 
@@ -28,6 +29,7 @@ EngineEntry entry() {
                              {{"primitive", "sprite"}, {"radius-factor", 2.0}},
                              {{"primitive", "quad"}, {"radius-factor", 1.0}},
                              {{"primitive", "quad"}, {"radius-factor", 2.0}}},
+          .features = scene_features,
           .prepare = prepare};
 }
 

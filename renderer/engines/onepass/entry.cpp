@@ -1,5 +1,6 @@
 // The registry's entry of the engine `onepass`.
 #include "renderer/engine_options.h"
+#include "renderer/engines/onepass/features.h"
 #include "renderer/engines/onepass/render_onepass.h"
 
 namespace relief::onepass {
@@ -57,6 +58,7 @@ EngineEntry entry() {
           .options = {primitive_option(primitives), interpolation_option(interpolations),
                       cull_option(), samples_option(), pixels_per_sample_option()},
           .bench_variants = bench_variants(),
+          .features = features_of,
           .prepare = prepare};
 }
 
