@@ -149,7 +149,7 @@ TEST_F(BadInput, AllPointsOnALine) {
   }));
 }
 
-TEST_F(BadInput, OutputThatCantBe) {
+TEST_F(BadInput, OutputThatCannotBeWritten) {
   const std::string scan = write_knot(500);
   std::filesystem::create_directory(path("folder"));
   std::filesystem::create_directory(path("folder.png"));
@@ -243,7 +243,7 @@ TEST_F(BadInput, NoOpenGl) {
   expect_refused({"render", scan, "-o", path("out.png"), "--gl", "egl"}, "OpenGL", options);
 }
 
-TEST_F(BadInput, EnvironmentThatIsNone) {
+TEST_F(BadInput, EnvironmentThatIsNoImage) {
   const std::string scan = write_knot(500);
   expect_refused({"render", scan, "-o", path("out.png"), "--env", path("missing.hdr")},
                  "missing.hdr");

@@ -46,7 +46,7 @@ class BenchCommand : public CliTest {
   }
 };
 
-TEST_F(BenchCommand, TellsEachWayToDrawAMesh) {
+TEST_F(BenchCommand, ListsEveryMeshMethod) {
   const std::string scene = write("square.off", square_off(30));
   const json result = parse(run_relief(small(scene, {"--plot", path("bench.svg")})));
   EXPECT_EQ(result["width"], 64);
@@ -85,7 +85,7 @@ TEST_F(BenchCommand, TellsEachWayToDrawAMesh) {
 }
 
 // The default row is what `relief render` draws: the same settings, pixels and fragments.
-TEST_F(BenchCommand, DefaultIsWhatRenderDoes) {
+TEST_F(BenchCommand, TheDefaultRowMatchesRender) {
   const std::string scene = write_knot(3000);
   const json result = parse(run_relief(small(scene)));
   const json render = parse(run_relief(
@@ -173,7 +173,7 @@ TEST_F(BenchCommand, SweepsPixelsPerSample) {
   }
 }
 
-TEST_F(BenchCommand, RefusesWhatItCanNotDo) {
+TEST_F(BenchCommand, RefusesImpossibleOptions) {
   expect_refused({"bench", path("none.ply")}, "none.ply");
   const std::string scene = write("square.off", square_off(5));
   expect_refused({"bench", scene, "--plot", path("no/such/folder.svg")}, "folder.svg");

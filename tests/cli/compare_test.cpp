@@ -62,7 +62,7 @@ class CompareCommand : public CliTest {
   std::string said_;  ///< on standard error, by the last comparison
 };
 
-TEST_F(CompareCommand, TellsEveryKey) {
+TEST_F(CompareCommand, ReportsEveryKey) {
   const std::string reference = write_image("b.exr", model_image());
   Image image = model_image(0.3F);
   // A hole, a pixel missing at the border and one beyond it.
@@ -93,7 +93,7 @@ TEST_F(CompareCommand, TellsEveryKey) {
   EXPECT_LT(result["flip_mean"], 1.0);
 }
 
-TEST_F(CompareCommand, EqualPicturesHaveNoPsnr) {
+TEST_F(CompareCommand, EqualImagesHaveNoPsnr) {
   const std::string exr = write_image("a.exr", model_image());
   const json result =
       compare({exr, exr, "--fail-below", "psnr_db=100", "--fail-above", "flip_mean=0"});
@@ -106,7 +106,7 @@ TEST_F(CompareCommand, EqualPicturesHaveNoPsnr) {
   EXPECT_EQ(run.err, "");
 }
 
-TEST_F(CompareCommand, PngAndExrOfOnePictureAgree) {
+TEST_F(CompareCommand, PngAndExrOfOneImageAgree) {
   const std::string exr = write_image("a.exr", model_image());
   const std::string png = write_image("a.png", model_image());
   const json result = compare({png, exr, "--fail-below", "psnr_db=50"});
@@ -158,7 +158,7 @@ TEST_F(CompareCommand, LimitsMakeARegressionTest) {
   EXPECT_NE(said_.find("psnr_db is infinite, above 40"), std::string::npos) << said_;
 }
 
-TEST_F(CompareCommand, ALimitOnWhatIsNotThereFails) {
+TEST_F(CompareCommand, ALimitOnAMissingQuantityFails) {
   Image flat = model_image();
   flat.channels.erase(flat.channels.begin() + 4, flat.channels.end());  // R G B A are left
   const std::string a = write_image("a.exr", flat);
@@ -172,7 +172,7 @@ TEST_F(CompareCommand, ALimitOnWhatIsNotThereFails) {
   EXPECT_NE(said_.find("the reference has no channel Z"), std::string::npos) << said_;
 }
 
-TEST_F(CompareCommand, HeatmapIsAPictureOfTheSize) {
+TEST_F(CompareCommand, HeatmapIsAnImageOfTheSize) {
   const std::string a = write_image("a.exr", model_image(0.9F));
   const std::string b = write_image("b.exr", model_image());
   compare({a, b, "--heatmap", path("map.png")});
@@ -191,7 +191,7 @@ TEST_F(CompareCommand, HeatmapIsAPictureOfTheSize) {
   EXPECT_TRUE(std::filesystem::exists(path("map.png")));
 }
 
-TEST_F(CompareCommand, RefusesWhatCanNotBeCompared) {
+TEST_F(CompareCommand, RefusesIncomparableImages) {
   const std::string good = write_image("good.exr", model_image());
   const std::string other = write_image("other.exr", grey_image(16, 20));
   Image depth{20, 16, {}};
@@ -216,7 +216,7 @@ TEST_F(CompareCommand, RefusesWhatCanNotBeCompared) {
   expect_refused({"compare", colourless, colourless}, "no channel R");
 }
 
-TEST_F(CompareCommand, RefusesAHeatmapThatCanNotBe) {
+TEST_F(CompareCommand, RefusesAnUnwritableHeatmap) {
   const std::string good = write_image("good.png", grey_image(8, 8));
   std::filesystem::create_directory(path("folder.png"));
   expect_refused({"compare", good, good, "--heatmap", path("missing/map.png")}, "missing");
@@ -227,7 +227,7 @@ TEST_F(CompareCommand, RefusesAHeatmapThatCanNotBe) {
   expect_refused({"compare", good, good, "--heatmap", path("map.png")}, "map.png", options);
 }
 
-TEST_F(CompareCommand, PixelsThatAreNoNumbersAreCounted) {
+TEST_F(CompareCommand, NanPixelsAreCounted) {
   Image broken = model_image();
   for (Channel& channel : broken.channels) {
     for (std::size_t k = 0; k < 5; ++k) {
@@ -253,7 +253,7 @@ TEST_F(CompareCommand, TheResultIsTheSameEveryTime) {
   EXPECT_EQ(bytes_of(path("1.png")), bytes_of(path("2.png")));
 }
 
-TEST_F(CompareCommand, JudgesPicturesThatReliefRendered) {
+TEST_F(CompareCommand, JudgesImagesThatReliefRendered) {
   const std::string scan = write_knot(5000);
   for (const char* name : {"direct", "corrected"}) {
     const Outcome run = run_relief({"render", scan, "-o", path(std::string(name) + ".exr"),

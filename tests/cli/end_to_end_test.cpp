@@ -62,7 +62,7 @@ TEST_F(EndToEnd, ConvertMeasuresWhatItDid) {
   EXPECT_LT(result["samples"], 34000);
 }
 
-TEST_F(EndToEnd, ConvertTellsAPersonToo) {
+TEST_F(EndToEnd, ConvertPrintsASummary) {
   const Outcome run = run_relief({"convert", write_knot(3000), "-o", path("knot.relief")});
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_EQ(run.err, "");  // no progress bar where there is no terminal
@@ -80,7 +80,7 @@ TEST_F(EndToEnd, ProgressIsDrawnOnATerminalAndWiped) {
   EXPECT_EQ(run.err.substr(run.err.size() - wipe.size()), wipe);
 }
 
-TEST_F(EndToEnd, InfoTellsWhatConvertWrote) {
+TEST_F(EndToEnd, InfoReportsTheConvertedFile) {
   const std::string file = path("knot.relief");
   json converted = run_json({"convert", write_knot(5000), "-o", file});
   json info = run_json({"info", file, "--verify"});
@@ -109,7 +109,7 @@ TEST_F(EndToEnd, TheFileDoesNotDependOnTheThreads) {
   }
 }
 
-TEST_F(EndToEnd, WhatFitsIntoTheMemoryIsTheSameAsEver) {
+TEST_F(EndToEnd, ScansThatFitIntoMemoryAreConvertedInOnePiece) {
   const std::string scan = write_knot(20000);
   run_json({"convert", scan, "-o", path("a.relief")});
   const json limited = run_json({"convert", scan, "-o", path("b.relief"), "--memory", "256M"});
@@ -211,7 +211,7 @@ TEST_F(EndToEnd, ScansStandWhereTheirConfSays) {
   EXPECT_NE(missing.err.find("nothing.ply"), std::string::npos) << missing.err;
 }
 
-TEST_F(EndToEnd, WhatCleaningAndThinningTakeIsTold) {
+TEST_F(EndToEnd, ReportsThePointsThatCleaningAndThinningDrop) {
   const std::string scan = write_knot(5000);
   const std::string far_off = path("far.csv");
   std::ofstream(far_off) << "x,y,z,r,g,b\n9,9,9,1,2,3\n-9,9,9,1,2,255\n";
@@ -233,7 +233,7 @@ TEST_F(EndToEnd, WhatCleaningAndThinningTakeIsTold) {
   EXPECT_EQ(run_relief(words).exit_code, 2);
 }
 
-TEST_F(EndToEnd, PointsThatAreNoneAreCounted) {
+TEST_F(EndToEnd, InvalidPointsAreCounted) {
   std::string scan;
   for (int i = 0; i < 900; ++i) {
     scan += std::to_string(i % 30) + " " + std::to_string(i / 30) + " 0\n";
@@ -451,7 +451,7 @@ TEST_F(EndToEnd, BackgroundIsAnSrgbColour) {
   EXPECT_EQ(srgb8_from_linear(image->find("B")->values[0]), 255);
 }
 
-TEST_F(EndToEnd, ThePictureDoesNotDependOnLlvmpipesThreads) {
+TEST_F(EndToEnd, TheImageDoesNotDependOnLlvmpipesThreads) {
   const std::string model = path("knot.relief");
   run_json({"convert", write_knot(20000), "-o", model});
   std::vector<std::string> pictures;

@@ -78,7 +78,7 @@ double inner_psnr(const Image& a, const Image& b) {
   return -10.0 * std::log10(squares / static_cast<double>(count));
 }
 
-TEST_F(NormalMapCli, TiltsComeOutInPicturesOfAllEngines) {
+TEST_F(NormalMapCli, TiltsComeOutInImagesOfAllEngines) {
   // 8 bits make of this a normal that is up to 0.3 degrees off; what follows adds 0.1 degrees in
   // the patch file and less than that in half floats.
   const glm::dvec3 tilt = glm::normalize(glm::dvec3(0.3, -0.2, 0.8));

@@ -66,7 +66,7 @@ TEST(ScatterPlot, DrawsEachPointAndItsName) {
   EXPECT_EQ(svg, plot_as_svg(plot));
 }
 
-TEST(ScatterPlot, OfNothingIsAPlotToo) {
+TEST(ScatterPlot, OfNothingIsAnEmptyPlot) {
   Plot plot;
   plot.panels.push_back({"panel", "dB", {}});
   const std::string svg = plot_as_svg(plot);

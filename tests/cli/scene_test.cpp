@@ -46,7 +46,7 @@ std::string scene_of(const std::string& file, const std::string& more = "") {
          more + "}";
 }
 
-TEST_F(SceneCommand, EveryViewIsAPicture) {
+TEST_F(SceneCommand, EveryViewIsAnImage) {
   const json result = run_json({"render", two_views(), "-o", path("{view}.exr")});
   ASSERT_EQ(result["views"].size(), 2U);
   const json& front = result["views"][0];
@@ -71,7 +71,7 @@ TEST_F(SceneCommand, EveryViewIsAPicture) {
   EXPECT_TRUE(std::filesystem::exists(path("front.exr")));
 }
 
-TEST_F(SceneCommand, AModelOfASceneIsDrawnAsTheModelAlone) {
+TEST_F(SceneCommand, AModelOfASceneLooksLikeTheModel) {
   const std::string scene = write(
       "one.json", R"({"models": [{"file": "knot.relief"}], "views": [{"name": "a", "fov": 30}]})");
   const std::vector<std::string> options{"--size", "80x64", "--orbit", "20,30", "--fov", "40"};
@@ -171,7 +171,7 @@ TEST_F(SceneCommand, ExposureIsOfPngsAlone) {
   EXPECT_EQ(bytes_of(path("a.exr")), bytes_of(path("plain.exr")));
 }
 
-TEST_F(SceneCommand, ThePageOfTheFormatHasAGoodExample) {
+TEST_F(SceneCommand, TheExampleOfTheDocumentationIsValid) {
   const std::string page = bytes_of(std::string(RELIEF_SOURCE_DIR) + "/docs/scene.md");
   const std::size_t begin = page.find("```json\n") + 8;
   const auto scene =
@@ -191,14 +191,14 @@ TEST_F(SceneCommand, OptionsOverrideEveryView) {
   EXPECT_EQ(result["views"][1]["primitive"], "sprite");  // not overridden
 }
 
-TEST_F(SceneCommand, TellsAPersonEachPicture) {
+TEST_F(SceneCommand, PrintsEachImage) {
   const Outcome run = run_relief({"render", two_views(), "-o", path("{view}.png")});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(run.out.find(path("front.png") + "\n"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find(path("side.png") + "\n"), std::string::npos) << run.out;
 }
 
-TEST_F(SceneCommand, ViewsWithoutNamesOfTheirOwnAreWrongUsage) {
+TEST_F(SceneCommand, ViewsWithEqualNamesAreWrongUsage) {
   const std::string scene = two_views();
   const auto before = files();
   const Outcome run = run_relief({"render", scene, "-o", path("out.png")});
@@ -210,7 +210,7 @@ TEST_F(SceneCommand, ViewsWithoutNamesOfTheirOwnAreWrongUsage) {
   EXPECT_EQ(files(), before);
 }
 
-TEST_F(SceneCommand, ViewMayNameFoldersThatAreThere) {
+TEST_F(SceneCommand, AViewMayNameExistingFolders) {
   std::filesystem::create_directories(path("front"));
   expect_refused({"render", two_views(), "-o", path("{view}/{view}.png")}, "side.png");
   std::filesystem::create_directories(path("side"));
@@ -228,7 +228,7 @@ TEST_F(SceneCommand, EveryOutputIsCheckedBeforeTheWork) {
   expect_refused({"render", scene, "-o", path("{view}.png")}, "b.png: is also the input");
 }
 
-TEST_F(SceneCommand, AFailureLeavesWholePicturesAndSaysSo) {
+TEST_F(SceneCommand, AFailureLeavesWholeImagesAndSaysSo) {
   // Too large a file for the second view alone.
   const std::string scene =
       write("sizes.json",
@@ -246,7 +246,7 @@ TEST_F(SceneCommand, AFailureLeavesWholePicturesAndSaysSo) {
   EXPECT_TRUE(read_image(path("a.exr")));
 }
 
-TEST_F(SceneCommand, AnInterruptLeavesWholePicturesAndSaysSo) {
+TEST_F(SceneCommand, AnInterruptLeavesWholeImagesAndSaysSo) {
   std::string views;
   for (int i = 0; i < 60; ++i)
     views += (i > 0 ? ",{\"name\":\"v" : "{\"name\":\"v") + std::to_string(i) + "\"}";
@@ -270,7 +270,7 @@ TEST_F(SceneCommand, AnInterruptLeavesWholePicturesAndSaysSo) {
   EXPECT_LT(files().size(), 60U);
 }
 
-TEST_F(SceneCommand, ScenesThatAreNone) {
+TEST_F(SceneCommand, RefusesInvalidScenes) {
   expect_no_scene("", "bad.json: the file is empty");
   expect_no_scene("not json at all", "bad.json: line 1, column ");
   const std::string whole = scene_of("knot.relief");
@@ -292,7 +292,7 @@ TEST_F(SceneCommand, ScenesThatAreNone) {
   expect_refused({"render", path("missing.json"), "-o", path("{view}.png")}, "missing.json");
 }
 
-TEST_F(SceneCommand, WhatASceneNamesMustBeThere) {
+TEST_F(SceneCommand, FilesOfASceneMustExist) {
   expect_no_scene(scene_of("missing.ply"), path("missing.ply") + ": there is no such file");
   expect_no_scene(scene_of("knot.relief", R"(, "env": "sky.hdr")"),
                   path("sky.hdr") + ": there is no such file");

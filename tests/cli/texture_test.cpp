@@ -73,7 +73,7 @@ TEST_F(TextureCli, SaysWhatIsMissing) {
   expect_refused(many, "99999999 points");
 }
 
-TEST_F(TextureCli, PatchesAndRaysShowTheTextureToo) {
+TEST_F(TextureCli, PatchesAndRaysShowTheTexture) {
   const std::string texture = write_texture();
   const std::string mesh = write("square.obj", "mtllib square.mtl\nusemtl m\n" + kSquare);
   (void)write("square.mtl", "newmtl m\nmap_Kd texture.png\n");

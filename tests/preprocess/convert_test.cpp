@@ -94,7 +94,7 @@ TEST(Convert, SaysWhyItCannot) {
   EXPECT_NE(message(line).find("one line"), std::string::npos);
 }
 
-TEST(Convert, RefusesASpacingThatNobodyCanMean) {
+TEST(Convert, RefusesAnImpossibleSpacing) {
   ConvertOptions options;
   options.spacing = 1e-9;
   Progress progress;
@@ -103,7 +103,7 @@ TEST(Convert, RefusesASpacingThatNobodyCanMean) {
   EXPECT_NE(result.error().message.find("--spacing"), std::string::npos);
 }
 
-TEST(Convert, StopsWhenAsked) {
+TEST(Convert, CanBeCancelled) {
   struct Impatient : Progress {
     [[nodiscard]] bool cancelled() const override { return true; }
   } progress;

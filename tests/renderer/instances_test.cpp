@@ -178,7 +178,7 @@ TEST_P(Proxies, ASphereIsWhereItsFormulaSays) {
   }
 }
 
-TEST_P(Proxies, TellThePlaceOfASampleNearby) {
+TEST_P(Proxies, ReportTheCoordinatesOfANearbySample) {
   const ProxySphere sphere(40.0, GetParam());
   const RenderResult result = must_render(sphere.model, sphere.settings);
   const RenderSettings& settings = sphere.settings;
@@ -203,7 +203,7 @@ INSTANTIATE_TEST_SUITE_P(Cameras, Proxies, testing::Bool(), [](const auto& teste
   return tested.param ? "orthographic" : "perspective";
 });
 
-TEST(Proxies, NoTraceOfThemFromNearNorWhereTheyAreOff) {
+TEST(Proxies, AreNotDrawnUpCloseOrWhenOff) {
   const ProxySphere near(68.0, false);
   EXPECT_FALSE(draws_proxies(must_render(near.model, near.settings)));
   for (const auto& change : std::vector<void (*)(RenderSettings&)>{

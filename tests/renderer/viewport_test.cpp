@@ -206,7 +206,7 @@ TEST(Viewport, LeavesTheStateOfOpenGlAsItWas) {
   EXPECT_GT(std::count(alpha.begin(), alpha.end(), 1.0F), 500);
 }
 
-TEST(Viewport, RefusesWhatItCanNotDraw) {
+TEST(Viewport, RefusesWhatItCannotDraw) {
   const PatchModel model = viewport_model();
   RenderSettings view = views_around(model).front();
   const Window window;

@@ -31,7 +31,7 @@ void expect_same(const Image& a, const Image& b) {
   }
 }
 
-TEST(Views, EachIsTheSameAsIfItWereTheOnlyOne) {
+TEST(Views, DoNotAffectEachOther) {
   const PatchModel model = bumpy_sphere(true);
   std::vector<RenderSettings> views;
   for (const Material material : {Material::Unlit, Material::Mirror, Material::Lit}) {
@@ -69,7 +69,7 @@ TEST(Views, EachIsTheSameAsIfItWereTheOnlyOne) {
   }
 }
 
-TEST(Views, WhatOneOfThemReadsIsThereForIt) {
+TEST(Views, EachFindsTheDataItReads) {
   // Unlit reads colours and no normals, a mirror normals and no colours.
   const PatchModel model = bumpy_sphere(true);
   for (const bool mirror_first : {false, true}) {
@@ -90,7 +90,7 @@ TEST(Views, WhatOneOfThemReadsIsThereForIt) {
   }
 }
 
-TEST(Views, WhatTheSinkSaysEndsTheRendering) {
+TEST(Views, ErrorsOfTheSinkEndTheRendering) {
   const PatchModel model = bumpy_sphere(false);
   const std::vector<RenderSettings> views(3, small_image(model));
   Progress silent;
@@ -121,7 +121,7 @@ class Impatient final : public Progress {
   std::uint64_t patience_;
 };
 
-TEST(Views, ProgressCountsThemAndStopsBetweenThem) {
+TEST(Views, ReportProgressAndCanBeCancelled) {
   const PatchModel model = bumpy_sphere(false);
   const std::vector<RenderSettings> views(3, small_image(model));
   std::size_t taken = 0;
@@ -139,7 +139,7 @@ TEST(Views, ProgressCountsThemAndStopsBetweenThem) {
   EXPECT_EQ(taken, 2U);
 }
 
-TEST(MovedModels, TwiceAsLargeFromTwiceAsFarIsTheSamePicture) {
+TEST(MovedModels, TwiceAsLargeFromTwiceAsFarIsTheSameImage) {
   const PatchModel model = bumpy_sphere(true);
   PatchModel large = model;
   ASSERT_TRUE(transform_model(large, {{}, glm::dmat3(1.0), 2.0}));

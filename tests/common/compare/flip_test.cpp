@@ -286,7 +286,7 @@ TEST(Flip, FiltersKeepWhatTheyMust) {
   EXPECT_EQ(make_flip_filters(kFlipPixelsPerDegree).feature_radius, 9U);
 }
 
-TEST(Flip, StopsWhenAsked) {
+TEST(Flip, CanBeCancelled) {
   struct Cancelled : Progress {
     [[nodiscard]] bool cancelled() const override { return true; }
   } progress;

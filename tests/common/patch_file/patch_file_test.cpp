@@ -302,7 +302,7 @@ TEST(WritePatchFile, RefusesADirectoryAndAMissingOne) {
   EXPECT_EQ(folder.count(), 0);
 }
 
-TEST(ReadAll, StopsWhenAsked) {
+TEST(ReadAll, CanBeCancelled) {
   class Cancelled : public Progress {
    public:
     [[nodiscard]] bool cancelled() const override { return true; }

@@ -41,7 +41,7 @@ TEST(Normals, OfASphereAreRadialAndOutward) {
   EXPECT_GT(worst_cosine(done.points, test::Sphere{}), kSixDegrees);
 }
 
-TEST(Normals, OfATorusPointOutwardInsideTheHoleToo) {
+TEST(Normals, OfATorusPointOutwardInsideTheHole) {
   const test::Torus torus;
   const Completed done = complete(test::sample_torus(torus, 0.02));
   EXPECT_GT(worst_cosine(done.points, torus), kSixDegrees);

@@ -60,7 +60,7 @@ TEST(NormalSpread, RefusesWhatIsClearlyWider) {
   }
 }
 
-TEST(NormalSpread, TakesAnotherSetIn) {
+TEST(NormalSpread, CanBeUnited) {
   const std::vector<glm::vec3> normals{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}};
   const std::vector<std::uint32_t> first{0};
   const std::vector<std::uint32_t> second{1};

@@ -102,7 +102,7 @@ TEST(Densify, FillsEveryTriangleOfAnUnevenMesh) {
   }
 }
 
-TEST(Densify, NeedlesAreNoBomb) {
+TEST(Densify, NeedlesAreBounded) {
   Points points;  // a cube's corner and a far sliver
   points.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1e6, 1e6, 1}};
   points.triangles = {{0, 1, 2}, {1, 2, 3}};

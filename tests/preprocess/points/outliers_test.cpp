@@ -106,7 +106,7 @@ TEST(Thin, OnePointOfEachCubeStays) {
   EXPECT_TRUE(points.triangles.empty());
 }
 
-TEST(Thin, EveryCubeKeepsOneFarFromTheOriginToo) {
+TEST(Thin, EveryCubeKeepsOneFarFromTheOrigin) {
   Points points = plane();
   for (glm::dvec3& p : points.positions) p += glm::dvec3(5e6, 5e6, 0.0);
   const auto cubes_of = [](const Points& scan) {

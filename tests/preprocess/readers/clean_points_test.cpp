@@ -66,7 +66,7 @@ TEST(CleanPointsTest, MergedPointsOfASeamLeaveEachTriangleItsOwnTextureCoordinat
             (CornerTexcoords{glm::vec2(0, 1), glm::vec2(0, 0), glm::vec2(0.5, 0)}));
 }
 
-TEST(CleanPointsTest, NothingIsLeftOfNothing) {
+TEST(CleanPointsTest, NoPointsStayNoPoints) {
   EXPECT_EQ(clean_points({}).points.size(), 0U);
   Points points;
   points.positions.assign(5, dvec3(kNan));

@@ -117,7 +117,7 @@ TEST(ReadBytesTest, SaysWhatCannotBeRead) {
             "a.xyz: holds no points: the coordinates of all 2 are NaN or infinite");
 }
 
-TEST_F(ReadPointsTest, FilesThatAreNoneAreRefusedByName) {
+TEST_F(ReadPointsTest, UnreadableFilesAreRefusedByName) {
   for (const auto& path : {directory_ / "missing.ply", directory_, write("empty.ply", "")}) {
     const auto result = read_points(path, progress_);
     ASSERT_FALSE(result) << path;
@@ -154,7 +154,7 @@ class Impatient : public Progress {
   std::uint64_t patience_;
 };
 
-TEST_F(ReadPointsTest, ReportsProgressAndStopsWhenAsked) {
+TEST_F(ReadPointsTest, ReportsProgressAndCanBeCancelled) {
   std::string text;
   for (int i = 0; i < 500'000; ++i) text += fmt::format("{} 2 3\n", i);
   const auto path = write("a.xyz", text);

@@ -148,7 +148,7 @@ TEST(ColourInterpolation, CoincidingPointsCountAsTheirMean) {
   EXPECT_NEAR(look_up(all, {0.3, 0.1}).r, 0.5F, 1e-5F);
 }
 
-TEST(ColourInterpolation, FewPointsAndPointsInARowAreNoNumbersNowhere) {
+TEST(ColourInterpolation, FewOrCollinearPointsGiveFiniteColours) {
   Scattered all;
   all.add({0.0, 0.0, 0.0}, {255, 0, 0});
   EXPECT_EQ(look_up(all, {3.0, 2.0}), glm::vec3(1.0F, 0.0F, 0.0F));

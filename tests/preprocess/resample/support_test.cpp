@@ -77,7 +77,7 @@ TEST(Support, ClosesASlitBetweenMarginsWhereSteepPointsAre) {
   EXPECT_EQ(closer.middle_row(0), none);
 }
 
-TEST(Support, OfANodeIsTheSameAskedOfThePoints) {
+TEST(Support, OfANodeMatchesTheDirectTest) {
   // Points at random, denser to the right, with a gap; 20 nodes beyond them on all sides.
   std::mt19937 random(8);
   const auto next = [&random] { return static_cast<double>(random()) * 0x1p-32; };

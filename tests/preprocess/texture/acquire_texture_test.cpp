@@ -220,7 +220,7 @@ TEST(AcquireTexture, SaysWhatIsMissing) {
   EXPECT_EQ(failure(mesh, texture), "the triangles have no area that points could be spread over");
 }
 
-TEST(AcquireTexture, StopsWhenAsked) {
+TEST(AcquireTexture, CanBeCancelled) {
   class Cancelled final : public Progress {
     [[nodiscard]] bool cancelled() const override { return true; }
   } progress;

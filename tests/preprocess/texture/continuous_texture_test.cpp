@@ -69,7 +69,7 @@ TEST(ContinuousTexture, OneTexelIsAConstant) {
   EXPECT_NEAR(texture->at({0.9F, 0.1F}, 8.0).r, 0.5F, kTextureRounding);
 }
 
-TEST(ContinuousTexture, ValuesThatAreNoNumbersCountAsZero) {
+TEST(ContinuousTexture, NanValuesCountAsZero) {
   Image image = make_texture(4, [](double, double) { return 0.0; });
   image.channels[0].values[3] = std::numeric_limits<float>::quiet_NaN();
   image.channels[0].values[7] = -std::numeric_limits<float>::infinity();

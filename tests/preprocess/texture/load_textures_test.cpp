@@ -130,7 +130,7 @@ TEST_F(LoadTextures, OneTextureForAll) {
   EXPECT_NE(load({false, folder_ / "blue.png"}).find("no texture coordinates"), std::string::npos);
 }
 
-TEST_F(LoadTextures, TextureCoordinatesThatAreNoNumbersHaveNoColour) {
+TEST_F(LoadTextures, NanTextureCoordinatesHaveNoColour) {
   write_image("mesh/red.png", {1.0F, 0.0F, 0.0F});
   write("mesh/my colours.mtl", "newmtl of paint\nmap_Kd red.png\n");
   std::string broken = kTexturedSquare;

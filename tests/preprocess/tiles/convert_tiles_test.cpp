@@ -170,7 +170,7 @@ TEST(ConvertTiles, BordersOfTilesShowNoSeam) {
   EXPECT_LT(worst, 0.0004);
 }
 
-TEST(ConvertTiles, BytesDependOnNeitherThreadsNorWhatIsLeftOver) {
+TEST(ConvertTiles, BytesDoNotDependOnThreadsOrLeftoverFiles) {
   const ScratchFolder folder;
   Points points = test::sample_torus({}, 0.02);
   for (const glm::dvec3& p : points.positions)
@@ -216,7 +216,7 @@ class StopsAfter final : public Progress {
   mutable std::atomic<std::int64_t> asked_{0};
 };
 
-TEST(ConvertTiles, GoesOnWhereItWasStopped) {
+TEST(ConvertTiles, ResumesWhereItWasStopped) {
   const ScratchFolder folder;
   const fs::path scan = folder / "torus.ply";
   const fs::path output = folder / "torus.relief";
@@ -258,7 +258,7 @@ void stop_in_the_middle(const fs::path& scan, const fs::path& output) {
   ASSERT_TRUE(fs::exists(output.string() + ".parts/part-2.relief"));
 }
 
-TEST(ConvertTiles, TilesThatAreDoneAreNotMadeAgain) {
+TEST(ConvertTiles, FinishedTilesAreKept) {
   const ScratchFolder folder;
   const fs::path scan = folder / "torus.ply";
   write_ply(scan, test::sample_torus({}, 0.025));
@@ -268,7 +268,7 @@ TEST(ConvertTiles, TilesThatAreDoneAreNotMadeAgain) {
   EXPECT_TRUE(slurp(folder / "torus.relief") == slurp(folder / "whole.relief"));
 }
 
-TEST(ConvertTiles, BeginsAnewWhereTheFilesOrTheOptionsAreOthers) {
+TEST(ConvertTiles, RestartsIfFilesOrOptionsChanged) {
   const ScratchFolder folder;
   const fs::path scan = folder / "torus.ply";
   const fs::path output = folder / "torus.relief";
@@ -312,7 +312,7 @@ TEST(ConvertTiles, FoldersOfOthersAreNotTouched) {
   EXPECT_EQ(slurp(folder / "torus.relief.parts" / "diary"), "mine");
 }
 
-TEST(ConvertTiles, WhatFitsIsNotConvertedInTiles) {
+TEST(ConvertTiles, ScansThatFitAreConvertedInOnePiece) {
   const ScratchFolder folder;
   write_ply(folder / "torus.ply", test::sample_torus({}, 0.03));  // 17,000
   Progress progress;

@@ -142,7 +142,7 @@ TEST(Overviews, ShowTheSurfaceFromItsSide) {
   }
 }
 
-TEST(Overviews, AreLeftOutWhereNobodyWantsThem) {
+TEST(Overviews, AreOptional) {
   const ScratchFolder folder;
   test::write_ply(folder / "torus.ply", test::sample_torus({}, 0.02));
   TileOptions options = small_tiles();
@@ -175,7 +175,7 @@ class StopsInOverviews final : public Progress {
   std::uint64_t done_ = 0;
 };
 
-TEST(Overviews, GoOnWhereTheyWereStopped) {
+TEST(Overviews, ResumeWhereTheyWereStopped) {
   const ScratchFolder folder;
   const fs::path scan = folder / "torus.ply";
   const fs::path output = folder / "torus.relief";

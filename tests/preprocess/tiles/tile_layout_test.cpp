@@ -23,7 +23,7 @@ bool is_within(const Bounds& box, glm::dvec3 p, double margin) {
   return true;
 }
 
-TEST(TileLayout, TilesAreNoLargerThanAskedFor) {
+TEST(TileLayout, TilesStayWithinTheLimit) {
   const std::vector<glm::dvec3> points = test::sample_sphere(30000).positions;
   const TileLayout layout = lay(points, 4000);
   std::vector<std::size_t> count(layout.tiles.size());

@@ -81,7 +81,7 @@ TEST(Bench, ReportsEachRowAndWhatBoundsIt) {
   EXPECT_EQ(report.shading_bound->fragments, report.rows[1].covered_pixels);  // no overdraw
 }
 
-TEST(Bench, CountsTheBytesOfEachRowAlone) {
+TEST(Bench, CountsTheBytesOfEachRowSeparately) {
   constexpr std::uint32_t kNodes = 12;
   const PatchModel model = test::height_field(kNodes, [](double, double) { return 0.0; });
   const BenchJob job{some_rows(model), nullptr, 1, 1, 0};
@@ -118,7 +118,7 @@ TEST(Bench, DrawsSeveralModels) {
   EXPECT_GT(report.rows[1].model_bytes, report.rows[0].model_bytes);
 }
 
-TEST(Bench, HasNoBoundOfAnEmptyPicture) {
+TEST(Bench, HasNoBoundOfAnEmptyImage) {
   const PatchModel model = test::sphere_model(sphere());
   BenchJob job{some_rows(model), nullptr, 0, 1, 0};
   for (BenchMethod& row : job.rows)
@@ -137,7 +137,7 @@ TEST(Bench, CanBeInterrupted) {
   EXPECT_FALSE(bench({some_rows(model), nullptr, 0, 1, 0}, stopped));
 }
 
-TEST(ShadingBound, ShadesAsManyPixelsAsItIsTold) {
+TEST(ShadingBound, ShadesTheRequestedNumberOfPixels) {
   const PatchModel model = test::sphere_model(sphere());
   for (const Material material : {Material::Unlit, Material::Lit, Material::Mirror}) {
     RenderSettings settings = bench_image(model);

@@ -86,7 +86,7 @@ TEST(FeatureNames, AreThoseOfTheShaders) {
             (Names{"glass", "mixed", "lights 16"}));
 }
 
-TEST(Explain, IsOffUnasked) {
+TEST(Explain, IsOffByDefault) {
   const PatchModel model = flat(4);
   EXPECT_FALSE(must_render(model, small_image(model)).explanation);
 }
@@ -184,7 +184,7 @@ TEST(Explain, GeometryBesideSeveralSamplesIsAFrameOfItsOwn) {
   EXPECT_EQ(maps, 1);  // the model is there once
 }
 
-TEST(Explain, WhatIsThereIsBound) {
+TEST(Explain, EveryListedResourceIsBound) {
   const PatchModel model = test::sphere_model(coloured_sphere());
   for (RenderSettings settings : ways_to_draw(model)) {
     expect_all_bound(model, settings);
@@ -196,7 +196,7 @@ TEST(Explain, WhatIsThereIsBound) {
   expect_all_bound(model, mirror);
 }
 
-TEST(Explain, CountsBytesAsOpenGlWasAsked) {
+TEST(Explain, CountsTheAllocatedBytes) {
   constexpr std::uint32_t kNodes = 8;
   const PatchModel model = flat(kNodes);
   RenderSettings settings = small_image(model);
@@ -219,7 +219,7 @@ TEST(Explain, CountsBytesAsOpenGlWasAsked) {
   EXPECT_FALSE(find(e.textures, "normal maps")->target);
 }
 
-TEST(Explain, TellsPassesAndDraws) {
+TEST(Explain, ReportsPassesAndDraws) {
   const PatchModel model = flat(8);  // one patch, so one command of each draw
   RenderSettings settings = small_image(model);
   settings.primitive = Primitive::Quad;

@@ -17,7 +17,7 @@ using test::must_render;
 using test::small_image;
 using test::values;
 
-TEST(Unlit, EveryGreyComesOutAsItWentIn) {
+TEST(Unlit, EveryGreyIsReproduced) {
   // 16 x 16 fields of 3 x 3 nodes, each of one grey.
   constexpr std::uint32_t kNodes = 48;
   PatchModel model = test::height_field(kNodes, [](double, double) { return 0.0; });
@@ -54,7 +54,7 @@ TEST(Unlit, WithoutColoursIsANeutralGrey) {
   EXPECT_EQ(values(result.image, "R"), std::vector<float>(256, shared::kNeutralGrey));
 }
 
-TEST(Outputs, ThoseThatAreOffAreNotThere) {
+TEST(Outputs, ThatAreOffAreAbsent) {
   const PatchModel model = test::sphere_model({});
   RenderSettings settings = small_image(model);
   const auto names = [&model, &settings] {
@@ -70,7 +70,7 @@ TEST(Outputs, ThoseThatAreOffAreNotThere) {
   EXPECT_EQ(names(), "R G B A N.X N.Y N.Z Z UV.U UV.V patch ");
 }
 
-TEST(Outputs, EveryVariantIsFiniteAndQuiet) {
+TEST(Outputs, AreFiniteAndRaiseNoGlError) {
   // Debug contexts: a message of high severity fails the rendering.
   test::SphereShape shape;
   shape.spacing = 0.1;
@@ -122,7 +122,7 @@ TEST(Background, NoneLeavesAlphaZeroAndColourIsOpaque) {
   EXPECT_EQ(clear + none.covered_pixels, values(none.image, "A").size());
 }
 
-TEST(Background, ModelWithoutPatchesIsAnEmptyPicture) {
+TEST(Background, ModelWithoutPatchesIsAnEmptyImage) {
   for (const test::Method& way : test::all_methods()) {
     const PatchModel model = test::height_field(8, [](double, double) { return 0.0; });
     RenderSettings settings = small_image(model);

@@ -70,7 +70,7 @@ ExpectedMean count_inside(const RenderSettings& settings, std::size_t x, std::si
 
 class ViewOfPart : public testing::TestWithParam<double> {};
 
-TEST_P(ViewOfPart, SeesWhatThePictureSeesThere) {
+TEST_P(ViewOfPart, MatchesTheImage) {
   Camera camera{{1.0, 2.0, 9.0}, {0.0, 0.5, 0.0}, {0.1, 1.0, 0.0}, 50.0};
   camera.orthographic_height = GetParam();
   const View picture = make_view(camera, 90, 60, 0.01);
@@ -107,7 +107,7 @@ TEST_P(ViewOfPart, SeesWhatThePictureSeesThere) {
   }
 }
 
-TEST_P(ViewOfPart, OfTheWholePictureIsTheSameToTheLastBit) {
+TEST_P(ViewOfPart, OfTheWholeImageIsIdentical) {
   Camera camera{{1.0, 2.0, 9.0}, {}, {0.0, 1.0, 0.0}, 50.0};
   camera.orthographic_height = GetParam();
   const View picture = make_view(camera, 90, 70, 0.01);
@@ -212,7 +212,7 @@ std::vector<float> shrink(const Image& image, const char* channel, std::uint32_t
   return small;
 }
 
-TEST(Supersampling, IsTheMeanOfALargerPicture) {
+TEST(Supersampling, IsTheMeanOfALargerImage) {
   test::SphereShape shape;
   shape.bumps = 0.1;
   shape.coloured = true;

@@ -173,7 +173,7 @@ TEST(Cells, ACreaseHasSplatsAndARoundingHasNone) {
   EXPECT_EQ(rims_of(cells_of(round.patches[0])).size(), 4U * 19U);
 }
 
-TEST(Cells, OfALevelHaveSplatsBesideJumpsAlone) {
+TEST(Cells, OfALevelHaveSplatsOnlyBesideJumps) {
   // A step of 30 cells between columns 20 and 21: in level 1 between those of columns 20 and 22,
   // which are 11 and 12 there. What a hole touches reaches beyond the patch instead.
   const PatchModel step =

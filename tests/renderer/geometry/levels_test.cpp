@@ -115,7 +115,7 @@ TEST(Levels, AreChosenByTheNearestSpacing) {
   EXPECT_EQ(choose_level(view, {{0.0, 0.0, 10.5}, 1.0, 0.1, 5}), 0U);
 }
 
-TEST(Levels, AreChosenByTheSpacingAtAnyDepthOfAnOrthographicPicture) {
+TEST(Levels, AreChosenByTheSpacingAtAnyDepthOfAnOrthographicImage) {
   Camera camera{{0.0, 0.0, 11.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
   camera.orthographic_height = 8.0;
   View view = make_view(camera, 100, 100, 0.01);  // a spacing of 0.1 is 1.25 pixels

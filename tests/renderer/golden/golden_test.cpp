@@ -130,7 +130,7 @@ TEST(GoldenRule, FindsColoursThatNoNeighbourShows) {
 
 class GoldenImages : public testing::TestWithParam<std::tuple<test::Method, Golden>> {};
 
-TEST_P(GoldenImages, AreAsTheyWere) {
+TEST_P(GoldenImages, AreUnchanged) {
   const auto& [way, golden] = GetParam();
   const PatchModel model = model_for(golden);
   RenderSettings settings = settings_for(golden, model);
@@ -141,7 +141,7 @@ TEST_P(GoldenImages, AreAsTheyWere) {
 
 class GoldenMultipass : public testing::TestWithParam<Golden> {};
 
-TEST_P(GoldenMultipass, AreAsTheyWere) {
+TEST_P(GoldenMultipass, AreUnchanged) {
   const PatchModel model = model_for(GetParam());
   RenderSettings settings = settings_for(GetParam(), model);
   settings.engine = "multipass";

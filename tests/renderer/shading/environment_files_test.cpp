@@ -128,7 +128,7 @@ TEST_F(SixFaces, AreAsSeenFromWithinUnderEachSetOfNames) {
   }
 }
 
-TEST_F(SixFaces, AreTheSameAsAnEquirectangularPicture) {
+TEST_F(SixFaces, AreTheSameAsAnEquirectangularImage) {
   write_faces(kShort, 64);
   const fs::path panorama = folder_ / "panorama.exr";
   ASSERT_TRUE(write_exr(panorama, picture(256, 128, [](double x, double y) {
@@ -147,7 +147,7 @@ TEST_F(SixFaces, AreTheSameAsAnEquirectangularPicture) {
             0.5 * 0.5 * 0.025);
 }
 
-TEST_F(SixFaces, OfTheSetThatIsThereCount) {
+TEST_F(SixFaces, TheNamesOfTheSetThatExistsAreUsed) {
   write_faces(kWords, 8);
   ASSERT_TRUE(write_exr(file("px"), picture(4, 4, [](double, double) { return glm::vec3(0); })));
   const auto files = environment_files(pattern());

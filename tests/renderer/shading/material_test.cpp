@@ -180,7 +180,7 @@ PatchModel two_spheres() {
 
 class MixedMaterials : public testing::TestWithParam<std::string> {};
 
-TEST_P(MixedMaterials, EachPatchIsAsInAPictureOfItsMaterialAlone) {
+TEST_P(MixedMaterials, EachPatchMatchesAnImageOfItsMaterial) {
   const PatchModel model = two_spheres();
   const std::vector<MaterialSettings> all{
       with(Material::Unlit), with(Material::Lit), with(Material::Mirror),
@@ -221,7 +221,7 @@ INSTANTIATE_TEST_SUITE_P(Engines, MixedMaterials,
                          testing::Values("onepass", "multipass", "raytrace", "ewa"),
                          [](const auto& engine) { return std::string(engine.param); });
 
-TEST(MaterialFeatures, AreThoseInUseAlone) {
+TEST(MaterialFeatures, AreOnlyThoseInUse) {
   const auto features = [](std::vector<MaterialSettings> materials) {
     RenderSettings settings;
     settings.materials = std::move(materials);
@@ -241,7 +241,7 @@ TEST(MaterialFeatures, AreThoseInUseAlone) {
             Features(RELIEF_FEATURE_LIT | RELIEF_FEATURE_COLOURS, 3));
 }
 
-TEST(MixedMaterialsOnMultipass, PatchIdsStayOutOfThePicture) {
+TEST(MixedMaterialsOnMultipass, PatchIdsStayOutOfTheImage) {
   const PatchModel model = two_spheres();
   RenderSettings settings = picture_of(model, all_looks().front());
   settings.engine = "multipass";

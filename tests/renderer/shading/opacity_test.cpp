@@ -157,7 +157,7 @@ TEST(OpacityOfPatches, SplatsAreRefused) {
   }
 }
 
-TEST(OpacityOfPatches, IsNoPartOfOpaquePictures) {
+TEST(OpacityOfPatches, IsOffInOpaqueImages) {
   const PatchModel model = three_sheets();
   RenderSettings settings = from_above(model);
   settings.explain = true;

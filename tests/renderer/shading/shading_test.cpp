@@ -157,7 +157,7 @@ TEST(Glass, BendsRaysBySnellsLaw) {
   }
 }
 
-TEST(Glass, ReflectsOnePolarisationAloneAtBrewstersAngle) {
+TEST(Glass, ReflectsOnePolarisationAtBrewstersAngle) {
   // At tan = n no light that swings in the plane is reflected; of the other ((n^2 - 1) / (n^2 +
   // 1))^2.
   const double n = 1.5;
@@ -178,7 +178,7 @@ TEST(Glass, ReflectsAllLightBeyondTheCriticalAngle) {
   EXPECT_NEAR(glm::dot(within(28.1255).refracted, -leaning(28.1255)), std::sqrt(0.5), 1e-5);
 }
 
-TEST(Glass, IsLeftAsItIsEntered) {
+TEST(Glass, RefractsTheSameOnBothSides) {
   // A ray within meets an outward normal on the way out, however flat.
   for (const double degrees : {0.0, 20.0, 41.0, 60.0, 89.0}) {
     const shared::SplitRay split = shared::split_within(-leaning(degrees), kDown, 1.5F);
@@ -199,7 +199,7 @@ TEST(Glass, IsLeftAsItIsEntered) {
   EXPECT_NEAR(leaned.reflectance, 0.0F, 1e-6);
 }
 
-TEST(Glass, OfTheIndexOfAirIsNotThere) {
+TEST(Glass, OfIndexOneIsInvisible) {
   for (const double degrees : {0.0, 45.0, 89.999, 90.0, 100.0}) {
     const shared::SplitRay split = split_at(degrees, 1.0F);
     EXPECT_NEAR(split.reflectance, 0.0F, 1e-6) << degrees;

@@ -101,7 +101,7 @@ std::array<std::size_t, 5> expect_quarters(const Pictures& pictures, const std::
   return counts;
 }
 
-TEST(SplitView, QuartersAreWhatTheirMaterialsAloneShow) {
+TEST(SplitView, QuartersMatchImagesOfTheirMaterials) {
   const PatchModel model = split_bumpy_sphere();
   RenderSettings settings = close_up(model);
   settings.pixels_per_sample = 0.0;  // UV counts cells of the finest level
@@ -117,7 +117,7 @@ TEST(SplitView, QuartersAreWhatTheirMaterialsAloneShow) {
     EXPECT_GT(count, 200U) << "raytrace";
 }
 
-TEST(SplitView, HasTheSameQuartersInOrthographicPictures) {
+TEST(SplitView, HasTheSameQuartersInOrthographicImages) {
   const PatchModel model = split_bumpy_sphere();
   RenderSettings settings = close_up(model);
   settings.camera.orthographic_height = 1.2;
@@ -139,7 +139,7 @@ TEST(SplitView, HasALineOfOnePixelWhereTheMiddleIsAPixels) {
   EXPECT_EQ(counts[static_cast<std::size_t>(Quarter::Line)], 121U + 97U - 1U);
 }
 
-TEST(SplitView, SharesAPictureWithOtherMaterials) {
+TEST(SplitView, SharesAnImageWithOtherMaterials) {
   PatchModel model = split_bumpy_sphere();
   RenderSettings settings = close_up(model);
   settings.pixels_per_sample = 0.0;
@@ -161,7 +161,7 @@ TEST(SplitView, SharesAPictureWithOtherMaterials) {
   EXPECT_EQ(different, 0U);
 }
 
-TEST(SplitView, PartsOfAPictureAgree) {
+TEST(SplitView, PartsOfAnImageAgree) {
   const View picture = make_view({{1, 2, 3}, {0, 0, 0}, {0, 1, 0}, 45.0}, 80, 60, 0.1);
   const glm::vec3 red(1, 0, 0);
   const glm::vec3 green(0, 1, 0);
@@ -203,7 +203,7 @@ TEST(SplitView, HasAFeatureOfItsOwn) {
                      3));
 }
 
-TEST(SplitView, IsRefusedWhereNoPlaceOnAPatchIsKnown) {
+TEST(SplitView, IsRefusedByEnginesWithoutGridCoordinates) {
   RenderSettings settings;
   settings.material = Material::Split;
   const auto fault = [&settings](std::string_view engine, bool on_patches) {

@@ -191,7 +191,7 @@ TEST(TwoInterfaces, OnepassFindsWhereTheyLeaveASphere) {
   }
 }
 
-TEST(TwoInterfaces, OnepassLooksBeyondThePicturesBorder) {
+TEST(TwoInterfaces, OnepassLooksBeyondTheImagesBorder) {
   const LinearLight light;
   const PatchModel model = glass_sphere();
   RenderSettings settings = glass_image(model, light, 1.5F);
@@ -202,7 +202,7 @@ TEST(TwoInterfaces, OnepassLooksBeyondThePicturesBorder) {
   EXPECT_LT(share_of(off, 0.98), 4e-3);  // as above
 }
 
-TEST(TwoInterfaces, OneIsWhatItWas) {
+TEST(TwoInterfaces, OneInterfaceIsUnchanged) {
   const LinearLight light;
   const PatchModel model = glass_sphere();
   RenderSettings settings = glass_image(model, light, 1.5F);
@@ -241,7 +241,7 @@ TEST(TwoInterfaces, OneIsWhatItWas) {
   EXPECT_EQ(onepass::features_of(settings, false), mirror);
 }
 
-TEST(TwoInterfaces, AreRefusedWhereNothingIsKnownOfTheFarSide) {
+TEST(TwoInterfaces, AreRefusedByEnginesThatCannotFindTheFarSide) {
   const LinearLight light;
   const PatchModel model = test::sphere_model({.spacing = 0.2});
   const auto complaint = [&model](const RenderSettings& settings) {

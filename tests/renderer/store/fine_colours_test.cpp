@@ -60,7 +60,7 @@ TEST(FineColours, AreAFeatureOfTheirOwn) {
   EXPECT_FALSE(scene_features(settings, ModelMaps(fine)).has(RELIEF_FEATURE_FINE_COLOURS));
 }
 
-TEST(FineColours, AConstantComesOutAsItWentIn) {
+TEST(FineColours, AConstantIsReproduced) {
   for (const std::uint8_t grey : {0, 77, 188, 255}) {
     const PatchModel model = fine_square([&](auto, auto) { return glm::u8vec3(grey); });
     // Seen askew and small: several mip levels and several places a pixel.

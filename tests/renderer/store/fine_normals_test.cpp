@@ -106,7 +106,7 @@ TEST(FineNormals, AreAFeatureOfTheirOwn) {
   EXPECT_TRUE(scene_features(settings, fine).has(RELIEF_FEATURE_FINE_NORMALS));
 }
 
-TEST(FineNormals, AConstantTiltComesOutAsItWentIn) {
+TEST(FineNormals, AConstantTiltIsReproduced) {
   const glm::dvec3 tilt = glm::normalize(glm::dvec3(0.3, -0.5, 0.8));
   const PatchModel model = square_of_normals([&](double, double) { return tilt; });
   // Seen askew and small: several mip levels and several places a pixel.
@@ -225,7 +225,7 @@ TEST(FineNormals, CoarseLevelsKeepTheFineMap) {
   EXPECT_LT(sum / static_cast<double>(count), 0.05);
 }
 
-TEST(FineNormals, LitAndMirrorPicturesAreThoseOfRaysToThePatch) {
+TEST(FineNormals, LitAndMirrorImagesAreThoseOfRaysToThePatch) {
   const double pi = std::acos(-1.0);
   const PatchModel model = square_of_normals([pi](double x, double y) {
     return glm::dvec3(0.4 * std::cos(0.5 * pi * x), 0.4 * std::sin(0.5 * pi * y), 1.0);

@@ -113,7 +113,7 @@ TEST(OrthographicOpacity, OverlapsCountOnce) {
   }
 }
 
-TEST(OrthographicSamples, AreThePixelsOfALargerPicture) {
+TEST(OrthographicSamples, AreThePixelsOfALargerImage) {
   test::SphereShape shape;
   shape.bumps = 0.05;
   const PatchModel model = test::sphere_model(shape);
@@ -145,7 +145,7 @@ TEST(OrthographicSamples, AreThePixelsOfALargerPicture) {
   }
 }
 
-TEST(OrthographicFeature, IsNoneOfPerspectivePictures) {
+TEST(OrthographicFeature, IsOffInPerspectiveImages) {
   RenderSettings settings;
   const Features perspective = scene_features(settings, true);
   settings.camera.orthographic_height = 1.0;
@@ -153,7 +153,7 @@ TEST(OrthographicFeature, IsNoneOfPerspectivePictures) {
   EXPECT_FALSE(perspective.has(RELIEF_FEATURE_ORTHOGRAPHIC));
 }
 
-TEST(OrthographicBench, DrawsTheSamePicture) {
+TEST(OrthographicBench, DrawsTheSameImage) {
   test::SphereShape shape;
   shape.spacing = 0.1;
   const PatchModel model = test::sphere_model(shape);

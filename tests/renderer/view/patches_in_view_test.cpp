@@ -97,7 +97,7 @@ TEST(PatchesInView, NearTheEyeTilesAreFineAndFarOffCoarse) {
                [](double x, double y) { return y > 2.0 && std::abs(x - 8.5) < 0.45 * (y - 0.5); });
 }
 
-TEST(PatchesInView, WhatIsBehindOrBesideIsLeftOut) {
+TEST(PatchesInView, OutsideTheViewAreLeftOut) {
   const auto tiles = quad_tree();
   EXPECT_TRUE(chosen_by(tiles, {looking({8, 8, 5}, {8, 8, 50})}).empty());
   // Two units over the middle of a tile, of which a square of two is seen.
@@ -108,7 +108,7 @@ TEST(PatchesInView, WhatIsBehindOrBesideIsLeftOut) {
                [](double x, double y) { return std::abs(x - 4.5) < 1 && std::abs(y - 4.5) < 1; });
 }
 
-TEST(PatchesInView, TheFinestOfSeveralViewsCounts) {
+TEST(PatchesInView, TheFinestViewDecides) {
   const auto tiles = quad_tree();
   const auto far = looking({8, 8, 165}, {8, 8, 0});
   const auto near = looking({4.5, 4.5, 2.0}, {4.5, 4.5, 0.0});
@@ -119,7 +119,7 @@ TEST(PatchesInView, TheFinestOfSeveralViewsCounts) {
     EXPECT_TRUE(std::find(chosen.begin(), chosen.end(), t) != chosen.end()) << t;
 }
 
-TEST(PatchesInView, PlacesAndScalesCount) {
+TEST(PatchesInView, DependOnPositionAndScale) {
   const auto tiles = quad_tree();
   Transform place;
   place.translation = {-80.0, -80.0, 0.0};
@@ -130,7 +130,7 @@ TEST(PatchesInView, PlacesAndScalesCount) {
   EXPECT_EQ(chosen_by(tiles, {looking({0, 0, 1550}, {0, 0, 0})}, {place}).size(), 4U);
 }
 
-TEST(PatchesInView, SamplesOfPixelsAndOrthographicHeightsCount) {
+TEST(PatchesInView, DependOnSamplesPerPixelAndOrthographicHeight) {
   const auto tiles = quad_tree();
   RenderSettings settings = looking({8, 8, 165}, {8, 8, 0});
   settings.samples = 4;
@@ -151,7 +151,7 @@ TEST(PatchesInView, ChildrenStandInForATileWithoutSamples) {
   expect_cover(tiles, chosen, [](double, double) { return true; });
 }
 
-TEST(PatchesInView, WhatIsDrawnAtItsFinestHasNoOverviews) {
+TEST(PatchesInView, DrawnAtTheFinestLevelUseNoOverviews) {
   const auto tiles = quad_tree();
   RenderSettings settings = looking({8, 8, 165}, {8, 8, 0});
   settings.pixels_per_sample = 0.0;
@@ -165,7 +165,7 @@ TEST(PatchesInView, WhatIsDrawnAtItsFinestHasNoOverviews) {
 }
 
 /// What is not read is not seen: the image is that of the whole model.
-TEST(PatchesInView, PicturesOfPartsAreThoseOfTheWhole) {
+TEST(PatchesInView, ImagesOfPartsAreThoseOfTheWhole) {
   const test::ScratchFolder folder;
   test::SphereShape shape;
   shape.bumps = 0.1;

@@ -70,7 +70,7 @@ TEST(EwaInput, PointsWithoutSurfaceChangeNothing) {
   }
 }
 
-TEST(EwaInput, HugeSplatsFillThePictureAndNothingMore) {
+TEST(EwaInput, HugeSplatsFillTheImageAndNothingMore) {
   for (const double radius : {1e3, 1e30, 1e300}) {
     SplatCloud cloud;
     add_point(cloud, {0.5, 0.2, 0.0}, {0.3F, 0.2F, 1.0F}, radius);
@@ -104,7 +104,7 @@ TEST(EwaInput, TiltedSplatsAreNumbersAtEveryAngle) {
   }
 }
 
-TEST(EwaInput, UndefinedAttributesStayOutOfThePicture) {
+TEST(EwaInput, UndefinedAttributesStayOutOfTheImage) {
   SplatCloud cloud = test::plane_cloud(4, 4);
   cloud.colours[40] = glm::vec4(std::nanf(""), 1.0F, std::numeric_limits<float>::infinity(), 7.0F);
   cloud.uvs.assign(cloud.positions.size(), glm::vec2(std::nanf("")));
@@ -122,7 +122,7 @@ TEST(EwaInput, BackToBackNormalsAreShadedAsFacingTheEye) {
   EXPECT_GT(values(result.image, "R")[8 * 16 + 8], 0.1F);
 }
 
-TEST(EwaInput, EmptyCloudIsAnEmptyPicture) {
+TEST(EwaInput, EmptyCloudIsAnEmptyImage) {
   RenderSettings settings = ewa_image({0.0, 0.0, 8.0}, 16);
   for (const double budget : {0.0, 1.0}) {
     settings.ewa.time_budget_ms = budget;
@@ -133,7 +133,7 @@ TEST(EwaInput, EmptyCloudIsAnEmptyPicture) {
   }
 }
 
-TEST(EwaInput, ThreadsDoNotChangeThePicture) {
+TEST(EwaInput, ThreadsDoNotChangeTheImage) {
   SplatCloud cloud = test::sphere_cloud(40000);  // three pieces of work, 16 tiles
   for (std::size_t k = 0; k < cloud.colours.size(); ++k) cloud.colours[k].a = 0.3F;
   RenderSettings settings = ewa_image({0.0, 0.5, 2.5}, 128);

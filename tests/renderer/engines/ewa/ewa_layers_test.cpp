@@ -62,7 +62,7 @@ TEST(LayeredBuffer, MergesTheTwoClosestInDepth) {
   expect_colour(buffer.resolve(0).colour, {0.5, 0.25, 0.125, 0.875});
 }
 
-TEST(LayeredBuffer, WhatComesBetweenTwoMergedSurfacesIsBehindBoth) {
+TEST(LayeredBuffer, ASurfaceBetweenTwoMergedOnesIsBehindBoth) {
   // Red at 1 and green at 2 merge when blue at 5 comes; white at 1.5 comes too late to lie between.
   // Then white (1.5) and the merged one (at red's depth) are the closest two.
   LayeredBuffer buffer(1, 1, 2, kTau, albedo_of);

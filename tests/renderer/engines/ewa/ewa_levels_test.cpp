@@ -54,7 +54,7 @@ TEST(SplatLevels, NoLevelHasHoles) {
   }
 }
 
-TEST(SplatLevels, FinerLevelsComeCloserToTheFullPicture) {
+TEST(SplatLevels, FinerLevelsComeCloserToTheFullImage) {
   const SplatHierarchy hierarchy = build_hierarchy(test::sphere_cloud(30000));
   const RenderSettings settings = ewa_image({0.0, 0.0, 3.7});
   const RenderResult full = must_splat(hierarchy.levels[0], settings);
@@ -96,7 +96,7 @@ TEST(SplatLevels, LevelsAreChosenByTheSizeOfTheirSplats) {
   EXPECT_EQ(level_at(0.1), 2U);
 }
 
-TEST(SplatLevels, PicturesAreRefinedWhileTimeRemains) {
+TEST(SplatLevels, ImagesAreRefinedWhileTimeRemains) {
   const SplatHierarchy hierarchy = build_hierarchy(test::sphere_cloud(30000));
   RenderSettings settings = ewa_image({0.0, 0.0, 3.7});
   Progress silent;

@@ -237,7 +237,7 @@ INSTANTIATE_TEST_SUITE_P(All, Multipass,
                                          SplatMethod{Primitive::Sprite, 2.0, "sprite_2"}),
                          [](const auto& way) { return std::string(way.param.name); });
 
-TEST(MultipassSums, AreThoseThatThePictureNeeds) {
+TEST(MultipassSums, AreThoseThatTheImageNeeds) {
   const PatchModel model = test::height_field(4, [](double, double) { return 0.0; });
   RenderSettings settings = small_image(model);
   const auto opengl = OpenGl::create(settings.platform, settings.debug, false);

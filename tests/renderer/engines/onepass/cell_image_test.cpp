@@ -42,7 +42,7 @@ RenderSettings seen_from_above(const PatchModel& model) {
   return settings;
 }
 
-TEST(CellImages, AreTheTrianglesOfThePatch) {
+TEST(CellImages, MatchThePatchTriangles) {
   const PatchModel model = wavy_field(0.1);
   RenderSettings settings = seen_from_above(model);
   const RenderResult cells = must_render(model, settings);
@@ -102,7 +102,7 @@ TEST(CellImages, ShadeFewerFragmentsThanQuads) {
   EXPECT_LT(*cells.fragments - cells.covered_pixels, *quads.fragments);
 }
 
-TEST(CellImages, ThatAreShadedLaterShowTheSamePlaces) {
+TEST(CellImages, DeferredShadingShowsTheSameSurface) {
   const PatchModel model = wavy_field(0.1);
   for (const double pixels_per_sample : {0.0, 30.0}) {  // 30: a coarser level, cut by the mask
     RenderSettings settings = seen_from_above(model);
@@ -128,7 +128,7 @@ TEST(CellImages, ThatAreShadedLaterShowTheSamePlaces) {
   }
 }
 
-TEST(CellImages, NotePlacesAsFinelyAsTheirBitsAllow) {
+TEST(CellImages, StoreGridCoordinatesAtFullPrecision) {
   EXPECT_EQ(onepass::place_steps(1), 262144.0F);  // 2^22 over 9 cells
   EXPECT_EQ(onepass::place_steps(503), 8192.0F);  // 511 cells
   EXPECT_EQ(onepass::place_steps(504), 4096.0F);  // 512 cells would need the step 2^22
@@ -152,7 +152,7 @@ TEST(CellImages, OfAPatchLargerThanAPartHaveNoSeam) {
   }
 }
 
-TEST(CellImages, InterpolationMattersForTheSplatsAlone) {
+TEST(CellImages, InterpolationAffectsOnlySplats) {
   // So smooth that there are no creases.
   const PatchModel model = wavy_field(0.0);
   RenderSettings settings = seen_from_above(model);

@@ -145,7 +145,7 @@ TEST_P(Surfaces, PixelsSmallerThanSamplesHaveNoHoles) {
   EXPECT_EQ(errors.holes, 0U);
 }
 
-TEST_P(Surfaces, GeoreferencedCoordinatesGiveTheSamePicture) {
+TEST_P(Surfaces, GeoreferencedCoordinatesGiveTheSameImage) {
   test::SphereShape shape;
   shape.coloured = true;
   const PatchModel near = test::sphere_model(shape);
@@ -293,7 +293,7 @@ TEST(Corrected, SplatsDoNotStickOutOfASkyline) {
   EXPECT_EQ(spikes(Primitive::Cell, Interpolation::Corrected), 0U);
 }
 
-TEST(Sprites, CloserThanOpenGlsLargestPointKeepTheirPlace) {
+TEST(Sprites, LargerThanThePointSizeLimitStayCentred) {
   // A cell is 400 pixels wide here; llvmpipe's sprites end at 255.
   const PatchModel model = test::height_field(16, [](double x, double y) { return 0.3 * x * y; });
   RenderSettings settings = small_image(model);

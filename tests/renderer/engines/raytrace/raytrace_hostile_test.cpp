@@ -34,7 +34,7 @@ void expect_finite(const TriangleMesh& mesh, const char* what) {
   }
 }
 
-TEST(HostileMesh, NothingIsAnEmptyPicture) {
+TEST(HostileMesh, NothingIsAnEmptyImage) {
   TriangleMesh vertices_only = test::sphere_mesh(4);
   vertices_only.triangles.clear();
   for (const TriangleMesh& mesh : {TriangleMesh{}, vertices_only}) {
@@ -56,7 +56,7 @@ TEST(HostileMesh, TrianglesWithoutAreaAreNotSeen) {
   EXPECT_EQ(result.covered_pixels, 0U);
 }
 
-TEST(HostileMesh, NormalsThatAreNoneAreTheTrianglesOwn) {
+TEST(HostileMesh, InvalidNormalsAreReplacedByTheTriangles) {
   const std::vector<std::function<void(glm::vec3&)>> spoilers{
       [](glm::vec3& n) { n = glm::vec3(kNan); }, [](glm::vec3& n) { n = glm::vec3(0.0F); },
       [](glm::vec3& n) { n.x = std::numeric_limits<float>::infinity(); }};
@@ -79,7 +79,7 @@ TEST(HostileMesh, OppositeNormalsCancelOutWithoutNan) {
   expect_finite(mesh, "opposite normals");
 }
 
-TEST(HostileMesh, ColoursAndPlacesThatAreNone) {
+TEST(HostileMesh, InvalidColoursAndMaterials) {
   TriangleMesh mesh = test::sphere_mesh(12);
   mesh.colours.assign(mesh.positions.size(), glm::vec4(0.5F, 0.5F, 0.5F, 0.5F));
   mesh.uvs.assign(mesh.positions.size(), glm::vec2(kNan));
@@ -89,7 +89,7 @@ TEST(HostileMesh, ColoursAndPlacesThatAreNone) {
   expect_finite(mesh, "colours");
 }
 
-TEST(HostileMesh, PositionsThatAreNoNumbersTakeTheirTrianglesAway) {
+TEST(HostileMesh, TrianglesWithNanPositionsAreDropped) {
   for (const double bad : {double{kNan}, kHostileInfinity, -kHostileInfinity}) {
     TriangleMesh mesh = test::sphere_mesh(12);
     for (std::size_t k = 0; k < mesh.positions.size(); k += 5) mesh.positions[k].y = bad;

@@ -180,7 +180,7 @@ RenderSettings sphere_image() {
   return test::traced_image(orbit_camera({}, 1.0, {10.0, 20.0}, 45.0, 1.2), 128, 128);
 }
 
-TEST(Ties, OfTwoTrianglesInOnePlaceTheFirstOfTheMeshIsSeen) {
+TEST(Ties, OfCoincidentTrianglesTheFirstIsVisible) {
   TriangleMesh mesh = two_traced_spheres();
   RenderSettings settings = sphere_image();
   settings.material = Material::Unlit;
@@ -196,7 +196,7 @@ TEST(Ties, OfTwoTrianglesInOnePlaceTheFirstOfTheMeshIsSeen) {
   EXPECT_EQ(values(all.image, "B"), values(first.image, "B"));
 }
 
-TEST(Threads, DoNotChangeAByte) {
+TEST(Threads, DoNotChangeTheImage) {
   TriangleMesh mesh = two_traced_spheres();
   RenderSettings settings = sphere_image();
   settings.raytrace.samples = 4;
@@ -234,7 +234,7 @@ class Counting final : public Progress {
   std::atomic<std::uint64_t> done_{0};
 };
 
-TEST(Tracing, ReportsProgressAndStopsWhenAsked) {
+TEST(Tracing, ReportsProgressAndCanBeCancelled) {
   const TriangleMesh mesh = test::sphere_mesh(24);
   RenderSettings settings = test::traced_image({{0, 0, 3}, {}, {0, 1, 0}, 45.0}, 100, 90);
   settings.frames = 2;
@@ -249,7 +249,7 @@ TEST(Tracing, ReportsProgressAndStopsWhenAsked) {
   EXPECT_LT(hasty.done(), hasty.units());
 }
 
-TEST(Tracing, SaysWhatItIsAndLeavesOutWhatItCannotMeasure) {
+TEST(Tracing, ReportsOnlyWhatItMeasures) {
   const RenderResult result = must_trace(test::sphere_mesh(8), straight_down(8));
   EXPECT_EQ(result.renderer.rfind("Embree ", 0), 0U);
   EXPECT_GT(result.frame_ms, 0.0);

@@ -168,7 +168,7 @@ TEST(RayTracedMesh, LetsNoRayThroughItsVertices) {
   }
 }
 
-TEST(RayTracedSphere, GeoreferencedCoordinatesGiveTheSamePicture) {
+TEST(RayTracedSphere, GeoreferencedCoordinatesGiveTheSameImage) {
   const TriangleMesh near = test::sphere_mesh(40);
   RenderSettings settings = test::traced_image(orbit_camera({}, 1.0, {30.0, 20.0}, 45.0, 1.2));
   const RenderResult one = must_trace(near, settings);
@@ -191,7 +191,7 @@ TEST(RayTracedSphere, GeoreferencedCoordinatesGiveTheSamePicture) {
   }
 }
 
-TEST(RayTracedSphere, TinyAndHugeUnitsGiveTheSamePicture) {
+TEST(RayTracedSphere, TinyAndHugeUnitsGiveTheSameImage) {
   const TriangleMesh mesh = test::sphere_mesh(24);
   const RenderResult one =
       must_trace(mesh, test::traced_image(orbit_camera({}, 1.0, {30.0, 20.0}, 45.0, 1.2)));
