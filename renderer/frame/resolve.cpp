@@ -12,7 +12,7 @@ Result<ResolvedColour> make_resolved(const Gl& gl, std::uint32_t width, std::uin
   Texture colour = make_attachment(gl, "resolved colour", GL_RGBA16F, width, height);
   Framebuffer framebuffer =
       make_framebuffer(gl, "resolved", nullptr, {{RELIEF_OUT_COLOUR, &colour}});
-  RELIEF_TRY(check_errors(gl, "the picture"));
+  RELIEF_TRY(check_errors(gl, "the image"));
   return ResolvedColour{std::move(framebuffer), std::move(colour)};
 }
 

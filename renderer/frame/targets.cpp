@@ -59,7 +59,7 @@ Result<Targets> make_targets(const Gl& gl, std::uint32_t width, std::uint32_t he
                              const Outputs& outputs) {
   const std::uint32_t largest = largest_target(gl);
   if (width == 0 || height == 0 || width > largest || height > largest) {
-    return make_error("a picture of {}x{} pixels can't be drawn: this OpenGL allows 1 to {} a side",
+    return make_error("an image of {}x{} pixels can't be drawn: this OpenGL allows 1 to {} a side",
                       width, height, largest);
   }
   const auto make = [&](const char* label, GLenum format) {
@@ -74,15 +74,15 @@ Result<Targets> make_targets(const Gl& gl, std::uint32_t width, std::uint32_t he
   std::optional<Texture> depth = make_if(outputs.depth, "depth", GL_R32F);
   std::optional<Texture> uv = make_if(outputs.uv, "uv", GL_RG32F);
   std::optional<Texture> patch_id = make_if(outputs.patch_id, "patch id", GL_R32UI);
-  Framebuffer framebuffer = make_framebuffer(gl, "picture", &z_buffer,
+  Framebuffer framebuffer = make_framebuffer(gl, "image", &z_buffer,
                                              {{RELIEF_OUT_COLOUR, &colour},
                                               {RELIEF_OUT_NORMAL, address(normal)},
                                               {RELIEF_OUT_DEPTH, address(depth)},
                                               {RELIEF_OUT_UV, address(uv)},
                                               {RELIEF_OUT_PATCH, address(patch_id)}});
-  RELIEF_TRY(check_errors(gl, "the picture"));
+  RELIEF_TRY(check_errors(gl, "the image"));
   if (gl.CheckNamedFramebufferStatus(framebuffer.id(), GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-    return make_error("this OpenGL can't draw a picture of {}x{} pixels with these outputs", width,
+    return make_error("this OpenGL can't draw an image of {}x{} pixels with these outputs", width,
                       height);
   return Targets{width,
                  height,

@@ -61,10 +61,10 @@ CubeMap join_faces(const std::array<std::vector<glm::vec3>, 6>& faces, std::size
   CubeMap cube;
   cube.size = static_cast<std::uint32_t>(size);
   for (std::size_t face = 0; face < 6; ++face) {
-    const std::vector<glm::vec3>& picture = faces[kImageOfFace[face]];
+    const std::vector<glm::vec3>& texels = faces[kImageOfFace[face]];
     cube.faces[face] =
         mirrored(size, kWideCross[face].turned,
-                 [&](std::size_t column, std::size_t row) { return picture[row * size + column]; });
+                 [&](std::size_t column, std::size_t row) { return texels[row * size + column]; });
   }
   return cube;
 }

@@ -17,7 +17,7 @@ static_assert(static_cast<int>(Material::Unlit) == shared::kUnlit &&
 
 std::vector<MaterialSettings> materials_of(const RenderSettings& settings) {
   const std::vector<MaterialSettings>& all = settings.materials;
-  assert(all.size() <= kMaxMaterials && "no more materials than a picture has room for");
+  assert(all.size() <= kMaxMaterials && "no more materials than an image has room for");
   if (all.empty()) return {{settings.material, settings.constants}};
   const bool same = std::all_of(all.begin(), all.end(), [&all](const MaterialSettings& material) {
     return material == all.front();

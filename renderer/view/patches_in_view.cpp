@@ -92,19 +92,19 @@ std::vector<std::vector<std::uint32_t>> children_of(std::span<const TreeTile> ti
 
 }  // namespace
 
-std::vector<Onlooker> onlookers_of(std::span<const RenderSettings> pictures,
+std::vector<Onlooker> onlookers_of(std::span<const RenderSettings> views,
                                    std::span<const Transform> places, const PatchModel& extent) {
   std::vector<Onlooker> onlookers;
-  for (const RenderSettings& picture : pictures) {
-    View view = make_view(picture.camera, picture.width, picture.height,
+  for (const RenderSettings& settings : views) {
+    View view = make_view(settings.camera, settings.width, settings.height,
                           {1.0, extent.bounds, extent.spacing});
     // What is refracted may be beside the image.
-    const double beside = has_two_interfaces(picture) ? onepass::kBackBorder : 0.0;
-    const double border = kReachInCells * pixels_per_sample_of(picture) +
-                          beside * std::max(picture.width, picture.height);
+    const double beside = has_two_interfaces(settings) ? onepass::kBackBorder : 0.0;
+    const double border = kReachInCells * pixels_per_sample_of(settings) +
+                          beside * std::max(settings.width, settings.height);
     view = with_border(view, static_cast<std::uint32_t>(std::ceil(border)));
-    const double pixels = std::min(kPixelsPerOverviewSample, pixels_per_sample_of(picture)) /
-                          samples_a_side(picture.samples);
+    const double pixels = std::min(kPixelsPerOverviewSample, pixels_per_sample_of(settings)) /
+                          samples_a_side(settings.samples);
     for (const Transform& place : places) onlookers.push_back({view, place, pixels});
   }
   return onlookers;

@@ -23,7 +23,7 @@ struct Onlooker {
 };
 
 /// Each of the images of each place. `extent`: of all that is drawn.
-[[nodiscard]] std::vector<Onlooker> onlookers_of(std::span<const RenderSettings> pictures,
+[[nodiscard]] std::vector<Onlooker> onlookers_of(std::span<const RenderSettings> views,
                                                  std::span<const Transform> places,
                                                  const PatchModel& extent);
 

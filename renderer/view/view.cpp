@@ -69,16 +69,16 @@ View make_view(const Camera& camera, std::uint32_t width, std::uint32_t height,
   return view;
 }
 
-View view_of_part(const View& picture, const Raster& part) {
+View view_of_part(const View& whole, const Raster& part) {
   const glm::dvec2 size(part.width, part.height);
-  const glm::dvec2 share = size / glm::dvec2(picture.width, picture.height);
+  const glm::dvec2 share = size / glm::dvec2(whole.width, whole.height);
   const glm::dvec2 corner(part.left, part.bottom);
   // Of the whole image this is exactly 0, and the view the same to the last bit.
-  const glm::dvec2 shift = (2.0 * corner + size) / glm::dvec2(picture.width, picture.height) - 1.0;
-  View view = picture;
-  view.slope_x = picture.slope_x * share.x;
-  view.slope_y = picture.slope_y * share.y;
-  view.middle = picture.middle + shift * glm::dvec2(picture.slope_x, picture.slope_y);
+  const glm::dvec2 shift = (2.0 * corner + size) / glm::dvec2(whole.width, whole.height) - 1.0;
+  View view = whole;
+  view.slope_x = whole.slope_x * share.x;
+  view.slope_y = whole.slope_y * share.y;
+  view.middle = whole.middle + shift * glm::dvec2(whole.slope_x, whole.slope_y);
   for (glm::length_t c = 0; c < 4; ++c) {
     glm::dvec4& column = view.projection[c];
     column.x = (column.x - shift.x * column.w) / share.x;
@@ -86,17 +86,17 @@ View view_of_part(const View& picture, const Raster& part) {
   }
   view.width = part.width * part.side;
   view.height = part.height * part.side;
-  view.pixels_per_sample = picture.pixels_per_sample * part.side;
-  view.proxy_diameter = picture.proxy_diameter * part.side;
+  view.pixels_per_sample = whole.pixels_per_sample * part.side;
+  view.proxy_diameter = whole.proxy_diameter * part.side;
   return view;
 }
 
-View with_border(const View& picture, std::uint32_t border) {
-  View view = picture;
+View with_border(const View& whole, std::uint32_t border) {
+  View view = whole;
   view.width += 2 * border;
   view.height += 2 * border;
   const glm::dvec2 growth =
-      glm::dvec2(view.width, view.height) / glm::dvec2(picture.width, picture.height);
+      glm::dvec2(view.width, view.height) / glm::dvec2(whole.width, whole.height);
   view.slope_x *= growth.x;
   view.slope_y *= growth.y;
   for (glm::length_t c = 0; c < 4; ++c) {

@@ -61,10 +61,10 @@ struct DepthNeeds {
 }
 
 /// What shows a part of the view's image: its pixels are the part's samples.
-[[nodiscard]] View view_of_part(const View& picture, const Raster& part);
+[[nodiscard]] View view_of_part(const View& whole, const Raster& part);
 
 /// The same camera with an image that shows more: `border` pixels on each side.
-[[nodiscard]] View with_border(const View& picture, std::uint32_t border);
+[[nodiscard]] View with_border(const View& whole, std::uint32_t border);
 
 /// The direction through a window position (pixels from the lower left corner), world, of length 1
 /// along the view axis: the point at depth z is eye + ray_start + z * ray_through.

@@ -95,9 +95,9 @@ TEST_F(AdaptiveSpacing, FollowsTheDensityAndClosesWithoutHoles) {
   // Around, and from the dense and the sparse pole (the z axis), where spacings meet.
   for (const std::string orbit : {"0,0", "40,10", "90,50", "180,-40", "270,80", "0,-85"}) {
     const std::vector<std::string> view{"--orbit", orbit, "--size", "320x256"};
-    const auto draw = [&](const std::string& model, const std::string& picture,
+    const auto draw = [&](const std::string& model, const std::string& image,
                           std::vector<std::string> options) {
-      std::vector<std::string> arguments{"render", model, "-o", path(picture)};
+      std::vector<std::string> arguments{"render", model, "-o", path(image)};
       arguments.insert(arguments.end(), view.begin(), view.end());
       arguments.insert(arguments.end(), options.begin(), options.end());
       run(arguments);

@@ -206,11 +206,11 @@ TEST_F(CompareCommand, RefusesIncomparableImages) {
                              path("folder"),
                              other,
                              colourless};
-  for (const std::string& picture : bad) {
-    const std::string name = std::filesystem::path(picture).filename();
-    expect_refused({"compare", picture, good}, name);
-    expect_refused({"compare", good, picture}, name);
-    expect_refused({"compare", good, picture, "--heatmap", path("map.png")}, name);
+  for (const std::string& image : bad) {
+    const std::string name = std::filesystem::path(image).filename();
+    expect_refused({"compare", image, good}, name);
+    expect_refused({"compare", good, image}, name);
+    expect_refused({"compare", good, image, "--heatmap", path("map.png")}, name);
   }
   expect_refused({"compare", other, good}, "16x20");
   expect_refused({"compare", colourless, colourless}, "no channel R");

@@ -253,11 +253,11 @@ TEST_F(EndToEnd, TheSmallDragon) {
   json result = run_json({"convert", scan, "-o", path("dragon.relief")});
   EXPECT_EQ(result["points"], 5205);
   EXPECT_LE(result["uncovered_points"], 2);  // 0.05 % of the points
-  json picture =
+  json image =
       run_json({"render", path("dragon.relief"), "-o", path("dragon.png"), "--size", "320x256"});
   // The Dragon fills a good part of its bounding sphere's disc, which is 51,000 pixels here.
-  EXPECT_GT(picture["covered_pixels"], 10000);
-  EXPECT_LT(picture["covered_pixels"], 40000);
+  EXPECT_GT(image["covered_pixels"], 10000);
+  EXPECT_LT(image["covered_pixels"], 40000);
 }
 
 TEST_F(EndToEnd, RenderWritesEveryChannel) {
@@ -306,7 +306,7 @@ TEST_F(EndToEnd, EwaSplatsPointsOfAScanAndSamplesOfPatches) {
 TEST_F(EndToEnd, MultipassDrawsPatchesWithAnyRadius) {
   const std::string model = path("knot.relief");
   run_json({"convert", write_knot(5000), "-o", model});
-  std::set<std::string> pictures;
+  std::set<std::string> images;
   for (const std::string factor : {"1", "2", "3.5"}) {
     json result = run_json({"render", model, "-o", path("knot.png"), "--engine", "multipass",
                             "--radius-factor", factor, "--size", "160x128"});
@@ -315,9 +315,9 @@ TEST_F(EndToEnd, MultipassDrawsPatchesWithAnyRadius) {
     EXPECT_TRUE(result["interpolation"].is_null());
     EXPECT_EQ(result["radius_factor"], std::stod(factor));
     EXPECT_GT(result["covered_pixels"], 3000);
-    pictures.insert(bytes_of(path("knot.png")));
+    images.insert(bytes_of(path("knot.png")));
   }
-  EXPECT_EQ(pictures.size(), 3U);
+  EXPECT_EQ(images.size(), 3U);
 }
 
 TEST_F(EndToEnd, RaysMeetAMeshsOwnTriangles) {
@@ -368,14 +368,14 @@ TEST_F(EndToEnd, SeveralSamplesAPixelGiveRimsPartialCoverage) {
   const std::string model = path("knot.relief");
   run_json({"convert", write_knot(5000), "-o", model});
   for (const char* engine : {"onepass", "multipass"}) {
-    const std::string picture = path(std::string(engine) + ".png");
+    const std::string image = path(std::string(engine) + ".png");
     const auto draw = [&](const std::string& to) {
       return run_json({"render", model, "-o", to, "--engine", engine, "--samples", "8", "--size",
                        "64x64", "--material", "unlit", "--background", "none"});
     };
-    EXPECT_EQ(draw(picture)["samples"], 9);  // three by three
+    EXPECT_EQ(draw(image)["samples"], 9);  // three by three
     draw(path("knot.exr"));
-    const auto png = read_image(picture);
+    const auto png = read_image(image);
     const auto exr = read_image(path("knot.exr"));
     ASSERT_TRUE(png && exr);
     std::size_t partial = 0;
@@ -404,22 +404,22 @@ TEST_F(EndToEnd, OutputsChooseTheChannels) {
 TEST_F(EndToEnd, EveryMaterialAndPrimitiveDraws) {
   const std::string model = path("knot.relief");
   run_json({"convert", write_knot(5000), "-o", model});
-  std::set<std::string> pictures;
+  std::set<std::string> images;
   for (const std::string material : {"unlit", "lit", "mirror"}) {
     for (const std::string primitive : {"quad", "sprite", "cell"}) {
       for (const std::string interpolation : {"direct", "corrected"}) {
-        const std::string picture = path("knot.png");
+        const std::string image = path("knot.png");
         json result =
-            run_json({"render", model, "-o", picture, "--size", "160x128", "--material", material,
+            run_json({"render", model, "-o", image, "--size", "160x128", "--material", material,
                       "--primitive", primitive, "--interpolation", interpolation});
         EXPECT_GT(result["covered_pixels"], 3000) << material << primitive << interpolation;
-        pictures.insert(bytes_of(picture));
+        images.insert(bytes_of(image));
       }
     }
   }
   // Materials and interpolations differ for certain; primitives may agree to the last bit, and with
   // cells interpolations where no border is seen.
-  EXPECT_GE(pictures.size(), 6U);
+  EXPECT_GE(images.size(), 6U);
 }
 
 TEST_F(EndToEnd, UnlitIsTheStoredColourExactly) {
@@ -454,16 +454,16 @@ TEST_F(EndToEnd, BackgroundIsAnSrgbColour) {
 TEST_F(EndToEnd, TheImageDoesNotDependOnLlvmpipesThreads) {
   const std::string model = path("knot.relief");
   run_json({"convert", write_knot(20000), "-o", model});
-  std::vector<std::string> pictures;
+  std::vector<std::string> images;
   for (const char* threads : {"1", "4"}) {
-    const std::string picture = path(std::string("knot") + threads + ".exr");
+    const std::string image = path(std::string("knot") + threads + ".exr");
     RunOptions options;
     options.environment = {{"LP_NUM_THREADS", threads}};
-    run_json({"render", model, "-o", picture, "--size", "320x256", "--orbit", "-20,15"}, options);
-    pictures.push_back(bytes_of(picture));
+    run_json({"render", model, "-o", image, "--size", "320x256", "--orbit", "-20,15"}, options);
+    images.push_back(bytes_of(image));
   }
-  ASSERT_FALSE(pictures[0].empty());
-  EXPECT_EQ(pictures[0], pictures[1]);
+  ASSERT_FALSE(images[0].empty());
+  EXPECT_EQ(images[0], images[1]);
 }
 
 TEST_F(EndToEnd, EyeTargetAndOrbitAgree) {

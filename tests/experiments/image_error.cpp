@@ -10,8 +10,8 @@
 
 namespace relief::experiment {
 
-Result<ImageError> measure_error(const Image& picture, const Image& truth, const Mask& mask) {
-  auto colour = take_colour(picture);
+Result<ImageError> measure_error(const Image& image, const Image& truth, const Mask& mask) {
+  auto colour = take_colour(image);
   if (!colour) return colour.error();
   const auto expected = take_colour(truth);
   if (!expected) return expected.error();

@@ -21,7 +21,7 @@ struct ImageError {
 /// What `relief compare --flip ldr` would say of the pixels of the mask alone: both means are over
 /// them, and beside them the truth is put into the image. Fails if the mask is empty or an image
 /// has no colour.
-Result<ImageError> measure_error(const Image& picture, const Image& truth, const Mask& mask);
+Result<ImageError> measure_error(const Image& image, const Image& truth, const Mask& mask);
 
 /// As a cell of a table: "31.4 / 0.051", dB / FLIP; a dash where nothing was measured.
 [[nodiscard]] std::string as_cell(const Result<ImageError>& error);

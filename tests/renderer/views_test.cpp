@@ -49,12 +49,12 @@ TEST(Views, DoNotAffectEachOther) {
   }
   Progress silent;
   std::vector<std::size_t> order;
-  std::vector<RenderResult> pictures;
+  std::vector<RenderResult> results;
   const Status drawn = render_views(
       RenderModel::of(model), views,
-      [&](std::size_t view, RenderResult picture) {
+      [&](std::size_t view, RenderResult result) {
         order.push_back(view);
-        pictures.push_back(std::move(picture));
+        results.push_back(std::move(result));
         return Status();
       },
       silent);
@@ -63,9 +63,9 @@ TEST(Views, DoNotAffectEachOther) {
   for (std::size_t i = 0; i < order.size(); ++i) {
     EXPECT_EQ(order[i], i);
     const RenderResult alone = must_render(model, views[i]);
-    expect_same(pictures[i].image, alone.image);
-    EXPECT_EQ(pictures[i].covered_pixels, alone.covered_pixels);
-    EXPECT_EQ(pictures[i].fragments, alone.fragments);
+    expect_same(results[i].image, alone.image);
+    EXPECT_EQ(results[i].covered_pixels, alone.covered_pixels);
+    EXPECT_EQ(results[i].fragments, alone.fragments);
   }
 }
 
@@ -77,16 +77,16 @@ TEST(Views, EachFindsTheDataItReads) {
     views[0].material = mirror_first ? Material::Mirror : Material::Unlit;
     views[1].material = mirror_first ? Material::Unlit : Material::Mirror;
     Progress silent;
-    std::vector<RenderResult> pictures;
+    std::vector<RenderResult> results;
     ASSERT_TRUE(render_views(
         RenderModel::of(model), views,
-        [&pictures](std::size_t, RenderResult picture) {
-          pictures.push_back(std::move(picture));
+        [&results](std::size_t, RenderResult result) {
+          results.push_back(std::move(result));
           return Status();
         },
         silent));
     for (std::size_t i = 0; i < views.size(); ++i)
-      expect_same(pictures[i].image, must_render(model, views[i]).image);
+      expect_same(results[i].image, must_render(model, views[i]).image);
   }
 }
 

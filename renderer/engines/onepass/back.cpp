@@ -16,18 +16,18 @@ namespace relief::onepass {
 namespace {
 
 /// As much of the border as OpenGL has room for.
-View view_behind(const Gl& gl, const View& picture) {
-  const std::uint32_t longer = std::max(picture.width, picture.height);
+View view_behind(const Gl& gl, const View& whole) {
+  const std::uint32_t longer = std::max(whole.width, whole.height);
   const auto wanted = static_cast<std::uint32_t>(std::ceil(kBackBorder * longer));
   const std::uint32_t largest = largest_target(gl);
-  return with_border(picture, std::min(wanted, (largest - std::min(largest, longer)) / 2));
+  return with_border(whole, std::min(wanted, (largest - std::min(largest, longer)) / 2));
 }
 
 }  // namespace
 
-Result<Back> make_back(const Gl& gl, const View& picture, MaterialChoice materials,
+Result<Back> make_back(const Gl& gl, const View& whole, MaterialChoice materials,
                        Features features) {
-  const View view = view_behind(gl, picture);
+  const View view = view_behind(gl, whole);
   Texture z_buffer =
       make_attachment(gl, "back depth buffer", GL_DEPTH_COMPONENT32F, view.width, view.height);
   Result<Visibility> found = make_visibility(gl, {view.width, view.height}, z_buffer, features,

@@ -28,7 +28,7 @@ struct Back {
 };
 
 /// Makes it for an image with this view. Fails if OpenGL lacks memory.
-Result<Back> make_back(const Gl& gl, const View& picture, MaterialChoice materials,
+Result<Back> make_back(const Gl& gl, const View& whole, MaterialChoice materials,
                        Features features);
 
 /// Clears it for a frame.

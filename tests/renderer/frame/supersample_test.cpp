@@ -73,19 +73,19 @@ class ViewOfPart : public testing::TestWithParam<double> {};
 TEST_P(ViewOfPart, MatchesTheImage) {
   Camera camera{{1.0, 2.0, 9.0}, {0.0, 0.5, 0.0}, {0.1, 1.0, 0.0}, 50.0};
   camera.orthographic_height = GetParam();
-  const View picture = make_view(camera, 90, 60, 0.01);
+  const View whole = make_view(camera, 90, 60, 0.01);
   const Raster raster{70, 10, 15, 40, 3};
-  const View part = view_of_part(picture, raster);
+  const View part = view_of_part(whole, raster);
   EXPECT_EQ(part.width, 45U);
   EXPECT_EQ(part.height, 120U);
   for (const glm::dvec2 window :
        {glm::dvec2(0.0), glm::dvec2(45.0, 120.0), glm::dvec2(7.5, 31.5)}) {
-    const glm::dvec2 in_picture = glm::dvec2(70.0, 10.0) + window / 3.0;
+    const glm::dvec2 in_whole = glm::dvec2(70.0, 10.0) + window / 3.0;
     const glm::dvec3 ray = ray_through(part, window);
     // Double precision throughout.
-    EXPECT_LT(glm::distance(ray, ray_through(picture, in_picture)), 1e-14);
+    EXPECT_LT(glm::distance(ray, ray_through(whole, in_whole)), 1e-14);
     const glm::dvec3 start = ray_start(part, window);
-    EXPECT_LT(glm::distance(start, ray_start(picture, in_picture)), 1e-14);
+    EXPECT_LT(glm::distance(start, ray_start(whole, in_whole)), 1e-14);
     const glm::dvec4 clip = part.projection * glm::dvec4(part.rotation * (start + ray), 1.0);
     const glm::dvec2 projected =
         (glm::dvec2(clip) / clip.w + 1.0) * 0.5 * glm::dvec2(part.width, part.height);
@@ -110,12 +110,12 @@ TEST_P(ViewOfPart, MatchesTheImage) {
 TEST_P(ViewOfPart, OfTheWholeImageIsIdentical) {
   Camera camera{{1.0, 2.0, 9.0}, {}, {0.0, 1.0, 0.0}, 50.0};
   camera.orthographic_height = GetParam();
-  const View picture = make_view(camera, 90, 70, 0.01);
-  const View part = view_of_part(picture, {0, 0, 90, 70, 1});
-  EXPECT_EQ(part.projection, picture.projection);
-  EXPECT_EQ(part.middle, picture.middle);
-  EXPECT_EQ(part.slope_x, picture.slope_x);
-  EXPECT_EQ(part.slope_y, picture.slope_y);
+  const View whole = make_view(camera, 90, 70, 0.01);
+  const View part = view_of_part(whole, {0, 0, 90, 70, 1});
+  EXPECT_EQ(part.projection, whole.projection);
+  EXPECT_EQ(part.middle, whole.middle);
+  EXPECT_EQ(part.slope_x, whole.slope_x);
+  EXPECT_EQ(part.slope_y, whole.slope_y);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ViewOfPart, testing::Values(0.0, 7.0), [](const auto& height) {

@@ -57,12 +57,12 @@ RenderSettings close_up(const PatchModel& model) {
 }
 
 /// A scene in the split view, and in the materials that it is made of.
-struct Pictures {
+struct Images {
   Image split;
   Image lit;
   Image mirror;
 
-  Pictures(const PatchModel& model, RenderSettings settings) {
+  Images(const PatchModel& model, RenderSettings settings) {
     settings.material = Material::Split;
     split = must_render(model, settings).image;
     settings.material = Material::Lit;
@@ -74,16 +74,16 @@ struct Pictures {
 
 /// How many pixels show each quarter; they are compared with `images` on the way. The samples are
 /// looked up where the image says that it is.
-std::array<std::size_t, 5> expect_quarters(const Pictures& pictures, const std::string& what) {
-  const Image& split = pictures.split;
+std::array<std::size_t, 5> expect_quarters(const Images& images, const std::string& what) {
+  const Image& split = images.split;
   std::array<std::size_t, 5> counts{};
   std::size_t wrong = 0;
   for (std::size_t k = 0; k < values(split, "A").size(); ++k) {
     if (values(split, "A")[k] < 1.0F) continue;
     const Quarter quarter = quarter_of(split, k);
     ++counts[static_cast<std::size_t>(quarter)];
-    const glm::vec3 lit = split_colour(pictures.lit, k);
-    const glm::vec3 mirror = split_colour(pictures.mirror, k);
+    const glm::vec3 lit = split_colour(images.lit, k);
+    const glm::vec3 mirror = split_colour(images.mirror, k);
     const auto patch = static_cast<std::uint32_t>(values(split, "patch")[k]);
     const glm::vec2 uv(values(split, "UV.U")[k], values(split, "UV.V")[k]);
     const glm::vec3 expected = quarter == Quarter::Line     ? glm::vec3(1.0F)
@@ -109,11 +109,11 @@ TEST(SplitView, QuartersMatchImagesOfTheirMaterials) {
     if (way.interpolation == Interpolation::Direct) continue;  // finds places, as the other does
     settings.primitive = way.primitive;
     settings.interpolation = way.interpolation;
-    for (const std::size_t count : expect_quarters(Pictures(model, settings), way.name))
+    for (const std::size_t count : expect_quarters(Images(model, settings), way.name))
       EXPECT_GT(count, 200U) << way.name;
   }
   settings.engine = "raytrace";
-  for (const std::size_t count : expect_quarters(Pictures(model, settings), "raytrace"))
+  for (const std::size_t count : expect_quarters(Images(model, settings), "raytrace"))
     EXPECT_GT(count, 200U) << "raytrace";
 }
 
@@ -124,7 +124,7 @@ TEST(SplitView, HasTheSameQuartersInOrthographicImages) {
   settings.pixels_per_sample = 0.0;
   for (const std::string_view engine : {"onepass", "raytrace"}) {
     settings.engine = engine;
-    for (const std::size_t count : expect_quarters(Pictures(model, settings), "orthographic"))
+    for (const std::size_t count : expect_quarters(Images(model, settings), "orthographic"))
       EXPECT_GT(count, 200U);
   }
 }
@@ -135,7 +135,7 @@ TEST(SplitView, HasALineOfOnePixelWhereTheMiddleIsAPixels) {
   settings.pixels_per_sample = 0.0;
   settings.width = 121;
   settings.height = 97;
-  const auto counts = expect_quarters(Pictures(model, settings), "odd");
+  const auto counts = expect_quarters(Images(model, settings), "odd");
   EXPECT_EQ(counts[static_cast<std::size_t>(Quarter::Line)], 121U + 97U - 1U);
 }
 
@@ -143,7 +143,7 @@ TEST(SplitView, SharesAnImageWithOtherMaterials) {
   PatchModel model = split_bumpy_sphere();
   RenderSettings settings = close_up(model);
   settings.pixels_per_sample = 0.0;
-  Pictures pictures(model, settings);
+  Images images(model, settings);
   for (std::size_t k = 0; k < model.patches.size(); ++k)
     model.patches[k].material = static_cast<std::uint8_t>(k % 2);
   // Glass has a part in the variant; which environment and colours are read stays the same.
@@ -155,14 +155,14 @@ TEST(SplitView, SharesAnImageWithOtherMaterials) {
     const auto patch = static_cast<std::uint32_t>(values(mixed, "patch")[k]);
     if (patch == 0 || model.patches[patch - 1].material != 0) continue;
     ++seen;
-    if (glm::distance(split_colour(mixed, k), split_colour(pictures.split, k)) > 2e-3F) ++different;
+    if (glm::distance(split_colour(mixed, k), split_colour(images.split, k)) > 2e-3F) ++different;
   }
   EXPECT_GT(seen, 1000U);
   EXPECT_EQ(different, 0U);
 }
 
 TEST(SplitView, PartsOfAnImageAgree) {
-  const View picture = make_view({{1, 2, 3}, {0, 0, 0}, {0, 1, 0}, 45.0}, 80, 60, 0.1);
+  const View whole = make_view({{1, 2, 3}, {0, 0, 0}, {0, 1, 0}, 45.0}, 80, 60, 0.1);
   const glm::vec3 red(1, 0, 0);
   const glm::vec3 green(0, 1, 0);
   const glm::vec3 blue(0, 0, 1);
@@ -171,7 +171,7 @@ TEST(SplitView, PartsOfAnImageAgree) {
     return shared::split_view(make_frame(view, 0.0, {}), ray, red, green, blue);
   };
   // A part right of and above the middle, with four samples along a pixel's side.
-  const View part = view_of_part(picture, {42, 10, 20, 40, 4});
+  const View part = view_of_part(whole, {42, 10, 20, 40, 4});
   for (std::uint32_t y = 0; y < part.height; ++y) {
     const double row = 10.0 + (y + 0.5) / 4.0;
     const glm::vec3 expected = std::abs(row - 30.0) < 0.75 / 4.0 ? glm::vec3(1.0F)
@@ -179,8 +179,8 @@ TEST(SplitView, PartsOfAnImageAgree) {
                                                                  : 0.5F * (red + green);
     EXPECT_EQ(look(part, {7.5, y + 0.5}), expected) << y;
   }
-  EXPECT_EQ(look(picture, {10.5, 10.5}), blue);
-  EXPECT_EQ(look(picture, {10.5, 50.5}), red);
+  EXPECT_EQ(look(whole, {10.5, 10.5}), blue);
+  EXPECT_EQ(look(whole, {10.5, 50.5}), red);
 }
 
 TEST(SplitView, SamplesAreDiscsOverTheirPatch) {

@@ -48,9 +48,9 @@ RenderSettings looking(glm::dvec3 eye, glm::dvec3 target) {
 }
 
 std::vector<std::uint32_t> chosen_by(const std::vector<TreeTile>& tiles,
-                                     const std::vector<RenderSettings>& pictures,
+                                     const std::vector<RenderSettings>& views,
                                      const std::vector<Transform>& places = {Transform()}) {
-  return choose_tiles(tiles, onlookers_of(pictures, places, PatchModel()));
+  return choose_tiles(tiles, onlookers_of(views, places, PatchModel()));
 }
 
 /// Each place of the square that is seen is in one chosen tile.
@@ -182,9 +182,9 @@ TEST(PatchesInView, ImagesOfPartsAreThoseOfTheWhole) {
     settings.camera.vertical_fov_degrees = degrees;
     settings.outputs = test::all_outputs();
     settings.outputs.patch_id = false;  // counts what was read
-    const std::vector<RenderSettings> pictures{settings};
+    const std::vector<RenderSettings> views{settings};
     const std::vector<Transform> places(1);
-    const auto read = read_in_view(*tree, onlookers_of(pictures, places, whole), progress);
+    const auto read = read_in_view(*tree, onlookers_of(views, places, whole), progress);
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_LT(read->model.patches.size(), degrees < 10.0 ? 80U : 385U);
     EXPECT_EQ(read->samples, count_samples(read->model));

@@ -104,7 +104,7 @@ TEST(SplatLevels, ImagesAreRefinedWhileTimeRemains) {
   for (const double budget : {1e-9, 1e9}) {
     settings.ewa.time_budget_ms = budget;
     std::vector<std::uint32_t> shown;
-    const auto show = [&shown](const RenderResult& picture) { shown.push_back(*picture.level); };
+    const auto show = [&shown](const RenderResult& image) { shown.push_back(*image.level); };
     const auto last = render_progressive(hierarchy, environments, settings, show, silent);
     ASSERT_TRUE(last);
     // Radii of 0.6 pixels, or 1.2, 2.5 and 5.

@@ -214,19 +214,19 @@ TEST_P(Multipass, ViewsAndEnginesDoNotDisturbEachOther) {
   views[1].engine = "onepass";
   views[2].outputs = test::all_outputs();
   Progress silent;
-  std::vector<Image> pictures(views.size());
+  std::vector<Image> results(views.size());
   ASSERT_TRUE(render_views(
       RenderModel::of(model), views,
-      [&pictures](std::size_t view, const RenderResult& picture) {
-        pictures[view] = picture.image;
+      [&results](std::size_t view, const RenderResult& result) {
+        results[view] = result.image;
         return Status();
       },
       silent));
   for (std::size_t i = 0; i < views.size(); ++i) {
     const Image alone = must_render(model, views[i]).image;
-    ASSERT_EQ(pictures[i].channels.size(), alone.channels.size());
+    ASSERT_EQ(results[i].channels.size(), alone.channels.size());
     for (std::size_t c = 0; c < alone.channels.size(); ++c)
-      EXPECT_EQ(pictures[i].channels[c].values, alone.channels[c].values);
+      EXPECT_EQ(results[i].channels[c].values, alone.channels[c].values);
   }
 }
 
