@@ -1,4 +1,4 @@
-// Meshes and points in their places in a scene, put together.
+// The meshes and points of a scene, moved to where they stand, as one.
 #pragma once
 
 #include <vector>

@@ -11,8 +11,8 @@ bool same_object(const Explanation::Memory& a, const Explanation::Memory& b) {
   return a.name == b.name && a.bytes == b.bytes && a.target == b.target;
 }
 
-/// Objects have no other identity than what is told of them: of those that look alike there are as
-/// many as the one that has more says.
+/// Objects are known only by their description: of those that look alike there are as many as the
+/// larger of the two counts.
 void unite(Memories& all, const Memories& more) {
   Memories rest = all;
   for (const Explanation::Memory& memory : more) {

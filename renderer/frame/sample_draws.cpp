@@ -39,7 +39,7 @@ VertexArray make_vertices(const Gl& gl, const PatchStore& store, bool cells,
   add_attribute(RELIEF_ATTRIBUTE_PATCH, 0);
   if (cells) {
     add_attribute(RELIEF_ATTRIBUTE_CORNER, sizeof(glm::uvec2::value_type));
-    gl.VertexArrayVertexBuffer(id, 0, store.cells->places.id(), 0, sizeof(glm::uvec2));
+    gl.VertexArrayVertexBuffer(id, 0, store.cells->positions.id(), 0, sizeof(glm::uvec2));
   } else {
     gl.VertexArrayVertexBuffer(id, 0, store.indices->id(), 0, sizeof(std::uint32_t));
   }

@@ -20,12 +20,11 @@ std::uint32_t byte_of(std::uint32_t packed, std::uint32_t side) {
 
 CellNodes::CellNodes(const Patch& patch, const PatchSamples& samples)
     : heights_(patch), samples_(samples), records_(heights_.size(), nullptr) {
-  for (const SampleRecord& record : samples.records) records_[index(place_of(record))] = &record;
+  for (const SampleRecord& record : samples.records) records_[index(node_of(record))] = &record;
 }
 
-glm::uvec2 CellNodes::place_of(const SampleRecord& record) {
-  return {record.place & shared::kNodeMask,
-          (record.place >> shared::kRowShift) & shared::kNodeMask};
+glm::uvec2 CellNodes::node_of(const SampleRecord& record) {
+  return {record.node & shared::kNodeMask, (record.node >> shared::kRowShift) & shared::kNodeMask};
 }
 
 bool CellNodes::has_four(glm::uvec2 node) const {
@@ -43,7 +42,7 @@ bool CellNodes::is_cell(glm::uvec2 node) const {
 }
 
 bool CellNodes::is_border(std::size_t k) const {
-  return (records_[k]->place & shared::kBorderBit) != 0;
+  return (records_[k]->node & shared::kBorderBit) != 0;
 }
 
 float CellNodes::steepness(std::size_t k) const {
@@ -52,7 +51,7 @@ float CellNodes::steepness(std::size_t k) const {
 }
 
 std::uint32_t CellNodes::closed_reach(const SampleRecord& record) const {
-  const float cosine = 1.0F / steepness(index(place_of(record)));
+  const float cosine = 1.0F / steepness(index(node_of(record)));
   std::uint32_t packed = 0;
   for (std::uint32_t side = 0; side < 4; ++side) {
     const float gap = shared::kGapStep * static_cast<float>(byte_of(record.gap, side));
@@ -64,7 +63,7 @@ std::uint32_t CellNodes::closed_reach(const SampleRecord& record) const {
 }
 
 float CellNodes::off_edges(const SampleRecord& record) const {
-  const std::size_t k = index(place_of(record));
+  const std::size_t k = index(node_of(record));
   const glm::vec2 slope = slope_of(record);
   float most = 0.0F;
   for (std::uint32_t side = 0; side < 4; ++side) {

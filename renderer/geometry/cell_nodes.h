@@ -18,7 +18,7 @@ class CellNodes {
  public:
   CellNodes(const Patch& patch, const PatchSamples& samples);
 
-  [[nodiscard]] static glm::uvec2 place_of(const SampleRecord& record);
+  [[nodiscard]] static glm::uvec2 node_of(const SampleRecord& record);
 
   [[nodiscard]] std::size_t index(glm::uvec2 node) const { return heights_.index(node.x, node.y); }
 

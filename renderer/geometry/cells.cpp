@@ -41,9 +41,9 @@ std::uint32_t make_run(const CellNodes& nodes, glm::uvec2 corner, glm::uvec2 fir
   }
   const auto set_back = static_cast<std::uint32_t>(
       std::lround(shared::kBorderSetBack * steepest / shared::kSetBackStep));
-  const glm::uvec2 place = first - corner;
-  return place.x | (place.y << shared::kPlaceBits) | (cells << (2 * shared::kPlaceBits)) |
-         (set_back << shared::kSetBackShift);
+  const glm::uvec2 position = first - corner;
+  return position.x | (position.y << shared::kNodeInPartBits) |
+         (cells << (2 * shared::kNodeInPartBits)) | (set_back << shared::kSetBackShift);
 }
 
 /// Appends the runs, of at most `most` cells, of a part's cells in row j that `is_drawn` accepts,
@@ -106,10 +106,10 @@ CellPart make_part(const Patch& patch, const std::vector<std::uint8_t>& whole,
 PatchCells make_cells_alone(const Patch& patch, const std::vector<std::uint8_t>& whole,
                             const CellNodes& nodes, float height_step) {
   assert(patch.width <= kMaxPatchSide && patch.height <= kMaxPatchSide && "as its type says");
-  static_assert(shared::kPartCells + 1 <= 1U << shared::kPlaceBits &&
+  static_assert(shared::kPartCells + 1 <= 1U << shared::kNodeInPartBits &&
                     shared::kPartCells % shared::kRunCells == 0 &&
                     shared::kRunCells <= shared::kRunCellsMask,
-                "a run's place and length fit their bits, and parts are whole runs wide");
+                "a run's position and length fit their bits, and parts are whole runs wide");
   PatchCells cells;
   for (std::uint32_t j = 0; j < patch.height; ++j) add_row(patch, j, cells);
   cells.rows.push_back({});
@@ -131,11 +131,11 @@ void add_rims(const Patch& patch, const CellNodes& nodes, const PatchSamples& sa
   const std::uint32_t columns = part_counts(patch).x;
   for (const SampleRecord& record : samples.records) {
     if (!has_rim(record)) continue;
-    const glm::uvec2 node = CellNodes::place_of(record);
+    const glm::uvec2 node = CellNodes::node_of(record);
     const glm::uvec2 part = node / shared::kPartCells;
-    const glm::uvec2 place = node - part * shared::kPartCells;
+    const glm::uvec2 position = node - part * shared::kPartCells;
     cells.parts[std::size_t{part.y} * columns + part.x].rims.push_back(
-        {place.x | (place.y << shared::kPlaceBits) | (record.shape & 0xFFFF0000U),
+        {position.x | (position.y << shared::kNodeInPartBits) | (record.shape & 0xFFFF0000U),
          nodes.closed_reach(record)});
   }
   for (CellPart& part : cells.parts) {
@@ -157,10 +157,10 @@ PatchCells make_cells(const Patch& patch, const PatchSamples& samples) {
   const CellNodes nodes(patch, samples);
   PatchCells cells = make_cells_alone(patch, {}, nodes, samples.height_step);
   add_rims(patch, nodes, samples, cells, [&](const SampleRecord& record) {
-    const bool border = (record.place & shared::kBorderBit) != 0;
+    const bool border = (record.node & shared::kBorderBit) != 0;
     assert((!border || record.gap == 0) && "margins of border splats are in their reaches");
     return border ||
-           nodes.beside_jump(CellNodes::place_of(record), [](glm::uvec2) { return true; }) ||
+           nodes.beside_jump(CellNodes::node_of(record), [](glm::uvec2) { return true; }) ||
            nodes.off_edges(record) > shared::kCrease;
   });
   return without_empty_parts(std::move(cells));
@@ -176,7 +176,7 @@ PatchCells make_cells(const PatchLevel& level, const PatchSamples& samples) {
     return level.whole[std::size_t{node.y} * level.grid.width + node.x] != 0;
   };
   add_rims(level.grid, nodes, samples, cells, [&](const SampleRecord& record) {
-    return nodes.beside_jump(CellNodes::place_of(record), is_whole);
+    return nodes.beside_jump(CellNodes::node_of(record), is_whole);
   });
   return without_empty_parts(std::move(cells));
 }

@@ -21,10 +21,10 @@ struct CellRow {
 };
 
 /// The splat of a sample at a border or beside a jump to another sheet, or of one whose plane is
-/// off the cells by more than shared::kCrease: as in SampleRecord but that its place is in the
-/// part, its height is found by that, and the margins that close its gaps are in its reaches.
+/// off the cells by more than shared::kCrease: as in SampleRecord but that its node is counted in
+/// the part, its height is found by that, and the margins that close its gaps are in its reaches.
 struct RimRecord {
-  std::uint32_t place = 0;  ///< column, row, slopes: a byte each
+  std::uint32_t node = 0;  ///< column, row, slopes: a byte each
   std::uint32_t reach = 0;
 };
 

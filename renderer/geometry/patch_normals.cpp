@@ -20,8 +20,8 @@ AttributeMap<glm::i16vec2> normals_of_heights(const Patch& patch) {
   std::vector<std::uint8_t> kept(patch.heights.size(), 0);
   const PatchSamples samples = make_samples(patch);
   for (const SampleRecord& record : samples.records) {
-    const std::uint32_t i = record.place & shared::kNodeMask;
-    const std::uint32_t j = (record.place >> shared::kRowShift) & shared::kNodeMask;
+    const std::uint32_t i = record.node & shared::kNodeMask;
+    const std::uint32_t j = (record.node >> shared::kRowShift) & shared::kNodeMask;
     const glm::i8vec2 steps(glm::u8vec2(record.shape >> 16U, record.shape >> 24U));
     const glm::vec2 slope = samples.slope_step * glm::vec2(steps);
     const std::size_t k = std::size_t{j} * patch.width + i;

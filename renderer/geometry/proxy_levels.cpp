@@ -38,8 +38,8 @@ struct CubeHash {
   }
 };
 
-/// Samples that become one vertex: their sums, places from the middle of the model, and how far
-/// from the middle of their cube the one is whose place the vertex has.
+/// Samples that become one vertex: their sums, positions from the middle of the model, and how far
+/// from the middle of their cube the one is whose position the vertex has.
 struct Cluster {
   ProxyVertex sum;
   glm::dmat3 normals{0.0};  ///< n n^T
@@ -56,15 +56,15 @@ class CubeGrid {
 
   /// The number of the cluster that this one goes into.
   std::uint32_t add(const Cluster& finer) {
-    const glm::dvec3 place = finer.sum.position / (finer.count * spacing_);
-    const glm::dvec3 low = glm::floor(place);
-    const double away = glm::distance(place, low + 0.5);
+    const glm::dvec3 cell = finer.sum.position / (finer.count * spacing_);
+    const glm::dvec3 low = glm::floor(cell);
+    const double away = glm::distance(cell, low + 0.5);
     const std::uint32_t number = find(low, finer);
     Cluster& cluster = clusters_[number];
     if (cluster.count == 0.0 || away < cluster.away) {
       cluster.away = away;
       cluster.sum.patch = finer.sum.patch;
-      cluster.sum.place = finer.sum.place;
+      cluster.sum.uv = finer.sum.uv;
     }
     cluster.sum.position += finer.sum.position;
     cluster.sum.normal += finer.sum.normal;

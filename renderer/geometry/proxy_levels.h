@@ -19,7 +19,7 @@ struct ProxyVertex {
   glm::vec3 normal{0.0F};   ///< the mean of unit vectors: shorter the more they differ
   glm::vec3 colour{0.0F};   ///< linear
   std::uint32_t patch = 0;  ///< of one of the samples: in the run of patches
-  glm::vec2 place{0.0F};    ///< grid coordinates of that sample
+  glm::vec2 uv{0.0F};       ///< grid coordinates of that sample
 };
 
 /// A model as a mesh whose vertices are about `spacing` apart.

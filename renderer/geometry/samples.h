@@ -12,7 +12,7 @@ namespace relief {
 /// One sample, packed as shaders/include/shared.h says. It holds all that the vertex stage needs,
 /// which thus reads no map: llvmpipe runs it on one thread.
 struct SampleRecord {
-  std::uint32_t place = 0;  ///< column, row, border flag
+  std::uint32_t node = 0;   ///< column, row, border flag
   std::uint32_t shape = 0;  ///< height index, slopes
   std::uint32_t reach = 0;  ///< toward -x, +x, -y, +y: a byte each, in steps of kReachStep
   std::uint32_t gap = 0;    ///< there, in steps of kGapStep

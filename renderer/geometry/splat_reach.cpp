@@ -17,14 +17,15 @@ namespace {
 constexpr float kLowestRay = 0.58F;  // tan 30 degrees
 constexpr float kLargestFixedMargin = 0.5F;
 
-// Planes that part by less than this where neighbours are half-way, in cells, need no other place:
-// the spike would be as small, and a place found from smaller steps would be that of the noise.
+// Planes that part by less than this where neighbours are half-way, in cells, need no other
+// position: the spike would be as small, and a position found from smaller steps would be that of
+// the noise.
 constexpr float kMinStep = 0.1F;
 
 /// Where the planes of two neighbours meet, from the first (0) to the second (1), and by how much
 /// they part there, in cells.
 struct Meeting {
-  float place = 0.5F;
+  float position = 0.5F;
   float gap = 0.0F;
   bool exists = false;  ///< both are samples
 };
@@ -72,14 +73,14 @@ class ReachFinder {
     const float turn = slopes_.at(k)[axis] - second;
     const float lead = rise - second;
     const float half_way = 0.5F * turn - lead;
-    float place = 0.5F;
+    float position = 0.5F;
     if (std::abs(half_way) > kMinStep && turn != 0.0F) {
-      // The place nearest to the middle where they part by no more, if there is one between the
+      // The position nearest to the middle where they part by no more, if there is one between the
       // two.
       const float meeting = (std::copysign(kMinStep, half_way) + lead) / turn;
-      if (meeting >= 0.0F && meeting <= 1.0F) place = meeting;
+      if (meeting >= 0.0F && meeting <= 1.0F) position = meeting;
     }
-    return {place, std::abs(turn * place - lead), true};
+    return {position, std::abs(turn * position - lead), true};
   }
 
   [[nodiscard]] glm::vec4 reach_to_meetings(std::size_t k) const {
@@ -89,23 +90,23 @@ class ReachFinder {
       const float to_hole = 0.5F / std::sqrt(1.0F + slope * slope);
       const Meeting& before = meetings_[axis][k - step(axis)];
       const Meeting& after = meetings_[axis][k];
-      reach[side(axis, false)] = before.exists ? 1.0F - before.place : to_hole;
-      reach[side(axis, true)] = after.exists ? after.place : to_hole;
+      reach[side(axis, false)] = before.exists ? 1.0F - before.position : to_hole;
+      reach[side(axis, true)] = after.exists ? after.position : to_hole;
     }
     return reach;
   }
 
-  /// The four rectangles of a cell with places b, t of its bottom and top edge and l, r of its left
-  /// and right one leave (b, t) x (l, r) open if they turn about it like a pinwheel.
+  /// The four rectangles of a cell with positions b, t of its bottom and top edge and l, r of its
+  /// left and right one leave (b, t) x (l, r) open if they turn about it like a pinwheel.
   void close_pinhole(std::size_t cell) {
     const std::array<std::size_t, 4> nodes{cell, cell + 1, cell + stride_, cell + stride_ + 1};
     for (const std::size_t node : nodes) {
       if (!heights_.valid(node)) return;
     }
-    const float b = meetings_[0][cell].place;
-    const float t = meetings_[0][cell + stride_].place;
-    const float l = meetings_[1][cell].place;
-    const float r = meetings_[1][cell + 1].place;
+    const float b = meetings_[0][cell].position;
+    const float t = meetings_[0][cell + stride_].position;
+    const float l = meetings_[1][cell].position;
+    const float r = meetings_[1][cell + 1].position;
     if ((t - b) * (l - r) <= 0.0F) return;
     // Going on along x, nodes 0 and 3 close it if b < t, nodes 1 and 2 otherwise; along y the other
     // two.
@@ -130,8 +131,8 @@ class ReachFinder {
   /// Spread of the planes of a cell's samples where its edges' meetings say that they meet (cells).
   [[nodiscard]] float corner_gap(std::size_t cell) const {
     const auto mean = [](const Meeting& a, const Meeting& b) {
-      if (!a.exists) return b.place;
-      return b.exists ? 0.5F * (a.place + b.place) : a.place;
+      if (!a.exists) return b.position;
+      return b.exists ? 0.5F * (a.position + b.position) : a.position;
     };
     const glm::vec2 middle(mean(meetings_[0][cell], meetings_[0][cell + stride_]),
                            mean(meetings_[1][cell], meetings_[1][cell + 1]));

@@ -19,12 +19,12 @@ struct SplatReach {
 ///
 /// Between two neighbours each splat ends where their tangent planes meet: half-way on even ground,
 /// but at the crest itself where one side is flat and the other steep; a splat that went half-way
-/// there would stick out as a spike. Where the places in neighbouring rows leave a pinhole between
-/// the four rectangles of a cell, the one that rises least on the way closes it.
+/// there would stick out as a spike. Where the positions in neighbouring rows leave a pinhole
+/// between the four rectangles of a cell, the one that rises least on the way closes it.
 ///
 /// What the planes still part by where they should meet, the gap, a margin must close: a view ray
 /// that approaches both planes by v per cell can't pass between two that both reach gap / (2 v)
-/// beyond that place. The vertex stage adds it for its view (splats.glsl: margins_of).
+/// beyond that position. The vertex stage adds it for its view (splats.glsl: margins_of).
 ///
 /// Toward a hole a splat extends half a spacing along its slope.
 [[nodiscard]] std::vector<SplatReach> find_reaches(const PaddedHeights& heights,

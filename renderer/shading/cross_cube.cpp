@@ -5,16 +5,16 @@ namespace {
 
 /// Where a face of a cube lies in a cross, in faces, and whether it lies there turned by 180
 /// degrees.
-struct CrossPlace {
+struct CrossFace {
   std::size_t column;
   std::size_t row;
   bool turned;
 };
 
 /// The faces +X, -X, +Y, -Y, +Z, -Z of a cross that is four faces wide, or four high.
-constexpr std::array<CrossPlace, 6> kWideCross{
+constexpr std::array<CrossFace, 6> kWideCross{
     {{2, 1, false}, {0, 1, false}, {1, 0, true}, {1, 2, true}, {3, 1, false}, {1, 1, false}}};
-constexpr std::array<CrossPlace, 6> kHighCross{
+constexpr std::array<CrossFace, 6> kHighCross{
     {{2, 1, false}, {0, 1, false}, {1, 0, true}, {1, 2, true}, {1, 3, true}, {1, 1, false}}};
 
 /// Which of six images a face of a cube is: ahead, the fifth, is toward -Z.
@@ -49,9 +49,9 @@ CubeMap cut_cross(const std::vector<glm::vec3>& texels, std::size_t width, std::
   CubeMap cube;
   cube.size = static_cast<std::uint32_t>(size);
   for (std::size_t face = 0; face < 6; ++face) {
-    const CrossPlace& place = (wide ? kWideCross : kHighCross)[face];
-    cube.faces[face] = mirrored(size, place.turned, [&](std::size_t column, std::size_t row) {
-      return texels[(place.row * size + row) * width + place.column * size + column];
+    const CrossFace& spot = (wide ? kWideCross : kHighCross)[face];
+    cube.faces[face] = mirrored(size, spot.turned, [&](std::size_t column, std::size_t row) {
+      return texels[(spot.row * size + row) * width + spot.column * size + column];
     });
   }
   return cube;

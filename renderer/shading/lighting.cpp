@@ -27,7 +27,7 @@ static_assert(kMaxLights == shared::kMaxLights && kMaxLight == shared::kBrightes
 void set_camera_lights(shared::Frame& frame, const View& view) {
   const glm::dmat3 to_world = glm::transpose(view.rotation);
   for (std::size_t i = 0; i < kCameraLights.size(); ++i) {
-    frame.light_place[i] =
+    frame.light_position[i] =
         glm::vec4(glm::dvec4(to_world * glm::normalize(kCameraLights[i].direction), 0.0));
     frame.light_colour[i] = glm::vec4(kCameraLights[i].colour, 0.0F);
   }
@@ -46,8 +46,8 @@ void set_lights(shared::Frame& frame, const View& view, const Lights& lights) {
   for (std::size_t i = 0; i < lights.list.size(); ++i) {
     const Light& light = lights.list[i];
     const bool is_point = light.kind == LightKind::Point;
-    const glm::dvec3 place = is_point ? light.position - view.eye : light.position;
-    frame.light_place[i] = glm::vec4(glm::dvec4(place, is_point ? 1.0 : 0.0));
+    const glm::dvec3 toward = is_point ? light.position - view.eye : light.position;
+    frame.light_position[i] = glm::vec4(glm::dvec4(toward, is_point ? 1.0 : 0.0));
     frame.light_colour[i] = glm::vec4(light.colour, 0.0F);
   }
 }

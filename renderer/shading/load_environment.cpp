@@ -78,9 +78,9 @@ struct Panorama {
   /// Bilinear, from a direction of length 1.
   [[nodiscard]] glm::vec3 look_up(glm::dvec3 d) const {
     const double pi = glm::pi<double>();
-    const glm::dvec2 place(0.5 + std::atan2(d.x, -d.z) / (2.0 * pi),
-                           std::acos(std::clamp(d.y, -1.0, 1.0)) / pi);
-    const glm::dvec2 at_texel = place * glm::dvec2(width, height) - 0.5;
+    const glm::dvec2 position(0.5 + std::atan2(d.x, -d.z) / (2.0 * pi),
+                              std::acos(std::clamp(d.y, -1.0, 1.0)) / pi);
+    const glm::dvec2 at_texel = position * glm::dvec2(width, height) - 0.5;
     const glm::dvec2 corner = glm::floor(at_texel);
     const glm::vec2 part(at_texel - corner);
     const auto x = static_cast<std::int64_t>(corner.x);
@@ -94,18 +94,18 @@ struct Panorama {
 template <class LookUp>
 CubeMap resample(std::uint32_t texels, const LookUp& look_up) {
   const std::uint32_t size = std::bit_ceil(std::clamp(texels, kSmallestFace, kLargestFace));
-  // Where the image is finer than the largest face, a texel is the mean of places within it.
-  const int places = std::max(static_cast<int>((texels + size - 1) / size), 1);
+  // Where the image is finer than the largest face, a texel is the mean of positions within it.
+  const int positions = std::max(static_cast<int>((texels + size - 1) / size), 1);
   return make_cube(size, [&](std::size_t face, glm::dvec2 st) {
     glm::vec3 sum(0.0F);
-    for (int v = 0; v < places; ++v) {
-      for (int u = 0; u < places; ++u) {
-        const glm::dvec2 within = (glm::dvec2(u, v) + 0.5) / static_cast<double>(places) - 0.5;
+    for (int v = 0; v < positions; ++v) {
+      for (int u = 0; u < positions; ++u) {
+        const glm::dvec2 within = (glm::dvec2(u, v) + 0.5) / static_cast<double>(positions) - 0.5;
         sum += look_up(
             glm::normalize(cube_direction(face, st + within * 2.0 / static_cast<double>(size))));
       }
     }
-    return sum / static_cast<float>(places * places);
+    return sum / static_cast<float>(positions * positions);
   });
 }
 

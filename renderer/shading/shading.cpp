@@ -49,7 +49,7 @@ glm::vec3 shade(const Lighting& lighting, std::size_t material, const SeenSurfac
   const auto facing = [&surface] { return shared::facing_normal(surface.normal, surface.ray); };
   const auto lit = [&] {
     return shared::lit(lighting.frame, lighting.lights, surface.albedo, facing(), surface.ray,
-                       surface.place);
+                       surface.position);
   };
   const auto mirror = [&] {
     assert(own.cube != nullptr && "a mirror has something to reflect");
@@ -64,7 +64,7 @@ glm::vec3 shade(const Lighting& lighting, std::size_t material, const SeenSurfac
       return mirror();
     case Material::Split:
       return shared::split_view(
-          lighting.frame, lighting.frame.ray_along.w > 0.0F ? surface.place : surface.ray, lit(),
+          lighting.frame, lighting.frame.ray_along.w > 0.0F ? surface.position : surface.ray, lit(),
           mirror(), shared::stored_samples(surface.uv, surface.patch - 1));
     case Material::Glass:
       assert(own.cube != nullptr && "glass has something to refract");

@@ -38,12 +38,12 @@ Result<Lighting> make_lighting(const RenderSettings& settings, const View& view,
 
 /// A surface as it is seen. World frame.
 struct SeenSurface {
-  glm::vec3 albedo{0.0F};   ///< linear
-  glm::vec3 normal{0.0F};   ///< unit
-  glm::vec3 ray{0.0F};      ///< unit, from the eye
-  glm::vec3 place{0.0F};    ///< from the eye; only point lights ask for it
-  glm::vec2 uv{0.0F};       ///< grid coordinates; only Split asks for them and for the patch
-  std::uint32_t patch = 1;  ///< patch id + 1
+  glm::vec3 albedo{0.0F};    ///< linear
+  glm::vec3 normal{0.0F};    ///< unit
+  glm::vec3 ray{0.0F};       ///< unit, from the eye
+  glm::vec3 position{0.0F};  ///< from the eye; only point lights ask for it
+  glm::vec2 uv{0.0F};        ///< grid coordinates; only Split asks for them and for the patch
+  std::uint32_t patch = 1;   ///< patch id + 1
 };
 
 /// The light that it sends to the eye if it has that material (as material_of).

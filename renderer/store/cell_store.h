@@ -56,7 +56,7 @@ struct CellPage {
 struct CellStore {
   std::vector<StoredPart> parts;
   std::vector<CellPage> pages;
-  Buffer places;  ///< per part the two per-instance attributes, patch and corner
+  Buffer positions;  ///< per part the two per-instance attributes, patch and corner
 };
 
 /// Collects the cells of patches in the order of the model and uploads them page by page.

@@ -20,7 +20,7 @@ shared::PatchInfo info_of(const Patch& patch, const Grid& grid) {
   return info;
 }
 
-glm::ivec4 place_of(const AtlasSpot& spot, std::int32_t scale) {
+glm::ivec4 map_position(const AtlasSpot& spot, std::int32_t scale) {
   return {spot.x, spot.y, spot.layer, scale};
 }
 
@@ -41,17 +41,17 @@ WholePatches whole_patches(const PatchModel& model, std::span<const Grid> grids)
   return whole;
 }
 
-/// Where the maps of whole patches are, in the cells of each level: `place` is the member for them,
-/// `scale` the texels per cell.
+/// Sets where the maps of whole patches are, in the cells of each level: `map` is the member for
+/// them, `scale` the texels per cell.
 template <class Scale>
-void note_places(const WholePatches& whole, const std::vector<AtlasSpot>& spots,
-                 glm::ivec4 shared::PatchInfo::*place, const Scale& scale,
-                 std::vector<Grid>& grids) {
+void set_map_positions(const WholePatches& whole, const std::vector<AtlasSpot>& spots,
+                       glm::ivec4 shared::PatchInfo::*map, const Scale& scale,
+                       std::vector<Grid>& grids) {
   for (std::size_t k = 0; k < grids.size(); ++k) {
     const std::size_t patch = whole.of_grids[k];
     const std::int32_t texels = scale(*whole.patches[patch]) << grids[k].level;
     const std::int32_t before = grids[k].level > 0 ? texels : 0;  // it begins at node (1, 1)
-    grids[k].info.*place = place_of(spots[patch], texels) - glm::ivec4(before, before, 0, 0);
+    grids[k].info.*map = map_position(spots[patch], texels) - glm::ivec4(before, before, 0, 0);
   }
 }
 
@@ -93,23 +93,23 @@ Result<GridMaps> GridUpload::make_maps() {
     for (const Grid& grid : grids_) nodes.push_back(grid.nodes);
     RELIEF_TRY_ASSIGN(MapArray maps, upload_heights(gl_, nodes));
     for (std::size_t k = 0; k < grids_.size(); ++k)
-      grids_[k].info.heights = place_of(maps.spots[k], 0);
+      grids_[k].info.heights = map_position(maps.spots[k], 0);
     made.heights = std::move(maps.texture);
   }
   const WholePatches whole = whole_patches(model_, grids_);
   if (needs_.normals) {
     RELIEF_TRY_ASSIGN(MapArray maps, upload_normals(gl_, whole.patches));
-    note_places(whole, maps.spots, &shared::PatchInfo::normals, normal_scale, grids_);
+    set_map_positions(whole, maps.spots, &shared::PatchInfo::normals, normal_scale, grids_);
     made.normals = std::move(maps.texture);
   }
   if (needs_.colours) {
     RELIEF_TRY_ASSIGN(MapArray maps, upload_colours(gl_, whole.patches));
-    note_places(whole, maps.spots, &shared::PatchInfo::colours, colour_scale, grids_);
+    set_map_positions(whole, maps.spots, &shared::PatchInfo::colours, colour_scale, grids_);
     made.colours = std::move(maps.texture);
   }
   if (needs_.masks && !coarser_.empty()) {
     RELIEF_TRY_ASSIGN(MapArray maps, upload_masks(gl_, whole.patches));
-    note_places(
+    set_map_positions(
         whole, maps.spots, &shared::PatchInfo::masks, [](const Patch&) { return 1; }, grids_);
     made.masks = std::move(maps.texture);
   }

@@ -122,7 +122,7 @@ MipRoom room_for(std::uint32_t finest, bool fine) {
   if (!fine) return {};
   const std::uint32_t levels =
       static_cast<std::uint32_t>(std::bit_width(finest - 1)) + kLevelsBeyondCells;
-  // At the coarsest level half a texel, which is what a bilinear lookup sees beyond a place.
+  // At the coarsest level half a texel, which is what a bilinear lookup sees beyond a position.
   return {levels, 1U << (levels - 1)};
 }
 

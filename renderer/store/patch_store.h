@@ -58,24 +58,24 @@ struct StoredLevels {
   std::uint32_t count = 0;
 };
 
-/// A instance of the model; one without instances is a single one.
+/// An instance of the model; one without instances is a single one.
 struct StoredInstance {
   Proxy model;              ///< world
   std::uint32_t first = 0;  ///< in PatchStore::levels
   std::uint32_t count = 0;  ///< 0 where every view draws it from afar
   /// What stands for it, if some view draws it from afar.
-  struct Far {
+  struct StoredProxy {
     std::uint32_t mesh = 0;    ///< in ProxyStore::meshes
-    std::uint32_t patch = 0;   ///< what PatchStore::patches says of its frame
+    std::uint32_t patch = 0;   ///< of its frame in PatchStore::patches
     std::uint32_t number = 0;  ///< in ProxyStore::patches
   };
-  std::optional<Far> far;
+  std::optional<StoredProxy> proxy;
   bool is_mirrored = false;  ///< fronts and backs change places
   std::optional<Body> body;  ///< if it is known to be closed and some view makes use of that
 
   /// Whether the view draws it from afar.
   [[nodiscard]] bool is_proxy_in(const View& view) const {
-    return far && (count == 0 || is_proxy(view, model));
+    return proxy && (count == 0 || is_proxy(view, model));
   }
 };
 
@@ -90,13 +90,13 @@ struct PatchStore {
   std::optional<Table> bodies;    ///< R32F: diameter of the sphere about the model that it belongs
                                   ///< to (world units), parallel to `patches`
   std::optional<Buffer> indices;  ///< 0, 1, 2 ...: the per-instance attribute that names the patch;
-                                  ///< cells alone have CellStore::places instead
+                                  ///< cells alone have CellStore::positions instead
   std::optional<Texture> heights;
   std::optional<Texture> normals;
   std::optional<Texture> colours;
   std::optional<Texture> masks;
   std::optional<CellStore> cells;
-  std::optional<ProxyStore> far;
+  std::optional<ProxyStore> proxies;
 };
 
 /// The views that a model is uploaded for.

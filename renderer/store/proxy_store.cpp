@@ -21,10 +21,10 @@ constexpr double kSteps = 65535.0;
 std::uint32_t pack_normal(glm::vec3 normal) {
   const float length = glm::length(normal);
   if (!(length > 0.0F)) return 0;
-  const glm::uvec2 place(
+  const glm::uvec2 corner(
       glm::round((0.5F * octahedral_from_unit(normal / length) + 0.5F) * 8191.0F));
   const float spread = std::sqrt(std::max(1.0F - length, 0.0F));
-  return place.x | (place.y << 13U) |
+  return corner.x | (corner.y << 13U) |
          (static_cast<std::uint32_t>(std::lround(spread * 63.0F)) << 26U);
 }
 
@@ -36,8 +36,8 @@ shared::ProxyVertex pack(const ProxyVertex& vertex, const StoredProxyMesh& mesh)
 }
 
 shared::ProxySource source_of(const ProxyVertex& vertex) {
-  const glm::uvec2 place(vertex.place);
-  return {vertex.patch, place.x | (place.y << 16U)};
+  const glm::uvec2 uv(vertex.uv);
+  return {vertex.patch, uv.x | (uv.y << 16U)};
 }
 
 VertexArray make_attributes(const Gl& gl, const Buffer& indices, const Buffer& patches) {
@@ -78,25 +78,25 @@ Result<std::uint32_t> ProxyUpload::add(std::span<const Patch> patches, const Pro
   return static_cast<std::uint32_t>(meshes_.size() - 1);
 }
 
-std::uint32_t ProxyUpload::place(std::uint32_t patch) {
+std::uint32_t ProxyUpload::add_instance(std::uint32_t patch) {
   patches_.push_back(patch);
   return static_cast<std::uint32_t>(patches_.size() - 1);
 }
 
 ProxyStore ProxyUpload::take(bool with_sources) {
-  Buffer indices = make_buffer(gl_, "far triangles", std::span<const std::uint32_t>(indices_));
-  Buffer patches = make_buffer(gl_, "far instances", std::span<const std::uint32_t>(patches_));
+  Buffer indices = make_buffer(gl_, "proxy triangles", std::span<const std::uint32_t>(indices_));
+  Buffer patches = make_buffer(gl_, "proxy instances", std::span<const std::uint32_t>(patches_));
   VertexArray attributes = make_attributes(gl_, indices, patches);
-  ProxyStore store{
-      std::move(meshes_),
-      make_table(gl_, "far vertices", GL_RGBA32UI, std::span<const shared::ProxyVertex>(vertices_)),
-      std::nullopt,
-      std::move(indices),
-      std::move(patches),
-      std::move(attributes)};
+  ProxyStore store{std::move(meshes_),
+                   make_table(gl_, "proxy vertices", GL_RGBA32UI,
+                              std::span<const shared::ProxyVertex>(vertices_)),
+                   std::nullopt,
+                   std::move(indices),
+                   std::move(patches),
+                   std::move(attributes)};
   if (with_sources)
     store.sources =
-        make_table(gl_, "far sources", GL_RG32UI, std::span<const shared::ProxySource>(sources_));
+        make_table(gl_, "proxy sources", GL_RG32UI, std::span<const shared::ProxySource>(sources_));
   return store;
 }
 

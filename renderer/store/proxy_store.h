@@ -35,7 +35,7 @@ struct StoredProxyMesh {
 struct ProxyStore {
   std::vector<StoredProxyMesh> meshes;
   Table vertices;                ///< shared::ProxyVertex
-  std::optional<Table> sources;  ///< shared::ProxySource, where some image tells patches or places
+  std::optional<Table> sources;  ///< shared::ProxySource, where an image shows patches or uv
   Buffer indices;                ///< 32 bits each, counted from the level's first vertex
   Buffer patches;                ///< by instance: the per-instance attribute that names its frame
   VertexArray attributes;        ///< these two
@@ -51,7 +51,7 @@ class ProxyUpload {
   Result<std::uint32_t> add(std::span<const Patch> patches, const Proxy& model);
 
   /// Adds a instance whose frame is that patch of the store; returns its number.
-  std::uint32_t place(std::uint32_t patch);
+  std::uint32_t add_instance(std::uint32_t patch);
 
   [[nodiscard]] const StoredProxyMesh& mesh(std::uint32_t number) const { return meshes_[number]; }
   [[nodiscard]] bool empty() const { return meshes_.empty(); }

@@ -100,8 +100,8 @@ class ModelUpload {
     const bool is_proxy_in_some =
         all_levels_ ? !run.model.spacings.empty() : near_views.size() < views_.size();
     if (is_proxy_in_some) {
-      RELIEF_TRY_ASSIGN(const auto far, add_proxy(instance, run));
-      stored.far = far;
+      RELIEF_TRY_ASSIGN(const auto proxy, add_proxy(instance, run));
+      stored.proxy = proxy;
     }
     if (all_levels_ || views_.empty() || !near_views.empty()) {
       RELIEF_TRY(add_near(instance, near_views));
@@ -132,9 +132,9 @@ class ModelUpload {
     if (needs_.cells) {
       store.cells =
           CellStore{std::move(parts_), grids_.take_cells(),
-                    make_buffer(gl_, "part places", std::span<const glm::uvec2>(places_))};
+                    make_buffer(gl_, "part positions", std::span<const glm::uvec2>(positions_))};
     }
-    if (!proxy_.empty()) store.far = proxy_.take(needs_.sources);
+    if (!proxy_.empty()) store.proxies = proxy_.take(needs_.sources);
     if (needs_.bodies)
       store.bodies = make_table(gl_, "bodies", GL_R32F, std::span<const float>(diameters_));
     if (needs_.splats || !needs_.cells) {
@@ -214,14 +214,14 @@ class ModelUpload {
     for (const UploadedCells::Part& part : grid.cells.parts) {
       parts_.push_back({number, frame.origin + frame.axes * (frame.spacing * part.centre),
                         frame.spacing * part.radius, part.buffers});
-      places_.emplace_back(number, part.corner.x | (part.corner.y << 16U));
+      positions_.emplace_back(number, part.corner.x | (part.corner.y << 16U));
     }
     patches_.push_back(kept);
     rows_.push_back({index, id});
   }
 
   /// The meshes that stand for it, made when it is the first of its run.
-  Result<StoredInstance::Far> add_proxy(const Instance& instance, Run& run) {
+  Result<StoredInstance::StoredProxy> add_proxy(const Instance& instance, Run& run) {
     if (!run.mesh) {
       RELIEF_TRY_ASSIGN(
           const std::uint32_t added,
@@ -236,10 +236,10 @@ class ModelUpload {
     frame.axes = instance.transform.rotation;
     frame.spacing = instance.transform.scale * mesh.unit;
     const auto patch = static_cast<std::uint32_t>(patches_.size());
-    const StoredInstance::Far far{*run.mesh, patch, proxy_.place(patch)};
+    const StoredInstance::StoredProxy proxy{*run.mesh, patch, proxy_.add_instance(patch)};
     patches_.push_back(frame);
     rows_.push_back({std::nullopt, first_id_});
-    return far;
+    return proxy;
   }
 
   Table make_patch_table() {
@@ -274,7 +274,7 @@ class ModelUpload {
   std::vector<float> diameters_;  ///< the same: of the model that it belongs to, world units
   std::vector<StoredLevels> levels_;
   std::vector<StoredPart> parts_;
-  std::vector<glm::uvec2> places_;
+  std::vector<glm::uvec2> positions_;
   std::uint32_t first_id_ = 0;  ///< of the instance at work
 };
 

@@ -33,7 +33,7 @@ Bounds box_about(std::span<const Patch> patches) {
   Bounds box;
   double coarsest = 0.0;
   for (const Patch& patch : patches) coarsest = std::max(coarsest, patch.spacing);
-  for_each_position(patches, [&box](const glm::dvec3& place) { extend(box, place); });
+  for_each_position(patches, [&box](const glm::dvec3& position) { extend(box, position); });
   if (box.empty()) return box;
   return {box.min - kReachSpacings * coarsest, box.max + kReachSpacings * coarsest};
 }

@@ -46,9 +46,9 @@ Ball ball_of(const PatchSummary& patch) {
 
 /// Whether samples `spacing` apart can be in the image.
 bool sees(const Onlooker& onlooker, const Ball& ball, double spacing) {
-  const double radius = onlooker.place.scale * (ball.radius + kReachInSpacings * spacing);
+  const double radius = onlooker.transform.scale * (ball.radius + kReachInSpacings * spacing);
   return ball.radius >= 0.0 &&
-         sees_sphere(onlooker.view, moved(onlooker.place, ball.centre), radius);
+         sees_sphere(onlooker.view, moved(onlooker.transform, ball.centre), radius);
 }
 
 bool is_seen(std::span<const Onlooker> onlookers, const Ball& ball, double spacing) {
@@ -58,15 +58,15 @@ bool is_seen(std::span<const Onlooker> onlookers, const Ball& ball, double spaci
 
 /// Whether a box's samples, where it is nearest to the eye, are as near to each other as asked for.
 bool is_fine_enough(const Onlooker& onlooker, const Bounds& box, double spacing) {
-  const Transform& place = onlooker.place;
+  const Transform& transform = onlooker.transform;
   const glm::dvec3 forward = -glm::transpose(onlooker.view.rotation)[2];
-  const glm::dvec3 in_model = glm::transpose(place.rotation) * forward;
-  const glm::dvec3 centre = moved(place, (box.min + box.max) / 2.0);
+  const glm::dvec3 in_model = glm::transpose(transform.rotation) * forward;
+  const glm::dvec3 centre = moved(transform, (box.min + box.max) / 2.0);
   const glm::dvec3 half = (box.max - box.min) / 2.0;
   const double depth = glm::dot(forward, centre - onlooker.view.eye) -
-                       place.scale * glm::dot(glm::abs(in_model), half);
+                       transform.scale * glm::dot(glm::abs(in_model), half);
   if (depth <= 0.0 && !onlooker.view.orthographic) return false;
-  return spacing * place.scale <= onlooker.pixels * pixel_at(onlooker.view, depth);
+  return spacing * transform.scale <= onlooker.pixels * pixel_at(onlooker.view, depth);
 }
 
 /// Each tile's box about its own samples and those of all that it stands for, which may reach a
@@ -93,7 +93,8 @@ std::vector<std::vector<std::uint32_t>> children_of(std::span<const TreeTile> ti
 }  // namespace
 
 std::vector<Onlooker> onlookers_of(std::span<const RenderSettings> views,
-                                   std::span<const Transform> places, const PatchModel& extent) {
+                                   std::span<const Transform> transforms,
+                                   const PatchModel& extent) {
   std::vector<Onlooker> onlookers;
   for (const RenderSettings& settings : views) {
     View view = make_view(settings.camera, settings.width, settings.height,
@@ -105,7 +106,7 @@ std::vector<Onlooker> onlookers_of(std::span<const RenderSettings> views,
     view = with_border(view, static_cast<std::uint32_t>(std::ceil(border)));
     const double pixels = std::min(kPixelsPerOverviewSample, pixels_per_sample_of(settings)) /
                           samples_a_side(settings.samples);
-    for (const Transform& place : places) onlookers.push_back({view, place, pixels});
+    for (const Transform& transform : transforms) onlookers.push_back({view, transform, pixels});
   }
   return onlookers;
 }

@@ -14,17 +14,17 @@
 
 namespace relief {
 
-/// A view of a file's model in one of its places.
+/// One instance of a file's model in one view.
 struct Onlooker {
   View view;
-  Transform place;
+  Transform transform;
   /// Samples may be seen this far apart, in pixels; 0: they are to be the finest.
   double pixels = 1.0;
 };
 
-/// Each of the images of each place. `extent`: of all that is drawn.
+/// Each instance in each view. `extent`: of all that is drawn.
 [[nodiscard]] std::vector<Onlooker> onlookers_of(std::span<const RenderSettings> views,
-                                                 std::span<const Transform> places,
+                                                 std::span<const Transform> transforms,
                                                  const PatchModel& extent);
 
 /// The tiles whose patches show all that is seen, in the list's order: no region is in two of them.

@@ -37,7 +37,7 @@ std::pair<double, double> depth_range(const View& view, const DepthNeeds& needs)
 }
 
 /// Where the point at depth 1 that is seen at a window position lies right and up of the axis.
-glm::dvec2 place_in_picture(const View& view, glm::dvec2 window) {
+glm::dvec2 image_plane_position(const View& view, glm::dvec2 window) {
   const glm::dvec2 ndc = 2.0 * window / glm::dvec2(view.width, view.height) - 1.0;
   return view.middle + ndc * glm::dvec2(view.slope_x, view.slope_y);
 }
@@ -108,12 +108,12 @@ View with_border(const View& whole, std::uint32_t border) {
 
 glm::dvec3 ray_through(const View& view, glm::dvec2 window) {
   if (view.orthographic) return glm::transpose(view.rotation) * glm::dvec3(0.0, 0.0, -1.0);
-  return glm::transpose(view.rotation) * glm::dvec3(place_in_picture(view, window), -1.0);
+  return glm::transpose(view.rotation) * glm::dvec3(image_plane_position(view, window), -1.0);
 }
 
 glm::dvec3 ray_start(const View& view, glm::dvec2 window) {
   if (!view.orthographic) return glm::dvec3(0.0);
-  return glm::transpose(view.rotation) * glm::dvec3(place_in_picture(view, window), 0.0);
+  return glm::transpose(view.rotation) * glm::dvec3(image_plane_position(view, window), 0.0);
 }
 
 double pixel_at(const View& view, double depth) {
@@ -121,9 +121,9 @@ double pixel_at(const View& view, double depth) {
   return view.orthographic ? pixel : pixel * depth;
 }
 
-double distance_to(const View& view, glm::dvec3 place) {
-  if (!view.orthographic) return glm::distance(place, view.eye);
-  return -(view.rotation * (place - view.eye)).z;
+double distance_to(const View& view, glm::dvec3 position) {
+  if (!view.orthographic) return glm::distance(position, view.eye);
+  return -(view.rotation * (position - view.eye)).z;
 }
 
 bool sees_sphere(const View& view, glm::dvec3 centre, double radius) {

@@ -76,8 +76,8 @@ struct DepthNeeds {
 /// How high a pixel is at a depth, world units.
 [[nodiscard]] double pixel_at(const View& view, double depth);
 
-/// How far a place (world) is from the eye, or from the plane through an orthographic one.
-[[nodiscard]] double distance_to(const View& view, glm::dvec3 place);
+/// How far a position (world) is from the eye, or from the plane through an orthographic one.
+[[nodiscard]] double distance_to(const View& view, glm::dvec3 position);
 
 /// Whether a sphere (world) can reach into the image.
 [[nodiscard]] bool sees_sphere(const View& view, glm::dvec3 centre, double radius);

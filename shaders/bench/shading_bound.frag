@@ -9,7 +9,7 @@ layout(location = RELIEF_UNIFORM_PATCH) uniform int shaded_patch;
 void main() {
   count_fragment();
   PatchInfo info = fetch_patch(uint(shaded_patch));
-  vec3 place = vec3(mod(gl_FragCoord.xy, max(vec2(info.nodes.xy - 1), 1.0)), 0.0);
-  shade(info, place, ray_toward(place, fetch_eye(uint(shaded_patch))), 1.0,
+  vec3 position = vec3(mod(gl_FragCoord.xy, max(vec2(info.nodes.xy - 1), 1.0)), 0.0);
+  shade(info, position, ray_toward(position, fetch_eye(uint(shaded_patch))), 1.0,
         vec4(1.0, 0.0, 0.0, 1.0));
 }

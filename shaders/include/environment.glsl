@@ -14,19 +14,19 @@ vec3 difference(vec3 along, bool upward) {
   bvec2 alike = upward ? neighbours_alike.yx : neighbours_alike;
   return alike.x ? (upward ? above : beside) : alike.y ? (upward ? beside : above) : vec3(0.0);
 }
-#define RELIEF_SEE(environments, place, along) \
-  textureGrad(environments, place, difference(along, false), difference(along, true)).rgb
+#define RELIEF_SEE(environments, position, along) \
+  textureGrad(environments, position, difference(along, false), difference(along, true)).rgb
 #elif defined(RELIEF_MEAN_NORMALS)
-// The level whose texels are as wide as normals are spread (far.vert). Reflections are spread four
+// The level whose texels are as wide as normals are spread (proxy.vert). Reflections are spread four
 // times as far from end to end, but refractions less, and at that level glass was five times too
 // bright; with none mirrors were up to three times (docs/decisions/0098).
 float level_of_mean(float size) {
   return log2(max(normal_spread * size / 1.5708, 1.0));
 }
-#define RELIEF_SEE(environments, place, along) \
-  textureLod(environments, place, level_of_mean(float(textureSize(environments, 0).x))).rgb
+#define RELIEF_SEE(environments, position, along) \
+  textureLod(environments, position, level_of_mean(float(textureSize(environments, 0).x))).rgb
 #else
-#define RELIEF_SEE(environments, place, along) texture(environments, place).rgb
+#define RELIEF_SEE(environments, position, along) texture(environments, position).rgb
 #endif
 
 vec3 see(vec3 along) {

@@ -1,26 +1,26 @@
 // Attribute interpolation, section 3.5 of [Ochotta 2008].
 #include "include/heights.glsl"
 
-// A place against the virtual triangle under it (grid frame).
+// A position against the virtual triangle under it (grid frame).
 struct OverTriangle {
   bool exists;  // false: a corner is a hole
   ivec3 which;  // column and row of its cell; 1: the half below the diagonal
-  float above;  // height of the place over the triangle's plane, in cells
+  float above;  // height of the position over the triangle's plane, in cells
   vec2 slope;   // of that plane
 };
 
 // All cells are halved along the diagonal from (0, 0) to (1, 1).
-ivec3 triangle_under(vec2 place, PatchInfo info) {
-  ivec2 cell = clamp(ivec2(floor(place)), ivec2(0), max(info.nodes.xy - 2, ivec2(0)));
-  vec2 inside = place - vec2(cell);
+ivec3 triangle_under(vec2 position, PatchInfo info) {
+  ivec2 cell = clamp(ivec2(floor(position)), ivec2(0), max(info.nodes.xy - 2, ivec2(0)));
+  vec2 inside = position - vec2(cell);
   return ivec3(cell, inside.x > inside.y ? 1 : 0);
 }
 
-OverTriangle over_triangle(vec3 place, PatchInfo info) {
+OverTriangle over_triangle(vec3 position, PatchInfo info) {
   OverTriangle over;
-  over.which = triangle_under(place.xy, info);
+  over.which = triangle_under(position.xy, info);
   ivec2 cell = over.which.xy;
-  vec2 inside = place.xy - vec2(cell);
+  vec2 inside = position.xy - vec2(cell);
   bool lower = over.which.z == 1;
   uint a = fetch_height(info, cell);
   uint b = fetch_height(info, cell + (lower ? ivec2(1, 0) : ivec2(0, 1)));
@@ -29,7 +29,7 @@ OverTriangle over_triangle(vec3 place, PatchInfo info) {
   float ab = (float(b) - float(a)) * height_step;
   float bc = (float(c) - float(b)) * height_step;
   over.slope = lower ? vec2(ab, bc) : vec2(bc, ab);
-  over.above = place.z - (float(a) * height_step + dot(over.slope, inside));
+  over.above = position.z - (float(a) * height_step + dot(over.slope, inside));
   over.exists = a != kHoleTexel && b != kHoleTexel && c != kHoleTexel;
   return over;
 }
@@ -51,11 +51,11 @@ bool correct(inout vec3 hit, vec3 ray, PatchInfo info, out float along) {
   bool found = true;
   int step = -kSearchSteps - 2;  // two before the search
   float at = 0.0;
-  float before = -1.0;  // height of the place before on the eye's side; negative: unknown
+  float before = -1.0;  // height of the position before on the eye's side; negative: unknown
   float nearest = kLargestMiss;
   while (step <= kSearchSteps) {
-    vec3 place = start + at * ray;
-    OverTriangle over = over_triangle(place, info);
+    vec3 position = start + at * ray;
+    OverTriangle over = over_triangle(position, info);
     if (step < -kSearchSteps) {
       if (!over.exists) break;
       float next = at + over.above / (dot(over.slope, ray.xy) - ray.z);
@@ -71,8 +71,8 @@ bool correct(inout vec3 hit, vec3 ray, PatchInfo info, out float along) {
       at = again ? next : -float(kSearchSteps) * half_cell;
       found = again;
     } else {
-      bool within = all(greaterThan(place.xy, vec2(-0.5))) &&
-                    all(lessThan(place.xy, vec2(info.nodes.xy) - 0.5));
+      bool within = all(greaterThan(position.xy, vec2(-0.5))) &&
+                    all(lessThan(position.xy, vec2(info.nodes.xy) - 0.5));
       float outside = within && over.exists ? eye_side * over.above : 1e9;
       if (before >= 0.0 && outside < 0.0) {
         along = at - half_cell * outside / (outside - before);

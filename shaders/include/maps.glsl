@@ -13,13 +13,13 @@ layout(binding = RELIEF_TEXTURE_COLOURS) uniform sampler2DArray colour_maps;
 #endif
 
 // Bilinear lookup at grid coordinates `uv`; `map` says where the patch's map lies in the array.
-vec3 place_in_maps(sampler2DArray maps, ivec4 map, vec2 uv) {
+vec3 position_in_maps(sampler2DArray maps, ivec4 map, vec2 uv) {
   vec2 texel = vec2(map.xy) + uv * float(map.w) + 0.5;
   return vec3(texel / vec2(textureSize(maps, 0).xy), float(map.z));
 }
 
 vec4 look_up(sampler2DArray maps, ivec4 map, vec2 uv) {
-  return textureLod(maps, place_in_maps(maps, map, uv), 0.0);
+  return textureLod(maps, position_in_maps(maps, map, uv), 0.0);
 }
 
 // Whether maps are averaged over a pixel's footprint.
@@ -28,17 +28,17 @@ vec4 look_up(sampler2DArray maps, ivec4 map, vec2 uv) {
 
 // From half its stereographic coordinates, which bilinear lookups interpolate smoothly; octahedral
 // ones have creases along the axes, where a mirror would show them.
-vec3 unit_from_stereographic(vec2 half_place) {
-  vec2 p = 2.0 * half_place;
+vec3 unit_from_stereographic(vec2 half_stereographic) {
+  vec2 p = 2.0 * half_stereographic;
   return vec3(2.0 * p, 1.0 - dot(p, p)) / (1.0 + dot(p, p));
 }
 
 #if RELIEF_NEEDS_FOOTPRINT
-// Where a map is looked up for a pixel: `places` lookups along `along` (grid coordinates), at a mip
+// Where a map is looked up for a pixel: `count` lookups along `along` (grid coordinates), at a mip
 // level.
 struct Lookups {
   vec2 along;
-  float places;
+  float count;
   float level;
 };
 
@@ -61,8 +61,8 @@ Lookups lookups_over(PatchInfo info, vec2 uv, vec4 footprint, float texels) {
   along *= kept;
   longer *= kept * texels;
   shorter *= kept * texels;
-  float places = clamp(ceil(longer / max(shorter, 1.0)), 1.0, kMaxFootprintPlaces);
-  return Lookups(along, places, log2(max(longer / places, 1.0)));
+  float count = clamp(ceil(longer / max(shorter, 1.0)), 1.0, kMaxFootprintLookups);
+  return Lookups(along, count, log2(max(longer / count, 1.0)));
 }
 #endif
 
@@ -70,11 +70,11 @@ Lookups lookups_over(PatchInfo info, vec2 uv, vec4 footprint, float texels) {
 vec3 look_up_colour(PatchInfo info, vec2 uv, vec4 footprint) {
   Lookups lookups = lookups_over(info, uv, footprint, float(info.colours.w));
   vec3 sum = vec3(0.0);
-  for (float k = 0.5; k < lookups.places; k += 1.0) {
-    vec2 place = uv + (k / lookups.places - 0.5) * lookups.along;
-    sum += textureLod(colour_maps, place_in_maps(colour_maps, info.colours, place), lookups.level).rgb;
+  for (float k = 0.5; k < lookups.count; k += 1.0) {
+    vec2 position = uv + (k / lookups.count - 0.5) * lookups.along;
+    sum += textureLod(colour_maps, position_in_maps(colour_maps, info.colours, position), lookups.level).rgb;
   }
-  return sum / lookups.places;
+  return sum / lookups.count;
 }
 #endif
 
@@ -84,10 +84,10 @@ vec3 look_up_normal(PatchInfo info, vec2 uv, vec4 footprint) {
 #if (RELIEF_FEATURES & RELIEF_FEATURE_FINE_NORMALS) != 0u
   Lookups lookups = lookups_over(info, uv, footprint, float(info.normals.w));
   vec3 sum = vec3(0.0);
-  for (float k = 0.5; k < lookups.places; k += 1.0) {
-    vec2 place = uv + (k / lookups.places - 0.5) * lookups.along;
+  for (float k = 0.5; k < lookups.count; k += 1.0) {
+    vec2 position = uv + (k / lookups.count - 0.5) * lookups.along;
     sum += unit_from_stereographic(
-        textureLod(normal_maps, place_in_maps(normal_maps, info.normals, place), lookups.level).xy);
+        textureLod(normal_maps, position_in_maps(normal_maps, info.normals, position), lookups.level).xy);
   }
   // Means of unit vectors are shorter; those that cancel each other leave the patch's own.
   float squared = dot(sum, sum);

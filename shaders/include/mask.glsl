@@ -3,12 +3,12 @@
 
 layout(binding = RELIEF_TEXTURE_MASKS) uniform sampler2DArray masks;
 
-// Whether the patch has a surface at grid coordinates `place` of a level: up to half-way from a sample
+// Whether the patch has a surface at grid coordinates `position` of a level: up to half-way from a sample
 // to a hole, as far as its splats reach.
-bool within_mask(PatchInfo info, vec2 place) {
+bool within_mask(PatchInfo info, vec2 position) {
   if (info.extent.w <= 1.0) return true;
   // A texel around each mask is empty.
-  vec2 texel = clamp(place, info.extent.xx - 1.0 / info.extent.w,
+  vec2 texel = clamp(position, info.extent.xx - 1.0 / info.extent.w,
                      info.extent.yz + 1.0 / info.extent.w) * float(info.masks.w) + 0.5;
   vec2 uv = (vec2(info.masks.xy) + texel) / vec2(textureSize(masks, 0).xy);
   return textureLod(masks, vec3(uv, float(info.masks.z)), 0.0).r >= 0.5;

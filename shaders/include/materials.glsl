@@ -27,11 +27,11 @@ layout(binding = RELIEF_TEXTURE_ROUGH_ENVIRONMENTS) uniform samplerCubeArray rou
 #if (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u
 vec3 shade_lit(vec3 albedo, vec3 facing, vec3 ray, float depth) {
 #if (RELIEF_FEATURES & RELIEF_FEATURE_POINT_LIGHTS) != 0u
-  vec3 place = place_through(RELIEF_WINDOW, depth);
+  vec3 position = position_through(RELIEF_WINDOW, depth);
 #else
-  vec3 place = vec3(0.0);
+  vec3 position = vec3(0.0);
 #endif
-  return lit(frame, RELIEF_LIGHTS, albedo, facing, ray, place);
+  return lit(frame, RELIEF_LIGHTS, albedo, facing, ray, position);
 }
 #endif
 
@@ -55,7 +55,7 @@ vec3 shade_glass(MaterialInfo material, vec3 normal, vec3 ray, float depth) {
 #if (RELIEF_FEATURES & RELIEF_FEATURE_TWO_INTERFACES) != 0u
   // A back side is seen from within: from there light leaves at once.
   if (material.constants.w > 1.0 && dot(normal, ray) <= kBackSide)
-    leave_body(place_through(RELIEF_WINDOW, depth), ray, normal, material.constants.y, split);
+    leave_body(position_through(RELIEF_WINDOW, depth), ray, normal, material.constants.y, split);
 #endif
   return glass(split, material.absorption.rgb, see(split.reflected),
                see(split.refracted));
@@ -63,13 +63,13 @@ vec3 shade_glass(MaterialInfo material, vec3 normal, vec3 ray, float depth) {
 #endif
 
 #if (RELIEF_FEATURES & RELIEF_FEATURE_SPLIT) != 0u
-// What the split view shows of the place as it is stored; whoever shades a place sets it.
-vec3 place_as_stored = vec3(0.0);
+// The samples as they are stored, for the split view; set before a fragment is shaded.
+vec3 stored_colour = vec3(0.0);
 
-// What split_view() wants to know of a fragment.
-vec3 ray_or_place(vec3 ray) {
+// What split_view() needs to know of a fragment: its ray, or orthographic its position.
+vec3 ray_or_position(vec3 ray) {
 #if (RELIEF_FEATURES & RELIEF_FEATURE_ORTHOGRAPHIC) != 0u
-  return place_through(gl_FragCoord.xy, 0.0);
+  return position_through(gl_FragCoord.xy, 0.0);
 #else
   return ray;
 #endif
@@ -95,7 +95,7 @@ vec3 shade_material(int index, vec3 albedo, vec3 normal, vec3 ray, float depth) 
 #if (RELIEF_FEATURES & RELIEF_FEATURE_SPLIT) != 0u
   if (kind == kSplit) {
     vec3 lit_light = shade_lit(albedo, facing_normal(normal, ray), ray, depth);
-    colour = split_view(frame, ray_or_place(ray), lit_light, reflection, place_as_stored);
+    colour = split_view(frame, ray_or_position(ray), lit_light, reflection, stored_colour);
   }
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_GLASS) != 0u
@@ -104,8 +104,8 @@ vec3 shade_material(int index, vec3 albedo, vec3 normal, vec3 ray, float depth) 
 #endif
 #elif (RELIEF_FEATURES & RELIEF_FEATURE_SPLIT) != 0u
   vec3 facing = facing_normal(normal, ray);
-  colour = split_view(frame, ray_or_place(ray), shade_lit(albedo, facing, ray, depth),
-                      shade_mirror(facing, ray, -1.0), place_as_stored);
+  colour = split_view(frame, ray_or_position(ray), shade_lit(albedo, facing, ray, depth),
+                      shade_mirror(facing, ray, -1.0), stored_colour);
 #elif (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u
   colour = shade_lit(albedo, facing_normal(normal, ray), ray, depth);
 #elif (RELIEF_FEATURES & RELIEF_FEATURE_MIRROR) != 0u

@@ -31,9 +31,9 @@ mat4 fetch_clip_from_grid(uint patch_index) {
               texelFetch(patch_views, row + 2), texelFetch(patch_views, row + 3));
 }
 
-// The place on the patch nearest to grid coordinates `place`.
-vec2 clamp_to_patch(PatchInfo info, vec2 place) {
-  return clamp(place, info.extent.xx, info.extent.yz);
+// The position on the patch nearest to grid coordinates `position`.
+vec2 clamp_to_patch(PatchInfo info, vec2 position) {
+  return clamp(position, info.extent.xx, info.extent.yz);
 }
 
 // The eye in the grid frame (PatchView::eye).

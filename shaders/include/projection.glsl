@@ -11,8 +11,8 @@ vec3 ray_through(vec2 window) {
 #endif
 }
 
-// The place (world, from the eye) that is seen there at a depth.
-vec3 place_through(vec2 window, float depth) {
+// The position (world, from the eye) that is seen there at a depth.
+vec3 position_through(vec2 window, float depth) {
 #if (RELIEF_FEATURES & RELIEF_FEATURE_ORTHOGRAPHIC) != 0u
   return frame.ray_origin.xyz + window.x * frame.ray_x.xyz + window.y * frame.ray_y.xyz +
          depth * frame.ray_along.xyz;
@@ -21,13 +21,13 @@ vec3 place_through(vec2 window, float depth) {
 #endif
 }
 
-// The direction in which a place (grid frame) is seen; `eye`: as the patch's table has it
-// (fetch_eye). From the eye to the place, or orthographic of length 1.
-vec3 ray_toward(vec3 place, vec4 eye) {
+// The direction in which a position (grid frame) is seen; `eye`: as the patch's table has it
+// (fetch_eye). From the eye to the position, or orthographic of length 1.
+vec3 ray_toward(vec3 position, vec4 eye) {
 #if (RELIEF_FEATURES & RELIEF_FEATURE_ORTHOGRAPHIC) != 0u
   return eye.xyz;
 #else
-  return place - eye.xyz;
+  return position - eye.xyz;
 #endif
 }
 

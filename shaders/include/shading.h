@@ -38,20 +38,21 @@ RELIEF_FUNCTION vec3 facing_normal(vec3 normal, vec3 ray) {
   return away > 0.0f ? normalize(normal - away * ray) : normal;
 }
 
-/// Phong: the frame's first `lights` lights, a white highlight. `place`: from the eye, world; only
-/// point lights ask for it.
-RELIEF_FUNCTION vec3 lit(Frame frame, int lights, vec3 albedo, vec3 normal, vec3 ray, vec3 place) {
+/// Phong: the frame's first `lights` lights, a white highlight. `position`: from the eye, world;
+/// only point lights ask for it.
+RELIEF_FUNCTION vec3 lit(Frame frame, int lights, vec3 albedo, vec3 normal, vec3 ray,
+                         vec3 position) {
   const float shininess = 40.0f;
   const float highlight = 0.25f;
   vec3 reflected = reflect(ray, normal);
   vec3 diffuse = vec3(frame.light_ambient);
   vec3 specular = vec3(0.0f);
   for (int i = 0; i < lights; ++i) {
-    vec3 direction = vec3(frame.light_place[i]);
+    vec3 direction = vec3(frame.light_position[i]);
     vec3 colour = vec3(frame.light_colour[i]);
 #if RELIEF_POINT_LIGHTS
-    if (frame.light_place[i].w != 0.0f) {
-      vec3 toward = direction - place;
+    if (frame.light_position[i].w != 0.0f) {
+      vec3 toward = direction - position;
       float squared = max(dot(toward, toward), 1e-20f);
       direction = toward / sqrt(squared);
       colour = min(colour / squared, vec3(kBrightestLight));

@@ -76,7 +76,7 @@ using glm::vec4;
 #define RELIEF_FEATURE_GLASS 1048576u
 // Beside GLASS: light is refracted where it leaves the body, too. One more pass that finds
 // surfaces, those seen from behind, into 16 bytes a pixel, and 4 bytes more of the one that finds
-// what is in front; four lookups of a place, a patch and a normal there per fragment.
+// what is in front; four lookups of a position, a patch and a normal there per fragment.
 #define RELIEF_FEATURE_TWO_INTERFACES 16777216u
 // The split view: all of LIT and MIRROR, which it has beside it, and the sample that is nearest.
 #define RELIEF_FEATURE_SPLIT 131072u
@@ -86,7 +86,7 @@ using glm::vec4;
 // Beside MIXED: some mirrors are rough, which is one more lookup. (Alone a rough mirror costs what
 // a smooth one does.)
 #define RELIEF_FEATURE_ROUGH 8388608u
-// Some light is a point: a place and two roots per fragment and light.
+// Some light is a point: a position and two roots per fragment and light.
 #define RELIEF_FEATURE_POINT_LIGHTS 4194304u
 
 // Sprites of closed bodies are not drawn where they face away from the eye: a product per vertex.
@@ -104,7 +104,7 @@ using glm::vec4;
 #define RELIEF_OUT_UV 3
 #define RELIEF_OUT_PATCH 4
 
-// The same of the pass that finds the surface: the place, and its depth if that is needed.
+// The same of the pass that finds the surface: the position, and its depth if that is needed.
 #define RELIEF_OUT_VISIBILITY 0
 #define RELIEF_OUT_VISIBILITY_DEPTH 1
 
@@ -146,15 +146,15 @@ using glm::vec4;
 #define RELIEF_TEXTURE_PATCH_IDS 21
 #define RELIEF_TEXTURE_PIXEL_SAMPLES 22
 #define RELIEF_TEXTURE_PROXY_SOURCES 23
-#define RELIEF_TEXTURE_BACK_PLACES 24
+#define RELIEF_TEXTURE_BACK_COORDINATES 24
 #define RELIEF_TEXTURE_BACK_DEPTHS 25
 #define RELIEF_TEXTURE_BODIES 26
 
 /// Uniform of `multipass`: radius of its discs over that of Eq. (1) of [Ochotta 2008].
 #define RELIEF_UNIFORM_RADIUS_FACTOR 0
 
-/// Uniform of `onepass`: steps a cell of the places that it notes (visibility.glsl).
-#define RELIEF_UNIFORM_PLACE_STEPS 1
+/// Uniform of `onepass`: steps a cell of the positions that it notes (visibility.glsl).
+#define RELIEF_UNIFORM_POSITION_STEPS 1
 
 /// Uniform of programs that draw sprites with FRONT: whether this draw leaves the backs out.
 #define RELIEF_UNIFORM_FRONT 2
@@ -175,9 +175,9 @@ using glm::vec4;
 #define RELIEF_ATTRIBUTE_NORMAL 1
 #define RELIEF_ATTRIBUTE_COLOUR 2
 
-/// A place that was found is two words: grid coordinates in the lower bits, counted in steps from
-/// kVisibilityBegin cells before the first node, and half the number of its patch in each of the
-/// upper ones.
+/// A position that was found is two words: grid coordinates in the lower bits, counted in steps
+/// from kVisibilityBegin cells before the first node, and half the number of its patch in each of
+/// the upper ones.
 RELIEF_CONST uint kVisibilityBits = 22u;
 RELIEF_CONST uint kVisibilityMask = (1u << kVisibilityBits) - 1u;
 RELIEF_CONST uint kVisibilityPatchBits = 32u - kVisibilityBits;
@@ -208,14 +208,14 @@ RELIEF_CONST int kRunVertices = 2 * kRunCells + 4;  // a power of two, which sha
 /// The same of the runs of a level's edge: what holes touch are mostly one or two cells in a row.
 RELIEF_CONST int kEdgeRunCells = 2;
 RELIEF_CONST int kEdgeRunVertices = 2 * kEdgeRunCells + 4;
-RELIEF_CONST uint kPlaceBits = 8u;
-RELIEF_CONST uint kPlaceMask = 0xFFu;
+RELIEF_CONST uint kNodeInPartBits = 8u;
+RELIEF_CONST uint kNodeInPartMask = 0xFFu;
 RELIEF_CONST uint kRunCellsMask = 0xFu;
 RELIEF_CONST uint kSetBackShift = 20u;
 RELIEF_CONST float kSetBackStep = 1.0f / 32.0f;
 
-/// Cells of a part of a patch, each way: as many as kPlaceBits reach with a whole number of runs.
-/// A patch of the Dragon has about 60 by 60 nodes.
+/// Cells of a part of a patch, each way: as many as kNodeInPartBits reach with a whole number of
+/// runs. A patch of the Dragon has about 60 by 60 nodes.
 RELIEF_CONST uint kPartCells = 252u;
 
 /// Cells high, per step of a gap. Half a step is what rounded slopes and heights make, which
@@ -255,7 +255,7 @@ RELIEF_CONST float kBorderSetBack = 0.5f;
 /// 99, 3.90; 0.2 31, 3.93; 0.15 20, 3.99; 0.1 15, 4.15; 0.05 15, 4.98.
 RELIEF_CONST float kCrease = 0.15f;
 
-/// A place is on the surface if it is no higher or lower than this, in cells.
+/// A position is on the surface if it is no higher or lower than this, in cells.
 RELIEF_CONST float kOnSurface = 0.03f;
 
 /// A view ray that passes the surface by more, in cells, has met what sticks out of it. Less than
@@ -287,7 +287,7 @@ RELIEF_CONST float kCoveringSlack = 1.001f;
 RELIEF_CONST float kMinDiscPixels = 0.75f;
 
 /// Lookups along a pixel's footprint on a fine map, at most.
-RELIEF_CONST float kMaxFootprintPlaces = 16.0f;
+RELIEF_CONST float kMaxFootprintLookups = 16.0f;
 
 /// Linear reflectance of a model without colours: a neutral grey.
 RELIEF_CONST float kNeutralGrey = 0.5f;
@@ -315,8 +315,8 @@ RELIEF_CONST float kSplitLine = 0.75f;
 /// Radius of the samples that it shows, in cells: less than the half with which discs touch.
 RELIEF_CONST float kShownSample = 0.35f;
 
-/// How often the place where a ray leaves a body of glass is made better. PSNR in dB of the Dragon,
-/// the Bunny and Igea against the ray tracer (venice_sunset_1k.hdr, 640x512):
+/// How often the position where a ray leaves a body of glass is made better. PSNR in dB of the
+/// Dragon, the Bunny and Igea against the ray tracer (venice_sunset_1k.hdr, 640x512):
 /// none 19.6, 18.5, 17.5; 1: 21.8, 20.6, 20.3 (both with another first guess); 2: 23.1, 21.8, 23.0;
 /// 3: 23.2, 22.0, 23.0; 5: 23.3, 22.0, 23.0.
 RELIEF_CONST int kExitSteps = 3;
@@ -356,9 +356,9 @@ struct PatchView {
   vec4 eye;
 };
 
-/// A vertex of the mesh that stands for a model seen from afar, four words: its place in the mesh's
-/// frame (16 bits an axis), its colour (linear, half floats), the mean of its normals (octahedral,
-/// 12 bits each, and its length).
+/// A vertex of the mesh that stands for a model seen from afar, four words: its position in the
+/// mesh's frame (16 bits an axis), its colour (linear, half floats), the mean of its normals
+/// (octahedral, 12 bits each, and its length).
 struct ProxyVertex {
   uint place_xy;
   uint place_z_red;
@@ -378,12 +378,12 @@ struct Frame {
   vec4 ray_x;       ///< its change per pixel to the right; w: pixels per unit at depth 1
   vec4 ray_y;       ///< its change per pixel upward; w: largest sprite (pixels)
   /// Orthographic: world direction of all rays, of length 1; w: what depth values from 1 to 0 span
-  /// from near on (world units), else 0. The rays' places in the plane through the eye, relative to
-  /// that, are then what ray_origin, ray_x and ray_y say.
+  /// from near on (world units), else 0. The rays' positions in the plane through the eye, relative
+  /// to that, are then what ray_origin, ray_x and ray_y say.
   vec4 ray_along;
   vec4 viewport;  ///< width, height, 1/width, 1/height (pixels)
   vec4 light_ambient;
-  vec4 light_place[kMaxLights];  ///< world; w 0: toward the light, 1: where it is from the eye
+  vec4 light_position[kMaxLights];  ///< world; w 0: toward the light, 1: where it is from the eye
   vec4 light_colour[kMaxLights];
   MaterialInfo material;  ///< the image's, if it has but one
 };
@@ -397,6 +397,6 @@ static_assert(offsetof(PatchInfo, nodes) == 48 && offsetof(PatchInfo, colours) =
               offsetof(PatchInfo, extent) == 128);
 static_assert(sizeof(ProxyVertex) == 16 && sizeof(ProxySource) == 8);
 static_assert(sizeof(PatchView) == 16 * kPatchViewRows && offsetof(PatchView, eye) == 64);
-static_assert(sizeof(Frame) == 128 + 32 * kMaxLights && offsetof(Frame, light_place) == 96);
+static_assert(sizeof(Frame) == 128 + 32 * kMaxLights && offsetof(Frame, light_position) == 96);
 }  // namespace relief::shared
 #endif

@@ -34,7 +34,7 @@ uvec4 fetch_record(int record, PatchInfo info) {
 #if (RELIEF_FEATURES & RELIEF_FEATURE_CELL) != 0u
   uvec2 rim = texelFetch(rims, record).xy;
   uvec2 node = uvec2(part_corner & 0xFFFFu, part_corner >> 16) +
-               uvec2(rim.x & kPlaceMask, (rim.x >> kPlaceBits) & kPlaceMask);
+               uvec2(rim.x & kNodeInPartMask, (rim.x >> kNodeInPartBits) & kNodeInPartMask);
   uint shape = fetch_height(info, ivec2(node)) | (rim.x & 0xFFFF0000u);
   return uvec4(node.x | node.y << kRowShift | kBorderBit, shape, rim.y, 0u);
 #else

@@ -39,21 +39,21 @@ RELIEF_FUNCTION vec3 unique_colour(uint x, uint y, uint z) {
 
 /// A patch as it is stored: each of its samples a disc of reduced radius in a colour of its own
 /// ([Ochotta 2008], Figure 1(d)), half way to the patch's colour, which is between them, a quarter
-/// as bright. `place`: in cells of the level that is drawn, from the patch's first sample.
+/// as bright. `position`: in cells of the level that is drawn, from the patch's first sample.
 /// `patch_id`: counted from 0.
-RELIEF_FUNCTION vec3 stored_samples(vec2 place, uint patch_id) {
+RELIEF_FUNCTION vec3 stored_samples(vec2 position, uint patch_id) {
   vec3 patch_colour = unique_colour(0xFFFFFFFFu, 0xFFFFFFFFu, patch_id);
-  vec2 nearest = floor(place + 0.5f);
-  vec2 off = place - nearest;
+  vec2 nearest = floor(position + 0.5f);
+  vec2 off = position - nearest;
   if (dot(off, off) > kShownSample * kShownSample) return 0.25f * patch_colour;
   return 0.5f *
          (patch_colour + unique_colour(uint(int(nearest.x)), uint(int(nearest.y)), patch_id));
 }
 
-/// The split view of what is seen along `ray`, or orthographic at the place `ray` from the eye: the
-/// image's quarters are lit (upper left), a mirror (upper right), the mean of both (lower right),
-/// and the samples (lower left), with white lines between them. The image's middle is where the
-/// view axis meets it, so that parts of an image agree.
+/// The split view of what is seen along `ray`, or orthographic at the position `ray` from the eye:
+/// the image's quarters are lit (upper left), a mirror (upper right), the mean of both (lower
+/// right), and the samples (lower left), with white lines between them. The image's middle is where
+/// the view axis meets it, so that parts of an image agree.
 RELIEF_FUNCTION vec3 split_view(Frame frame, vec3 ray, vec3 lit_light, vec3 mirror_light,
                                 vec3 samples) {
   vec3 right = vec3(frame.ray_x);

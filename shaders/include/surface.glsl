@@ -1,4 +1,4 @@
-// Fragment stage: from a place on a patch to the outputs.
+// Fragment stage: from a position on a patch to the outputs.
 #include "include/identity.glsl"
 #include "include/maps.glsl"
 #include "include/materials.glsl"
@@ -14,15 +14,15 @@ layout(location = RELIEF_OUT_DEPTH) out float out_depth;  // along the view axis
 // How grid coordinates change from pixel to pixel, to the right and upward: what a fine map is
 // averaged over. To be asked for before any fragment is discarded.
 #if RELIEF_NEEDS_FOOTPRINT
-#define RELIEF_FOOTPRINT(place) vec4(dFdx(place), dFdy(place))
+#define RELIEF_FOOTPRINT(position) vec4(dFdx(position), dFdy(position))
 #else
-#define RELIEF_FOOTPRINT(place) vec4(0.0)
+#define RELIEF_FOOTPRINT(position) vec4(0.0)
 #endif
 
-// Shades a place of the patch (grid coordinates), seen along `view` (world, of length 1) at `depth`
+// Shades a position of the patch (grid coordinates), seen along `view` (world, of length 1) at `depth`
 // along the view axis.
-void shade_place(PatchInfo info, vec2 place, vec3 view, float depth, vec4 footprint) {
-  vec2 uv = clamp_to_patch(info, place);
+void shade_position(PatchInfo info, vec2 position, vec3 view, float depth, vec4 footprint) {
+  vec2 uv = clamp_to_patch(info, position);
 #if (RELIEF_FEATURES & RELIEF_FEATURE_COLOURS) != 0u
   // A patch without colours among coloured ones has no texel for that grey: sRGB in 8 bits lacks it.
   vec3 albedo = vec3(kNeutralGrey);
@@ -40,7 +40,7 @@ void shade_place(PatchInfo info, vec2 place, vec3 view, float depth, vec4 footpr
   vec3 normal = vec3(0.0);
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_SPLIT) != 0u
-  place_as_stored = stored_samples(uv - info.extent.x, uint(info.nodes.z));
+  stored_colour = stored_samples(uv - info.extent.x, uint(info.nodes.z));
 #endif
   out_colour = vec4(shade_material(info.heights.w, albedo, normal, view, depth), 1.0);
 #if (RELIEF_FEATURES & RELIEF_FEATURE_LAYERED) != 0u
@@ -55,12 +55,12 @@ void shade_place(PatchInfo info, vec2 place, vec3 view, float depth, vec4 footpr
   write_identity(info, uv);
 }
 
-// The same of the place `hit`, seen along `ray`, both in the grid frame.
+// The same of the position `hit`, seen along `ray`, both in the grid frame.
 void shade(PatchInfo info, vec3 hit, vec3 ray, float depth, vec4 footprint) {
 #if RELIEF_NEEDS_NORMAL
   vec3 view = normalize(to_world(info, ray));
 #else
   vec3 view = vec3(0.0);
 #endif
-  shade_place(info, hit.xy, view, depth, footprint);
+  shade_position(info, hit.xy, view, depth, footprint);
 }

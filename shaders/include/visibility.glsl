@@ -1,17 +1,17 @@
-// What was found at a pixel: the patch and the place on it, in two words.
+// What was found at a pixel: the patch and the position on it, in two words.
 #include "include/patches.glsl"
 
-layout(location = RELIEF_UNIFORM_PLACE_STEPS) uniform float place_steps;  // a cell
+layout(location = RELIEF_UNIFORM_POSITION_STEPS) uniform float position_steps;  // a cell
 
-// `place`: grid coordinates; what lies farther beyond the patch than can be noted becomes its edge
+// `position`: grid coordinates; what lies farther beyond the patch than can be noted becomes its edge
 // anyway.
-uvec2 pack_place(vec2 place, uint patch_index) {
-  uvec2 steps = uvec2(clamp((place + kVisibilityBegin) * place_steps, 0.0, float(kVisibilityMask)));
+uvec2 pack_position(vec2 position, uint patch_index) {
+  uvec2 steps = uvec2(clamp((position + kVisibilityBegin) * position_steps, 0.0, float(kVisibilityMask)));
   return steps | uvec2(patch_index << kVisibilityBits, (patch_index >> kVisibilityPatchBits) << kVisibilityBits);
 }
 
-vec2 unpack_place(uvec2 found) {
-  return vec2(found & kVisibilityMask) / place_steps - kVisibilityBegin;
+vec2 unpack_position(uvec2 found) {
+  return vec2(found & kVisibilityMask) / position_steps - kVisibilityBegin;
 }
 
 uint unpack_patch(uvec2 found) {

@@ -20,7 +20,7 @@ layout(location = 4) flat in vec3 splat_colour;
 layout(location = RELIEF_SUM_COLOUR) out vec4 colour_sum;
 #endif
 #if RELIEF_NEEDS_FOOTPRINT
-layout(location = 5) flat in vec2 splat_place;
+layout(location = 5) flat in vec2 splat_position;
 layout(location = 6) flat in vec4 splat_axes;
 layout(location = 7) flat in uint splat_patch;
 #endif
@@ -28,37 +28,37 @@ layout(location = 7) flat in uint splat_patch;
 layout(location = RELIEF_SUM_DEPTH) out vec2 depth_sum;
 #endif
 
-// How the place in the disc changes from pixel to pixel, to the right and upward; to be asked for
+// How the position in the disc changes from pixel to pixel, to the right and upward; to be asked for
 // before any fragment is discarded.
 #if RELIEF_NEEDS_FOOTPRINT
-#define RELIEF_DISC_FOOTPRINT(place) vec4(dFdx(place), dFdy(place))
+#define RELIEF_DISC_FOOTPRINT(position) vec4(dFdx(position), dFdy(position))
 
 vec2 to_grid(vec2 in_disc) {
   return in_disc.x * splat_axes.xy + in_disc.y * splat_axes.zw;
 }
 
-// Fine maps are looked up at the fragment's own place on the splat: one colour or normal a splat
+// Fine maps are looked up at the fragment's own position on the splat: one colour or normal a splat
 // would blur them.
-struct PlaceOnPatch {
+struct PositionOnPatch {
   PatchInfo info;
   vec2 uv;
   vec4 footprint;  // grid coordinates
 };
 
-PlaceOnPatch place_on_patch(vec2 place, vec4 footprint) {
+PositionOnPatch position_on_patch(vec2 position, vec4 footprint) {
   PatchInfo info = fetch_patch(splat_patch);
-  return PlaceOnPatch(info, clamp_to_patch(info, splat_place + to_grid(place)),
+  return PositionOnPatch(info, clamp_to_patch(info, splat_position + to_grid(position)),
                       vec4(to_grid(footprint.xy), to_grid(footprint.zw)));
 }
 #else
-#define RELIEF_DISC_FOOTPRINT(place) vec4(0.0)
+#define RELIEF_DISC_FOOTPRINT(position) vec4(0.0)
 #endif
 
-// `place`: in the disc, of radius 1; `depth`: along the view axis.
-void accumulate(vec2 place, float depth, vec4 footprint) {
-  float weight = exp2(-kGaussianFall * radius_factor * dot(place, place));
+// `position`: in the disc, of radius 1; `depth`: along the view axis.
+void accumulate(vec2 position, float depth, vec4 footprint) {
+  float weight = exp2(-kGaussianFall * radius_factor * dot(position, position));
 #if RELIEF_NEEDS_FOOTPRINT
-  PlaceOnPatch on = place_on_patch(place, footprint);
+  PositionOnPatch on = position_on_patch(position, footprint);
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_FINE_NORMALS) != 0u
   vec3 normal = to_world(on.info, look_up_normal(on.info, on.uv, on.footprint));

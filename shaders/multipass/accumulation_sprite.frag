@@ -8,9 +8,9 @@ layout(binding = RELIEF_TEXTURE_VISIBLE_DEPTH) uniform sampler2D visible_depth;
 void main() {
   count_fragment();
   PlaceInPlane hit = cast_ray();
-  vec4 footprint = RELIEF_DISC_FOOTPRINT(hit.place);
+  vec4 footprint = RELIEF_DISC_FOOTPRINT(hit.position);
   float visible = texelFetch(visible_depth, ivec2(gl_FragCoord.xy), 0).x;
-  // In this form an undefined place is discarded too.
-  if (!(dot(hit.place, hit.place) <= 1.0 && value_at(hit) > visible)) discard;
-  accumulate(hit.place, depth_at(hit), footprint);
+  // In this form an undefined position is discarded too.
+  if (!(dot(hit.position, hit.position) <= 1.0 && value_at(hit) > visible)) discard;
+  accumulate(hit.position, depth_at(hit), footprint);
 }

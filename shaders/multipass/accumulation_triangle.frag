@@ -1,11 +1,11 @@
 // Pass 2: rasterising the triangle has intersected the view ray with the splat's plane.
 #include "multipass/accumulation.glsl"
 
-layout(location = 0) in vec2 place;
+layout(location = 0) in vec2 position;
 
 void main() {
   count_fragment();
-  vec4 footprint = RELIEF_DISC_FOOTPRINT(place);
-  if (dot(place, place) > 1.0) discard;
-  accumulate(place, RELIEF_FRAGMENT_DEPTH, footprint);
+  vec4 footprint = RELIEF_DISC_FOOTPRINT(position);
+  if (dot(position, position) > 1.0) discard;
+  accumulate(position, RELIEF_FRAGMENT_DEPTH, footprint);
 }

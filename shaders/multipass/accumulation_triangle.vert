@@ -4,7 +4,7 @@
 
 layout(location = RELIEF_ATTRIBUTE_PATCH) in uint patch_index;
 
-layout(location = 0) out vec2 place;  // in the disc, of radius 1
+layout(location = 0) out vec2 position;  // in the disc, of radius 1
 
 void main() {
   mat4 clip_from_grid = fetch_clip_from_grid(patch_index);
@@ -14,10 +14,10 @@ void main() {
   DiscAxes axes = disc_axes(splat.slope);
   write_attributes(patch_index, info, splat.centre.xy, radius * vec4(axes.u.xy, axes.v.xy));
   int corner = gl_VertexID % 3;
-  place = corner == 2 ? vec2(0.0, 2.0) : vec2(corner == 0 ? -sqrt(3.0) : sqrt(3.0), -1.0);
+  position = corner == 2 ? vec2(0.0, 2.0) : vec2(corner == 0 ? -sqrt(3.0) : sqrt(3.0), -1.0);
   gl_Position =
       clip_from_grid *
-      vec4(splat.centre + radius * (place.x * axes.u + place.y * axes.v), 1.0);
+      vec4(splat.centre + radius * (position.x * axes.u + position.y * axes.v), 1.0);
 #if (RELIEF_FEATURES & RELIEF_FEATURE_LARGE_SPRITES) != 0u
   SpriteBox box = bound_disc(splat, radius, clip_from_grid);
   if (box.drawable || !box.visible) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);

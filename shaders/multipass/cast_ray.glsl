@@ -6,7 +6,7 @@ layout(location = 1) flat in vec4 middle;
 layout(location = 2) flat in vec2 depths;  // of the plane's origin; set-back of depth values
 
 struct PlaceInPlane {
-  vec2 place;
+  vec2 position;
   float nearness;  // 1 / depth along the view axis; orthographic the depth value; not above 0: not
                    // seen
 };

@@ -12,18 +12,18 @@ ScreenFrame project_frame(vec3 centre, vec3 u, vec3 v, mat4 clip_from_grid) {
   vec4 c = clip_from_grid * vec4(centre, 1.0);
   vec4 du = clip_from_grid * vec4(u, 0.0);
   vec4 dv = clip_from_grid * vec4(v, 0.0);
-  vec2 place = c.xy / c.w;
-  vec2 half_picture = 0.5 * frame.viewport.xy;
-  vec2 pu = half_picture / c.w * (du.xy - place * du.w);
-  vec2 pv = half_picture / c.w * (dv.xy - place * dv.w);
+  vec2 position = c.xy / c.w;
+  vec2 half_viewport = 0.5 * frame.viewport.xy;
+  vec2 pu = half_viewport / c.w * (du.xy - position * du.w);
+  vec2 pv = half_viewport / c.w * (dv.xy - position * dv.w);
   ScreenFrame seen;
   // Seen edge-on this is infinite, and no fragment meets the plane.
   seen.frame_of_offset = vec4(pv.y, -pu.y, -pv.x, pu.x) / (pu.x * pv.y - pu.y * pv.x);
 #if (RELIEF_FEATURES & RELIEF_FEATURE_ORTHOGRAPHIC) != 0u
-  seen.middle = vec4((1.0 + place) * half_picture, du.z, dv.z);
+  seen.middle = vec4((1.0 + position) * half_viewport, du.z, dv.z);
   seen.depth = c.z;
 #else
-  seen.middle = vec4((1.0 + place) * half_picture, vec2(du.w, dv.w) / c.w);
+  seen.middle = vec4((1.0 + position) * half_viewport, vec2(du.w, dv.w) / c.w);
   seen.depth = c.w;
 #endif
   return seen;

@@ -14,7 +14,7 @@ layout(location = 3) flat out vec3 splat_normal;  // world, unit
 layout(location = 4) flat out vec3 splat_colour;  // linear
 #endif
 #if RELIEF_NEEDS_FOOTPRINT
-layout(location = 5) flat out vec2 splat_place;  // of its centre, grid coordinates
+layout(location = 5) flat out vec2 splat_position;  // of its centre, grid coordinates
 layout(location = 6) flat out vec4 splat_axes;   // how these change along the axes of its unit disc
 layout(location = 7) flat out uint splat_patch;
 #endif
@@ -33,7 +33,7 @@ void write_attributes(uint patch_index, PatchInfo info, vec2 node, vec4 axes) {
 #endif
 #if RELIEF_NEEDS_FOOTPRINT
   splat_patch = patch_index;
-  splat_place = node;
+  splat_position = node;
   splat_axes = axes;
 #endif
 #if RELIEF_COLOUR_PER_SPLAT

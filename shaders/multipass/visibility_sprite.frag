@@ -4,7 +4,7 @@
 #include "multipass/cast_ray.glsl"
 #include "include/identity.glsl"
 
-layout(location = 3) flat in vec4 grid_place;
+layout(location = 3) flat in vec4 grid_position;
 layout(location = 4) flat in uint hit_patch;
 
 // The vertex stage gives the nearest point of the disc.
@@ -13,8 +13,8 @@ layout(depth_less) out float gl_FragDepth;
 void main() {
   count_fragment();
   PlaceInPlane hit = cast_ray();
-  // In this form an undefined place is discarded too.
-  if (!(hit.nearness > 0.0 && max(abs(hit.place.x), abs(hit.place.y)) <= 1.0)) discard;
+  // In this form an undefined position is discarded too.
+  if (!(hit.nearness > 0.0 && max(abs(hit.position.x), abs(hit.position.y)) <= 1.0)) discard;
   gl_FragDepth = set_back(value_at(hit), depths.y);
-  write_identity(fetch_patch(hit_patch), grid_place.xy + hit.place * grid_place.zw);
+  write_identity(fetch_patch(hit_patch), grid_position.xy + hit.position * grid_position.zw);
 }

@@ -7,7 +7,7 @@ layout(location = RELIEF_ATTRIBUTE_PATCH) in uint patch_index;
 layout(location = 0) flat out vec4 frame_of_offset;
 layout(location = 1) flat out vec4 middle;
 layout(location = 2) flat out vec2 depths;
-layout(location = 3) flat out vec4 grid_place;  // middle of the parallelogram, half its sides
+layout(location = 3) flat out vec4 grid_position;  // middle of the parallelogram, half its sides
 layout(location = 4) flat out uint hit_patch;
 
 void main() {
@@ -25,7 +25,7 @@ void main() {
   frame_of_offset = seen.frame_of_offset;
   middle = seen.middle;
   depths = vec2(seen.depth, by);
-  grid_place = vec4(splat.centre.xy + offset, half_side);
+  grid_position = vec4(splat.centre.xy + offset, half_side);
   hit_patch = patch_index;
   SpriteBox box = bound_disc(splat, covering_radius(splat), clip_from_grid);
   gl_Position =

@@ -4,7 +4,7 @@
 
 layout(location = RELIEF_ATTRIBUTE_PATCH) in uint patch_index;
 
-layout(location = 0) out vec2 place;  // in the parallelogram: 0 to 1
+layout(location = 0) out vec2 position;  // in the parallelogram: 0 to 1
 layout(location = 1) out vec2 node;   // in the grid
 layout(location = 2) flat out uint hit_patch;
 
@@ -14,8 +14,8 @@ void main() {
   Splat splat = fetch_splat(gl_VertexID / 3, info, clip_from_grid, fetch_eye(patch_index));
   int corner = gl_VertexID % 3;
   vec4 reach = splat.reach + splat.margin;
-  place = vec2(corner == 1 ? 2.0 : 0.0, corner == 2 ? 2.0 : 0.0);
-  vec2 offset = mix(-reach.xz, reach.yw, place);
+  position = vec2(corner == 1 ? 2.0 : 0.0, corner == 2 ? 2.0 : 0.0);
+  vec2 offset = mix(-reach.xz, reach.yw, position);
   node = splat.centre.xy + offset;
   hit_patch = patch_index;
   gl_Position =

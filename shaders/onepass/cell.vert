@@ -31,12 +31,12 @@ const int kVertices = kRunVertices;
 void main() {
   PatchInfo info = fetch_patch(patch_index);
   uint run = texelFetch(cell_runs, gl_VertexID / kVertices).x;
-  uint cells = (run >> (2u * kPlaceBits)) & kRunCellsMask;
+  uint cells = (run >> (2u * kNodeInPartBits)) & kRunCellsMask;
   int corner = clamp(gl_VertexID % kVertices - 1, 0, kVertices - 3);
   // The upper row first: 2, 0, 3, 1 of a cell.
   uvec2 within = uvec2(min(uint(corner) / 2u, cells), 1u - uint(corner) % 2u);
   uvec2 first = uvec2(part_corner & 0xFFFFu, part_corner >> 16) +
-                uvec2(run & kPlaceMask, (run >> kPlaceBits) & kPlaceMask);
+                uvec2(run & kNodeInPartMask, (run >> kNodeInPartBits) & kNodeInPartMask);
   ivec2 node = ivec2(first + within);
   hit_patch = patch_index;
   hit = vec3(node, float(fetch_height(info, node)) * info.axis_v.w);

@@ -34,10 +34,10 @@ vec3 unit_from_octahedral(vec2 p) {
 }
 
 // Along the view axis.
-float depth_of(PatchInfo info, vec3 place) {
+float depth_of(PatchInfo info, vec3 position) {
 #if (RELIEF_FEATURES & RELIEF_FEATURE_ORTHOGRAPHIC) != 0u
   vec4 eye = fetch_eye(patch_index);
-  return eye.w + info.axis_u.w * dot(eye.xyz, place);
+  return eye.w + info.axis_u.w * dot(eye.xyz, position);
 #else
   return gl_Position.w;
 #endif
@@ -46,14 +46,14 @@ float depth_of(PatchInfo info, vec3 place) {
 void main() {
   PatchInfo info = fetch_patch(patch_index);
   uvec4 record = texelFetch(proxy_vertices, gl_VertexID);
-  vec3 place = vec3(record.x & 0xFFFFu, record.x >> 16, record.y & 0xFFFFu);
-  gl_Position = fetch_clip_from_grid(patch_index) * vec4(place, 1.0);
+  vec3 position = vec3(record.x & 0xFFFFu, record.x >> 16, record.y & 0xFFFFu);
+  gl_Position = fetch_clip_from_grid(patch_index) * vec4(position, 1.0);
   window = (0.5 + 0.5 * gl_Position.xy / gl_Position.w) * frame.viewport.xy;
 
   vec2 octahedral = vec2(record.w & 0x1FFFu, (record.w >> 13) & 0x1FFFu) * (2.0 / 8191.0) - 1.0;
   vec3 facing = to_world(info, unit_from_octahedral(octahedral));
   normal_spread = float(record.w >> 26) / 63.0;
-  float distance = depth_of(info, place);
+  float distance = depth_of(info, position);
 #if (RELIEF_FEATURES & RELIEF_FEATURE_COLOURS) != 0u
   vec3 albedo = vec3(unpackHalf2x16(record.y).y, unpackHalf2x16(record.z));
 #else

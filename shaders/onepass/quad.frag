@@ -40,7 +40,7 @@ void main() {
   if (distance(hit, disc.xyz) > disc.w || !within_limits(hit.xy - disc.xy, limits)) discard;
 #endif
   PatchInfo info = fetch_patch(hit_patch);
-  vec3 place = hit;
+  vec3 position = hit;
   vec4 eye = fetch_eye(hit_patch);
   vec3 ray = ray_toward(hit, eye);
 #if (RELIEF_FEATURES & RELIEF_FEATURE_ORTHOGRAPHIC) != 0u
@@ -50,21 +50,21 @@ void main() {
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_CORRECTED) != 0u
   float along;
-  if (!correct(place, ray, info, along)) discard;
+  if (!correct(position, ray, info, along)) discard;
   depth = depth_beyond(depth, along, info.axis_u.w);
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_MASKED) != 0u
-  if (!within_mask(info, place.xy)) discard;
+  if (!within_mask(info, position.xy)) discard;
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_LAYERED) != 0u
   if (!in_next_layers(info.axis_u.w)) discard;
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_VISIBILITY) != 0u
-  out_visibility = pack_place(place.xy, hit_patch);
+  out_visibility = pack_position(position.xy, hit_patch);
 #if RELIEF_NEEDS_DEPTH
   out_visibility_depth = depth;
 #endif
 #else
-  shade(info, place, ray, depth, footprint);
+  shade(info, position, ray, depth, footprint);
 #endif
 }

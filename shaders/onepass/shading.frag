@@ -24,16 +24,16 @@ void main() {
 #if RELIEF_NEEDS_DEPTH
   depth = texelFetch(visibility_depths, pixel, 0).x;
 #endif
-  vec2 place = unpack_place(found);
+  vec2 position = unpack_position(found);
   vec4 footprint = vec4(0.0);
 #if RELIEF_NEEDS_FOOTPRINT
   // Only layers have this: they are shaded later whatever is on them.
   float patch_number = float(unpack_patch(found));
-  if (dFdxFine(patch_number) == 0.0) footprint.xy = dFdxFine(place);
-  if (dFdyFine(patch_number) == 0.0) footprint.zw = dFdyFine(place);
+  if (dFdxFine(patch_number) == 0.0) footprint.xy = dFdxFine(position);
+  if (dFdyFine(patch_number) == 0.0) footprint.zw = dFdyFine(position);
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_TWO_INTERFACES) != 0u
   body_diameter = texelFetch(bodies, int(unpack_patch(found))).x;
 #endif
-  shade_place(fetch_patch(unpack_patch(found)), place, ray, depth, footprint);
+  shade_position(fetch_patch(unpack_patch(found)), position, ray, depth, footprint);
 }

@@ -40,7 +40,7 @@ void main() {
   vec3 offset = across - dot(normal, across) / dot(normal, ray) * ray;
   float value = seen_at.z - info.axis_u.w * dot(ray, offset) / frame.ray_along.w;
   float depth = depth_of_value(value);
-  vec3 place = disc.xyz + offset;
+  vec3 position = disc.xyz + offset;
   bool before_eye = true;  // a disc that reaches behind the near plane is no sprite
 #else
   vec3 ray = to_grid(info, ray_through(gl_FragCoord.xy));  // of unit depth
@@ -48,7 +48,7 @@ void main() {
   vec3 toward = depth * ray;
   vec3 offset = toward - disc.xyz;
   float value = frame.ray_origin.w / depth;
-  vec3 place = eye.xyz + toward;
+  vec3 position = eye.xyz + toward;
   bool before_eye = depth > 0.0;
 #endif
   vec4 footprint = RELIEF_FOOTPRINT(offset.xy);
@@ -59,10 +59,10 @@ void main() {
   gl_FragDepth = set_back(value, plane.z);
   float along = 0.0;
 #if (RELIEF_FEATURES & RELIEF_FEATURE_CORRECTED) != 0u
-  if (!correct(place, toward, info, along)) discard;
+  if (!correct(position, toward, info, along)) discard;
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_MASKED) != 0u
-  if (!within_mask(info, place.xy)) discard;
+  if (!within_mask(info, position.xy)) discard;
 #endif
-  shade(info, place, ray, depth_beyond(depth, along, info.axis_u.w), footprint);
+  shade(info, position, ray, depth_beyond(depth, along, info.axis_u.w), footprint);
 }

@@ -101,11 +101,11 @@ TEST_F(NormalMapCli, TiltsComeOutInImagesOfAllEngines) {
                                                         {patches, "--engine", "ewa"},
                                                         {patches, "--engine", "raytrace"},
                                                         {mesh, "--engine", "raytrace"}};
-    for (const std::vector<std::string>& way : methods) {
-      const Image image = render(way);
+    for (const std::vector<std::string>& method : methods) {
+      const Image image = render(method);
       ASSERT_NE(image.find("N.X"), nullptr);
       for (const std::size_t x : {20U, 32U, 45U})
-        EXPECT_LT(degrees_between(normal_at(image, x, 24), expected), 0.5) << way.back();
+        EXPECT_LT(degrees_between(normal_at(image, x, 24), expected), 0.5) << method.back();
     }
   }
 }

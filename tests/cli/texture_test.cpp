@@ -33,22 +33,22 @@ class TextureCli : public CliTest {
 TEST_F(TextureCli, SplatsShowTheTextureWhereItIs) {
   const std::string mesh = write("square.obj", kSquare);
   const std::string texture = write_texture();
-  for (const char* way : {"given", "ewa", "optimised"}) {
+  for (const char* method : {"given", "ewa", "optimised"}) {
     const Outcome run = run_relief({"render", mesh, "-o", path("out.exr"), "--engine", "ewa",
-                                    "--texture", texture, "--acquisition", way, "--points", "2000",
-                                    "--material", "unlit", "--size", "64x64", "--json"});
+                                    "--texture", texture, "--acquisition", method, "--points",
+                                    "2000", "--material", "unlit", "--size", "64x64", "--json"});
     ASSERT_EQ(run.exit_code, 0) << run.err;
     EXPECT_NE(run.err.find("2000 splats"), std::string::npos) << run.err;
-    EXPECT_EQ(run.err.find("condition") != std::string::npos, std::string(way) == "optimised");
+    EXPECT_EQ(run.err.find("condition") != std::string::npos, std::string(method) == "optimised");
     const auto image = read_image(path("out.exr"));
     ASSERT_TRUE(image);
     // A pixel left of the middle and one right of it, far from the edge between the colours, where
     // all coefficients are the texture's: what the fit's decaying overshoot leaves there is small.
     for (const std::size_t x : {24U, 40U}) {
       const std::size_t pixel = std::size_t{32} * 64 + x;
-      EXPECT_NEAR(image->find("R")->values[pixel], x < 32 ? 1.0F : 0.0F, 0.02F) << way;
-      EXPECT_NEAR(image->find("G")->values[pixel], 0.0F, 0.02F) << way;
-      EXPECT_NEAR(image->find("B")->values[pixel], x < 32 ? 0.0F : 1.0F, 0.02F) << way;
+      EXPECT_NEAR(image->find("R")->values[pixel], x < 32 ? 1.0F : 0.0F, 0.02F) << method;
+      EXPECT_NEAR(image->find("G")->values[pixel], 0.0F, 0.02F) << method;
+      EXPECT_NEAR(image->find("B")->values[pixel], x < 32 ? 0.0F : 1.0F, 0.02F) << method;
     }
     for (const Channel& channel : image->channels) {
       for (const float value : channel.values) EXPECT_FALSE(std::isnan(value)) << channel.name;
@@ -85,10 +85,10 @@ TEST_F(TextureCli, PatchesAndRaysShowTheTexture) {
       {path("square.relief"), "--engine", "raytrace"},
       {mesh, "--engine", "raytrace"},
       {write("bare.obj", kSquare), "--engine", "raytrace", "--texture", texture}};
-  for (const std::vector<std::string>& way : methods) {
+  for (const std::vector<std::string>& method : methods) {
     std::vector<std::string> arguments{"render", "-o",     path("out.exr"), "--material",
                                        "unlit",  "--size", "64x64"};
-    arguments.insert(arguments.end(), way.begin(), way.end());
+    arguments.insert(arguments.end(), method.begin(), method.end());
     const Outcome run = run_relief(arguments);
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const auto image = read_image(path("out.exr"));
@@ -96,8 +96,8 @@ TEST_F(TextureCli, PatchesAndRaysShowTheTexture) {
     for (const std::size_t x : {24U, 40U}) {
       const std::size_t pixel = std::size_t{32} * 64 + x;
       // Black and white have exact codes, whatever filters constant colours.
-      EXPECT_EQ(image->find("R")->values[pixel], x < 32 ? 1.0F : 0.0F) << way.front();
-      EXPECT_EQ(image->find("B")->values[pixel], x < 32 ? 0.0F : 1.0F) << way.front();
+      EXPECT_EQ(image->find("R")->values[pixel], x < 32 ? 1.0F : 0.0F) << method.front();
+      EXPECT_EQ(image->find("B")->values[pixel], x < 32 ? 0.0F : 1.0F) << method.front();
     }
   }
 }

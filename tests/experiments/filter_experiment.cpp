@@ -107,14 +107,14 @@ std::vector<Region> regions_of(const Subject& subject) {
 /// A column of a table: an image of each view.
 struct Column {
   std::string name;
-  std::function<const Image&(const Subject&)> picture;
+  std::function<const Image&(const Subject&)> image;
 };
 
-std::vector<Column> columns_of(std::vector<Image> Subject::*pictures) {
+std::vector<Column> columns_of(std::vector<Image> Subject::*images) {
   std::vector<Column> columns;
   for (std::size_t i = 0; i < kFilters.size(); ++i) {
-    columns.push_back({kFilters[i].first, [pictures, i](const Subject& subject) -> const Image& {
-                         return (subject.*pictures)[i];
+    columns.push_back({kFilters[i].first, [images, i](const Subject& subject) -> const Image& {
+                         return (subject.*images)[i];
                        }});
   }
   return columns;
@@ -133,7 +133,7 @@ void print_table(const std::vector<Subject>& subjects, const char* title,
     for (const Region& region : regions_of(subject)) {
       fmt::print("| {} | {} |", subject.view.name, region.name);
       for (const Column& column : columns)
-        fmt::print(" {} |", as_cell(measure_error(column.picture(subject), truth, region.mask)));
+        fmt::print(" {} |", as_cell(measure_error(column.image(subject), truth, region.mask)));
       fmt::print("\n");
     }
   }
@@ -144,8 +144,8 @@ std::size_t count_gaps(const std::vector<Subject>& subjects) {
   std::size_t gaps = 0;
   for (const Subject& subject : subjects) {
     const Mask covered = subject.truths.checkerboard.gaussian.covered();
-    for (const Image& picture : subject.cut) {
-      const Channel* const alpha = picture.find("A");
+    for (const Image& image : subject.cut) {
+      const Channel* const alpha = image.find("A");
       for (std::size_t i = 0; alpha != nullptr && i < covered.size(); ++i)
         gaps += covered[i] != 0 && alpha->values[i] < 1.0F ? 1 : 0;
     }

@@ -155,30 +155,31 @@ Status measure(const Subject& subject, const std::string& out) {
   const auto texture = ContinuousTexture::from_image(subject.texture);
   if (!texture) return texture.error();
   const std::vector<ShownView> views = make_views(subject, *texture);
-  const auto path = [&](const ShownView& view, const char* way) {
-    return fmt::format("{}/{}_{:g}_{}_{}.png", out, subject.name, subject.cutoff, view.name, way);
+  const auto path = [&](const ShownView& view, const char* method) {
+    return fmt::format("{}/{}_{:g}_{}_{}.png", out, subject.name, subject.cutoff, view.name,
+                       method);
   };
   for (const ShownView& view : views) {
     Status written = write_png(path(view, "truth"), view.truths.gaussian.image);
     if (!written) return written;
   }
-  for (const Method& way : kMethods) {
+  for (const Method& method : kMethods) {
     AcquireOptions options;
-    options.acquisition = way.acquisition;
+    options.acquisition = method.acquisition;
     options.points = subject.points;
     options.cutoff = subject.cutoff;
     const auto acquired = acquire_texture(subject.mesh, subject.texture, options, progress);
     if (!acquired) return acquired.error();
     const SplatCloud cloud = as_cloud(acquired->splats);
     std::string row = fmt::format("| {} | {:g} | {} | {:.4f} |", subject.name, subject.cutoff,
-                                  way.name, acquired->report.rms_error);
+                                  method.name, acquired->report.rms_error);
     for (const ShownView& view : views) {
       const auto image = draw(cloud, view.camera, subject.cutoff);
       if (!image) return image.error();
       const auto cell = as_cell(*image, view.truths);
       if (!cell) return cell.error();
       row += *cell;
-      Status written = write_png(path(view, way.name), *image);
+      Status written = write_png(path(view, method.name), *image);
       if (!written) return written;
     }
     const auto function = measure_function(cloud, views.front(), subject.cutoff);

@@ -62,7 +62,7 @@ RayLayers layers_about(const std::vector<RayLayers>& layers, std::uint32_t x, st
 std::vector<Region> regions_of(const std::vector<RayLayers>& layers, double near) {
   std::vector<Region> regions(6);
   constexpr std::array<const char*, 6> kNames = {
-      "whole picture", "1 surface", "2, apart", "3, apart", "4 or more, apart", "at a crossing"};
+      "whole image", "1 surface", "2, apart", "3, apart", "4 or more, apart", "at a crossing"};
   for (std::size_t r = 0; r < regions.size(); ++r)
     regions[r] = {kNames[r], Mask(layers.size(), r == 0 ? 1 : 0)};
   for (std::uint32_t y = kReach; y + kReach < kSide; ++y) {
@@ -95,7 +95,7 @@ Result<Image> draw(const Surfaces& surfaces, const Camera& camera, std::string e
 
 /// An image and what it should be.
 struct Pair {
-  Image picture;
+  Image image;
   Image truth;
 };
 
@@ -112,11 +112,11 @@ Result<std::vector<Pair>> draw_all(const Subject& subject, const Camera& camera,
   if (!written) return written.error();
   std::vector<Pair> pairs;
   for (const int layers : kLayers) {
-    const auto picture = draw(subject.surfaces, camera, "ewa", layers);
-    if (!picture) return picture.error();
-    const Status done = write_png(fmt::format("{}_{}.png", prefix, layers), *picture);
+    const auto image = draw(subject.surfaces, camera, "ewa", layers);
+    if (!image) return image.error();
+    const Status done = write_png(fmt::format("{}_{}.png", prefix, layers), *image);
     if (!done) return done.error();
-    pairs.push_back({*picture, *truth});
+    pairs.push_back({*image, *truth});
   }
   pairs.push_back({*opaque, *opaque_truth});
   return pairs;
@@ -147,7 +147,7 @@ Status measure(const Subject& subject, const std::string& out) {
       if (count < 200) continue;
       fmt::print("| {} | {} | {} | {} |", subject.name, view, region.name, count);
       for (const Pair& pair : *pairs)
-        fmt::print(" {} |", as_cell(measure_error(pair.picture, pair.truth, region.mask)));
+        fmt::print(" {} |", as_cell(measure_error(pair.image, pair.truth, region.mask)));
       fmt::print("\n");
     }
   }

@@ -1,4 +1,4 @@
-// Models that stand in several places, from near and from afar.
+// Models with several instances, from near and from afar.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -69,15 +69,15 @@ TEST(Instances, AreDrawnAsModelsOfTheirOwn) {
   const PatchModel placed = placed_spheres();
   const PatchModel baked = bake(placed);
   ASSERT_EQ(baked.patches.size(), 3U * 6U + 2U * 6U);
-  for (const test::Method& way : test::all_methods()) {
+  for (const test::Method& method : test::all_methods()) {
     RenderSettings settings = two_materials(small_image(placed));
-    settings.primitive = way.primitive;
-    settings.interpolation = way.interpolation;
+    settings.primitive = method.primitive;
+    settings.interpolation = method.interpolation;
     settings.pixels_per_sample = 0.0;  // or baked models, which are one model, would be nearer
     const RenderResult one = must_render(placed, settings);
     const RenderResult other = must_render(baked, settings);
-    EXPECT_GT(one.covered_pixels, 500U) << way.name;
-    expect_same(one, other, way.name);
+    EXPECT_GT(one.covered_pixels, 500U) << method.name;
+    expect_same(one, other, method.name);
   }
 }
 
@@ -126,7 +126,7 @@ struct ProxySphere {
 bool draws_proxies(const RenderResult& result) {
   return result.explanation &&
          std::any_of(result.explanation->passes.begin(), result.explanation->passes.end(),
-                     [](const auto& pass) { return pass == "far models"; });
+                     [](const auto& pass) { return pass == "proxies"; });
 }
 
 class Proxies : public testing::TestWithParam<bool> {};

@@ -10,7 +10,7 @@
 
 namespace relief::test {
 
-/// What a surface is at the place where a line along a patch's normal meets it.
+/// What a surface is at the position where a line along a patch's normal meets it.
 struct SurfacePoint {
   double height = 0.0;     ///< along the normal, world units from the base plane
   glm::dvec3 normal{0.0};  ///< world, unit

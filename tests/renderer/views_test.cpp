@@ -35,13 +35,13 @@ TEST(Views, DoNotAffectEachOther) {
   const PatchModel model = bumpy_sphere(true);
   std::vector<RenderSettings> views;
   for (const Material material : {Material::Unlit, Material::Mirror, Material::Lit}) {
-    for (const test::Method& way : test::all_methods()) {
+    for (const test::Method& method : test::all_methods()) {
       const double turn = 40.0 * static_cast<double>(views.size());
       RenderSettings settings =
           small_image(model, {turn, 15.0, 1.3}, 48 + static_cast<std::uint32_t>(views.size()));
       settings.material = material;
-      settings.primitive = way.primitive;
-      settings.interpolation = way.interpolation;
+      settings.primitive = method.primitive;
+      settings.interpolation = method.interpolation;
       settings.outputs = views.size() % 2 == 0 ? test::all_outputs() : Outputs{};
       if (views.size() % 3 == 0) settings.background.reset();
       views.push_back(settings);
@@ -143,10 +143,10 @@ TEST(MovedModels, TwiceAsLargeFromTwiceAsFarIsTheSameImage) {
   const PatchModel model = bumpy_sphere(true);
   PatchModel large = model;
   ASSERT_TRUE(transform_model(large, {{}, glm::dmat3(1.0), 2.0}));
-  for (const test::Method& way : test::all_methods()) {
+  for (const test::Method& method : test::all_methods()) {
     RenderSettings settings = small_image(model, {20.0, 15.0, 1.3});
-    settings.primitive = way.primitive;
-    settings.interpolation = way.interpolation;
+    settings.primitive = method.primitive;
+    settings.interpolation = method.interpolation;
     settings.outputs = test::all_outputs();
     const RenderResult small = must_render(model, settings);
     settings.camera.eye *= 2.0;
@@ -169,10 +169,10 @@ TEST(MovedModels, AMovedModelIsTheModelSeenByACameraMovedBack) {
   const auto there = [&transform](glm::dvec3 p) {
     return transform.translation + transform.scale * (transform.rotation * p);
   };
-  for (const test::Method& way : test::all_methods()) {
+  for (const test::Method& method : test::all_methods()) {
     RenderSettings settings = small_image(model, {20.0, 15.0});
-    settings.primitive = way.primitive;
-    settings.interpolation = way.interpolation;
+    settings.primitive = method.primitive;
+    settings.interpolation = method.interpolation;
     settings.outputs = test::all_outputs();
     const RenderResult one = must_render(model, settings);
     settings.camera.eye = there(settings.camera.eye);
@@ -181,7 +181,7 @@ TEST(MovedModels, AMovedModelIsTheModelSeenByACameraMovedBack) {
     const RenderResult other = must_render(moved, settings);
     // Single precision rounds the turned axes otherwise: ties between splats and at the rim may
     // fall the other way (measured: one of 6,000 pixels, in one of the four).
-    EXPECT_LE(test::count_different(one.image, other.image, 1), 4U) << way.name;
+    EXPECT_LE(test::count_different(one.image, other.image, 1), 4U) << method.name;
     std::size_t wrong = 0;
     for (std::size_t k = 0; k < values(one.image, "Z").size(); ++k) {
       const auto normal = [k](const RenderResult& r) {
@@ -200,7 +200,7 @@ TEST(MovedModels, AMovedModelIsTheModelSeenByACameraMovedBack) {
                         glm::distance(transform.rotation * normal(one), normal(other)) < 2e-3;
       wrong += same ? 0 : 1;
     }
-    EXPECT_LE(wrong, 4U) << way.name;
+    EXPECT_LE(wrong, 4U) << method.name;
   }
 }
 
@@ -223,9 +223,9 @@ TEST(JoinedModels, AreSeenSideBySideWithIdsThatCountOn) {
   RenderSettings settings = small_image(both, {0.0, 0.0});
   settings.material = Material::Unlit;
   settings.outputs.patch_id = true;
-  for (const test::Method& way : test::all_methods()) {
-    settings.primitive = way.primitive;
-    settings.interpolation = way.interpolation;
+  for (const test::Method& method : test::all_methods()) {
+    settings.primitive = method.primitive;
+    settings.interpolation = method.interpolation;
     const RenderResult result = must_render(both, settings);
     std::size_t coloured = 0;
     std::size_t neutral = 0;

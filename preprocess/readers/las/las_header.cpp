@@ -89,10 +89,11 @@ class LasHeaderReader {
     header_size_ = whole<std::uint16_t>(kHeaderSize);
     const std::size_t min_size = is_14_ ? kHeaderEnd14 : kHeaderEnd;
     if (header_size_ < min_size || header_size_ > size_) {
-      return damaged(kHeaderSize,
-                     fmt::format("the header is said to have {} bytes, but it has at least {} and "
-                                 "the file {}",
-                                 header_size_, min_size, size_));
+      return damaged(
+          kHeaderSize,
+          fmt::format("the header gives its own size as {} bytes; it has at least {}, and "
+                      "the file {}",
+                      header_size_, min_size, size_));
     }
     const auto format = whole<std::uint8_t>(kFormat);
     if ((format & 0x80U) != 0) {

@@ -28,14 +28,14 @@ glm::dvec3 normal_beside(const Surface& surface, glm::dvec2 offset) {
 
 }  // namespace
 
-glm::dvec3 shade_surface(const Surface& surface, glm::dvec2 place, const View& view,
+glm::dvec3 shade_surface(const Surface& surface, glm::dvec2 position, const View& view,
                          const Lighting& lighting) {
   const int side = lookups_of(surface, lighting);
   glm::dvec3 sum(0.0);
   for (int j = 0; j < side; ++j) {
     for (int i = 0; i < side; ++i) {
       const glm::dvec2 offset = (glm::dvec2(i, j) + 0.5) / static_cast<double>(side) - 0.5;
-      const glm::dvec2 at = place + offset;
+      const glm::dvec2 at = position + offset;
       const glm::dvec2 window(at.x, view.height - at.y);
       const glm::dvec3 through = ray_through(view, window);
       const glm::dvec3 ray = glm::normalize(through);

@@ -7,11 +7,11 @@
 
 namespace relief::ewa {
 
-/// The colour that a surface shows at a place in the image (pixels from the upper left corner,
+/// The colour that a surface shows at a position in the image (pixels from the upper left corner,
 /// the middle of a pixel). Where normals cancelled out, it faces the eye. A mirror's reflection is
 /// averaged over the pixel, in which the normal turns toward its neighbours', by up to 4 x 4
 /// lookups: a single one would alias however well the normals are filtered.
-[[nodiscard]] glm::dvec3 shade_surface(const Surface& surface, glm::dvec2 place, const View& view,
-                                       const Lighting& lighting);
+[[nodiscard]] glm::dvec3 shade_surface(const Surface& surface, glm::dvec2 position,
+                                       const View& view, const Lighting& lighting);
 
 }  // namespace relief::ewa

@@ -55,8 +55,8 @@ Result<Scene> make_scene(const SplatCloud& finest, EnvironmentCache& environment
   return scene;
 }
 
-RenderResult picture_of(const Splatted& splatted, const Scene& scene,
-                        const RenderSettings& settings) {
+RenderResult result_of(const Splatted& splatted, const Scene& scene,
+                       const RenderSettings& settings) {
   RenderResult result;
   result.renderer = "CPU";
   result.fragments = splatted.evaluations;
@@ -78,7 +78,7 @@ Result<RenderResult> render_whole(const SplatCloud& cloud, EnvironmentCache& env
     frame_ms.push_back(milliseconds_since(start));
   }
   if (progress.cancelled()) return interrupted_error();
-  RenderResult result = picture_of(splatted, scene, settings);
+  RenderResult result = result_of(splatted, scene, settings);
   result.frame_ms = median(std::move(frame_ms));
   return result;
 }
@@ -131,7 +131,7 @@ Result<RenderResult> render_progressive(const SplatHierarchy& hierarchy,
         splat_cloud(cloud, scene.view, settings.ewa, scene.lighting, progress);
     const double took = milliseconds_since(level_start);
     if (progress.cancelled()) return interrupted_error();
-    RenderResult result = picture_of(splatted, scene, settings);
+    RenderResult result = result_of(splatted, scene, settings);
     result.frame_ms = took;
     result.level = static_cast<std::uint32_t>(level);
     show(result);

@@ -59,12 +59,12 @@ Chunk<Kernel> project_chunk(const SplatCloud& cloud, std::size_t begin, std::siz
     const PixelBox box = pixels_of(splat->kernel, tiling.all());
     if (box.empty()) continue;
     splat->index = static_cast<std::uint32_t>(k);
-    const auto place = static_cast<std::uint32_t>(chunk.splats.size());
+    const auto slot = static_cast<std::uint32_t>(chunk.splats.size());
     chunk.splats.push_back(*splat);
     for (std::int64_t row = box.top / kTile; row <= box.bottom / kTile; ++row) {
       for (std::int64_t column = box.left / kTile; column <= box.right / kTile; ++column)
         chunk.entries.push_back(
-            {static_cast<std::uint32_t>(row * tiling.columns() + column), place});
+            {static_cast<std::uint32_t>(row * tiling.columns() + column), slot});
     }
   }
   std::stable_sort(chunk.entries.begin(), chunk.entries.end(),
@@ -148,8 +148,8 @@ std::uint64_t draw_tile(const SplatCloud& cloud, const std::vector<Chunk<Kernel>
   if (empty) return 0;
   const auto shade = [&](const Surface& surface) {
     const auto pixel = static_cast<std::int64_t>(surface.pixel);
-    const glm::dvec2 place(tile.left + pixel % kTile, tile.top + pixel / kTile);
-    return shade_surface(surface, place + 0.5, view, lighting);
+    const glm::dvec2 pixel_corner(tile.left + pixel % kTile, tile.top + pixel / kTile);
+    return shade_surface(surface, pixel_corner + 0.5, view, lighting);
   };
   LayeredBuffer buffer(static_cast<std::size_t>(kTile), static_cast<std::size_t>(kTile),
                        settings.layers, settings.coverage_threshold, shade);

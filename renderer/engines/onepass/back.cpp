@@ -31,7 +31,7 @@ Result<Back> make_back(const Gl& gl, const View& whole, MaterialChoice materials
   Texture z_buffer =
       make_attachment(gl, "back depth buffer", GL_DEPTH_COMPONENT32F, view.width, view.height);
   Result<Visibility> found = make_visibility(gl, {view.width, view.height}, z_buffer, features,
-                                             {"back places", "back depths", "back"});
+                                             {"back coordinates", "back depths", "back"});
   if (!found) return found.error();
   const shared::Frame frame = make_frame(view, largest_sprite(gl), {});
   return Back{view, std::move(materials), std::move(z_buffer), std::move(*found),
@@ -46,14 +46,14 @@ void clear_back(const Gl& gl, const Back& back) {
 }
 
 void bind_back(const Gl& gl, const Back& back, const Table& bodies) {
-  gl.BindTextureUnit(RELIEF_TEXTURE_BACK_PLACES, back.found.places.id());
+  gl.BindTextureUnit(RELIEF_TEXTURE_BACK_COORDINATES, back.found.coordinates.id());
   gl.BindTextureUnit(RELIEF_TEXTURE_BACK_DEPTHS, back.found.depths->id());
   gl.BindTextureUnit(RELIEF_TEXTURE_BODIES, bodies.texture.id());
   gl.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_BACK_FRAME, back.uniforms.id());
 }
 
 void unbind_back(const Gl& gl) {
-  gl.BindTextureUnit(RELIEF_TEXTURE_BACK_PLACES, 0);
+  gl.BindTextureUnit(RELIEF_TEXTURE_BACK_COORDINATES, 0);
   gl.BindTextureUnit(RELIEF_TEXTURE_BACK_DEPTHS, 0);
   gl.BindTextureUnit(RELIEF_TEXTURE_BODIES, 0);
   gl.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_BACK_FRAME, 0);

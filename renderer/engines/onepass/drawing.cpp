@@ -39,8 +39,8 @@ void Drawing::draw(const GlFrame& frame, PassTimer& timer) const {
     if (batch.large) variant_.samples.draw(*batch.large, *programs.large_sprites);
   }
   if (batch.proxies.empty()) return;
-  const ScopedPass pass(gl, timer, "far models");
-  draw_proxy_meshes(gl, *programs.far, *variant_.samples.store().far, batch.proxies);
+  const ScopedPass pass(gl, timer, "proxies");
+  draw_proxy_meshes(gl, *programs.proxy, *variant_.samples.store().proxies, batch.proxies);
 }
 
 void Drawing::draw_back(const GlFrame& frame, PassTimer& timer) const {
@@ -66,7 +66,7 @@ void shade_found(const Gl& gl, const Program& shading, const Visibility& visibil
   gl.UseProgram(shading.id());
   gl.TextureBarrier();  // what is tested is read, too; nothing writes it in this pass
   gl.BindTextureUnit(RELIEF_TEXTURE_VISIBLE_DEPTH, visible_depth.id());
-  gl.BindTextureUnit(RELIEF_TEXTURE_VISIBILITY, visibility.places.id());
+  gl.BindTextureUnit(RELIEF_TEXTURE_VISIBILITY, visibility.coordinates.id());
   gl.BindTextureUnit(RELIEF_TEXTURE_VISIBILITY_DEPTH,
                      visibility.depths ? visibility.depths->id() : 0);
   gl.DrawArrays(GL_TRIANGLES, 0, 3);

@@ -52,11 +52,11 @@ Result<Programs> make_cell_programs(const Gl& gl, const PatchStore& store, Featu
                                    found.without(RELIEF_FEATURE_CORRECTED)));
     programs.edges = std::move(edges);
   }
-  if (store.far) {
-    RELIEF_TRY_ASSIGN(Program far,
-                      make_program(gl, "far models", "onepass/proxy.vert", "onepass/proxy.frag",
+  if (store.proxies) {
+    RELIEF_TRY_ASSIGN(Program proxy,
+                      make_program(gl, "proxies", "onepass/proxy.vert", "onepass/proxy.frag",
                                    features.without(kNearFeatures)));
-    programs.far = std::move(far);
+    programs.proxy = std::move(proxy);
   }
   if (!shaded_later) return programs;
   RELIEF_TRY_ASSIGN(Program shading,
@@ -75,11 +75,11 @@ Result<Programs> make_cell_programs(const Gl& gl, const PatchStore& store, Featu
                       make_program(gl, "over", "environment/screen.vert", "onepass/over.frag", {}));
     programs.over = std::move(over);
   }
-  const float steps = place_steps(widest_side(store));
+  const float steps = position_steps(widest_side(store));
   const auto tell = [&](const std::optional<Program>& program) {
-    if (program) gl.ProgramUniform1f(program->id(), RELIEF_UNIFORM_PLACE_STEPS, steps);
+    if (program) gl.ProgramUniform1f(program->id(), RELIEF_UNIFORM_POSITION_STEPS, steps);
   };
-  gl.ProgramUniform1f(programs.main.id(), RELIEF_UNIFORM_PLACE_STEPS, steps);
+  gl.ProgramUniform1f(programs.main.id(), RELIEF_UNIFORM_POSITION_STEPS, steps);
   tell(programs.rims);
   tell(programs.edges);
   tell(programs.shading);

@@ -20,7 +20,7 @@ struct Programs {
   std::optional<Program> behind = std::nullopt;   ///< of layers: shading all but the first
   std::optional<Program> over = std::nullopt;     ///< of layers: puts them over the image
   std::optional<Program> shading = std::nullopt;  ///< where cells only find what is seen
-  std::optional<Program> far = std::nullopt;      ///< of models seen from afar
+  std::optional<Program> proxy = std::nullopt;    ///< of models seen from afar
 };
 
 /// Makes them. Fails if OpenGL refuses a shader.

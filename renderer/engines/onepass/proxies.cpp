@@ -8,7 +8,7 @@
 namespace relief::onepass {
 
 std::vector<std::uint32_t> find_proxies(const PatchStore& store, const View& view) {
-  if (!store.far) return {};
+  if (!store.proxies) return {};
   std::vector<std::uint32_t> visible;
   std::vector<Sphere> spheres;
   spheres.reserve(store.instances.size());
@@ -28,11 +28,11 @@ std::vector<ElementsCommand> proxy_commands(const PatchStore& store, const View&
   commands.reserve(instances.size());
   for (const std::uint32_t p : instances) {
     const StoredInstance& instance = store.instances[p];
-    const StoredInstance::Far& far = *instance.far;
+    const StoredInstance::StoredProxy& proxy = *instance.proxy;
     const StoredProxyLevel& level =
-        store.far->meshes[far.mesh].levels[choose_proxy_level(view, instance.model)];
-    commands.push_back(
-        {level.indices, 1, level.first_index, static_cast<GLint>(level.first_vertex), far.number});
+        store.proxies->meshes[proxy.mesh].levels[choose_proxy_level(view, instance.model)];
+    commands.push_back({level.indices, 1, level.first_index, static_cast<GLint>(level.first_vertex),
+                        proxy.number});
   }
   return commands;
 }

@@ -42,15 +42,15 @@ DrawBatch make_cell_batch(const Variant& variant, const View& view,
                           const MaterialChoice& materials) {
   const PatchStore& store = variant.samples.store();
   const std::vector<std::uint32_t> parts = find_parts(store, view, materials);
-  const std::vector<std::uint32_t> far = find_proxies(store, view);
+  const std::vector<std::uint32_t> proxies = find_proxies(store, view);
   std::vector<std::uint32_t> looked_at;
-  looked_at.reserve(parts.size() + far.size());
+  looked_at.reserve(parts.size() + proxies.size());
   for (const std::uint32_t part : parts) looked_at.push_back(store.cells->parts[part].patch);
   DrawBatch batch;
   batch.cells = make_cell_draws(*variant.gl, *store.cells, parts_by_cull_mode(store, view, parts));
-  for (const std::uint32_t instance : far)
-    looked_at.push_back(store.instances[instance].far->patch);
-  batch.proxies = proxy_commands(store, view, far);
+  for (const std::uint32_t instance : proxies)
+    looked_at.push_back(store.instances[instance].proxy->patch);
+  batch.proxies = proxy_commands(store, view, proxies);
   variant.samples.look(view, looked_at);
   return batch;
 }

@@ -16,8 +16,8 @@ namespace {
 /// How far single precision may move a box or a ray at a distance of 1 from Embree's origin: the
 /// box, the ray's start and its direction are rounded by 6e-8 of that each. Neither the start nor
 /// the path is longer than that distance (twice that along a diagonal), because the origin is the
-/// place of the mesh's box that is nearest to the eye. Rays that start anywhere enter the box far
-/// from there: for them the distance is that of the box's other end.
+/// position of the mesh's box that is nearest to the eye. Rays that start anywhere enter the box
+/// far from there: for them the distance is that of the box's other end.
 constexpr double kSlack = 1e-6;
 
 double largest(glm::dvec3 v) {
@@ -147,8 +147,9 @@ void EmbreeScene::meet(const RTCIntersectFunctionNArguments* asked) {
   query.nearest = hit;
   // Embree need not look behind it; but what is as near must still be asked about.
   auto* const ray = reinterpret_cast<RTCRayHit*>(asked->rayhit);
-  const glm::dvec3 place = query.start + hit->depth * query.direction;
-  const double slack = kSlack * std::max(largest(place - corners.anchor), corners.least_distance);
+  const glm::dvec3 hit_position = query.start + hit->depth * query.direction;
+  const double slack =
+      kSlack * std::max(largest(hit_position - corners.anchor), corners.least_distance);
   ray->ray.tfar = static_cast<float>(hit->depth - query.entry + slack);
 }
 

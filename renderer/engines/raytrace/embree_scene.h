@@ -23,7 +23,7 @@ struct SightRay {
   glm::dvec3 direction{0.0};
 };
 
-/// Where the rays of a scene begin: all at the eye, or each at a place of its own.
+/// Where the rays of a scene begin: all at the eye, or each at a position of its own.
 enum class RayStarts : std::uint8_t { AtEye, Anywhere };
 
 /// A mesh for rays from one eye, or about one. Embree's hierarchy of boxes finds the triangles that
@@ -31,9 +31,9 @@ enum class RayStarts : std::uint8_t { AtEye, Anywhere };
 /// through an edge or a vertex meets all triangles around it. Embree's own test lets 1 % of the
 /// rays through that aim at a vertex.
 ///
-/// The boxes are in single precision, with the place of the mesh's box that is nearest to the eye
-/// as origin and about the mesh's size as unit, so that neither UTM coordinates nor a scan's unit
-/// matters.
+/// The boxes are in single precision, with the position of the mesh's box that is nearest to the
+/// eye as origin and about the mesh's size as unit, so that neither UTM coordinates nor a scan's
+/// unit matters.
 class EmbreeScene {
  public:
   /// The mesh must outlive it. Triangles with a corner that is NaN are left out. Fails if the
@@ -66,7 +66,7 @@ class EmbreeScene {
   static void bound(const RTCBoundsFunctionArguments* asked);
   static void meet(const RTCIntersectFunctionNArguments* asked);
 
-  std::shared_ptr<Corners> corners_;  ///< what Embree asks about, at a place that does not move
+  std::shared_ptr<Corners> corners_;  ///< what Embree asks about, at a position that does not move
   DeviceHandle device_;
   SceneHandle scene_;
   Bounds box_;  ///< of the mesh, a little larger; relative to the eye, in Embree's unit

@@ -34,11 +34,11 @@ std::optional<Hit> meet_triangle(std::uint32_t number, const std::array<glm::dve
   if (!left && !right) return std::nullopt;
   const double area = areas.x + areas.y + areas.z;
   if (!(area > 0.0)) return std::nullopt;
-  const glm::dvec3 place = areas / area;
+  const glm::dvec3 weights = areas / area;
   const double depth =
-      glm::dot(place, glm::dvec3(corners[0][z], corners[1][z], corners[2][z])) / direction[z];
+      glm::dot(weights, glm::dvec3(corners[0][z], corners[1][z], corners[2][z])) / direction[z];
   if (!(depth > 0.0)) return std::nullopt;
-  return Hit{number, depth, place};
+  return Hit{number, depth, weights};
 }
 
 }  // namespace relief::raytrace

@@ -11,8 +11,8 @@ namespace relief::raytrace {
 /// Where a ray from the eye meets a triangle.
 struct Hit {
   std::uint32_t triangle = 0;
-  double depth = 0.0;     ///< in lengths of the ray's direction
-  glm::dvec3 place{0.0};  ///< barycentric weights of the triangle's corners
+  double depth = 0.0;       ///< in lengths of the ray's direction
+  glm::dvec3 weights{0.0};  ///< barycentric weights of the triangle's corners
 };
 
 /// Where the ray from the origin along `direction` meets a triangle, whose number is passed on.

@@ -40,8 +40,8 @@ FilmPixel trace_pixel(const Tracer& tracer, glm::dvec2 corner,
   FilmPixel pixel;
   std::optional<Hit> middle;
   glm::dvec4 sum(0.0);
-  for (const glm::dvec2& place : pattern) {
-    const Seen seen = tracer.look_through(corner + place);
+  for (const glm::dvec2& offset : pattern) {
+    const Seen seen = tracer.look_through(corner + offset);
     sum += glm::dvec4(seen.colour);
     middle = seen.nearest;
   }
@@ -108,7 +108,7 @@ Result<RenderResult> trace_image(const TriangleMesh& mesh, EnvironmentCache& env
   return result;
 }
 
-/// The triangles of patches, those of each instance in their place.
+/// The triangles of patches, those of each instance in their positions.
 Result<TriangleMesh> triangulate(const PatchModel& patches) {
   if (patches.instances.empty()) return mesh_of_patches(patches);
   auto mesh = mesh_of_patches(bake(patches));

@@ -19,14 +19,14 @@ double mirror_digits(unsigned number) {
 
 std::vector<glm::dvec2> sample_pattern(int samples) {
   assert(samples >= 1 && "a pixel needs a ray");
-  std::vector<glm::dvec2> places;
-  places.reserve(static_cast<std::size_t>(samples));
+  std::vector<glm::dvec2> positions;
+  positions.reserve(static_cast<std::size_t>(samples));
   const double half_step = 0.5 / samples;
   for (int i = 0; i < samples; ++i) {
     const double y = mirror_digits(static_cast<unsigned>(i)) + half_step;
-    places.emplace_back((i + 0.5) / samples, y - std::floor(y));
+    positions.emplace_back((i + 0.5) / samples, y - std::floor(y));
   }
-  return places;
+  return positions;
 }
 
 }  // namespace relief::raytrace

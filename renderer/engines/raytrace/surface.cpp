@@ -23,8 +23,8 @@ auto blend(const std::vector<Value>& values, const Triangle& corners, glm::dvec3
 
 glm::dvec2 texcoord_at(const TriangleMesh& mesh, const Hit& at) {
   const CornerTexcoords& corners = mesh.texcoords[at.triangle];
-  return at.place.x * glm::dvec2(corners[0]) + at.place.y * glm::dvec2(corners[1]) +
-         at.place.z * glm::dvec2(corners[2]);
+  return at.weights.x * glm::dvec2(corners[0]) + at.weights.y * glm::dvec2(corners[1]) +
+         at.weights.z * glm::dvec2(corners[2]);
 }
 
 glm::vec3 texture_at(const TriangleMesh& mesh, const Hit& at) {
@@ -45,7 +45,7 @@ glm::dvec3 mesh_map_normal(const TriangleMesh& mesh, const MeshNormalMap& map, c
   const Triangle& t = mesh.triangles[at.triangle];
   const TangentFrame frame =
       frame_at(mesh.tangents[at.triangle],
-               {mesh.normals[t[0]], mesh.normals[t[1]], mesh.normals[t[2]]}, at.place);
+               {mesh.normals[t[0]], mesh.normals[t[1]], mesh.normals[t[2]]}, at.weights);
   return perturbed_normal(frame, map.texture->at(texcoord_at(mesh, at)), map.scale);
 }
 
@@ -66,7 +66,7 @@ glm::vec4 colour_at(const TriangleMesh& mesh, const Hit& at) {
     return {texture_at(mesh, at), 1.0F};
   const glm::vec4 grey(glm::vec3(shared::kNeutralGrey), 1.0F);
   if (mesh.colours.empty()) return grey;
-  glm::vec4 colour(blend(mesh.colours, mesh.triangles[at.triangle], at.place));
+  glm::vec4 colour(blend(mesh.colours, mesh.triangles[at.triangle], at.weights));
   if (!std::isfinite(colour.r + colour.g + colour.b + colour.a)) return grey;
   colour.a = std::clamp(colour.a, 0.0F, 1.0F);
   return colour;
@@ -86,7 +86,7 @@ glm::vec3 normal_at(const TriangleMesh& mesh, const Hit& at) {
     const glm::dvec3 perturbed = mesh_map_normal(mesh, *map, at);
     if (is_direction(perturbed, 1e-6)) return glm::vec3(perturbed);
   }
-  const glm::dvec3 smooth = blend(mesh.normals, corners, at.place);
+  const glm::dvec3 smooth = blend(mesh.normals, corners, at.weights);
   // Opposite normals cancel out; what is left of them below this is rounding.
   if (is_direction(smooth, 1e-6)) return glm::vec3(glm::normalize(smooth));
   const glm::dvec3 ab = mesh.positions[corners[1]] - mesh.positions[corners[0]];
@@ -97,7 +97,7 @@ glm::vec3 normal_at(const TriangleMesh& mesh, const Hit& at) {
 
 glm::vec2 uv_at(const TriangleMesh& mesh, const Hit& at) {
   if (mesh.uvs.empty()) return glm::vec2(0.0F);
-  const glm::vec2 uv(blend(mesh.uvs, mesh.triangles[at.triangle], at.place));
+  const glm::vec2 uv(blend(mesh.uvs, mesh.triangles[at.triangle], at.weights));
   return std::isfinite(uv.x + uv.y) ? uv : glm::vec2(0.0F);
 }
 

@@ -1,4 +1,4 @@
-// What a mesh is at the place where a ray meets one of its triangles.
+// What a mesh is at the position where a ray meets one of its triangles.
 #pragma once
 
 #include <cstdint>

@@ -143,11 +143,14 @@ TEST(LasTest, SaysWhatIsWrongAndWhere) {
   const Case cases[] = {
       {"LASF....", "byte 8: the file ends within the header of 227 bytes"},
       {with_bytes(v12, 94, pack(std::uint16_t{226})),
-       "byte 94: the header is said to have 226 bytes, but it has at least 227 and the file 326"},
+       "byte 94: the header gives its own size as 226 bytes; it has at least 227, and the file "
+       "326"},
       {with_bytes(v12, 94, pack(std::uint16_t{60000})),
-       "byte 94: the header is said to have 60000 bytes, but it has at least 227 and the file 326"},
+       "byte 94: the header gives its own size as 60000 bytes; it has at least 227, and the file "
+       "326"},
       {with_bytes(v14, 94, pack(std::uint16_t{235})),
-       "byte 94: the header is said to have 235 bytes, but it has at least 375 and the file 620"},
+       "byte 94: the header gives its own size as 235 bytes; it has at least 375, and the file "
+       "620"},
       {with_bytes(v12, 104, pack(std::uint8_t{11})),
        "byte 104: states point record format 11, but there are 0 to 10"},
       {with_bytes(v12, 105, pack(std::uint16_t{19})),

@@ -64,9 +64,9 @@ std::uint64_t atlas_texels(std::uint32_t side) {
 std::vector<RenderSettings> ways_to_draw(const PatchModel& model) {
   std::vector<RenderSettings> all;
   RenderSettings settings = small_image(model);
-  for (const test::Method& way : all_methods()) {
-    settings.primitive = way.primitive;
-    settings.interpolation = way.interpolation;
+  for (const test::Method& method : all_methods()) {
+    settings.primitive = method.primitive;
+    settings.interpolation = method.interpolation;
     all.push_back(settings);
   }
   settings.engine = "multipass";
@@ -241,13 +241,13 @@ TEST(Explain, ReportsPassesAndDraws) {
   EXPECT_EQ(e.draws[1].program, "rims");
   EXPECT_EQ(e.draws[2].program, "shading");
   const std::uint64_t pixels = std::uint64_t{settings.width} * settings.height;
-  EXPECT_EQ(bytes_of(e.textures, "places"), 8 * pixels);
+  EXPECT_EQ(bytes_of(e.textures, "coordinates"), 8 * pixels);
   EXPECT_EQ(find(e.textures, "depths"), nullptr);
 
   settings.material = Material::Unlit;  // nothing that is worth being shaded later
   e = explain(model, settings);
   EXPECT_EQ(e.passes, Names{"onepass"});
-  EXPECT_EQ(find(e.textures, "places"), nullptr);
+  EXPECT_EQ(find(e.textures, "coordinates"), nullptr);
 
   settings.engine = "multipass";
   settings.material = Material::Lit;

@@ -30,9 +30,9 @@ TEST(Unlit, EveryGreyIsReproduced) {
   model.has_colours = true;
   RenderSettings settings = from_above(model, kNodes);
   settings.material = Material::Unlit;
-  for (const test::Method& way : test::all_methods()) {
-    settings.primitive = way.primitive;
-    settings.interpolation = way.interpolation;
+  for (const test::Method& method : test::all_methods()) {
+    settings.primitive = method.primitive;
+    settings.interpolation = method.interpolation;
     const RenderResult result = must_render(model, settings);
     for (std::uint32_t grey = 0; grey < 256; ++grey) {
       // The field's middle node, in the image: 4 pixels a cell, rows from the top (+y).
@@ -40,7 +40,7 @@ TEST(Unlit, EveryGreyIsReproduced) {
       const std::uint32_t y = 4 * kNodes - 1 - (4 * (3 * (grey / 16) + 1) + 2);
       for (const char* channel : {"R", "G", "B"}) {
         const float light = values(result.image, channel)[y * settings.width + x];
-        EXPECT_EQ(srgb8_from_linear(light), grey) << way.name;
+        EXPECT_EQ(srgb8_from_linear(light), grey) << method.name;
       }
     }
   }
@@ -80,9 +80,9 @@ TEST(Outputs, AreFiniteAndRaiseNoGlError) {
     const PatchModel model = test::sphere_model(shape);
     RenderSettings settings = small_image(model, {20.0, 15.0, 1.2});
     settings.outputs = test::all_outputs();
-    for (const test::Method& way : test::all_methods()) {
-      settings.primitive = way.primitive;
-      settings.interpolation = way.interpolation;
+    for (const test::Method& method : test::all_methods()) {
+      settings.primitive = method.primitive;
+      settings.interpolation = method.interpolation;
       for (const Material material : {Material::Unlit, Material::Lit, Material::Mirror}) {
         settings.material = material;
         const RenderResult result = must_render(model, settings);
@@ -92,7 +92,7 @@ TEST(Outputs, AreFiniteAndRaiseNoGlError) {
                                   [is_depth](float v) {
                                     return std::isfinite(v) || (is_depth && v > 0 && std::isinf(v));
                                   }))
-              << channel.name << " " << way.name;
+              << channel.name << " " << method.name;
         }
         ASSERT_TRUE(result.fragments);
         EXPECT_GE(*result.fragments, result.covered_pixels);
@@ -123,10 +123,10 @@ TEST(Background, NoneLeavesAlphaZeroAndColourIsOpaque) {
 }
 
 TEST(Background, ModelWithoutPatchesIsAnEmptyImage) {
-  for (const test::Method& way : test::all_methods()) {
+  for (const test::Method& method : test::all_methods()) {
     const PatchModel model = test::height_field(8, [](double, double) { return 0.0; });
     RenderSettings settings = small_image(model);
-    settings.primitive = way.primitive;
+    settings.primitive = method.primitive;
     const RenderResult result = must_render(PatchModel{}, settings);
     EXPECT_EQ(result.covered_pixels, 0U);
     EXPECT_EQ(result.fragments, std::optional<std::uint64_t>(0));

@@ -55,14 +55,14 @@ ExpectedMean count_inside(const RenderSettings& settings, std::size_t x, std::si
     for (int a = 0; a < side; ++a) {
       const double across = (static_cast<double>(x) + (a + 0.5) / side) * pixel - kEdge;
       const double upward = kEdge - (static_cast<double>(y) + (b + 0.5) / side) * pixel;
-      const glm::dvec2 place = glm::dvec2(kEdge, 0.0) + across * right + upward * up;
-      const double beyond = place.x - kEdge;
+      const glm::dvec2 position = glm::dvec2(kEdge, 0.0) + across * right + upward * up;
+      const double beyond = position.x - kEdge;
       // Border splats are larger by a fiftieth of a cell and of a pixel; corners snap to 1/256
       // pixel.
       const bool near = std::abs(beyond) < 0.02 + 0.025 * pixel;
       expected.undecided += near ? 1 : 0;
       expected.inside += beyond < 0.0 && !near ? 1 : 0;
-      expected.at_corner = expected.at_corner || std::abs(place.y) > kEdge - 0.5;
+      expected.at_corner = expected.at_corner || std::abs(position.y) > kEdge - 0.5;
     }
   }
   return expected;
@@ -101,9 +101,9 @@ TEST_P(ViewOfPart, MatchesTheImage) {
                                   glm::dvec2(0.5, -0.05), glm::dvec2(0.5, 1.05)}) {
     const glm::dvec2 window = middle * glm::dvec2(part.width, part.height);
     const bool within = middle == glm::dvec2(0.5);
-    const glm::dvec3 place = ray_start(part, window) + 5.0 * ray_through(part, window);
-    EXPECT_EQ(sees_sphere(part, part.eye + place, 1e-3), within);
-    EXPECT_FALSE(sees_sphere(part, part.eye - place, 1e-3)) << "behind the eye";
+    const glm::dvec3 position = ray_start(part, window) + 5.0 * ray_through(part, window);
+    EXPECT_EQ(sees_sphere(part, part.eye + position, 1e-3), within);
+    EXPECT_FALSE(sees_sphere(part, part.eye - position, 1e-3)) << "behind the eye";
   }
 }
 
@@ -124,10 +124,10 @@ INSTANTIATE_TEST_SUITE_P(All, ViewOfPart, testing::Values(0.0, 7.0), [](const au
 
 std::vector<RenderSettings> methods(const RenderSettings& settings) {
   std::vector<RenderSettings> all;
-  for (const test::Method& way : test::all_methods()) {
+  for (const test::Method& method : test::all_methods()) {
     all.push_back(settings);
-    all.back().primitive = way.primitive;
-    all.back().interpolation = way.interpolation;
+    all.back().primitive = method.primitive;
+    all.back().interpolation = method.interpolation;
   }
   for (const Primitive primitive : {Primitive::Sprite, Primitive::Quad}) {
     all.push_back(settings);

@@ -16,7 +16,7 @@
 namespace relief {
 namespace {
 
-using Place = std::pair<std::uint32_t, std::uint32_t>;
+using Node = std::pair<std::uint32_t, std::uint32_t>;
 
 PatchCells cells_of(const Patch& patch) {
   return make_cells(patch, make_samples(patch));
@@ -74,7 +74,7 @@ TEST(Cells, HeightsAreFoundByTheirRows) {
 TEST(Cells, EachCellWithFourSamplesIsInOneRun) {
   // More than one part each way.
   const Patch patch = tattered_patch(shared::kPartCells + 40, shared::kPartCells + 3);
-  std::set<Place> expected;
+  std::set<Node> expected;
   for (std::uint32_t j = 0; j + 1 < patch.height; ++j) {
     for (std::uint32_t i = 0; i + 1 < patch.width; ++i) {
       if (patch.at(i, j) != kHole && patch.at(i + 1, j) != kHole && patch.at(i, j + 1) != kHole &&
@@ -82,15 +82,16 @@ TEST(Cells, EachCellWithFourSamplesIsInOneRun) {
         expected.emplace(i, j);
     }
   }
-  std::set<Place> drawn;
+  std::set<Node> drawn;
   std::size_t count = 0;
   const PatchCells cells = cells_of(patch);
   EXPECT_EQ(cells.parts.size(), 4U);
   for (const CellPart& part : cells.parts) {
     for (const std::uint32_t run : part.runs) {
-      const std::uint32_t i = part.corner.x + (run & shared::kPlaceMask);
-      const std::uint32_t j = part.corner.y + ((run >> shared::kPlaceBits) & shared::kPlaceMask);
-      const std::uint32_t length = (run >> (2 * shared::kPlaceBits)) & shared::kRunCellsMask;
+      const std::uint32_t i = part.corner.x + (run & shared::kNodeInPartMask);
+      const std::uint32_t j =
+          part.corner.y + ((run >> shared::kNodeInPartBits) & shared::kNodeInPartMask);
+      const std::uint32_t length = (run >> (2 * shared::kNodeInPartBits)) & shared::kRunCellsMask;
       EXPECT_GE(length, 1U);
       EXPECT_LE(length, static_cast<std::uint32_t>(shared::kRunCells));
       for (std::uint32_t k = 0; k < length; ++k) drawn.emplace(i + k, j);
@@ -103,12 +104,13 @@ TEST(Cells, EachCellWithFourSamplesIsInOneRun) {
 }
 
 /// The nodes that have a splat.
-std::set<Place> rims_of(const PatchCells& cells) {
-  std::set<Place> rims;
+std::set<Node> rims_of(const PatchCells& cells) {
+  std::set<Node> rims;
   for (const CellPart& part : cells.parts) {
     for (const RimRecord& rim : part.rims)
-      rims.emplace(part.corner.x + (rim.place & shared::kPlaceMask),
-                   part.corner.y + ((rim.place >> shared::kPlaceBits) & shared::kPlaceMask));
+      rims.emplace(
+          part.corner.x + (rim.node & shared::kNodeInPartMask),
+          part.corner.y + ((rim.node >> shared::kNodeInPartBits) & shared::kNodeInPartMask));
   }
   return rims;
 }
@@ -121,7 +123,7 @@ TEST(Cells, AreNotDrawnWhereThePatchJumpsToAnotherSheet) {
     std::uint32_t drawn = 0;
     for (const CellPart& part : cells_of(model.patches[0]).parts) {
       for (const std::uint32_t run : part.runs) {
-        drawn += (run >> (2 * shared::kPlaceBits)) & shared::kRunCellsMask;
+        drawn += (run >> (2 * shared::kNodeInPartBits)) & shared::kRunCellsMask;
       }
     }
     EXPECT_EQ(drawn, rise < shared::kSteepest ? 4U : 2U);
@@ -130,12 +132,12 @@ TEST(Cells, AreNotDrawnWhereThePatchJumpsToAnotherSheet) {
 
 TEST(Cells, BorderSamplesHaveTheirSplat) {
   const Patch patch = tattered_patch(shared::kPartCells + 40, shared::kPartCells + 3);
-  std::set<Place> borders;
+  std::set<Node> borders;
   const PatchSamples samples = make_samples(patch);
   for (const SampleRecord& record : samples.records) {
-    if ((record.place & shared::kBorderBit) == 0) continue;
-    borders.emplace(record.place & shared::kNodeMask,
-                    (record.place >> shared::kRowShift) & shared::kNodeMask);
+    if ((record.node & shared::kBorderBit) == 0) continue;
+    borders.emplace(record.node & shared::kNodeMask,
+                    (record.node >> shared::kRowShift) & shared::kNodeMask);
   }
   EXPECT_EQ(rims_of(make_cells(patch, samples)), borders);  // the patch is flat: no creases
 }
@@ -148,10 +150,10 @@ TEST(Cells, SplatsKeepTheirSlopesAndReaches) {
   ASSERT_EQ(cells.parts.size(), 1U);
   std::size_t next = 0;
   for (const SampleRecord& record : samples.records) {
-    if ((record.place & shared::kBorderBit) == 0) continue;
+    if ((record.node & shared::kBorderBit) == 0) continue;
     ASSERT_LT(next, cells.parts[0].rims.size());
     const RimRecord& rim = cells.parts[0].rims[next++];
-    EXPECT_EQ(rim.place >> 16U, record.shape >> 16U);
+    EXPECT_EQ(rim.node >> 16U, record.shape >> 16U);
     EXPECT_EQ(rim.reach, record.reach);
   }
   EXPECT_EQ(next, 32U);
@@ -161,7 +163,7 @@ TEST(Cells, ACreaseHasSplatsAndARoundingHasNone) {
   // A roof of 45 degrees between two columns of nodes: each side's planes go on by half a cell
   // above the cell that cuts the ridge off, 0.35 along their normals.
   const PatchModel roof = test::height_field(20, [](double x, double) { return -std::abs(x); });
-  const std::set<Place> splats = rims_of(cells_of(roof.patches[0]));
+  const std::set<Node> splats = rims_of(cells_of(roof.patches[0]));
   for (std::uint32_t j = 2; j < 18; ++j) {
     EXPECT_TRUE(splats.contains({9, j})) << j;
     EXPECT_TRUE(splats.contains({10, j})) << j;
@@ -179,7 +181,7 @@ TEST(Cells, OfALevelHaveSplatsOnlyBesideJumps) {
   const PatchModel step =
       test::height_field(41, [](double x, double) { return x < 0.5 ? 0.0 : 30.0; });
   const PatchLevel level = coarsen(step.patches[0], 1);
-  std::set<Place> expected;
+  std::set<Node> expected;
   for (std::uint32_t j = 1; j <= 21; ++j) expected.insert({{11, j}, {12, j}});
   EXPECT_EQ(rims_of(make_cells(level, make_samples(level.grid))), expected);
 }
@@ -190,27 +192,27 @@ TEST(Cells, OfALevelAreEdgesWhereAHoleTouchesThem) {
   const PatchCells cells = make_cells(level, make_samples(level.grid));
   ASSERT_EQ(cells.parts.size(), 1U);
   const auto cells_in = [](const std::vector<std::uint32_t>& runs) {
-    std::set<Place> found;
+    std::set<Node> found;
     for (const std::uint32_t run : runs) {
-      const std::uint32_t i = run & shared::kPlaceMask;
-      const std::uint32_t j = (run >> shared::kPlaceBits) & shared::kPlaceMask;
-      const std::uint32_t count = (run >> (2 * shared::kPlaceBits)) & shared::kRunCellsMask;
+      const std::uint32_t i = run & shared::kNodeInPartMask;
+      const std::uint32_t j = (run >> shared::kNodeInPartBits) & shared::kNodeInPartMask;
+      const std::uint32_t count = (run >> (2 * shared::kNodeInPartBits)) & shared::kRunCellsMask;
       for (std::uint32_t c = 0; c < count; ++c) EXPECT_TRUE(found.insert({i + c, j}).second);
     }
     return found;
   };
-  const std::set<Place> whole = cells_in(cells.parts[0].runs);
-  const std::set<Place> edges = cells_in(cells.parts[0].edge_runs);
+  const std::set<Node> whole = cells_in(cells.parts[0].runs);
+  const std::set<Node> edges = cells_in(cells.parts[0].edge_runs);
   for (const std::uint32_t run : cells.parts[0].edge_runs) {
-    EXPECT_LE((run >> (2 * shared::kPlaceBits)) & shared::kRunCellsMask,
+    EXPECT_LE((run >> (2 * shared::kNodeInPartBits)) & shared::kRunCellsMask,
               static_cast<std::uint32_t>(shared::kEdgeRunCells));
   }
   EXPECT_GT(whole.size(), 20U);
   EXPECT_GT(edges.size(), 20U);
-  for (const Place& place : whole)
-    EXPECT_EQ(level.whole[place.second * level.grid.width + place.first], 1);
-  for (const Place& place : edges)
-    EXPECT_EQ(level.whole[place.second * level.grid.width + place.first], 0);
+  for (const Node& node : whole)
+    EXPECT_EQ(level.whole[node.second * level.grid.width + node.first], 1);
+  for (const Node& node : edges)
+    EXPECT_EQ(level.whole[node.second * level.grid.width + node.first], 0);
 }
 
 TEST(Cells, SpheresHoldTheirPart) {
@@ -226,9 +228,10 @@ TEST(Cells, SpheresHoldTheirPart) {
       EXPECT_LE(glm::distance(p, part.centre), part.radius + 1e-9) << i << " " << j;
     };
     for (const std::uint32_t run : part.runs) {
-      const std::uint32_t i = part.corner.x + (run & shared::kPlaceMask);
-      const std::uint32_t j = part.corner.y + ((run >> shared::kPlaceBits) & shared::kPlaceMask);
-      const std::uint32_t length = (run >> (2 * shared::kPlaceBits)) & shared::kRunCellsMask;
+      const std::uint32_t i = part.corner.x + (run & shared::kNodeInPartMask);
+      const std::uint32_t j =
+          part.corner.y + ((run >> shared::kNodeInPartBits) & shared::kNodeInPartMask);
+      const std::uint32_t length = (run >> (2 * shared::kNodeInPartBits)) & shared::kRunCellsMask;
       expect_inside(i, j + 1);
       expect_inside(i + length, j);
     }

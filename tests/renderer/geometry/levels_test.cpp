@@ -138,11 +138,11 @@ TEST(Levels, OfAPatchAsLongAsItIsWide) {
 
 class LevelImages : public testing::TestWithParam<test::Method> {};
 
-RenderSettings settings_of(const PatchModel& model, const test::Method& way, double pixels) {
+RenderSettings settings_of(const PatchModel& model, const test::Method& method, double pixels) {
   RenderSettings settings = test::small_image(model, {30.0, 20.0, 0.0});
   settings.outputs = test::all_outputs();
-  settings.primitive = way.primitive;
-  settings.interpolation = way.interpolation;
+  settings.primitive = method.primitive;
+  settings.interpolation = method.interpolation;
   settings.pixels_per_sample = pixels;
   return settings;
 }
@@ -153,7 +153,7 @@ TEST_P(LevelImages, OfASphereAreClosed) {
   test::SphereShape shape;
   shape.spacing = 0.02;
   const PatchModel model = test::sphere_model(shape);
-  const auto picture = [&](double height, double pixels) {
+  const auto render_at = [&](double height, double pixels) {
     RenderSettings settings = settings_of(model, GetParam(), pixels);
     settings.camera.orthographic_height = height;
     return test::must_render(model, settings);
@@ -162,8 +162,8 @@ TEST_P(LevelImages, OfASphereAreClosed) {
   // level 2.
   for (const auto& [height, pixels] :
        {std::pair{0.0, 4.0}, {0.0, 8.0}, {0.0, 16.0}, {2.2, 4.0}, {1.1, 8.0}}) {
-    const RenderResult finest = picture(height, 0.0);
-    const RenderResult coarse = picture(height, pixels);
+    const RenderResult finest = render_at(height, 0.0);
+    const RenderResult coarse = render_at(height, pixels);
     std::size_t covered = 0;
     std::size_t holes = 0;
     std::size_t far = 0;
@@ -183,7 +183,7 @@ TEST_P(LevelImages, OfASphereAreClosed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, LevelImages, testing::ValuesIn(test::all_methods()),
-                         [](const auto& way) { return std::string(way.param.name); });
+                         [](const auto& method) { return std::string(method.param.name); });
 
 }  // namespace
 }  // namespace relief

@@ -152,7 +152,7 @@ Differences compare(const PatchModel& model, RenderSettings settings) {
   return differences;
 }
 
-/// A place is computed in single precision in the frame of a grid with up to 100 nodes a side: a
+/// A position is computed in single precision in the frame of a grid with up to 100 nodes a side: a
 /// few roundings of 100 * 6e-8 cells.
 constexpr double kMeshRounding = 5e-5;
 

@@ -42,7 +42,7 @@ glm::vec4 gap_of(const SampleRecord& record) {
 constexpr float kRounding = shared::kReachStep + 0.01F;
 
 bool is_border(const SampleRecord& record) {
-  return (record.place & shared::kBorderBit) != 0;
+  return (record.node & shared::kBorderBit) != 0;
 }
 
 TEST(Samples, SplatsOfAPlaneMeetHalfWay) {
@@ -62,8 +62,8 @@ TEST(Samples, SplatsOfAPlaneMeetHalfWay) {
     const std::size_t i = k % 9;
     const std::size_t j = k / 9;
     EXPECT_EQ(is_border(samples.records[k]), i == 0 || j == 0 || i == 8 || j == 8);
-    EXPECT_EQ(samples.records[k].place & shared::kNodeMask, i);
-    EXPECT_EQ((samples.records[k].place >> shared::kRowShift) & shared::kNodeMask, j);
+    EXPECT_EQ(samples.records[k].node & shared::kNodeMask, i);
+    EXPECT_EQ((samples.records[k].node >> shared::kRowShift) & shared::kNodeMask, j);
   }
 }
 
@@ -73,8 +73,8 @@ TEST(Samples, HolesAreLeftOutAndMakeBorders) {
   const PatchSamples samples = make_samples(model.patches[0]);
   ASSERT_EQ(samples.records.size(), 48U);
   for (const SampleRecord& record : samples.records) {
-    const std::uint32_t i = record.place & shared::kNodeMask;
-    const std::uint32_t j = (record.place >> shared::kRowShift) & shared::kNodeMask;
+    const std::uint32_t i = record.node & shared::kNodeMask;
+    const std::uint32_t j = (record.node >> shared::kRowShift) & shared::kNodeMask;
     const bool beside = i >= 2 && i <= 4 && j >= 2 && j <= 4;
     EXPECT_EQ(is_border(record), beside || i == 0 || j == 0 || i == 6 || j == 6);
   }
@@ -125,8 +125,9 @@ TEST(Samples, SplatsEndAtACrease) {
   // cell; the rest is the margin that closes those 0.1 for a view from 30 degrees, 0.1 cos / (2 tan
   // 30), and rounding.
   const float meeting = 0.1F / 1.5F;
-  const auto end = [](float place, float slope) {
-    return place + 0.1F / std::sqrt(1.0F + slope * slope) / 1.16F + shared::kMinMargin + kRounding;
+  const auto end = [](float position, float slope) {
+    return position + 0.1F / std::sqrt(1.0F + slope * slope) / 1.16F + shared::kMinMargin +
+           kRounding;
   };
   EXPECT_LE(at(4).x, end(meeting, 1.5F));
   EXPECT_LE(at(4).y, end(meeting, 1.5F));
@@ -148,8 +149,8 @@ TEST(Samples, SphereHoldsEverySplat) {
   const PatchSamples samples = make_samples(model.patches[0]);
   for (std::size_t k = 0; k < samples.records.size(); ++k) {
     const SampleRecord& record = samples.records[k];
-    const glm::dvec3 centre(record.place & shared::kNodeMask,
-                            (record.place >> shared::kRowShift) & shared::kNodeMask,
+    const glm::dvec3 centre(record.node & shared::kNodeMask,
+                            (record.node >> shared::kRowShift) & shared::kNodeMask,
                             (record.shape & 0xFFFFU) * samples.height_step);
     const glm::dvec2 slope(slope_of(samples, k));
     // The margins of a view that is as low as any has margins for.

@@ -86,24 +86,24 @@ TEST_F(Platforms, OsmesaStandsInForEgl) {
 
 TEST_F(Platforms, NumberOfThreadsChangesNoByte) {
   std::filesystem::create_directory(folder());
-  for (const test::Method& way : test::all_methods()) {
+  for (const test::Method& method : test::all_methods()) {
     for (const char* threads : {"1", "4"}) {
-      const std::string name = std::string(way.name) + threads;
+      const std::string name = std::string(method.name) + threads;
       EXPECT_EXIT(
           {
             ::setenv("LP_NUM_THREADS", threads, 1);
             const PatchModel model = small_bumpy_sphere();
             RenderSettings settings = small_image(model, {20.0, 15.0, 1.4}, 128);
-            settings.primitive = way.primitive;
-            settings.interpolation = way.interpolation;
+            settings.primitive = method.primitive;
+            settings.interpolation = method.interpolation;
             settings.outputs = test::all_outputs();
             render_and_exit(settings, model, folder() / name);
           },
           testing::ExitedWithCode(0), "");
     }
-    const std::vector<std::byte> one = bytes(std::string(way.name) + "1");
+    const std::vector<std::byte> one = bytes(std::string(method.name) + "1");
     EXPECT_GT(one.size(), 1000U);
-    EXPECT_TRUE(one == bytes(std::string(way.name) + "4")) << way.name;
+    EXPECT_TRUE(one == bytes(std::string(method.name) + "4")) << method.name;
   }
 }
 
@@ -131,16 +131,16 @@ TEST_F(Platforms, NumberOfThreadsChangesNoByteOfSums) {
 TEST(Osmesa, DrawsWhatEglDraws) {
   const PatchModel model = small_bumpy_sphere();
   RenderSettings settings = small_image(model);
-  for (const test::Method& way : test::all_methods()) {
-    settings.primitive = way.primitive;
-    settings.interpolation = way.interpolation;
+  for (const test::Method& method : test::all_methods()) {
+    settings.primitive = method.primitive;
+    settings.interpolation = method.interpolation;
     settings.platform = GlPlatform::Egl;
     const RenderResult egl = test::must_render(model, settings);
     settings.platform = GlPlatform::Osmesa;
     const RenderResult osmesa = test::must_render(model, settings);
     // Both are llvmpipe here. Where EGL is a GPU, silhouettes and ties differ by a pixel here and
     // there, out of 3,000 of rim.
-    EXPECT_LE(test::count_different(egl.image, osmesa.image, 2), 60U) << way.name;
+    EXPECT_LE(test::count_different(egl.image, osmesa.image, 2), 60U) << method.name;
   }
 }
 

@@ -131,12 +131,12 @@ TEST(GoldenRule, FindsColoursThatNoNeighbourShows) {
 class GoldenImages : public testing::TestWithParam<std::tuple<test::Method, Golden>> {};
 
 TEST_P(GoldenImages, AreUnchanged) {
-  const auto& [way, golden] = GetParam();
+  const auto& [method, golden] = GetParam();
   const PatchModel model = model_for(golden);
   RenderSettings settings = settings_for(golden, model);
-  settings.primitive = way.primitive;
-  settings.interpolation = way.interpolation;
-  expect_golden(std::string(golden.name) + "_" + way.name, test::must_render(model, settings));
+  settings.primitive = method.primitive;
+  settings.interpolation = method.interpolation;
+  expect_golden(std::string(golden.name) + "_" + method.name, test::must_render(model, settings));
 }
 
 class GoldenMultipass : public testing::TestWithParam<Golden> {};

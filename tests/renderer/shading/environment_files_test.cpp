@@ -34,8 +34,8 @@ glm::vec3 tint(glm::dvec3 direction) {
 }
 
 /// An image whose colour is `light(x, y)` at the pixels' middles in [0, 1], y downward.
-Image picture(std::uint32_t width, std::uint32_t height,
-              const std::function<glm::vec3(double, double)>& light) {
+Image image_of(std::uint32_t width, std::uint32_t height,
+               const std::function<glm::vec3(double, double)>& light) {
   Image image{width, height, {}};
   for (const char* name : {"R", "G", "B"}) image.channels.push_back({name, ChannelType::Float, {}});
   for (std::uint32_t y = 0; y < height; ++y) {
@@ -80,7 +80,7 @@ class SixFaces : public testing::Test {
   void write_faces(const FaceNames& names, std::uint32_t size) const {
     for (std::size_t face = 0; face < 6; ++face) {
       const EnvironmentLook& look = kLooks[face];
-      const Image seen = picture(size, size, [&look](double x, double y) {
+      const Image seen = image_of(size, size, [&look](double x, double y) {
         return tint(look.forward + (2.0 * x - 1.0) * look.right - (2.0 * y - 1.0) * look.up);
       });
       ASSERT_TRUE(write_exr(file(names[face]), seen));
@@ -131,7 +131,7 @@ TEST_F(SixFaces, AreAsSeenFromWithinUnderEachSetOfNames) {
 TEST_F(SixFaces, AreTheSameAsAnEquirectangularImage) {
   write_faces(kShort, 64);
   const fs::path panorama = folder_ / "panorama.exr";
-  ASSERT_TRUE(write_exr(panorama, picture(256, 128, [](double x, double y) {
+  ASSERT_TRUE(write_exr(panorama, image_of(256, 128, [](double x, double y) {
                           const double longitude = (x - 0.5) * glm::two_pi<double>();
                           const double polar = y * glm::pi<double>();
                           return tint({std::sin(polar) * std::sin(longitude), std::cos(polar),
@@ -149,7 +149,7 @@ TEST_F(SixFaces, AreTheSameAsAnEquirectangularImage) {
 
 TEST_F(SixFaces, TheNamesOfTheSetThatExistsAreUsed) {
   write_faces(kWords, 8);
-  ASSERT_TRUE(write_exr(file("px"), picture(4, 4, [](double, double) { return glm::vec3(0); })));
+  ASSERT_TRUE(write_exr(file("px"), image_of(4, 4, [](double, double) { return glm::vec3(0); })));
   const auto files = environment_files(pattern());
   ASSERT_TRUE(files) << files.error().message;
   ASSERT_EQ(files->size(), 6U);
@@ -165,11 +165,11 @@ TEST_F(SixFaces, ThatDoNotFitAreNamed) {
   EXPECT_NE(fault().find("sky_{face}.exr: there is no file of any face"), std::string::npos);
   write_faces(kShort, 8);
   const auto grey = [](double, double) { return glm::vec3(0.5F); };
-  ASSERT_TRUE(write_exr(file("ny"), picture(8, 4, grey)));
+  ASSERT_TRUE(write_exr(file("ny"), image_of(8, 4, grey)));
   EXPECT_NE(fault().find("sky_ny.exr: its 8x4 pixels are not square"), std::string::npos);
-  ASSERT_TRUE(write_exr(file("ny"), picture(4, 4, grey)));
+  ASSERT_TRUE(write_exr(file("ny"), image_of(4, 4, grey)));
   EXPECT_NE(fault().find("sky_ny.exr: its 4x4 pixels are not the 8x8 of"), std::string::npos);
-  Image colourless = picture(8, 8, grey);
+  Image colourless = image_of(8, 8, grey);
   for (Channel& channel : colourless.channels) channel.name += ".x";
   ASSERT_TRUE(write_exr(file("ny"), colourless));
   EXPECT_NE(fault().find("sky_ny.exr: has no colour"), std::string::npos);

@@ -38,13 +38,13 @@ std::vector<Light> sixteen_lights() {
   std::vector<Light> lights;
   for (int i = 0; i < 16; ++i) {
     const double angle = 0.4 * i;
-    const glm::dvec3 place(std::sin(angle), 0.1 * i - 0.8, std::cos(angle));
+    const glm::dvec3 position(std::sin(angle), 0.1 * i - 0.8, std::cos(angle));
     const glm::vec3 colour(0.02F * static_cast<float>(i), 0.1F,
                            0.3F - 0.018F * static_cast<float>(i));
     if (i % 2 == 0) {
-      lights.push_back({LightKind::Directional, glm::normalize(place), colour});
+      lights.push_back({LightKind::Directional, glm::normalize(position), colour});
     } else {
-      lights.push_back({LightKind::Point, 2.0 * place, 4.0F * colour});
+      lights.push_back({LightKind::Point, 2.0 * position, 4.0F * colour});
     }
   }
   return lights;
@@ -71,7 +71,7 @@ PatchModel smooth_sphere() {
   return test::sphere_model(shape);
 }
 
-RenderSettings picture_of(const PatchModel& model, const Look& look) {
+RenderSettings settings_of(const PatchModel& model, const Look& look) {
   RenderSettings settings = test::small_image(model, {25.0, 20.0});
   settings.material = look.material.kind;
   settings.constants = look.material.constants;
@@ -144,7 +144,7 @@ TEST_P(Looks, AreTheRayTracersInEveryEngine) {
   const SmoothEnvironment environment;
   const PatchModel model = smooth_sphere();
   for (const double orthographic_height : {0.0, 2.4}) {
-    RenderSettings settings = picture_of(model, GetParam());
+    RenderSettings settings = settings_of(model, GetParam());
     settings.camera.orthographic_height = orthographic_height;
     settings.environment = environment.path();
     settings.engine = "raytrace";
@@ -186,7 +186,7 @@ TEST_P(MixedMaterials, EachPatchMatchesAnImageOfItsMaterial) {
       with(Material::Unlit), with(Material::Lit), with(Material::Mirror),
       with(Material::Mirror, {1.5F, {}, 0.5F}), with(Material::Glass, {1.3F, {1, 0, 2}, 0.0F})};
   for (std::size_t i = 0; i + 1 < all.size(); ++i) {
-    RenderSettings settings = picture_of(model, all_looks().front());
+    RenderSettings settings = settings_of(model, all_looks().front());
     settings.engine = GetParam();
     settings.outputs.patch_id = true;
     settings.materials = {all[i], all[i + 1]};
@@ -243,7 +243,7 @@ TEST(MaterialFeatures, AreOnlyThoseInUse) {
 
 TEST(MixedMaterialsOnMultipass, PatchIdsStayOutOfTheImage) {
   const PatchModel model = two_spheres();
-  RenderSettings settings = picture_of(model, all_looks().front());
+  RenderSettings settings = settings_of(model, all_looks().front());
   settings.engine = "multipass";
   settings.materials = {with(Material::Lit), with(Material::Glass)};
   EXPECT_EQ(must_render(model, settings).image.find("patch"), nullptr);

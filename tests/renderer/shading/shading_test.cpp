@@ -14,7 +14,7 @@ namespace {
 /// One light from +Z and a little from everywhere.
 Lighting one_light(Material material) {
   Lighting lighting{{}, 1, {{{material, {}}, nullptr}}};
-  lighting.frame.light_place[0] = {0.0F, 0.0F, 1.0F, 0.0F};
+  lighting.frame.light_position[0] = {0.0F, 0.0F, 1.0F, 0.0F};
   lighting.frame.light_colour[0] = {1.0F, 0.5F, 0.25F, 0.0F};
   lighting.frame.light_ambient = {0.1F, 0.1F, 0.1F, 0.0F};
   return lighting;
@@ -23,8 +23,8 @@ Lighting one_light(Material material) {
 const glm::vec3 kDown(0.0F, 0.0F, -1.0F);
 
 /// What a grey surface shows straight from above.
-glm::vec3 shade_grey(const Lighting& lighting, glm::vec3 normal, glm::vec3 place = {}) {
-  return shade(lighting, 0, {glm::vec3(0.5F), normal, kDown, place});
+glm::vec3 shade_grey(const Lighting& lighting, glm::vec3 normal, glm::vec3 position = {}) {
+  return shade(lighting, 0, {glm::vec3(0.5F), normal, kDown, position});
 }
 
 /// A unit vector that leans from +Z toward +X.
@@ -79,7 +79,7 @@ TEST(Shading, NormalsThatLeanALittleAwayAreBentToGrazing) {
 TEST(Shading, APointLightFallsWithTheSquareOfItsDistance) {
   Lighting lighting = one_light(Material::Lit);
   // 3 units to the side and 4 above the surface, which is 10 units below the eye.
-  lighting.frame.light_place[0] = {3.0F, 0.0F, -6.0F, 1.0F};
+  lighting.frame.light_position[0] = {3.0F, 0.0F, -6.0F, 1.0F};
   lighting.frame.light_colour[0] = {50.0F, 25.0F, 0.0F, 0.0F};
   // 5 away, so that 1/25 is left, at an angle whose cosine is 4/5. The reflection goes straight up:
   // 0.8^40 of the highlight.
@@ -94,7 +94,7 @@ TEST(Shading, APointLightFallsWithTheSquareOfItsDistance) {
 
 TEST(Shading, APointLightOnTheSurfaceIsFinite) {
   Lighting lighting = one_light(Material::Lit);
-  lighting.frame.light_place[0] = {0.0F, 0.0F, -10.0F, 1.0F};
+  lighting.frame.light_position[0] = {0.0F, 0.0F, -10.0F, 1.0F};
   lighting.frame.light_colour[0] = glm::vec4(1e12F);
   for (const float away : {0.0F, 1e-30F, 1e-6F}) {
     const glm::vec3 seen = shade_grey(lighting, leaning(0.0), {0.0F, 0.0F, -10.0F - away});
@@ -108,7 +108,7 @@ TEST(Shading, EveryLightCounts) {
   Lighting lighting = one_light(Material::Lit);
   lighting.lights = shared::kMaxLights;
   for (int i = 0; i < shared::kMaxLights; ++i) {
-    lighting.frame.light_place[i] = {0.0F, 0.0F, 1.0F, 0.0F};
+    lighting.frame.light_position[i] = {0.0F, 0.0F, 1.0F, 0.0F};
     lighting.frame.light_colour[i] = glm::vec4(static_cast<float>(i + 1));
   }
   // 1 + 2 + ... + 16 = 136, diffuse by the albedo of 0.5 and a quarter as highlight.

@@ -105,12 +105,13 @@ TEST(SplitView, QuartersMatchImagesOfTheirMaterials) {
   const PatchModel model = split_bumpy_sphere();
   RenderSettings settings = close_up(model);
   settings.pixels_per_sample = 0.0;  // UV counts cells of the finest level
-  for (const test::Method& way : test::all_methods()) {
-    if (way.interpolation == Interpolation::Direct) continue;  // finds places, as the other does
-    settings.primitive = way.primitive;
-    settings.interpolation = way.interpolation;
-    for (const std::size_t count : expect_quarters(Images(model, settings), way.name))
-      EXPECT_GT(count, 200U) << way.name;
+  for (const test::Method& method : test::all_methods()) {
+    if (method.interpolation == Interpolation::Direct)
+      continue;  // finds positions, as the other does
+    settings.primitive = method.primitive;
+    settings.interpolation = method.interpolation;
+    for (const std::size_t count : expect_quarters(Images(model, settings), method.name))
+      EXPECT_GT(count, 200U) << method.name;
   }
   settings.engine = "raytrace";
   for (const std::size_t count : expect_quarters(Images(model, settings), "raytrace"))

@@ -180,7 +180,7 @@ TEST(TwoInterfaces, OnepassFindsWhereTheyLeaveASphere) {
         const Image drawn = must_render(model, settings).image;
         // Half floats round light by up to 2.4e-4; cells are 4e-2 wide, so that what is found is
         // off by 2e-4 and normals by as much; where rays are met at 60 degrees the third step still
-        // moves the place by a hundredth. 3.8e-4, 2.4e-3 and 5.3e-3 were seen.
+        // moves the position by a hundredth. 3.8e-4, 2.4e-3 and 5.3e-3 were seen.
         const std::vector<double> off = errors(drawn, settings, &Expected::straight, 60.0);
         ASSERT_GT(off.size(), 2000U);
         EXPECT_LT(share_of(off, 0.5), 6e-4) << ior << " " << samples;
@@ -221,7 +221,7 @@ TEST(TwoInterfaces, OneInterfaceIsUnchanged) {
   EXPECT_TRUE(has(explanation->features, named("two_interfaces")));
   EXPECT_EQ(explanation->passes, (std::vector<std::string>{"back", "visibility", "shading"}));
   for (const char* texture :
-       {"back places", "back depths", "back depth buffer", "bodies", "depths"})
+       {"back coordinates", "back depths", "back depth buffer", "bodies", "depths"})
     EXPECT_TRUE(has(explanation->textures, is(texture)) || has(explanation->buffers, is(texture)))
         << texture;
   for (const auto& texture : explanation->textures) EXPECT_TRUE(texture.bound) << texture.name;
@@ -232,7 +232,7 @@ TEST(TwoInterfaces, OneInterfaceIsUnchanged) {
   EXPECT_EQ(one->passes, (std::vector<std::string>{"visibility", "shading"}));
   EXPECT_FALSE(has(one->features, named("two_interfaces")));
   for (const char* texture :
-       {"back places", "back depths", "back depth buffer", "bodies", "depths"})
+       {"back coordinates", "back depths", "back depth buffer", "bodies", "depths"})
     EXPECT_FALSE(has(one->textures, is(texture)) || has(one->buffers, is(texture))) << texture;
   // Of what is no glass it says nothing.
   settings.material = Material::Mirror;
@@ -251,12 +251,12 @@ TEST(TwoInterfaces, AreRefusedByEnginesThatCannotFindTheFarSide) {
   };
   const RenderSettings good = glass_image(model, light, 1.5F);
   EXPECT_EQ(complaint(good), "");
-  for (const auto& way : test::all_engine_methods()) {
-    if (way.is_cells() || way.engine == "raytrace") continue;
+  for (const auto& method : test::all_engine_methods()) {
+    if (method.is_cells() || method.engine == "raytrace") continue;
     RenderSettings settings = good;
-    settings.engine = way.engine;
-    settings.primitive = way.primitive;
-    EXPECT_NE(complaint(settings).find("two interfaces"), std::string::npos) << way.name;
+    settings.engine = method.engine;
+    settings.primitive = method.primitive;
+    EXPECT_NE(complaint(settings).find("two interfaces"), std::string::npos) << method.name;
   }
   for (const std::string_view engine : {"onepass", "raytrace"}) {
     RenderSettings settings = good;
@@ -287,7 +287,7 @@ RenderSettings image_of_two(const PatchModel& model, const LinearLight& light) {
   return settings;
 }
 
-/// The pixel that shows a place on the x axis, orthographic along -z.
+/// The pixel that shows a position on the x axis, orthographic along -z.
 std::size_t pixel_at(const RenderSettings& settings, double x) {
   const double column =
       0.5 * settings.width + x * settings.height / settings.camera.orthographic_height;

@@ -35,10 +35,10 @@ template <class Look>
 void for_all_colour_methods(const PatchModel& model, RenderSettings settings, const Look& look) {
   settings.material = Material::Unlit;
   settings.background.reset();
-  for (const test::Method& way : test::all_methods()) {
-    settings.primitive = way.primitive;
-    settings.interpolation = way.interpolation;
-    look(must_render(model, settings), way.name);
+  for (const test::Method& method : test::all_methods()) {
+    settings.primitive = method.primitive;
+    settings.interpolation = method.interpolation;
+    look(must_render(model, settings), method.name);
   }
   settings.engine = "multipass";
   for (const Primitive primitive : {Primitive::Quad, Primitive::Sprite}) {
@@ -63,15 +63,15 @@ TEST(FineColours, AreAFeatureOfTheirOwn) {
 TEST(FineColours, AConstantIsReproduced) {
   for (const std::uint8_t grey : {0, 77, 188, 255}) {
     const PatchModel model = fine_square([&](auto, auto) { return glm::u8vec3(grey); });
-    // Seen askew and small: several mip levels and several places a pixel.
+    // Seen askew and small: several mip levels and several lookups a pixel.
     for (const std::uint32_t side : {12U, 96U}) {
       for_all_colour_methods(model, test::small_image(model, {20.0, 15.0}, side),
-                             [&](const RenderResult& result, const char* way) {
+                             [&](const RenderResult& result, const char* method) {
                                const std::vector<float>& alpha = values(result.image, "A");
                                for (std::size_t k = 0; k < alpha.size(); ++k) {
                                  if (alpha[k] < 1.0F) continue;
                                  EXPECT_EQ(srgb8_from_linear(values(result.image, "G")[k]), grey)
-                                     << way;
+                                     << method;
                                }
                              });
     }
@@ -84,11 +84,11 @@ TEST(FineColours, MinifiedTheyAreTheMeanOfTheirLight) {
       fine_square([](std::uint32_t i, auto) { return glm::u8vec3(i % 2 == 0 ? 0 : 255); });
   RenderSettings settings = test::from_above(model, kColourNodes);
   settings.width = settings.height = 32;
-  for_all_colour_methods(model, settings, [](const RenderResult& result, const char* way) {
+  for_all_colour_methods(model, settings, [](const RenderResult& result, const char* method) {
     for (std::size_t y = 8; y < 24; ++y) {
       for (std::size_t x = 8; x < 24; ++x)
         // Each mip level rounds to 8 bits, half a step of which is 0.003 here.
-        EXPECT_NEAR(values(result.image, "R")[y * 32 + x], 0.5F, 0.006F) << way;
+        EXPECT_NEAR(values(result.image, "R")[y * 32 + x], 0.5F, 0.006F) << method;
     }
   });
 }
@@ -110,16 +110,16 @@ TEST(FineColours, NoPatchShowsItsNeighboursInTheAtlas) {
   for (const std::uint32_t side : {13U, 20U, 31U, 46U, 67U, 160U}) {
     for (const Orbit orbit : {Orbit{0.0, 10.0}, Orbit{70.0, 30.0}}) {
       for_all_colour_methods(model, test::small_image(model, orbit, side),
-                             [&](const RenderResult& result, const char* way) {
+                             [&](const RenderResult& result, const char* method) {
                                const std::vector<float>& alpha = values(result.image, "A");
                                for (std::size_t k = 0; k < alpha.size(); ++k) {
                                  if (alpha[k] < 1.0F) continue;
                                  const float red = values(result.image, "R")[k];
                                  const float light = values(result.image, "B")[k];
                                  // Whose splats of two squares blend where both are in a pixel.
-                                 if (std::string(way) == "multipass") continue;
-                                 EXPECT_GT(std::max(red, light), 0.999F) << way;
-                                 EXPECT_LT(std::min(red, light), 0.001F) << way;
+                                 if (std::string(method) == "multipass") continue;
+                                 EXPECT_GT(std::max(red, light), 0.999F) << method;
+                                 EXPECT_LT(std::min(red, light), 0.001F) << method;
                                }
                              });
     }

@@ -25,7 +25,7 @@ using test::values;
 constexpr std::uint32_t kNormalNodes = 17;
 constexpr std::uint32_t kNormalScale = 8;
 
-/// The normal at a place of the square in cells from its corner, any length.
+/// The normal at a position of the square in cells from its corner, any length.
 using Relief = std::function<glm::dvec3(double, double)>;
 
 Patch patch_of_normals(const Patch& plain, const Relief& normal,
@@ -54,10 +54,10 @@ template <class Look>
 void for_all_normal_methods(const PatchModel& model, RenderSettings settings, const Look& look) {
   settings.background.reset();
   settings.outputs = test::all_outputs();
-  for (const test::Method& way : test::all_methods()) {
-    settings.primitive = way.primitive;
-    settings.interpolation = way.interpolation;
-    look(must_render(model, settings), std::string(way.name));
+  for (const test::Method& method : test::all_methods()) {
+    settings.primitive = method.primitive;
+    settings.interpolation = method.interpolation;
+    look(must_render(model, settings), std::string(method.name));
   }
   settings.engine = "multipass";
   for (const Primitive primitive : {Primitive::Quad, Primitive::Sprite}) {
@@ -109,18 +109,18 @@ TEST(FineNormals, AreAFeatureOfTheirOwn) {
 TEST(FineNormals, AConstantTiltIsReproduced) {
   const glm::dvec3 tilt = glm::normalize(glm::dvec3(0.3, -0.5, 0.8));
   const PatchModel model = square_of_normals([&](double, double) { return tilt; });
-  // Seen askew and small: several mip levels and several places a pixel.
+  // Seen askew and small: several mip levels and several lookups a pixel.
   for (const std::uint32_t side : {12U, 96U}) {
     RenderSettings settings = test::small_image(model, {20.0, 15.0}, side);
     settings.pixels_per_sample = 0.5;  // below 1 nothing is drawn from afar, which reads no map
     for_all_normal_methods(
-        model, settings, [&](const RenderResult& result, const std::string& way) {
+        model, settings, [&](const RenderResult& result, const std::string& method) {
           // The map's 16 bits are 0.003 degrees; normals are half floats, half a step of which is
           // 2^-12: 0.014 degrees, and multipass sums them up in such.
           EXPECT_LT(largest_angle(
                         result, settings, [&](double, double) { return tilt; }, 100.0),
-                    way == "multipass" ? 0.1 : 0.03)
-              << way;
+                    method == "multipass" ? 0.1 : 0.03)
+              << method;
           EXPECT_GT(result.covered_pixels, 0U);
         });
   }
@@ -135,16 +135,18 @@ TEST(FineNormals, AreSharperThanTheGrid) {
   const PatchModel model = square_of_normals(waves);
   const RenderSettings settings = test::from_above(model, kNormalNodes);
   const double half = 0.5 * (kNormalNodes - 1);
-  for_all_normal_methods(model, settings, [&](const RenderResult& result, const std::string& way) {
-    const double angle = largest_angle(
-        result, settings, [&](double x, double y) { return waves(x + half, y + half); },
-        half - 1.0);
-    // What a pixel sees, a quarter of a cell, is level 1: means over h = 1/4 and bilinear between
-    // them. That has a variance of h^2 / 12 + h^2 / 4 at most and takes from a wave of wave number
-    // pi pi^2 / 2 of it, 10 % of a slope of 0.5: 2.3 degrees. A normal a node would be 27 off.
-    EXPECT_LT(angle, 2.4) << way;
-    EXPECT_GT(angle, 0.0) << way;
-  });
+  for_all_normal_methods(
+      model, settings, [&](const RenderResult& result, const std::string& method) {
+        const double angle = largest_angle(
+            result, settings, [&](double x, double y) { return waves(x + half, y + half); },
+            half - 1.0);
+        // What a pixel sees, a quarter of a cell, is level 1: means over h = 1/4 and bilinear
+        // between them. That has a variance of h^2 / 12 + h^2 / 4 at most and takes from a wave of
+        // wave number pi pi^2 / 2 of it, 10 % of a slope of 0.5: 2.3 degrees. A normal a node would
+        // be 27 off.
+        EXPECT_LT(angle, 2.4) << method;
+        EXPECT_GT(angle, 0.0) << method;
+      });
 }
 
 TEST(FineNormals, MinifiedTheyAreTheMeanDirection) {
@@ -156,13 +158,14 @@ TEST(FineNormals, MinifiedTheyAreTheMeanDirection) {
   RenderSettings settings = test::from_above(model, kNormalNodes);
   settings.width = settings.height = 32;
   const double inside = 0.5 * (kNormalNodes - 1) - 2.0;
-  for_all_normal_methods(model, settings, [&](const RenderResult& result, const std::string& way) {
-    if (way == "raytrace") return;  // filters by rays
-    const double angle = largest_angle(
-        result, settings, [](double, double) { return glm::dvec3(0.0, 0.0, 1.0); }, inside);
-    // Each level's mean has 16 bits.
-    EXPECT_LT(angle, way == "multipass" ? 0.1 : 0.03) << way;
-  });
+  for_all_normal_methods(
+      model, settings, [&](const RenderResult& result, const std::string& method) {
+        if (method == "raytrace") return;  // filters by rays
+        const double angle = largest_angle(
+            result, settings, [](double, double) { return glm::dvec3(0.0, 0.0, 1.0); }, inside);
+        // Each level's mean has 16 bits.
+        EXPECT_LT(angle, method == "multipass" ? 0.1 : 0.03) << method;
+      });
 }
 
 TEST(FineNormals, NoPatchShowsItsNeighboursInTheAtlas) {
@@ -182,13 +185,13 @@ TEST(FineNormals, NoPatchShowsItsNeighboursInTheAtlas) {
   for (const std::uint32_t side : {13U, 31U, 67U, 160U}) {
     for_all_normal_methods(
         model, test::small_image(model, {10.0, 20.0}, side),
-        [&](const RenderResult& result, const std::string& way) {
-          if (way == "multipass") return;  // whose splats blend
+        [&](const RenderResult& result, const std::string& method) {
+          if (method == "multipass") return;  // whose splats blend
           for (std::size_t k = 0; k < values(result.image, "A").size(); ++k) {
             if (values(result.image, "A")[k] < 1.0F) continue;
             const glm::dvec3 normal = normal_of(result.image, k);
             EXPECT_LT(std::min(degrees_between(normal, one), degrees_between(normal, other)), 0.03)
-                << way;
+                << method;
           }
         });
   }
@@ -200,7 +203,7 @@ TEST(FineNormals, CoarseLevelsKeepTheFineMap) {
     return glm::dvec3(0.5 * std::cos(pi * x), 0.3 * std::sin(pi * y), 1.0);
   };
   const PatchModel model = square_of_normals(waves, 65);
-  // Askew: a footprint as wide as high has one or two places, as rounding has it.
+  // Askew: a footprint as wide as high has one or two lookups, as rounding has it.
   RenderSettings settings = test::small_image(model, {25.0, 40.0}, 256);
   settings.background.reset();
   settings.outputs = test::all_outputs();

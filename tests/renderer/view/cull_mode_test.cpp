@@ -34,10 +34,10 @@ PatchModel closed_sphere() {
   return model;
 }
 
-RenderSettings picture_of(const PatchModel& model, const CulledMethod& way) {
+RenderSettings settings_of(const PatchModel& model, const CulledMethod& method) {
   RenderSettings settings = small_image(model);
-  settings.engine = way.engine;
-  settings.primitive = way.primitive;
+  settings.engine = method.engine;
+  settings.primitive = method.primitive;
   settings.outputs.depth = true;
   return settings;
 }
@@ -82,15 +82,15 @@ void expect_same_but_for_rims(const RenderResult& a, const RenderResult& b, cons
 
 TEST(CullMode, OfAClosedBodyOnlyTheFrontIsSeen) {
   const PatchModel model = closed_sphere();
-  for (const CulledMethod& way : kMethods) {
+  for (const CulledMethod& method : kMethods) {
     for (const bool orthographic : {false, true}) {
-      RenderSettings settings = picture_of(model, way);
+      RenderSettings settings = settings_of(model, method);
       if (orthographic) settings.camera.orthographic_height = 2.4;
       const RenderResult both = with(settings, CullMode::None, model);
       const RenderResult front = with(settings, CullMode::Back, model);
-      expect_same_but_for_rims(both, front, way.name);
-      EXPECT_LT(*front.fragments, *both.fragments) << way.name;
-      EXPECT_TRUE(same_image(with(settings, CullMode::Auto, model), front)) << way.name;
+      expect_same_but_for_rims(both, front, method.name);
+      EXPECT_LT(*front.fragments, *both.fragments) << method.name;
+      EXPECT_TRUE(same_image(with(settings, CullMode::Auto, model), front)) << method.name;
     }
   }
 }
@@ -98,54 +98,55 @@ TEST(CullMode, OfAClosedBodyOnlyTheFrontIsSeen) {
 TEST(CullMode, OfWhatIsNotKnownToBeClosedBothAreSeen) {
   PatchModel model = closed_sphere();
   model.is_closed = false;
-  for (const CulledMethod& way : kMethods) {
-    const RenderSettings settings = picture_of(model, way);
+  for (const CulledMethod& method : kMethods) {
+    const RenderSettings settings = settings_of(model, method);
     EXPECT_TRUE(
         same_image(with(settings, CullMode::Auto, model), with(settings, CullMode::None, model)))
-        << way.name;
+        << method.name;
   }
 }
 
 TEST(CullMode, AFieldSeenFromBehindHasNoFront) {
   const PatchModel model =
       test::height_field(30, [](double x, double y) { return 0.2 * std::sin(0.4 * x + 0.3 * y); });
-  for (const CulledMethod& way : kMethods) {
+  for (const CulledMethod& method : kMethods) {
     for (const bool orthographic : {false, true}) {
-      RenderSettings settings = picture_of(model, way);
+      RenderSettings settings = settings_of(model, method);
       settings.camera = {{3.0, 2.0, -45.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 45.0};
       if (orthographic) settings.camera.orthographic_height = 40.0;
-      EXPECT_EQ(with(settings, CullMode::Back, model).covered_pixels, 0U) << way.name;
-      EXPECT_GT(with(settings, CullMode::Auto, model).covered_pixels, 1000U) << way.name;
+      EXPECT_EQ(with(settings, CullMode::Back, model).covered_pixels, 0U) << method.name;
+      EXPECT_GT(with(settings, CullMode::Auto, model).covered_pixels, 1000U) << method.name;
       settings.camera.eye.z = 45.0;
       EXPECT_TRUE(
           same_image(with(settings, CullMode::Back, model), with(settings, CullMode::None, model)))
-          << way.name;
+          << method.name;
     }
   }
 }
 
 TEST(CullMode, FromWithinOrCutOpenABodyHasBoth) {
   const PatchModel model = closed_sphere();
-  for (const CulledMethod& way : kMethods) {
-    RenderSettings settings = picture_of(model, way);
+  for (const CulledMethod& method : kMethods) {
+    RenderSettings settings = settings_of(model, method);
     settings.camera = {{0.1, 0.0, 0.2}, {1.0, 0.2, 0.0}, {0.0, 1.0, 0.0}, 60.0};
     const RenderResult within = with(settings, CullMode::Auto, model);
-    EXPECT_EQ(within.covered_pixels, std::uint64_t{settings.width} * settings.height) << way.name;
-    EXPECT_EQ(with(settings, CullMode::Back, model).covered_pixels, 0U) << way.name;
+    EXPECT_EQ(within.covered_pixels, std::uint64_t{settings.width} * settings.height)
+        << method.name;
+    EXPECT_EQ(with(settings, CullMode::Back, model).covered_pixels, 0U) << method.name;
     // A section: the plane through the eye goes through the middle.
-    settings = picture_of(model, way);
+    settings = settings_of(model, method);
     settings.camera.eye = {0.0, 0.0, 0.0};
     settings.camera.target = {0.0, 0.0, -1.0};
     settings.camera.orthographic_height = 2.4;
     const RenderResult cut = with(settings, CullMode::Auto, model);
-    EXPECT_TRUE(same_image(cut, with(settings, CullMode::None, model))) << way.name;
-    EXPECT_GT(cut.covered_pixels, 4000U) << way.name;
+    EXPECT_TRUE(same_image(cut, with(settings, CullMode::None, model))) << method.name;
+    EXPECT_GT(cut.covered_pixels, 4000U) << method.name;
   }
 }
 
 TEST(CullMode, OfSemiTransparentBodiesBothAreSeen) {
   const PatchModel model = closed_sphere();
-  RenderSettings settings = picture_of(model, kMethods[0]);
+  RenderSettings settings = settings_of(model, kMethods[0]);
   settings.constants.opacity = 0.5F;
   const RenderResult both = with(settings, CullMode::None, model);
   EXPECT_TRUE(same_image(with(settings, CullMode::Auto, model), both));
@@ -167,39 +168,39 @@ TEST(CullMode, EachModelHasItsOwn) {
   glm::dmat3 mirror = turn;
   mirror[0] = -mirror[0];
   ASSERT_TRUE(add_instance(scene, {0, count, {{2.2, 0.0, 0.0}, mirror, 1.0}, 0}, extent));
-  for (const CulledMethod& way : kMethods) {
-    RenderSettings settings = picture_of(scene, way);
+  for (const CulledMethod& method : kMethods) {
+    RenderSettings settings = settings_of(scene, method);
     settings.width = 240;
     settings.camera = orbit_camera({0.0, 0.0, 0.0}, 2.0, {10.0, 5.0}, 45.0, 2.5);
     settings.pixels_per_sample = 0.0;
     const RenderResult both = with(settings, CullMode::None, scene);
     const RenderResult some = with(settings, CullMode::Auto, scene);
-    expect_same_but_for_rims(both, some, way.name);
+    expect_same_but_for_rims(both, some, method.name);
     // One of three: a third of the splats that face away are saved, a sixth of all.
-    EXPECT_LT(*some.fragments, *both.fragments) << way.name;
+    EXPECT_LT(*some.fragments, *both.fragments) << method.name;
     settings.cull = CullMode::Back;
     const RenderResult front = must_render(scene, settings);
-    expect_same_but_for_rims(both, front, way.name);
-    EXPECT_LT(*front.fragments, *some.fragments) << way.name;
+    expect_same_but_for_rims(both, front, method.name);
+    EXPECT_LT(*front.fragments, *some.fragments) << method.name;
   }
 }
 
 TEST(CullMode, AreExplained) {
   const PatchModel model = closed_sphere();
-  for (const CulledMethod& way : kMethods) {
-    RenderSettings settings = picture_of(model, way);
+  for (const CulledMethod& method : kMethods) {
+    RenderSettings settings = settings_of(model, method);
     settings.explain = true;
     for (const CullMode cull : {CullMode::None, CullMode::Auto}) {
       const RenderResult result = with(settings, cull, model);
       ASSERT_TRUE(result.explanation);
-      const bool sprites = way.primitive == Primitive::Sprite;
+      const bool sprites = method.primitive == Primitive::Sprite;
       const std::vector<std::string>& features = result.explanation->features;
       const bool named = std::find(features.begin(), features.end(), "front") != features.end();
       const auto& draws = result.explanation->draws;
       const bool culled = std::any_of(draws.begin(), draws.end(),
                                       [](const auto& draw) { return draw.front_alone; });
-      EXPECT_EQ(named, cull == CullMode::Auto && sprites) << way.name;
-      EXPECT_EQ(culled, cull == CullMode::Auto && !sprites) << way.name;
+      EXPECT_EQ(named, cull == CullMode::Auto && sprites) << method.name;
+      EXPECT_EQ(culled, cull == CullMode::Auto && !sprites) << method.name;
     }
   }
 }

@@ -25,8 +25,8 @@ struct EngineMethod {
 inline const std::vector<EngineMethod>& all_engine_methods() {
   static const std::vector<EngineMethod> methods = [] {
     std::vector<EngineMethod> all;
-    for (const Method& way : all_methods())
-      all.push_back({"onepass", way.primitive, way.interpolation, way.name});
+    for (const Method& method : all_methods())
+      all.push_back({"onepass", method.primitive, method.interpolation, method.name});
     const auto any = Interpolation::Corrected;
     all.push_back({"multipass", Primitive::Quad, any, "multipass_quad"});
     all.push_back({"multipass", Primitive::Sprite, any, "multipass_sprite"});
@@ -39,10 +39,10 @@ inline const std::vector<EngineMethod>& all_engine_methods() {
 
 /// The image by an engine: all outputs, transparent where nothing is, the finest level, a ray a
 /// pixel.
-inline RenderSettings by(const EngineMethod& way, RenderSettings settings) {
-  settings.engine = way.engine;
-  settings.primitive = way.primitive;
-  settings.interpolation = way.interpolation;
+inline RenderSettings by(const EngineMethod& method, RenderSettings settings) {
+  settings.engine = method.engine;
+  settings.primitive = method.primitive;
+  settings.interpolation = method.interpolation;
   settings.outputs = all_outputs();
   settings.background.reset();
   settings.pixels_per_sample = 0.0;

@@ -58,13 +58,13 @@ TEST(OrthographicSurroundings, AreTheSameInEveryPixel) {
   ASSERT_TRUE(surroundings);
   const glm::vec3 behind = look_up(*surroundings, test::forward(settings.camera));
   settings.environment = sky;
-  for (const EngineMethod& way : all_engine_methods()) {
-    RenderSettings drawn = by(way, settings);
+  for (const EngineMethod& method : all_engine_methods()) {
+    RenderSettings drawn = by(method, settings);
     drawn.background = glm::vec3(0.0F);
     const Image image = must_render(model, drawn).image;
     for (std::size_t k = 0; k < values(image, "R").size(); ++k) {
       // Half floats.
-      ASSERT_LT(glm::distance(colour(image, k), behind), 1e-3F) << way.name << " " << k;
+      ASSERT_LT(glm::distance(colour(image, k), behind), 1e-3F) << method.name << " " << k;
     }
   }
   std::filesystem::remove(sky);
@@ -78,12 +78,13 @@ TEST(OrthographicMirrors, ThatAreFlatReflectOneDirection) {
   settings.material = Material::Mirror;
   const glm::dvec3 ray = test::forward(settings.camera);
   const glm::vec3 expected = look_up(*cube, glm::dvec3(ray.x, ray.y, -ray.z));
-  for (const EngineMethod& way : all_engine_methods()) {
-    const RenderResult result = must_render(model, by(way, settings));
-    ASSERT_EQ(result.covered_pixels, std::uint64_t{settings.width} * settings.height) << way.name;
+  for (const EngineMethod& method : all_engine_methods()) {
+    const RenderResult result = must_render(model, by(method, settings));
+    ASSERT_EQ(result.covered_pixels, std::uint64_t{settings.width} * settings.height)
+        << method.name;
     for (std::size_t k = 0; k < result.covered_pixels; ++k) {
       // Normals of 16 bits, and half floats, beside the lines of the grid that is reflected.
-      ASSERT_LT(glm::distance(colour(result.image, k), expected), 0.01F) << way.name << " " << k;
+      ASSERT_LT(glm::distance(colour(result.image, k), expected), 0.01F) << method.name << " " << k;
     }
   }
 }
@@ -93,9 +94,9 @@ TEST(OrthographicOpacity, OverlapsCountOnce) {
   shape.patches_per_side = 2;  // 24 patches, each two cells over its neighbours
   const PatchModel model = test::sphere_model(shape);
   for (const std::string_view engine : {"onepass", "raytrace"}) {
-    EngineMethod way = kCells;
-    way.engine = engine;
-    RenderSettings settings = by(way, test::small_image(model));
+    EngineMethod method = kCells;
+    method.engine = engine;
+    RenderSettings settings = by(method, test::small_image(model));
     settings.camera.orthographic_height = 2.4;
     settings.constants.opacity = 0.5F;
     const Image image = must_render(model, settings).image;
@@ -107,7 +108,7 @@ TEST(OrthographicOpacity, OverlapsCountOnce) {
       if (glm::length(start - glm::dot(start, ray) * ray) > 0.9) continue;
       ++inside;
       // Front and back, in half floats.
-      ASSERT_NEAR(values(image, "A")[k], 0.75F, 3.0F / 2048.0F) << way.name << " " << k;
+      ASSERT_NEAR(values(image, "A")[k], 0.75F, 3.0F / 2048.0F) << method.name << " " << k;
     }
     EXPECT_GT(inside, 4000U);
   }
@@ -117,9 +118,9 @@ TEST(OrthographicSamples, AreThePixelsOfALargerImage) {
   test::SphereShape shape;
   shape.bumps = 0.05;
   const PatchModel model = test::sphere_model(shape);
-  for (const EngineMethod& way : all_engine_methods()) {
-    if (way.engine == "ewa" || way.engine == "raytrace") continue;
-    RenderSettings settings = by(way, test::small_image(model));
+  for (const EngineMethod& method : all_engine_methods()) {
+    if (method.engine == "ewa" || method.engine == "raytrace") continue;
+    RenderSettings settings = by(method, test::small_image(model));
     settings.outputs = {};
     settings.camera.orthographic_height = 2.4;
     RenderSettings larger = settings;
@@ -140,8 +141,8 @@ TEST(OrthographicSamples, AreThePixelsOfALargerImage) {
                         std::abs(values(mean, "G")[k] - 0.25F * sum("G")) < 1e-3F;
       different += same ? 0 : 1;
     }
-    // The same places through another matrix: ties may fall the other way.
-    EXPECT_LE(different, values(mean, "A").size() / 500) << way.name;
+    // The same positions through another matrix: ties may fall the other way.
+    EXPECT_LE(different, values(mean, "A").size() / 500) << method.name;
   }
 }
 

@@ -23,8 +23,8 @@ PatchModel bumpy_sphere() {
   return test::sphere_model(shape);
 }
 
-RenderSettings orthographic_image(const PatchModel& model, const EngineMethod& way) {
-  RenderSettings settings = by(way, test::small_image(model, {25.0, 20.0}));
+RenderSettings orthographic_image(const PatchModel& model, const EngineMethod& method) {
+  RenderSettings settings = by(method, test::small_image(model, {25.0, 20.0}));
   settings.camera.orthographic_height = 2.4;
   return settings;
 }
@@ -66,7 +66,7 @@ TEST_P(OrthographicLimits, AreWhatPerspectiveBecomesFarAway) {
     settings.camera = seen_from(orthographic, distance);
     differences.push_back(colour_difference(must_render(model, settings).image, limit));
   }
-  // Rays lean by the inverse of the distance, and places move by as much. Below 0.003, which is
+  // Rays lean by the inverse of the distance, and positions move by as much. Below 0.003, which is
   // 50 dB, another splat in front here and there is more than that; half floats alone are 3e-4.
   EXPECT_GT(differences[0], 5.0 * differences[1]);
   EXPECT_LT(differences[2], std::max(differences[1] / 3.0, 0.003));

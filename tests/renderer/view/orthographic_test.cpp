@@ -32,26 +32,26 @@ PatchModel plane_model() {
 
 /// How far beyond its outermost samples an engine draws a plane, in cells; nothing where that is
 /// no straight edge.
-std::optional<double> beyond_samples(const EngineMethod& way) {
-  if (way.engine == "raytrace") return 0.0;
-  const bool discs = way.engine == "onepass" && way.primitive == Primitive::Sprite;
-  if (way.engine == "ewa" || discs) return std::nullopt;
+std::optional<double> beyond_samples(const EngineMethod& method) {
+  if (method.engine == "raytrace") return 0.0;
+  const bool discs = method.engine == "onepass" && method.primitive == Primitive::Sprite;
+  if (method.engine == "ewa" || discs) return std::nullopt;
   return 0.5;  // half a splat
 }
 
 /// How far the pieces that an engine draws a plane of reach, in cells: discs of as much as a splat
 /// and its margins, kernels that end at 4 standard deviations.
-double reach(const EngineMethod& way) {
-  return way.engine == "ewa" ? 6.0 : 2.0;
+double reach(const EngineMethod& method) {
+  return method.engine == "ewa" ? 6.0 : 2.0;
 }
 
 /// How far depths may be off, in cells over the cosine between ray and normal.
-double depth_tolerance(const EngineMethod& way) {
+double depth_tolerance(const EngineMethod& method) {
   // Kernels are as far apart as they are wide: the mean of planes that are all the same one, but
   // for heights and normals, both rounded to 1/1000 or better, over the two cells that they reach.
-  if (way.engine == "ewa") return 0.005;
+  if (method.engine == "ewa") return 0.005;
   // Heights are rounded to 1/1000 of a cell.
-  if (way.engine == "raytrace" || way.is_cells()) return 0.002;
+  if (method.engine == "raytrace" || method.is_cells()) return 0.002;
   // Slopes are rounded to half of kSteepest / 127 along both axes, over the radius of a disc.
   return 2.0 * 0.5 * shared::kSteepest / 127.0;
 }
@@ -71,8 +71,8 @@ TEST_P(Orthographic, PlaneIsWhereItsFormulaSays) {
     for (std::size_t k = 0; k < values(image, "A").size(); ++k) {
       const glm::dvec3 start = pixel_start(settings, k % settings.width, k / settings.width);
       const double depth = glm::dot(kPlaneNormal, start) / cosine;
-      const glm::dvec3 place = start + depth * ray;
-      const double outermost = std::max(std::abs(place.x), std::abs(place.y)) - kHalf;
+      const glm::dvec3 position = start + depth * ray;
+      const double outermost = std::max(std::abs(position.x), std::abs(position.y)) - kHalf;
       const bool covered = values(image, "A")[k] > 0.0F;
       // Edges are rounded by kMinMargin and kMarginPixels at most. Discs and kernels reach
       // further than half a cell, and over the corners by less than what covers a cell.
@@ -89,8 +89,8 @@ TEST_P(Orthographic, PlaneIsWhereItsFormulaSays) {
       // Half floats, of multipass summed up.
       ASSERT_LT(glm::distance(test::normal_at(image, k), kPlaneNormal), 0.002) << k;
       // A texel of 8192 a cell, or how far a slope's rounding moves the place.
-      ASSERT_NEAR(values(image, "UV.U")[k], place.x + kHalf, 0.05) << k;
-      ASSERT_NEAR(values(image, "UV.V")[k], place.y + kHalf, 0.05) << k;
+      ASSERT_NEAR(values(image, "UV.U")[k], position.x + kHalf, 0.05) << k;
+      ASSERT_NEAR(values(image, "UV.V")[k], position.y + kHalf, 0.05) << k;
       ASSERT_EQ(values(image, "patch")[k], 1.0F);
     }
     EXPECT_GT(inside, 1500U);
@@ -226,8 +226,8 @@ TEST_P(Orthographic, EyesPlaneCutsToThePixel) {
   for (std::size_t k = 0; k < values(image, "A").size(); ++k) {
     const glm::dvec3 start = pixel_start(settings, k % settings.width, k / settings.width);
     const double depth = glm::dot(kPlaneNormal, start) / cosine;
-    const glm::dvec3 place = start + depth * ray;
-    if (std::max(std::abs(place.x), std::abs(place.y)) > kHalf - 2.0) continue;
+    const glm::dvec3 position = start + depth * ray;
+    if (std::max(std::abs(position.x), std::abs(position.y)) > kHalf - 2.0) continue;
     // Pass 1 of multipass sets all of the surface back before it is cut.
     const double early = GetParam().engine == "multipass" ? double{shared::kBlendingDepth} : 0.0;
     const double slack = depth_tolerance(GetParam()) / std::abs(cosine);

@@ -49,11 +49,11 @@ RenderSettings looking(glm::dvec3 eye, glm::dvec3 target) {
 
 std::vector<std::uint32_t> chosen_by(const std::vector<TreeTile>& tiles,
                                      const std::vector<RenderSettings>& views,
-                                     const std::vector<Transform>& places = {Transform()}) {
-  return choose_tiles(tiles, onlookers_of(views, places, PatchModel()));
+                                     const std::vector<Transform>& transforms = {Transform()}) {
+  return choose_tiles(tiles, onlookers_of(views, transforms, PatchModel()));
 }
 
-/// Each place of the square that is seen is in one chosen tile.
+/// Each transform of the square that is seen is in one chosen tile.
 void expect_cover(const std::vector<TreeTile>& tiles, const std::vector<std::uint32_t>& chosen,
                   const std::function<bool(double, double)>& is_seen) {
   for (double y = 0.5; y < 16.0; y += 1.0) {
@@ -121,13 +121,13 @@ TEST(PatchesInView, TheFinestViewDecides) {
 
 TEST(PatchesInView, DependOnPositionAndScale) {
   const auto tiles = quad_tree();
-  Transform place;
-  place.translation = {-80.0, -80.0, 0.0};
-  place.scale = 10.0;
+  Transform transform;
+  transform.translation = {-80.0, -80.0, 0.0};
+  transform.scale = 10.0;
   // Ten times as large at ten times the distance.
-  EXPECT_EQ(chosen_by(tiles, {looking({0, 0, 1650}, {0, 0, 0})}, {place}),
+  EXPECT_EQ(chosen_by(tiles, {looking({0, 0, 1650}, {0, 0, 0})}, {transform}),
             (std::vector<std::uint32_t>{0}));
-  EXPECT_EQ(chosen_by(tiles, {looking({0, 0, 1550}, {0, 0, 0})}, {place}).size(), 4U);
+  EXPECT_EQ(chosen_by(tiles, {looking({0, 0, 1550}, {0, 0, 0})}, {transform}).size(), 4U);
 }
 
 TEST(PatchesInView, DependOnSamplesPerPixelAndOrthographicHeight) {
@@ -183,8 +183,8 @@ TEST(PatchesInView, ImagesOfPartsAreThoseOfTheWhole) {
     settings.outputs = test::all_outputs();
     settings.outputs.patch_id = false;  // counts what was read
     const std::vector<RenderSettings> views{settings};
-    const std::vector<Transform> places(1);
-    const auto read = read_in_view(*tree, onlookers_of(views, places, whole), progress);
+    const std::vector<Transform> transforms(1);
+    const auto read = read_in_view(*tree, onlookers_of(views, transforms, whole), progress);
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_LT(read->model.patches.size(), degrees < 10.0 ? 80U : 385U);
     EXPECT_EQ(read->samples, count_samples(read->model));

@@ -51,7 +51,7 @@ TEST(EwaInput, PointsWithoutSurfaceChangeNothing) {
   add_point(cloud, {8, 0, 0}, up, -1.0);                           //
   add_point(cloud, {8, 0, 0}, up, nan);                            //
   add_point(cloud, {8, 0, 0}, up, 1e-300);                         //
-  add_point(cloud, {nan, 0, 0}, up, 1.0);                          // no place
+  add_point(cloud, {nan, 0, 0}, up, 1.0);                          // no position
   add_point(cloud, {kInfinity, 0, 0}, up, 1.0);                    //
   add_point(cloud, {0, 0, 1e308}, up, 1.0);                        // behind the eye
   add_point(cloud, {3, 1, 25}, up, 1.0);                           //
@@ -88,8 +88,8 @@ TEST(EwaInput, TiltedSplatsAreNumbersAtEveryAngle) {
   SplatCloud cloud;
   for (int k = 0; k <= 2000; ++k) {
     const double angle = k * std::numbers::pi / 2000.0;
-    const double place = 0.01 * (k - 1000);
-    add_point(cloud, {place, 0.37 * place, 0.1 * place},
+    const double along = 0.01 * (k - 1000);
+    add_point(cloud, {along, 0.37 * along, 0.1 * along},
               glm::vec3(std::sin(angle), 0.0, std::cos(angle)), k % 7 == 0 ? 20.0 : 0.3,
               {1.0F, 1.0F, 1.0F, 0.01F * static_cast<float>(k % 101)});
   }

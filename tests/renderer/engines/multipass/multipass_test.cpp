@@ -92,7 +92,7 @@ TEST_P(Multipass, SheetsNearEachOtherBlendAndOthersHide) {
     model.patches[1].origin.z = model.patches[0].origin.z + cells;
     return values(must_render(model, settings).image, "R")[middle];
   };
-  // In the middle of the image both are seen at the same place of the grid, with the same
+  // In the middle of the image both are seen at the same position of the grid, with the same
   // weights.
   EXPECT_NEAR(brightness(0.9 * double{shared::kBlendingDepth}), 0.5F, 0.02F);
   EXPECT_EQ(brightness(1.1 * double{shared::kBlendingDepth}), 1.0F);
@@ -235,7 +235,7 @@ INSTANTIATE_TEST_SUITE_P(All, Multipass,
                                          SplatMethod{Primitive::Quad, 2.0, "quad_2"},
                                          SplatMethod{Primitive::Sprite, 1.0, "sprite_1"},
                                          SplatMethod{Primitive::Sprite, 2.0, "sprite_2"}),
-                         [](const auto& way) { return std::string(way.param.name); });
+                         [](const auto& method) { return std::string(method.param.name); });
 
 TEST(MultipassSums, AreThoseThatTheImageNeeds) {
   const PatchModel model = test::height_field(4, [](double, double) { return 0.0; });

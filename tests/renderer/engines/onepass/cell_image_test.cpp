@@ -129,10 +129,10 @@ TEST(CellImages, DeferredShadingShowsTheSameSurface) {
 }
 
 TEST(CellImages, StoreGridCoordinatesAtFullPrecision) {
-  EXPECT_EQ(onepass::place_steps(1), 262144.0F);  // 2^22 over 9 cells
-  EXPECT_EQ(onepass::place_steps(503), 8192.0F);  // 511 cells
-  EXPECT_EQ(onepass::place_steps(504), 4096.0F);  // 512 cells would need the step 2^22
-  EXPECT_EQ(onepass::place_steps(kMaxPatchSide), 128.0F);
+  EXPECT_EQ(onepass::position_steps(1), 262144.0F);  // 2^22 over 9 cells
+  EXPECT_EQ(onepass::position_steps(503), 8192.0F);  // 511 cells
+  EXPECT_EQ(onepass::position_steps(504), 4096.0F);  // 512 cells would need the step 2^22
+  EXPECT_EQ(onepass::position_steps(kMaxPatchSide), 128.0F);
 }
 
 TEST(CellImages, OfAPatchLargerThanAPartHaveNoSeam) {

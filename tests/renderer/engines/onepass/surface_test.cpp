@@ -81,9 +81,9 @@ TEST_P(Surfaces, SphereOfManyPatchesHasNoHolesAndItsOwnNormals) {
     EXPECT_GT(errors.pixels, 1000U);
     EXPECT_EQ(errors.holes, 0U) << distance;
     // A splat's plane is off the sphere by 0.0125 cells at its corner, a triangle by as much in its
-    // middle. At 20 degrees that moves the place by 0.035 cells, over which the normal turns by 0.1
-    // degrees (a disc reaches further than a quad); the maps' bilinear normals and half floats add
-    // little.
+    // middle. At 20 degrees that moves the position by 0.035 cells, over which the normal turns by
+    // 0.1 degrees (a disc reaches further than a quad); the maps' bilinear normals and half floats
+    // add little.
     EXPECT_LT(errors.normal_degrees, 0.2) << distance;
     EXPECT_LT(errors.depth_cells, 0.04) << distance;
   }
@@ -169,7 +169,7 @@ TEST_P(Surfaces, GeoreferencedCoordinatesGiveTheSameImage) {
 /// from (0, 0) to (1, 1).
 std::optional<glm::dvec2> meet_triangles(const Patch& patch, glm::dvec3 eye, glm::dvec3 ray) {
   double nearest = std::numeric_limits<double>::max();
-  std::optional<glm::dvec2> place;
+  std::optional<glm::dvec2> position;
   const auto node = [&patch](std::uint32_t i, std::uint32_t j) {
     return patch.origin + glm::dvec3(i, j, patch.at(i, j) * patch.height_step);
   };
@@ -187,11 +187,11 @@ std::optional<glm::dvec2> meet_triangles(const Patch& patch, glm::dvec3 eye, glm
         const double depth = glm::dot(ac, q) / determinant;
         if (!(u >= 0.0 && v >= 0.0 && u + v <= 1.0 && depth > 0.0 && depth < nearest)) continue;
         nearest = depth;
-        place = glm::dvec2(eye + depth * ray - patch.origin);
+        position = glm::dvec2(eye + depth * ray - patch.origin);
       }
     }
   }
-  return place;
+  return position;
 }
 
 TEST(Corrected, FollowsTheVirtualTrianglesAndDirectDoesNot) {
@@ -211,12 +211,12 @@ TEST(Corrected, FollowsTheVirtualTrianglesAndDirectDoesNot) {
     double count = 0.0;
     for (std::size_t y = 0; y < settings.height; y += 3) {
       for (std::size_t x = 0; x < settings.width; x += 3) {
-        const auto place =
+        const auto position =
             meet_triangles(model.patches[0], settings.camera.eye, pixel_ray(settings, x, y));
-        if (!place) continue;
+        if (!position) continue;
         const std::size_t k = y * settings.width + x;
         const glm::dvec2 uv(values(result.image, "UV.U")[k], values(result.image, "UV.V")[k]);
-        sum += glm::dot(uv - *place, uv - *place);
+        sum += glm::dot(uv - *position, uv - *position);
         count += 1.0;
       }
     }
@@ -316,7 +316,7 @@ TEST(Sprites, LargerThanThePointSizeLimitStayCentred) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Surfaces, testing::ValuesIn(all_methods()),
-                         [](const auto& way) { return std::string(way.param.name); });
+                         [](const auto& method) { return std::string(method.param.name); });
 
 }  // namespace
 }  // namespace relief

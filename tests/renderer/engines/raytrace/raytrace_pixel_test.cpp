@@ -33,10 +33,10 @@ TEST(SamplePattern, EveryRowAndColumnHasOne) {
     std::set<int> columns;
     std::set<int> rows;
     glm::dvec2 sum(0.0);
-    for (const glm::dvec2& place : sample_pattern(samples)) {
-      columns.insert(static_cast<int>(std::floor(place.x * samples)));
-      rows.insert(static_cast<int>(std::floor(place.y * samples)));
-      sum += place;
+    for (const glm::dvec2& offset : sample_pattern(samples)) {
+      columns.insert(static_cast<int>(std::floor(offset.x * samples)));
+      rows.insert(static_cast<int>(std::floor(offset.y * samples)));
+      sum += offset;
     }
     EXPECT_EQ(columns.size(), static_cast<std::size_t>(samples));
     EXPECT_EQ(rows.size(), static_cast<std::size_t>(samples));
@@ -81,8 +81,8 @@ TEST(PixelSamples, CoverageOfAHalfPlaneIsItsAreaInThePixel) {
       const std::size_t row = k / 16;
       const glm::dvec2 corner(static_cast<double>(k % 16) - 8.0, 7.0 - static_cast<double>(row));
       double share = 0.0;
-      for (const glm::dvec2& place : sample_pattern(samples))
-        share += glm::dot(n, corner + place) < kOffset ? 1.0 / samples : 0.0;
+      for (const glm::dvec2& offset : sample_pattern(samples))
+        share += glm::dot(n, corner + offset) < kOffset ? 1.0 / samples : 0.0;
       const float alpha = values(result.image, "A")[k];
       EXPECT_NEAR(alpha, share, 1e-6) << samples;
       EXPECT_NEAR(values(result.image, "R")[k], 0.8F * alpha, 1e-6);
@@ -185,10 +185,10 @@ TEST(Ties, OfCoincidentTrianglesTheFirstIsVisible) {
   RenderSettings settings = sphere_image();
   settings.material = Material::Unlit;
   const RenderResult all = must_trace(mesh, settings);
-  std::set<Triangle> places;
+  std::set<Triangle> distinct;
   const auto vertices = static_cast<std::uint32_t>(mesh.positions.size() / 2);
   std::erase_if(mesh.triangles, [&](const Triangle& t) {
-    return !places.insert({t[0] % vertices, t[1] % vertices, t[2] % vertices}).second;
+    return !distinct.insert({t[0] % vertices, t[1] % vertices, t[2] % vertices}).second;
   });
   const RenderResult first = must_trace(mesh, settings);
   EXPECT_GT(all.covered_pixels, 4000U);

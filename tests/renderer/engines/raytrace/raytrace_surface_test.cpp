@@ -23,8 +23,8 @@ struct PlaneErrors {
   std::uint64_t covered = 0;
 };
 
-/// A tilted sheet of 4 x 4 about `centre`, whose UV is the place on it, seen from a distance along
-/// a slanted line.
+/// A tilted sheet of 4 x 4 about `centre`, whose UV is the position on it, seen from a distance
+/// along a slanted line.
 PlaneErrors plane_errors(glm::dvec3 centre, double distance, double fov_degrees) {
   const glm::dvec3 u = 4.0 * glm::normalize(glm::dvec3(1.0, 0.2, 0.3));
   const glm::dvec3 v = 4.0 * glm::normalize(glm::cross(glm::dvec3(0.1, 0.2, 1.0), u));
@@ -46,8 +46,8 @@ PlaneErrors plane_errors(glm::dvec3 centre, double distance, double fov_degrees)
     const glm::dvec3 ray = pixel_ray(settings, k % settings.width, k / settings.width);
     const double depth =
         glm::dot(mesh.positions[0] - settings.camera.eye, normal) / glm::dot(ray, normal);
-    const glm::dvec3 place = settings.camera.eye + depth * ray - mesh.positions[0];
-    const glm::dvec2 uv(glm::dot(place, u) / 16.0, glm::dot(place, v) / 16.0);
+    const glm::dvec3 from_corner = settings.camera.eye + depth * ray - mesh.positions[0];
+    const glm::dvec2 uv(glm::dot(from_corner, u) / 16.0, glm::dot(from_corner, v) / 16.0);
     const glm::dvec2 seen(values(result.image, "UV.U")[k], values(result.image, "UV.V")[k]);
     errors.depth = std::max(errors.depth, std::abs(values(result.image, "Z")[k] / depth - 1.0));
     errors.uv = std::max(errors.uv, glm::length(seen - uv));
@@ -88,8 +88,8 @@ TEST(RayTracedSphere, HasItsSilhouetteDepthAndNormals) {
   const RenderSettings settings =
       test::traced_image(orbit_camera(centre, 1.0, {30.0, 20.0}, 45.0, 1.2));
   const RenderResult result = must_trace(mesh, settings);
-  // The largest triangles are halves of squares with this side, so that no place of one is farther
-  // from its corners than half the diagonal; so deep below the sphere it lies.
+  // The largest triangles are halves of squares with this side, so that no position of one is
+  // farther from its corners than half the diagonal; so deep below the sphere it lies.
   const double side = std::acos(-1.0) / kRings;
   const double sagitta = 1.0 - std::sqrt(1.0 - side * side / 2.0);
   std::size_t hit = 0;
