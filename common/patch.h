@@ -65,9 +65,18 @@ struct Patch {
   }
 };
 
+/// Some of a model's patches, one after another.
+struct PatchRun {
+  std::uint32_t first = 0;  ///< in PatchModel::patches
+  std::uint32_t count = 0;
+};
+
 /// All patches of a model, with what a viewer needs before it reads the first patch.
 struct PatchModel {
   std::vector<Patch> patches;
+  /// Runs of patches that end where others of the run begin: make_seams() closes the surface
+  /// between them. All other patches overlap.
+  std::vector<PatchRun> joined;
   /// Instances of runs of patches, in the order of their patch ids. Empty: each patch is drawn
   /// once, untransformed. Bounds and spacing include the instances. Not in patch files.
   std::vector<Instance> instances;
@@ -79,6 +88,14 @@ struct PatchModel {
   /// The surface encloses a body, normals outward, so that its back is invisible from outside.
   bool is_closed = false;
 };
+
+/// Returns whether all patches of a model meet at seams.
+[[nodiscard]] inline bool is_joined(const PatchModel& model) {
+  return model.joined.size() == 1 && model.joined.front().count == model.patches.size();
+}
+
+/// Returns the run of patches that meet which a patch belongs to; null if it overlaps others.
+[[nodiscard]] const PatchRun* run_of(const PatchModel& model, std::size_t patch);
 
 /// Returns the world position of a sample.
 [[nodiscard]] inline glm::dvec3 position_of(const Patch& patch, std::uint32_t i, std::uint32_t j) {

@@ -101,10 +101,16 @@ Status transform_model(PatchModel& model, const Transform& transform) {
   return {};
 }
 
+void append_joined(PatchModel& to, const PatchModel& from) {
+  const auto before = static_cast<std::uint32_t>(to.patches.size());
+  for (const PatchRun& run : from.joined) to.joined.push_back({before + run.first, run.count});
+}
+
 void append_model(PatchModel& to, PatchModel from) {
   assert(to.instances.empty() && from.instances.empty() && "patches that stand where they are");
   extend(to, from);
   to.is_closed = from.is_closed && (to.patches.empty() || to.is_closed);
+  append_joined(to, from);
   if (to.patches.empty()) {
     to.patches = std::move(from.patches);
     return;
@@ -132,6 +138,11 @@ PatchModel bake(const PatchModel& model) {
   baked.is_closed = std::all_of(model.instances.begin(), model.instances.end(),
                                 [](const Instance& instance) { return instance.is_closed; });
   for (const Instance& instance : model.instances) {
+    const auto before = static_cast<std::uint32_t>(baked.patches.size());
+    for (const PatchRun& run : model.joined) {
+      if (run.first >= instance.first && run.first < instance.first + instance.count)
+        baked.joined.push_back({before + (run.first - instance.first), run.count});
+    }
     for (std::uint32_t k = 0; k < instance.count; ++k) {
       const Patch& patch = model.patches[instance.first + k];
       baked.patches.push_back(patch);

@@ -32,6 +32,9 @@ struct PatchFrame {
 /// double precision.
 Status transform_model(PatchModel& model, const Transform& transform);
 
+/// Appends the runs of `from`, whose patches are about to be appended, that meet at seams.
+void append_joined(PatchModel& to, const PatchModel& from);
+
 /// Appends the patches of `from`; their ids continue after those of `to`. A patch without colours
 /// stays without, and is drawn in neutral grey beside coloured ones. The bounds become the box
 /// about both. The bounding sphere becomes one about both spheres, no larger than the box's.

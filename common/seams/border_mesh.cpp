@@ -1,0 +1,94 @@
+#include "common/seams/border_mesh.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "common/octahedral.h"
+
+namespace relief {
+namespace {
+
+constexpr std::uint32_t kInside = std::numeric_limits<std::uint32_t>::max();
+
+/// Whether cells surround a node: all four are whole.
+bool is_surrounded(const CellTriangles& cells, std::uint32_t i, std::uint32_t j) {
+  return cells.at(i, j) == kWholeCell && cells.at(i - 1, j) == kWholeCell &&
+         cells.at(i, j - 1) == kWholeCell && cells.at(i - 1, j - 1) == kWholeCell;
+}
+
+glm::dvec3 node_position(const Patch& patch, std::uint32_t node) {
+  return position_of(patch, node % patch.width, node / patch.width);
+}
+
+glm::dvec3 normal_of(const Patch& patch, std::uint32_t i, std::uint32_t j) {
+  if (patch.normals.empty()) return patch.axes[2];
+  const AttributeMap<glm::i16vec2>& map = patch.normals;
+  const std::size_t texel = std::size_t{j} * map.scale * map.width + std::size_t{i} * map.scale;
+  return patch.axes * glm::dvec3(unit_from_snorm16(map.texels[texel]));
+}
+
+double turn_at(const Patch& patch, std::uint32_t i, std::uint32_t j, glm::dvec3 normal) {
+  double turn = 0.0;
+  const auto look = [&](std::uint32_t x, std::uint32_t y) {
+    if (x >= patch.width || y >= patch.height || patch.at(x, y) == kHole) return;
+    turn = std::max(turn, glm::distance(normal, normal_of(patch, x, y)));
+  };
+  look(i - 1, j);  // of the first column or row it wraps around to what is outside
+  look(i + 1, j);
+  look(i, j - 1);
+  look(i, j + 1);
+  return turn;
+}
+
+/// Adds the border vertices of a patch and returns for each node which it has become.
+std::vector<std::uint32_t> add_vertices(const Patch& patch, std::uint32_t id,
+                                        const CellTriangles& cells, BorderMesh& mesh) {
+  std::vector<std::uint32_t> numbers(patch.heights.size(), kInside);
+  for (std::uint32_t j = 0; j < patch.height; ++j) {
+    for (std::uint32_t i = 0; i < patch.width; ++i) {
+      // i - 1 and j - 1 of the first wrap around to what is outside.
+      if (patch.at(i, j) == kHole || is_surrounded(cells, i, j)) continue;
+      const std::uint32_t node = j * patch.width + i;
+      numbers[node] = static_cast<std::uint32_t>(mesh.vertices.size());
+      const glm::dvec3 normal = normal_of(patch, i, j);
+      mesh.vertices.push_back({position_of(patch, i, j), normal, patch.spacing,
+                               turn_at(patch, i, j, normal), id, node});
+    }
+  }
+  return numbers;
+}
+
+void add_edges(const Patch& patch, const CellTriangles& cells,
+               const std::vector<std::uint32_t>& numbers, BorderMesh& mesh) {
+  const auto add_triangle = [&](const std::array<std::uint32_t, 3>& corners) {
+    const glm::dvec3 a = node_position(patch, corners[0]);
+    const glm::dvec3 normal = glm::normalize(
+        glm::cross(node_position(patch, corners[1]) - a, node_position(patch, corners[2]) - a));
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::uint32_t from = numbers[corners[c]];
+      const std::uint32_t to = numbers[corners[(c + 1) % 3]];
+      if (from != kInside && to != kInside) mesh.edges.push_back({from, to, normal});
+    }
+  };
+  for (std::uint32_t j = 0; j < cells.rows; ++j) {
+    for (std::uint32_t i = 0; i < cells.columns; ++i) {
+      const std::uint32_t node = j * patch.width + i;
+      const bool inside = numbers[node] == kInside && numbers[node + 1] == kInside &&
+                          numbers[node + patch.width] == kInside &&
+                          numbers[node + patch.width + 1] == kInside;
+      if (!inside) for_each_triangle(patch, cells, i, j, add_triangle);
+    }
+  }
+}
+
+}  // namespace
+
+BorderMesh find_borders(std::span<const Patch> patches, std::span<const CellTriangles> cells) {
+  BorderMesh mesh;
+  for (std::uint32_t p = 0; p < patches.size(); ++p)
+    add_edges(patches[p], cells[p], add_vertices(patches[p], p, cells[p], mesh), mesh);
+  return mesh;
+}
+
+}  // namespace relief

@@ -1,0 +1,94 @@
+#include "common/seams/join_normals.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <span>
+#include <vector>
+
+#include "common/octahedral.h"
+#include "common/seams/border_mesh.h"
+#include "common/seams/cell_triangles.h"
+#include "common/seams/seam_vertices.h"
+#include "common/seams/vertex_grid.h"
+
+namespace relief {
+namespace {
+
+// Samples within this many spacings of a hole tell its normal.
+constexpr double kReachInSpacings = 1.5;
+
+struct Neighbourhood {
+  glm::dvec3 position{0.0};  ///< world: where the patch's surface would be
+  glm::dvec3 normal{0.0};    ///< world, not unit: the sum of the samples' beside it
+  int samples = 0;
+};
+
+/// What the samples beside a hole say of it.
+Neighbourhood continue_to(const Patch& patch, std::uint32_t i, std::uint32_t j) {
+  Neighbourhood around;
+  double height = 0.0;
+  for (std::uint32_t y = j > 0 ? j - 1 : 0; y <= std::min(j + 1, patch.height - 1); ++y) {
+    for (std::uint32_t x = i > 0 ? i - 1 : 0; x <= std::min(i + 1, patch.width - 1); ++x) {
+      if (patch.at(x, y) == kHole) continue;
+      const glm::dvec3 n(unit_from_snorm16(patch.normals.texels[std::size_t{y} * patch.width + x]));
+      const glm::dvec2 step(static_cast<double>(i) - x, static_cast<double>(j) - y);
+      height += patch.at(x, y) * patch.height_step -
+                patch.spacing * glm::dot(step, glm::dvec2(n)) / std::max(n.z, 0.2);
+      around.normal += n;
+      ++around.samples;
+    }
+  }
+  if (around.samples == 0) return around;
+  around.position = patch.origin + patch.axes * glm::dvec3(i * patch.spacing, j * patch.spacing,
+                                                           height / around.samples);
+  around.normal = patch.axes * around.normal;
+  return around;
+}
+
+void join_patch(const Patch& patch, std::uint32_t id, const BorderMesh& borders,
+                const VertexGrid& lookup, AttributeMap<glm::i16vec2>& joined) {
+  for (std::uint32_t j = 0; j < patch.height; ++j) {
+    for (std::uint32_t i = 0; i < patch.width; ++i) {
+      if (patch.at(i, j) != kHole) continue;
+      const Neighbourhood around = continue_to(patch, i, j);
+      if (around.samples == 0) continue;
+      const glm::dvec3 own = glm::normalize(around.normal);
+      const double reach = kReachInSpacings * patch.spacing;
+      // Weighted by distance, the own samples at about one spacing.
+      const auto weight = [reach](double squared) {
+        const double w = 1.0 - squared / (reach * reach);
+        return w * w;
+      };
+      glm::dvec3 sum = own * weight(patch.spacing * patch.spacing);
+      lookup.for_each_within(around.position, reach, [&](std::uint32_t v) {
+        const BorderVertex& other = borders.vertices[v];
+        if (other.patch == id || glm::dot(other.normal, own) < kCreaseCosine) return;
+        const glm::dvec3 d = other.position - around.position;
+        sum += weight(glm::dot(d, d)) * other.normal;
+      });
+      const glm::vec3 local(glm::transpose(patch.axes) * glm::normalize(sum));
+      joined.texels[std::size_t{j} * patch.width + i] = snorm16_from_unit(local);
+    }
+  }
+}
+
+}  // namespace
+
+void join_normals(PatchModel& model) {
+  for (const PatchRun& run : model.joined) {
+    const std::span<Patch> patches = std::span(model.patches).subspan(run.first, run.count);
+    std::vector<CellTriangles> cells;
+    for (const Patch& patch : patches) cells.push_back(cell_triangles(patch));
+    const BorderMesh borders = find_borders(patches, cells);
+    const VertexGrid lookup(borders.vertices);
+    for (std::uint32_t p = 0; p < patches.size(); ++p) {
+      Patch& patch = patches[p];
+      if (patch.normals.empty() || patch.normals.scale != 1) continue;
+      AttributeMap<glm::i16vec2> joined = patch.normals;
+      join_patch(patch, p, borders, lookup, joined);
+      patch.normals = std::move(joined);
+    }
+  }
+}
+
+}  // namespace relief

@@ -1,0 +1,38 @@
+#include "common/seams/make_seams.h"
+
+#include "common/seams/border_mesh.h"
+#include "common/seams/cell_triangles.h"
+#include "common/seams/seam_vertices.h"
+#include "common/seams/stitch.h"
+
+namespace relief {
+namespace {
+
+/// The triangles of the cells that are not whole.
+void add_partial_cells(const Patch& patch, const CellTriangles& cells,
+                       std::vector<Triangle>& triangles) {
+  for (std::uint32_t j = 0; j < cells.rows; ++j) {
+    for (std::uint32_t i = 0; i < cells.columns; ++i) {
+      if (cells.at(i, j) == kWholeCell) continue;
+      for_each_triangle(patch, cells, i, j,
+                        [&](const Triangle& corners) { triangles.push_back(corners); });
+    }
+  }
+}
+
+}  // namespace
+
+Seams make_seams(std::span<const Patch> patches) {
+  Seams seams;
+  seams.triangles.resize(patches.size());
+  std::vector<CellTriangles> cells;
+  cells.reserve(patches.size());
+  for (const Patch& patch : patches) cells.push_back(cell_triangles(patch));
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    add_partial_cells(patches[p], cells[p], seams.triangles[p]);
+  const BorderMesh borders = find_borders(patches, cells);
+  share_out(stitch(borders), borders, seams);
+  return seams;
+}
+
+}  // namespace relief

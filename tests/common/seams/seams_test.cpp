@@ -1,0 +1,163 @@
+// Patches that end where others begin: their borders are joined, and nothing else is.
+#include "common/seams/make_seams.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "common/octahedral.h"
+#include "common/seams/seam_vertices.h"
+#include "tests/common/seams/joined_mesh.h"
+
+namespace relief {
+namespace {
+
+/// A flat patch of spacing 1 in the plane z = 0 whose first node is at (x, y). `hole`: nodes
+/// without a sample.
+Patch flat_patch(
+    double x, double y, std::uint32_t width, std::uint32_t height,
+    const std::function<bool(std::uint32_t, std::uint32_t)>& hole = [](auto, auto) {
+      return false;
+    }) {
+  Patch patch;
+  patch.origin = {x, y, 0.0};
+  patch.height_step = 0.05;
+  patch.width = width;
+  patch.height = height;
+  for (std::uint32_t j = 0; j < height; ++j) {
+    for (std::uint32_t i = 0; i < width; ++i) patch.heights.push_back(hole(i, j) ? kHole : 0);
+  }
+  patch.normals = {width, height, 1,
+                   std::vector<glm::i16vec2>(patch.heights.size(), snorm16_from_unit({0, 0, 1}))};
+  return patch;
+}
+
+/// Every triangle faces +z, and no edge belongs to two triangles on the same side.
+void expect_sheet(const test::JoinedMesh& mesh) {
+  for (const Triangle& t : mesh.triangles) EXPECT_GT(mesh.normal_of(t).z, 0.0);
+  for (const auto& [edge, count] : mesh.edges()) EXPECT_EQ(count, 1);
+}
+
+TEST(Seams, CloseTheGapBetweenTwoPatches) {
+  // The second is shifted along the gap, so that no sample faces another.
+  for (const double gap : {0.5, 1.0, 1.4, 2.0}) {
+    const std::vector<Patch> patches{flat_patch(0, 0, 10, 10), flat_patch(9 + gap, 0.37, 10, 10)};
+    const test::JoinedMesh mesh = test::joined_mesh(patches);
+    expect_sheet(mesh);
+    for (const auto& [from, to] : mesh.open_edges()) {
+      const glm::dvec3 middle = 0.5 * (mesh.positions[from] + mesh.positions[to]);
+      // What stays open is the outside: left, right, or within one step of the upper and lower end.
+      EXPECT_TRUE(middle.x == 0.0 || middle.x == 18 + gap || middle.y < 0.4 || middle.y > 8.9)
+          << gap << ": " << middle.x << " " << middle.y;
+    }
+    // Two squares and the gap between them. At each end a step of 0.37 may be filled, from one
+    // sample before the gap to one beyond.
+    EXPECT_NEAR(mesh.area(), 2 * 81 + 9 * gap, 0.37 * (gap + 2.0)) << gap;
+  }
+}
+
+TEST(Seams, ShareAVertexOnEachEdgeBetweenPatches) {
+  const std::vector<Patch> patches{flat_patch(0, 0, 4, 4), flat_patch(4.2, 0, 4, 4),
+                                   flat_patch(0, 4.2, 8, 4)};
+  const Seams seams = make_seams(patches);
+  std::vector<std::vector<bool>> used(seams.vertices.size(), std::vector<bool>(patches.size()));
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    for (const Triangle& t : seams.triangles[p]) {
+      for (const std::uint32_t corner : t) {
+        if ((corner & kSeamVertexBit) != 0) used[corner & ~kSeamVertexBit][p] = true;
+      }
+    }
+  }
+  int junctions = 0;
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    const auto sharing = std::ranges::count(used[v], true);
+    EXPECT_GE(sharing, 2) << v;
+    EXPECT_TRUE(used[v][seams.vertices[v].patch]) << v;
+    junctions += sharing == 3 ? 1 : 0;
+  }
+  EXPECT_EQ(junctions, 1);
+  expect_sheet(test::joined_mesh(patches));
+}
+
+TEST(Seams, LeaveWideGapsOpen) {
+  const std::vector<Patch> patches{flat_patch(0, 0, 10, 10), flat_patch(9 + 4, 0, 10, 10)};
+  EXPECT_TRUE(make_seams(patches).vertices.empty());
+  EXPECT_NEAR(test::joined_mesh(patches).area(), 2 * 81, 1e-9);
+}
+
+TEST(Seams, LeaveHolesOfAPatchOpen) {
+  const auto hole = [](std::uint32_t i, std::uint32_t j) {
+    return i >= 4 && i <= 8 && j >= 4 && j <= 8;
+  };
+  const std::vector<Patch> patches{flat_patch(0, 0, 13, 13, hole)};
+  // The hole is 6 x 6 less the halves of its four corner cells, which have three samples.
+  EXPECT_NEAR(test::joined_mesh(patches).area(), 144 - 36 + 2, 1e-9);
+}
+
+TEST(Seams, DoNotJoinTheTwoSidesOfAThinSheet) {
+  Patch below = flat_patch(0, 0, 10, 10);
+  below.origin = {9.0, 0.0, -0.4};
+  below.axes = {{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}};  // seen from below
+  const std::vector<Patch> patches{flat_patch(0, 0, 10, 10), below};
+  EXPECT_TRUE(make_seams(patches).vertices.empty());
+}
+
+BorderVertex vertex(glm::dvec3 position, glm::dvec3 normal, double turn) {
+  return {.position = position, .normal = normal, .turn = turn};
+}
+
+TEST(Seams, MeetOnTheCurveThroughBothSamples) {
+  // On a circle of radius 10, one apart: the chord's middle is 0.0125 inside.
+  const double angle = 0.05;
+  const auto on_circle = [](double a, double turn) {
+    const glm::dvec3 n(std::sin(a), 0.0, std::cos(a));
+    return vertex(10.0 * n, n, turn);
+  };
+  const glm::dvec3 middle = seam_position(on_circle(-angle, 0.1), on_circle(angle, 0.1));
+  // The cubic is off by the fourth power of the angle.
+  EXPECT_NEAR(glm::length(middle), 10.0, 10.0 * std::pow(angle, 4));
+}
+
+TEST(Seams, MeetWhereTheTangentPlanesOfACreaseDo) {
+  const BorderVertex top = vertex({-0.3, 0.0, 0.0}, {0, 0, 1}, 0.01);
+  const BorderVertex side = vertex({0.0, 0.2, -0.5}, {1, 0, 0}, 0.01);
+  const glm::dvec3 at = seam_position(top, side);
+  EXPECT_NEAR(at.x, 0.0, 1e-12);
+  EXPECT_NEAR(at.y, 0.1, 1e-12);
+  EXPECT_NEAR(at.z, 0.0, 1e-12);
+  // The same turn on a round edge is none.
+  BorderVertex round = top;
+  round.turn = 0.7;
+  EXPECT_LT(seam_position(round, side).z, -0.01);
+}
+
+TEST(Seams, AreDefinedForAnyPatches) {
+  Patch upside_down = flat_patch(0, 0, 5, 5);
+  upside_down.origin = {4.0, 0.0, 0.0};
+  upside_down.axes = {{-1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
+  Patch jagged = flat_patch(5.1, 0, 9, 9, [](auto i, auto j) { return (i * 7 + j * 3) % 5 == 0; });
+  for (std::size_t k = 0; k < jagged.heights.size(); ++k) {
+    if (jagged.heights[k] != kHole) jagged.heights[k] = static_cast<std::int32_t>(k * 37 % 90);
+  }
+  Patch without_normals = flat_patch(0, 5.2, 6, 3);
+  without_normals.normals = {};
+  const auto all_holes = [](auto, auto) { return true; };
+  const std::vector<Patch> patches{flat_patch(0, 0, 5, 5),
+                                   flat_patch(0, 0, 5, 5),
+                                   upside_down,
+                                   jagged,
+                                   flat_patch(14.5, 3, 1, 1),
+                                   flat_patch(0, 0, 3, 3, all_holes),
+                                   without_normals,
+                                   flat_patch(-1.2, 0, 1, 7)};
+  const test::JoinedMesh mesh = test::joined_mesh(patches);
+  for (const glm::dvec3& p : mesh.positions)
+    EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+  for (const auto& [edge, count] : mesh.edges()) EXPECT_EQ(count, 1);
+  EXPECT_TRUE(make_seams({}).vertices.empty());
+}
+
+}  // namespace
+}  // namespace relief
