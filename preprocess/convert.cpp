@@ -12,6 +12,8 @@
 #include <utility>
 
 #include "common/guard.h"
+#include "common/seams/join_normals.h"
+#include "common/seams/make_seams.h"
 #include "preprocess/convert_stages.h"
 #include "preprocess/measure.h"
 #include "preprocess/normals/closed_mesh.h"
@@ -155,9 +157,10 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   const std::vector<double> factors = options.adaptive_spacing
                                           ? spacing_factors(samples, regions)
                                           : std::vector<double>(regions.size(), 1.0);
-  const double spacing = options.spacing > 0.0 ? options.spacing
-                                               : choose_spacing(samples, graph, regions, factors,
-                                                                result.report.points);
+  const double spacing =
+      options.spacing > 0.0
+          ? options.spacing
+          : choose_spacing(samples, graph, regions, factors, result.report.points, options.seams);
   RELIEF_TRY(check_spacing(spacing, area_of(regions, samples), points.size()));
   const Membership membership = membership_of(samples, regions);
   std::vector<Patch> patches = make_patches(
@@ -177,10 +180,17 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   }
 
   progress.begin_stage("measure", 0);
-  const Fidelity fidelity = measure_fidelity(points.positions, result.report.points, graph,
-                                             owners_of(regions, points.size()), patches);
+  std::optional<SeamDistances> seams;
+  if (options.seams) seams.emplace(patches, make_seams(patches));
+  const Fidelity fidelity =
+      measure_fidelity(points.positions, result.report.points, graph,
+                       owners_of(regions, points.size()), patches, seams ? &*seams : nullptr);
   PatchModel& model = result.model;
   model.patches = std::move(patches);
+  if (options.seams) {
+    model.joined = {{0, static_cast<std::uint32_t>(model.patches.size())}};
+    join_normals(model);
+  }
   model.spacing = spacing;
   model.bounds = bounds_of(points.positions);
   model.bounding_radius = bounding_radius(points.positions, model.bounds);

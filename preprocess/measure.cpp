@@ -14,6 +14,9 @@ namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
+// Points within this many spacings of a cell are not compared with seams: few are nearer to one.
+constexpr double kSeamsMatter = 0.02;
+
 // Height and slope of the surface over a cell, in grid units.
 struct CellSurface {
   double height;
@@ -122,7 +125,7 @@ std::optional<double> distance_to_patch(const Patch& patch, glm::dvec3 point) {
 
 Fidelity measure_fidelity(const std::vector<glm::dvec3>& positions, std::size_t count,
                           const NeighbourGraph& graph, const std::vector<std::uint32_t>& owner,
-                          const std::vector<Patch>& patches) {
+                          const std::vector<Patch>& patches, const SeamDistances* seams) {
   constexpr auto kNoPatch = std::numeric_limits<std::uint32_t>::max();
   double largest_spacing = 0.0;
   for (const Patch& patch : patches) largest_spacing = std::max(largest_spacing, patch.spacing);
@@ -133,6 +136,8 @@ Fidelity measure_fidelity(const std::vector<glm::dvec3>& positions, std::size_t 
       [&](const tbb::blocked_range<std::size_t>& range, Sums sums) {
         for (std::size_t i = range.begin(); i != range.end(); ++i) {
           double d = neighbourhood_distance(positions, graph, owner, patches, i, kNoPatch);
+          if (seams != nullptr && d > kSeamsMatter * largest_spacing)
+            d = std::min(d, seams->find(positions[i]).value_or(kFar));
           if (d > limit) {
             for (const Patch& patch : patches)
               d = std::min(d, distance_or_far(patch, positions[i]));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/patch.h"
+#include "common/seams/seam_distances.h"
 #include "preprocess/points/neighbours.h"
 
 namespace relief {
@@ -27,11 +28,13 @@ struct Fidelity {
 /// Measures the first `count` points against the patches of their neighbourhood; `owner` is each
 /// point's patch (index into `patches`, or patches.size() if it has none). Points farther than two
 /// spacings from those are compared with every patch. A point without a near patch counts in `max`
-/// and `rms` with two spacings, its smallest possible distance.
+/// and `rms` with two spacings, its smallest possible distance. `seams`: those between the patches
+/// if they meet, else null.
 [[nodiscard]] Fidelity measure_fidelity(const std::vector<glm::dvec3>& positions, std::size_t count,
                                         const NeighbourGraph& graph,
                                         const std::vector<std::uint32_t>& owner,
-                                        const std::vector<Patch>& patches);
+                                        const std::vector<Patch>& patches,
+                                        const SeamDistances* seams = nullptr);
 
 /// Returns which small patches (at most `small_points` own points) are covered by others: every own
 /// point is within one spacing of another remaining patch. `own_points` lists each patch's points.

@@ -34,6 +34,7 @@ struct PatchFileInfo {
   double bounding_radius = 0.0;
   std::vector<std::string> attributes;  ///< "normal", "colour"
   bool is_closed = false;               ///< as PatchModel::is_closed
+  bool is_joined = false;               ///< all patches are one run of PatchModel::joined
 };
 
 /// The index entry of one patch: enough to transform and cull it before it is read. Terms and frame

@@ -79,7 +79,8 @@ std::vector<std::byte> write_header(const FileHeader& header) {
   append_vector(out, header.bounds.min);
   append_vector(out, header.bounds.max);
   append_number(out, header.bounding_radius);
-  append_number(out, header.is_closed ? kClosedFlag : std::uint64_t{0});
+  append_number(out, (header.is_closed ? kClosedFlag : std::uint64_t{0}) |
+                         (header.is_joined ? kJoinedFlag : std::uint64_t{0}));
   append_number(out, header.index_checksum);
   append_number(out, crc32(out));
   assert(out.size() == kHeaderBytes && "the header has the size that the format defines");
@@ -126,7 +127,9 @@ Result<FileHeader> parse_header(std::span<const std::byte> bytes, std::uint64_t 
   header.bounds.min = take_vector(in);
   header.bounds.max = take_vector(in);
   header.bounding_radius = in.take<double>();
-  header.is_closed = (in.take<std::uint64_t>() & kClosedFlag) != 0;
+  const auto flags = in.take<std::uint64_t>();
+  header.is_closed = (flags & kClosedFlag) != 0;
+  header.is_joined = (flags & kJoinedFlag) != 0;
   header.index_checksum = in.take<std::uint32_t>();
 
   if (file_bytes != header.file_bytes) {

@@ -22,6 +22,7 @@ inline constexpr std::size_t kTileRecordBytes = 84;
 
 /// The header's flags; readers ignore unknown ones.
 inline constexpr std::uint64_t kClosedFlag = 1;
+inline constexpr std::uint64_t kJoinedFlag = 2;
 
 /// Predicted integers in zstd streams (patch_codec.h).
 inline constexpr std::uint16_t kCodecPredicted = 1;
@@ -63,6 +64,7 @@ struct FileHeader {
   Bounds bounds;
   double bounding_radius = 0.0;
   bool is_closed = false;
+  bool is_joined = false;
 };
 
 struct FileIndex {

@@ -92,6 +92,7 @@ PatchFileInfo info_of(const FileHeader& header, const FileIndex& index) {
   info.bounds = header.bounds;
   info.bounding_radius = header.bounding_radius;
   info.is_closed = header.is_closed;
+  info.is_joined = header.is_joined;
   bool has_normals = false;
   bool has_colours = false;
   for (const ChunkRecord& chunk : index.chunks) {

@@ -11,6 +11,7 @@
 #include "common/guard.h"
 #include "common/patch_file/fast/zstd_contexts.h"
 #include "common/patch_file/patch_file.h"
+#include "common/seams/join_normals.h"
 
 namespace relief {
 
@@ -62,7 +63,10 @@ Result<std::vector<Patch>> PatchFile::read_patches(std::span<const std::uint64_t
 Result<PatchModel> PatchFile::read_all(Progress& progress) const {
   std::vector<std::uint64_t> all(patches().size());
   std::iota(all.begin(), all.end(), 0U);
-  RELIEF_TRY(fits_memory(name(), decoded_bytes(all)));
+  // Joining patches takes about this for each sample, if every one is at a border.
+  constexpr std::uint64_t kJoiningBytes = 256;
+  const std::uint64_t joining = info().is_joined ? kJoiningBytes * info().samples : 0;
+  RELIEF_TRY(fits_memory(name(), decoded_bytes(all) + joining));
   RELIEF_TRY_ASSIGN(auto read, read_patches(all, progress));
   PatchModel model;
   model.patches = std::move(read);
@@ -70,6 +74,10 @@ Result<PatchModel> PatchFile::read_all(Progress& progress) const {
   model.bounds = info().bounds;
   model.bounding_radius = info().bounding_radius;
   model.is_closed = info().is_closed;
+  if (info().is_joined) {
+    model.joined = {{0, static_cast<std::uint32_t>(model.patches.size())}};
+    join_normals(model);
+  }
   model.has_colours = std::any_of(model.patches.begin(), model.patches.end(),
                                   [](const Patch& p) { return !p.colours.empty(); });
   return model;

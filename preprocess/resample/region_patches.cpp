@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "preprocess/measure.h"
+#include "preprocess/resample/joined_borders.h"
 
 namespace relief {
 namespace {
@@ -62,7 +63,9 @@ std::vector<Patch> make_patches(const ScanSurface& scan, const std::vector<doubl
                                 const ResampleOptions& options, std::vector<Region>& regions,
                                 Progress& progress) {
   std::vector<Patch> patches = resample_all(scan, factors, options, regions, progress);
-  if (!progress.cancelled()) drop_redundant(scan.samples, scan.graph, regions, patches);
+  if (progress.cancelled()) return patches;
+  drop_redundant(scan.samples, scan.graph, regions, patches);
+  if (options.seams) thin_borders(patches);
   return patches;
 }
 

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "preprocess/resample/attributes.h"
+#include "preprocess/resample/joined_borders.h"
 #include "preprocess/resample/mls.h"
 
 namespace relief {
@@ -86,6 +87,26 @@ double bucket_side(const PatchPoints& points, double spacing) {
   return std::max(spacing, sum / static_cast<double>(points.size()));
 }
 
+// Support reaches up to 0.9 spacings beyond a region's points; where borders meet, half of what is
+// beyond belongs to others.
+constexpr double kForeignShare = 0.45;
+
+/// About how many samples a grid will have.
+double count_samples(const std::vector<NodeState>& states, const PatchGrid& grid, bool seams) {
+  double count = 0.0;
+  const auto is_hole = [&](std::size_t m) { return states[m] == NodeState::Hole; };
+  for (std::size_t m = 0; m < states.size(); ++m) {
+    if (is_hole(m)) continue;
+    const std::size_t i = m % grid.width;
+    const std::size_t j = m / grid.width;
+    const bool border = i == 0 || j == 0 || i + 1 == grid.width || j + 1 == grid.height ||
+                        is_hole(m - 1) || is_hole(m + 1) || is_hole(m - grid.width) ||
+                        is_hole(m + grid.width);
+    count += seams && border ? 1.0 - kForeignShare : 1.0;
+  }
+  return count;
+}
+
 }  // namespace
 
 Patch resample_region(const SurfaceSamples& samples, const NeighbourGraph& graph,
@@ -116,6 +137,11 @@ Patch resample_region(const SurfaceSamples& samples, const NeighbourGraph& graph
     surface[m] = evaluate_mls(points, supporting, all, grid.x0 + i * grid.spacing,
                               grid.y0 + j * grid.spacing, grid.spacing);
   }
+  const std::vector<NodeState> with_margin = states;
+  if (options.seams) {
+    drop_foreign_nodes(points, all, surface, grid, states);
+    if (std::ranges::count(states, NodeState::Hole) == std::ssize(states)) return {};
+  }
 
   double lowest = 0.0;
   const double step =
@@ -124,16 +150,17 @@ Patch resample_region(const SurfaceSamples& samples, const NeighbourGraph& graph
   patch.spacing = grid.spacing;
   patch.axes = points.frame.axes;
   patch.origin = points.frame.origin + points.frame.axes * glm::dvec3(grid.x0, grid.y0, lowest);
-  patch.normals = sample_normals(surface, states, grid, options.normals_from_points);
+  patch.normals = sample_normals(surface, with_margin, grid, options.normals_from_points);
   if (!colours.empty()) {
-    patch.colours = sample_colours(points, supporting, states, grid, colours, options.colour_scale);
+    patch.colours =
+        sample_colours(points, supporting, with_margin, grid, colours, options.colour_scale);
   }
   return patch;
 }
 
 double choose_spacing(const SurfaceSamples& samples, const NeighbourGraph& graph,
                       const std::vector<Region>& regions, const std::vector<double>& factors,
-                      std::size_t target) {
+                      std::size_t target, bool seams) {
   double area = 0.0;
   const auto count = static_cast<double>(target);
   std::vector<PatchPoints> points(regions.size());
@@ -151,16 +178,14 @@ double choose_spacing(const SurfaceSamples& samples, const NeighbourGraph& graph
   // The area ignores borders and relies on estimated densities; counting nodes corrects both. Two
   // corrections come within about 1 %.
   for (int round = 0; round < 2; ++round) {
-    std::vector<std::size_t> nodes(regions.size(), 0);
+    std::vector<double> nodes(regions.size(), 0.0);
     tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t r) {
       const PointGrid own(points[r], points[r].own, bucket_side(points[r], factors[r] * spacing));
       const PatchGrid grid = lay_grid(points[r], factors[r] * spacing, 0);
       const std::vector<NodeState> states = find_support(points[r], {own, own, own}, grid, 0);
-      nodes[r] = states.size() - static_cast<std::size_t>(
-                                     std::count(states.begin(), states.end(), NodeState::Hole));
+      nodes[r] = count_samples(states, grid, seams);
     });
-    const double total =
-        static_cast<double>(std::accumulate(nodes.begin(), nodes.end(), std::size_t{0}));
+    const double total = std::accumulate(nodes.begin(), nodes.end(), 0.0);
     spacing *= std::sqrt(total / count);
   }
   return spacing;

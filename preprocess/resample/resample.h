@@ -12,6 +12,7 @@ struct ResampleOptions {
   int overlap_cells = 1;             ///< width of the overlap margin
   std::uint32_t colour_scale = 1;    ///< colour texels per grid cell along each side
   bool normals_from_points = false;  ///< use the points' normals instead of the fitted surface's
+  bool seams = false;                ///< without a margin, for make_seams()
 };
 
 /// Resamples one region ([Ochotta 2008], section 3.1): support, then heights, then normals and
@@ -26,6 +27,7 @@ struct ResampleOptions {
 /// all, without margins. `factors`: each region's spacing in units of that (spacing_factors).
 [[nodiscard]] double choose_spacing(const SurfaceSamples& samples, const NeighbourGraph& graph,
                                     const std::vector<Region>& regions,
-                                    const std::vector<double>& factors, std::size_t target);
+                                    const std::vector<double>& factors, std::size_t target,
+                                    bool seams = false);
 
 }  // namespace relief
