@@ -51,6 +51,7 @@ Status SceneAssembler::add_model_instance(LoadedFile& file, const FileUse& use) 
     std::vector<Patch>& all = scene_.patches.patches;
     file.run = {static_cast<std::uint32_t>(all.size()),
                 static_cast<std::uint32_t>(model.patches.size())};
+    append_joined(scene_.patches, model);
     std::move(model.patches.begin(), model.patches.end(), std::back_inserter(all));
     model = without_patches(model);
   }

@@ -14,12 +14,6 @@
 
 namespace relief {
 
-/// The range of a file's patches in a scene.
-struct PatchRun {
-  std::uint32_t first = 0;
-  std::uint32_t count = 0;
-};
-
 /// A file in the forms that the scene needs. The patches always have the bounds.
 struct LoadedFile {
   PatchModel patches;

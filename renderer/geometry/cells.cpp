@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "common/seams/cell_triangles.h"
 #include "renderer/geometry/cell_nodes.h"
 #include "shaders/include/shared.h"
 
@@ -163,6 +164,22 @@ PatchCells make_cells(const Patch& patch, const PatchSamples& samples) {
            nodes.beside_jump(CellNodes::node_of(record), [](glm::uvec2) { return true; }) ||
            nodes.off_edges(record) > shared::kCrease;
   });
+  return without_empty_parts(std::move(cells));
+}
+
+PatchCells make_joined_cells(const Patch& patch, const PatchSamples& samples) {
+  const CellTriangles triangles = cell_triangles(patch);
+  std::vector<std::uint8_t> whole(std::size_t{patch.width} * patch.height, 0);
+  for (std::uint32_t j = 0; j < triangles.rows; ++j) {
+    for (std::uint32_t i = 0; i < triangles.columns; ++i)
+      whole[std::size_t{j} * patch.width + i] = triangles.at(i, j) == kWholeCell ? 1 : 0;
+  }
+  PatchCells cells = make_cells_alone(patch, whole, CellNodes(patch, samples), samples.height_step);
+  for (CellPart& part : cells.parts) {
+    part.edge_runs.clear();
+    // Nothing lies behind a border that meets others.
+    for (std::uint32_t& run : part.runs) run &= (1U << shared::kSetBackShift) - 1;
+  }
   return without_empty_parts(std::move(cells));
 }
 

@@ -54,6 +54,10 @@ struct PatchCells {
 /// three agree, and a run needs no bit a cell to say which.)
 [[nodiscard]] PatchCells make_cells(const Patch& patch, const PatchSamples& samples);
 
+/// Makes those of a patch that ends where others begin: its whole cells (cell_triangles), without
+/// splats; Seams have the rest.
+[[nodiscard]] PatchCells make_joined_cells(const Patch& patch, const PatchSamples& samples);
+
 /// Makes those of a coarser level. It has splats only beside jumps: its cells reach beyond the
 /// patch and its mask, and are cut off there.
 [[nodiscard]] PatchCells make_cells(const PatchLevel& level, const PatchSamples& samples);

@@ -5,12 +5,15 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <unordered_map>
 #include <utility>
 
 #include "common/image/srgb.h"
 #include "common/mesh/mesh_texture.h"
 #include "common/mesh/normal_texture.h"
 #include "common/octahedral.h"
+#include "common/seams/cell_triangles.h"
+#include "common/seams/make_seams.h"
 #include "renderer/geometry/node_texels.h"
 #include "renderer/geometry/patch_normals.h"
 #include "renderer/geometry/proxy.h"
@@ -48,9 +51,9 @@ std::vector<std::uint32_t> add_vertices(const Patch& patch, std::uint32_t id, bo
   return vertices;
 }
 
-/// The texture coordinates of a node: its texel's middle.
-glm::vec2 texcoord_of(const AttributeMap<glm::u8vec3>& map, std::size_t i, std::size_t j) {
-  const glm::dvec2 texel(i * map.scale + 0.5, j * map.scale + 0.5);
+/// The texture coordinates of grid coordinates; those of a node are its texel's middle.
+glm::vec2 texcoord_of(const AttributeMap<glm::u8vec3>& map, glm::dvec2 uv) {
+  const glm::dvec2 texel = uv * static_cast<double>(map.scale) + 0.5;
   return {texel / glm::dvec2(map.width, map.height)};
 }
 
@@ -75,9 +78,7 @@ void add_texture(const Patch& patch, std::size_t first, TriangleMesh& mesh) {
   for (std::size_t t = first; t < mesh.triangles.size(); ++t) {
     CornerTexcoords corners{};
     for (std::size_t c = 0; c < 3; ++c) {
-      const glm::vec2 node = mesh.uvs[mesh.triangles[t][c]];
-      corners[c] =
-          texcoord_of(map, static_cast<std::size_t>(node.x), static_cast<std::size_t>(node.y));
+      corners[c] = texcoord_of(map, mesh.uvs[mesh.triangles[t][c]]);
     }
     mesh.texcoords.push_back(corners);
   }
@@ -121,6 +122,65 @@ void add_triangles(const Patch& patch, const std::vector<std::uint32_t>& vertice
   }
 }
 
+/// The colour of a map at the texel nearest to grid coordinates, linear.
+glm::vec3 colour_at(const Patch& patch, glm::dvec2 uv) {
+  const AttributeMap<glm::u8vec3>& map = patch.colours;
+  if (map.empty()) return glm::vec3(shared::kNeutralGrey);
+  const glm::dvec2 most(map.width - 1, map.height - 1);
+  const glm::uvec2 texel(
+      glm::clamp(glm::round(uv * static_cast<double>(map.scale)), glm::dvec2(0.0), most));
+  return linear_from_srgb8(map.texels[std::size_t{texel.y} * map.width + texel.x]);
+}
+
+/// The normal of a map at grid coordinates, bilinear, in the patch frame.
+glm::vec3 normal_at(const AttributeMap<glm::i16vec2>& map, glm::dvec2 uv) {
+  const glm::dvec2 most(map.width - 1, map.height - 1);
+  const glm::dvec2 texel = glm::clamp(uv * static_cast<double>(map.scale), glm::dvec2(0.0), most);
+  const glm::dvec2 low = glm::min(glm::floor(texel), glm::max(most - 1.0, glm::dvec2(0.0)));
+  const glm::vec2 part(texel - low);
+  const auto at = [&](std::uint32_t i, std::uint32_t j) {
+    const std::uint32_t x = std::min(static_cast<std::uint32_t>(low.x) + i, map.width - 1);
+    const std::uint32_t y = std::min(static_cast<std::uint32_t>(low.y) + j, map.height - 1);
+    return glm::vec2(map.texels[std::size_t{y} * map.width + x]) / 32767.0F;
+  };
+  return unit_from_octahedral(
+      glm::mix(glm::mix(at(0, 0), at(1, 0), part.x), glm::mix(at(0, 1), at(1, 1), part.x), part.y));
+}
+
+/// Adds the whole cells of a patch that meets others, and its part of the seams.
+void add_joined_triangles(const Patch& patch, std::uint32_t id, const Seams& seams,
+                          std::span<const Triangle> triangles, bool coloured,
+                          const std::vector<std::uint32_t>& vertices, TriangleMesh& mesh) {
+  const CellTriangles cells = cell_triangles(patch);
+  for (std::uint32_t j = 0; j < cells.rows; ++j) {
+    for (std::uint32_t i = 0; i < cells.columns; ++i) {
+      if (cells.at(i, j) != kWholeCell) continue;
+      for_each_triangle(patch, cells, i, j, [&](const Triangle& t) {
+        mesh.triangles.push_back({vertices[t[0]], vertices[t[1]], vertices[t[2]]});
+      });
+    }
+  }
+  const AttributeMap<glm::i16vec2> normals = normal_map_of(patch);
+  std::unordered_map<std::uint32_t, std::uint32_t> added;
+  const auto vertex_of = [&](std::uint32_t corner) {
+    if ((corner & kSeamVertexBit) == 0) return vertices[corner];
+    const auto next = static_cast<std::uint32_t>(mesh.positions.size());
+    const auto [found, is_new] = added.try_emplace(corner, next);
+    if (!is_new) return found->second;
+    const glm::dvec3 position = seams.vertices[corner & ~kSeamVertexBit].position;
+    const glm::dvec2 uv =
+        glm::dvec2(glm::transpose(patch.axes) * (position - patch.origin)) / patch.spacing;
+    mesh.positions.push_back(position);
+    mesh.normals.push_back(glm::normalize(glm::mat3(patch.axes) * normal_at(normals, uv)));
+    if (coloured) mesh.colours.emplace_back(colour_at(patch, uv), 1.0F);
+    mesh.uvs.emplace_back(uv);
+    mesh.patches.push_back(id + 1);
+    return next;
+  };
+  for (const Triangle& t : triangles)
+    mesh.triangles.push_back({vertex_of(t[0]), vertex_of(t[1]), vertex_of(t[2])});
+}
+
 }  // namespace
 
 Result<TriangleMesh> mesh_of_patches(const PatchModel& model) {
@@ -138,11 +198,19 @@ Result<TriangleMesh> mesh_of_patches(const PatchModel& model) {
   mesh.patches.reserve(samples);
   if (model.has_colours) mesh.colours.reserve(samples);
   mesh.triangles.reserve(2 * samples);
+  Seams seams;
   for (std::uint32_t p = 0; p < model.patches.size(); ++p) {
     mesh.layer_gap = std::max(mesh.layer_gap, double{shared::kLayerGap} * model.patches[p].spacing);
     const Patch& patch = model.patches[p];
     const std::size_t first = mesh.triangles.size();
-    add_triangles(patch, add_vertices(patch, p, model.has_colours, mesh), mesh);
+    const std::vector<std::uint32_t> vertices = add_vertices(patch, p, model.has_colours, mesh);
+    if (const PatchRun* const run = run_of(model, p)) {
+      if (p == run->first) seams = make_seams(std::span(model.patches).subspan(p, run->count));
+      add_joined_triangles(patch, p, seams, seams.triangles[p - run->first], model.has_colours,
+                           vertices, mesh);
+    } else {
+      add_triangles(patch, vertices, mesh);
+    }
     add_texture(patch, first, mesh);
     if (PatchNormalMap map = normal_map_over(patch); map.texture != nullptr) {
       mesh.patch_normals.resize(p);

@@ -76,8 +76,9 @@ Result<std::size_t> GridUpload::get(std::size_t patch, std::uint32_t level) {
   }
   if (needs_.cells) {
     RELIEF_TRY_ASSIGN(UploadedCells added,
-                      cells_.add(level > 0 ? make_cells(coarser_.back(), grid.shape)
-                                           : make_cells(whole, grid.shape)));
+                      cells_.add(level > 0               ? make_cells(coarser_.back(), grid.shape)
+                                 : run_of(model_, patch) ? make_joined_cells(whole, grid.shape)
+                                                         : make_cells(whole, grid.shape)));
     grid.cells = std::move(added);
   }
   grid.shape.records = {};

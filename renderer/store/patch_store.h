@@ -17,6 +17,7 @@
 #include "renderer/store/cell_store.h"
 #include "renderer/store/proxy_store.h"
 #include "renderer/store/sample_pages.h"
+#include "renderer/store/seam_store.h"
 #include "renderer/view/cull_mode.h"
 #include "renderer/view/view.h"
 
@@ -63,6 +64,7 @@ struct StoredInstance {
   Proxy model;              ///< world
   std::uint32_t first = 0;  ///< in PatchStore::levels
   std::uint32_t count = 0;  ///< 0 where every view draws it from afar
+  PatchRun seams = {};      ///< in SeamStore::seams
   /// What stands for it, if some view draws it from afar.
   struct StoredProxy {
     std::uint32_t mesh = 0;    ///< in ProxyStore::meshes
@@ -97,6 +99,7 @@ struct PatchStore {
   std::optional<Texture> masks;
   std::optional<CellStore> cells;
   std::optional<ProxyStore> proxies;
+  std::optional<SeamStore> seams;
 };
 
 /// The views that a model is uploaded for.

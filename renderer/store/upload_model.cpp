@@ -42,6 +42,9 @@ PatchExtent moved(const Transform& transform, const PatchExtent& extent) {
           transform.scale * extent.spacing, extent.levels};
 }
 
+/// Seams reach this far beyond a patch's samples, in spacings.
+constexpr double kSeamReach = 2.5;
+
 /// A run of patches as all of its instances have it.
 struct Run {
   Proxy model;                        ///< model frame
@@ -77,7 +80,8 @@ class ModelUpload {
         views_(views.views),
         all_levels_(views.all_levels),
         grids_(gl, model, needs),
-        proxy_(gl) {
+        proxy_(gl),
+        seam_upload_(gl) {
     extents_.reserve(model.patches.size());
     for (const Patch& patch : model.patches) extents_.push_back(extent_of(patch));
   }
@@ -89,6 +93,7 @@ class ModelUpload {
     StoredInstance stored{relief::moved(where, run.model),
                           static_cast<std::uint32_t>(levels_.size()),
                           0,
+                          {},
                           std::nullopt,
                           glm::determinant(where.rotation) < 0.0,
                           std::nullopt};
@@ -106,6 +111,9 @@ class ModelUpload {
     if (all_levels_ || views_.empty() || !near_views.empty()) {
       RELIEF_TRY(add_near(instance, near_views));
       stored.count = instance.count;
+      if (needs_.cells) {
+        RELIEF_TRY_ASSIGN(stored.seams, add_seams(instance));
+      }
     }
     diameters_.resize(patches_.size(), 2.0F * static_cast<float>(stored.model.sphere.radius));
     instances_.push_back(std::move(stored));
@@ -128,12 +136,18 @@ class ModelUpload {
                      std::move(maps.colours),
                      std::move(maps.masks),
                      std::nullopt,
+                     std::nullopt,
                      std::nullopt};
+    for (StoredSeam& seam : seams_) {
+      seam.number = static_cast<std::uint32_t>(positions_.size());
+      positions_.emplace_back(seam.patch, 0);
+    }
     if (needs_.cells) {
       store.cells =
           CellStore{std::move(parts_), grids_.take_cells(),
                     make_buffer(gl_, "part positions", std::span<const glm::uvec2>(positions_))};
     }
+    if (!seam_upload_.empty()) store.seams = seam_upload_.take(std::move(seams_));
     if (!proxy_.empty()) store.proxies = proxy_.take(needs_.sources);
     if (needs_.bodies)
       store.bodies = make_table(gl_, "bodies", GL_R32F, std::span<const float>(diameters_));
@@ -161,7 +175,10 @@ class ModelUpload {
       return std::span(model_.patches).subspan(instance.first, instance.count);
     };
     if (needs_.bodies) found->second.model.sphere = sphere_about(patches());
+    // Meshes seen from afar are made of the patches alone, which seams leave gaps between (issue
+    // 20).
     const bool may_be_proxy =
+        relief::run_of(model_, instance.first) == nullptr &&
         std::any_of(views_.begin(), views_.end(),
                     [](const View& view) { return view.proxy_diameter > 0.0; }) &&
         has_one_material(model_);
@@ -194,8 +211,8 @@ class ModelUpload {
     return {};
   }
 
-  void add_grid(std::size_t index, const Transform& where, std::uint8_t material,
-                std::uint32_t id) {
+  void add_grid(std::size_t index, const Transform& where, std::uint8_t material, std::uint32_t id,
+                bool with_parts = true) {
     const Grid& grid = grids_.grid(index);
     const PatchFrame frame = relief::moved(where, *grid.nodes);
     StoredPatch kept;
@@ -212,12 +229,33 @@ class ModelUpload {
     kept.records = grid.records;
     const auto number = static_cast<std::uint32_t>(patches_.size());
     for (const UploadedCells::Part& part : grid.cells.parts) {
+      if (!with_parts) break;
       parts_.push_back({number, frame.origin + frame.axes * (frame.spacing * part.centre),
                         frame.spacing * part.radius, part.buffers});
       positions_.emplace_back(number, part.corner.x | (part.corner.y << 16U));
     }
     patches_.push_back(kept);
     rows_.push_back({index, id});
+  }
+
+  /// The seams of its patches that meet others, over rows of their own, which lie as the patches
+  /// do.
+  Result<PatchRun> add_seams(const Instance& instance) {
+    const PatchRun* const run = relief::run_of(model_, instance.first);
+    const auto first = static_cast<std::uint32_t>(seams_.size());
+    if (run == nullptr) return PatchRun{first, 0};
+    RELIEF_TRY_ASSIGN(const std::span<const SeamCorners> shares, seam_upload_.get(model_, *run));
+    for (std::uint32_t k = 0; k < instance.count; ++k) {
+      const std::size_t p = instance.first + k;
+      const PatchExtent extent = moved(instance.transform, extents_[p]);
+      RELIEF_TRY_ASSIGN(const std::size_t grid, grids_.get(p, 0));
+      const std::uint8_t material =
+          model_.instances.empty() ? model_.patches[p].material : instance.material;
+      seams_.push_back({static_cast<std::uint32_t>(patches_.size()), 0, extent.centre,
+                        extent.radius + kSeamReach * extent.spacing, shares[k]});
+      add_grid(grid, instance.transform, material, first_id_ + k, false);
+    }
+    return PatchRun{first, instance.count};
   }
 
   /// The meshes that stand for it, made when it is the first of its run.
@@ -266,6 +304,7 @@ class ModelUpload {
   bool all_levels_;
   GridUpload grids_;
   ProxyUpload proxy_;
+  SeamUpload seam_upload_;
   std::vector<PatchExtent> extents_;  ///< of the model's patches, where they are stored
   std::map<std::pair<std::uint32_t, std::uint32_t>, Run> runs_;
   std::vector<StoredInstance> instances_;
@@ -274,6 +313,7 @@ class ModelUpload {
   std::vector<float> diameters_;  ///< the same: of the model that it belongs to, world units
   std::vector<StoredLevels> levels_;
   std::vector<StoredPart> parts_;
+  std::vector<StoredSeam> seams_;
   std::vector<glm::uvec2> positions_;
   std::uint32_t first_id_ = 0;  ///< of the instance at work
 };

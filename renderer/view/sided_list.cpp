@@ -42,4 +42,10 @@ SidedList parts_by_cull_mode(const PatchStore& store, const View& view,
                [&store](std::uint32_t part) { return store.cells->parts[part].patch; });
 }
 
+SidedList seams_by_cull_mode(const PatchStore& store, const View& view,
+                             const std::vector<std::uint32_t>& seams) {
+  return split(store, view, seams,
+               [&store](std::uint32_t seam) { return store.seams->seams[seam].patch; });
+}
+
 }  // namespace relief

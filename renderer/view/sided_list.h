@@ -24,6 +24,10 @@ struct SidedList {
 [[nodiscard]] SidedList parts_by_cull_mode(const PatchStore& store, const View& view,
                                            const std::vector<std::uint32_t>& parts);
 
+/// The same of patches' shares of the seams (SeamStore::seams).
+[[nodiscard]] SidedList seams_by_cull_mode(const PatchStore& store, const View& view,
+                                           const std::vector<std::uint32_t>& seams);
+
 /// While it lives, OpenGL leaves triangles that face away out, if it is `wanted`.
 class CulledFaces {
  public:

@@ -149,6 +149,8 @@ using glm::vec4;
 #define RELIEF_TEXTURE_BACK_COORDINATES 24
 #define RELIEF_TEXTURE_BACK_DEPTHS 25
 #define RELIEF_TEXTURE_BODIES 26
+#define RELIEF_TEXTURE_SEAM_VERTICES 27
+#define RELIEF_TEXTURE_SEAM_CORNERS 28
 
 /// Uniform of `multipass`: radius of its discs over that of Eq. (1) of [Ochotta 2008].
 #define RELIEF_UNIFORM_RADIUS_FACTOR 0
@@ -360,8 +362,8 @@ struct PatchView {
 /// mesh's frame (16 bits an axis), its colour (linear, half floats), the mean of its normals
 /// (octahedral, 12 bits each, and its length).
 struct ProxyVertex {
-  uint place_xy;
-  uint place_z_red;
+  uint position_xy;
+  uint position_z_red;
   uint green_blue;
   uint normal;
 };
@@ -370,6 +372,12 @@ struct ProxyVertex {
 struct ProxySource {
   uint patch_number;
   uint node;
+};
+
+/// A vertex of a patch's share of the seams.
+struct SeamVertex {
+  vec4 own;     ///< grid frame; w: from the patch's row of the table to that of its owner
+  vec4 owners;  ///< the same position in the owner's grid frame
 };
 
 /// What all patches of a frame share.
@@ -395,7 +403,7 @@ RELIEF_CONST int kPatchViewRows = 5;
 static_assert(sizeof(PatchInfo) == 16 * kPatchInfoRows);
 static_assert(offsetof(PatchInfo, nodes) == 48 && offsetof(PatchInfo, colours) == 96 &&
               offsetof(PatchInfo, extent) == 128);
-static_assert(sizeof(ProxyVertex) == 16 && sizeof(ProxySource) == 8);
+static_assert(sizeof(ProxyVertex) == 16 && sizeof(ProxySource) == 8 && sizeof(SeamVertex) == 32);
 static_assert(sizeof(PatchView) == 16 * kPatchViewRows && offsetof(PatchView, eye) == 64);
 static_assert(sizeof(Frame) == 128 + 32 * kMaxLights && offsetof(Frame, light_position) == 96);
 }  // namespace relief::shared

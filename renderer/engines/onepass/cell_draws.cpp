@@ -24,6 +24,23 @@ void bind_page(const Gl& gl, const CellPage& page) {
   gl.BindTextureUnit(RELIEF_TEXTURE_RIMS, page.rims.texture.id());
 }
 
+/// Triangles face as border splats do.
+void draw_seams(const Gl& gl, const Programs& programs, const CellDraws& draws, bool behind) {
+  if (draws.seams == nullptr) return;
+  gl.UseProgram(programs.seams->id());
+  gl.BindTextureUnit(RELIEF_TEXTURE_SEAM_VERTICES, draws.seams->vertices.texture.id());
+  gl.BindTextureUnit(RELIEF_TEXTURE_SEAM_CORNERS, draws.seams->corners.texture.id());
+  for (const auto member : {&CellDraws::seams_both, &CellDraws::seams_front}) {
+    const std::optional<Commands>& commands = draws.*member;
+    if (!commands) continue;
+    const CulledFaces culled(gl, behind || member == &CellDraws::seams_front);
+    gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, commands->buffer.id());
+    gl.MultiDrawArraysIndirect(GL_TRIANGLES, nullptr, commands->count, 0);
+  }
+  gl.BindTextureUnit(RELIEF_TEXTURE_SEAM_VERTICES, 0);
+  gl.BindTextureUnit(RELIEF_TEXTURE_SEAM_CORNERS, 0);
+}
+
 }  // namespace
 
 CellDraws make_cell_draws(const Gl& gl, const CellStore& store, const SidedList& parts) {
@@ -40,6 +57,12 @@ CellDraws make_cell_draws(const Gl& gl, const CellStore& store, const SidedList&
     add(parts.front, true);
   }
   return draws;
+}
+
+void add_seams(const Gl& gl, const SeamStore& store, const SidedList& seams, CellDraws& draws) {
+  draws.seams = &store;
+  draws.seams_both = upload(gl, seam_commands(store, seams.both));
+  draws.seams_front = upload(gl, seam_commands(store, seams.front));
 }
 
 void draw_cells(const Gl& gl, const Programs& programs, const CellDraws& draws, SeenFrom seen) {
@@ -70,6 +93,7 @@ void draw_cells(const Gl& gl, const Programs& programs, const CellDraws& draws, 
     gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, page.rims->buffer.id());
     gl.MultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, nullptr, page.rims->count, 0);
   }
+  draw_seams(gl, programs, draws, behind);
   gl.CullFace(GL_BACK);
 }
 

@@ -9,6 +9,7 @@
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/store/cell_store.h"
+#include "renderer/store/seam_store.h"
 #include "renderer/view/sided_list.h"
 
 namespace relief::onepass {
@@ -29,7 +30,13 @@ struct CellDraws {
     std::optional<Commands> rims;
   };
   std::vector<Page> pages;
+  const SeamStore* seams = nullptr;
+  std::optional<Commands> seams_both;   ///< of patches that are drawn with both sides
+  std::optional<Commands> seams_front;  ///< of those without what faces away
 };
+
+/// Adds the seams of patches (indices into `SeamStore::seams`). The store must outlive the draws.
+void add_seams(const Gl& gl, const SeamStore& store, const SidedList& seams, CellDraws& draws);
 
 /// Draws these parts, in this order. The store must outlive the draws.
 [[nodiscard]] CellDraws make_cell_draws(const Gl& gl, const CellStore& store,

@@ -57,4 +57,32 @@ std::vector<ElementsCommand> rim_commands(const CellStore& store,
   return commands;
 }
 
+std::vector<std::uint32_t> find_seams(const PatchStore& store, const View& view,
+                                      const MaterialChoice& materials) {
+  if (!store.seams) return {};
+  const std::vector<StoredSeam>& seams = store.seams->seams;
+  std::vector<std::uint32_t> visible;
+  for (const StoredInstance& instance : store.instances) {
+    if (instance.is_proxy_in(view)) continue;
+    for (std::uint32_t s = instance.seams.first; s < instance.seams.first + instance.seams.count;
+         ++s) {
+      if (seams[s].corners.count > 0 && materials.has(store.patches[seams[s].patch].material) &&
+          sees_sphere(view, seams[s].centre, seams[s].radius))
+        visible.push_back(s);
+    }
+  }
+  return nearest_first(seams, view, std::move(visible));
+}
+
+std::vector<ArraysCommand> seam_commands(const SeamStore& store,
+                                         const std::vector<std::uint32_t>& seams) {
+  std::vector<ArraysCommand> commands;
+  commands.reserve(seams.size());
+  for (const std::uint32_t s : seams) {
+    const StoredSeam& seam = store.seams[s];
+    commands.push_back({seam.corners.count, 1, seam.corners.first, seam.number});
+  }
+  return commands;
+}
+
 }  // namespace relief::onepass

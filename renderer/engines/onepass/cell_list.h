@@ -36,4 +36,13 @@ struct MaterialChoice {
                                                         const std::vector<std::uint32_t>& parts,
                                                         std::uint32_t page);
 
+/// The seams in view of patches of those materials whose instances it shows from near, nearest
+/// first, as indices of SeamStore::seams.
+[[nodiscard]] std::vector<std::uint32_t> find_seams(const PatchStore& store, const View& view,
+                                                    const MaterialChoice& materials);
+
+/// Commands that draw seams, without indices.
+[[nodiscard]] std::vector<ArraysCommand> seam_commands(const SeamStore& store,
+                                                       const std::vector<std::uint32_t>& seams);
+
 }  // namespace relief::onepass

@@ -52,6 +52,12 @@ Result<Programs> make_cell_programs(const Gl& gl, const PatchStore& store, Featu
                                    found.without(RELIEF_FEATURE_CORRECTED)));
     programs.edges = std::move(edges);
   }
+  if (store.seams) {
+    RELIEF_TRY_ASSIGN(Program seams,
+                      make_program(gl, "seams", "onepass/seam.vert", "onepass/quad.frag",
+                                   whole.without(RELIEF_FEATURE_CORRECTED)));
+    programs.seams = std::move(seams);
+  }
   if (store.proxies) {
     RELIEF_TRY_ASSIGN(Program proxy,
                       make_program(gl, "proxies", "onepass/proxy.vert", "onepass/proxy.frag",
@@ -82,6 +88,7 @@ Result<Programs> make_cell_programs(const Gl& gl, const PatchStore& store, Featu
   gl.ProgramUniform1f(programs.main.id(), RELIEF_UNIFORM_POSITION_STEPS, steps);
   tell(programs.rims);
   tell(programs.edges);
+  tell(programs.seams);
   tell(programs.shading);
   tell(programs.behind);
   return programs;

@@ -21,6 +21,7 @@ struct Programs {
   std::optional<Program> over = std::nullopt;     ///< of layers: puts them over the image
   std::optional<Program> shading = std::nullopt;  ///< where cells only find what is seen
   std::optional<Program> proxy = std::nullopt;    ///< of models seen from afar
+  std::optional<Program> seams = std::nullopt;    ///< with cells: between patches that meet
 };
 
 /// Makes them. Fails if OpenGL refuses a shader.

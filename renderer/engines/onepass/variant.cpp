@@ -48,6 +48,12 @@ DrawBatch make_cell_batch(const Variant& variant, const View& view,
   for (const std::uint32_t part : parts) looked_at.push_back(store.cells->parts[part].patch);
   DrawBatch batch;
   batch.cells = make_cell_draws(*variant.gl, *store.cells, parts_by_cull_mode(store, view, parts));
+  if (store.seams) {
+    const std::vector<std::uint32_t> seams = find_seams(store, view, materials);
+    add_seams(*variant.gl, *store.seams, seams_by_cull_mode(store, view, seams), *batch.cells);
+    // Also the owners of their vertices, which may be out of view.
+    for (const StoredSeam& seam : store.seams->seams) looked_at.push_back(seam.patch);
+  }
   for (const std::uint32_t instance : proxies)
     looked_at.push_back(store.instances[instance].proxy->patch);
   batch.proxies = proxy_commands(store, view, proxies);

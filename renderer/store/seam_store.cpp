@@ -1,0 +1,91 @@
+#include "renderer/store/seam_store.h"
+
+#include <glm/matrix.hpp>
+#include <unordered_map>
+#include <utility>
+
+#include "common/seams/make_seams.h"
+
+namespace relief {
+namespace {
+
+/// A world position in the grid frame of a patch.
+glm::vec3 in_grid(const Patch& patch, glm::dvec3 position) {
+  return {glm::transpose(patch.axes) * (position - patch.origin) / patch.spacing};
+}
+
+/// The vertices of a patch's triangles, each once.
+class PatchVertices {
+ public:
+  PatchVertices(std::span<const Patch> patches, std::uint32_t patch, const Seams& seams,
+                std::vector<shared::SeamVertex>& vertices)
+      : patches_(patches),
+        patch_(patch),
+        height_step_(static_cast<float>(patches[patch].height_step / patches[patch].spacing)),
+        seams_(seams),
+        vertices_(vertices) {}
+
+  std::uint32_t number_of(std::uint32_t corner) {
+    const auto next = static_cast<std::uint32_t>(vertices_.size());
+    const auto [found, is_new] = numbers_.try_emplace(corner, next);
+    if (is_new) vertices_.push_back(make(corner));
+    return found->second;
+  }
+
+ private:
+  [[nodiscard]] shared::SeamVertex make(std::uint32_t corner) const {
+    const Patch& patch = patches_[patch_];
+    if ((corner & kSeamVertexBit) == 0) {
+      // As the vertex stage of cells computes it, so that the two meet.
+      const glm::vec3 node(corner % patch.width, corner / patch.width,
+                           static_cast<float>(patch.heights[corner]) * height_step_);
+      return {glm::vec4(node, 0.0F), glm::vec4(node, 0.0F)};
+    }
+    const SeamVertex& vertex = seams_.vertices[corner & ~kSeamVertexBit];
+    const auto owner = static_cast<float>(static_cast<std::int64_t>(vertex.patch) - patch_);
+    return {glm::vec4(in_grid(patch, vertex.position), owner),
+            glm::vec4(in_grid(patches_[vertex.patch], vertex.position), 0.0F)};
+  }
+
+  std::span<const Patch> patches_;
+  std::uint32_t patch_;
+  float height_step_;
+  const Seams& seams_;
+  std::vector<shared::SeamVertex>& vertices_;
+  std::unordered_map<std::uint32_t, std::uint32_t> numbers_;
+};
+
+}  // namespace
+
+Result<std::span<const SeamCorners>> SeamUpload::get(const PatchModel& model, PatchRun run) {
+  const auto [found, is_new] = runs_.try_emplace(run.first);
+  std::vector<SeamCorners>& shares = found->second;
+  if (!is_new) return std::span<const SeamCorners>(shares);
+  const auto patches = std::span(model.patches).subspan(run.first, run.count);
+  const Seams seams = make_seams(patches);
+  for (std::uint32_t p = 0; p < run.count; ++p) {
+    PatchVertices vertices(patches, p, seams, vertices_);
+    const auto first = static_cast<std::uint32_t>(corners_.size());
+    for (const Triangle& t : seams.triangles[p]) {
+      for (const std::uint32_t corner : t) corners_.push_back(vertices.number_of(corner));
+    }
+    shares.push_back({first, static_cast<std::uint32_t>(corners_.size()) - first});
+  }
+  const auto most = static_cast<std::size_t>(get_limit(gl_, GL_MAX_TEXTURE_BUFFER_SIZE));
+  if (corners_.size() > most || 2 * vertices_.size() > most) {
+    return make_error(
+        "the seams between patches have {} triangles, more than this OpenGL can draw ({}); "
+        "convert again with a larger spacing",
+        corners_.size() / 3, most / 3);
+  }
+  return std::span<const SeamCorners>(shares);
+}
+
+SeamStore SeamUpload::take(std::vector<StoredSeam> seams) {
+  return {
+      std::move(seams),
+      make_table(gl_, "seam vertices", GL_RGBA32F, std::span<const shared::SeamVertex>(vertices_)),
+      make_table(gl_, "seam corners", GL_R32UI, std::span<const std::uint32_t>(corners_))};
+}
+
+}  // namespace relief
