@@ -71,6 +71,7 @@ nlohmann::ordered_json as_json(const PatchFileInfo& info, const std::vector<Leve
                                  {"bounds_max", vector(info.bounds.max)},
                                  {"attributes", info.attributes},
                                  {"closed", info.is_closed},
+                                 {"seams", info.is_joined},
                                  {"tiles", levels.front().tiles}};
   json["overviews"] = nlohmann::ordered_json::array();
   for (std::size_t l = 1; l < levels.size(); ++l) {
@@ -98,12 +99,14 @@ std::string as_text(const PatchFileInfo& info, const std::vector<LevelSums>& lev
       "  bounds      {:.9g} {:.9g} {:.9g} to {:.9g} {:.9g} {:.9g}\n"
       "  attributes  {}\n"
       "  closed      {}\n"
+      "  borders     {}\n"
       "  levels      {}\n"
       "  file        {} bytes: {} of heights, {} of normals, {} of colours\n",
       arguments.input.string(), arguments.verify ? ": every byte is right" : "", info.version,
       info.codec, info.patches, info.samples, info.spacing, low.x, low.y, low.z, high.x, high.y,
-      high.z, fmt::join(info.attributes, ", "), info.is_closed ? "yes" : "not known", info.levels,
-      info.file_bytes, info.height_bytes, info.normal_bytes, info.colour_bytes);
+      high.z, fmt::join(info.attributes, ", "), info.is_closed ? "yes" : "not known",
+      info.is_joined ? "meet at seams" : "overlap", info.levels, info.file_bytes, info.height_bytes,
+      info.normal_bytes, info.colour_bytes);
   if (levels.front().tiles > 1) text += fmt::format("  tiles       {}\n", levels.front().tiles);
   for (std::size_t l = 1; l < levels.size(); ++l) {
     text += fmt::format(

@@ -1,0 +1,69 @@
+// A scan to patches that meet at seams, and their image, through the command alone.
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/run_relief.h"
+
+namespace relief::test {
+namespace {
+
+using nlohmann::json;
+
+class SeamsCommand : public CliTest {
+ protected:
+  json run_json(std::vector<std::string> arguments) {
+    arguments.emplace_back("--json");
+    const Outcome run = run_relief(arguments);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    json parsed = json::parse(run.out, nullptr, false);
+    return parsed.is_object() ? parsed : json::object();
+  }
+  void draw(const std::string& model, const std::string& image, const std::string& engine) {
+    std::vector<std::string> arguments{"render", model,       "-o", image,    "--engine",
+                                       engine,   "--samples", "1",  "--size", "320x256"};
+    if (engine == "onepass") arguments.insert(arguments.end(), {"--pixels-per-sample", "0"});
+    const Outcome run = run_relief(arguments);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+  }
+};
+
+TEST_F(SeamsCommand, MeetWithoutMarginsOrHoles) {
+  const std::string scan = write_knot(20000);
+  const json overlap = run_json({"convert", scan, "-o", path("overlap.relief")});
+  const json seams = run_json({"convert", scan, "-o", path("seams.relief"), "--seams"});
+  // Margins took a fifth of the samples; the spacing is finer instead.
+  EXPECT_LT(seams["spacing"], overlap["spacing"]);
+  EXPECT_NEAR(seams["samples"].get<double>(), 20000.0, 1000.0);
+  // 72.0 dB when written, with margins 71.4.
+  EXPECT_GT(seams["psnr_db"], 70.0);
+  EXPECT_EQ(seams["uncovered_points"], 0);
+  EXPECT_EQ(run_json({"info", path("seams.relief")})["seams"], true);
+  EXPECT_EQ(run_json({"info", path("overlap.relief")})["seams"], false);
+
+  draw(path("seams.relief"), path("onepass.exr"), "onepass");
+  draw(path("seams.relief"), path("truth.exr"), "raytrace");
+  const json compared = run_json({"compare", path("onepass.exr"), path("truth.exr")});
+  // Both draw the same triangles: what differs are pixels whose middle an edge meets.
+  EXPECT_EQ(compared["holes"], 0);
+  EXPECT_LE(compared["border_missing"].get<int>() + compared["border_extra"].get<int>(), 20);
+  EXPECT_GT(compared["psnr_db"], 50.0);  // 58.3 when written
+}
+
+TEST_F(SeamsCommand, DoNotDependOnThreads) {
+  const std::string scan = write_knot(5000);
+  for (const std::string threads : {"1", "3"})
+    run_json({"convert", scan, "-o", path(threads + ".relief"), "--seams", "--threads", threads});
+  EXPECT_EQ(bytes_of(path("1.relief")), bytes_of(path("3.relief")));
+}
+
+TEST_F(SeamsCommand, ExcludeMargins) {
+  const std::string scan = write_knot(1000);
+  for (const std::vector<std::string>& other :
+       {std::vector<std::string>{"--overlap", "2"}, {"--memory", "1G"}}) {
+    std::vector<std::string> arguments{"convert", scan, "-o", path("out.relief"), "--seams"};
+    arguments.insert(arguments.end(), other.begin(), other.end());
+    EXPECT_EQ(run_relief(arguments).exit_code, 2) << other.front();
+  }
+}
+
+}  // namespace
+}  // namespace relief::test
