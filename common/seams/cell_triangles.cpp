@@ -35,4 +35,11 @@ CellTriangles cell_triangles(const Patch& patch) {
   return cells;
 }
 
+std::vector<CellTriangles> cell_triangles(std::span<const Patch> patches) {
+  std::vector<CellTriangles> cells;
+  cells.reserve(patches.size());
+  for (const Patch& patch : patches) cells.push_back(cell_triangles(patch));
+  return cells;
+}
+
 }  // namespace relief

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "common/patch.h"
@@ -34,6 +35,9 @@ struct CellTriangles {
 };
 
 [[nodiscard]] CellTriangles cell_triangles(const Patch& patch);
+
+/// The cells of each of some patches.
+[[nodiscard]] std::vector<CellTriangles> cell_triangles(std::span<const Patch> patches);
 
 /// Calls `visit` with the node indices of each triangle of a cell, counterclockwise about the
 /// patch's normal.

@@ -45,8 +45,8 @@ Neighbourhood continue_to(const Patch& patch, std::uint32_t i, std::uint32_t j) 
   return around;
 }
 
-void join_patch(const Patch& patch, std::uint32_t id, const BorderMesh& borders,
-                const VertexGrid& lookup, AttributeMap<glm::i16vec2>& joined) {
+void join_patch(std::uint32_t id, const BorderMesh& borders, const VertexGrid& lookup,
+                Patch& patch) {
   for (std::uint32_t j = 0; j < patch.height; ++j) {
     for (std::uint32_t i = 0; i < patch.width; ++i) {
       if (patch.at(i, j) != kHole) continue;
@@ -67,7 +67,7 @@ void join_patch(const Patch& patch, std::uint32_t id, const BorderMesh& borders,
         sum += weight(glm::dot(d, d)) * other.normal;
       });
       const glm::vec3 local(glm::transpose(patch.axes) * glm::normalize(sum));
-      joined.texels[std::size_t{j} * patch.width + i] = snorm16_from_unit(local);
+      patch.normals.texels[std::size_t{j} * patch.width + i] = snorm16_from_unit(local);
     }
   }
 }
@@ -77,16 +77,12 @@ void join_patch(const Patch& patch, std::uint32_t id, const BorderMesh& borders,
 void join_normals(PatchModel& model) {
   for (const PatchRun& run : model.joined) {
     const std::span<Patch> patches = std::span(model.patches).subspan(run.first, run.count);
-    std::vector<CellTriangles> cells;
-    for (const Patch& patch : patches) cells.push_back(cell_triangles(patch));
-    const BorderMesh borders = find_borders(patches, cells);
+    const BorderMesh borders =
+        find_borders(patches, cell_triangles(std::span<const Patch>(patches)));
     const VertexGrid lookup(borders.vertices);
     for (std::uint32_t p = 0; p < patches.size(); ++p) {
-      Patch& patch = patches[p];
-      if (patch.normals.empty() || patch.normals.scale != 1) continue;
-      AttributeMap<glm::i16vec2> joined = patch.normals;
-      join_patch(patch, p, borders, lookup, joined);
-      patch.normals = std::move(joined);
+      if (patches[p].normals.scale == 1 && !patches[p].normals.empty())
+        join_patch(p, borders, lookup, patches[p]);
     }
   }
 }

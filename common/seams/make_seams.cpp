@@ -25,9 +25,7 @@ void add_partial_cells(const Patch& patch, const CellTriangles& cells,
 Seams make_seams(std::span<const Patch> patches) {
   Seams seams;
   seams.triangles.resize(patches.size());
-  std::vector<CellTriangles> cells;
-  cells.reserve(patches.size());
-  for (const Patch& patch : patches) cells.push_back(cell_triangles(patch));
+  const std::vector<CellTriangles> cells = cell_triangles(patches);
   for (std::size_t p = 0; p < patches.size(); ++p)
     add_partial_cells(patches[p], cells[p], seams.triangles[p]);
   const BorderMesh borders = find_borders(patches, cells);

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <numeric>
 
 namespace relief {
 namespace {
@@ -40,7 +38,7 @@ double squared_distance(glm::dvec3 p, const std::array<glm::dvec3, 3>& t) {
 SeamDistances::SeamDistances(std::span<const Patch> patches, const Seams& seams) {
   double spacing = 0.0;
   for (const Patch& patch : patches) spacing = std::max(spacing, patch.spacing);
-  side_ = 2.0 * spacing;
+  std::vector<glm::dvec3> middles;
   for (std::size_t p = 0; p < patches.size(); ++p) {
     const Patch& patch = patches[p];
     for (const Triangle& t : seams.triangles[p]) {
@@ -51,48 +49,20 @@ SeamDistances::SeamDistances(std::span<const Patch> patches, const Seams& seams)
                          : position_of(patch, t[c] % patch.width, t[c] / patch.width);
       }
       triangles_.push_back(corners);
+      middles.push_back((corners[0] + corners[1] + corners[2]) / 3.0);
     }
   }
-  if (triangles_.empty()) return;
-  origin_ = triangles_.front()[0];
-  std::vector<std::uint64_t> keys;
-  keys.reserve(triangles_.size());
-  for (const Corners& t : triangles_)
-    keys.push_back(cube_of((t[0] + t[1] + t[2]) / 3.0, {0, 0, 0}));
-  std::vector<std::uint32_t> order(triangles_.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(),
-                   [&keys](std::uint32_t a, std::uint32_t b) { return keys[a] < keys[b]; });
-  std::vector<Corners> sorted;
-  sorted.reserve(order.size());
-  for (const std::uint32_t k : order) {
-    const auto at = static_cast<std::uint32_t>(sorted.size());
-    runs_.try_emplace(keys[k], std::array{at, at}).first->second[1] = at + 1;
-    sorted.push_back(triangles_[k]);
-  }
-  triangles_ = std::move(sorted);
-}
-
-std::uint64_t SeamDistances::cube_of(glm::dvec3 position, glm::ivec3 offset) const {
-  const glm::dvec3 cube = glm::floor((position - origin_) / side_);
-  constexpr std::uint64_t mask = (1U << 21U) - 1;
-  const auto bits = [&](double at, int step) {
-    return (static_cast<std::uint64_t>(static_cast<std::int64_t>(at)) +
-            static_cast<std::uint64_t>(step)) &
-           mask;
-  };
-  return bits(cube.x, offset.x) << 42U | bits(cube.y, offset.y) << 21U | bits(cube.z, offset.z);
+  cubes_ = CubeRuns(middles, 2.0 * spacing);
 }
 
 std::optional<double> SeamDistances::find(glm::dvec3 point) const {
   double least = std::numeric_limits<double>::infinity();
-  for (int z = -1; z <= 1; ++z) {
-    for (int y = -1; y <= 1; ++y) {
-      for (int x = -1; x <= 1; ++x) {
-        const auto found = runs_.find(cube_of(point, {x, y, z}));
-        if (found == runs_.end()) continue;
-        for (std::uint32_t k = found->second[0]; k < found->second[1]; ++k)
-          least = std::min(least, squared_distance(point, triangles_[k]));
+  const Cube middle = cubes_.cube_of(point);
+  for (std::int64_t z = middle.z - 1; z <= middle.z + 1; ++z) {
+    for (std::int64_t y = middle.y - 1; y <= middle.y + 1; ++y) {
+      for (std::int64_t x = middle.x - 1; x <= middle.x + 1; ++x) {
+        for (const std::uint32_t t : cubes_.in({x, y, z}))
+          least = std::min(least, squared_distance(point, triangles_[t]));
       }
     }
   }

@@ -2,14 +2,13 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "common/patch.h"
+#include "common/seams/cube_runs.h"
 #include "common/seams/seams.h"
 
 namespace relief {
@@ -25,12 +24,9 @@ class SeamDistances {
 
  private:
   using Corners = std::array<glm::dvec3, 3>;
-  [[nodiscard]] std::uint64_t cube_of(glm::dvec3 position, glm::ivec3 offset) const;
 
-  glm::dvec3 origin_{0.0};
-  double side_ = 1.0;
-  std::vector<Corners> triangles_;  ///< by cube of their middle
-  std::unordered_map<std::uint64_t, std::array<std::uint32_t, 2>> runs_;  ///< first, end
+  std::vector<Corners> triangles_;
+  CubeRuns cubes_;  ///< of their middles
 };
 
 }  // namespace relief

@@ -4,12 +4,11 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <optional>
 #include <queue>
-#include <unordered_map>
-#include <unordered_set>
 
+#include "common/seams/fill_loops.h"
+#include "common/seams/front.h"
 #include "common/seams/vertex_grid.h"
 
 namespace relief {
@@ -32,29 +31,8 @@ constexpr double kClosesTwo = 0.4;
 // What is farther than this from a triangle's plane, in spacings, is another sheet.
 constexpr double kSheet = 0.6;
 
-// Loops of up to this many edges are filled; larger ones are holes of the scan.
-constexpr std::size_t kSmallLoop = 14;
-// ... of one patch, where cells are too steep; a hole of one node has four.
-constexpr std::size_t kSmallOwnLoop = 4;
-// The least cosine between an ear that fills one and the normals of its corners: what is left open
-// shows as a hole, what is askew does not.
-constexpr double kEarAgrees = -0.9;
-constexpr double kNoEar = std::numeric_limits<double>::infinity();
-
-using Vertex = std::uint32_t;
-
-std::uint64_t key_of(Vertex from, Vertex to) {
-  return (std::uint64_t{from} << 32U) | to;
-}
-
-/// The direction of `d` about a normal as a number from 0 to 4 that grows with the angle.
-double angle_number(double x, double y) {
-  const double sum = std::abs(x) + std::abs(y);
-  if (sum == 0.0) return 0.0;
-  const double t = y / sum;
-  if (x < 0.0) return 2.0 - t;
-  return t < 0.0 ? 4.0 + t : t;
-}
+using Vertex = Front::Vertex;
+using Edge = Front::Edge;
 
 double cross2(glm::dvec2 a, glm::dvec2 b) {
   return a.x * b.y - a.y * b.x;
@@ -74,34 +52,21 @@ struct Candidate {
   }
 };
 
-class Front {
+/// Grows triangles from the border until none is left that may be added.
+class Growth {
  public:
-  explicit Front(const BorderMesh& mesh)
-      : vertices_(mesh.vertices), grid_(mesh.vertices), at_(mesh.vertices.size()) {
-    used_.reserve(2 * mesh.edges.size());
-    for (const BorderEdge& edge : mesh.edges) {
-      used_.insert(key_of(edge.from, edge.to));
-      has_triangle_.resize(vertices_.size(), 0);
-      has_triangle_[edge.from] = 1;
-      has_triangle_[edge.to] = 1;
-    }
-    has_triangle_.resize(vertices_.size(), 0);
-    for (const BorderEdge& edge : mesh.edges) {
-      if (used_.contains(key_of(edge.to, edge.from))) continue;
-      open(edge.from, edge.to, edge.normal);
-    }
-  }
+  explicit Growth(Front& front) : front_(front), grid_(front.vertices()) {}
 
-  std::vector<Triangle> grow() {
-    for (Vertex v = 0; v < at_.size(); ++v) {
-      for (const Edge& edge : at_[v]) {
+  void grow() {
+    for (Vertex v = 0; v < front_.vertices().size(); ++v) {
+      for (const Edge& edge : front_.at(v)) {
         if (edge.outward) suggest(v, edge.other);
       }
     }
     while (!queue_.empty()) {
       const Candidate best = queue_.top();
       queue_.pop();
-      if (!is_open(best.from, best.to)) continue;
+      if (!front_.is_open(best.from, best.to)) continue;
       const std::optional<double> score = score_of(best.from, best.to, best.apex);
       if (score && *score <= best.score) {
         add(best);
@@ -109,153 +74,20 @@ class Front {
         suggest(best.from, best.to);  // something has changed since
       }
     }
-    fill_loops();
-    return std::move(triangles_);
   }
 
  private:
-  using Loop = std::vector<Vertex>;
-
-  /// The loop of border edges that begins with one; empty if it is longer than a small one or
-  /// meets itself.
-  [[nodiscard]] Loop loop_from(Vertex from, Vertex to) const {
-    Loop loop{from};
-    while (true) {
-      // What comes back to a vertex is a loop of its own.
-      const auto met = std::ranges::find(loop, to);
-      if (met != loop.end()) {
-        loop.erase(loop.begin(), met);
-        break;
-      }
-      if (loop.size() == kSmallLoop) return {};
-      const std::optional<Vertex> next = next_along(loop.back(), to);
-      if (!next) return {};
-      loop.push_back(to);
-      to = *next;
-    }
-    return loop.size() < 3 ? Loop{} : loop;
-  }
-
-  /// Where the border goes on from `at`, which it has come to from `before`: to the first edge
-  /// outward, counterclockwise, beyond the gap.
-  [[nodiscard]] std::optional<Vertex> next_along(Vertex before, Vertex at) const {
-    const BorderVertex& middle = vertices_[at];
-    const glm::dvec3 back = vertices_[before].position - middle.position;
-    const glm::dvec3 x = back - glm::dot(back, middle.normal) * middle.normal;
-    const glm::dvec3 y = glm::cross(middle.normal, x);
-    std::optional<Vertex> next;
-    double least = 5.0;
-    for (const Edge& edge : at_[at]) {
-      if (!edge.outward) continue;
-      const glm::dvec3 d = vertices_[edge.other].position - middle.position;
-      const double angle = angle_number(glm::dot(d, x), glm::dot(d, y));
-      if (angle < least) {
-        least = angle;
-        next = edge.other;
-      }
-    }
-    return next;
-  }
-
-  /// How good an ear is that cuts a corner off a loop: smaller is better.
-  [[nodiscard]] double ear_score(const Loop& loop, std::size_t k) const {
-    const BorderVertex& a = vertices_[loop[(k + loop.size() - 1) % loop.size()]];
-    const BorderVertex& b = vertices_[loop[k]];
-    const BorderVertex& c = vertices_[loop[(k + 1) % loop.size()]];
-    const glm::dvec3 normal = glm::cross(a.position - b.position, c.position - b.position);
-    const double area = glm::length(normal);
-    const double ab = glm::distance(a.position, b.position);
-    const double bc = glm::distance(b.position, c.position);
-    const double ca = glm::distance(c.position, a.position);
-    if (!(area > 1e-6 * ab * bc)) return kNoEar;
-    const glm::dvec3 n = normal / area;
-    const double agreement =
-        std::min({glm::dot(n, a.normal), glm::dot(n, b.normal), glm::dot(n, c.normal)});
-    if (agreement < kEarAgrees) return kNoEar;
-    return (2.0 - agreement) * ab * bc * ca / area;
-  }
-
-  /// Cuts ears off a loop until nothing is left of it, or none that is allowed.
-  void fill(Loop loop) {
-    while (loop.size() >= 3) {
-      std::size_t best = 0;
-      double least = kNoEar;
-      for (std::size_t k = 0; k < loop.size(); ++k) {
-        const Vertex before = loop[(k + loop.size() - 1) % loop.size()];
-        const Vertex after = loop[(k + 1) % loop.size()];
-        if (loop.size() > 3 &&
-            (used_.contains(key_of(before, after)) || used_.contains(key_of(after, before))))
-          continue;
-        const double score = ear_score(loop, k);
-        if (score < least) {
-          least = score;
-          best = k;
-        }
-      }
-      if (least == kNoEar) return;
-      const Vertex before = loop[(best + loop.size() - 1) % loop.size()];
-      const Vertex after = loop[(best + 1) % loop.size()];
-      attach({0.0, before, loop[best], after});
-      if (loop.size() == 3) return;
-      loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(best));
-    }
-  }
-
-  /// Small loops between patches, which no triangle could be grown in.
-  void fill_loops() {
-    for (Vertex v = 0; v < at_.size(); ++v) {
-      const std::vector<Edge> edges = at_[v];
-      for (const Edge& edge : edges) {
-        if (!edge.outward || !is_open(v, edge.other)) continue;
-        const Loop loop = loop_from(v, edge.other);
-        const bool several = std::ranges::any_of(
-            loop, [&](Vertex w) { return vertices_[w].patch != vertices_[v].patch; });
-        if (several || loop.size() <= kSmallOwnLoop) fill(loop);
-      }
-    }
-  }
-
-  /// A border edge at one of its ends.
-  struct Edge {
-    Vertex other = 0;
-    bool outward = false;  ///< from the vertex to the other
-    glm::dvec3 normal{0.0};
-  };
-
-  [[nodiscard]] const Edge* find(Vertex from, Vertex to) const {
-    for (const Edge& edge : at_[from]) {
-      if (edge.outward && edge.other == to) return &edge;
-    }
-    return nullptr;
-  }
-  [[nodiscard]] bool is_open(Vertex from, Vertex to) const { return find(from, to) != nullptr; }
-
-  void open(Vertex from, Vertex to, glm::dvec3 normal) {
-    at_[from].push_back({to, true, normal});
-    at_[to].push_back({from, false, normal});
-  }
-  void close(Vertex from, Vertex to) {
-    std::erase_if(at_[from], [to](const Edge& e) { return e.outward && e.other == to; });
-    std::erase_if(at_[to], [from](const Edge& e) { return !e.outward && e.other == from; });
-  }
-
   /// Whether the corner at `v` of a triangle v, next, last lies in one gap of the border there.
   [[nodiscard]] bool fits_gap(Vertex v, Vertex next, Vertex last) const {
-    const BorderVertex& at = vertices_[v];
-    const glm::dvec3 along = vertices_[next].position - at.position;
-    const glm::dvec3 x = along - glm::dot(along, at.normal) * at.normal;
-    const glm::dvec3 y = glm::cross(at.normal, x);
-    const auto angle_of = [&](Vertex w) {
-      const glm::dvec3 d = vertices_[w].position - at.position;
-      return angle_number(glm::dot(d, x), glm::dot(d, y));
-    };
+    const AnglesAbout angles(front_.vertex(v), front_.vertex(next).position);
+    const auto angle_of = [&](Vertex w) { return angles.to(front_.vertex(w).position); };
     const double end = angle_of(last);
     if (!(end > 0.0 && end < 1.95)) return false;
     double after = 5.0;
     double before = end;
     bool ends_gap = true;    // the first edge met beyond `last` leads outward
     bool begins_gap = true;  // the last before `next` leads inward
-    for (const Edge& edge : at_[v]) {
+    for (const Edge& edge : front_.at(v)) {
       if (edge.other == next) {
         if (edge.outward) return false;
         begins_gap = true;
@@ -284,35 +116,33 @@ class Front {
 
   /// Whether a vertex could be a corner: it is at the border, or nothing reaches it.
   [[nodiscard]] bool can_be_apex(Vertex v) const {
-    return !at_[v].empty() || has_triangle_[v] == 0;
+    return !front_.at(v).empty() || !front_.has_triangle(v);
   }
 
   /// Smaller is better; nothing if the triangle to, from, apex is none.
   [[nodiscard]] std::optional<double> score_of(Vertex from, Vertex to, Vertex apex) const {
     if (apex == from || apex == to || !can_be_apex(apex)) return {};
-    const BorderVertex& a = vertices_[from];
-    const BorderVertex& b = vertices_[to];
-    const BorderVertex& c = vertices_[apex];
-    const glm::dvec3 normal = glm::cross(a.position - b.position, c.position - b.position);
-    const double area = glm::length(normal);
+    const BorderVertex& a = front_.vertex(from);
+    const BorderVertex& b = front_.vertex(to);
+    const BorderVertex& c = front_.vertex(apex);
+    const TriangleShape shape = shape_of(a.position, b.position, c.position);
     const double ab = glm::distance(a.position, b.position);
     const double bc = glm::distance(b.position, c.position);
     const double ca = glm::distance(c.position, a.position);
-    if (!(area > 1e-3 * ab * (bc + ca))) return {};
-    const double radius = ab * bc * ca / (2.0 * area);
+    if (!(shape.area > 1e-3 * ab * (bc + ca))) return {};
     const double spacing = std::max({a.spacing, b.spacing, c.spacing});
     const bool own = a.patch == b.patch && b.patch == c.patch;
     const double limit = own ? kLargestOwnRadius * spacing
                              : std::max(kLargestRadius * spacing, kLargestRadiusInEdges * ab);
-    if (!(radius <= limit)) return {};
-    const glm::dvec3 n = normal / area;
+    if (!(shape.radius <= limit)) return {};
+    const glm::dvec3 n = shape.normal;
     if (!(glm::dot(n, a.normal) > kAgree && glm::dot(n, b.normal) > kAgree &&
           glm::dot(n, c.normal) > kAgree))
       return {};
-    if (used_.contains(key_of(from, apex)) || used_.contains(key_of(apex, to))) return {};
-    const Edge* const base = find(from, to);
-    const Edge* const left = find(apex, from);
-    const Edge* const right = find(to, apex);
+    if (front_.is_used(from, apex) || front_.is_used(apex, to)) return {};
+    const Edge* const base = front_.find(from, to);
+    const Edge* const left = front_.find(apex, from);
+    const Edge* const right = front_.find(to, apex);
     for (const Edge* const edge : {base, left, right}) {
       if (edge != nullptr && glm::dot(edge->normal, n) < kFold) return {};
     }
@@ -321,14 +151,14 @@ class Front {
     const double factor = left != nullptr && right != nullptr   ? kClosesTwo
                           : left != nullptr || right != nullptr ? kClosesOne
                                                                 : 1.0;
-    return factor * radius / spacing;
+    return factor * shape.radius / spacing;
   }
 
   /// Whether a triangle covers a vertex or crosses a border edge of its sheet.
   [[nodiscard]] bool is_free(Vertex from, Vertex to, Vertex apex) const {
     const std::array<Vertex, 3> corners{to, from, apex};
     std::array<glm::dvec3, 3> p{};
-    for (std::size_t k = 0; k < 3; ++k) p[k] = vertices_[corners[k]].position;
+    for (std::size_t k = 0; k < 3; ++k) p[k] = front_.vertex(corners[k]).position;
     const glm::dvec3 n = glm::normalize(glm::cross(p[1] - p[0], p[2] - p[0]));
     const glm::dvec3 x = glm::normalize(p[1] - p[0]);
     const glm::dvec3 y = glm::cross(n, x);
@@ -339,11 +169,11 @@ class Front {
     const glm::dvec3 middle = (p[0] + p[1] + p[2]) / 3.0;
     double reach = 0.0;
     for (const glm::dvec3& q : p) reach = std::max(reach, glm::distance(q, middle));
-    const double sheet = kSheet * vertices_[from].spacing;
+    const double sheet = kSheet * front_.vertex(from).spacing;
     bool free = true;
     grid_.for_each_within(middle, reach + grid_.longest_edge(), [&](Vertex v) {
       if (!free || v == from || v == to || v == apex || !can_be_apex(v)) return;
-      const BorderVertex& other = vertices_[v];
+      const BorderVertex& other = front_.vertex(v);
       const glm::dvec3 d = other.position - p[0];
       if (glm::dot(other.normal, n) <= 0.0) return;
       const glm::dvec2 q = flat(other.position);
@@ -352,10 +182,10 @@ class Front {
         free = false;
         return;
       }
-      for (const Edge& edge : at_[v]) {
+      for (const Edge& edge : front_.at(v)) {
         if (!edge.outward) continue;
         free = free && !crosses(corners, t, v, edge.other, {n, p[0], sheet}, q,
-                                flat(vertices_[edge.other].position));
+                                flat(front_.vertex(edge.other).position));
       }
     });
     return free;
@@ -380,7 +210,7 @@ class Front {
       const double u1 = cross2(r - q, t[next] - q);
       if (s0 * s1 >= 0.0 || u0 * u1 >= 0.0) continue;
       const double part = s0 / (s0 - s1);
-      const glm::dvec3 at = glm::mix(vertices_[v].position, vertices_[w].position, part);
+      const glm::dvec3 at = glm::mix(front_.vertex(v).position, front_.vertex(w).position, part);
       if (std::abs(glm::dot(at - plane.origin, plane.normal)) < plane.sheet) return true;
     }
     return false;
@@ -388,8 +218,8 @@ class Front {
 
   /// Puts the best triangle on a border edge into the queue, if there is one.
   void suggest(Vertex from, Vertex to) {
-    const BorderVertex& a = vertices_[from];
-    const BorderVertex& b = vertices_[to];
+    const BorderVertex& a = front_.vertex(from);
+    const BorderVertex& b = front_.vertex(to);
     const double length = glm::distance(a.position, b.position);
     const double spacing = std::max(a.spacing, b.spacing);
     const double reach = 2.0 * std::max(kLargestRadius * spacing, kLargestRadiusInEdges * length);
@@ -413,45 +243,24 @@ class Front {
       suggest(c.from, c.to);
       return;
     }
-    attach(c);
-    if (is_open(c.from, c.apex)) suggest(c.from, c.apex);
-    if (is_open(c.apex, c.to)) suggest(c.apex, c.to);
+    front_.attach(c.from, c.to, c.apex);
+    if (front_.is_open(c.from, c.apex)) suggest(c.from, c.apex);
+    if (front_.is_open(c.apex, c.to)) suggest(c.apex, c.to);
   }
 
-  /// Adds a triangle and moves the border to its other edges.
-  void attach(const Candidate& c) {
-    const glm::dvec3 p = vertices_[c.to].position;
-    const glm::dvec3 normal =
-        glm::normalize(glm::cross(vertices_[c.from].position - p, vertices_[c.apex].position - p));
-    triangles_.push_back({c.to, c.from, c.apex});
-    has_triangle_[c.apex] = 1;
-    used_.insert(key_of(c.to, c.from));
-    close(c.from, c.to);
-    const std::array<std::array<Vertex, 2>, 2> added{{{c.from, c.apex}, {c.apex, c.to}}};
-    for (const auto& [from, to] : added) {
-      used_.insert(key_of(from, to));
-      if (is_open(to, from)) {
-        close(to, from);
-      } else {
-        open(from, to, normal);
-      }
-    }
-  }
-
-  const std::vector<BorderVertex>& vertices_;
+  Front& front_;
   VertexGrid grid_;
-  std::vector<std::vector<Edge>> at_;  ///< the border edges at each vertex
-  std::vector<std::uint8_t> has_triangle_;
-  std::unordered_set<std::uint64_t> used_;  ///< directed edges that have a triangle on their left
   std::priority_queue<Candidate> queue_;
   std::vector<Candidate> found_;
-  std::vector<Triangle> triangles_;
 };
 
 }  // namespace
 
 std::vector<Triangle> stitch(const BorderMesh& mesh) {
-  return Front(mesh).grow();
+  Front front(mesh);
+  Growth(front).grow();
+  fill_loops(front);
+  return front.take();
 }
 
 }  // namespace relief

@@ -111,9 +111,7 @@ void drop_foreign_nodes(const PatchPoints& points, const PointGrid& all,
 }
 
 void thin_borders(std::span<Patch> patches) {
-  std::vector<CellTriangles> cells;
-  for (const Patch& patch : patches) cells.push_back(cell_triangles(patch));
-  const BorderMesh borders = find_borders(patches, cells);
+  const BorderMesh borders = find_borders(patches, cell_triangles(std::span<const Patch>(patches)));
   const std::vector<BorderVertex>& vertices = borders.vertices;
   const VertexGrid lookup(vertices);
   const auto faces = [&](std::uint32_t v) {

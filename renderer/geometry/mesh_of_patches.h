@@ -16,10 +16,14 @@ namespace relief {
 /// those of the whole map, and both also where it has several texels a cell. UVs are grid
 /// coordinates.
 ///
-/// Patches are not joined: each has its own vertices, and where their margins overlap there are two
-/// surfaces, some hundredths of a cell apart, of which a ray meets the nearer. Between the ragged
-/// borders of two patches that do not overlap there is nothing, where `onepass` draws splats that
-/// reach half a cell beyond the border. Fails if there are more samples than 32 bits count.
+/// Patches that meet (PatchModel::joined) are joined by their seams (make_seams); only cells of up
+/// to kSteepestJoined are theirs. A seam vertex is there once for each patch that shares it, with
+/// that patch's normal and colour.
+///
+/// Other patches are not joined: each has its own vertices, and where their margins overlap there
+/// are two surfaces, some hundredths of a cell apart, of which a ray meets the nearer. Between the
+/// ragged borders of two patches that do not overlap there is nothing, where `onepass` draws splats
+/// that reach half a cell beyond the border. Fails if there are more samples than 32 bits count.
 Result<TriangleMesh> mesh_of_patches(const PatchModel& model);
 
 /// TriangleMesh::bodies of a model with instances, once these are baked.

@@ -206,13 +206,14 @@ class ModelUpload {
       for (const std::uint32_t level : kept) {
         RELIEF_TRY_ASSIGN(const std::size_t grid, grids_.get(p, level));
         add_grid(grid, instance.transform, material, first_id_ + k);
+        add_parts(grid);
       }
     }
     return {};
   }
 
-  void add_grid(std::size_t index, const Transform& where, std::uint8_t material, std::uint32_t id,
-                bool with_parts = true) {
+  void add_grid(std::size_t index, const Transform& where, std::uint8_t material,
+                std::uint32_t id) {
     const Grid& grid = grids_.grid(index);
     const PatchFrame frame = relief::moved(where, *grid.nodes);
     StoredPatch kept;
@@ -227,15 +228,19 @@ class ModelUpload {
     kept.radius = frame.spacing * grid.shape.radius;
     kept.widest_disc = frame.spacing * grid.shape.widest_disc;
     kept.records = grid.records;
-    const auto number = static_cast<std::uint32_t>(patches_.size());
-    for (const UploadedCells::Part& part : grid.cells.parts) {
-      if (!with_parts) break;
-      parts_.push_back({number, frame.origin + frame.axes * (frame.spacing * part.centre),
-                        frame.spacing * part.radius, part.buffers});
-      positions_.emplace_back(number, part.corner.x | (part.corner.y << 16U));
-    }
     patches_.push_back(kept);
     rows_.push_back({index, id});
+  }
+
+  /// The parts of the level that was added last.
+  void add_parts(std::size_t index) {
+    const auto number = static_cast<std::uint32_t>(patches_.size() - 1);
+    const StoredPatch& patch = patches_.back();
+    for (const UploadedCells::Part& part : grids_.grid(index).cells.parts) {
+      parts_.push_back({number, patch.origin + patch.axes * (patch.spacing * part.centre),
+                        patch.spacing * part.radius, part.buffers});
+      positions_.emplace_back(number, part.corner.x | (part.corner.y << 16U));
+    }
   }
 
   /// The seams of its patches that meet others, over rows of their own, which lie as the patches
@@ -253,7 +258,7 @@ class ModelUpload {
           model_.instances.empty() ? model_.patches[p].material : instance.material;
       seams_.push_back({static_cast<std::uint32_t>(patches_.size()), 0, extent.centre,
                         extent.radius + kSeamReach * extent.spacing, shares[k]});
-      add_grid(grid, instance.transform, material, first_id_ + k, false);
+      add_grid(grid, instance.transform, material, first_id_ + k);
     }
     return PatchRun{first, instance.count};
   }

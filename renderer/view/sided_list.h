@@ -24,7 +24,7 @@ struct SidedList {
 [[nodiscard]] SidedList parts_by_cull_mode(const PatchStore& store, const View& view,
                                            const std::vector<std::uint32_t>& parts);
 
-/// The same of patches' shares of the seams (SeamStore::seams).
+/// Which of the patches' shares of the seams (SeamStore::seams) a view shows with both sides.
 [[nodiscard]] SidedList seams_by_cull_mode(const PatchStore& store, const View& view,
                                            const std::vector<std::uint32_t>& seams);
 

@@ -104,7 +104,7 @@ using glm::vec4;
 #define RELIEF_OUT_UV 3
 #define RELIEF_OUT_PATCH 4
 
-// The same of the pass that finds the surface: the position, and its depth if that is needed.
+// Outputs of the pass that finds the surface: the position, and its depth where it is needed.
 #define RELIEF_OUT_VISIBILITY 0
 #define RELIEF_OUT_VISIBILITY_DEPTH 1
 

@@ -55,7 +55,7 @@ void shade_position(PatchInfo info, vec2 position, vec3 view, float depth, vec4 
   write_identity(info, uv);
 }
 
-// The same of the position `hit`, seen along `ray`, both in the grid frame.
+// Shades the position `hit`, seen along `ray`, both in the grid frame.
 void shade(PatchInfo info, vec3 hit, vec3 ray, float depth, vec4 footprint) {
 #if RELIEF_NEEDS_NORMAL
   vec3 view = normalize(to_world(info, ray));

@@ -1,0 +1,126 @@
+#include "common/seams/fill_loops.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace relief {
+namespace {
+
+// Loops of up to this many edges are filled; larger ones are holes of the scan.
+constexpr std::size_t kSmallLoop = 14;
+// ... of one patch, where cells are too steep; a hole of one node has four.
+constexpr std::size_t kSmallOwnLoop = 4;
+// The least cosine between an ear that fills one and the normals of its corners: what is left open
+// shows as a hole, what is askew does not.
+constexpr double kEarAgrees = -0.9;
+constexpr double kNoEar = std::numeric_limits<double>::infinity();
+
+using Vertex = Front::Vertex;
+using Loop = std::vector<Vertex>;
+
+/// The corners of an ear: a vertex of a loop between those before and after it.
+struct Ear {
+  Vertex before = 0;
+  Vertex middle = 0;
+  Vertex after = 0;
+};
+
+Ear ear_at(const Loop& loop, std::size_t k) {
+  return {loop[(k + loop.size() - 1) % loop.size()], loop[k], loop[(k + 1) % loop.size()]};
+}
+
+/// Where the border goes on from `at`, which it has come to from `before`: to the first edge
+/// outward, counterclockwise, beyond the gap.
+std::optional<Vertex> next_along(const Front& front, Vertex before, Vertex at) {
+  const AnglesAbout angles(front.vertex(at), front.vertex(before).position);
+  std::optional<Vertex> next;
+  double least = 5.0;
+  for (const Front::Edge& edge : front.at(at)) {
+    if (!edge.outward) continue;
+    const double angle = angles.to(front.vertex(edge.other).position);
+    if (angle < least) {
+      least = angle;
+      next = edge.other;
+    }
+  }
+  return next;
+}
+
+/// The loop of border edges that one leads to; empty if it is longer than a small one.
+Loop loop_from(const Front& front, Vertex from, Vertex to) {
+  Loop loop{from};
+  while (true) {
+    // What comes back to a vertex is a loop of its own.
+    const auto met = std::ranges::find(loop, to);
+    if (met != loop.end()) {
+      loop.erase(loop.begin(), met);
+      return loop.size() < 3 ? Loop{} : loop;
+    }
+    if (loop.size() == kSmallLoop) return {};
+    const std::optional<Vertex> next = next_along(front, loop.back(), to);
+    if (!next) return {};
+    loop.push_back(to);
+    to = *next;
+  }
+}
+
+/// How good an ear is: smaller is better.
+double score_of(const Front& front, const Ear& ear) {
+  const BorderVertex& a = front.vertex(ear.before);
+  const BorderVertex& b = front.vertex(ear.middle);
+  const BorderVertex& c = front.vertex(ear.after);
+  const TriangleShape shape = shape_of(a.position, b.position, c.position);
+  const double ab = glm::distance(a.position, b.position);
+  const double bc = glm::distance(b.position, c.position);
+  if (!(shape.area > 1e-6 * ab * bc)) return kNoEar;
+  const double agreement =
+      std::min({glm::dot(shape.normal, a.normal), glm::dot(shape.normal, b.normal),
+                glm::dot(shape.normal, c.normal)});
+  if (agreement < kEarAgrees) return kNoEar;
+  const double ca = glm::distance(c.position, a.position);
+  return (2.0 - agreement) * ab * bc * ca / shape.area;
+}
+
+/// Cuts ears off a loop until nothing is left of it, or none that is allowed.
+void fill(Front& front, Loop loop) {
+  while (loop.size() >= 3) {
+    std::size_t best = 0;
+    double least = kNoEar;
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const Ear ear = ear_at(loop, k);
+      if (loop.size() > 3 &&
+          (front.is_used(ear.before, ear.after) || front.is_used(ear.after, ear.before)))
+        continue;
+      const double score = score_of(front, ear);
+      if (score < least) {
+        least = score;
+        best = k;
+      }
+    }
+    if (least == kNoEar) return;
+    const Ear ear = ear_at(loop, best);
+    front.attach(ear.before, ear.middle, ear.after);
+    if (loop.size() == 3) return;
+    loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(best));
+  }
+}
+
+}  // namespace
+
+void fill_loops(Front& front) {
+  for (Vertex v = 0; v < front.vertices().size(); ++v) {
+    const std::vector<Front::Edge> edges(front.at(v).begin(), front.at(v).end());
+    for (const Front::Edge& edge : edges) {
+      if (!edge.outward || !front.is_open(v, edge.other)) continue;
+      const Loop loop = loop_from(front, v, edge.other);
+      const bool several = std::ranges::any_of(
+          loop, [&](Vertex w) { return front.vertex(w).patch != front.vertex(v).patch; });
+      if (several || loop.size() <= kSmallOwnLoop) fill(front, loop);
+    }
+  }
+}
+
+}  // namespace relief
