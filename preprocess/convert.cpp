@@ -149,8 +149,11 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   result.report.normals_repaired = normals.repaired;
   if (progress.cancelled()) return interrupted_error();
 
+  std::optional<CreaseNormals> creases;
+  if (options.seams) creases = find_creases(points.positions, points.normals, graph);
   std::vector<Region> regions =
-      find_regions(points, points.size(), graph, frames, options.cone_degrees, progress);
+      find_regions(points, points.size(), graph, frames, options.cone_degrees,
+                   creases ? &*creases : nullptr, progress);
   if (progress.cancelled()) return interrupted_error();
 
   const SurfaceSamples samples{points.positions, points.normals, graph.spacing, frames.roughness};
@@ -164,7 +167,11 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   RELIEF_TRY(check_spacing(spacing, area_of(regions, samples), points.size()));
   const Membership membership = membership_of(samples, regions);
   std::vector<Patch> patches = make_patches(
-      {.samples = samples, .graph = graph, .membership = membership, .colours = points.colours},
+      {.samples = samples,
+       .graph = graph,
+       .membership = membership,
+       .colours = points.colours,
+       .creases = creases ? &*creases : nullptr},
       factors, resample_options(options, spacing, normals.estimated), regions, progress);
   if (progress.cancelled()) return interrupted_error();
   if (patches.empty()) return make_error("the points are too scattered to be a surface");

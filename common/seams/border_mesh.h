@@ -17,7 +17,10 @@ struct BorderVertex {
   glm::dvec3 position{0.0};  ///< world
   glm::dvec3 normal{0.0};    ///< world, unit, outward
   double spacing = 1.0;      ///< of its patch
-  double turn = 0.0;         ///< largest change of the normal to a sample beside it in its patch
+  /// Normal of the plane through the patch's samples about it, world, unit: unlike theirs it knows
+  /// one side of a crease alone.
+  glm::dvec3 plane_normal{0.0};
+  double bend = 0.0;  ///< of those samples, radians per spacing; infinite if they are too few
   std::uint32_t patch = 0;
   std::uint32_t node = 0;  ///< j * width + i
 };

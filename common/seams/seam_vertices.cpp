@@ -7,19 +7,20 @@
 namespace relief {
 namespace {
 
-// The crease is no farther from the middle than this, in distances between the samples.
+// A seam vertex is moved to a crease by this many spacings at most: where the two planes are told
+// badly they may meet anywhere.
 constexpr double kCreaseReach = 0.7;
 
-// A crease turns the normal by this many times as much as the surface does beside it.
+// A crease turns the normal by this many times as much as the surface bends beside it.
 constexpr double kCreaseContrast = 3.0;
 
 /// Whether the surface has a crease between two samples: a turn that is not that of a round
 /// feature.
 bool is_crease(const BorderVertex& a, const BorderVertex& b) {
-  if (glm::dot(a.normal, b.normal) > kCreaseCosine) return false;
+  if (glm::dot(a.plane_normal, b.plane_normal) > kCreaseCosine) return false;
   const double spacings = glm::distance(a.position, b.position) / std::min(a.spacing, b.spacing);
-  const double beside = std::max(a.turn, b.turn) * std::max(spacings, 1.0);
-  return glm::distance(a.normal, b.normal) > kCreaseContrast * beside;
+  const double beside = std::max(a.bend, b.bend) * std::max(spacings, 1.0);
+  return glm::distance(a.plane_normal, b.plane_normal) > kCreaseContrast * beside;
 }
 
 class Sharing {
@@ -104,18 +105,18 @@ class Sharing {
 glm::dvec3 seam_position(const BorderVertex& a, const BorderVertex& b) {
   const glm::dvec3 d = b.position - a.position;
   const glm::dvec3 middle = 0.5 * (a.position + b.position);
-  const double rise_a = glm::dot(d, a.normal);
-  const double rise_b = glm::dot(d, b.normal);
-  const double cosine = glm::dot(a.normal, b.normal);
+  const double cosine = glm::dot(a.plane_normal, b.plane_normal);
   if (is_crease(a, b) && cosine > -kCreaseCosine) {
-    // middle + s a.normal + t b.normal on both tangent planes: the nearest such point.
+    // middle + s a.plane_normal + t b.plane_normal on both planes: the nearest such point.
+    const double rise_a = glm::dot(d, a.plane_normal);
+    const double rise_b = glm::dot(d, b.plane_normal);
     const double s = (-0.5 * rise_a - 0.5 * cosine * rise_b) / (1.0 - cosine * cosine);
     const double t = (0.5 * rise_b + 0.5 * cosine * rise_a) / (1.0 - cosine * cosine);
-    const glm::dvec3 offset = s * a.normal + t * b.normal;
-    if (glm::dot(offset, offset) < kCreaseReach * kCreaseReach * glm::dot(d, d))
-      return middle + offset;
+    const glm::dvec3 offset = s * a.plane_normal + t * b.plane_normal;
+    const double most = kCreaseReach * std::min(std::min(a.spacing, b.spacing), glm::length(d));
+    return middle + offset * std::min(1.0, most / std::max(glm::length(offset), 1e-300));
   }
-  return middle + 0.125 * (rise_b * b.normal - rise_a * a.normal);
+  return middle + 0.125 * (glm::dot(d, b.normal) * b.normal - glm::dot(d, a.normal) * a.normal);
 }
 
 void share_out(std::span<const Triangle> triangles, const BorderMesh& mesh, Seams& seams) {

@@ -19,6 +19,13 @@ class Borders {
     double length;
   };
 
+  [[nodiscard]] double length_to(std::uint32_t other) const {
+    for (const Border& b : list_) {
+      if (b.other == other) return b.length;
+    }
+    return 0.0;
+  }
+
   double& operator[](std::uint32_t other) {
     const auto at = find_entry(other);
     if (at != list_.end() && at->other == other) return at->length;

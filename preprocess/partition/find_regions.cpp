@@ -54,12 +54,17 @@ bool goes_on_around(const SurfaceSamples& samples, const NeighbourGraph& graph,
 
 std::vector<Region> find_regions(const Points& points, std::size_t count,
                                  const NeighbourGraph& graph, const LocalFrames& frames,
-                                 double cone_degrees, Progress& progress) {
-  const std::vector<glm::vec3> smooth = smooth_normals(points.normals, graph);
+                                 double cone_degrees, const CreaseNormals* creases,
+                                 Progress& progress) {
+  std::vector<glm::vec3> smooth = smooth_normals(points.normals, graph);
+  for (std::size_t i = 0; creases != nullptr && i < smooth.size(); ++i) {
+    if (creases->at_crease[i] != 0) smooth[i] = creases->normals[i];
+  }
   const SurfaceSamples samples{points.positions, smooth, graph.spacing, frames.roughness};
   const double cone = cone_degrees > 0.0 ? cone_degrees : kDefaultConeDegrees;
-  std::vector<Region> regions = partition(
-      samples, graph, surface_points(points.positions, count, graph, frames), cone, progress);
+  std::vector<Region> regions =
+      partition(samples, graph, surface_points(points.positions, count, graph, frames), cone,
+                creases != nullptr ? &creases->at_crease : nullptr, progress);
   std::erase_if(regions, [&](const Region& r) {
     return r.points.size() < kMinPatchPoints && !goes_on_around(samples, graph, r, count);
   });

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <optional>
 
+#include "preprocess/normals/crease_sides.h"
 #include "preprocess/partition/borders.h"
 #include "preprocess/partition/candidate_queue.h"
 #include "preprocess/partition/normal_spread.h"
@@ -29,6 +30,9 @@ constexpr std::size_t kManyPoints = 400;
 constexpr std::size_t kMaxTrials = 32;
 constexpr std::size_t kMinTrials = 4;
 
+// Regions stay apart if more than this share of their border is a crease.
+constexpr double kCreaseShare = 0.5;
+
 constexpr double kCompactnessWeight = 0.01;
 constexpr double kSizeWeight = 2.0;
 
@@ -39,6 +43,7 @@ struct Cluster {
   glm::dvec3 area_normal{0.0};  // sum of those times normals
   double perimeter = 0.0;       // sum of `borders`
   Borders borders;
+  Borders creases;                // what of them is at creases
   std::unique_ptr<NormalSpread> spread;  // computed on demand
   std::uint32_t version = 0;
 };
@@ -57,6 +62,7 @@ class Merger {
       : samples_(samples),
         tests_([samples, limits = rule.limits] { return RegionTest(samples, limits); }),
         cos_cone_(std::cos(glm::radians(rule.limits.cone_degrees))),
+        at_crease_(rule.at_crease),
         small_points_(rule.small_points) {
     clusters_.resize(regions.size());
     alive_ = regions.size();
@@ -127,7 +133,10 @@ class Merger {
         const std::uint32_t other = owner[graph.of(i)[m]];
         // A point at a straight border has about 3 of its 8 neighbours beyond it; both sides count.
         const double length = double{samples_.spacing[i]} / 6.0;
-        clusters_[std::min(owner[i], other)].borders[std::max(owner[i], other)] += length;
+        Cluster& lower = clusters_[std::min(owner[i], other)];
+        const std::uint32_t higher = std::max(owner[i], other);
+        lower.borders[higher] += length;
+        if (is_crease(i, graph.of(i)[m])) lower.creases[higher] += length;
       }
     }
     // Borders are symmetric: computed for the lower cluster, then copied.
@@ -135,7 +144,20 @@ class Merger {
       for (const auto& [other, length] : clusters_[c].borders) {
         if (other > c) clusters_[other].borders[c] = length;
       }
+      for (const auto& [other, length] : clusters_[c].creases) {
+        if (other > c) clusters_[other].creases[c] = length;
+      }
     }
+  }
+
+  [[nodiscard]] bool is_crease(std::uint32_t i, std::uint32_t j) const {
+    return at_crease_ != nullptr && (*at_crease_)[i] != 0 && (*at_crease_)[j] != 0 &&
+           glm::dot(samples_.normals[i], samples_.normals[j]) < kCreaseTurnCosine;
+  }
+
+  /// Whether most of the border between two clusters is a crease.
+  [[nodiscard]] bool meet_at_crease(std::uint32_t a, std::uint32_t b, double border) const {
+    return at_crease_ != nullptr && clusters_[a].creases.length_to(b) > kCreaseShare * border;
   }
 
   // Lower is better. Flatness: share of the union's area that its mean normal loses (0 for a
@@ -160,6 +182,7 @@ class Merger {
           small_points_) {
         continue;
       }
+      if (meet_at_crease(c, other, border)) continue;
       const std::uint32_t a = std::min(c, other);
       const std::uint32_t b = std::max(c, other);
       queue_.push({cost(a, b, border), a, b, clusters_[a].version, clusters_[b].version});
@@ -230,14 +253,16 @@ class Merger {
     a.area += b.area;
     a.area_normal += b.area_normal;
     a.perimeter = std::max(a.perimeter + b.perimeter - 2.0 * b.borders[ia], 0.0);
-    for (const auto& [other, length] : b.borders) {
-      if (other == ia) continue;
-      a.borders[other] += length;
-      auto& back = clusters_[other].borders;
-      back[ia] += length;
-      back.erase(ib);
+    for (Borders Cluster::*const kind : {&Cluster::borders, &Cluster::creases}) {
+      for (const auto& [other, length] : b.*kind) {
+        if (other == ia) continue;
+        (a.*kind)[other] += length;
+        Borders& back = clusters_[other].*kind;
+        back[ia] += length;
+        back.erase(ib);
+      }
+      (a.*kind).erase(ib);
     }
-    a.borders.erase(ib);
     ++a.version;
     const std::uint32_t next_version = b.version + 1;
     b = Cluster{};
@@ -250,6 +275,7 @@ class Merger {
   SurfaceSamples samples_;
   tbb::enumerable_thread_specific<RegionTest> tests_;
   double cos_cone_;
+  const std::vector<std::uint8_t>* at_crease_;
   std::size_t small_points_;
   std::vector<Cluster> clusters_;
   CandidateQueue queue_;

@@ -43,22 +43,22 @@ Membership membership_of(const SurfaceSamples& samples, const std::vector<Region
 
 std::vector<Region> partition(const SurfaceSamples& samples, const NeighbourGraph& graph,
                               std::vector<std::uint32_t> points, double cone_degrees,
-                              Progress& progress) {
+                              const std::vector<std::uint8_t>* at_crease, Progress& progress) {
   const std::size_t small = small_points(points.size());
   progress.begin_stage("split", points.size());
   std::vector<Region> regions = split(samples, graph, std::move(points),
                                       {.cone_degrees = kSplitShare * cone_degrees}, progress);
-  const RegionLimits limits{.cone_degrees = cone_degrees};
-  regions = merge(samples, graph, std::move(regions), {limits}, progress);
+  const MergeRule rule{.limits = {.cone_degrees = cone_degrees}, .at_crease = at_crease};
+  regions = merge(samples, graph, std::move(regions), rule, progress);
   for (int round = 0; round < kBorderRounds && !progress.cancelled(); ++round) {
     move_borders(samples, graph, cone_degrees, kBorderWeights, regions);
     // Once is enough: regions that fall apart in the first round join again in its merge.
     if (round + 1 == kBorderRounds) regions = part_components(samples, graph, regions);
-    regions = merge(samples, graph, std::move(regions), {limits}, progress);
+    regions = merge(samples, graph, std::move(regions), rule, progress);
   }
   const RegionLimits wide{.cone_degrees = std::max(cone_degrees, kWideConeDegrees),
                           .sheet_tolerance = kWideSheetTolerance};
-  const MergeRule wide_rule{wide, small};
+  const MergeRule wide_rule{wide, small, at_crease};
   regions = merge(samples, graph, std::move(regions), wide_rule, progress);
   std::sort(regions.begin(), regions.end(), [](const Region& a, const Region& b) {
     if (a.points.size() != b.points.size()) return a.points.size() > b.points.size();

@@ -29,6 +29,9 @@ struct MergeRule {
   RegionLimits limits;  ///< limits of the union
   std::size_t small_points =
       static_cast<std::size_t>(-1);  ///< one of a pair must have fewer points
+  /// For each point, whether it is at a crease, or null: regions whose border is a crease for the
+  /// most part stay apart.
+  const std::vector<std::uint8_t>* at_crease = nullptr;
 };
 
 /// Merges neighbouring regions, best pair first (Ochotta and Saupe 2004), while the rule allows it.
@@ -39,10 +42,11 @@ struct MergeRule {
 
 /// Partitions `points` into few, compact regions, largest first. Splits and merges; moves borders
 /// and merges again, twice; then merges the remaining small regions under wider limits, because
-/// rough spots of the scan do not deserve a patch each.
+/// rough spots of the scan do not deserve a patch each. `at_crease`: as in MergeRule.
 [[nodiscard]] std::vector<Region> partition(const SurfaceSamples& samples,
                                             const NeighbourGraph& graph,
                                             std::vector<std::uint32_t> points, double cone_degrees,
+                                            const std::vector<std::uint8_t>* at_crease,
                                             Progress& progress);
 
 }  // namespace relief

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/patch.h"
+#include "preprocess/resample/creases.h"
 #include "preprocess/resample/mls.h"
 #include "preprocess/resample/patch_grid.h"
 #include "preprocess/resample/support.h"
@@ -13,11 +14,12 @@ namespace relief {
 
 /// Turns nodes into holes that belong to other regions: the points about a node vote, the nearest
 /// most, those whose normals are not on the side of the node's not at all. Also nodes that overhang
-/// the border of the scan's sheet, and all that are not NodeState::Own. `all`: a lookup of all
-/// `points`; `surface`: parallel to `states`.
+/// the border of the scan's sheet or a crease, and all that are not NodeState::Own. The heights of
+/// those that stay beside a crease become those of their side alone. `all`: a lookup of all
+/// `points`; `creases` is null if the region has none; `surface`: parallel to `states`.
 void drop_foreign_nodes(const PatchPoints& points, const PointGrid& all,
-                        const std::vector<SurfacePoint>& surface, const PatchGrid& grid,
-                        std::vector<NodeState>& states);
+                        const RegionCreases* creases, const PatchGrid& grid,
+                        std::vector<SurfacePoint>& surface, std::vector<NodeState>& states);
 
 /// Turns samples at borders into holes where samples of two patches are nearer to each other than
 /// 0.45 spacings, between which triangles would be slivers: of two, the one that its patch sees

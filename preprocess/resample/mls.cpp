@@ -5,7 +5,10 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <span>
+
+#include "preprocess/normals/crease_sides.h"
 
 namespace relief {
 namespace {
@@ -129,8 +132,9 @@ void take_in(const PatchPoints& points, std::span<const Found> found, glm::dvec3
   sums.add(std::span(terms).first(found.size()));
 }
 
+/// Sums up the points whose normals are `like` that one, a cosine.
 Sums accumulate(const PatchPoints& points, const PointGrid& lookup, glm::dvec3 about, double scale,
-                glm::vec3 normal) {
+                glm::vec3 normal, float like) {
   Sums sums;
   std::array<Found, kBatch> found;
   std::size_t count = 0;
@@ -139,7 +143,7 @@ Sums accumulate(const PatchPoints& points, const PointGrid& lookup, glm::dvec3 a
                            const double dz = points.positions[p].z - about.z;
                            const double squared = (plane_squared + dz * dz) / (scale * scale);
                            if (squared > kWeightCutoff * kWeightCutoff) return;
-                           if (glm::dot(normal, points.normals[p]) < kMinLikeness) return;
+                           if (glm::dot(normal, points.normals[p]) < like) return;
                            found[count++] = {p, dz, squared};
                            if (count < kBatch) return;
                            take_in(points, found, about, scale, sums);
@@ -154,19 +158,16 @@ glm::vec3 unit_or_up(glm::vec3 n) {
   return length > 1e-6F ? n / length : glm::vec3(0.0F, 0.0F, 1.0F);
 }
 
-}  // namespace
-
-SurfacePoint evaluate_mls(const PatchPoints& points, const PointGrid& supporting,
-                          const PointGrid& all, double x, double y, double spacing) {
-  const std::uint32_t nearest = supporting.nearest(x, y, 16.0 * spacing);
-  if (nearest == PointGrid::kNone) return {0.0, {0, 0, 1}, {0, 0, 1}};
-  const glm::dvec3 about(x, y, tangent_height(points, nearest, x, y));
+/// Fits the points about the tangent plane of the nearest, those with normals `like` that one.
+SurfacePoint fit(const PatchPoints& points, const PointGrid& lookup, std::uint32_t nearest,
+                 glm::dvec2 at, double spacing, glm::vec3 normal, float like) {
+  const glm::dvec3 about(at, tangent_height(points, nearest, at.x, at.y));
   const double to_nearest = glm::distance(about, points.positions[nearest]);
   const double scale = std::max({kScaleInSpacings * points.spacing[nearest],
                                  kScaleInGridSpacings * spacing, 0.6 * to_nearest});
 
-  Sums sums = accumulate(points, all, about, scale, points.normals[nearest]);
-  if (!(sums.weight > 0.0)) return {about.z, points.normals[nearest], points.normals[nearest]};
+  Sums sums = accumulate(points, lookup, about, scale, normal, like);
+  if (!(sums.weight > 0.0)) return {about.z, normal, normal};
   for (int d = 3; d < 6; ++d) sums.normal_matrix(d, d) += kFitRidge * sums.weight;
   for (int d = 1; d < 3; ++d) sums.normal_matrix(d, d) += 1e-6 * sums.weight;
   const Right fit =
@@ -183,6 +184,30 @@ SurfacePoint evaluate_mls(const PatchPoints& points, const PointGrid& supporting
   const glm::vec3 fitted_mean = unit_or_up(glm::vec3(fit(0, 1), fit(0, 2), fit(0, 3)));
   out.given_normal = sound && glm::dot(fitted_mean, mean) > kMinAgreement ? fitted_mean : mean;
   return out;
+}
+
+}  // namespace
+
+SurfacePoint evaluate_mls(const PatchPoints& points, const PointGrid& supporting,
+                          const PointGrid& all, double x, double y, double spacing) {
+  const std::uint32_t nearest = supporting.nearest(x, y, 16.0 * spacing);
+  if (nearest == PointGrid::kNone) return {0.0, {0, 0, 1}, {0, 0, 1}};
+  return fit(points, all, nearest, {x, y}, spacing, points.normals[nearest], kMinLikeness);
+}
+
+std::optional<SurfacePoint> evaluate_mls_beside_crease(const PatchPoints& points,
+                                                       const PointGrid& own, const PointGrid& all,
+                                                       glm::dvec2 at, double reach,
+                                                       glm::vec3 normal, double spacing) {
+  std::uint32_t nearest = PointGrid::kNone;
+  double least = std::numeric_limits<double>::infinity();
+  own.for_each_within(at.x, at.y, reach, [&](std::uint32_t p, double squared) {
+    if (squared >= least || glm::dot(points.normals[p], normal) < kCreaseSideCosine) return;
+    least = squared;
+    nearest = p;
+  });
+  if (nearest == PointGrid::kNone) return {};
+  return fit(points, all, nearest, at, spacing, normal, kCreaseSideCosine);
 }
 
 }  // namespace relief

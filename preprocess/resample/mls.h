@@ -1,6 +1,9 @@
 // Moving least squares over a base plane ([Ochotta 2008], section 3.1; Alexa et al. 2003).
 #pragma once
 
+#include <glm/vec2.hpp>
+#include <optional>
+
 #include "preprocess/resample/point_grid.h"
 
 namespace relief {
@@ -24,5 +27,11 @@ struct SurfacePoint {
 /// lie at one position of it.
 [[nodiscard]] SurfacePoint evaluate_mls(const PatchPoints& points, const PointGrid& supporting,
                                         const PointGrid& all, double x, double y, double spacing);
+
+/// Evaluates the surface on one side of a crease, which goes on beyond it: fits points whose
+/// normals are near that side's `normal`. Nothing if none of the region's own is within `reach`.
+[[nodiscard]] std::optional<SurfacePoint> evaluate_mls_beside_crease(
+    const PatchPoints& points, const PointGrid& own, const PointGrid& all, glm::dvec2 at,
+    double reach, glm::vec3 normal, double spacing);
 
 }  // namespace relief

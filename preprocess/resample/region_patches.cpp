@@ -22,8 +22,7 @@ std::vector<Patch> resample_all(const ScanSurface& scan, const std::vector<doubl
     if (progress.cancelled()) return;
     ResampleOptions own = options;
     own.spacing *= factors[r];
-    patches[r] =
-        resample_region(scan.samples, scan.graph, regions[r], scan.membership, scan.colours, own);
+    patches[r] = resample_region(scan, regions[r], own);
     progress.advance(regions[r].points.size());
   });
   return patches;

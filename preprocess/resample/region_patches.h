@@ -9,14 +9,6 @@ namespace relief {
 [[nodiscard]] std::vector<std::uint32_t> owners_of(const std::vector<Region>& regions,
                                                    std::size_t points);
 
-/// The input of resampling the regions of a scan.
-struct ScanSurface {
-  const SurfaceSamples& samples;
-  const NeighbourGraph& graph;
-  const Membership& membership;             ///< of all points
-  const std::vector<glm::u8vec3>& colours;  ///< empty, or one for each point
-};
-
 /// Resamples every region; only some if the user interrupts. Then drops small patches that others
 /// cover, and those without a sample, from patches and regions, so that both stay parallel.
 /// `factors` multiply the spacing of each region.

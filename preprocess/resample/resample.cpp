@@ -6,8 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "preprocess/resample/attributes.h"
+#include "preprocess/resample/creases.h"
 #include "preprocess/resample/joined_borders.h"
 #include "preprocess/resample/mls.h"
 
@@ -18,6 +20,8 @@ namespace {
 constexpr double kDefaultStepsPerSpacing = 20.0;
 // The fits of margin nodes need points slightly beyond them.
 constexpr double kFitReachInSpacings = 2.5;
+// How far from a node the points of a crease's two sides are looked for.
+constexpr double kCreaseReachInSpacings = 2.5;
 
 // The part of a grid that holds all its samples.
 struct Crop {
@@ -109,11 +113,11 @@ double count_samples(const std::vector<NodeState>& states, const PatchGrid& grid
 
 }  // namespace
 
-Patch resample_region(const SurfaceSamples& samples, const NeighbourGraph& graph,
-                      const Region& region, const Membership& membership,
-                      const std::vector<glm::u8vec3>& colours, const ResampleOptions& options) {
+Patch resample_region(const ScanSurface& scan, const Region& region,
+                      const ResampleOptions& options) {
   const double margin = (options.overlap_cells + kFitReachInSpacings) * options.spacing;
-  const PatchPoints points = collect_patch_points(samples, graph, region, membership, margin);
+  const PatchPoints points =
+      collect_patch_points(scan.samples, scan.graph, region, scan.membership, margin);
   const double bucket = bucket_side(points, options.spacing);
   const PointGrid own(points, points.own, bucket);
   const PointGrid supporting(points, points.supporting, bucket);
@@ -139,7 +143,12 @@ Patch resample_region(const SurfaceSamples& samples, const NeighbourGraph& graph
   }
   const std::vector<NodeState> with_margin = states;
   if (options.seams) {
-    drop_foreign_nodes(points, all, surface, grid, states);
+    const double reach = kCreaseReachInSpacings * bucket;
+    std::optional<RegionCreases> creases;
+    if (scan.creases != nullptr)
+      creases.emplace(scan.samples, scan.graph, region, scan.membership, *scan.creases, points, reach);
+    drop_foreign_nodes(points, all, creases && creases->any() ? &*creases : nullptr, grid, surface,
+                       states);
     if (std::ranges::count(states, NodeState::Hole) == std::ssize(states)) return {};
   }
 
@@ -151,9 +160,9 @@ Patch resample_region(const SurfaceSamples& samples, const NeighbourGraph& graph
   patch.axes = points.frame.axes;
   patch.origin = points.frame.origin + points.frame.axes * glm::dvec3(grid.x0, grid.y0, lowest);
   patch.normals = sample_normals(surface, with_margin, grid, options.normals_from_points);
-  if (!colours.empty()) {
+  if (!scan.colours.empty()) {
     patch.colours =
-        sample_colours(points, supporting, with_margin, grid, colours, options.colour_scale);
+        sample_colours(points, supporting, with_margin, grid, scan.colours, options.colour_scale);
   }
   return patch;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/patch.h"
+#include "preprocess/normals/crease_normals.h"
 #include "preprocess/resample/support.h"
 
 namespace relief {
@@ -15,12 +16,18 @@ struct ResampleOptions {
   bool seams = false;                ///< without a margin, for make_seams()
 };
 
+/// The input of resampling the regions of a scan.
+struct ScanSurface {
+  const SurfaceSamples& samples;
+  const NeighbourGraph& graph;
+  const Membership& membership;             ///< of all points
+  const std::vector<glm::u8vec3>& colours;  ///< empty, or one for each point
+  const CreaseNormals* creases = nullptr;   ///< of all points, with seams; may be null
+};
+
 /// Resamples one region ([Ochotta 2008], section 3.1): support, then heights, then normals and
-/// colours. `membership` covers all points; `colours` is empty or has one colour for each point of
-/// the scan. The patch is cropped to its samples; without supported samples it is empty (width 0).
-[[nodiscard]] Patch resample_region(const SurfaceSamples& samples, const NeighbourGraph& graph,
-                                    const Region& region, const Membership& membership,
-                                    const std::vector<glm::u8vec3>& colours,
+/// colours. The patch is cropped to its samples; without supported samples it is empty (width 0).
+[[nodiscard]] Patch resample_region(const ScanSurface& scan, const Region& region,
                                     const ResampleOptions& options);
 
 /// Returns the grid spacing, in world units, at which the regions have about `target` samples in

@@ -82,7 +82,7 @@ TileSurvey survey_tile(TilePoints& tile, const SurveyOptions& options, Progress&
   if (progress.cancelled()) return survey;
 
   const std::vector<Region> regions =
-      find_regions(points, tile.own, graph, frames, options.cone_degrees, progress);
+      find_regions(points, tile.own, graph, frames, options.cone_degrees, nullptr, progress);
   if (progress.cancelled()) return survey;
   for (std::uint32_t r = 0; r < regions.size(); ++r) {
     for (const std::uint32_t i : regions[r].points) survey.region[i] = r;
