@@ -60,10 +60,9 @@ std::optional<double> SeamDistances::find(glm::dvec3 point) const {
   const Cube middle = cubes_.cube_of(point);
   for (std::int64_t z = middle.z - 1; z <= middle.z + 1; ++z) {
     for (std::int64_t y = middle.y - 1; y <= middle.y + 1; ++y) {
-      for (std::int64_t x = middle.x - 1; x <= middle.x + 1; ++x) {
-        for (const std::uint32_t t : cubes_.in({x, y, z}))
-          least = std::min(least, squared_distance(point, triangles_[t]));
-      }
+      const CubeRuns::Run run = cubes_.in_row(middle.x - 1, middle.x + 1, y, z);
+      for (const std::uint32_t t : std::span(cubes_.order()).subspan(run.first, run.count))
+        least = std::min(least, squared_distance(point, triangles_[t]));
     }
   }
   if (!std::isfinite(least)) return {};

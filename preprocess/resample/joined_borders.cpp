@@ -31,9 +31,12 @@ constexpr std::int64_t kBorderRings = 3;
 // Samples of two patches nearer than this, in spacings, make slivers.
 constexpr double kNearInSpacings = 0.45;
 
-/// The widest angle between neighbouring directions; sorts them.
-double widest_sector(std::vector<double>& angles) {
-  if (angles.empty()) return 2.0 * std::numbers::pi;
+/// The widest angle between neighbouring directions.
+double widest_sector(const std::vector<glm::dvec3>& directions) {
+  if (directions.empty()) return 2.0 * std::numbers::pi;
+  std::vector<double> angles;
+  angles.reserve(directions.size());
+  for (const glm::dvec3& d : directions) angles.push_back(std::atan2(d.y, d.x));
   std::sort(angles.begin(), angles.end());
   double widest = angles.front() + 2.0 * std::numbers::pi - angles.back();
   for (std::size_t k = 1; k < angles.size(); ++k)
@@ -76,7 +79,7 @@ void drop_foreign_nodes(const PatchPoints& points, const PointGrid& all,
   double widest = grid.spacing;
   for (std::size_t p = 0; p < points.own; ++p) widest = std::max(widest, double{points.spacing[p]});
   const std::vector<std::uint8_t> is_near_border = near_border(states, grid);
-  std::vector<double> angles;
+  std::vector<glm::dvec3> around;
   for (std::size_t m = 0; m < states.size(); ++m) {
     if (states[m] != NodeState::Own) {
       states[m] = NodeState::Hole;
@@ -90,7 +93,7 @@ void drop_foreign_nodes(const PatchPoints& points, const PointGrid& all,
     double nearest = std::numeric_limits<double>::max();
     double for_own = 0.0;
     double for_others = 0.0;
-    angles.clear();
+    around.clear();
     all.for_each_within(node.x, node.y, kSearchInSpacings * widest,
                         [&](std::uint32_t p, double plane_squared) {
                           if (glm::dot(points.normals[p], surface[m].fitted_normal) <= 0.0F) return;
@@ -99,13 +102,13 @@ void drop_foreign_nodes(const PatchPoints& points, const PointGrid& all,
                           const double spacing = std::max(grid.spacing, double{points.spacing[p]});
                           const double relative = squared / (spacing * spacing);
                           if (relative <= kSearchInSpacings * kSearchInSpacings)
-                            angles.push_back(std::atan2(d.y, d.x));
+                            around.push_back(d);
                           nearest = std::min(nearest, squared);
                           (p < points.own ? for_own : for_others) +=
                               std::exp(-relative / (kVoteInSpacings * kVoteInSpacings));
                         });
     const double overhang = kOverhangInSpacings * grid.spacing;
-    const bool overhangs = nearest > overhang * overhang && widest_sector(angles) > kOpenSector;
+    const bool overhangs = nearest > overhang * overhang && widest_sector(around) > kOpenSector;
     if (for_own < kOwnShare * (for_own + for_others) || overhangs) states[m] = NodeState::Hole;
   }
 }
@@ -125,11 +128,13 @@ void thin_borders(std::span<Patch> patches) {
   for (const std::uint32_t v : askew_last) {
     const BorderVertex& vertex = vertices[v];
     kept[v] = 1;
-    lookup.for_each_within(vertex.position, kNearInSpacings * vertex.spacing, [&](std::uint32_t w) {
-      const BorderVertex& other = vertices[w];
-      if (other.patch == vertex.patch || kept[w] == 0) return;
-      if (glm::dot(other.normal, vertex.normal) > 0.0) kept[v] = 0;
-    });
+    lookup.for_each_within(vertex.position, kNearInSpacings * vertex.spacing,
+                           [&](const VertexGrid::Place& place, double) {
+                             const std::uint32_t w = place.vertex;
+                             const BorderVertex& other = vertices[w];
+                             if (other.patch == vertex.patch || kept[w] == 0) return;
+                             if (glm::dot(other.normal, vertex.normal) > 0.0) kept[v] = 0;
+                           });
     if (kept[v] == 0) patches[vertex.patch].heights[vertex.node] = kHole;
   }
 }

@@ -81,7 +81,7 @@ class ModelUpload {
         all_levels_(views.all_levels),
         grids_(gl, model, needs),
         proxy_(gl),
-        seam_upload_(gl) {
+        seam_upload_(gl, model, needs.cells) {
     extents_.reserve(model.patches.size());
     for (const Patch& patch : model.patches) extents_.push_back(extent_of(patch));
   }
@@ -249,7 +249,7 @@ class ModelUpload {
     const PatchRun* const run = relief::run_of(model_, instance.first);
     const auto first = static_cast<std::uint32_t>(seams_.size());
     if (run == nullptr) return PatchRun{first, 0};
-    RELIEF_TRY_ASSIGN(const std::span<const SeamCorners> shares, seam_upload_.get(model_, *run));
+    RELIEF_TRY_ASSIGN(const std::span<const SeamCorners> shares, seam_upload_.get(*run));
     for (std::uint32_t k = 0; k < instance.count; ++k) {
       const std::size_t p = instance.first + k;
       const PatchExtent extent = moved(instance.transform, extents_[p]);
