@@ -147,7 +147,7 @@ void compare_with_seams(const std::vector<glm::dvec3>& positions, const std::vec
   const double matters = kSeamsMatter * largest_spacing(patches);
   tbb::parallel_for(std::size_t{0}, distances.size(), [&](std::size_t i) {
     if (distances[i] > matters)
-      distances[i] = std::min(distances[i], seams.find(positions[i]).value_or(kFar));
+      distances[i] = seams.find(positions[i], distances[i]).value_or(distances[i]);
   });
 }
 

@@ -3,6 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <optional>
@@ -18,8 +19,8 @@ namespace {
 
 using Vertex = Front::Vertex;
 
-/// The order of a queue whose top is the best. No two in it are on the same edge, so the order in
-/// which they come does not matter.
+/// The order of a queue whose top is the best. No two in it are on the same edge, so it does not
+/// matter in which order they come.
 struct IsWorse {
   [[nodiscard]] bool operator()(const Candidate& a, const Candidate& b) const {
     if (a.score != b.score) return a.score > b.score;
@@ -35,12 +36,11 @@ class Growth {
       : front_(front),
         grid_(front.vertices(), [&front](Vertex v) { return front.is_live(v); }),
         rules_(front, grid_),
-        queue_(IsWorse(), first_candidates()) {}
+        first_(first_candidates()) {}
 
   void grow() {
-    while (!queue_.empty()) {
-      const Candidate best = queue_.top();
-      queue_.pop();
+    while (const std::optional<Candidate> taken = take_best()) {
+      const Candidate& best = *taken;
       if (!front_.is_open(best.from, best.to)) continue;
       const std::optional<double> score = rules_.score_of(best.from, best.to, best.apex);
       if (score && *score <= best.score && rules_.is_free(best.from, best.to, best.apex)) {
@@ -54,7 +54,7 @@ class Growth {
   }
 
  private:
-  /// The best triangle of each border edge, in any order.
+  /// The best triangle of each border edge, the best of all last.
   [[nodiscard]] std::vector<Candidate> first_candidates() const {
     tbb::enumerable_thread_specific<std::vector<Candidate>> found;
     const auto count = static_cast<Vertex>(front_.vertices().size());
@@ -69,7 +69,17 @@ class Growth {
     });
     std::vector<Candidate> all;
     for (const std::vector<Candidate>& own : found) all.insert(all.end(), own.begin(), own.end());
+    tbb::parallel_sort(all.begin(), all.end(), IsWorse());
     return all;
+  }
+
+  std::optional<Candidate> take_best() {
+    const bool queued =
+        !queue_.empty() && (first_.empty() || IsWorse()(first_.back(), queue_.top()));
+    if (!queued && first_.empty()) return {};
+    const Candidate best = queued ? queue_.top() : first_.back();
+    queued ? queue_.pop() : first_.pop_back();
+    return best;
   }
 
   /// Puts the best triangle on a border edge into the queue, if there is one.
@@ -80,6 +90,8 @@ class Growth {
   Front& front_;
   VertexGrid grid_;
   GrowthRules rules_;
+  // Sorted once: a queue of all would be read from memory, a queue of the rest is small.
+  std::vector<Candidate> first_;
   std::priority_queue<Candidate, std::vector<Candidate>, IsWorse> queue_;
 };
 
