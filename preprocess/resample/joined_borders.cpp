@@ -117,13 +117,14 @@ void thin_borders(std::span<Patch> patches) {
   const BorderMesh borders = find_borders(patches, cell_triangles(std::span<const Patch>(patches)));
   const std::vector<BorderVertex>& vertices = borders.vertices;
   const VertexGrid lookup(vertices);
-  const auto faces = [&](std::uint32_t v) {
-    return glm::dot(patches[vertices[v].patch].axes[2], vertices[v].normal);
-  };
+  std::vector<double> faces;
+  faces.reserve(vertices.size());
+  for (const BorderVertex& vertex : vertices)
+    faces.push_back(glm::dot(patches[vertex.patch].axes[2], vertex.normal));
   std::vector<std::uint32_t> askew_last(vertices.size());
   std::iota(askew_last.begin(), askew_last.end(), 0U);
   std::stable_sort(askew_last.begin(), askew_last.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return faces(a) > faces(b); });
+                   [&](std::uint32_t a, std::uint32_t b) { return faces[a] > faces[b]; });
   std::vector<std::uint8_t> kept(vertices.size(), 0);
   for (const std::uint32_t v : askew_last) {
     const BorderVertex& vertex = vertices[v];
