@@ -1,6 +1,7 @@
 #include "preprocess/convert.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 #include <tbb/task_group.h>
 
 #include <Eigen/Eigenvalues>
@@ -121,6 +122,25 @@ void take_mesh_normals(const Points& mesh, const TriangleSpheres& spheres,
   });
 }
 
+/// Measures the first `count` points against the patches, and joins normals of those that meet.
+Fidelity measure(const std::vector<glm::dvec3>& positions, std::size_t count,
+                 const NeighbourGraph& graph, const std::vector<std::uint32_t>& owner,
+                 PatchModel& model) {
+  std::vector<double> distances;
+  std::optional<SeamDistances> seams;
+  // Stitching takes mostly one thread. It reads no normals of holes, which are what is joined.
+  tbb::parallel_invoke(
+      [&] {
+        if (!model.joined.empty()) seams.emplace(model.patches, make_seams(model.patches));
+      },
+      [&] {
+        distances = distances_to_patches(positions, count, graph, owner, model.patches);
+        join_normals(model);
+      });
+  if (seams) compare_with_seams(positions, model.patches, *seams, distances);
+  return measure_fidelity(positions, distances, model.patches);
+}
+
 Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& options,
                                        Progress& progress) {
   ConvertResult result;
@@ -187,17 +207,11 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   }
 
   progress.begin_stage("measure", 0);
-  std::optional<SeamDistances> seams;
-  if (options.seams) seams.emplace(patches, make_seams(patches));
-  const Fidelity fidelity =
-      measure_fidelity(points.positions, result.report.points, graph,
-                       owners_of(regions, points.size()), patches, seams ? &*seams : nullptr);
   PatchModel& model = result.model;
   model.patches = std::move(patches);
-  if (options.seams) {
-    model.joined = {{0, static_cast<std::uint32_t>(model.patches.size())}};
-    join_normals(model);
-  }
+  if (options.seams) model.joined = {{0, static_cast<std::uint32_t>(model.patches.size())}};
+  const Fidelity fidelity = measure(points.positions, result.report.points, graph,
+                                    owners_of(regions, points.size()), model);
   model.spacing = spacing;
   model.bounds = bounds_of(points.positions);
   model.bounding_radius = bounding_radius(points.positions, model.bounds);

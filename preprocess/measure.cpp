@@ -1,6 +1,7 @@
 #include "preprocess/measure.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
@@ -93,6 +94,12 @@ double neighbourhood_distance(const std::vector<glm::dvec3>& positions, const Ne
   return best;
 }
 
+double largest_spacing(const std::vector<Patch>& patches) {
+  double largest = 0.0;
+  for (const Patch& patch : patches) largest = std::max(largest, patch.spacing);
+  return largest;
+}
+
 struct Sums {
   double squared = 0.0;
   double max = 0.0;
@@ -123,21 +130,36 @@ std::optional<double> distance_to_patch(const Patch& patch, glm::dvec3 point) {
   return to_sample * patch.spacing;
 }
 
-Fidelity measure_fidelity(const std::vector<glm::dvec3>& positions, std::size_t count,
-                          const NeighbourGraph& graph, const std::vector<std::uint32_t>& owner,
-                          const std::vector<Patch>& patches, const SeamDistances* seams) {
+std::vector<double> distances_to_patches(const std::vector<glm::dvec3>& positions,
+                                         std::size_t count, const NeighbourGraph& graph,
+                                         const std::vector<std::uint32_t>& owner,
+                                         const std::vector<Patch>& patches) {
   constexpr auto kNoPatch = std::numeric_limits<std::uint32_t>::max();
-  double largest_spacing = 0.0;
-  for (const Patch& patch : patches) largest_spacing = std::max(largest_spacing, patch.spacing);
-  const double limit = kUncoveredInSpacings * largest_spacing;
+  std::vector<double> distances(count);
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    distances[i] = neighbourhood_distance(positions, graph, owner, patches, i, kNoPatch);
+  });
+  return distances;
+}
+
+void compare_with_seams(const std::vector<glm::dvec3>& positions, const std::vector<Patch>& patches,
+                        const SeamDistances& seams, std::vector<double>& distances) {
+  const double matters = kSeamsMatter * largest_spacing(patches);
+  tbb::parallel_for(std::size_t{0}, distances.size(), [&](std::size_t i) {
+    if (distances[i] > matters)
+      distances[i] = seams.find(positions[i], distances[i]).value_or(distances[i]);
+  });
+}
+
+Fidelity measure_fidelity(const std::vector<glm::dvec3>& positions,
+                          const std::vector<double>& distances, const std::vector<Patch>& patches) {
+  const double limit = kUncoveredInSpacings * largest_spacing(patches);
   // Fixed chunks, joined in order: floating-point sums do not depend on the number of threads.
   const Sums total = tbb::parallel_deterministic_reduce(
-      tbb::blocked_range<std::size_t>(0, count, 4096), Sums{},
+      tbb::blocked_range<std::size_t>(0, distances.size(), 4096), Sums{},
       [&](const tbb::blocked_range<std::size_t>& range, Sums sums) {
         for (std::size_t i = range.begin(); i != range.end(); ++i) {
-          double d = neighbourhood_distance(positions, graph, owner, patches, i, kNoPatch);
-          if (seams != nullptr && d > kSeamsMatter * largest_spacing)
-            d = std::min(d, seams->find(positions[i]).value_or(kFar));
+          double d = distances[i];
           if (d > limit) {
             for (const Patch& patch : patches)
               d = std::min(d, distance_or_far(patch, positions[i]));
@@ -152,7 +174,8 @@ Fidelity measure_fidelity(const std::vector<glm::dvec3>& positions, std::size_t 
       [](const Sums& a, const Sums& b) {
         return Sums{a.squared + b.squared, std::max(a.max, b.max), a.uncovered + b.uncovered};
       });
-  return {std::sqrt(total.squared / static_cast<double>(count)), total.max, total.uncovered};
+  return {std::sqrt(total.squared / static_cast<double>(distances.size())), total.max,
+          total.uncovered};
 }
 
 std::vector<std::uint8_t> find_redundant(const std::vector<glm::dvec3>& positions,

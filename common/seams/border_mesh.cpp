@@ -1,5 +1,7 @@
 #include "common/seams/border_mesh.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -119,9 +121,27 @@ void add_edges(const Patch& patch, const CellTriangles& cells,
 }  // namespace
 
 BorderMesh find_borders(std::span<const Patch> patches, std::span<const CellTriangles> cells) {
+  std::vector<BorderMesh> of_patches(patches.size());
+  tbb::parallel_for(std::size_t{0}, patches.size(), [&](std::size_t p) {
+    BorderMesh& own = of_patches[p];
+    const auto numbers = add_vertices(patches[p], static_cast<std::uint32_t>(p), cells[p], own);
+    add_edges(patches[p], cells[p], numbers, own);
+  });
   BorderMesh mesh;
-  for (std::uint32_t p = 0; p < patches.size(); ++p)
-    add_edges(patches[p], cells[p], add_vertices(patches[p], p, cells[p], mesh), mesh);
+  std::size_t vertices = 0;
+  std::size_t edges = 0;
+  for (const BorderMesh& own : of_patches) {
+    vertices += own.vertices.size();
+    edges += own.edges.size();
+  }
+  mesh.vertices.reserve(vertices);
+  mesh.edges.reserve(edges);
+  for (const BorderMesh& own : of_patches) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), own.vertices.begin(), own.vertices.end());
+    for (const BorderEdge& edge : own.edges)
+      mesh.edges.push_back({first + edge.from, first + edge.to, edge.normal});
+  }
   return mesh;
 }
 

@@ -1,5 +1,7 @@
 #include "common/seams/cell_triangles.h"
 
+#include <tbb/parallel_for.h>
+
 #include <cstdlib>
 
 namespace relief {
@@ -36,9 +38,9 @@ CellTriangles cell_triangles(const Patch& patch) {
 }
 
 std::vector<CellTriangles> cell_triangles(std::span<const Patch> patches) {
-  std::vector<CellTriangles> cells;
-  cells.reserve(patches.size());
-  for (const Patch& patch : patches) cells.push_back(cell_triangles(patch));
+  std::vector<CellTriangles> cells(patches.size());
+  tbb::parallel_for(std::size_t{0}, patches.size(),
+                    [&](std::size_t p) { cells[p] = cell_triangles(patches[p]); });
   return cells;
 }
 

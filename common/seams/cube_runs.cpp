@@ -1,34 +1,57 @@
 #include "common/seams/cube_runs.h"
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace relief {
 namespace {
 
-std::uint64_t key_of(const Cube& cube) {
-  constexpr std::uint64_t mask = (1U << 21U) - 1;
-  return ((static_cast<std::uint64_t>(cube.x) & mask) << 42U) |
-         ((static_cast<std::uint64_t>(cube.y) & mask) << 21U) |
-         (static_cast<std::uint64_t>(cube.z) & mask);
+std::uint64_t row_key(std::int64_t y, std::int64_t z) {
+  return (static_cast<std::uint64_t>(z) << 32U) | static_cast<std::uint32_t>(y);
 }
+
+/// A position in the order of rows and their cubes.
+struct Placed {
+  std::uint64_t row = 0;
+  std::int64_t x = 0;
+  std::uint32_t index = 0;
+
+  [[nodiscard]] bool operator<(const Placed& b) const {
+    if (row != b.row) return row < b.row;
+    return x != b.x ? x < b.x : index < b.index;
+  }
+};
 
 }  // namespace
 
 CubeRuns::CubeRuns(std::span<const glm::dvec3> positions, double side) : side_(side) {
   if (positions.empty()) return;
   origin_ = positions.front();
-  std::vector<std::uint64_t> keys;
-  keys.reserve(positions.size());
-  for (const glm::dvec3& p : positions) keys.push_back(key_of(cube_of(p)));
-  order_.resize(positions.size());
-  std::iota(order_.begin(), order_.end(), 0U);
-  std::stable_sort(order_.begin(), order_.end(),
-                   [&keys](std::uint32_t a, std::uint32_t b) { return keys[a] < keys[b]; });
-  runs_.reserve(positions.size());
-  for (std::uint32_t k = 0; k < order_.size(); ++k)
-    ++runs_.try_emplace(keys[order_[k]], Run{k, 0}).first->second.count;
+  std::vector<Placed> placed;
+  placed.reserve(positions.size());
+  for (std::uint32_t i = 0; i < positions.size(); ++i) {
+    const Cube at = cube_of(positions[i]);
+    placed.push_back({row_key(at.y, at.z), at.x, i});
+  }
+  tbb::parallel_sort(placed.begin(), placed.end());
+  order_.reserve(placed.size());
+  const Placed* last = nullptr;
+  for (const Placed& p : placed) {
+    const auto cube = static_cast<std::uint32_t>(cubes_.size());
+    const bool new_row = last == nullptr || last->row != p.row;
+    if (new_row) {
+      rows_.insert(p.row, static_cast<std::uint32_t>(row_firsts_.size()));
+      row_firsts_.push_back(cube);
+    }
+    if (new_row || last->x != p.x)
+      cubes_.push_back({p.x, static_cast<std::uint32_t>(order_.size())});
+    order_.push_back(p.index);
+    last = &p;
+  }
+  row_firsts_.push_back(static_cast<std::uint32_t>(cubes_.size()));
+  cubes_.push_back({0, static_cast<std::uint32_t>(order_.size())});
 }
 
 Cube CubeRuns::cube_of(glm::dvec3 position) const {
@@ -42,10 +65,17 @@ Cube CubeRuns::cube_of(glm::dvec3 position) const {
   return {whole(at.x), whole(at.y), whole(at.z)};
 }
 
-std::span<const std::uint32_t> CubeRuns::in(const Cube& cube) const {
-  const auto found = runs_.find(key_of(cube));
-  if (found == runs_.end()) return {};
-  return std::span(order_).subspan(found->second.first, found->second.count);
+CubeRuns::Run CubeRuns::in_row(std::int64_t low_x, std::int64_t high_x, std::int64_t y,
+                               std::int64_t z) const {
+  const std::uint32_t row = rows_.find(row_key(y, z));
+  if (row == FlatMap::kNone) return {};
+  const auto begin = cubes_.begin() + row_firsts_[row];
+  const auto end = cubes_.begin() + row_firsts_[row + 1];
+  const auto first = std::lower_bound(
+      begin, end, low_x, [](const Filled& cube, std::int64_t x) { return cube.x < x; });
+  auto last = first;
+  while (last != end && last->x <= high_x) ++last;
+  return {first->first, last->first - first->first};
 }
 
 }  // namespace relief

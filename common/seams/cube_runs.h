@@ -4,8 +4,9 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
-#include <unordered_map>
 #include <vector>
+
+#include "common/seams/flat_map.h"
 
 namespace relief {
 
@@ -26,23 +27,33 @@ class CubeRuns {
   /// The cube of a position; of one that is too far away, or not a number, one that is far away.
   [[nodiscard]] Cube cube_of(glm::dvec3 position) const;
 
-  /// The positions in a cube, in ascending order, and perhaps others: cubes that are 2^21 apart
-  /// share a run, so that what is found is to be measured.
-  [[nodiscard]] std::span<const std::uint32_t> in(const Cube& cube) const;
+  /// The positions, row by row of cubes along x, cube by cube, in each in ascending order.
+  [[nodiscard]] const std::vector<std::uint32_t>& order() const { return order_; }
 
-  /// All positions.
-  [[nodiscard]] std::span<const std::uint32_t> all() const { return order_; }
-
- private:
+  /// A part of order().
   struct Run {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
   };
 
+  /// What is in the cubes of a row from one with x at `low_x` to one at `high_x`, and perhaps more:
+  /// rows that are 2^32 apart are one, so that what is found is to be measured.
+  [[nodiscard]] Run in_row(std::int64_t low_x, std::int64_t high_x, std::int64_t y,
+                           std::int64_t z) const;
+
+ private:
+  /// A cube that is not empty.
+  struct Filled {
+    std::int64_t x = 0;
+    std::uint32_t first = 0;  ///< in order_
+  };
+
   glm::dvec3 origin_{0.0};
   double side_ = 1.0;
   std::vector<std::uint32_t> order_;
-  std::unordered_map<std::uint64_t, Run> runs_;
+  std::vector<Filled> cubes_;  ///< row by row, in each by x; then one that ends the last
+  FlatMap rows_;               ///< to row_firsts_, by y and z
+  std::vector<std::uint32_t> row_firsts_;  ///< in cubes_; then one that ends the last
 };
 
 }  // namespace relief

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace relief {
 namespace {
@@ -39,27 +40,44 @@ TriangleShape shape_of(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
 }
 
 Front::Front(const BorderMesh& mesh)
-    : vertices_(mesh.vertices), at_(vertices_.size()), has_triangle_(vertices_.size(), 0) {
-  used_.reserve(2 * mesh.edges.size());
+    : vertices_(mesh.vertices),
+      corners_(vertices_.size()),
+      used_(mesh.edges.size()),
+      added_(vertices_.size()) {
   for (const BorderEdge& edge : mesh.edges) {
-    used_.insert(key_of(edge.from, edge.to));
-    has_triangle_[edge.from] = 1;
-    has_triangle_[edge.to] = 1;
+    ++corners_[edge.from].end_used;  // how many, first
+    corners_[edge.from].has_triangle = true;
+    corners_[edge.to].has_triangle = true;
   }
+  std::uint32_t first = 0;
+  for (Corner& corner : corners_) {
+    corner.first_used = first;
+    first += std::exchange(corner.end_used, first);
+  }
+  for (const BorderEdge& edge : mesh.edges) used_[corners_[edge.from].end_used++] = edge.to;
   for (const BorderEdge& edge : mesh.edges) {
     if (!is_used(edge.to, edge.from)) open(edge.from, edge.to, edge.normal);
   }
 }
 
 const Front::Edge* Front::find(Vertex from, Vertex to) const {
-  for (const Edge& edge : at_[from]) {
+  for (const Edge& edge : corners_[from].edges) {
     if (edge.outward && edge.other == to) return &edge;
   }
   return nullptr;
 }
 
 bool Front::is_used(Vertex from, Vertex to) const {
-  return used_.contains(key_of(from, to));
+  const Corner& corner = corners_[from];
+  for (std::uint32_t k = corner.first_used; k < corner.end_used; ++k) {
+    if (used_[k] == to) return true;
+  }
+  return corner.has_added && added_.find(key_of(from, to)) != FlatMap::kNone;
+}
+
+void Front::use(Vertex from, Vertex to) {
+  added_.insert(key_of(from, to), 0);
+  corners_[from].has_added = true;
 }
 
 void Front::attach(Vertex from, Vertex to, Vertex apex) {
@@ -67,12 +85,12 @@ void Front::attach(Vertex from, Vertex to, Vertex apex) {
   const glm::dvec3 normal =
       glm::normalize(glm::cross(vertices_[from].position - p, vertices_[apex].position - p));
   triangles_.push_back({to, from, apex});
-  has_triangle_[apex] = 1;
-  used_.insert(key_of(to, from));
+  corners_[apex].has_triangle = true;
+  use(to, from);
   close(from, to);
   const std::array<std::array<Vertex, 2>, 2> added{{{from, apex}, {apex, to}}};
   for (const auto& [begin, end] : added) {
-    used_.insert(key_of(begin, end));
+    use(begin, end);
     if (is_open(end, begin)) {
       close(end, begin);
     } else {
@@ -82,13 +100,17 @@ void Front::attach(Vertex from, Vertex to, Vertex apex) {
 }
 
 void Front::open(Vertex from, Vertex to, glm::dvec3 normal) {
-  at_[from].push_back({to, true, normal});
-  at_[to].push_back({from, false, normal});
+  corners_[from].edges.push_back({to, true, normal});
+  corners_[to].edges.push_back({from, false, normal});
+  const double length = glm::distance(vertices_[from].position, vertices_[to].position);
+  for (const Vertex v : {from, to}) corners_[v].longest = std::max(corners_[v].longest, length);
+  longest_ = std::max(longest_, length);
 }
 
 void Front::close(Vertex from, Vertex to) {
-  std::erase_if(at_[from], [to](const Edge& e) { return e.outward && e.other == to; });
-  std::erase_if(at_[to], [from](const Edge& e) { return !e.outward && e.other == from; });
+  std::erase_if(corners_[from].edges, [to](const Edge& e) { return e.outward && e.other == to; });
+  std::erase_if(corners_[to].edges,
+                [from](const Edge& e) { return !e.outward && e.other == from; });
 }
 
 }  // namespace relief

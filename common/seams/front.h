@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
 #include "common/points.h"
 #include "common/seams/border_mesh.h"
+#include "common/seams/flat_map.h"
 
 namespace relief {
 
@@ -52,8 +52,17 @@ class Front {
 
   [[nodiscard]] const std::vector<BorderVertex>& vertices() const { return vertices_; }
   [[nodiscard]] const BorderVertex& vertex(Vertex v) const { return vertices_[v]; }
-  [[nodiscard]] std::span<const Edge> at(Vertex v) const { return at_[v]; }
-  [[nodiscard]] bool has_triangle(Vertex v) const { return has_triangle_[v] != 0; }
+  [[nodiscard]] std::span<const Edge> at(Vertex v) const { return corners_[v].edges; }
+
+  /// Whether a vertex can be a corner of another triangle: it is at the border, or nothing reaches
+  /// it. If it cannot, it never can again.
+  [[nodiscard]] bool is_live(Vertex v) const {
+    return !corners_[v].edges.empty() || !corners_[v].has_triangle;
+  }
+
+  /// At least as long as each border edge at a vertex, and at any vertex.
+  [[nodiscard]] double longest_at(Vertex v) const { return corners_[v].longest; }
+  [[nodiscard]] double longest() const { return longest_; }
 
   /// The border edge between two vertices, or null. It is good until the border moves.
   [[nodiscard]] const Edge* find(Vertex from, Vertex to) const;
@@ -72,10 +81,23 @@ class Front {
   void open(Vertex from, Vertex to, glm::dvec3 normal);
   void close(Vertex from, Vertex to);
 
+  /// What is known of a vertex, in one cache line: most of the time goes into reading these.
+  struct alignas(64) Corner {
+    std::vector<Edge> edges;       ///< of the border
+    double longest = 0.0;          ///< of those that ever were in it
+    std::uint32_t first_used = 0;  ///< in used_: edges of the mesh that lead from here
+    std::uint32_t end_used = 0;
+    bool has_triangle = false;
+    bool has_added = false;  ///< edges of added triangles lead from here: they are in added_
+  };
+
+  void use(Vertex from, Vertex to);
+
   const std::vector<BorderVertex>& vertices_;
-  std::vector<std::vector<Edge>> at_;
-  std::vector<std::uint8_t> has_triangle_;
-  std::unordered_set<std::uint64_t> used_;
+  std::vector<Corner> corners_;
+  double longest_ = 0.0;
+  std::vector<Vertex> used_;
+  FlatMap added_;
   std::vector<Triangle> triangles_;
 };
 

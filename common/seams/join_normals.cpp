@@ -1,5 +1,7 @@
 #include "common/seams/join_normals.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <span>
@@ -60,12 +62,13 @@ void join_patch(std::uint32_t id, const BorderMesh& borders, const VertexGrid& l
         return w * w;
       };
       glm::dvec3 sum = own * weight(patch.spacing * patch.spacing);
-      lookup.for_each_within(around.position, reach, [&](std::uint32_t v) {
-        const BorderVertex& other = borders.vertices[v];
-        if (other.patch == id || glm::dot(other.normal, own) < kCreaseCosine) return;
-        const glm::dvec3 d = other.position - around.position;
-        sum += weight(glm::dot(d, d)) * other.normal;
-      });
+      lookup.for_each_within(around.position, reach,
+                             [&](const VertexGrid::Place& place, double squared) {
+                               const BorderVertex& other = borders.vertices[place.vertex];
+                               if (other.patch == id || glm::dot(other.normal, own) < kCreaseCosine)
+                                 return;
+                               sum += weight(squared) * other.normal;
+                             });
       const glm::vec3 local(glm::transpose(patch.axes) * glm::normalize(sum));
       patch.normals.texels[std::size_t{j} * patch.width + i] = snorm16_from_unit(local);
     }
@@ -80,10 +83,10 @@ void join_normals(PatchModel& model) {
     const BorderMesh borders =
         find_borders(patches, cell_triangles(std::span<const Patch>(patches)));
     const VertexGrid lookup(borders.vertices);
-    for (std::uint32_t p = 0; p < patches.size(); ++p) {
+    tbb::parallel_for(std::size_t{0}, patches.size(), [&](std::size_t p) {
       if (patches[p].normals.scale == 1 && !patches[p].normals.empty())
-        join_patch(p, borders, lookup, patches[p]);
-    }
+        join_patch(static_cast<std::uint32_t>(p), borders, lookup, patches[p]);
+    });
   }
 }
 

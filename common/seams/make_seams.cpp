@@ -1,5 +1,7 @@
 #include "common/seams/make_seams.h"
 
+#include <tbb/parallel_for.h>
+
 #include "common/seams/border_mesh.h"
 #include "common/seams/cell_triangles.h"
 #include "common/seams/seam_vertices.h"
@@ -26,8 +28,9 @@ Seams make_seams(std::span<const Patch> patches) {
   Seams seams;
   seams.triangles.resize(patches.size());
   const std::vector<CellTriangles> cells = cell_triangles(patches);
-  for (std::size_t p = 0; p < patches.size(); ++p)
+  tbb::parallel_for(std::size_t{0}, patches.size(), [&](std::size_t p) {
     add_partial_cells(patches[p], cells[p], seams.triangles[p]);
+  });
   const BorderMesh borders = find_borders(patches, cells);
   share_out(stitch(borders), borders, seams);
   return seams;

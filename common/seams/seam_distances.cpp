@@ -53,21 +53,36 @@ SeamDistances::SeamDistances(std::span<const Patch> patches, const Seams& seams)
     }
   }
   cubes_ = CubeRuns(middles, 2.0 * spacing);
+  spheres_.reserve(middles.size());
+  for (const std::uint32_t t : cubes_.order()) {
+    double radius = 0.0;
+    for (const glm::dvec3& corner : triangles_[t])
+      radius = std::max(radius, glm::distance(corner, middles[t]));
+    spheres_.push_back({middles[t], 1.001 * radius});  // a little more, for rounding
+  }
 }
 
-std::optional<double> SeamDistances::find(glm::dvec3 point) const {
-  double least = std::numeric_limits<double>::infinity();
-  const Cube middle = cubes_.cube_of(point);
-  for (std::int64_t z = middle.z - 1; z <= middle.z + 1; ++z) {
-    for (std::int64_t y = middle.y - 1; y <= middle.y + 1; ++y) {
-      for (std::int64_t x = middle.x - 1; x <= middle.x + 1; ++x) {
-        for (const std::uint32_t t : cubes_.in({x, y, z}))
-          least = std::min(least, squared_distance(point, triangles_[t]));
+std::optional<double> SeamDistances::find(glm::dvec3 point, double within) const {
+  double least = within * within;
+  bool found = false;
+  const Cube at = cubes_.cube_of(point);
+  for (std::int64_t z = at.z - 1; z <= at.z + 1; ++z) {
+    for (std::int64_t y = at.y - 1; y <= at.y + 1; ++y) {
+      const CubeRuns::Run run = cubes_.in_row(at.x - 1, at.x + 1, y, z);
+      for (std::uint32_t k = run.first; k < run.first + run.count; ++k) {
+        const glm::dvec3 d = point - spheres_[k].middle;
+        const double reach = within + spheres_[k].radius;
+        if (glm::dot(d, d) > reach * reach) continue;
+        const double squared = squared_distance(point, triangles_[cubes_.order()[k]]);
+        if (squared >= least) continue;
+        least = squared;
+        within = std::sqrt(squared);
+        found = true;
       }
     }
   }
-  if (!std::isfinite(least)) return {};
-  return std::sqrt(least);
+  if (!found) return {};
+  return within;
 }
 
 }  // namespace relief

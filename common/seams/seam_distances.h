@@ -3,6 +3,7 @@
 
 #include <array>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -18,15 +19,23 @@ class SeamDistances {
  public:
   SeamDistances(std::span<const Patch> patches, const Seams& seams);
 
-  /// Returns the distance of a point to the nearest triangle; nothing if none is within about two
-  /// spacings.
-  [[nodiscard]] std::optional<double> find(glm::dvec3 point) const;
+  /// Returns the distance of a point to the nearest triangle; nothing if none is nearer than
+  /// `within`, or none is within about two spacings.
+  [[nodiscard]] std::optional<double> find(
+      glm::dvec3 point, double within = std::numeric_limits<double>::infinity()) const;
 
  private:
   using Corners = std::array<glm::dvec3, 3>;
 
+  /// What holds a triangle.
+  struct Sphere {
+    glm::dvec3 middle{0.0};
+    double radius = 0.0;
+  };
+
   std::vector<Corners> triangles_;
-  CubeRuns cubes_;  ///< of their middles
+  CubeRuns cubes_;               ///< of their middles
+  std::vector<Sphere> spheres_;  ///< in the order of cubes_
 };
 
 }  // namespace relief

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <unordered_map>
+
+#include "common/seams/flat_map.h"
 
 namespace relief {
 namespace {
@@ -55,9 +56,10 @@ class Sharing {
   std::uint32_t seam(std::uint32_t a, std::uint32_t b) {
     if (a > b) std::swap(a, b);
     const auto next = static_cast<std::uint32_t>(seams_.vertices.size());
-    const auto [found, is_new] = seams_of_edges_.try_emplace((std::uint64_t{a} << 32U) | b, next);
-    if (is_new) seams_.vertices.push_back({seam_position(vertices_[a], vertices_[b]), patch(a)});
-    return found->second | kSeamVertexBit;
+    const std::uint32_t number = seams_of_edges_.insert((std::uint64_t{a} << 32U) | b, next);
+    if (number == next)
+      seams_.vertices.push_back({seam_position(vertices_[a], vertices_[b]), patch(a)});
+    return number | kSeamVertexBit;
   }
 
   /// One corner of a patch, two of another.
@@ -97,7 +99,7 @@ class Sharing {
 
   const std::vector<BorderVertex>& vertices_;
   Seams& seams_;
-  std::unordered_map<std::uint64_t, std::uint32_t> seams_of_edges_;
+  FlatMap seams_of_edges_;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -14,34 +15,45 @@ namespace relief {
 /// Border vertices in cubes of about three spacings.
 class VertexGrid {
  public:
-  explicit VertexGrid(const std::vector<BorderVertex>& vertices);
+  /// Of those that `holds` is true of.
+  VertexGrid(const std::vector<BorderVertex>& vertices,
+             const std::function<bool(std::uint32_t)>& holds);
+  explicit VertexGrid(const std::vector<BorderVertex>& vertices)
+      : VertexGrid(vertices, [](std::uint32_t) { return true; }) {}
+
+  [[nodiscard]] double largest_spacing() const { return largest_spacing_; }
 
   /// At least as long as any border edge that cells make.
   [[nodiscard]] double longest_edge() const { return longest_edge_; }
 
-  /// Calls `visit` with each vertex within `radius`, always in the same order. Looks at kMostLooks
-  /// vertices at most, hundreds of times as many as a scan has there: patches of a hostile file may
-  /// all lie in one place.
+  /// A vertex and its position.
+  struct Place {
+    glm::dvec3 position{0.0};
+    std::uint32_t vertex = 0;
+  };
+
+  /// Calls `visit` with each place within `radius` and its squared distance, always in the same
+  /// order. Looks at kMostLooks vertices at most, hundreds of times as many as a scan has there:
+  /// patches of a hostile file may all lie in one place.
   template <class Visit>
   void for_each_within(glm::dvec3 centre, double radius, const Visit& visit) const {
     constexpr std::uint32_t kMostLooks = 65536;
     std::uint32_t looks = 0;
-    const auto look_at = [&](std::span<const std::uint32_t> vertices) {
-      for (const std::uint32_t v : vertices) {
+    const auto look_at = [&](CubeRuns::Run run) {
+      for (const Place& place : std::span(places_).subspan(run.first, run.count)) {
         if (++looks > kMostLooks) return;
-        const glm::dvec3 d = vertices_[v].position - centre;
-        if (d.x * d.x + d.y * d.y + d.z * d.z <= radius * radius) visit(v);
+        const glm::dvec3 d = place.position - centre;
+        const double squared = d.x * d.x + d.y * d.y + d.z * d.z;
+        if (squared <= radius * radius) visit(place, squared);
       }
     };
     const Cube low = cubes_.cube_of(centre - radius);
     const Cube high = cubes_.cube_of(centre + radius);
     // Patches whose spacing is far above the mean: there are fewer vertices than cubes.
     if (count(low.x, high.x) * count(low.y, high.y) * count(low.z, high.z) > kMostLooks)
-      return look_at(cubes_.all());
+      return look_at({0, static_cast<std::uint32_t>(places_.size())});
     for (std::int64_t z = low.z; z <= high.z; ++z) {
-      for (std::int64_t y = low.y; y <= high.y; ++y) {
-        for (std::int64_t x = low.x; x <= high.x; ++x) look_at(cubes_.in({x, y, z}));
-      }
+      for (std::int64_t y = low.y; y <= high.y; ++y) look_at(cubes_.in_row(low.x, high.x, y, z));
     }
   }
 
@@ -50,8 +62,9 @@ class VertexGrid {
     return static_cast<double>(high) - static_cast<double>(low) + 1.0;
   }
 
-  const std::vector<BorderVertex>& vertices_;
   CubeRuns cubes_;
+  std::vector<Place> places_;  ///< in the order of cubes_
+  double largest_spacing_ = 0.0;
   double longest_edge_ = 0.0;
 };
 

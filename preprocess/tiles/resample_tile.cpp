@@ -77,8 +77,9 @@ TilePatches resample_tile(SurveyedTile surveyed, const ResampleOptions& options,
                                .colours = tile.points.colours},
                               std::vector<double>(regions.size(), 1.0), options, regions, progress);
   if (progress.cancelled()) return made;
-  const Fidelity fidelity = measure_fidelity(tile.points.positions, tile.own, graph,
-                                             owners_of(regions, tile.points.size()), made.patches);
+  const std::vector<double> distances = distances_to_patches(
+      tile.points.positions, tile.own, graph, owners_of(regions, tile.points.size()), made.patches);
+  const Fidelity fidelity = measure_fidelity(tile.points.positions, distances, made.patches);
   made.sum_of_squares = fidelity.rms * fidelity.rms * static_cast<double>(tile.own);
   made.error_max = fidelity.max;
   made.uncovered = fidelity.uncovered;

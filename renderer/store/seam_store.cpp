@@ -1,9 +1,9 @@
 #include "renderer/store/seam_store.h"
 
 #include <glm/matrix.hpp>
-#include <unordered_map>
 #include <utility>
 
+#include "common/seams/flat_map.h"
 #include "common/seams/make_seams.h"
 
 namespace relief {
@@ -27,9 +27,9 @@ class PatchVertices {
 
   std::uint32_t number_of(std::uint32_t corner) {
     const auto next = static_cast<std::uint32_t>(vertices_.size());
-    const auto [found, is_new] = numbers_.try_emplace(corner, next);
-    if (is_new) vertices_.push_back(make(corner));
-    return found->second;
+    const std::uint32_t number = numbers_.insert(corner, next);
+    if (number == next) vertices_.push_back(make(corner));
+    return number;
   }
 
  private:
@@ -52,17 +52,38 @@ class PatchVertices {
   float height_step_;
   const Seams& seams_;
   std::vector<shared::SeamVertex>& vertices_;
-  std::unordered_map<std::uint32_t, std::uint32_t> numbers_;
+  FlatMap numbers_;
 };
 
 }  // namespace
 
-Result<std::span<const SeamCorners>> SeamUpload::get(const PatchModel& model, PatchRun run) {
+SeamUpload::SeamUpload(const Gl& gl, const PatchModel& model, bool needed)
+    : gl_(gl), model_(model) {
+  if (!needed) return;
+  for (const PatchRun& run : model.joined) {
+    Seams& seams = made_[run.first];
+    making_.run([&seams, patches = std::span(model.patches).subspan(run.first, run.count)] {
+      seams = make_seams(patches);
+    });
+  }
+}
+
+SeamUpload::~SeamUpload() {
+  making_.cancel();
+  try {
+    making_.wait();
+  } catch (...) {  // NOLINT: an error is already being returned
+  }
+}
+
+Result<std::span<const SeamCorners>> SeamUpload::get(PatchRun run) {
   const auto [found, is_new] = runs_.try_emplace(run.first);
   std::vector<SeamCorners>& shares = found->second;
   if (!is_new) return std::span<const SeamCorners>(shares);
-  const auto patches = std::span(model.patches).subspan(run.first, run.count);
-  const Seams seams = make_seams(patches);
+  const auto patches = std::span(model_.patches).subspan(run.first, run.count);
+  making_.wait();
+  const auto made = made_.extract(run.first);
+  const Seams& seams = made.mapped();
   for (std::uint32_t p = 0; p < run.count; ++p) {
     PatchVertices vertices(patches, p, seams, vertices_);
     const auto first = static_cast<std::uint32_t>(corners_.size());

@@ -1,6 +1,8 @@
 // The seams between patches on the GPU.
 #pragma once
 
+#include <tbb/task_group.h>
+
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <map>
@@ -9,6 +11,7 @@
 
 #include "common/error.h"
 #include "common/patch.h"
+#include "common/seams/seams.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "shaders/include/shared.h"
@@ -39,17 +42,26 @@ struct SeamStore {
 /// Collects the seams of runs of patches and uploads them.
 class SeamUpload {
  public:
-  explicit SeamUpload(const Gl& gl) : gl_(gl) {}
+  /// Begins to make the seams of all runs in the background, while patches are uploaded: a thread
+  /// takes about as long for the one as for the other. `model` must outlive it. `needed`: get()
+  /// will be called.
+  SeamUpload(const Gl& gl, const PatchModel& model, bool needed);
+  SeamUpload(const SeamUpload&) = delete;
+  SeamUpload& operator=(const SeamUpload&) = delete;
+  ~SeamUpload();
 
   /// The shares of the patches of a run, made once. Fails if OpenGL lets no shader see as many.
-  Result<std::span<const SeamCorners>> get(const PatchModel& model, PatchRun run);
+  Result<std::span<const SeamCorners>> get(PatchRun run);
 
   [[nodiscard]] bool empty() const { return corners_.empty(); }
   SeamStore take(std::vector<StoredSeam> seams);
 
  private:
   const Gl& gl_;
-  std::map<std::uint32_t, std::vector<SeamCorners>> runs_;  ///< by first patch
+  const PatchModel& model_;
+  tbb::task_group making_;
+  std::map<std::uint32_t, Seams> made_;                     ///< by first patch, until asked for
+  std::map<std::uint32_t, std::vector<SeamCorners>> runs_;  ///< the same
   std::vector<shared::SeamVertex> vertices_;
   std::vector<std::uint32_t> corners_;
 };

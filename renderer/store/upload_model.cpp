@@ -81,7 +81,7 @@ class ModelUpload {
         all_levels_(views.all_levels),
         grids_(gl, model, needs),
         proxy_(gl),
-        seam_upload_(gl) {
+        seam_upload_(gl, model, needs.cells) {
     extents_.reserve(model.patches.size());
     for (const Patch& patch : model.patches) extents_.push_back(extent_of(patch));
   }
@@ -138,6 +138,11 @@ class ModelUpload {
                      std::nullopt,
                      std::nullopt,
                      std::nullopt};
+    // Last, so that there was time to make them.
+    for (const auto& [run, seams] : joined_) {
+      RELIEF_TRY_ASSIGN(const std::span<const SeamCorners> shares, seam_upload_.get(run));
+      for (std::uint32_t k = 0; k < seams.count; ++k) seams_[seams.first + k].corners = shares[k];
+    }
     for (StoredSeam& seam : seams_) {
       seam.number = static_cast<std::uint32_t>(positions_.size());
       positions_.emplace_back(seam.patch, 0);
@@ -247,20 +252,24 @@ class ModelUpload {
   /// do.
   Result<PatchRun> add_seams(const Instance& instance) {
     const PatchRun* const run = relief::run_of(model_, instance.first);
-    const auto first = static_cast<std::uint32_t>(seams_.size());
-    if (run == nullptr) return PatchRun{first, 0};
-    RELIEF_TRY_ASSIGN(const std::span<const SeamCorners> shares, seam_upload_.get(model_, *run));
+    PatchRun added{static_cast<std::uint32_t>(seams_.size()), 0};
+    if (run == nullptr) return added;
+    added.count = instance.count;
+    joined_.emplace_back(*run, added);
     for (std::uint32_t k = 0; k < instance.count; ++k) {
       const std::size_t p = instance.first + k;
       const PatchExtent extent = moved(instance.transform, extents_[p]);
       RELIEF_TRY_ASSIGN(const std::size_t grid, grids_.get(p, 0));
       const std::uint8_t material =
           model_.instances.empty() ? model_.patches[p].material : instance.material;
-      seams_.push_back({static_cast<std::uint32_t>(patches_.size()), 0, extent.centre,
-                        extent.radius + kSeamReach * extent.spacing, shares[k]});
+      seams_.push_back({static_cast<std::uint32_t>(patches_.size()),
+                        0,
+                        extent.centre,
+                        extent.radius + kSeamReach * extent.spacing,
+                        {}});
       add_grid(grid, instance.transform, material, first_id_ + k);
     }
-    return PatchRun{first, instance.count};
+    return added;
   }
 
   /// The meshes that stand for it, made when it is the first of its run.
@@ -319,6 +328,7 @@ class ModelUpload {
   std::vector<StoredLevels> levels_;
   std::vector<StoredPart> parts_;
   std::vector<StoredSeam> seams_;
+  std::vector<std::pair<PatchRun, PatchRun>> joined_;  ///< runs, and their seams in seams_
   std::vector<glm::uvec2> positions_;
   std::uint32_t first_id_ = 0;  ///< of the instance at work
 };

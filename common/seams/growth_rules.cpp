@@ -1,0 +1,253 @@
+#include "common/seams/growth_rules.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <vector>
+
+namespace relief {
+namespace {
+
+// A triangle's circumscribed circle may be this large, in spacings: gaps between patches that end
+// half-way are about 1.4 wide, diagonally 2.
+constexpr double kLargestRadius = 1.6;
+// ... between samples of one patch, where only notches are closed.
+constexpr double kLargestOwnRadius = 1.05;
+// An edge that jumps may be longer than that circle; then the circle is this, in edges.
+constexpr double kLargestRadiusInEdges = 0.7;
+// A triangle's normal and those of its corners agree if the cosine between them exceeds this.
+constexpr double kAgree = 0.1;
+// Neighbouring triangles fold if the cosine between their normals is below this.
+constexpr double kFold = -0.6;
+// Triangles that close one or both of their other edges come before others of their size.
+constexpr double kClosesOne = 0.8;
+constexpr double kClosesTwo = 0.4;
+// What is farther than this from a triangle's plane, in spacings, is another sheet.
+constexpr double kSheet = 0.6;
+
+using Vertex = Front::Vertex;
+using Edge = Front::Edge;
+
+double cross2(glm::dvec2 a, glm::dvec2 b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+/// Whether the corner at `v` of a triangle v, next, last lies in one gap of the border there.
+bool fits_gap(const Front& front, Vertex v, Vertex next, Vertex last) {
+  const AnglesAbout angles(front.vertex(v), front.vertex(next).position);
+  const auto angle_of = [&](Vertex w) { return angles.to(front.vertex(w).position); };
+  const double end = angle_of(last);
+  if (!(end > 0.0 && end < 1.95)) return false;
+  double after = 5.0;
+  double before = end;
+  bool ends_gap = true;    // the first edge met beyond `last` leads outward
+  bool begins_gap = true;  // the last before `next` leads inward
+  for (const Edge& edge : front.at(v)) {
+    if (edge.other == next) {
+      if (edge.outward) return false;
+      begins_gap = true;
+      before = 5.0;
+      continue;
+    }
+    if (edge.other == last) {
+      if (!edge.outward) return false;
+      ends_gap = true;
+      after = -1.0;
+      continue;
+    }
+    const double angle = angle_of(edge.other);
+    if (angle < end) return false;
+    if (angle < after) {
+      after = angle;
+      ends_gap = edge.outward;
+    }
+    if (angle >= before) {
+      before = angle;
+      begins_gap = !edge.outward;
+    }
+  }
+  return ends_gap && begins_gap;
+}
+
+/// Whether a triangle's circumscribed circle may be as small as `radius`. Spares most others their
+/// square roots and what is to be known of their vertices.
+bool is_round(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, double radius) {
+  const auto squared = [](glm::dvec3 d) { return glm::dot(d, d); };
+  const double edges = squared(b - a) * squared(c - b) * squared(a - c);
+  // A little more, for rounding.
+  return edges <= 1.001 * 4.0 * radius * radius * squared(glm::cross(a - b, c - b));
+}
+
+/// A triangle that may be added, and what lies over it.
+class NewTriangle {
+ public:
+  NewTriangle(const Front& front, Vertex from, Vertex to, Vertex apex)
+      : front_(front), corners_{to, from, apex}, sheet_(kSheet * front.vertex(from).spacing) {
+    for (std::size_t k = 0; k < 3; ++k) p_[k] = front.vertex(corners_[k]).position;
+    n_ = glm::normalize(glm::cross(p_[1] - p_[0], p_[2] - p_[0]));
+    x_ = glm::normalize(p_[1] - p_[0]);
+    y_ = glm::cross(n_, x_);
+    for (std::size_t k = 0; k < 3; ++k) t_[k] = flat(p_[k]);
+    middle_ = (p_[0] + p_[1] + p_[2]) / 3.0;
+    for (const glm::dvec3& q : p_) reach_ = std::max(reach_, glm::distance(q, middle_));
+  }
+
+  [[nodiscard]] glm::dvec3 middle() const { return middle_; }
+
+  /// All corners are within this of the middle.
+  [[nodiscard]] double reach() const { return reach_; }
+
+  /// What is farther than this from the middle is not over the triangle on its sheet. A little
+  /// more, for rounding.
+  [[nodiscard]] double over() const { return 1.001 * std::sqrt(reach_ * reach_ + sheet_ * sheet_); }
+
+  [[nodiscard]] bool has_corner(Vertex v) const {
+    return std::ranges::find(corners_, v) != corners_.end();
+  }
+
+  /// Whether a vertex is on this side.
+  [[nodiscard]] bool faces(Vertex v) const { return glm::dot(front_.vertex(v).normal, n_) > 0.0; }
+
+  [[nodiscard]] bool covers(Vertex v) const {
+    const glm::dvec3 position = front_.vertex(v).position;
+    if (!(std::abs(glm::dot(position - p_[0], n_)) < sheet_)) return false;
+    const glm::dvec2 q = flat(position);
+    return cross2(t_[1] - t_[0], q - t_[0]) > 0.0 && cross2(t_[2] - t_[1], q - t_[1]) > 0.0 &&
+           cross2(t_[0] - t_[2], q - t_[2]) > 0.0;
+  }
+
+  /// Whether the edge v, w crosses one of the triangle's two new edges.
+  [[nodiscard]] bool crosses(Vertex v, Vertex w) const {
+    const glm::dvec3 begin = front_.vertex(v).position;
+    const glm::dvec3 end = front_.vertex(w).position;
+    const glm::dvec2 q = flat(begin);
+    const glm::dvec2 r = flat(end);
+    for (const std::size_t side : {1U, 2U}) {
+      const std::size_t next = (side + 1) % 3;
+      if (w == corners_[side] || w == corners_[next]) continue;
+      const double s0 = cross2(t_[next] - t_[side], q - t_[side]);
+      const double s1 = cross2(t_[next] - t_[side], r - t_[side]);
+      const double u0 = cross2(r - q, t_[side] - q);
+      const double u1 = cross2(r - q, t_[next] - q);
+      if (s0 * s1 >= 0.0 || u0 * u1 >= 0.0) continue;
+      const glm::dvec3 at = glm::mix(begin, end, s0 / (s0 - s1));
+      if (std::abs(glm::dot(at - p_[0], n_)) < sheet_) return true;
+    }
+    return false;
+  }
+
+ private:
+  [[nodiscard]] glm::dvec2 flat(glm::dvec3 q) const {
+    return {glm::dot(q - p_[0], x_), glm::dot(q - p_[0], y_)};
+  }
+
+  const Front& front_;
+  std::array<Vertex, 3> corners_;
+  double sheet_;
+  std::array<glm::dvec3, 3> p_{};
+  std::array<glm::dvec2, 3> t_{};  ///< in the triangle's plane
+  glm::dvec3 n_{0.0};
+  glm::dvec3 x_{0.0};
+  glm::dvec3 y_{0.0};
+  glm::dvec3 middle_{0.0};
+  double reach_ = 0.0;
+};
+
+}  // namespace
+
+std::optional<double> GrowthRules::score_of(Vertex from, Vertex to, Vertex apex) const {
+  if (apex == from || apex == to || !front_.is_live(apex)) return {};
+  const BorderVertex& a = front_.vertex(from);
+  const BorderVertex& b = front_.vertex(to);
+  const BorderVertex& c = front_.vertex(apex);
+  const double ab = glm::distance(a.position, b.position);
+  const double bc = glm::distance(b.position, c.position);
+  const double ca = glm::distance(c.position, a.position);
+  const double spacing = std::max({a.spacing, b.spacing, c.spacing});
+  const bool own = a.patch == b.patch && b.patch == c.patch;
+  const double limit = own ? kLargestOwnRadius * spacing
+                           : std::max(kLargestRadius * spacing, kLargestRadiusInEdges * ab);
+  const TriangleShape shape = shape_of(a.position, b.position, c.position);
+  if (!(shape.area > 1e-3 * ab * (bc + ca))) return {};
+  if (!(shape.radius <= limit)) return {};
+  const glm::dvec3 n = shape.normal;
+  if (!(glm::dot(n, a.normal) > kAgree && glm::dot(n, b.normal) > kAgree &&
+        glm::dot(n, c.normal) > kAgree))
+    return {};
+  if (front_.is_used(from, apex) || front_.is_used(apex, to)) return {};
+  const Edge* const base = front_.find(from, to);
+  const Edge* const left = front_.find(apex, from);
+  const Edge* const right = front_.find(to, apex);
+  for (const Edge* const edge : {base, left, right}) {
+    if (edge != nullptr && glm::dot(edge->normal, n) < kFold) return {};
+  }
+  if (!fits_gap(front_, to, from, apex) || !fits_gap(front_, from, apex, to) ||
+      !fits_gap(front_, apex, to, from))
+    return {};
+  const double factor = left != nullptr && right != nullptr   ? kClosesTwo
+                        : left != nullptr || right != nullptr ? kClosesOne
+                                                              : 1.0;
+  return factor * shape.radius / spacing;
+}
+
+bool GrowthRules::is_free(Vertex from, Vertex to, Vertex apex) const {
+  const NewTriangle triangle(front_, from, to, apex);
+  const glm::dvec3 middle = triangle.middle();
+  // Edges that begin farther away do not count.
+  const double farthest = triangle.reach() + grid_.longest_edge();
+  const auto counts = [&](Vertex v) {
+    const glm::dvec3 d = front_.vertex(v).position - middle;
+    return !triangle.has_corner(v) && glm::dot(d, d) <= farthest * farthest && triangle.faces(v);
+  };
+  // One end of an edge over the triangle is at most half its length farther away than what is over
+  // it.
+  const double over = triangle.over();
+  bool free = true;
+  grid_.for_each_within(
+      middle, over + 0.5 * front_.longest(), [&](const VertexGrid::Place& place, double squared) {
+        const Vertex v = place.vertex;
+        const double near = over + 0.5 * front_.longest_at(v);
+        if (!free || squared > near * near || !front_.is_live(v)) return;
+        const bool own = counts(v);
+        if (own && triangle.covers(v)) {
+          free = false;
+          return;
+        }
+        for (const Edge& edge : front_.at(v)) {
+          const bool crosses = edge.outward ? own && triangle.crosses(v, edge.other)
+                                            : counts(edge.other) && triangle.crosses(edge.other, v);
+          free = free && !crosses;
+        }
+      });
+  return free;
+}
+
+std::optional<Candidate> GrowthRules::best_on(Vertex from, Vertex to) const {
+  const BorderVertex& a = front_.vertex(from);
+  const BorderVertex& b = front_.vertex(to);
+  const double length = glm::distance(a.position, b.position);
+  const double spacing = std::max(a.spacing, b.spacing);
+  const double reach = 2.0 * std::max(kLargestRadius * spacing, kLargestRadiusInEdges * length);
+  // Whatever the apex's patch: its circle may not be larger.
+  const double largest = std::max(kLargestRadius * std::max(spacing, grid_.largest_spacing()),
+                                  kLargestRadiusInEdges * length);
+  std::vector<Candidate> found;
+  grid_.for_each_within(
+      0.5 * (a.position + b.position), reach, [&](const VertexGrid::Place& place, double) {
+        if (is_round(a.position, b.position, place.position, largest)) {
+          if (const std::optional<double> score = score_of(from, to, place.vertex))
+            found.push_back({*score, from, to, place.vertex});
+        }
+      });
+  std::sort(found.begin(), found.end(), [](const Candidate& x, const Candidate& y) {
+    return x.score != y.score ? x.score < y.score : x.apex < y.apex;
+  });
+  for (const Candidate& candidate : found) {
+    if (is_free(from, to, candidate.apex)) return candidate;
+  }
+  return {};
+}
+
+}  // namespace relief
