@@ -181,14 +181,14 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
 
   progress.begin_stage("measure", 0);
   std::optional<SeamDistances> seams;
-  if (options.seams) seams.emplace(patches, make_seams(patches));
+  if (options.seams) seams.emplace(patches, make_seams(patches, result.model.is_closed));
   const Fidelity fidelity =
       measure_fidelity(points.positions, result.report.points, graph,
                        owners_of(regions, points.size()), patches, seams ? &*seams : nullptr);
   PatchModel& model = result.model;
   model.patches = std::move(patches);
   if (options.seams) {
-    model.joined = {{0, static_cast<std::uint32_t>(model.patches.size())}};
+    model.joined = {{0, static_cast<std::uint32_t>(model.patches.size()), model.is_closed}};
     join_normals(model);
   }
   model.spacing = spacing;

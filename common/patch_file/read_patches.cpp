@@ -75,7 +75,7 @@ Result<PatchModel> PatchFile::read_all(Progress& progress) const {
   model.bounding_radius = info().bounding_radius;
   model.is_closed = info().is_closed;
   if (info().is_joined) {
-    model.joined = {{0, static_cast<std::uint32_t>(model.patches.size())}};
+    model.joined = {{0, static_cast<std::uint32_t>(model.patches.size()), model.is_closed}};
     join_normals(model);
   }
   model.has_colours = std::any_of(model.patches.begin(), model.patches.end(),

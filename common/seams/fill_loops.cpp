@@ -11,11 +11,16 @@ namespace {
 
 // Loops of up to this many edges are filled; larger ones are holes of the scan.
 constexpr std::size_t kSmallLoop = 14;
-// ... of one patch, where cells are too steep; a hole of one node has four.
-constexpr std::size_t kSmallOwnLoop = 4;
-// The least cosine between an ear that fills one and the normals of its corners: what is left open
-// shows as a hole, what is askew does not.
-constexpr double kEarAgrees = -0.9;
+// ... of one patch, where cells are too steep. A hole of one node has four, of two six; support
+// leaves none that narrow (find_support).
+constexpr std::size_t kSmallOwnLoop = 6;
+// ... of a surface that has no holes.
+constexpr std::size_t kSmallClosedLoop = 64;
+// An ear that folds over comes after all others: what is left open shows as a hole, a fold does
+// not.
+constexpr double kFolds = 1e6;
+// What is this little beyond an ear's edge, as a share of its area, is on it.
+constexpr double kOnEdge = 1e-3;
 constexpr double kNoEar = std::numeric_limits<double>::infinity();
 
 using Vertex = Front::Vertex;
@@ -49,8 +54,8 @@ std::optional<Vertex> next_along(const Front& front, Vertex before, Vertex at) {
   return next;
 }
 
-/// The loop of border edges that one leads to; empty if it is longer than a small one.
-Loop loop_from(const Front& front, Vertex from, Vertex to) {
+/// The loop of border edges that one leads to; empty if it is longer than `most`.
+Loop loop_from(const Front& front, Vertex from, Vertex to, std::size_t most) {
   Loop loop{from};
   while (true) {
     // What comes back to a vertex is a loop of its own.
@@ -59,7 +64,7 @@ Loop loop_from(const Front& front, Vertex from, Vertex to) {
       loop.erase(loop.begin(), met);
       return loop.size() < 3 ? Loop{} : loop;
     }
-    if (loop.size() == kSmallLoop) return {};
+    if (loop.size() == most) return {};
     const std::optional<Vertex> next = next_along(front, loop.back(), to);
     if (!next) return {};
     loop.push_back(to);
@@ -67,8 +72,24 @@ Loop loop_from(const Front& front, Vertex from, Vertex to) {
   }
 }
 
+/// Whether an ear covers another vertex of its loop or has it on an edge, so that what is left of
+/// the loop folds over or has no area.
+bool covers(const Front& front, const Loop& loop, const Ear& ear, const TriangleShape& shape) {
+  const glm::dvec3 a = front.vertex(ear.after).position;
+  const glm::dvec3 b = front.vertex(ear.middle).position;
+  const glm::dvec3 c = front.vertex(ear.before).position;
+  return std::ranges::any_of(loop, [&](Vertex v) {
+    if (v == ear.before || v == ear.middle || v == ear.after) return false;
+    const glm::dvec3 p = front.vertex(v).position;
+    const auto is_left = [&](glm::dvec3 from, glm::dvec3 to) {
+      return glm::dot(glm::cross(to - from, p - from), shape.normal) > -kOnEdge * shape.area;
+    };
+    return is_left(a, b) && is_left(b, c) && is_left(c, a);
+  });
+}
+
 /// How good an ear is: smaller is better.
-double score_of(const Front& front, const Ear& ear) {
+double score_of(const Front& front, const Loop& loop, const Ear& ear) {
   const BorderVertex& a = front.vertex(ear.before);
   const BorderVertex& b = front.vertex(ear.middle);
   const BorderVertex& c = front.vertex(ear.after);
@@ -79,9 +100,9 @@ double score_of(const Front& front, const Ear& ear) {
   const double agreement =
       std::min({glm::dot(shape.normal, a.normal), glm::dot(shape.normal, b.normal),
                 glm::dot(shape.normal, c.normal)});
-  if (agreement < kEarAgrees) return kNoEar;
   const double ca = glm::distance(c.position, a.position);
-  return (2.0 - agreement) * ab * bc * ca / shape.area;
+  const bool folds = agreement < 0.0 || covers(front, loop, ear, shape);
+  return (folds ? kFolds : 1.0) * (2.0 - agreement) * ab * bc * ca / shape.area;
 }
 
 /// Cuts ears off a loop until nothing is left of it, or none that is allowed.
@@ -94,7 +115,7 @@ void fill(Front& front, Loop loop) {
       if (loop.size() > 3 &&
           (front.is_used(ear.before, ear.after) || front.is_used(ear.after, ear.before)))
         continue;
-      const double score = score_of(front, ear);
+      const double score = score_of(front, loop, ear);
       if (score < least) {
         least = score;
         best = k;
@@ -110,15 +131,15 @@ void fill(Front& front, Loop loop) {
 
 }  // namespace
 
-void fill_loops(Front& front) {
+void fill_loops(Front& front, bool is_closed) {
   for (Vertex v = 0; v < front.vertices().size(); ++v) {
     const std::vector<Front::Edge> edges(front.at(v).begin(), front.at(v).end());
     for (const Front::Edge& edge : edges) {
       if (!edge.outward || !front.is_open(v, edge.other)) continue;
-      const Loop loop = loop_from(front, v, edge.other);
+      const Loop loop = loop_from(front, v, edge.other, is_closed ? kSmallClosedLoop : kSmallLoop);
       const bool several = std::ranges::any_of(
           loop, [&](Vertex w) { return front.vertex(w).patch != front.vertex(v).patch; });
-      if (several || loop.size() <= kSmallOwnLoop) fill(front, loop);
+      if (is_closed || several || loop.size() <= kSmallOwnLoop) fill(front, loop);
     }
   }
 }

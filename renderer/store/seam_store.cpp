@@ -62,7 +62,7 @@ Result<std::span<const SeamCorners>> SeamUpload::get(const PatchModel& model, Pa
   std::vector<SeamCorners>& shares = found->second;
   if (!is_new) return std::span<const SeamCorners>(shares);
   const auto patches = std::span(model.patches).subspan(run.first, run.count);
-  const Seams seams = make_seams(patches);
+  const Seams seams = make_seams(patches, run.is_closed);
   for (std::uint32_t p = 0; p < run.count; ++p) {
     PatchVertices vertices(patches, p, seams, vertices_);
     const auto first = static_cast<std::uint32_t>(corners_.size());
