@@ -70,19 +70,19 @@ std::vector<std::uint8_t> near_border(const std::vector<NodeState>& states, cons
 
 }  // namespace
 
-void drop_foreign_nodes(const PatchPoints& points, const PointGrid& all,
+void drop_foreign_nodes(const PatchPoints& points, std::uint32_t of_others, const PointGrid& all,
                         const std::vector<SurfacePoint>& surface, const PatchGrid& grid,
                         std::vector<NodeState>& states) {
   double widest = grid.spacing;
   for (std::size_t p = 0; p < points.own; ++p) widest = std::max(widest, double{points.spacing[p]});
   const std::vector<std::uint8_t> is_near_border = near_border(states, grid);
+  const bool keeps_margins =
+      std::ranges::any_of(points.ids, [of_others](std::uint32_t id) { return id >= of_others; });
   std::vector<double> angles;
   for (std::size_t m = 0; m < states.size(); ++m) {
-    if (states[m] != NodeState::Own) {
-      states[m] = NodeState::Hole;
-      continue;
-    }
-    if (is_near_border[m] == 0) continue;
+    const bool is_margin = states[m] == NodeState::Margin;
+    if (is_margin && !keeps_margins) states[m] = NodeState::Hole;
+    if (states[m] == NodeState::Hole || (!is_margin && is_near_border[m] == 0)) continue;
     const std::size_t i = m % grid.width;
     const std::size_t j = m / grid.width;
     const glm::dvec3 node(grid.x0 + static_cast<double>(i) * grid.spacing,
@@ -90,6 +90,7 @@ void drop_foreign_nodes(const PatchPoints& points, const PointGrid& all,
     double nearest = std::numeric_limits<double>::max();
     double for_own = 0.0;
     double for_others = 0.0;
+    double for_tiles = 0.0;  // other ones
     angles.clear();
     all.for_each_within(node.x, node.y, kSearchInSpacings * widest,
                         [&](std::uint32_t p, double plane_squared) {
@@ -101,9 +102,16 @@ void drop_foreign_nodes(const PatchPoints& points, const PointGrid& all,
                           if (relative <= kSearchInSpacings * kSearchInSpacings)
                             angles.push_back(std::atan2(d.y, d.x));
                           nearest = std::min(nearest, squared);
-                          (p < points.own ? for_own : for_others) +=
+                          (p < points.own               ? for_own
+                           : points.ids[p] >= of_others ? for_tiles
+                                                        : for_others) +=
                               std::exp(-relative / (kVoteInSpacings * kVoteInSpacings));
                         });
+    if (is_margin) {
+      if (for_tiles <= for_others) states[m] = NodeState::Hole;
+      continue;
+    }
+    for_own += for_tiles;
     const double overhang = kOverhangInSpacings * grid.spacing;
     const bool overhangs = nearest > overhang * overhang && widest_sector(angles) > kOpenSector;
     if (for_own < kOwnShare * (for_own + for_others) || overhangs) states[m] = NodeState::Hole;

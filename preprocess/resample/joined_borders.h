@@ -13,9 +13,12 @@ namespace relief {
 
 /// Turns nodes into holes that belong to other regions: the points about a node vote, the nearest
 /// most, those whose normals are not on the side of the node's not at all. Also nodes that overhang
-/// the border of the scan's sheet, and all that are not NodeState::Own. `all`: a lookup of all
+/// the border of the scan's sheet, and all that are NodeState::Margin. `all`: a lookup of all
 /// `points`; `surface`: parallel to `states`.
-void drop_foreign_nodes(const PatchPoints& points, const PointGrid& all,
+///
+/// Points from `of_others` on (Membership) are of other tiles. Nothing meets the patch there: they
+/// vote with its own, and it keeps its margin over them.
+void drop_foreign_nodes(const PatchPoints& points, std::uint32_t of_others, const PointGrid& all,
                         const std::vector<SurfacePoint>& surface, const PatchGrid& grid,
                         std::vector<NodeState>& states);
 

@@ -139,7 +139,7 @@ Patch resample_region(const SurfaceSamples& samples, const NeighbourGraph& graph
   }
   const std::vector<NodeState> with_margin = states;
   if (options.seams) {
-    drop_foreign_nodes(points, all, surface, grid, states);
+    drop_foreign_nodes(points, membership.of_others, all, surface, grid, states);
     if (std::ranges::count(states, NodeState::Hole) == std::ssize(states)) return {};
   }
 

@@ -12,7 +12,7 @@ struct ResampleOptions {
   int overlap_cells = 1;             ///< width of the overlap margin
   std::uint32_t colour_scale = 1;    ///< colour texels per grid cell along each side
   bool normals_from_points = false;  ///< use the points' normals instead of the fitted surface's
-  bool seams = false;                ///< without a margin, for make_seams()
+  bool seams = false;                ///< without a margin but over other tiles, for make_seams()
 };
 
 /// Resamples one region ([Ochotta 2008], section 3.1): support, then heights, then normals and

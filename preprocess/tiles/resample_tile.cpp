@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 #include <tuple>
 #include <utility>
 
+#include "common/seams/make_seams.h"
 #include "preprocess/convert_stages.h"
 #include "preprocess/measure.h"
 #include "preprocess/resample/region_patches.h"
@@ -68,6 +70,7 @@ TilePatches resample_tile(SurveyedTile surveyed, const ResampleOptions& options,
                                survey.roughness};
   // The slope of the halo's points in their own patches decides about margins at the border.
   Membership membership = membership_of(samples, regions);
+  membership.of_others = static_cast<std::uint32_t>(tile.own);
   assert(surveyed.halo_cosines.size() == tile.home.size());
   std::ranges::copy(surveyed.halo_cosines,
                     membership.cosine.begin() + static_cast<std::ptrdiff_t>(tile.own));
@@ -77,8 +80,11 @@ TilePatches resample_tile(SurveyedTile surveyed, const ResampleOptions& options,
                                .colours = tile.points.colours},
                               std::vector<double>(regions.size(), 1.0), options, regions, progress);
   if (progress.cancelled()) return made;
+  std::optional<SeamDistances> seams;
+  if (options.seams) seams.emplace(made.patches, make_seams(made.patches));
   const Fidelity fidelity = measure_fidelity(tile.points.positions, tile.own, graph,
-                                             owners_of(regions, tile.points.size()), made.patches);
+                                             owners_of(regions, tile.points.size()), made.patches,
+                                             seams ? &*seams : nullptr);
   made.sum_of_squares = fidelity.rms * fidelity.rms * static_cast<double>(tile.own);
   made.error_max = fidelity.max;
   made.uncovered = fidelity.uncovered;

@@ -246,21 +246,21 @@ class ModelUpload {
   /// The seams of its patches that meet others, over rows of their own, which lie as the patches
   /// do.
   Result<PatchRun> add_seams(const Instance& instance) {
-    const PatchRun* const run = relief::run_of(model_, instance.first);
     const auto first = static_cast<std::uint32_t>(seams_.size());
-    if (run == nullptr) return PatchRun{first, 0};
-    RELIEF_TRY_ASSIGN(const std::span<const SeamCorners> shares, seam_upload_.get(model_, *run));
     for (std::uint32_t k = 0; k < instance.count; ++k) {
       const std::size_t p = instance.first + k;
+      const PatchRun* const run = relief::run_of(model_, p);
+      if (run == nullptr) continue;
+      RELIEF_TRY_ASSIGN(const std::span<const SeamCorners> shares, seam_upload_.get(model_, *run));
       const PatchExtent extent = moved(instance.transform, extents_[p]);
       RELIEF_TRY_ASSIGN(const std::size_t grid, grids_.get(p, 0));
       const std::uint8_t material =
           model_.instances.empty() ? model_.patches[p].material : instance.material;
       seams_.push_back({static_cast<std::uint32_t>(patches_.size()), 0, extent.centre,
-                        extent.radius + kSeamReach * extent.spacing, shares[k]});
+                        extent.radius + kSeamReach * extent.spacing, shares[p - run->first]});
       add_grid(grid, instance.transform, material, first_id_ + k);
     }
-    return PatchRun{first, instance.count};
+    return PatchRun{first, static_cast<std::uint32_t>(seams_.size()) - first};
   }
 
   /// The meshes that stand for it, made when it is the first of its run.
