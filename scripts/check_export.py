@@ -38,6 +38,8 @@ def load(path, merge):
 
 
 def row_of(name, kind, mesh):
+    if len(mesh.faces) == 0:
+        return f"| {name} | {kind} | not read |" + 8 * " – |"
     directed = mesh.edges
     edges, use = np.unique(np.sort(directed, axis=1), axis=0, return_counts=True)
     border = edges[use == 1]

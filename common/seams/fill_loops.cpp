@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace relief {
@@ -16,6 +18,8 @@ constexpr std::size_t kSmallLoop = 14;
 constexpr std::size_t kSmallOwnLoop = 6;
 // ... of a surface that has no holes.
 constexpr std::size_t kSmallClosedLoop = 64;
+// An island has at most this many border vertices for each edge of its outside, which stays open.
+constexpr std::size_t kIslandPerEdge = 8;
 // An ear that folds over comes after all others: what is left open shows as a hole, a fold does
 // not.
 constexpr double kFolds = 1e6;
@@ -70,6 +74,55 @@ Loop loop_from(const Front& front, Vertex from, Vertex to, std::size_t most) {
     loop.push_back(to);
     to = *next;
   }
+}
+
+/// Which border vertices edges connect, directly or by way of others.
+class Connections {
+ public:
+  explicit Connections(const Front& front)
+      : root_(front.vertices().size()), size_(root_.size(), 1) {
+    std::iota(root_.begin(), root_.end(), Vertex{0});
+    for (const BorderEdge& edge : front.mesh().edges) connect(edge.from, edge.to);
+    for (const Triangle& t : front.triangles()) {
+      connect(t[0], t[1]);
+      connect(t[1], t[2]);
+    }
+  }
+
+  /// How many vertices are connected with one, itself included.
+  [[nodiscard]] std::size_t count(Vertex v) { return size_[find(v)]; }
+
+ private:
+  Vertex find(Vertex v) {
+    while (root_[v] != v) v = root_[v] = root_[root_[v]];
+    return v;
+  }
+  void connect(Vertex a, Vertex b) {
+    a = find(a);
+    b = find(b);
+    if (a == b) return;
+    if (size_[a] < size_[b]) std::swap(a, b);
+    root_[b] = a;
+    size_[a] += size_[b];
+  }
+
+  std::vector<Vertex> root_;
+  std::vector<std::size_t> size_;
+};
+
+/// Whether triangles that fill a loop would face inward: it is the outside of an island, or the
+/// surface overlaps itself there.
+bool faces_inward(const Front& front, const Loop& loop) {
+  glm::dvec3 area(0.0);
+  glm::dvec3 outward(0.0);
+  const glm::dvec3 base = front.vertex(loop.front()).position;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const Ear ear = ear_at(loop, k);
+    area += glm::cross(front.vertex(ear.after).position - base,
+                       front.vertex(ear.middle).position - base);
+    outward += front.vertex(ear.middle).normal;
+  }
+  return glm::dot(area, outward) < 0.0;
 }
 
 /// Whether an ear covers another vertex of its loop or has it on an edge, so that what is left of
@@ -132,6 +185,7 @@ void fill(Front& front, Loop loop) {
 }  // namespace
 
 void fill_loops(Front& front, bool is_closed) {
+  Connections connections(front);
   for (Vertex v = 0; v < front.vertices().size(); ++v) {
     const std::vector<Front::Edge> edges(front.at(v).begin(), front.at(v).end());
     for (const Front::Edge& edge : edges) {
@@ -139,7 +193,10 @@ void fill_loops(Front& front, bool is_closed) {
       const Loop loop = loop_from(front, v, edge.other, is_closed ? kSmallClosedLoop : kSmallLoop);
       const bool several = std::ranges::any_of(
           loop, [&](Vertex w) { return front.vertex(w).patch != front.vertex(v).patch; });
-      if (is_closed || several || loop.size() <= kSmallOwnLoop) fill(front, loop);
+      if (!is_closed && !several && loop.size() > kSmallOwnLoop) continue;
+      const bool is_island = !loop.empty() && faces_inward(front, loop) &&
+                             connections.count(v) <= kIslandPerEdge * loop.size();
+      if (!is_island) fill(front, loop);
     }
   }
 }

@@ -39,7 +39,10 @@ TriangleShape shape_of(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
 }
 
 Front::Front(const BorderMesh& mesh)
-    : vertices_(mesh.vertices), at_(vertices_.size()), has_triangle_(vertices_.size(), 0) {
+    : mesh_(mesh),
+      vertices_(mesh.vertices),
+      at_(vertices_.size()),
+      has_triangle_(vertices_.size(), 0) {
   used_.reserve(2 * mesh.edges.size());
   for (const BorderEdge& edge : mesh.edges) {
     used_.insert(key_of(edge.from, edge.to));

@@ -68,6 +68,62 @@ void weld(std::vector<SeamCopy> copies, TriangleMesh& mesh) {
   }
 }
 
+/// Which vertices triangles connect: for each another one, or itself.
+class Parts {
+ public:
+  explicit Parts(const TriangleMesh& mesh) : root_(mesh.positions.size()) {
+    std::iota(root_.begin(), root_.end(), 0U);
+    for (const Triangle& t : mesh.triangles) {
+      root_[find(t[1])] = find(t[0]);
+      root_[find(t[2])] = find(t[0]);
+    }
+  }
+  [[nodiscard]] std::uint32_t find(std::uint32_t v) {
+    while (root_[v] != v) v = root_[v] = root_[root_[v]];
+    return v;
+  }
+
+ private:
+  std::vector<std::uint32_t> root_;
+};
+
+/// The edges of one triangle.
+std::vector<std::uint64_t> border_of(const TriangleMesh& mesh) {
+  std::vector<std::uint64_t> edges;
+  edges.reserve(3 * mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto [low, high] = std::minmax(t[c], t[(c + 1) % 3]);
+      edges.push_back((std::uint64_t{low} << 32U) | high);
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  std::vector<std::uint64_t> border;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const bool again =
+        (e > 0 && edges[e - 1] == edges[e]) || (e + 1 < edges.size() && edges[e + 1] == edges[e]);
+    if (!again) border.push_back(edges[e]);
+  }
+  return border;
+}
+
+/// Leaves out the triangles of parts with a border, but for the largest part. In a closed surface
+/// they are pieces of patches that lie over others.
+void drop_islands(TriangleMesh& mesh) {
+  Parts parts(mesh);
+  std::vector<std::uint32_t> sizes(mesh.positions.size(), 0);
+  for (const Triangle& t : mesh.triangles) ++sizes[parts.find(t[0])];
+  const auto largest =
+      static_cast<std::uint32_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+  std::vector<std::uint8_t> is_island(mesh.positions.size(), 0);
+  for (const std::uint64_t edge : border_of(mesh)) {
+    const std::uint32_t part = parts.find(static_cast<std::uint32_t>(edge >> 32U));
+    if (part != largest) is_island[part] = 1;
+  }
+  std::erase_if(mesh.triangles,
+                [&](const Triangle& t) { return is_island[parts.find(t[0])] != 0; });
+}
+
 /// Leaves out the vertices without a triangle.
 void drop_unused(TriangleMesh& mesh) {
   std::vector<std::uint32_t> numbers(mesh.positions.size(), kNoVertex);
@@ -103,6 +159,7 @@ Result<Points> surface_mesh(const PatchModel& model) {
   RELIEF_TRY_ASSIGN(auto mesh, mesh_of_patches(model, &copies));
   if (!model.joined.empty()) {
     weld(std::move(copies), mesh);
+    if (model.is_closed) drop_islands(mesh);
     drop_unused(mesh);
   }
   return points_of(std::move(mesh));

@@ -109,6 +109,11 @@ TEST(Seams, LeaveNoHoleInAClosedSurface) {
   EXPECT_NEAR(mesh.area(), 19 * 19, 1e-9);
 }
 
+TEST(Seams, GiveAnIslandNoBack) {
+  const std::vector<Patch> patches{flat_patch(0, 0, 20, 20), flat_patch(30, 0, 4, 4)};
+  EXPECT_NEAR(test::joined_mesh(patches, true).area(), 19 * 19 + 9, 1e-9);
+}
+
 TEST(Seams, DoNotJoinTheTwoSidesOfAThinSheet) {
   Patch below = flat_patch(0, 0, 10, 10);
   below.origin = {9.0, 0.0, -0.4};

@@ -104,6 +104,27 @@ TEST(PointsOfPatches, GiveASeamTheMeanOfItsPatches) {
   EXPECT_GT(found, 0);
 }
 
+TEST(PointsOfPatches, LeaveIslandsOutOfAClosedMesh) {
+  PatchModel model = patches_of_cube();
+  const auto alone = surface_mesh(model);
+  Patch island = model.patches.front();
+  island.origin += 5.0 * island.axes[2];
+  for (std::uint32_t node = 0; node < island.heights.size(); ++node) {
+    const std::uint32_t i = node % kSide;
+    const std::uint32_t j = node / kSide;
+    if (i < 3 || i > 5 || j < 3 || j > 5) island.heights[node] = kHole;
+  }
+  model.patches.push_back(island);
+  ++model.joined.front().count;
+  const auto open = surface_mesh(model);
+  model.is_closed = true;
+  const auto closed = surface_mesh(model);
+  ASSERT_TRUE(alone && open && closed);
+  EXPECT_EQ(open->triangles.size(), alone->triangles.size() + 8);
+  EXPECT_EQ(closed->triangles, alone->triangles);
+  EXPECT_EQ(closed->size(), alone->size());
+}
+
 TEST(PointsOfPatches, AreTheSamplesAlone) {
   PatchModel model = patches_of_cube();
   model.patches[0].heights[9] = kHole;
