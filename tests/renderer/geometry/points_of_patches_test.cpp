@@ -11,6 +11,8 @@
 
 #include "common/octahedral.h"
 #include "common/patch.h"
+#include "common/transform.h"
+#include "renderer/geometry/mesh_of_patches.h"
 
 namespace relief {
 namespace {
@@ -134,6 +136,19 @@ TEST(PointsOfPatches, AreTheSamplesAlone) {
   EXPECT_EQ(points->normals.size(), points->size());
   EXPECT_EQ(points->colours.size(), points->size());
   EXPECT_TRUE(points->triangles.empty());
+}
+
+TEST(MeshOfPatches, BodiesBeginBehindTheSeamsOfThoseBefore) {
+  PatchModel model = patches_of_cube();
+  const auto count = static_cast<std::uint32_t>(model.patches.size());
+  model.instances = {{0, count, {}, 0}, {0, count, {}, 0}};
+  const auto mesh = mesh_of_patches(bake(model));
+  ASSERT_TRUE(mesh);
+  const std::vector<MeshBody> bodies = bodies_of(model, *mesh);
+  ASSERT_EQ(bodies.size(), 2U);
+  EXPECT_EQ(bodies[0].first, 0U);
+  EXPECT_EQ(2 * std::size_t{bodies[1].first}, mesh->positions.size());
+  EXPECT_GT(bodies[1].first, count_samples(patches_of_cube()));
 }
 
 TEST(PointsOfPatches, LeaveOverlappingPatchesAsTheyAre) {
