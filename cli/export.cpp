@@ -13,10 +13,9 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/options/paths.h"
-#include "common/image/srgb.h"
 #include "common/io/extension.h"
 #include "loader/load_files.h"
-#include "renderer/geometry/mesh_of_patches.h"
+#include "renderer/geometry/points_of_patches.h"
 
 namespace relief::cli {
 namespace {
@@ -25,8 +24,9 @@ constexpr const char* kExportExamples =
     "Points are the samples of the patches, with their normals and colours, in the scan's\n"
     "coordinates. A mesh joins the samples of each patch with triangles, as `relief render "
     "--engine\n"
-    "raytrace` does. Patches are not joined to each other, and overlap by a margin, unless they "
-    "meet at seams.\n"
+    "raytrace` does. Patches that meet at seams become one mesh; others are not joined to each "
+    "other,\n"
+    "and overlap by a margin.\n"
     "\n"
     "Examples:\n"
     "  relief export dragon.relief -o dragon.ply\n"
@@ -66,17 +66,6 @@ struct Summary {
   double seconds = 0.0;
 };
 
-Points points_of(TriangleMesh mesh, bool with_triangles) {
-  Points points;
-  points.positions = std::move(mesh.positions);
-  points.normals = std::move(mesh.normals);
-  points.colours.reserve(mesh.colours.size());
-  for (const glm::vec4 colour : mesh.colours)
-    points.colours.push_back(srgb8_from_linear(glm::vec3(colour)));
-  if (with_triangles) points.triangles = std::move(mesh.triangles);
-  return points;
-}
-
 Result<Summary> export_file(const ExportArguments& arguments, Progress& progress) {
   const Format& format = *format_of(arguments.output);
   RELIEF_TRY_ASSIGN(auto model, load_model(arguments.input, progress));
@@ -86,10 +75,10 @@ Result<Summary> export_file(const ExportArguments& arguments, Progress& progress
   // not show.
   const double tolerance = model.spacing / 1000.0;
   progress.begin_stage("mesh", 0);
-  auto mesh = mesh_of_patches(model);
-  if (!mesh) return make_error("{}: {}", arguments.input.string(), mesh.error().message);
+  auto made = as_mesh ? surface_mesh(model) : sample_points(model);
+  if (!made) return make_error("{}: {}", arguments.input.string(), made.error().message);
   model = {};  // frees memory: the export is as large
-  const Points points = points_of(std::move(*mesh), as_mesh);
+  const Points& points = *made;
   if (points.positions.empty())
     return make_error("{}: has no samples to export", arguments.input.string());
   if (as_mesh && points.triangles.empty()) {

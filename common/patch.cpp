@@ -1,6 +1,7 @@
 #include "common/patch.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace relief {
 
@@ -10,10 +11,12 @@ std::size_t count_samples(const Patch& patch) {
 }
 
 const PatchRun* run_of(const PatchModel& model, std::size_t patch) {
-  for (const PatchRun& run : model.joined) {
-    if (patch >= run.first && patch - run.first < run.count) return &run;
-  }
-  return nullptr;
+  const auto after =
+      std::upper_bound(model.joined.begin(), model.joined.end(), patch,
+                       [](std::size_t number, const PatchRun& run) { return number < run.first; });
+  if (after == model.joined.begin()) return nullptr;
+  const PatchRun& run = *std::prev(after);
+  return patch - run.first < run.count ? &run : nullptr;
 }
 
 std::size_t count_samples(const PatchModel& model) {

@@ -69,13 +69,14 @@ struct Patch {
 struct PatchRun {
   std::uint32_t first = 0;  ///< in PatchModel::patches
   std::uint32_t count = 0;
+  bool is_closed = false;  ///< their surface has no border: what is open in it is a gap
 };
 
 /// All patches of a model, with what a viewer needs before it reads the first patch.
 struct PatchModel {
   std::vector<Patch> patches;
   /// Runs of patches that end where others of the run begin: make_seams() closes the surface
-  /// between them. All other patches overlap.
+  /// between them. All other patches overlap. In ascending order.
   std::vector<PatchRun> joined;
   /// Instances of runs of patches, in the order of their patch ids. Empty: each patch is drawn
   /// once, untransformed. Bounds and spacing include the instances. Not in patch files.

@@ -103,7 +103,8 @@ Status transform_model(PatchModel& model, const Transform& transform) {
 
 void append_joined(PatchModel& to, const PatchModel& from) {
   const auto before = static_cast<std::uint32_t>(to.patches.size());
-  for (const PatchRun& run : from.joined) to.joined.push_back({before + run.first, run.count});
+  for (const PatchRun& run : from.joined)
+    to.joined.push_back({before + run.first, run.count, run.is_closed});
 }
 
 void append_model(PatchModel& to, PatchModel from) {
@@ -141,7 +142,7 @@ PatchModel bake(const PatchModel& model) {
     const auto before = static_cast<std::uint32_t>(baked.patches.size());
     for (const PatchRun& run : model.joined) {
       if (run.first >= instance.first && run.first < instance.first + instance.count)
-        baked.joined.push_back({before + (run.first - instance.first), run.count});
+        baked.joined.push_back({before + (run.first - instance.first), run.count, run.is_closed});
     }
     for (std::uint32_t k = 0; k < instance.count; ++k) {
       const Patch& patch = model.patches[instance.first + k];

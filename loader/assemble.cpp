@@ -55,11 +55,11 @@ Status SceneAssembler::add_model_instance(LoadedFile& file, const FileUse& use) 
     std::move(model.patches.begin(), model.patches.end(), std::back_inserter(all));
     model = without_patches(model);
   }
-  const auto [first, count] = *file.run;
-  patches_ += count;
+  const PatchRun run = *file.run;
+  patches_ += run.count;
   PatchModel extent = model;
   extent.is_closed = use.is_closed.value_or(model.is_closed);
-  return add_instance(scene_.patches, {first, count, use.where, use.material}, extent);
+  return add_instance(scene_.patches, {run.first, run.count, use.where, use.material}, extent);
 }
 
 }  // namespace relief

@@ -131,7 +131,7 @@ Fidelity measure(const std::vector<glm::dvec3>& positions, std::size_t count,
   // Stitching takes mostly one thread. It reads no normals of holes, which are what is joined.
   tbb::parallel_invoke(
       [&] {
-        if (!model.joined.empty()) seams.emplace(model.patches, make_seams(model.patches));
+        if (!model.joined.empty()) seams.emplace(model.patches, make_seams(model.patches, model.is_closed));
       },
       [&] {
         distances = distances_to_patches(positions, count, graph, owner, model.patches);
@@ -209,7 +209,7 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   progress.begin_stage("measure", 0);
   PatchModel& model = result.model;
   model.patches = std::move(patches);
-  if (options.seams) model.joined = {{0, static_cast<std::uint32_t>(model.patches.size())}};
+  if (options.seams) model.joined = {{0, static_cast<std::uint32_t>(model.patches.size()), model.is_closed}};
   const Fidelity fidelity = measure(points.positions, result.report.points, graph,
                                     owners_of(regions, points.size()), model);
   model.spacing = spacing;

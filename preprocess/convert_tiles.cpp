@@ -24,11 +24,11 @@ Result<std::string> fingerprint_of(const std::vector<fs::path>& files,
                                    const PatchFileOptions& file_options,
                                    const SpreadOptions& spread_options) {
   std::string text = fmt::format(
-      "relief {} tiles 2\nspacing {} cone {} overlap {} step {} colours {}\ncodec {} normals {}\n"
-      "tile {}\n",
-      kVersion, options.spacing, options.cone_degrees, options.overlap_cells, options.height_step,
-      options.colour_scale, static_cast<int>(file_options.codec), file_options.normal_degrees,
-      tile_points(spread_options));
+      "relief {} tiles 3\nspacing {} cone {} overlap {} seams {} step {} colours {}\n"
+      "codec {} normals {}\ntile {}\n",
+      kVersion, options.spacing, options.cone_degrees, options.overlap_cells, options.seams,
+      options.height_step, options.colour_scale, static_cast<int>(file_options.codec),
+      file_options.normal_degrees, tile_points(spread_options));
   for (const fs::path& file : files) {
     std::error_code error;
     const auto size = fs::file_size(file, error);

@@ -16,11 +16,12 @@ namespace relief {
 /// textures.
 ///
 /// The scan is cut into tiles, each with a halo of its neighbours' points; patches end at tile
-/// borders and overlap there as everywhere. Overviews are tiles of coarser patches
-/// (common/patch_file/patch_tree.h). Finished parts are kept in the folder `output`.parts until the
-/// end. An interrupted or killed conversion continues from there if it is started again with equal
-/// files, options and program, and gives identical bytes. The bytes depend neither on the number of
-/// threads nor on memory, if it is enough for the largest tiles. Fails with one sentence.
+/// borders and overlap there, also if they meet at seams within each tile. Overviews are tiles of
+/// coarser patches (common/patch_file/patch_tree.h). Finished parts are kept in the folder
+/// `output`.parts until the end. An interrupted or killed conversion continues from there if it is
+/// started again with equal files, options and program, and gives identical bytes. The bytes depend
+/// neither on the number of threads nor on memory, if it is enough for the largest tiles. Fails
+/// with one sentence.
 Result<std::optional<TiledResult>> convert_tiles(const std::vector<std::filesystem::path>& files,
                                                  const std::filesystem::path& output,
                                                  const ConvertOptions& options,

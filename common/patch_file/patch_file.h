@@ -34,7 +34,7 @@ struct PatchFileInfo {
   double bounding_radius = 0.0;
   std::vector<std::string> attributes;  ///< "normal", "colour"
   bool is_closed = false;               ///< as PatchModel::is_closed
-  bool is_joined = false;               ///< all patches are one run of PatchModel::joined
+  bool is_joined = false;               ///< patches meet at seams, or those of each tile do
 };
 
 /// The index entry of one patch: enough to transform and cull it before it is read. Terms and frame
@@ -100,6 +100,9 @@ class PatchFile {
   /// The index entries, one a patch.
   [[nodiscard]] const std::vector<PatchSummary>& patches() const;
 
+  /// PatchModel::joined of these: one run, or one for each tile.
+  [[nodiscard]] const std::vector<PatchRun>& joined() const;
+
   /// Reads, checks and decodes one patch; touches no other patch's bytes. Thread-safe.
   [[nodiscard]] Result<Patch> read_patch(std::uint64_t index) const;
   /// Reads one patch with the caller's decoder state, which is faster for many patches. `zstd`
@@ -126,6 +129,9 @@ class PatchFile {
   explicit PatchFile(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
+
+/// Joining patches takes about this for each sample, if every one is at a border.
+inline constexpr std::uint64_t kJoiningBytes = 256;
 
 /// Fails if the patches would take more than this machine's memory. The error begins with `name`.
 Status fits_memory(const std::string& name, std::uint64_t decoded_bytes);

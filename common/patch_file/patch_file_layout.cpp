@@ -186,7 +186,10 @@ Result<FileLayout> read_layout(const RandomAccessFile& file, FileRange range,
   RELIEF_TRY(file.read_at(range.offset + header.index_offset, bytes));
   RELIEF_TRY_ASSIGN(auto index, parse_index(bytes, header, name));
   for (ChunkRecord& chunk : index.chunks) chunk.offset += range.offset;
-  return FileLayout{header, std::move(index)};
+  FileLayout layout{header, std::move(index), {}};
+  if (header.is_joined && header.patches > 0)
+    layout.joined = {{0, header.patches, header.is_closed}};
+  return layout;
 }
 
 }  // namespace relief

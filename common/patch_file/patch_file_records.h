@@ -75,6 +75,7 @@ struct FileIndex {
 struct FileLayout {
   FileHeader header;
   FileIndex index;
+  std::vector<PatchRun> joined;  ///< as in PatchModel: all patches, or those of each tile
 };
 
 }  // namespace relief

@@ -128,12 +128,14 @@ struct PatchFile::State {
   PatchFileInfo info;
   std::vector<PatchSummary> summaries;
   FileIndex index;
+  std::vector<PatchRun> joined;
 
   State(std::string file_name, RandomAccessFile opened, FileLayout layout)
       : name(std::move(file_name)),
         file(std::move(opened)),
         info(info_of(layout.header, layout.index)),
-        index(std::move(layout.index)) {
+        index(std::move(layout.index)),
+        joined(std::move(layout.joined)) {
     summaries.reserve(index.patches.size());
     for (const PatchRecord& patch : index.patches) summaries.push_back(patch.summary);
   }
@@ -225,6 +227,10 @@ const PatchFileInfo& PatchFile::info() const {
 
 const std::vector<PatchSummary>& PatchFile::patches() const {
   return state_->summaries;
+}
+
+const std::vector<PatchRun>& PatchFile::joined() const {
+  return state_->joined;
 }
 
 Result<Patch> PatchFile::read_patch(std::uint64_t index) const {

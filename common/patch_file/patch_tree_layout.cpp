@@ -157,7 +157,7 @@ Result<FileLayout> read_own_layout(const RandomAccessFile& file, const std::stri
   if (!header) return header.error();
   if (header->version != kTreeVersion) return read_layout(file, {0, file.size()}, name);
   RELIEF_TRY_ASSIGN(const auto tree, read_tree_layout(file, name));
-  FileLayout whole{tree.header, {}};
+  FileLayout whole{tree.header, {}, {}};
   for (const TreeTile& tile : tree.tiles) {
     if (tile.level > 0) continue;
     RELIEF_TRY_ASSIGN(auto layout, read_tile(file, tile, name));
@@ -165,6 +165,9 @@ Result<FileLayout> read_own_layout(const RandomAccessFile& file, const std::stri
       return make_error("{}: has more than {} chunks; its tiles can be read one by one", name,
                         UINT32_MAX);
     }
+    const auto before = static_cast<std::uint32_t>(whole.index.patches.size());
+    for (const PatchRun& run : layout.joined)
+      whole.joined.push_back({before + run.first, run.count, run.is_closed});
     append_index(layout.index, whole.index);
   }
   return whole;

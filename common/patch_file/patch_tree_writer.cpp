@@ -11,18 +11,20 @@ namespace {
 /// Tiles are copied in pieces of this size.
 constexpr std::uint64_t kPieceBytes = std::uint64_t{4} << 20U;
 
-Result<TreeTile> tile_of(const TreePart& part) {
+Result<FileLayout> layout_of(const TreePart& part) {
   RELIEF_TRY_ASSIGN(const auto file, RandomAccessFile::open(part.path));
-  const auto layout = read_layout(file, {0, file.size()}, part.path.string());
-  if (!layout) return layout.error();
+  return read_layout(file, {0, file.size()}, part.path.string());
+}
+
+TreeTile tile_of(const TreePart& part, const FileLayout& layout) {
   TreeTile tile;
-  tile.bytes = layout->header.file_bytes;
-  tile.samples = layout->header.samples;
-  tile.patches = layout->header.patches;
+  tile.bytes = layout.header.file_bytes;
+  tile.samples = layout.header.samples;
+  tile.patches = layout.header.patches;
   tile.parent = part.parent;
   tile.level = part.level;
-  tile.spacing = layout->header.spacing;
-  tile.box = box_of(layout->index);
+  tile.spacing = layout.header.spacing;
+  tile.box = box_of(layout.index);
   return tile;
 }
 
@@ -52,7 +54,9 @@ Status write_patch_tree(const std::filesystem::path& path, const std::vector<Tre
   std::vector<TreeTile> tiles;
   for (const TreePart& part : parts) {
     assert((part.parent == kNoTile || part.parent < tiles.size()) && "parents come first");
-    RELIEF_TRY_ASSIGN(const auto tile, tile_of(part));
+    RELIEF_TRY_ASSIGN(const auto layout, layout_of(part));
+    const TreeTile tile = tile_of(part, layout);
+    header.is_joined |= tile.level == 0 && !layout.joined.empty();
     header.index_offset += tile.bytes;
     header.patches += tile.level == 0 ? tile.patches : 0;
     header.samples += tile.level == 0 ? tile.samples : 0;

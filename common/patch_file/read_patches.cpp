@@ -63,9 +63,7 @@ Result<std::vector<Patch>> PatchFile::read_patches(std::span<const std::uint64_t
 Result<PatchModel> PatchFile::read_all(Progress& progress) const {
   std::vector<std::uint64_t> all(patches().size());
   std::iota(all.begin(), all.end(), 0U);
-  // Joining patches takes about this for each sample, if every one is at a border.
-  constexpr std::uint64_t kJoiningBytes = 256;
-  const std::uint64_t joining = info().is_joined ? kJoiningBytes * info().samples : 0;
+  const std::uint64_t joining = joined().empty() ? 0 : kJoiningBytes * info().samples;
   RELIEF_TRY(fits_memory(name(), decoded_bytes(all) + joining));
   RELIEF_TRY_ASSIGN(auto read, read_patches(all, progress));
   PatchModel model;
@@ -74,10 +72,8 @@ Result<PatchModel> PatchFile::read_all(Progress& progress) const {
   model.bounds = info().bounds;
   model.bounding_radius = info().bounding_radius;
   model.is_closed = info().is_closed;
-  if (info().is_joined) {
-    model.joined = {{0, static_cast<std::uint32_t>(model.patches.size())}};
-    join_normals(model);
-  }
+  model.joined = joined();
+  join_normals(model);
   model.has_colours = std::any_of(model.patches.begin(), model.patches.end(),
                                   [](const Patch& p) { return !p.colours.empty(); });
   return model;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace relief {
@@ -11,11 +13,18 @@ namespace {
 
 // Loops of up to this many edges are filled; larger ones are holes of the scan.
 constexpr std::size_t kSmallLoop = 14;
-// ... of one patch, where cells are too steep; a hole of one node has four.
-constexpr std::size_t kSmallOwnLoop = 4;
-// The least cosine between an ear that fills one and the normals of its corners: what is left open
-// shows as a hole, what is askew does not.
-constexpr double kEarAgrees = -0.9;
+// ... of one patch, where cells are too steep. A hole of one node has four, of two six; support
+// leaves none that narrow (find_support).
+constexpr std::size_t kSmallOwnLoop = 6;
+// ... of a surface that has no holes.
+constexpr std::size_t kSmallClosedLoop = 64;
+// An island has at most this many border vertices for each edge of its outside, which stays open.
+constexpr std::size_t kIslandPerEdge = 8;
+// An ear that folds over comes after all others: what is left open shows as a hole, a fold does
+// not.
+constexpr double kFolds = 1e6;
+// What is this little beyond an ear's edge, as a share of its area, is on it.
+constexpr double kOnEdge = 1e-3;
 constexpr double kNoEar = std::numeric_limits<double>::infinity();
 
 using Vertex = Front::Vertex;
@@ -49,8 +58,8 @@ std::optional<Vertex> next_along(const Front& front, Vertex before, Vertex at) {
   return next;
 }
 
-/// The loop of border edges that one leads to; empty if it is longer than a small one.
-Loop loop_from(const Front& front, Vertex from, Vertex to) {
+/// The loop of border edges that one leads to; empty if it is longer than `most`.
+Loop loop_from(const Front& front, Vertex from, Vertex to, std::size_t most) {
   Loop loop{from};
   while (true) {
     // What comes back to a vertex is a loop of its own.
@@ -59,7 +68,7 @@ Loop loop_from(const Front& front, Vertex from, Vertex to) {
       loop.erase(loop.begin(), met);
       return loop.size() < 3 ? Loop{} : loop;
     }
-    if (loop.size() == kSmallLoop) return {};
+    if (loop.size() == most) return {};
     const std::optional<Vertex> next = next_along(front, loop.back(), to);
     if (!next) return {};
     loop.push_back(to);
@@ -67,8 +76,73 @@ Loop loop_from(const Front& front, Vertex from, Vertex to) {
   }
 }
 
+/// Which border vertices edges connect, directly or by way of others.
+class Connections {
+ public:
+  explicit Connections(const Front& front)
+      : root_(front.vertices().size()), size_(root_.size(), 1) {
+    std::iota(root_.begin(), root_.end(), Vertex{0});
+    for (const BorderEdge& edge : front.mesh().edges) connect(edge.from, edge.to);
+    for (const Triangle& t : front.triangles()) {
+      connect(t[0], t[1]);
+      connect(t[1], t[2]);
+    }
+  }
+
+  /// How many vertices are connected with one, itself included.
+  [[nodiscard]] std::size_t count(Vertex v) { return size_[find(v)]; }
+
+ private:
+  Vertex find(Vertex v) {
+    while (root_[v] != v) v = root_[v] = root_[root_[v]];
+    return v;
+  }
+  void connect(Vertex a, Vertex b) {
+    a = find(a);
+    b = find(b);
+    if (a == b) return;
+    if (size_[a] < size_[b]) std::swap(a, b);
+    root_[b] = a;
+    size_[a] += size_[b];
+  }
+
+  std::vector<Vertex> root_;
+  std::vector<std::size_t> size_;
+};
+
+/// Whether triangles that fill a loop would face inward: it is the outside of an island, or the
+/// surface overlaps itself there.
+bool faces_inward(const Front& front, const Loop& loop) {
+  glm::dvec3 area(0.0);
+  glm::dvec3 outward(0.0);
+  const glm::dvec3 base = front.vertex(loop.front()).position;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const Ear ear = ear_at(loop, k);
+    area += glm::cross(front.vertex(ear.after).position - base,
+                       front.vertex(ear.middle).position - base);
+    outward += front.vertex(ear.middle).normal;
+  }
+  return glm::dot(area, outward) < 0.0;
+}
+
+/// Whether an ear covers another vertex of its loop or has it on an edge, so that what is left of
+/// the loop folds over or has no area.
+bool covers(const Front& front, const Loop& loop, const Ear& ear, const TriangleShape& shape) {
+  const glm::dvec3 a = front.vertex(ear.after).position;
+  const glm::dvec3 b = front.vertex(ear.middle).position;
+  const glm::dvec3 c = front.vertex(ear.before).position;
+  return std::ranges::any_of(loop, [&](Vertex v) {
+    if (v == ear.before || v == ear.middle || v == ear.after) return false;
+    const glm::dvec3 p = front.vertex(v).position;
+    const auto is_left = [&](glm::dvec3 from, glm::dvec3 to) {
+      return glm::dot(glm::cross(to - from, p - from), shape.normal) > -kOnEdge * shape.area;
+    };
+    return is_left(a, b) && is_left(b, c) && is_left(c, a);
+  });
+}
+
 /// How good an ear is: smaller is better.
-double score_of(const Front& front, const Ear& ear) {
+double score_of(const Front& front, const Loop& loop, const Ear& ear) {
   const BorderVertex& a = front.vertex(ear.before);
   const BorderVertex& b = front.vertex(ear.middle);
   const BorderVertex& c = front.vertex(ear.after);
@@ -79,9 +153,9 @@ double score_of(const Front& front, const Ear& ear) {
   const double agreement =
       std::min({glm::dot(shape.normal, a.normal), glm::dot(shape.normal, b.normal),
                 glm::dot(shape.normal, c.normal)});
-  if (agreement < kEarAgrees) return kNoEar;
   const double ca = glm::distance(c.position, a.position);
-  return (2.0 - agreement) * ab * bc * ca / shape.area;
+  const bool folds = agreement < 0.0 || covers(front, loop, ear, shape);
+  return (folds ? kFolds : 1.0) * (2.0 - agreement) * ab * bc * ca / shape.area;
 }
 
 /// Cuts ears off a loop until nothing is left of it, or none that is allowed.
@@ -94,7 +168,7 @@ void fill(Front& front, Loop loop) {
       if (loop.size() > 3 &&
           (front.is_used(ear.before, ear.after) || front.is_used(ear.after, ear.before)))
         continue;
-      const double score = score_of(front, ear);
+      const double score = score_of(front, loop, ear);
       if (score < least) {
         least = score;
         best = k;
@@ -110,15 +184,19 @@ void fill(Front& front, Loop loop) {
 
 }  // namespace
 
-void fill_loops(Front& front) {
+void fill_loops(Front& front, bool is_closed) {
+  Connections connections(front);
   for (Vertex v = 0; v < front.vertices().size(); ++v) {
     const std::vector<Front::Edge> edges(front.at(v).begin(), front.at(v).end());
     for (const Front::Edge& edge : edges) {
       if (!edge.outward || !front.is_open(v, edge.other)) continue;
-      const Loop loop = loop_from(front, v, edge.other);
+      const Loop loop = loop_from(front, v, edge.other, is_closed ? kSmallClosedLoop : kSmallLoop);
       const bool several = std::ranges::any_of(
           loop, [&](Vertex w) { return front.vertex(w).patch != front.vertex(v).patch; });
-      if (several || loop.size() <= kSmallOwnLoop) fill(front, loop);
+      if (!is_closed && !several && loop.size() > kSmallOwnLoop) continue;
+      const bool is_island = !loop.empty() && faces_inward(front, loop) &&
+                             connections.count(v) <= kIslandPerEdge * loop.size();
+      if (!is_island) fill(front, loop);
     }
   }
 }

@@ -40,7 +40,8 @@ TriangleShape shape_of(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
 }
 
 Front::Front(const BorderMesh& mesh)
-    : vertices_(mesh.vertices),
+    : mesh_(mesh),
+      vertices_(mesh.vertices),
       corners_(vertices_.size()),
       used_(mesh.edges.size()),
       added_(vertices_.size()) {

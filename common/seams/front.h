@@ -50,6 +50,7 @@ class Front {
 
   explicit Front(const BorderMesh& mesh);
 
+  [[nodiscard]] const BorderMesh& mesh() const { return mesh_; }
   [[nodiscard]] const std::vector<BorderVertex>& vertices() const { return vertices_; }
   [[nodiscard]] const BorderVertex& vertex(Vertex v) const { return vertices_[v]; }
   [[nodiscard]] std::span<const Edge> at(Vertex v) const { return corners_[v].edges; }
@@ -75,6 +76,7 @@ class Front {
   void attach(Vertex from, Vertex to, Vertex apex);
 
   /// The triangles that were added.
+  [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
   [[nodiscard]] std::vector<Triangle> take() { return std::move(triangles_); }
 
  private:
@@ -93,6 +95,7 @@ class Front {
 
   void use(Vertex from, Vertex to);
 
+  const BorderMesh& mesh_;
   const std::vector<BorderVertex>& vertices_;
   std::vector<Corner> corners_;
   double longest_ = 0.0;

@@ -24,7 +24,7 @@ void add_partial_cells(const Patch& patch, const CellTriangles& cells,
 
 }  // namespace
 
-Seams make_seams(std::span<const Patch> patches) {
+Seams make_seams(std::span<const Patch> patches, bool is_closed) {
   Seams seams;
   seams.triangles.resize(patches.size());
   const std::vector<CellTriangles> cells = cell_triangles(patches);
@@ -32,7 +32,7 @@ Seams make_seams(std::span<const Patch> patches) {
     add_partial_cells(patches[p], cells[p], seams.triangles[p]);
   });
   const BorderMesh borders = find_borders(patches, cells);
-  share_out(stitch(borders), borders, seams);
+  share_out(stitch(borders, is_closed), borders, seams);
   return seams;
 }
 

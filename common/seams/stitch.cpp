@@ -97,10 +97,10 @@ class Growth {
 
 }  // namespace
 
-std::vector<Triangle> stitch(const BorderMesh& mesh) {
+std::vector<Triangle> stitch(const BorderMesh& mesh, bool is_closed) {
   Front front(mesh);
   Growth(front).grow();
-  fill_loops(front);
+  fill_loops(front, is_closed);
   return front.take();
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <vector>
 
 namespace relief {
@@ -19,6 +20,8 @@ struct Membership {
       region;  ///< index of the region; the number of regions if the point is in none
   std::vector<float> cosine;  ///< of the angle between the point's normal and the base-plane normal
                               ///< of its region; 1 if it is in none
+  /// Points from this one on are of other tiles, whose regions are not known.
+  std::uint32_t of_others = std::numeric_limits<std::uint32_t>::max();
 };
 
 }  // namespace relief

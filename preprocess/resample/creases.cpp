@@ -39,24 +39,25 @@ std::vector<OrientedPoint> points_near(const PatchPoints& points, const PointGri
 }
 
 /// Points of other regions that the neighbour graph reaches from a region's own within `reach`.
-PatchPoints collect_beyond(const SurfaceSamples& samples, const NeighbourGraph& graph,
-                           const Region& region, const Membership& membership,
-                           const CreaseNormals& sides, const PatchFrame& frame, double reach) {
+PatchPoints collect_beyond(const ScanSurface& scan, const Region& region, const PatchFrame& frame,
+                           double reach) {
+  const SurfaceSamples& samples = scan.samples;
+  const std::vector<std::uint32_t>& region_of = scan.membership.region;
   PatchPoints out;
   out.frame = frame;
   struct Reached {
     std::uint32_t point;
     std::uint32_t from;  // the region's own point
   };
-  const std::uint32_t own = membership.region[region.points.front()];
+  const std::uint32_t own = region_of[region.points.front()];
   std::unordered_set<std::uint32_t> seen;
   std::vector<Reached> front;
   for (const std::uint32_t i : region.points) front.push_back({i, i});
   while (!front.empty()) {
     std::vector<Reached> next;
     for (const auto& [i, from] : front) {
-      for (const std::uint32_t j : graph.of(i)) {
-        if (membership.region[j] == own || seen.contains(j)) continue;
+      for (const std::uint32_t j : scan.graph.of(i)) {
+        if (region_of[j] == own || seen.contains(j)) continue;
         if (glm::distance(samples.positions[j], samples.positions[from]) > reach) continue;
         seen.insert(j);
         next.push_back({j, from});
@@ -69,7 +70,7 @@ PatchPoints collect_beyond(const SurfaceSamples& samples, const NeighbourGraph& 
   const glm::mat3 to_local(glm::transpose(frame.axes));
   for (const std::uint32_t i : out.ids) {
     out.positions.push_back(frame.to_local(samples.positions[i]));
-    out.normals.push_back(to_local * sides.normals[i]);
+    out.normals.push_back(to_local * scan.creases->normals[i]);
     out.spacing.push_back(samples.spacing[i]);
   }
   return out;
@@ -77,14 +78,14 @@ PatchPoints collect_beyond(const SurfaceSamples& samples, const NeighbourGraph& 
 
 }  // namespace
 
-RegionCreases::RegionCreases(const SurfaceSamples& samples, const NeighbourGraph& graph,
-                             const Region& region, const Membership& membership,
-                             const CreaseNormals& sides, const PatchPoints& points, double reach)
+RegionCreases::RegionCreases(const ScanSurface& scan, const Region& region,
+                             const PatchPoints& points, double reach)
     : reach_(reach) {
+  const CreaseNormals& sides = *scan.creases;
   const bool at_crease = std::ranges::any_of(
       region.points, [&](std::uint32_t i) { return sides.at_crease[i] != 0; });
   if (!at_crease) return;
-  others_ = collect_beyond(samples, graph, region, membership, sides, points.frame, reach);
+  others_ = collect_beyond(scan, region, points.frame, reach);
   if (others_.size() == 0) return;
   points_ = points;
   const glm::mat3 to_local(glm::transpose(points.frame.axes));

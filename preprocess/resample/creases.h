@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "preprocess/normals/crease_normals.h"
 #include "preprocess/normals/crease_sides.h"
 #include "preprocess/resample/patch_points.h"
 #include "preprocess/resample/point_grid.h"
+#include "preprocess/resample/scan_surface.h"
 
 namespace relief {
 
@@ -23,10 +23,9 @@ struct Crease {
 /// The creases between a region and those around it.
 class RegionCreases {
  public:
-  /// `points`: the region's, as collect_patch_points() gives them; `sides`: of all points of the
-  /// scan; `reach`: how far points of both sides may be from a position, world units.
-  RegionCreases(const SurfaceSamples& samples, const NeighbourGraph& graph, const Region& region,
-                const Membership& membership, const CreaseNormals& sides, const PatchPoints& points,
+  /// `points`: the region's, as collect_patch_points() gives them; `reach`: how far points of both
+  /// sides may be from a position, world units. The scan has `creases`.
+  RegionCreases(const ScanSurface& scan, const Region& region, const PatchPoints& points,
                 double reach);
 
   /// Whether the region has points at creases; if not, the rest is not to be called.

@@ -10,7 +10,7 @@
 
 #include "preprocess/resample/attributes.h"
 #include "preprocess/resample/creases.h"
-#include "preprocess/resample/joined_borders.h"
+#include "preprocess/resample/foreign_nodes.h"
 #include "preprocess/resample/mls.h"
 
 namespace relief {
@@ -145,10 +145,12 @@ Patch resample_region(const ScanSurface& scan, const Region& region,
   if (options.seams) {
     const double reach = kCreaseReachInSpacings * bucket;
     std::optional<RegionCreases> creases;
-    if (scan.creases != nullptr)
-      creases.emplace(scan.samples, scan.graph, region, scan.membership, *scan.creases, points, reach);
-    drop_foreign_nodes(points, all, creases && creases->any() ? &*creases : nullptr, grid, surface,
-                       states);
+    if (scan.creases != nullptr) creases.emplace(scan, region, points, reach);
+    drop_foreign_nodes({.points = points,
+                        .all = all,
+                        .creases = creases && creases->any() ? &*creases : nullptr,
+                        .of_others = scan.membership.of_others},
+                       grid, surface, states);
     if (std::ranges::count(states, NodeState::Hole) == std::ssize(states)) return {};
   }
 

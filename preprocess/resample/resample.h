@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/patch.h"
-#include "preprocess/normals/crease_normals.h"
+#include "preprocess/resample/scan_surface.h"
 #include "preprocess/resample/support.h"
 
 namespace relief {
@@ -13,16 +13,7 @@ struct ResampleOptions {
   int overlap_cells = 1;             ///< width of the overlap margin
   std::uint32_t colour_scale = 1;    ///< colour texels per grid cell along each side
   bool normals_from_points = false;  ///< use the points' normals instead of the fitted surface's
-  bool seams = false;                ///< without a margin, for make_seams()
-};
-
-/// The input of resampling the regions of a scan.
-struct ScanSurface {
-  const SurfaceSamples& samples;
-  const NeighbourGraph& graph;
-  const Membership& membership;             ///< of all points
-  const std::vector<glm::u8vec3>& colours;  ///< empty, or one for each point
-  const CreaseNormals* creases = nullptr;   ///< of all points, with seams; may be null
+  bool seams = false;                ///< without a margin but over other tiles, for make_seams()
 };
 
 /// Resamples one region ([Ochotta 2008], section 3.1): support, then heights, then normals and

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "common/seams/make_seams.h"
 #include "preprocess/convert_stages.h"
 #include "preprocess/measure.h"
 #include "preprocess/resample/region_patches.h"
@@ -68,6 +69,7 @@ TilePatches resample_tile(SurveyedTile surveyed, const ResampleOptions& options,
                                survey.roughness};
   // The slope of the halo's points in their own patches decides about margins at the border.
   Membership membership = membership_of(samples, regions);
+  membership.of_others = static_cast<std::uint32_t>(tile.own);
   assert(surveyed.halo_cosines.size() == tile.home.size());
   std::ranges::copy(surveyed.halo_cosines,
                     membership.cosine.begin() + static_cast<std::ptrdiff_t>(tile.own));
@@ -77,8 +79,13 @@ TilePatches resample_tile(SurveyedTile surveyed, const ResampleOptions& options,
                                .colours = tile.points.colours},
                               std::vector<double>(regions.size(), 1.0), options, regions, progress);
   if (progress.cancelled()) return made;
-  const std::vector<double> distances = distances_to_patches(
-      tile.points.positions, tile.own, graph, owners_of(regions, tile.points.size()), made.patches);
+  std::vector<double> distances =
+      distances_to_patches(tile.points.positions, tile.own, graph,
+                           owners_of(regions, tile.points.size()), made.patches);
+  if (options.seams) {
+    compare_with_seams(tile.points.positions, made.patches,
+                       SeamDistances(made.patches, make_seams(made.patches)), distances);
+  }
   const Fidelity fidelity = measure_fidelity(tile.points.positions, distances, made.patches);
   made.sum_of_squares = fidelity.rms * fidelity.rms * static_cast<double>(tile.own);
   made.error_max = fidelity.max;

@@ -147,10 +147,11 @@ glm::vec3 normal_at(const AttributeMap<glm::i16vec2>& map, glm::dvec2 uv) {
       glm::mix(glm::mix(at(0, 0), at(1, 0), part.x), glm::mix(at(0, 1), at(1, 1), part.x), part.y));
 }
 
-/// Adds the whole cells of a patch that meets others, and its part of the seams.
-void add_joined_triangles(const Patch& patch, std::uint32_t id, const Seams& seams,
-                          std::span<const Triangle> triangles, bool coloured,
-                          const std::vector<std::uint32_t>& vertices, TriangleMesh& mesh) {
+/// Adds the whole cells of a patch that meets others, and its part of the seams. Returns each seam
+/// vertex that it has, by its corner in `triangles`, and which vertex that has become.
+std::unordered_map<std::uint32_t, std::uint32_t> add_joined_triangles(
+    const Patch& patch, std::uint32_t id, const Seams& seams, std::span<const Triangle> triangles,
+    bool coloured, const std::vector<std::uint32_t>& vertices, TriangleMesh& mesh) {
   const CellTriangles cells = cell_triangles(patch);
   for (std::uint32_t j = 0; j < cells.rows; ++j) {
     for (std::uint32_t i = 0; i < cells.columns; ++i) {
@@ -179,11 +180,12 @@ void add_joined_triangles(const Patch& patch, std::uint32_t id, const Seams& sea
   };
   for (const Triangle& t : triangles)
     mesh.triangles.push_back({vertex_of(t[0]), vertex_of(t[1]), vertex_of(t[2])});
+  return added;
 }
 
 }  // namespace
 
-Result<TriangleMesh> mesh_of_patches(const PatchModel& model) {
+Result<TriangleMesh> mesh_of_patches(const PatchModel& model, std::vector<SeamCopy>* copies) {
   const std::size_t samples = count_samples(model);
   if (samples >= kNoVertex) {
     return make_error(
@@ -199,15 +201,23 @@ Result<TriangleMesh> mesh_of_patches(const PatchModel& model) {
   if (model.has_colours) mesh.colours.reserve(samples);
   mesh.triangles.reserve(2 * samples);
   Seams seams;
+  std::uint32_t first_seam = 0;  // of the run
   for (std::uint32_t p = 0; p < model.patches.size(); ++p) {
     mesh.layer_gap = std::max(mesh.layer_gap, double{shared::kLayerGap} * model.patches[p].spacing);
     const Patch& patch = model.patches[p];
     const std::size_t first = mesh.triangles.size();
     const std::vector<std::uint32_t> vertices = add_vertices(patch, p, model.has_colours, mesh);
     if (const PatchRun* const run = run_of(model, p)) {
-      if (p == run->first) seams = make_seams(std::span(model.patches).subspan(p, run->count));
-      add_joined_triangles(patch, p, seams, seams.triangles[p - run->first], model.has_colours,
-                           vertices, mesh);
+      if (p == run->first) {
+        first_seam += static_cast<std::uint32_t>(seams.vertices.size());
+        seams = make_seams(std::span(model.patches).subspan(p, run->count), run->is_closed);
+      }
+      const auto added = add_joined_triangles(patch, p, seams, seams.triangles[p - run->first],
+                                              model.has_colours, vertices, mesh);
+      if (copies != nullptr) {
+        for (const auto& [corner, vertex] : added)
+          copies->push_back({vertex, first_seam + (corner & ~kSeamVertexBit)});
+      }
     } else {
       add_triangles(patch, vertices, mesh);
     }
@@ -225,13 +235,15 @@ Result<TriangleMesh> mesh_of_patches(const PatchModel& model) {
   return mesh;
 }
 
-std::vector<MeshBody> bodies_of(const PatchModel& model) {
+std::vector<MeshBody> bodies_of(const PatchModel& model, const TriangleMesh& mesh) {
   std::vector<MeshBody> bodies;
-  std::uint32_t vertices = 0;
+  std::uint32_t patches = 0;
   for (const Instance& instance : model.instances) {
     const auto run = std::span(model.patches).subspan(instance.first, instance.count);
-    bodies.push_back({vertices, 2.0 * instance.transform.scale * sphere_about(run).radius});
-    for (const Patch& patch : run) vertices += static_cast<std::uint32_t>(count_samples(patch));
+    const auto first = std::lower_bound(mesh.patches.begin(), mesh.patches.end(), patches + 1);
+    bodies.push_back({static_cast<std::uint32_t>(first - mesh.patches.begin()),
+                      2.0 * instance.transform.scale * sphere_about(run).radius});
+    patches += instance.count;
   }
   return bodies;
 }

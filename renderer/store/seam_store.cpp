@@ -62,8 +62,8 @@ SeamUpload::SeamUpload(const Gl& gl, const PatchModel& model, bool needed)
   if (!needed) return;
   for (const PatchRun& run : model.joined) {
     Seams& seams = made_[run.first];
-    making_.run([&seams, patches = std::span(model.patches).subspan(run.first, run.count)] {
-      seams = make_seams(patches);
+    making_.run([&seams, run, patches = std::span(model.patches).subspan(run.first, run.count)] {
+      seams = make_seams(patches, run.is_closed);
     });
   }
 }

@@ -139,11 +139,11 @@ class ModelUpload {
                      std::nullopt,
                      std::nullopt};
     // Last, so that there was time to make them.
-    for (const auto& [run, seams] : joined_) {
+    for (std::size_t s = 0; s < seams_.size(); ++s) {
+      StoredSeam& seam = seams_[s];
+      const PatchRun run = *relief::run_of(model_, seam_patches_[s]);
       RELIEF_TRY_ASSIGN(const std::span<const SeamCorners> shares, seam_upload_.get(run));
-      for (std::uint32_t k = 0; k < seams.count; ++k) seams_[seams.first + k].corners = shares[k];
-    }
-    for (StoredSeam& seam : seams_) {
+      seam.corners = shares[seam_patches_[s] - run.first];
       seam.number = static_cast<std::uint32_t>(positions_.size());
       positions_.emplace_back(seam.patch, 0);
     }
@@ -251,13 +251,10 @@ class ModelUpload {
   /// The seams of its patches that meet others, over rows of their own, which lie as the patches
   /// do.
   Result<PatchRun> add_seams(const Instance& instance) {
-    const PatchRun* const run = relief::run_of(model_, instance.first);
-    PatchRun added{static_cast<std::uint32_t>(seams_.size()), 0};
-    if (run == nullptr) return added;
-    added.count = instance.count;
-    joined_.emplace_back(*run, added);
+    const auto first = static_cast<std::uint32_t>(seams_.size());
     for (std::uint32_t k = 0; k < instance.count; ++k) {
       const std::size_t p = instance.first + k;
+      if (relief::run_of(model_, p) == nullptr) continue;
       const PatchExtent extent = moved(instance.transform, extents_[p]);
       RELIEF_TRY_ASSIGN(const std::size_t grid, grids_.get(p, 0));
       const std::uint8_t material =
@@ -267,9 +264,10 @@ class ModelUpload {
                         extent.centre,
                         extent.radius + kSeamReach * extent.spacing,
                         {}});
+      seam_patches_.push_back(p);
       add_grid(grid, instance.transform, material, first_id_ + k);
     }
-    return added;
+    return PatchRun{first, static_cast<std::uint32_t>(seams_.size()) - first};
   }
 
   /// The meshes that stand for it, made when it is the first of its run.
@@ -328,7 +326,7 @@ class ModelUpload {
   std::vector<StoredLevels> levels_;
   std::vector<StoredPart> parts_;
   std::vector<StoredSeam> seams_;
-  std::vector<std::pair<PatchRun, PatchRun>> joined_;  ///< runs, and their seams in seams_
+  std::vector<std::size_t> seam_patches_;  ///< of each seam, in the model
   std::vector<glm::uvec2> positions_;
   std::uint32_t first_id_ = 0;  ///< of the instance at work
 };

@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 #include <iterator>
 
+#include "common/seams/join_normals.h"
 #include "common/transform.h"
 #include "renderer/engines/onepass/back.h"
 #include "renderer/frame/image_parts.h"
@@ -159,11 +160,19 @@ Result<PartialModel> read_in_view(const PatchTree& tree, std::span<const Onlooke
     }
     progress.advance(file.patches().size() - seen.size());
     bytes += file.decoded_bytes(seen);
+    if (!file.joined().empty()) {
+      for (const std::uint64_t p : seen) bytes += kJoiningBytes * file.patches()[p].samples;
+    }
     RELIEF_TRY(fits_memory(file.name(), bytes));
     RELIEF_TRY_ASSIGN(auto some, file.read_patches(seen, inner));
+    if (!file.joined().empty() && !seen.empty()) {
+      read.model.joined.push_back({static_cast<std::uint32_t>(read.model.patches.size()),
+                                   static_cast<std::uint32_t>(seen.size())});
+    }
     for (const std::uint64_t p : seen) read.samples += file.patches()[p].samples;
     std::move(some.begin(), some.end(), std::back_inserter(read.model.patches));
   }
+  join_normals(read.model);
   read.tiles = tiles.size();
   read.model.has_colours = std::any_of(read.model.patches.begin(), read.model.patches.end(),
                                        [](const Patch& patch) { return !patch.colours.empty(); });

@@ -68,7 +68,8 @@ void add_scans(const Seeds& seeds) {
 }
 
 void add_patch_files(const Seeds& seeds, const fs::path& test_data) {
-  for (const char* name : {"version1.relief", "version2.relief", "version3.relief"})
+  for (const char* name :
+       {"version1.relief", "version2.relief", "version3.relief", "version3_seams.relief"})
     seeds.add("patch_file", name, slurp(test_data / name));
   const ScratchFolder scratch;
   for (const PatchCodec codec : {PatchCodec::Fast, PatchCodec::Compact}) {
@@ -77,6 +78,10 @@ void add_patch_files(const Seeds& seeds, const fs::path& test_data) {
     const fs::path path = scratch / "a.relief";
     if (write_patch_file(path, model, {.codec = codec}))
       seeds.add("patch_file", fmt::format("coloured{}", static_cast<int>(codec)), slurp(path));
+    model.joined = {{0, 2}};
+    model.is_closed = true;
+    if (write_patch_file(path, model, {.codec = codec}))
+      seeds.add("patch_file", fmt::format("joined{}", static_cast<int>(codec)), slurp(path));
   }
 }
 

@@ -112,7 +112,7 @@ Result<RenderResult> trace_image(const TriangleMesh& mesh, EnvironmentCache& env
 Result<TriangleMesh> triangulate(const PatchModel& patches) {
   if (patches.instances.empty()) return mesh_of_patches(patches);
   auto mesh = mesh_of_patches(bake(patches));
-  if (mesh) mesh->bodies = bodies_of(patches);
+  if (mesh) mesh->bodies = bodies_of(patches, *mesh);
   return mesh;
 }
 

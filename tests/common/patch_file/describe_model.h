@@ -36,6 +36,7 @@ inline std::string describe(const PatchModel& model) {
   std::string text =
       fmt::format("spacing {:.17g}\nbounds {} {}\nradius {:.17g}\n", model.spacing,
                   describe(model.bounds.min), describe(model.bounds.max), model.bounding_radius);
+  if (!model.joined.empty()) text += "patches meet at seams\n";
   for (const Patch& patch : model.patches) {
     text += fmt::format("patch {} {} spacing {:.17g} step {:.17g}\norigin {}\naxes {} {} {}\n",
                         patch.width, patch.height, patch.spacing, patch.height_step,

@@ -42,8 +42,10 @@ std::string read_failure(const ScratchFolder& folder, const std::string& bytes) 
 }
 
 std::string valid_bytes(const ScratchFolder& folder, std::uint32_t patches = 2,
-                        PatchCodec codec = PatchCodec::Fast) {
-  EXPECT_TRUE(write_patch_file(folder / "valid.relief", bumpy_model(patches, 1), {codec, 0.5}));
+                        PatchCodec codec = PatchCodec::Fast, bool seams = false) {
+  PatchModel model = bumpy_model(patches, 1);
+  if (seams) model.joined = {{0, patches}};
+  EXPECT_TRUE(write_patch_file(folder / "valid.relief", model, {codec, 0.5}));
   return slurp(folder / "valid.relief");
 }
 
@@ -71,22 +73,26 @@ INSTANTIATE_TEST_SUITE_P(Codecs, ForgedChunks,
 
 TEST_P(DamagedPatchFile, IsRefusedWhereverItEnds) {
   const ScratchFolder folder;
-  const std::string bytes = valid_bytes(folder, 2, GetParam());
-  ASSERT_EQ(read_failure(folder, bytes), "");
-  for (std::size_t length = 0; length < bytes.size(); ++length) {
-    ASSERT_NE(read_failure(folder, bytes.substr(0, length)), "") << length;
+  for (const bool seams : {false, true}) {
+    const std::string bytes = valid_bytes(folder, 2, GetParam(), seams);
+    ASSERT_EQ(read_failure(folder, bytes), "");
+    for (std::size_t length = 0; length < bytes.size(); ++length) {
+      ASSERT_NE(read_failure(folder, bytes.substr(0, length)), "") << length;
+    }
+    ASSERT_NE(read_failure(folder, bytes + '\0'), "");
   }
-  ASSERT_NE(read_failure(folder, bytes + '\0'), "");
 }
 
 TEST_P(DamagedPatchFile, IsRefusedWhereverAByteIsWrong) {
   const ScratchFolder folder;
-  const std::string bytes = valid_bytes(folder, 2, GetParam());
-  for (std::size_t at = 0; at < bytes.size(); ++at) {
-    for (const int flip : {0x01, 0x80, 0xFF}) {
-      std::string damaged = bytes;
-      damaged[at] = static_cast<char>(damaged[at] ^ flip);
-      ASSERT_NE(read_failure(folder, damaged), "") << "byte " << at << " flipped by " << flip;
+  for (const bool seams : {false, true}) {
+    const std::string bytes = valid_bytes(folder, 2, GetParam(), seams);
+    for (std::size_t at = 0; at < bytes.size(); ++at) {
+      for (const int flip : {0x01, 0x80, 0xFF}) {
+        std::string damaged = bytes;
+        damaged[at] = static_cast<char>(damaged[at] ^ flip);
+        ASSERT_NE(read_failure(folder, damaged), "") << "byte " << at << " flipped by " << flip;
+      }
     }
   }
 }

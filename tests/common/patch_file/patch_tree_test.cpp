@@ -29,14 +29,19 @@ PatchModel part_of(const PatchModel& model, std::size_t first, std::size_t last,
   return part;
 }
 
-/// Two tiles, the second without patches, under one of twice the spacing.
+/// Two tiles, the second without patches, under one of twice the spacing. `seams`: the patches of
+/// each meet.
 std::vector<TreePart> write_parts(const ScratchFolder& folder, const PatchModel& model,
-                                  PatchCodec codec) {
+                                  PatchCodec codec, bool seams = false) {
   const PatchFileOptions options{codec, 0.5};
   const std::size_t count = model.patches.size();
-  EXPECT_TRUE(write_patch_file(folder / "top", part_of(model, 0, 1, 2.0), options));
-  EXPECT_TRUE(write_patch_file(folder / "a", part_of(model, 1, count), options));
-  EXPECT_TRUE(write_patch_file(folder / "b", part_of(model, 0, 0), options));
+  const auto write = [&](const char* name, PatchModel part) {
+    if (seams) part.joined = {{0, static_cast<std::uint32_t>(part.patches.size())}};
+    EXPECT_TRUE(write_patch_file(folder / name, part, options));
+  };
+  write("top", part_of(model, 0, 1, 2.0));
+  write("a", part_of(model, 1, count));
+  write("b", part_of(model, 0, 0));
   return {{folder / "top", 1, kNoTile}, {folder / "a", 0, 0}, {folder / "b", 0, 0}};
 }
 
@@ -129,6 +134,35 @@ TEST_P(PatchTreeOf, IsAFileOfTheModelsOwnPatches) {
   EXPECT_TRUE(whole.has_colours);
 }
 
+TEST_P(PatchTreeOf, HasARunOfJoinedPatchesForEachTile) {
+  const ScratchFolder folder;
+  PatchModel model = bumpy_model(5);
+  const auto write = [&](const char* name, std::size_t first, std::size_t last, bool seams) {
+    PatchModel part = part_of(model, first, last);
+    if (seams) part.joined = {{0, static_cast<std::uint32_t>(part.patches.size())}};
+    EXPECT_TRUE(write_patch_file(folder / name, part, {GetParam(), 0.5}));
+    return TreePart{folder / name};
+  };
+  const std::vector<TreePart> parts{write("a", 0, 2, true), write("b", 0, 0, true),
+                                    write("c", 2, 3, false), write("d", 3, 5, true)};
+  ASSERT_TRUE(write_patch_tree(folder / "tree", parts, model));
+  const PatchModel whole = read_whole(folder / "tree");
+  ASSERT_EQ(whole.joined.size(), 2U);
+  EXPECT_EQ(whole.joined[0].first, 0U);
+  EXPECT_EQ(whole.joined[0].count, 2U);
+  EXPECT_EQ(whole.joined[1].first, 3U);
+  EXPECT_EQ(whole.joined[1].count, 2U);
+  EXPECT_EQ(run_of(whole, 1), &whole.joined[0]);
+  EXPECT_EQ(run_of(whole, 2), nullptr);
+  EXPECT_EQ(run_of(whole, 4), &whole.joined[1]);
+  EXPECT_TRUE(PatchFile::open(folder / "tree")->info().is_joined);
+  const auto tree = PatchTree::open(folder / "tree");
+  EXPECT_EQ(tree->open_tile(0)->joined().size(), 1U);
+  EXPECT_TRUE(tree->open_tile(2)->joined().empty());
+  // Normals beyond borders are those of the tile alone.
+  expect_same(read_tile(*tree, 3)->patches, {whole.patches.begin() + 3, whole.patches.end()});
+}
+
 TEST(PatchTree, AFileWithoutTilesIsOne) {
   const ScratchFolder folder;
   const PatchModel model = bumpy_model(5);
@@ -145,29 +179,34 @@ TEST(PatchTree, AFileWithoutTilesIsOne) {
 }
 
 /// The bytes of a small tree.
-std::string valid_tree(const ScratchFolder& folder, PatchCodec codec) {
+std::string valid_tree(const ScratchFolder& folder, PatchCodec codec, bool seams = false) {
   const PatchModel model = bumpy_model(2, 1);
-  EXPECT_TRUE(write_patch_tree(folder / "valid", write_parts(folder, model, codec), model));
+  EXPECT_TRUE(write_patch_tree(folder / "valid", write_parts(folder, model, codec, seams), model));
   return slurp(folder / "valid");
 }
 
 TEST_P(PatchTreeOf, IsRefusedWhereverItEnds) {
   const ScratchFolder folder;
-  const std::string bytes = valid_tree(folder, GetParam());
-  ASSERT_EQ(tree_read_failure(folder, bytes), "");
-  for (std::size_t length = 0; length < bytes.size(); ++length)
-    ASSERT_NE(tree_read_failure(folder, bytes.substr(0, length)), "") << length;
-  ASSERT_NE(tree_read_failure(folder, bytes + '\0'), "");
+  for (const bool seams : {false, true}) {
+    const std::string bytes = valid_tree(folder, GetParam(), seams);
+    ASSERT_EQ(tree_read_failure(folder, bytes), "");
+    for (std::size_t length = 0; length < bytes.size(); ++length)
+      ASSERT_NE(tree_read_failure(folder, bytes.substr(0, length)), "") << length;
+    ASSERT_NE(tree_read_failure(folder, bytes + '\0'), "");
+  }
 }
 
 TEST_P(PatchTreeOf, IsRefusedWhereverAByteIsWrong) {
   const ScratchFolder folder;
-  const std::string bytes = valid_tree(folder, GetParam());
-  for (std::size_t at = 0; at < bytes.size(); ++at) {
-    for (const int flip : {0x01, 0x80, 0xFF}) {
-      std::string damaged = bytes;
-      damaged[at] = static_cast<char>(damaged[at] ^ flip);
-      ASSERT_NE(tree_read_failure(folder, damaged), "") << "byte " << at << " flipped by " << flip;
+  for (const bool seams : {false, true}) {
+    const std::string bytes = valid_tree(folder, GetParam(), seams);
+    for (std::size_t at = 0; at < bytes.size(); ++at) {
+      for (const int flip : {0x01, 0x80, 0xFF}) {
+        std::string damaged = bytes;
+        damaged[at] = static_cast<char>(damaged[at] ^ flip);
+        ASSERT_NE(tree_read_failure(folder, damaged), "")
+            << "byte " << at << " flipped by " << flip;
+      }
     }
   }
 }

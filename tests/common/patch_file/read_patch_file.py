@@ -554,11 +554,13 @@ def describe(file):
     assert version in (1, 2, 3) and header_bytes == 128
     file_bytes, index_offset, patches, chunks, samples = header.take("QQIIQ")
     spacing, *bounds = header.take("7d")
-    radius, _ = header.take("dQ")
+    radius, flags = header.take("dQ")
     index_sum, header_sum = header.take("II")
     assert header_sum == zlib.crc32(file[:124]) and file_bytes == len(file)
     assert index_sum == zlib.crc32(file[index_offset:])
     lines = ["spacing %.17g" % spacing, "bounds " + numbers(bounds), "radius %.17g" % radius]
+    if flags & 2:
+        lines.append("patches meet at seams")
 
     index = Bytes(file[index_offset:])
     if version == 3:

@@ -50,8 +50,8 @@ struct JoinedMesh {
   }
 };
 
-inline JoinedMesh joined_mesh(std::span<const Patch> patches) {
-  const Seams seams = make_seams(patches);
+inline JoinedMesh joined_mesh(std::span<const Patch> patches, bool is_closed = false) {
+  const Seams seams = make_seams(patches, is_closed);
   JoinedMesh mesh;
   for (const SeamVertex& vertex : seams.vertices) mesh.positions.push_back(vertex.position);
   for (std::size_t p = 0; p < patches.size(); ++p) {

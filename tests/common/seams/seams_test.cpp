@@ -8,6 +8,8 @@
 #include <functional>
 
 #include "common/octahedral.h"
+#include "common/seams/fill_loops.h"
+#include "common/seams/front.h"
 #include "common/seams/seam_vertices.h"
 #include "tests/common/seams/joined_mesh.h"
 
@@ -96,6 +98,22 @@ TEST(Seams, LeaveHolesOfAPatchOpen) {
   EXPECT_NEAR(test::joined_mesh(patches).area(), 144 - 36 + 2, 1e-9);
 }
 
+TEST(Seams, LeaveNoHoleInAClosedSurface) {
+  const auto hole = [](std::uint32_t i, std::uint32_t j) {
+    return i >= 4 && i <= 8 && j >= 4 && j <= 8;
+  };
+  // Its outside is longer than any loop that is filled.
+  const std::vector<Patch> patches{flat_patch(0, 0, 20, 20, hole)};
+  const test::JoinedMesh mesh = test::joined_mesh(patches, true);
+  expect_sheet(mesh);
+  EXPECT_NEAR(mesh.area(), 19 * 19, 1e-9);
+}
+
+TEST(Seams, GiveAnIslandNoBack) {
+  const std::vector<Patch> patches{flat_patch(0, 0, 20, 20), flat_patch(30, 0, 4, 4)};
+  EXPECT_NEAR(test::joined_mesh(patches, true).area(), 19 * 19 + 9, 1e-9);
+}
+
 TEST(Seams, DoNotJoinTheTwoSidesOfAThinSheet) {
   Patch below = flat_patch(0, 0, 10, 10);
   below.origin = {9.0, 0.0, -0.4};
@@ -104,16 +122,16 @@ TEST(Seams, DoNotJoinTheTwoSidesOfAThinSheet) {
   EXPECT_TRUE(make_seams(patches).vertices.empty());
 }
 
-BorderVertex vertex(glm::dvec3 position, glm::dvec3 normal, double turn) {
-  return {.position = position, .normal = normal, .turn = turn};
+BorderVertex vertex(glm::dvec3 position, glm::dvec3 normal, double bend) {
+  return {.position = position, .normal = normal, .plane_normal = normal, .bend = bend};
 }
 
 TEST(Seams, MeetOnTheCurveThroughBothSamples) {
   // On a circle of radius 10, one apart: the chord's middle is 0.0125 inside.
   const double angle = 0.05;
-  const auto on_circle = [](double a, double turn) {
+  const auto on_circle = [](double a, double bend) {
     const glm::dvec3 n(std::sin(a), 0.0, std::cos(a));
-    return vertex(10.0 * n, n, turn);
+    return vertex(10.0 * n, n, bend);
   };
   const glm::dvec3 middle = seam_position(on_circle(-angle, 0.1), on_circle(angle, 0.1));
   // The cubic is off by the fourth power of the angle.
@@ -129,8 +147,26 @@ TEST(Seams, MeetWhereTheTangentPlanesOfACreaseDo) {
   EXPECT_NEAR(at.z, 0.0, 1e-12);
   // The same turn on a round edge is none.
   BorderVertex round = top;
-  round.turn = 0.7;
+  round.bend = 0.7;
   EXPECT_LT(seam_position(round, side).z, -0.01);
+}
+
+TEST(Seams, FillALoopWithADentWithoutFoldingOver) {
+  // The roundest ear, at the tip, covers the dent.
+  BorderMesh mesh;
+  for (const glm::dvec3 p : {glm::dvec3(0, 3, 0), {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}})
+    mesh.vertices.push_back(vertex(p, {0, 0, 1}, 0.0));
+  for (std::uint32_t v = 0; v < 4; ++v) mesh.edges.push_back({v, (v + 1) % 4, {0, 0, 1}});
+  Front front(mesh);
+  fill_loops(front, false);
+  const std::vector<Triangle> triangles = front.take();
+  ASSERT_EQ(triangles.size(), 2U);
+  for (const Triangle& t : triangles) {
+    const TriangleShape shape = shape_of(mesh.vertices[t[0]].position, mesh.vertices[t[1]].position,
+                                         mesh.vertices[t[2]].position);
+    EXPECT_NEAR(shape.normal.z, -1.0, 1e-9);  // shape_of: of the corners in the opposite order
+    EXPECT_NEAR(shape.area, 2.0, 1e-9);
+  }
 }
 
 TEST(Seams, AreDefinedForAnyPatches) {

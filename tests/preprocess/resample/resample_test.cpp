@@ -24,7 +24,11 @@ struct Partitioned : test::Prepared {
     std::vector<Patch> out;
     const Membership membership = membership_of(samples(), regions);
     for (const Region& region : regions) {
-      out.push_back(resample_region(samples(), graph, region, membership, points.colours, options));
+      out.push_back(resample_region({.samples = samples(),
+                                     .graph = graph,
+                                     .membership = membership,
+                                     .colours = points.colours},
+                                    region, options));
     }
     return out;
   }

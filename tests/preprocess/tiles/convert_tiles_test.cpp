@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstring>
 
@@ -11,6 +13,7 @@
 #include "preprocess/tiles/spread_points.h"
 #include "tests/common/patch_file/read_whole.h"
 #include "tests/common/patch_file/sample_models.h"
+#include "tests/common/seams/joined_mesh.h"
 #include "tests/preprocess/readers/pack.h"
 #include "tests/preprocess/surfaces.h"
 #include "tests/preprocess/tiles/write_ply.h"
@@ -170,6 +173,59 @@ TEST(ConvertTiles, BordersOfTilesShowNoSeam) {
   EXPECT_LT(worst, 0.0004);
 }
 
+/// Marks the spots of a square grid, `spots` a side, that a triangle lies over.
+void mark_covered(const std::array<glm::dvec3, 3>& t, double low, double step, std::size_t spots,
+                  std::vector<std::uint8_t>& covered) {
+  const auto range = [&](glm::length_t axis) {
+    const auto [least, most] = std::minmax({t[0][axis], t[1][axis], t[2][axis]});
+    const auto first = static_cast<std::size_t>(std::max(0.0, std::ceil((least - low) / step)));
+    const auto last = static_cast<std::size_t>(std::max(0.0, std::floor((most - low) / step) + 1));
+    return std::pair(first, std::min(last, spots));
+  };
+  for (std::size_t j = range(1).first; j < range(1).second; ++j) {
+    for (std::size_t i = range(0).first; i < range(0).second; ++i) {
+      const glm::dvec2 p(low + static_cast<double>(i) * step, low + static_cast<double>(j) * step);
+      bool inside = true;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const glm::dvec2 side(t[(c + 1) % 3] - t[c]);
+        const glm::dvec2 to = p - glm::dvec2(t[c]);
+        inside = inside && side.x * to.y - side.y * to.x >= -1e-12;
+      }
+      if (inside) covered[j * spots + i] = 1;
+    }
+  }
+}
+
+// Within a tile patches meet, from tile to tile they overlap.
+TEST(ConvertTiles, PatchesThatMeetLeaveNoGapAtBordersOfTiles) {
+  const ScratchFolder folder;
+  const auto height = [](double x, double y) {
+    return 0.05 * std::sin(5.0 * x) * std::cos(4.0 * y);
+  };
+  write_ply(folder / "waves.ply", test::sample_height_field(1.0, 0.01, height));
+  ConvertOptions options;
+  options.seams = true;
+  options.cone_degrees = 10.0;  // several patches a tile
+  const TiledResult tiled = must_convert(folder / "waves.ply", folder / "waves.relief", options);
+  EXPECT_GE(tiled.tiles, 8U);
+  EXPECT_EQ(tiled.report.uncovered_points, 0U);
+  const PatchModel model = read_whole(folder / "waves.relief");
+  EXPECT_EQ(model.joined.size(), tiled.tiles);
+  EXPECT_GT(model.patches.size(), 2 * tiled.tiles);
+  constexpr std::size_t spots = 491;
+  constexpr double step = 0.004;
+  std::vector<std::uint8_t> covered(spots * spots, 0);
+  for (const PatchRun& run : model.joined) {
+    const test::JoinedMesh mesh =
+        test::joined_mesh(std::span(model.patches).subspan(run.first, run.count));
+    for (const Triangle& t : mesh.triangles) {
+      mark_covered({mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]}, -0.98, step,
+                   spots, covered);
+    }
+  }
+  EXPECT_EQ(std::ranges::count(covered, 0), 0);
+}
+
 TEST(ConvertTiles, BytesDoNotDependOnThreadsOrLeftoverFiles) {
   const ScratchFolder folder;
   Points points = test::sample_torus({}, 0.02);
@@ -178,15 +234,18 @@ TEST(ConvertTiles, BytesDoNotDependOnThreadsOrLeftoverFiles) {
   points.positions.push_back(points.positions.front());  // a duplicate
   points.colours.push_back(points.colours.front());
   write_ply(folder / "torus.ply", points);
-  ConvertOptions options;
-  options.threads = 1;
-  const TiledResult one = must_convert(folder / "torus.ply", folder / "one.relief", options);
-  EXPECT_EQ(one.duplicates, 1U);
-  const std::string expected = slurp(folder / "one.relief");
-  for (const int threads : {2, 4}) {
-    options.threads = threads;
-    must_convert(folder / "torus.ply", folder / "other.relief", options);
-    EXPECT_TRUE(slurp(folder / "other.relief") == expected) << threads;
+  for (const bool seams : {false, true}) {
+    ConvertOptions options;
+    options.seams = seams;
+    options.threads = 1;
+    const TiledResult one = must_convert(folder / "torus.ply", folder / "one.relief", options);
+    EXPECT_EQ(one.duplicates, 1U);
+    const std::string expected = slurp(folder / "one.relief");
+    for (const int threads : {2, 4}) {
+      options.threads = threads;
+      must_convert(folder / "torus.ply", folder / "other.relief", options);
+      EXPECT_TRUE(slurp(folder / "other.relief") == expected) << threads << " " << seams;
+    }
   }
 }
 
@@ -216,22 +275,27 @@ class StopsAfter final : public Progress {
   mutable std::atomic<std::int64_t> asked_{0};
 };
 
-TEST(ConvertTiles, ResumesWhereItWasStopped) {
+class ResumedTiles : public testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(Seams, ResumedTiles, testing::Bool());
+
+TEST_P(ResumedTiles, AreThoseOfOneRun) {
   const ScratchFolder folder;
+  ConvertOptions options;
+  options.seams = GetParam();
   const fs::path scan = folder / "torus.ply";
   const fs::path output = folder / "torus.relief";
   write_ply(scan, test::sample_torus({}, 0.025));
   StopsAfter never(std::int64_t{1} << 60U);
-  ASSERT_TRUE(try_convert(scan, folder / "whole.relief", never));
+  ASSERT_TRUE(try_convert(scan, folder / "whole.relief", never, options));
   const std::string expected = slurp(folder / "whole.relief");
   for (int tenth = 0; tenth < 10; ++tenth) {
     SCOPED_TRACE(tenth);
     StopsAfter progress(never.asked() * tenth / 10);
-    const auto stopped = try_convert(scan, output, progress);
+    const auto stopped = try_convert(scan, output, progress, options);
     ASSERT_FALSE(stopped);
     EXPECT_EQ(stopped.error().message, "interrupted");
     EXPECT_FALSE(fs::exists(output));
-    must_convert(scan, output);
+    must_convert(scan, output, options);
     EXPECT_TRUE(slurp(output) == expected);
     EXPECT_FALSE(find_kept_tiles(output));
     fs::remove(output);

@@ -164,6 +164,19 @@ TEST(PatchesInView, DrawnAtTheFinestLevelUseNoOverviews) {
   EXPECT_EQ(chosen_by(tiles, {settings}).size(), 256U);
 }
 
+/// Half floats' last bit: colours of fewer patches lie elsewhere in their texture, where
+/// coordinates round otherwise.
+void expect_same_image(const Image& a, const Image& b) {
+  ASSERT_EQ(a.channels.size(), b.channels.size());
+  for (std::size_t c = 0; c < a.channels.size(); ++c) {
+    for (std::size_t k = 0; k < a.channels[c].values.size(); ++k) {
+      const float x = a.channels[c].values[k];
+      const float y = b.channels[c].values[k];
+      ASSERT_TRUE(x == y || std::abs(x - y) < 1e-3F) << a.channels[c].name << x << " " << y;
+    }
+  }
+}
+
 /// What is not read is not seen: the image is that of the whole model.
 TEST(PatchesInView, ImagesOfPartsAreThoseOfTheWhole) {
   const test::ScratchFolder folder;
@@ -188,18 +201,55 @@ TEST(PatchesInView, ImagesOfPartsAreThoseOfTheWhole) {
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_LT(read->model.patches.size(), degrees < 10.0 ? 80U : 385U);
     EXPECT_EQ(read->samples, count_samples(read->model));
-    const Image a = test::must_render(read->model, settings).image;
-    const Image b = test::must_render(whole, settings).image;
-    ASSERT_EQ(a.channels.size(), b.channels.size());
-    // The last bit of half floats: colours of fewer patches lie elsewhere in their texture, where
-    // coordinates round otherwise.
-    for (std::size_t c = 0; c < a.channels.size(); ++c) {
-      for (std::size_t k = 0; k < a.channels[c].values.size(); ++k) {
-        const float x = a.channels[c].values[k];
-        const float y = b.channels[c].values[k];
-        ASSERT_TRUE(x == y || std::abs(x - y) < 1e-3F) << a.channels[c].name << x << " " << y;
-      }
+    expect_same_image(test::must_render(read->model, settings).image,
+                      test::must_render(whole, settings).image);
+  }
+}
+
+/// Two tiles whose patches meet, read in part and as a whole: each is stitched for itself.
+TEST(PatchesInView, EachTileIsARunOfPatchesThatMeet) {
+  const test::ScratchFolder folder;
+  test::SphereShape shape;
+  shape.spacing = 0.015;
+  shape.patches_per_side = 8;
+  const PatchModel model = test::sphere_model(shape);
+  const std::size_t half = model.patches.size() / 2;
+  const auto write = [&](const char* name, std::size_t first) {
+    PatchModel part = model;
+    part.patches.assign(model.patches.begin() + static_cast<std::ptrdiff_t>(first),
+                        model.patches.begin() + static_cast<std::ptrdiff_t>(first + half));
+    part.joined = {{0, static_cast<std::uint32_t>(half)}};
+    EXPECT_TRUE(write_patch_file(folder / name, part));
+    return TreePart{folder / name};
+  };
+  ASSERT_TRUE(write_patch_tree(folder / "tree", {write("a", 0), write("b", half)}, model));
+  const auto tree = PatchTree::open(folder / "tree");
+  ASSERT_TRUE(tree) << tree.error().message;
+  Progress progress;
+  const PatchModel whole = *PatchFile::open(folder / "tree")->read_all(progress);
+  ASSERT_EQ(whole.joined.size(), 2U);
+  for (const double degrees : {4.0, 70.0}) {
+    RenderSettings settings = test::small_image(model, {30.0, 20.0, 2.0}, 96);
+    settings.camera.vertical_fov_degrees = degrees;
+    const std::vector<RenderSettings> views{settings};
+    const std::vector<Transform> transforms(1);
+    const auto read = read_in_view(*tree, onlookers_of(views, transforms, whole), progress);
+    ASSERT_TRUE(read) << read.error().message;
+    std::uint32_t patches = 0;
+    for (const PatchRun& run : read->model.joined) {
+      EXPECT_EQ(run.first, patches);
+      patches += run.count;
     }
+    EXPECT_EQ(read->model.joined.size(), read->tiles);
+    EXPECT_EQ(patches, read->model.patches.size());
+    EXPECT_EQ(patches == whole.patches.size(), degrees > 20.0);
+    const Image image = test::must_render(read->model, settings).image;
+    expect_same_image(image, test::must_render(whole, settings).image);
+    // Seams are part of it.
+    PatchModel apart = read->model;
+    apart.joined.clear();
+    EXPECT_NE(test::values(image, "R"),
+              test::values(test::must_render(apart, settings).image, "R"));
   }
 }
 

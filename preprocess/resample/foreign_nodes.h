@@ -1,0 +1,31 @@
+// Ends patches where their neighbours begin, so that make_seams() can join them.
+#pragma once
+
+#include <vector>
+
+#include "preprocess/resample/creases.h"
+#include "preprocess/resample/mls.h"
+#include "preprocess/resample/patch_grid.h"
+#include "preprocess/resample/support.h"
+
+namespace relief {
+
+/// The points about a patch, and what else tells whose they are.
+struct PatchSurroundings {
+  const PatchPoints& points;
+  const PointGrid& all;                    ///< a lookup of all of them
+  const RegionCreases* creases = nullptr;  ///< null if the region has none
+  /// Points from here on (Membership) are of other tiles. Nothing meets the patch there: they vote
+  /// with its own, and it keeps its margin over them.
+  std::uint32_t of_others = 0;
+};
+
+/// Turns nodes into holes that belong to other regions: the points about a node vote, the nearest
+/// most, those whose normals are not on the side of the node's not at all. Also nodes that overhang
+/// a crease or the border of the scan's sheet, and all that are NodeState::Margin. The heights of
+/// those that stay beside a crease become those of their side alone. `surface`: parallel to
+/// `states`.
+void drop_foreign_nodes(const PatchSurroundings& around, const PatchGrid& grid,
+                        std::vector<SurfacePoint>& surface, std::vector<NodeState>& states);
+
+}  // namespace relief

@@ -1,0 +1,21 @@
+// What resampling knows of a scan.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "preprocess/normals/crease_normals.h"
+#include "preprocess/partition/partition.h"
+
+namespace relief {
+
+/// The input of resampling the regions of a scan.
+struct ScanSurface {
+  const SurfaceSamples& samples;
+  const NeighbourGraph& graph;
+  const Membership& membership;             ///< of all points
+  const std::vector<glm::u8vec3>& colours;  ///< empty, or one for each point
+  const CreaseNormals* creases = nullptr;   ///< of all points, with seams; may be null
+};
+
+}  // namespace relief
