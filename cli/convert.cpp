@@ -164,15 +164,10 @@ void add_surface_options(CLI::App& sub, ConvertArguments& arguments) {
          "larger makes fewer patches (default 70)")
       ->check(CLI::Range(1.0, 89.0))
       ->option_text("DEG");
-  CLI::Option* const seams = sub.add_flag(
-      "--seams", arguments.options.seams,
-      "End patches at common seams instead of letting them overlap; with --memory they "
-      "still overlap from tile to tile (experimental: docs/decisions/0100-seams.md)");
   sub.add_option("--overlap", arguments.options.overlap_cells,
-                 fmt::format("Overlap of patches, in grid cells, 0 to 16 (default {})",
-                             arguments.options.overlap_cells))
+                 "Let patches overlap by so many grid cells, 0 to 16, as sprites and quads need "
+                 "it (default: patches meet at seams)")
       ->check(CLI::Range(0, 16))
-      ->excludes(seams)
       ->option_text("CELLS");
 }
 

@@ -170,7 +170,8 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   if (progress.cancelled()) return interrupted_error();
 
   std::optional<CreaseNormals> creases;
-  if (options.seams) creases = find_creases(points.positions, points.normals, graph);
+  const bool seams = !options.overlap_cells;
+  if (seams) creases = find_creases(points.positions, points.normals, graph);
   std::vector<Region> regions =
       find_regions(points, points.size(), graph, frames, options.cone_degrees,
                    creases ? &*creases : nullptr, progress);
@@ -183,7 +184,7 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   const double spacing =
       options.spacing > 0.0
           ? options.spacing
-          : choose_spacing(samples, graph, regions, factors, result.report.points, options.seams);
+          : choose_spacing(samples, graph, regions, factors, result.report.points, seams);
   RELIEF_TRY(check_spacing(spacing, area_of(regions, samples), points.size()));
   const Membership membership = membership_of(samples, regions);
   std::vector<Patch> patches = make_patches(
@@ -209,7 +210,8 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   progress.begin_stage("measure", 0);
   PatchModel& model = result.model;
   model.patches = std::move(patches);
-  if (options.seams) model.joined = {{0, static_cast<std::uint32_t>(model.patches.size()), model.is_closed}};
+  if (seams)
+    model.joined = {{0, static_cast<std::uint32_t>(model.patches.size()), model.is_closed}};
   const Fidelity fidelity = measure(points.positions, result.report.points, graph,
                                     owners_of(regions, points.size()), model);
   model.spacing = spacing;

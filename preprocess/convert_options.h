@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "common/patch.h"
 
@@ -11,7 +12,8 @@ struct ConvertOptions {
   double spacing = 0.0;  ///< grid step in world units; 0: about as many samples as points
   double cone_degrees =
       0.0;  ///< largest angle between a patch's normal and its points' normals; 0: default
-  int overlap_cells = 1;          ///< width of the overlap margin, in grid cells
+  /// Patches overlap by as many grid cells; without it they meet at seams.
+  std::optional<int> overlap_cells;
   double height_step = 0.0;       ///< world units per height index; 0: spacing / 20
   bool adaptive_spacing = false;  ///< each patch's spacing follows the scan's local density, up to
                                   ///< 8 to 1; `spacing` is then the typical one
@@ -19,7 +21,6 @@ struct ConvertOptions {
   int texels_per_cell =
       0;  ///< colour texels per grid cell of meshes with textures or materials, and normal texels
           ///< of meshes with normal maps, 1 to 64; 0: as many as keep their detail (map_textures)
-  bool seams = false;  ///< patches end at common seams instead of overlapping
   int threads = 0;     ///< 0: all cores. The result does not depend on it.
 };
 

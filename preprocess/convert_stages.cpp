@@ -21,10 +21,10 @@ ResampleOptions resample_options(const ConvertOptions& options, double spacing,
                                  bool normals_estimated) {
   return {.spacing = spacing,
           .height_step = options.height_step,
-          .overlap_cells = options.seams ? 1 : options.overlap_cells,
+          .overlap_cells = options.overlap_cells.value_or(1),
           .colour_scale = static_cast<std::uint32_t>(options.colour_scale),
           .normals_from_points = !normals_estimated,
-          .seams = options.seams};
+          .seams = !options.overlap_cells};
 }
 
 void count_texels(const std::vector<Patch>& patches, ConvertReport& report) {

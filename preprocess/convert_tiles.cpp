@@ -24,9 +24,9 @@ Result<std::string> fingerprint_of(const std::vector<fs::path>& files,
                                    const PatchFileOptions& file_options,
                                    const SpreadOptions& spread_options) {
   std::string text = fmt::format(
-      "relief {} tiles 3\nspacing {} cone {} overlap {} seams {} step {} colours {}\n"
+      "relief {} tiles 3\nspacing {} cone {} overlap {} step {} colours {}\n"
       "codec {} normals {}\ntile {}\n",
-      kVersion, options.spacing, options.cone_degrees, options.overlap_cells, options.seams,
+      kVersion, options.spacing, options.cone_degrees, options.overlap_cells.value_or(-1),
       options.height_step, options.colour_scale, static_cast<int>(file_options.codec),
       file_options.normal_degrees, tile_points(spread_options));
   for (const fs::path& file : files) {

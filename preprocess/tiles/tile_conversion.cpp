@@ -150,7 +150,7 @@ class TileConversion {
     RELIEF_TRY(save_report(folder_.part_report(tile), made));
     PatchModel model = extent();
     model.patches = std::move(made.patches);
-    if (options_.seams) model.joined = {{0, static_cast<std::uint32_t>(model.patches.size())}};
+    if (!options_.overlap_cells) model.joined = {{0, static_cast<std::uint32_t>(model.patches.size())}};
     return write_patch_file(folder_.part(tile), model, file_options_);
   }
 

@@ -204,7 +204,6 @@ TEST(ConvertTiles, PatchesThatMeetLeaveNoGapAtBordersOfTiles) {
   };
   write_ply(folder / "waves.ply", test::sample_height_field(1.0, 0.01, height));
   ConvertOptions options;
-  options.seams = true;
   options.cone_degrees = 10.0;  // several patches a tile
   const TiledResult tiled = must_convert(folder / "waves.ply", folder / "waves.relief", options);
   EXPECT_GE(tiled.tiles, 8U);
@@ -236,7 +235,7 @@ TEST(ConvertTiles, BytesDoNotDependOnThreadsOrLeftoverFiles) {
   write_ply(folder / "torus.ply", points);
   for (const bool seams : {false, true}) {
     ConvertOptions options;
-    options.seams = seams;
+    if (!seams) options.overlap_cells = 1;
     options.threads = 1;
     const TiledResult one = must_convert(folder / "torus.ply", folder / "one.relief", options);
     EXPECT_EQ(one.duplicates, 1U);
@@ -281,7 +280,7 @@ INSTANTIATE_TEST_SUITE_P(Seams, ResumedTiles, testing::Bool());
 TEST_P(ResumedTiles, AreThoseOfOneRun) {
   const ScratchFolder folder;
   ConvertOptions options;
-  options.seams = GetParam();
+  if (!GetParam()) options.overlap_cells = 1;
   const fs::path scan = folder / "torus.ply";
   const fs::path output = folder / "torus.relief";
   write_ply(scan, test::sample_torus({}, 0.025));
