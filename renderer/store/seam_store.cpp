@@ -55,6 +55,18 @@ class PatchVertices {
   FlatMap numbers_;
 };
 
+VertexArray make_seam_attributes(const Gl& gl, const Buffer& corners, const Buffer& positions) {
+  VertexArray attributes(gl, "seams");
+  const GLuint id = attributes.id();
+  gl.VertexArrayBindingDivisor(id, 0, 1);
+  gl.EnableVertexArrayAttrib(id, RELIEF_ATTRIBUTE_PATCH);
+  gl.VertexArrayAttribIFormat(id, RELIEF_ATTRIBUTE_PATCH, 1, GL_UNSIGNED_INT, 0);
+  gl.VertexArrayAttribBinding(id, RELIEF_ATTRIBUTE_PATCH, 0);
+  gl.VertexArrayVertexBuffer(id, 0, positions.id(), 0, sizeof(glm::uvec2));
+  gl.VertexArrayElementBuffer(id, corners.id());
+  return attributes;
+}
+
 }  // namespace
 
 SeamUpload::SeamUpload(const Gl& gl, const PatchModel& model, bool needed)
@@ -93,20 +105,22 @@ Result<std::span<const SeamCorners>> SeamUpload::get(PatchRun run) {
     shares.push_back({first, static_cast<std::uint32_t>(corners_.size()) - first});
   }
   const auto most = static_cast<std::size_t>(get_limit(gl_, GL_MAX_TEXTURE_BUFFER_SIZE));
-  if (corners_.size() > most || 2 * vertices_.size() > most) {
+  if (2 * vertices_.size() > most) {
     return make_error(
-        "the seams between patches have {} triangles, more than this OpenGL can draw ({}); "
+        "the seams between patches have {} vertices, more than this OpenGL can draw ({}); "
         "convert again with a larger spacing",
-        corners_.size() / 3, most / 3);
+        vertices_.size(), most / 2);
   }
   return std::span<const SeamCorners>(shares);
 }
 
-SeamStore SeamUpload::take(std::vector<StoredSeam> seams) {
+SeamStore SeamUpload::take(std::vector<StoredSeam> seams, const Buffer& positions) {
+  Buffer corners = make_buffer(gl_, "seam corners", std::span<const std::uint32_t>(corners_));
+  VertexArray attributes = make_seam_attributes(gl_, corners, positions);
   return {
       std::move(seams),
       make_table(gl_, "seam vertices", GL_RGBA32F, std::span<const shared::SeamVertex>(vertices_)),
-      make_table(gl_, "seam corners", GL_R32UI, std::span<const std::uint32_t>(corners_))};
+      std::move(corners), std::move(attributes)};
 }
 
 }  // namespace relief

@@ -35,8 +35,9 @@ struct StoredSeam {
 
 struct SeamStore {
   std::vector<StoredSeam> seams;
-  Table vertices;  ///< shared::SeamVertex
-  Table corners;   ///< three a triangle: numbers of vertices
+  Table vertices;          ///< shared::SeamVertex
+  Buffer corners;          ///< three a triangle: numbers of vertices
+  VertexArray attributes;  ///< corners, and per instance the patch
 };
 
 /// Collects the seams of runs of patches and uploads them.
@@ -54,7 +55,8 @@ class SeamUpload {
   Result<std::span<const SeamCorners>> get(PatchRun run);
 
   [[nodiscard]] bool empty() const { return corners_.empty(); }
-  SeamStore take(std::vector<StoredSeam> seams);
+  /// `positions`: CellStore::positions.
+  SeamStore take(std::vector<StoredSeam> seams, const Buffer& positions);
 
  private:
   const Gl& gl_;

@@ -150,7 +150,6 @@ using glm::vec4;
 #define RELIEF_TEXTURE_BACK_DEPTHS 25
 #define RELIEF_TEXTURE_BODIES 26
 #define RELIEF_TEXTURE_SEAM_VERTICES 27
-#define RELIEF_TEXTURE_SEAM_CORNERS 28
 
 /// Uniform of `multipass`: radius of its discs over that of Eq. (1) of [Ochotta 2008].
 #define RELIEF_UNIFORM_RADIUS_FACTOR 0

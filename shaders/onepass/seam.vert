@@ -1,8 +1,7 @@
-// The triangles between patches that end where others begin, without indices: gl_VertexID is a corner.
+// The triangles between patches that end where others begin.
 #include "include/patches.glsl"
 
 layout(binding = RELIEF_TEXTURE_SEAM_VERTICES) uniform samplerBuffer seam_vertices;
-layout(binding = RELIEF_TEXTURE_SEAM_CORNERS) uniform usamplerBuffer seam_corners;
 
 layout(location = RELIEF_ATTRIBUTE_PATCH) in uint patch_index;
 
@@ -10,7 +9,7 @@ layout(location = 0) flat out uint hit_patch;
 layout(location = 1) out vec3 hit;  // in the grid frame
 
 void main() {
-  int vertex = 2 * int(texelFetch(seam_corners, gl_VertexID).x);
+  int vertex = 2 * gl_VertexID;
   vec4 own = texelFetch(seam_vertices, vertex);
   hit_patch = patch_index;
   hit = own.xyz;

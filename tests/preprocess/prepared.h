@@ -23,7 +23,7 @@ struct Prepared {
     std::vector<std::uint32_t> all(points.size());
     std::iota(all.begin(), all.end(), 0U);
     Progress progress;
-    return partition(samples(), graph, std::move(all), cone_degrees, progress);
+    return partition(samples(), graph, std::move(all), cone_degrees, nullptr, progress);
   }
 
   Points points;

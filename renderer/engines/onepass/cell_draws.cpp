@@ -27,18 +27,19 @@ void bind_page(const Gl& gl, const CellPage& page) {
 /// Triangles face as border splats do.
 void draw_seams(const Gl& gl, const Programs& programs, const CellDraws& draws, bool behind) {
   if (draws.seams == nullptr) return;
+  const auto samples = static_cast<GLuint>(get_limit(gl, GL_VERTEX_ARRAY_BINDING));
+  gl.BindVertexArray(draws.seams->attributes.id());
   gl.UseProgram(programs.seams->id());
   gl.BindTextureUnit(RELIEF_TEXTURE_SEAM_VERTICES, draws.seams->vertices.texture.id());
-  gl.BindTextureUnit(RELIEF_TEXTURE_SEAM_CORNERS, draws.seams->corners.texture.id());
   for (const auto member : {&CellDraws::seams_both, &CellDraws::seams_front}) {
     const std::optional<Commands>& commands = draws.*member;
     if (!commands) continue;
     const CulledFaces culled(gl, behind || member == &CellDraws::seams_front);
     gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, commands->buffer.id());
-    gl.MultiDrawArraysIndirect(GL_TRIANGLES, nullptr, commands->count, 0);
+    gl.MultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, commands->count, 0);
   }
   gl.BindTextureUnit(RELIEF_TEXTURE_SEAM_VERTICES, 0);
-  gl.BindTextureUnit(RELIEF_TEXTURE_SEAM_CORNERS, 0);
+  gl.BindVertexArray(samples);
 }
 
 }  // namespace

@@ -74,13 +74,13 @@ std::vector<std::uint32_t> find_seams(const PatchStore& store, const View& view,
   return nearest_first(seams, view, std::move(visible));
 }
 
-std::vector<ArraysCommand> seam_commands(const SeamStore& store,
-                                         const std::vector<std::uint32_t>& seams) {
-  std::vector<ArraysCommand> commands;
+std::vector<ElementsCommand> seam_commands(const SeamStore& store,
+                                           const std::vector<std::uint32_t>& seams) {
+  std::vector<ElementsCommand> commands;
   commands.reserve(seams.size());
   for (const std::uint32_t s : seams) {
     const StoredSeam& seam = store.seams[s];
-    commands.push_back({seam.corners.count, 1, seam.corners.first, seam.number});
+    commands.push_back({seam.corners.count, 1, seam.corners.first, 0, seam.number});
   }
   return commands;
 }

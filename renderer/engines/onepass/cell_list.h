@@ -41,8 +41,8 @@ struct MaterialChoice {
 [[nodiscard]] std::vector<std::uint32_t> find_seams(const PatchStore& store, const View& view,
                                                     const MaterialChoice& materials);
 
-/// Commands that draw seams, without indices.
-[[nodiscard]] std::vector<ArraysCommand> seam_commands(const SeamStore& store,
-                                                       const std::vector<std::uint32_t>& seams);
+/// Commands that draw seams.
+[[nodiscard]] std::vector<ElementsCommand> seam_commands(const SeamStore& store,
+                                                         const std::vector<std::uint32_t>& seams);
 
 }  // namespace relief::onepass
