@@ -40,10 +40,11 @@ EngineOption interpolation_option(const std::vector<Interpolation>& interpolatio
 EngineOption cull_option() {
   return choice_option(
       {.key = "cull",
-       .help = "which faces are not drawn: none draws both sides; back leaves out faces that look "
-               "away from the eye; auto is back for models known to be closed, seen from outside",
-       .default_text = "none"},
-      kCullModes, {CullMode::Auto, CullMode::Back, CullMode::None},
+       .help = "which faces are not drawn: safe leaves out faces that look away from the eye of "
+               "closed models whose patches meet at seams, drawn as cells and seen from outside; "
+               "auto of all closed models seen from outside; back of all; none draws both sides",
+       .default_text = "safe"},
+      kCullModes, {CullMode::Safe, CullMode::Auto, CullMode::Back, CullMode::None},
       [](RenderSettings& settings) -> CullMode& { return settings.cull; });
 }
 

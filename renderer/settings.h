@@ -27,7 +27,7 @@ struct RenderSettings {
   Camera camera;
   Primitive primitive = Primitive::Cell;
   Interpolation interpolation = Interpolation::Corrected;
-  CullMode cull = CullMode::None;  ///< of the engines on OpenGL
+  CullMode cull = CullMode::Safe;  ///< of the engines on OpenGL
   Material material = Material::Lit;
   MaterialConstants constants;  ///< of `material`
   /// By Patch::material and its like in meshes and clouds; empty: `material` for all. At most

@@ -20,8 +20,9 @@ enum class Material : std::uint8_t {
   Split  ///< for demonstration: quarters of the image as in Figure 1(d) of [Ochotta 2008]
 };
 
-/// The faces that are not drawn. Auto: the back faces of models known to be closed.
-enum class CullMode : std::uint8_t { Auto, Back, None };
+/// The faces that are not drawn. Auto: the back faces of models known to be closed. Safe: of those
+/// among them whose patches meet, drawn as cells, where what is left out is hidden anyway.
+enum class CullMode : std::uint8_t { Safe, Auto, Back, None };
 
 /// The resampling filters that Figure 8 of [Zwicker 2001] compares.
 enum class EwaFilter : std::uint8_t {
@@ -101,8 +102,11 @@ inline constexpr std::array<Named<Primitive>, 3> kPrimitives{
     {{"sprite", Primitive::Sprite}, {"quad", Primitive::Quad}, {"cell", Primitive::Cell}}};
 inline constexpr std::array<Named<Interpolation>, 2> kInterpolations{
     {{"direct", Interpolation::Direct}, {"corrected", Interpolation::Corrected}}};
-inline constexpr std::array<Named<CullMode>, 3> kCullModes{
-    {{"auto", CullMode::Auto}, {"back", CullMode::Back}, {"none", CullMode::None}}};
+inline constexpr std::array<Named<CullMode>, 4> kCullModes{
+    {{"safe", CullMode::Safe},
+     {"auto", CullMode::Auto},
+     {"back", CullMode::Back},
+     {"none", CullMode::None}}};
 inline constexpr std::array<Named<Material>, 5> kMaterials{{{"unlit", Material::Unlit},
                                                             {"lit", Material::Lit},
                                                             {"mirror", Material::Mirror},

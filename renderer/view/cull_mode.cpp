@@ -45,7 +45,10 @@ bool has_closed_bodies(const PatchModel& model) {
 }
 
 CullMode cull_mode_of(const RenderSettings& settings) {
-  if (settings.cull == CullMode::Auto && is_transparent(settings)) return CullMode::None;
+  const bool asked = settings.cull == CullMode::Back || settings.cull == CullMode::None;
+  if (!asked && is_transparent(settings)) return CullMode::None;
+  if (settings.cull == CullMode::Safe && settings.primitive != Primitive::Cell)
+    return CullMode::None;
   return settings.cull;
 }
 
@@ -56,7 +59,9 @@ bool may_hide_backs(const RenderSettings& settings, bool closed) {
 
 bool make_use_of_bodies(std::span<const View> views) {
   return std::any_of(views.begin(), views.end(),
-                     [](const View& view) { return view.cull == CullMode::Auto; });
+                     [](const View& view) {
+                       return view.cull == CullMode::Auto || view.cull == CullMode::Safe;
+                     });
 }
 
 }  // namespace relief

@@ -18,10 +18,10 @@ namespace fs = std::filesystem;
 using test::ScratchFolder;
 
 PatchTree must_convert(const fs::path& scan, const fs::path& output, TileOptions options,
-                       PatchFileOptions file = {}) {
+                       PatchFileOptions file = {}, const ConvertOptions& conversion = {}) {
   Progress progress;
   options.memory_bytes = memory_for(24000);
-  const auto result = convert_tiles({scan}, output, {}, file, options, progress);
+  const auto result = convert_tiles({scan}, output, conversion, file, options, progress);
   EXPECT_TRUE(result && *result) << (result ? "not in tiles" : result.error().message);
   auto tree = PatchTree::open(output);
   EXPECT_TRUE(tree) << tree.error().message;
@@ -91,7 +91,10 @@ TEST(Overviews, ShowTheSurfaceFromItsSide) {
   for (const glm::dvec3& p : points.positions)
     points.colours.emplace_back(127.0 + 80.0 * p.x, 127.0 + 80.0 * p.y, 127.0 + 200.0 * p.z);
   test::write_ply(folder / "torus.ply", points);
-  const PatchTree tree = must_convert(folder / "torus.ply", folder / "torus.relief", small_tiles());
+  ConvertOptions overlapping;
+  overlapping.overlap_cells = 1;  // the gaps between patches that meet are of none of them
+  const PatchTree tree = must_convert(folder / "torus.ply", folder / "torus.relief", small_tiles(),
+                                      {}, overlapping);
   for (const std::uint32_t level : {1U, 2U}) {
     SCOPED_TRACE(level);
     const PatchModel model = read_level(tree, level);
