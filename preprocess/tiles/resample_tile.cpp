@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -73,10 +74,13 @@ TilePatches resample_tile(SurveyedTile surveyed, const ResampleOptions& options,
   assert(surveyed.halo_cosines.size() == tile.home.size());
   std::ranges::copy(surveyed.halo_cosines,
                     membership.cosine.begin() + static_cast<std::ptrdiff_t>(tile.own));
+  std::optional<CreaseNormals> creases;
+  if (options.seams) creases = find_creases(tile.points.positions, survey.normals, graph);
   made.patches = make_patches({.samples = samples,
                                .graph = graph,
                                .membership = membership,
-                               .colours = tile.points.colours},
+                               .colours = tile.points.colours,
+                               .creases = creases ? &*creases : nullptr},
                               std::vector<double>(regions.size(), 1.0), options, regions, progress);
   if (progress.cancelled()) return made;
   std::vector<double> distances =

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <glm/geometric.hpp>
 #include <map>
 #include <tuple>
@@ -81,8 +82,11 @@ TileSurvey survey_tile(TilePoints& tile, const SurveyOptions& options, Progress&
   }
   if (progress.cancelled()) return survey;
 
+  std::optional<CreaseNormals> creases;
+  if (options.seams) creases = find_creases(points.positions, points.normals, graph);
   const std::vector<Region> regions =
-      find_regions(points, tile.own, graph, frames, options.cone_degrees, nullptr, progress);
+      find_regions(points, tile.own, graph, frames, options.cone_degrees,
+                   creases ? &*creases : nullptr, progress);
   if (progress.cancelled()) return survey;
   for (std::uint32_t r = 0; r < regions.size(); ++r) {
     for (const std::uint32_t i : regions[r].points) survey.region[i] = r;
@@ -91,7 +95,8 @@ TileSurvey survey_tile(TilePoints& tile, const SurveyOptions& options, Progress&
   if (options.find_area && !regions.empty()) {
     const SurfaceSamples samples{points.positions, points.normals, graph.spacing, frames.roughness};
     const double spacing =
-        choose_spacing(samples, graph, regions, std::vector<double>(regions.size(), 1.0), tile.own);
+        choose_spacing(samples, graph, regions, std::vector<double>(regions.size(), 1.0), tile.own,
+                       options.seams);
     survey.area = static_cast<double>(tile.own) * spacing * spacing;
   }
   survey.cosines = own_cosines(tile, survey, regions);

@@ -48,6 +48,7 @@ std::vector<std::uint32_t> merge_duplicates(TilePoints& tile);
 
 struct SurveyOptions {
   double cone_degrees = 0.0;
+  bool seams = false;      ///< patches will meet: regions end at creases
   bool find_area = false;  ///< only needed to choose the spacing
   glm::dvec3 centre{0.0};  ///< of the scan's bounds
 };

@@ -67,7 +67,8 @@ class TileConversion {
   Status survey_one(std::uint32_t tile) {
     RELIEF_TRY_ASSIGN(auto loaded, load(tile));
     QuietProgress quiet(progress_);
-    const SurveyOptions survey_options{options_.cone_degrees, options_.spacing == 0.0, centre_};
+    const SurveyOptions survey_options{options_.cone_degrees, !options_.overlap_cells,
+                                       options_.spacing == 0.0, centre_};
     const TileSurvey made = survey_tile(loaded, survey_options, quiet);
     if (progress_.cancelled()) return interrupted_error();
     const std::vector<RimPoint> rim = rim_of(loaded, made);
