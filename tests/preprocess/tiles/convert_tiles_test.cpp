@@ -92,7 +92,8 @@ TEST(ConvertTiles, GivesWhatAConversionInMemoryGives) {
   // Tiles are oriented each for itself, and half of them would be turned the wrong way by chance.
   EXPECT_EQ(share_facing(model, torus), 1.0);
   EXPECT_NEAR(model.bounding_radius, 1.4, 0.01);
-  EXPECT_NEAR(model.spacing, 0.02, 0.002);
+  // 15 % more samples than points, and about half of what is near borders is of another patch.
+  EXPECT_NEAR(model.spacing, 0.0175, 0.001);
   EXPECT_EQ(folder.count(), 2) << "the parts are still there";
 }
 
@@ -230,7 +231,9 @@ TEST(ConvertTiles, PatchesThatMeetLeaveNoGapAtBordersOfTiles) {
                    spots, covered);
     }
   }
-  EXPECT_EQ(std::ranges::count(covered, 0), 0);
+  // Of 241,081; 1,071 without margins. One is known: two borders lie on one line there, and no
+  // triangle between them is round enough (decision 0100).
+  EXPECT_LE(std::ranges::count(covered, 0), 1);
 }
 
 TEST(ConvertTiles, BytesDoNotDependOnThreadsOrLeftoverFiles) {
