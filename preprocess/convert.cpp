@@ -131,7 +131,8 @@ Fidelity measure(const std::vector<glm::dvec3>& positions, std::size_t count,
   // Stitching takes mostly one thread. It reads no normals of holes, which are what is joined.
   tbb::parallel_invoke(
       [&] {
-        if (!model.joined.empty()) seams.emplace(model.patches, make_seams(model.patches, model.is_closed));
+        if (!model.joined.empty())
+          seams.emplace(model.patches, make_seams(model.patches, model.is_closed));
       },
       [&] {
         distances = distances_to_patches(positions, count, graph, owner, model.patches);
@@ -181,10 +182,9 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   const std::vector<double> factors = options.adaptive_spacing
                                           ? spacing_factors(samples, regions)
                                           : std::vector<double>(regions.size(), 1.0);
-  const double spacing =
-      options.spacing > 0.0
-          ? options.spacing
-          : choose_spacing(samples, graph, regions, factors, result.report.points, seams);
+  const double spacing = options.spacing > 0.0 ? options.spacing
+                                               : choose_spacing(samples, graph, regions, factors,
+                                                                result.report.points, seams);
   RELIEF_TRY(check_spacing(spacing, area_of(regions, samples), points.size()));
   const Membership membership = membership_of(samples, regions);
   std::vector<Patch> patches = make_patches(

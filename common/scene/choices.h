@@ -102,11 +102,10 @@ inline constexpr std::array<Named<Primitive>, 3> kPrimitives{
     {{"sprite", Primitive::Sprite}, {"quad", Primitive::Quad}, {"cell", Primitive::Cell}}};
 inline constexpr std::array<Named<Interpolation>, 2> kInterpolations{
     {{"direct", Interpolation::Direct}, {"corrected", Interpolation::Corrected}}};
-inline constexpr std::array<Named<CullMode>, 4> kCullModes{
-    {{"safe", CullMode::Safe},
-     {"auto", CullMode::Auto},
-     {"back", CullMode::Back},
-     {"none", CullMode::None}}};
+inline constexpr std::array<Named<CullMode>, 4> kCullModes{{{"safe", CullMode::Safe},
+                                                            {"auto", CullMode::Auto},
+                                                            {"back", CullMode::Back},
+                                                            {"none", CullMode::None}}};
 inline constexpr std::array<Named<Material>, 5> kMaterials{{{"unlit", Material::Unlit},
                                                             {"lit", Material::Lit},
                                                             {"mirror", Material::Mirror},

@@ -47,7 +47,8 @@ Plane plane_about(const Patch& patch, std::uint32_t i, std::uint32_t j) {
   int count = 0;
   glm::dvec3 sum(0.0);
   glm::dmat3 products(0.0);  // of u, v and the height, in cells
-  for (std::uint32_t y = j - std::min(j, kReach); y <= std::min(j + kReach, patch.height - 1); ++y) {
+  for (std::uint32_t y = j - std::min(j, kReach); y <= std::min(j + kReach, patch.height - 1);
+       ++y) {
     for (std::uint32_t x = i - std::min(i, kReach); x <= std::min(i + kReach, patch.width - 1);
          ++x) {
       if (patch.at(x, y) == kHole) continue;

@@ -43,7 +43,7 @@ struct Cluster {
   glm::dvec3 area_normal{0.0};  // sum of those times normals
   double perimeter = 0.0;       // sum of `borders`
   Borders borders;
-  Borders creases;                // what of them is at creases
+  Borders creases;                       // what of them is at creases
   std::unique_ptr<NormalSpread> spread;  // computed on demand
   std::uint32_t version = 0;
 };

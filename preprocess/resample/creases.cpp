@@ -7,7 +7,6 @@
 #include <unordered_set>
 #include <utility>
 
-
 namespace relief {
 namespace {
 
@@ -34,7 +33,8 @@ std::vector<OrientedPoint> points_near(const PatchPoints& points, const PointGri
   found.resize(std::min(found.size(), kMostPoints));
   std::vector<OrientedPoint> nearest;
   nearest.reserve(found.size());
-  for (const auto& [squared, p] : found) nearest.push_back({points.positions[p], points.normals[p]});
+  for (const auto& [squared, p] : found)
+    nearest.push_back({points.positions[p], points.normals[p]});
   return nearest;
 }
 
@@ -82,8 +82,8 @@ RegionCreases::RegionCreases(const ScanSurface& scan, const Region& region,
                              const PatchPoints& points, double reach)
     : reach_(reach) {
   const CreaseNormals& sides = *scan.creases;
-  const bool at_crease = std::ranges::any_of(
-      region.points, [&](std::uint32_t i) { return sides.at_crease[i] != 0; });
+  const bool at_crease =
+      std::ranges::any_of(region.points, [&](std::uint32_t i) { return sides.at_crease[i] != 0; });
   if (!at_crease) return;
   others_ = collect_beyond(scan, region, points.frame, reach);
   if (others_.size() == 0) return;

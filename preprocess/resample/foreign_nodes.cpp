@@ -97,8 +97,8 @@ class NodeJudge {
     const double own = votes.own + votes.tiles;
     if (own < kOwnShare * (own + votes.others)) return NodeState::Hole;
     const double overhang = kOverhangInSpacings * grid_.spacing;
-    const bool overhangs = !crease && votes.nearest > overhang * overhang &&
-                           widest_sector(directions_) > kOpenSector;
+    const bool overhangs =
+        !crease && votes.nearest > overhang * overhang && widest_sector(directions_) > kOpenSector;
     return overhangs ? NodeState::Hole : NodeState::Own;
   }
 
@@ -118,7 +118,7 @@ class NodeJudge {
   struct Votes {
     double own = 0.0;
     double others = 0.0;
-    double tiles = 0.0;  ///< other ones
+    double tiles = 0.0;                                   ///< other ones
     double nearest = std::numeric_limits<double>::max();  ///< squared distance
   };
 

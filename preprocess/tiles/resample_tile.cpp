@@ -83,9 +83,8 @@ TilePatches resample_tile(SurveyedTile surveyed, const ResampleOptions& options,
                                .creases = creases ? &*creases : nullptr},
                               std::vector<double>(regions.size(), 1.0), options, regions, progress);
   if (progress.cancelled()) return made;
-  std::vector<double> distances =
-      distances_to_patches(tile.points.positions, tile.own, graph,
-                           owners_of(regions, tile.points.size()), made.patches);
+  std::vector<double> distances = distances_to_patches(
+      tile.points.positions, tile.own, graph, owners_of(regions, tile.points.size()), made.patches);
   if (options.seams) {
     compare_with_seams(tile.points.positions, made.patches,
                        SeamDistances(made.patches, make_seams(made.patches)), distances);

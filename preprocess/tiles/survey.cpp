@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <glm/geometric.hpp>
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include "preprocess/partition/find_regions.h"
@@ -94,9 +94,8 @@ TileSurvey survey_tile(TilePoints& tile, const SurveyOptions& options, Progress&
   }
   if (options.find_area && !regions.empty()) {
     const SurfaceSamples samples{points.positions, points.normals, graph.spacing, frames.roughness};
-    const double spacing =
-        choose_spacing(samples, graph, regions, std::vector<double>(regions.size(), 1.0), tile.own,
-                       options.seams);
+    const double spacing = choose_spacing(
+        samples, graph, regions, std::vector<double>(regions.size(), 1.0), tile.own, options.seams);
     survey.area = static_cast<double>(tile.own) * spacing * spacing;
   }
   survey.cosines = own_cosines(tile, survey, regions);

@@ -141,21 +141,20 @@ class TileConversion {
     });
     if (!cosines) return cosines.error();
     QuietProgress quiet(progress_);
-    ResampleOptions resampling =
-        resample_options(options_, spacing_, !scan_.attributes.normals);
+    ResampleOptions resampling = resample_options(options_, spacing_, !scan_.attributes.normals);
     // Where patches that meet reach a tile's border, one cell of margin left pinholes.
     if (resampling.seams) resampling.overlap_cells = 2;
-    TilePatches made =
-        resample_tile({.points = std::move(loaded),
-                       .survey = std::move(survey),
-                       .turns = turns_[tile],
-                       .halo_cosines = *cosines},
-                      resampling, quiet);
+    TilePatches made = resample_tile({.points = std::move(loaded),
+                                      .survey = std::move(survey),
+                                      .turns = turns_[tile],
+                                      .halo_cosines = *cosines},
+                                     resampling, quiet);
     if (progress_.cancelled()) return interrupted_error();
     RELIEF_TRY(save_report(folder_.part_report(tile), made));
     PatchModel model = extent();
     model.patches = std::move(made.patches);
-    if (!options_.overlap_cells) model.joined = {{0, static_cast<std::uint32_t>(model.patches.size())}};
+    if (!options_.overlap_cells)
+      model.joined = {{0, static_cast<std::uint32_t>(model.patches.size())}};
     return write_patch_file(folder_.part(tile), model, file_options_);
   }
 

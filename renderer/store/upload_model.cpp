@@ -152,7 +152,8 @@ class ModelUpload {
           CellStore{std::move(parts_), grids_.take_cells(),
                     make_buffer(gl_, "part positions", std::span<const glm::uvec2>(positions_))};
     }
-    if (!seam_upload_.empty()) store.seams = seam_upload_.take(std::move(seams_), store.cells->positions);
+    if (!seam_upload_.empty())
+      store.seams = seam_upload_.take(std::move(seams_), store.cells->positions);
     if (!proxy_.empty()) store.proxies = proxy_.take(needs_.sources);
     if (needs_.bodies)
       store.bodies = make_table(gl_, "bodies", GL_R32F, std::span<const float>(diameters_));

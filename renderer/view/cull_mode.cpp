@@ -58,10 +58,9 @@ bool may_hide_backs(const RenderSettings& settings, bool closed) {
 }
 
 bool make_use_of_bodies(std::span<const View> views) {
-  return std::any_of(views.begin(), views.end(),
-                     [](const View& view) {
-                       return view.cull == CullMode::Auto || view.cull == CullMode::Safe;
-                     });
+  return std::any_of(views.begin(), views.end(), [](const View& view) {
+    return view.cull == CullMode::Auto || view.cull == CullMode::Safe;
+  });
 }
 
 }  // namespace relief

@@ -8,8 +8,8 @@ std::vector<bool> front_alone(const PatchStore& store, const View& view) {
   std::vector<bool> alone;
   alone.reserve(store.instances.size());
   for (const StoredInstance& instance : store.instances) {
-    const bool may = view.cull == CullMode::Auto ||
-                     (view.cull == CullMode::Safe && instance.seams.count > 0);
+    const bool may =
+        view.cull == CullMode::Auto || (view.cull == CullMode::Safe && instance.seams.count > 0);
     const bool outside = may && instance.body && sees_from_outside(view, *instance.body);
     alone.push_back((view.cull == CullMode::Back || outside) && !instance.is_mirrored);
   }

@@ -117,8 +117,8 @@ TEST(ConvertTiles, IsAsNearToThePointsAsAConversionInMemory) {
   EXPECT_LE((*tiled)->report.psnr_db, psnr);
   EXPECT_GE((*tiled)->report.psnr_db, psnr - 1.0);
 
-  const auto tiles_meeting = convert_tiles({folder / "torus.ply"}, folder / "meeting.relief", {}, {},
-                                           tiles_of(12000), progress);
+  const auto tiles_meeting = convert_tiles({folder / "torus.ply"}, folder / "meeting.relief", {},
+                                           {}, tiles_of(12000), progress);
   const auto meeting = convert(points, {}, progress);
   ASSERT_TRUE(tiles_meeting && *tiles_meeting && meeting);
   EXPECT_GE((*tiles_meeting)->report.psnr_db, meeting->report.psnr_db - 1.5);

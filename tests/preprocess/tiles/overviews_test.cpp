@@ -93,8 +93,8 @@ TEST(Overviews, ShowTheSurfaceFromItsSide) {
   test::write_ply(folder / "torus.ply", points);
   ConvertOptions overlapping;
   overlapping.overlap_cells = 1;  // the gaps between patches that meet are of none of them
-  const PatchTree tree = must_convert(folder / "torus.ply", folder / "torus.relief", small_tiles(),
-                                      {}, overlapping);
+  const PatchTree tree =
+      must_convert(folder / "torus.ply", folder / "torus.relief", small_tiles(), {}, overlapping);
   for (const std::uint32_t level : {1U, 2U}) {
     SCOPED_TRACE(level);
     const PatchModel model = read_level(tree, level);
