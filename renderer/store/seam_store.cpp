@@ -3,6 +3,7 @@
 #include <glm/matrix.hpp>
 #include <utility>
 
+#include "common/seams/cell_triangles.h"
 #include "common/seams/flat_map.h"
 #include "common/seams/make_seams.h"
 
@@ -55,6 +56,27 @@ class PatchVertices {
   FlatMap numbers_;
 };
 
+/// Calls `visit` with the nodes of each triangle of the whole cells that touch one that is not.
+template <class Visit>
+void for_each_ring_triangle(const Patch& patch, const Visit& visit) {
+  const CellTriangles cells = cell_triangles(patch);
+  const auto is_inside = [&cells](std::uint32_t i, std::uint32_t j) {
+    for (std::uint32_t y = j - 1; y != j + 2;
+         ++y) {  // before the first it wraps to what is outside
+      for (std::uint32_t x = i - 1; x != i + 2; ++x) {
+        if (cells.at(x, y) != kWholeCell) return false;
+      }
+    }
+    return true;
+  };
+  for (std::uint32_t j = 0; j < cells.rows; ++j) {
+    for (std::uint32_t i = 0; i < cells.columns; ++i) {
+      if (cells.at(i, j) == kWholeCell && !is_inside(i, j))
+        for_each_triangle(patch, cells, i, j, visit);
+    }
+  }
+}
+
 VertexArray make_seam_attributes(const Gl& gl, const Buffer& corners, const Buffer& positions) {
   VertexArray attributes(gl, "seams");
   const GLuint id = attributes.id();
@@ -102,7 +124,11 @@ Result<std::span<const SeamCorners>> SeamUpload::get(PatchRun run) {
     for (const Triangle& t : seams.triangles[p]) {
       for (const std::uint32_t corner : t) corners_.push_back(vertices.number_of(corner));
     }
-    shares.push_back({first, static_cast<std::uint32_t>(corners_.size()) - first});
+    const auto ring = static_cast<std::uint32_t>(corners_.size());
+    for_each_ring_triangle(patches[p], [&](const std::array<std::uint32_t, 3>& nodes) {
+      for (const std::uint32_t node : nodes) corners_.push_back(vertices.number_of(node));
+    });
+    shares.push_back({first, ring - first, static_cast<std::uint32_t>(corners_.size()) - ring});
   }
   const auto most = static_cast<std::size_t>(get_limit(gl_, GL_MAX_TEXTURE_BUFFER_SIZE));
   if (2 * vertices_.size() > most) {

@@ -12,6 +12,7 @@
 #include "common/error.h"
 #include "common/patch.h"
 #include "common/seams/seams.h"
+#include "renderer/geometry/levels.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "shaders/include/shared.h"
@@ -22,6 +23,9 @@ namespace relief {
 struct SeamCorners {
   std::uint32_t first = 0;  ///< in SeamStore::corners
   std::uint32_t count = 0;
+  /// Those of the patch's outermost cells, which follow: over a coarser level they close what is
+  /// open between that and the seams.
+  std::uint32_t ring = 0;
 };
 
 /// What the CPU keeps of a placed patch's share.
@@ -30,6 +34,7 @@ struct StoredSeam {
   std::uint32_t number = 0;  ///< in CellStore::positions, whose attribute names that
   glm::dvec3 centre{0.0};    ///< of a sphere about it, world frame
   double radius = 0.0;
+  PatchExtent extent;  ///< of the patch
   SeamCorners corners;
 };
 

@@ -264,6 +264,7 @@ class ModelUpload {
                         0,
                         extent.centre,
                         extent.radius + kSeamReach * extent.spacing,
+                        extent,
                         {}});
       seam_patches_.push_back(p);
       add_grid(grid, instance.transform, material, first_id_ + k);

@@ -35,8 +35,9 @@ struct CellDraws {
   std::optional<Commands> seams_front;  ///< of those without what faces away
 };
 
-/// Adds the seams of patches (indices into `SeamStore::seams`). The store must outlive the draws.
-void add_seams(const Gl& gl, const SeamStore& store, const SidedList& seams, CellDraws& draws);
+/// Adds the seams of patches in a view (indices into `SeamStore::seams`). The store must outlive the draws.
+void add_seams(const Gl& gl, const SeamStore& store, const View& view, const SidedList& seams,
+               CellDraws& draws);
 
 /// Draws these parts, in this order. The store must outlive the draws.
 [[nodiscard]] CellDraws make_cell_draws(const Gl& gl, const CellStore& store,

@@ -74,13 +74,15 @@ std::vector<std::uint32_t> find_seams(const PatchStore& store, const View& view,
   return nearest_first(seams, view, std::move(visible));
 }
 
-std::vector<ElementsCommand> seam_commands(const SeamStore& store,
+std::vector<ElementsCommand> seam_commands(const SeamStore& store, const View& view,
                                            const std::vector<std::uint32_t>& seams) {
   std::vector<ElementsCommand> commands;
   commands.reserve(seams.size());
   for (const std::uint32_t s : seams) {
     const StoredSeam& seam = store.seams[s];
-    commands.push_back({seam.corners.count, 1, seam.corners.first, 0, seam.number});
+    const bool is_coarse = choose_level(view, seam.extent) > 0;
+    commands.push_back({seam.corners.count + (is_coarse ? seam.corners.ring : 0), 1,
+                        seam.corners.first, 0, seam.number});
   }
   return commands;
 }

@@ -41,8 +41,9 @@ struct MaterialChoice {
 [[nodiscard]] std::vector<std::uint32_t> find_seams(const PatchStore& store, const View& view,
                                                     const MaterialChoice& materials);
 
-/// Commands that draw seams.
-[[nodiscard]] std::vector<ElementsCommand> seam_commands(const SeamStore& store,
+/// Commands that draw seams, and the outermost cells of patches that the view shows at a coarser
+/// level.
+[[nodiscard]] std::vector<ElementsCommand> seam_commands(const SeamStore& store, const View& view,
                                                          const std::vector<std::uint32_t>& seams);
 
 }  // namespace relief::onepass

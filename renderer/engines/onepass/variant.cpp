@@ -50,7 +50,8 @@ DrawBatch make_cell_batch(const Variant& variant, const View& view,
   batch.cells = make_cell_draws(*variant.gl, *store.cells, parts_by_cull_mode(store, view, parts));
   if (store.seams) {
     const std::vector<std::uint32_t> seams = find_seams(store, view, materials);
-    add_seams(*variant.gl, *store.seams, seams_by_cull_mode(store, view, seams), *batch.cells);
+    add_seams(*variant.gl, *store.seams, view, seams_by_cull_mode(store, view, seams),
+              *batch.cells);
     // Also the owners of their vertices, which may be out of view.
     for (const StoredSeam& seam : store.seams->seams) looked_at.push_back(seam.patch);
   }
