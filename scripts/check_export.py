@@ -3,7 +3,7 @@
 
 usage: scripts/check_export.py RELIEF MESH... [--convert=OPTIONS] [--keep DIR]
 
-Each mesh is converted with --seams and exported. Prints two Markdown rows a mesh, its own with equal
+Each mesh is converted and exported. Prints two Markdown rows a mesh, its own with equal
 positions merged, and the export's as it is in the file: border edges (of one triangle) and the loops that
 they form; edges of three or more triangles; pairs of neighbours that face opposite ways; triangles
 without area; components; vertices without a triangle; whether trimesh finds the winding consistent. With
@@ -67,7 +67,7 @@ def main():
         for path in arguments.meshes:
             name = path.name.split(".")[0]
             patches, export = folder / f"{name}.relief", folder / f"{name}.ply"
-            run(arguments.relief, "convert", path, "-o", patches, "--seams", *arguments.convert.split())
+            run(arguments.relief, "convert", path, "-o", patches, *arguments.convert.split())
             run(arguments.relief, "export", patches, "-o", export, "--as", "mesh")
             print(row_of(name, "input", load(path, True)))
             print(row_of(name, "export", load(export, False)), flush=True)

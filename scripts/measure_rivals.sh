@@ -37,7 +37,7 @@ row() {
 
 images=$(cd "$(dirname "$0")/.." && pwd)/docs/images
 for scan in even random; do
-  "$relief" convert "$out/$scan.ply" -o "$out/$scan.relief" >/dev/null
+  "$relief" convert "$out/$scan.ply" -o "$out/$scan.relief" --overlap 1 >/dev/null
 done
 echo '| | even, full | even, close | random, full | random, close |'
 echo '| --- | ---: | ---: | ---: | ---: |'

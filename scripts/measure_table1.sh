@@ -21,7 +21,7 @@ echo "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |"
 for model in "${models[@]}"; do
   spacing=()
   case $model in *=*) spacing=(--spacing "${model#*=}") ;; esac
-  "$relief" convert "$data/${model%=*}" -o "$work/model.relief" "${spacing[@]}" >/dev/null
+  "$relief" convert "$data/${model%=*}" -o "$work/model.relief" --overlap 1 "${spacing[@]}" >/dev/null
   "$relief" bench "$work/model.relief" --frames "$frames" --json >"$work/bench.json"
   jq -r --arg model "$(basename "${model%=*}")" '
     def ms(f): [.rows[] | select(.primitive == "sprite" and f) | .frame_ms][0];

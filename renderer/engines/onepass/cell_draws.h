@@ -35,7 +35,8 @@ struct CellDraws {
   std::optional<Commands> seams_front;  ///< of those without what faces away
 };
 
-/// Adds the seams of patches in a view (indices into `SeamStore::seams`). The store must outlive the draws.
+/// Adds the seams of patches in a view (indices into `SeamStore::seams`). The store must outlive
+/// the draws.
 void add_seams(const Gl& gl, const SeamStore& store, const View& view, const SidedList& seams,
                CellDraws& draws);
 
