@@ -164,9 +164,20 @@ void add_surface_options(CLI::App& sub, ConvertArguments& arguments) {
          "larger makes fewer patches (default 70)")
       ->check(CLI::Range(1.0, 89.0))
       ->option_text("DEG");
-  sub.add_option("--overlap", arguments.options.overlap_cells,
-                 "Let patches overlap by so many grid cells, 0 to 16, as sprites and quads need "
-                 "it (default: patches meet at seams)")
+  CLI::Option* const seams = sub.add_flag_callback(
+      "--seams", [&arguments] { arguments.options.seams = true; },
+      "End patches at common seams instead of letting them overlap; with --memory they still "
+      "overlap from tile to tile (default for scans with faces, except with --memory)");
+  sub.add_option_function<int>(
+         "--overlap",
+         [&arguments](int cells) {
+           arguments.options.seams = false;
+           arguments.options.overlap_cells = cells;
+         },
+         fmt::format("Let patches overlap by so many grid cells, 0 to 16 (default {} for scans "
+                     "without faces)",
+                     arguments.options.overlap_cells))
+      ->excludes(seams)
       ->check(CLI::Range(0, 16))
       ->option_text("CELLS");
 }

@@ -147,6 +147,7 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   ConvertResult result;
   Points mesh;
   const bool textured = has_triangle_colours(points);
+  const bool seams = options.seams.value_or(!points.triangles.empty());
   if (textured) {
     result.model.is_closed = is_closed_mesh(points, points.size(), MeshEdges(points));
     progress.begin_stage("sample mesh", 0);
@@ -171,7 +172,6 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   if (progress.cancelled()) return interrupted_error();
 
   std::optional<CreaseNormals> creases;
-  const bool seams = !options.overlap_cells;
   if (seams) creases = find_creases(points.positions, points.normals, graph);
   std::vector<Region> regions =
       find_regions(points, points.size(), graph, frames, options.cone_degrees,
@@ -193,7 +193,7 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
        .membership = membership,
        .colours = points.colours,
        .creases = creases ? &*creases : nullptr},
-      factors, resample_options(options, spacing, normals.estimated), regions, progress);
+      factors, resample_options(options, seams, spacing, normals.estimated), regions, progress);
   if (progress.cancelled()) return interrupted_error();
   if (patches.empty()) return make_error("the points are too scattered to be a surface");
 

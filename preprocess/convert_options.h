@@ -12,8 +12,10 @@ struct ConvertOptions {
   double spacing = 0.0;  ///< grid step in world units; 0: about as many samples as points
   double cone_degrees =
       0.0;  ///< largest angle between a patch's normal and its points' normals; 0: default
-  /// Patches overlap by as many grid cells; without it they meet at seams.
-  std::optional<int> overlap_cells;
+  /// Whether patches meet at seams instead of overlapping. By default they do if the scan has
+  /// faces: bare points may be noisy and have gaps, which only margins close.
+  std::optional<bool> seams;
+  int overlap_cells = 1;          ///< width of the overlap margin, in grid cells
   double height_step = 0.0;       ///< world units per height index; 0: spacing / 20
   bool adaptive_spacing = false;  ///< each patch's spacing follows the scan's local density, up to
                                   ///< 8 to 1; `spacing` is then the typical one

@@ -17,14 +17,14 @@ Status check_spacing(double spacing, double area, std::uint64_t points) {
   return {};
 }
 
-ResampleOptions resample_options(const ConvertOptions& options, double spacing,
+ResampleOptions resample_options(const ConvertOptions& options, bool seams, double spacing,
                                  bool normals_estimated) {
   return {.spacing = spacing,
           .height_step = options.height_step,
-          .overlap_cells = options.overlap_cells.value_or(1),
+          .overlap_cells = seams ? 1 : options.overlap_cells,
           .colour_scale = static_cast<std::uint32_t>(options.colour_scale),
           .normals_from_points = !normals_estimated,
-          .seams = !options.overlap_cells};
+          .seams = seams};
 }
 
 void count_texels(const std::vector<Patch>& patches, ConvertReport& report) {

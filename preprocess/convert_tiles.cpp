@@ -26,9 +26,10 @@ Result<std::string> fingerprint_of(const std::vector<fs::path>& files,
   std::string text = fmt::format(
       "relief {} tiles 3\nspacing {} cone {} overlap {} step {} colours {}\n"
       "codec {} normals {}\ntile {}\n",
-      kVersion, options.spacing, options.cone_degrees, options.overlap_cells.value_or(-1),
-      options.height_step, options.colour_scale, static_cast<int>(file_options.codec),
-      file_options.normal_degrees, tile_points(spread_options));
+      kVersion, options.spacing, options.cone_degrees,
+      options.seams.value_or(false) ? -1 : options.overlap_cells, options.height_step,
+      options.colour_scale, static_cast<int>(file_options.codec), file_options.normal_degrees,
+      tile_points(spread_options));
   for (const fs::path& file : files) {
     std::error_code error;
     const auto size = fs::file_size(file, error);

@@ -123,8 +123,9 @@ class NodeJudge {
   };
 
   [[nodiscard]] Spot spot_at(std::size_t node, const SurfacePoint& surface) const {
+    const std::size_t row = node / grid_.width;
     return {{grid_.x0 + static_cast<double>(node % grid_.width) * grid_.spacing,
-             grid_.y0 + static_cast<double>(node / grid_.width) * grid_.spacing, surface.height},
+             grid_.y0 + static_cast<double>(row) * grid_.spacing, surface.height},
             surface.fitted_normal};
   }
 

@@ -67,8 +67,8 @@ class TileConversion {
   Status survey_one(std::uint32_t tile) {
     RELIEF_TRY_ASSIGN(auto loaded, load(tile));
     QuietProgress quiet(progress_);
-    const SurveyOptions survey_options{options_.cone_degrees, !options_.overlap_cells,
-                                       options_.spacing == 0.0, centre_};
+    const SurveyOptions survey_options{options_.cone_degrees, seams_, options_.spacing == 0.0,
+                                       centre_};
     const TileSurvey made = survey_tile(loaded, survey_options, quiet);
     if (progress_.cancelled()) return interrupted_error();
     const std::vector<RimPoint> rim = rim_of(loaded, made);
@@ -141,7 +141,8 @@ class TileConversion {
     });
     if (!cosines) return cosines.error();
     QuietProgress quiet(progress_);
-    ResampleOptions resampling = resample_options(options_, spacing_, !scan_.attributes.normals);
+    ResampleOptions resampling =
+        resample_options(options_, seams_, spacing_, !scan_.attributes.normals);
     // Where patches that meet reach a tile's border, one cell of margin left pinholes.
     if (resampling.seams) resampling.overlap_cells = 2;
     TilePatches made = resample_tile({.points = std::move(loaded),
@@ -153,8 +154,7 @@ class TileConversion {
     RELIEF_TRY(save_report(folder_.part_report(tile), made));
     PatchModel model = extent();
     model.patches = std::move(made.patches);
-    if (!options_.overlap_cells)
-      model.joined = {{0, static_cast<std::uint32_t>(model.patches.size())}};
+    if (seams_) model.joined = {{0, static_cast<std::uint32_t>(model.patches.size())}};
     return write_patch_file(folder_.part(tile), model, file_options_);
   }
 
@@ -203,6 +203,7 @@ class TileConversion {
   const TileFolder& folder_;
   const SpreadScan& scan_;
   const ConvertOptions& options_;
+  bool seams_ = options_.seams.value_or(false);
   const PatchFileOptions& file_options_;
   Progress& progress_;
   glm::dvec3 centre_;

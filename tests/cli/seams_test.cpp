@@ -32,7 +32,7 @@ class SeamsCommand : public CliTest {
 TEST_F(SeamsCommand, MeetWithoutMarginsOrHoles) {
   const std::string scan = write_knot(20000);
   const json overlap = run_json({"convert", scan, "-o", path("overlap.relief"), "--overlap", "1"});
-  const json seams = run_json({"convert", scan, "-o", path("seams.relief")});
+  const json seams = run_json({"convert", scan, "-o", path("seams.relief"), "--seams"});
   // Margins took a fifth of the samples; the spacing is finer instead.
   EXPECT_LT(seams["spacing"], overlap["spacing"]);
   EXPECT_NEAR(seams["samples"].get<double>(), 1.15 * 20000.0, 1200.0);
@@ -52,7 +52,7 @@ TEST_F(SeamsCommand, MeetWithoutMarginsOrHoles) {
 }
 
 TEST_F(SeamsCommand, ExportOneClosedMesh) {
-  run_json({"convert", write_knot(20000), "-o", path("knot.relief")});
+  run_json({"convert", write_knot(20000), "-o", path("knot.relief"), "--seams"});
   for (const std::string name : {"knot.ply", "knot.obj", "knot.glb"}) {
     const json told = run_json({"export", path("knot.relief"), "-o", path(name), "--as", "mesh"});
     Progress progress;
@@ -77,8 +77,27 @@ TEST_F(SeamsCommand, ExportOneClosedMesh) {
 TEST_F(SeamsCommand, DoNotDependOnThreads) {
   const std::string scan = write_knot(5000);
   for (const std::string threads : {"1", "3"})
-    run_json({"convert", scan, "-o", path(threads + ".relief"), "--threads", threads});
+    run_json({"convert", scan, "-o", path(threads + ".relief"), "--seams", "--threads", threads});
   EXPECT_EQ(bytes_of(path("1.relief")), bytes_of(path("3.relief")));
+}
+
+TEST_F(SeamsCommand, ExcludeMargins) {
+  const Outcome run = run_relief(
+      {"convert", write_knot(1000), "-o", path("out.relief"), "--seams", "--overlap", "2"});
+  EXPECT_EQ(run.exit_code, 2);
+}
+
+TEST_F(SeamsCommand, AreTheDefaultOfScansWithFaces) {
+  run_json({"convert", write_knot(3000), "-o", path("points.relief"), "--seams"});
+  run_json({"export", path("points.relief"), "-o", path("mesh.ply"), "--as", "mesh"});
+  for (const bool overlap : {false, true}) {
+    std::vector<std::string> arguments{"convert", path("mesh.ply"), "-o", path("mesh.relief")};
+    if (overlap) arguments.insert(arguments.end(), {"--overlap", "1"});
+    run_json(arguments);
+    EXPECT_EQ(run_json({"info", path("mesh.relief")})["seams"], !overlap);
+  }
+  run_json({"convert", write_knot(3000), "-o", path("bare.relief")});
+  EXPECT_EQ(run_json({"info", path("bare.relief")})["seams"], false);
 }
 
 }  // namespace

@@ -92,8 +92,7 @@ TEST(ConvertTiles, GivesWhatAConversionInMemoryGives) {
   // Tiles are oriented each for itself, and half of them would be turned the wrong way by chance.
   EXPECT_EQ(share_facing(model, torus), 1.0);
   EXPECT_NEAR(model.bounding_radius, 1.4, 0.01);
-  // 15 % more samples than points, and about half of what is near borders is of another patch.
-  EXPECT_NEAR(model.spacing, 0.0175, 0.001);
+  EXPECT_NEAR(model.spacing, 0.02, 0.002);
   EXPECT_EQ(folder.count(), 2) << "the parts are still there";
 }
 
@@ -103,7 +102,7 @@ TEST(ConvertTiles, IsAsNearToThePointsAsAConversionInMemory) {
   write_ply(folder / "torus.ply", points);
   Progress progress;
   ConvertOptions options;
-  options.overlap_cells = 1;  // psnr_of() knows nothing of what is between patches
+  options.seams = false;  // psnr_of() knows nothing of what is between patches
   const auto tiled = convert_tiles({folder / "torus.ply"}, folder / "torus.relief", options, {},
                                    tiles_of(12000), progress);
   ASSERT_TRUE(tiled && *tiled);
@@ -117,9 +116,10 @@ TEST(ConvertTiles, IsAsNearToThePointsAsAConversionInMemory) {
   EXPECT_LE((*tiled)->report.psnr_db, psnr);
   EXPECT_GE((*tiled)->report.psnr_db, psnr - 1.0);
 
-  const auto tiles_meeting = convert_tiles({folder / "torus.ply"}, folder / "meeting.relief", {},
-                                           {}, tiles_of(12000), progress);
-  const auto meeting = convert(points, {}, progress);
+  options.seams = true;
+  const auto tiles_meeting = convert_tiles({folder / "torus.ply"}, folder / "meeting.relief",
+                                           options, {}, tiles_of(12000), progress);
+  const auto meeting = convert(points, options, progress);
   ASSERT_TRUE(tiles_meeting && *tiles_meeting && meeting);
   EXPECT_GE((*tiles_meeting)->report.psnr_db, meeting->report.psnr_db - 1.5);
 }
@@ -214,6 +214,7 @@ TEST(ConvertTiles, PatchesThatMeetLeaveNoGapAtBordersOfTiles) {
   write_ply(folder / "waves.ply", test::sample_height_field(1.0, 0.01, height));
   ConvertOptions options;
   options.cone_degrees = 10.0;  // several patches a tile
+  options.seams = true;
   const TiledResult tiled = must_convert(folder / "waves.ply", folder / "waves.relief", options);
   EXPECT_GE(tiled.tiles, 8U);
   EXPECT_EQ(tiled.report.uncovered_points, 0U);
@@ -246,7 +247,7 @@ TEST(ConvertTiles, BytesDoNotDependOnThreadsOrLeftoverFiles) {
   write_ply(folder / "torus.ply", points);
   for (const bool seams : {false, true}) {
     ConvertOptions options;
-    if (!seams) options.overlap_cells = 1;
+    options.seams = seams;
     options.threads = 1;
     const TiledResult one = must_convert(folder / "torus.ply", folder / "one.relief", options);
     EXPECT_EQ(one.duplicates, 1U);
@@ -291,7 +292,7 @@ INSTANTIATE_TEST_SUITE_P(Seams, ResumedTiles, testing::Bool());
 TEST_P(ResumedTiles, AreThoseOfOneRun) {
   const ScratchFolder folder;
   ConvertOptions options;
-  if (!GetParam()) options.overlap_cells = 1;
+  options.seams = GetParam();
   const fs::path scan = folder / "torus.ply";
   const fs::path output = folder / "torus.relief";
   write_ply(scan, test::sample_torus({}, 0.025));

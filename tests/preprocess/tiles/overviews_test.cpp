@@ -92,7 +92,7 @@ TEST(Overviews, ShowTheSurfaceFromItsSide) {
     points.colours.emplace_back(127.0 + 80.0 * p.x, 127.0 + 80.0 * p.y, 127.0 + 200.0 * p.z);
   test::write_ply(folder / "torus.ply", points);
   ConvertOptions overlapping;
-  overlapping.overlap_cells = 1;  // the gaps between patches that meet are of none of them
+  overlapping.seams = false;  // the gaps between patches that meet are of none of them
   const PatchTree tree =
       must_convert(folder / "torus.ply", folder / "torus.relief", small_tiles(), {}, overlapping);
   for (const std::uint32_t level : {1U, 2U}) {
