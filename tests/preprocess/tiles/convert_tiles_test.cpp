@@ -10,6 +10,7 @@
 #include <cstring>
 
 #include "common/octahedral.h"
+#include "preprocess/convert.h"
 #include "preprocess/measure.h"
 #include "preprocess/tiles/spread_points.h"
 #include "tests/common/patch_file/read_whole.h"
