@@ -1,6 +1,5 @@
 // Conversions in tiles against those in memory; ended early and gone on with.
 #include "preprocess/convert_tiles.h"
-#include "preprocess/convert.h"
 
 #include <gtest/gtest.h>
 

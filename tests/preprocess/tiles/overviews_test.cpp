@@ -18,10 +18,10 @@ namespace fs = std::filesystem;
 using test::ScratchFolder;
 
 PatchTree must_convert(const fs::path& scan, const fs::path& output, TileOptions options,
-                       PatchFileOptions file = {}, const ConvertOptions& conversion = {}) {
+                       PatchFileOptions file = {}) {
   Progress progress;
   options.memory_bytes = memory_for(24000);
-  const auto result = convert_tiles({scan}, output, conversion, file, options, progress);
+  const auto result = convert_tiles({scan}, output, {}, file, options, progress);
   EXPECT_TRUE(result && *result) << (result ? "not in tiles" : result.error().message);
   auto tree = PatchTree::open(output);
   EXPECT_TRUE(tree) << tree.error().message;
@@ -91,10 +91,7 @@ TEST(Overviews, ShowTheSurfaceFromItsSide) {
   for (const glm::dvec3& p : points.positions)
     points.colours.emplace_back(127.0 + 80.0 * p.x, 127.0 + 80.0 * p.y, 127.0 + 200.0 * p.z);
   test::write_ply(folder / "torus.ply", points);
-  ConvertOptions overlapping;
-  overlapping.seams = false;  // the gaps between patches that meet are of none of them
-  const PatchTree tree =
-      must_convert(folder / "torus.ply", folder / "torus.relief", small_tiles(), {}, overlapping);
+  const PatchTree tree = must_convert(folder / "torus.ply", folder / "torus.relief", small_tiles());
   for (const std::uint32_t level : {1U, 2U}) {
     SCOPED_TRACE(level);
     const PatchModel model = read_level(tree, level);
