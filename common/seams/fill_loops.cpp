@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <numeric>
 #include <optional>
-#include <utility>
 #include <vector>
+
+#include "common/disjoint_sets.h"
 
 namespace relief {
 namespace {
@@ -76,39 +76,16 @@ Loop loop_from(const Front& front, Vertex from, Vertex to, std::size_t most) {
   }
 }
 
-/// Which border vertices edges connect, directly or by way of others.
-class Connections {
- public:
-  explicit Connections(const Front& front)
-      : root_(front.vertices().size()), size_(root_.size(), 1) {
-    std::iota(root_.begin(), root_.end(), Vertex{0});
-    for (const BorderEdge& edge : front.mesh().edges) connect(edge.from, edge.to);
-    for (const Triangle& t : front.triangles()) {
-      connect(t[0], t[1]);
-      connect(t[1], t[2]);
-    }
+/// The border vertices that edges connect, directly or by way of others.
+DisjointSets find_connections(const Front& front) {
+  DisjointSets connected(front.vertices().size());
+  for (const BorderEdge& edge : front.mesh().edges) connected.join(edge.from, edge.to);
+  for (const Triangle& t : front.triangles()) {
+    connected.join(t[0], t[1]);
+    connected.join(t[1], t[2]);
   }
-
-  /// How many vertices are connected with one, itself included.
-  [[nodiscard]] std::size_t count(Vertex v) { return size_[find(v)]; }
-
- private:
-  Vertex find(Vertex v) {
-    while (root_[v] != v) v = root_[v] = root_[root_[v]];
-    return v;
-  }
-  void connect(Vertex a, Vertex b) {
-    a = find(a);
-    b = find(b);
-    if (a == b) return;
-    if (size_[a] < size_[b]) std::swap(a, b);
-    root_[b] = a;
-    size_[a] += size_[b];
-  }
-
-  std::vector<Vertex> root_;
-  std::vector<std::size_t> size_;
-};
+  return connected;
+}
 
 /// Whether triangles that fill a loop would face inward: it is the outside of an island, or the
 /// surface overlaps itself there.
@@ -185,7 +162,7 @@ void fill(Front& front, Loop loop) {
 }  // namespace
 
 void fill_loops(Front& front, bool is_closed) {
-  Connections connections(front);
+  DisjointSets connections = find_connections(front);
   for (Vertex v = 0; v < front.vertices().size(); ++v) {
     const std::vector<Front::Edge> edges(front.at(v).begin(), front.at(v).end());
     for (const Front::Edge& edge : edges) {
@@ -195,7 +172,7 @@ void fill_loops(Front& front, bool is_closed) {
           loop, [&](Vertex w) { return front.vertex(w).patch != front.vertex(v).patch; });
       if (!is_closed && !several && loop.size() > kSmallOwnLoop) continue;
       const bool is_island = !loop.empty() && faces_inward(front, loop) &&
-                             connections.count(v) <= kIslandPerEdge * loop.size();
+                             connections.size(v) <= kIslandPerEdge * loop.size();
       if (!is_island) fill(front, loop);
     }
   }

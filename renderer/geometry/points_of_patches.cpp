@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/disjoint_sets.h"
 #include "common/image/srgb.h"
 #include "renderer/geometry/mesh_of_patches.h"
 
@@ -68,24 +69,15 @@ void weld(std::vector<SeamCopy> copies, TriangleMesh& mesh) {
   }
 }
 
-/// Which vertices triangles connect: for each another one, or itself.
-class Parts {
- public:
-  explicit Parts(const TriangleMesh& mesh) : root_(mesh.positions.size()) {
-    std::iota(root_.begin(), root_.end(), 0U);
-    for (const Triangle& t : mesh.triangles) {
-      root_[find(t[1])] = find(t[0]);
-      root_[find(t[2])] = find(t[0]);
-    }
+/// The vertices that triangles connect.
+DisjointSets find_parts(const TriangleMesh& mesh) {
+  DisjointSets parts(mesh.positions.size());
+  for (const Triangle& t : mesh.triangles) {
+    parts.join(t[0], t[1]);
+    parts.join(t[0], t[2]);
   }
-  [[nodiscard]] std::uint32_t find(std::uint32_t v) {
-    while (root_[v] != v) v = root_[v] = root_[root_[v]];
-    return v;
-  }
-
- private:
-  std::vector<std::uint32_t> root_;
-};
+  return parts;
+}
 
 /// The edges of one triangle.
 std::vector<std::uint64_t> border_of(const TriangleMesh& mesh) {
@@ -110,7 +102,7 @@ std::vector<std::uint64_t> border_of(const TriangleMesh& mesh) {
 /// Leaves out the triangles of parts with a border, but for the largest part. In a closed surface
 /// they are pieces of patches that lie over others.
 void drop_islands(TriangleMesh& mesh) {
-  Parts parts(mesh);
+  DisjointSets parts = find_parts(mesh);
   std::vector<std::uint32_t> sizes(mesh.positions.size(), 0);
   for (const Triangle& t : mesh.triangles) ++sizes[parts.find(t[0])];
   const auto largest =
