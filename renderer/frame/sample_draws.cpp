@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "renderer/store/patch_attributes.h"
 #include "renderer/view/draw_list.h"
 #include "renderer/view/uniforms.h"
 #include "shaders/include/shared.h"
@@ -28,22 +29,13 @@ Buffer make_quad_corners(const Gl& gl) {
 /// corner.
 VertexArray make_vertices(const Gl& gl, const PatchStore& store, bool cells,
                           const Buffer& quad_corners) {
-  VertexArray vertices(gl, "samples");
-  const GLuint id = vertices.id();
-  const auto add_attribute = [&gl, id](GLuint location, GLuint offset) {
-    gl.EnableVertexArrayAttrib(id, location);
-    gl.VertexArrayAttribIFormat(id, location, 1, GL_UNSIGNED_INT, offset);
-    gl.VertexArrayAttribBinding(id, location, 0);
-  };
-  gl.VertexArrayBindingDivisor(id, 0, 1);
-  add_attribute(RELIEF_ATTRIBUTE_PATCH, 0);
-  if (cells) {
-    add_attribute(RELIEF_ATTRIBUTE_CORNER, sizeof(glm::uvec2::value_type));
-    gl.VertexArrayVertexBuffer(id, 0, store.cells->positions.id(), 0, sizeof(glm::uvec2));
-  } else {
-    gl.VertexArrayVertexBuffer(id, 0, store.indices->id(), 0, sizeof(std::uint32_t));
+  if (!cells) {
+    return make_patch_attributes(gl, "samples", *store.indices, sizeof(std::uint32_t),
+                                 quad_corners);
   }
-  gl.VertexArrayElementBuffer(id, quad_corners.id());
+  VertexArray vertices = make_patch_attributes(gl, "samples", store.cells->positions,
+                                               sizeof(glm::uvec2), quad_corners);
+  add_instance_attribute(gl, vertices, RELIEF_ATTRIBUTE_CORNER, sizeof(glm::uvec2::value_type));
   return vertices;
 }
 

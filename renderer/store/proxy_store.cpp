@@ -1,4 +1,5 @@
 #include "renderer/store/proxy_store.h"
+#include "renderer/store/patch_attributes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,18 +41,6 @@ shared::ProxySource source_of(const ProxyVertex& vertex) {
   return {vertex.patch, uv.x | (uv.y << 16U)};
 }
 
-VertexArray make_attributes(const Gl& gl, const Buffer& indices, const Buffer& patches) {
-  VertexArray attributes(gl, "models from afar");
-  const GLuint id = attributes.id();
-  gl.VertexArrayBindingDivisor(id, 0, 1);
-  gl.EnableVertexArrayAttrib(id, RELIEF_ATTRIBUTE_PATCH);
-  gl.VertexArrayAttribIFormat(id, RELIEF_ATTRIBUTE_PATCH, 1, GL_UNSIGNED_INT, 0);
-  gl.VertexArrayAttribBinding(id, RELIEF_ATTRIBUTE_PATCH, 0);
-  gl.VertexArrayVertexBuffer(id, 0, patches.id(), 0, sizeof(std::uint32_t));
-  gl.VertexArrayElementBuffer(id, indices.id());
-  return attributes;
-}
-
 }  // namespace
 
 Result<std::uint32_t> ProxyUpload::add(std::span<const Patch> patches, const Proxy& model) {
@@ -86,7 +75,8 @@ std::uint32_t ProxyUpload::add_instance(std::uint32_t patch) {
 ProxyStore ProxyUpload::take(bool with_sources) {
   Buffer indices = make_buffer(gl_, "proxy triangles", std::span<const std::uint32_t>(indices_));
   Buffer patches = make_buffer(gl_, "proxy instances", std::span<const std::uint32_t>(patches_));
-  VertexArray attributes = make_attributes(gl_, indices, patches);
+  VertexArray attributes =
+      make_patch_attributes(gl_, "models from afar", patches, sizeof(std::uint32_t), indices);
   ProxyStore store{std::move(meshes_),
                    make_table(gl_, "proxy vertices", GL_RGBA32UI,
                               std::span<const shared::ProxyVertex>(vertices_)),
