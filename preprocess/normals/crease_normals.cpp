@@ -11,14 +11,10 @@
 namespace relief {
 namespace {
 
-// Where all neighbours' normals are within 20 degrees there is no crease.
-constexpr float kSlightTurn = 0.94F;
-constexpr std::size_t kFewestOfSide = 4;
-
 /// The side of a crease that a point is on, if there is one.
 std::optional<CreaseSide> side_of(const OrientedPoint& point,
                                   std::span<const OrientedPoint> around) {
-  std::optional<CreaseSide> a = most_shown_side(around, kFewestOfSide);
+  std::optional<CreaseSide> a = most_shown_side(around, kFewestOfNearSide);
   if (!a) return {};
   const std::optional<CreaseSide> b = farthest_side(around, a->normal);
   if (!b || glm::dot(a->normal, b->normal) > kCreaseTurnCosine) return {};
@@ -40,7 +36,7 @@ CreaseNormals find_creases(const std::vector<glm::dvec3>& positions,
   tbb::parallel_for(std::size_t{0}, given.size(), [&](std::size_t i) {
     bool turns = false;
     for (const std::uint32_t j : graph.of(i))
-      turns = turns || glm::dot(given[i], given[j]) < kSlightTurn;
+      turns = turns || glm::dot(given[i], given[j]) < kSlightTurnCosine;
     if (!turns) return;
     std::vector<OrientedPoint> around{{positions[i], given[i]}};
     around.reserve(graph.k + 1);

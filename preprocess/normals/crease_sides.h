@@ -1,6 +1,7 @@
 // The sides of a crease: groups of points whose normals agree, on both sides of a sharp turn.
 #pragma once
 
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
@@ -23,6 +24,10 @@ struct CreaseSide {
 inline constexpr float kCreaseSideCosine = 0.906F;
 /// Sides that turn by less than 35 degrees make no crease.
 inline constexpr float kCreaseTurnCosine = 0.82F;
+/// Where no normal turns by more than this, 20 degrees, there is none to be looked for.
+inline constexpr float kSlightTurnCosine = 0.94F;
+/// The side that is looked for first shows in as many points.
+inline constexpr std::size_t kFewestOfNearSide = 4;
 
 /// The side that most of some points show: the mean of those whose normals agree with the one that
 /// most agree with. Nothing if those are fewer than `fewest` or vary by more than 7 degrees (rms),

@@ -19,11 +19,10 @@ class Borders {
     double length;
   };
 
+  /// 0 if there is no border.
   [[nodiscard]] double length_to(std::uint32_t other) const {
-    for (const Border& b : list_) {
-      if (b.other == other) return b.length;
-    }
-    return 0.0;
+    const auto at = std::lower_bound(list_.begin(), list_.end(), other, is_before);
+    return at != list_.end() && at->other == other ? at->length : 0.0;
   }
 
   double& operator[](std::uint32_t other) {
@@ -41,9 +40,10 @@ class Borders {
   [[nodiscard]] auto end() const { return list_.end(); }
 
  private:
+  static bool is_before(const Border& border, std::uint32_t other) { return border.other < other; }
+
   std::vector<Border>::iterator find_entry(std::uint32_t other) {
-    return std::lower_bound(list_.begin(), list_.end(), other,
-                            [](const Border& b, std::uint32_t o) { return b.other < o; });
+    return std::lower_bound(list_.begin(), list_.end(), other, is_before);
   }
 
   std::vector<Border> list_;

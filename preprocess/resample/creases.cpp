@@ -4,13 +4,13 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
-#include <unordered_set>
 #include <utility>
+
+#include "preprocess/resample/grow_region.h"
 
 namespace relief {
 namespace {
 
-constexpr std::size_t kFewestOwn = 4;
 // The nearest of so many points are looked at, which bounds the work where scans overlap.
 constexpr std::size_t kMostPoints = 48;
 
@@ -38,74 +38,44 @@ std::vector<OrientedPoint> points_near(const PatchPoints& points, const PointGri
   return nearest;
 }
 
-/// Points of other regions that the neighbour graph reaches from a region's own within `reach`.
-PatchPoints collect_beyond(const ScanSurface& scan, const Region& region, const PatchFrame& frame,
-                           double reach) {
-  const SurfaceSamples& samples = scan.samples;
-  const std::vector<std::uint32_t>& region_of = scan.membership.region;
-  PatchPoints out;
-  out.frame = frame;
-  struct Reached {
-    std::uint32_t point;
-    std::uint32_t from;  // the region's own point
-  };
-  const std::uint32_t own = region_of[region.points.front()];
-  std::unordered_set<std::uint32_t> seen;
-  std::vector<Reached> front;
-  for (const std::uint32_t i : region.points) front.push_back({i, i});
-  while (!front.empty()) {
-    std::vector<Reached> next;
-    for (const auto& [i, from] : front) {
-      for (const std::uint32_t j : scan.graph.of(i)) {
-        if (region_of[j] == own || seen.contains(j)) continue;
-        if (glm::distance(samples.positions[j], samples.positions[from]) > reach) continue;
-        seen.insert(j);
-        next.push_back({j, from});
-        out.ids.push_back(j);
-      }
-    }
-    front = std::move(next);
-  }
-  std::sort(out.ids.begin(), out.ids.end());
-  const glm::mat3 to_local(glm::transpose(frame.axes));
-  for (const std::uint32_t i : out.ids) {
-    out.positions.push_back(frame.to_local(samples.positions[i]));
-    out.normals.push_back(to_local * scan.creases->normals[i]);
-    out.spacing.push_back(samples.spacing[i]);
-  }
-  return out;
-}
-
 }  // namespace
 
 RegionCreases::RegionCreases(const ScanSurface& scan, const Region& region,
                              const PatchPoints& points, double reach)
     : reach_(reach) {
-  const CreaseNormals& sides = *scan.creases;
-  const bool at_crease =
-      std::ranges::any_of(region.points, [&](std::uint32_t i) { return sides.at_crease[i] != 0; });
+  const CreaseNormals& creases = *scan.creases;
+  const bool at_crease = std::ranges::any_of(
+      region.points, [&](std::uint32_t i) { return creases.at_crease[i] != 0; });
   if (!at_crease) return;
-  others_ = collect_beyond(scan, region, points.frame, reach);
+  const SurfaceSamples sides{scan.samples.positions, creases.normals, scan.samples.spacing,
+                             scan.samples.roughness};
+  const auto is_near = [&](std::uint32_t from, std::uint32_t, std::uint32_t j) {
+    return glm::distance(sides.positions[j], sides.positions[from]) <= reach;
+  };
+  others_.frame = points.frame;
+  grow_region(scan.graph, region, scan.membership.region, is_near, others_.ids);
   if (others_.size() == 0) return;
-  points_ = points;
-  const glm::mat3 to_local(glm::transpose(points.frame.axes));
-  for (std::size_t p = 0; p < points_.size(); ++p)
-    points_.normals[p] = to_local * sides.normals[points_.ids[p]];
+  std::sort(others_.ids.begin(), others_.ids.end());
+  place_points(sides, others_);
+  points_.frame = points.frame;
+  points_.own = points.own;
+  points_.supporting = points.supporting;
+  points_.ids = points.ids;
+  place_points(sides, points_);
   own_.emplace(points_, points_.own, reach);
   beyond_.emplace(others_, others_.size(), reach);
 }
 
 std::optional<Crease> RegionCreases::near(glm::dvec3 position, glm::vec3 normal) const {
   // Most nodes are done with here: nothing turns.
-  constexpr float kSlightTurn = 0.94F;
   bool turns = false;
   beyond_->for_each_within(position.x, position.y, reach_, [&](std::uint32_t p, double) {
-    turns = turns || glm::dot(others_.normals[p], normal) < kSlightTurn;
+    turns = turns || glm::dot(others_.normals[p], normal) < kSlightTurnCosine;
   });
   if (!turns) return {};
   const std::vector<OrientedPoint> own =
       points_near(points_, *own_, position, reach_, [](std::uint32_t) { return true; });
-  std::optional<CreaseSide> here = most_shown_side(own, kFewestOwn);
+  std::optional<CreaseSide> here = most_shown_side(own, kFewestOfNearSide);
   if (!here) return {};
   std::vector<OrientedPoint> turned =
       points_near(others_, *beyond_, position, reach_, [&](std::uint32_t p) {

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "preprocess/resample/grow_region.h"
+
 namespace relief {
 namespace {
 
@@ -90,75 +92,24 @@ void turn_to_smallest_rectangle(const SurfaceSamples& samples, const Region& reg
   u = glm::normalize(best_u);
 }
 
-/// A set of points. Open addressing, at most half full.
-class PointSet {
- public:
-  [[nodiscard]] bool has(std::uint32_t point) const { return slots_[slot_of(point)] == point; }
-
-  void add(std::uint32_t point) {
-    slots_[slot_of(point)] = point;
-    if (2 * ++count_ <= slots_.size()) return;
-    std::vector<std::uint32_t> old(2 * slots_.size(), kEmpty);
-    old.swap(slots_);
-    for (const std::uint32_t p : old) {
-      if (p != kEmpty) slots_[slot_of(p)] = p;
-    }
-  }
-
- private:
-  static constexpr std::uint32_t kEmpty = std::numeric_limits<std::uint32_t>::max();
-
-  /// Returns the slot of a point, or the free slot for it.
-  [[nodiscard]] std::size_t slot_of(std::uint32_t point) const {
-    const std::size_t mask = slots_.size() - 1;
-    std::size_t slot = (point * 0x9E3779B97F4A7C15ULL >> 32U) & mask;
-    while (slots_[slot] != kEmpty && slots_[slot] != point) slot = (slot + 1) & mask;
-    return slot;
-  }
-
-  std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(1024, kEmpty);
-  std::size_t count_ = 0;
-};
-
-// Grows outward from the region through the neighbour graph. Each reached point remembers the
-// region's point from which it was reached; `margin` limits their distance on the base plane.
-void grow_margin(const SurfaceSamples& samples, const NeighbourGraph& graph, const Region& region,
-                 const std::vector<std::uint32_t>& region_of, double margin,
-                 std::vector<std::uint32_t>& ids) {
-  struct Reached {
-    std::uint32_t point;
-    std::uint32_t from;
-  };
-  const std::uint32_t own = region_of[region.points.front()];
-  PointSet seen;
-  std::vector<Reached> front;
-  front.reserve(region.points.size());
-  for (const std::uint32_t i : region.points) front.push_back({i, i});
-  while (!front.empty()) {
-    std::vector<Reached> next;
-    for (const auto [i, from] : front) {
-      for (const std::uint32_t j : graph.of(i)) {
-        if (region_of[j] == own || seen.has(j)) continue;
-        const glm::dvec3 step = samples.positions[j] - samples.positions[from];
-        const double rise = glm::dot(step, glm::dvec3(region.normal));
-        if (glm::dot(step, step) - rise * rise > margin * margin) continue;
-        if (glm::dot(samples.normals[j], region.normal) < kMinMarginCosine) continue;
-        if (!on_one_sheet(samples, i, j)) continue;
-        seen.add(j);
-        next.push_back({j, from});
-        ids.push_back(j);
-      }
-    }
-    front = std::move(next);
-  }
-}
-
 /// Minimum cosine to the base-plane normal with which a margin point supports samples.
 float min_support_cosine(float own_cosine) {
   return own_cosine < kSteepOwnCosine ? kMinShareOfOwnCosine * own_cosine : kMinSupportCosine;
 }
 
 }  // namespace
+
+void place_points(const SurfaceSamples& samples, PatchPoints& points) {
+  const glm::mat3 to_local(glm::transpose(points.frame.axes));
+  points.positions.reserve(points.size());
+  points.normals.reserve(points.size());
+  points.spacing.reserve(points.size());
+  for (const std::uint32_t i : points.ids) {
+    points.positions.push_back(points.frame.to_local(samples.positions[i]));
+    points.normals.push_back(to_local * samples.normals[i]);
+    points.spacing.push_back(samples.spacing[i]);
+  }
+}
 
 PatchPoints collect_patch_points(const SurfaceSamples& samples, const NeighbourGraph& graph,
                                  const Region& region, const Membership& membership,
@@ -173,7 +124,16 @@ PatchPoints collect_patch_points(const SurfaceSamples& samples, const NeighbourG
 
   out.ids = region.points;
   out.own = region.points.size();
-  if (margin > 0.0) grow_margin(samples, graph, region, membership.region, margin, out.ids);
+  if (margin > 0.0) {
+    const auto is_margin = [&](std::uint32_t from, std::uint32_t i, std::uint32_t j) {
+      const glm::dvec3 step = samples.positions[j] - samples.positions[from];
+      const double rise = glm::dot(step, glm::dvec3(region.normal));
+      return glm::dot(step, step) - rise * rise <= margin * margin &&
+             glm::dot(samples.normals[j], region.normal) >= kMinMarginCosine &&
+             on_one_sheet(samples, i, j);
+    };
+    grow_region(graph, region, membership.region, is_margin, out.ids);
+  }
   const auto margin_begin = out.ids.begin() + static_cast<std::ptrdiff_t>(out.own);
   std::sort(margin_begin, out.ids.end());
   const auto steep = std::stable_partition(margin_begin, out.ids.end(), [&](std::uint32_t i) {
@@ -186,15 +146,7 @@ PatchPoints collect_patch_points(const SurfaceSamples& samples, const NeighbourG
   for (const std::uint32_t i : region.points) centroid += samples.positions[i] - base;
   out.frame.origin = base + centroid / static_cast<double>(out.own);
 
-  const glm::mat3 to_local(glm::transpose(out.frame.axes));
-  out.positions.reserve(out.size());
-  out.normals.reserve(out.size());
-  out.spacing.reserve(out.size());
-  for (const std::uint32_t i : out.ids) {
-    out.positions.push_back(out.frame.to_local(samples.positions[i]));
-    out.normals.push_back(to_local * samples.normals[i]);
-    out.spacing.push_back(samples.spacing[i]);
-  }
+  place_points(samples, out);
   return out;
 }
 

@@ -46,6 +46,9 @@ struct PatchPoints {
   return p.z - (n.x * (x - p.x) + n.y * (y - p.y)) / steep;
 }
 
+/// Adds the positions, normals and spacings of `ids`, in `frame`.
+void place_points(const SurfaceSamples& samples, PatchPoints& points);
+
 /// Collects a region's points and surrounding points of its sheet, up to `margin` world units away
 /// on the base plane, through the neighbour graph (the papers' epsilon neighbourhood). The frame's
 /// first two axes run along the smallest rectangle around the region's own points. `membership`
