@@ -2,7 +2,6 @@
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
-#include <tbb/task_group.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -12,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "common/background_tasks.h"
 #include "common/guard.h"
 #include "common/seams/join_normals.h"
 #include "common/seams/make_seams.h"
@@ -89,16 +89,6 @@ class MeshInTime {
       normals_ = normals_of_faces(mesh, edges);
     });
   }
-  MeshInTime(const MeshInTime&) = delete;
-  MeshInTime& operator=(const MeshInTime&) = delete;
-  ~MeshInTime() {
-    tasks_.cancel();
-    try {
-      wait();
-    } catch (...) {  // NOLINT: an error is already being returned
-    }
-  }
-
   void wait() { tasks_.wait(); }
 
   // After `wait`.
@@ -107,10 +97,10 @@ class MeshInTime {
   [[nodiscard]] const TriangleSpheres& spheres() const { return *spheres_; }
 
  private:
-  tbb::task_group tasks_;
   bool is_closed_ = false;
   std::vector<glm::vec3> normals_;
   std::optional<TriangleSpheres> spheres_;
+  BackgroundTasks tasks_;
 };
 
 void take_mesh_normals(const Points& mesh, const TriangleSpheres& spheres,

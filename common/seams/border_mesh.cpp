@@ -15,12 +15,6 @@ namespace {
 
 constexpr std::uint32_t kInside = std::numeric_limits<std::uint32_t>::max();
 
-/// Whether cells surround a node: all four are whole.
-bool is_surrounded(const CellTriangles& cells, std::uint32_t i, std::uint32_t j) {
-  return cells.at(i, j) == kWholeCell && cells.at(i - 1, j) == kWholeCell &&
-         cells.at(i, j - 1) == kWholeCell && cells.at(i - 1, j - 1) == kWholeCell;
-}
-
 glm::dvec3 node_position(const Patch& patch, std::uint32_t node) {
   return position_of(patch, node % patch.width, node / patch.width);
 }
@@ -32,14 +26,11 @@ glm::dvec3 normal_of(const Patch& patch, std::uint32_t i, std::uint32_t j) {
   return patch.axes * glm::dvec3(unit_from_snorm16(map.texels[texel]));
 }
 
-/// What the samples of a patch within two cells of a node make up.
-struct Plane {
-  glm::dvec3 normal{0.0};
-  double bend = std::numeric_limits<double>::infinity();
-};
-
-/// Fits a plane to the samples about a node, which are a few on one side of it at a border.
-Plane plane_about(const Patch& patch, std::uint32_t i, std::uint32_t j) {
+/// Fits a plane to the samples within two cells of a vertex, which at a border are few and on one
+/// side of it.
+void find_plane(const Patch& patch, BorderVertex& vertex) {
+  const std::uint32_t i = vertex.node % patch.width;
+  const std::uint32_t j = vertex.node / patch.width;
   constexpr std::uint32_t kReach = 2;
   constexpr int kFewest = 6;
   const double scale = patch.height_step / patch.spacing;
@@ -61,21 +52,20 @@ Plane plane_about(const Patch& patch, std::uint32_t i, std::uint32_t j) {
       ++count;
     }
   }
-  Plane plane{patch.axes[2]};
-  if (count < kFewest) return plane;
+  vertex.plane_normal = patch.axes[2];
+  if (count < kFewest) return;
   const double n = count;
   const glm::dmat3 c = products - glm::outerProduct(sum, sum) / n;
   const double determinant = c[0][0] * c[1][1] - c[0][1] * c[0][1];
-  if (!(determinant > 0.25 * n)) return plane;  // a single row
+  if (!(determinant > 0.25 * n)) return;  // a single row
   const double u = (c[2][0] * c[1][1] - c[2][1] * c[0][1]) / determinant;
   const double v = (c[2][1] * c[0][0] - c[2][0] * c[0][1]) / determinant;
   const double squares = std::max(c[2][2] - u * c[2][0] - v * c[2][1], 0.0);
   const glm::dvec3 normal = glm::normalize(glm::dvec3(-u, -v, 1.0));
   // Samples 0, 1 and 2 cells along an arc of bend k are off a line by 0.24 k (rms).
   constexpr double kOffLine = 0.24;
-  plane.normal = patch.axes * normal;
-  plane.bend = std::sqrt(squares / n) * normal.z / kOffLine;
-  return plane;
+  vertex.plane_normal = patch.axes * normal;
+  vertex.bend = std::sqrt(squares / n) * normal.z / kOffLine;
 }
 
 /// Adds the border vertices of a patch and returns for each node which it has become.
@@ -88,9 +78,11 @@ std::vector<std::uint32_t> add_vertices(const Patch& patch, std::uint32_t id,
       if (patch.at(i, j) == kHole || is_surrounded(cells, i, j)) continue;
       const std::uint32_t node = j * patch.width + i;
       numbers[node] = static_cast<std::uint32_t>(mesh.vertices.size());
-      const Plane plane = plane_about(patch, i, j);
-      mesh.vertices.push_back({position_of(patch, i, j), normal_of(patch, i, j), patch.spacing,
-                               plane.normal, plane.bend, id, node});
+      mesh.vertices.push_back({.position = position_of(patch, i, j),
+                               .normal = normal_of(patch, i, j),
+                               .spacing = patch.spacing,
+                               .patch = id,
+                               .node = node});
     }
   }
   return numbers;
@@ -144,6 +136,12 @@ BorderMesh find_borders(std::span<const Patch> patches, std::span<const CellTria
       mesh.edges.push_back({first + edge.from, first + edge.to, edge.normal});
   }
   return mesh;
+}
+
+void find_planes(std::span<const Patch> patches, BorderMesh& mesh) {
+  tbb::parallel_for(std::size_t{0}, mesh.vertices.size(), [&](std::size_t v) {
+    find_plane(patches[mesh.vertices[v].patch], mesh.vertices[v]);
+  });
 }
 
 }  // namespace relief

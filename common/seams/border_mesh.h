@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -17,10 +18,11 @@ struct BorderVertex {
   glm::dvec3 position{0.0};  ///< world
   glm::dvec3 normal{0.0};    ///< world, unit, outward
   double spacing = 1.0;      ///< of its patch
-  /// Normal of the plane through the patch's samples about it, world, unit: unlike theirs it knows
-  /// one side of a crease alone.
+  /// By find_planes(): normal of the plane through the patch's samples about it, world, unit:
+  /// unlike theirs it knows one side of a crease alone.
   glm::dvec3 plane_normal{0.0};
-  double bend = 0.0;  ///< of those samples, radians per spacing; infinite if they are too few
+  /// Of those samples, radians per spacing; infinite if they are too few.
+  double bend = std::numeric_limits<double>::infinity();
   std::uint32_t patch = 0;
   std::uint32_t node = 0;  ///< j * width + i
 };
@@ -41,5 +43,8 @@ struct BorderMesh {
 /// `cells`: those of each patch.
 [[nodiscard]] BorderMesh find_borders(std::span<const Patch> patches,
                                       std::span<const CellTriangles> cells);
+
+/// Fits planes to the samples about all vertices. Seams at creases need them; others do not.
+void find_planes(std::span<const Patch> patches, BorderMesh& mesh);
 
 }  // namespace relief

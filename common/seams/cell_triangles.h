@@ -34,6 +34,14 @@ struct CellTriangles {
   }
 };
 
+/// Whether the cells around a node are whole, all four.
+[[nodiscard]] inline bool is_surrounded(const CellTriangles& cells, std::uint32_t i,
+                                        std::uint32_t j) {
+  // i - 1 and j - 1 of the first wrap around to what is outside.
+  return cells.at(i, j) == kWholeCell && cells.at(i - 1, j) == kWholeCell &&
+         cells.at(i, j - 1) == kWholeCell && cells.at(i - 1, j - 1) == kWholeCell;
+}
+
 [[nodiscard]] CellTriangles cell_triangles(const Patch& patch);
 
 /// The cells of each of some patches.

@@ -31,7 +31,8 @@ Seams make_seams(std::span<const Patch> patches, bool is_closed) {
   tbb::parallel_for(std::size_t{0}, patches.size(), [&](std::size_t p) {
     add_partial_cells(patches[p], cells[p], seams.triangles[p]);
   });
-  const BorderMesh borders = find_borders(patches, cells);
+  BorderMesh borders = find_borders(patches, cells);
+  find_planes(patches, borders);
   share_out(stitch(borders, is_closed), borders, seams);
   return seams;
 }

@@ -8,8 +8,8 @@
 namespace relief {
 namespace {
 
-// A seam vertex is moved to a crease by this many spacings at most: where the two planes are told
-// badly they may meet anywhere.
+// A seam vertex moves to a crease by this many spacings at most. Planes through few samples may
+// meet anywhere.
 constexpr double kCreaseReach = 0.7;
 
 // A crease turns the normal by this many times as much as the surface bends beside it.

@@ -6,6 +6,7 @@
 #include "common/seams/cell_triangles.h"
 #include "common/seams/flat_map.h"
 #include "common/seams/make_seams.h"
+#include "renderer/store/patch_attributes.h"
 
 namespace relief {
 namespace {
@@ -61,13 +62,8 @@ template <class Visit>
 void for_each_ring_triangle(const Patch& patch, const Visit& visit) {
   const CellTriangles cells = cell_triangles(patch);
   const auto is_inside = [&cells](std::uint32_t i, std::uint32_t j) {
-    for (std::uint32_t y = j - 1; y != j + 2;
-         ++y) {  // before the first it wraps to what is outside
-      for (std::uint32_t x = i - 1; x != i + 2; ++x) {
-        if (cells.at(x, y) != kWholeCell) return false;
-      }
-    }
-    return true;
+    return is_surrounded(cells, i, j) && is_surrounded(cells, i + 1, j) &&
+           is_surrounded(cells, i, j + 1) && is_surrounded(cells, i + 1, j + 1);
   };
   for (std::uint32_t j = 0; j < cells.rows; ++j) {
     for (std::uint32_t i = 0; i < cells.columns; ++i) {
@@ -77,36 +73,16 @@ void for_each_ring_triangle(const Patch& patch, const Visit& visit) {
   }
 }
 
-VertexArray make_seam_attributes(const Gl& gl, const Buffer& corners, const Buffer& positions) {
-  VertexArray attributes(gl, "seams");
-  const GLuint id = attributes.id();
-  gl.VertexArrayBindingDivisor(id, 0, 1);
-  gl.EnableVertexArrayAttrib(id, RELIEF_ATTRIBUTE_PATCH);
-  gl.VertexArrayAttribIFormat(id, RELIEF_ATTRIBUTE_PATCH, 1, GL_UNSIGNED_INT, 0);
-  gl.VertexArrayAttribBinding(id, RELIEF_ATTRIBUTE_PATCH, 0);
-  gl.VertexArrayVertexBuffer(id, 0, positions.id(), 0, sizeof(glm::uvec2));
-  gl.VertexArrayElementBuffer(id, corners.id());
-  return attributes;
-}
-
 }  // namespace
 
-SeamUpload::SeamUpload(const Gl& gl, const PatchModel& model, bool needed)
-    : gl_(gl), model_(model) {
+SeamUpload::SeamUpload(const Gl& gl, const PatchModel& model, bool needed, bool with_rings)
+    : gl_(gl), model_(model), with_rings_(with_rings) {
   if (!needed) return;
   for (const PatchRun& run : model.joined) {
     Seams& seams = made_[run.first];
     making_.run([&seams, run, patches = std::span(model.patches).subspan(run.first, run.count)] {
       seams = make_seams(patches, run.is_closed);
     });
-  }
-}
-
-SeamUpload::~SeamUpload() {
-  making_.cancel();
-  try {
-    making_.wait();
-  } catch (...) {  // NOLINT: an error is already being returned
   }
 }
 
@@ -125,9 +101,11 @@ Result<std::span<const SeamCorners>> SeamUpload::get(PatchRun run) {
       for (const std::uint32_t corner : t) corners_.push_back(vertices.number_of(corner));
     }
     const auto ring = static_cast<std::uint32_t>(corners_.size());
-    for_each_ring_triangle(patches[p], [&](const std::array<std::uint32_t, 3>& nodes) {
-      for (const std::uint32_t node : nodes) corners_.push_back(vertices.number_of(node));
-    });
+    if (with_rings_) {
+      for_each_ring_triangle(patches[p], [&](const std::array<std::uint32_t, 3>& nodes) {
+        for (const std::uint32_t node : nodes) corners_.push_back(vertices.number_of(node));
+      });
+    }
     shares.push_back({first, ring - first, static_cast<std::uint32_t>(corners_.size()) - ring});
   }
   const auto most = static_cast<std::size_t>(get_limit(gl_, GL_MAX_TEXTURE_BUFFER_SIZE));
@@ -142,7 +120,8 @@ Result<std::span<const SeamCorners>> SeamUpload::get(PatchRun run) {
 
 SeamStore SeamUpload::take(std::vector<StoredSeam> seams, const Buffer& positions) {
   Buffer corners = make_buffer(gl_, "seam corners", std::span<const std::uint32_t>(corners_));
-  VertexArray attributes = make_seam_attributes(gl_, corners, positions);
+  VertexArray attributes =
+      make_patch_attributes(gl_, "seams", positions, sizeof(glm::uvec2), corners);
   return {
       std::move(seams),
       make_table(gl_, "seam vertices", GL_RGBA32F, std::span<const shared::SeamVertex>(vertices_)),

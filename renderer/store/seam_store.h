@@ -1,14 +1,13 @@
 // The seams between patches on the GPU.
 #pragma once
 
-#include <tbb/task_group.h>
-
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <map>
 #include <span>
 #include <vector>
 
+#include "common/background_tasks.h"
 #include "common/error.h"
 #include "common/patch.h"
 #include "common/seams/seams.h"
@@ -50,11 +49,8 @@ class SeamUpload {
  public:
   /// Begins to make the seams of all runs in the background, while patches are uploaded: a thread
   /// takes about as long for the one as for the other. `model` must outlive it. `needed`: get()
-  /// will be called.
-  SeamUpload(const Gl& gl, const PatchModel& model, bool needed);
-  SeamUpload(const SeamUpload&) = delete;
-  SeamUpload& operator=(const SeamUpload&) = delete;
-  ~SeamUpload();
+  /// will be called; `with_rings`: coarser levels may be drawn.
+  SeamUpload(const Gl& gl, const PatchModel& model, bool needed, bool with_rings);
 
   /// The shares of the patches of a run, made once. Fails if OpenGL lets no shader see as many.
   Result<std::span<const SeamCorners>> get(PatchRun run);
@@ -66,11 +62,12 @@ class SeamUpload {
  private:
   const Gl& gl_;
   const PatchModel& model_;
-  tbb::task_group making_;
+  bool with_rings_;
   std::map<std::uint32_t, Seams> made_;                     ///< by first patch, until asked for
   std::map<std::uint32_t, std::vector<SeamCorners>> runs_;  ///< the same
   std::vector<shared::SeamVertex> vertices_;
   std::vector<std::uint32_t> corners_;
+  BackgroundTasks making_;
 };
 
 }  // namespace relief

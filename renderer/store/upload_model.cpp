@@ -81,7 +81,7 @@ class ModelUpload {
         all_levels_(views.all_levels),
         grids_(gl, model, needs),
         proxy_(gl),
-        seam_upload_(gl, model, needs.cells) {
+        seam_upload_(gl, model, needs.cells, needs.masks) {
     extents_.reserve(model.patches.size());
     for (const Patch& patch : model.patches) extents_.push_back(extent_of(patch));
   }

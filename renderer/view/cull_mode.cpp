@@ -14,6 +14,11 @@ namespace {
 /// sqrt(0.5) / 0.1 spacings where it is steepest.
 constexpr double kReachSpacings = 8.0;
 
+/// Whether a mode culls the faces of models that are known to be closed, and of no others.
+bool of_closed_bodies(CullMode cull) {
+  return cull == CullMode::Auto || cull == CullMode::Safe;
+}
+
 }  // namespace
 
 bool sees_from_outside(const View& view, const Body& body) {
@@ -45,8 +50,7 @@ bool has_closed_bodies(const PatchModel& model) {
 }
 
 CullMode cull_mode_of(const RenderSettings& settings) {
-  const bool asked = settings.cull == CullMode::Back || settings.cull == CullMode::None;
-  if (!asked && is_transparent(settings)) return CullMode::None;
+  if (of_closed_bodies(settings.cull) && is_transparent(settings)) return CullMode::None;
   if (settings.cull == CullMode::Safe && settings.primitive != Primitive::Cell)
     return CullMode::None;
   return settings.cull;
@@ -58,9 +62,8 @@ bool may_hide_backs(const RenderSettings& settings, bool closed) {
 }
 
 bool make_use_of_bodies(std::span<const View> views) {
-  return std::any_of(views.begin(), views.end(), [](const View& view) {
-    return view.cull == CullMode::Auto || view.cull == CullMode::Safe;
-  });
+  return std::any_of(views.begin(), views.end(),
+                     [](const View& view) { return of_closed_bodies(view.cull); });
 }
 
 }  // namespace relief
