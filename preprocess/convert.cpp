@@ -17,11 +17,13 @@
 #include "common/seams/make_seams.h"
 #include "preprocess/convert_stages.h"
 #include "preprocess/measure.h"
+#include "preprocess/mesh_fit/fit_to_mesh.h"
 #include "preprocess/normals/closed_mesh.h"
 #include "preprocess/normals/normals.h"
 #include "preprocess/partition/find_regions.h"
 #include "preprocess/points/densify.h"
 #include "preprocess/points/neighbours.h"
+#include "preprocess/resample/error_spacing.h"
 #include "preprocess/resample/patch_spacing.h"
 #include "preprocess/resample/region_patches.h"
 #include "preprocess/texture/files/load_textures.h"
@@ -74,6 +76,20 @@ double area_of(const std::vector<Region>& regions, const SurfaceSamples& samples
   return area;
 }
 
+/// How many samples there are by default, and each patch's share.
+SampleBudget budget_of(const SurfaceSamples& samples, const std::vector<Region>& regions,
+                       std::size_t points, const ConvertOptions& options, bool seams,
+                       bool is_mesh) {
+  const auto count = static_cast<double>(points);
+  SampleBudget budget{std::vector<double>(regions.size(), 1.0),
+                      seams ? kFewestSamplesPerPoint * count : count};
+  if (options.adaptive_spacing)
+    budget.factors = spacing_factors(samples, regions);
+  else if (seams && is_mesh && !(options.spacing > 0.0))
+    budget = share_samples(samples, regions, points);
+  return budget;
+}
+
 /// Properties of a mesh's triangles, computed in the background: the edges and the kd-tree take one
 /// thread each.
 class MeshInTime {
@@ -103,11 +119,16 @@ class MeshInTime {
   BackgroundTasks tasks_;
 };
 
-void take_mesh_normals(const Points& mesh, const TriangleSpheres& spheres,
-                       std::vector<Patch>& patches, Progress& progress) {
+/// Fits patches that meet to the mesh; others take its normals alone.
+void take_mesh(const Points& mesh, const TriangleSpheres& spheres, bool seams,
+               std::vector<Patch>& patches, Progress& progress) {
+  progress.begin_stage("fit to triangles", patches.size());
   tbb::parallel_for(std::size_t{0}, patches.size(), [&](std::size_t p) {
     if (progress.cancelled()) return;
-    take_mesh_normals(mesh, mesh.normals, spheres.find_over(patches[p]), patches[p]);
+    if (seams)
+      fit_to_mesh(mesh, mesh.normals, spheres, patches[p]);
+    else
+      take_mesh_normals(mesh, mesh.normals, spheres.find_over(patches[p]), patches[p]);
     progress.advance(1);
   });
 }
@@ -169,21 +190,22 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   if (progress.cancelled()) return interrupted_error();
 
   const SurfaceSamples samples{points.positions, points.normals, graph.spacing, frames.roughness};
-  const std::vector<double> factors = options.adaptive_spacing
-                                          ? spacing_factors(samples, regions)
-                                          : std::vector<double>(regions.size(), 1.0);
-  const double spacing = options.spacing > 0.0 ? options.spacing
-                                               : choose_spacing(samples, graph, regions, factors,
-                                                                result.report.points, seams);
+  const SampleBudget budget =
+      budget_of(samples, regions, result.report.points, options, seams, !points.triangles.empty());
+  const double spacing =
+      options.spacing > 0.0
+          ? options.spacing
+          : choose_spacing(samples, graph, regions, budget.factors, budget.samples, seams);
   RELIEF_TRY(check_spacing(spacing, area_of(regions, samples), points.size()));
   const Membership membership = membership_of(samples, regions);
-  std::vector<Patch> patches = make_patches(
-      {.samples = samples,
-       .graph = graph,
-       .membership = membership,
-       .colours = points.colours,
-       .creases = creases ? &*creases : nullptr},
-      factors, resample_options(options, seams, spacing, normals.estimated), regions, progress);
+  std::vector<Patch> patches =
+      make_patches({.samples = samples,
+                    .graph = graph,
+                    .membership = membership,
+                    .colours = points.colours,
+                    .creases = creases ? &*creases : nullptr},
+                   budget.factors, resample_options(options, seams, spacing, normals.estimated),
+                   regions, progress);
   if (progress.cancelled()) return interrupted_error();
   if (patches.empty()) return make_error("the points are too scattered to be a surface");
 
@@ -192,8 +214,7 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
         map_textures(mesh, static_cast<std::uint32_t>(options.texels_per_cell), patches, progress);
     if (!mapped) return mapped.error();
   } else if (!points.triangles.empty()) {
-    progress.begin_stage("normals of triangles", patches.size());
-    take_mesh_normals(points, in_time.spheres(), patches, progress);
+    take_mesh(points, in_time.spheres(), seams, patches, progress);
     if (progress.cancelled()) return interrupted_error();
   }
 

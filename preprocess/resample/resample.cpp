@@ -94,8 +94,6 @@ double bucket_side(const PatchPoints& points, double spacing) {
 // Support reaches up to 0.9 spacings beyond a region's points; where borders meet, half of what is
 // beyond belongs to others.
 constexpr double kForeignShare = 0.45;
-// Samples a point of patches that meet: overlapping ones have about as many with their margins.
-constexpr double kSamplesPerPoint = 1.15;
 
 /// About how many samples a grid will have.
 double count_samples(const std::vector<NodeState>& states, const PatchGrid& grid, bool seams) {
@@ -173,9 +171,8 @@ Patch resample_region(const ScanSurface& scan, const Region& region,
 
 double choose_spacing(const SurfaceSamples& samples, const NeighbourGraph& graph,
                       const std::vector<Region>& regions, const std::vector<double>& factors,
-                      std::size_t target, bool seams) {
+                      double target, bool seams) {
   double area = 0.0;
-  const double count = (seams ? kSamplesPerPoint : 1.0) * static_cast<double>(target);
   std::vector<PatchPoints> points(regions.size());
   tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t r) {
     points[r] = collect_patch_points(samples, graph, regions[r], {}, 0.0);
@@ -187,7 +184,7 @@ double choose_spacing(const SurfaceSamples& samples, const NeighbourGraph& graph
       area += double{region.spacing[p]} * region.spacing[p] * std::abs(region.normals[p].z) / cells;
     }
   }
-  double spacing = std::sqrt(area / count);
+  double spacing = std::sqrt(area / target);
   // The area ignores borders and relies on estimated densities; counting nodes corrects both. Two
   // corrections come within about 1 %.
   for (int round = 0; round < 2; ++round) {
@@ -199,7 +196,7 @@ double choose_spacing(const SurfaceSamples& samples, const NeighbourGraph& graph
       nodes[r] = count_samples(states, grid, seams);
     });
     const double total = std::accumulate(nodes.begin(), nodes.end(), 0.0);
-    spacing *= std::sqrt(total / count);
+    spacing *= std::sqrt(total / target);
   }
   return spacing;
 }

@@ -22,10 +22,10 @@ struct ResampleOptions {
                                     const ResampleOptions& options);
 
 /// Returns the grid spacing, in world units, at which the regions have about `target` samples in
-/// all, without margins. `factors`: each region's spacing in units of that (spacing_factors).
+/// all, without margins. `factors`: each region's spacing in units of that (patch_spacing.h).
 [[nodiscard]] double choose_spacing(const SurfaceSamples& samples, const NeighbourGraph& graph,
                                     const std::vector<Region>& regions,
-                                    const std::vector<double>& factors, std::size_t target,
+                                    const std::vector<double>& factors, double target,
                                     bool seams = false);
 
 }  // namespace relief

@@ -9,6 +9,7 @@
 
 #include "preprocess/partition/find_regions.h"
 #include "preprocess/readers/read_points.h"
+#include "preprocess/resample/error_spacing.h"
 #include "preprocess/resample/resample.h"
 #include "preprocess/tiles/checkpoint.h"
 
@@ -94,9 +95,11 @@ TileSurvey survey_tile(TilePoints& tile, const SurveyOptions& options, Progress&
   }
   if (options.find_area && !regions.empty()) {
     const SurfaceSamples samples{points.positions, points.normals, graph.spacing, frames.roughness};
+    const auto own = static_cast<double>(tile.own);
+    const double target = options.seams ? kFewestSamplesPerPoint * own : own;
     const double spacing = choose_spacing(
-        samples, graph, regions, std::vector<double>(regions.size(), 1.0), tile.own, options.seams);
-    survey.area = static_cast<double>(tile.own) * spacing * spacing;
+        samples, graph, regions, std::vector<double>(regions.size(), 1.0), target, options.seams);
+    survey.area = own * spacing * spacing;
   }
   survey.cosines = own_cosines(tile, survey, regions);
   survey.normals = points.normals;

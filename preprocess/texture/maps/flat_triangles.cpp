@@ -9,11 +9,18 @@
 #include <span>
 #include <utility>
 
+#include "common/mesh/nearest_on_triangle.h"
+
 namespace relief {
 namespace {
 
 /// In cells squared; thinner triangles contain no texel.
 constexpr double kMinArea = 1e-12;
+
+// Of triangles between points half a cell apart, cells squared. Dragon, grid over mesh spacing 1.4,
+// 2 and 2.8: mirror 0.29, 0.05 and 0.08 dB better than fitted normals, lit 0.07 and 0.08 worse and
+// equal (docs/decisions/0037).
+constexpr double kMinMeanArea = 0.125;
 
 /// More than the rounding of sums of lengths in single precision.
 constexpr float kRounding = 1.0001F;
@@ -109,6 +116,17 @@ double FlatTriangle::twice_area_in_space() const {
   return glm::length(glm::cross(b, c));
 }
 
+bool are_finer_than_grid(const std::vector<FlatTriangle>& triangles) {
+  double area = 0.0;
+  double count = 0.0;
+  for (const FlatTriangle& triangle : triangles) {
+    if (triangle.twice_area <= 0.0) continue;
+    area += 0.5 * triangle.twice_area_in_space();
+    count += 1.0;
+  }
+  return area < kMinMeanArea * count;
+}
+
 void TriangleSpheres::sort_by_position(std::vector<Sphere>& spheres, const Bounds& bounds) {
   const glm::dvec3 size = bounds.max - bounds.min;
   const double scale = 1023.0 / std::max({size.x, size.y, size.z, 1e-300});
@@ -195,6 +213,40 @@ std::vector<FlatTriangle> TriangleSpheres::find_over(const Patch& patch) const {
   const View view(patch, mesh_);
   for (const std::uint32_t t : near) view.add(t, found);
   return found;
+}
+
+bool TriangleSpheres::is_within(std::uint32_t triangle, glm::dvec3 position, double reach) const {
+  const Triangle& corners = mesh_.triangles[triangle];
+  const glm::dvec3 nearest =
+      nearest_on_triangle(position, mesh_.positions[corners[0]], mesh_.positions[corners[1]],
+                          mesh_.positions[corners[2]]);
+  return glm::distance(nearest, position) <= reach;
+}
+
+bool TriangleSpheres::any_within(glm::dvec3 position, double reach) const {
+  const glm::vec3 centre(position - middle_);
+  const auto may_be_near = [&](const Sphere& sphere) {
+    const auto apart = static_cast<double>(glm::distance(sphere.centre, centre));
+    return apart <= double{kRounding} * (double{sphere.radius} + reach);
+  };
+  const auto any_of_group = [](const std::vector<Sphere>& spheres, std::size_t group,
+                               const auto& fn) {
+    const std::size_t end = std::min((group + 1) * kGroup, spheres.size());
+    for (std::size_t k = group * kGroup; k < end; ++k) {
+      if (fn(k)) return true;
+    }
+    return false;
+  };
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (!may_be_near(blocks_[b])) continue;
+    const bool found = any_of_group(groups_, b, [&](std::size_t g) {
+      return may_be_near(groups_[g]) && any_of_group(spheres_, g, [&](std::size_t k) {
+               return may_be_near(spheres_[k]) && is_within(spheres_[k].triangle, position, reach);
+             });
+    });
+    if (found) return true;
+  }
+  return false;
 }
 
 }  // namespace relief

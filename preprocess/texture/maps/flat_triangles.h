@@ -29,6 +29,9 @@ struct FlatTriangle {
   [[nodiscard]] double twice_area_in_space() const;
 };
 
+/// Whether triangles are smaller on average than those between points half a cell apart.
+[[nodiscard]] bool are_finer_than_grid(const std::vector<FlatTriangle>& triangles);
+
 /// Bounding spheres of a mesh's triangles, with which each patch finds its triangles.
 class TriangleSpheres {
  public:
@@ -37,6 +40,9 @@ class TriangleSpheres {
   /// Returns the triangles over the patch's grid that are not edge-on to its normal, in the mesh's
   /// order.
   [[nodiscard]] std::vector<FlatTriangle> find_over(const Patch& patch) const;
+
+  /// Whether any triangle is at most `reach` (world units) from a position.
+  [[nodiscard]] bool any_within(glm::dvec3 position, double reach) const;
 
  private:
   struct Sphere {
@@ -49,6 +55,7 @@ class TriangleSpheres {
   /// Number of spheres in a group.
   static constexpr std::size_t kGroup = 32;
   static std::vector<Sphere> group(const std::vector<Sphere>& spheres);
+  [[nodiscard]] bool is_within(std::uint32_t triangle, glm::dvec3 position, double reach) const;
 
   const Points& mesh_;
   glm::dvec3 middle_{0.0};

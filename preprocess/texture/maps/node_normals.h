@@ -1,6 +1,7 @@
 // Takes the normals of samples from the mesh.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -21,5 +22,10 @@ namespace relief {
 /// The patch's normals must have one texel per cell.
 void take_mesh_normals(const Points& mesh, const std::vector<glm::vec3>& normals,
                        const std::vector<FlatTriangle>& triangles, Patch& patch);
+
+/// The same whatever the triangles' size. `shown`: by node which of them the patch's surface shows.
+void take_mesh_normals(const Points& mesh, const std::vector<glm::vec3>& normals,
+                       const std::vector<FlatTriangle>& triangles,
+                       const std::vector<std::uint32_t>& shown, Patch& patch);
 
 }  // namespace relief

@@ -6,6 +6,7 @@
 
 #include "preprocess/readers/format.h"
 #include "preprocess/readers/gunzip.h"
+#include "preprocess/readers/read_points.h"
 #include "tests/preprocess/readers/sample_files.h"
 
 namespace relief::test {

@@ -274,9 +274,9 @@ TEST(Resample, WidensTheStepWhere16BitsDoNotHoldTheHeights) {
 
 TEST(Resample, DefaultSpacingGivesAboutOneSampleAPoint) {
   const Partitioned scan(test::sample_torus({}, kStep));
-  const double spacing =
-      choose_spacing(scan.samples(), scan.graph, scan.regions,
-                     std::vector<double>(scan.regions.size(), 1.0), scan.points.size());
+  const double spacing = choose_spacing(scan.samples(), scan.graph, scan.regions,
+                                        std::vector<double>(scan.regions.size(), 1.0),
+                                        static_cast<double>(scan.points.size()));
   ResampleOptions options = options_for(spacing);
   options.overlap_cells = 0;
   std::size_t samples = 0;

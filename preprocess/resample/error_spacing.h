@@ -1,0 +1,36 @@
+// Chooses each patch's spacing by the error that it leaves.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "preprocess/partition/partition.h"
+
+namespace relief {
+
+/// Samples a point of patches that meet: overlapping ones have about as many with their margins.
+/// There are up to `kMost` where the surface of a mesh asks for them.
+inline constexpr double kFewestSamplesPerPoint = 1.15;
+inline constexpr double kMostSamplesPerPoint = 2.0;
+
+/// How many samples patches shall have, and how they share them.
+struct SampleBudget {
+  std::vector<double> factors;  ///< each patch's spacing, in spacings of the model
+  double samples = 0.0;         ///< of all
+};
+
+/// Shares out samples to the patches of regions by what they gain from them.
+///
+/// Bilinear cells of side h are off a surface that bends by k by about k h^2, and there are 1 / h^2
+/// of them on a unit of area: of all spacings that need as many samples, those that fall with the
+/// cube root of a patch's bend leave the least squared error. The bend is told by how far
+/// neighbours of a point are from a plane (SurfaceSamples::roughness). There are as many samples as
+/// make that error, over the whole model, a twentieth of its spacing, which is the step that
+/// heights are rounded to.
+///
+/// `points`: how many the user's scan has. For meshes, whose points have no noise that samples
+/// would follow.
+[[nodiscard]] SampleBudget share_samples(const SurfaceSamples& samples,
+                                         const std::vector<Region>& regions, std::size_t points);
+
+}  // namespace relief
