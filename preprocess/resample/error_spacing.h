@@ -10,7 +10,7 @@ namespace relief {
 
 /// Samples a point of patches that meet: overlapping ones have about as many with their margins.
 /// There are up to `kMost` where the surface of a mesh asks for them.
-inline constexpr double kFewestSamplesPerPoint = 1.15;
+inline constexpr double kFewestSamplesPerPoint = 1.1;
 inline constexpr double kMostSamplesPerPoint = 2.0;
 
 /// How many samples patches shall have, and how they share them.
