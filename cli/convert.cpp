@@ -146,7 +146,7 @@ void add_surface_options(CLI::App& sub, ConvertArguments& arguments) {
   sub.add_option(
          "--spacing", arguments.options.spacing,
          "Distance between samples, in the scan's unit, above 0 (default: such that there are "
-         "about as many samples as points)")
+         "about as many samples as points, or up to twice as many where a mesh bends)")
       ->check(CLI::PositiveNumber)
       ->option_text("S");
   sub.add_option(

@@ -9,7 +9,8 @@
 namespace relief {
 
 struct ConvertOptions {
-  double spacing = 0.0;  ///< grid step in world units; 0: about as many samples as points
+  double spacing = 0.0;  ///< grid step in world units; 0: about as many samples as points,
+                         ///< or up to twice as many where a mesh bends (share_samples)
   double cone_degrees =
       0.0;  ///< largest angle between a patch's normal and its points' normals; 0: default
   /// Whether patches meet at seams instead of overlapping. By default they do if the scan has
