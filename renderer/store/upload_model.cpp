@@ -142,8 +142,8 @@ class ModelUpload {
     for (std::size_t s = 0; s < seams_.size(); ++s) {
       StoredSeam& seam = seams_[s];
       const PatchRun run = *relief::run_of(model_, seam_patches_[s]);
-      RELIEF_TRY_ASSIGN(const std::span<const SeamCorners> shares, seam_upload_.get(run));
-      seam.corners = shares[seam_patches_[s] - run.first];
+      RELIEF_TRY_ASSIGN(const std::span<const SeamBlocks> shares, seam_upload_.get(run));
+      seam.blocks = shares[seam_patches_[s] - run.first];
       seam.number = static_cast<std::uint32_t>(positions_.size());
       positions_.emplace_back(seam.patch, 0);
     }
@@ -244,7 +244,7 @@ class ModelUpload {
     const StoredPatch& patch = patches_.back();
     for (const UploadedCells::Part& part : grids_.grid(index).cells.parts) {
       parts_.push_back({number, patch.origin + patch.axes * (patch.spacing * part.centre),
-                        patch.spacing * part.radius, part.buffers});
+                        patch.spacing * part.radius, part.normals, part.buffers});
       positions_.emplace_back(number, part.corner.x | (part.corner.y << 16U));
     }
   }
