@@ -69,6 +69,19 @@ glm::uvec2 part_counts(const Patch& patch) {
   return (glm::uvec2(patch.width, patch.height) + (shared::kPartCells - 1)) / shared::kPartCells;
 }
 
+/// Adds the normals of a cell's two triangles, halved along the diagonal from (0, 0).
+void add_normals(const Patch& patch, glm::uvec2 node, double height_step, NormalBounds& normals) {
+  const auto height = [&](std::uint32_t i, std::uint32_t j) {
+    return static_cast<float>(patch.at(node.x + i, node.y + j) * height_step);
+  };
+  const float h00 = height(0, 0);
+  const float h10 = height(1, 0);
+  const float h01 = height(0, 1);
+  const float h11 = height(1, 1);
+  normals.add({h00 - h10, h10 - h11, 1.0F});
+  normals.add({h01 - h11, h00 - h01, 1.0F});
+}
+
 /// A part without its rims; its sphere is about its nodes, one cell more than its own each way.
 /// `whole`: as of a level, empty for a patch itself.
 CellPart make_part(const Patch& patch, const std::vector<std::uint8_t>& whole,
@@ -88,6 +101,13 @@ CellPart make_part(const Patch& patch, const std::vector<std::uint8_t>& whole,
     add_runs(
         nodes, corner, j, end.x, shared::kEdgeRunCells,
         [&](glm::uvec2 node) { return nodes.has_four(node) && !is_whole(node); }, part.edge_runs);
+  }
+  for (std::uint32_t j = corner.y; j < end.y; ++j) {
+    for (std::uint32_t i = corner.x; i < end.x; ++i) {
+      const glm::uvec2 node(i, j);
+      if (is_whole(node) ? nodes.is_cell(node) : nodes.has_four(node))
+        add_normals(patch, node, height_step, part.normals);
+    }
   }
   for (std::uint32_t j = corner.y; j < std::min(end.y + 1, patch.height); ++j) {
     for (std::uint32_t i = corner.x; i < std::min(end.x + 1, patch.width); ++i) {
@@ -140,7 +160,9 @@ void add_rims(const Patch& patch, const CellNodes& nodes, const PatchSamples& sa
          nodes.closed_reach(record)});
   }
   for (CellPart& part : cells.parts) {
-    if (!part.rims.empty()) part.radius += samples.widest_disc;
+    if (part.rims.empty()) continue;
+    part.radius += samples.widest_disc;
+    part.normals = {};
   }
 }
 

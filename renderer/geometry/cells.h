@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/patch.h"
+#include "renderer/geometry/facing.h"
 #include "renderer/geometry/levels.h"
 #include "renderer/geometry/samples.h"
 
@@ -36,6 +37,7 @@ struct CellPart {
   std::vector<RimRecord> rims;           ///< row by row
   glm::dvec3 centre{0.0};  ///< of a sphere about its cells and splats, grid frame (cells)
   double radius = 0.0;     ///< of that sphere, cells
+  NormalBounds normals;    ///< of its cells; empty if it has splats, which lean as they like
 };
 
 /// A patch as cells: about two bytes a sample of heights, and less than half as much of all else

@@ -98,7 +98,53 @@ AttributeMap<glm::i16vec2> coarsen_normals(const Patch& patch, std::uint32_t str
   return normals;
 }
 
+/// How high a pixel is where a patch may be nearest to the eye, world units.
+double nearest_pixel(const View& view, const PatchExtent& extent) {
+  return pixel_at(view, -(view.rotation * (extent.centre - view.eye)).z - extent.radius);
+}
+
 }  // namespace
+
+std::optional<double> level_error(const Patch& patch, std::uint32_t level) {
+  assert(level > 0 && level < kMaxLevels && "a coarser level of samples");
+  const std::uint32_t stride = 1U << level;
+  const double part = 1.0 / stride;
+  double squares = 0.0;
+  std::size_t samples = 0;
+  for (std::uint32_t j = 0; j + stride < patch.height; j += stride) {
+    for (std::uint32_t i = 0; i + stride < patch.width; i += stride) {
+      const std::int32_t h00 = patch.at(i, j);
+      const std::int32_t h10 = patch.at(i + stride, j);
+      const std::int32_t h01 = patch.at(i, j + stride);
+      const std::int32_t h11 = patch.at(i + stride, j + stride);
+      if (h00 == kHole || h10 == kHole || h01 == kHole || h11 == kHole) continue;
+      for (std::uint32_t y = 0; y < stride; ++y) {
+        for (std::uint32_t x = 0; x < stride; ++x) {
+          const std::int32_t height = patch.at(i + x, j + y);
+          if (height == kHole) continue;
+          const double u = part * x;
+          const double v = part * y;
+          // Halved along the diagonal from (0, 0), as cells are.
+          const double level_height = u > v ? h00 + u * (h10 - h00) + v * (h11 - h10)
+                                            : h00 + u * (h11 - h01) + v * (h01 - h00);
+          squares += (height - level_height) * (height - level_height);
+          ++samples;
+        }
+      }
+    }
+  }
+  if (samples == 0) return std::nullopt;
+  return patch.height_step * std::sqrt(squares / static_cast<double>(samples));
+}
+
+void measure_levels(const Patch& patch, std::uint32_t coarsest, PatchExtent& extent) {
+  for (; extent.measured < coarsest; ++extent.measured) {
+    const std::uint32_t level = extent.measured + 1;
+    extent.errors[level] =
+        level_error(patch, level)
+            .value_or(level > 1 ? 4.0 * extent.errors[level - 1] : patch.spacing);
+  }
+}
 
 PatchExtent extent_of(const Patch& patch) {
   glm::dvec3 low(std::numeric_limits<double>::max());
@@ -121,13 +167,19 @@ PatchExtent extent_of(const Patch& patch) {
   return extent;
 }
 
-std::uint32_t choose_level(const View& view, const PatchExtent& extent) {
-  const double depth = -(view.rotation * (extent.centre - view.eye)).z - extent.radius;
-  const double pixel = pixel_at(view, depth);
+std::uint32_t coarsest_level(const View& view, const PatchExtent& extent) {
+  const double pixel = nearest_pixel(view, extent);
   std::uint32_t level = 0;
   while (level + 1 < extent.levels &&
          std::ldexp(extent.spacing, static_cast<int>(level) + 1) <= view.pixels_per_sample * pixel)
     ++level;
+  return level;
+}
+
+std::uint32_t choose_level(const View& view, const PatchExtent& extent) {
+  std::uint32_t level = coarsest_level(view, extent);
+  const double most = kMostLevelError * view.pixels_per_sample * nearest_pixel(view, extent);
+  while (level > 0 && extent.errors[level] > most) --level;
   return level;
 }
 

@@ -14,7 +14,7 @@
 namespace relief {
 namespace {
 
-constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNotMade = std::numeric_limits<std::uint32_t>::max();
 
 Points points_of(TriangleMesh mesh) {
   Points points;
@@ -27,11 +27,11 @@ Points points_of(TriangleMesh mesh) {
   return points;
 }
 
-/// Keeps the vertices whose new number is not kNoVertex; `numbers` ascends over those.
+/// Keeps the vertices whose new number is not kNotMade; `numbers` ascends over those.
 void keep(const std::vector<std::uint32_t>& numbers, TriangleMesh& mesh) {
   std::size_t kept = 0;
   for (std::size_t v = 0; v < numbers.size(); ++v) {
-    if (numbers[v] == kNoVertex) continue;
+    if (numbers[v] == kNotMade) continue;
     mesh.positions[kept] = mesh.positions[v];
     mesh.normals[kept] = mesh.normals[v];
     if (!mesh.colours.empty()) mesh.colours[kept] = mesh.colours[v];
@@ -118,13 +118,13 @@ void drop_islands(TriangleMesh& mesh) {
 
 /// Leaves out the vertices without a triangle.
 void drop_unused(TriangleMesh& mesh) {
-  std::vector<std::uint32_t> numbers(mesh.positions.size(), kNoVertex);
+  std::vector<std::uint32_t> numbers(mesh.positions.size(), kNotMade);
   for (const Triangle& t : mesh.triangles) {
     for (const std::uint32_t corner : t) numbers[corner] = 0;
   }
   std::uint32_t next = 0;
   for (std::uint32_t& number : numbers) {
-    if (number != kNoVertex) number = next++;
+    if (number != kNotMade) number = next++;
   }
   for (Triangle& t : mesh.triangles) {
     for (std::uint32_t& corner : t) corner = numbers[corner];
@@ -139,7 +139,7 @@ Result<Points> sample_points(const PatchModel& model) {
   RELIEF_TRY_ASSIGN(auto mesh, mesh_of_patches(model, &copies));
   if (!copies.empty()) {
     std::vector<std::uint32_t> numbers(mesh.positions.size(), 0);
-    for (const SeamCopy& copy : copies) numbers[copy.vertex] = kNoVertex;
+    for (const SeamCopy& copy : copies) numbers[copy.vertex] = kNotMade;
     keep(numbers, mesh);
   }
   mesh.triangles = {};

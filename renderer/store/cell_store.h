@@ -29,6 +29,7 @@ struct StoredPart {
   std::uint32_t patch = 0;
   glm::dvec3 centre{0.0};  ///< of a sphere about all that it draws
   double radius = 0.0;
+  NormalBounds normals;  ///< as CellPart has them
   PartBuffers buffers;
 };
 
@@ -38,6 +39,7 @@ struct UploadedCells {
     glm::uvec2 corner{0};    ///< its first node
     glm::dvec3 centre{0.0};  ///< as StoredPart has it, but in the grid frame (cells)
     double radius = 0.0;
+    NormalBounds normals;
     PartBuffers buffers;
   };
   std::int32_t first_row = 0;  ///< of its rows, in its page

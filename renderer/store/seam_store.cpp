@@ -1,6 +1,10 @@
 #include "renderer/store/seam_store.h"
 
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <limits>
 #include <utility>
 
 #include "common/seams/cell_triangles.h"
@@ -10,6 +14,9 @@
 
 namespace relief {
 namespace {
+
+/// Cells of a block of seams, each way.
+constexpr std::uint32_t kSeamBlockCells = shared::kPartCells;
 
 /// A world position in the grid frame of a patch.
 glm::vec3 in_grid(const Patch& patch, glm::dvec3 position) {
@@ -73,6 +80,69 @@ void for_each_ring_triangle(const Patch& patch, const Visit& visit) {
   }
 }
 
+/// The triangles of a patch's share, in squares of the patch.
+class ShareBlocks {
+ public:
+  ShareBlocks(const Patch& patch, std::uint32_t patch_number, const Seams& seams)
+      : width_(patch.width),
+        columns_((patch.width + kSeamBlockCells - 1) / kSeamBlockCells),
+        blocks_(std::size_t{columns_} * ((patch.height + kSeamBlockCells - 1) / kSeamBlockCells)) {
+    for (const Triangle& t : seams.triangles[patch_number]) {
+      const std::uint32_t node = *std::min_element(t.begin(), t.end());
+      if ((node & kSeamVertexBit) == 0) {
+        at(node % width_, node / width_).seams.push_back(t);
+        continue;
+      }
+      const glm::vec3 p = in_grid(patch, seams.vertices[node & ~kSeamVertexBit].position);
+      const auto within = [](float x, std::uint32_t nodes) {
+        return static_cast<std::uint32_t>(std::clamp(x, 0.0F, static_cast<float>(nodes - 1)));
+      };
+      at(within(p.x, patch.width), within(p.y, patch.height)).seams.push_back(t);
+    }
+  }
+
+  void add_ring(const Patch& patch) {
+    for_each_ring_triangle(patch, [&](const std::array<std::uint32_t, 3>& nodes) {
+      at(nodes[0] % width_, nodes[0] / width_).ring.push_back(nodes);
+    });
+  }
+
+  struct Block {
+    std::vector<Triangle> seams;
+    std::vector<Triangle> ring;
+  };
+  [[nodiscard]] const std::vector<Block>& all() const { return blocks_; }
+
+ private:
+  Block& at(std::uint32_t i, std::uint32_t j) {
+    return blocks_[std::size_t{j / kSeamBlockCells} * columns_ + i / kSeamBlockCells];
+  }
+
+  std::uint32_t width_;
+  std::uint32_t columns_;
+  std::vector<Block> blocks_;
+};
+
+/// Notes which way triangles face, and the sphere about them.
+void add_bounds(std::span<const std::uint32_t> corners,
+                std::span<const shared::SeamVertex> vertices, SeamBlock& block) {
+  glm::vec3 low(std::numeric_limits<float>::max());
+  glm::vec3 high(std::numeric_limits<float>::lowest());
+  for (std::size_t k = 0; k < corners.size(); k += 3) {
+    std::array<glm::vec3, 3> p;
+    for (std::size_t c = 0; c < 3; ++c) {
+      p[c] = glm::vec3(vertices[corners[k + c]].own);
+      low = glm::min(low, p[c]);
+      high = glm::max(high, p[c]);
+    }
+    const glm::vec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
+    const float length = glm::length(normal);
+    if (length > 0.0F) block.normals.add(normal / length);
+  }
+  block.centre = 0.5F * (low + high);
+  block.radius = 0.5F * glm::length(high - low);
+}
+
 }  // namespace
 
 SeamUpload::SeamUpload(const Gl& gl, const PatchModel& model, bool needed, bool with_rings)
@@ -86,27 +156,34 @@ SeamUpload::SeamUpload(const Gl& gl, const PatchModel& model, bool needed, bool 
   }
 }
 
-Result<std::span<const SeamCorners>> SeamUpload::get(PatchRun run) {
+Result<std::span<const SeamBlocks>> SeamUpload::get(PatchRun run) {
   const auto [found, is_new] = runs_.try_emplace(run.first);
-  std::vector<SeamCorners>& shares = found->second;
-  if (!is_new) return std::span<const SeamCorners>(shares);
+  std::vector<SeamBlocks>& shares = found->second;
+  if (!is_new) return std::span<const SeamBlocks>(shares);
   const auto patches = std::span(model_.patches).subspan(run.first, run.count);
   making_.wait();
   const auto made = made_.extract(run.first);
   const Seams& seams = made.mapped();
   for (std::uint32_t p = 0; p < run.count; ++p) {
     PatchVertices vertices(patches, p, seams, vertices_);
-    const auto first = static_cast<std::uint32_t>(corners_.size());
-    for (const Triangle& t : seams.triangles[p]) {
-      for (const std::uint32_t corner : t) corners_.push_back(vertices.number_of(corner));
+    ShareBlocks share(patches[p], p, seams);
+    if (with_rings_) share.add_ring(patches[p]);
+    SeamBlocks& blocks = shares.emplace_back();
+    const auto add = [&](const std::vector<Triangle>& some) {
+      for (const Triangle& t : some) {
+        for (const std::uint32_t corner : t) corners_.push_back(vertices.number_of(corner));
+      }
+      return static_cast<std::uint32_t>(3 * some.size());
+    };
+    for (const ShareBlocks::Block& triangles : share.all()) {
+      if (triangles.seams.empty() && triangles.ring.empty()) continue;
+      SeamBlock block;
+      block.first = static_cast<std::uint32_t>(corners_.size());
+      block.count = add(triangles.seams);
+      block.ring = add(triangles.ring);
+      add_bounds(std::span(corners_).subspan(block.first), vertices_, block);
+      blocks.push_back(block);
     }
-    const auto ring = static_cast<std::uint32_t>(corners_.size());
-    if (with_rings_) {
-      for_each_ring_triangle(patches[p], [&](const std::array<std::uint32_t, 3>& nodes) {
-        for (const std::uint32_t node : nodes) corners_.push_back(vertices.number_of(node));
-      });
-    }
-    shares.push_back({first, ring - first, static_cast<std::uint32_t>(corners_.size()) - ring});
   }
   const auto most = static_cast<std::size_t>(get_limit(gl_, GL_MAX_TEXTURE_BUFFER_SIZE));
   if (2 * vertices_.size() > most) {
@@ -115,7 +192,7 @@ Result<std::span<const SeamCorners>> SeamUpload::get(PatchRun run) {
         "convert again with a larger spacing",
         vertices_.size(), most / 2);
   }
-  return std::span<const SeamCorners>(shares);
+  return std::span<const SeamBlocks>(shares);
 }
 
 SeamStore SeamUpload::take(std::vector<StoredSeam> seams, const Buffer& positions) {

@@ -11,6 +11,7 @@
 #include "common/error.h"
 #include "common/patch.h"
 #include "common/seams/seams.h"
+#include "renderer/geometry/facing.h"
 #include "renderer/geometry/levels.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
@@ -18,14 +19,20 @@
 
 namespace relief {
 
-/// A patch's share of the seams, wherever it stands: corners of triangles.
-struct SeamCorners {
+/// A square of a patch's share of the seams, wherever it stands: corners of triangles.
+struct SeamBlock {
   std::uint32_t first = 0;  ///< in SeamStore::corners
   std::uint32_t count = 0;
   /// Those of the patch's outermost cells, which follow: over a coarser level they close what is
   /// open between that and the seams.
   std::uint32_t ring = 0;
+  NormalBounds normals;    ///< of all of them
+  glm::vec3 centre{0.0F};  ///< of a sphere about them, grid frame (cells)
+  float radius = 0.0F;     ///< of that sphere, cells
 };
+
+/// Those of a patch.
+using SeamBlocks = std::vector<SeamBlock>;
 
 /// What the CPU keeps of a placed patch's share.
 struct StoredSeam {
@@ -34,7 +41,7 @@ struct StoredSeam {
   glm::dvec3 centre{0.0};    ///< of a sphere about it, world frame
   double radius = 0.0;
   PatchExtent extent;  ///< of the patch
-  SeamCorners corners;
+  SeamBlocks blocks;
 };
 
 struct SeamStore {
@@ -53,7 +60,7 @@ class SeamUpload {
   SeamUpload(const Gl& gl, const PatchModel& model, bool needed, bool with_rings);
 
   /// The shares of the patches of a run, made once. Fails if OpenGL lets no shader see as many.
-  Result<std::span<const SeamCorners>> get(PatchRun run);
+  Result<std::span<const SeamBlocks>> get(PatchRun run);
 
   [[nodiscard]] bool empty() const { return corners_.empty(); }
   /// `positions`: CellStore::positions.
@@ -63,8 +70,8 @@ class SeamUpload {
   const Gl& gl_;
   const PatchModel& model_;
   bool with_rings_;
-  std::map<std::uint32_t, Seams> made_;                     ///< by first patch, until asked for
-  std::map<std::uint32_t, std::vector<SeamCorners>> runs_;  ///< the same
+  std::map<std::uint32_t, Seams> made_;                    ///< by first patch, until asked for
+  std::map<std::uint32_t, std::vector<SeamBlocks>> runs_;  ///< the same
   std::vector<shared::SeamVertex> vertices_;
   std::vector<std::uint32_t> corners_;
   BackgroundTasks making_;

@@ -60,11 +60,12 @@ CellDraws make_cell_draws(const Gl& gl, const CellStore& store, const SidedList&
   return draws;
 }
 
-void add_seams(const Gl& gl, const SeamStore& store, const View& view, const SidedList& seams,
-               CellDraws& draws) {
-  draws.seams = &store;
-  draws.seams_both = upload(gl, seam_commands(store, view, seams.both));
-  draws.seams_front = upload(gl, seam_commands(store, view, seams.front));
+void add_seams(const Gl& gl, const PatchStore& store, const View& view, const SidedList& seams,
+               SeenFrom seen, CellDraws& draws) {
+  draws.seams = &*store.seams;
+  draws.seams_both = upload(gl, seam_commands(store, view, seams.both, false));
+  draws.seams_front =
+      upload(gl, seam_commands(store, view, seams.front, seen == SeenFrom::Anywhere));
 }
 
 void draw_cells(const Gl& gl, const Programs& programs, const CellDraws& draws, SeenFrom seen) {

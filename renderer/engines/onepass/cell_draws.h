@@ -9,6 +9,7 @@
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/store/cell_store.h"
+#include "renderer/store/patch_store.h"
 #include "renderer/store/seam_store.h"
 #include "renderer/view/sided_list.h"
 
@@ -35,17 +36,17 @@ struct CellDraws {
   std::optional<Commands> seams_front;  ///< of those without what faces away
 };
 
+/// Which sides of a surface are drawn: both, or that alone which its normals point away from.
+enum class SeenFrom : std::uint8_t { Anywhere, Behind };
+
 /// Adds the seams of patches in a view (indices into `SeamStore::seams`). The store must outlive
 /// the draws.
-void add_seams(const Gl& gl, const SeamStore& store, const View& view, const SidedList& seams,
-               CellDraws& draws);
+void add_seams(const Gl& gl, const PatchStore& store, const View& view, const SidedList& seams,
+               SeenFrom seen, CellDraws& draws);
 
 /// Draws these parts, in this order. The store must outlive the draws.
 [[nodiscard]] CellDraws make_cell_draws(const Gl& gl, const CellStore& store,
                                         const SidedList& parts);
-
-/// Which sides of a surface are drawn: both, or that alone which its normals point away from.
-enum class SeenFrom : std::uint8_t { Anywhere, Behind };
 
 /// Runs the programs over them: cells, then what reaches beyond patches, which is mostly hidden by
 /// then, then border splats. The model must be bound (BoundModel).

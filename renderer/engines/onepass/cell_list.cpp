@@ -20,6 +20,13 @@ std::vector<std::uint32_t> find_parts(const PatchStore& store, const View& view,
   return nearest_first(parts, view, std::move(visible));
 }
 
+void leave_out_backs(const PatchStore& store, const View& view, std::vector<std::uint32_t>& parts) {
+  std::erase_if(parts, [&](std::uint32_t p) {
+    const StoredPart& part = store.cells->parts[p];
+    return faces_away(view, part.normals, store.patches[part.patch].axes, part.centre, part.radius);
+  });
+}
+
 std::vector<ArraysCommand> cell_commands(const CellStore& store,
                                          const std::vector<std::uint32_t>& parts,
                                          std::uint32_t page) {
@@ -66,7 +73,7 @@ std::vector<std::uint32_t> find_seams(const PatchStore& store, const View& view,
     if (instance.is_proxy_in(view)) continue;
     for (std::uint32_t s = instance.seams.first; s < instance.seams.first + instance.seams.count;
          ++s) {
-      if (seams[s].corners.count > 0 && materials.has(store.patches[seams[s].patch].material) &&
+      if (!seams[s].blocks.empty() && materials.has(store.patches[seams[s].patch].material) &&
           sees_sphere(view, seams[s].centre, seams[s].radius))
         visible.push_back(s);
     }
@@ -74,15 +81,23 @@ std::vector<std::uint32_t> find_seams(const PatchStore& store, const View& view,
   return nearest_first(seams, view, std::move(visible));
 }
 
-std::vector<ElementsCommand> seam_commands(const SeamStore& store, const View& view,
-                                           const std::vector<std::uint32_t>& seams) {
+std::vector<ElementsCommand> seam_commands(const PatchStore& store, const View& view,
+                                           const std::vector<std::uint32_t>& seams,
+                                           bool without_backs) {
   std::vector<ElementsCommand> commands;
-  commands.reserve(seams.size());
   for (const std::uint32_t s : seams) {
-    const StoredSeam& seam = store.seams[s];
+    const StoredSeam& seam = store.seams->seams[s];
+    const StoredPatch& patch = store.patches[seam.patch];
     const bool is_coarse = choose_level(view, seam.extent) > 0;
-    commands.push_back({seam.corners.count + (is_coarse ? seam.corners.ring : 0), 1,
-                        seam.corners.first, 0, seam.number});
+    for (const SeamBlock& block : seam.blocks) {
+      const glm::dvec3 centre =
+          patch.origin + patch.axes * (patch.spacing * glm::dvec3(block.centre));
+      if (without_backs &&
+          faces_away(view, block.normals, patch.axes, centre, patch.spacing * block.radius))
+        continue;
+      const std::uint32_t count = block.count + (is_coarse ? block.ring : 0);
+      if (count > 0) commands.push_back({count, 1, block.first, 0, seam.number});
+    }
   }
   return commands;
 }

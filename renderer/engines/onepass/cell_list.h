@@ -21,6 +21,9 @@ struct MaterialChoice {
 [[nodiscard]] std::vector<std::uint32_t> find_parts(const PatchStore& store, const View& view,
                                                     const MaterialChoice& materials);
 
+/// Leaves out the parts that show the view nothing but their back sides.
+void leave_out_backs(const PatchStore& store, const View& view, std::vector<std::uint32_t>& parts);
+
 /// Commands that draw the cells of one page's share of `parts`, as strips.
 [[nodiscard]] std::vector<ArraysCommand> cell_commands(const CellStore& store,
                                                        const std::vector<std::uint32_t>& parts,
@@ -43,7 +46,8 @@ struct MaterialChoice {
 
 /// Commands that draw seams, and the outermost cells of patches that the view shows at a coarser
 /// level.
-[[nodiscard]] std::vector<ElementsCommand> seam_commands(const SeamStore& store, const View& view,
-                                                         const std::vector<std::uint32_t>& seams);
+[[nodiscard]] std::vector<ElementsCommand> seam_commands(const PatchStore& store, const View& view,
+                                                         const std::vector<std::uint32_t>& seams,
+                                                         bool without_backs);
 
 }  // namespace relief::onepass

@@ -47,7 +47,7 @@ void Drawing::draw_back(const GlFrame& frame, PassTimer& timer) const {
   const Gl& gl = *variant_.gl;
   const Back& back = *buffers_.back;
   const ScopedPass pass(gl, timer, "back");
-  const DrawBatch batch = make_cell_batch(variant_, back.view, back.materials);
+  const DrawBatch batch = make_cell_batch(variant_, back.view, back.materials, SeenFrom::Behind);
   clear_back(gl, back);
   gl.BindFramebuffer(GL_FRAMEBUFFER, back.found.framebuffer.id());
   gl.Viewport(0, 0, static_cast<GLsizei>(back.view.width), static_cast<GLsizei>(back.view.height));

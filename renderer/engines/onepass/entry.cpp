@@ -12,7 +12,8 @@ EngineOption pixels_per_sample_option() {
        .range = kPixelsPerSample,
        .placeholder = "P",
        .help = "draws coarser levels of patches where their samples are seen at most P pixels "
-               "apart; 0 always draws the finest",
+               "apart, of patches that meet also off the finest by at most P/128 pixels; 0 always "
+               "draws the finest",
        .default_text = "4 with cells, else 0"},
       [](RenderSettings& settings) -> double& { return settings.pixels_per_sample.emplace(); });
   option.get = [](const RenderSettings& settings) {

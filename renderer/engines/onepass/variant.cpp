@@ -38,8 +38,8 @@ DrawBatch make_batch(const Variant& variant, const View& view, const MaterialCho
                                : make_splat_batch(variant, view);
 }
 
-DrawBatch make_cell_batch(const Variant& variant, const View& view,
-                          const MaterialChoice& materials) {
+DrawBatch make_cell_batch(const Variant& variant, const View& view, const MaterialChoice& materials,
+                          SeenFrom seen) {
   const PatchStore& store = variant.samples.store();
   const std::vector<std::uint32_t> parts = find_parts(store, view, materials);
   const std::vector<std::uint32_t> proxies = find_proxies(store, view);
@@ -47,11 +47,12 @@ DrawBatch make_cell_batch(const Variant& variant, const View& view,
   looked_at.reserve(parts.size() + proxies.size());
   for (const std::uint32_t part : parts) looked_at.push_back(store.cells->parts[part].patch);
   DrawBatch batch;
-  batch.cells = make_cell_draws(*variant.gl, *store.cells, parts_by_cull_mode(store, view, parts));
+  SidedList sided = parts_by_cull_mode(store, view, parts);
+  if (seen == SeenFrom::Anywhere) leave_out_backs(store, view, sided.front);
+  batch.cells = make_cell_draws(*variant.gl, *store.cells, sided);
   if (store.seams) {
     const std::vector<std::uint32_t> seams = find_seams(store, view, materials);
-    add_seams(*variant.gl, *store.seams, view, seams_by_cull_mode(store, view, seams),
-              *batch.cells);
+    add_seams(*variant.gl, store, view, seams_by_cull_mode(store, view, seams), seen, *batch.cells);
     // Also the owners of their vertices, which may be out of view.
     for (const StoredSeam& seam : store.seams->seams) looked_at.push_back(seam.patch);
   }

@@ -43,6 +43,7 @@ struct DrawBatch {
 
 /// As make_batch does with cells, also of views from behind.
 [[nodiscard]] DrawBatch make_cell_batch(const Variant& variant, const View& view,
-                                        const MaterialChoice& materials);
+                                        const MaterialChoice& materials,
+                                        SeenFrom seen = SeenFrom::Anywhere);
 
 }  // namespace relief::onepass

@@ -115,6 +115,62 @@ TEST(Levels, AreChosenByTheNearestSpacing) {
   EXPECT_EQ(choose_level(view, {{0.0, 0.0, 10.5}, 1.0, 0.1, 5}), 0U);
 }
 
+/// One row of waves of 16 cells, as high as that is wide.
+Patch wave(double height_step) {
+  Patch patch = tattered_plane(65, 33, 0.0);
+  patch.height_step = height_step;
+  for (std::uint32_t j = 0; j < patch.height; ++j) {
+    for (std::uint32_t i = 0; i < patch.width; ++i) {
+      const double turns = i / 16.0;
+      patch.heights[j * patch.width + i] =
+          static_cast<std::int32_t>(std::lround(8000.0 * (1.0 + std::sin(6.2831853 * turns))));
+    }
+  }
+  return patch;
+}
+
+TEST(Levels, HaveTheErrorOfTheSamplesBetweenTheirOwn) {
+  EXPECT_EQ(level_error(tattered_plane(65, 33, 0.0), 2), 0.0);
+  const Patch patch = wave(0.001);
+  // Every other sample lies on level 1, the others 1 - cos(2 pi / 16) of the wave off it; of a wave
+  // of height 8 the root mean square is 8 / sqrt(2). Heights are rounded to 0.001.
+  const double chord = 1.0 - std::cos(6.2831853 / 16.0);
+  EXPECT_NEAR(*level_error(patch, 1), 8.0 / std::sqrt(2.0) * chord * std::sqrt(0.5), 0.001);
+  // Holes are not counted, nor the cells that lack a corner.
+  EXPECT_NEAR(*level_error(tattered_plane(65, 33, 0.1), 3), 0.0, 1e-9);
+  EXPECT_FALSE(level_error(tattered_plane(3, 2, 0.0), 1));
+}
+
+TEST(Levels, AreChosenByTheirErrorsToo) {
+  const Camera camera{{0.0, 0.0, 1000.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 45.0};
+  View view = make_view(camera, 100, 100, 0.01);
+  view.pixels_per_sample = 4.0;
+  const Patch patch = wave(0.001);
+  PatchExtent extent = extent_of(patch);
+  measure_levels(patch, extent.levels - 1, extent);
+  EXPECT_EQ(extent.measured, 6U);
+  EXPECT_LT(extent.errors[1], extent.errors[2]);
+  EXPECT_LT(extent.errors[2], extent.errors[3]);
+  // As far away as level 2 is off by as much as it may be, by how high a pixel is there.
+  const auto level_where_it_may_be_off_by = [&](double error) {
+    const double pixel = error / (kMostLevelError * view.pixels_per_sample);
+    view.eye.z = extent.centre.z + extent.radius + pixel / pixel_at(view, 1.0);
+    return choose_level(view, extent);
+  };
+  view.pixels_per_sample = 4000.0;  // what the spacing allows is coarser
+  EXPECT_EQ(level_where_it_may_be_off_by(1.01 * extent.errors[2]), 2U);
+  EXPECT_EQ(level_where_it_may_be_off_by(0.99 * extent.errors[2]), 1U);
+  EXPECT_EQ(level_where_it_may_be_off_by(0.99 * extent.errors[1]), 0U);
+}
+
+TEST(Levels, WithoutCellsAreOffByFourTimesAsMuch) {
+  const Patch patch = tattered_plane(3, 2, 0.0);
+  PatchExtent extent = extent_of(patch);
+  measure_levels(patch, 2, extent);
+  EXPECT_EQ(extent.errors[1], patch.spacing);
+  EXPECT_EQ(extent.errors[2], 4.0 * patch.spacing);
+}
+
 TEST(Levels, AreChosenByTheSpacingAtAnyDepthOfAnOrthographicImage) {
   Camera camera{{0.0, 0.0, 11.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
   camera.orthographic_height = 8.0;
@@ -179,6 +235,35 @@ TEST_P(LevelImages, OfASphereAreClosed) {
     // The silhouette of a polyhedron lies within that of the sphere: a pixel around at most.
     EXPECT_LT(holes, covered / 100) << pixels;
     EXPECT_LT(far, covered / 50) << pixels;
+  }
+}
+
+// On bumps as high as ten samples are apart a level is off by far more than 1/32 of a pixel: the
+// finest is drawn, but of patches that overlap, whose margins are farther off.
+TEST(Levels, OfPatchesThatMeetAreNotSeen) {
+  test::SphereShape shape;
+  shape.spacing = 0.02;
+  shape.patches_per_side = 2;
+  shape.bumps = 0.2;
+  PatchModel model = test::sphere_model(shape);
+  for (const bool meet : {true, false}) {
+    if (meet) {
+      model.joined = {{0, static_cast<std::uint32_t>(model.patches.size()), true}};
+    } else {
+      model.joined.clear();
+    }
+    RenderSettings settings =
+        settings_of(model, {Primitive::Cell, Interpolation::Corrected, "cell"}, 4.0);
+    settings.camera.orthographic_height = 2.2;  // samples are two thirds of a pixel apart
+    const RenderResult chosen = test::must_render(model, settings);
+    settings.pixels_per_sample = 0.0;
+    const RenderResult finest = test::must_render(model, settings);
+    std::size_t different = 0;
+    for (std::size_t k = 0; k < test::values(finest.image, "Z").size(); ++k) {
+      const float depth = test::values(finest.image, "Z")[k];
+      different += std::isfinite(depth) && depth != test::values(chosen.image, "Z")[k] ? 1 : 0;
+    }
+    EXPECT_EQ(different > 0, !meet);
   }
 }
 

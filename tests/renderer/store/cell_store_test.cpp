@@ -44,12 +44,15 @@ class Stores : public testing::Test {
 };
 
 TEST_F(Stores, CellsHaveNoRecordsAndNoHeightMaps) {
+  std::size_t parts = 0;
+  for (const Patch& patch : model_.patches)
+    parts += make_cells(patch, make_samples(patch)).parts.size();
   for (const Interpolation interpolation : {Interpolation::Direct, Interpolation::Corrected}) {
     const PatchStore store = upload(Primitive::Cell, interpolation);
     EXPECT_TRUE(store.pages.empty());
     EXPECT_FALSE(store.heights);
     ASSERT_TRUE(store.cells);
-    EXPECT_EQ(store.cells->parts.size(), model_.patches.size());
+    EXPECT_EQ(store.cells->parts.size(), parts);
     EXPECT_EQ(store.cells->pages.size(), 1U);
   }
 }

@@ -136,10 +136,10 @@ TEST(CellImages, StoreGridCoordinatesAtFullPrecision) {
 }
 
 TEST(CellImages, OfAPatchLargerThanAPartHaveNoSeam) {
-  // Four parts; the eye looks at where they meet, from so near that a culled one would be missed.
+  // The eye looks at where four parts meet, from so near that a culled one would be missed.
   const PatchModel model = test::height_field(
       300, [](double x, double y) { return 2.0 * std::sin(0.3 * x) * std::cos(0.25 * y); });
-  const double middle = shared::kPartCells - 149.5;
+  const double middle = 5 * shared::kPartCells - 149.5;
   for (const double elevation : {90.0, 45.0}) {
     RenderSettings settings = small_image(model);
     const double e = glm::radians(elevation);
