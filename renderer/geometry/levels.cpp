@@ -98,11 +98,6 @@ AttributeMap<glm::i16vec2> coarsen_normals(const Patch& patch, std::uint32_t str
   return normals;
 }
 
-/// How high a pixel is where a patch may be nearest to the eye, world units.
-double nearest_pixel(const View& view, const PatchExtent& extent) {
-  return pixel_at(view, -(view.rotation * (extent.centre - view.eye)).z - extent.radius);
-}
-
 }  // namespace
 
 std::optional<double> level_error(const Patch& patch, std::uint32_t level) {
@@ -168,7 +163,7 @@ PatchExtent extent_of(const Patch& patch) {
 }
 
 std::uint32_t coarsest_level(const View& view, const PatchExtent& extent) {
-  const double pixel = nearest_pixel(view, extent);
+  const double pixel = nearest_pixel(view, extent.centre, extent.radius);
   std::uint32_t level = 0;
   while (level + 1 < extent.levels &&
          std::ldexp(extent.spacing, static_cast<int>(level) + 1) <= view.pixels_per_sample * pixel)
@@ -178,7 +173,8 @@ std::uint32_t coarsest_level(const View& view, const PatchExtent& extent) {
 
 std::uint32_t choose_level(const View& view, const PatchExtent& extent) {
   std::uint32_t level = coarsest_level(view, extent);
-  const double most = kMostLevelError * view.pixels_per_sample * nearest_pixel(view, extent);
+  const double most =
+      kMostLevelError * view.pixels_per_sample * nearest_pixel(view, extent.centre, extent.radius);
   while (level > 0 && extent.errors[level] > most) --level;
   return level;
 }

@@ -12,11 +12,6 @@ constexpr double kMaxProxyPixels = 2.0;
 /// The coarsest level has this many cubes across.
 constexpr double kFewestAcross = 3.0;
 
-/// World units a pixel, where the sphere is nearest to the eye; below 0 behind it.
-double nearest_pixel(const View& view, const Sphere& model) {
-  return pixel_at(view, -(view.rotation * (model.centre - view.eye)).z - model.radius);
-}
-
 }  // namespace
 
 Sphere sphere_about(std::span<const Patch> patches) {
@@ -50,7 +45,7 @@ Proxy moved(const Transform& transform, const Proxy& model) {
 
 bool is_proxy(const View& view, const Proxy& model) {
   if (model.spacings.empty()) return false;
-  const double pixel = nearest_pixel(view, model.sphere);
+  const double pixel = nearest_pixel(view, model.sphere.centre, model.sphere.radius);
   // Where a pixel has several samples, View::proxy_diameter counts these.
   const double samples = view.proxy_diameter / kProxyDiameter;
   const double most_pixels = 0.5 * model.pixels * kProxyDiameter;
@@ -59,7 +54,7 @@ bool is_proxy(const View& view, const Proxy& model) {
 }
 
 std::size_t choose_proxy_level(const View& view, const Proxy& model) {
-  const double most = model.pixels * nearest_pixel(view, model.sphere);
+  const double most = model.pixels * nearest_pixel(view, model.sphere.centre, model.sphere.radius);
   std::size_t level = 0;
   while (level + 1 < model.spacings.size() && model.spacings[level + 1] <= most) ++level;
   return level;

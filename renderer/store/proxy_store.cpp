@@ -1,5 +1,4 @@
 #include "renderer/store/proxy_store.h"
-#include "renderer/store/patch_attributes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "common/octahedral.h"
+#include "renderer/store/patch_attributes.h"
 
 namespace relief {
 namespace {

@@ -6,15 +6,6 @@
 #include <utility>
 
 namespace relief {
-namespace {
-
-/// Distance of a patch's sphere from the eye along the view axis.
-double nearest_depth(const StoredPatch& patch, const View& view) {
-  const glm::dvec3 c = view.rotation * (patch.centre - view.eye);
-  return -c.z - patch.radius;
-}
-
-}  // namespace
 
 void add_quads(std::uint32_t first, std::uint32_t quads, std::uint32_t instance,
                std::vector<ElementsCommand>& commands) {
@@ -52,8 +43,9 @@ std::vector<std::uint32_t> find_near(const PatchStore& store, const View& view,
     depth = view.near + 2.0 * radius;
   }
   std::vector<std::uint32_t> near;
-  std::copy_if(visible.begin(), visible.end(), std::back_inserter(near),
-               [&](std::uint32_t p) { return nearest_depth(store.patches[p], view) < depth; });
+  std::copy_if(visible.begin(), visible.end(), std::back_inserter(near), [&](std::uint32_t p) {
+    return nearest_depth(view, store.patches[p].centre, store.patches[p].radius) < depth;
+  });
   return near;
 }
 

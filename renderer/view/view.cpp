@@ -121,6 +121,14 @@ double pixel_at(const View& view, double depth) {
   return view.orthographic ? pixel : pixel * depth;
 }
 
+double nearest_depth(const View& view, glm::dvec3 centre, double radius) {
+  return -(view.rotation * (centre - view.eye)).z - radius;
+}
+
+double nearest_pixel(const View& view, glm::dvec3 centre, double radius) {
+  return pixel_at(view, nearest_depth(view, centre, radius));
+}
+
 double distance_to(const View& view, glm::dvec3 position) {
   if (!view.orthographic) return glm::distance(position, view.eye);
   return -(view.rotation * (position - view.eye)).z;

@@ -76,6 +76,12 @@ struct DepthNeeds {
 /// How high a pixel is at a depth, world units.
 [[nodiscard]] double pixel_at(const View& view, double depth);
 
+/// The depth at which a sphere (world) is nearest to the eye; below 0 behind it.
+[[nodiscard]] double nearest_depth(const View& view, glm::dvec3 centre, double radius);
+
+/// How high a pixel is there, world units.
+[[nodiscard]] double nearest_pixel(const View& view, glm::dvec3 centre, double radius);
+
 /// How far a position (world) is from the eye, or from the plane through an orthographic one.
 [[nodiscard]] double distance_to(const View& view, glm::dvec3 position);
 
