@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <numbers>
 #include <random>
@@ -54,6 +56,26 @@ struct Torus {
     return glm::normalize(p - centre_of_tube(p));
   }
 };
+
+/// A mesh of squares from the origin on, each of two triangles halved along the diagonal from its
+/// first corner, at height(x, y).
+template <class Height>
+Points square_mesh(glm::uvec2 squares, double side, const Height& height) {
+  Points mesh;
+  for (std::uint32_t j = 0; j <= squares.y; ++j) {
+    for (std::uint32_t i = 0; i <= squares.x; ++i)
+      mesh.positions.emplace_back(i * side, j * side, height(i * side, j * side));
+  }
+  for (std::uint32_t j = 0; j < squares.y; ++j) {
+    for (std::uint32_t i = 0; i < squares.x; ++i) {
+      const std::uint32_t a = j * (squares.x + 1) + i;
+      const std::uint32_t b = a + squares.x + 1;
+      mesh.triangles.push_back({a, a + 1, b + 1});
+      mesh.triangles.push_back({a, b + 1, b});
+    }
+  }
+  return mesh;
+}
 
 /// A jittered grid over [-half, half]^2 lifted by height(x, y); spacing `step`.
 template <class Height>

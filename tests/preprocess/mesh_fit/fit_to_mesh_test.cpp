@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "common/octahedral.h"
+#include "tests/preprocess/surfaces.h"
 
 namespace relief {
 namespace {
@@ -15,24 +16,13 @@ constexpr std::uint32_t kPatchNodes = 9;
 constexpr double kCell = 0.5;
 constexpr double kPatchSide = kCell * (kPatchNodes - 1);
 
-/// A square mesh over [0, `width`] x [0, kPatchSide], two triangles a square of side `cell`.
+/// A mesh over [0, `width`] x [0, kPatchSide].
 template <class Height>
-Points make_square(double width, double cell, const Height& height) {
-  Points mesh;
-  const auto columns = static_cast<std::uint32_t>(std::lround(width / cell));
-  const auto rows = static_cast<std::uint32_t>(std::lround(kPatchSide / cell));
-  for (std::uint32_t j = 0; j <= rows; ++j) {
-    for (std::uint32_t i = 0; i <= columns; ++i)
-      mesh.positions.emplace_back(i * cell, j * cell, height(i * cell, j * cell));
-  }
-  for (std::uint32_t j = 0; j < rows; ++j) {
-    for (std::uint32_t i = 0; i < columns; ++i) {
-      const std::uint32_t a = j * (columns + 1) + i;
-      const std::uint32_t b = a + columns + 1;
-      mesh.triangles.push_back({a, a + 1, b + 1});
-      mesh.triangles.push_back({a, b + 1, b});
-    }
-  }
+Points make_square(double width, double side, const Height& height) {
+  const auto squares = [side](double length) {
+    return static_cast<std::uint32_t>(std::lround(length / side));
+  };
+  Points mesh = test::square_mesh({squares(width), squares(kPatchSide)}, side, height);
   mesh.normals.assign(mesh.size(), glm::vec3(0.0F, 0.0F, 1.0F));
   return mesh;
 }

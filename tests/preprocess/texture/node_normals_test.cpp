@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "common/octahedral.h"
+#include "tests/preprocess/surfaces.h"
 
 namespace relief {
 namespace {
@@ -40,21 +41,10 @@ struct Sheet {
 };
 Sheet make_sheet(std::uint32_t cells, double z = 0.0, bool faces_up = true) {
   Sheet sheet;
-  for (std::uint32_t j = 0; j <= cells; ++j) {
-    for (std::uint32_t i = 0; i <= cells; ++i) {
-      const glm::dvec2 position = kGridSide * glm::dvec2(i, j) / static_cast<double>(cells);
-      sheet.mesh.positions.emplace_back(position, z);
-      sheet.normals.emplace_back((faces_up ? 1.0 : -1.0) * leaning(position.x, position.y));
-    }
-  }
-  for (std::uint32_t j = 0; j < cells; ++j) {
-    for (std::uint32_t i = 0; i < cells; ++i) {
-      const std::uint32_t a = j * (cells + 1) + i;
-      const std::uint32_t b = a + cells + 1;
-      sheet.mesh.triangles.push_back({a, a + 1, b + 1});
-      sheet.mesh.triangles.push_back({a, b + 1, b});
-    }
-  }
+  sheet.mesh =
+      test::square_mesh({cells, cells}, kGridSide / cells, [z](double, double) { return z; });
+  for (const glm::dvec3& p : sheet.mesh.positions)
+    sheet.normals.emplace_back((faces_up ? 1.0 : -1.0) * leaning(p.x, p.y));
   if (!faces_up) {
     for (Triangle& t : sheet.mesh.triangles) std::swap(t[1], t[2]);
   }
