@@ -23,9 +23,9 @@
 #include "preprocess/partition/find_regions.h"
 #include "preprocess/points/densify.h"
 #include "preprocess/points/neighbours.h"
-#include "preprocess/resample/error_spacing.h"
-#include "preprocess/resample/patch_spacing.h"
 #include "preprocess/resample/region_patches.h"
+#include "preprocess/resample/spacing/error_spacing.h"
+#include "preprocess/resample/spacing/patch_spacing.h"
 #include "preprocess/texture/files/load_textures.h"
 #include "preprocess/texture/maps/flat_triangles.h"
 #include "preprocess/texture/maps/node_normals.h"
@@ -80,9 +80,7 @@ double area_of(const std::vector<Region>& regions, const SurfaceSamples& samples
 SampleBudget budget_of(const SurfaceSamples& samples, const std::vector<Region>& regions,
                        std::size_t points, const ConvertOptions& options, bool seams,
                        bool is_mesh) {
-  const auto count = static_cast<double>(points);
-  SampleBudget budget{std::vector<double>(regions.size(), 1.0),
-                      seams ? kFewestSamplesPerPoint * count : count};
+  SampleBudget budget{std::vector<double>(regions.size(), 1.0), usual_samples(points, seams)};
   if (options.adaptive_spacing)
     budget.factors = spacing_factors(samples, regions);
   else if (seams && is_mesh && !(options.spacing > 0.0))

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <limits>
 
+#include "preprocess/resample/store_heights.h"
+#include "preprocess/texture/maps/map_scales.h"
 #include "preprocess/texture/maps/shown_triangles.h"
 
 namespace relief {
@@ -34,19 +34,18 @@ std::vector<Target> find_targets(const std::vector<FlatTriangle>& triangles,
                                  const std::vector<double>& heights) {
   std::vector<Target> targets;
   targets.reserve(shown.size());
-  const std::uint32_t columns = kFitTexelsPerCell * (patch.width - 1) + 1;
+  const std::uint64_t columns = map_side(patch.width, kFitTexelsPerCell);
   for (std::uint32_t k = 0; k < shown.size(); ++k) {
     if (shown[k] == kNoTriangle) continue;
     const FlatTriangle& triangle = triangles[shown[k]];
     if (triangle.twice_area <= 0.0) continue;
-    const std::uint32_t column = k % columns;
-    const std::uint32_t row = k / columns;
+    const auto column = static_cast<std::uint32_t>(k % columns);
+    const auto row = static_cast<std::uint32_t>(k / columns);
     Target target;
     target.a = row / 2 * patch.width + column / 2;
     target.b = (row + 1) / 2 * patch.width + (column + 1) / 2;
     if (patch.heights[target.a] == kHole || patch.heights[target.b] == kHole) continue;
-    const glm::dvec3 weights = triangle.weights_at(0.5 * glm::dvec2(column, row));
-    target.height = glm::dot(weights, triangle.heights);
+    target.height = triangle.height_at(0.5 * glm::dvec2(column, row));
     const double now = 0.5 * (heights[target.a] + heights[target.b]);
     if (std::abs(target.height - now) <= kReach) targets.push_back(target);
   }
@@ -59,8 +58,8 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
   return sum;
 }
 
-/// Solves the normal equations by conjugate gradients: no two eigenvalues are as much as ten times
-/// apart, so that a few steps do.
+/// Solves the normal equations by conjugate gradients, a few steps of which do. solve_spd() would
+/// need their matrix, of which the targets are the factors.
 void solve(const std::vector<Target>& targets, std::vector<double>& heights) {
   const std::size_t count = heights.size();
   std::vector<double> residual(count, 0.0);
@@ -94,27 +93,6 @@ void solve(const std::vector<Target>& targets, std::vector<double>& heights) {
   }
 }
 
-/// Rounds heights (cells) to indices from the lowest sample up, which is returned. Widens the step
-/// if 16 bits would not hold them.
-double store(const std::vector<double>& heights, Patch& patch) {
-  double lowest = std::numeric_limits<double>::infinity();
-  double highest = -lowest;
-  for (std::size_t n = 0; n < heights.size(); ++n) {
-    if (patch.heights[n] == kHole) continue;
-    lowest = std::min(lowest, heights[n]);
-    highest = std::max(highest, heights[n]);
-  }
-  patch.height_step =
-      std::max(patch.height_step, (highest - lowest) * patch.spacing / kMaxHeightRange);
-  for (std::size_t n = 0; n < heights.size(); ++n) {
-    if (patch.heights[n] == kHole) continue;
-    patch.heights[n] = static_cast<std::int32_t>(
-        std::lround((heights[n] - lowest) * patch.spacing / patch.height_step));
-  }
-  patch.origin += patch.axes * glm::dvec3(0.0, 0.0, lowest * patch.spacing);
-  return lowest;
-}
-
 }  // namespace
 
 void fit_heights(std::vector<FlatTriangle>& triangles, std::span<const std::uint32_t> shown,
@@ -126,8 +104,10 @@ void fit_heights(std::vector<FlatTriangle>& triangles, std::span<const std::uint
   const std::vector<Target> targets = find_targets(triangles, shown, patch, heights);
   if (targets.empty()) return;
   solve(targets, heights);
-  const double lowest = store(heights, patch);
-  for (FlatTriangle& triangle : triangles) triangle.heights -= lowest;
+  for (double& height : heights) height *= patch.spacing;
+  const double lowest = store_heights(heights, patch.height_step, patch);
+  patch.origin += patch.axes * glm::dvec3(0.0, 0.0, lowest);
+  for (FlatTriangle& triangle : triangles) triangle.heights -= lowest / patch.spacing;
 }
 
 }  // namespace relief

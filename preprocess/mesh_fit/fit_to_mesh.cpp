@@ -4,6 +4,7 @@
 
 #include "preprocess/mesh_fit/fit_heights.h"
 #include "preprocess/mesh_fit/stray_samples.h"
+#include "preprocess/texture/maps/map_scales.h"
 #include "preprocess/texture/maps/node_normals.h"
 #include "preprocess/texture/maps/shown_triangles.h"
 
@@ -12,11 +13,11 @@ namespace {
 
 /// Of what is shown at kFitTexelsPerCell, what is shown at nodes.
 std::vector<std::uint32_t> at_nodes(const std::vector<std::uint32_t>& shown, const Patch& patch) {
-  const std::size_t columns = kFitTexelsPerCell * (std::size_t{patch.width} - 1) + 1;
+  const std::uint64_t columns = map_side(patch.width, kFitTexelsPerCell);
   std::vector<std::uint32_t> nodes;
   nodes.reserve(patch.heights.size());
-  for (std::size_t j = 0; j < patch.height; ++j) {
-    for (std::size_t i = 0; i < patch.width; ++i)
+  for (std::uint32_t j = 0; j < patch.height; ++j) {
+    for (std::uint32_t i = 0; i < patch.width; ++i)
       nodes.push_back(shown[kFitTexelsPerCell * (j * columns + i)]);
   }
   return nodes;

@@ -1,7 +1,7 @@
 #include "preprocess/mesh_fit/stray_samples.h"
 
 #include <cmath>
-#include <glm/geometric.hpp>
+#include <utility>
 
 #include "preprocess/texture/maps/shown_triangles.h"
 
@@ -28,8 +28,7 @@ void drop_stray_samples(const std::vector<FlatTriangle>& triangles,
     // Most are done with here: the distance is at most that along the patch's normal.
     bool is_near = false;
     if (shown[node] != kNoTriangle) {
-      const FlatTriangle& triangle = triangles[shown[node]];
-      const double height = glm::dot(triangle.weights_at(at), triangle.heights);
+      const double height = triangles[shown[node]].height_at(at);
       is_near = std::abs(height - kept[node] * to_cells) <= kFarInSpacings;
     }
     if (is_near || mesh.any_within(position_of(patch, at.x, at.y), kFarInSpacings * patch.spacing))

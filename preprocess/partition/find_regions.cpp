@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "preprocess/resample/patch_spacing.h"
+#include "preprocess/resample/spacing/patch_spacing.h"
 
 namespace relief {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "preprocess/measure.h"
-#include "preprocess/resample/thin_borders.h"
+#include "preprocess/resample/borders/thin_borders.h"
 
 namespace relief {
 namespace {

@@ -9,9 +9,10 @@
 #include <optional>
 
 #include "preprocess/resample/attributes.h"
-#include "preprocess/resample/creases.h"
-#include "preprocess/resample/foreign_nodes.h"
+#include "preprocess/resample/borders/creases.h"
+#include "preprocess/resample/borders/foreign_nodes.h"
 #include "preprocess/resample/mls.h"
+#include "preprocess/resample/store_heights.h"
 
 namespace relief {
 namespace {
@@ -63,25 +64,6 @@ void crop_grid(const Crop& crop, std::vector<NodeState>& states, PatchGrid& grid
   grid.y0 += crop.j0 * grid.spacing;
   grid.width = crop.width;
   grid.height = crop.height;
-}
-
-// Height indices from the lowest sample up; widens the step if 16 bits would not hold them.
-void store_heights(const std::vector<SurfacePoint>& surface, const std::vector<NodeState>& states,
-                   double step, Patch& patch, double& lowest) {
-  double highest = -std::numeric_limits<double>::infinity();
-  lowest = std::numeric_limits<double>::infinity();
-  for (std::size_t m = 0; m < states.size(); ++m) {
-    if (states[m] == NodeState::Hole) continue;
-    lowest = std::min(lowest, surface[m].height);
-    highest = std::max(highest, surface[m].height);
-  }
-  patch.height_step = std::max(step, (highest - lowest) / kMaxHeightRange);
-  patch.heights.assign(states.size(), kHole);
-  for (std::size_t m = 0; m < states.size(); ++m) {
-    if (states[m] == NodeState::Hole) continue;
-    patch.heights[m] =
-        static_cast<std::int32_t>(std::lround((surface[m].height - lowest) / patch.height_step));
-  }
 }
 
 // Buckets about as large as the neighbourhood of a fit.
@@ -154,10 +136,15 @@ Patch resample_region(const ScanSurface& scan, const Region& region,
     if (std::ranges::count(states, NodeState::Hole) == std::ssize(states)) return {};
   }
 
-  double lowest = 0.0;
+  std::vector<double> heights;
+  heights.reserve(states.size());
+  for (std::size_t m = 0; m < states.size(); ++m) {
+    heights.push_back(surface[m].height);
+    patch.heights.push_back(states[m] == NodeState::Hole ? kHole : 0);
+  }
   const double step =
       options.height_step > 0.0 ? options.height_step : options.spacing / kDefaultStepsPerSpacing;
-  store_heights(surface, states, step, patch, lowest);
+  const double lowest = store_heights(heights, step, patch);
   patch.spacing = grid.spacing;
   patch.axes = points.frame.axes;
   patch.origin = points.frame.origin + points.frame.axes * glm::dvec3(grid.x0, grid.y0, lowest);

@@ -9,8 +9,8 @@
 
 #include "preprocess/partition/find_regions.h"
 #include "preprocess/readers/read_points.h"
-#include "preprocess/resample/error_spacing.h"
 #include "preprocess/resample/resample.h"
+#include "preprocess/resample/spacing/error_spacing.h"
 #include "preprocess/tiles/checkpoint.h"
 
 namespace relief {
@@ -95,11 +95,10 @@ TileSurvey survey_tile(TilePoints& tile, const SurveyOptions& options, Progress&
   }
   if (options.find_area && !regions.empty()) {
     const SurfaceSamples samples{points.positions, points.normals, graph.spacing, frames.roughness};
-    const auto own = static_cast<double>(tile.own);
-    const double target = options.seams ? kFewestSamplesPerPoint * own : own;
-    const double spacing = choose_spacing(
-        samples, graph, regions, std::vector<double>(regions.size(), 1.0), target, options.seams);
-    survey.area = own * spacing * spacing;
+    const double spacing =
+        choose_spacing(samples, graph, regions, std::vector<double>(regions.size(), 1.0),
+                       usual_samples(tile.own, options.seams), options.seams);
+    survey.area = static_cast<double>(tile.own) * spacing * spacing;
   }
   survey.cosines = own_cosines(tile, survey, regions);
   survey.normals = points.normals;

@@ -1,4 +1,4 @@
-#include "preprocess/resample/creases.h"
+#include "preprocess/resample/borders/creases.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "preprocess/resample/foreign_nodes.h"
+#include "preprocess/resample/borders/foreign_nodes.h"
 
 #include <algorithm>
 #include <cmath>

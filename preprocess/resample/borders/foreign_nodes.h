@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "preprocess/resample/creases.h"
+#include "preprocess/resample/borders/creases.h"
 #include "preprocess/resample/mls.h"
 #include "preprocess/resample/patch_grid.h"
 #include "preprocess/resample/support.h"

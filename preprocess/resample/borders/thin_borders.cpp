@@ -1,4 +1,4 @@
-#include "preprocess/resample/thin_borders.h"
+#include "preprocess/resample/borders/thin_borders.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

@@ -1,4 +1,4 @@
-#include "preprocess/resample/error_spacing.h"
+#include "preprocess/resample/spacing/error_spacing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,7 +90,7 @@ double find_price(const IsTooHigh& is_too_high) {
 
 SampleBudget share_samples(const SurfaceSamples& samples, const std::vector<Region>& regions,
                            std::size_t points) {
-  const double fewest = kFewestSamplesPerPoint * static_cast<double>(points);
+  const double fewest = usual_samples(points, true);
   SampleBudget budget{std::vector<double>(regions.size(), 1.0), fewest};
   std::vector<Demand> demands;
   double area = 0.0;

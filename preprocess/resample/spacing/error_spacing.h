@@ -13,6 +13,11 @@ namespace relief {
 inline constexpr double kFewestSamplesPerPoint = 1.1;
 inline constexpr double kMostSamplesPerPoint = 2.0;
 
+/// How many samples that many points get if their shape says nothing.
+[[nodiscard]] inline double usual_samples(std::size_t points, bool seams) {
+  return (seams ? kFewestSamplesPerPoint : 1.0) * static_cast<double>(points);
+}
+
 /// How many samples patches shall have, and how they share them.
 struct SampleBudget {
   std::vector<double> factors;  ///< each patch's spacing, in spacings of the model
@@ -23,9 +28,9 @@ struct SampleBudget {
 ///
 /// Bilinear cells of side h are off a surface that bends by k by about k h^2, and there are 1 / h^2
 /// of them on a unit of area: of all spacings that need as many samples, those that fall with the
-/// cube root of a patch's bend leave the least squared error. The bend is told by how far
-/// neighbours of a point are from a plane (SurfaceSamples::roughness). There are as many samples as
-/// make that error, over the whole model, a twentieth of its spacing, which is the step that
+/// cube root of a patch's bend leave the least squared error. A patch bends by how far the
+/// neighbours of its points are from a plane (SurfaceSamples::roughness). There are as many samples
+/// as make that error, over the whole model, a twentieth of its spacing, which is the step that
 /// heights are rounded to.
 ///
 /// `points`: how many the user's scan has. For meshes, whose points have no noise that samples

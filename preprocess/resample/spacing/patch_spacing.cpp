@@ -1,4 +1,4 @@
-#include "preprocess/resample/patch_spacing.h"
+#include "preprocess/resample/spacing/patch_spacing.h"
 
 #include <tbb/parallel_for.h>
 

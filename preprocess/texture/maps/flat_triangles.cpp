@@ -110,6 +110,10 @@ glm::dvec3 FlatTriangle::weights_at(glm::dvec2 position) const {
   return glm::dvec3(cross(b, c), cross(c, a), cross(a, b)) / twice_area;
 }
 
+double FlatTriangle::height_at(glm::dvec2 position) const {
+  return glm::dot(weights_at(position), heights);
+}
+
 double FlatTriangle::twice_area_in_space() const {
   const glm::dvec3 b(corners[1] - corners[0], heights.y - heights.x);
   const glm::dvec3 c(corners[2] - corners[0], heights.z - heights.x);
@@ -180,6 +184,27 @@ TriangleSpheres::TriangleSpheres(const Points& mesh) : mesh_(mesh) {
   blocks_ = group(groups_);
 }
 
+template <class MayMeet, class Accepts>
+bool TriangleSpheres::any_of_met(const MayMeet& may_meet, const Accepts& accepts) const {
+  const auto any_of_group = [&may_meet](const std::vector<Sphere>& spheres, std::size_t group,
+                                        const auto& fn) {
+    const std::size_t end = std::min((group + 1) * kGroup, spheres.size());
+    for (std::size_t k = group * kGroup; k < end; ++k) {
+      if (may_meet(spheres[k]) && fn(k)) return true;
+    }
+    return false;
+  };
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (!may_meet(blocks_[b])) continue;
+    const bool found = any_of_group(groups_, b, [&](std::size_t g) {
+      return any_of_group(spheres_, g,
+                          [&](std::size_t k) { return accepts(spheres_[k].triangle); });
+    });
+    if (found) return true;
+  }
+  return false;
+}
+
 std::vector<FlatTriangle> TriangleSpheres::find_over(const Patch& patch) const {
   const glm::ivec2 range = height_range(patch);
   const double to_cells = patch.height_step / patch.spacing;
@@ -193,20 +218,12 @@ std::vector<FlatTriangle> TriangleSpheres::find_over(const Patch& patch) const {
     const glm::vec3 apart = glm::abs(to_box * (sphere.centre - centre)) - half;
     return std::max({apart.x, apart.y, apart.z}) <= sphere.radius;
   };
-  const auto for_each_met = [&](const std::vector<Sphere>& spheres, std::size_t group,
-                                const auto& fn) {
-    const std::size_t end = std::min((group + 1) * kGroup, spheres.size());
-    for (std::size_t k = group * kGroup; k < end; ++k) {
-      if (meets_box(spheres[k])) fn(k);
-    }
-  };
   std::vector<std::uint32_t> near;
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    if (!meets_box(blocks_[b])) continue;
-    for_each_met(groups_, b, [&](std::size_t g) {
-      for_each_met(spheres_, g, [&](std::size_t k) { near.push_back(spheres_[k].triangle); });
-    });
-  }
+  const auto note = [&near](std::uint32_t triangle) {
+    near.push_back(triangle);
+    return false;  // go on
+  };
+  static_cast<void>(any_of_met(meets_box, note));
   sort_numbers(near, spheres_.size());
   std::vector<FlatTriangle> found;
   found.reserve(near.size());
@@ -229,24 +246,8 @@ bool TriangleSpheres::any_within(glm::dvec3 position, double reach) const {
     const auto apart = static_cast<double>(glm::distance(sphere.centre, centre));
     return apart <= double{kRounding} * (double{sphere.radius} + reach);
   };
-  const auto any_of_group = [](const std::vector<Sphere>& spheres, std::size_t group,
-                               const auto& fn) {
-    const std::size_t end = std::min((group + 1) * kGroup, spheres.size());
-    for (std::size_t k = group * kGroup; k < end; ++k) {
-      if (fn(k)) return true;
-    }
-    return false;
-  };
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    if (!may_be_near(blocks_[b])) continue;
-    const bool found = any_of_group(groups_, b, [&](std::size_t g) {
-      return may_be_near(groups_[g]) && any_of_group(spheres_, g, [&](std::size_t k) {
-               return may_be_near(spheres_[k]) && is_within(spheres_[k].triangle, position, reach);
-             });
-    });
-    if (found) return true;
-  }
-  return false;
+  return any_of_met(may_be_near,
+                    [&](std::uint32_t triangle) { return is_within(triangle, position, reach); });
 }
 
 }  // namespace relief

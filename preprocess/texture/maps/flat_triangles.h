@@ -25,7 +25,8 @@ struct FlatTriangle {
   /// Returns the barycentric weights of a position on the base plane; outside the triangle some are
   /// negative.
   [[nodiscard]] glm::dvec3 weights_at(glm::dvec2 position) const;
-  /// Returns the bounds of the triangle.
+  /// Returns the height above a position of the base plane, of the triangle or of its plane.
+  [[nodiscard]] double height_at(glm::dvec2 position) const;
   [[nodiscard]] double twice_area_in_space() const;
 };
 
@@ -55,6 +56,9 @@ class TriangleSpheres {
   /// Number of spheres in a group.
   static constexpr std::size_t kGroup = 32;
   static std::vector<Sphere> group(const std::vector<Sphere>& spheres);
+  /// Whether `accepts` any triangle's number, of those whose sphere `may_meet`, as do all about it.
+  template <class MayMeet, class Accepts>
+  [[nodiscard]] bool any_of_met(const MayMeet& may_meet, const Accepts& accepts) const;
   [[nodiscard]] bool is_within(std::uint32_t triangle, glm::dvec3 position, double reach) const;
 
   const Points& mesh_;

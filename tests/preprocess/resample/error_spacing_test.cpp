@@ -1,5 +1,5 @@
 // How patches share samples.
-#include "preprocess/resample/error_spacing.h"
+#include "preprocess/resample/spacing/error_spacing.h"
 
 #include <gtest/gtest.h>
 
