@@ -200,7 +200,7 @@ PatchCells make_joined_cells(const Patch& patch, const PatchSamples& samples) {
   for (CellPart& part : cells.parts) {
     part.edge_runs.clear();
     // Nothing lies behind a border that meets others.
-    for (std::uint32_t& run : part.runs) run &= (1U << shared::kSetBackShift) - 1;
+    part.sets_back = false;
   }
   return without_empty_parts(std::move(cells));
 }

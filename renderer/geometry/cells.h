@@ -35,6 +35,7 @@ struct CellPart {
   std::vector<std::uint32_t> runs;       ///< packed as shaders/include/shared.h says, row by row
   std::vector<std::uint32_t> edge_runs;  ///< the same of a level's cells that holes touch
   std::vector<RimRecord> rims;           ///< row by row
+  bool sets_back = true;   ///< cells at the patch's border lie behind what overlaps them
   glm::dvec3 centre{0.0};  ///< of a sphere about its cells and splats, grid frame (cells)
   double radius = 0.0;     ///< of that sphere, cells
   NormalBounds normals;    ///< of its cells; empty if it has splats, which lean as they like

@@ -40,6 +40,7 @@ Result<UploadedCells> CellUpload::add(const PatchCells& cells) {
     buffers.edge_runs = static_cast<std::uint32_t>(part.edge_runs.size());
     buffers.first_rim = static_cast<std::uint32_t>(rims_.size());
     buffers.rims = static_cast<std::uint32_t>(part.rims.size());
+    buffers.sets_back = part.sets_back;
     uploaded.parts.push_back({part.corner, part.centre, part.radius, part.normals, buffers});
     runs_.insert(runs_.end(), part.runs.begin(), part.runs.end());
     runs_.insert(runs_.end(), part.edge_runs.begin(), part.edge_runs.end());

@@ -22,6 +22,7 @@ struct PartBuffers {
   std::uint32_t edge_runs = 0;  ///< follow them
   std::uint32_t first_rim = 0;
   std::uint32_t rims = 0;
+  bool sets_back = true;  ///< as CellPart has it
 };
 
 /// What the CPU keeps of a part of a patch. World frame, in double precision.

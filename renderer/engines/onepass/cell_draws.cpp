@@ -50,7 +50,8 @@ CellDraws make_cell_draws(const Gl& gl, const CellStore& store, const SidedList&
     const auto add = [&](const std::vector<std::uint32_t>& list, bool front_alone) {
       if (list.empty()) return;
       draws.pages.push_back({&store.pages[page], front_alone,
-                             upload(gl, cell_commands(store, list, page)),
+                             upload(gl, cell_commands(store, list, page, false)),
+                             upload(gl, cell_commands(store, list, page, true)),
                              upload(gl, edge_commands(store, list, page)),
                              upload(gl, rim_commands(store, list, page))});
     };
@@ -74,19 +75,22 @@ void draw_cells(const Gl& gl, const Programs& programs, const CellDraws& draws, 
   // From the normals' side strips of cells are clockwise, because their first vertex is there
   // twice, and quads are not.
   gl.CullFace(behind ? GL_BACK : GL_FRONT);
-  for (const auto member : {&CellDraws::Page::cells, &CellDraws::Page::edges}) {
-    const bool edges = member == &CellDraws::Page::edges;
+  const auto draw_strips = [&](std::optional<Commands> CellDraws::Page::*member,
+                               const Program* program) {
     for (const CellDraws::Page& page : draws.pages) {
       const std::optional<Commands>& strips = page.*member;
       if (!strips) continue;
-      assert((programs.edges || !edges) && "what reaches beyond patches has its program");
+      assert(program != nullptr && "the store says which programs are needed");
       const CulledFaces culled(gl, behind || page.front_alone);
-      gl.UseProgram((edges ? *programs.edges : programs.main).id());
+      gl.UseProgram(program->id());
       bind_page(gl, *page.page);
       gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, strips->buffer.id());
       gl.MultiDrawArraysIndirect(GL_TRIANGLE_STRIP, nullptr, strips->count, 0);
     }
-  }
+  };
+  draw_strips(&CellDraws::Page::cells, &programs.main);
+  draw_strips(&CellDraws::Page::set_back, programs.set_back ? &*programs.set_back : &programs.main);
+  draw_strips(&CellDraws::Page::edges, programs.edges ? &*programs.edges : nullptr);
   gl.CullFace(behind ? GL_FRONT : GL_BACK);
   gl.UseProgram(programs.rims->id());
   for (const CellDraws::Page& page : draws.pages) {

@@ -27,6 +27,7 @@ struct CellDraws {
     const CellPage* page = nullptr;
     bool front_alone = false;  ///< without what faces away
     std::optional<Commands> cells;
+    std::optional<Commands> set_back;  ///< cells of parts that set back
     std::optional<Commands> edges;
     std::optional<Commands> rims;
   };

@@ -29,11 +29,11 @@ void leave_out_backs(const PatchStore& store, const View& view, std::vector<std:
 
 std::vector<ArraysCommand> cell_commands(const CellStore& store,
                                          const std::vector<std::uint32_t>& parts,
-                                         std::uint32_t page) {
+                                         std::uint32_t page, bool set_back) {
   std::vector<ArraysCommand> commands;
   for (const std::uint32_t p : parts) {
     const PartBuffers& part = store.parts[p].buffers;
-    if (part.page != page || part.runs == 0) continue;
+    if (part.page != page || part.runs == 0 || part.sets_back != set_back) continue;
     commands.push_back(
         {shared::kRunVertices * part.runs, 1, shared::kRunVertices * part.first_run, p});
   }

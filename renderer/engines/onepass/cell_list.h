@@ -24,10 +24,11 @@ struct MaterialChoice {
 /// Leaves out the parts that show the view nothing but their back sides.
 void leave_out_backs(const PatchStore& store, const View& view, std::vector<std::uint32_t>& parts);
 
-/// Commands that draw the cells of one page's share of `parts`, as strips.
+/// Commands that draw the cells of one page's share of `parts`, as strips: of those that set back
+/// (CellPart::sets_back), or of the others.
 [[nodiscard]] std::vector<ArraysCommand> cell_commands(const CellStore& store,
                                                        const std::vector<std::uint32_t>& parts,
-                                                       std::uint32_t page);
+                                                       std::uint32_t page, bool set_back);
 
 /// Commands that draw the cells of levels that holes touch, as strips.
 [[nodiscard]] std::vector<ArraysCommand> edge_commands(const CellStore& store,

@@ -117,6 +117,20 @@ TEST(Explain, UnlitAndUncolouredHasNothingToShadeWith) {
   }
 }
 
+TEST(Explain, CellsAreSetBackWherePatchesOverlap) {
+  PatchModel model = test::sphere_model(coloured_sphere());
+  const auto is_set_back = [&](const char* program) {
+    const Explanation e = explain(model, small_image(model));
+    const auto found = std::find_if(e.variants.begin(), e.variants.end(),
+                                    [&](const auto& variant) { return variant.name == program; });
+    EXPECT_NE(found, e.variants.end());
+    return found != e.variants.end() && has(found->features, "set_back");
+  };
+  EXPECT_TRUE(is_set_back("cells"));
+  model.joined = {{0, static_cast<std::uint32_t>(model.patches.size())}};
+  EXPECT_FALSE(is_set_back("cells"));
+}
+
 TEST(Explain, EachFeatureBringsItsMap) {
   const PatchModel model = test::sphere_model(coloured_sphere());
   for (const std::string_view engine : {"onepass", "multipass"}) {
