@@ -11,6 +11,7 @@
 
 #include "common/image/srgb.h"
 #include "common/octahedral.h"
+#include "common/seams/cell_triangles.h"
 #include "renderer/geometry/node_texels.h"
 #include "renderer/geometry/patch_normals.h"
 #include "shaders/include/shared.h"
@@ -172,7 +173,7 @@ std::vector<std::uint32_t> add_samples(const Patch& patch, std::uint32_t number,
   return clusters;
 }
 
-/// What is left of the triangles of its cells.
+/// What is left of the triangles of the cells of a patch that overlaps others.
 void add_cells(const Patch& patch, const std::vector<std::uint32_t>& clusters,
                std::vector<Triangle>& triangles) {
   for (std::uint32_t j = 0; j + 1 < patch.height; ++j) {
@@ -186,6 +187,46 @@ void add_cells(const Patch& patch, const std::vector<std::uint32_t>& clusters,
       add_triangle(a, b, d, triangles);
       add_triangle(a, d, c, triangles);
     }
+  }
+}
+
+/// The same of a patch that meets others.
+void add_joined_cells(const Patch& patch, const std::vector<std::uint32_t>& clusters,
+                      std::vector<Triangle>& triangles) {
+  const CellTriangles cells = cell_triangles(patch);
+  for (std::uint32_t j = 0; j < cells.rows; ++j) {
+    for (std::uint32_t i = 0; i < cells.columns; ++i) {
+      if (cells.at(i, j) != kWholeCell) continue;
+      for_each_triangle(patch, cells, i, j, [&](const Triangle& t) {
+        add_triangle(clusters[t[0]], clusters[t[1]], clusters[t[2]], triangles);
+      });
+    }
+  }
+}
+
+/// What is left of seams. A seam vertex becomes part of the cluster of a sample beside it, the same
+/// for all patches that share it: so nothing opens. `clusters`: by patch that meets others.
+void add_seams(const Seams& seams, std::span<const std::vector<std::uint32_t>> clusters,
+               std::vector<Triangle>& triangles) {
+  std::vector<std::uint32_t> of_vertex(seams.vertices.size(), kNoMaterial);
+  const auto is_vertex = [](std::uint32_t corner) { return (corner & kSeamVertexBit) != 0; };
+  for (std::size_t p = 0; p < seams.triangles.size(); ++p) {
+    for (const Triangle& t : seams.triangles[p]) {
+      const auto* const node = std::find_if_not(t.begin(), t.end(), is_vertex);
+      if (node == t.end()) continue;
+      for (const std::uint32_t corner : t) {
+        if (!is_vertex(corner)) continue;
+        std::uint32_t& cluster = of_vertex[corner & ~kSeamVertexBit];
+        if (cluster == kNoMaterial) cluster = clusters[p][*node];
+      }
+    }
+  }
+  for (std::size_t p = 0; p < seams.triangles.size(); ++p) {
+    const auto cluster_of = [&](std::uint32_t corner) {
+      return is_vertex(corner) ? of_vertex[corner & ~kSeamVertexBit] : clusters[p][corner];
+    };
+    for (const Triangle& t : seams.triangles[p])
+      add_triangle(cluster_of(t[0]), cluster_of(t[1]), cluster_of(t[2]), triangles);
   }
 }
 
@@ -205,15 +246,26 @@ ProxyLevel make_level(double spacing, glm::dvec3 middle, const CubeGrid& grid,
 
 }  // namespace
 
-std::vector<ProxyLevel> make_proxy_levels(std::span<const Patch> patches, const Proxy& model) {
+std::vector<ProxyLevel> make_proxy_levels(std::span<const Patch> patches,
+                                          std::span<const JoinedPatches> joined,
+                                          const Proxy& model) {
   std::vector<ProxyLevel> levels;
   if (model.spacings.empty()) return levels;
   const glm::dvec3 middle = model.sphere.centre;
   const std::span<const double> spacings(model.spacings);
   CubeGrid grid(spacings.front());
   std::vector<Triangle> triangles;
+  std::vector<std::vector<std::uint32_t>> clusters;
+  for (std::uint32_t p = 0; p < patches.size(); ++p)
+    clusters.push_back(add_samples(patches[p], p, middle, grid));
+  std::vector<bool> is_joined(patches.size(), false);
+  for (const JoinedPatches& some : joined) {
+    const std::size_t count = some.seams->triangles.size();
+    std::fill_n(is_joined.begin() + some.first, count, true);
+    add_seams(*some.seams, std::span(clusters).subspan(some.first, count), triangles);
+  }
   for (std::uint32_t p = 0; p < patches.size(); ++p) {
-    add_cells(patches[p], add_samples(patches[p], p, middle, grid), triangles);
+    (is_joined[p] ? add_joined_cells : add_cells)(patches[p], clusters[p], triangles);
     keep_unique(triangles);
   }
   levels.push_back(make_level(spacings.front(), middle, grid, triangles));

@@ -43,10 +43,11 @@ shared::ProxySource source_of(const ProxyVertex& vertex) {
 
 }  // namespace
 
-Result<std::uint32_t> ProxyUpload::add(std::span<const Patch> patches, const Proxy& model) {
+Result<std::uint32_t> ProxyUpload::add(std::span<const Patch> patches,
+                                       std::span<const JoinedPatches> joined, const Proxy& model) {
   const Sphere& sphere = model.sphere;
   StoredProxyMesh mesh{sphere.centre - sphere.radius, 2.0 * sphere.radius / kSteps, {}};
-  for (const ProxyLevel& level : make_proxy_levels(patches, model)) {
+  for (const ProxyLevel& level : make_proxy_levels(patches, joined, model)) {
     mesh.levels.push_back({static_cast<std::uint32_t>(vertices_.size()),
                            static_cast<std::uint32_t>(indices_.size()),
                            static_cast<std::uint32_t>(3 * level.triangles.size())});

@@ -48,7 +48,8 @@ class ProxyUpload {
 
   /// Adds the levels of a run; returns its number. Fails if OpenGL lets no shader see as many
   /// vertices.
-  Result<std::uint32_t> add(std::span<const Patch> patches, const Proxy& model);
+  Result<std::uint32_t> add(std::span<const Patch> patches, std::span<const JoinedPatches> joined,
+                            const Proxy& model);
 
   /// Adds a instance whose frame is that patch of the store; returns its number.
   std::uint32_t add_instance(std::uint32_t patch);

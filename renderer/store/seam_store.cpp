@@ -156,6 +156,11 @@ SeamUpload::SeamUpload(const Gl& gl, const PatchModel& model, bool needed, bool 
   }
 }
 
+const Seams& SeamUpload::made(PatchRun run) {
+  making_.wait();
+  return made_.at(run.first);
+}
+
 Result<std::span<const SeamBlocks>> SeamUpload::get(PatchRun run) {
   const auto [found, is_new] = runs_.try_emplace(run.first);
   std::vector<SeamBlocks>& shares = found->second;

@@ -59,6 +59,9 @@ class SeamUpload {
   /// will be called; `with_rings`: coarser levels may be drawn.
   SeamUpload(const Gl& gl, const PatchModel& model, bool needed, bool with_rings);
 
+  /// The seams of a run. Not after get() of it.
+  const Seams& made(PatchRun run);
+
   /// The shares of the patches of a run, made once. Fails if OpenGL lets no shader see as many.
   Result<std::span<const SeamBlocks>> get(PatchRun run);
 

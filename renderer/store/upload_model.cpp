@@ -185,10 +185,7 @@ class ModelUpload {
       return std::span(model_.patches).subspan(instance.first, instance.count);
     };
     if (needs_.bodies) found->second.model.sphere = sphere_about(patches());
-    // Meshes seen from afar are made of the patches alone, which seams leave gaps between (issue
-    // 20).
     const bool may_be_proxy =
-        relief::run_of(model_, instance.first) == nullptr &&
         std::any_of(views_.begin(), views_.end(),
                     [](const View& view) { return view.proxy_diameter > 0.0; }) &&
         has_one_material(model_);
@@ -293,9 +290,15 @@ class ModelUpload {
   /// The meshes that stand for it, made when it is the first of its run.
   Result<StoredInstance::StoredProxy> add_proxy(const Instance& instance, Run& run) {
     if (!run.mesh) {
+      std::vector<JoinedPatches> joined;
+      for (const PatchRun& some : model_.joined) {
+        if (some.first >= instance.first && some.first < instance.first + instance.count)
+          joined.push_back({some.first - instance.first, &seam_upload_.made(some)});
+      }
       RELIEF_TRY_ASSIGN(
           const std::uint32_t added,
-          proxy_.add(std::span(model_.patches).subspan(instance.first, instance.count), run.model));
+          proxy_.add(std::span(model_.patches).subspan(instance.first, instance.count), joined,
+                     run.model));
       run.mesh = added;
     }
     const StoredProxyMesh& mesh = proxy_.mesh(*run.mesh);

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "common/seams/make_seams.h"
 #include "renderer/geometry/proxy.h"
 #include "tests/renderer/images.h"
 
@@ -39,7 +40,7 @@ TEST(FarSpacings, BeginAtTwoPixelsOrAtTwiceTheModels) {
 }
 
 std::vector<ProxyLevel> levels_of(const PatchModel& model, std::vector<double> spacings) {
-  return make_proxy_levels(model.patches,
+  return make_proxy_levels(model.patches, {},
                            {sphere_about(model.patches), kProxyPixels, std::move(spacings)});
 }
 
@@ -134,6 +135,31 @@ TEST(ProxyMesh, LiesOnTheSurfaceAndCoversItOnce) {
     EXPECT_LT(level.triangles.size(), 3 * level.vertices.size());
   }
   EXPECT_GT(levels.front().vertices.size(), 10 * levels.back().vertices.size());
+}
+
+/// Edges of triangles that no triangle has the other way around.
+std::size_t border_edges(const std::vector<Triangle>& triangles) {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (const Triangle& t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) edges.emplace(t[k], t[(k + 1) % 3]);
+  }
+  return static_cast<std::size_t>(std::count_if(edges.begin(), edges.end(), [&](const auto& edge) {
+    return !edges.contains({edge.second, edge.first});
+  }));
+}
+
+TEST(ProxyMesh, OfPatchesThatMeetIsClosed) {
+  // Patches that do not overlap: without their seams nothing joins them.
+  const PatchModel model =
+      test::sphere_model({.spacing = 0.03, .patches_per_side = 2, .overlap_cells = -0.3});
+  const Seams seams = make_seams(model.patches, true);
+  const Proxy proxy{sphere_about(model.patches), kProxyPixels, proxy_spacings(kUnitSphere, 0.03)};
+  ASSERT_GE(proxy.spacings.size(), 3U);
+  const std::vector<JoinedPatches> joined{{0, &seams}};
+  for (const ProxyLevel& level : make_proxy_levels(model.patches, joined, proxy))
+    EXPECT_EQ(border_edges(level.triangles), 0U) << level.spacing;
+  const std::vector<ProxyLevel> open = make_proxy_levels(model.patches, {}, proxy);
+  EXPECT_GT(border_edges(open.front().triangles), 0U);
 }
 
 TEST(ProxyMesh, AThinSheetKeepsBothSides) {
