@@ -7,6 +7,7 @@
 
 #include "common/compare/flip_filters.h"
 #include "common/compare/flip_ldr.h"
+#include "common/compare/flip_tiles.h"
 
 namespace relief {
 namespace {
@@ -33,11 +34,13 @@ Result<Flip> measure_flip(const LinearColour& test, const LinearColour& referenc
   Flip flip;
   flip.exposures = hdr ? find_exposures(reference) : Exposures{};
   flip.map.assign(test.rgb[0].size(), 0.0F);
-  progress.begin_stage("flip", static_cast<std::uint64_t>(flip.exposures.count) * reference.height);
+  // Elsewhere the error is exactly 0. It saves three quarters of the time for Lucy on black.
+  const std::vector<FlipTile> tiles = find_differing_tiles(test, reference, reach_of(filters));
+  progress.begin_stage("flip", static_cast<std::uint64_t>(flip.exposures.count) * tiles.size());
   for (int i = 0; i < flip.exposures.count; ++i) {
     std::optional<double> exposure;
     if (hdr) exposure = exposure_at(flip.exposures, i);
-    raise_to_ldr_flip(test, reference, exposure, filters, flip.map, progress);
+    raise_to_ldr_flip(test, reference, exposure, filters, tiles, flip.map, progress);
     if (progress.cancelled()) return interrupted_error();
   }
   for (std::size_t k = 0; k < flip.map.size(); ++k) {

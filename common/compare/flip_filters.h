@@ -1,6 +1,7 @@
 // The filters of FLIP, all separable.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -24,6 +25,11 @@ struct FlipFilters {
   Taps edge;    ///< first derivative; positive and negative weights sum to 1 and -1
   Taps point;   ///< second derivative; likewise
 };
+
+/// Returns the radius of the widest filter.
+[[nodiscard]] inline std::size_t reach_of(const FlipFilters& filters) {
+  return std::max(filters.contrast_radius, filters.feature_radius);
+}
 
 /// `pixels_per_degree`: 1 or more.
 [[nodiscard]] FlipFilters make_flip_filters(double pixels_per_degree);

@@ -12,17 +12,13 @@
 namespace relief {
 namespace {
 
-/// Rows of one task. Filtering along the rows repeats the rows about them, at 67 pixels per degree
-/// 20; fewer rows would repeat more, more would leave the cache.
-constexpr std::uint32_t kBandRows = 64;
-
 /// XYZ filtered for the resolution of the eye, as luminance Y and opponent colours X - Y and Y - Z:
 /// the papers' YCxCz without its factors and offset, which linear filters pass on.
 struct Contrast {
   std::vector<float> luminance, red_green, blue_yellow, blue_yellow_wide;
 };
 
-/// Rows of one image about a band, filtered along x.
+/// Rows of one image about a tile, filtered along x.
 struct FilteredRows {
   Contrast contrast;
   std::vector<float> smooth, edge, point;
@@ -34,30 +30,36 @@ struct Row {
   std::vector<float> edge_x, edge_y, point_x, point_y;
 };
 
-/// A row of luminance and opponent colours, continued beyond both ends for the filters.
+/// A part of a row as luminance and opponent colours, with `padding` more pixels at both ends for
+/// the filters.
 class PaddedRow {
  public:
   PaddedRow(std::uint32_t width, std::size_t padding) : padding_(padding) {
     for (auto& channel : channels_) channel.resize(width + 2 * padding);
   }
 
-  void load(const LinearColour& image, std::uint32_t y, std::optional<double> gain) {
-    const std::size_t first = std::size_t{y} * image.width;
+  /// Loads row `y` from `padding` pixels before `x`. Beyond the rim its outermost pixels repeat.
+  void load(const LinearColour& image, std::uint32_t x, std::uint32_t y,
+            std::optional<double> gain) {
+    // Of channels_, the value at i is that of pixel x + i - padding.
+    const std::size_t size = channels_[0].size();
+    const std::size_t begin = padding_ - std::min<std::size_t>(padding_, x);
+    const std::size_t end = std::min(size, image.width - x + padding_);
+    const std::size_t row = std::size_t{y} * image.width + x;
     const auto shown = [&](std::size_t channel, std::size_t k) {
       const float light = image.rgb[channel][k];
       return gain ? tone_map(light, *gain) : std::min(light, 1.0F);
     };
-    for (std::size_t x = 0; x < image.width; ++x) {
-      const std::size_t k = first + x;
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t k = row + i - padding_;
       const glm::vec3 xyz = xyz_from_rgb({shown(0, k), shown(1, k), shown(2, k)});
-      channels_[0][padding_ + x] = xyz.y;
-      channels_[1][padding_ + x] = xyz.x - xyz.y;
-      channels_[2][padding_ + x] = xyz.y - xyz.z;
+      channels_[0][i] = xyz.y;
+      channels_[1][i] = xyz.x - xyz.y;
+      channels_[2][i] = xyz.y - xyz.z;
     }
     for (auto& channel : channels_) {
-      const std::size_t end = padding_ + image.width;
-      std::fill(channel.begin(), channel.begin() + static_cast<std::ptrdiff_t>(padding_),
-                channel[padding_]);
+      std::fill(channel.begin(), channel.begin() + static_cast<std::ptrdiff_t>(begin),
+                channel[begin]);
       std::fill(channel.begin() + static_cast<std::ptrdiff_t>(end), channel.end(),
                 channel[end - 1]);
     }
@@ -73,22 +75,23 @@ class PaddedRow {
   std::array<std::vector<float>, 3> channels_;  ///< Y, X - Y, Y - Z
 };
 
-/// Loads and filters along x the rows from `padding` above a band to `padding` below it.
+/// Loads and filters along x the rows from the filters' reach above a tile to as much below it.
 FilteredRows filter_rows(const LinearColour& image, std::optional<double> gain,
-                         const FlipFilters& filters, std::uint32_t first, std::uint32_t rows) {
-  const std::size_t padding = std::max(filters.contrast_radius, filters.feature_radius);
-  const std::size_t width = image.width;
+                         const FlipFilters& filters, const FlipTile& tile) {
+  const std::size_t padding = reach_of(filters);
+  const std::size_t width = tile.width;
+  const std::size_t rows = tile.height + 2 * padding;
   FilteredRows out;
   Contrast& contrast = out.contrast;
   for (auto* plane : {&contrast.luminance, &contrast.red_green, &contrast.blue_yellow,
                       &contrast.blue_yellow_wide, &out.smooth, &out.edge, &out.point}) {
-    plane->resize(width * (rows + 2 * padding));
+    plane->resize(width * rows);
   }
-  PaddedRow row(image.width, padding);
-  for (std::size_t i = 0; i < rows + 2 * padding; ++i) {
-    const auto y = static_cast<std::int64_t>(first + i) - static_cast<std::int64_t>(padding);
+  PaddedRow row(tile.width, padding);
+  for (std::size_t i = 0; i < rows; ++i) {
+    const auto y = static_cast<std::int64_t>(tile.y + i) - static_cast<std::int64_t>(padding);
     const auto inside = std::clamp<std::int64_t>(y, 0, std::int64_t{image.height} - 1);
-    row.load(image, static_cast<std::uint32_t>(inside), gain);
+    row.load(image, tile.x, static_cast<std::uint32_t>(inside), gain);
     const auto filter = [&](std::size_t channel, std::size_t radius, const Taps& taps,
                             std::vector<float>& to) {
       filter_along_row(row.start(channel, radius), taps, width, to.data() + i * width);
@@ -104,10 +107,10 @@ FilteredRows filter_rows(const LinearColour& image, std::optional<double> gain,
   return out;
 }
 
-/// Filters row `i` of a band along y.
+/// Filters row `i` of a tile along y.
 void filter_columns(const FilteredRows& rows, const FlipFilters& filters, std::size_t width,
                     std::size_t i, Row& out) {
-  const std::size_t padding = std::max(filters.contrast_radius, filters.feature_radius);
+  const std::size_t padding = reach_of(filters);
   const auto filter = [&](const std::vector<float>& plane, std::size_t radius, const Taps& taps,
                           std::vector<float>& to) {
     to.resize(width);
@@ -155,7 +158,8 @@ bool are_equal(const Contrast& a, const Contrast& b, std::size_t x) {
 }
 
 float flip_at(const Row& a, const Row& b, std::size_t x) {
-  // Backgrounds. It saves a fifth of the time for the Dragon on black.
+  // Backgrounds, and whatever is white in both at a high exposure. It saves a fifth of the time for
+  // the Dragon on black.
   if (are_equal(a.contrast, b.contrast, x)) return 0.0F;
   const float colour =
       std::min(colour_difference(seen_colour(a.contrast, x), seen_colour(b.contrast, x)), 1.0F);
@@ -167,27 +171,24 @@ float flip_at(const Row& a, const Row& b, std::size_t x) {
 
 void raise_to_ldr_flip(const LinearColour& test, const LinearColour& reference,
                        std::optional<double> exposure, const FlipFilters& filters,
-                       std::vector<float>& map, Progress& progress) {
-  const std::uint32_t width = reference.width;
-  const std::uint32_t height = reference.height;
+                       const std::vector<FlipTile>& tiles, std::vector<float>& map,
+                       Progress& progress) {
   std::optional<double> gain;
   if (exposure) gain = std::exp2(*exposure);
-  const std::uint32_t bands = (height + kBandRows - 1) / kBandRows;
-  tbb::parallel_for(std::uint32_t{0}, bands, [&](std::uint32_t band) {
+  tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t index) {
     if (progress.cancelled()) return;
-    const std::uint32_t first = band * kBandRows;
-    const std::uint32_t rows = std::min(kBandRows, height - first);
-    const FilteredRows rows_a = filter_rows(test, gain, filters, first, rows);
-    const FilteredRows rows_b = filter_rows(reference, gain, filters, first, rows);
+    const FlipTile& tile = tiles[index];
+    const FilteredRows rows_a = filter_rows(test, gain, filters, tile);
+    const FilteredRows rows_b = filter_rows(reference, gain, filters, tile);
     Row a;
     Row b;
-    for (std::uint32_t i = 0; i < rows; ++i) {
-      filter_columns(rows_a, filters, width, i, a);
-      filter_columns(rows_b, filters, width, i, b);
-      float* const out = map.data() + std::size_t{first + i} * width;
-      for (std::size_t x = 0; x < width; ++x) out[x] = std::max(out[x], flip_at(a, b, x));
+    for (std::uint32_t i = 0; i < tile.height; ++i) {
+      filter_columns(rows_a, filters, tile.width, i, a);
+      filter_columns(rows_b, filters, tile.width, i, b);
+      float* const out = map.data() + std::size_t{tile.y + i} * reference.width + tile.x;
+      for (std::size_t x = 0; x < tile.width; ++x) out[x] = std::max(out[x], flip_at(a, b, x));
     }
-    progress.advance(rows);
+    progress.advance(1);
   });
 }
 
