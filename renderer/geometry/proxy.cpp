@@ -25,11 +25,10 @@ Sphere sphere_about(std::span<const Patch> patches) {
   return sphere;
 }
 
-std::vector<double> proxy_spacings(const Sphere& model, double spacing) {
-  const double diameter = 2.0 * model.radius;
+std::vector<double> proxy_spacings(const Sphere& model, double spacing, double diameter) {
+  const double across = 2.0 * model.radius;
   std::vector<double> spacings;
-  for (double s = 2.0 / kProxyDiameter * diameter; s * kFewestAcross < diameter;
-       s *= std::sqrt(2.0)) {
+  for (double s = 2.0 / diameter * across; s * kFewestAcross < across; s *= std::sqrt(2.0)) {
     if (s >= 2.0 * spacing) spacings.push_back(s);
   }
   return spacings;
@@ -38,7 +37,8 @@ std::vector<double> proxy_spacings(const Sphere& model, double spacing) {
 Proxy moved(const Transform& transform, const Proxy& model) {
   Proxy placed{{moved(transform, model.sphere.centre), transform.scale * model.sphere.radius},
                model.pixels,
-               model.spacings};
+               model.spacings,
+               model.diameter};
   for (double& spacing : placed.spacings) spacing *= transform.scale;
   return placed;
 }
@@ -48,7 +48,7 @@ bool is_proxy(const View& view, const Proxy& model) {
   const double pixel = nearest_pixel(view, model.sphere.centre, model.sphere.radius);
   // Where a pixel has several samples, View::proxy_diameter counts these.
   const double samples = view.proxy_diameter / kProxyDiameter;
-  const double most_pixels = 0.5 * model.pixels * kProxyDiameter;
+  const double most_pixels = 0.5 * model.pixels * model.diameter;
   return 2.0 * model.sphere.radius < samples * most_pixels * pixel &&
          model.spacings.front() <= samples * kMaxProxyPixels * model.pixels * pixel;
 }

@@ -63,13 +63,14 @@ bool has_fine_detail(std::span<const Patch> patches) {
   });
 }
 
-Run run_of(std::span<const Patch> patches) {
+Run run_of(std::span<const Patch> patches, bool are_joined) {
   Run run;
+  if (are_joined) run.model.diameter = kProxyDiameterJoined;
   double coarsest = 0.0;
   for (const Patch& patch : patches) coarsest = std::max(coarsest, patch.spacing);
   run.model.sphere = sphere_about(patches);
   run.model.pixels = has_fine_detail(patches) ? kProxyPixelsOfMaps : kProxyPixels;
-  run.model.spacings = proxy_spacings(run.model.sphere, coarsest);
+  run.model.spacings = proxy_spacings(run.model.sphere, coarsest, run.model.diameter);
   return run;
 }
 
@@ -189,7 +190,8 @@ class ModelUpload {
         std::any_of(views_.begin(), views_.end(),
                     [](const View& view) { return view.proxy_diameter > 0.0; }) &&
         has_one_material(model_);
-    if (may_be_proxy) found->second = run_of(patches());
+    if (may_be_proxy)
+      found->second = run_of(patches(), relief::run_of(model_, instance.first) != nullptr);
     return found->second;
   }
 

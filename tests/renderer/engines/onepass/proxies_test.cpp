@@ -71,6 +71,9 @@ TEST(IsProxy, BelowTheDiameterAndOnlyWhereItIsFineEnough) {
   EXPECT_FALSE(is_proxy(view, model_at(101.0, 0.401)));
   EXPECT_FALSE(is_proxy(view, model_at(-100.0, 1e-3)));
   EXPECT_FALSE(is_proxy(view, {{{0.0, 0.0, -101.0}, 1.0}, kProxyPixels, {}}));
+  Proxy wider = model_at(0.999 * limit, 1e-3);
+  wider.diameter = kProxyDiameterJoined;
+  EXPECT_TRUE(is_proxy(view, wider));
   view.proxy_diameter = 0.0;
   EXPECT_FALSE(is_proxy(view, model_at(101.0, 1e-3)));
 }
