@@ -32,13 +32,39 @@ void add_row(const Patch& patch, std::uint32_t j, PatchCells& cells) {
   }
 }
 
+/// How a cell is drawn, by the node at its lower left.
+enum class CellKind : std::uint8_t { None, Run, EdgeRun };
+
+/// What the cells of a patch or a level are made of.
+struct CellSource {
+  const Patch& patch;
+  std::vector<CellKind> kinds;  ///< by node
+  const CellNodes* nodes;       ///< null: nothing is set back
+  double height_step;           ///< cells per height index
+
+  [[nodiscard]] CellKind kind(glm::uvec2 node) const {
+    return kinds[std::size_t{node.y} * patch.width + node.x];
+  }
+};
+
+/// The kinds of a patch's cells, as `kind_of` tells them.
+template <class KindOf>
+std::vector<CellKind> kinds_of(const Patch& patch, const KindOf& kind_of) {
+  std::vector<CellKind> kinds;
+  kinds.reserve(patch.heights.size());
+  for (std::uint32_t j = 0; j < patch.height; ++j) {
+    for (std::uint32_t i = 0; i < patch.width; ++i) kinds.push_back(kind_of(glm::uvec2(i, j)));
+  }
+  return kinds;
+}
+
 /// A run of cells of a part from a node on.
-std::uint32_t make_run(const CellNodes& nodes, glm::uvec2 corner, glm::uvec2 first,
+std::uint32_t make_run(const CellNodes* nodes, glm::uvec2 corner, glm::uvec2 first,
                        std::uint32_t cells) {
   float steepest = 0.0F;
-  for (std::uint32_t v = 0; v < 2 * (cells + 1); ++v) {
-    const std::size_t k = nodes.index(first + glm::uvec2(v / 2, v % 2));
-    if (nodes.is_border(k)) steepest = std::max(steepest, nodes.steepness(k));
+  for (std::uint32_t v = 0; nodes != nullptr && v < 2 * (cells + 1); ++v) {
+    const std::size_t k = nodes->index(first + glm::uvec2(v / 2, v % 2));
+    if (nodes->is_border(k)) steepest = std::max(steepest, nodes->steepness(k));
   }
   const auto set_back = static_cast<std::uint32_t>(
       std::lround(shared::kBorderSetBack * steepest / shared::kSetBackStep));
@@ -47,17 +73,16 @@ std::uint32_t make_run(const CellNodes& nodes, glm::uvec2 corner, glm::uvec2 fir
          (cells << (2 * shared::kNodeInPartBits)) | (set_back << shared::kSetBackShift);
 }
 
-/// Appends the runs, of at most `most` cells, of a part's cells in row j that `is_drawn` accepts,
-/// which end before column `end`.
-template <class IsDrawn>
-void add_runs(const CellNodes& nodes, glm::uvec2 corner, std::uint32_t j, std::uint32_t end,
-              std::uint32_t most, const IsDrawn& is_drawn, std::vector<std::uint32_t>& runs) {
+/// Appends the runs, of at most `most` cells, of a part's cells of a kind in row j, which end
+/// before column `end`.
+void add_runs(const CellSource& source, CellKind kind, glm::uvec2 corner, std::uint32_t j,
+              std::uint32_t end, std::uint32_t most, std::vector<std::uint32_t>& runs) {
   std::uint32_t i = corner.x;
   while (i < end) {
     const std::uint32_t first = i;
-    while (i < end && i - first < most && is_drawn(glm::uvec2(i, j))) ++i;
+    while (i < end && i - first < most && source.kind({i, j}) == kind) ++i;
     if (i > first) {
-      runs.push_back(make_run(nodes, corner, {first, j}, i - first));
+      runs.push_back(make_run(source.nodes, corner, {first, j}, i - first));
     } else {
       ++i;
     }
@@ -83,36 +108,25 @@ void add_normals(const Patch& patch, glm::uvec2 node, double height_step, Normal
 }
 
 /// A part without its rims; its sphere is about its nodes, one cell more than its own each way.
-/// `whole`: as of a level, empty for a patch itself.
-CellPart make_part(const Patch& patch, const std::vector<std::uint8_t>& whole,
-                   const CellNodes& nodes, glm::uvec2 corner, double height_step) {
+CellPart make_part(const CellSource& source, glm::uvec2 corner) {
+  const Patch& patch = source.patch;
   CellPart part;
   part.corner = corner;
   const glm::uvec2 end = glm::min(corner + shared::kPartCells, {patch.width, patch.height});
   glm::dvec3 low(std::numeric_limits<double>::max());
   glm::dvec3 high(std::numeric_limits<double>::lowest());
-  const auto is_whole = [&](glm::uvec2 node) {
-    return whole.empty() || whole[std::size_t{node.y} * patch.width + node.x] != 0;
-  };
   for (std::uint32_t j = corner.y; j < end.y; ++j) {
-    add_runs(
-        nodes, corner, j, end.x, shared::kRunCells,
-        [&](glm::uvec2 node) { return nodes.is_cell(node) && is_whole(node); }, part.runs);
-    add_runs(
-        nodes, corner, j, end.x, shared::kEdgeRunCells,
-        [&](glm::uvec2 node) { return nodes.has_four(node) && !is_whole(node); }, part.edge_runs);
-  }
-  for (std::uint32_t j = corner.y; j < end.y; ++j) {
+    add_runs(source, CellKind::Run, corner, j, end.x, shared::kRunCells, part.runs);
+    add_runs(source, CellKind::EdgeRun, corner, j, end.x, shared::kEdgeRunCells, part.edge_runs);
     for (std::uint32_t i = corner.x; i < end.x; ++i) {
-      const glm::uvec2 node(i, j);
-      if (is_whole(node) ? nodes.is_cell(node) : nodes.has_four(node))
-        add_normals(patch, node, height_step, part.normals);
+      if (source.kind({i, j}) != CellKind::None)
+        add_normals(patch, {i, j}, source.height_step, part.normals);
     }
   }
   for (std::uint32_t j = corner.y; j < std::min(end.y + 1, patch.height); ++j) {
     for (std::uint32_t i = corner.x; i < std::min(end.x + 1, patch.width); ++i) {
       if (patch.at(i, j) == kHole) continue;
-      const glm::dvec3 p(i, j, patch.at(i, j) * height_step);
+      const glm::dvec3 p(i, j, patch.at(i, j) * source.height_step);
       low = glm::min(low, p);
       high = glm::max(high, p);
     }
@@ -124,8 +138,8 @@ CellPart make_part(const Patch& patch, const std::vector<std::uint8_t>& whole,
 }
 
 /// The cells of a patch or a level without its rims.
-PatchCells make_cells_alone(const Patch& patch, const std::vector<std::uint8_t>& whole,
-                            const CellNodes& nodes, float height_step) {
+PatchCells make_cells_alone(const CellSource& source) {
+  const Patch& patch = source.patch;
   assert(patch.width <= kMaxPatchSide && patch.height <= kMaxPatchSide && "as its type says");
   static_assert(shared::kPartCells + 1 <= 1U << shared::kNodeInPartBits &&
                     shared::kPartCells % shared::kRunCells == 0 &&
@@ -137,10 +151,8 @@ PatchCells make_cells_alone(const Patch& patch, const std::vector<std::uint8_t>&
 
   const glm::uvec2 counts = part_counts(patch);
   for (std::uint32_t y = 0; y < counts.y; ++y) {
-    for (std::uint32_t x = 0; x < counts.x; ++x) {
-      cells.parts.push_back(
-          make_part(patch, whole, nodes, glm::uvec2(x, y) * shared::kPartCells, height_step));
-    }
+    for (std::uint32_t x = 0; x < counts.x; ++x)
+      cells.parts.push_back(make_part(source, glm::uvec2(x, y) * shared::kPartCells));
   }
   return cells;
 }
@@ -178,7 +190,11 @@ PatchCells without_empty_parts(PatchCells cells) {
 
 PatchCells make_cells(const Patch& patch, const PatchSamples& samples) {
   const CellNodes nodes(patch, samples);
-  PatchCells cells = make_cells_alone(patch, {}, nodes, samples.height_step);
+  const auto kind_of = [&](glm::uvec2 node) {
+    return nodes.is_cell(node) ? CellKind::Run : CellKind::None;
+  };
+  PatchCells cells =
+      make_cells_alone({patch, kinds_of(patch, kind_of), &nodes, samples.height_step});
   add_rims(patch, nodes, samples, cells, [&](const SampleRecord& record) {
     const bool border = (record.node & shared::kBorderBit) != 0;
     assert((!border || record.gap == 0) && "margins of border splats are in their reaches");
@@ -189,19 +205,15 @@ PatchCells make_cells(const Patch& patch, const PatchSamples& samples) {
   return without_empty_parts(std::move(cells));
 }
 
-PatchCells make_joined_cells(const Patch& patch, const PatchSamples& samples) {
+PatchCells make_joined_cells(const Patch& patch) {
   const CellTriangles triangles = cell_triangles(patch);
-  std::vector<std::uint8_t> whole(std::size_t{patch.width} * patch.height, 0);
-  for (std::uint32_t j = 0; j < triangles.rows; ++j) {
-    for (std::uint32_t i = 0; i < triangles.columns; ++i)
-      whole[std::size_t{j} * patch.width + i] = triangles.at(i, j) == kWholeCell ? 1 : 0;
-  }
-  PatchCells cells = make_cells_alone(patch, whole, CellNodes(patch, samples), samples.height_step);
-  for (CellPart& part : cells.parts) {
-    part.edge_runs.clear();
-    // Nothing lies behind a border that meets others.
-    part.sets_back = false;
-  }
+  const auto kind_of = [&](glm::uvec2 node) {
+    return triangles.at(node.x, node.y) == kWholeCell ? CellKind::Run : CellKind::None;
+  };
+  PatchCells cells = make_cells_alone(
+      {patch, kinds_of(patch, kind_of), nullptr, patch.height_step / patch.spacing});
+  // Nothing lies behind a border that meets others.
+  for (CellPart& part : cells.parts) part.sets_back = false;
   return without_empty_parts(std::move(cells));
 }
 
@@ -210,10 +222,15 @@ PatchCells make_joined_cells(const Patch& patch, const PatchSamples& samples) {
 // of four views).
 PatchCells make_cells(const PatchLevel& level, const PatchSamples& samples) {
   const CellNodes nodes(level.grid, samples);
-  PatchCells cells = make_cells_alone(level.grid, level.whole, nodes, samples.height_step);
   const auto is_whole = [&level](glm::uvec2 node) {
     return level.whole[std::size_t{node.y} * level.grid.width + node.x] != 0;
   };
+  const auto kind_of = [&](glm::uvec2 node) {
+    if (is_whole(node)) return nodes.is_cell(node) ? CellKind::Run : CellKind::None;
+    return nodes.has_four(node) ? CellKind::EdgeRun : CellKind::None;
+  };
+  PatchCells cells =
+      make_cells_alone({level.grid, kinds_of(level.grid, kind_of), &nodes, samples.height_step});
   add_rims(level.grid, nodes, samples, cells, [&](const SampleRecord& record) {
     return nodes.beside_jump(CellNodes::node_of(record), is_whole);
   });

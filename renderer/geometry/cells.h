@@ -59,7 +59,7 @@ struct PatchCells {
 
 /// Makes those of a patch that ends where others begin: its whole cells (cell_triangles), without
 /// splats; Seams have the rest.
-[[nodiscard]] PatchCells make_joined_cells(const Patch& patch, const PatchSamples& samples);
+[[nodiscard]] PatchCells make_joined_cells(const Patch& patch);
 
 /// Makes those of a coarser level. It has splats only beside jumps: its cells reach beyond the
 /// patch and its mask, and are cut off there.

@@ -46,7 +46,7 @@ double largest_radius(glm::dvec2 slope, const SampleRecord& record) {
 
 }  // namespace
 
-PatchSamples make_samples(const Patch& patch) {
+PatchSamples make_samples(const Patch& patch, float to_hole) {
   assert(patch.width <= kMaxPatchSide && patch.height <= kMaxPatchSide &&
          patch.heights.size() == std::size_t{patch.width} * patch.height &&
          "a patch as its type says");
@@ -55,9 +55,8 @@ PatchSamples make_samples(const Patch& patch) {
   const PaddedHeights heights(patch);
   const SplatSlopes slopes = find_slopes(heights, patch, samples.height_step);
   samples.slope_step = slopes.slope_step;
-  const std::vector<SplatReach> reaches = find_reaches(heights, slopes, samples.height_step);
-  glm::dvec3 low(std::numeric_limits<double>::max());
-  glm::dvec3 high(std::numeric_limits<double>::lowest());
+  const std::vector<SplatReach> reaches =
+      find_reaches(heights, slopes, samples.height_step, to_hole);
   for (std::uint32_t j = 0; j < patch.height; ++j) {
     for (std::uint32_t i = 0; i < patch.width; ++i) {
       const std::size_t k = heights.index(i, j);
@@ -73,14 +72,30 @@ PatchSamples make_samples(const Patch& patch) {
            pack_bytes(reaches[k].gap - 0.5F * shared::kGapStep, shared::kGapStep)});
       samples.widest_disc = std::max(
           samples.widest_disc, largest_radius(glm::dvec2(slopes.at(k)), samples.records.back()));
-      const glm::dvec3 p(i, j, heights[k] * static_cast<double>(samples.height_step));
+    }
+  }
+  const PatchSamples bounds = bound_samples(patch);
+  samples.centre = bounds.centre;
+  if (!samples.records.empty()) samples.radius = bounds.radius + samples.widest_disc;
+  return samples;
+}
+
+PatchSamples bound_samples(const Patch& patch) {
+  PatchSamples samples;
+  samples.height_step = static_cast<float>(patch.height_step / patch.spacing);
+  glm::dvec3 low(std::numeric_limits<double>::max());
+  glm::dvec3 high(std::numeric_limits<double>::lowest());
+  for (std::uint32_t j = 0; j < patch.height; ++j) {
+    for (std::uint32_t i = 0; i < patch.width; ++i) {
+      if (patch.at(i, j) == kHole) continue;
+      const glm::dvec3 p(i, j, patch.at(i, j) * static_cast<double>(samples.height_step));
       low = glm::min(low, p);
       high = glm::max(high, p);
     }
   }
-  if (samples.records.empty()) return samples;
+  if (low.x > high.x) return samples;
   samples.centre = 0.5 * (low + high);
-  samples.radius = 0.5 * glm::length(high - low) + samples.widest_disc;
+  samples.radius = 0.5 * glm::length(high - low);
   return samples;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/patch.h"
+#include "renderer/geometry/splat_reach.h"
 
 namespace relief {
 
@@ -31,6 +32,10 @@ struct PatchSamples {
 /// Makes the records of a patch: splat_slopes.h says how the splats lean, splat_reach.h how far
 /// they extend. Border samples, those with a hole or the patch's edge among their eight neighbours,
 /// are flagged.
-[[nodiscard]] PatchSamples make_samples(const Patch& patch);
+/// `to_hole`: as find_reaches has it.
+[[nodiscard]] PatchSamples make_samples(const Patch& patch, float to_hole = kReachToHole);
+
+/// The same without records, where no splat is drawn.
+[[nodiscard]] PatchSamples bound_samples(const Patch& patch);
 
 }  // namespace relief

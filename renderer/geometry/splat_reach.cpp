@@ -37,10 +37,12 @@ glm::length_t side(glm::length_t axis, bool forward) {
 
 class ReachFinder {
  public:
-  ReachFinder(const PaddedHeights& heights, const SplatSlopes& slopes, float height_step)
+  ReachFinder(const PaddedHeights& heights, const SplatSlopes& slopes, float height_step,
+              float to_hole)
       : heights_(heights),
         slopes_(slopes),
         height_step_(height_step),
+        to_hole_(to_hole),
         stride_(heights.stride()),
         meetings_{std::vector<Meeting>(heights.size()), std::vector<Meeting>(heights.size())},
         reaches_(heights.size()) {}
@@ -87,7 +89,7 @@ class ReachFinder {
     glm::vec4 reach(0.0F);
     for (const glm::length_t axis : {0, 1}) {
       const float slope = slopes_.at(k)[axis];
-      const float to_hole = 0.5F / std::sqrt(1.0F + slope * slope);
+      const float to_hole = to_hole_ / std::sqrt(1.0F + slope * slope);
       const Meeting& before = meetings_[axis][k - step(axis)];
       const Meeting& after = meetings_[axis][k];
       reach[side(axis, false)] = before.exists ? 1.0F - before.position : to_hole;
@@ -175,6 +177,7 @@ class ReachFinder {
   const PaddedHeights& heights_;
   const SplatSlopes& slopes_;
   float height_step_;
+  float to_hole_;
   std::size_t stride_;
   std::array<std::vector<Meeting>, 2> meetings_;  ///< of a node and the next along x and along y
   std::vector<SplatReach> reaches_;
@@ -183,8 +186,8 @@ class ReachFinder {
 }  // namespace
 
 std::vector<SplatReach> find_reaches(const PaddedHeights& heights, const SplatSlopes& slopes,
-                                     float height_step) {
-  return ReachFinder(heights, slopes, height_step).find();
+                                     float height_step, float to_hole) {
+  return ReachFinder(heights, slopes, height_step, to_hole).find();
 }
 
 float fixed_margin(float gap, float cosine) {

@@ -69,16 +69,19 @@ Result<std::size_t> GridUpload::get(std::size_t patch, std::uint32_t level) {
   grid.patch = patch;
   grid.level = level;
   grid.nodes = level > 0 ? &coarser_.back().grid : &whole;
-  grid.shape = make_samples(*grid.nodes);
+  const bool meets = run_of(model_, patch) != nullptr;
+  grid.shape = level == 0 && meets && !needs_.splats
+                   ? bound_samples(whole)
+                   : make_samples(*grid.nodes, meets ? kReachToSeam : kReachToHole);
   if (needs_.splats) {
     RELIEF_TRY_ASSIGN(const RecordRun added, pages_.add(grid.shape.records));
     grid.records = added;
   }
   if (needs_.cells) {
     RELIEF_TRY_ASSIGN(UploadedCells added,
-                      cells_.add(level > 0               ? make_cells(coarser_.back(), grid.shape)
-                                 : run_of(model_, patch) ? make_joined_cells(whole, grid.shape)
-                                                         : make_cells(whole, grid.shape)));
+                      cells_.add(level > 0 ? make_cells(coarser_.back(), grid.shape)
+                                 : meets   ? make_joined_cells(whole)
+                                           : make_cells(whole, grid.shape)));
     grid.cells = std::move(added);
   }
   grid.shape.records = {};

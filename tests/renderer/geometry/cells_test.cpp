@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
@@ -10,6 +11,7 @@
 #include <set>
 #include <utility>
 
+#include "common/seams/cell_triangles.h"
 #include "shaders/include/shared.h"
 #include "tests/renderer/scenes.h"
 
@@ -263,6 +265,24 @@ TEST(Cells, PatchesTooSmallForACellAreSplats) {
     EXPECT_TRUE(cells.parts[0].runs.empty());
     EXPECT_EQ(cells.parts[0].rims.size(), width);
   }
+}
+
+TEST(Cells, OfAPatchThatMeetsOthersAreWholeAndNeverSetBack) {
+  const Patch patch = tattered_patch(61, 40);
+  const CellTriangles triangles = cell_triangles(patch);
+  const std::ptrdiff_t whole = std::count(triangles.bits.begin(), triangles.bits.end(), kWholeCell);
+  std::ptrdiff_t drawn = 0;
+  for (const CellPart& part : make_joined_cells(patch).parts) {
+    EXPECT_FALSE(part.sets_back);
+    EXPECT_TRUE(part.rims.empty());
+    EXPECT_TRUE(part.edge_runs.empty());
+    for (const std::uint32_t run : part.runs) {
+      EXPECT_EQ(run >> shared::kSetBackShift, 0U);
+      drawn += (run >> (2 * shared::kNodeInPartBits)) & shared::kRunCellsMask;
+    }
+  }
+  EXPECT_GT(whole, 500);
+  EXPECT_EQ(drawn, whole);
 }
 
 TEST(Cells, PatchOfHolesHasNone) {

@@ -174,5 +174,27 @@ TEST(Samples, PatchOfHolesHasNone) {
   EXPECT_TRUE(make_samples(model.patches[0]).records.empty());
 }
 
+TEST(Samples, ReachTowardHolesAsFarAsTheyAreAsked) {
+  const PatchModel flat = test::height_field(5, [](double, double) { return 0.0; });
+  for (const float to_hole : {kReachToHole, kReachToSeam}) {
+    const PatchSamples samples = make_samples(flat.patches[0], to_hole);
+    const glm::vec4 corner = reach_of(samples.records.front());  // holes toward -x and -y
+    // A margin for rounding comes to each, and a step by which it is rounded up.
+    EXPECT_NEAR(corner.x, to_hole, shared::kMinMargin + shared::kReachStep);
+    EXPECT_NEAR(corner.y, 0.5F, shared::kMinMargin + shared::kReachStep);
+    EXPECT_NEAR(corner.z, to_hole, shared::kMinMargin + shared::kReachStep);
+  }
+}
+
+TEST(Samples, BoundsAloneAreThoseOfTheSamples) {
+  const PatchModel model = test::height_field(9, [](double x, double y) { return x * y; });
+  const PatchSamples all = make_samples(model.patches[0]);
+  const PatchSamples bounds = bound_samples(model.patches[0]);
+  EXPECT_TRUE(bounds.records.empty());
+  EXPECT_EQ(bounds.height_step, all.height_step);
+  EXPECT_EQ(bounds.centre, all.centre);
+  EXPECT_EQ(bounds.radius + all.widest_disc, all.radius);
+}
+
 }  // namespace
 }  // namespace relief
