@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "renderer/frame/sample_draws.h"
-#include "renderer/geometry/proxy.h"
+#include "renderer/geometry/proxy/proxy.h"
 #include "renderer/shading/cube_map.h"
 #include "renderer/shading/environment_cache.h"
 #include "renderer/shading/materials.h"

@@ -16,7 +16,7 @@
 #include "common/seams/make_seams.h"
 #include "renderer/geometry/node_texels.h"
 #include "renderer/geometry/patch_normals.h"
-#include "renderer/geometry/proxy.h"
+#include "renderer/geometry/proxy/proxy.h"
 #include "renderer/shading/materials.h"
 #include "shaders/include/shared.h"
 

@@ -9,8 +9,8 @@
 
 #include "common/error.h"
 #include "common/patch.h"
-#include "renderer/geometry/proxy.h"
-#include "renderer/geometry/proxy_levels.h"
+#include "renderer/geometry/proxy/proxy.h"
+#include "renderer/geometry/proxy/proxy_levels.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "shaders/include/shared.h"

@@ -37,8 +37,9 @@ struct View {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   double pixels_per_sample = 0.0;  ///< levels of detail: how far apart samples may be seen
-  double proxy_diameter = 0.0;  ///< 0: no model is drawn from afar; else kProxyDiameter, as often
-                                ///< as a pixel has samples along a side (renderer/geometry/proxy.h)
+  double proxy_diameter =
+      0.0;  ///< 0: no model is drawn from afar; else kProxyDiameter, as often
+            ///< as a pixel has samples along a side (renderer/geometry/proxy/proxy.h)
   CullMode cull = CullMode::None;  ///< that are drawn (renderer/view/cull_mode.h)
 };
 

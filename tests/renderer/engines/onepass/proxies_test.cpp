@@ -1,5 +1,5 @@
 // Coarse meshes of models seen from afar: what they are made of, and when they are drawn.
-#include "renderer/geometry/proxy_levels.h"
+#include "renderer/geometry/proxy/proxy_levels.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "common/seams/make_seams.h"
-#include "renderer/geometry/proxy.h"
+#include "renderer/geometry/proxy/proxy.h"
 #include "tests/renderer/images.h"
 
 namespace relief {

@@ -1,12 +1,10 @@
-#include "renderer/geometry/proxy_levels.h"
+#include "renderer/geometry/proxy/proxy_levels.h"
 
 #include <algorithm>
 #include <cstddef>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
-#include <unordered_map>
 #include <utility>
 
 #include "common/image/srgb.h"
@@ -14,105 +12,11 @@
 #include "common/seams/cell_triangles.h"
 #include "renderer/geometry/node_texels.h"
 #include "renderer/geometry/patch_normals.h"
+#include "renderer/geometry/proxy/proxy_clusters.h"
 #include "shaders/include/shared.h"
 
 namespace relief {
 namespace {
-
-/// A cube of the grid.
-struct Cube {
-  std::int64_t x = 0;
-  std::int64_t y = 0;
-  std::int64_t z = 0;
-
-  bool operator==(const Cube&) const = default;
-};
-
-struct CubeHash {
-  std::size_t operator()(const Cube& cube) const {
-    std::uint64_t hash = 0;
-    for (const std::int64_t value : {cube.x, cube.y, cube.z}) {
-      hash = (hash ^ static_cast<std::uint64_t>(value)) * 0x9E3779B97F4A7C15U;
-      hash ^= hash >> 29U;
-    }
-    return hash;
-  }
-};
-
-/// Samples that become one vertex: their sums, positions from the middle of the model, and how far
-/// from the middle of their cube the one is whose position the vertex has.
-struct Cluster {
-  ProxyVertex sum;
-  glm::dmat3 normals{0.0};  ///< n n^T
-  glm::dvec3 offsets{0.0};  ///< (n . p) n
-  double count = 0.0;
-  double away = 0.0;                 ///< in cubes
-  std::uint32_t next = kNoMaterial;  ///< the next one of the cube
-};
-
-/// Collects samples, or the clusters of a finer level, into cubes of a grid.
-class CubeGrid {
- public:
-  explicit CubeGrid(double spacing) : spacing_(spacing) {}
-
-  /// The number of the cluster that this one goes into.
-  std::uint32_t add(const Cluster& finer) {
-    const glm::dvec3 cell = finer.sum.position / (finer.count * spacing_);
-    const glm::dvec3 low = glm::floor(cell);
-    const double away = glm::distance(cell, low + 0.5);
-    const std::uint32_t number = find(low, finer);
-    Cluster& cluster = clusters_[number];
-    if (cluster.count == 0.0 || away < cluster.away) {
-      cluster.away = away;
-      cluster.sum.patch = finer.sum.patch;
-      cluster.sum.uv = finer.sum.uv;
-    }
-    cluster.sum.position += finer.sum.position;
-    cluster.sum.normal += finer.sum.normal;
-    cluster.sum.colour += finer.sum.colour;
-    cluster.normals += finer.normals;
-    cluster.offsets += finer.offsets;
-    cluster.count += finer.count;
-    return number;
-  }
-
-  [[nodiscard]] const std::vector<Cluster>& clusters() const { return clusters_; }
-
- private:
-  /// The cluster of the cube that faces the same way; a new one if there is none.
-  std::uint32_t find(glm::dvec3 low, const Cluster& finer) {
-    const Cube cube{static_cast<std::int64_t>(low.x), static_cast<std::int64_t>(low.y),
-                    static_cast<std::int64_t>(low.z)};
-    const auto added = static_cast<std::uint32_t>(clusters_.size());
-    std::uint32_t number = firsts_.try_emplace(cube, added).first->second;
-    std::uint32_t last = kNoMaterial;
-    while (number < added && number != kNoMaterial) {
-      if (glm::dot(clusters_[number].sum.normal, finer.sum.normal) > 0.0F) return number;
-      last = number;
-      number = clusters_[number].next;
-    }
-    if (last != kNoMaterial) clusters_[last].next = added;
-    clusters_.emplace_back();
-    return added;
-  }
-
-  double spacing_;
-  std::unordered_map<Cube, std::uint32_t, CubeHash> firsts_;
-  std::vector<Cluster> clusters_;
-};
-
-/// Where the tangent planes of the samples come nearest to meeting (Lindstrom 2000, "Out-of-core
-/// simplification of large polygonal models"): their mean would cut off what is narrower than a
-/// cube. `kToMean` draws it to the mean along directions that the planes leave open.
-glm::dvec3 position_of(const Cluster& cluster, double spacing) {
-  constexpr double kToMean = 0.01;
-  const glm::dvec3 mean = cluster.sum.position / cluster.count;
-  const glm::dmat3 planes = cluster.normals / cluster.count + glm::dmat3(kToMean);
-  const glm::dvec3 miss = (cluster.offsets - cluster.normals * mean) / cluster.count;
-  const glm::dvec3 step = glm::inverse(planes) * miss;
-  const double length = glm::length(step);
-  return mean + (length > spacing ? spacing / length : 1.0) * step;
-}
 
 /// Notes a triangle unless two of its corners have become one; the least corner comes first.
 void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c,

@@ -10,7 +10,7 @@
 #include "common/patch.h"
 #include "common/points.h"
 #include "common/seams/seams.h"
-#include "renderer/geometry/proxy.h"
+#include "renderer/geometry/proxy/proxy.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "renderer/geometry/proxy.h"
+#include "renderer/geometry/proxy/proxy.h"
 
 #include <algorithm>
 #include <cmath>
