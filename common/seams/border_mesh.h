@@ -38,6 +38,9 @@ struct BorderMesh {
   std::vector<BorderVertex> vertices;  ///< by patch, then by node
   /// Of all triangles of cells; an edge whose opposite is missing is at the border.
   std::vector<BorderEdge> edges;
+  /// By find_parts(): for each vertex the first that cells of its patch connect it to. Stitching
+  /// tells islands by it.
+  std::vector<std::uint32_t> parts;
 };
 
 /// `cells`: those of each patch.

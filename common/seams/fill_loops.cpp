@@ -76,7 +76,7 @@ Loop loop_from(const Front& front, Vertex from, Vertex to, std::size_t most) {
   }
 }
 
-/// The border vertices that edges connect, directly or by way of others.
+/// The border vertices that triangles connect, directly or by way of others.
 DisjointSets find_connections(const Front& front) {
   DisjointSets connected(front.vertices().size());
   for (const BorderEdge& edge : front.mesh().edges) connected.join(edge.from, edge.to);
@@ -84,6 +84,7 @@ DisjointSets find_connections(const Front& front) {
     connected.join(t[0], t[1]);
     connected.join(t[1], t[2]);
   }
+  for (Vertex v = 0; v < front.mesh().parts.size(); ++v) connected.join(v, front.mesh().parts[v]);
   return connected;
 }
 
@@ -151,7 +152,11 @@ void fill(Front& front, Loop loop) {
         best = k;
       }
     }
-    if (least == kNoEar) return;
+    if (least == kNoEar) {
+      // Three vertices on a line: without their triangle, which has no area, the edges stay open.
+      if (loop.size() == 3) front.attach(loop[2], loop[0], loop[1]);
+      return;
+    }
     const Ear ear = ear_at(loop, best);
     front.attach(ear.before, ear.middle, ear.after);
     if (loop.size() == 3) return;

@@ -7,7 +7,7 @@ namespace relief {
 
 /// Fills loops of up to 14 border edges between patches, and of up to 6 of one patch, with ears:
 /// triangles that each cut off a corner, the roundest first, those that fold over last. If the
-/// surface `is_closed` (PatchRun::is_closed), all loops of up to 64. The outside of an island
+/// surface `is_closed` (PatchRun::is_closed), all loops of up to 128. The outside of an island
 /// stays.
 void fill_loops(Front& front, bool is_closed);
 
