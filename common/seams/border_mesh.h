@@ -24,7 +24,8 @@ struct BorderVertex {
   /// Of those samples, radians per spacing; infinite if they are too few.
   double bend = std::numeric_limits<double>::infinity();
   std::uint32_t patch = 0;
-  std::uint32_t node = 0;  ///< j * width + i
+  std::uint32_t node = 0;   ///< j * width + i
+  bool beside_hole = true;  ///< or at the grid's end: not all eight nodes about it are samples
 };
 
 /// An edge from one border vertex to another, with a triangle on its left, seen from outside.

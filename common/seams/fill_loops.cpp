@@ -13,8 +13,8 @@ namespace {
 
 // Loops of up to this many edges are filled; larger ones are holes of the scan.
 constexpr std::size_t kSmallLoop = 14;
-// ... of one patch, where cells are too steep. A hole of one node has four, of two six; support
-// leaves none that narrow (find_support).
+// ... of one patch, if a node within may be missing. A hole of one node has four, of two six;
+// support leaves none that narrow (find_support).
 constexpr std::size_t kSmallOwnLoop = 6;
 // ... of a surface that has no holes. A narrow face of fandisk that no sample is left of has 86.
 constexpr std::size_t kSmallClosedLoop = 128;
@@ -103,6 +103,14 @@ bool faces_inward(const Front& front, const Loop& loop) {
   return glm::dot(area, outward) < 0.0;
 }
 
+/// Whether a loop is of one patch, and not where its cells alone are too steep: in iron_scan such
+/// slits had eight edges.
+bool may_be_hole_of_scan(const Front& front, const Loop& loop) {
+  const std::uint32_t patch = front.vertex(loop.front()).patch;
+  return std::ranges::all_of(loop, [&](Vertex v) { return front.vertex(v).patch == patch; }) &&
+         std::ranges::any_of(loop, [&](Vertex v) { return front.vertex(v).beside_hole; });
+}
+
 /// Whether an ear covers another vertex of its loop or has it on an edge, so that what is left of
 /// the loop folds over or has no area.
 bool covers(const Front& front, const Loop& loop, const Ear& ear, const TriangleShape& shape) {
@@ -173,9 +181,7 @@ void fill_loops(Front& front, bool is_closed) {
     for (const Front::Edge& edge : edges) {
       if (!edge.outward || !front.is_open(v, edge.other)) continue;
       const Loop loop = loop_from(front, v, edge.other, is_closed ? kSmallClosedLoop : kSmallLoop);
-      const bool several = std::ranges::any_of(
-          loop, [&](Vertex w) { return front.vertex(w).patch != front.vertex(v).patch; });
-      if (!is_closed && !several && loop.size() > kSmallOwnLoop) continue;
+      if (!is_closed && loop.size() > kSmallOwnLoop && may_be_hole_of_scan(front, loop)) continue;
       const bool is_island = !loop.empty() && faces_inward(front, loop) &&
                              connections.size(v) <= kIslandPerEdge * loop.size();
       if (!is_island) fill(front, loop);

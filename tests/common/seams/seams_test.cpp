@@ -100,6 +100,27 @@ TEST(Seams, LeaveHolesOfAPatchOpen) {
   EXPECT_NEAR(test::joined_mesh(patches).area(), 144 - 36 + 2, 1e-9);
 }
 
+TEST(Seams, FillSlitsWhereCellsAreTooSteep) {
+  // A step that grows to 4 spacings and shrinks again; cells rise by 3 at most.
+  const std::vector<double> steps{0, 0, 0, 1.5, 3, 4, 4, 4, 3, 1.5, 0, 0, 0};
+  Patch patch = flat_patch(0, 0, 13, 13);
+  for (std::uint32_t j = 0; j < 13; ++j) {
+    for (std::uint32_t i = 6; i < 13; ++i)
+      patch.heights[j * 13 + i] = static_cast<std::int32_t>(std::lround(steps[j] / 0.05));
+  }
+  const auto open_inside = [](const Patch& from) {
+    const test::JoinedMesh mesh = test::joined_mesh(std::vector<Patch>{from});
+    return std::ranges::count_if(mesh.open_edges(), [&](const auto& edge) {
+      const glm::dvec3 middle = 0.5 * (mesh.positions[edge.first] + mesh.positions[edge.second]);
+      return middle.x > 0.0 && middle.x < 12.0 && middle.y > 0.0 && middle.y < 12.0;
+    });
+  };
+  EXPECT_EQ(open_inside(patch), 0);
+  // A hole of the scan beside it may be its cause.
+  patch.heights[6 * 13 + 6] = kHole;
+  EXPECT_GT(open_inside(patch), 6);
+}
+
 TEST(Seams, LeaveNoHoleInAClosedSurface) {
   const auto hole = [](std::uint32_t i, std::uint32_t j) {
     return i >= 4 && i <= 8 && j >= 4 && j <= 8;
