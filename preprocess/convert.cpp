@@ -100,6 +100,7 @@ class MeshInTime {
     tasks_.run([this, &mesh, given] {
       const MeshEdges edges(mesh);
       is_closed_ = is_closed_mesh(mesh, given, edges);
+      is_borderless_ = is_borderless_mesh(mesh, given, edges);
       normals_ = normals_of_faces(mesh, edges);
     });
   }
@@ -107,11 +108,13 @@ class MeshInTime {
 
   // After `wait`.
   [[nodiscard]] bool is_closed() const { return is_closed_; }
+  [[nodiscard]] bool is_borderless() const { return is_borderless_; }
   [[nodiscard]] const std::vector<glm::vec3>& normals() const { return normals_; }
   [[nodiscard]] const TriangleSpheres& spheres() const { return *spheres_; }
 
  private:
   bool is_closed_ = false;
+  bool is_borderless_ = false;
   std::vector<glm::vec3> normals_;
   std::optional<TriangleSpheres> spheres_;
   BackgroundTasks tasks_;
@@ -141,7 +144,7 @@ Fidelity measure(const std::vector<glm::dvec3>& positions, std::size_t count,
   tbb::parallel_invoke(
       [&] {
         if (!model.joined.empty())
-          seams.emplace(model.patches, make_seams(model.patches, model.is_closed));
+          seams.emplace(model.patches, make_seams(model.patches, model.joined.front().is_closed));
       },
       [&] {
         distances = distances_to_patches(positions, count, graph, owner, model.patches);
@@ -155,10 +158,13 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
                                        Progress& progress) {
   ConvertResult result;
   Points mesh;
+  bool is_borderless = false;
   const bool textured = has_triangle_colours(points);
   const bool seams = options.seams.value_or(!points.triangles.empty());
   if (textured) {
-    result.model.is_closed = is_closed_mesh(points, points.size(), MeshEdges(points));
+    const MeshEdges edges(points);
+    result.model.is_closed = is_closed_mesh(points, points.size(), edges);
+    is_borderless = is_borderless_mesh(points, points.size(), edges);
     progress.begin_stage("sample mesh", 0);
     RELIEF_TRY_ASSIGN(auto sampled, sample_mesh(points, options.spacing));
     mesh = std::exchange(points, std::move(sampled));
@@ -174,7 +180,10 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   progress.begin_stage("normals", 0);
   const LocalFrames frames = fit_local_frames(points.positions, graph);
   in_time.wait();
-  if (!textured) result.model.is_closed = in_time.is_closed();
+  if (!textured) {
+    result.model.is_closed = in_time.is_closed();
+    is_borderless = in_time.is_borderless();
+  }
   const NormalsReport normals = complete_normals(points, graph, frames, &in_time.normals());
   result.report.normals_estimated = normals.estimated;
   result.report.normals_repaired = normals.repaired;
@@ -219,8 +228,7 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   progress.begin_stage("measure", 0);
   PatchModel& model = result.model;
   model.patches = std::move(patches);
-  if (seams)
-    model.joined = {{0, static_cast<std::uint32_t>(model.patches.size()), model.is_closed}};
+  if (seams) model.joined = {{0, static_cast<std::uint32_t>(model.patches.size()), is_borderless}};
   const Fidelity fidelity = measure(points.positions, result.report.points, graph,
                                     owners_of(regions, points.size()), model);
   model.spacing = spacing;

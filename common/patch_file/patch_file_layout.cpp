@@ -80,7 +80,8 @@ std::vector<std::byte> write_header(const FileHeader& header) {
   append_vector(out, header.bounds.max);
   append_number(out, header.bounding_radius);
   append_number(out, (header.is_closed ? kClosedFlag : std::uint64_t{0}) |
-                         (header.is_joined ? kJoinedFlag : std::uint64_t{0}));
+                         (header.is_joined ? kJoinedFlag : std::uint64_t{0}) |
+                         (header.is_borderless ? kBorderlessFlag : std::uint64_t{0}));
   append_number(out, header.index_checksum);
   append_number(out, crc32(out));
   assert(out.size() == kHeaderBytes && "the header has the size that the format defines");
@@ -130,6 +131,7 @@ Result<FileHeader> parse_header(std::span<const std::byte> bytes, std::uint64_t 
   const auto flags = in.take<std::uint64_t>();
   header.is_closed = (flags & kClosedFlag) != 0;
   header.is_joined = (flags & kJoinedFlag) != 0;
+  header.is_borderless = (flags & kBorderlessFlag) != 0;
   header.index_checksum = in.take<std::uint32_t>();
 
   if (file_bytes != header.file_bytes) {
@@ -188,7 +190,7 @@ Result<FileLayout> read_layout(const RandomAccessFile& file, FileRange range,
   for (ChunkRecord& chunk : index.chunks) chunk.offset += range.offset;
   FileLayout layout{header, std::move(index), {}};
   if (header.is_joined && header.patches > 0)
-    layout.joined = {{0, header.patches, header.is_closed}};
+    layout.joined = {{0, header.patches, header.is_closed || header.is_borderless}};
   return layout;
 }
 

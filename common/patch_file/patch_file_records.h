@@ -23,6 +23,7 @@ inline constexpr std::size_t kTileRecordBytes = 84;
 /// The header's flags; readers ignore unknown ones.
 inline constexpr std::uint64_t kClosedFlag = 1;
 inline constexpr std::uint64_t kJoinedFlag = 2;
+inline constexpr std::uint64_t kBorderlessFlag = 4;  ///< also where the surface is not closed
 
 /// Predicted integers in zstd streams (patch_codec.h).
 inline constexpr std::uint16_t kCodecPredicted = 1;
@@ -65,6 +66,7 @@ struct FileHeader {
   double bounding_radius = 0.0;
   bool is_closed = false;
   bool is_joined = false;
+  bool is_borderless = false;  ///< PatchRun::is_closed of patches that meet
 };
 
 struct FileIndex {

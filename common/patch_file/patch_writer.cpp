@@ -204,6 +204,7 @@ Status write_model(const std::filesystem::path& path, const PatchModel& model,
   header.bounding_radius = model.bounding_radius;
   header.is_closed = model.is_closed;
   header.is_joined = is_joined(model);
+  header.is_borderless = header.is_joined && !model.is_closed && model.joined.front().is_closed;
   const std::vector<std::byte> index = write_index(layout, header);
   header.patches = static_cast<std::uint32_t>(layout.patches.size());
   header.chunks = static_cast<std::uint32_t>(layout.chunks.size());

@@ -68,6 +68,16 @@ void find_plane(const Patch& patch, BorderVertex& vertex) {
   vertex.bend = std::sqrt(squares / n) * normal.z / kOffLine;
 }
 
+bool is_beside_hole(const Patch& patch, std::uint32_t i, std::uint32_t j) {
+  if (i == 0 || j == 0 || i + 1 >= patch.width || j + 1 >= patch.height) return true;
+  for (std::uint32_t y = j - 1; y <= j + 1; ++y) {
+    for (std::uint32_t x = i - 1; x <= i + 1; ++x) {
+      if (patch.at(x, y) == kHole) return true;
+    }
+  }
+  return false;
+}
+
 /// Adds the border vertices of a patch and returns for each node which it has become.
 std::vector<std::uint32_t> add_vertices(const Patch& patch, std::uint32_t id,
                                         const CellTriangles& cells, BorderMesh& mesh) {
@@ -82,7 +92,8 @@ std::vector<std::uint32_t> add_vertices(const Patch& patch, std::uint32_t id,
                                .normal = normal_of(patch, i, j),
                                .spacing = patch.spacing,
                                .patch = id,
-                               .node = node});
+                               .node = node,
+                               .beside_hole = is_beside_hole(patch, i, j)});
     }
   }
   return numbers;

@@ -24,7 +24,8 @@ struct BorderVertex {
   /// Of those samples, radians per spacing; infinite if they are too few.
   double bend = std::numeric_limits<double>::infinity();
   std::uint32_t patch = 0;
-  std::uint32_t node = 0;  ///< j * width + i
+  std::uint32_t node = 0;   ///< j * width + i
+  bool beside_hole = true;  ///< or at the grid's end: not all eight nodes about it are samples
 };
 
 /// An edge from one border vertex to another, with a triangle on its left, seen from outside.
@@ -38,6 +39,9 @@ struct BorderMesh {
   std::vector<BorderVertex> vertices;  ///< by patch, then by node
   /// Of all triangles of cells; an edge whose opposite is missing is at the border.
   std::vector<BorderEdge> edges;
+  /// By find_parts(): for each vertex the first that cells of its patch connect it to. Stitching
+  /// tells islands by it.
+  std::vector<std::uint32_t> parts;
 };
 
 /// `cells`: those of each patch.

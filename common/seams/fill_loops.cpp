@@ -13,8 +13,8 @@ namespace {
 
 // Loops of up to this many edges are filled; larger ones are holes of the scan.
 constexpr std::size_t kSmallLoop = 14;
-// ... of one patch, where cells are too steep. A hole of one node has four, of two six; support
-// leaves none that narrow (find_support).
+// ... of one patch, if a node within may be missing. A hole of one node has four, of two six;
+// support leaves none that narrow (find_support).
 constexpr std::size_t kSmallOwnLoop = 6;
 // ... of a surface that has no holes. A narrow face of fandisk that no sample is left of has 86.
 constexpr std::size_t kSmallClosedLoop = 128;
@@ -76,7 +76,7 @@ Loop loop_from(const Front& front, Vertex from, Vertex to, std::size_t most) {
   }
 }
 
-/// The border vertices that edges connect, directly or by way of others.
+/// The border vertices that triangles connect, directly or by way of others.
 DisjointSets find_connections(const Front& front) {
   DisjointSets connected(front.vertices().size());
   for (const BorderEdge& edge : front.mesh().edges) connected.join(edge.from, edge.to);
@@ -84,6 +84,7 @@ DisjointSets find_connections(const Front& front) {
     connected.join(t[0], t[1]);
     connected.join(t[1], t[2]);
   }
+  for (Vertex v = 0; v < front.mesh().parts.size(); ++v) connected.join(v, front.mesh().parts[v]);
   return connected;
 }
 
@@ -100,6 +101,14 @@ bool faces_inward(const Front& front, const Loop& loop) {
     outward += front.vertex(ear.middle).normal;
   }
   return glm::dot(area, outward) < 0.0;
+}
+
+/// Whether a loop is of one patch, and not where its cells alone are too steep: in iron_scan such
+/// slits had eight edges.
+bool may_be_hole_of_scan(const Front& front, const Loop& loop) {
+  const std::uint32_t patch = front.vertex(loop.front()).patch;
+  return std::ranges::all_of(loop, [&](Vertex v) { return front.vertex(v).patch == patch; }) &&
+         std::ranges::any_of(loop, [&](Vertex v) { return front.vertex(v).beside_hole; });
 }
 
 /// Whether an ear covers another vertex of its loop or has it on an edge, so that what is left of
@@ -151,7 +160,11 @@ void fill(Front& front, Loop loop) {
         best = k;
       }
     }
-    if (least == kNoEar) return;
+    if (least == kNoEar) {
+      // Three vertices on a line: without their triangle, which has no area, the edges stay open.
+      if (loop.size() == 3) front.attach(loop[2], loop[0], loop[1]);
+      return;
+    }
     const Ear ear = ear_at(loop, best);
     front.attach(ear.before, ear.middle, ear.after);
     if (loop.size() == 3) return;
@@ -168,9 +181,7 @@ void fill_loops(Front& front, bool is_closed) {
     for (const Front::Edge& edge : edges) {
       if (!edge.outward || !front.is_open(v, edge.other)) continue;
       const Loop loop = loop_from(front, v, edge.other, is_closed ? kSmallClosedLoop : kSmallLoop);
-      const bool several = std::ranges::any_of(
-          loop, [&](Vertex w) { return front.vertex(w).patch != front.vertex(v).patch; });
-      if (!is_closed && !several && loop.size() > kSmallOwnLoop) continue;
+      if (!is_closed && loop.size() > kSmallOwnLoop && may_be_hole_of_scan(front, loop)) continue;
       const bool is_island = !loop.empty() && faces_inward(front, loop) &&
                              connections.size(v) <= kIslandPerEdge * loop.size();
       if (!is_island) fill(front, loop);

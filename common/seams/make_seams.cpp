@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include "common/seams/border_mesh.h"
+#include "common/seams/border_parts.h"
 #include "common/seams/cell_triangles.h"
 #include "common/seams/seam_vertices.h"
 #include "common/seams/stitch.h"
@@ -33,6 +34,7 @@ Seams make_seams(std::span<const Patch> patches, bool is_closed) {
   });
   BorderMesh borders = find_borders(patches, cells);
   find_planes(patches, borders);
+  find_parts(patches, cells, borders);
   share_out(stitch(borders, is_closed), borders, seams);
   return seams;
 }

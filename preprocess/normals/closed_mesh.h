@@ -1,4 +1,4 @@
-// Detects meshes that enclose a body.
+// Detects meshes that enclose a body, and those that have no border.
 #pragma once
 
 #include "common/points.h"
@@ -13,5 +13,11 @@ namespace relief {
 /// not oppose its triangles, because patches follow them. False without triangles. `edges` are the
 /// mesh's edges. Only the first `given` points are checked, not those added to triangles later.
 [[nodiscard]] bool is_closed_mesh(const Points& mesh, std::size_t given, const MeshEdges& edges);
+
+/// Returns whether no edge of a mesh is at a border. Unlike a closed mesh, one without a border may
+/// touch or overlap itself (dragon_vrip_res3 has edges of four to eight triangles), and some of its
+/// points may have no triangle. Arguments as above.
+[[nodiscard]] bool is_borderless_mesh(const Points& mesh, std::size_t given,
+                                      const MeshEdges& edges);
 
 }  // namespace relief

@@ -11,6 +11,7 @@ namespace {
 /// Statistics of the edges of some points.
 struct Census {
   bool all_have_two = true;
+  bool has_border = false;
   std::uint64_t inner = 0;
   std::uint64_t alike = 0;
 };
@@ -24,6 +25,7 @@ void count(std::span<const EdgeUse> uses, Census& census) {
       if (uses[end].forward == uses[first].forward) ++alike;
     }
     census.all_have_two = census.all_have_two && end - first == 2 && alike == 0;
+    census.has_border = census.has_border || end - first == 1;
     census.inner += end - first - 1;
     census.alike += alike;
     first = end;
@@ -65,9 +67,11 @@ MeshEdges::MeshEdges(const Points& mesh) {
         return part;
       },
       [](const Census& a, const Census& b) {
-        return Census{a.all_have_two && b.all_have_two, a.inner + b.inner, a.alike + b.alike};
+        return Census{a.all_have_two && b.all_have_two, a.has_border || b.has_border,
+                      a.inner + b.inner, a.alike + b.alike};
       });
   all_have_two_ = census.all_have_two;
+  has_border_ = census.has_border;
   misoriented_ = census.inner > 0
                      ? static_cast<double>(census.alike) / static_cast<double>(census.inner)
                      : 1.0;

@@ -32,6 +32,9 @@ class MeshEdges {
   /// directions.
   [[nodiscard]] bool all_have_two() const { return all_have_two_; }
 
+  /// Returns whether some edge belongs to one triangle alone.
+  [[nodiscard]] bool has_border() const { return has_border_; }
+
   /// Returns the share of an edge's further triangles that traverse it in the direction of its
   /// first one: 0 for an oriented mesh; 1 if no edge has two triangles.
   [[nodiscard]] double misoriented() const { return misoriented_; }
@@ -40,6 +43,7 @@ class MeshEdges {
   std::vector<std::uint64_t> starts_;  // of each smaller index in uses_, with an end
   std::vector<EdgeUse> uses_;
   bool all_have_two_ = true;
+  bool has_border_ = false;
   double misoriented_ = 1.0;
 };
 

@@ -71,6 +71,23 @@ TEST(PatchFile, GivesBackWhatWasWritten) {
   EXPECT_EQ(folder.count(), 1);
 }
 
+TEST(PatchFile, KeepsThatPatchesThatMeetHaveNoBorder) {
+  const ScratchFolder folder;
+  PatchModel model = bumpy_model(2);
+  for (const bool is_closed : {false, true}) {
+    for (const bool is_borderless : {false, true}) {
+      model.is_closed = is_closed;
+      model.joined = {{0, 2, is_borderless || is_closed}};
+      ASSERT_TRUE(write_patch_file(folder / "a.relief", model));
+      const PatchModel read = read_whole(folder / "a.relief");
+      EXPECT_EQ(read.is_closed, is_closed);
+      EXPECT_EQ(read.joined.front().is_closed, is_borderless || is_closed);
+      // Files of closed models are as they were before the flag.
+      EXPECT_EQ(slurp(folder / "a.relief")[112], is_closed ? 3 : is_borderless ? 6 : 2);
+    }
+  }
+}
+
 TEST(PatchFile, KeepsThatAModelIsClosed) {
   const ScratchFolder folder;
   PatchModel model = bumpy_model(2);

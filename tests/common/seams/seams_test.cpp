@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 
 #include "common/octahedral.h"
+#include "common/seams/border_parts.h"
 #include "common/seams/fill_loops.h"
 #include "common/seams/front.h"
 #include "common/seams/seam_vertices.h"
@@ -98,6 +100,27 @@ TEST(Seams, LeaveHolesOfAPatchOpen) {
   EXPECT_NEAR(test::joined_mesh(patches).area(), 144 - 36 + 2, 1e-9);
 }
 
+TEST(Seams, FillSlitsWhereCellsAreTooSteep) {
+  // A step that grows to 4 spacings and shrinks again; cells rise by 3 at most.
+  const std::vector<double> steps{0, 0, 0, 1.5, 3, 4, 4, 4, 3, 1.5, 0, 0, 0};
+  Patch patch = flat_patch(0, 0, 13, 13);
+  for (std::uint32_t j = 0; j < 13; ++j) {
+    for (std::uint32_t i = 6; i < 13; ++i)
+      patch.heights[j * 13 + i] = static_cast<std::int32_t>(std::lround(steps[j] / 0.05));
+  }
+  const auto open_inside = [](const Patch& from) {
+    const test::JoinedMesh mesh = test::joined_mesh(std::vector<Patch>{from});
+    return std::ranges::count_if(mesh.open_edges(), [&](const auto& edge) {
+      const glm::dvec3 middle = 0.5 * (mesh.positions[edge.first] + mesh.positions[edge.second]);
+      return middle.x > 0.0 && middle.x < 12.0 && middle.y > 0.0 && middle.y < 12.0;
+    });
+  };
+  EXPECT_EQ(open_inside(patch), 0);
+  // A hole of the scan beside it may be its cause.
+  patch.heights[6 * 13 + 6] = kHole;
+  EXPECT_GT(open_inside(patch), 6);
+}
+
 TEST(Seams, LeaveNoHoleInAClosedSurface) {
   const auto hole = [](std::uint32_t i, std::uint32_t j) {
     return i >= 4 && i <= 8 && j >= 4 && j <= 8;
@@ -167,6 +190,56 @@ TEST(Seams, FillALoopWithADentWithoutFoldingOver) {
     EXPECT_NEAR(shape.normal.z, -1.0, 1e-9);  // shape_of: of the corners in the opposite order
     EXPECT_NEAR(shape.area, 2.0, 1e-9);
   }
+}
+
+/// A square whose triangles, had it any, would be inside it: the outside of an island.
+BorderMesh outside_of_square() {
+  BorderMesh mesh;
+  for (const glm::dvec3 p : {glm::dvec3(0, 0, 0), {1, 0, 0}, {1, 1, 0}, {0, 1, 0}})
+    mesh.vertices.push_back(vertex(p, {0, 0, 1}, 0.0));
+  for (std::uint32_t v = 0; v < 4; ++v) mesh.edges.push_back({v, (v + 1) % 4, {0, 0, 1}});
+  return mesh;
+}
+
+TEST(Seams, FillWhatFacesInwardIfCellsConnectItToTheRest) {
+  BorderMesh mesh = outside_of_square();
+  for (int k = 0; k < 40; ++k) mesh.vertices.push_back(vertex({2.0, k, 0}, {0, 0, 1}, 0.0));
+  Front island(mesh);
+  fill_loops(island, true);
+  EXPECT_TRUE(island.triangles().empty());
+  mesh.parts.assign(mesh.vertices.size(), 0);
+  Front joined(mesh);
+  fill_loops(joined, true);
+  EXPECT_EQ(joined.triangles().size(), 2U);
+}
+
+TEST(Seams, KnowWhichBordersCellsConnect) {
+  // The first has an inner and an outer border, the second two pieces.
+  const std::vector<Patch> patches{
+      flat_patch(0, 0, 9, 9, [](auto i, auto j) { return i == 4 && j == 4; }),
+      flat_patch(20, 0, 9, 9, [](auto i, auto /*j*/) { return i == 4; })};
+  const std::vector<CellTriangles> cells = cell_triangles(std::span<const Patch>(patches));
+  BorderMesh mesh = find_borders(patches, cells);
+  find_parts(patches, cells, mesh);
+  ASSERT_EQ(mesh.parts.size(), mesh.vertices.size());
+  std::map<double, std::uint32_t> first_of_piece;
+  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+    const double x = mesh.vertices[v].position.x;
+    const double piece = x < 10.0 ? 0.0 : x < 24.0 ? 1.0 : 2.0;
+    const auto [known, added] = first_of_piece.emplace(piece, v);
+    EXPECT_EQ(mesh.parts[v], known->second) << v;
+  }
+  EXPECT_EQ(first_of_piece.size(), 3U);
+}
+
+TEST(Seams, FillThreeVerticesOnALine) {
+  BorderMesh mesh;
+  for (const double x : {0.0, 2.0, 1.0}) mesh.vertices.push_back(vertex({x, 0, 0}, {0, 0, 1}, 0.0));
+  for (std::uint32_t v = 0; v < 3; ++v) mesh.edges.push_back({v, (v + 1) % 3, {0, 0, 1}});
+  Front front(mesh);
+  fill_loops(front, true);
+  EXPECT_EQ(front.triangles().size(), 1U);
+  for (Front::Vertex v = 0; v < 3; ++v) EXPECT_TRUE(front.at(v).empty());
 }
 
 TEST(Seams, AreDefinedForAnyPatches) {

@@ -41,6 +41,10 @@ bool is_closed(const Points& mesh) {
   return is_closed_mesh(mesh, mesh.size(), MeshEdges(mesh));
 }
 
+bool is_borderless(const Points& mesh) {
+  return is_borderless_mesh(mesh, mesh.size(), MeshEdges(mesh));
+}
+
 TEST(ClosedMesh, IsABodyWhereverItStands) {
   EXPECT_TRUE(is_closed(box()));
   EXPECT_TRUE(is_closed(box({5e6, -3e6, 1e6}, {5e6 + 1.0, -3e6 + 0.5, 1e6 + 2.0})));
@@ -86,6 +90,28 @@ TEST(ClosedMesh, IsNotIfPointsOrNormalsSayOtherwise) {
   EXPECT_FALSE(is_closed(inward));
 }
 
+TEST(ClosedMesh, NeedNotBeOneToHaveNoBorder) {
+  EXPECT_TRUE(is_borderless(box()));
+  // Two boxes that have an edge in common, which has four triangles.
+  const Points touching = clean_points(both(box(), box(glm::dvec3(1, 1, 0), {2, 2, 1}))).points;
+  EXPECT_FALSE(is_closed(touching));
+  EXPECT_TRUE(is_borderless(touching));
+  Points open = touching;
+  open.triangles.pop_back();
+  EXPECT_FALSE(is_borderless(open));
+  EXPECT_FALSE(is_borderless(Points{}));
+}
+
+TEST(ClosedMesh, HasNoBorderWithAFewLonePoints) {
+  Points mesh;
+  for (int k = 0; k < 20; ++k) mesh = both(mesh, box(glm::dvec3(2.0 * k), glm::dvec3(2.0 * k + 1)));
+  mesh.positions.emplace_back(-9.0, -9.0, -9.0);
+  EXPECT_FALSE(is_closed(mesh));
+  EXPECT_TRUE(is_borderless(mesh));  // one point of 161
+  mesh.positions.emplace_back(-8.0, -9.0, -9.0);
+  EXPECT_FALSE(is_borderless(mesh));
+}
+
 /// Faces that have points of their own, as STL has them, are one body once these are merged.
 TEST(ClosedMesh, IsNotedByAConversion) {
   Points soup;
@@ -116,10 +142,18 @@ TEST(ClosedMesh, IsNotedByAConversion) {
   const auto closed = convert(merged, {}, progress);
   ASSERT_TRUE(closed) << closed.error().message;
   EXPECT_TRUE(closed->model.is_closed);
+  EXPECT_TRUE(closed->model.joined.front().is_closed);
+  Points twice = merged;  // touches itself: not known to be a body, but it has no border
+  twice.triangles.push_back(twice.triangles.front());
+  const auto borderless = convert(twice, {}, progress);
+  ASSERT_TRUE(borderless) << borderless.error().message;
+  EXPECT_FALSE(borderless->model.is_closed);
+  EXPECT_TRUE(borderless->model.joined.front().is_closed);
   merged.triangles.pop_back();
   const auto open = convert(merged, {}, progress);
   ASSERT_TRUE(open) << open.error().message;
   EXPECT_FALSE(open->model.is_closed);
+  EXPECT_FALSE(open->model.joined.front().is_closed);
 }
 
 }  // namespace

@@ -42,12 +42,19 @@ TEST(MeshEdges, FindsBordersAndEdgesOfThreeTriangles) {
   Points open = tetrahedron();
   open.triangles.pop_back();
   EXPECT_FALSE(MeshEdges(open).all_have_two());
+  EXPECT_TRUE(MeshEdges(open).has_border());
+  EXPECT_FALSE(MeshEdges(tetrahedron()).has_border());
   EXPECT_EQ(MeshEdges(open).misoriented(), 0.0);
 
   Points fin = tetrahedron();
   fin.positions.emplace_back(1, 1, 1);
   fin.triangles.push_back({0, 1, 4});
   EXPECT_FALSE(MeshEdges(fin).all_have_two());
+  EXPECT_TRUE(MeshEdges(fin).has_border());
+  Points twice = tetrahedron();
+  twice.triangles.push_back(twice.triangles.front());
+  EXPECT_FALSE(MeshEdges(twice).all_have_two());
+  EXPECT_FALSE(MeshEdges(twice).has_border());
   // The fin runs through its edge against the first triangle there; turned it runs with it.
   EXPECT_EQ(MeshEdges(fin).misoriented(), 0.0);
   std::swap(fin.triangles[4][0], fin.triangles[4][1]);
