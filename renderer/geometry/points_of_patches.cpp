@@ -99,8 +99,8 @@ std::vector<std::uint64_t> border_of(const TriangleMesh& mesh) {
   return border;
 }
 
-/// Leaves out the triangles of parts with a border, but for the largest part. In a closed surface
-/// they are pieces of patches that lie over others.
+/// Leaves out the triangles of parts with a border, but for the largest part. In a surface
+/// without a border they are pieces of patches that lie over others.
 void drop_islands(TriangleMesh& mesh) {
   DisjointSets parts = find_parts(mesh);
   std::vector<std::uint32_t> sizes(mesh.positions.size(), 0);
@@ -151,7 +151,9 @@ Result<Points> surface_mesh(const PatchModel& model) {
   RELIEF_TRY_ASSIGN(auto mesh, mesh_of_patches(model, &copies));
   if (!model.joined.empty()) {
     weld(std::move(copies), mesh);
-    if (model.is_closed) drop_islands(mesh);
+    const bool has_border = std::any_of(model.joined.begin(), model.joined.end(),
+                                        [](const PatchRun& run) { return !run.is_closed; });
+    if (!has_border) drop_islands(mesh);
     drop_unused(mesh);
   }
   return points_of(std::move(mesh));

@@ -119,7 +119,7 @@ TEST(PointsOfPatches, LeaveIslandsOutOfAClosedMesh) {
   model.patches.push_back(island);
   ++model.joined.front().count;
   const auto open = surface_mesh(model);
-  model.is_closed = true;
+  model.joined.front().is_closed = true;
   const auto closed = surface_mesh(model);
   ASSERT_TRUE(alone && open && closed);
   EXPECT_EQ(open->triangles.size(), alone->triangles.size() + 8);
