@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "common/instance.h"
-#include "renderer/geometry/proxy/proxy_levels.h"
+#include "renderer/geometry/proxy/proxy_vertex.h"
 
 namespace relief {
 

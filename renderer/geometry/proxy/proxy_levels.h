@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
@@ -11,17 +9,9 @@
 #include "common/points.h"
 #include "common/seams/seams.h"
 #include "renderer/geometry/proxy/proxy.h"
+#include "renderer/geometry/proxy/proxy_vertex.h"
 
 namespace relief {
-
-/// The mean of some samples that are near each other and face the same way. Model frame.
-struct ProxyVertex {
-  glm::dvec3 position{0.0};
-  glm::vec3 normal{0.0F};   ///< the mean of unit vectors: shorter the more they differ
-  glm::vec3 colour{0.0F};   ///< linear
-  std::uint32_t patch = 0;  ///< of one of the samples: in the run of patches
-  glm::vec2 uv{0.0F};       ///< grid coordinates of that sample
-};
 
 /// A model as a mesh whose vertices are about `spacing` apart.
 struct ProxyLevel {
