@@ -33,7 +33,7 @@ void add_row(const Patch& patch, std::uint32_t j, PatchCells& cells) {
 }
 
 /// How a cell is drawn, by the node at its lower left.
-enum class CellKind : std::uint8_t { None, Run, EdgeRun };
+enum class CellKind : std::uint8_t { None, Run, EdgeRun, Strip };
 
 /// What the cells of a patch or a level are made of.
 struct CellSource {
@@ -89,6 +89,30 @@ void add_runs(const CellSource& source, CellKind kind, glm::uvec2 corner, std::u
   }
 }
 
+/// A node of a part in a strip.
+std::uint16_t in_strip(glm::uvec2 node, glm::uvec2 corner) {
+  const glm::uvec2 position = node - corner;
+  return static_cast<std::uint16_t>(position.x | (position.y << shared::kStripRowShift));
+}
+
+/// Appends a part's cells of the kind Strip in row j, which end before column `end`. The first and
+/// the last node of what hangs together are there twice, so that empty triangles join it to the
+/// rest.
+void add_strip(const CellSource& source, glm::uvec2 corner, std::uint32_t j, std::uint32_t end,
+               std::vector<std::uint16_t>& strip) {
+  const auto is_drawn = [&](std::uint32_t i) {
+    return i < end && source.kind({i, j}) == CellKind::Strip;
+  };
+  for (std::uint32_t i = corner.x; i < end; ++i) {
+    if (!is_drawn(i)) continue;
+    if (!strip.empty()) strip.insert(strip.end(), {strip.back(), in_strip({i, j + 1}, corner)});
+    strip.insert(strip.end(), {in_strip({i, j + 1}, corner), in_strip({i, j}, corner)});
+    for (; is_drawn(i); ++i) {
+      strip.insert(strip.end(), {in_strip({i + 1, j + 1}, corner), in_strip({i + 1, j}, corner)});
+    }
+  }
+}
+
 /// Parts of a patch each way.
 glm::uvec2 part_counts(const Patch& patch) {
   return (glm::uvec2(patch.width, patch.height) + (shared::kPartCells - 1)) / shared::kPartCells;
@@ -118,6 +142,7 @@ CellPart make_part(const CellSource& source, glm::uvec2 corner) {
   for (std::uint32_t j = corner.y; j < end.y; ++j) {
     add_runs(source, CellKind::Run, corner, j, end.x, shared::kRunCells, part.runs);
     add_runs(source, CellKind::EdgeRun, corner, j, end.x, shared::kEdgeRunCells, part.edge_runs);
+    add_strip(source, corner, j, end.x, part.strip);
     for (std::uint32_t i = corner.x; i < end.x; ++i) {
       if (source.kind({i, j}) != CellKind::None)
         add_normals(patch, {i, j}, source.height_step, part.normals);
@@ -145,6 +170,9 @@ PatchCells make_cells_alone(const CellSource& source) {
                     shared::kPartCells % shared::kRunCells == 0 &&
                     shared::kRunCells <= shared::kRunCellsMask,
                 "a run's position and length fit their bits, and parts are whole runs wide");
+  static_assert(
+      shared::kPartCells < 1U << shared::kStripRowShift && 2 * shared::kStripRowShift <= 16,
+      "a node of a strip fits its bits");
   PatchCells cells;
   for (std::uint32_t j = 0; j < patch.height; ++j) add_row(patch, j, cells);
   cells.rows.push_back({});
@@ -181,7 +209,7 @@ void add_rims(const Patch& patch, const CellNodes& nodes, const PatchSamples& sa
 /// Leaves out the parts that draw nothing.
 PatchCells without_empty_parts(PatchCells cells) {
   std::erase_if(cells.parts, [](const CellPart& part) {
-    return part.runs.empty() && part.edge_runs.empty() && part.rims.empty();
+    return part.runs.empty() && part.edge_runs.empty() && part.strip.empty() && part.rims.empty();
   });
   return cells;
 }
@@ -208,13 +236,10 @@ PatchCells make_cells(const Patch& patch, const PatchSamples& samples) {
 PatchCells make_joined_cells(const Patch& patch) {
   const CellTriangles triangles = cell_triangles(patch);
   const auto kind_of = [&](glm::uvec2 node) {
-    return triangles.at(node.x, node.y) == kWholeCell ? CellKind::Run : CellKind::None;
+    return triangles.at(node.x, node.y) == kWholeCell ? CellKind::Strip : CellKind::None;
   };
-  PatchCells cells = make_cells_alone(
-      {patch, kinds_of(patch, kind_of), nullptr, patch.height_step / patch.spacing});
-  // Nothing lies behind a border that meets others.
-  for (CellPart& part : cells.parts) part.sets_back = false;
-  return without_empty_parts(std::move(cells));
+  return without_empty_parts(make_cells_alone(
+      {patch, kinds_of(patch, kind_of), nullptr, patch.height_step / patch.spacing}));
 }
 
 // Creases have no splats in a level: what they stick out is a coarse cell long there (the Dragon at

@@ -34,8 +34,8 @@ struct CellPart {
   glm::uvec2 corner{0};                  ///< its first node
   std::vector<std::uint32_t> runs;       ///< packed as shaders/include/shared.h says, row by row
   std::vector<std::uint32_t> edge_runs;  ///< the same of a level's cells that holes touch
+  std::vector<std::uint16_t> strip;      ///< instead of runs: nodes of a triangle strip, packed
   std::vector<RimRecord> rims;           ///< row by row
-  bool sets_back = true;   ///< cells at the patch's border lie behind what overlaps them
   glm::dvec3 centre{0.0};  ///< of a sphere about its cells and splats, grid frame (cells)
   double radius = 0.0;     ///< of that sphere, cells
   NormalBounds normals;    ///< of its cells; empty if it has splats, which lean as they like
@@ -57,8 +57,8 @@ struct PatchCells {
 /// three agree, and a run needs no bit a cell to say which.)
 [[nodiscard]] PatchCells make_cells(const Patch& patch, const PatchSamples& samples);
 
-/// Makes those of a patch that ends where others begin: its whole cells (cell_triangles), without
-/// splats; Seams have the rest.
+/// Makes those of a patch that ends where others begin: its whole cells (cell_triangles), as
+/// strips, without splats; Seams have the rest.
 [[nodiscard]] PatchCells make_joined_cells(const Patch& patch);
 
 /// Makes those of a coarser level. It has splats only beside jumps: its cells reach beyond the

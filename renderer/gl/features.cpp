@@ -15,8 +15,6 @@ constexpr std::array kFeatureNeeds{
     Need{RELIEF_FEATURE_FRONT, RELIEF_FEATURE_SPRITE, "only sprites need front"},
     Need{RELIEF_FEATURE_FINE_COLOURS, RELIEF_FEATURE_COLOURS, "fine colours need colours"},
     Need{RELIEF_FEATURE_VISIBILITY, RELIEF_FEATURE_CELL, "only cells have a visibility buffer"},
-    Need{RELIEF_FEATURE_SET_BACK, RELIEF_FEATURE_CELL,
-         "only cells have a variant that is set back"},
     Need{RELIEF_FEATURE_LAYERED, RELIEF_FEATURE_VISIBILITY, "layers need a visibility buffer"},
     Need{RELIEF_FEATURE_TWO_INTERFACES, RELIEF_FEATURE_GLASS | RELIEF_FEATURE_VISIBILITY,
          "two interfaces need glass and a visibility buffer"},

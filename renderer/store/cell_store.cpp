@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "renderer/store/patch_attributes.h"
 #include "shaders/include/shared.h"
 
 namespace relief {
@@ -40,17 +41,26 @@ Result<UploadedCells> CellUpload::add(const PatchCells& cells) {
     buffers.edge_runs = static_cast<std::uint32_t>(part.edge_runs.size());
     buffers.first_rim = static_cast<std::uint32_t>(rims_.size());
     buffers.rims = static_cast<std::uint32_t>(part.rims.size());
-    buffers.sets_back = part.sets_back;
+    buffers.first_strip = static_cast<std::uint32_t>(strips_.size());
+    buffers.strip = static_cast<std::uint32_t>(part.strip.size());
     uploaded.parts.push_back({part.corner, part.centre, part.radius, part.normals, buffers});
     runs_.insert(runs_.end(), part.runs.begin(), part.runs.end());
     runs_.insert(runs_.end(), part.edge_runs.begin(), part.edge_runs.end());
     rims_.insert(rims_.end(), part.rims.begin(), part.rims.end());
+    strips_.insert(strips_.end(), part.strip.begin(), part.strip.end());
   }
   return uploaded;
 }
 
-std::vector<CellPage> CellUpload::take() {
+std::vector<CellPage> CellUpload::take(const Buffer& positions) {
   if (!rows_.empty()) flush();
+  for (CellPage& page : pages_) {
+    if (!page.strips) continue;
+    page.attributes =
+        make_patch_attributes(gl_, "cell strips", positions, sizeof(glm::uvec2), *page.strips);
+    add_instance_attribute(gl_, *page.attributes, RELIEF_ATTRIBUTE_CORNER,
+                           sizeof(glm::uvec2::value_type));
+  }
   return std::move(pages_);
 }
 
@@ -59,11 +69,16 @@ void CellUpload::flush() {
       {make_table(gl_, "cell heights", GL_R16UI, std::span<const std::uint16_t>(heights_)),
        make_table(gl_, "cell rows", GL_RG32UI, std::span<const CellRow>(rows_)),
        make_table(gl_, "cell runs", GL_R32UI, std::span<const std::uint32_t>(runs_)),
-       make_table(gl_, "rims", GL_RG32UI, std::span<const RimRecord>(rims_))});
+       make_table(gl_, "rims", GL_RG32UI, std::span<const RimRecord>(rims_)), std::nullopt,
+       std::nullopt});
+  if (!strips_.empty()) {
+    pages_.back().strips = make_buffer(gl_, "cell strips", std::span<const std::uint16_t>(strips_));
+  }
   heights_.clear();
   rows_.clear();
   runs_.clear();
   rims_.clear();
+  strips_.clear();
 }
 
 }  // namespace relief

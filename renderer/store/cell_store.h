@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "common/error.h"
@@ -22,7 +23,8 @@ struct PartBuffers {
   std::uint32_t edge_runs = 0;  ///< follow them
   std::uint32_t first_rim = 0;
   std::uint32_t rims = 0;
-  bool sets_back = true;  ///< as CellPart has it
+  std::uint32_t first_strip = 0;  ///< node of its strip
+  std::uint32_t strip = 0;        ///< nodes of it
 };
 
 /// What the CPU keeps of a part of a patch. World frame, in double precision.
@@ -54,6 +56,8 @@ struct CellPage {
   Table rows;     ///< CellRow; the first has no nodes, as has the one after each patch
   Table runs;     ///< CellPart::runs
   Table rims;     ///< RimRecord
+  std::optional<Buffer> strips;           ///< CellPart::strip, 16 bits a node
+  std::optional<VertexArray> attributes;  ///< of strips: their nodes, and CellStore::positions
 };
 
 struct CellStore {
@@ -70,8 +74,8 @@ class CellUpload {
   /// Fails if the patch is larger than a page.
   Result<UploadedCells> add(const PatchCells& cells);
 
-  /// Uploads what is left.
-  std::vector<CellPage> take();
+  /// Uploads what is left. `positions`: CellStore::positions.
+  std::vector<CellPage> take(const Buffer& positions);
 
  private:
   void flush();
@@ -82,6 +86,7 @@ class CellUpload {
   std::vector<CellRow> rows_;
   std::vector<std::uint32_t> runs_;
   std::vector<RimRecord> rims_;
+  std::vector<std::uint16_t> strips_;
   std::vector<CellPage> pages_;
 };
 

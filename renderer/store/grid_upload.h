@@ -56,7 +56,7 @@ class GridUpload {
   Result<GridMaps> make_maps();
 
   std::vector<Table> take_pages() { return pages_.take(); }
-  std::vector<CellPage> take_cells() { return cells_.take(); }
+  std::vector<CellPage> take_cells(const Buffer& positions) { return cells_.take(positions); }
 
  private:
   const Gl& gl_;

@@ -153,9 +153,10 @@ class ModelUpload {
       positions_.emplace_back(seam.patch, 0);
     }
     if (needs_.cells) {
-      store.cells =
-          CellStore{std::move(parts_), grids_.take_cells(),
-                    make_buffer(gl_, "part positions", std::span<const glm::uvec2>(positions_))};
+      Buffer positions =
+          make_buffer(gl_, "part positions", std::span<const glm::uvec2>(positions_));
+      std::vector<CellPage> pages = grids_.take_cells(positions);
+      store.cells = CellStore{std::move(parts_), std::move(pages), std::move(positions)};
     }
     if (!seam_upload_.empty())
       store.seams = seam_upload_.take(std::move(seams_), store.cells->positions);

@@ -63,10 +63,6 @@ using glm::vec4;
 // fragment; of cells only where a hole touches them, which is a second program.
 #define RELIEF_FEATURE_MASKED 4096u
 
-// Cells beside a patch's border are set back: three rows of nodes are read per vertex. Patches
-// that meet at seams have none, which saves 7 % of the Dragon's frame.
-#define RELIEF_FEATURE_SET_BACK 33554432u
-
 // Cells find the surface first and a pass over the image shades it, each pixel once: 8 bytes a
 // pixel more, 12 where depth is needed. Triangles of a few pixels would shade several times as many
 // as they cover.
@@ -218,6 +214,10 @@ RELIEF_CONST uint kNodeInPartMask = 0xFFu;
 RELIEF_CONST uint kRunCellsMask = 0xFu;
 RELIEF_CONST uint kSetBackShift = 20u;
 RELIEF_CONST float kSetBackStep = 1.0f / 32.0f;
+
+/// A node of a strip of a part's cells is its column in the part and, shifted, its row.
+RELIEF_CONST uint kStripRowShift = 5u;
+RELIEF_CONST uint kStripColumnMask = (1u << kStripRowShift) - 1u;
 
 /// Cells of a part of a patch, each way: two runs. What faces away is left out part by part: a
 /// quarter of the Dragon's runs, a third in parts of 14. In parts of 7 commands and short runs cost

@@ -10,7 +10,6 @@ layout(location = RELIEF_ATTRIBUTE_CORNER) in uint part_corner;
 layout(location = 0) flat out uint hit_patch;
 layout(location = 1) out vec3 hit;  // in the grid frame
 
-#if (RELIEF_FEATURES & RELIEF_FEATURE_SET_BACK) != 0u
 // Whether one of a node's eight neighbours lies before the first or beyond the last sample of its row.
 // (What lies beside a hole within is not told, which is 0.06 dB of the Dragon, lit, and saves the four
 // bytes a run that would tell.)
@@ -22,7 +21,6 @@ bool beside_border(PatchInfo info, ivec2 node) {
   }
   return beside;
 }
-#endif
 
 #if (RELIEF_FEATURES & RELIEF_FEATURE_MASKED) != 0u
 const int kVertices = kEdgeRunVertices;
@@ -43,11 +41,9 @@ void main() {
   hit_patch = patch_index;
   hit = vec3(node, float(fetch_height(info, node)) * info.axis_v.w);
   gl_Position = fetch_clip_from_grid(patch_index) * vec4(hit, 1.0);
-#if (RELIEF_FEATURES & RELIEF_FEATURE_SET_BACK) != 0u
   // As border splats: where patches overlap, what is farther from its border is the better surface.
   float behind = beside_border(info, node)
                      ? kSetBackStep * float(run >> kSetBackShift) * info.axis_u.w : 0.0;
   if (gl_Position.w > 0.0)
     gl_Position.z = set_back(gl_Position.z, set_back_of(gl_Position.w, behind));
-#endif
 }

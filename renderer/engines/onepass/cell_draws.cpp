@@ -24,11 +24,40 @@ void bind_page(const Gl& gl, const CellPage& page) {
   gl.BindTextureUnit(RELIEF_TEXTURE_RIMS, page.rims.texture.id());
 }
 
+/// Binds another vertex array while it lives, then what was bound.
+class BoundAttributes {
+ public:
+  BoundAttributes(const Gl& gl, const VertexArray& attributes)
+      : gl_(gl), before_(static_cast<GLuint>(get_limit(gl, GL_VERTEX_ARRAY_BINDING))) {
+    gl_.BindVertexArray(attributes.id());
+  }
+  ~BoundAttributes() { gl_.BindVertexArray(before_); }
+  BoundAttributes(const BoundAttributes&) = delete;
+  BoundAttributes& operator=(const BoundAttributes&) = delete;
+
+ private:
+  const Gl& gl_;
+  GLuint before_;
+};
+
+/// As draw_seams.
+void draw_strips(const Gl& gl, const Programs& programs, const CellDraws& draws, bool behind) {
+  for (const CellDraws::Page& page : draws.pages) {
+    if (!page.strips) continue;
+    const CulledFaces culled(gl, behind || page.front_alone);
+    const BoundAttributes attributes(gl, *page.page->attributes);
+    gl.UseProgram(programs.main.id());
+    bind_page(gl, *page.page);
+    gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, page.strips->buffer.id());
+    gl.MultiDrawElementsIndirect(GL_TRIANGLE_STRIP, GL_UNSIGNED_SHORT, nullptr, page.strips->count,
+                                 0);
+  }
+}
+
 /// Triangles face as border splats do.
 void draw_seams(const Gl& gl, const Programs& programs, const CellDraws& draws, bool behind) {
   if (draws.seams == nullptr) return;
-  const auto samples = static_cast<GLuint>(get_limit(gl, GL_VERTEX_ARRAY_BINDING));
-  gl.BindVertexArray(draws.seams->attributes.id());
+  const BoundAttributes attributes(gl, draws.seams->attributes);
   gl.UseProgram(programs.seams->id());
   gl.BindTextureUnit(RELIEF_TEXTURE_SEAM_VERTICES, draws.seams->vertices.texture.id());
   for (const auto member : {&CellDraws::seams_both, &CellDraws::seams_front}) {
@@ -39,7 +68,6 @@ void draw_seams(const Gl& gl, const Programs& programs, const CellDraws& draws, 
     gl.MultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, commands->count, 0);
   }
   gl.BindTextureUnit(RELIEF_TEXTURE_SEAM_VERTICES, 0);
-  gl.BindVertexArray(samples);
 }
 
 }  // namespace
@@ -50,8 +78,8 @@ CellDraws make_cell_draws(const Gl& gl, const CellStore& store, const SidedList&
     const auto add = [&](const std::vector<std::uint32_t>& list, bool front_alone) {
       if (list.empty()) return;
       draws.pages.push_back({&store.pages[page], front_alone,
-                             upload(gl, cell_commands(store, list, page, false)),
-                             upload(gl, cell_commands(store, list, page, true)),
+                             upload(gl, strip_commands(store, list, page)),
+                             upload(gl, run_commands(store, list, page)),
                              upload(gl, edge_commands(store, list, page)),
                              upload(gl, rim_commands(store, list, page))});
     };
@@ -72,25 +100,26 @@ void add_seams(const Gl& gl, const PatchStore& store, const View& view, const Si
 void draw_cells(const Gl& gl, const Programs& programs, const CellDraws& draws, SeenFrom seen) {
   assert(programs.rims && "cells have border splats");
   const bool behind = seen == SeenFrom::Behind;
-  // From the normals' side strips of cells are clockwise, because their first vertex is there
-  // twice, and quads are not.
+  gl.CullFace(behind ? GL_FRONT : GL_BACK);
+  draw_strips(gl, programs, draws, behind);
+  // From the normals' side runs are clockwise, because their first vertex is there twice, and
+  // strips and quads are not.
   gl.CullFace(behind ? GL_BACK : GL_FRONT);
-  const auto draw_strips = [&](std::optional<Commands> CellDraws::Page::*member,
-                               const Program* program) {
+  const auto draw_runs = [&](std::optional<Commands> CellDraws::Page::*member,
+                             const Program* program) {
     for (const CellDraws::Page& page : draws.pages) {
-      const std::optional<Commands>& strips = page.*member;
-      if (!strips) continue;
+      const std::optional<Commands>& runs = page.*member;
+      if (!runs) continue;
       assert(program != nullptr && "the store says which programs are needed");
       const CulledFaces culled(gl, behind || page.front_alone);
       gl.UseProgram(program->id());
       bind_page(gl, *page.page);
-      gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, strips->buffer.id());
-      gl.MultiDrawArraysIndirect(GL_TRIANGLE_STRIP, nullptr, strips->count, 0);
+      gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, runs->buffer.id());
+      gl.MultiDrawArraysIndirect(GL_TRIANGLE_STRIP, nullptr, runs->count, 0);
     }
   };
-  draw_strips(&CellDraws::Page::cells, &programs.main);
-  draw_strips(&CellDraws::Page::set_back, programs.set_back ? &*programs.set_back : &programs.main);
-  draw_strips(&CellDraws::Page::edges, programs.edges ? &*programs.edges : nullptr);
+  draw_runs(&CellDraws::Page::runs, programs.runs ? &*programs.runs : &programs.main);
+  draw_runs(&CellDraws::Page::edges, programs.edges ? &*programs.edges : nullptr);
   gl.CullFace(behind ? GL_FRONT : GL_BACK);
   gl.UseProgram(programs.rims->id());
   for (const CellDraws::Page& page : draws.pages) {

@@ -26,8 +26,8 @@ struct CellDraws {
   struct Page {
     const CellPage* page = nullptr;
     bool front_alone = false;  ///< without what faces away
-    std::optional<Commands> cells;
-    std::optional<Commands> set_back;  ///< cells of parts that set back
+    std::optional<Commands> strips;
+    std::optional<Commands> runs;
     std::optional<Commands> edges;
     std::optional<Commands> rims;
   };

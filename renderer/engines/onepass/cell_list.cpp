@@ -27,13 +27,25 @@ void leave_out_backs(const PatchStore& store, const View& view, std::vector<std:
   });
 }
 
-std::vector<ArraysCommand> cell_commands(const CellStore& store,
-                                         const std::vector<std::uint32_t>& parts,
-                                         std::uint32_t page, bool set_back) {
+std::vector<ElementsCommand> strip_commands(const CellStore& store,
+                                            const std::vector<std::uint32_t>& parts,
+                                            std::uint32_t page) {
+  std::vector<ElementsCommand> commands;
+  for (const std::uint32_t p : parts) {
+    const PartBuffers& part = store.parts[p].buffers;
+    if (part.page == page && part.strip > 0)
+      commands.push_back({part.strip, 1, part.first_strip, 0, p});
+  }
+  return commands;
+}
+
+std::vector<ArraysCommand> run_commands(const CellStore& store,
+                                        const std::vector<std::uint32_t>& parts,
+                                        std::uint32_t page) {
   std::vector<ArraysCommand> commands;
   for (const std::uint32_t p : parts) {
     const PartBuffers& part = store.parts[p].buffers;
-    if (part.page != page || part.runs == 0 || part.sets_back != set_back) continue;
+    if (part.page != page || part.runs == 0) continue;
     commands.push_back(
         {shared::kRunVertices * part.runs, 1, shared::kRunVertices * part.first_run, p});
   }

@@ -24,11 +24,15 @@ struct MaterialChoice {
 /// Leaves out the parts that show the view nothing but their back sides.
 void leave_out_backs(const PatchStore& store, const View& view, std::vector<std::uint32_t>& parts);
 
-/// Commands that draw the cells of one page's share of `parts`, as strips: of those that set back
-/// (CellPart::sets_back), or of the others.
-[[nodiscard]] std::vector<ArraysCommand> cell_commands(const CellStore& store,
-                                                       const std::vector<std::uint32_t>& parts,
-                                                       std::uint32_t page, bool set_back);
+/// Commands that draw the runs of one page's share of `parts`.
+[[nodiscard]] std::vector<ArraysCommand> run_commands(const CellStore& store,
+                                                      const std::vector<std::uint32_t>& parts,
+                                                      std::uint32_t page);
+
+/// Commands that draw the cells of patches that meet others.
+[[nodiscard]] std::vector<ElementsCommand> strip_commands(const CellStore& store,
+                                                          const std::vector<std::uint32_t>& parts,
+                                                          std::uint32_t page);
 
 /// Commands that draw the cells of levels that holes touch, as strips.
 [[nodiscard]] std::vector<ArraysCommand> edge_commands(const CellStore& store,

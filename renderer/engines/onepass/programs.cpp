@@ -40,27 +40,27 @@ Result<Programs> make_cell_programs(const Gl& gl, const PatchStore& store, Featu
   const Features found = shaded_later ? features.only(kFindingFeatures) : features;
   // A cell is the surface: there is nothing to correct.
   const Features whole = found.without(RELIEF_FEATURE_MASKED);
-  const auto make_cells = [&](const char* name, std::uint32_t more) {
-    return make_program(gl, name, "onepass/cell.vert", "onepass/quad.frag",
-                        whole.without(RELIEF_FEATURE_CORRECTED) | more);
+  const auto make_cells = [&](const char* name, const char* stage) {
+    return make_program(gl, name, stage, "onepass/quad.frag",
+                        whole.without(RELIEF_FEATURE_CORRECTED));
   };
   const std::vector<StoredPart>& parts = store.cells->parts;
-  const auto is_set_back = [](const StoredPart& part) { return part.buffers.sets_back; };
-  const bool all_set_back = std::all_of(parts.begin(), parts.end(), is_set_back);
-  RELIEF_TRY_ASSIGN(Program cells,
-                    make_cells("cells", all_set_back ? RELIEF_FEATURE_SET_BACK : 0U));
+  const bool any_strips = std::any_of(
+      parts.begin(), parts.end(), [](const StoredPart& part) { return part.buffers.strip > 0; });
+  RELIEF_TRY_ASSIGN(Program cells, any_strips ? make_cells("cell strips", "onepass/strip.vert")
+                                              : make_cells("cells", "onepass/cell.vert"));
   RELIEF_TRY_ASSIGN(Program rims,
                     make_program(gl, "rims", "onepass/quad.vert", "onepass/quad.frag", whole));
   Programs programs{std::move(cells), std::nullopt, std::move(rims)};
-  if (!all_set_back && std::any_of(parts.begin(), parts.end(), is_set_back)) {
-    RELIEF_TRY_ASSIGN(Program set_back, make_cells("cells set back", RELIEF_FEATURE_SET_BACK));
-    programs.set_back = std::move(set_back);
+  if (any_strips && std::any_of(parts.begin(), parts.end(),
+                                [](const StoredPart& part) { return part.buffers.runs > 0; })) {
+    RELIEF_TRY_ASSIGN(Program runs, make_cells("cells", "onepass/cell.vert"));
+    programs.runs = std::move(runs);
   }
   if (found != whole && store.masks) {
-    RELIEF_TRY_ASSIGN(
-        Program edges,
-        make_program(gl, "edges", "onepass/cell.vert", "onepass/quad.frag",
-                     found.without(RELIEF_FEATURE_CORRECTED) | RELIEF_FEATURE_SET_BACK));
+    RELIEF_TRY_ASSIGN(Program edges,
+                      make_program(gl, "edges", "onepass/cell.vert", "onepass/quad.frag",
+                                   found.without(RELIEF_FEATURE_CORRECTED)));
     programs.edges = std::move(edges);
   }
   if (store.seams) {
@@ -97,7 +97,7 @@ Result<Programs> make_cell_programs(const Gl& gl, const PatchStore& store, Featu
     if (program) gl.ProgramUniform1f(program->id(), RELIEF_UNIFORM_POSITION_STEPS, steps);
   };
   gl.ProgramUniform1f(programs.main.id(), RELIEF_UNIFORM_POSITION_STEPS, steps);
-  tell(programs.set_back);
+  tell(programs.runs);
   tell(programs.rims);
   tell(programs.edges);
   tell(programs.seams);

@@ -16,7 +16,7 @@ struct Programs {
   Program main;                                         ///< splats or cells
   std::optional<Program> large_sprites = std::nullopt;  ///< with sprites
   std::optional<Program> rims = std::nullopt;           ///< with cells: their border splats
-  std::optional<Program> set_back = std::nullopt;       ///< cells that main does not set back
+  std::optional<Program> runs = std::nullopt;           ///< cells, where main draws strips of them
   std::optional<Program> edges = std::nullopt;    ///< with cells: those of levels that holes touch
   std::optional<Program> behind = std::nullopt;   ///< of layers: shading all but the first
   std::optional<Program> over = std::nullopt;     ///< of layers: puts them over the image

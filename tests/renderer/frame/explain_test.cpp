@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -117,18 +118,19 @@ TEST(Explain, UnlitAndUncolouredHasNothingToShadeWith) {
   }
 }
 
-TEST(Explain, CellsAreSetBackWherePatchesOverlap) {
+TEST(Explain, CellsAreStripsWherePatchesMeetAndRunsWhereTheyOverlap) {
   PatchModel model = test::sphere_model(coloured_sphere());
-  const auto is_set_back = [&](const char* program) {
+  const auto programs = [&] {
+    std::set<std::string> names;
     const Explanation e = explain(model, small_image(model));
-    const auto found = std::find_if(e.variants.begin(), e.variants.end(),
-                                    [&](const auto& variant) { return variant.name == program; });
-    EXPECT_NE(found, e.variants.end());
-    return found != e.variants.end() && has(found->features, "set_back");
+    for (const auto& variant : e.variants) names.insert(variant.name);
+    return names;
   };
-  EXPECT_TRUE(is_set_back("cells"));
+  EXPECT_TRUE(programs().contains("cells"));
+  EXPECT_FALSE(programs().contains("cell strips"));
   model.joined = {{0, static_cast<std::uint32_t>(model.patches.size())}};
-  EXPECT_FALSE(is_set_back("cells"));
+  EXPECT_FALSE(programs().contains("cells"));
+  EXPECT_TRUE(programs().contains("cell strips"));
 }
 
 TEST(Explain, EachFeatureBringsItsMap) {

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <map>
 #include <optional>
 #include <random>
 #include <set>
@@ -267,22 +269,42 @@ TEST(Cells, PatchesTooSmallForACellAreSplats) {
   }
 }
 
-TEST(Cells, OfAPatchThatMeetsOthersAreWholeAndNeverSetBack) {
+/// A corner of a triangle: a node of the patch.
+glm::ivec2 node_of_strip(const CellPart& part, std::uint16_t packed) {
+  return glm::ivec2(part.corner) +
+         glm::ivec2(packed & shared::kStripColumnMask, packed >> shared::kStripRowShift);
+}
+
+TEST(Cells, OfAPatchThatMeetsOthersAreStripsOfItsWholeCells) {
   const Patch patch = tattered_patch(61, 40);
   const CellTriangles triangles = cell_triangles(patch);
-  const std::ptrdiff_t whole = std::count(triangles.bits.begin(), triangles.bits.end(), kWholeCell);
-  std::ptrdiff_t drawn = 0;
+  std::map<Node, int> drawn;  // triangles of a cell
   for (const CellPart& part : make_joined_cells(patch).parts) {
-    EXPECT_FALSE(part.sets_back);
-    EXPECT_TRUE(part.rims.empty());
+    EXPECT_TRUE(part.runs.empty());
     EXPECT_TRUE(part.edge_runs.empty());
-    for (const std::uint32_t run : part.runs) {
-      EXPECT_EQ(run >> shared::kSetBackShift, 0U);
-      drawn += (run >> (2 * shared::kNodeInPartBits)) & shared::kRunCellsMask;
+    EXPECT_TRUE(part.rims.empty());
+    for (std::size_t k = 0; k + 2 < part.strip.size(); ++k) {
+      // OpenGL reverses every other triangle of a strip, so that all of them face alike.
+      const glm::ivec2 a = node_of_strip(part, part.strip[k + k % 2]);
+      const glm::ivec2 b = node_of_strip(part, part.strip[k + 1 - k % 2]);
+      const glm::ivec2 c = node_of_strip(part, part.strip[k + 2]);
+      const int twice_area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+      if (twice_area == 0) continue;
+      EXPECT_EQ(twice_area, 1) << "counterclockwise from the normals' side";
+      const glm::ivec2 cell = glm::min(a, glm::min(b, c));
+      ++drawn[{cell.x, cell.y}];
     }
   }
-  EXPECT_GT(whole, 500);
-  EXPECT_EQ(drawn, whole);
+  std::size_t whole = 0;
+  for (std::uint32_t j = 0; j < triangles.rows; ++j) {
+    for (std::uint32_t i = 0; i < triangles.columns; ++i) {
+      if (triangles.at(i, j) != kWholeCell) continue;
+      ++whole;
+      EXPECT_EQ((drawn[{i, j}]), 2) << i << " " << j;
+    }
+  }
+  EXPECT_GT(whole, 500U);
+  EXPECT_EQ(drawn.size(), whole);
 }
 
 TEST(Cells, PatchOfHolesHasNone) {

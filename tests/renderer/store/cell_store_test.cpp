@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -81,7 +83,10 @@ TEST_F(Stores, RowsOfEachPatchFollowARowWithoutNodes) {
     parts.insert(parts.end(), added->parts.begin(), added->parts.end());
   }
   EXPECT_EQ(first, (std::vector<std::int32_t>{1, 7, 13}));
-  const std::vector<CellPage> pages = upload.take();
+  const Buffer positions =
+      make_buffer(gl_, "part positions", std::span<const glm::uvec2>(std::array{glm::uvec2(0)}));
+  const std::vector<CellPage> pages = upload.take(positions);
+  EXPECT_FALSE(pages[0].strips);
   ASSERT_EQ(pages.size(), 1U);
   std::vector<CellRow> rows(19);
   gl_.GetNamedBufferSubData(pages[0].rows.buffer.id(), 0, 19 * sizeof(CellRow), rows.data());
