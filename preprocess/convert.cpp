@@ -13,6 +13,7 @@
 
 #include "common/background_tasks.h"
 #include "common/guard.h"
+#include "common/mesh/mesh_normals.h"
 #include "common/seams/join_normals.h"
 #include "common/seams/make_seams.h"
 #include "preprocess/convert_stages.h"
@@ -29,7 +30,6 @@
 #include "preprocess/texture/files/load_textures.h"
 #include "preprocess/texture/maps/flat_triangles.h"
 #include "preprocess/texture/maps/node_normals.h"
-#include "preprocess/texture/maps/sample_mesh.h"
 #include "preprocess/texture/maps/texture_maps.h"
 #include "preprocess/thread_limit.h"
 
@@ -120,6 +120,18 @@ class MeshInTime {
   BackgroundTasks tasks_;
 };
 
+// Textures are finer than the vertices that carry them.
+constexpr std::size_t kTexturedPoints = 70'000;
+constexpr double kMostTexturedPoints = 2e6;
+
+/// How many points a textured mesh shall have: more if the spacing (world units; 0: none) asks for
+/// them.
+std::size_t least_points(const Points& mesh, double spacing) {
+  if (!(spacing > 0.0)) return kTexturedPoints;
+  const double wanted = area_of_triangles(mesh) / (spacing * spacing);
+  return std::max(kTexturedPoints, static_cast<std::size_t>(std::min(wanted, kMostTexturedPoints)));
+}
+
 /// Fits patches that meet to the mesh; others take its normals alone.
 void take_mesh(const Points& mesh, const TriangleSpheres& spheres, bool seams,
                std::vector<Patch>& patches, Progress& progress) {
@@ -154,25 +166,25 @@ Fidelity measure(const std::vector<glm::dvec3>& positions, std::size_t count,
   return measure_fidelity(positions, distances, model.patches);
 }
 
+/// Adds points where triangles are large. Fails if a textured mesh has no area that they could lie
+/// on.
+Status add_points(Points& points, bool textured, double spacing, ConvertReport& report) {
+  if (textured) points.normals = vertex_normals(points);
+  report.points_added = densify_triangles(points, textured ? least_points(points, spacing) : 0);
+  if (textured && points.size() < kMinSurfacePoints)
+    return make_error("the triangles have no area that points could be spread over");
+  return {};
+}
+
 Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& options,
                                        Progress& progress) {
   ConvertResult result;
-  Points mesh;
-  bool is_borderless = false;
   const bool textured = has_triangle_colours(points);
   const bool seams = options.seams.value_or(!points.triangles.empty());
-  if (textured) {
-    const MeshEdges edges(points);
-    result.model.is_closed = is_closed_mesh(points, points.size(), edges);
-    is_borderless = is_borderless_mesh(points, points.size(), edges);
-    progress.begin_stage("sample mesh", 0);
-    RELIEF_TRY_ASSIGN(auto sampled, sample_mesh(points, options.spacing));
-    mesh = std::exchange(points, std::move(sampled));
-  }
   result.report.points = points.size();
-  result.report.points_added = densify_triangles(points);
+  RELIEF_TRY(add_points(points, textured, options.spacing, result.report));
 
-  MeshInTime in_time(points, result.report.points);
+  MeshInTime in_time(points, points.size() - result.report.points_added);
   progress.begin_stage("neighbours", 0);
   const NeighbourGraph graph = find_neighbours(points.positions, kSurfaceNeighbours);
   if (progress.cancelled()) return interrupted_error();
@@ -180,10 +192,7 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   progress.begin_stage("normals", 0);
   const LocalFrames frames = fit_local_frames(points.positions, graph);
   in_time.wait();
-  if (!textured) {
-    result.model.is_closed = in_time.is_closed();
-    is_borderless = in_time.is_borderless();
-  }
+  result.model.is_closed = in_time.is_closed();
   const NormalsReport normals = complete_normals(points, graph, frames, &in_time.normals());
   result.report.normals_estimated = normals.estimated;
   result.report.normals_repaired = normals.repaired;
@@ -197,8 +206,9 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   if (progress.cancelled()) return interrupted_error();
 
   const SurfaceSamples samples{points.positions, points.normals, graph.spacing, frames.roughness};
+  const std::size_t wanted = textured ? points.size() : result.report.points;
   const SampleBudget budget =
-      budget_of(samples, regions, result.report.points, options, seams, !points.triangles.empty());
+      budget_of(samples, regions, wanted, options, seams, !points.triangles.empty());
   const double spacing =
       options.spacing > 0.0
           ? options.spacing
@@ -216,21 +226,22 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   if (progress.cancelled()) return interrupted_error();
   if (patches.empty()) return make_error("the points are too scattered to be a surface");
 
-  if (textured) {
-    const Status mapped =
-        map_textures(mesh, static_cast<std::uint32_t>(options.texels_per_cell), patches, progress);
-    if (!mapped) return mapped.error();
-  } else if (!points.triangles.empty()) {
+  if (!points.triangles.empty()) {
     take_mesh(points, in_time.spheres(), seams, patches, progress);
     if (progress.cancelled()) return interrupted_error();
+  }
+  if (textured) {
+    RELIEF_TRY(map_textures(points, static_cast<std::uint32_t>(options.texels_per_cell), patches,
+                            progress));
   }
 
   progress.begin_stage("measure", 0);
   PatchModel& model = result.model;
   model.patches = std::move(patches);
-  if (seams) model.joined = {{0, static_cast<std::uint32_t>(model.patches.size()), is_borderless}};
-  const Fidelity fidelity = measure(points.positions, result.report.points, graph,
-                                    owners_of(regions, points.size()), model);
+  if (seams)
+    model.joined = {{0, static_cast<std::uint32_t>(model.patches.size()), in_time.is_borderless()}};
+  const Fidelity fidelity =
+      measure(points.positions, wanted, graph, owners_of(regions, points.size()), model);
   model.spacing = spacing;
   model.bounds = bounds_of(points.positions);
   model.bounding_radius = bounding_radius(points.positions, model.bounds);

@@ -29,8 +29,7 @@ struct ConvertOptions {
 
 /// Statistics of a conversion.
 struct ConvertReport {
-  std::uint64_t points = 0;  ///< converted points; for a mesh with materials, those spread over its
-                             ///< triangles (sample_mesh)
+  std::uint64_t points = 0;            ///< converted points
   std::uint64_t points_added = 0;      ///< on triangles larger than the spacing; not in `points`
   std::uint64_t normals_repaired = 0;  ///< given normals that were zero, NaN or inconsistent
   bool normals_estimated = false;      ///< the scan had no normals

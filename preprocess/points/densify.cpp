@@ -14,20 +14,10 @@ namespace {
 
 // Edges longer than this many mean spacings get points.
 constexpr double kLongEdge = 2.5;
-// Largest number of added points per given point: a closed mesh of equal small triangles beside
-// large ones needs up to 2; needles, with long edges and a small area, could need any number.
+// Largest number of added points per given or wanted point: a closed mesh of equal small triangles
+// beside large ones needs up to 2; needles, with long edges and a small area, could need any
+// number.
 constexpr std::size_t kMaxAddedPerPoint = 4;
-
-double total_area(const Points& points) {
-  std::vector<double> areas(points.triangles.size());
-  tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t k) {
-    const Triangle& t = points.triangles[k];
-    const glm::dvec3 a = points.positions[t[0]];
-    areas[k] =
-        0.5 * glm::length(glm::cross(points.positions[t[1]] - a, points.positions[t[2]] - a));
-  });
-  return std::accumulate(areas.begin(), areas.end(), 0.0);
-}
 
 /// The triangles that have an edge longer than `limit`, in their order.
 std::vector<std::uint32_t> with_long_edges(const Points& points, double limit) {
@@ -113,10 +103,21 @@ bool for_each_added(const Points& points, const std::vector<std::uint32_t>& tria
 
 }  // namespace
 
-std::size_t densify_triangles(Points& points) {
+double area_of_triangles(const Points& mesh) {
+  std::vector<double> areas(mesh.triangles.size());
+  tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t k) {
+    const Triangle& t = mesh.triangles[k];
+    const glm::dvec3 a = mesh.positions[t[0]];
+    areas[k] = 0.5 * glm::length(glm::cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a));
+  });
+  return std::accumulate(areas.begin(), areas.end(), 0.0);
+}
+
+std::size_t densify_triangles(Points& points, std::size_t at_least) {
   const std::size_t given = points.size();
   if (points.triangles.empty() || given == 0) return 0;
-  const double spacing = std::sqrt(total_area(points) / static_cast<double>(given));
+  const std::size_t wanted = std::max(given, at_least);
+  const double spacing = std::sqrt(area_of_triangles(points) / static_cast<double>(wanted));
   // Without an area, or with one beyond doubles, there is no spacing for filling triangles.
   if (!(spacing > 0.0) || !std::isfinite(spacing)) return 0;
   const std::vector<std::uint32_t> large = with_long_edges(points, kLongEdge * spacing);
@@ -124,7 +125,7 @@ std::size_t densify_triangles(Points& points) {
   const auto fits = [&](double step) {
     std::size_t count = 0;
     return for_each_added(points, large, kLongEdge * step, step, [&](const Triangle&, glm::dvec3) {
-      return ++count <= kMaxAddedPerPoint * given;
+      return ++count <= kMaxAddedPerPoint * wanted;
     });
   };
   // Too many: coarser everywhere, instead of leaving some triangles empty.

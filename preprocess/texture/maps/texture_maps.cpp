@@ -13,7 +13,6 @@
 #include "common/patch_file/fast/patch_codec.h"
 #include "preprocess/texture/maps/flat_triangles.h"
 #include "preprocess/texture/maps/map_scales.h"
-#include "preprocess/texture/maps/node_normals.h"
 #include "preprocess/texture/maps/normal_maps.h"
 #include "preprocess/texture/maps/shown_triangles.h"
 
@@ -93,10 +92,11 @@ Status map_textures(const Points& mesh, std::uint32_t texels_per_cell, std::vect
                     [&](std::size_t p) { triangles[p] = spheres.find_over(patches[p]); });
   RELIEF_TRY_ASSIGN(const auto scales,
                     scales_of_maps(mesh, patches, triangles, texture_size(mesh), texels_per_cell));
-  const std::vector<glm::vec3> normals = vertex_normals(mesh);
+  std::vector<glm::vec3> normals;
   std::optional<NormalMapper> mapper;
   std::vector<std::uint32_t> normal_scales;
   if (has_normal_maps(mesh)) {
+    normals = vertex_normals(mesh);
     mapper.emplace(mesh, normals);
     RELIEF_TRY_ASSIGN(auto chosen, scales_of_maps(mesh, patches, triangles, mapper->image_size(),
                                                   texels_per_cell));
@@ -110,8 +110,6 @@ Status map_textures(const Points& mesh, std::uint32_t texels_per_cell, std::vect
     if (mapper && mapper->has_map(triangles[p])) {
       if (normal_scales[p] != scale) shown = find_shown(patches[p], normal_scales[p], triangles[p]);
       mapper->map(triangles[p], normal_scales[p], shown, patches[p]);
-    } else {
-      take_mesh_normals(mesh, normals, triangles[p], patches[p]);
     }
     progress.advance(1);
   });
