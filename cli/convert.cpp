@@ -19,6 +19,7 @@
 #include "cli/console.h"
 #include "cli/options/paths.h"
 #include "cli/options/texture_options.h"
+#include "cli/options/values.h"
 #include "cli/reports/convert_report.h"
 #include "common/patch_file/patch_file.h"
 #include "loader/load_files.h"
@@ -30,6 +31,9 @@
 
 namespace relief::cli {
 namespace {
+
+constexpr std::uint64_t kFewestSamples = 64;
+constexpr std::uint64_t kMostSamples = 1'000'000'000'000;
 
 constexpr const char* kConvertExamples =
     "Several files are parts of one scan, in one\n"
@@ -143,16 +147,31 @@ int run_convert(const ConvertArguments& arguments) {
 
 /// The patches.
 void add_surface_options(CLI::App& sub, ConvertArguments& arguments) {
-  sub.add_option(
-         "--spacing", arguments.options.spacing,
-         "Distance between samples, in the scan's unit, above 0 (default: such that there are "
-         "about as many samples as points, or up to twice as many where a mesh bends)")
-      ->check(CLI::PositiveNumber)
-      ->option_text("S");
+  CLI::Option* const spacing =
+      sub.add_option(
+             "--spacing", arguments.options.spacing,
+             "Distance between samples, in the scan's unit, above 0 (default: such that there are "
+             "about as many samples as points, or up to twice as many where a mesh bends)")
+          ->check(positive_number())
+          ->option_text("S");
+  CLI::Option* const samples =
+      sub.add_option("--samples", arguments.options.samples,
+                     "Make about so many samples, 64 or more, at most 4 for each point (default: "
+                     "as --spacing has it)")
+          ->check(CLI::Range(kFewestSamples, kMostSamples))
+          ->excludes(spacing)
+          ->option_text("N");
+  sub.add_option("--error", arguments.options.error,
+                 "Make the fewest samples from which the points lie at most so far, rms, in the "
+                 "scan's unit, above 0; converts up to six times (default: as --spacing has it)")
+      ->check(positive_number())
+      ->excludes(spacing)
+      ->excludes(samples)
+      ->option_text("E");
   sub.add_option(
          "--height-step", arguments.options.height_step,
          "Step that heights are rounded to, in the scan's unit, above 0 (default: spacing / 20)")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->option_text("S");
   sub.add_flag(
       "--adaptive-spacing", arguments.options.adaptive_spacing,
@@ -191,7 +210,7 @@ void add_point_options(CLI::App& sub, ConvertArguments& arguments) {
          "--thin", arguments.thin,
          "Keep one point in each cube of side S, in the scan's unit, above 0 (default: keeps "
          "all)")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->option_text("S");
 }
 
@@ -237,6 +256,8 @@ void add_resource_options(CLI::App& sub, ConvertArguments& arguments) {
              "its triangles and textures; tiles are kept in OUT.parts until the end, so that "
              "the same command resumes an interrupted conversion (default: no limit)")
           ->excludes("--adaptive-spacing")
+          ->excludes("--samples")
+          ->excludes("--error")
           ->excludes("--clean")
           ->excludes("--thin")
           ->transform(CLI::AsSizeValue(false))

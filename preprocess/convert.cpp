@@ -1,8 +1,5 @@
 #include "preprocess/convert.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
-
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -14,23 +11,17 @@
 #include "common/background_tasks.h"
 #include "common/guard.h"
 #include "common/mesh/mesh_normals.h"
-#include "common/seams/join_normals.h"
-#include "common/seams/make_seams.h"
 #include "preprocess/convert_stages.h"
-#include "preprocess/measure.h"
-#include "preprocess/mesh_fit/fit_to_mesh.h"
+#include "preprocess/make_model.h"
 #include "preprocess/normals/closed_mesh.h"
 #include "preprocess/normals/normals.h"
 #include "preprocess/partition/find_regions.h"
+#include "preprocess/partition/split_by_density.h"
 #include "preprocess/points/densify.h"
 #include "preprocess/points/neighbours.h"
-#include "preprocess/resample/region_patches.h"
-#include "preprocess/resample/spacing/error_spacing.h"
-#include "preprocess/resample/spacing/patch_spacing.h"
+#include "preprocess/sample_search.h"
 #include "preprocess/texture/files/load_textures.h"
 #include "preprocess/texture/maps/flat_triangles.h"
-#include "preprocess/texture/maps/node_normals.h"
-#include "preprocess/texture/maps/texture_maps.h"
 #include "preprocess/thread_limit.h"
 
 namespace relief {
@@ -64,28 +55,6 @@ Status check_points(const std::vector<glm::dvec3>& positions) {
     return make_error("all {} points lie on one line and span no surface", positions.size());
   }
   return {};
-}
-
-// The area of all regions, estimated from their points' local spacings.
-double area_of(const std::vector<Region>& regions, const SurfaceSamples& samples) {
-  double area = 0.0;
-  for (const Region& region : regions) {
-    for (const std::uint32_t i : region.points)
-      area += double{samples.spacing[i]} * samples.spacing[i];
-  }
-  return area;
-}
-
-/// How many samples there are by default, and each patch's share.
-SampleBudget budget_of(const SurfaceSamples& samples, const std::vector<Region>& regions,
-                       std::size_t points, const ConvertOptions& options, bool seams,
-                       bool is_mesh) {
-  SampleBudget budget{std::vector<double>(regions.size(), 1.0), usual_samples(points, seams)};
-  if (options.adaptive_spacing)
-    budget.factors = spacing_factors(samples, regions);
-  else if (seams && is_mesh && !(options.spacing > 0.0))
-    budget = share_samples(samples, regions, points);
-  return budget;
 }
 
 /// Properties of a mesh's triangles, computed in the background: the edges and the kd-tree take one
@@ -132,40 +101,6 @@ std::size_t least_points(const Points& mesh, double spacing) {
   return std::max(kTexturedPoints, static_cast<std::size_t>(std::min(wanted, kMostTexturedPoints)));
 }
 
-/// Fits patches that meet to the mesh; others take its normals alone.
-void take_mesh(const Points& mesh, const TriangleSpheres& spheres, bool seams,
-               std::vector<Patch>& patches, Progress& progress) {
-  progress.begin_stage("fit to triangles", patches.size());
-  tbb::parallel_for(std::size_t{0}, patches.size(), [&](std::size_t p) {
-    if (progress.cancelled()) return;
-    if (seams)
-      fit_to_mesh(mesh, mesh.normals, spheres, patches[p]);
-    else
-      take_mesh_normals(mesh, mesh.normals, spheres.find_over(patches[p]), patches[p]);
-    progress.advance(1);
-  });
-}
-
-/// Measures the first `count` points against the patches, and joins normals of those that meet.
-Fidelity measure(const std::vector<glm::dvec3>& positions, std::size_t count,
-                 const NeighbourGraph& graph, const std::vector<std::uint32_t>& owner,
-                 PatchModel& model) {
-  std::vector<double> distances;
-  std::optional<SeamDistances> seams;
-  // Stitching takes mostly one thread. It reads no normals of holes, which are what is joined.
-  tbb::parallel_invoke(
-      [&] {
-        if (!model.joined.empty())
-          seams.emplace(model.patches, make_seams(model.patches, model.joined.front().is_closed));
-      },
-      [&] {
-        distances = distances_to_patches(positions, count, graph, owner, model.patches);
-        join_normals(model);
-      });
-  if (seams) compare_with_seams(positions, model.patches, *seams, distances);
-  return measure_fidelity(positions, distances, model.patches);
-}
-
 /// Adds points where triangles are large. Fails if a textured mesh has no area that they could lie
 /// on.
 Status add_points(Points& points, bool textured, double spacing, ConvertReport& report) {
@@ -174,6 +109,57 @@ Status add_points(Points& points, bool textured, double spacing, ConvertReport& 
   if (textured && points.size() < kMinSurfacePoints)
     return make_error("the triangles have no area that points could be spread over");
   return {};
+}
+
+/// Makes the model with as many samples as asked for.
+Result<MeasuredModel> make_model_of(const PartitionedScan& scan, const ConvertOptions& options,
+                                    Progress& progress) {
+  const auto wanted = static_cast<double>(options.samples);
+  RELIEF_TRY_ASSIGN(MeasuredModel made, make_model(scan, options, wanted, progress));
+  // Margins and ragged borders are estimated. Bare points have up to 13 % more samples.
+  const double share = static_cast<double>(count_samples(made.model)) / wanted;
+  if (share > 0.95 && share < 1.05) return made;
+  return make_model(scan, options, wanted / share, progress);
+}
+
+/// Makes the model with the fewest samples whose error is as small as asked for, if one is.
+Result<MeasuredModel> make_best_model(const PartitionedScan& scan, const ConvertOptions& options,
+                                      Progress& progress) {
+  if (options.samples > kFinestSamplesPerPoint * static_cast<double>(scan.measured)) {
+    return make_error("--samples {} is more than the points can tell; {} points tell {} at most",
+                      options.samples, scan.measured,
+                      static_cast<std::uint64_t>(kFinestSamplesPerPoint) * scan.measured);
+  }
+  if (options.samples > 0) return make_model_of(scan, options, progress);
+  if (!(options.error > 0.0)) return make_model(scan, options, std::nullopt, progress);
+  SampleSearch search(options.error, static_cast<double>(scan.measured));
+  std::optional<MeasuredModel> best;
+  while (const std::optional<double> samples = search.next()) {
+    RELIEF_TRY_ASSIGN(MeasuredModel made, make_model(scan, options, samples, progress));
+    if (search.note(*samples, static_cast<double>(count_samples(made.model)), made.fidelity.rms))
+      best = std::move(made);
+  }
+  if (best->fidelity.rms > options.error) {
+    progress.note(fmt::format(
+        "an error of {:.3g} is not reached: it is {:.3g} with {} samples a point, and more would "
+        "follow the points' noise or the steps of heights",
+        options.error, best->fidelity.rms, kFinestSamplesPerPoint));
+  }
+  return std::move(*best);
+}
+
+void report_model(const Fidelity& fidelity, const PatchModel& model, ConvertReport& report) {
+  count_texels(model.patches, report);
+  report.error_rms = fidelity.rms;
+  report.error_max = fidelity.max;
+  report.uncovered_points = fidelity.uncovered;
+  const double diagonal = glm::distance(model.bounds.min, model.bounds.max);
+  report.psnr_db = 20.0 * std::log10(diagonal / fidelity.rms);
+  report.finest_spacing = report.coarsest_spacing = model.spacing;
+  for (const Patch& patch : model.patches) {
+    report.finest_spacing = std::min(report.finest_spacing, patch.spacing);
+    report.coarsest_spacing = std::max(report.coarsest_spacing, patch.spacing);
+  }
 }
 
 Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& options,
@@ -192,7 +178,6 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   progress.begin_stage("normals", 0);
   const LocalFrames frames = fit_local_frames(points.positions, graph);
   in_time.wait();
-  result.model.is_closed = in_time.is_closed();
   const NormalsReport normals = complete_normals(points, graph, frames, &in_time.normals());
   result.report.normals_estimated = normals.estimated;
   result.report.normals_repaired = normals.repaired;
@@ -206,59 +191,32 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   if (progress.cancelled()) return interrupted_error();
 
   const SurfaceSamples samples{points.positions, points.normals, graph.spacing, frames.roughness};
-  const std::size_t wanted = textured ? points.size() : result.report.points;
-  const SampleBudget budget =
-      budget_of(samples, regions, wanted, options, seams, !points.triangles.empty());
-  const double spacing =
-      options.spacing > 0.0
-          ? options.spacing
-          : choose_spacing(samples, graph, regions, budget.factors, budget.samples, seams);
-  RELIEF_TRY(check_spacing(spacing, area_of(regions, samples), points.size()));
-  const Membership membership = membership_of(samples, regions);
-  std::vector<Patch> patches =
-      make_patches({.samples = samples,
-                    .graph = graph,
-                    .membership = membership,
-                    .colours = points.colours,
-                    .creases = creases ? &*creases : nullptr},
-                   budget.factors, resample_options(options, seams, spacing, normals.estimated),
-                   regions, progress);
-  if (progress.cancelled()) return interrupted_error();
-  if (patches.empty()) return make_error("the points are too scattered to be a surface");
-
-  if (!points.triangles.empty()) {
-    take_mesh(points, in_time.spheres(), seams, patches, progress);
-    if (progress.cancelled()) return interrupted_error();
-  }
-  if (textured) {
-    RELIEF_TRY(map_textures(points, static_cast<std::uint32_t>(options.texels_per_cell), patches,
-                            progress));
-  }
-
-  progress.begin_stage("measure", 0);
+  if (options.adaptive_spacing) regions = split_by_density(samples, graph, std::move(regions));
+  const PartitionedScan scan{.points = points,
+                             .measured = textured ? points.size() : result.report.points,
+                             .graph = graph,
+                             .samples = samples,
+                             .regions = regions,
+                             .creases = creases ? &*creases : nullptr,
+                             .spheres = points.triangles.empty() ? nullptr : &in_time.spheres(),
+                             .textured = textured,
+                             .is_borderless = in_time.is_borderless(),
+                             .normals_estimated = normals.estimated};
+  RELIEF_TRY_ASSIGN(MeasuredModel made, make_best_model(scan, options, progress));
+  result.model = std::move(made.model);
   PatchModel& model = result.model;
-  model.patches = std::move(patches);
-  if (seams)
-    model.joined = {{0, static_cast<std::uint32_t>(model.patches.size()), in_time.is_borderless()}};
-  const Fidelity fidelity =
-      measure(points.positions, wanted, graph, owners_of(regions, points.size()), model);
-  model.spacing = spacing;
+  model.is_closed = in_time.is_closed();
   model.bounds = bounds_of(points.positions);
   model.bounding_radius = bounding_radius(points.positions, model.bounds);
   model.has_colours = textured || !points.colours.empty();
-  count_texels(model.patches, result.report);
-  result.report.error_rms = fidelity.rms;
-  result.report.error_max = fidelity.max;
-  result.report.uncovered_points = fidelity.uncovered;
-  const double diagonal = glm::distance(model.bounds.min, model.bounds.max);
-  result.report.psnr_db = 20.0 * std::log10(diagonal / fidelity.rms);
+  report_model(made.fidelity, model, result.report);
   return result;
 }
 
 }  // namespace
 
 Result<ConvertResult> convert(Points points, const ConvertOptions& options, Progress& progress) {
-  // The few vertices of a mesh with materials are not converted; its samples are.
+  // A mesh with materials may have few vertices: points are added on its triangles.
   if (!has_triangle_colours(points)) {
     RELIEF_TRY(check_points(points.positions));
   }

@@ -9,8 +9,11 @@
 namespace relief {
 
 struct ConvertOptions {
-  double spacing = 0.0;  ///< grid step in world units; 0: about as many samples as points,
-                         ///< or up to twice as many where a mesh bends (share_samples)
+  double spacing = 0.0;       ///< grid step in world units; 0: about as many samples as points,
+                              ///< or up to twice as many where a mesh bends (share_samples)
+  std::uint64_t samples = 0;  ///< about how many there shall be; 0: by default. Without `spacing`.
+  double error = 0.0;         ///< rms distance of the points to the patches, world units: as few
+                              ///< samples as reach it; 0: by default. Without both of these.
   double cone_degrees =
       0.0;  ///< largest angle between a patch's normal and its points' normals; 0: default
   /// Whether patches meet at seams instead of overlapping. By default they do if the scan has
@@ -35,6 +38,8 @@ struct ConvertReport {
   bool normals_estimated = false;      ///< the scan had no normals
   double error_rms = 0.0;  ///< distance of the points to the patches' bilinear surface, world units
   double error_max = 0.0;
+  double finest_spacing = 0.0;  ///< of all patches, world units
+  double coarsest_spacing = 0.0;
   double psnr_db = 0.0;                ///< 20 log10(bounding-box diagonal / error_rms)
   std::uint64_t uncovered_points = 0;  ///< points farther than two spacings from every patch
   std::uint64_t colour_texels = 0;     ///< of the colour maps, holes included

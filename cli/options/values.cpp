@@ -67,6 +67,15 @@ ImageSize parse_size(const std::string& text) {
       "--size", "expected WIDTHxHEIGHT, each 1 to 32768, as in 1280x1024; found " + text);
 }
 
+CLI::Validator positive_number() {
+  const auto complain = [](const std::string& text) -> std::string {
+    const std::optional<double> number = parse_number(text);
+    if (number && *number > 0.0 && *number <= 1e100) return {};
+    return fmt::format("{} is no number above 0 and at most 1e100", text);
+  };
+  return {complain, ""};
+}
+
 Orbit parse_orbit(const std::string& text) {
   const auto numbers = parse_numbers(text);
   if (numbers.size() == 2) return {numbers[0], numbers[1], 0.0};

@@ -2,7 +2,9 @@
 // which CLI11 turns into a message and exit code 2.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -17,6 +19,9 @@ namespace relief::cli {
 
 /// A finite number, or nothing if the text is none.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
+
+/// Refuses what is no number above 0 and at most 1e100.
+[[nodiscard]] CLI::Validator positive_number();
 
 /// "AZ,EL" or "AZ,EL,DIST": degrees, and bounding-sphere radii above 0.
 [[nodiscard]] Orbit parse_orbit(const std::string& text);

@@ -19,7 +19,8 @@ std::uint64_t peak_bytes() {
 
 nlohmann::ordered_json convert_json(const ConvertSummary& s) {
   nlohmann::ordered_json stages = nlohmann::ordered_json::object();
-  for (const auto& stage : s.stages) stages[stage.name] = stage.seconds;
+  for (const auto& stage : s.stages)
+    stages[stage.name] = stages.value(stage.name, 0.0) + stage.seconds;  // some ran more than once
   // nlohmann writes numbers that are not finite (the PSNR of a perfect plane) as null.
   return {{"points", s.report.points},
           {"points_dropped", s.read.dropped_nonfinite},
@@ -34,6 +35,8 @@ nlohmann::ordered_json convert_json(const ConvertSummary& s) {
           {"patches", s.file.patches},
           {"samples", s.file.samples},
           {"spacing", s.file.spacing},
+          {"finest_spacing", s.report.finest_spacing},
+          {"coarsest_spacing", s.report.coarsest_spacing},
           {"file_bytes", s.file.file_bytes},
           {"height_bytes", s.file.height_bytes},
           {"normal_bytes", s.file.normal_bytes},
@@ -69,13 +72,17 @@ std::string convert_text(const ConvertSummary& s, const std::filesystem::path& o
       s.tiled ? fmt::format("  tiles             {}, {} of them from an earlier run\n",
                             s.tiled->tiles, s.tiled->tiles_found)
               : "";
+  const std::string spacings = s.report.finest_spacing < s.report.coarsest_spacing
+                                   ? fmt::format(", of patches {:.3g} to {:.3g}",
+                                                 s.report.finest_spacing, s.report.coarsest_spacing)
+                                   : "";
   std::string text = fmt::format(
       "{}\n"
       "  points            {} ({} not finite dropped, {} duplicates merged)\n"
       "  normals           {}\n"
       "  patches           {}\n"
       "  samples           {}\n"
-      "  spacing           {:.6g}\n"
+      "  spacing           {:.6g}{}\n"
       "  error             {:.3g} rms, {:.3g} at most\n"
       "  psnr              {:.2f} dB\n"
       "  uncovered points  {}\n"
@@ -84,8 +91,8 @@ std::string convert_text(const ConvertSummary& s, const std::filesystem::path& o
       "{}"
       "  time              {:.2f} s",
       output.string(), s.report.points, s.read.dropped_nonfinite, s.read.merged_duplicates, normals,
-      s.file.patches, s.file.samples, s.file.spacing, s.report.error_rms, s.report.error_max,
-      s.report.psnr_db, s.report.uncovered_points, colours, s.file.file_bytes,
+      s.file.patches, s.file.samples, s.file.spacing, spacings, s.report.error_rms,
+      s.report.error_max, s.report.psnr_db, s.report.uncovered_points, colours, s.file.file_bytes,
       8.0 * static_cast<double>(s.file.file_bytes) / static_cast<double>(s.file.samples), tiles,
       s.seconds);
   const char* separator = ": ";

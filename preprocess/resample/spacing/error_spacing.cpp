@@ -19,14 +19,15 @@ struct Demand {
   double finest = 0.0;  ///< half the distance between its points: they tell no more
 };
 
-Demand demand_of(const SurfaceSamples& samples, const Region& region) {
+Demand demand_of(const SurfaceSamples& samples, const Region& region,
+                 const std::vector<std::uint8_t>& at_crease) {
   Demand demand;
   double squares = 0.0;
   for (const std::uint32_t i : region.points) {
     const double area = double{samples.spacing[i]} * samples.spacing[i];
     if (!(area > 0.0)) continue;
     demand.area += area;
-    squares += double{samples.roughness[i]} * samples.roughness[i] / area;
+    if (at_crease[i] == 0) squares += double{samples.roughness[i]} * samples.roughness[i] / area;
   }
   if (!(demand.area > 0.0)) return demand;
   demand.bend = std::sqrt(squares / demand.area);
@@ -89,24 +90,22 @@ double find_price(const IsTooHigh& is_too_high) {
 }  // namespace
 
 SampleBudget share_samples(const SurfaceSamples& samples, const std::vector<Region>& regions,
-                           std::size_t points) {
-  const double fewest = usual_samples(points, true);
-  SampleBudget budget{std::vector<double>(regions.size(), 1.0), fewest};
+                           const std::vector<std::uint8_t>& at_crease, SampleRange range) {
+  SampleBudget budget{std::vector<double>(regions.size(), 1.0), range.fewest};
   std::vector<Demand> demands;
   double area = 0.0;
   for (const Region& region : regions) {
-    demands.push_back(demand_of(samples, region));
+    demands.push_back(demand_of(samples, region, at_crease));
     area += demands.back().area;
   }
   if (!(area > 0.0)) return budget;
-  const double usual = std::sqrt(area / fewest);
+  const double usual = std::sqrt(area / range.fewest);
   const Shares shares(std::move(demands), area, usual);
 
-  double price = find_price([&](double p) { return shares.samples(p) < fewest; });
+  double price = find_price([&](double p) { return shares.samples(p) < range.fewest; });
   if (shares.error(price) > kErrorInSpacings) {
-    const double most = kMostSamplesPerPoint * static_cast<double>(points);
     const double exact = find_price([&](double p) { return shares.error(p) > kErrorInSpacings; });
-    const double dearest = find_price([&](double p) { return shares.samples(p) < most; });
+    const double dearest = find_price([&](double p) { return shares.samples(p) < range.most; });
     price = std::max(exact, dearest);
   }
   budget.samples = shares.samples(price);

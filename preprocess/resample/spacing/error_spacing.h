@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "preprocess/partition/partition.h"
@@ -24,6 +25,11 @@ struct SampleBudget {
   double samples = 0.0;         ///< of all
 };
 
+struct SampleRange {
+  double fewest = 0.0;
+  double most = 0.0;  ///< the same: as many
+};
+
 /// Shares out samples to the patches of regions by what they gain from them.
 ///
 /// Bilinear cells of side h are off a surface that bends by k by about k h^2, and there are 1 / h^2
@@ -33,9 +39,12 @@ struct SampleBudget {
 /// as make that error, over the whole model, a twentieth of its spacing, which is the step that
 /// heights are rounded to.
 ///
-/// `points`: how many the user's scan has. For meshes, whose points have no noise that samples
-/// would follow.
+/// `at_crease`: of each point, 1 for those whose neighbours lie on two sides of a crease. These say
+/// nothing of how either side bends. `range`: how many samples there may be. For meshes, whose
+/// points have no noise that samples would follow.
 [[nodiscard]] SampleBudget share_samples(const SurfaceSamples& samples,
-                                         const std::vector<Region>& regions, std::size_t points);
+                                         const std::vector<Region>& regions,
+                                         const std::vector<std::uint8_t>& at_crease,
+                                         SampleRange range);
 
 }  // namespace relief

@@ -9,9 +9,6 @@ namespace relief {
 
 /// Largest ratio of the coarsest patch's spacing to the finest one's.
 inline constexpr double kWidestSpacingRatio = 8.0;
-/// Largest ratio, in one region, of the spacing that a tenth of the points exceed to the one that a
-/// tenth fall below. A much smaller limit would split even scans because of the estimate's noise.
-inline constexpr double kWidestDensityRatio = 3.0;
 
 /// Returns the spacing of each region's patch in spacings of the model: the median of its points'
 /// local spacings over the median of all points, limited to between that of the densest twentieth

@@ -19,18 +19,24 @@ struct BentScan {
         region.points.push_back(static_cast<std::uint32_t>(spacing.size()));
         spacing.push_back(1.0F);
         roughness.push_back(off);
+        at_crease.push_back(0);
       }
       regions.push_back(std::move(region));
     }
   }
   [[nodiscard]] SampleBudget share() const {
-    return share_samples({positions, normals, spacing, roughness}, regions, spacing.size());
+    const auto points = static_cast<double>(spacing.size());
+    return share({kFewestSamplesPerPoint * points, kMostSamplesPerPoint * points});
+  }
+  [[nodiscard]] SampleBudget share(SampleRange range) const {
+    return share_samples({positions, normals, spacing, roughness}, regions, at_crease, range);
   }
 
   std::vector<glm::dvec3> positions;
   std::vector<glm::vec3> normals;
   std::vector<float> spacing;
   std::vector<float> roughness;
+  std::vector<std::uint8_t> at_crease;
   std::vector<Region> regions;
 };
 
@@ -68,6 +74,28 @@ TEST(ErrorSpacing, AsksForMoreSamplesWhereTheErrorIsTooLarge) {
 TEST(ErrorSpacing, AsksForTwiceAsManyAtMost) {
   const SampleBudget budget = BentScan({0.9F, 0.5F}).share();
   EXPECT_NEAR(budget.samples, kMostSamplesPerPoint * 2 * kRegionPoints, 2.0);
+}
+
+TEST(ErrorSpacing, GivesAsManySamplesAsAreAskedFor) {
+  const BentScan scan({0.04F, 0.02F});
+  for (const double wanted : {500.0, 2000.0, 5000.0}) {
+    const SampleBudget budget = scan.share({wanted, wanted});
+    EXPECT_NEAR(budget.samples, wanted, 1e-3 * wanted);
+    EXPECT_NEAR(std::log2(budget.factors[1] / budget.factors[0]), 1.0 / 3.0, 1.0 / 8.0);
+  }
+}
+
+TEST(ErrorSpacing, PointsAtCreasesDoNotCountAsBent) {
+  // A flat side, a tenth of whose points have neighbours on another.
+  BentScan scan({0.0F, 0.03F});
+  const SampleBudget flat = scan.share();
+  for (std::uint32_t i = 0; i < kRegionPoints / 10; ++i) {
+    scan.roughness[i] = 0.5F;
+    scan.at_crease[i] = 1;
+  }
+  EXPECT_EQ(scan.share().factors, flat.factors);
+  scan.at_crease.assign(scan.at_crease.size(), 0);
+  EXPECT_LT(scan.share().factors[0], 0.9 * flat.factors[0]);
 }
 
 TEST(ErrorSpacing, OfFlatPatchesIsLimited) {

@@ -1,0 +1,46 @@
+// Makes a model of a surface whose regions are known, with as many samples as are asked for.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "common/error.h"
+#include "common/points.h"
+#include "common/progress.h"
+#include "preprocess/convert_options.h"
+#include "preprocess/measure.h"
+#include "preprocess/normals/crease_normals.h"
+#include "preprocess/points/neighbours.h"
+#include "preprocess/resample/resample.h"
+#include "preprocess/texture/maps/flat_triangles.h"
+
+namespace relief {
+
+/// What patches are made from, whatever their spacing. All must outlive it.
+struct PartitionedScan {
+  const Points& points;
+  std::size_t measured = 0;  ///< the first points, which count: others were added to triangles
+  const NeighbourGraph& graph;
+  SurfaceSamples samples;
+  const std::vector<Region>& regions;
+  const CreaseNormals* creases = nullptr;    ///< none: patches overlap
+  const TriangleSpheres* spheres = nullptr;  ///< of the mesh; none without triangles
+  bool textured = false;                     ///< its triangles have materials
+  bool is_borderless = false;                ///< the mesh
+  bool normals_estimated = false;
+};
+
+struct MeasuredModel {
+  PatchModel model;
+  Fidelity fidelity;
+};
+
+/// Resamples every region, fits the patches to the mesh, and measures them against the points.
+///
+/// `samples`: how many there shall be, about; nothing: by default, or as options.spacing has it.
+/// Fails if the grids would be too large, if there is no surface, or if the user interrupts.
+Result<MeasuredModel> make_model(const PartitionedScan& scan, const ConvertOptions& options,
+                                 std::optional<double> samples, Progress& progress);
+
+}  // namespace relief
