@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Converts scans to reach errors over two decades, and with as many samples of one spacing.
+"""Converts scans to reach errors over some decades, and with as many samples of one spacing.
 
-    scripts/measure_error.py RELIEF SCAN... [--plot OUT.svg]
+    scripts/measure_error.py RELIEF SCAN... [--decades 2] [--plot OUT.svg]
 
+The smallest error is that of the default.
 Prints a Markdown table: the error asked for and reached (rms, in the scan's unit), samples, bytes,
 seconds; and the error of one spacing (--spacing) with as many samples. The plot shows error over
 samples, both in logarithms: solid as asked for, dashed with one spacing.
@@ -14,7 +15,7 @@ import os
 import subprocess
 import tempfile
 
-STEPS = 7  # errors a scan, over two decades
+STEPS = 7  # errors a scan
 WIDTH, HEIGHT, MARGIN = 640, 480, 60  # of the plot
 COLOURS = ["#1b6ca8", "#c8553d", "#3a7d44", "#7b4b94"]
 
@@ -38,12 +39,12 @@ def with_one_spacing(relief, scan, usual, samples):
     return made
 
 
-def measure(relief, scan):
+def measure(relief, scan, decades):
     name = os.path.basename(scan).split(".")[0]
     usual = convert(relief, scan)
     rows = []
     for step in range(STEPS):
-        asked = usual["error_rms"] * 100 ** (1 - step / (STEPS - 1))
+        asked = usual["error_rms"] * 10 ** (decades * (1 - step / (STEPS - 1)))
         made = convert(relief, scan, "--error", f"{asked:.4g}")
         uniform = with_one_spacing(relief, scan, usual, made["samples"])
         rows.append((asked, made, uniform))
@@ -97,11 +98,12 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("relief")
     parser.add_argument("scans", nargs="+")
+    parser.add_argument("--decades", type=float, default=2.0)
     parser.add_argument("--plot")
     arguments = parser.parse_args()
     print("| scan | error asked | reached | samples | bytes | s | one spacing: samples | error | bytes |")
     print("| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |")
-    measured = [measure(arguments.relief, scan) for scan in arguments.scans]
+    measured = [measure(arguments.relief, scan, arguments.decades) for scan in arguments.scans]
     if arguments.plot:
         plot(arguments.plot, measured)
 
