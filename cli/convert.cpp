@@ -201,8 +201,26 @@ void add_surface_options(CLI::App& sub, ConvertArguments& arguments) {
       ->option_text("CELLS");
 }
 
-/// Adds the options that select points.
+/// Sets the noise to remove: auto, 0 or a standard deviation of at most 1e100.
+void read_noise(const std::string& text, ConvertOptions& options) {
+  options.noise_removal = NoiseRemoval::AsMeasured;
+  if (text == "auto") return;
+  const std::optional<double> noise = parse_number(text);
+  if (!noise || !(*noise >= 0.0 && *noise <= 1e100)) {
+    throw CLI::ValidationError(
+        "--noise", fmt::format("{} is neither auto nor a number from 0 to 1e100", text));
+  }
+  options.noise = *noise;
+  options.noise_removal = *noise > 0.0 ? NoiseRemoval::AsGiven : NoiseRemoval::None;
+}
+
+/// Adds the options that select points and say how exact they are.
 void add_point_options(CLI::App& sub, ConvertArguments& arguments) {
+  sub.add_option_function<std::string>(
+         "--noise", [&arguments](const std::string& text) { read_noise(text, arguments.options); },
+         "Noise to remove: its standard deviation along the normal, in the scan's unit; auto "
+         "measures it, 0 keeps it (default: auto for scans without faces, 0 for meshes)")
+      ->option_text("auto|0|S");
   sub.add_flag("--clean", arguments.clean,
                "Remove outliers: points far from their neighbours, and clusters of fewer than 50 "
                "points");
@@ -259,6 +277,7 @@ void add_resource_options(CLI::App& sub, ConvertArguments& arguments) {
           ->excludes("--samples")
           ->excludes("--error")
           ->excludes("--clean")
+          ->excludes("--noise")
           ->excludes("--thin")
           ->transform(CLI::AsSizeValue(false))
           ->check(CLI::Range(kMinTileMemory, std::uint64_t{1} << 50U))

@@ -11,6 +11,7 @@
 #include "common/background_tasks.h"
 #include "common/guard.h"
 #include "common/mesh/mesh_normals.h"
+#include "preprocess/clean_scan.h"
 #include "preprocess/convert_stages.h"
 #include "preprocess/make_model.h"
 #include "preprocess/normals/closed_mesh.h"
@@ -162,21 +163,32 @@ void report_model(const Fidelity& fidelity, const PatchModel& model, ConvertRepo
   }
 }
 
+/// Normals over wide supports are better than those of the nearest neighbours. A mesh with points
+/// added has more points than known normals.
+void take_known_normals(const std::vector<glm::vec3>& known, LocalFrames& frames) {
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (known[i] != glm::vec3(0.0F)) frames.normals[i] = known[i];
+  }
+}
+
 Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& options,
                                        Progress& progress) {
   ConvertResult result;
   const bool textured = has_triangle_colours(points);
   const bool seams = options.seams.value_or(!points.triangles.empty());
+  RELIEF_TRY_ASSIGN(CleanScan clean, clean_scan(points, options, result.report, progress));
   result.report.points = points.size();
   RELIEF_TRY(add_points(points, textured, options.spacing, result.report));
 
   MeshInTime in_time(points, points.size() - result.report.points_added);
-  progress.begin_stage("neighbours", 0);
-  const NeighbourGraph graph = find_neighbours(points.positions, kSurfaceNeighbours);
+  if (!clean.graph) progress.begin_stage("neighbours", 0);
+  const NeighbourGraph graph =
+      clean.graph ? std::move(*clean.graph) : find_neighbours(points.positions, kSurfaceNeighbours);
   if (progress.cancelled()) return interrupted_error();
 
   progress.begin_stage("normals", 0);
-  const LocalFrames frames = fit_local_frames(points.positions, graph);
+  LocalFrames frames = fit_local_frames(points.positions, graph);
+  take_known_normals(clean.normals, frames);
   in_time.wait();
   const NormalsReport normals = complete_normals(points, graph, frames, &in_time.normals());
   result.report.normals_estimated = normals.estimated;
@@ -193,6 +205,7 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   const SurfaceSamples samples{points.positions, points.normals, graph.spacing, frames.roughness};
   if (options.adaptive_spacing) regions = split_by_density(samples, graph, std::move(regions));
   const PartitionedScan scan{.points = points,
+                             .scanned = clean.scanned.empty() ? points.positions : clean.scanned,
                              .measured = textured ? points.size() : result.report.points,
                              .graph = graph,
                              .samples = samples,
@@ -201,7 +214,7 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
                              .spheres = points.triangles.empty() ? nullptr : &in_time.spheres(),
                              .textured = textured,
                              .is_borderless = in_time.is_borderless(),
-                             .normals_estimated = normals.estimated};
+                             .normals_from_points = !normals.estimated || !clean.normals.empty()};
   RELIEF_TRY_ASSIGN(MeasuredModel made, make_best_model(scan, options, progress));
   result.model = std::move(made.model);
   PatchModel& model = result.model;

@@ -8,6 +8,14 @@
 
 namespace relief {
 
+/// Which noise of the points is removed.
+enum class NoiseRemoval {
+  Default,     ///< of bare points, as measured; of meshes none
+  None,        ///< none
+  AsMeasured,  ///< as the scan shows it (estimate_noise)
+  AsGiven,     ///< of ConvertOptions::noise everywhere
+};
+
 struct ConvertOptions {
   double spacing = 0.0;       ///< grid step in world units; 0: about as many samples as points,
                               ///< or up to twice as many where a mesh bends (share_samples)
@@ -19,6 +27,8 @@ struct ConvertOptions {
   /// Whether patches meet at seams instead of overlapping. By default they do if the scan has
   /// faces: bare points may be noisy and have gaps, which only margins close.
   std::optional<bool> seams;
+  NoiseRemoval noise_removal = NoiseRemoval::Default;
+  double noise = 0.0;             ///< standard deviation along the normal, world units, for AsGiven
   int overlap_cells = 1;          ///< width of the overlap margin, in grid cells
   double height_step = 0.0;       ///< world units per height index; 0: spacing / 20
   bool adaptive_spacing = false;  ///< each patch's spacing follows the scan's local density, up to
@@ -34,9 +44,13 @@ struct ConvertOptions {
 struct ConvertReport {
   std::uint64_t points = 0;            ///< converted points
   std::uint64_t points_added = 0;      ///< on triangles larger than the spacing; not in `points`
+  std::uint64_t stray_points = 0;      ///< left out; not in `points`
+  double noise = 0.0;                  ///< standard deviation, median, world units; 0: none found
+  std::uint64_t points_moved = 0;      ///< points that noise was removed from
   std::uint64_t normals_repaired = 0;  ///< given normals that were zero, NaN or inconsistent
   bool normals_estimated = false;      ///< the scan had no normals
-  double error_rms = 0.0;  ///< distance of the points to the patches' bilinear surface, world units
+  double error_rms = 0.0;  ///< distance of the points as scanned, noise included, to the patches'
+                           ///< bilinear surface, world units
   double error_max = 0.0;
   double finest_spacing = 0.0;  ///< of all patches, world units
   double coarsest_spacing = 0.0;

@@ -18,12 +18,12 @@ Status check_spacing(double spacing, double area, std::uint64_t points) {
 }
 
 ResampleOptions resample_options(const ConvertOptions& options, bool seams, double spacing,
-                                 bool normals_estimated) {
+                                 bool normals_from_points) {
   return {.spacing = spacing,
           .height_step = options.height_step,
           .overlap_cells = seams ? 1 : options.overlap_cells,
           .colour_scale = static_cast<std::uint32_t>(options.colour_scale),
-          .normals_from_points = !normals_estimated,
+          .normals_from_points = normals_from_points,
           .seams = seams};
 }
 

@@ -95,7 +95,7 @@ Result<MeasuredModel> make_model(const PartitionedScan& scan, const ConvertOptio
        .membership = membership,
        .colours = scan.points.colours,
        .creases = scan.creases},
-      budget.factors, resample_options(options, seams, spacing, scan.normals_estimated), regions,
+      budget.factors, resample_options(options, seams, spacing, scan.normals_from_points), regions,
       progress);
   std::vector<Patch>& patches = made.model.patches;
   if (progress.cancelled()) return interrupted_error();
@@ -114,7 +114,7 @@ Result<MeasuredModel> make_model(const PartitionedScan& scan, const ConvertOptio
   if (seams)
     made.model.joined = {{0, static_cast<std::uint32_t>(patches.size()), scan.is_borderless}};
   made.model.spacing = spacing;
-  made.fidelity = measure(scan.points.positions, scan.measured, scan.graph,
+  made.fidelity = measure(scan.scanned, scan.measured, scan.graph,
                           owners_of(regions, scan.points.size()), made.model);
   return made;
 }

@@ -20,7 +20,9 @@ namespace relief {
 /// What patches are made from, whatever their spacing. All must outlive it.
 struct PartitionedScan {
   const Points& points;
-  std::size_t measured = 0;  ///< the first points, which count: others were added to triangles
+  const std::vector<glm::dvec3>&
+      scanned;               ///< positions that count; those of `points` without noise
+  std::size_t measured = 0;  ///< the first of them: others were added to triangles
   const NeighbourGraph& graph;
   SurfaceSamples samples;
   const std::vector<Region>& regions;
@@ -28,7 +30,7 @@ struct PartitionedScan {
   const TriangleSpheres* spheres = nullptr;  ///< of the mesh; none without triangles
   bool textured = false;                     ///< its triangles have materials
   bool is_borderless = false;                ///< the mesh
-  bool normals_estimated = false;
+  bool normals_from_points = false;          ///< they are better than those of the fits
 };
 
 struct MeasuredModel {

@@ -15,6 +15,20 @@ std::uint64_t peak_bytes() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
+/// What was found of noise and stray points; empty for a scan without either.
+std::string noise_line(const ConvertReport& report) {
+  std::string line;
+  if (report.points_moved > 0) {
+    line = fmt::format("{:.3g} (standard deviation), removed from {} points", report.noise,
+                       report.points_moved);
+  }
+  if (report.stray_points > 0) {
+    line +=
+        fmt::format("{}{} stray points left out", line.empty() ? "" : "; ", report.stray_points);
+  }
+  return line.empty() ? line : fmt::format("  noise             {}\n", line);
+}
+
 }  // namespace
 
 nlohmann::ordered_json convert_json(const ConvertSummary& s) {
@@ -28,7 +42,10 @@ nlohmann::ordered_json convert_json(const ConvertSummary& s) {
           {"duplicates_merged", s.read.merged_duplicates},
           {"outliers_removed", s.outliers.sparse},
           {"cluster_points_removed", s.outliers.cluster},
+          {"stray_points_removed", s.report.stray_points},
           {"points_thinned", s.thinned},
+          {"noise", s.report.noise},
+          {"points_moved", s.report.points_moved},
           {"normals_estimated", s.report.normals_estimated},
           {"points_added", s.report.points_added},
           {"normals_repaired", s.report.normals_repaired},
@@ -79,6 +96,7 @@ std::string convert_text(const ConvertSummary& s, const std::filesystem::path& o
   std::string text = fmt::format(
       "{}\n"
       "  points            {} ({} not finite dropped, {} duplicates merged)\n"
+      "{}"
       "  normals           {}\n"
       "  patches           {}\n"
       "  samples           {}\n"
@@ -90,9 +108,10 @@ std::string convert_text(const ConvertSummary& s, const std::filesystem::path& o
       "  file              {} bytes, {:.2f} bits per sample\n"
       "{}"
       "  time              {:.2f} s",
-      output.string(), s.report.points, s.read.dropped_nonfinite, s.read.merged_duplicates, normals,
-      s.file.patches, s.file.samples, s.file.spacing, spacings, s.report.error_rms,
-      s.report.error_max, s.report.psnr_db, s.report.uncovered_points, colours, s.file.file_bytes,
+      output.string(), s.report.points, s.read.dropped_nonfinite, s.read.merged_duplicates,
+      noise_line(s.report), normals, s.file.patches, s.file.samples, s.file.spacing, spacings,
+      s.report.error_rms, s.report.error_max, s.report.psnr_db, s.report.uncovered_points, colours,
+      s.file.file_bytes,
       8.0 * static_cast<double>(s.file.file_bytes) / static_cast<double>(s.file.samples), tiles,
       s.seconds);
   const char* separator = ": ";

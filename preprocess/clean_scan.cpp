@@ -1,0 +1,65 @@
+#include "preprocess/clean_scan.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "preprocess/noise/remove_noise.h"
+#include "preprocess/points/keep_points.h"
+#include "preprocess/points/stray_points.h"
+
+namespace relief {
+namespace {
+
+// Two rounds find all but some of 3,000 outliers among 36,000 points; a third finds few more.
+constexpr int kMostRounds = 3;
+
+/// Drops stray points, unless most are, which then are the scan. The graph follows. Returns the
+/// number of dropped points.
+std::uint64_t drop_stray_points(Points& points, NeighbourGraph& graph, const Progress& progress) {
+  std::uint64_t dropped = 0;
+  for (int round = 0; round < kMostRounds && !progress.cancelled(); ++round) {
+    const std::vector<std::uint8_t> stray = find_stray_points(points.positions, graph);
+    const auto count = static_cast<std::size_t>(std::ranges::count(stray, 1));
+    if (count == 0 || 2 * count > points.size() || points.size() - count < kMinSurfacePoints) break;
+    dropped += drop_points(points, stray);
+    graph = find_neighbours(points.positions, kSurfaceNeighbours);
+  }
+  return dropped;
+}
+
+}  // namespace
+
+Result<CleanScan> clean_scan(Points& points, const ConvertOptions& options, ConvertReport& report,
+                             Progress& progress) {
+  CleanScan clean;
+  const bool is_bare = points.triangles.empty();
+  const NoiseRemoval removal = options.noise_removal == NoiseRemoval::Default
+                                   ? (is_bare ? NoiseRemoval::AsMeasured : NoiseRemoval::None)
+                                   : options.noise_removal;
+  if (!is_bare && removal == NoiseRemoval::None) return clean;
+
+  progress.begin_stage("neighbours", 0);
+  NeighbourGraph graph = find_neighbours(points.positions, kSurfaceNeighbours);
+  if (progress.cancelled()) return interrupted_error();
+  if (is_bare) report.stray_points = drop_stray_points(points, graph, progress);
+  if (progress.cancelled()) return interrupted_error();
+
+  if (removal != NoiseRemoval::None) {
+    const auto given =
+        removal == NoiseRemoval::AsGiven ? std::optional(options.noise) : std::nullopt;
+    NoiselessPoints noiseless = remove_noise(points.positions, graph.spacing, given, progress);
+    if (progress.cancelled()) return interrupted_error();
+    report.noise = noiseless.report.noise;
+    report.points_moved = noiseless.report.moved;
+    if (report.points_moved > 0) {
+      clean.scanned = std::exchange(points.positions, std::move(noiseless.smooth.positions));
+      clean.normals = std::move(noiseless.smooth.normals);
+      progress.begin_stage("neighbours", 0);
+      graph = find_neighbours(points.positions, kSurfaceNeighbours);
+    }
+  }
+  if (is_bare) clean.graph = std::move(graph);
+  return clean;
+}
+
+}  // namespace relief

@@ -1,0 +1,172 @@
+#include "preprocess/noise/noise_level.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "preprocess/noise/quadric_fit.h"
+#include "preprocess/noise/rings.h"
+#include "preprocess/points/nearest_search.h"
+
+namespace relief {
+namespace {
+
+// One point in 8 is looked at, and of large scans some 6,000; as many together show the noise.
+constexpr std::uint32_t kShortestStride = 8;
+constexpr std::uint32_t kEnough = 6'000;
+constexpr std::uint32_t kPooled = 64;
+// Of those together, this share is taken for flat, because detail leaves more over; that many
+// standard deviations below the mean of normal values.
+constexpr double kFlatShare = 0.3;
+constexpr double kFlatDeviations = -0.524;
+// A disc that is not 5 times as wide as its noise is a ball: its plane is arbitrary.
+constexpr double kLargestShare = 0.2;
+// A ball cuts the noise off where the plane ends: measured on planes.
+constexpr double kCutOff = 1.7;
+// How much the squares of what detail leaves over grow from a disc to the next but one, 2.25 times
+// as large; 2.4 to 5 on scans without noise. The smallest, so that no detail counts as noise.
+constexpr double kDetailGrowth = 2.4;
+
+/// What quadrics leave over in the discs about a point: variances, units squared; negative: none.
+using Profile = std::array<float, Rings::kCount>;
+
+/// The variance of which a sample variance is the value that kFlatShare of them are below (Wilson
+/// and Hilferty 1931).
+double for_flat(double variance, double freedom) {
+  const double part = 2.0 / (9.0 * freedom);
+  const double root = 1.0 - part + kFlatDeviations * std::sqrt(part);
+  return variance / (root * root * root);
+}
+
+Profile profile_at(const Rings& rings, QuadricFit& fit) {
+  Profile profile;
+  profile.fill(-1.0F);
+  fit.start();
+  for (std::size_t ring = 0; ring < rings.count(); ++ring) {
+    fit.add(rings.of(ring));
+    const std::optional<Quadric> quadric = fit.fit(rings.up_to(ring));
+    if (!quadric) continue;
+    const double freedom = static_cast<double>(rings.up_to(ring).size()) - 6.0;
+    profile[ring] = static_cast<float>(for_flat(quadric->rms * quadric->rms, freedom));
+  }
+  return profile;
+}
+
+/// Bounds of the noise, units.
+struct NoiseRange {
+  double low = 0.0;   ///< what detail does not explain
+  double high = 0.0;  ///< all that is left over
+};
+
+/// What profiles show of the noise; nothing if every disc is a ball.
+std::optional<NoiseRange> range_of(const Profile& flat) {
+  const auto noise_at = [&](std::size_t ring) {
+    const double cut = 1.0 - kCutOff * flat[ring] / Rings::squared_radius(ring);
+    return flat[ring] / (cut * cut);
+  };
+  for (std::size_t ring = 0; ring + 2 < flat.size(); ++ring) {
+    if (flat[ring] < 0.0F || flat[ring + 2] < 0.0F) continue;
+    if (flat[ring] > kLargestShare * kLargestShare * Rings::squared_radius(ring)) continue;
+    const double noise = noise_at(ring);
+    const double low = (kDetailGrowth * noise - noise_at(ring + 2)) / (kDetailGrowth - 1.0);
+    return NoiseRange{std::sqrt(std::max(low, 0.0)), std::sqrt(noise)};
+  }
+  return std::nullopt;
+}
+
+/// The positions that are looked at, each for as many slots of the tree as the stride.
+struct Places {
+  std::uint32_t stride = 1;
+  std::vector<glm::dvec3> positions;
+  std::vector<Profile> profiles;
+};
+
+Places look_at_places(const PositionTree& tree, const std::vector<float>& spacing) {
+  Places places;
+  places.stride = std::max(tree.size() / kEnough, kShortestStride);
+  const std::uint32_t count = (tree.size() + places.stride - 1) / places.stride;
+  places.positions.resize(count);
+  places.profiles.resize(count);
+  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, count, 64), [&](const auto& range) {
+    Rings rings(tree);
+    QuadricFit fit;
+    for (std::uint32_t p = range.begin(); p != range.end(); ++p) {
+      const std::size_t slot = std::size_t{p} * places.stride;
+      places.positions[p] = tree.at(slot);
+      places.profiles[p].fill(-1.0F);
+      if (!(spacing[slot] > 0.0F)) continue;
+      rings.collect(places.positions[p], spacing[slot]);
+      places.profiles[p] = profile_at(rings, fit);
+    }
+  });
+  return places;
+}
+
+/// The value that kFlatShare of the values are below.
+float flat_of(std::vector<float>& values) {
+  const auto at = static_cast<double>(values.size()) * kFlatShare;
+  const auto flat = values.begin() + static_cast<std::ptrdiff_t>(at);
+  std::nth_element(values.begin(), flat, values.end());
+  return *flat;
+}
+
+/// What the places about each one show together.
+std::vector<std::optional<NoiseRange>> pool(const Places& places) {
+  const auto count = static_cast<std::uint32_t>(places.positions.size());
+  std::vector<std::optional<NoiseRange>> ranges(count);
+  const std::uint32_t pooled = std::min(kPooled, count - 1);
+  if (pooled == 0) return ranges;
+  const PositionTree tree(places.positions);
+  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, count, 64), [&](const auto& range) {
+    NearestSearch nearest(tree, pooled);
+    std::vector<float> values;
+    for (std::uint32_t slot = range.begin(); slot != range.end(); ++slot) {
+      nearest.find(slot);
+      Profile flat;
+      for (std::size_t ring = 0; ring < flat.size(); ++ring) {
+        values.clear();
+        for (std::uint32_t m = 0; m < pooled; ++m) {
+          const float value = places.profiles[tree.index(nearest.slot(m))][ring];
+          if (value >= 0.0F) values.push_back(value);
+        }
+        flat[ring] = 2 * values.size() > pooled ? flat_of(values) : -1.0F;
+      }
+      ranges[tree.index(slot)] = range_of(flat);
+    }
+  });
+  return ranges;
+}
+
+/// The median of the lower bounds, units.
+double usual_noise(const std::vector<std::optional<NoiseRange>>& ranges) {
+  std::vector<double> lows;
+  for (const auto& range : ranges) {
+    if (range) lows.push_back(range->low);
+  }
+  if (lows.empty()) return 0.0;
+  const auto middle = lows.begin() + static_cast<std::ptrdiff_t>(lows.size() / 2);
+  std::nth_element(lows.begin(), middle, lows.end());
+  return *middle;
+}
+
+}  // namespace
+
+std::vector<float> estimate_noise(const PositionTree& tree, const std::vector<float>& spacing) {
+  std::vector<float> noise(tree.size());
+  if (tree.size() == 0) return noise;
+  const Places places = look_at_places(tree, spacing);
+  const std::vector<std::optional<NoiseRange>> ranges = pool(places);
+  const double usual = usual_noise(ranges);
+  for (std::size_t slot = 0; slot < noise.size(); ++slot) {
+    const std::optional<NoiseRange>& range = ranges[slot / places.stride];
+    const double units = range ? std::clamp(usual, range->low, range->high) : usual;
+    noise[slot] = static_cast<float>(units) * spacing[slot];
+  }
+  return noise;
+}
+
+}  // namespace relief

@@ -1,0 +1,108 @@
+#include "preprocess/noise/windows.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "preprocess/noise/rings.h"
+
+namespace relief {
+namespace {
+
+// Heights of two discs agree if they differ by less than this many of both standard deviations, and
+// a disc has no more noise than it should by this many. Residuals of bun_zipper and fandisk with
+// noise of 0.25 and 1 spacing: the same within 5 % from 1 to 3.
+constexpr double kDeviations = 2.0;
+// A disc is at least twice as wide as its noise.
+constexpr double kWidestInRadii = 0.5;
+// What a quadric leaves over in a ball of scattered points is 0.4 of its radius (rms). There is no
+// surface if that is also far more than the noise.
+constexpr double kBallInRadii = 0.3;
+constexpr double kFarMoreNoise = 1.5;
+// A height this sure, in units, needs no larger disc: heights are rounded to a twentieth, and
+// several windows together are surer still.
+constexpr double kSure = 0.05;
+// Neighbouring slots are near each other. One window in eight is found first; the others only where
+// one of those is small.
+constexpr std::uint32_t kShared = 8;
+constexpr double kManyPoints = 100.0;
+
+/// `noise`: in units.
+void grow_window(const Rings& rings, QuadricFit& fit, double noise, Window& window) {
+  fit.start();
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  for (std::size_t ring = 0; ring < rings.count(); ++ring) {
+    fit.add(rings.of(ring));
+    const double radius = Rings::radius(ring);
+    if (noise > kWidestInRadii * radius) continue;
+    const std::optional<Quadric> quadric = fit.fit(rings.up_to(ring));
+    if (!quadric) continue;
+    if (quadric->rms > std::max(kBallInRadii * radius, kFarMoreNoise * noise)) return;
+    const auto count = static_cast<double>(rings.up_to(ring).size());
+    const double most = noise * (1.0 + kDeviations / std::sqrt(2.0 * (count - 6.0)));
+    const double deviation = noise * std::sqrt(quadric->leverage);
+    const double height = -distance_to(*quadric, glm::dvec3(0.0)).distance;
+    low = std::max(low, height - kDeviations * deviation);
+    high = std::min(high, height + kDeviations * deviation);
+    if (window.exists() && (quadric->rms > most || low > high)) return;
+    window.quadric = *quadric;
+    window.squared_radius = radius * radius;
+    window.points = count;
+    if (deviation < kSure) return;
+  }
+}
+
+}  // namespace
+
+std::vector<Window> find_windows(const PositionTree& tree, const std::vector<glm::dvec3>& centres,
+                                 const std::vector<float>& spacing, const std::vector<float>& noise,
+                                 Progress& progress) {
+  const auto count = static_cast<std::uint32_t>(centres.size());
+  std::vector<Window> windows(count);
+  const auto find_at = [&](std::uint32_t slot, Rings& rings, QuadricFit& fit) {
+    windows[slot].centre = centres[slot];
+    if (!(noise[slot] > 0.0F) || !(spacing[slot] > 0.0F)) return;
+    windows[slot].unit = spacing[slot];
+    rings.collect(centres[slot], spacing[slot]);
+    grow_window(rings, fit, noise[slot] / spacing[slot], windows[slot]);
+  };
+  const std::uint32_t groups = (count + kShared - 1) / kShared;
+  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, groups, 8), [&](const auto& range) {
+    if (progress.cancelled()) return;
+    Rings rings(tree);
+    QuadricFit fit;
+    for (std::uint32_t group = range.begin(); group != range.end(); ++group)
+      find_at(group * kShared, rings, fit);
+  });
+  const auto is_large = [&](std::uint32_t group) {
+    return group >= groups || windows[std::size_t{group} * kShared].points >= kManyPoints;
+  };
+  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, groups, 8), [&](const auto& range) {
+    if (progress.cancelled()) return;
+    Rings rings(tree);
+    QuadricFit fit;
+    for (std::uint32_t group = range.begin(); group != range.end(); ++group) {
+      const std::uint32_t first = group * kShared;
+      const std::uint32_t end = std::min(first + kShared, count);
+      const bool is_shared =
+          is_large(group) && is_large(group + 1) && (group == 0 || is_large(group - 1));
+      if (is_shared) windows[first].stands_for = end - first;
+      for (std::uint32_t slot = first + 1; slot < end; ++slot) {
+        if (!is_shared) {
+          find_at(slot, rings, fit);
+        } else {
+          windows[slot].centre = centres[slot];
+          windows[slot].unit = noise[slot] > 0.0F ? spacing[slot] : 0.0F;
+        }
+      }
+    }
+    progress.advance(kShared * range.size());
+  });
+  return windows;
+}
+
+}  // namespace relief

@@ -1,0 +1,24 @@
+// Points that lie off every surface.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "preprocess/points/neighbours.h"
+
+namespace relief {
+
+/// Marks, with 1, points that are no part of a surface, by what their neighbours show. Either
+/// - they are off their neighbours' plane by more than two of their spacings and four times the
+///   neighbours' own distance to it (rms), or
+/// - they are off it by half a spacing, and twice as far from their neighbours as these are from
+///   theirs, or
+/// - their neighbours fill a ball, 4 times as far apart as the scan's points usually are.
+///
+/// So single points off a surface and clouds of them are stray, whether or not the rest of the scan
+/// has noise. Points where a scan is thin, sharp or sparse are not. The graph has
+/// kSurfaceNeighbours neighbours. Points beside clouds show only once those are gone.
+[[nodiscard]] std::vector<std::uint8_t> find_stray_points(const std::vector<glm::dvec3>& positions,
+                                                          const NeighbourGraph& graph);
+
+}  // namespace relief
