@@ -29,8 +29,8 @@ double Rings::squared_radius(std::size_t ring) {
   return kSquaredRadii[ring];
 }
 
-void Rings::collect(const glm::dvec3& centre, double unit) {
-  for (count_ = kCount; count_ > 0 && !collect_within(centre, unit, count_); --count_) {
+void Rings::collect(const glm::dvec3& centre, double unit, std::size_t rings) {
+  for (count_ = rings; count_ > 0 && !collect_within(centre, unit, count_); --count_) {
   }
   sort_by_ring(count_);
 }

@@ -30,12 +30,18 @@ constexpr double kSure = 0.05;
 constexpr std::uint32_t kShared = 8;
 constexpr double kManyPoints = 100.0;
 
-/// `noise`: in units.
-void grow_window(const Rings& rings, QuadricFit& fit, double noise, Window& window) {
+// Most windows end within these rings, which hold an eighth of the points of all.
+constexpr std::size_t kUsualRings = 6;
+
+/// `noise`: in the window's units.
+void grow_window(Rings& rings, QuadricFit& fit, double noise, Window& window) {
   fit.start();
+  rings.collect(window.centre, window.unit, kUsualRings);
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
-  for (std::size_t ring = 0; ring < rings.count(); ++ring) {
+  for (std::size_t ring = 0; ring < Rings::kCount; ++ring) {
+    if (ring == kUsualRings) rings.collect(window.centre, window.unit);
+    if (ring >= rings.count()) return;
     fit.add(rings.of(ring));
     const double radius = Rings::radius(ring);
     if (noise > kWidestInRadii * radius) continue;
@@ -67,7 +73,6 @@ std::vector<Window> find_windows(const PositionTree& tree, const std::vector<glm
     windows[slot].centre = centres[slot];
     if (!(noise[slot] > 0.0F) || !(spacing[slot] > 0.0F)) return;
     windows[slot].unit = spacing[slot];
-    rings.collect(centres[slot], spacing[slot]);
     grow_window(rings, fit, noise[slot] / spacing[slot], windows[slot]);
   };
   const std::uint32_t groups = (count + kShared - 1) / kShared;

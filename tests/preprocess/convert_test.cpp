@@ -2,6 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <numbers>
+#include <random>
+
+#include "common/octahedral.h"
 #include "tests/preprocess/surfaces.h"
 
 namespace relief {
@@ -76,8 +84,62 @@ TEST(Convert, DropsOutliersInsteadOfMakingPatchesOfThem) {
   }
   const ConvertResult result = must_convert(points);
   EXPECT_LE(result.model.patches.size(), 12U);
-  EXPECT_LE(result.report.uncovered_points, 40U);
-  EXPECT_GE(result.report.uncovered_points, 30U);
+  EXPECT_EQ(result.report.stray_points + result.report.uncovered_points, 40U);
+  EXPECT_GE(result.report.stray_points, 30U);
+  EXPECT_EQ(result.report.points + result.report.stray_points, points.size());
+}
+
+/// The largest angle of a patch's normals to those of the unit sphere below, degrees.
+double largest_turn(const PatchModel& model) {
+  double least = 1.0;
+  for (const Patch& patch : model.patches) {
+    for (std::uint32_t j = 0; j < patch.height; ++j) {
+      for (std::uint32_t i = 0; i < patch.width; ++i) {
+        if (patch.at(i, j) == kHole) continue;
+        const glm::dvec3 normal = patch.axes * glm::dvec3(unit_from_snorm16(
+                                                   patch.normals.texels[j * patch.width + i]));
+        least = std::min(least, glm::dot(normal, glm::normalize(position_of(patch, i, j))));
+      }
+    }
+  }
+  return glm::degrees(std::acos(least));
+}
+
+// With noise of half a spacing in them, normals turned by up to 90 degrees and many patches were
+// needed.
+TEST(Convert, MakesOfANoisySphereWhatItMakesOfACleanOne) {
+  Points points = test::sample_sphere(8000);
+  const ConvertResult clean = must_convert(points);
+  std::mt19937 random(3);
+  const double spacing = std::sqrt(4.0 * std::numbers::pi / 8000.0);
+  std::normal_distribution<double> noise(0.0, 0.5 * spacing);
+  for (glm::dvec3& p : points.positions) p += glm::dvec3(noise(random), noise(random), noise(random));
+  const ConvertResult result = must_convert(points);
+  EXPECT_NEAR(result.report.noise, 0.5 * spacing, 0.06 * spacing);
+  EXPECT_EQ(result.report.points_moved, points.size());
+  EXPECT_LE(result.model.patches.size(), clean.model.patches.size() + 2);
+  EXPECT_LT(largest_turn(result.model), 10.0);
+  // The error is that of the points as scanned: the noise.
+  EXPECT_NEAR(result.report.error_rms, 0.5 * spacing, 0.06 * spacing);
+
+  ConvertOptions keep;
+  keep.noise_removal = NoiseRemoval::None;
+  const ConvertResult kept = must_convert(points, keep);
+  EXPECT_EQ(kept.report.points_moved, 0U);
+  EXPECT_GT(largest_turn(kept.model), 45.0);
+}
+
+TEST(Convert, LeavesVerticesOfMeshesAsTheyAreUnlessAsked) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise(0.0, 0.5);
+  Points mesh = test::square_mesh({60, 60}, 1.0, [&](double, double) { return noise(random); });
+  EXPECT_EQ(must_convert(mesh).report.points_moved, 0U);
+  ConvertOptions remove;
+  remove.noise_removal = NoiseRemoval::AsMeasured;
+  const ConvertResult result = must_convert(mesh, remove);
+  EXPECT_EQ(result.report.points_moved, mesh.size());
+  EXPECT_NEAR(result.report.noise, 0.5, 0.06);
+  EXPECT_LT(result.model.bounds.max.z - result.model.bounds.min.z, 2.0);  // it was over 3
 }
 
 TEST(Convert, SaysWhyItCannot) {

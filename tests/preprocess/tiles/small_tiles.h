@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "preprocess/convert_tiles.h"
+#include "preprocess/tiles/spread_points.h"
 
 namespace relief::test {
 
