@@ -141,16 +141,17 @@ std::vector<std::optional<NoiseRange>> pool(const Places& places) {
   return ranges;
 }
 
-/// The median of the lower bounds, units.
+/// What most places show at least, units. Where a scan bends sharply the lower bounds are low: with
+/// the median, fandisk with noise of one spacing kept 0.44 of it, with this 0.37.
 double usual_noise(const std::vector<std::optional<NoiseRange>>& ranges) {
   std::vector<double> lows;
   for (const auto& range : ranges) {
     if (range) lows.push_back(range->low);
   }
   if (lows.empty()) return 0.0;
-  const auto middle = lows.begin() + static_cast<std::ptrdiff_t>(lows.size() / 2);
-  std::nth_element(lows.begin(), middle, lows.end());
-  return *middle;
+  const auto most = lows.begin() + static_cast<std::ptrdiff_t>(3 * lows.size() / 5);
+  std::nth_element(lows.begin(), most, lows.end());
+  return *most;
 }
 
 }  // namespace

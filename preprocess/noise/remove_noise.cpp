@@ -15,7 +15,7 @@ constexpr float kLeastInSpacings = 0.05F;
 // two rounds, bun_zipper with a quarter 0.096 and 0.097.
 constexpr float kMuchInSpacings = 0.4F;
 // What is left of noise, about, after the first round.
-constexpr float kLeftShare = 0.5F;
+constexpr float kLeftShare = 0.7F;
 
 float median_of(std::vector<float> values) {
   if (values.empty()) return 0.0F;
