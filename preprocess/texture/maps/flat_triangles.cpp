@@ -103,13 +103,6 @@ void sort_numbers(std::vector<std::uint32_t>& numbers, std::size_t end) {
 
 }  // namespace
 
-glm::dvec3 FlatTriangle::weights_at(glm::dvec2 position) const {
-  const glm::dvec2 a = corners[0] - position;
-  const glm::dvec2 b = corners[1] - position;
-  const glm::dvec2 c = corners[2] - position;
-  return glm::dvec3(cross(b, c), cross(c, a), cross(a, b)) / twice_area;
-}
-
 double FlatTriangle::height_at(glm::dvec2 position) const {
   return glm::dot(weights_at(position), heights);
 }
