@@ -71,13 +71,20 @@ bool fits_gap(const Front& front, Vertex v, Vertex next, Vertex last) {
   return ends_gap && begins_gap;
 }
 
-/// Whether a triangle's circumscribed circle may be as small as `radius`. Spares most others their
-/// square roots and what is to be known of their vertices.
-bool is_round(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, double radius) {
+/// Whether a triangle to, from, apex may face the side of its edge's ends and have a circumscribed
+/// circle as small as `radius`. Spares most others, of which half are behind the edge, their square
+/// roots and what is to be known of their apex.
+bool may_be_good(const BorderVertex& from, const BorderVertex& to, glm::dvec3 apex, double radius) {
+  const glm::dvec3 a = from.position;
+  const glm::dvec3 b = to.position;
+  const glm::dvec3 across = glm::cross(a - b, apex - b);
+  // The unit normal's cosines, which are to exceed kAgree, have the same signs.
+  static_assert(kAgree > 0.0);
+  if (!(glm::dot(across, from.normal) > 0.0 && glm::dot(across, to.normal) > 0.0)) return false;
   const auto squared = [](glm::dvec3 d) { return glm::dot(d, d); };
-  const double edges = squared(b - a) * squared(c - b) * squared(a - c);
+  const double edges = squared(b - a) * squared(apex - b) * squared(a - apex);
   // A little more, for rounding.
-  return edges <= 1.001 * 4.0 * radius * radius * squared(glm::cross(a - b, c - b));
+  return edges <= 1.001 * 4.0 * radius * radius * squared(across);
 }
 
 /// A triangle that may be added, and what lies over it.
@@ -236,7 +243,7 @@ std::optional<Candidate> GrowthRules::best_on(Vertex from, Vertex to) const {
   std::vector<Candidate> found;
   grid_.for_each_within(
       0.5 * (a.position + b.position), reach, [&](const VertexGrid::Place& place, double) {
-        if (is_round(a.position, b.position, place.position, largest)) {
+        if (may_be_good(a, b, place.position, largest)) {
           if (const std::optional<double> score = score_of(from, to, place.vertex))
             found.push_back({*score, from, to, place.vertex});
         }

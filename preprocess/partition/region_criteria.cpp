@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <limits>
 
 namespace relief {
 namespace {
@@ -102,28 +104,51 @@ bool RegionTest::single_valued(std::span<const std::uint32_t> points, glm::vec3 
   const auto [cell, tolerance] = sheet_scale(samples_, points, sheet_tolerance_);
 
   // Gathered first, because the table accesses it in random order.
-  positions_.clear();
-  keys_.clear();
+  positions_.resize(points.size());
+  cells_.resize(points.size());
+  glm::ivec2 low(std::numeric_limits<std::int32_t>::max());
+  glm::ivec2 high(std::numeric_limits<std::int32_t>::min());
   const glm::dvec3 base = samples_.positions[points.front()];
-  for (const std::uint32_t i : points) {
-    const glm::dvec3 d = samples_.positions[i] - base;
+  for (std::size_t m = 0; m < points.size(); ++m) {
+    positions_[m] = samples_.positions[points[m]];
+    const glm::dvec3 d = positions_[m] - base;
     const glm::dvec2 at = glm::dvec2(glm::dot(d, u), glm::dot(d, v)) / cell;
-    const auto x = floor_to_int(at.x);
-    const auto y = floor_to_int(at.y);
-    positions_.push_back(samples_.positions[i]);
-    keys_.push_back(std::uint64_t{static_cast<std::uint32_t>(x)} << 32 |
-                    static_cast<std::uint32_t>(y));
+    cells_[m] = {floor_to_int(at.x), floor_to_int(at.y)};
+    low = glm::min(low, cells_[m]);
+    high = glm::max(high, cells_[m]);
   }
 
+  // Most regions fill much of the rectangle around them. Then each cell has its own slot, and
+  // adjacent ones are in one cache line; others are hashed.
+  const std::int64_t columns = std::int64_t{high.x} - low.x + 1;
+  const std::int64_t rows = std::int64_t{high.y} - low.y + 1;
   const std::size_t capacity = std::bit_ceil(points.size() * 2);
+  const bool is_compact =
+      static_cast<double>(columns) * static_cast<double>(rows) <= static_cast<double>(capacity);
   table_.assign(capacity, kNone);
-  next_.resize(points.size());
-  for (std::uint32_t m = 0; m < points.size(); ++m) {
-    const std::uint64_t key = keys_[m];
+  const auto own_slot = [&](std::size_t m) {
+    const glm::ivec2 at = cells_[m] - low;
+    return static_cast<std::size_t>(at.y * columns + at.x);
+  };
+  const auto hashed_slot = [&](std::size_t m) {
+    const std::uint64_t key = std::uint64_t{static_cast<std::uint32_t>(cells_[m].x)} << 32 |
+                              static_cast<std::uint32_t>(cells_[m].y);
     std::size_t slot = (key * 0x9E3779B97F4A7C15ULL >> 20) & (capacity - 1);
-    while (table_[slot] != kNone && keys_[table_[slot]] != key) slot = (slot + 1) & (capacity - 1);
-    next_[m] = table_[slot];
-    table_[slot] = m;
+    while (table_[slot] != kNone && cells_[table_[slot]] != cells_[m])
+      slot = (slot + 1) & (capacity - 1);
+    return slot;
+  };
+  return is_compact ? lie_on_one_sheet(own_slot, tolerance)
+                    : lie_on_one_sheet(hashed_slot, tolerance);
+}
+
+template <class SlotOf>
+bool RegionTest::lie_on_one_sheet(const SlotOf& slot_of, double tolerance) {
+  next_.resize(positions_.size());
+  for (std::uint32_t m = 0; m < positions_.size(); ++m) {
+    std::uint32_t& last = table_[slot_of(m)];
+    next_[m] = last;
+    last = m;
     int compared = 0;
     for (std::uint32_t o = next_[m]; o != kNone && compared < kMaxCompared;
          o = next_[o], ++compared) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <optional>
 #include <span>
 #include <vector>
@@ -66,15 +67,20 @@ class RegionTest {
   /// Test 2, for the points whose cone was just fitted.
   [[nodiscard]] bool single_valued(std::span<const std::uint32_t> points, glm::vec3 normal);
 
+  /// Whether gathered points in one cell lie on each other's tangent planes. `slot_of`: of each
+  /// point's cell in table_.
+  template <class SlotOf>
+  [[nodiscard]] bool lie_on_one_sheet(const SlotOf& slot_of, double tolerance);
+
   SurfaceSamples samples_;
   float cos_cone_;
   float cone_;
   double sheet_tolerance_;
   NormalList normals_;
   std::vector<glm::dvec3> positions_;
-  std::vector<std::uint32_t> table_;
-  std::vector<std::uint64_t> keys_;
-  std::vector<std::uint32_t> next_;
+  std::vector<glm::ivec2> cells_;
+  std::vector<std::uint32_t> table_;  // the last point of each cell
+  std::vector<std::uint32_t> next_;   // another point of each point's cell
 };
 
 /// Computes two unit vectors that complete a unit normal to a right-handed frame (u, v, n).

@@ -30,7 +30,16 @@ void NearestSearch::find(std::uint32_t slot) {
 void NearestSearch::look_at_leaf(std::size_t first, std::size_t count) {
   std::array<double, PositionTree::kLeafSize> squared;
   tree_.squared_distances(from_, first, squared);
+  // Which of a leaf's positions are near is hard to predict, so they are collected without a
+  // branch.
+  std::array<std::uint32_t, PositionTree::kLeafSize> near;
+  std::size_t near_count = 0;
   for (std::size_t m = 0; m < count; ++m) {
+    near[near_count] = static_cast<std::uint32_t>(m);
+    near_count += squared[m] < farthest_ ? 1 : 0;
+  }
+  for (std::size_t n = 0; n < near_count; ++n) {
+    const std::size_t m = near[n];
     if (!(squared[m] < farthest_) || first + m == self_) continue;
     if (count_ < squared_.size()) ++count_;
     std::size_t at = count_ - 1;

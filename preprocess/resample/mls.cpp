@@ -1,6 +1,5 @@
 #include "preprocess/resample/mls.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <span>
 
 #include "preprocess/normals/crease_sides.h"
+#include "preprocess/resample/fit_equations.h"
 
 namespace relief {
 namespace {
@@ -31,73 +31,71 @@ constexpr float kMinLikeness = 0.5F;
 // Fitted normals may leave the mean normal by up to 37 degrees; further is an overshoot.
 constexpr float kMinAgreement = 0.8F;
 
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
-using Right = Eigen::Matrix<double, 6, 4>;
-
 /// Two doubles in one SIMD register.
 using Pair = double __attribute__((vector_size(16)));
 
-/// The contribution of a point to a fit.
+/// The contribution of a point to a fit of `kValues` polynomials: its height and, where they are
+/// asked for, the components of its normal.
+template <std::size_t kValues>
 struct Term {
   std::array<Pair, 3> basis;     // of the polynomial, there
   std::array<Pair, 3> weighted;  // that times the point's weight
-  std::array<double, 4> values;  // its height, then the components of its normal
+  std::array<double, kValues> values;
 };
 
 /// The sums of a fit. Terms are added one by one, which defines the rounding, but sums stay in
 /// registers: first half of the matrix, then the right side.
+template <std::size_t kValues>
 struct Sums {
-  Matrix6 normal_matrix = Matrix6::Zero();  // the lower half of it
-  Right right_side = Right::Zero();  // heights, then the three components of the points' normals
+  FitMatrix normal_matrix{};
+  std::array<FitColumn, kValues> right_side{};
   double weight = 0.0;
   double tangent = 0.0;  // weighted heights of tangent planes: the cheap implicit surface
   glm::vec3 normal{0.0F};
 
-  void add(std::span<const Term> terms) {
+  void add(std::span<const Term<kValues>> terms) {
     add_to_matrix(terms);
     add_to_right_side(terms);
   }
 
  private:
-  void add_to_matrix(std::span<const Term> terms) {
+  void add_to_matrix(std::span<const Term<kValues>> terms) {
     std::array<std::array<Pair, 3>, 6> columns;
-    for (int c = 0; c < 6; ++c) {
-      for (int r = c / 2; r < 3; ++r) columns[c][r] = pair_of(normal_matrix, r, c);
+    for (std::size_t c = 0; c < 6; ++c) {
+      for (std::size_t r = c / 2; r < 3; ++r) columns[c][r] = pair_of(normal_matrix[c], r);
     }
-    for (const Term& term : terms) {
-      for (int c = 0; c < 6; ++c) {
-        for (int r = c / 2; r < 3; ++r)
+    for (const Term<kValues>& term : terms) {
+      for (std::size_t c = 0; c < 6; ++c) {
+        for (std::size_t r = c / 2; r < 3; ++r)
           columns[c][r] += term.weighted[c / 2][c % 2] * term.basis[r];
       }
     }
-    for (int c = 0; c < 6; ++c) {
-      for (int r = c / 2; r < 3; ++r) set_pair(columns[c][r], r, c, normal_matrix);
+    for (std::size_t c = 0; c < 6; ++c) {
+      for (std::size_t r = c / 2; r < 3; ++r) set_pair(columns[c][r], r, normal_matrix[c]);
     }
   }
 
-  void add_to_right_side(std::span<const Term> terms) {
-    std::array<std::array<Pair, 3>, 4> columns;
-    for (int c = 0; c < 4; ++c) {
-      for (int r = 0; r < 3; ++r) columns[c][r] = pair_of(right_side, r, c);
+  void add_to_right_side(std::span<const Term<kValues>> terms) {
+    std::array<std::array<Pair, 3>, kValues> columns;
+    for (std::size_t c = 0; c < kValues; ++c) {
+      for (std::size_t r = 0; r < 3; ++r) columns[c][r] = pair_of(right_side[c], r);
     }
-    for (const Term& term : terms) {
-      for (int c = 0; c < 4; ++c) {
-        for (int r = 0; r < 3; ++r) columns[c][r] += term.values[c] * term.weighted[r];
+    for (const Term<kValues>& term : terms) {
+      for (std::size_t c = 0; c < kValues; ++c) {
+        for (std::size_t r = 0; r < 3; ++r) columns[c][r] += term.values[c] * term.weighted[r];
       }
     }
-    for (int c = 0; c < 4; ++c) {
-      for (int r = 0; r < 3; ++r) set_pair(columns[c][r], r, c, right_side);
+    for (std::size_t c = 0; c < kValues; ++c) {
+      for (std::size_t r = 0; r < 3; ++r) set_pair(columns[c][r], r, right_side[c]);
     }
   }
 
-  template <class Matrix>
-  static Pair pair_of(const Matrix& matrix, int pair, int column) {
-    return Pair{matrix(2 * pair, column), matrix(2 * pair + 1, column)};
+  static Pair pair_of(const FitColumn& column, std::size_t pair) {
+    return Pair{column[2 * pair], column[2 * pair + 1]};
   }
-  template <class Matrix>
-  static void set_pair(Pair value, int pair, int column, Matrix& matrix) {
-    matrix(2 * pair, column) = value[0];
-    matrix(2 * pair + 1, column) = value[1];
+  static void set_pair(Pair value, std::size_t pair, FitColumn& column) {
+    column[2 * pair] = value[0];
+    column[2 * pair + 1] = value[1];
   }
 };
 
@@ -112,30 +110,35 @@ struct Found {
 constexpr std::size_t kBatch = 32;
 
 /// Adds points.
+template <std::size_t kValues>
 void take_in(const PatchPoints& points, std::span<const Found> found, glm::dvec3 about,
-             double scale, Sums& sums) {
-  std::array<Term, kBatch> terms;
+             double scale, Sums<kValues>& sums) {
+  std::array<Term<kValues>, kBatch> terms;
   for (std::size_t f = 0; f < found.size(); ++f) {
     const auto [p, dz, squared] = found[f];
     const double w = std::exp(-squared);
     const double dx = (points.positions[p].x - about.x) / scale;
     const double dy = (points.positions[p].y - about.y) / scale;
     const glm::vec3 n = points.normals[p];
-    Term& term = terms[f];
+    Term<kValues>& term = terms[f];
     term.basis = {Pair{1.0, dx}, Pair{dy, dx * dx}, Pair{dx * dy, dy * dy}};
     for (std::size_t r = 0; r < 3; ++r) term.weighted[r] = w * term.basis[r];
-    term.values = {dz / scale, n.x, n.y, n.z};
+    if constexpr (kValues == 1)
+      term.values = {dz / scale};
+    else
+      term.values = {dz / scale, n.x, n.y, n.z};
     sums.weight += w;
     sums.tangent += w * (tangent_height(points, p, about.x, about.y) - about.z);
     sums.normal += static_cast<float>(w) * n;
   }
-  sums.add(std::span(terms).first(found.size()));
+  sums.add(std::span<const Term<kValues>>(terms).first(found.size()));
 }
 
 /// Sums up the points whose normals are `like` that one, a cosine.
-Sums accumulate(const PatchPoints& points, const PointGrid& lookup, glm::dvec3 about, double scale,
-                glm::vec3 normal, float like) {
-  Sums sums;
+template <std::size_t kValues>
+Sums<kValues> accumulate(const PatchPoints& points, const PointGrid& lookup, glm::dvec3 about,
+                         double scale, glm::vec3 normal, float like) {
+  Sums<kValues> sums;
   std::array<Found, kBatch> found;
   std::size_t count = 0;
   lookup.for_each_within(about.x, about.y, kWeightCutoff * scale,
@@ -158,7 +161,12 @@ glm::vec3 unit_or_up(glm::vec3 n) {
   return length > 1e-6F ? n / length : glm::vec3(0.0F, 0.0F, 1.0F);
 }
 
+bool are_finite(const FitColumn& unknowns) {
+  return std::ranges::all_of(unknowns, [](double x) { return std::isfinite(x); });
+}
+
 /// Fits the points about the tangent plane of the nearest, those with normals `like` that one.
+template <std::size_t kValues>
 SurfacePoint fit(const PatchPoints& points, const PointGrid& lookup, std::uint32_t nearest,
                  glm::dvec2 at, double spacing, glm::vec3 normal, float like) {
   const glm::dvec3 about(at, tangent_height(points, nearest, at.x, at.y));
@@ -166,33 +174,39 @@ SurfacePoint fit(const PatchPoints& points, const PointGrid& lookup, std::uint32
   const double scale = std::max({kScaleInSpacings * points.spacing[nearest],
                                  kScaleInGridSpacings * spacing, 0.6 * to_nearest});
 
-  Sums sums = accumulate(points, lookup, about, scale, normal, like);
+  Sums<kValues> sums = accumulate<kValues>(points, lookup, about, scale, normal, like);
   if (!(sums.weight > 0.0)) return {about.z, normal, normal};
-  for (int d = 3; d < 6; ++d) sums.normal_matrix(d, d) += kFitRidge * sums.weight;
-  for (int d = 1; d < 3; ++d) sums.normal_matrix(d, d) += 1e-6 * sums.weight;
-  const Right fit =
-      sums.normal_matrix.selfadjointView<Eigen::Lower>().ldlt().solve(sums.right_side);
+  for (std::size_t d = 3; d < 6; ++d) sums.normal_matrix[d][d] += kFitRidge * sums.weight;
+  for (std::size_t d = 1; d < 3; ++d) sums.normal_matrix[d][d] += 1e-6 * sums.weight;
+  const FitEquations equations(sums.normal_matrix);
+  std::array<FitColumn, kValues> fits;
+  for (std::size_t c = 0; c < kValues; ++c) fits[c] = equations.solve(sums.right_side[c]);
 
   SurfacePoint out;
+  const FitColumn& height = fits[0];
   const double implicit = sums.tangent / sums.weight;
   const glm::vec3 mean = unit_or_up(sums.normal);
-  const bool sound =
-      fit.allFinite() && std::abs(fit(0, 0) * scale - implicit) <= kMaxOvershoot * scale;
-  out.height = about.z + (sound ? fit(0, 0) * scale : implicit);
-  out.fitted_normal = sound ? unit_or_up(glm::vec3(-fit(1, 0), -fit(2, 0), 1.0)) : mean;
-  // A mean is biased towards the denser side; the fitted value is not.
-  const glm::vec3 fitted_mean = unit_or_up(glm::vec3(fit(0, 1), fit(0, 2), fit(0, 3)));
-  out.given_normal = sound && glm::dot(fitted_mean, mean) > kMinAgreement ? fitted_mean : mean;
+  const bool sound = std::ranges::all_of(fits, are_finite) &&
+                     std::abs(height[0] * scale - implicit) <= kMaxOvershoot * scale;
+  out.height = about.z + (sound ? height[0] * scale : implicit);
+  out.fitted_normal = sound ? unit_or_up(glm::vec3(-height[1], -height[2], 1.0)) : mean;
+  if constexpr (kValues > 1) {
+    // A mean is biased towards the denser side; the fitted value is not.
+    const glm::vec3 fitted_mean = unit_or_up(glm::vec3(fits[1][0], fits[2][0], fits[3][0]));
+    out.given_normal = sound && glm::dot(fitted_mean, mean) > kMinAgreement ? fitted_mean : mean;
+  }
   return out;
 }
 
 }  // namespace
 
 SurfacePoint evaluate_mls(const PatchPoints& points, const PointGrid& supporting,
-                          const PointGrid& all, double x, double y, double spacing) {
+                          const PointGrid& all, double x, double y, double spacing,
+                          bool with_given_normal) {
   const std::uint32_t nearest = supporting.nearest(x, y, 16.0 * spacing);
   if (nearest == PointGrid::kNone) return {0.0, {0, 0, 1}, {0, 0, 1}};
-  return fit(points, all, nearest, {x, y}, spacing, points.normals[nearest], kMinLikeness);
+  const auto fit_to = with_given_normal ? fit<4> : fit<1>;
+  return fit_to(points, all, nearest, {x, y}, spacing, points.normals[nearest], kMinLikeness);
 }
 
 std::optional<SurfacePoint> evaluate_mls_beside_crease(const PatchPoints& points,
@@ -207,7 +221,7 @@ std::optional<SurfacePoint> evaluate_mls_beside_crease(const PatchPoints& points
     nearest = p;
   });
   if (nearest == PointGrid::kNone) return {};
-  return fit(points, all, nearest, at, spacing, normal, kCreaseSideCosine);
+  return fit<1>(points, all, nearest, at, spacing, normal, kCreaseSideCosine);
 }
 
 }  // namespace relief

@@ -130,22 +130,35 @@ NodeSupport::NodeSupport(const PatchPoints& points, const PointGrid& lookup, con
       lookup_(lookup),
       grid_(grid),
       octants_(grid.size() + sizeof(std::uint64_t), 0) {
-  const double spacing = grid.spacing;
-  for (std::uint32_t p = 0; p < lookup.size(); ++p) {
+  add_points(0);
+}
+
+NodeSupport::NodeSupport(const NodeSupport& fewer, const PointGrid& lookup)
+    : points_(fewer.points_),
+      lookup_(lookup),
+      grid_(fewer.grid_),
+      octants_(fewer.octants_),
+      widest_reach_(fewer.widest_reach_) {
+  add_points(static_cast<std::uint32_t>(fewer.lookup_.size()));
+}
+
+void NodeSupport::add_points(std::uint32_t first) {
+  const double spacing = grid_.spacing;
+  for (std::uint32_t p = first; p < lookup_.size(); ++p) {
     for_nodes_within(
-        points.positions[p], kReachInSpacings * spacing,
+        points_.positions[p], kReachInSpacings * spacing,
         [&](std::uint8_t& octants, std::uint32_t i, std::uint32_t j, double dx, double dy) {
-          if (is_close(points, p, grid.x0 + i * spacing, grid.y0 + j * spacing, dx * dx + dy * dy,
-                       spacing)) {
+          if (is_close(points_, p, grid_.x0 + i * spacing, grid_.y0 + j * spacing,
+                       dx * dx + dy * dy, spacing)) {
             octants = kAllOctants;
           }
         });
   }
-  for (std::uint32_t p = 0; p < lookup.size(); ++p) {
+  for (std::uint32_t p = first; p < lookup_.size(); ++p) {
     const double reach =
-        std::min(surround_reach(points, p, spacing), kWidestSparseInSpacings * spacing);
+        std::min(surround_reach(points_, p, spacing), kWidestSparseInSpacings * spacing);
     widest_reach_ = std::max(widest_reach_, reach);
-    for_nodes_within(points.positions[p], reach,
+    for_nodes_within(points_.positions[p], reach,
                      [](std::uint8_t& octants, std::uint32_t /*i*/, std::uint32_t /*j*/, double dx,
                         double dy) { octants |= octant_bit(dx, dy); });
   }

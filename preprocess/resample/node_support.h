@@ -23,6 +23,9 @@ class NodeSupport {
   /// All three must outlive this; `lookup` is over `points`.
   NodeSupport(const PatchPoints& points, const PointGrid& lookup, const PatchGrid& grid);
 
+  /// The support by more points: those of `lookup`, of which the first are those of `fewer`.
+  NodeSupport(const NodeSupport& fewer, const PointGrid& lookup);
+
   [[nodiscard]] bool is_supported(std::uint32_t i, std::uint32_t j) const;
 
  private:
@@ -30,6 +33,8 @@ class NodeSupport {
   /// within `radius` of the point on the base plane that lack an octant.
   template <class Fn>
   void for_nodes_within(glm::dvec3 point, double radius, const Fn& fn);
+  /// Adds the points of `lookup_` from this one on.
+  void add_points(std::uint32_t first);
   /// Returns true only if some adjacent nodes have all octants.
   [[nodiscard]] bool have_all_octants(std::size_t begin, std::size_t end) const;
 

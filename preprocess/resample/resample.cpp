@@ -120,8 +120,9 @@ Patch resample_region(const ScanSurface& scan, const Region& region,
     if (states[m] == NodeState::Hole) continue;
     const auto i = static_cast<std::uint32_t>(m % grid.width);
     const auto j = static_cast<std::uint32_t>(m / grid.width);
-    surface[m] = evaluate_mls(points, supporting, all, grid.x0 + i * grid.spacing,
-                              grid.y0 + j * grid.spacing, grid.spacing);
+    surface[m] =
+        evaluate_mls(points, supporting, all, grid.x0 + i * grid.spacing,
+                     grid.y0 + j * grid.spacing, grid.spacing, options.normals_from_points);
   }
   const std::vector<NodeState> with_margin = states;
   if (options.seams) {

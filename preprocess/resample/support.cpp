@@ -97,7 +97,7 @@ std::vector<NodeState> find_support(const PatchPoints& points, const PatchLookup
              [](Node, Node, const Surroundings& around) { return around.in_slit(); });
   if (overlap_cells == 0) return states;
 
-  const NodeSupport by_supporting(points, lookups.supporting, grid);
+  const NodeSupport by_supporting(by_own, lookups.supporting);
   for (int ring = 0; ring < overlap_cells; ++ring) {
     fill_holes(grid, states, NodeState::Margin, [&](Node i, Node j, const Surroundings& around) {
       return around.has_sample() && by_supporting.is_supported(i, j);

@@ -24,7 +24,17 @@ struct FlatTriangle {
 
   /// Returns the barycentric weights of a position on the base plane; outside the triangle some are
   /// negative.
-  [[nodiscard]] glm::dvec3 weights_at(glm::dvec2 position) const;
+  [[nodiscard]] glm::dvec3 weights_at(glm::dvec2 position) const {
+    return areas_at(position) / twice_area;
+  }
+  /// Returns the weights times `twice_area`.
+  [[nodiscard]] glm::dvec3 areas_at(glm::dvec2 position) const {
+    const auto cross = [](glm::dvec2 u, glm::dvec2 v) { return u.x * v.y - u.y * v.x; };
+    const glm::dvec2 a = corners[0] - position;
+    const glm::dvec2 b = corners[1] - position;
+    const glm::dvec2 c = corners[2] - position;
+    return {cross(b, c), cross(c, a), cross(a, b)};
+  }
   /// Returns the height above a position of the base plane, of the triangle or of its plane.
   [[nodiscard]] double height_at(glm::dvec2 position) const;
   [[nodiscard]] double twice_area_in_space() const;

@@ -14,6 +14,8 @@ namespace {
 constexpr double kFacingAway = 3.0;
 /// Weights this far below 0 still count, so that no texel falls between two triangles.
 constexpr double kOnEdge = -1e-9;
+/// Weights below this are surely below kOnEdge, whatever the rounding.
+constexpr double kSurelyOutside = 2.0 * kOnEdge;
 
 /// The patch's surface, cells, continued over holes.
 class Surface {
@@ -77,13 +79,19 @@ std::vector<std::uint32_t> find_shown(const Patch& patch, std::uint32_t texels_p
     const auto [left, right] = std::minmax({p[0].x, p[1].x, p[2].x});
     const auto [low, high] = std::minmax({p[0].y, p[1].y, p[2].y});
     const double penalty = triangle.twice_area > 0.0 ? 0.0 : kFacingAway;
+    // Most texels of a triangle's box are beside it: they are done with before the division.
+    const double side = triangle.twice_area > 0.0 ? 1.0 : -1.0;
+    const double outside = kSurelyOutside * std::abs(triangle.twice_area);
     const std::uint32_t a0 = first(left, width);
     const std::uint32_t a1 = end(right, width);
     const std::uint32_t b1 = end(high, height);
     for (std::uint32_t b = first(low, height); b < b1; ++b) {
       for (std::uint32_t a = a0; a < a1; ++a) {
         const glm::dvec2 position(a / scale, b / scale);
-        const glm::dvec3 weights = triangle.weights_at(position);
+        const glm::dvec3 areas = triangle.areas_at(position);
+        const glm::dvec3 inward = side * areas;
+        if (inward.x < outside || inward.y < outside || inward.z < outside) continue;
+        const glm::dvec3 weights = areas / triangle.twice_area;
         if (std::min({weights.x, weights.y, weights.z}) < kOnEdge) continue;
         const double away = std::abs(glm::dot(weights, triangle.heights) - surface.at(position));
         const auto cost = static_cast<float>(away + penalty);

@@ -88,7 +88,7 @@ TEST(Mls, ReproducesAQuadricExactly) {
   const PatchPoints points = collect_patch_points(scan.samples(), scan.graph, all, {}, 0.0);
   const PointGrid lookup(points, points.size(), kStep);
   for (const glm::dvec2 at : {glm::dvec2(0, 0), glm::dvec2(0.13, -0.21), glm::dvec2(-0.3, 0.3)}) {
-    const SurfacePoint surface = evaluate_mls(points, lookup, lookup, at.x, at.y, kStep);
+    const SurfacePoint surface = evaluate_mls(points, lookup, lookup, at.x, at.y, kStep, true);
     const glm::dvec3 world =
         points.frame.origin + points.frame.axes * glm::dvec3(at.x, at.y, surface.height);
     // The ridge of 0.2 % on the second order is all that is left: curvature 1 over one spacing is
@@ -118,7 +118,7 @@ TEST(Mls, AWallFarBelowThatIsSeenEdgeOnIsNoEstimate) {
   const PointGrid all(points, points.size(), kStep);
   for (double y = -3.0; y <= 3.0; y += 0.25) {
     const SurfacePoint surface =
-        evaluate_mls(points, supporting, all, 0.5 * kStep, y * kStep, kStep);
+        evaluate_mls(points, supporting, all, 0.5 * kStep, y * kStep, kStep, true);
     EXPECT_NEAR(surface.height, 0.0, 1e-9) << y;
     EXPECT_GT(surface.fitted_normal.z, 0.999999F) << y;
   }
