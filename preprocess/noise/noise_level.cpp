@@ -10,6 +10,7 @@
 
 #include "preprocess/noise/quadric_fit.h"
 #include "preprocess/noise/rings.h"
+#include "preprocess/points/median.h"
 #include "preprocess/points/nearest_search.h"
 
 namespace relief {
@@ -34,8 +35,8 @@ constexpr double kDetailGrowth = 2.4;
 /// What quadrics leave over in the discs about a point: variances, units squared; negative: none.
 using Profile = std::array<float, Rings::kCount>;
 
-/// The variance of which a sample variance is the value that kFlatShare of them are below (Wilson
-/// and Hilferty 1931).
+/// The variance of which a sample variance is the value that kFlatShare of them are below ([Wilson
+/// and Hilferty 1931]).
 double for_flat(double variance, double freedom) {
   const double part = 2.0 / (9.0 * freedom);
   const double root = 1.0 - part + kFlatDeviations * std::sqrt(part);
@@ -162,10 +163,13 @@ std::vector<float> estimate_noise(const PositionTree& tree, const std::vector<fl
   const Places places = look_at_places(tree, spacing);
   const std::vector<std::optional<NoiseRange>> ranges = pool(places);
   const double usual = usual_noise(ranges);
+  const float usual_spacing = median_of(spacing);
   for (std::size_t slot = 0; slot < noise.size(); ++slot) {
     const std::optional<NoiseRange>& range = ranges[slot / places.stride];
-    const double units = range ? std::clamp(usual, range->low, range->high) : usual;
-    noise[slot] = static_cast<float>(units) * spacing[slot];
+    // Balls of sparse points are no surface, whose noise would grow with its spacing.
+    noise[slot] =
+        range ? static_cast<float>(std::clamp(usual, range->low, range->high)) * spacing[slot]
+              : static_cast<float>(usual) * std::min(spacing[slot], usual_spacing);
   }
   return noise;
 }

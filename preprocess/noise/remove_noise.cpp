@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "preprocess/noise/noise_level.h"
+#include "preprocess/points/median.h"
 
 namespace relief {
 namespace {
@@ -16,13 +17,6 @@ constexpr float kLeastInSpacings = 0.05F;
 constexpr float kMuchInSpacings = 0.4F;
 // What is left of noise, about, after the first round.
 constexpr float kLeftShare = 0.7F;
-
-float median_of(std::vector<float> values) {
-  if (values.empty()) return 0.0F;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Noise too small to matter becomes none. Returns the number of points that have some.
 std::uint64_t drop_small(const std::vector<float>& spacing, std::vector<float>& noise) {
@@ -70,7 +64,9 @@ NoiselessPoints remove_noise(const std::vector<glm::dvec3>& positions,
   progress.begin_stage("measure noise", 0);
   std::vector<float> noise = given ? std::vector<float>(tree.size(), static_cast<float>(*given))
                                    : estimate_noise(tree, spacing_of_slot);
-  NoiselessPoints result{{}, {.noise = median_of(noise), .moved = 0}};
+  NoiselessPoints result;
+  if (noise.empty()) return result;
+  result.report.noise = median_of(noise);
   if (progress.cancelled()) return result;
   result.report.moved = drop_small(spacing_of_slot, noise);
   if (result.report.moved == 0) return result;

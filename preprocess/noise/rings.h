@@ -28,12 +28,12 @@ class Rings {
 
   explicit Rings(const PositionTree& tree) : tree_(tree) {}
 
-  /// Collects the points about a centre in the first `rings` rings; `unit`: the spacing there, world
-  /// units. With more rings the points of the first are the same, in the same order.
+  /// Collects the points about a centre in the first `rings` rings; `unit`: the spacing there,
+  /// world units. With more rings the points of the first are the same, in the same order.
   void collect(const glm::dvec3& centre, double unit, std::size_t rings = kCount);
 
-  /// The number of rings; fewer than asked for if the points about the centre are far denser than its
-  /// spacing says, which bounds the work.
+  /// The number of rings; fewer than asked for if the points about the centre are far denser than
+  /// its spacing says, which bounds the work.
   [[nodiscard]] std::size_t count() const { return count_; }
   /// The points of one ring, in the tree's order. The innermost holds the centre itself.
   [[nodiscard]] std::span<const Neighbour> of(std::size_t ring) const {

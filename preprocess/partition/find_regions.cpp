@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "preprocess/points/median.h"
 #include "preprocess/resample/spacing/patch_spacing.h"
 
 namespace relief {
@@ -13,6 +14,9 @@ namespace {
 constexpr double kDefaultConeDegrees = 70.0;
 // Regions of fewer points are not a surface.
 constexpr std::size_t kMinPatchPoints = 4;
+// Nor are bare points this few where they are far sparser than the scan: some of a cloud of
+// outliers that lie on a plane by chance.
+constexpr std::size_t kFewSparsePoints = 16;
 // A cloud of outliers: the eighth neighbour is this much farther than the scan's median one, and
 // the plane through the neighbourhood is left by more than this share of that distance (a ball of
 // points has 0.2 to 0.3, a surface that bends by 60 degrees across its neighbourhood 0.08).
@@ -29,16 +33,22 @@ std::vector<std::uint32_t> surface_points(const std::vector<glm::dvec3>& positio
     const std::uint32_t eighth = graph.of(i)[std::min(graph.k, 8U) - 1];
     to_eighth[i] = static_cast<float>(glm::distance(positions[i], positions[eighth]));
   }
-  std::vector<float> sorted = to_eighth;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
+  const float usual = median_of(to_eighth);
   std::vector<std::uint32_t> points;
   for (std::uint32_t i = 0; i < count; ++i) {
-    const bool scattered = to_eighth[i] > kSparseInMedians * *middle &&
-                           frames.roughness[i] > kRoughShare * to_eighth[i];
+    const bool scattered =
+        to_eighth[i] > kSparseInMedians * usual && frames.roughness[i] > kRoughShare * to_eighth[i];
     if (!scattered) points.push_back(i);
   }
   return points;
+}
+
+/// Returns whether a region's points are far sparser than the scan, whose median spacing is
+/// `usual`.
+bool is_sparse(const NeighbourGraph& graph, const Region& region, float usual) {
+  float sum = 0.0F;
+  for (const std::uint32_t i : region.points) sum += graph.spacing[i];
+  return sum > kSparseInMedians * usual * static_cast<float>(region.points.size());
 }
 
 // Returns whether a region continues in the surrounding points, which are those from `count` on.
@@ -65,8 +75,13 @@ std::vector<Region> find_regions(const Points& points, std::size_t count,
   std::vector<Region> regions =
       partition(samples, graph, surface_points(points.positions, count, graph, frames), cone,
                 creases != nullptr ? &creases->at_crease : nullptr, progress);
+  const bool is_bare = points.triangles.empty();
+  const float usual = is_bare && !graph.spacing.empty() ? median_of(graph.spacing) : 0.0F;
   std::erase_if(regions, [&](const Region& r) {
-    return r.points.size() < kMinPatchPoints && !goes_on_around(samples, graph, r, count);
+    const bool is_stray =
+        is_bare && r.points.size() < kFewSparsePoints && is_sparse(graph, r, usual);
+    return (r.points.size() < kMinPatchPoints || is_stray) &&
+           !goes_on_around(samples, graph, r, count);
   });
   return regions;
 }

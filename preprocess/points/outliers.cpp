@@ -9,6 +9,7 @@
 
 #include "preprocess/normals/signed_forest.h"
 #include "preprocess/points/keep_points.h"
+#include "preprocess/points/median.h"
 #include "preprocess/points/neighbours.h"
 
 namespace relief {
@@ -25,13 +26,6 @@ constexpr float kMaxNeighbours = 3.0F;
 // Scan lines lie up to three points' distances apart.
 constexpr float kLinkSpacings = 4.0F;
 constexpr std::uint32_t kMinCluster = 50;
-
-template <class Value>
-Value median_of(std::vector<Value> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::vector<float> mean_distances(const std::vector<glm::dvec3>& positions,
                                   const NeighbourGraph& graph) {

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <span>
 
+#include "preprocess/points/median.h"
+
 namespace relief {
 namespace {
 
@@ -49,13 +51,6 @@ Plane plane_of(const std::vector<glm::dvec3>& positions, std::span<const std::ui
   plane.normal = {n.x(), n.y(), n.z()};
   plane.rms = std::sqrt(std::max(solver.eigenvalues()[0], 0.0));
   return plane;
-}
-
-template <class Values>
-float median_of(Values values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace

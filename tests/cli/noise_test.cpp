@@ -60,10 +60,10 @@ TEST_F(Noise, WrongValuesAreWrongUsage) {
     EXPECT_NE(run.err.find("neither auto nor a number"), std::string::npos) << run.err;
     EXPECT_FALSE(std::filesystem::exists(path("plane.relief")));
   }
-  EXPECT_EQ(run_relief({"convert", scan, "-o", path("plane.relief"), "--noise", "auto", "--memory",
-                        "1G"})
-                .exit_code,
-            2);
+  EXPECT_EQ(
+      run_relief({"convert", scan, "-o", path("plane.relief"), "--noise", "auto", "--memory", "1G"})
+          .exit_code,
+      2);
 }
 
 }  // namespace

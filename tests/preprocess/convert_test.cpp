@@ -96,8 +96,8 @@ double largest_turn(const PatchModel& model) {
     for (std::uint32_t j = 0; j < patch.height; ++j) {
       for (std::uint32_t i = 0; i < patch.width; ++i) {
         if (patch.at(i, j) == kHole) continue;
-        const glm::dvec3 normal = patch.axes * glm::dvec3(unit_from_snorm16(
-                                                   patch.normals.texels[j * patch.width + i]));
+        const glm::dvec3 normal =
+            patch.axes * glm::dvec3(unit_from_snorm16(patch.normals.texels[j * patch.width + i]));
         least = std::min(least, glm::dot(normal, glm::normalize(position_of(patch, i, j))));
       }
     }
@@ -113,7 +113,8 @@ TEST(Convert, MakesOfANoisySphereWhatItMakesOfACleanOne) {
   std::mt19937 random(3);
   const double spacing = std::sqrt(4.0 * std::numbers::pi / 8000.0);
   std::normal_distribution<double> noise(0.0, 0.5 * spacing);
-  for (glm::dvec3& p : points.positions) p += glm::dvec3(noise(random), noise(random), noise(random));
+  for (glm::dvec3& p : points.positions)
+    p += glm::dvec3(noise(random), noise(random), noise(random));
   const ConvertResult result = must_convert(points);
   EXPECT_NEAR(result.report.noise, 0.5 * spacing, 0.06 * spacing);
   EXPECT_EQ(result.report.points_moved, points.size());

@@ -32,7 +32,8 @@ inline RandomScan random_sphere(std::size_t count, unsigned seed = 1) {
   std::normal_distribution<double> normal;
   RandomScan scan{{}, std::sqrt(4.0 * std::numbers::pi / static_cast<double>(count))};
   for (std::size_t i = 0; i < count; ++i)
-    scan.positions.push_back(glm::normalize(glm::dvec3(normal(random), normal(random), normal(random))));
+    scan.positions.push_back(
+        glm::normalize(glm::dvec3(normal(random), normal(random), normal(random))));
   return scan;
 }
 

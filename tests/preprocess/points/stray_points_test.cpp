@@ -36,8 +36,7 @@ TEST(StrayPoints, AreCloudsOfThem) {
   const std::size_t surface = cube.positions.size();
   std::mt19937 random(3);
   std::uniform_real_distribution<double> any(2.0, 4.0);
-  for (int k = 0; k < 500; ++k)
-    cube.positions.emplace_back(any(random), any(random), any(random));
+  for (int k = 0; k < 500; ++k) cube.positions.emplace_back(any(random), any(random), any(random));
   const std::vector<std::uint8_t> stray = stray_of(cube.positions);
   EXPECT_EQ(count({stray.begin(), stray.begin() + static_cast<std::ptrdiff_t>(surface)}), 0);
   // By chance some neighbourhoods in a cloud are flat.
