@@ -48,7 +48,7 @@ struct BorderMesh {
 [[nodiscard]] BorderMesh find_borders(std::span<const Patch> patches,
                                       std::span<const CellTriangles> cells);
 
-/// Fits planes to the samples about all vertices. Seams at creases need them; others do not.
+/// Fits planes to the samples about all vertices. Creases are told by them.
 void find_planes(std::span<const Patch> patches, BorderMesh& mesh);
 
 }  // namespace relief

@@ -3,8 +3,10 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "common/octahedral.h"
@@ -18,6 +20,8 @@ namespace {
 
 // Samples within this many spacings of a hole tell its normal.
 constexpr double kReachInSpacings = 1.5;
+// Shading turns over a crease if no more than this share of its angle is left between the samples.
+constexpr double kShadedOver = 0.85;
 
 struct Neighbourhood {
   glm::dvec3 position{0.0};  ///< world: where the patch's surface would be
@@ -47,29 +51,71 @@ Neighbourhood continue_to(const Patch& patch, std::uint32_t i, std::uint32_t j) 
   return around;
 }
 
+/// Whether shading turns over a crease, as it does where a mesh has one normal a vertex: the
+/// normals beside it turn toward each other, so that less is left between them than between the
+/// planes.
+bool is_shaded_over(glm::dvec3 normal, glm::dvec3 plane, const BorderVertex& other) {
+  const auto angle = [](glm::dvec3 a, glm::dvec3 b) {
+    return std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0));
+  };
+  return angle(normal, other.normal) < kShadedOver * angle(plane, other.plane_normal);
+}
+
+/// What border vertices about a hole say of its normal.
+class Surroundings {
+ public:
+  /// `own`: the normal that the patch's own samples tell; `weight`: theirs.
+  Surroundings(std::uint32_t patch, glm::dvec3 own, double weight)
+      : patch_(patch), own_(own), sum_(own * weight) {}
+
+  void add(const BorderVertex& vertex, double weight) {
+    if (vertex.patch == patch_) {
+      plane_ += weight * vertex.plane_normal;
+    } else if (glm::dot(vertex.normal, own_) >= kCreaseCosine) {
+      sum_ += weight * vertex.normal;
+    } else {
+      turned_.emplace_back(&vertex, weight);
+    }
+  }
+
+  [[nodiscard]] glm::dvec3 normal() const {
+    glm::dvec3 sum = sum_;
+    const double length = glm::length(plane_);
+    for (const auto& [vertex, weight] : turned_) {
+      if (length > 0.0 && is_shaded_over(own_, plane_ / length, *vertex))
+        sum += weight * vertex->normal;
+    }
+    // Opposed normals cancel out to rounding.
+    return glm::length(sum) > 1e-6 ? glm::normalize(sum) : own_;
+  }
+
+ private:
+  std::uint32_t patch_;
+  glm::dvec3 own_;
+  glm::dvec3 sum_;
+  glm::dvec3 plane_{0.0};
+  std::vector<std::pair<const BorderVertex*, double>> turned_;  ///< others' beyond a crease
+};
+
 void join_patch(std::uint32_t id, const BorderMesh& borders, const VertexGrid& lookup,
                 Patch& patch) {
   for (std::uint32_t j = 0; j < patch.height; ++j) {
     for (std::uint32_t i = 0; i < patch.width; ++i) {
       if (patch.at(i, j) != kHole) continue;
-      const Neighbourhood around = continue_to(patch, i, j);
-      if (around.samples == 0) continue;
-      const glm::dvec3 own = glm::normalize(around.normal);
+      const Neighbourhood beside = continue_to(patch, i, j);
+      if (beside.samples == 0) continue;
       const double reach = kReachInSpacings * patch.spacing;
       // Weighted by distance, the own samples at about one spacing.
       const auto weight = [reach](double squared) {
         const double w = 1.0 - squared / (reach * reach);
         return w * w;
       };
-      glm::dvec3 sum = own * weight(patch.spacing * patch.spacing);
-      lookup.for_each_within(around.position, reach,
+      Surroundings around(id, glm::normalize(beside.normal), weight(patch.spacing * patch.spacing));
+      lookup.for_each_within(beside.position, reach,
                              [&](const VertexGrid::Place& place, double squared) {
-                               const BorderVertex& other = borders.vertices[place.vertex];
-                               if (other.patch == id || glm::dot(other.normal, own) < kCreaseCosine)
-                                 return;
-                               sum += weight(squared) * other.normal;
+                               around.add(borders.vertices[place.vertex], weight(squared));
                              });
-      const glm::vec3 local(glm::transpose(patch.axes) * glm::normalize(sum));
+      const glm::vec3 local(glm::transpose(patch.axes) * around.normal());
       patch.normals.texels[std::size_t{j} * patch.width + i] = snorm16_from_unit(local);
     }
   }
@@ -80,8 +126,8 @@ void join_patch(std::uint32_t id, const BorderMesh& borders, const VertexGrid& l
 void join_normals(PatchModel& model) {
   for (const PatchRun& run : model.joined) {
     const std::span<Patch> patches = std::span(model.patches).subspan(run.first, run.count);
-    const BorderMesh borders =
-        find_borders(patches, cell_triangles(std::span<const Patch>(patches)));
+    BorderMesh borders = find_borders(patches, cell_triangles(std::span<const Patch>(patches)));
+    find_planes(patches, borders);
     const VertexGrid lookup(borders.vertices);
     tbb::parallel_for(std::size_t{0}, patches.size(), [&](std::size_t p) {
       if (patches[p].normals.scale == 1 && !patches[p].normals.empty())

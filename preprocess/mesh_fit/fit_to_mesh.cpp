@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "preprocess/mesh_fit/fit_heights.h"
+#include "preprocess/mesh_fit/overhang_normals.h"
 #include "preprocess/mesh_fit/stray_samples.h"
 #include "preprocess/texture/maps/map_scales.h"
 #include "preprocess/texture/maps/node_normals.h"
@@ -34,6 +35,7 @@ void fit_to_mesh(const Points& mesh, const std::vector<glm::vec3>& normals,
   const std::vector<std::uint32_t> shown_at_nodes = at_nodes(shown, patch);
   take_mesh_normals(mesh, normals, triangles, shown_at_nodes, patch);
   drop_stray_samples(triangles, shown_at_nodes, spheres, patch);
+  take_nearest_normals(mesh, normals, triangles, shown_at_nodes, spheres, patch);
 }
 
 }  // namespace relief

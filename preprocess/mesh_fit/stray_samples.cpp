@@ -31,7 +31,8 @@ void drop_stray_samples(const std::vector<FlatTriangle>& triangles,
       const double height = triangles[shown[node]].height_at(at);
       is_near = std::abs(height - kept[node] * to_cells) <= kFarInSpacings;
     }
-    if (is_near || mesh.any_within(position_of(patch, at.x, at.y), kFarInSpacings * patch.spacing))
+    if (is_near ||
+        mesh.find_nearest(position_of(patch, at.x, at.y), kFarInSpacings * patch.spacing))
       ++samples;
     else
       kept[node] = kHole;

@@ -35,7 +35,8 @@ TEST_F(SeamsCommand, MeetWithoutMarginsOrHoles) {
   const json seams = run_json({"convert", scan, "-o", path("seams.relief"), "--seams"});
   // Margins took a fifth of the samples; the spacing is finer instead.
   EXPECT_LT(seams["spacing"], overlap["spacing"]);
-  EXPECT_NEAR(seams["samples"].get<double>(), 1.15 * 20000.0, 1200.0);
+  // As many as asked for (kFewestSamplesPerPoint) to 2 %: counting nodes comes within about 1 %.
+  EXPECT_NEAR(seams["samples"].get<double>(), 1.1 * 20000.0, 440.0);
   // 72.0 dB when written, with margins 71.4.
   EXPECT_GT(seams["psnr_db"], 70.0);
   EXPECT_EQ(seams["uncovered_points"], 0);

@@ -190,9 +190,10 @@ void drop_foreign_nodes(const PatchSurroundings& around, const PatchGrid& grid,
       around.points.ids, [&](std::uint32_t id) { return id >= around.of_others; });
   NodeJudge judge(around, grid);
   for (std::size_t m = 0; m < states.size(); ++m) {
-    if (states[m] == NodeState::Margin) {
-      states[m] = keeps_margins ? judge.judge_margin(m, surface[m]) : NodeState::Hole;
-    } else if (states[m] == NodeState::Own && is_near_border[m] != 0) {
+    if (states[m] == NodeState::Hole) continue;
+    if (states[m] == NodeState::Margin && keeps_margins) {
+      states[m] = judge.judge_margin(m, surface[m]);
+    } else if (is_near_border[m] != 0) {
       states[m] = judge.judge(m, surface[m]);
     }
   }

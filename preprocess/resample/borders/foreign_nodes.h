@@ -20,11 +20,11 @@ struct PatchSurroundings {
   std::uint32_t of_others = 0;
 };
 
-/// Turns nodes into holes that belong to other regions: the points about a node vote, the nearest
-/// most, those whose normals are not on the side of the node's not at all. Also nodes that overhang
-/// a crease or the border of the scan's sheet, and all that are NodeState::Margin. The heights of
-/// those that stay beside a crease become those of their side alone. `surface`: parallel to
-/// `states`.
+/// Decides whose nodes are: those of NodeState::Own and Margin become Own, or holes if they belong
+/// to other regions. The points about a node vote, the nearest most, those whose normals are not on
+/// the side of the node's not at all. Nodes that overhang a crease or the border of the scan's
+/// sheet become holes, too. Over other tiles the margin stays Margin. The heights of nodes that
+/// stay beside a crease become those of their side alone. `surface`: parallel to `states`.
 void drop_foreign_nodes(const PatchSurroundings& around, const PatchGrid& grid,
                         std::vector<SurfacePoint>& surface, std::vector<NodeState>& states);
 

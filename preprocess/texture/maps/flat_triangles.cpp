@@ -246,22 +246,28 @@ std::vector<FlatTriangle> TriangleSpheres::find_over(const Patch& patch) const {
   return found;
 }
 
-bool TriangleSpheres::is_within(std::uint32_t triangle, glm::dvec3 position, double reach) const {
-  const Triangle& corners = mesh_.triangles[triangle];
-  const glm::dvec3 nearest =
-      nearest_on_triangle(position, mesh_.positions[corners[0]], mesh_.positions[corners[1]],
-                          mesh_.positions[corners[2]]);
-  return glm::distance(nearest, position) <= reach;
-}
-
-bool TriangleSpheres::any_within(glm::dvec3 position, double reach) const {
+std::optional<TriangleSpheres::Place> TriangleSpheres::find_nearest(glm::dvec3 position,
+                                                                    double reach) const {
   const glm::vec3 centre(position - middle_);
+  std::optional<Place> nearest;
   const auto may_be_near = [&](const Sphere& sphere) {
     const auto apart = static_cast<double>(glm::distance(sphere.centre, centre));
     return apart <= double{kRounding} * (double{sphere.radius} + reach);
   };
-  return any_of_met(may_be_near,
-                    [&](std::uint32_t triangle) { return is_within(triangle, position, reach); });
+  const auto look_at = [&](std::uint32_t triangle) {
+    const Triangle& corners = mesh_.triangles[triangle];
+    const glm::dvec3 there =
+        nearest_on_triangle(position, mesh_.positions[corners[0]], mesh_.positions[corners[1]],
+                            mesh_.positions[corners[2]]);
+    const double distance = glm::distance(there, position);
+    if (distance <= reach) {
+      nearest = Place{triangle, there};
+      reach = distance;
+    }
+    return false;  // go on
+  };
+  static_cast<void>(any_of_met(may_be_near, look_at));
+  return nearest;
 }
 
 }  // namespace relief

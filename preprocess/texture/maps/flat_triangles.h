@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "common/patch.h"
@@ -52,8 +53,13 @@ class TriangleSpheres {
   /// order.
   [[nodiscard]] std::vector<FlatTriangle> find_over(const Patch& patch) const;
 
-  /// Whether any triangle is at most `reach` (world units) from a position.
-  [[nodiscard]] bool any_within(glm::dvec3 position, double reach) const;
+  /// A position of the mesh.
+  struct Place {
+    std::uint32_t triangle = 0;
+    glm::dvec3 position{0.0};
+  };
+  /// The mesh's position nearest to another one, if it is at most `reach` (world units) from it.
+  [[nodiscard]] std::optional<Place> find_nearest(glm::dvec3 position, double reach) const;
 
  private:
   struct Sphere {
@@ -69,7 +75,6 @@ class TriangleSpheres {
   /// Whether `accepts` any triangle's number, of those whose sphere `may_meet`, as do all about it.
   template <class MayMeet, class Accepts>
   [[nodiscard]] bool any_of_met(const MayMeet& may_meet, const Accepts& accepts) const;
-  [[nodiscard]] bool is_within(std::uint32_t triangle, glm::dvec3 position, double reach) const;
 
   const Points& mesh_;
   glm::dvec3 middle_{0.0};

@@ -61,6 +61,24 @@ TEST(JoinNormals, KeepsTheOwnNormalAtACrease) {
   EXPECT_EQ(normal_beyond_first(model), unit_from_snorm16(snorm16_from_unit({0, 0, 1})));
 }
 
+TEST(JoinNormals, TurnOverACreaseThatIsShadedOver) {
+  PatchModel model = two_patches(80.0);
+  // As beside a crease of a mesh with one normal a vertex: both turn by 15 degrees.
+  const float turn = glm::radians(15.0F);
+  for (std::size_t j = 0; j < 6; ++j) {
+    model.patches[0].normals.texels[j * 6 + 4] =
+        snorm16_from_unit({std::sin(turn), 0.0F, std::cos(turn)});
+    model.patches[1].normals.texels[j * 6 + 1] =
+        snorm16_from_unit({-std::sin(turn), 0.0F, std::cos(turn)});
+  }
+  join_normals(model);
+  const glm::vec3 beyond = normal_beyond_first(model);
+  // Between the own normal and the neighbour's.
+  const double degrees = glm::degrees(std::atan2(beyond.x, beyond.z));
+  EXPECT_GT(degrees, 25.0);
+  EXPECT_LT(degrees, 65.0);
+}
+
 TEST(JoinNormals, LeavesOverlappingPatchesAlone) {
   PatchModel model = two_patches(20.0);
   model.joined.clear();

@@ -140,5 +140,20 @@ TEST(FitToMesh, LeavesSamplesOfFinerMeshesAsTheyAre) {
   EXPECT_EQ(patch.heights, before);
 }
 
+TEST(FitToMesh, SamplesThatOverhangACreaseHaveItsNormal) {
+  // The mesh ends a fifth of a cell before the last samples. Its last points have the mean normal
+  // of both sides of a crease there.
+  Points mesh = make_square(3.9, 0.3, [](double, double) { return 0.0; });
+  for (std::size_t i = 0; i < mesh.size(); ++i) {
+    if (mesh.positions[i].x > 3.8) mesh.normals[i] = glm::vec3(0.6F, 0.0F, 0.8F);
+  }
+  Patch patch = make_samples([](double, double) { return 0.0; });
+  fit_patch(mesh, patch);
+  ASSERT_NE(patch.at(kPatchNodes - 1, 4), kHole);
+  const glm::vec3 normal = unit_from_snorm16(patch.normals.texels[5 * kPatchNodes - 1]);
+  EXPECT_NEAR(normal.x, 0.6, 1e-3);  // normals are rounded to 2e-5
+  EXPECT_NEAR(normal.z, 0.8, 1e-3);
+}
+
 }  // namespace
 }  // namespace relief
