@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -38,28 +39,58 @@ struct Votes {
   }
 };
 
-/// The windows that exist, by their own tree's slots, so that those about a centre lie together.
+/// Windows of similar size, by their own tree's slots, so that those about a centre lie together.
 struct WindowTree {
   PositionTree tree;
   std::vector<Window> windows;
   double largest_radius = 0.0;  ///< in their units
 };
 
-WindowTree tree_of(const std::vector<Window>& windows) {
-  std::vector<std::uint32_t> existing;
+// Small windows are many, and reach few centres: looking for them as far as large ones reach took
+// half of the time.
+constexpr std::array<double, 3> kSquaredRadii = {20.0, 70.0, 1e300};
+
+/// The windows of squared radii above one number, units, and up to another.
+WindowTree tree_of(const std::vector<Window>& windows, double above, double up_to) {
+  std::vector<std::uint32_t> found;
   std::vector<glm::dvec3> centres;
   double squared = 0.0;
   for (std::uint32_t w = 0; w < windows.size(); ++w) {
-    if (!windows[w].exists()) continue;
-    existing.push_back(w);
+    if (!(windows[w].squared_radius > above && windows[w].squared_radius <= up_to)) continue;
+    found.push_back(w);
     centres.push_back(windows[w].centre);
     squared = std::max(squared, windows[w].squared_radius);
   }
-  WindowTree found{PositionTree(centres), {}, std::sqrt(squared)};
-  found.windows.reserve(existing.size());
-  for (std::uint32_t slot = 0; slot < existing.size(); ++slot)
-    found.windows.push_back(windows[existing[found.tree.index(slot)]]);
-  return found;
+  WindowTree tree{PositionTree(centres), {}, std::sqrt(squared)};
+  tree.windows.reserve(found.size());
+  for (std::uint32_t slot = 0; slot < found.size(); ++slot)
+    tree.windows.push_back(windows[found[tree.tree.index(slot)]]);
+  return tree;
+}
+
+std::vector<WindowTree> trees_of(const std::vector<Window>& windows) {
+  std::vector<WindowTree> trees;
+  double above = 0.0;  // windows that do not exist have radius 0
+  for (const double up_to : kSquaredRadii) {
+    trees.push_back(tree_of(windows, above, up_to));
+    above = up_to;
+  }
+  return trees;
+}
+
+/// What all windows say of a centre.
+Votes votes_on(const Window& own, const std::vector<WindowTree>& trees, double noise) {
+  Votes votes;
+  for (const WindowTree& tree : trees) {
+    const double squared_reach = std::pow(tree.largest_radius * own.unit, 2.0);
+    tree.tree.visit_near(
+        own.centre, [squared_reach] { return squared_reach; },
+        [&](std::size_t first, std::size_t leaf) {
+          for (std::size_t w = first; w < first + leaf; ++w)
+            votes.add(tree.windows[w], own.centre, noise);
+        });
+  }
+  return votes;
 }
 
 }  // namespace
@@ -67,7 +98,7 @@ WindowTree tree_of(const std::vector<Window>& windows) {
 SmoothPoints move_points(const std::vector<Window>& windows, const std::vector<float>& noise,
                          Progress& progress) {
   const auto count = static_cast<std::uint32_t>(windows.size());
-  const WindowTree existing = tree_of(windows);
+  const std::vector<WindowTree> trees = trees_of(windows);
   SmoothPoints smooth{std::vector<glm::dvec3>(count), std::vector<glm::vec3>(count)};
   tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, count, 64), [&](const auto& range) {
     if (progress.cancelled()) return;
@@ -75,14 +106,7 @@ SmoothPoints move_points(const std::vector<Window>& windows, const std::vector<f
       const Window& own = windows[slot];
       smooth.positions[slot] = own.centre;
       if (!(own.unit > 0.0)) continue;
-      Votes votes;
-      const double squared_reach = std::pow(existing.largest_radius * own.unit, 2.0);
-      existing.tree.visit_near(
-          own.centre, [squared_reach] { return squared_reach; },
-          [&](std::size_t first, std::size_t leaf) {
-            for (std::size_t w = first; w < first + leaf; ++w)
-              votes.add(existing.windows[w], own.centre, noise[slot]);
-          });
+      const Votes votes = votes_on(own, trees, noise[slot]);
       if (!(votes.weight > 0.0) || !(glm::length(votes.normal) > 0.0)) continue;
       smooth.positions[slot] = own.centre + votes.shift / votes.weight;
       smooth.normals[slot] = glm::vec3(glm::normalize(votes.normal));
