@@ -219,8 +219,9 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   result.model = std::move(made.model);
   PatchModel& model = result.model;
   model.is_closed = in_time.is_closed();
-  model.bounds = bounds_of(points.positions);
-  model.bounding_radius = bounding_radius(points.positions, model.bounds);
+  // As scanned, so that a camera is the same for engines that draw the points themselves.
+  model.bounds = bounds_of(scan.scanned);
+  model.bounding_radius = bounding_radius(scan.scanned, model.bounds);
   model.has_colours = textured || !points.colours.empty();
   report_model(made.fidelity, model, result.report);
   return result;
