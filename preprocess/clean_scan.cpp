@@ -1,5 +1,7 @@
 #include "preprocess/clean_scan.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -36,7 +38,8 @@ Result<CleanScan> clean_scan(Points& points, const ConvertOptions& options, Conv
   const NoiseRemoval removal = options.noise_removal == NoiseRemoval::Default
                                    ? (is_bare ? NoiseRemoval::AsMeasured : NoiseRemoval::None)
                                    : options.noise_removal;
-  if (!is_bare && removal == NoiseRemoval::None) return clean;
+  if (points.size() < kMinSurfacePoints || (!is_bare && removal == NoiseRemoval::None))
+    return clean;
 
   progress.begin_stage("neighbours", 0);
   NeighbourGraph graph = find_neighbours(points.positions, kSurfaceNeighbours);
@@ -51,6 +54,12 @@ Result<CleanScan> clean_scan(Points& points, const ConvertOptions& options, Conv
     if (progress.cancelled()) return interrupted_error();
     report.noise = noiseless.report.noise;
     report.points_moved = noiseless.report.moved;
+    if (given && report.points_moved == 0) {
+      progress.note(fmt::format(
+          "no noise is removed: {:.3g} is less than a twentieth of the spacing, or more than the "
+          "scan is wide",
+          *given));
+    }
     if (report.points_moved > 0) {
       clean.scanned = std::exchange(points.positions, std::move(noiseless.smooth.positions));
       clean.normals = std::move(noiseless.smooth.normals);

@@ -179,6 +179,11 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   RELIEF_TRY_ASSIGN(CleanScan clean, clean_scan(points, options, result.report, progress));
   result.report.points = points.size();
   RELIEF_TRY(add_points(points, textured, options.spacing, result.report));
+  if (!clean.scanned.empty()) {
+    const auto added = static_cast<std::ptrdiff_t>(result.report.points_added);
+    clean.scanned.insert(clean.scanned.end(), points.positions.end() - added,
+                         points.positions.end());
+  }
 
   MeshInTime in_time(points, points.size() - result.report.points_added);
   if (!clean.graph) progress.begin_stage("neighbours", 0);

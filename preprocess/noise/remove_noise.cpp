@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "preprocess/noise/noise_level.h"
 #include "preprocess/points/median.h"
@@ -18,14 +19,14 @@ constexpr float kMuchInSpacings = 0.4F;
 // What is left of noise, about, after the first round.
 constexpr float kLeftShare = 0.7F;
 
-/// Noise too small to matter becomes none. Returns the number of points that have some.
-std::uint64_t drop_small(const std::vector<float>& spacing, std::vector<float>& noise) {
-  std::uint64_t count = 0;
+/// Noise too small to matter becomes none. Returns whether any is left.
+bool drop_small(const std::vector<float>& spacing, std::vector<float>& noise) {
+  bool is_left = false;
   for (std::size_t slot = 0; slot < noise.size(); ++slot) {
     if (noise[slot] < kLeastInSpacings * spacing[slot]) noise[slot] = 0.0F;
-    if (noise[slot] > 0.0F) ++count;
+    is_left = is_left || noise[slot] > 0.0F;
   }
-  return count;
+  return is_left;
 }
 
 /// Moves the points of discs about themselves; then, where there is much noise, those of discs of
@@ -34,6 +35,8 @@ SmoothPoints smooth(const PositionTree& tree, const std::vector<float>& spacing,
                     std::vector<float> noise, Progress& progress) {
   std::vector<glm::dvec3> centres(tree.size());
   for (std::uint32_t slot = 0; slot < tree.size(); ++slot) centres[slot] = tree.at(slot);
+  const std::uint64_t units = 2 * std::uint64_t{tree.size()};
+  progress.begin_stage("remove noise", units);
   SmoothPoints first =
       move_points(find_windows(tree, centres, spacing, noise, progress), noise, progress);
 
@@ -42,6 +45,7 @@ SmoothPoints smooth(const PositionTree& tree, const std::vector<float>& spacing,
     if (noise[slot] < kMuchInSpacings * spacing[slot]) noise[slot] = left[slot] = 0.0F;
   for (float& value : left) value *= kLeftShare;
   if (std::ranges::none_of(noise, [](float value) { return value > 0.0F; })) return first;
+  progress.begin_stage("remove noise", units);
   SmoothPoints second =
       move_points(find_windows(tree, first.positions, spacing, noise, progress), left, progress);
   for (std::size_t slot = 0; slot < noise.size(); ++slot) {
@@ -62,17 +66,19 @@ NoiselessPoints remove_noise(const std::vector<glm::dvec3>& positions,
   for (std::uint32_t slot = 0; slot < tree.size(); ++slot)
     spacing_of_slot[slot] = spacing[tree.index(slot)];
   progress.begin_stage("measure noise", 0);
-  std::vector<float> noise = given ? std::vector<float>(tree.size(), static_cast<float>(*given))
-                                   : estimate_noise(tree, spacing_of_slot);
+  const double largest = std::numeric_limits<float>::max();
+  std::vector<float> noise =
+      given ? std::vector<float>(tree.size(), static_cast<float>(std::min(*given, largest)))
+            : estimate_noise(tree, spacing_of_slot);
   NoiselessPoints result;
   if (noise.empty()) return result;
-  result.report.noise = median_of(noise);
-  if (progress.cancelled()) return result;
-  result.report.moved = drop_small(spacing_of_slot, noise);
-  if (result.report.moved == 0) return result;
+  result.report.noise = given ? *given : median_of(noise);
+  if (progress.cancelled() || !drop_small(spacing_of_slot, noise)) return result;
 
-  progress.begin_stage("remove noise", 2 * std::uint64_t{tree.size()});
   const SmoothPoints by_slot = smooth(tree, spacing_of_slot, std::move(noise), progress);
+  for (const glm::vec3& normal : by_slot.normals)
+    result.report.moved += normal != glm::vec3(0.0F) ? 1 : 0;
+  if (result.report.moved == 0) return result;
   result.smooth.positions.resize(tree.size());
   result.smooth.normals.resize(tree.size());
   for (std::uint32_t slot = 0; slot < tree.size(); ++slot) {

@@ -141,6 +141,13 @@ TEST(Convert, LeavesVerticesOfMeshesAsTheyAreUnlessAsked) {
   EXPECT_EQ(result.report.points_moved, mesh.size());
   EXPECT_NEAR(result.report.noise, 0.5, 0.06);
   EXPECT_NEAR(result.report.error_rms, 0.5, 0.06);  // of the vertices as scanned
+
+  // Triangles with a colour get points, which are measured where they were added.
+  mesh.materials.resize(1);
+  mesh.triangle_materials.assign(mesh.triangles.size(), 0);
+  const ConvertResult coloured = must_convert(mesh, remove);
+  EXPECT_GT(coloured.report.points_added, 10'000U);
+  EXPECT_GT(coloured.report.points_moved, mesh.size() / 2);
 }
 
 TEST(Convert, SaysWhyItCannot) {
