@@ -73,8 +73,10 @@ std::optional<NoiseRange> range_of(const Profile& flat) {
     if (flat[ring] < 0.0F || flat[ring + 2] < 0.0F) continue;
     if (flat[ring] > kLargestShare * kLargestShare * Rings::squared_radius(ring)) continue;
     const double noise = noise_at(ring);
-    const double low = (kDetailGrowth * noise - noise_at(ring + 2)) / (kDetailGrowth - 1.0);
-    return NoiseRange{std::sqrt(std::max(low, 0.0)), std::sqrt(noise)};
+    const double least = (kDetailGrowth * noise - noise_at(ring + 2)) / (kDetailGrowth - 1.0);
+    // By chance larger discs may have less.
+    const double low = std::sqrt(std::max(least, 0.0));
+    return NoiseRange{low, std::max(low, std::sqrt(noise))};
   }
   return std::nullopt;
 }
