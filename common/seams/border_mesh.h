@@ -48,7 +48,7 @@ struct BorderMesh {
 [[nodiscard]] BorderMesh find_borders(std::span<const Patch> patches,
                                       std::span<const CellTriangles> cells);
 
-/// Fits planes to the samples about all vertices. Creases are told by them.
+/// Fits planes to the samples about all vertices. Creases are where they differ.
 void find_planes(std::span<const Patch> patches, BorderMesh& mesh);
 
 }  // namespace relief

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <optional>
 
+#include "common/median.h"
 #include "preprocess/noise/quadric_fit.h"
 #include "preprocess/noise/rings.h"
-#include "preprocess/points/median.h"
 #include "preprocess/points/nearest_search.h"
 
 namespace relief {

@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "preprocess/points/complete_frame.h"
+
 namespace relief {
 namespace {
 
@@ -21,12 +23,6 @@ constexpr double kNoiseRidge = 1e-9;
 
 Vector6 terms_at(double u, double v) {
   return (Vector6() << 1.0, u, v, u * u, u * v, v * v).finished();
-}
-
-glm::dmat3 axes_about(const glm::dvec3& normal) {
-  const glm::dvec3 other = std::abs(normal.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  const glm::dvec3 u = glm::normalize(glm::cross(other, normal));
-  return {u, glm::cross(normal, u), normal};
 }
 
 }  // namespace
@@ -71,7 +67,8 @@ bool QuadricFit::turn_plane() {
   const double cosine = glm::dot(normal, axes_[2]);
   if (std::abs(cosine) >= kSamePlane) return true;
   if (cosine < 0.0) normal = -normal;
-  axes_ = axes_about(normal);
+  axes_[2] = normal;
+  complete_frame(normal, axes_[0], axes_[1]);
   summed_ = 0;
   normal_matrix_.setZero();
   right_side_.setZero();

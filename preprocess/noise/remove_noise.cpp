@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "common/median.h"
 #include "preprocess/noise/noise_level.h"
-#include "preprocess/points/median.h"
 
 namespace relief {
 namespace {

@@ -2,7 +2,6 @@
 
 #include <tbb/parallel_for.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "common/mesh/mesh_normals.h"
+#include "preprocess/points/plane_fit.h"
 
 namespace relief {
 namespace {
@@ -17,36 +17,6 @@ namespace {
 // A neighbourhood whose smallest eigenvalue holds less than this share of the variance is flat
 // enough: about 6 degrees of tilt over 8 neighbours.
 constexpr double kFlatVariation = 0.01;
-
-struct PlaneFit {
-  glm::vec3 normal;
-  double variation;  // smallest eigenvalue over the sum of all
-  double rms;
-};
-
-PlaneFit fit_plane(const std::vector<glm::dvec3>& positions, std::size_t centre,
-                   std::span<const std::uint32_t> neighbours) {
-  const glm::dvec3 base = positions[centre];
-  glm::dvec3 sum(0.0);
-  for (const std::uint32_t j : neighbours) sum += positions[j] - base;
-  const double count = static_cast<double>(neighbours.size()) + 1.0;
-  const glm::dvec3 mean = sum / count;
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  const auto add = [&](glm::dvec3 d) {
-    const Eigen::Vector3d v(d.x, d.y, d.z);
-    covariance.noalias() += v * v.transpose();
-  };
-  add(-mean);
-  for (const std::uint32_t j : neighbours) add(positions[j] - base - mean);
-  covariance /= count;
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(covariance);
-  const Eigen::Vector3d& values = solver.eigenvalues();
-  const Eigen::Vector3d normal = solver.eigenvectors().col(0);
-  const double total = std::max(values.sum(), 1e-300);
-  return {glm::vec3(normal.x(), normal.y(), normal.z()), std::max(values[0], 0.0) / total,
-          std::sqrt(std::max(values[0], 0.0))};
-}
 
 bool usable(glm::vec3 n) {
   const float length = glm::length(n);
@@ -174,7 +144,7 @@ LocalFrames fit_local_frames(const std::vector<glm::dvec3>& positions,
       const PlaneFit wide = fit_plane(positions, i, neighbours);
       if (wide.variation < best.variation) best = wide;
     }
-    frames.normals[i] = best.normal;
+    frames.normals[i] = glm::vec3(best.normal);
     frames.roughness[i] = static_cast<float>(best.rms);
   });
   return frames;

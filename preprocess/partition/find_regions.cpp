@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "preprocess/points/median.h"
+#include "common/median.h"
 #include "preprocess/resample/spacing/patch_spacing.h"
 
 namespace relief {
@@ -28,11 +28,8 @@ constexpr float kRoughShare = 0.08F;
 std::vector<std::uint32_t> surface_points(const std::vector<glm::dvec3>& positions,
                                           std::size_t count, const NeighbourGraph& graph,
                                           const LocalFrames& frames) {
-  std::vector<float> to_eighth(positions.size());
-  for (std::uint32_t i = 0; i < positions.size(); ++i) {
-    const std::uint32_t eighth = graph.of(i)[std::min(graph.k, 8U) - 1];
-    to_eighth[i] = static_cast<float>(glm::distance(positions[i], positions[eighth]));
-  }
+  if (positions.empty()) return {};
+  const std::vector<float> to_eighth = distances_to_eighth(positions, graph);
   const float usual = median_of(to_eighth);
   std::vector<std::uint32_t> points;
   for (std::uint32_t i = 0; i < count; ++i) {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "preprocess/points/complete_frame.h"
+
 namespace relief {
 
 RegionCells::RegionCells(const SurfaceSamples& samples, const std::vector<Region>& regions)

@@ -8,6 +8,8 @@
 #include <glm/trigonometric.hpp>
 #include <limits>
 
+#include "preprocess/points/complete_frame.h"
+
 namespace relief {
 namespace {
 
@@ -31,12 +33,6 @@ std::int32_t floor_to_int(double value) {
 }
 
 }  // namespace
-
-void complete_frame(glm::dvec3 n, glm::dvec3& u, glm::dvec3& v) {
-  const glm::dvec3 other = std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  u = glm::normalize(glm::cross(other, n));
-  v = glm::cross(n, u);
-}
 
 bool on_one_sheet(const SurfaceSamples& samples, std::uint32_t i, std::uint32_t j) {
   if (!(glm::dot(samples.normals[i], samples.normals[j]) > 0.0F)) return false;

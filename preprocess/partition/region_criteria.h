@@ -83,7 +83,4 @@ class RegionTest {
   std::vector<std::uint32_t> next_;   // another point of each point's cell
 };
 
-/// Computes two unit vectors that complete a unit normal to a right-handed frame (u, v, n).
-void complete_frame(glm::dvec3 n, glm::dvec3& u, glm::dvec3& v);
-
 }  // namespace relief

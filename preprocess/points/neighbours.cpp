@@ -57,4 +57,14 @@ NeighbourGraph find_neighbours(const std::vector<glm::dvec3>& positions, std::ui
   return graph;
 }
 
+std::vector<float> distances_to_eighth(const std::vector<glm::dvec3>& positions,
+                                       const NeighbourGraph& graph) {
+  std::vector<float> distances(positions.size());
+  tbb::parallel_for(std::size_t{0}, positions.size(), [&](std::size_t i) {
+    const std::uint32_t eighth = graph.of(i)[std::min(graph.k, 8U) - 1];
+    distances[i] = static_cast<float>(glm::distance(positions[i], positions[eighth]));
+  });
+  return distances;
+}
+
 }  // namespace relief

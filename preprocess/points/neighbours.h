@@ -36,4 +36,9 @@ struct NeighbourGraph {
 [[nodiscard]] NeighbourGraph find_neighbours(const std::vector<glm::dvec3>& positions,
                                              std::uint32_t k);
 
+/// Returns each point's distance to its eighth neighbour, or to its last if it has fewer, world
+/// units. Every point has one.
+[[nodiscard]] std::vector<float> distances_to_eighth(const std::vector<glm::dvec3>& positions,
+                                                     const NeighbourGraph& graph);
+
 }  // namespace relief

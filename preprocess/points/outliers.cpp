@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "common/median.h"
 #include "preprocess/normals/signed_forest.h"
 #include "preprocess/points/keep_points.h"
-#include "preprocess/points/median.h"
 #include "preprocess/points/neighbours.h"
 
 namespace relief {

@@ -2,14 +2,14 @@
 
 #include <tbb/parallel_for.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
-#include <span>
+#include <utility>
 
-#include "preprocess/points/median.h"
+#include "common/median.h"
+#include "preprocess/points/plane_fit.h"
 
 namespace relief {
 namespace {
@@ -27,47 +27,17 @@ constexpr double kBallShare = 0.28;
 constexpr float kSparseInMedians = 4.0F;
 constexpr std::uint32_t kEighth = 8;
 
-struct Plane {
-  glm::dvec3 middle{0.0};
-  glm::dvec3 normal{0.0};
-  double rms = 0.0;  ///< distance of the points to it
-};
-
-Plane plane_of(const std::vector<glm::dvec3>& positions, std::span<const std::uint32_t> points) {
-  Plane plane;
-  const auto count = static_cast<double>(points.size());
-  const glm::dvec3 base = positions[points.front()];
-  for (const std::uint32_t j : points) plane.middle += positions[j] - base;
-  plane.middle = base + plane.middle / count;
-  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-  for (const std::uint32_t j : points) {
-    const glm::dvec3 d = positions[j] - plane.middle;
-    const Eigen::Vector3d v(d.x, d.y, d.z);
-    moments.noalias() += v * v.transpose();
-  }
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(moments / count);
-  const Eigen::Vector3d n = solver.eigenvectors().col(0);
-  plane.normal = {n.x(), n.y(), n.z()};
-  plane.rms = std::sqrt(std::max(solver.eigenvalues()[0], 0.0));
-  return plane;
-}
-
 }  // namespace
 
 std::vector<std::uint8_t> find_stray_points(const std::vector<glm::dvec3>& positions,
                                             const NeighbourGraph& graph) {
   std::vector<std::uint8_t> stray(positions.size(), 0);
   if (graph.k < kEighth) return stray;
-  std::vector<float> to_eighth(positions.size());
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    to_eighth[i] =
-        static_cast<float>(glm::distance(positions[i], positions[graph.of(i)[kEighth - 1]]));
-  }
+  const std::vector<float> to_eighth = distances_to_eighth(positions, graph);
   const float sparse = kSparseInMedians * median_of(to_eighth);
   tbb::parallel_for(std::size_t{0}, positions.size(), [&](std::size_t i) {
     const auto neighbours = graph.of(i);
-    const Plane plane = plane_of(positions, neighbours);
+    const PlaneFit plane = fit_plane(positions, neighbours.front(), neighbours.subspan(1));
     std::vector<float> spacings;
     for (const std::uint32_t j : neighbours) spacings.push_back(graph.spacing[j]);
     const double spacing = median_of(std::move(spacings));

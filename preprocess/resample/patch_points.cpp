@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "preprocess/points/complete_frame.h"
 #include "preprocess/resample/grow_region.h"
 
 namespace relief {

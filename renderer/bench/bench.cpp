@@ -4,11 +4,11 @@
 #include <memory>
 #include <utility>
 
+#include "common/median.h"
 #include "renderer/bench/mesh_pass.h"
 #include "renderer/bench/shading_bound.h"
 #include "renderer/engine_registry.h"
 #include "renderer/frame/gl_engine.h"
-#include "renderer/frame/median.h"
 #include "renderer/gl/open_gl.h"
 
 namespace relief {
@@ -63,8 +63,8 @@ class Bench {
     report.renderer = renderer_name(opengl_->gl());
     for (std::size_t k = 0; k < entries_.size(); ++k) {
       BenchRow row = entries_[k]->result;
-      row.time.frame_ms = median(entries_[k]->frame_ms);
-      if (!entries_[k]->gpu_ms.empty()) row.time.gpu_ms = median(entries_[k]->gpu_ms);
+      row.time.frame_ms = median_of(entries_[k]->frame_ms);
+      if (!entries_[k]->gpu_ms.empty()) row.time.gpu_ms = median_of(entries_[k]->gpu_ms);
       if (k < job_.rows.size()) report.rows.push_back(row);
       if (k == bound_) report.shading_bound = row;
       if (k == mesh_) report.mesh = row;

@@ -4,8 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "renderer/frame/median.h"
 #include "shaders/include/shared.h"
+
+#include "common/median.h"
 
 namespace relief {
 namespace {
@@ -64,8 +65,8 @@ void time_frames(const Gl& gl, const GlFrame& frame, const GlDrawing& drawing, i
     frame_ms.push_back(time.wall_ms);
     if (time.gpu_ms) gpu_ms.push_back(*time.gpu_ms);
   }
-  if (!frame_ms.empty()) result.frame_ms = median(frame_ms);
-  if (!gpu_ms.empty()) result.gpu_ms = median(gpu_ms);
+  if (!frame_ms.empty()) result.frame_ms = median_of(frame_ms);
+  if (!gpu_ms.empty()) result.gpu_ms = median_of(gpu_ms);
 }
 
 std::uint64_t count_fragments(const Gl& gl, const GlFrame& frame, const GlDrawing& counting) {

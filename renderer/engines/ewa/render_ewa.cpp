@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "common/median.h"
 #include "common/transform.h"
 #include "renderer/engines/ewa/splats_of_samples.h"
 #include "renderer/engines/ewa/splatting.h"
 #include "renderer/frame/film.h"
-#include "renderer/frame/median.h"
 #include "renderer/owned_or_borrowed.h"
 #include "renderer/shading/environment_cache.h"
 #include "renderer/view/view.h"
@@ -79,7 +79,7 @@ Result<RenderResult> render_whole(const SplatCloud& cloud, EnvironmentCache& env
   }
   if (progress.cancelled()) return interrupted_error();
   RenderResult result = result_of(splatted, scene, settings);
-  result.frame_ms = median(std::move(frame_ms));
+  result.frame_ms = median_of(std::move(frame_ms));
   return result;
 }
 

@@ -11,6 +11,8 @@
 #include <span>
 #include <utility>
 
+#include "common/median.h"
+
 namespace relief::ewa {
 namespace {
 
@@ -51,9 +53,7 @@ Lattice find_lattice(const SplatCloud& cloud) {
     radii.push_back(cloud.radii[k]);
   }
   if (radii.empty()) return lattice;
-  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
-  std::nth_element(radii.begin(), middle, radii.end());
-  lattice.radius = *middle;
+  lattice.radius = median_of(std::move(radii));
   const glm::dvec3 extent = lattice.high - lattice.low;
   lattice.least_cell = std::max({extent.x, extent.y, extent.z}) / (kMaxCells - 1.0);
   return lattice;

@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "common/median.h"
 #include "common/transform.h"
 #include "renderer/engines/raytrace/embree_scene.h"
 #include "renderer/engines/raytrace/sampling.h"
 #include "renderer/engines/raytrace/tracer.h"
 #include "renderer/frame/film.h"
-#include "renderer/frame/median.h"
 #include "renderer/geometry/mesh_of_patches.h"
 #include "renderer/owned_or_borrowed.h"
 #include "renderer/shading/environment_cache.h"
@@ -103,7 +103,7 @@ Result<RenderResult> trace_image(const TriangleMesh& mesh, EnvironmentCache& env
 
   RenderResult result;
   result.renderer = scene.name();
-  result.frame_ms = median(std::move(frame_ms));
+  result.frame_ms = median_of(std::move(frame_ms));
   result.image = develop(film, surroundings, view, settings.outputs, result.covered_pixels);
   return result;
 }

@@ -11,7 +11,7 @@ namespace relief {
 /// Returns the median of values, the upper one of two. There is at least one, and none is NaN.
 template <class Value>
 [[nodiscard]] Value median_of(std::vector<Value> values) {
-  assert(!values.empty());
+  assert(!values.empty() && "a median is of something");
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
