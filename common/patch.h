@@ -11,6 +11,7 @@
 
 #include "common/bounds.h"
 #include "common/instance.h"
+#include "common/stance.h"
 
 namespace relief {
 
@@ -85,6 +86,10 @@ struct PatchModel {
   Bounds bounds;         ///< of the scan's points
   double bounding_radius =
       0.0;  ///< of the sphere about the centre of `bounds` that holds all points
+  /// The points of the scan that lie farthest out (common/extremes.h), for cameras. Empty: nothing
+  /// but the bounds is known.
+  std::vector<glm::dvec3> extremes;
+  Stance stance;
   bool has_colours = false;
   /// The surface encloses a body, normals outward, so that its back is invisible from outside.
   bool is_closed = false;

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "common/stance.h"
+
 namespace relief {
 
 using Triangle = std::array<std::uint32_t, 3>;
@@ -75,9 +77,14 @@ struct Points {
   std::vector<std::string> material_files;  ///< material files that an OBJ file names; empty once
                                             ///< load_textures has read them
   std::optional<glm::dvec3> viewpoint;      ///< the scanner's position, if the file gives it
+  std::optional<Stance> stance;             ///< if the file says how its points stand
 
   [[nodiscard]] std::size_t size() const { return positions.size(); }
 };
+
+/// Returns how points stand: as their file says, otherwise as is usual: Y up for a mesh, Z up for
+/// bare points, as in surveys.
+[[nodiscard]] Stance stance_of(const Points& points);
 
 /// Returns the texture coordinates of a triangle's corners. The points must have them.
 [[nodiscard]] CornerTexcoords texcoords_of(const Points& mesh, std::size_t triangle);

@@ -11,6 +11,8 @@
 #include <iterator>
 #include <utility>
 
+#include "common/extremes.h"
+
 namespace relief {
 namespace {
 
@@ -50,7 +52,15 @@ void set_frame(Patch& patch, const PatchFrame& frame) {
   patch.height_step = frame.height_step;
 }
 
-/// Extends a model's bounds, spacing and attributes for another model.
+/// Adds another model's extreme points; of models that have none, the corners of their bounds.
+void extend_extremes(PatchModel& to, const PatchModel& from) {
+  if (to.extremes.empty()) to.extremes = corners_of(to.bounds);
+  const auto more = from.extremes.empty() ? corners_of(from.bounds) : from.extremes;
+  to.extremes.insert(to.extremes.end(), more.begin(), more.end());
+}
+
+/// Extends a model's bounds, spacing and attributes for another model. Models that stand in
+/// different ways have the default stance together.
 void extend(PatchModel& to, const PatchModel& from) {
   if (from.bounds.empty()) return;
   to.has_colours = to.has_colours || from.has_colours;
@@ -58,8 +68,12 @@ void extend(PatchModel& to, const PatchModel& from) {
     to.bounds = from.bounds;
     to.bounding_radius = from.bounding_radius;
     to.spacing = from.spacing;
+    to.extremes = from.extremes;
+    to.stance = from.stance;
     return;
   }
+  extend_extremes(to, from);
+  if (to.stance != from.stance) to.stance = Stance{};
   const Bounds both{glm::min(to.bounds.min, from.bounds.min),
                     glm::max(to.bounds.max, from.bounds.max)};
   const glm::dvec3 centre = 0.5 * (both.min + both.max);
@@ -94,6 +108,9 @@ Status transform_model(PatchModel& model, const Transform& transform) {
   model.spacing *= transform.scale;
   model.bounding_radius *= transform.scale;
   model.bounds = moved_bounds(transform, model.bounds, model.bounding_radius);
+  for (glm::dvec3& point : model.extremes) point = moved(transform, point);
+  model.stance.up = transform.rotation * model.stance.up;
+  model.stance.front = transform.rotation * model.stance.front;
   if (!std::isfinite(model.spacing) || !std::isfinite(model.bounding_radius) ||
       !is_finite(model.bounds.min) || !is_finite(model.bounds.max)) {
     return Error{"the transform makes it too large for double precision"};
@@ -159,6 +176,8 @@ PatchModel without_patches(const PatchModel& model) {
   extent.spacing = model.spacing;
   extent.bounds = model.bounds;
   extent.bounding_radius = model.bounding_radius;
+  extent.extremes = model.extremes;
+  extent.stance = model.stance;
   extent.has_colours = model.has_colours;
   extent.is_closed = model.is_closed;
   return extent;

@@ -85,6 +85,9 @@ void append(Points& to, Points from, LeftOut& left_out) {
   for (const Triangle& t : from.triangles) {
     to.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
   }
+  if (offset == 0) to.stance = from.stance;
+  // Of several images, none is the one to look at first.
+  if (offset > 0 && to.stance) to.stance->is_from_sensor = false;
   // Points seen from several positions have no single viewpoint.
   if (offset == 0) {
     to.viewpoint = from.viewpoint;

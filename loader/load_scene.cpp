@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "common/extremes.h"
 #include "common/io/extension.h"
 #include "common/patch_file/patch_tree.h"
 #include "common/transform.h"
@@ -55,6 +56,8 @@ Result<LoadedFile> load_scan(const std::filesystem::path& path, const TextureCho
   LoadedFile file;
   file.patches.bounds = bounds_of(scan->points.positions);
   file.patches.bounding_radius = bounding_radius(scan->points.positions, file.patches.bounds);
+  file.patches.extremes = extreme_points(scan->points.positions, file.patches.bounds);
+  file.patches.stance = stance_of(scan->points);
   const bool has_triangles = !scan->points.triangles.empty();
   if (needs.mesh && has_triangles) file.mesh = mesh_of_points(scan->points);
   file.has_faces = file.mesh.has_value();
@@ -146,6 +149,7 @@ Result<LoadedScene> load_textured_splats(const ScenePlan& plan, const LoadOption
   LoadedScene scene;
   scene.patches.bounds = bounds_of(splats.positions);
   scene.patches.bounding_radius = bounding_radius(splats.positions, scene.patches.bounds);
+  scene.patches.extremes = extreme_points(splats.positions, scene.patches.bounds);
   scene.splats = std::move(splats);
   return scene;
 }

@@ -3,6 +3,8 @@
 #include <string>
 #include <utility>
 
+#include "common/scene/view_camera.h"
+
 namespace relief {
 namespace {
 
@@ -23,6 +25,15 @@ Result<RenderSettings> engine_settings(const PlannedView& view,
 Error in_view(const ScenePlan& plan, const PlannedView& view, const Error& error) {
   if (view.name.empty()) return error;
   return make_error("{}: view {}: {}", plan.file.string(), view.name, error.message);
+}
+
+/// The views, or the frames of the film.
+std::vector<PlannedView> planned_frames(const ScenePlan& plan, const PatchModel& extent) {
+  if (plan.film_frames == 0) return plan.views;
+  std::vector<PlannedView> frames(plan.film_frames, plan.views.front());
+  const auto settings = film_frames(plan.views.front().settings, extent, plan.film_frames);
+  for (std::size_t i = 0; i < frames.size(); ++i) frames[i].settings = settings[i];
+  return frames;
 }
 
 }  // namespace
@@ -52,6 +63,7 @@ Result<RenderSettings> render_settings_of(const ScenePlan& plan, const PlannedVi
   settings.lights.ambient = planned.ambient.value_or(settings.lights.ambient);
   settings.environment = planned.environment.value_or(std::filesystem::path());
   if (planned.background) settings.background = planned.background->colour;
+  settings.shows_environment = !planned.background;
   settings.outputs = planned.outputs.value_or(settings.outputs);
   return settings;
 }
@@ -60,8 +72,7 @@ Result<std::vector<RenderSettings>> render_settings_of(const ScenePlan& plan,
                                                        const PatchModel& extent,
                                                        std::span<const EngineEntry> among) {
   std::vector<RenderSettings> views;
-  views.reserve(plan.views.size());
-  for (const PlannedView& view : plan.views) {
+  for (const PlannedView& view : planned_frames(plan, extent)) {
     RELIEF_TRY_ASSIGN(auto settings, render_settings_of(plan, view, extent, among));
     views.push_back(std::move(settings));
   }

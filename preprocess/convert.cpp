@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "common/background_tasks.h"
+#include "common/extremes.h"
 #include "common/guard.h"
 #include "common/mesh/mesh_normals.h"
 #include "preprocess/clean_scan.h"
@@ -227,6 +228,8 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   // As scanned, so that a camera is the same for engines that draw the points themselves.
   model.bounds = bounds_of(scan.scanned);
   model.bounding_radius = bounding_radius(scan.scanned, model.bounds);
+  model.extremes = extreme_points(scan.scanned, model.bounds);
+  model.stance = options.up ? stance_of(*options.up) : stance_of(points);
   model.has_colours = textured || !points.colours.empty();
   report_model(made.fidelity, model, result.report);
   return result;

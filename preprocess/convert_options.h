@@ -37,7 +37,8 @@ struct ConvertOptions {
   int texels_per_cell =
       0;  ///< colour texels per grid cell of meshes with textures or materials, and normal texels
           ///< of meshes with normal maps, 1 to 64; 0: as many as keep their detail (map_textures)
-  int threads = 0;  ///< 0: all cores. The result does not depend on it.
+  std::optional<glm::dvec3> up;  ///< how the model stands: any length but 0; none: as the scan says
+  int threads = 0;               ///< 0: all cores. The result does not depend on it.
 };
 
 /// Statistics of a conversion.

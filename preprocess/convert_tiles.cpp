@@ -4,6 +4,7 @@
 #include <system_error>
 #include <utility>
 
+#include "common/extremes.h"
 #include "common/guard.h"
 #include "common/io/file.h"
 #include "common/version.h"
@@ -24,7 +25,7 @@ Result<std::string> fingerprint_of(const std::vector<fs::path>& files,
                                    const PatchFileOptions& file_options,
                                    const SpreadOptions& spread_options) {
   std::string text = fmt::format(
-      "relief {} tiles 3\nspacing {} cone {} overlap {} step {} colours {}\n"
+      "relief {} tiles 4\nspacing {} cone {} overlap {} step {} colours {}\n"
       "codec {} normals {}\ntile {}\n",
       kVersion, options.spacing, options.cone_degrees,
       options.seams.value_or(false) ? -1 : options.overlap_cells, options.height_step,
@@ -48,6 +49,24 @@ std::vector<TreePart> own_parts(const TileJob& job, std::size_t tiles) {
   return parts;
 }
 
+/// Returns the extreme points of the coarsest patches: of what is drawn, as stray points are in the
+/// bounds here.
+Result<std::vector<glm::dvec3>> drawn_extremes(const std::vector<TreePart>& parts,
+                                               const Bounds& bounds, Progress& progress) {
+  std::vector<glm::dvec3> extremes;
+  for (const TreePart& part : parts) {
+    if (part.parent != kNoTile) continue;
+    RELIEF_TRY_ASSIGN(const auto file, PatchFile::open(part.path));
+    QuietProgress quiet(progress);
+    RELIEF_TRY_ASSIGN(const auto model, file.read_all(quiet));
+    std::vector<glm::dvec3> positions;
+    for_each_position(model.patches, [&](const glm::dvec3& p) { positions.push_back(p); });
+    const auto found = extreme_points(positions, bounds);
+    extremes.insert(extremes.end(), found.begin(), found.end());
+  }
+  return extreme_points(extremes, bounds);
+}
+
 /// Makes the patch file from tiles of points.
 Result<TiledResult> convert_all(const TiledModel& plan, bool overviews, const fs::path& output,
                                 Progress& progress) {
@@ -67,7 +86,9 @@ Result<TiledResult> convert_all(const TiledModel& plan, bool overviews, const fs
 
   progress.begin_stage("write", 0);
   if (progress.cancelled()) return interrupted_error();
-  const Status written = write_patch_tree(plan.job.whole(), parts, converted->extent);
+  PatchModel& extent = converted->extent;
+  RELIEF_TRY_ASSIGN(extent.extremes, drawn_extremes(parts, extent.bounds, progress));
+  const Status written = write_patch_tree(plan.job.whole(), parts, extent);
   if (!written) {
     return make_error("{}; if this happens again, remove {} and convert again",
                       written.error().message, plan.job.folder().string());

@@ -63,7 +63,7 @@ double angle_deg(const glm::dvec3& a, const glm::dvec3& b) {
 }
 
 /// The range of included values.
-struct Range {
+struct ValueRange {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
 
@@ -106,7 +106,7 @@ Result<DepthErrors> measure_depth(const Image& test, const Image& reference,
   if (!channels) return channels.error();
   SquaredErrors relative;
   SquaredErrors absolute;
-  Range range;
+  ValueRange range;
   std::vector<float> all;
   for_each_pixel(reference, mask, [&](std::size_t k) {
     const double a = (*channels->test[0])[k];
@@ -133,7 +133,7 @@ Result<double> measure_uv_psnr_db(const Image& test, const Image& reference,
   const auto patches = find_channels<1>(test, reference, {"patch"});
   if (!patches) return patches.error();
   SquaredErrors errors;
-  Range range;
+  ValueRange range;
   for_each_pixel(reference, mask, [&](std::size_t k) {
     const float patch = (*patches->reference[0])[k];
     if (!channels->finite(k) || patch == 0.0F || patch != (*patches->test[0])[k]) return;

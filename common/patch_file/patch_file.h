@@ -32,6 +32,8 @@ struct PatchFileInfo {
   unsigned levels = 1;  ///< levels of the largest patch that read_level decodes without finer ones
   Bounds bounds;
   double bounding_radius = 0.0;
+  std::vector<glm::dvec3> extremes;  ///< as PatchModel::extremes
+  Stance stance;
   std::vector<std::string> attributes;  ///< "normal", "colour"
   bool is_closed = false;               ///< as PatchModel::is_closed
   bool is_joined = false;               ///< patches meet at seams, or those of each tile do

@@ -81,7 +81,8 @@ std::vector<std::byte> write_header(const FileHeader& header) {
   append_number(out, header.bounding_radius);
   append_number(out, (header.is_closed ? kClosedFlag : std::uint64_t{0}) |
                          (header.is_joined ? kJoinedFlag : std::uint64_t{0}) |
-                         (header.is_borderless ? kBorderlessFlag : std::uint64_t{0}));
+                         (header.is_borderless ? kBorderlessFlag : std::uint64_t{0}) |
+                         (std::uint64_t{header.block_bytes} << kBlockSizeShift));
   append_number(out, header.index_checksum);
   append_number(out, crc32(out));
   assert(out.size() == kHeaderBytes && "the header has the size that the format defines");
@@ -132,6 +133,7 @@ Result<FileHeader> parse_header(std::span<const std::byte> bytes, std::uint64_t 
   header.is_closed = (flags & kClosedFlag) != 0;
   header.is_joined = (flags & kJoinedFlag) != 0;
   header.is_borderless = (flags & kBorderlessFlag) != 0;
+  header.block_bytes = static_cast<std::uint32_t>(flags >> kBlockSizeShift);
   header.index_checksum = in.take<std::uint32_t>();
 
   if (file_bytes != header.file_bytes) {
@@ -139,8 +141,8 @@ Result<FileHeader> parse_header(std::span<const std::byte> bytes, std::uint64_t 
                       file_bytes, header.file_bytes,
                       file_bytes < header.file_bytes ? "truncated" : "damaged");
   }
-  if (header.index_offset < kHeaderBytes || header.index_offset > file_bytes ||
-      !index_fits(header, file_bytes - header.index_offset)) {
+  if (header.block_bytes > kMaxModelBlock || header.index_offset < header.data_offset() ||
+      header.index_offset > file_bytes || !index_fits(header, file_bytes - header.index_offset)) {
     return make_error(
         "{}: the index of {} patches and {} chunks does not fit at byte {}; the file "
         "is damaged",
@@ -176,7 +178,11 @@ Result<FileHeader> read_header(const RandomAccessFile& file, FileRange range,
   if (range.bytes == 0) return make_error("{}: the file is empty", name);
   std::vector<std::byte> bytes(std::min<std::uint64_t>(range.bytes, kHeaderBytes));
   RELIEF_TRY(file.read_at(range.offset, bytes));
-  return parse_header(bytes, range.bytes, name);
+  RELIEF_TRY_ASSIGN(auto header, parse_header(bytes, range.bytes, name));
+  std::vector<std::byte> block(header.block_bytes);
+  RELIEF_TRY(file.read_at(range.offset + kHeaderBytes, block));
+  RELIEF_TRY_ASSIGN(header.block, parse_model_block(block, header.bounds, name));
+  return header;
 }
 
 Result<FileLayout> read_layout(const RandomAccessFile& file, FileRange range,

@@ -33,7 +33,8 @@ struct FileRange {
 [[nodiscard]] std::vector<std::byte> write_index(const FileIndex& index, const FileHeader& header);
 
 /// Reads and checks the header of a file of `file_bytes` bytes: its first kHeaderBytes bytes, or
-/// fewer if it is shorter. Errors are sentences that begin with `name`.
+/// fewer if it is shorter. Leaves FileHeader::block empty. Errors are sentences that begin with
+/// `name`.
 Result<FileHeader> parse_header(std::span<const std::byte> bytes, std::uint64_t file_bytes,
                                 const std::string& name);
 
@@ -41,7 +42,7 @@ Result<FileHeader> parse_header(std::span<const std::byte> bytes, std::uint64_t 
 Result<FileIndex> parse_index(std::span<const std::byte> bytes, const FileHeader& header,
                               const std::string& name);
 
-/// Reads and checks the header of the patch file in `range`.
+/// Reads and checks the header of the patch file in `range`, and its model block.
 Result<FileHeader> read_header(const RandomAccessFile& file, FileRange range,
                                const std::string& name);
 

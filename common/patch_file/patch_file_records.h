@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/patch_file/model_block.h"
 #include "common/patch_file/patch_file.h"
 
 namespace relief {
@@ -24,6 +25,8 @@ inline constexpr std::size_t kTileRecordBytes = 84;
 inline constexpr std::uint64_t kClosedFlag = 1;
 inline constexpr std::uint64_t kJoinedFlag = 2;
 inline constexpr std::uint64_t kBorderlessFlag = 4;  ///< also where the surface is not closed
+/// The upper half of the flags is the size of the model block, bytes.
+inline constexpr unsigned kBlockSizeShift = 32;
 
 /// Predicted integers in zstd streams (patch_codec.h).
 inline constexpr std::uint16_t kCodecPredicted = 1;
@@ -66,7 +69,12 @@ struct FileHeader {
   double bounding_radius = 0.0;
   bool is_closed = false;
   bool is_joined = false;
-  bool is_borderless = false;  ///< PatchRun::is_closed of patches that meet
+  bool is_borderless = false;     ///< PatchRun::is_closed of patches that meet
+  std::uint32_t block_bytes = 0;  ///< of the model block, which follows the header
+  ModelBlock block;               ///< set by read_header
+
+  /// Where chunks or tiles begin.
+  [[nodiscard]] std::uint64_t data_offset() const { return kHeaderBytes + block_bytes; }
 };
 
 struct FileIndex {

@@ -91,6 +91,8 @@ PatchFileInfo info_of(const FileHeader& header, const FileIndex& index) {
   info.file_bytes = header.file_bytes;
   info.bounds = header.bounds;
   info.bounding_radius = header.bounding_radius;
+  info.extremes = header.block.extremes;
+  info.stance = header.block.stance;
   info.is_closed = header.is_closed;
   info.is_joined = header.is_joined;
   bool has_normals = false;

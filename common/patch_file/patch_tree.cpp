@@ -14,6 +14,8 @@ Result<PatchTree> PatchTree::open(const std::filesystem::path& path) {
   tree.extent_.bounds = layout.header.bounds;
   tree.extent_.bounding_radius = layout.header.bounding_radius;
   tree.extent_.is_closed = layout.header.is_closed;
+  tree.extent_.extremes = std::move(layout.header.block.extremes);
+  tree.extent_.stance = layout.header.block.stance;
   tree.tiles_ = std::move(layout.tiles);
   return tree;
 }

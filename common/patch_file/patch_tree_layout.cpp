@@ -37,7 +37,7 @@ std::string find_fault(const TreeTile& tile, const std::vector<TreeTile>& before
 
 Status check_sums(const std::vector<TreeTile>& tiles, const FileHeader& header,
                   const std::string& name) {
-  std::uint64_t bytes = kHeaderBytes;
+  std::uint64_t bytes = header.data_offset();
   std::uint64_t patches = 0;
   std::uint64_t samples = 0;
   for (const TreeTile& tile : tiles) {
@@ -110,7 +110,7 @@ Result<std::vector<TreeTile>> parse_tree_index(std::span<const std::byte> bytes,
   ByteReader in(bytes);
   std::vector<TreeTile> tiles;
   tiles.reserve(header.chunks);
-  std::uint64_t offset = kHeaderBytes;
+  std::uint64_t offset = header.data_offset();
   for (std::uint32_t t = 0; t < header.chunks; ++t) {
     TreeTile tile = take_tile(in);
     tile.offset = offset;

@@ -49,7 +49,10 @@ Status write_patch_tree(const std::filesystem::path& path, const std::vector<Tre
   header.bounds = extent.bounds;
   header.bounding_radius = extent.bounding_radius;
   header.is_closed = extent.is_closed;
-  header.index_offset = kHeaderBytes;
+  const std::vector<std::byte> block =
+      write_model_block({extent.extremes, extent.stance}, extent.bounds);
+  header.block_bytes = static_cast<std::uint32_t>(block.size());
+  header.index_offset = header.data_offset();
   header.chunks = static_cast<std::uint32_t>(parts.size());
   std::vector<TreeTile> tiles;
   for (const TreePart& part : parts) {
@@ -68,6 +71,7 @@ Status write_patch_tree(const std::filesystem::path& path, const std::vector<Tre
 
   RELIEF_TRY_ASSIGN(auto out, AtomicFile::create(path));
   RELIEF_TRY(out.write(write_header(header)));
+  RELIEF_TRY(out.write(block));
   for (std::size_t t = 0; t < parts.size(); ++t) {
     RELIEF_TRY(copy_tile(parts[t], tiles[t].bytes, out));
   }

@@ -153,10 +153,10 @@ EncodedPatch encode(const Patch& patch, const PatchFileOptions& options, ZstdCon
   return encoded;
 }
 
-/// Assigns each chunk its offset: patch after patch, without gaps.
-FileIndex lay_out(const std::vector<EncodedPatch>& patches, PatchCodec codec) {
+/// Assigns each chunk its offset: patch after patch, without gaps, from `offset` on.
+FileIndex lay_out(const std::vector<EncodedPatch>& patches, PatchCodec codec,
+                  std::uint64_t offset) {
   FileIndex index;
-  std::uint64_t offset = kHeaderBytes;
   for (const EncodedPatch& patch : patches) {
     index.patches.push_back({patch.summary, static_cast<std::uint32_t>(index.chunks.size()),
                              static_cast<std::uint32_t>(patch.chunks.size())});
@@ -196,8 +196,11 @@ Status write_model(const std::filesystem::path& path, const PatchModel& model,
   }
 
   const bool compact = options.codec == PatchCodec::Compact;
-  const FileIndex layout = lay_out(encoded, options.codec);
+  const std::vector<std::byte> block =
+      write_model_block({model.extremes, model.stance}, model.bounds);
   FileHeader header;
+  header.block_bytes = static_cast<std::uint32_t>(block.size());
+  const FileIndex layout = lay_out(encoded, options.codec, header.data_offset());
   header.version = compact ? kCompactVersion : kPlainVersion;
   header.spacing = model.spacing;
   header.bounds = model.bounds;
@@ -209,12 +212,13 @@ Status write_model(const std::filesystem::path& path, const PatchModel& model,
   header.patches = static_cast<std::uint32_t>(layout.patches.size());
   header.chunks = static_cast<std::uint32_t>(layout.chunks.size());
   header.index_checksum = crc32(index);
-  header.index_offset = kHeaderBytes;
+  header.index_offset = header.data_offset();
   for (const ChunkRecord& chunk : layout.chunks) header.index_offset += chunk.size;
   header.file_bytes = header.index_offset + index.size();
   for (const EncodedPatch& patch : encoded) header.samples += patch.summary.samples;
 
   RELIEF_TRY(file.write(write_header(header)));
+  RELIEF_TRY(file.write(block));
   for (const EncodedPatch& patch : encoded) {
     for (const EncodedChunk& chunk : patch.chunks) {
       RELIEF_TRY(file.write(chunk.bytes));

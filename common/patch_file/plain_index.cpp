@@ -93,7 +93,7 @@ Result<FileIndex> parse_plain_index(std::span<const std::byte> bytes, const File
   }
   for (std::uint32_t i = 0; i < header.chunks; ++i) {
     const ChunkRecord chunk = take_chunk(in);
-    if (chunk.offset < kHeaderBytes || chunk.offset > header.index_offset ||
+    if (chunk.offset < header.data_offset() || chunk.offset > header.index_offset ||
         chunk.size > header.index_offset - chunk.offset) {
       return make_error("{}: chunk {} lies outside of the file's data; the file is damaged", name,
                         i);

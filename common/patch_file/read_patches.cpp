@@ -71,6 +71,8 @@ Result<PatchModel> PatchFile::read_all(Progress& progress) const {
   model.spacing = info().spacing;
   model.bounds = info().bounds;
   model.bounding_radius = info().bounding_radius;
+  model.extremes = info().extremes;
+  model.stance = info().stance;
   model.is_closed = info().is_closed;
   model.joined = joined();
   join_normals(model);

@@ -8,26 +8,36 @@
 namespace relief {
 
 Camera orbit_camera(glm::dvec3 centre, double radius, const Orbit& orbit,
-                    double vertical_fov_degrees, double aspect) {
+                    double vertical_fov_degrees, double aspect, const Stance& stance) {
   const double half_vertical = glm::radians(vertical_fov_degrees) / 2.0;
   const double half_smaller = std::atan(std::tan(half_vertical) * std::min(aspect, 1.0));
   const double distance = radius * (orbit.distance_in_radii > 0.0 ? orbit.distance_in_radii
                                                                   : 1.0 / std::sin(half_smaller));
   const double azimuth = glm::radians(orbit.azimuth_degrees);
   const double elevation = glm::radians(orbit.elevation_degrees);
-  const glm::dvec3 outward(std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
-                           std::cos(azimuth) * std::cos(elevation));
-  // Straight from above or below +Y is no usable up: there -Z (or +Z) points up in the image.
-  const glm::dvec3 up(-std::sin(azimuth) * std::sin(elevation), std::cos(elevation),
-                      -std::cos(azimuth) * std::sin(elevation));
+  const glm::dvec3 side = glm::cross(stance.up, stance.front);
+  const glm::dvec3 level = std::sin(azimuth) * side + std::cos(azimuth) * stance.front;
+  const glm::dvec3 outward = std::cos(elevation) * level + std::sin(elevation) * stance.up;
+  // Straight from above or below, the stance's own up direction is no usable one.
+  const glm::dvec3 up = std::cos(elevation) * stance.up - std::sin(elevation) * level;
   return {centre + distance * outward, centre, up, vertical_fov_degrees};
 }
 
-double fitting_height(const Camera& camera, glm::dvec3 centre, double radius, double aspect) {
-  const glm::dvec3 middle = view_rotation(camera) * (centre - camera.eye);
-  const double half_width = std::abs(middle.x) + radius;
-  const double half_height = std::abs(middle.y) + radius;
-  return 2.0 * std::max(half_height, half_width / aspect);
+Camera rolled(const Camera& camera, double degrees) {
+  if (degrees == 0.0) return camera;
+  const glm::dmat3 axes = glm::transpose(view_rotation(camera));
+  Camera turned = camera;
+  turned.up = std::cos(glm::radians(degrees)) * axes[1] - std::sin(glm::radians(degrees)) * axes[0];
+  return turned;
+}
+
+Camera zoomed(const Camera& camera, double factor) {
+  if (factor == 1.0) return camera;
+  Camera nearer = camera;
+  const double slope = std::tan(glm::radians(camera.vertical_fov_degrees) / 2.0);
+  nearer.vertical_fov_degrees = glm::degrees(2.0 * std::atan(slope / factor));
+  nearer.orthographic_height /= factor;
+  return nearer;
 }
 
 glm::dmat3 view_rotation(const Camera& camera) {

@@ -4,7 +4,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-#include "common/bounds.h"
+#include "common/stance.h"
 
 namespace relief {
 
@@ -21,7 +21,8 @@ struct Camera {
   [[nodiscard]] bool is_orthographic() const { return orthographic_height > 0.0; }
 };
 
-/// The position of a camera on an orbit. Azimuth 0 is +Z and turns to +X; elevation lifts to +Y.
+/// The position of a camera on an orbit about a model that stands (common/stance.h): azimuth 0 is
+/// in front and turns to the model's left hand, which is the image's right; elevation lifts up.
 struct Orbit {
   double azimuth_degrees = 0.0;
   double elevation_degrees = 0.0;
@@ -30,12 +31,15 @@ struct Orbit {
 
 /// The camera of an orbit about a sphere (world units) for an image of `aspect` = width / height.
 [[nodiscard]] Camera orbit_camera(glm::dvec3 centre, double radius, const Orbit& orbit,
-                                  double vertical_fov_degrees, double aspect);
+                                  double vertical_fov_degrees, double aspect,
+                                  const Stance& stance = {});
 
-/// The height of an orthographic image of `aspect` = width / height about the camera's line of
-/// sight into which a sphere (world units) just fits.
-[[nodiscard]] double fitting_height(const Camera& camera, glm::dvec3 centre, double radius,
-                                    double aspect);
+/// The same camera turned about its line of sight, counter-clockwise as seen from the eye, so that
+/// the image turns clockwise.
+[[nodiscard]] Camera rolled(const Camera& camera, double degrees);
+
+/// The same camera with an image that shows its middle so many times as large.
+[[nodiscard]] Camera zoomed(const Camera& camera, double factor);
 
 /// The rotation from world to eye coordinates (x right, y up, z backward). Its translation is left
 /// out on purpose: positions are made relative to the eye in double precision first.

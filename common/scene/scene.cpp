@@ -11,8 +11,6 @@ void take(std::optional<T>& to, const std::optional<T>& from) {
   if (from) to = from;
 }
 
-constexpr double kDefaultFieldOfView = 45.0;
-
 }  // namespace
 
 std::vector<MaterialOverrides> distinct_materials(const std::vector<SceneModel>& models) {
@@ -34,6 +32,8 @@ SceneSettings overlay(SceneSettings base, const SceneSettings& over) {
   take(base.eye, over.eye);
   take(base.target, over.target);
   take(base.up, over.up);
+  take(base.roll_degrees, over.roll_degrees);
+  take(base.zoom, over.zoom);
   take(base.fov_degrees, over.fov_degrees);
   take(base.orthographic, over.orthographic);
   take(base.engine, over.engine);
@@ -46,31 +46,6 @@ SceneSettings overlay(SceneSettings base, const SceneSettings& over) {
   take(base.outputs, over.outputs);
   base.options = overlay_options(std::move(base.options), over.options);
   return base;
-}
-
-Result<Camera> camera_for(const SceneSettings& settings, const PatchModel& model) {
-  const glm::dvec3 centre = 0.5 * (model.bounds.min + model.bounds.max);
-  const double fov = settings.fov_degrees.value_or(kDefaultFieldOfView);
-  const ImageSize size = settings.size.value_or(ImageSize{});
-  const double aspect = static_cast<double>(size.width) / size.height;
-  // A model without size or patches has no bounding sphere.
-  const double radius = model.bounding_radius > 0.0 ? model.bounding_radius : 1.0;
-  const auto projected = [&](Camera camera) {
-    if (settings.orthographic) {
-      camera.orthographic_height =
-          settings.orthographic->height.value_or(fitting_height(camera, centre, radius, aspect));
-    }
-    return camera;
-  };
-  if (settings.eye) {
-    const Camera camera{*settings.eye, settings.target.value_or(centre),
-                        settings.up.value_or(glm::dvec3(0.0, 1.0, 0.0)), fov};
-    if (camera.eye != camera.target) return projected(camera);
-    return Error{settings.target ? "the eye is where its target is"
-                                 : "the eye is in the middle of the model, which it looks at "
-                                   "unless a target is named"};
-  }
-  return projected(orbit_camera(centre, radius, settings.orbit.value_or(Orbit{}), fov, aspect));
 }
 
 }  // namespace relief

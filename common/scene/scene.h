@@ -2,6 +2,7 @@
 // docs/scene.md.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -31,7 +32,9 @@ struct SceneSettings : MaterialOverrides {
   std::optional<Orbit> orbit;
   std::optional<glm::dvec3> eye;  ///< world units, as target; not beside an orbit
   std::optional<glm::dvec3> target;
-  std::optional<glm::dvec3> up;
+  std::optional<glm::dvec3> up;  ///< any length but 0: of the eye, or of how the model stands
+  std::optional<double> roll_degrees;
+  std::optional<double> zoom;
   std::optional<double> fov_degrees;  ///< not beside `orthographic`
   std::optional<OrthographicSize> orthographic;
   std::optional<std::string> engine;         ///< by name; the renderer has the list
@@ -43,6 +46,23 @@ struct SceneSettings : MaterialOverrides {
   std::optional<Outputs> outputs;
   OptionValues options;  ///< of engines, by key; those of other engines are ignored
 };
+
+/// Directions of view, for --view and scene files.
+inline constexpr std::array<Named<Orbit>, 7> kViews{{{"front", {0.0, 0.0, 0.0}},
+                                                     {"back", {180.0, 0.0, 0.0}},
+                                                     {"left", {-90.0, 0.0, 0.0}},
+                                                     {"right", {90.0, 0.0, 0.0}},
+                                                     {"top", {0.0, 90.0, 0.0}},
+                                                     {"bottom", {0.0, -90.0, 0.0}},
+                                                     {"iso", {45.0, 35.26438968, 0.0}}}};
+
+/// Up directions, likewise.
+inline constexpr std::array<Named<glm::dvec3>, 6> kAxes{{{"x", {1.0, 0.0, 0.0}},
+                                                         {"y", {0.0, 1.0, 0.0}},
+                                                         {"z", {0.0, 0.0, 1.0}},
+                                                         {"-x", {-1.0, 0.0, 0.0}},
+                                                         {"-y", {0.0, -1.0, 0.0}},
+                                                         {"-z", {0.0, 0.0, -1.0}}}};
 
 struct SceneModel {
   std::filesystem::path file;
@@ -84,11 +104,5 @@ Result<Scene> read_scene(const std::filesystem::path& path, const EngineKeys& en
 /// Returns the settings of `base`, overridden by those that `over` has. An orbit and an eye replace
 /// each other, and so do a field of view and an orthographic image.
 [[nodiscard]] SceneSettings overlay(SceneSettings base, const SceneSettings& over);
-
-/// The camera of an image of the model. An eye looks at the middle of the model's bounds unless a
-/// target is given; without an eye the camera is on an orbit about it. An orthographic one without
-/// a height sees the model's bounding sphere just whole. Fails, with a clause, if the eye is where
-/// it looks.
-Result<Camera> camera_for(const SceneSettings& settings, const PatchModel& model);
 
 }  // namespace relief

@@ -39,6 +39,14 @@ OrthographicSize read_orthographic(JsonValues& values, const JsonNode& node) {
                         "the image's height in world units, above 0, or \"fit\"")};
 }
 
+Orbit read_direction_of_view(JsonValues& values, const JsonNode& node) {
+  return values.choice(node, kViews);
+}
+
+glm::dvec3 read_up(JsonValues& values, const JsonNode& node) {
+  return node.value.is_string() ? values.choice(node, kAxes) : read_direction(values, node);
+}
+
 Background read_background(JsonValues& values, const JsonNode& node) {
   constexpr std::string_view kExpected = "[r, g, b], sRGB values from 0 to 1, or \"none\"";
   if (node.value == "none") return {};
@@ -84,8 +92,9 @@ int read_count(JsonValues& values, const JsonNode& node, NumberChoice range,
 
 std::vector<std::string_view> with_setting_keys(std::vector<std::string_view> keys,
                                                 const EngineKeys& engines) {
-  for (const char* key : {"size", "orbit", "eye", "target", "up", "fov", "orthographic", "env",
-                          "background", "outputs", "lights", "ambient", "exposure", "engine"})
+  for (const char* key :
+       {"size", "orbit", "view", "eye", "target", "up", "roll", "zoom", "fov", "orthographic",
+        "env", "background", "outputs", "lights", "ambient", "exposure", "engine"})
     keys.emplace_back(key);
   for (const OptionRow& row : engines.options) keys.emplace_back(row.key);
   keys.insert(keys.end(), kMaterialKeys.begin(), kMaterialKeys.end());
@@ -125,9 +134,14 @@ SceneSettings read_settings(JsonValues& values, const JsonNode& object,
   };
   read("size", settings.size, with(read_size));
   read("orbit", settings.orbit, with(read_orbit));
+  read("view", settings.orbit, with(read_direction_of_view));
   read("eye", settings.eye, with(read_vector));
   read("target", settings.target, with(read_vector));
-  read("up", settings.up, with(read_direction));
+  read("up", settings.up, with(read_up));
+  read("roll", settings.roll_degrees, with(read_angle));
+  read("zoom", settings.zoom, [&values](const JsonNode& node) {
+    return values.number(node, {kZooms.min, kZooms.max}, "a number from 0.01 to 10000");
+  });
   read("fov", settings.fov_degrees, [&values](const JsonNode& node) {
     return values.number(node, {kMinFieldOfView, kMaxFieldOfView}, "degrees from 0.1 to 170");
   });
@@ -150,8 +164,10 @@ SceneSettings read_settings(JsonValues& values, const JsonNode& object,
   read("exposure", settings.exposure, [&values](const JsonNode& node) {
     return values.number(node, {kExposures.min, kExposures.max}, "stops from -20 to 20");
   });
-  if (settings.orbit && (settings.eye || settings.target || settings.up))
-    values.refuse(object.path, "expected either an orbit or eye, target and up; found both");
+  if (settings.orbit && (settings.eye || settings.target))
+    values.refuse(object.path, "expected either an orbit or eye and target; found both");
+  if (JsonValues::member(object, "orbit") && JsonValues::member(object, "view"))
+    values.refuse(object.path, "expected either an orbit or a view; found both");
   if (settings.fov_degrees && settings.orthographic)
     values.refuse(object.path, "expected either fov or orthographic; found both");
   return settings;

@@ -83,6 +83,7 @@ Status read_file_blocks(const fs::path& path, const MappedFile& file, std::uint6
   auto rest =
       format->read({path.string(), text, progress, remarks, format->streams ? &sink : nullptr});
   if (!rest) return rest.error();
+  rest->stance = stance_of(*rest);
   if (!rest->triangles.empty()) {
     remarks.notes.push_back(
         fmt::format("{}: its triangles are not used with --memory", path.string()));

@@ -29,6 +29,7 @@ struct Look {
   bool some_normals = false;
   bool some_colours = false;
   std::optional<glm::dvec3> viewpoint;
+  Stance stance = kZUp;
 
   void take(const Points& block) {
     if (block.size() == 0) return;
@@ -41,6 +42,7 @@ struct Look {
     some_normals = some_normals || !block.normals.empty();
     some_colours = some_colours || !block.colours.empty();
     viewpoint = block.viewpoint;
+    stance = stance_of(block);
   }
 };
 
@@ -58,7 +60,7 @@ std::uint64_t points_for(std::uint64_t memory) {
 template <class Scan>
 auto scan_fields(Scan& s) {
   return std::tie(s.layout.cuts, s.layout.tiles, s.layout.largest_halo, s.counts, s.attributes,
-                  s.bounds, s.viewpoint, s.read);
+                  s.bounds, s.viewpoint, s.stance, s.read);
 }
 
 /// The first reading.
@@ -77,6 +79,7 @@ Result<Look> look(const std::vector<fs::path>& files, const TileJob& job,
   scan.read = *read;
   scan.bounds = seen.bounds;
   scan.attributes = seen.attributes;
+  scan.stance = seen.stance;
   // Points seen from several positions have no single viewpoint.
   if (files.size() == 1) scan.viewpoint = seen.viewpoint;
   const auto note_mixed = [&](bool some, bool all, std::string_view name) {

@@ -22,6 +22,7 @@ struct SpreadScan {
   Bounds bounds;
   std::optional<glm::dvec3>
       viewpoint;  ///< position of the scanner, if the scan's only file gives it
+  Stance stance;  ///< of the last file
   ScanCounts read;
   std::vector<std::string> notes;
 };

@@ -163,7 +163,7 @@ Result<FileIndex> parse_compact_index(std::span<const std::byte> bytes, const Fi
   const glm::dvec3 base = index_base(header.bounds);
   FileIndex index;
   index.patches.reserve(header.patches);
-  std::uint64_t offset = kHeaderBytes;
+  std::uint64_t offset = header.data_offset();
   for (std::uint32_t p = 0; p < header.patches; ++p) {
     constexpr const char* kEnd = "the index ends within it";
     PatchRecord record;

@@ -174,7 +174,9 @@ Result<Points> read_pcd(const Source& source) {
     return make_error("{}: its points have no fields x, y and z", source.name);
   }
   auto points = read_body(source, header, layout);
-  if (points) points->viewpoint = header.viewpoint;
+  if (!points) return points;
+  points->viewpoint = header.viewpoint;
+  points->stance = sensor_stance(points->positions, header.pose);
   return points;
 }
 

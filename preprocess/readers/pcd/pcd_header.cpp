@@ -90,7 +90,12 @@ class PcdHeaderReader {
     const bool finite = std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
     if (finite && v != std::array<double, 7>{0, 0, 0, 1, 0, 0, 0}) {
       header_.viewpoint = glm::dvec3(v[0], v[1], v[2]);
+      header_.pose.position = *header_.viewpoint;
     }
+    const glm::dquat turn(v[3], v[4], v[5], v[6]);
+    const double length = glm::length(turn);
+    // Anything but a rotation is as good as the default.
+    if (std::abs(length - 1.0) < 0.01) header_.pose.turn = turn / length;
     return {};
   }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "preprocess/readers/number_type.h"
+#include "preprocess/readers/pcd/sensor_stance.h"
 #include "preprocess/readers/source.h"
 
 namespace relief {
@@ -27,7 +28,8 @@ struct PcdHeader {
   std::uint64_t stride = 0;  ///< bytes per point
   std::uint64_t points = 0;
   std::optional<glm::dvec3> viewpoint;  ///< unless it is the default, which is meaningless
-  std::size_t body = 0;                 ///< offset of the first byte after the header
+  SensorPose pose;
+  std::size_t body = 0;  ///< offset of the first byte after the header
 };
 
 /// Reads the header. The number of points is not yet checked against the body.

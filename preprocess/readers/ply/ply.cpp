@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include "preprocess/readers/ply/ply_header.h"
@@ -37,10 +39,23 @@ class PlyBody {
       RELIEF_TRY(check_count(element));
       RELIEF_TRY(element.name == "vertex" ? read_vertices(element) : read_lists(element));
     }
+    points_.stance = stance();
     return std::move(points_);
   }
 
  private:
+  /// Range scans are grids in the frame of a scanner that stands in front of them.
+  [[nodiscard]] std::optional<Stance> stance() const {
+    const auto has = [this](std::string_view name) {
+      return std::ranges::any_of(header_.elements, [name](const PlyElement& element) {
+        return element.name == name && element.count > 0;
+      });
+    };
+    if (has("range_grid")) return Stance{.is_from_sensor = true};
+    // Also where --memory leaves the faces out.
+    return has("face") || has("tristrips") ? std::optional(Stance{}) : std::nullopt;
+  }
+
   /// A count that the rest of the file cannot hold is refused before memory is allocated.
   Status check_count(const PlyElement& element) {
     std::uint64_t min_bytes = 0;

@@ -110,15 +110,42 @@ TEST(OrbitCamera, FitsTheSphereExactly) {
   }
 }
 
-TEST(OrthographicHeight, FitsTheSphereAboutTheLineOfSight) {
-  // Looks along -Z, past the sphere by 2 to the right and 1 up of it.
-  const Camera camera{{2.0, 1.0, 50.0}, {2.0, 1.0, 0.0}, {0.0, 1.0, 0.0}};
-  // Half the image's height holds 1 + 3, half its width 2 + 3.
-  EXPECT_NEAR(fitting_height(camera, {}, 3.0, 2.0), 8.0, kRounding);
-  EXPECT_NEAR(fitting_height(camera, {}, 3.0, 1.0), 10.0, kRounding);
-  EXPECT_NEAR(fitting_height(camera, {}, 3.0, 0.5), 20.0, kRounding);
-  const Camera orbit = orbit_camera({5.0, 1.0, -2.0}, 3.0, {25.0, 40.0, 0.0}, 45.0, 1.25);
-  EXPECT_NEAR(fitting_height(orbit, {5.0, 1.0, -2.0}, 3.0, 1.25), 6.0, kRounding);
+TEST(OrbitCamera, RefersToHowTheModelStands) {
+  // Z up: in front is -Y, to the right +X, and from above north is up.
+  const Camera front = orbit_camera({}, 1.0, {0.0, 0.0, 4.0}, 45.0, 1.0, kZUp);
+  EXPECT_LT(glm::distance(front.eye, glm::dvec3(0.0, -4.0, 0.0)), kRounding);
+  EXPECT_LT(glm::distance(front.up, glm::dvec3(0.0, 0.0, 1.0)), kRounding);
+  const Camera right = orbit_camera({}, 1.0, {90.0, 0.0, 4.0}, 45.0, 1.0, kZUp);
+  EXPECT_LT(glm::distance(right.eye, glm::dvec3(4.0, 0.0, 0.0)), kRounding);
+  const Camera top = orbit_camera({}, 1.0, {0.0, 90.0, 4.0}, 45.0, 1.0, kZUp);
+  EXPECT_LT(glm::distance(top.eye, glm::dvec3(0.0, 0.0, 4.0)), kRounding);
+  EXPECT_LT(glm::distance(top.up, glm::dvec3(0.0, 1.0, 0.0)), kRounding);
+}
+
+TEST(Stance, OfAnUpDirectionHasItsFrontAtRightAngles) {
+  EXPECT_EQ(stance_of({0.0, 2.0, 0.0}), Stance{});
+  EXPECT_EQ(stance_of({0.0, 0.0, 1e-200}), kZUp);
+  EXPECT_EQ(stance_of({0.0, -1.0, 0.0}).front, glm::dvec3(0.0, 0.0, -1.0));
+  EXPECT_EQ(stance_of({0.0, 0.0, -1.0}).front, glm::dvec3(0.0, 1.0, 0.0));
+  EXPECT_EQ(stance_of({-1.0, 0.0, 0.0}).front, glm::dvec3(0.0, 0.0, 1.0));
+  for (const glm::dvec3 up : {glm::dvec3(1, 2, 3), glm::dvec3(-3, 2, 1), glm::dvec3(1, 1, 1)}) {
+    const Stance stance = stance_of(1e300 * up);
+    EXPECT_NEAR(glm::dot(stance.up, glm::normalize(up)), 1.0, kRounding);
+    EXPECT_NEAR(glm::length(stance.front), 1.0, kRounding);
+    EXPECT_NEAR(glm::dot(stance.up, stance.front), 0.0, kRounding);
+  }
+}
+
+TEST(Camera, RollsCounterClockwiseAndZooms) {
+  const Camera camera{{0.0, 0.0, 5.0}, {}, {0.0, 1.0, 0.0}, 90.0};
+  // The camera's top turns to its left, -X.
+  EXPECT_LT(glm::distance(rolled(camera, 90.0).up, glm::dvec3(-1.0, 0.0, 0.0)), kRounding);
+  // Half the height at distance 1 is tan 45 degrees = 1, then a half.
+  EXPECT_NEAR(zoomed(camera, 2.0).vertical_fov_degrees, 2.0 * glm::degrees(std::atan(0.5)),
+              kRounding);
+  Camera orthographic = camera;
+  orthographic.orthographic_height = 3.0;
+  EXPECT_EQ(zoomed(orthographic, 2.0).orthographic_height, 1.5);
 }
 
 TEST(Projection, OfAnOrthographicCameraIsLinear) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/scene/scene.h"
+#include "common/scene/view_camera.h"
 
 namespace relief {
 namespace {
@@ -96,13 +97,13 @@ TEST(SceneSettings, TheCameraIsOnAnOrbitOrAtTheEye) {
   settings.orthographic = OrthographicSize{2.5};
   EXPECT_EQ(camera_for(settings, model)->orthographic_height, 2.5);
   EXPECT_FALSE(camera_for({}, model)->is_orthographic());
-  // By default the sphere of radius 3 about (1, 2, 3), which is 1 to the side of the
-  // line of sight and 2 above it, is as high as 2 (2 + 3).
+  // By default the box, which ends 4 above the line of sight and 2 beside it, takes nine tenths of
+  // the image.
   settings.orthographic = OrthographicSize{};
   settings.eye = glm::dvec3(0.0, 0.0, 20.0);
   settings.target = glm::dvec3(0.0);
   settings.size = ImageSize{200, 100};
-  EXPECT_NEAR(camera_for(settings, model)->orthographic_height, 10.0, 1e-12);
+  EXPECT_NEAR(camera_for(settings, model)->orthographic_height, 8.0 / 0.9, 1e-12);
 
   camera = camera_for({}, PatchModel{});
   ASSERT_TRUE(camera);

@@ -1,0 +1,136 @@
+#include "common/scene/view_camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <utility>
+#include <vector>
+
+#include "common/extremes.h"
+#include "common/scene/framing.h"
+
+namespace relief {
+namespace {
+
+constexpr double kDefaultFieldOfView = 45.0;
+
+/// Up to this share of its width and depth a model's height makes it flat: terrain and airborne
+/// scans have 0.02 to 0.2, the flattest body of those tried, a rocker arm that lies, 0.5.
+constexpr double kFlat = 0.3;
+
+constexpr Orbit kFlatOrbit{30.0, 35.0, 0.0};
+constexpr Orbit kBodyOrbit{25.0, 15.0, 0.0};
+
+Stance stance_for(const SceneSettings& settings, const PatchModel& model) {
+  return settings.up ? stance_of(*settings.up) : model.stance;
+}
+
+std::vector<glm::dvec3> points_to_frame(const PatchModel& model) {
+  if (!model.extremes.empty()) return model.extremes;
+  std::vector<glm::dvec3> corners = corners_of(model.bounds);
+  // A model without patches is nowhere.
+  return corners.empty() ? std::vector<glm::dvec3>(1, glm::dvec3(0.0)) : corners;
+}
+
+glm::dvec3 middle_of(const PatchModel& model) {
+  return 0.5 * (model.bounds.min + model.bounds.max);
+}
+
+/// A model without size or patches has no bounding sphere.
+double radius_of(const PatchModel& model) {
+  return model.bounding_radius > 0.0 ? model.bounding_radius : 1.0;
+}
+
+double aspect_of(const SceneSettings& settings) {
+  const ImageSize size = settings.size.value_or(ImageSize{});
+  return static_cast<double>(size.width) / size.height;
+}
+
+Camera camera_on_orbit(const SceneSettings& settings, const PatchModel& model, const Orbit& orbit) {
+  const double aspect = aspect_of(settings);
+  Camera camera = orbit_camera(middle_of(model), radius_of(model), orbit,
+                               settings.fov_degrees.value_or(kDefaultFieldOfView), aspect,
+                               stance_for(settings, model));
+  if (!settings.orthographic) return camera;
+  const auto points = points_to_frame(model);
+  camera.orthographic_height =
+      settings.orthographic->height.value_or(framing_height(camera, points, aspect));
+  return camera;
+}
+
+Result<Camera> camera_at_eye(const SceneSettings& settings, const PatchModel& model) {
+  Camera camera{*settings.eye, settings.target.value_or(middle_of(model)),
+                settings.up.value_or(model.stance.up),
+                settings.fov_degrees.value_or(kDefaultFieldOfView)};
+  if (camera.eye == camera.target) {
+    return Error{settings.target ? "the eye is where its target is"
+                                 : "the eye is in the middle of the model, which it looks at "
+                                   "unless a target is named"};
+  }
+  if (settings.orthographic) {
+    camera.orthographic_height = settings.orthographic->height.value_or(
+        framing_height(camera, points_to_frame(model), aspect_of(settings)));
+  }
+  return camera;
+}
+
+}  // namespace
+
+Orbit first_orbit(const SceneSettings& settings, const PatchModel& model) {
+  const Stance stance = stance_for(settings, model);
+  if (stance.is_from_sensor) return {};
+  const glm::dvec3 side = glm::cross(stance.up, stance.front);
+  const std::vector<glm::dvec3> points = points_to_frame(model);
+  const auto length_along = [&points](const glm::dvec3& axis) {
+    const auto [low, high] =
+        std::ranges::minmax(points, {}, [&axis](const glm::dvec3& p) { return glm::dot(p, axis); });
+    return glm::dot(high - low, axis);
+  };
+  const double level = std::min(length_along(side), length_along(stance.front));
+  return length_along(stance.up) <= kFlat * level ? kFlatOrbit : kBodyOrbit;
+}
+
+std::vector<SceneSettings> film_frames(const SceneSettings& settings, const PatchModel& model,
+                                       std::size_t count) {
+  const std::vector<glm::dvec3> points = points_to_frame(model);
+  const double aspect = aspect_of(settings);
+  const bool fits_height = settings.orthographic && !settings.orthographic->height;
+  std::vector<SceneSettings> frames(count, settings);
+  double distance = 0.0;
+  double height = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    Orbit& orbit =
+        frames[i].orbit.emplace(settings.orbit ? *settings.orbit : first_orbit(settings, model));
+    orbit.azimuth_degrees += 360.0 * static_cast<double>(i) / static_cast<double>(count);
+    const Camera camera =
+        rolled(camera_on_orbit(settings, model, orbit), settings.roll_degrees.value_or(0.0));
+    distance = std::max(distance, framing_distance(camera, points, aspect));
+    height = std::max(height, framing_height(camera, points, aspect));
+  }
+  for (SceneSettings& frame : frames) {
+    double& radii = frame.orbit->distance_in_radii;
+    if (!(radii > 0.0)) radii = distance / radius_of(model);
+    if (fits_height) frame.orthographic = OrthographicSize{height};
+  }
+  return frames;
+}
+
+Result<Camera> camera_for(const SceneSettings& settings, const PatchModel& model) {
+  Camera camera;
+  const double roll = settings.roll_degrees.value_or(0.0);
+  if (settings.eye) {
+    RELIEF_TRY_ASSIGN(camera, camera_at_eye(settings, model));
+    camera = rolled(camera, roll);
+  } else {
+    const Orbit orbit = settings.orbit ? *settings.orbit : first_orbit(settings, model);
+    camera = rolled(camera_on_orbit(settings, model, orbit), roll);
+    if (!(orbit.distance_in_radii > 0.0)) {
+      const bool fits_height = !settings.orthographic || !settings.orthographic->height;
+      camera = framed(camera, points_to_frame(model), aspect_of(settings), fits_height);
+    }
+  }
+  return zoomed(camera, settings.zoom.value_or(1.0));
+}
+
+}  // namespace relief

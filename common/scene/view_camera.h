@@ -1,0 +1,34 @@
+// The camera that settings ask for, and that of a picture for which nothing is asked.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "common/error.h"
+#include "common/patch.h"
+#include "common/scene/camera.h"
+#include "common/scene/scene.h"
+
+namespace relief {
+
+/// The camera of an image of the model, of which only the extent and the stance are used.
+///
+/// An orbit without a distance, and a model for which neither orbit nor eye is given, are framed:
+/// the model's extreme points, or without those the corners of its bounds, take most of the image.
+/// An orbit with a distance, and an eye without a target, look at the middle of the bounds. An
+/// orthographic camera without a height sees the model just whole. `roll_degrees` and `zoom` come
+/// last. Fails, with a clause, if the eye is where it looks.
+Result<Camera> camera_for(const SceneSettings& settings, const PatchModel& model);
+
+/// Where a model is looked at from unless a camera is named: a sensor's frame from the sensor; what
+/// is flat, such as terrain, obliquely from above; anything else from the front, a little from the
+/// side and above.
+[[nodiscard]] Orbit first_orbit(const SceneSettings& settings, const PatchModel& model);
+
+/// The settings of each frame of a film in which the camera goes once around the model, at the
+/// elevation that `settings` have. All frames look at the middle of the bounds from one distance,
+/// from which the model is whole in each of them, unless `settings` name the distance.
+[[nodiscard]] std::vector<SceneSettings> film_frames(const SceneSettings& settings,
+                                                     const PatchModel& model, std::size_t count);
+
+}  // namespace relief
