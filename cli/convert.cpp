@@ -234,6 +234,12 @@ void add_point_options(CLI::App& sub, ConvertArguments& arguments) {
 
 /// Adds the options of the patch file.
 void add_file_options(CLI::App& sub, ConvertArguments& arguments) {
+  sub.add_option_function<std::string>(
+         "--up", [&arguments](const std::string& s) { arguments.options.up = parse_up(s); },
+         "Up direction of the model, which images of it have (default: z for LAS, PTX and XYZ, "
+         "that "
+         "of the sensor for PCD, y for others)")
+      ->option_text("x|y|z|-x|-y|-z|X,Y,Z");
   sub.add_option(
          "--codec", arguments.file.codec,
          "Codec: fast reads and writes quickest; compact halves the bytes of heights, and its "

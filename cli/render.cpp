@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,8 +18,10 @@
 #include "cli/options/image_files.h"
 #include "cli/options/render_options.h"
 #include "cli/reports/render_report.h"
+#include "common/image/film_file.h"
 #include "common/image/image_io.h"
 #include "common/io/extension.h"
+#include "loader/first_look.h"
 #include "loader/load_scene.h"
 #include "loader/view_settings.h"
 
@@ -31,7 +34,8 @@ std::string render_footer() {
          "positions and views. A scan or mesh is converted in memory with the default options; "
          "ewa\n"
          "draws its points, raytrace its triangles. Options given here override those of a scene.\n"
-         "By default the camera sees the whole model. No display is needed.\n"
+         "By default the camera sees the whole model, obliquely from the front. No display is "
+         "needed.\n"
          "\n"
          "Engines:\n" +
          list_engines() +
@@ -43,18 +47,25 @@ std::string render_footer() {
          "4096x4096\n"
          "  relief render dragon.relief -o top.png --eye 0,1,0 --target 0,0,0 --up 0,0,-1 "
          "--orthographic 0.25\n"
+         "  relief render statue.ply -o statue.mp4 --turntable 120\n"
          "  relief render suite.json -o 'out/{view}.exr'";
 }
 
-/// Writes an image. An EXR keeps the scene's light; a PNG multiplies it, and the background, by the
-/// exposure (stops).
-Status write_image(const std::filesystem::path& path, Image& image, double exposure) {
-  if (lower_extension(path) == ".exr") return write_exr(path, image);
+constexpr double kFramesPerSecond = 30.0;
+
+/// Multiplies light, and the background, by 2 to the power of the exposure (stops).
+void expose(Image& image, double exposure) {
   const auto factor = static_cast<float>(std::exp2(exposure));
   for (Channel& channel : image.channels) {
     if (channel.name != "R" && channel.name != "G" && channel.name != "B") continue;
     for (float& value : channel.values) value *= factor;
   }
+}
+
+/// Writes an image. An EXR keeps the scene's light, a PNG is exposed.
+Status write_image(const std::filesystem::path& path, Image& image, double exposure) {
+  if (lower_extension(path) == ".exr") return write_exr(path, image);
+  expose(image, exposure);
   return write_png(path, image);
 }
 
@@ -71,43 +82,87 @@ void apply(const RenderArguments& arguments, const PlannedView& view, RenderSett
   settings.count_fragments = arguments.frames.has_value();
 }
 
-/// Loads, renders and writes. `count`: how many images are written, also after a failure.
+/// The plan's view of an image: of a film all frames have one.
+const PlannedView& view_at(const ScenePlan& plan, std::size_t image) {
+  return plan.views[plan.film_frames > 0 ? 0 : image];
+}
+
+/// Puts images into their files, or into the film that all of them are.
+class ImageWriter {
+ public:
+  ImageWriter(const std::vector<std::filesystem::path>& files, double frames_per_second)
+      : files_(files), frames_per_second_(frames_per_second) {}
+
+  Status write(std::size_t number, Image& image, double exposure) {
+    if (!is_film_name(files_[number])) {
+      RELIEF_TRY(write_image(files_[number], image, exposure));
+      ++written_;
+      return {};
+    }
+    if (!film_) {
+      const FilmOptions options{image.width, image.height, frames_per_second_};
+      RELIEF_TRY_ASSIGN(film_, FilmFile::open(files_[number], options));
+    }
+    expose(image, exposure);
+    return film_->add(image);
+  }
+  Status finish() { return film_ ? film_->finish() : Status(); }
+
+  /// Images in files that are complete, also after a failure.
+  [[nodiscard]] std::size_t written() const { return written_; }
+
+ private:
+  const std::vector<std::filesystem::path>& files_;
+  double frames_per_second_ = 0.0;
+  std::optional<FilmFile> film_;
+  std::size_t written_ = 0;
+};
+
+/// Loads, renders and writes.
 Result<std::vector<WrittenImage>> make_images(const ScenePlan& plan,
                                               const std::vector<std::filesystem::path>& files,
                                               const RenderArguments& arguments,
-                                              std::size_t& count) {
+                                              ImageWriter& writer) {
   ConsoleProgress progress;
   RELIEF_TRY_ASSIGN(const auto scene, load_scene(plan, load_options(arguments.texture), progress));
   if (progress.cancelled()) return interrupted_error();
   RELIEF_TRY_ASSIGN(auto views, render_settings_of(plan, scene.patches));
-  for (std::size_t i = 0; i < views.size(); ++i) apply(arguments, plan.views[i], views[i]);
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    apply(arguments, view_at(plan, i), views[i]);
+    complete_look(view_at(plan, i), scene, views[i]);
+  }
   std::vector<WrittenImage> written(views.size());
-  RELIEF_TRY(render_views(
-      scene.forms(), views,
-      [&](std::size_t i, RenderResult result) {
-        const PlannedView& view = plan.views[i];
-        Status saved = write_image(files[i], result.image, view.settings.exposure.value_or(0.0));
-        if (!saved) return saved;
-        result.image.channels.clear();
-        written[i] = {view.name, files[i], views[i], std::move(result)};
-        ++count;
-        return Status();
-      },
-      progress));
+  const auto keep = [&](std::size_t i, RenderResult result) -> Status {
+    const PlannedView& view = view_at(plan, i);
+    RELIEF_TRY(writer.write(i, result.image, view.settings.exposure.value_or(0.0)));
+    result.image.channels.clear();
+    written[i] = {view.name, files[i], views[i], std::move(result)};
+    return {};
+  };
+  RELIEF_TRY(render_views(scene.forms(), views, keep, progress));
+  RELIEF_TRY(writer.finish());
   return written;
 }
 
 int report(const ScenePlan& plan, const std::vector<WrittenImage>& written, bool json) {
+  if (json && plan.film_frames > 0) return print_json(film_as_json(written));
   if (json)
     return print_json(plan.file.empty() ? as_json(written.front()) : scene_as_json(written));
+  if (plan.film_frames > 0) return print_result(film_as_text(written));
   std::string text;
   for (const WrittenImage& image : written) text += as_text(image);
   return print_result(text);
 }
 
 int run_render(const RenderArguments& arguments) {
-  const auto plan = plan_scene(arguments.input, arguments.settings);
+  auto plan = plan_scene(arguments.input, arguments.settings);
   if (!plan) return fail(plan.error());
+  if (arguments.turntable > 0 && plan->views.size() > 1) {
+    (void)fail(make_error("{}: has {} views; --turntable makes a film of a single one",
+                          arguments.input.string(), plan->views.size()));
+    return kWrongUsage;
+  }
+  plan->film_frames = arguments.turntable;
   if (!names_each_view(arguments.output, *plan)) {
     (void)fail(
         make_error("{}: has {} views; put {{view}} into the output's name, as in out/{{view}}.exr",
@@ -117,12 +172,13 @@ int run_render(const RenderArguments& arguments) {
   const auto files = image_files(arguments.output, *plan);
   if (const Status good = check_files(*plan, arguments.texture.file, files); !good)
     return fail(good.error());
-  std::size_t count = 0;
-  const auto written = make_images(*plan, files, arguments, count);
+  ImageWriter writer(files, arguments.frames_per_second.value_or(kFramesPerSecond));
+  const auto written = make_images(*plan, files, arguments, writer);
   if (!written) {
-    return fail(written.error(), count == 0 ? std::string()
-                                            : fmt::format("{} of {} images were written", count,
-                                                          plan->views.size()));
+    return fail(written.error(),
+                writer.written() == 0
+                    ? std::string()
+                    : fmt::format("{} of {} images were written", writer.written(), files.size()));
   }
   return report(*plan, *written, arguments.json);
 }

@@ -26,6 +26,8 @@ struct ScenePlan {
   std::filesystem::path file;  ///< the scene file; empty without one
   std::vector<SceneModel> models;
   std::vector<PlannedView> views;
+  /// Above 0: the only view is a film of so many frames, in which the camera goes once around.
+  std::size_t film_frames = 0;
 };
 
 /// Reads a scene (.json). Any other file is a scene of one model and one view. `overrides` win over

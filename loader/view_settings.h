@@ -21,7 +21,7 @@ Result<RenderSettings> render_settings_of(const ScenePlan& plan, const PlannedVi
                                           const PatchModel& extent,
                                           std::span<const EngineEntry> among = engines());
 
-/// Returns the renderer's settings of all views, in order.
+/// Returns the renderer's settings of all views, in order; of a film, those of its frames.
 Result<std::vector<RenderSettings>> render_settings_of(
     const ScenePlan& plan, const PatchModel& extent,
     std::span<const EngineEntry> among = engines());

@@ -38,6 +38,7 @@ struct RenderSettings {
                                       ///< backdrop
   /// Linear RGB; none: alpha 0 where nothing is seen.
   std::optional<glm::vec3> background{{0, 0, 0}};
+  bool shows_environment = true;  ///< as backdrop, if there is a background for it to be
   Outputs outputs;
   std::optional<double> pixels_per_sample;  ///< of `onepass`: see pixels_per_sample_of
   /// Of the engines on OpenGL: samples a pixel, at least 1; they are a square grid of at least that
@@ -58,6 +59,11 @@ struct RenderSettings {
   bool explain = false;  ///< RenderResult::explanation, of the engines on OpenGL; fragments of
                          ///< such an image are not counted
 };
+
+/// Whether the environment is seen behind the model.
+[[nodiscard]] inline bool has_backdrop(const RenderSettings& settings) {
+  return !settings.environment.empty() && settings.background && settings.shows_environment;
+}
 
 /// The default for cells: levels are off the finest by at most 1/32 of a pixel. The Dragon at
 /// 1280x1024, lit, has 47.8 dB against the ray-traced scan, as at the finest level.

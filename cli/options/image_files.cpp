@@ -1,10 +1,13 @@
 #include "cli/options/image_files.h"
 
+#include <fmt/format.h>
+
 #include <string>
 #include <string_view>
 #include <system_error>
 
 #include "cli/options/paths.h"
+#include "common/image/film_file.h"
 
 namespace relief::cli {
 
@@ -23,6 +26,13 @@ fs::path image_file(const fs::path& pattern, const std::string& view) {
   return name;
 }
 
+/// The file of a frame, "turn.png" with its number before the dot: "turn_0007.png".
+fs::path frame_file(const fs::path& pattern, std::size_t frame) {
+  fs::path name = pattern;
+  return name.replace_filename(
+      fmt::format("{}_{:04}{}", pattern.stem().string(), frame, pattern.extension().string()));
+}
+
 }  // namespace
 
 bool names_each_view(const fs::path& pattern, const ScenePlan& plan) {
@@ -31,6 +41,9 @@ bool names_each_view(const fs::path& pattern, const ScenePlan& plan) {
 
 std::vector<fs::path> image_files(const fs::path& pattern, const ScenePlan& plan) {
   std::vector<fs::path> files;
+  for (std::size_t frame = 0; frame < plan.film_frames; ++frame)
+    files.push_back(is_film_name(pattern) ? pattern : frame_file(pattern, frame));
+  if (plan.film_frames > 0) return files;
   files.reserve(plan.views.size());
   // Without a scene file no view has a name, and {view} is a part of the file's own.
   for (const PlannedView& view : plan.views)

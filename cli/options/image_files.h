@@ -13,7 +13,8 @@ namespace relief::cli {
 /// one view.
 [[nodiscard]] bool names_each_view(const std::filesystem::path& pattern, const ScenePlan& plan);
 
-/// Returns the file of each view: `pattern` with the view's name for {view}.
+/// Returns the file of each view: `pattern` with the view's name for {view}. Of each frame of a
+/// film: `pattern` if that is a film, otherwise its name with the frame's number.
 [[nodiscard]] std::vector<std::filesystem::path> image_files(const std::filesystem::path& pattern,
                                                              const ScenePlan& plan);
 

@@ -8,6 +8,7 @@
 
 #include "cli/options/engine_options.h"
 #include "cli/options/values.h"
+#include "common/image/film_file.h"
 #include "common/io/extension.h"
 #include "loader/view_settings.h"
 
@@ -32,11 +33,15 @@ CLI::Option* add_choice(CLI::App& sub, const std::string& name, std::optional<T>
       ->option_text(list_names(table, "|"));
 }
 
+/// Frames a second.
+constexpr NumberChoice kFrameRates{1.0, 240.0};
+
 /// A number from a range.
 template <class T>
-void add_number(CLI::App& sub, const std::string& name, std::optional<T>& to, NumberChoice range,
-                const std::string& letter, const std::string& description) {
-  sub.add_option(name, to, description)
+CLI::Option* add_number(CLI::App& sub, const std::string& name, std::optional<T>& to,
+                        NumberChoice range, const std::string& letter,
+                        const std::string& description) {
+  return sub.add_option(name, to, description)
       ->check([range](const std::string& text) {
         const std::optional<double> value = parse_number(text);
         const bool good = value && *value >= range.min && *value <= range.max;
@@ -50,7 +55,9 @@ void add_number(CLI::App& sub, const std::string& name, std::optional<T>& to, Nu
 void add_image_options(CLI::App& sub, SceneSettings& settings) {
   sub.add_option_function<std::string>(
          "--background", [&](const std::string& s) { settings.background = parse_background(s); },
-         "Background colour, sRGB, each 0 to 1; none: transparent (default 0,0,0)")
+         "Background colour, sRGB, each 0 to 1; none: transparent (default: the environment of "
+         "--env, "
+         "otherwise grey)")
       ->option_text("R,G,B|none");
   sub.add_option_function<std::string>(
          "--outputs", [&](const std::string& s) { settings.outputs = parse_outputs(s); },
@@ -99,24 +106,36 @@ void add_camera_options(CLI::App& sub, SceneSettings& settings) {
   auto* const orbit =
       sub.add_option_function<std::string>(
              "--orbit", [&](const std::string& s) { settings.orbit = parse_orbit(s); },
-             "Camera on an orbit about the model: azimuth (0 is +Z, 90 is +X) and elevation in "
-             "degrees, distance in bounding-sphere radii (default 0,0 and the whole model in view)")
+             "Camera on an orbit about the model: azimuth (0 is in front, 90 to the right) and "
+             "elevation in degrees, distance in bounding-sphere radii (default: obliquely from the "
+             "front, from where the model fills the image)")
           ->option_text("AZ,EL[,DIST]");
+  auto* const view = sub.add_option_function<std::string>(
+                            "--view", [&](const std::string& s) { settings.orbit = parse_view(s); },
+                            "The same by name")
+                         ->option_text(list_names(kViews, "|"))
+                         ->excludes(orbit);
   auto* const eye = sub.add_option_function<std::string>(
                            "--eye", [&](const std::string& s) { settings.eye = parse_vector(s); },
                            "Camera position in the model's coordinates (default: on the orbit)")
                         ->option_text("X,Y,Z")
-                        ->excludes(orbit);
+                        ->excludes(orbit)
+                        ->excludes(view);
   sub.add_option_function<std::string>(
          "--target", [&](const std::string& s) { settings.target = parse_vector(s); },
          "Point that --eye looks at, in the model's coordinates (default: the middle of the model)")
       ->option_text("X,Y,Z")
       ->needs(eye);
   sub.add_option_function<std::string>(
-         "--up", [&](const std::string& s) { settings.up = parse_vector(s); },
-         "Up direction for --eye (default 0,1,0)")
-      ->option_text("X,Y,Z")
-      ->needs(eye);
+         "--up", [&](const std::string& s) { settings.up = parse_up(s); },
+         "Up direction of the model, for --orbit and --view, and of --eye (default: z for LAS, PTX "
+         "and XYZ, that of the sensor for PCD, y for others)")
+      ->option_text("x|y|z|-x|-y|-z|X,Y,Z");
+  add_number(sub, "--roll", settings.roll_degrees, {-360.0, 360.0}, "DEG",
+             "Turn the camera about its line of sight, counter-clockwise, in degrees, -360 to 360 "
+             "(default 0)");
+  add_number(sub, "--zoom", settings.zoom, kZooms, "N",
+             "Show the middle of the image so many times as large, 0.01 to 10000 (default 1)");
   add_number(sub, "--fov", settings.fov_degrees, {kMinFieldOfView, kMaxFieldOfView}, "DEG",
              "Vertical field of view in degrees, 0.1 to 170 (default 45)");
   sub.add_option_function<std::string>(
@@ -132,7 +151,8 @@ void add_material_options(CLI::App& sub, SceneSettings& settings) {
   add_choice(
       sub, "--material", settings.material, kMaterials,
       "Material: unlit shows the stored colour; lit shades it; mirror reflects --env; glass "
-      "refracts it, too; split shows quarters: lit, mirror, both, the samples (default lit)");
+      "refracts it, too; split shows quarters: lit, mirror, both, the samples (default: unlit for "
+      "scans with colours, lit for others)");
   add_number(sub, "--ior", settings.ior, kRefractiveIndices, "N",
              "glass: index of refraction, 1 to 4 (default 1.5)");
   sub.add_option_function<std::string>(
@@ -171,9 +191,10 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments) {
   sub.add_option("SCENE", arguments.input, "Patch file (.relief), scan, mesh, or .json scene")
       ->required()
       ->option_text("FILE");
-  sub.add_option("-o,--output", arguments.output,
-                 "Image to write, .png or .exr; {view} in it stands for the name of each view of a "
-                 "scene")
+  sub.add_option(
+         "-o,--output", arguments.output,
+         "Image to write, .png or .exr, or film, .mp4 or .webm; {view} in it stands for the "
+         "name of each view of a scene")
       ->required()
       ->option_text("FILE (required)");
   add_camera_options(sub, arguments.settings);
@@ -181,6 +202,16 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments) {
   add_material_options(sub, arguments.settings);
   add_image_options(sub, arguments.settings);
   add_texture_options(sub, arguments.texture);
+  CLI::Option* const turntable =
+      sub.add_option("--turntable", arguments.turntable,
+                     "Make a film of so many frames, 2 to 100000, in which the camera goes once "
+                     "around the model: a .mp4 or .webm, by ffmpeg, or numbered images (default: "
+                     "one image)")
+          ->check(CLI::Range(2, 100000))
+          ->option_text("N");
+  add_number(sub, "--fps", arguments.frames_per_second, kFrameRates, "N",
+             "Frames per second of a film, 1 to 240 (default 30)")
+      ->needs(turntable);
   sub.add_option(
          "--frames", arguments.frames,
          "Frames to time after the one that draws the image, 1 to 100000; reports the median, "
@@ -199,21 +230,28 @@ void check_camera(const SceneSettings& settings) {
   if (settings.eye && settings.eye == settings.target) {
     throw CLI::ValidationError("--target", "must not equal --eye");
   }
-  if (settings.up == glm::dvec3(0.0)) {
-    throw CLI::ValidationError("--up", "must not be 0,0,0");
-  }
 }
 
 void check_together(const RenderArguments& arguments) {
   const std::string format = lower_extension(arguments.output);
-  if (format != ".png" && format != ".exr") {
-    throw CLI::ValidationError("--output", "expected a name that ends in .png or .exr; found " +
-                                               arguments.output.string());
+  const bool is_film = is_film_name(arguments.output);
+  if (format != ".png" && format != ".exr" && !is_film) {
+    throw CLI::ValidationError(
+        "--output",
+        "expected a name that ends in .png or .exr, or .mp4 or .webm for a film; found " +
+            arguments.output.string());
+  }
+  if (is_film && arguments.turntable == 0) {
+    throw CLI::ValidationError("--output", "a film needs --turntable N, the number of its frames");
+  }
+  if (arguments.turntable > 0 && arguments.settings.eye) {
+    throw CLI::ValidationError("--turntable",
+                               "goes around the model on --orbit or --view, not at --eye");
   }
   const SceneSettings& settings = arguments.settings;
   const Outputs outputs = settings.outputs.value_or(Outputs{});
-  if (format == ".png" && (outputs.normal || outputs.depth || outputs.uv || outputs.patch_id)) {
-    throw CLI::ValidationError("--outputs", "a PNG holds only colour; write an .exr");
+  if (format != ".exr" && (outputs.normal || outputs.depth || outputs.uv || outputs.patch_id)) {
+    throw CLI::ValidationError("--outputs", "only an .exr holds more than colour");
   }
   check_material_options(arguments);
   check_for_engine(arguments);

@@ -16,7 +16,9 @@ struct RenderArguments {
   TextureArguments texture;
   SceneSettings settings;  ///< overrides those of a scene
   GlPlatform platform = GlPlatform::Automatic;
-  std::optional<int> frames;  ///< to be timed; by default the image is drawn once
+  std::size_t turntable = 0;                ///< frames of a film; 0: none
+  std::optional<double> frames_per_second;  ///< of a film
+  std::optional<int> frames;                ///< to be timed; by default the image is drawn once
   bool explain = false;
   bool json = false;
 };

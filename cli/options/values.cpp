@@ -86,6 +86,20 @@ Orbit parse_orbit(const std::string& text) {
           text);
 }
 
+Orbit parse_view(const std::string& text) {
+  if (const auto orbit = find_named(kViews, text)) return *orbit;
+  throw CLI::ValidationError("--view", "expected " + list_names(kViews, ", ") + "; found " + text);
+}
+
+glm::dvec3 parse_up(const std::string& text) {
+  if (const auto axis = find_named(kAxes, text)) return *axis;
+  const auto numbers = parse_numbers(text);
+  if (numbers.size() == 3 && (numbers[0] != 0.0 || numbers[1] != 0.0 || numbers[2] != 0.0))
+    return {numbers[0], numbers[1], numbers[2]};
+  throw CLI::ValidationError(
+      "--up", "expected " + list_names(kAxes, ", ") + ", or X,Y,Z other than 0,0,0; found " + text);
+}
+
 OrthographicSize parse_orthographic(const std::string& text) {
   if (text == "fit") return {};
   const auto height = parse_number(text);

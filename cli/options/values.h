@@ -26,6 +26,12 @@ namespace relief::cli {
 /// "AZ,EL" or "AZ,EL,DIST": degrees, and bounding-sphere radii above 0.
 [[nodiscard]] Orbit parse_orbit(const std::string& text);
 
+/// The name of a direction of view: front, back, left, right, top, bottom or iso.
+[[nodiscard]] Orbit parse_view(const std::string& text);
+
+/// "x", "-x" and so on for the other axes, or "X,Y,Z" of any length but 0.
+[[nodiscard]] glm::dvec3 parse_up(const std::string& text);
+
 /// "fit", or a height above 0.
 [[nodiscard]] OrthographicSize parse_orthographic(const std::string& text);
 

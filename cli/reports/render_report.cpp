@@ -10,6 +10,7 @@
 #include "cli/reports/explain_report.h"
 #include "cli/reports/json_values.h"
 #include "cli/reports/option_values.h"
+#include "common/median.h"
 #include "renderer/shading/materials.h"
 
 namespace relief::cli {
@@ -24,6 +25,12 @@ std::string material_names(const RenderSettings& settings) {
     names += named.name;
   }
   return names;
+}
+
+double median_frame_ms(const std::vector<WrittenImage>& written) {
+  std::vector<double> times;
+  for (const WrittenImage& image : written) times.push_back(image.result.frame_ms);
+  return median_of(times);
 }
 
 }  // namespace
@@ -59,6 +66,20 @@ nlohmann::ordered_json scene_as_json(const std::vector<WrittenImage>& written) {
     views.push_back(std::move(view));
   }
   return {{"views", std::move(views)}};
+}
+
+nlohmann::ordered_json film_as_json(const std::vector<WrittenImage>& written) {
+  nlohmann::ordered_json json = {{"output", written.front().file.string()},
+                                 {"frames", written.size()}};
+  json.update(as_json(written.front()));
+  json["frame_ms"] = median_frame_ms(written);
+  return json;
+}
+
+std::string film_as_text(const std::vector<WrittenImage>& written) {
+  WrittenImage first = written.front();
+  first.result.frame_ms = median_frame_ms(written);
+  return as_text(first) + fmt::format("  frames          {}\n", written.size());
 }
 
 std::string as_text(const WrittenImage& written) {

@@ -26,6 +26,11 @@ struct WrittenImage {
 /// {"views": [...]}, each with its name, its output and the keys of as_json.
 [[nodiscard]] nlohmann::ordered_json scene_as_json(const std::vector<WrittenImage>& written);
 
+/// Of a film or numbered images: "output", "frames" and the keys of as_json, of the first frame,
+/// with the median time of all as "frame_ms".
+[[nodiscard]] nlohmann::ordered_json film_as_json(const std::vector<WrittenImage>& written);
+[[nodiscard]] std::string film_as_text(const std::vector<WrittenImage>& written);
+
 /// Returns the report as text.
 [[nodiscard]] std::string as_text(const WrittenImage& written);
 

@@ -41,7 +41,7 @@ std::vector<glm::vec3> composite(const Film& film, const Surroundings& surroundi
 Result<Surroundings> surroundings_of(const RenderSettings& settings,
                                      EnvironmentCache& environments) {
   Surroundings surroundings{nullptr, settings.background};
-  if (settings.environment.empty() || !settings.background) return surroundings;
+  if (!has_backdrop(settings)) return surroundings;
   RELIEF_TRY_ASSIGN(const auto cube, environments.get(settings.environment));
   surroundings.cube = cube;
   return surroundings;

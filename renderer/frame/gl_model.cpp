@@ -67,7 +67,7 @@ Result<GlFrame> GlModel::make_frame(const RenderSettings& settings, const Raster
       .uniforms = make_buffer(gl(), "frame", std::span<const shared::Frame>(&uniforms, 1)),
       .background = settings.background.value_or(glm::vec3(0.0F))};
   RELIEF_TRY(add_materials(settings, frame));
-  if (settings.environment.empty() || !settings.background) return frame;
+  if (!has_backdrop(settings)) return frame;
   RELIEF_TRY_ASSIGN(frame.surroundings, environment_for(settings.environment, 0.0F));
   RELIEF_TRY_ASSIGN(frame.backdrop, backdrop(settings));
   return frame;

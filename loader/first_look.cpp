@@ -1,0 +1,32 @@
+#include "loader/first_look.h"
+
+#include "common/image/srgb.h"
+#include "loader/view_settings.h"
+
+namespace relief {
+namespace {
+
+/// sRGB. Between the shaded side of a grey model and its lit one; decided on all scans at hand
+/// (docs/decisions/0111).
+constexpr float kBackground = 0.25F;
+
+bool has_colours(const LoadedScene& scene) {
+  return scene.patches.has_colours ||
+         (scene.mesh && (!scene.mesh->colours.empty() || !scene.mesh->textures.empty())) ||
+         (scene.splats && !scene.splats->colours.empty());
+}
+
+}  // namespace
+
+void complete_look(const PlannedView& view, const LoadedScene& scene, RenderSettings& settings) {
+  const SceneSettings& planned = view.settings;
+  if (!planned.background) settings.background = glm::vec3(linear_from_srgb(kBackground));
+  const auto engine = engine_of(view);
+  const bool is_timed = settings.frames > 0 || settings.explain;
+  if (engine && (*engine)->capabilities.needs_opengl && !is_timed &&
+      planned.options.find("samples") == planned.options.end())
+    settings.samples = kPictureSamples;
+  if (!planned.material && has_colours(scene)) settings.material = Material::Unlit;
+}
+
+}  // namespace relief
