@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "common/scene/view_camera.h"
+#include "renderer/shading/materials.h"
+#include "shaders/include/shared.h"
 
 namespace relief {
 namespace {
@@ -25,6 +27,16 @@ Result<RenderSettings> engine_settings(const PlannedView& view,
 Error in_view(const ScenePlan& plan, const PlannedView& view, const Error& error) {
   if (view.name.empty()) return error;
   return make_error("{}: view {}: {}", plan.file.string(), view.name, error.message);
+}
+
+/// Surfaces that are lit scatter and reflect the environment. Lights that the plan names add to it.
+void light_by_environment(const SceneSettings& planned, RenderSettings& settings) {
+  settings.lights.from_environment = true;
+  settings.lights.ambient = planned.ambient.value_or(glm::vec3(0.0F));
+  if (settings.material == Material::Lit) settings.constants.roughness = shared::kLitRoughness;
+  for (MaterialSettings& material : settings.materials) {
+    if (material.kind == Material::Lit) material.constants.roughness = shared::kLitRoughness;
+  }
 }
 
 /// The views, or the frames of the film.
@@ -62,8 +74,11 @@ Result<RenderSettings> render_settings_of(const ScenePlan& plan, const PlannedVi
   settings.lights.list = planned.lights.value_or(std::vector<Light>());
   settings.lights.ambient = planned.ambient.value_or(settings.lights.ambient);
   settings.environment = planned.environment.value_or(std::filesystem::path());
+  if (!settings.environment.empty() && uses(settings, Material::Lit))
+    light_by_environment(planned, settings);
   if (planned.background) settings.background = planned.background->colour;
   settings.shows_environment = !planned.background;
+  settings.eye_dome = planned.eye_dome.value_or(0.0);
   settings.outputs = planned.outputs.value_or(settings.outputs);
   return settings;
 }

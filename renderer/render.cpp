@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/engine_checks.h"
+#include "renderer/eye_dome.h"
 #include "renderer/gl/open_gl.h"
 #include "renderer/shading/environment_cache.h"
 
@@ -32,6 +33,19 @@ std::vector<EngineViews> group_by_engine(std::span<const RenderSettings> views,
     if (!group.indices.empty()) groups.push_back(std::move(group));
   }
   return groups;
+}
+
+/// Draws a view, and shades it by its depth if that is asked for.
+Result<RenderResult> render_view(PreparedModel& prepared, const RenderSettings& settings,
+                                 Progress& progress) {
+  if (settings.eye_dome == 0.0) return prepared.render(settings, progress);
+  RenderSettings with_depth = settings;
+  with_depth.outputs.depth = true;
+  RELIEF_TRY_ASSIGN(auto result, prepared.render(with_depth, progress));
+  shade_eye_dome(result.image, settings.camera, settings.eye_dome);
+  if (!settings.outputs.depth)
+    std::erase_if(result.image.channels, [](const Channel& c) { return c.name == "Z"; });
+  return result;
 }
 
 /// An OpenGL context for these views, current from now on; null for an engine that needs none.
@@ -71,7 +85,7 @@ Status render_views(const RenderModel& model, std::span<const RenderSettings> vi
     for (std::size_t i = 0; i < group.settings.size(); ++i) {
       if (progress.cancelled()) return interrupted_error();
       RELIEF_TRY_ASSIGN(auto image,
-                        prepared->render(group.settings[i], several ? quiet : progress));
+                        render_view(*prepared, group.settings[i], several ? quiet : progress));
       if (progress.cancelled()) return interrupted_error();
       RELIEF_TRY(sink(group.indices[i], std::move(image)));
       if (several) progress.advance(1);

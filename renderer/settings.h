@@ -39,6 +39,7 @@ struct RenderSettings {
   /// Linear RGB; none: alpha 0 where nothing is seen.
   std::optional<glm::vec3> background{{0, 0, 0}};
   bool shows_environment = true;  ///< as backdrop, if there is a background for it to be
+  double eye_dome = 0.0;          ///< strength of eye-dome lighting (renderer/eye_dome.h); 0: none
   Outputs outputs;
   std::optional<double> pixels_per_sample;  ///< of `onepass`: see pixels_per_sample_of
   /// Of the engines on OpenGL: samples a pixel, at least 1; they are a square grid of at least that

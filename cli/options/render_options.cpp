@@ -59,6 +59,9 @@ void add_image_options(CLI::App& sub, SceneSettings& settings) {
          "--env, "
          "otherwise grey)")
       ->option_text("R,G,B|none");
+  add_number(sub, "--edl", settings.eye_dome, kEyeDomes, "S",
+             "Eye-dome lighting of this strength, 0 to 100: what lies behind its neighbours is "
+             "darker; 1 is usual (default 0)");
   sub.add_option_function<std::string>(
          "--outputs", [&](const std::string& s) { settings.outputs = parse_outputs(s); },
          "Outputs that an .exr holds beside colour: all, colour for none, or some of "
@@ -112,7 +115,7 @@ void add_camera_options(CLI::App& sub, SceneSettings& settings) {
           ->option_text("AZ,EL[,DIST]");
   auto* const view = sub.add_option_function<std::string>(
                             "--view", [&](const std::string& s) { settings.orbit = parse_view(s); },
-                            "The same by name")
+                            "The same by name (default: as --orbit has it)")
                          ->option_text(list_names(kViews, "|"))
                          ->excludes(orbit);
   auto* const eye = sub.add_option_function<std::string>(
@@ -173,7 +176,8 @@ void add_material_options(CLI::App& sub, SceneSettings& settings) {
              "(default 0)");
   sub.add_option(
          "--env", settings.environment,
-         "Environment map, EXR or HDR: equirectangular, a cross of six faces, or six files "
+         "Environment map that is reflected, gives the light of lit models and is seen behind "
+         "them, EXR or HDR: equirectangular, a cross of six faces, or six files "
          "such as sky_{face}.hdr with px nx py ny pz nz for {face} (default: a built-in map, "
          "one colour for each direction, with a grid)")
       ->option_text("FILE");

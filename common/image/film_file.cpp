@@ -78,7 +78,7 @@ struct FilmFile::Process {
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
   ~Process() {
-    if (child > 0) ::kill(child, SIGKILL);
+    if (child > 0) ::kill(-child, SIGKILL);  // it leads a group
     (void)wait();
     if (messages != nullptr) (void)std::fclose(messages);
     std::error_code ignored;

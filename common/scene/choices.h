@@ -45,7 +45,8 @@ inline constexpr NumberChoice kLayerCounts{1, 64};  ///< l of [Zwicker 2001], fr
 inline constexpr NumberChoice kCoverageThresholds{1e-6, 1.0};  ///< tau of [Zwicker 2001]
 inline constexpr NumberChoice kTimeBudgets{1e-3, 1e9};         ///< milliseconds
 
-inline constexpr NumberChoice kZooms{0.01, 1e4};  ///< how many times as large a model is shown
+inline constexpr NumberChoice kZooms{0.01, 1e4};      ///< how many times as large a model is shown
+inline constexpr NumberChoice kEyeDomes{0.0, 100.0};  ///< strengths of eye-dome lighting
 inline constexpr NumberChoice kExposures{-20.0, 20.0};  ///< stops
 
 /// The outputs of an image, beside colour and coverage, which every image has. Nothing is

@@ -33,6 +33,8 @@ inline constexpr double kMaxPointLight = 1e12;
 struct Lights {
   std::vector<Light> list;   ///< at most kMaxLights; empty: three lights fixed to the camera
   glm::vec3 ambient{0.06F};  ///< linear, from all directions
+  /// The environment gives light, too, and there are no lights fixed to the camera.
+  bool from_environment = false;
 };
 
 }  // namespace relief

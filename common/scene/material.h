@@ -19,8 +19,8 @@ struct MaterialConstants {
   /// ray is refracted. With two it is the ray's own, over the diameter of the model's bounding
   /// sphere.
   glm::vec3 absorption{0.0F};
-  /// Of Mirror and Split: 0 is smooth; the width of the microfacets' GGX distribution is its
-  /// square.
+  /// Of Mirror and Split, and of Lit in the light of an environment: 0 is smooth; the width of the
+  /// microfacets' GGX distribution is its square.
   float roughness = 0.0F;
   /// Of any kind: the share of the background that a surface covers. 1 is opaque.
   float opacity = 1.0F;

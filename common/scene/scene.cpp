@@ -43,6 +43,7 @@ SceneSettings overlay(SceneSettings base, const SceneSettings& over) {
   take(base.environment, over.environment);
   take(base.background, over.background);
   take(base.exposure, over.exposure);
+  take(base.eye_dome, over.eye_dome);
   take(base.outputs, over.outputs);
   base.options = overlay_options(std::move(base.options), over.options);
   return base;

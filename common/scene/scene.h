@@ -43,6 +43,7 @@ struct SceneSettings : MaterialOverrides {
   std::optional<std::filesystem::path> environment;
   std::optional<Background> background;
   std::optional<double> exposure;  ///< stops, of a PNG
+  std::optional<double> eye_dome;  ///< strength of eye-dome lighting
   std::optional<Outputs> outputs;
   OptionValues options;  ///< of engines, by key; those of other engines are ignored
 };

@@ -94,7 +94,7 @@ std::vector<std::string_view> with_setting_keys(std::vector<std::string_view> ke
                                                 const EngineKeys& engines) {
   for (const char* key :
        {"size", "orbit", "view", "eye", "target", "up", "roll", "zoom", "fov", "orthographic",
-        "env", "background", "outputs", "lights", "ambient", "exposure", "engine"})
+        "env", "background", "edl", "outputs", "lights", "ambient", "exposure", "engine"})
     keys.emplace_back(key);
   for (const OptionRow& row : engines.options) keys.emplace_back(row.key);
   keys.insert(keys.end(), kMaterialKeys.begin(), kMaterialKeys.end());
@@ -161,6 +161,9 @@ SceneSettings read_settings(JsonValues& values, const JsonNode& object,
   });
   read("background", settings.background, with(read_background));
   read("outputs", settings.outputs, with(read_outputs));
+  read("edl", settings.eye_dome, [&values](const JsonNode& node) {
+    return values.number(node, {kEyeDomes.min, kEyeDomes.max}, "a number from 0 to 100");
+  });
   read("exposure", settings.exposure, [&values](const JsonNode& node) {
     return values.number(node, {kExposures.min, kExposures.max}, "stops from -20 to 20");
   });

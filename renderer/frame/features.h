@@ -34,6 +34,8 @@ namespace relief {
   const bool points = std::any_of(lights.begin(), lights.end(), [](const Light& light) {
     return light.kind == LightKind::Point;
   });
+  if (settings.lights.from_environment && uses(settings, Material::Lit))
+    features |= RELIEF_FEATURE_ENVIRONMENT_LIGHT;
   features.lights = static_cast<std::uint32_t>(count_lights(settings.lights));
   return features | (points ? RELIEF_FEATURE_POINT_LIGHTS : 0U);
 }

@@ -60,6 +60,10 @@ Result<GlFrame> GlModel::make_frame(const RenderSettings& settings, const Raster
   }
   const View view = view_of_part(view_of(settings), part);
   shared::Frame uniforms = relief::make_frame(view, largest_sprite(gl()), settings.lights);
+  if (settings.lights.from_environment) {
+    RELIEF_TRY_ASSIGN(const auto irradiance, cubes_->irradiance(settings.environment));
+    std::ranges::copy(irradiance, uniforms.irradiance);
+  }
   uniforms.material = info_of(materials_of(settings).front(), {});
   GlFrame frame{
       .view = view,

@@ -20,8 +20,9 @@ constexpr std::array kFeatureNeeds{
          "two interfaces need glass and a visibility buffer"},
     Need{RELIEF_FEATURE_SPLIT, RELIEF_FEATURE_LIT | RELIEF_FEATURE_MIRROR,
          "a split view needs lit and mirror"},
-    Need{RELIEF_FEATURE_ROUGH, RELIEF_FEATURE_MIXED | RELIEF_FEATURE_MIRROR,
-         "rough is for a mirror among several materials"},
+    Need{RELIEF_FEATURE_ROUGH, RELIEF_FEATURE_MIXED, "rough is for several materials"},
+    Need{RELIEF_FEATURE_ENVIRONMENT_LIGHT, RELIEF_FEATURE_LIT,
+         "only lit is in the light of an environment"},
     Need{RELIEF_FEATURE_POINT_LIGHTS, RELIEF_FEATURE_LIT, "only lit has point lights"}};
 
 /// Features of which an image has one at most.
@@ -47,8 +48,8 @@ const char* contradiction_in(Features features) {
     const std::uint32_t found = features.bits & rivals.features;
     if ((found & (found - 1)) != 0) return rivals.clause;
   }
-  if (features.has(RELIEF_FEATURE_LIT) != (features.lights > 0))
-    return "lit and only lit has lights";
+  const bool has_light = features.lights > 0 || features.has(RELIEF_FEATURE_ENVIRONMENT_LIGHT);
+  if (features.has(RELIEF_FEATURE_LIT) != has_light) return "lit and only lit has lights";
   return nullptr;
 }
 

@@ -1,12 +1,14 @@
 // The cube maps of a model's views, smooth and rough, each made once.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <utility>
 
 #include "common/error.h"
 #include "renderer/shading/cube_map.h"
+#include "renderer/shading/irradiance.h"
 #include "renderer/shading/rough_environment.h"
 
 namespace relief {
@@ -23,6 +25,14 @@ class EnvironmentCache {
     return &cubes_.emplace(std::pair(path, roughness), std::move(made)).first->second;
   }
 
+  /// What surfaces scatter of an environment (irradiance_of).
+  Result<std::array<glm::vec4, 9>> irradiance(const std::filesystem::path& path) {
+    const auto found = irradiances_.find(path);
+    if (found != irradiances_.end()) return found->second;
+    RELIEF_TRY_ASSIGN(const CubeMap* cube, get(path));
+    return irradiances_.emplace(path, irradiance_of(*cube)).first->second;
+  }
+
  private:
   Result<CubeMap> make_rough(const std::filesystem::path& path, float roughness) {
     RELIEF_TRY_ASSIGN(const CubeMap* smooth, get(path));
@@ -30,6 +40,7 @@ class EnvironmentCache {
   }
 
   std::map<std::pair<std::filesystem::path, float>, CubeMap> cubes_;
+  std::map<std::filesystem::path, std::array<glm::vec4, 9>> irradiances_;
 };
 
 }  // namespace relief

@@ -33,16 +33,20 @@ void set_camera_lights(shared::Frame& frame, const View& view) {
   }
 }
 
+bool has_camera_lights(const Lights& lights) {
+  return lights.list.empty() && !lights.from_environment;
+}
+
 }  // namespace
 
 int count_lights(const Lights& lights) {
-  return static_cast<int>(lights.list.empty() ? kCameraLights.size() : lights.list.size());
+  return static_cast<int>(has_camera_lights(lights) ? kCameraLights.size() : lights.list.size());
 }
 
 void set_lights(shared::Frame& frame, const View& view, const Lights& lights) {
   assert(lights.list.size() <= kMaxLights && "no more lights than a frame has room for");
   frame.light_ambient = glm::vec4(lights.ambient, 0.0F);
-  if (lights.list.empty()) set_camera_lights(frame, view);
+  if (has_camera_lights(lights)) set_camera_lights(frame, view);
   for (std::size_t i = 0; i < lights.list.size(); ++i) {
     const Light& light = lights.list[i];
     const bool is_point = light.kind == LightKind::Point;

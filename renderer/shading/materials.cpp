@@ -43,7 +43,8 @@ bool uses(const RenderSettings& settings, Material kind) {
 }
 
 bool reflects(const RenderSettings& settings) {
-  return uses(settings, Material::Mirror) || uses(settings, Material::Glass) ||
+  const bool lit = settings.lights.from_environment && uses(settings, Material::Lit);
+  return lit || uses(settings, Material::Mirror) || uses(settings, Material::Glass) ||
          uses(settings, Material::Split);
 }
 
@@ -60,7 +61,8 @@ bool has_two_interfaces(const RenderSettings& settings) {
 }
 
 float roughness_of(const MaterialSettings& material) {
-  const bool mirrors = material.kind == Material::Mirror || material.kind == Material::Split;
+  const bool mirrors = material.kind == Material::Mirror || material.kind == Material::Split ||
+                       material.kind == Material::Lit;
   return mirrors ? material.constants.roughness : 0.0F;
 }
 

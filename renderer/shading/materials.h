@@ -39,7 +39,8 @@ namespace relief {
 /// Whether some material is such.
 [[nodiscard]] bool has_two_interfaces(const RenderSettings& settings);
 
-/// 0 of what is no mirror, wholly or in part.
+/// 0 of what reflects nothing, or all as a smooth mirror. Of a lit surface: kLitRoughness where the
+/// environment gives light (lit_by).
 [[nodiscard]] float roughness_of(const MaterialSettings& material);
 
 /// The roughnesses above 0 of these materials, each once, in their order: the layers of the rough

@@ -1,5 +1,6 @@
 #include "renderer/shading/shading.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "renderer/shading/lighting.h"
@@ -24,9 +25,14 @@ glm::vec3 shade_glass(const LitMaterial& material, const SeenSurface& surface) {
 Result<Lighting> make_lighting(const RenderSettings& settings, const View& view,
                                EnvironmentCache& environments) {
   Lighting lighting{make_frame(view, 0.0, settings.lights), count_lights(settings.lights), {}};
+  if (settings.lights.from_environment) {
+    RELIEF_TRY_ASSIGN(const auto irradiance, environments.irradiance(settings.environment));
+    std::ranges::copy(irradiance, lighting.frame.irradiance);
+  }
   for (const MaterialSettings& material : materials_of(settings)) {
     lighting.materials.push_back({material, nullptr});
-    if (material.kind == Material::Unlit || material.kind == Material::Lit) continue;
+    if (material.kind == Material::Unlit) continue;
+    if (material.kind == Material::Lit && !settings.lights.from_environment) continue;
     RELIEF_TRY_ASSIGN(const auto cube,
                       environments.get(settings.environment, roughness_of(material)));
     lighting.materials.back().cube = cube;
@@ -47,13 +53,16 @@ const MaterialSettings& material_of(const Lighting& lighting, std::size_t materi
 glm::vec3 shade(const Lighting& lighting, std::size_t material, const SeenSurface& surface) {
   const LitMaterial& own = lit_material(lighting, material);
   const auto facing = [&surface] { return shared::facing_normal(surface.normal, surface.ray); };
-  const auto lit = [&] {
-    return shared::lit(lighting.frame, lighting.lights, surface.albedo, facing(), surface.ray,
-                       surface.position);
-  };
   const auto mirror = [&] {
     assert(own.cube != nullptr && "a mirror has something to reflect");
     return look_up(*own.cube, glm::dvec3(glm::reflect(surface.ray, facing())));
+  };
+  const auto lit = [&] {
+    const glm::vec3 direct = shared::lit(lighting.frame, lighting.lights, surface.albedo, facing(),
+                                         surface.ray, surface.position);
+    if (own.settings.kind != Material::Lit || own.cube == nullptr) return direct;
+    return direct + shared::lit_by_environment(lighting.frame, surface.albedo, facing(),
+                                               surface.ray, mirror());
   };
   switch (own.settings.kind) {
     case Material::Unlit:

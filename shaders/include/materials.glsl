@@ -5,7 +5,7 @@
 #ifndef RELIEF_WINDOW
 #define RELIEF_WINDOW gl_FragCoord.xy
 #endif
-#if (RELIEF_FEATURES & (RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_GLASS)) != 0u
+#if (RELIEF_FEATURES & RELIEF_REFLECTING_FEATURES) != 0u
 #include "include/environment.glsl"
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_SPLIT) != 0u
@@ -24,18 +24,7 @@ layout(std140, binding = RELIEF_BIND_MATERIALS) uniform MaterialBlock {
 layout(binding = RELIEF_TEXTURE_ROUGH_ENVIRONMENTS) uniform samplerCubeArray rough_environments;
 #endif
 
-#if (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u
-vec3 shade_lit(vec3 albedo, vec3 facing, vec3 ray, float depth) {
-#if (RELIEF_FEATURES & RELIEF_FEATURE_POINT_LIGHTS) != 0u
-  vec3 position = position_through(RELIEF_WINDOW, depth);
-#else
-  vec3 position = vec3(0.0);
-#endif
-  return lit(frame, RELIEF_LIGHTS, albedo, facing, ray, position);
-}
-#endif
-
-#if (RELIEF_FEATURES & RELIEF_FEATURE_MIRROR) != 0u
+#if (RELIEF_FEATURES & (RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_ENVIRONMENT_LIGHT)) != 0u
 // `layer`: of a rough environment; below 0 and without any: the one that there is.
 vec3 shade_mirror(vec3 facing, vec3 ray, float layer) {
   vec3 along = reflect(ray, facing);
@@ -46,6 +35,22 @@ vec3 shade_mirror(vec3 facing, vec3 ray, float layer) {
 #else
   return smooth_light;
 #endif
+}
+#endif
+
+#if (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u
+// `layer`: as shade_mirror has it.
+vec3 shade_lit(vec3 albedo, vec3 facing, vec3 ray, float depth, float layer) {
+#if (RELIEF_FEATURES & RELIEF_FEATURE_POINT_LIGHTS) != 0u
+  vec3 position = position_through(RELIEF_WINDOW, depth);
+#else
+  vec3 position = vec3(0.0);
+#endif
+  vec3 colour = lit(frame, RELIEF_LIGHTS, albedo, facing, ray, position);
+#if (RELIEF_FEATURES & RELIEF_FEATURE_ENVIRONMENT_LIGHT) != 0u
+  colour += lit_by_environment(frame, albedo, facing, ray, shade_mirror(facing, ray, layer));
+#endif
+  return colour;
 }
 #endif
 
@@ -86,7 +91,8 @@ vec3 shade_material(int index, vec3 albedo, vec3 normal, vec3 ray, float depth) 
   // Neighbours in an image may have other materials, so that lookups must not hang on the kind:
   // which copy of the environment they read follows from all of them.
 #if (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u
-  if (kind == kLit) colour = shade_lit(albedo, facing_normal(normal, ray), ray, depth);
+  vec3 lit_colour = shade_lit(albedo, facing_normal(normal, ray), ray, depth, material.constants.z);
+  if (kind == kLit) colour = lit_colour;
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_MIRROR) != 0u
   vec3 reflection = shade_mirror(facing_normal(normal, ray), ray, material.constants.z);
@@ -94,7 +100,7 @@ vec3 shade_material(int index, vec3 albedo, vec3 normal, vec3 ray, float depth) 
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_SPLIT) != 0u
   if (kind == kSplit) {
-    vec3 lit_light = shade_lit(albedo, facing_normal(normal, ray), ray, depth);
+    vec3 lit_light = shade_lit(albedo, facing_normal(normal, ray), ray, depth, -1.0);
     colour = split_view(frame, ray_or_position(ray), lit_light, reflection, stored_colour);
   }
 #endif
@@ -104,10 +110,10 @@ vec3 shade_material(int index, vec3 albedo, vec3 normal, vec3 ray, float depth) 
 #endif
 #elif (RELIEF_FEATURES & RELIEF_FEATURE_SPLIT) != 0u
   vec3 facing = facing_normal(normal, ray);
-  colour = split_view(frame, ray_or_position(ray), shade_lit(albedo, facing, ray, depth),
+  colour = split_view(frame, ray_or_position(ray), shade_lit(albedo, facing, ray, depth, -1.0),
                       shade_mirror(facing, ray, -1.0), stored_colour);
 #elif (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u
-  colour = shade_lit(albedo, facing_normal(normal, ray), ray, depth);
+  colour = shade_lit(albedo, facing_normal(normal, ray), ray, depth, -1.0);
 #elif (RELIEF_FEATURES & RELIEF_FEATURE_MIRROR) != 0u
   colour = shade_mirror(facing_normal(normal, ray), ray, -1.0);
 #elif (RELIEF_FEATURES & RELIEF_FEATURE_GLASS) != 0u

@@ -19,7 +19,7 @@ using glm::vec4;
 
 // Feature bits: with the number of lights, the key of a shader variant (renderer/gl/features.h,
 // which also lists what does not go together). They come only from the scene and the settings; each
-// says what it costs a frame that has it. 26 of 32 are in use. The lights are a word of their own,
+// says what it costs a frame that has it. 27 of 32 are in use. The lights are a word of their own,
 // RELIEF_LIGHTS, so that the loop over them is known when a shader is compiled: a light more is a
 // highlight per fragment.
 
@@ -45,6 +45,12 @@ using glm::vec4;
 // per fragment. A mirror has one more, of the environment; glass two.
 #define RELIEF_FEATURE_LIT 16u
 #define RELIEF_FEATURE_MIRROR 32u
+// Beside LIT: light comes from the environment, too: nine terms for what is scattered, and one
+// lookup for what is reflected.
+#define RELIEF_FEATURE_ENVIRONMENT_LIGHT 33554432u
+// Those that look the environment up.
+#define RELIEF_REFLECTING_FEATURES \
+  (RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_GLASS | RELIEF_FEATURE_ENVIRONMENT_LIGHT)
 // Outputs beside the colour: an attachment of 8, 4, 8 and 4 bytes a pixel each.
 #define RELIEF_FEATURE_OUT_NORMAL 64u
 #define RELIEF_FEATURE_OUT_DEPTH 128u
@@ -327,6 +333,9 @@ RELIEF_CONST float kShownSample = 0.35f;
 /// 3: 23.2, 22.0, 23.0; 5: 23.3, 22.0, 23.0.
 RELIEF_CONST int kExitSteps = 3;
 
+/// Roughness of what is lit by an environment.
+RELIEF_CONST float kLitRoughness = 0.5f;
+
 /// A normal that points away from the eye by more (the cosine) is that of a back side.
 RELIEF_CONST float kBackSide = 0.6f;
 
@@ -397,6 +406,7 @@ struct Frame {
   vec4 light_ambient;
   vec4 light_position[kMaxLights];  ///< world; w 0: toward the light, 1: where it is from the eye
   vec4 light_colour[kMaxLights];
+  vec4 irradiance[9];     ///< of the environment, in spherical harmonics (irradiance.h)
   MaterialInfo material;  ///< the image's, if it has but one
 };
 
@@ -409,6 +419,6 @@ static_assert(offsetof(PatchInfo, nodes) == 48 && offsetof(PatchInfo, colours) =
               offsetof(PatchInfo, extent) == 128);
 static_assert(sizeof(ProxyVertex) == 16 && sizeof(ProxySource) == 8 && sizeof(SeamVertex) == 32);
 static_assert(sizeof(PatchView) == 16 * kPatchViewRows && offsetof(PatchView, eye) == 64);
-static_assert(sizeof(Frame) == 128 + 32 * kMaxLights && offsetof(Frame, light_position) == 96);
+static_assert(sizeof(Frame) == 272 + 32 * kMaxLights && offsetof(Frame, light_position) == 96);
 }  // namespace relief::shared
 #endif

@@ -14,7 +14,7 @@ void main() {
   count_fragment();
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   uvec2 found = texelFetch(visible_positions, pixel, 0).xy;
-#if (RELIEF_FEATURES & (RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_GLASS)) != 0u
+#if (RELIEF_FEATURES & RELIEF_REFLECTING_FEATURES) != 0u
   // Reversed depth: 0 where nothing has been found.
   float visible = texelFetch(visible_depth, pixel, 0).x;
   neighbours_alike = lessThan(abs(vec2(dFdxFine(visible), dFdyFine(visible))), vec2(largest_step(visible)));

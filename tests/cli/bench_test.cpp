@@ -88,8 +88,8 @@ TEST_F(BenchCommand, ListsEveryMeshMethod) {
 TEST_F(BenchCommand, TheDefaultRowMatchesRender) {
   const std::string scene = write_knot(3000);
   const json result = parse(run_relief(small(scene)));
-  const json render = parse(run_relief(
-      {"render", scene, "-o", path("knot.png"), "--size", "64x48", "--frames", "1", "--json"}));
+  const json render = parse(run_relief({"render", scene, "-o", path("knot.png"), "--size", "64x48",
+                                        "--frames", "1", "--material", "lit", "--json"}));
   for (const json& row : result["rows"]) {
     if (row["default"] != true) continue;
     for (const char* key :

@@ -237,9 +237,10 @@ TEST_F(RenderEndToEnd, EyeTargetAndOrbitAgree) {
   run_json({"convert", write("square.ply", square_ply(41, "90 90 90")), "-o", model});
   // The square's middle is (20, 20, 0), its bounding radius 20 sqrt(2).
   const double distance = 3.0 * 20.0 * std::sqrt(2.0);
-  run_json({"render", model, "-o", path("orbit.png"), "--size", "64x64", "--orbit", "0,0,3"});
+  run_json({"render", model, "-o", path("orbit.png"), "--size", "64x64", "--orbit", "0,0,3", "--up",
+            "y"});
   run_json({"render", model, "-o", path("eye.png"), "--size", "64x64", "--eye",
-            "20,20," + std::to_string(distance), "--target", "20,20,0"});
+            "20,20," + std::to_string(distance), "--target", "20,20,0", "--up", "y"});
   const auto orbit = read_image(path("orbit.png"));
   const auto eye = read_image(path("eye.png"));
   ASSERT_TRUE(orbit && eye);

@@ -53,7 +53,7 @@ TEST_F(SceneCommand, EveryViewIsAnImage) {
   const json& side = result["views"][1];
   EXPECT_EQ(front["name"], "front");
   EXPECT_EQ(front["output"], path("front.exr"));
-  EXPECT_EQ(front["material"], "lit");
+  EXPECT_EQ(front["material"], "unlit") << "the knot has colours";
   EXPECT_EQ(front["width"], 80);
   EXPECT_EQ(side["name"], "side");
   EXPECT_EQ(side["material"], "unlit");

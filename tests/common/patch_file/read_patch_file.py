@@ -504,11 +504,11 @@ def axes_of(words):
     ]  # fmt: skip
 
 
-def compact_index(index, spacing, bounds, count):
+def compact_index(index, spacing, bounds, count, offset):
     """Patch records as those of version 1 begin, and their chunks."""
     place_step, model_step = index.take("dd")
     base = bounds[:3] if bounds[0] <= bounds[3] else (0.0, 0.0, 0.0)
-    records, offset = [], 128
+    records = []
     for _ in range(count):
         flags = index.take("B")
         own_spacing = index.take("d") if flags & 1 else spacing
@@ -546,6 +546,30 @@ def describe_map(name, patch):
     return lines
 
 
+def describe_block(data, bounds):
+    """The entries of the model block."""
+    lines = []
+    if not data:
+        return lines
+    assert zlib.crc32(data[:-4]) == Bytes(data[-4:]).take("I")
+    block = Bytes(data[:-4])
+    while block.at < len(block.data):
+        kind, size = block.take("4sI")
+        entry = Bytes(block.data[block.at : block.at + size])
+        block.at += size
+        if kind == b"EXTR":
+            for _ in range(size // 6):
+                steps = entry.take("3H")
+                point = [
+                    low + step / 65535 * (high - low)
+                    for step, low, high in zip(steps, bounds[:3], bounds[3:])
+                ]
+                lines.append("extreme " + numbers(point))
+        if kind == b"STND":
+            lines.append("stands " + numbers(entry.take("6d")) + " %d" % entry.take("B"))
+    return lines
+
+
 def describe(file):
     assert file[:8] == b"\x89RLF\r\n\x1a\n", "no .relief file"
     header = Bytes(file[:128])
@@ -556,21 +580,24 @@ def describe(file):
     spacing, *bounds = header.take("7d")
     radius, flags = header.take("dQ")
     index_sum, header_sum = header.take("II")
+    begin = 128 + (flags >> 32)
+    lines_of_block = describe_block(file[128:begin], bounds)
     assert header_sum == zlib.crc32(file[:124]) and file_bytes == len(file)
     assert index_sum == zlib.crc32(file[index_offset:])
     lines = ["spacing %.17g" % spacing, "bounds " + numbers(bounds), "radius %.17g" % radius]
     if flags & 2:
         lines.append("patches meet at seams")
+    lines += lines_of_block
 
     index = Bytes(file[index_offset:])
     if version == 3:
-        return "\n".join(lines) + "\n" + describe_tiles(file, index, chunks)
+        return "\n".join(lines) + "\n" + describe_tiles(file, index, chunks, begin)
     if version == 1:
         patch_records = [index.take("14d3I2H2hf2I") for _ in range(patches)]
         chunk_records = [index.take("4sHHQII") for _ in range(chunks)]
         records = [(p, chunk_records[p[-2] : p[-2] + p[-1]]) for p in patch_records]
     else:
-        records = compact_index(index, spacing, bounds, patches)
+        records = compact_index(index, spacing, bounds, patches, begin)
     for record, own_chunks in records:
         patch = dict(zip(("spacing", "step", "width", "height", "samples"), record[12:]))
         for kind, codec, scale, offset, size, checksum in own_chunks:
@@ -594,9 +621,8 @@ def describe(file):
     return "\n".join(lines) + "\n"
 
 
-def describe_tiles(file, index, count):
+def describe_tiles(file, index, count, offset):
     text = ""
-    offset = 128
     for _ in range(count):
         size, _, _, parent, level = index.take("QQIII")
         spacing, *box = index.take("7d")

@@ -1,4 +1,5 @@
 #include "preprocess/readers/pcd/lzf.h"
+#include "preprocess/readers/pcd/sensor_stance.h"
 #include "tests/preprocess/readers/scan_files.h"
 
 namespace relief::test {
@@ -108,6 +109,39 @@ TEST(PcdTest, SaysWhatIsWrongAndWhere) {
   mismatch.replace(mismatch.find("WIDTH 2"), 7, "WIDTH 3");
   EXPECT_EQ(error("a.pcd", mismatch),
             "a.pcd: the header states 2 points, but a width of 3 and a height of 1; it is damaged");
+}
+
+TEST(SensorStance, IsThatOfASensorIfThePointsAreBeforeIt) {
+  std::vector<glm::dvec3> ahead;
+  for (int i = -10; i <= 10; ++i) {
+    for (int j = -10; j <= 10; ++j) ahead.emplace_back(0.1 * i, 0.1 * j, 2.0);
+  }
+  const Stance stance = sensor_stance(ahead, {});
+  EXPECT_EQ(stance, (Stance{{0, -1, 0}, {0, 0, -1}, true}));
+  // Drivers give a pose that turns points upright which lie in the sensor's own frame.
+  EXPECT_EQ(sensor_stance(ahead, {{}, glm::dquat(0.0, 1.0, 0.0, 0.0)}), stance);
+  // A sensor that looks along X, with Z up: its axes are -Y, -Z and X.
+  SensorPose level{{5.0, 0.0, 1.0}, glm::dquat(0.5, -0.5, 0.5, -0.5)};
+  std::vector<glm::dvec3> world = ahead;
+  for (glm::dvec3& p : world) p = level.position + level.turn * p;
+  const Stance turned = sensor_stance(world, level);
+  EXPECT_LT(glm::distance(turned.up, glm::dvec3(0, 0, 1)), 1e-12);
+  EXPECT_LT(glm::distance(turned.front, glm::dvec3(-1, 0, 0)), 1e-12);
+  EXPECT_TRUE(turned.is_from_sensor);
+  // Beside the line of sight: a map in the frame of its first image.
+  std::vector<glm::dvec3> beside = ahead;
+  for (glm::dvec3& p : beside) p.x += 2.0;
+  EXPECT_FALSE(sensor_stance(beside, {}).is_from_sensor);
+  EXPECT_EQ(sensor_stance(beside, {}).up, glm::dvec3(0, -1, 0));
+}
+
+TEST(SensorStance, IsZUpOfAMap) {
+  std::vector<glm::dvec3> map;
+  for (int i = -10; i <= 10; ++i) {
+    for (int j = -10; j <= 10; ++j) map.emplace_back(i, j, 0.05 * i);
+  }
+  EXPECT_EQ(sensor_stance(map, {}), kZUp);
+  EXPECT_EQ(sensor_stance({}, {}), kZUp);
 }
 
 TEST(LzfTest, ExpandsBackReferencesAndRefusesWhatLeadsAstray) {
