@@ -18,6 +18,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/options/paths.h"
+#include "cli/options/read_options.h"
 #include "cli/options/texture_options.h"
 #include "cli/options/values.h"
 #include "cli/reports/convert_report.h"
@@ -26,6 +27,8 @@
 #include "preprocess/convert_tiles.h"
 #include "preprocess/points/outliers.h"
 #include "preprocess/points/thin.h"
+#include "preprocess/raster/convert_raster.h"
+#include "preprocess/raster/raster.h"
 #include "preprocess/readers/read_points.h"
 #include "preprocess/texture/maps/texture_maps.h"
 
@@ -75,20 +78,52 @@ Result<std::optional<ConvertSummary>> convert_larger(const ConvertArguments& arg
   summary.report = tiled->report;
   summary.read.dropped_nonfinite = tiled->nonfinite;
   summary.read.left_out = tiled->left_out;
+  summary.read.not_selected = tiled->not_selected;
   summary.read.merged_duplicates = tiled->duplicates;
   summary.tiled = std::move(*tiled);
   RELIEF_TRY_ASSIGN(auto done, summarise(arguments, std::move(summary)));
   return std::optional(std::move(done));
 }
 
+/// Writes the patches.
+Status write_patches(const ConvertArguments& arguments, const PatchModel& model,
+                     Progress& progress) {
+  // The last moment at which nothing is there yet; writing takes well under a second.
+  if (progress.cancelled()) return interrupted_error();
+  progress.begin_stage("write", 0);
+  return write_patch_file(arguments.output, model, arguments.file);
+}
+
+/// Converts the only input, a raster.
+Result<ConvertSummary> convert_heights(const ConvertArguments& arguments, Progress& progress) {
+  const std::filesystem::path& input = arguments.inputs.front();
+  if (arguments.tiles.memory_bytes > 0 || arguments.clean || arguments.thin > 0.0) {
+    return make_error(
+        "{}: is a raster, whose cells become samples as they are; leave out --memory, --clean and "
+        "--thin; --crop converts a part of it",
+        input.string());
+  }
+  RELIEF_TRY_ASSIGN(const auto converted,
+                    convert_raster(input, texture_choice(arguments.texture), arguments.options,
+                                   arguments.tiles.read, progress));
+  RELIEF_TRY(write_patches(arguments, converted.model, progress));
+  ConvertSummary summary;
+  summary.report = converted.report;
+  return summarise(arguments, std::move(summary));
+}
+
 /// Reads, converts and writes.
 Result<ConvertSummary> convert_files(const ConvertArguments& arguments, Progress& progress) {
+  if (arguments.inputs.size() == 1 &&
+      is_raster(arguments.inputs.front(), arguments.tiles.read.format))
+    return convert_heights(arguments, progress);
   if (arguments.tiles.memory_bytes > 0) {
     RELIEF_TRY_ASSIGN(auto larger, convert_larger(arguments, progress));
     if (larger) return std::move(*larger);
   }
   RELIEF_TRY_ASSIGN(auto read,
-                    load_points(arguments.inputs, texture_choice(arguments.texture), progress));
+                    load_points(arguments.inputs, texture_choice(arguments.texture), progress,
+                                arguments.tiles.read));
   ConvertSummary summary;
   if (arguments.clean) summary.outliers = remove_outliers(read.points, progress);
   if (summary.outliers.were_too_many)
@@ -99,13 +134,7 @@ Result<ConvertSummary> convert_files(const ConvertArguments& arguments, Progress
   if (!converted) {
     return make_error("{}: {}", arguments.inputs.front().string(), converted.error().message);
   }
-  // The last moment at which nothing is there yet; writing takes well under a second.
-  if (progress.cancelled()) return interrupted_error();
-  progress.begin_stage("write", 0);
-  if (const Status written = write_patch_file(arguments.output, converted->model, arguments.file);
-      !written) {
-    return written.error();
-  }
+  RELIEF_TRY(write_patches(arguments, converted->model, progress));
   summary.read = std::move(read);
   summary.report = converted->report;
   return summarise(arguments, std::move(summary));
@@ -314,6 +343,7 @@ void add_convert(CLI::App& app, Command& command) {
       ->option_text("FILE (required)");
   add_surface_options(*sub, *arguments);
   add_point_options(*sub, *arguments);
+  add_read_options(*sub, arguments->tiles.read);
   add_file_options(*sub, *arguments);
   add_texture_options(*sub, *arguments);
   add_resource_options(*sub, *arguments);

@@ -13,6 +13,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/options/paths.h"
+#include "cli/options/read_options.h"
 #include "common/io/extension.h"
 #include "loader/load_files.h"
 #include "renderer/geometry/points_of_patches.h"
@@ -37,6 +38,7 @@ struct ExportArguments {
   std::filesystem::path input;
   std::filesystem::path output;
   std::string as;  ///< "mesh" or "points"; empty: the default of the format
+  ReadOptions read;
   bool json = false;
 };
 
@@ -68,7 +70,7 @@ struct Summary {
 
 Result<Summary> export_file(const ExportArguments& arguments, Progress& progress) {
   const Format& format = *format_of(arguments.output);
-  RELIEF_TRY_ASSIGN(auto model, load_model(arguments.input, progress));
+  RELIEF_TRY_ASSIGN(auto model, load_model(arguments.input, progress, arguments.read));
   const bool as_mesh = arguments.as.empty() ? format.is_mesh : arguments.as == "mesh";
   const bool is_closed = model.is_closed;
   // Heights are coded in steps of a twentieth of the spacing; a fiftieth of a step more does
@@ -154,6 +156,7 @@ void add_export(CLI::App& app, Command& command) {
                   "What to write (default: points in a .ply, mesh in an .obj or .glb)")
       ->check(CLI::IsMember({"mesh", "points"}))
       ->option_text("mesh|points");
+  add_read_options(*sub, arguments->read);
   sub->add_flag("--json", arguments->json, "Print one JSON object on standard output");
   sub->footer(kExportExamples);
   sub->callback(

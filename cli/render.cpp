@@ -124,7 +124,9 @@ Result<std::vector<WrittenImage>> make_images(const ScenePlan& plan,
                                               const RenderArguments& arguments,
                                               ImageWriter& writer) {
   ConsoleProgress progress;
-  RELIEF_TRY_ASSIGN(const auto scene, load_scene(plan, load_options(arguments.texture), progress));
+  LoadOptions options = load_options(arguments.texture);
+  options.read = arguments.read;
+  RELIEF_TRY_ASSIGN(const auto scene, load_scene(plan, options, progress));
   if (progress.cancelled()) return interrupted_error();
   RELIEF_TRY_ASSIGN(auto views, render_settings_of(plan, scene.patches));
   for (std::size_t i = 0; i < views.size(); ++i) {

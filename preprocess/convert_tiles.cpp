@@ -19,18 +19,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Every digit of the crop; empty without one.
+std::string crop_text(const PointSelection& selection) {
+  if (!selection.crop) return {};
+  const auto& [low, high] = *selection.crop;
+  return fmt::format("crop {} {} {} {} {} {}", low.x, low.y, low.z, high.x, high.y, high.z);
+}
+
 /// Input and options: everything on which the tiles depend.
 Result<std::string> fingerprint_of(const std::vector<fs::path>& files,
                                    const ConvertOptions& options,
                                    const PatchFileOptions& file_options,
                                    const SpreadOptions& spread_options) {
   std::string text = fmt::format(
-      "relief {} tiles 4\nspacing {} cone {} overlap {} step {} colours {}\n"
-      "codec {} normals {}\ntile {}\n",
+      "relief {} tiles 5\nspacing {} cone {} overlap {} step {} colours {}\n"
+      "codec {} normals {}\ntile {}\nread {} {} {}\n",
       kVersion, options.spacing, options.cone_degrees,
       options.seams.value_or(false) ? -1 : options.overlap_cells, options.height_step,
       options.colour_scale, static_cast<int>(file_options.codec), file_options.normal_degrees,
-      tile_points(spread_options));
+      tile_points(spread_options), spread_options.read.format,
+      describe_classes(spread_options.read.selection), crop_text(spread_options.read.selection));
   for (const fs::path& file : files) {
     std::error_code error;
     const auto size = fs::file_size(file, error);
@@ -101,7 +109,7 @@ Result<std::optional<TiledResult>> convert_files(
     const std::vector<fs::path>& files, const fs::path& output, const ConvertOptions& options,
     const PatchFileOptions& file_options, const TileOptions& tile_options, Progress& progress) {
   const SpreadOptions spread_options{tile_options.memory_bytes, tile_options.max_tile_points,
-                                     options.spacing};
+                                     options.spacing, tile_options.read};
   RELIEF_TRY_ASSIGN(const auto fingerprint,
                     fingerprint_of(files, options, file_options, spread_options));
   RELIEF_TRY_ASSIGN(auto job, TileJob::open(output, fingerprint));

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cli/options/engine_options.h"
+#include "cli/options/read_options.h"
 #include "cli/options/values.h"
 #include "common/image/film_file.h"
 #include "common/io/extension.h"
@@ -216,6 +217,7 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments) {
   add_number(sub, "--fps", arguments.frames_per_second, kFrameRates, "N",
              "Frames per second of a film, 1 to 240 (default 30)")
       ->needs(turntable);
+  add_read_options(sub, arguments.read);
   sub.add_option(
          "--frames", arguments.frames,
          "Frames to time after the one that draws the image, 1 to 100000; reports the median, "

@@ -69,7 +69,7 @@ Result<Look> look(const std::vector<fs::path>& files, const TileJob& job,
   Look seen;
   progress.begin_stage("look", bytes_of(files));
   const auto read = read_blocks(
-      files, job.folder(), options.memory_bytes,
+      files, job.folder(), options.read, options.memory_bytes,
       [&](const Points& block) -> Status {
         seen.take(block);
         return {};
@@ -98,7 +98,7 @@ Status spread(const std::vector<fs::path>& files, const TileJob& job, const Spre
   progress.begin_stage("spread", bytes_of(files));
   std::vector<std::string> repeated_notes;
   const auto read = read_blocks(
-      files, job.folder(), options.memory_bytes,
+      files, job.folder(), options.read, options.memory_bytes,
       [&](const Points& block) { return tiles.add(block); }, repeated_notes, progress);
   if (!read) return read.error();
   if (read->points != scan.read.points) {

@@ -28,7 +28,7 @@ Gathered gather(const std::vector<std::filesystem::path>& files, const ScratchFo
   Gathered all;
   Progress progress;
   const auto counts = read_blocks(
-      files, folder.path(), std::uint64_t{1} << 30U,
+      files, folder.path(), {}, std::uint64_t{1} << 30U,
       [&](const Points& block) -> Status {
         if (block.size() == 0) return {};
         ++all.blocks;
@@ -49,7 +49,7 @@ std::string gather_error(const std::filesystem::path& file, const ScratchFolder&
   Progress progress;
   std::vector<std::string> notes;
   const auto counts = read_blocks(
-      {file}, folder.path(), memory, [](const Points&) -> Status { return {}; }, notes, progress);
+      {file}, folder.path(), {}, memory, [](const Points&) -> Status { return {}; }, notes, progress);
   return counts ? "no error" : counts.error().message;
 }
 
