@@ -17,11 +17,13 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/options/output_file.h"
 #include "cli/options/paths.h"
 #include "cli/options/read_options.h"
 #include "cli/options/texture_options.h"
 #include "cli/options/values.h"
 #include "cli/reports/convert_report.h"
+#include "common/io/standard_input.h"
 #include "common/patch_file/patch_file.h"
 #include "loader/load_files.h"
 #include "preprocess/convert_tiles.h"
@@ -154,8 +156,13 @@ std::string kept_by(const ConvertArguments& arguments) {
                      kept->string());
 }
 
-int run_convert(const ConvertArguments& arguments) {
+int run_convert(ConvertArguments arguments) {
   const auto start = std::chrono::steady_clock::now();
+  const std::filesystem::path named = arguments.output;
+  auto output = OutputFile::open(named, ".relief");
+  if (!output) return fail(output.error());
+  arguments.output = output->path();
+  if (const Status opened = open_inputs(arguments.inputs); !opened) return fail(opened.error());
   if (const Status writable = check_output(arguments.output, files_read(arguments)); !writable) {
     return fail(writable.error());
   }
@@ -170,8 +177,8 @@ int run_convert(const ConvertArguments& arguments) {
   summary->stages = stages;
   summary->seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return arguments.json ? print_json(convert_json(*summary))
-                        : print_result(convert_text(*summary, arguments.output));
+  return arguments.json ? output->finish_json(convert_json(*summary))
+                        : output->finish(convert_text(*summary, named));
 }
 
 /// The patches.
@@ -335,10 +342,10 @@ void add_resource_options(CLI::App& sub, ConvertArguments& arguments) {
 void add_convert(CLI::App& app, Command& command) {
   auto* sub = app.add_subcommand("convert", "Convert a scan or mesh to a patch file");
   const auto arguments = std::make_shared<ConvertArguments>();
-  sub->add_option("IN", arguments->inputs, "Scan or mesh files; several become one model")
+  sub->add_option("IN", arguments->inputs, "Scan, mesh or raster files; several scans become one model; -: standard input")
       ->required()
       ->option_text("FILE...");
-  sub->add_option("-o,--output", arguments->output, "Patch file to write (.relief)")
+  sub->add_option("-o,--output", arguments->output, "Patch file to write (.relief); -: standard output")
       ->required()
       ->option_text("FILE (required)");
   add_surface_options(*sub, *arguments);
@@ -349,8 +356,14 @@ void add_convert(CLI::App& app, Command& command) {
   add_resource_options(*sub, *arguments);
   sub->add_flag("--json", arguments->json, "Print one JSON object on standard output");
   sub->footer("Reads " + readable_formats() + ", each also gzipped. " + kConvertExamples);
-  sub->callback(
-      [arguments, &command] { command = [arguments] { return run_convert(*arguments); }; });
+  sub->callback([arguments, &command] {
+    check_json(arguments->output, arguments->json);
+    if (arguments->output == kStandardName && arguments->tiles.memory_bytes > 0) {
+      throw CLI::ValidationError("--memory",
+                                 "keeps tiles beside its output; name a file instead of --output -");
+    }
+    command = [arguments] { return run_convert(*arguments); };
+  });
 }
 
 }  // namespace relief::cli

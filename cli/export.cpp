@@ -12,9 +12,11 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/options/output_file.h"
 #include "cli/options/paths.h"
 #include "cli/options/read_options.h"
 #include "common/io/extension.h"
+#include "common/io/standard_input.h"
 #include "loader/load_files.h"
 #include "renderer/geometry/points_of_patches.h"
 
@@ -120,8 +122,13 @@ std::string as_text(const Summary& s, const ExportArguments& arguments) {
       s.file_bytes, s.seconds);
 }
 
-int run_export(const ExportArguments& arguments) {
+int run_export(ExportArguments arguments) {
   const auto start = std::chrono::steady_clock::now();
+  const std::filesystem::path named = arguments.output;
+  auto output = OutputFile::open(named, ".ply");
+  if (!output) return fail(output.error());
+  arguments.output = output->path();
+  if (const Status opened = open_inputs({arguments.input}); !opened) return fail(opened.error());
   if (const Status writable = check_output(arguments.output, {arguments.input}); !writable) {
     return fail(writable.error());
   }
@@ -131,8 +138,9 @@ int run_export(const ExportArguments& arguments) {
   if (!summary) return fail(summary.error());
   summary->seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return arguments.json ? print_json(as_json(*summary, arguments))
-                        : print_result(as_text(*summary, arguments));
+  arguments.output = named;
+  return arguments.json ? output->finish_json(as_json(*summary, arguments))
+                        : output->finish(as_text(*summary, arguments));
 }
 
 }  // namespace
@@ -141,13 +149,14 @@ void add_export(CLI::App& app, Command& command) {
   auto* sub = app.add_subcommand("export", "Write patches as points or as a mesh");
   const auto arguments = std::make_shared<ExportArguments>();
   sub->add_option("PATCHES", arguments->input,
-                  "Patch file (.relief), or a scan or mesh, which is converted in memory")
+                  "Patch file (.relief), or a scan, mesh or raster, which is converted in memory; -: standard "
+                  "input")
       ->required()
       ->option_text("FILE");
-  sub->add_option("-o,--output", arguments->output, "File to write (.ply, .obj or .glb)")
+  sub->add_option("-o,--output", arguments->output, "File to write (.ply, .obj or .glb); -: a PLY to standard output")
       ->required()
       ->check([](const std::string& name) {
-        return format_of(name) != nullptr
+        return format_of(name) != nullptr || name == kStandardName
                    ? std::string()
                    : "expected a name that ends in .ply, .obj or .glb; found " + name;
       })
@@ -159,8 +168,10 @@ void add_export(CLI::App& app, Command& command) {
   add_read_options(*sub, arguments->read);
   sub->add_flag("--json", arguments->json, "Print one JSON object on standard output");
   sub->footer(kExportExamples);
-  sub->callback(
-      [arguments, &command] { command = [arguments] { return run_export(*arguments); }; });
+  sub->callback([arguments, &command] {
+    check_json(arguments->output, arguments->json);
+    command = [arguments] { return run_export(*arguments); };
+  });
 }
 
 }  // namespace relief::cli

@@ -200,7 +200,7 @@ Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
 
 Result<PatchModel> load_model(const std::filesystem::path& path, Progress& progress,
                               const ReadOptions& options, const TextureChoice& textures) {
-  if (lower_extension(path) == ".relief") {
+  if (names_patch_file(path)) {
     if (options.selection.selects()) {
       return make_error(
           "{}: is a patch file, which has no points to select; convert its scan with --classes, "

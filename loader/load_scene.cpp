@@ -79,7 +79,7 @@ Result<LoadedFile> load_scan(const std::filesystem::path& path, const LoadOption
 
 /// Whether a file becomes patches without points.
 bool is_patches(const std::filesystem::path& path, const ReadOptions& options) {
-  return lower_extension(path) == ".relief" || is_raster(path, options.format);
+  return names_patch_file(path) || is_raster(path, options.format);
 }
 
 using LoadedFiles = std::map<std::filesystem::path, LoadedFile>;
@@ -89,7 +89,7 @@ using TreeFiles = std::map<std::filesystem::path, PatchTree>;
 Result<TreeFiles> open_trees(const std::vector<SceneModel>& models) {
   TreeFiles trees;
   for (const SceneModel& model : models) {
-    if (lower_extension(model.file) != ".relief" || trees.find(model.file) != trees.end()) continue;
+    if (!names_patch_file(model.file) || trees.find(model.file) != trees.end()) continue;
     RELIEF_TRY_ASSIGN(auto tree, PatchTree::open(model.file));
     if (tree.tiles().size() > 1) trees.emplace(model.file, std::move(tree));
   }

@@ -7,6 +7,7 @@
 #include "common/extremes.h"
 #include "common/guard.h"
 #include "common/io/file.h"
+#include "common/io/standard_input.h"
 #include "common/version.h"
 #include "preprocess/thread_limit.h"
 #include "preprocess/tiles/overviews.h"
@@ -41,8 +42,8 @@ Result<std::string> fingerprint_of(const std::vector<fs::path>& files,
       describe_classes(spread_options.read.selection), crop_text(spread_options.read.selection));
   for (const fs::path& file : files) {
     std::error_code error;
-    const auto size = fs::file_size(file, error);
-    const auto time = error ? fs::file_time_type{} : fs::last_write_time(file, error);
+    const auto size = fs::file_size(input_path(file), error);
+    const auto time = error ? fs::file_time_type{} : fs::last_write_time(input_path(file), error);
     if (error) return make_error("{}: cannot be opened: {}", file.string(), error.message());
     text += fmt::format("{} {} {}\n", fs::absolute(file).string(), size,
                         time.time_since_epoch().count());

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "common/io/standard_input.h"
+
 namespace relief {
 namespace {
 
@@ -45,10 +47,10 @@ Result<GdalFile> GdalFile::open(const std::filesystem::path& path) {
   if (!gdal) return make_error("{}: {}", path.string(), gdal.error().message);
   std::error_code ignored;
   // Names of other kinds mean something else to GDAL (subdatasets, addresses).
-  if (!std::filesystem::is_regular_file(path, ignored))
+  if (!std::filesystem::is_regular_file(input_path(path), ignored))
     return make_error("{}: there is no such file", path.string());
   const QuietErrors quiet(*gdal);
-  const std::string full = std::filesystem::absolute(path).string();
+  const std::string full = std::filesystem::absolute(input_path(path)).string();
   GdalDataset const dataset = gdal->open_ex(full.c_str(), kRaster, kDrivers, nullptr, nullptr);
   if (dataset == nullptr) {
     return make_error("{}: GDAL cannot open it as a GeoTIFF, USGS DEM, ASCII grid or another raster "

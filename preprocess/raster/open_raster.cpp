@@ -4,6 +4,7 @@
 
 #include "common/io/extension.h"
 #include "common/io/file.h"
+#include "common/io/standard_input.h"
 #include "preprocess/raster/raster.h"
 #include "preprocess/readers/source.h"
 
@@ -15,7 +16,7 @@ constexpr std::array kRasterExtensions = {".tif", ".tiff", ".dem", ".hgt", ".img
 
 std::string first_bytes(const std::filesystem::path& path) {
   std::string bytes(std::size_t{1} << 18U, '\0');
-  std::ifstream file(path, std::ios::binary);
+  std::ifstream file(input_path(path), std::ios::binary);
   file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
   return bytes;
@@ -40,7 +41,7 @@ bool is_text_grid_file(const std::filesystem::path& path, const std::string& for
 bool is_raster(const std::filesystem::path& path, const std::string& format) {
   if (!format.empty()) return format == kRasterFormat || format == kGridFormat;
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return false;
+  if (!std::filesystem::is_regular_file(input_path(path), ignored)) return false;
   const std::string bytes = first_bytes(path);
   const std::string extension = lower_extension(path);
   const bool is_named = std::any_of(kRasterExtensions.begin(), kRasterExtensions.end(),

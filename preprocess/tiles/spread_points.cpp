@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "common/io/standard_input.h"
 #include "preprocess/points/neighbours.h"
 #include "preprocess/tiles/checkpoint.h"
 
@@ -49,7 +50,7 @@ struct Look {
 std::uint64_t bytes_of(const std::vector<fs::path>& files) {
   std::uint64_t bytes = 0;
   std::error_code ignored;
-  for (const fs::path& file : files) bytes += fs::file_size(file, ignored);
+  for (const fs::path& file : files) bytes += fs::file_size(input_path(file), ignored);
   return bytes;
 }
 
