@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 class ConvertRasterTest : public testing::Test {
  protected:
   fs::path write(const std::string& name, const std::string& bytes) {
-    spill(folder_ / name, bytes);
-    return folder_ / name;
+    spill(folder_.path() / name, bytes);
+    return folder_.path() / name;
   }
 
   /// Converts, writes the patch file and reads it.
@@ -35,7 +35,7 @@ class ConvertRasterTest : public testing::Test {
       return {};
     }
     report_ = converted->report;
-    const fs::path file = folder_ / "out.relief";
+    const fs::path file = folder_.path() / "out.relief";
     const Status written = write_patch_file(file, converted->model, {.codec = codec});
     EXPECT_TRUE(written) << written.error().message;
     auto opened = PatchFile::open(file);
@@ -66,10 +66,8 @@ class ConvertRasterTest : public testing::Test {
       ASSERT_NEAR(at.y, south, 1e-6);
       const std::uint32_t j = grid.rows - 1 - south;
       ++found[std::size_t{j} * grid.columns + i];
-      if (tolerance == 0.0)
-        ASSERT_EQ(p.z, grid.at(i, j) * unit) << i << " " << j;
-      else
-        ASSERT_NEAR(p.z, grid.at(i, j) * unit, tolerance) << i << " " << j;
+      // ASSERT_NEAR with 0 is equality.
+      ASSERT_NEAR(p.z, grid.at(i, j) * unit, tolerance) << i << " " << j;
     });
     for (std::size_t k = 0; k < found.size(); ++k)
       ASSERT_EQ(found[k] > 0, !std::isnan(grid.heights[k])) << k;
@@ -128,7 +126,9 @@ TEST_F(ConvertRasterTest, NormalsAreThoseOfTheHeights) {
   for (int j = 0; j < 20; ++j) {
     for (int i = 0; i < 20; ++i) grid.heights.push_back(2.0 * i + 3.0 * (19 - j));
   }
-  const PatchModel model = convert_file(write("grid.csv", csv_text(grid)), {.spacing = 4.0});
+  ConvertOptions options;
+  options.spacing = 4.0;
+  const PatchModel model = convert_file(write("grid.csv", csv_text(grid)), options);
   ASSERT_EQ(model.patches.size(), 1U);
   const glm::vec3 expected = glm::normalize(glm::vec3(-2.0F / 4, -3.0F / 4, 1));
   for (const glm::i16vec2 texel : model.patches[0].normals.texels) {
@@ -165,12 +165,15 @@ TEST_F(ConvertRasterTest, CropsByCoordinates) {
 TEST_F(ConvertRasterTest, SaysWhatIsWrong) {
   const fs::path file = write("grid.csv", csv_text(hills(20, 20)));
   const std::string name = file.string();
-  EXPECT_EQ(error_of(file, {.error = 0.1, .seams = true}),
+  ConvertOptions options;
+  options.error = 0.1;
+  options.seams = true;
+  EXPECT_EQ(error_of(file, options),
             name + ": is a raster, whose cells become samples as they are; leave out --error, --seams");
   std::string ragged = csv_text(hills(20, 20));
   ragged.insert(ragged.size() - 1, ",7");
   EXPECT_EQ(error_of(write("ragged.csv", ragged)),
-            (folder_ / "ragged.csv").string() +
+            (folder_.path() / "ragged.csv").string() +
                 ": line 20: has 21 heights, but the lines before it have 20");
   std::string word = csv_text(hills(20, 20));
   word += "x" + word;
@@ -178,19 +181,19 @@ TEST_F(ConvertRasterTest, SaysWhatIsWrong) {
             std::string::npos);
   TestGrid empty{20, 20, std::vector<double>(400, NAN)};
   EXPECT_EQ(error_of(write("empty.csv", csv_text(empty))),
-            (folder_ / "empty.csv").string() + ": has no heights: all cells are without data");
+            (folder_.path() / "empty.csv").string() + ": has no heights: all cells are without data");
 }
 
 TEST_F(ConvertRasterTest, RecognisesRasters) {
   EXPECT_TRUE(is_raster(write("a.csv", csv_text(hills(16, 4))), ""));
   EXPECT_FALSE(is_raster(write("b.csv", "x,y,z\n1,2,3\n4,5,6\n"), ""));
   EXPECT_FALSE(is_raster(write("c.csv", "1,2,3,4,5,6\n1,2,3,4,5,6\n"), ""));
-  EXPECT_TRUE(is_raster(folder_ / "c.csv", "grid"));
-  EXPECT_FALSE(is_raster(folder_ / "a.csv", "xyz"));
+  EXPECT_TRUE(is_raster(folder_.path() / "c.csv", "grid"));
+  EXPECT_FALSE(is_raster(folder_.path() / "a.csv", "xyz"));
   EXPECT_TRUE(is_raster(write("d.asc", "NCOLS 3\n"), ""));
   EXPECT_FALSE(is_raster(write("e.asc", "1 2 3\n"), ""));
   EXPECT_TRUE(is_raster(write("f", std::string("II*\0", 4)), ""));
-  EXPECT_FALSE(is_raster(folder_ / "nothing.tif", ""));
+  EXPECT_FALSE(is_raster(folder_.path() / "nothing.tif", ""));
 }
 
 /// A picture of four colours: red, green / blue, white.
@@ -239,7 +242,7 @@ TEST_F(GdalRasterTest, AnAsciiGridLiesAtItsCoordinates) {
   expect_cells(model, grid, {500015, 4500015}, 30.0, 1.0, 0.0);
   EXPECT_EQ(model.patches[0].height_step, 1.0);
   // No file is left beside it.
-  EXPECT_FALSE(fs::exists(folder_ / "utm.asc.aux.xml"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "utm.asc.aux.xml"));
 }
 
 TEST_F(GdalRasterTest, CentimetresComeBackExactly) {
@@ -294,7 +297,9 @@ TEST_F(GdalRasterTest, HostileHeadersAreRefused) {
   const std::string good = ascii_grid(grid, 0, 0, 1);
   for (std::size_t size = 1; size < good.size(); size += 7) {
     const auto cut = convert_raster(write("cut.asc", good.substr(0, size)), {}, {}, {}, progress_);
-    if (!cut) EXPECT_TRUE(cut.error().message.starts_with(folder_.path().string()));
+    if (!cut) {
+      EXPECT_TRUE(cut.error().message.starts_with(folder_.path().string()));
+    }
   }
   EXPECT_NE(error_of(write("bad.tif", "II*\0 and nothing")).find("GDAL cannot open it"),
             std::string::npos);
