@@ -123,9 +123,8 @@ Result<ConvertSummary> convert_files(const ConvertArguments& arguments, Progress
     RELIEF_TRY_ASSIGN(auto larger, convert_larger(arguments, progress));
     if (larger) return std::move(*larger);
   }
-  RELIEF_TRY_ASSIGN(auto read,
-                    load_points(arguments.inputs, texture_choice(arguments.texture), progress,
-                                arguments.tiles.read));
+  RELIEF_TRY_ASSIGN(auto read, load_points(arguments.inputs, texture_choice(arguments.texture),
+                                           progress, arguments.tiles.read));
   ConvertSummary summary;
   if (arguments.clean) summary.outliers = remove_outliers(read.points, progress);
   if (summary.outliers.were_too_many)
@@ -342,10 +341,12 @@ void add_resource_options(CLI::App& sub, ConvertArguments& arguments) {
 void add_convert(CLI::App& app, Command& command) {
   auto* sub = app.add_subcommand("convert", "Convert a scan or mesh to a patch file");
   const auto arguments = std::make_shared<ConvertArguments>();
-  sub->add_option("IN", arguments->inputs, "Scan, mesh or raster files; several scans become one model; -: standard input")
+  sub->add_option("IN", arguments->inputs,
+                  "Scan, mesh or raster files; several scans become one model; -: standard input")
       ->required()
       ->option_text("FILE...");
-  sub->add_option("-o,--output", arguments->output, "Patch file to write (.relief); -: standard output")
+  sub->add_option("-o,--output", arguments->output,
+                  "Patch file to write (.relief); -: standard output")
       ->required()
       ->option_text("FILE (required)");
   add_surface_options(*sub, *arguments);
@@ -359,8 +360,8 @@ void add_convert(CLI::App& app, Command& command) {
   sub->callback([arguments, &command] {
     check_json(arguments->output, arguments->json);
     if (arguments->output == kStandardName && arguments->tiles.memory_bytes > 0) {
-      throw CLI::ValidationError("--memory",
-                                 "keeps tiles beside its output; name a file instead of --output -");
+      throw CLI::ValidationError(
+          "--memory", "keeps tiles beside its output; name a file instead of --output -");
     }
     command = [arguments] { return run_convert(*arguments); };
   });

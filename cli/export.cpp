@@ -149,11 +149,13 @@ void add_export(CLI::App& app, Command& command) {
   auto* sub = app.add_subcommand("export", "Write patches as points or as a mesh");
   const auto arguments = std::make_shared<ExportArguments>();
   sub->add_option("PATCHES", arguments->input,
-                  "Patch file (.relief), or a scan, mesh or raster, which is converted in memory; -: standard "
+                  "Patch file (.relief), or a scan, mesh or raster, which is converted in memory; "
+                  "-: standard "
                   "input")
       ->required()
       ->option_text("FILE");
-  sub->add_option("-o,--output", arguments->output, "File to write (.ply, .obj or .glb); -: a PLY to standard output")
+  sub->add_option("-o,--output", arguments->output,
+                  "File to write (.ply, .obj or .glb); -: a PLY to standard output")
       ->required()
       ->check([](const std::string& name) {
         return format_of(name) != nullptr || name == kStandardName

@@ -152,7 +152,8 @@ int report(const ScenePlan& plan, const std::vector<WrittenImage>& written, bool
            OutputFile& output) {
   if (json && plan.film_frames > 0) return print_json(film_as_json(written));
   if (json)
-    return output.finish_json(plan.file.empty() ? as_json(written.front()) : scene_as_json(written));
+    return output.finish_json(plan.file.empty() ? as_json(written.front())
+                                                : scene_as_json(written));
   if (plan.film_frames > 0) return print_result(film_as_text(written));
   std::string text;
   for (const WrittenImage& image : written) text += as_text(image);

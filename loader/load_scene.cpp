@@ -162,12 +162,11 @@ Result<LoadedScene> load_textured_splats(const ScenePlan& plan, const LoadOption
 
 }  // namespace
 
-Result<LoadedScene> load_models(const std::vector<SceneModel>& models,
-                                const LoadOptions& options, FormNeeds needs, Progress& progress,
-                                const ViewsOf& views) {
-  const bool has_scans = std::any_of(models.begin(), models.end(), [&options](const SceneModel& model) {
-    return !is_patches(model.file, options.read);
-  });
+Result<LoadedScene> load_models(const std::vector<SceneModel>& models, const LoadOptions& options,
+                                FormNeeds needs, Progress& progress, const ViewsOf& views) {
+  const bool has_scans = std::any_of(
+      models.begin(), models.end(),
+      [&options](const SceneModel& model) { return !is_patches(model.file, options.read); });
   const Forms forms{needs.mesh && has_scans, needs.splats && has_scans};
   // Splats and meshes are made of all patches.
   const bool may_choose = views && !needs.mesh && !needs.splats;

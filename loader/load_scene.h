@@ -42,9 +42,8 @@ struct LoadOptions {
 /// Reads only those tiles of a patch file that `views` show
 /// (renderer/view/patches_in_view.h); reads all without `views`, and if splats or a mesh are
 /// needed.
-Result<LoadedScene> load_models(const std::vector<SceneModel>& models,
-                                const LoadOptions& options, FormNeeds needs, Progress& progress,
-                                const ViewsOf& views = {});
+Result<LoadedScene> load_models(const std::vector<SceneModel>& models, const LoadOptions& options,
+                                FormNeeds needs, Progress& progress, const ViewsOf& views = {});
 
 /// Loads the models that the views of a plan show, in the forms that their engines prefer. The
 /// views' settings follow by render_settings_of (loader/view_settings.h), with the scene's patches

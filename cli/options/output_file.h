@@ -27,8 +27,8 @@ class OutputFile {
   /// Where to write.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-  /// Sends what was written to standard output, if it is to go there, and prints the report. Returns
-  /// the exit code.
+  /// Sends what was written to standard output, if it is to go there, and prints the report.
+  /// Returns the exit code.
   int finish(std::string_view report);
   int finish_json(const nlohmann::ordered_json& report);
 

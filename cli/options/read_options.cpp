@@ -21,8 +21,8 @@ void read_classes(const std::string& text, PointSelection& selection) {
     const auto number = parse_whole(part);
     if (!number || *number >= kMostClasses) {
       throw CLI::ValidationError(
-          "--classes", "expected classes from 0 to 255, separated by commas, as in 2,6; found " +
-                           text);
+          "--classes",
+          "expected classes from 0 to 255, separated by commas, as in 2,6; found " + text);
     }
     selection.classes.set(*number);
   }
@@ -40,9 +40,8 @@ void read_returns(const std::string& text, PointSelection& selection) {
     selection.returns = ReturnChoice::Numbered;
     selection.return_number = *number;
   } else {
-    throw CLI::ValidationError("--returns",
-                               "expected first, last, single or a number from 1 to 15; found " +
-                                   text);
+    throw CLI::ValidationError(
+        "--returns", "expected first, last, single or a number from 1 to 15; found " + text);
   }
 }
 
@@ -51,7 +50,8 @@ void read_crop(const std::string& text, PointSelection& selection) {
   const bool has_z = n.size() == 6;
   if ((n.size() != 4 && !has_z) || n[0] > n[2] || n[1] > n[3] || (has_z && n[4] > n[5])) {
     throw CLI::ValidationError(
-        "--crop", "expected X0,Y0,X1,Y1 or X0,Y0,X1,Y1,Z0,Z1, the lower value first; found " + text);
+        "--crop",
+        "expected X0,Y0,X1,Y1 or X0,Y0,X1,Y1,Z0,Z1, the lower value first; found " + text);
   }
   constexpr double inf = std::numeric_limits<double>::infinity();
   selection.crop = Bounds{{n[0], n[1], has_z ? n[4] : -inf}, {n[2], n[3], has_z ? n[5] : inf}};
@@ -60,8 +60,7 @@ void read_crop(const std::string& text, PointSelection& selection) {
 /// Every extension of every format, "ply|pcd|...".
 std::string format_names() {
   std::string names;
-  for (const PointFormat& format : point_formats())
-    names += fmt::format("{}|", format.target());
+  for (const PointFormat& format : point_formats()) names += fmt::format("{}|", format.target());
   return fmt::format("{}{}|{}", names, kGridFormat, kRasterFormat);
 }
 

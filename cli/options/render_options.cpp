@@ -194,7 +194,8 @@ void add_platform_option(CLI::App& sub, GlPlatform& platform) {
 }
 
 void add_render_options(CLI::App& sub, RenderArguments& arguments) {
-  sub.add_option("SCENE", arguments.input, "Patch file (.relief), scan, mesh, raster, or .json scene; -: standard input")
+  sub.add_option("SCENE", arguments.input,
+                 "Patch file (.relief), scan, mesh, raster, or .json scene; -: standard input")
       ->required()
       ->option_text("FILE");
   sub.add_option(

@@ -116,9 +116,9 @@ std::string convert_text(const ConvertSummary& s, const std::filesystem::path& o
       "{}"
       "  time              {:.2f} s",
       output.string(), s.report.points, s.read.dropped_nonfinite, s.read.merged_duplicates,
-      selection_line(s.read), noise_line(s.report), normals, s.file.patches, s.file.samples, s.file.spacing, spacings,
-      s.report.error_rms, s.report.error_max, s.report.psnr_db, s.report.uncovered_points, colours,
-      s.file.file_bytes,
+      selection_line(s.read), noise_line(s.report), normals, s.file.patches, s.file.samples,
+      s.file.spacing, spacings, s.report.error_rms, s.report.error_max, s.report.psnr_db,
+      s.report.uncovered_points, colours, s.file.file_bytes,
       8.0 * static_cast<double>(s.file.file_bytes) / static_cast<double>(s.file.samples), tiles,
       s.seconds);
   const char* separator = ": ";

@@ -38,7 +38,9 @@ Status copy_to(int file, Progress& progress) {
   for (;;) {
     if (progress.cancelled()) return interrupted_error();
     // Waits in steps, so that an interrupt is seen while the other program writes nothing.
-    struct pollfd wait {STDIN_FILENO, POLLIN, 0};
+    struct pollfd wait {
+      STDIN_FILENO, POLLIN, 0
+    };
     const int ready = ::poll(&wait, 1, kWaitMilliseconds);
     if (ready == 0 || (ready < 0 && errno == EINTR)) continue;
     const ssize_t got = ::read(STDIN_FILENO, piece.data(), piece.size());
@@ -46,8 +48,7 @@ Status copy_to(int file, Progress& progress) {
     if (got < 0) return failure("cannot be read", errno);
     if (got == 0) return {};
     for (ssize_t done = 0; done < got;) {
-      const ssize_t put =
-          ::write(file, piece.data() + done, static_cast<std::size_t>(got - done));
+      const ssize_t put = ::write(file, piece.data() + done, static_cast<std::size_t>(got - done));
       if (put < 0 && errno == EINTR) continue;
       if (put < 0) return failure("cannot be copied to the folder for temporary files", errno);
       done += put;

@@ -51,9 +51,10 @@ Result<RasterWindow> window_of(const RasterInfo& info, const std::optional<Bound
   if (!(east - west >= 1.0 && south - north >= 1.0)) {
     const Bounds all{{g.x, g.y - (info.rows - 1) * g.dy, -INFINITY},
                      {g.x + (info.columns - 1) * g.dx, g.y, INFINITY}};
-    return make_error("{}: fewer than 2 x 2 cells lie in --crop {}; the centres of its cells lie in "
-                      "{}",
-                      info.name, describe_box(*crop), describe_box(all));
+    return make_error(
+        "{}: fewer than 2 x 2 cells lie in --crop {}; the centres of its cells lie in "
+        "{}",
+        info.name, describe_box(*crop), describe_box(all));
   }
   return RasterWindow{static_cast<std::uint32_t>(west), static_cast<std::uint32_t>(north),
                       static_cast<std::uint32_t>(east - west) + 1,
@@ -65,9 +66,10 @@ Status fits(const RasterInfo& info, const RasterWindow& window, std::uint32_t te
   const double bytes =
       cells * (kBytesPerCell + 3.0 * static_cast<double>(texels_per_cell) * texels_per_cell);
   if (bytes <= 0.5 * memory_of_machine()) return {};
-  return make_error("{}: its {} x {} cells take {:.1f} GB as patches, more than half of this machine's "
-                    "memory; convert a part of it with --crop",
-                    info.name, window.columns, window.rows, bytes / 1e9);
+  return make_error(
+      "{}: its {} x {} cells take {:.1f} GB as patches, more than half of this machine's "
+      "memory; convert a part of it with --crop",
+      info.name, window.columns, window.rows, bytes / 1e9);
 }
 
 /// Reads rows with one more on each side. Heights outside of the crop become holes.
@@ -88,8 +90,8 @@ Result<RasterBand> read_band(HeightRaster& raster, const RasterPlan& plan,
 }
 
 /// Reads all heights once, to find their step.
-Result<HeightSteps> look(HeightRaster& raster, const RasterPlan& plan, const std::optional<Bounds>& crop,
-                         Progress& progress) {
+Result<HeightSteps> look(HeightRaster& raster, const RasterPlan& plan,
+                         const std::optional<Bounds>& crop, Progress& progress) {
   progress.begin_stage("look", plan.window.rows);
   HeightSteps steps;
   for (std::uint32_t row = 0; row < plan.window.rows; row += kTileCells) {
@@ -103,8 +105,8 @@ Result<HeightSteps> look(HeightRaster& raster, const RasterPlan& plan, const std
 }
 
 /// Chooses the step of heights, in the file's unit.
-Status choose_step(HeightRaster& raster, const ConvertOptions& options, const std::optional<Bounds>& crop,
-                   RasterPlan& plan, Progress& progress) {
+Status choose_step(HeightRaster& raster, const ConvertOptions& options,
+                   const std::optional<Bounds>& crop, RasterPlan& plan, Progress& progress) {
   plan.step = plan.info.step;
   plan.offset = plan.info.offset;
   if (plan.step == 0.0) {
@@ -126,7 +128,8 @@ Status choose_step(HeightRaster& raster, const ConvertOptions& options, const st
 
 std::uint32_t texels_for(const RasterPlan& plan, const Drape& drape, int asked) {
   if (asked > 0) return static_cast<std::uint32_t>(asked);
-  const double finest = std::max(plan.info.grid.dx / drape.pixel.x, plan.info.grid.dy / drape.pixel.y);
+  const double finest =
+      std::max(plan.info.grid.dx / drape.pixel.x, plan.info.grid.dy / drape.pixel.y);
   std::uint32_t texels = 1;
   while (texels < kMostTexelsPerCell && texels < finest * 0.9) texels *= 2;
   return texels;
@@ -139,14 +142,15 @@ void note_frame(const RasterInfo& info, const GeoFrame& frame, Progress& progres
         info.name, frame.centre.x, frame.centre.y);
     if (frame.stretch != 1.0)
       text += fmt::format("; x is {:.2f} % too {}, so that cells are square",
-                          100.0 * std::abs(frame.stretch - 1.0), frame.stretch > 1.0 ? "long" : "short");
+                          100.0 * std::abs(frame.stretch - 1.0),
+                          frame.stretch > 1.0 ? "long" : "short");
     progress.note(text);
   }
   if (frame.cell.x != frame.cell.y) {
-    progress.note(fmt::format("{}: its cells are {:.6g} x {:.6g}; {} are interpolated, so that they "
-                              "become square",
-                              info.name, frame.cell.x, frame.cell.y,
-                              frame.cell.x < frame.cell.y ? "rows" : "columns"));
+    progress.note(fmt::format(
+        "{}: its cells are {:.6g} x {:.6g}; {} are interpolated, so that they "
+        "become square",
+        info.name, frame.cell.x, frame.cell.y, frame.cell.x < frame.cell.y ? "rows" : "columns"));
   }
 }
 
@@ -155,8 +159,7 @@ std::vector<RasterWindow> tiles_of_row(const RasterWindow& window, std::uint32_t
                                        std::uint32_t rows) {
   std::vector<RasterWindow> tiles;
   for (std::uint32_t column = 0; column + 1 < window.columns; column += kTileCells) {
-    const std::uint32_t columns =
-        std::min(kTileCells + 1 + kOverlapCells, window.columns - column);
+    const std::uint32_t columns = std::min(kTileCells + 1 + kOverlapCells, window.columns - column);
     tiles.push_back({window.column + column, row, columns, rows});
   }
   return tiles;
@@ -212,11 +215,11 @@ ConvertReport report_of(const MadePatches& made, const RasterPlan& plan, std::ui
   report.points = cells;
   report.normals_estimated = true;
   report.finest_spacing = report.coarsest_spacing = plan.spacing;
-  report.error_rms =
-      std::sqrt(made.error.sum_of_squares / static_cast<double>(std::max<std::uint64_t>(made.error.cells, 1)));
+  report.error_rms = std::sqrt(made.error.sum_of_squares /
+                               static_cast<double>(std::max<std::uint64_t>(made.error.cells, 1)));
   report.error_max = made.error.largest;
-  report.psnr_db =
-      20.0 * std::log10(glm::length(made.model.bounds.max - made.model.bounds.min) / report.error_rms);
+  report.psnr_db = 20.0 * std::log10(glm::length(made.model.bounds.max - made.model.bounds.min) /
+                                     report.error_rms);
   if (plan.drape == nullptr) return report;
   report.texels_per_cell = plan.texels_per_cell;
   for (const Patch& patch : made.model.patches) report.colour_texels += patch.colours.texels.size();
@@ -225,8 +228,8 @@ ConvertReport report_of(const MadePatches& made, const RasterPlan& plan, std::ui
 
 /// Fills in the cells, and returns the raster to read.
 Result<std::unique_ptr<HeightRaster>> plan_cells(std::unique_ptr<HeightRaster> raster,
-                                           const ConvertOptions& options, RasterPlan& plan,
-                                           Progress& progress) {
+                                                 const ConvertOptions& options, RasterPlan& plan,
+                                                 Progress& progress) {
   const RasterInfo& info = raster->info();
   plan.frame = frame_of(info.grid, info.columns, info.rows);
   if (options.spacing > 0.0) {
@@ -247,9 +250,9 @@ Result<std::unique_ptr<HeightRaster>> plan_cells(std::unique_ptr<HeightRaster> r
   return raster;
 }
 
-Result<ConvertResult> convert_opened(std::unique_ptr<HeightRaster> raster, const TextureChoice& texture,
-                                     const ConvertOptions& options, const ReadOptions& read,
-                                     Progress& progress) {
+Result<ConvertResult> convert_opened(std::unique_ptr<HeightRaster> raster,
+                                     const TextureChoice& texture, const ConvertOptions& options,
+                                     const ReadOptions& read, Progress& progress) {
   const auto& crop = read.selection.crop;
   RasterPlan plan;
   RELIEF_TRY_ASSIGN(raster, plan_cells(std::move(raster), options, plan, progress));
@@ -264,9 +267,10 @@ Result<ConvertResult> convert_opened(std::unique_ptr<HeightRaster> raster, const
     plan.texels_per_cell = texels_for(plan, drape, options.texels_per_cell);
     RELIEF_TRY(fits(plan.info, plan.window, plan.texels_per_cell));
     if (drape.covered < 0.999) {
-      progress.note(fmt::format("{}: covers {:.0f} % of the heights; elsewhere they have the colours of "
-                                "its edge",
-                                texture.image.string(), 100.0 * drape.covered));
+      progress.note(
+          fmt::format("{}: covers {:.0f} % of the heights; elsewhere they have the colours of "
+                      "its edge",
+                      texture.image.string(), 100.0 * drape.covered));
     }
   }
   RELIEF_TRY(choose_step(*raster, options, crop, plan, progress));
@@ -276,8 +280,9 @@ Result<ConvertResult> convert_opened(std::unique_ptr<HeightRaster> raster, const
                       crop ? " in --crop" : "");
   }
   if (made.coarser > 0) {
-    progress.note(fmt::format("{}: heights of {} patches span more than {} steps of {:g} and are rounded",
-                              plan.info.name, made.coarser, kMaxHeightRange, plan.step));
+    progress.note(
+        fmt::format("{}: heights of {} patches span more than {} steps of {:g} and are rounded",
+                    plan.info.name, made.coarser, kMaxHeightRange, plan.step));
   }
   made.model.spacing = plan.spacing;
   made.model.has_colours = plan.drape != nullptr;
@@ -304,9 +309,9 @@ std::string unused_for_rasters(const ConvertOptions& options, const ReadOptions&
   return names;
 }
 
-Result<ConvertResult> convert_raster(const std::filesystem::path& path, const TextureChoice& texture,
-                                     const ConvertOptions& options, const ReadOptions& read,
-                                     Progress& progress) {
+Result<ConvertResult> convert_raster(const std::filesystem::path& path,
+                                     const TextureChoice& texture, const ConvertOptions& options,
+                                     const ReadOptions& read, Progress& progress) {
   const std::string name = path.string();
   if (const std::string unused = unused_for_rasters(options, read); !unused.empty())
     return make_error("{}: is a raster, whose cells become samples as they are; leave out {}", name,

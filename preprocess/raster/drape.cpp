@@ -59,8 +59,8 @@ Result<Drape> read_picture(const std::filesystem::path& path, const RasterInfo& 
   drape.pixels.resize(std::size_t{image.width} * image.height);
   for (std::size_t k = 0; k < drape.pixels.size(); ++k) {
     for (glm::length_t c = 0; c < 3; ++c)
-      drape.pixels[k][c] = static_cast<std::uint8_t>(
-          std::lround(std::clamp(rgb[static_cast<std::size_t>(c)]->values[k], 0.0F, 1.0F) * 255.0F));
+      drape.pixels[k][c] = static_cast<std::uint8_t>(std::lround(
+          std::clamp(rgb[static_cast<std::size_t>(c)]->values[k], 0.0F, 1.0F) * 255.0F));
   }
   const Extent whole = extent_of(raster.grid, {0, 0, raster.columns, raster.rows},
                                  raster.has_coordinates ? 0.5 : 0.0);
@@ -74,9 +74,10 @@ Status check_bands(const GdalFile& file) {
   const int bands = file.bands();
   for (int b = 1; b <= std::min(bands, 3); ++b) {
     if (file.gdal().type(file.band(b)) != kGdalByte) {
-      return make_error("{}: its bands are not of 8 bits; make an image of them, with "
-                        "`gdal_translate -ot Byte -scale IN OUT.tif`",
-                        file.name());
+      return make_error(
+          "{}: its bands are not of 8 bits; make an image of them, with "
+          "`gdal_translate -ot Byte -scale IN OUT.tif`",
+          file.name());
     }
   }
   return {};
@@ -122,14 +123,17 @@ Result<Drape> read_georeferenced(const GdalFile& file, const RasterInfo& raster,
   const int x1 = clamp(std::ceil((wanted.high.x - grid.x) / grid.dx) + 2.0, file.columns());
   const int y0 = clamp(std::floor((grid.y - wanted.high.y) / grid.dy) - 1.0, file.rows());
   const int y1 = clamp(std::ceil((grid.y - wanted.low.y) / grid.dy) + 2.0, file.rows());
-  const Extent has = extent_of(grid, {0, 0, static_cast<std::uint32_t>(file.columns()),
-                                      static_cast<std::uint32_t>(file.rows())}, 0.5);
+  const Extent has = extent_of(
+      grid,
+      {0, 0, static_cast<std::uint32_t>(file.columns()), static_cast<std::uint32_t>(file.rows())},
+      0.5);
   const glm::dvec2 common =
       glm::max(glm::min(has.high, wanted.high) - glm::max(has.low, wanted.low), 0.0);
   if (x1 <= x0 || y1 <= y0 || common.x * common.y <= 0.0) {
-    return make_error("{}: lies elsewhere: it covers {},{} to {},{}, and the heights {},{} to {},{}",
-                      file.name(), has.low.x, has.low.y, has.high.x, has.high.y, wanted.low.x,
-                      wanted.low.y, wanted.high.x, wanted.high.y);
+    return make_error(
+        "{}: lies elsewhere: it covers {},{} to {},{}, and the heights {},{} to {},{}", file.name(),
+        has.low.x, has.low.y, has.high.x, has.high.y, wanted.low.x, wanted.low.y, wanted.high.x,
+        wanted.high.y);
   }
   const auto coarser = [&](int pixels, std::uint32_t cells) {
     return std::min<double>(pixels, std::ceil(cells * most_per_cell) + 2.0);
@@ -137,9 +141,10 @@ Result<Drape> read_georeferenced(const GdalFile& file, const RasterInfo& raster,
   const double width = coarser(x1 - x0, window.columns);
   const double height = coarser(y1 - y0, window.rows);
   if (width * height > kMostPixels) {
-    return make_error("{}: {:.0f} x {:.0f} of its pixels are too many; lower --texels-per-cell, or "
-                      "crop the raster with --crop",
-                      file.name(), width, height);
+    return make_error(
+        "{}: {:.0f} x {:.0f} of its pixels are too many; lower --texels-per-cell, or "
+        "crop the raster with --crop",
+        file.name(), width, height);
   }
   Drape drape;
   drape.width = static_cast<std::uint32_t>(width);
@@ -149,8 +154,8 @@ Result<Drape> read_georeferenced(const GdalFile& file, const RasterInfo& raster,
   drape.pixel = grown * glm::dvec2(grid.dx, grid.dy);
   drape.corner = {grid.x + (x0 - 0.5) * grid.dx + 0.5 * drape.pixel.x,
                   grid.y - (y0 - 0.5) * grid.dy - 0.5 * drape.pixel.y};
-  drape.covered = common.x * common.y /
-                  ((wanted.high.x - wanted.low.x) * (wanted.high.y - wanted.low.y));
+  drape.covered =
+      common.x * common.y / ((wanted.high.x - wanted.low.x) * (wanted.high.y - wanted.low.y));
   std::vector<std::uint8_t> band(drape.pixels.size());
   for (int c = 0; c < 3; ++c) {
     if (c == 0 || file.bands() >= 3) {
@@ -187,9 +192,10 @@ Result<Drape> read_drape(const std::filesystem::path& path, const RasterInfo& ra
   if (is_picture(path) && !has_world_file(path)) return read_picture(path, raster);
   RELIEF_TRY_ASSIGN(const auto file, GdalFile::open(path));
   if (!file.has_coordinates()) {
-    return make_error("{}: states no coordinates; only a PNG or JPEG without them is fitted to the "
-                      "heights",
-                      file.name());
+    return make_error(
+        "{}: states no coordinates; only a PNG or JPEG without them is fitted to the "
+        "heights",
+        file.name());
   }
   return read_georeferenced(file, raster, window, most_per_cell);
 }

@@ -10,8 +10,8 @@ namespace {
 
 /// The cubic of Catmull and Rom through four equidistant values, between the middle two.
 double cubic(double a, double b, double c, double d, double t) {
-  return b + 0.5 * t *
-                 (c - a + t * (2.0 * a - 5.0 * b + 4.0 * c - d + t * (3.0 * (b - c) + d - a)));
+  return b +
+         0.5 * t * (c - a + t * (2.0 * a - 5.0 * b + 4.0 * c - d + t * (3.0 * (b - c) + d - a)));
 }
 
 /// `at(k)`: the height of cell k, NaN outside. `position`: in cells.
@@ -51,8 +51,7 @@ class EvenRaster final : public HeightRaster {
     const auto cell = [&](std::int64_t column, std::int64_t row) {
       column -= source.column;
       row -= source.row;
-      const bool inside =
-          column >= 0 && row >= 0 && column < source.columns && row < source.rows;
+      const bool inside = column >= 0 && row >= 0 && column < source.columns && row < source.rows;
       return inside ? read[static_cast<std::size_t>(row * source.columns + column)]
                     : std::numeric_limits<double>::quiet_NaN();
     };

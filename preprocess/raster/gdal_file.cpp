@@ -10,7 +10,7 @@ namespace {
 
 /// Formats of one file, or of one with small ones beside it (.hdr, .prj). No VRT and no services:
 /// they name further files and addresses.
-constexpr const char* kDrivers[] = {"GTiff", "USGSDEM", "AAIGrid", "SRTMHGT", "HFA", "EHdr",
+constexpr const char* kDrivers[] = {"GTiff", "USGSDEM", "AAIGrid", "SRTMHGT", "HFA",  "EHdr",
                                     "DTED",  "ENVI",    "PNG",     "JPEG",    nullptr};
 constexpr unsigned kRaster = 0x02;
 
@@ -53,9 +53,10 @@ Result<GdalFile> GdalFile::open(const std::filesystem::path& path) {
   const std::string full = std::filesystem::absolute(input_path(path)).string();
   GdalDataset const dataset = gdal->open_ex(full.c_str(), kRaster, kDrivers, nullptr, nullptr);
   if (dataset == nullptr) {
-    return make_error("{}: GDAL cannot open it as a GeoTIFF, USGS DEM, ASCII grid or another raster "
-                      "of one file{}",
-                      path.string(), reason(*gdal));
+    return make_error(
+        "{}: GDAL cannot open it as a GeoTIFF, USGS DEM, ASCII grid or another raster "
+        "of one file{}",
+        path.string(), reason(*gdal));
   }
   return GdalFile(*gdal, dataset, path.string());
 }
@@ -90,8 +91,8 @@ Result<GeoGrid> GdalFile::grid(bool& is_flipped) const {
       return make_error("{}: its georeference is damaged: {} is no coordinate", name_, number);
   }
   if (t[2] != 0.0 || t[4] != 0.0 || t[1] <= 0.0 || t[5] == 0.0) {
-    return make_error("{}: its rows do not run from west to east; turn it with `gdalwarp IN OUT.tif`",
-                      name_);
+    return make_error(
+        "{}: its rows do not run from west to east; turn it with `gdalwarp IN OUT.tif`", name_);
   }
   GeoGrid grid;
   is_flipped = t[5] > 0.0;
@@ -107,9 +108,11 @@ Result<GeoGrid> GdalFile::grid(bool& is_flipped) const {
     const double axis = gdal_.semi_major(s, &failed);
     if (failed == 0 && axis > 0.0) grid.semi_major = axis;
     const double flattening = gdal_.inverse_flattening(s, &failed);
-    if (failed == 0 && (flattening == 0.0 || flattening > 1.0)) grid.inverse_flattening = flattening;
+    if (failed == 0 && (flattening == 0.0 || flattening > 1.0))
+      grid.inverse_flattening = flattening;
   }
-  if (grid.in_degrees && !(std::abs(grid.y) <= 90.0 && std::abs(grid.y - (rows() - 1) * grid.dy) <= 90.0)) {
+  if (grid.in_degrees &&
+      !(std::abs(grid.y) <= 90.0 && std::abs(grid.y - (rows() - 1) * grid.dy) <= 90.0)) {
     return make_error("{}: is in degrees, but its latitudes reach from {} to {}", name_,
                       grid.y - (rows() - 1) * grid.dy, grid.y);
   }

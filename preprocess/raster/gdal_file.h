@@ -35,8 +35,9 @@ class GdalFile {
 
   /// Returns whether the file states where it lies.
   [[nodiscard]] bool has_coordinates() const;
-  /// Returns the grid of the cells' centres. Fails if the file is rotated or sheared, or its numbers
-  /// are no numbers. Rows run from north to south; `is_flipped` if the file's run the other way.
+  /// Returns the grid of the cells' centres. Fails if the file is rotated or sheared, or its
+  /// numbers are no numbers. Rows run from north to south; `is_flipped` if the file's run the other
+  /// way.
   Result<GeoGrid> grid(bool& is_flipped) const;
 
   /// Reads a window of a band into a buffer of `width` x `height` values of `type`, averaged if it

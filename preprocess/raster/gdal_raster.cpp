@@ -19,11 +19,17 @@ bool is_whole(int type) {
 
 /// Metres of a unit of heights, by its name; nothing if it is unknown or not stated.
 std::optional<double> metres_of(const char* name) {
-  const std::map<std::string, double> units = {
-      {"m", 1.0},        {"metre", 1.0},           {"metres", 1.0},
-      {"meter", 1.0},    {"meters", 1.0},          {"ft", 0.3048},
-      {"foot", 0.3048},  {"feet", 0.3048},         {"us-ft", 1200.0 / 3937.0},
-      {"cm", 0.01},      {"US survey foot", 1200.0 / 3937.0}};
+  const std::map<std::string, double> units = {{"m", 1.0},
+                                               {"metre", 1.0},
+                                               {"metres", 1.0},
+                                               {"meter", 1.0},
+                                               {"meters", 1.0},
+                                               {"ft", 0.3048},
+                                               {"foot", 0.3048},
+                                               {"feet", 0.3048},
+                                               {"us-ft", 1200.0 / 3937.0},
+                                               {"cm", 0.01},
+                                               {"US survey foot", 1200.0 / 3937.0}};
   const auto found = units.find(name == nullptr ? "" : name);
   return found == units.end() ? std::nullopt : std::optional(found->second);
 }
@@ -51,8 +57,8 @@ class GdalRaster final : public HeightRaster {
   Status read(const RasterWindow& window, std::span<double> heights) override {
     const auto w = static_cast<int>(window.columns);
     const auto h = static_cast<int>(window.rows);
-    const int first = is_flipped_ ? static_cast<int>(info_.rows - window.row) - h
-                                  : static_cast<int>(window.row);
+    const int first =
+        is_flipped_ ? static_cast<int>(info_.rows - window.row) - h : static_cast<int>(window.row);
     RELIEF_TRY(file_.read(1, {static_cast<int>(window.column), first, w, h}, heights.data(), w, h,
                           kGdalDouble));
     for (double& value : heights) {

@@ -14,7 +14,7 @@ struct GeoGrid {
   double dx = 1.0;  ///< above 0
   double dy = 1.0;
   bool in_degrees = false;
-  double semi_major = 6378137.0;         ///< of the ellipsoid, metres; WGS 84
+  double semi_major = 6378137.0;              ///< of the ellipsoid, metres; WGS 84
   double inverse_flattening = 298.257223563;  ///< 0: a sphere
   std::string system;  ///< the coordinate system's definition, for comparison; may be empty
 };
@@ -23,8 +23,8 @@ struct GeoGrid {
 struct GeoFrame {
   glm::dvec2 centre{0.0};
   glm::dvec2 factor{1.0};
-  glm::dvec2 cell{1.0};   ///< sides of a cell, world units
-  double stretch = 1.0;   ///< of x, so that cells become square; 1: none
+  glm::dvec2 cell{1.0};  ///< sides of a cell, world units
+  double stretch = 1.0;  ///< of x, so that cells become square; 1: none
 
   [[nodiscard]] glm::dvec2 world(glm::dvec2 file) const { return (file - centre) * factor; }
 };

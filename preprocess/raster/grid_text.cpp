@@ -53,7 +53,7 @@ bool is_grid_text(std::string_view text) {
 }
 
 Result<std::unique_ptr<HeightRaster>> read_grid_text(const std::string& name, std::string_view text,
-                                               Progress& progress) {
+                                                     Progress& progress) {
   progress.begin_stage("read", text.size());
   TextCursor cursor(text, kSeparators);
   std::vector<double> heights;
@@ -64,8 +64,7 @@ Result<std::unique_ptr<HeightRaster>> read_grid_text(const std::string& name, st
     const std::size_t begin = heights.size();
     double value = 0.0;
     while (cursor.number(value)) heights.push_back(std::isfinite(value) ? value : kNoData);
-    if (!cursor.at_line_end())
-      return make_error("{}: {}", name, cursor.expected("a height"));
+    if (!cursor.at_line_end()) return make_error("{}: {}", name, cursor.expected("a height"));
     const std::size_t count = heights.size() - begin;
     if (rows == 0) columns = count;
     if (count != columns) {
@@ -87,7 +86,8 @@ Result<std::unique_ptr<HeightRaster>> read_grid_text(const std::string& name, st
   info.rows = static_cast<std::uint32_t>(rows);
   info.grid.y = static_cast<double>(rows - 1);
   info.has_coordinates = false;
-  return std::unique_ptr<HeightRaster>(std::make_unique<GridText>(std::move(info), std::move(heights)));
+  return std::unique_ptr<HeightRaster>(
+      std::make_unique<GridText>(std::move(info), std::move(heights)));
 }
 
 }  // namespace relief

@@ -52,7 +52,7 @@ bool is_raster(const std::filesystem::path& path, const std::string& format) {
 }
 
 Result<std::unique_ptr<HeightRaster>> open_raster(const std::filesystem::path& path,
-                                            const std::string& format, Progress& progress) {
+                                                  const std::string& format, Progress& progress) {
   if (!is_text_grid_file(path, format, first_bytes(path))) return open_gdal_raster(path);
   RELIEF_TRY_ASSIGN(const auto bytes, read_file(path));
   return read_grid_text(path.string(), {reinterpret_cast<const char*>(bytes.data()), bytes.size()},

@@ -59,12 +59,12 @@ class HeightRaster {
 /// Opens a raster. Fails with one sentence if it is missing, damaged, too large, rotated, or if it
 /// needs GDAL, which is not installed. Untrusted: no count is allocated unchecked.
 Result<std::unique_ptr<HeightRaster>> open_raster(const std::filesystem::path& path,
-                                            const std::string& format, Progress& progress);
+                                                  const std::string& format, Progress& progress);
 
 /// Reads a text of heights: a row a line, north first, separated by commas, semicolons or blanks;
 /// nan or an empty field is a hole. `text` need not outlive the call.
 Result<std::unique_ptr<HeightRaster>> read_grid_text(const std::string& name, std::string_view text,
-                                               Progress& progress);
+                                                     Progress& progress);
 
 /// Returns whether a text begins with two lines of as many numbers, 16 or more.
 [[nodiscard]] bool is_grid_text(std::string_view text);

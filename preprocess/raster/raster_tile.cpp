@@ -18,8 +18,12 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 /// neighbours have data, as hill shading does; otherwise between those of the same row or column.
 glm::dvec2 slope_at(const RasterBand& band, const RasterPlan& plan, std::int64_t i,
                     std::int64_t j) {
+  const std::int64_t column = i - plan.window.column;
+  const std::int64_t row = j - band.first_row;
+  const bool inside = column > 0 && row > 0 && column + 1 < band.columns && row + 1 < band.rows;
   const auto at = [&](std::int64_t di, std::int64_t dj) {
-    return band.at(i + di, j + dj, plan.window.column);
+    return inside ? band.heights[static_cast<std::size_t>((row + dj) * band.columns + column + di)]
+                  : band.at(i + di, j + dj, plan.window.column);
   };
   const std::array<double, 9> n = {at(-1, -1), at(0, -1), at(1, -1), at(-1, 0), at(0, 0),
                                    at(1, 0),   at(-1, 1), at(0, 1),  at(1, 1)};

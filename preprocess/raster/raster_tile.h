@@ -13,7 +13,7 @@ namespace relief {
 
 /// What all patches of a raster share.
 struct RasterPlan {
-  RasterInfo info;      ///< of square cells
+  RasterInfo info;  ///< of square cells
   GeoFrame frame;
   RasterWindow window;  ///< the cells to convert
   double spacing = 1.0;

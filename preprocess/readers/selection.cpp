@@ -12,15 +12,25 @@ namespace relief {
 std::string describe_classes(const PointSelection& selection) {
   std::string text;
   for (std::size_t c = 0; c < selection.classes.size(); ++c) {
-    if (selection.classes.test(c)) text += fmt::format("{}{}", text.empty() ? "--classes " : ",", c);
+    if (selection.classes.test(c))
+      text += fmt::format("{}{}", text.empty() ? "--classes " : ",", c);
   }
   std::string returns;
   switch (selection.returns) {
-    case ReturnChoice::All: return text;
-    case ReturnChoice::First: returns = "first"; break;
-    case ReturnChoice::Last: returns = "last"; break;
-    case ReturnChoice::Single: returns = "single"; break;
-    case ReturnChoice::Numbered: returns = fmt::format("{}", selection.return_number); break;
+    case ReturnChoice::All:
+      return text;
+    case ReturnChoice::First:
+      returns = "first";
+      break;
+    case ReturnChoice::Last:
+      returns = "last";
+      break;
+    case ReturnChoice::Single:
+      returns = "single";
+      break;
+    case ReturnChoice::Numbered:
+      returns = fmt::format("{}", selection.return_number);
+      break;
   }
   return fmt::format("{}{}--returns {}", text, text.empty() ? "" : " ", returns);
 }
@@ -37,9 +47,9 @@ std::uint64_t crop_points(Points& points, const Bounds& box) {
   for (std::size_t i = 0; i < dropped.size(); ++i) {
     const glm::dvec3& p = points.positions[i];
     // Negated so that NaN is dropped, too.
-    dropped[i] = static_cast<std::uint8_t>(!(p.x >= box.min.x && p.x <= box.max.x &&
-                                             p.y >= box.min.y && p.y <= box.max.y &&
-                                             p.z >= box.min.z && p.z <= box.max.z));
+    dropped[i] =
+        static_cast<std::uint8_t>(!(p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y &&
+                                    p.y <= box.max.y && p.z >= box.min.z && p.z <= box.max.z));
   }
   return drop_points(points, dropped);
 }

@@ -85,8 +85,8 @@ Result<MappedFile> open_unpacked(const fs::path& path, const fs::path& unpacked,
 }
 
 Status read_file_blocks(const fs::path& path, const MappedFile& file, const ReadOptions& options,
-                        std::uint64_t memory, const TakePoints& take, ScanCounts& counts, std::vector<std::string>& notes,
-                        Progress& progress) {
+                        std::uint64_t memory, const TakePoints& take, ScanCounts& counts,
+                        std::vector<std::string>& notes, Progress& progress) {
   std::string_view text(reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size());
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   RELIEF_TRY_ASSIGN(const PointFormat* const format, find_format(path, text, options.format));
@@ -99,9 +99,8 @@ Status read_file_blocks(const fs::path& path, const MappedFile& file, const Read
   }
   ReadRemarks remarks;
   FileSink sink(file, options.selection.crop, take, counts);
-  auto rest =
-      format->read({path.string(), text, progress, remarks, format->streams ? &sink : nullptr,
-                    &options.selection});
+  auto rest = format->read({path.string(), text, progress, remarks,
+                            format->streams ? &sink : nullptr, &options.selection});
   if (!rest) return rest.error();
   rest->stance = stance_of(*rest);
   if (!rest->triangles.empty()) {
@@ -119,8 +118,9 @@ Status read_file_blocks(const fs::path& path, const MappedFile& file, const Read
 }  // namespace
 
 Result<ScanCounts> read_blocks(const std::vector<fs::path>& files, const fs::path& folder,
-                               const ReadOptions& options, std::uint64_t memory, const TakePoints& take,
-                               std::vector<std::string>& notes, Progress& progress) {
+                               const ReadOptions& options, std::uint64_t memory,
+                               const TakePoints& take, std::vector<std::string>& notes,
+                               Progress& progress) {
   ScanCounts counts;
   for (std::size_t number = 0; number < files.size(); ++number) {
     const fs::path& path = files[number];

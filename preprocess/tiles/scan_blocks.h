@@ -16,9 +16,9 @@ namespace relief {
 
 /// Counts of the points of a scan's files.
 struct ScanCounts {
-  std::uint64_t points = 0;     ///< finite ones, duplicates included
-  std::uint64_t nonfinite = 0;  ///< dropped
-  std::uint64_t left_out = 0;   ///< marked in a file as withheld or noise (LAS)
+  std::uint64_t points = 0;        ///< finite ones, duplicates included
+  std::uint64_t nonfinite = 0;     ///< dropped
+  std::uint64_t left_out = 0;      ///< marked in a file as withheld or noise (LAS)
   std::uint64_t not_selected = 0;  ///< by ReadOptions::selection
 };
 
@@ -32,8 +32,7 @@ using TakePoints = std::function<Status(Points block)>;
 /// left out. Adds notes for the user to `notes`.
 Result<ScanCounts> read_blocks(const std::vector<std::filesystem::path>& files,
                                const std::filesystem::path& folder, const ReadOptions& options,
-                               std::uint64_t memory,
-                               const TakePoints& take, std::vector<std::string>& notes,
-                               Progress& progress);
+                               std::uint64_t memory, const TakePoints& take,
+                               std::vector<std::string>& notes, Progress& progress);
 
 }  // namespace relief

@@ -28,10 +28,10 @@ struct TileOptions {
 /// Result of a conversion in tiles.
 struct TiledResult {
   ConvertReport report;  ///< `normals_repaired` counts the points near tiles' borders for each tile
-  std::uint64_t nonfinite = 0;   ///< points dropped
-  std::uint64_t left_out = 0;    ///< points marked as withheld or noise (LAS)
+  std::uint64_t nonfinite = 0;     ///< points dropped
+  std::uint64_t left_out = 0;      ///< points marked as withheld or noise (LAS)
   std::uint64_t not_selected = 0;  ///< points that TileOptions::read does not select
-  std::uint64_t duplicates = 0;  ///< points merged
+  std::uint64_t duplicates = 0;    ///< points merged
   std::uint64_t tiles = 0;
   std::uint64_t halo_points = 0;   ///< points of other tiles in halos, over all tiles
   std::uint64_t tiles_found = 0;   ///< finished by an earlier run

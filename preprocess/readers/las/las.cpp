@@ -82,8 +82,7 @@ class PointFilter {
     }
     std::string classes;
     for (std::size_t c = 0; c < of_class_.size(); ++c) {
-      if (of_class_[c] > 0)
-        classes += fmt::format("{}{}", classes.empty() ? "" : ", ", c);
+      if (of_class_[c] > 0) classes += fmt::format("{}{}", classes.empty() ? "" : ", ", c);
     }
     return make_error("{}: no point is selected by {}; its classes are {}", source.name,
                       describe_classes(selection_), classes);
@@ -92,12 +91,17 @@ class PointFilter {
  private:
   [[nodiscard]] bool takes_return(const LasPoint& point) const {
     switch (selection_.returns) {
-      case ReturnChoice::All: return true;
-      case ReturnChoice::First: return point.return_number == 1;
+      case ReturnChoice::All:
+        return true;
+      case ReturnChoice::First:
+        return point.return_number == 1;
       // Some writers count the returns of a pulse too low.
-      case ReturnChoice::Last: return point.return_number >= point.returns;
-      case ReturnChoice::Single: return point.return_number == 1 && point.returns == 1;
-      case ReturnChoice::Numbered: return point.return_number == selection_.return_number;
+      case ReturnChoice::Last:
+        return point.return_number >= point.returns;
+      case ReturnChoice::Single:
+        return point.return_number == 1 && point.returns == 1;
+      case ReturnChoice::Numbered:
+        return point.return_number == selection_.return_number;
     }
     return true;
   }

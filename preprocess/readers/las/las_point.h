@@ -15,8 +15,8 @@ namespace relief {
 /// A decoded point, the same for plain and packed files. A further field of the format becomes a
 /// member here, and a line in read_las_point (las_point.cpp) and in PackedReader (laz.cpp).
 struct LasPoint {
-  glm::i32vec3 steps{0};     ///< position as integers, see LasHeader
-  glm::u16vec3 colour{0};    ///< only if LasHeader::colour_at()
+  glm::i32vec3 steps{0};   ///< position as integers, see LasHeader
+  glm::u16vec3 colour{0};  ///< only if LasHeader::colour_at()
   std::uint8_t point_class = 0;
   std::uint8_t return_number = 1;  ///< 1 is the first
   std::uint8_t returns = 1;        ///< of its pulse; both are 1 in files that leave them 0

@@ -168,8 +168,9 @@ TEST_F(ConvertRasterTest, SaysWhatIsWrong) {
   ConvertOptions options;
   options.error = 0.1;
   options.seams = true;
-  EXPECT_EQ(error_of(file, options),
-            name + ": is a raster, whose cells become samples as they are; leave out --error, --seams");
+  EXPECT_EQ(
+      error_of(file, options),
+      name + ": is a raster, whose cells become samples as they are; leave out --error, --seams");
   std::string ragged = csv_text(hills(20, 20));
   ragged.insert(ragged.size() - 1, ",7");
   EXPECT_EQ(error_of(write("ragged.csv", ragged)),
@@ -180,8 +181,9 @@ TEST_F(ConvertRasterTest, SaysWhatIsWrong) {
   EXPECT_NE(error_of(write("word.csv", word)).find("line 21: expected a height, found 'x"),
             std::string::npos);
   TestGrid empty{20, 20, std::vector<double>(400, NAN)};
-  EXPECT_EQ(error_of(write("empty.csv", csv_text(empty))),
-            (folder_.path() / "empty.csv").string() + ": has no heights: all cells are without data");
+  EXPECT_EQ(
+      error_of(write("empty.csv", csv_text(empty))),
+      (folder_.path() / "empty.csv").string() + ": has no heights: all cells are without data");
 }
 
 TEST_F(ConvertRasterTest, RecognisesRasters) {
@@ -214,9 +216,8 @@ glm::u8vec3 colour_at(const Patch& patch, double x, double y) {
 }
 
 TEST_F(ConvertRasterTest, APictureFitsToTheGrid) {
-  const PatchModel model =
-      convert_file(write("grid.csv", csv_text(hills(21, 21))), {}, {},
-                   {false, write("four.png", four_colours())});
+  const PatchModel model = convert_file(write("grid.csv", csv_text(hills(21, 21))), {}, {},
+                                        {false, write("four.png", four_colours())});
   ASSERT_EQ(model.patches.size(), 1U);
   const Patch& patch = model.patches[0];
   EXPECT_TRUE(model.has_colours);

@@ -45,7 +45,8 @@ TEST(EvenRasterTest, InterpolatesTheLongerSide) {
     // The outermost cells have no four heights.
     for (std::uint32_t k = 3; k + 3 < (by_row ? info.rows : info.columns); ++k) {
       const double at = 0.4 * k;
-      const std::size_t index = by_row ? k * std::size_t{16} + 7 : std::size_t{7} * info.columns + k;
+      const std::size_t index =
+          by_row ? k * std::size_t{16} + 7 : std::size_t{7} * info.columns + k;
       EXPECT_NEAR(heights[index], 7 + 0.5 * at * at, 1e-9) << k;
     }
   }

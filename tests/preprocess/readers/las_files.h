@@ -40,10 +40,11 @@ inline std::uint16_t las_header_size(std::uint8_t minor) {
 inline std::string las_record(const LasPoint& p, std::uint8_t format, std::uint16_t extra_bytes) {
   std::string out = pack(p.steps[0], p.steps[1], p.steps[2], std::uint16_t{0xABCD});
   const auto flags = static_cast<std::uint8_t>(p.withheld ? (format < 6 ? 0x80 : 0x04) : 0);
-  const auto returns = static_cast<std::uint8_t>(p.return_number | p.returns << (format < 6 ? 3U : 4U));
+  const auto returns =
+      static_cast<std::uint8_t>(p.return_number | p.returns << (format < 6 ? 3U : 4U));
   if (format < 6) {
-    out += pack(returns, static_cast<std::uint8_t>(p.point_class | flags),
-                std::int8_t{-9}, std::uint8_t{0xEE}, std::uint16_t{7});
+    out += pack(returns, static_cast<std::uint8_t>(p.point_class | flags), std::int8_t{-9},
+                std::uint8_t{0xEE}, std::uint16_t{7});
   } else {
     out += pack(returns, flags, p.point_class, std::uint8_t{0xEE}, std::int16_t{-900},
                 std::uint16_t{7}, 123456.789);
