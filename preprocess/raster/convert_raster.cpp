@@ -286,6 +286,7 @@ Result<ConvertResult> convert_opened(std::unique_ptr<HeightRaster> raster,
   }
   made.model.spacing = plan.spacing;
   made.model.has_colours = plan.drape != nullptr;
+  made.model.stance = options.up ? stance_of(*options.up) : kZUp;
   find_bounds(made.model);
   ConvertReport report = report_of(made, plan, made.error.cells);
   return ConvertResult{std::move(made.model), report};
