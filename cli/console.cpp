@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "common/io/standard_input.h"
+
 namespace relief::cli {
 namespace {
 
@@ -63,6 +65,12 @@ int print_result(std::string_view text) {
 
 int print_json(const nlohmann::ordered_json& result) {
   return print_result(result.dump(2) + "\n");
+}
+
+Status open_inputs(const std::vector<std::filesystem::path>& inputs) {
+  if (std::ranges::find(inputs, kStandardName) == inputs.end()) return {};
+  ConsoleProgress progress;
+  return spool_standard_input(progress);
 }
 
 ConsoleProgress::ConsoleProgress()

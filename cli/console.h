@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <mutex>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -34,6 +35,9 @@ int fail(const Error& error, std::string_view kept = {});
 /// standard output cannot be written (full disk).
 int print_result(std::string_view text);
 int print_json(const nlohmann::ordered_json& result);
+
+/// Prepares standard input if "-" is among the inputs (common/io/standard_input.h).
+Status open_inputs(const std::vector<std::filesystem::path>& inputs);
 
 /// Prints the progress of a long job on standard error: notes, and one line with a bar and the time
 /// left if standard error is a terminal. Keeps how long each stage took.

@@ -17,15 +17,20 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/options/output_file.h"
 #include "cli/options/paths.h"
+#include "cli/options/read_options.h"
 #include "cli/options/texture_options.h"
 #include "cli/options/values.h"
 #include "cli/reports/convert_report.h"
+#include "common/io/standard_input.h"
 #include "common/patch_file/patch_file.h"
 #include "loader/load_files.h"
 #include "preprocess/convert_tiles.h"
 #include "preprocess/points/outliers.h"
 #include "preprocess/points/thin.h"
+#include "preprocess/raster/convert_raster.h"
+#include "preprocess/raster/raster.h"
 #include "preprocess/readers/read_points.h"
 #include "preprocess/texture/maps/texture_maps.h"
 
@@ -75,20 +80,51 @@ Result<std::optional<ConvertSummary>> convert_larger(const ConvertArguments& arg
   summary.report = tiled->report;
   summary.read.dropped_nonfinite = tiled->nonfinite;
   summary.read.left_out = tiled->left_out;
+  summary.read.not_selected = tiled->not_selected;
   summary.read.merged_duplicates = tiled->duplicates;
   summary.tiled = std::move(*tiled);
   RELIEF_TRY_ASSIGN(auto done, summarise(arguments, std::move(summary)));
   return std::optional(std::move(done));
 }
 
+/// Writes the patches.
+Status write_patches(const ConvertArguments& arguments, const PatchModel& model,
+                     Progress& progress) {
+  // The last moment at which nothing is there yet; writing takes well under a second.
+  if (progress.cancelled()) return interrupted_error();
+  progress.begin_stage("write", 0);
+  return write_patch_file(arguments.output, model, arguments.file);
+}
+
+/// Converts the only input, a raster.
+Result<ConvertSummary> convert_heights(const ConvertArguments& arguments, Progress& progress) {
+  const std::filesystem::path& input = arguments.inputs.front();
+  if (arguments.tiles.memory_bytes > 0 || arguments.clean || arguments.thin > 0.0) {
+    return make_error(
+        "{}: is a raster, whose cells become samples as they are; leave out --memory, --clean and "
+        "--thin; --crop converts a part of it",
+        input.string());
+  }
+  RELIEF_TRY_ASSIGN(const auto converted,
+                    convert_raster(input, texture_choice(arguments.texture), arguments.options,
+                                   arguments.tiles.read, progress));
+  RELIEF_TRY(write_patches(arguments, converted.model, progress));
+  ConvertSummary summary;
+  summary.report = converted.report;
+  return summarise(arguments, std::move(summary));
+}
+
 /// Reads, converts and writes.
 Result<ConvertSummary> convert_files(const ConvertArguments& arguments, Progress& progress) {
+  if (arguments.inputs.size() == 1 &&
+      is_raster(arguments.inputs.front(), arguments.tiles.read.format))
+    return convert_heights(arguments, progress);
   if (arguments.tiles.memory_bytes > 0) {
     RELIEF_TRY_ASSIGN(auto larger, convert_larger(arguments, progress));
     if (larger) return std::move(*larger);
   }
-  RELIEF_TRY_ASSIGN(auto read,
-                    load_points(arguments.inputs, texture_choice(arguments.texture), progress));
+  RELIEF_TRY_ASSIGN(auto read, load_points(arguments.inputs, texture_choice(arguments.texture),
+                                           progress, arguments.tiles.read));
   ConvertSummary summary;
   if (arguments.clean) summary.outliers = remove_outliers(read.points, progress);
   if (summary.outliers.were_too_many)
@@ -99,13 +135,7 @@ Result<ConvertSummary> convert_files(const ConvertArguments& arguments, Progress
   if (!converted) {
     return make_error("{}: {}", arguments.inputs.front().string(), converted.error().message);
   }
-  // The last moment at which nothing is there yet; writing takes well under a second.
-  if (progress.cancelled()) return interrupted_error();
-  progress.begin_stage("write", 0);
-  if (const Status written = write_patch_file(arguments.output, converted->model, arguments.file);
-      !written) {
-    return written.error();
-  }
+  RELIEF_TRY(write_patches(arguments, converted->model, progress));
   summary.read = std::move(read);
   summary.report = converted->report;
   return summarise(arguments, std::move(summary));
@@ -125,8 +155,13 @@ std::string kept_by(const ConvertArguments& arguments) {
                      kept->string());
 }
 
-int run_convert(const ConvertArguments& arguments) {
+int run_convert(ConvertArguments arguments) {
   const auto start = std::chrono::steady_clock::now();
+  const std::filesystem::path named = arguments.output;
+  auto output = OutputFile::open(named, ".relief");
+  if (!output) return fail(output.error());
+  arguments.output = output->path();
+  if (const Status opened = open_inputs(arguments.inputs); !opened) return fail(opened.error());
   if (const Status writable = check_output(arguments.output, files_read(arguments)); !writable) {
     return fail(writable.error());
   }
@@ -141,8 +176,8 @@ int run_convert(const ConvertArguments& arguments) {
   summary->stages = stages;
   summary->seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return arguments.json ? print_json(convert_json(*summary))
-                        : print_result(convert_text(*summary, arguments.output));
+  return arguments.json ? output->finish_json(convert_json(*summary))
+                        : output->finish(convert_text(*summary, named));
 }
 
 /// The patches.
@@ -306,21 +341,30 @@ void add_resource_options(CLI::App& sub, ConvertArguments& arguments) {
 void add_convert(CLI::App& app, Command& command) {
   auto* sub = app.add_subcommand("convert", "Convert a scan or mesh to a patch file");
   const auto arguments = std::make_shared<ConvertArguments>();
-  sub->add_option("IN", arguments->inputs, "Scan or mesh files; several become one model")
+  sub->add_option("IN", arguments->inputs,
+                  "Scan, mesh or raster files; several scans become one model; -: standard input")
       ->required()
       ->option_text("FILE...");
-  sub->add_option("-o,--output", arguments->output, "Patch file to write (.relief)")
+  sub->add_option("-o,--output", arguments->output,
+                  "Patch file to write (.relief); -: standard output")
       ->required()
       ->option_text("FILE (required)");
   add_surface_options(*sub, *arguments);
   add_point_options(*sub, *arguments);
+  add_read_options(*sub, arguments->tiles.read);
   add_file_options(*sub, *arguments);
   add_texture_options(*sub, *arguments);
   add_resource_options(*sub, *arguments);
   sub->add_flag("--json", arguments->json, "Print one JSON object on standard output");
   sub->footer("Reads " + readable_formats() + ", each also gzipped. " + kConvertExamples);
-  sub->callback(
-      [arguments, &command] { command = [arguments] { return run_convert(*arguments); }; });
+  sub->callback([arguments, &command] {
+    check_json(arguments->output, arguments->json);
+    if (arguments->output == kStandardName && arguments->tiles.memory_bytes > 0) {
+      throw CLI::ValidationError(
+          "--memory", "keeps tiles beside its output; name a file instead of --output -");
+    }
+    command = [arguments] { return run_convert(*arguments); };
+  });
 }
 
 }  // namespace relief::cli

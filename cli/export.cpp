@@ -12,8 +12,11 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/options/output_file.h"
 #include "cli/options/paths.h"
+#include "cli/options/read_options.h"
 #include "common/io/extension.h"
+#include "common/io/standard_input.h"
 #include "loader/load_files.h"
 #include "renderer/geometry/points_of_patches.h"
 
@@ -37,6 +40,7 @@ struct ExportArguments {
   std::filesystem::path input;
   std::filesystem::path output;
   std::string as;  ///< "mesh" or "points"; empty: the default of the format
+  ReadOptions read;
   bool json = false;
 };
 
@@ -68,7 +72,7 @@ struct Summary {
 
 Result<Summary> export_file(const ExportArguments& arguments, Progress& progress) {
   const Format& format = *format_of(arguments.output);
-  RELIEF_TRY_ASSIGN(auto model, load_model(arguments.input, progress));
+  RELIEF_TRY_ASSIGN(auto model, load_model(arguments.input, progress, arguments.read));
   const bool as_mesh = arguments.as.empty() ? format.is_mesh : arguments.as == "mesh";
   const bool is_closed = model.is_closed;
   // Heights are coded in steps of a twentieth of the spacing; a fiftieth of a step more does
@@ -118,8 +122,13 @@ std::string as_text(const Summary& s, const ExportArguments& arguments) {
       s.file_bytes, s.seconds);
 }
 
-int run_export(const ExportArguments& arguments) {
+int run_export(ExportArguments arguments) {
   const auto start = std::chrono::steady_clock::now();
+  const std::filesystem::path named = arguments.output;
+  auto output = OutputFile::open(named, ".ply");
+  if (!output) return fail(output.error());
+  arguments.output = output->path();
+  if (const Status opened = open_inputs({arguments.input}); !opened) return fail(opened.error());
   if (const Status writable = check_output(arguments.output, {arguments.input}); !writable) {
     return fail(writable.error());
   }
@@ -129,8 +138,9 @@ int run_export(const ExportArguments& arguments) {
   if (!summary) return fail(summary.error());
   summary->seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return arguments.json ? print_json(as_json(*summary, arguments))
-                        : print_result(as_text(*summary, arguments));
+  arguments.output = named;
+  return arguments.json ? output->finish_json(as_json(*summary, arguments))
+                        : output->finish(as_text(*summary, arguments));
 }
 
 }  // namespace
@@ -139,13 +149,16 @@ void add_export(CLI::App& app, Command& command) {
   auto* sub = app.add_subcommand("export", "Write patches as points or as a mesh");
   const auto arguments = std::make_shared<ExportArguments>();
   sub->add_option("PATCHES", arguments->input,
-                  "Patch file (.relief), or a scan or mesh, which is converted in memory")
+                  "Patch file (.relief), or a scan, mesh or raster, which is converted in memory; "
+                  "-: standard "
+                  "input")
       ->required()
       ->option_text("FILE");
-  sub->add_option("-o,--output", arguments->output, "File to write (.ply, .obj or .glb)")
+  sub->add_option("-o,--output", arguments->output,
+                  "File to write (.ply, .obj or .glb); -: a PLY to standard output")
       ->required()
       ->check([](const std::string& name) {
-        return format_of(name) != nullptr
+        return format_of(name) != nullptr || name == kStandardName
                    ? std::string()
                    : "expected a name that ends in .ply, .obj or .glb; found " + name;
       })
@@ -154,10 +167,13 @@ void add_export(CLI::App& app, Command& command) {
                   "What to write (default: points in a .ply, mesh in an .obj or .glb)")
       ->check(CLI::IsMember({"mesh", "points"}))
       ->option_text("mesh|points");
+  add_read_options(*sub, arguments->read);
   sub->add_flag("--json", arguments->json, "Print one JSON object on standard output");
   sub->footer(kExportExamples);
-  sub->callback(
-      [arguments, &command] { command = [arguments] { return run_export(*arguments); }; });
+  sub->callback([arguments, &command] {
+    check_json(arguments->output, arguments->json);
+    command = [arguments] { return run_export(*arguments); };
+  });
 }
 
 }  // namespace relief::cli

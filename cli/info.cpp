@@ -142,6 +142,7 @@ Status verify(const PatchTree& tree, const std::string& name) {
 }
 
 int run_info(const InfoArguments& arguments) {
+  if (const Status opened = open_inputs({arguments.input}); !opened) return fail(opened.error());
   const auto file = PatchFile::open(arguments.input);
   if (!file) return fail(file.error());
   const auto tree = PatchTree::open(arguments.input);
@@ -161,7 +162,7 @@ int run_info(const InfoArguments& arguments) {
 void add_info(CLI::App& app, Command& command) {
   auto* sub = app.add_subcommand("info", "Print what a patch file holds");
   const auto arguments = std::make_shared<InfoArguments>();
-  sub->add_option("PATCHES", arguments->input, "Patch file (.relief)")
+  sub->add_option("PATCHES", arguments->input, "Patch file (.relief); -: standard input")
       ->required()
       ->option_text("FILE");
   sub->add_flag("--verify", arguments->verify,

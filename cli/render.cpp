@@ -16,11 +16,13 @@
 #include "cli/console.h"
 #include "cli/options/engine_options.h"
 #include "cli/options/image_files.h"
+#include "cli/options/output_file.h"
 #include "cli/options/render_options.h"
 #include "cli/reports/render_report.h"
 #include "common/image/film_file.h"
 #include "common/image/image_io.h"
 #include "common/io/extension.h"
+#include "common/io/standard_input.h"
 #include "loader/first_look.h"
 #include "loader/load_scene.h"
 #include "loader/view_settings.h"
@@ -124,7 +126,9 @@ Result<std::vector<WrittenImage>> make_images(const ScenePlan& plan,
                                               const RenderArguments& arguments,
                                               ImageWriter& writer) {
   ConsoleProgress progress;
-  RELIEF_TRY_ASSIGN(const auto scene, load_scene(plan, load_options(arguments.texture), progress));
+  LoadOptions options = load_options(arguments.texture);
+  options.read = arguments.read;
+  RELIEF_TRY_ASSIGN(const auto scene, load_scene(plan, options, progress));
   if (progress.cancelled()) return interrupted_error();
   RELIEF_TRY_ASSIGN(auto views, render_settings_of(plan, scene.patches));
   for (std::size_t i = 0; i < views.size(); ++i) {
@@ -144,17 +148,24 @@ Result<std::vector<WrittenImage>> make_images(const ScenePlan& plan,
   return written;
 }
 
-int report(const ScenePlan& plan, const std::vector<WrittenImage>& written, bool json) {
+int report(const ScenePlan& plan, const std::vector<WrittenImage>& written, bool json,
+           OutputFile& output) {
   if (json && plan.film_frames > 0) return print_json(film_as_json(written));
   if (json)
-    return print_json(plan.file.empty() ? as_json(written.front()) : scene_as_json(written));
+    return output.finish_json(plan.file.empty() ? as_json(written.front())
+                                                : scene_as_json(written));
   if (plan.film_frames > 0) return print_result(film_as_text(written));
   std::string text;
   for (const WrittenImage& image : written) text += as_text(image);
-  return print_result(text);
+  return output.finish(text);
 }
 
-int run_render(const RenderArguments& arguments) {
+int run_render(RenderArguments arguments) {
+  auto output = OutputFile::open(arguments.output, ".png");
+  if (!output) return fail(output.error());
+  const bool is_standard = output->path() != arguments.output;
+  arguments.output = output->path();
+  if (const Status opened = open_inputs({arguments.input}); !opened) return fail(opened.error());
   auto plan = plan_scene(arguments.input, arguments.settings);
   if (!plan) return fail(plan.error());
   if (arguments.turntable > 0 && plan->views.size() > 1) {
@@ -173,14 +184,15 @@ int run_render(const RenderArguments& arguments) {
   if (const Status good = check_files(*plan, arguments.texture.file, files); !good)
     return fail(good.error());
   ImageWriter writer(files, arguments.frames_per_second.value_or(kFramesPerSecond));
-  const auto written = make_images(*plan, files, arguments, writer);
+  auto written = make_images(*plan, files, arguments, writer);
   if (!written) {
     return fail(written.error(),
                 writer.written() == 0
                     ? std::string()
                     : fmt::format("{} of {} images were written", writer.written(), files.size()));
   }
-  return report(*plan, *written, arguments.json);
+  if (is_standard) written->front().file = kStandardName;
+  return report(*plan, *written, arguments.json, *output);
 }
 
 }  // namespace
@@ -192,6 +204,7 @@ void add_render(CLI::App& app, Command& command) {
   sub->footer(render_footer());
   sub->callback([arguments, &command] {
     check_together(*arguments);
+    check_json(arguments->output, arguments->json);
     command = [arguments] { return run_render(*arguments); };
   });
 }

@@ -15,6 +15,8 @@
 #include "preprocess/normals/normals.h"
 #include "preprocess/points/neighbours.h"
 #include "preprocess/points/point_radii.h"
+#include "preprocess/raster/convert_raster.h"
+#include "preprocess/raster/raster.h"
 #include "preprocess/readers/scan_poses.h"
 
 namespace relief {
@@ -109,8 +111,8 @@ void note_left_out(const LeftOut& left_out, Progress& progress) {
 }  // namespace
 
 Result<ReadResult> load_mesh(const std::filesystem::path& path, const TextureChoice& textures,
-                             Progress& progress) {
-  auto read = read_points(path, progress);
+                             Progress& progress, const ReadOptions& options) {
+  auto read = read_points(path, progress, options);
   if (!read) return read;
   std::vector<std::string> notes = std::move(read->notes);
   const Status loaded = load_textures(path, textures, read->points, notes);
@@ -149,19 +151,37 @@ Result<std::vector<ScanFile>> list_scans(const std::vector<std::filesystem::path
 }  // namespace
 
 Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
-                               const TextureChoice& textures, Progress& progress) {
+                               const TextureChoice& textures, Progress& progress,
+                               const ReadOptions& options) {
   const auto scans = list_scans(paths);
   if (!scans) return scans.error();
+  for (const ScanFile& scan : *scans) {
+    if (is_raster(scan.path, options.format)) {
+      return make_error(
+          "{}: is a raster, which is converted alone; join rasters with `gdalwarp A.tif B.tif "
+          "OUT.tif`",
+          scan.path.string());
+    }
+  }
   if (scans->size() == 1 && !scans->front().pose)
-    return load_mesh(paths.front(), textures, progress);
+    return load_mesh(paths.front(), textures, progress, options);
   ReadResult all;
   LeftOut left_out;
+  // Poses move points into the frame of the crop. Several files need not all have points in it.
+  ReadOptions of_file = options;
+  of_file.selection.crop.reset();
+  Bounds bounds;
   for (const auto& [path, pose] : *scans) {
-    RELIEF_TRY_ASSIGN(auto scan, load_mesh(path, textures, progress));
+    RELIEF_TRY_ASSIGN(auto scan, load_mesh(path, textures, progress, of_file));
     if (pose) place_scan(*pose, scan.points);
+    if (options.selection.crop) {
+      for (const glm::dvec3& p : scan.points.positions) extend(bounds, p);
+      all.not_selected += crop_points(scan.points, *options.selection.crop);
+    }
     all.points_in_file += scan.points_in_file;
     all.dropped_nonfinite += scan.dropped_nonfinite;
     all.left_out += scan.left_out;
+    all.not_selected += scan.not_selected;
     all.merged_duplicates += scan.merged_duplicates;
     if (all.points.size() + scan.points.size() > UINT32_MAX) {
       return make_error("{}: with it the scans have more than {} points; convert fewer at a time",
@@ -169,6 +189,8 @@ Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
     }
     append(all.points, std::move(scan.points), left_out);
   }
+  if (options.selection.crop && all.points.positions.empty())
+    return nothing_in_crop(paths.front().string(), *options.selection.crop, bounds);
   note_left_out(left_out, progress);
   ReadResult cleaned = clean_points(std::move(all.points));
   all.points = std::move(cleaned.points);
@@ -176,12 +198,23 @@ Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
   return all;
 }
 
-Result<PatchModel> load_model(const std::filesystem::path& path, Progress& progress) {
-  if (lower_extension(path) == ".relief") {
+Result<PatchModel> load_model(const std::filesystem::path& path, Progress& progress,
+                              const ReadOptions& options, const TextureChoice& textures) {
+  if (names_patch_file(path)) {
+    if (options.selection.selects()) {
+      return make_error(
+          "{}: is a patch file, which has no points to select; convert its scan with --classes, "
+          "--returns or --crop",
+          path.string());
+    }
     RELIEF_TRY_ASSIGN(const auto file, PatchFile::open(path));
     return file.read_all(progress);
   }
-  auto scan = load_mesh(path, {}, progress);
+  if (is_raster(path, options.format)) {
+    RELIEF_TRY_ASSIGN(auto raster, convert_raster(path, textures, {}, options, progress));
+    return std::move(raster.model);
+  }
+  auto scan = load_mesh(path, {}, progress, options);
   if (!scan) return scan.error();
   auto converted = convert(std::move(scan->points), {}, progress);
   if (!converted) {

@@ -16,16 +16,21 @@ namespace relief {
 
 /// Reads a scan or mesh with its materials and textures. Adds a note for each that is left out.
 Result<ReadResult> load_mesh(const std::filesystem::path& path, const TextureChoice& textures,
-                             Progress& progress);
+                             Progress& progress, const ReadOptions& options = {});
 
 /// Reads one or more scans as one scan, in the frame of their coordinates. A .conf file names scans
 /// and the pose of each (preprocess/readers/scan_poses.h). Leaves out an attribute that only some
 /// of the files have, and notes it. Merges duplicates between files as within one.
+/// The crop is in that frame.
 Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
-                               const TextureChoice& textures, Progress& progress);
+                               const TextureChoice& textures, Progress& progress,
+                               const ReadOptions& options = {});
 
-/// Reads a .relief file, or a scan or mesh and converts it with the default options.
-Result<PatchModel> load_model(const std::filesystem::path& path, Progress& progress);
+/// Reads a .relief file, or a scan or mesh and converts it with the default options. Fails if the
+/// options select points of a .relief file. A raster becomes patches as it is; `textures` is laid
+/// over it, and not over others.
+Result<PatchModel> load_model(const std::filesystem::path& path, Progress& progress,
+                              const ReadOptions& options = {}, const TextureChoice& textures = {});
 
 /// Makes splats of points: colours are linear and opaque, normals are estimated or repaired as for
 /// a conversion, radii follow from the distances to the neighbours. Faces only help to find

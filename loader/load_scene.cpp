@@ -15,6 +15,7 @@
 #include "loader/load_files.h"
 #include "loader/view_settings.h"
 #include "preprocess/convert.h"
+#include "preprocess/raster/raster.h"
 #include "renderer/engines/ewa/splats_of_samples.h"
 #include "renderer/geometry/mesh_of_patches.h"
 #include "renderer/geometry/mesh_of_points.h"
@@ -38,8 +39,8 @@ Status add_mesh_of_patches(LoadedFile& file, const std::filesystem::path& path) 
 }
 
 Result<LoadedFile> load_patch_file(const std::filesystem::path& path, Forms forms,
-                                   Progress& progress) {
-  RELIEF_TRY_ASSIGN(auto model, load_model(path, progress));
+                                   const LoadOptions& options, Progress& progress) {
+  RELIEF_TRY_ASSIGN(auto model, load_model(path, progress, options.read, options.textures));
   LoadedFile file;
   file.patches = std::move(model);
   if (forms.mesh) {
@@ -49,9 +50,9 @@ Result<LoadedFile> load_patch_file(const std::filesystem::path& path, Forms form
   return file;
 }
 
-Result<LoadedFile> load_scan(const std::filesystem::path& path, const TextureChoice& textures,
+Result<LoadedFile> load_scan(const std::filesystem::path& path, const LoadOptions& options,
                              FormNeeds needs, Progress& progress) {
-  auto scan = load_mesh(path, textures, progress);
+  auto scan = load_mesh(path, options.textures, progress, options.read);
   if (!scan) return scan.error();
   LoadedFile file;
   file.patches.bounds = bounds_of(scan->points.positions);
@@ -76,6 +77,11 @@ Result<LoadedFile> load_scan(const std::filesystem::path& path, const TextureCho
   return file;
 }
 
+/// Whether a file becomes patches without points.
+bool is_patches(const std::filesystem::path& path, const ReadOptions& options) {
+  return names_patch_file(path) || is_raster(path, options.format);
+}
+
 using LoadedFiles = std::map<std::filesystem::path, LoadedFile>;
 using TreeFiles = std::map<std::filesystem::path, PatchTree>;
 
@@ -83,7 +89,7 @@ using TreeFiles = std::map<std::filesystem::path, PatchTree>;
 Result<TreeFiles> open_trees(const std::vector<SceneModel>& models) {
   TreeFiles trees;
   for (const SceneModel& model : models) {
-    if (lower_extension(model.file) != ".relief" || trees.find(model.file) != trees.end()) continue;
+    if (!names_patch_file(model.file) || trees.find(model.file) != trees.end()) continue;
     RELIEF_TRY_ASSIGN(auto tree, PatchTree::open(model.file));
     if (tree.tiles().size() > 1) trees.emplace(model.file, std::move(tree));
   }
@@ -156,12 +162,11 @@ Result<LoadedScene> load_textured_splats(const ScenePlan& plan, const LoadOption
 
 }  // namespace
 
-Result<LoadedScene> load_models(const std::vector<SceneModel>& models,
-                                const TextureChoice& textures, FormNeeds needs, Progress& progress,
-                                const ViewsOf& views) {
-  const bool has_scans = std::any_of(models.begin(), models.end(), [](const SceneModel& model) {
-    return lower_extension(model.file) != ".relief";
-  });
+Result<LoadedScene> load_models(const std::vector<SceneModel>& models, const LoadOptions& options,
+                                FormNeeds needs, Progress& progress, const ViewsOf& views) {
+  const bool has_scans = std::any_of(
+      models.begin(), models.end(),
+      [&options](const SceneModel& model) { return !is_patches(model.file, options.read); });
   const Forms forms{needs.mesh && has_scans, needs.splats && has_scans};
   // Splats and meshes are made of all patches.
   const bool may_choose = views && !needs.mesh && !needs.splats;
@@ -172,9 +177,9 @@ Result<LoadedScene> load_models(const std::vector<SceneModel>& models,
   for (const SceneModel& model : models) {
     if (loaded.find(model.file) != loaded.end() || trees->find(model.file) != trees->end())
       continue;
-    RELIEF_TRY_ASSIGN(auto file, lower_extension(model.file) == ".relief"
-                                     ? load_patch_file(model.file, forms, progress)
-                                     : load_scan(model.file, textures, needs, progress));
+    RELIEF_TRY_ASSIGN(auto file, is_patches(model.file, options.read)
+                                     ? load_patch_file(model.file, forms, options, progress)
+                                     : load_scan(model.file, options, needs, progress));
     loaded.emplace(model.file, std::move(file));
   }
   if (!trees->empty()) {
@@ -192,7 +197,7 @@ Result<LoadedScene> load_scene(const ScenePlan& plan, const LoadOptions& options
   RELIEF_TRY_ASSIGN(const FormNeeds needs, needs_of(plan, among));
   if (needs.splats && !options.textures.image.empty())
     return load_textured_splats(plan, options, progress);
-  return load_models(plan.models, options.textures, needs, progress, [&](const PatchModel& extent) {
+  return load_models(plan.models, options, needs, progress, [&](const PatchModel& extent) {
     return render_settings_of(plan, extent, among);
   });
 }

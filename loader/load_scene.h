@@ -11,6 +11,7 @@
 #include "common/scene/scene.h"
 #include "loader/loaded_scene.h"
 #include "loader/scene_plan.h"
+#include "preprocess/readers/selection.h"
 #include "preprocess/texture/acquisition/acquisition.h"
 #include "preprocess/texture/files/load_textures.h"
 #include "renderer/engine_registry.h"
@@ -27,22 +28,22 @@ struct FormNeeds {
 /// Returns the views to draw of a scene whose bounds are known.
 using ViewsOf = std::function<Result<std::vector<RenderSettings>>(const PatchModel& extent)>;
 
-/// Reads the models and puts them in their positions. Reads a file that several of them name once.
-/// A scan or mesh gives the forms that are needed: its points as splats, its triangles, and patches
-/// by a conversion with the default options, which also stand for triangles if it has none.
-/// `textures`: of scans and meshes. Reads only those tiles of a patch file that `views` show
-/// (renderer/view/patches_in_view.h); reads all without `views`, and if splats or a mesh are
-/// needed.
-Result<LoadedScene> load_models(const std::vector<SceneModel>& models,
-                                const TextureChoice& textures, FormNeeds needs, Progress& progress,
-                                const ViewsOf& views = {});
-
 struct LoadOptions {
   TextureChoice textures;  ///< of scans and meshes
+  ReadOptions read;        ///< how scans and meshes are read
   /// Options for making splats of a mesh for which `textures` names an image. The cutoff is always
   /// that of the first view's options.
   AcquireOptions acquisition;
 };
+
+/// Reads the models and puts them in their positions. Reads a file that several of them name once.
+/// A scan or mesh gives the forms that are needed: its points as splats, its triangles, and patches
+/// by a conversion with the default options, which also stand for triangles if it has none.
+/// Reads only those tiles of a patch file that `views` show
+/// (renderer/view/patches_in_view.h); reads all without `views`, and if splats or a mesh are
+/// needed.
+Result<LoadedScene> load_models(const std::vector<SceneModel>& models, const LoadOptions& options,
+                                FormNeeds needs, Progress& progress, const ViewsOf& views = {});
 
 /// Loads the models that the views of a plan show, in the forms that their engines prefer. The
 /// views' settings follow by render_settings_of (loader/view_settings.h), with the scene's patches

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/io/extension.h"
+#include "common/io/standard_input.h"
 #include "renderer/shading/environment_files.h"
 #include "renderer/shading/materials.h"
 
@@ -68,7 +69,8 @@ Result<std::vector<fs::path>> find_inputs(const ScenePlan& plan) {
   }
   for (const fs::path& input : inputs) {
     std::error_code ignored;
-    if (!fs::exists(input, ignored)) return make_error("{}: there is no such file", input.string());
+    if (!fs::exists(input_path(input), ignored))
+      return make_error("{}: there is no such file", input.string());
   }
   if (!plan.file.empty()) inputs.insert(plan.file);
   return std::vector<fs::path>(inputs.begin(), inputs.end());

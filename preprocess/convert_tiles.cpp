@@ -7,6 +7,7 @@
 #include "common/extremes.h"
 #include "common/guard.h"
 #include "common/io/file.h"
+#include "common/io/standard_input.h"
 #include "common/version.h"
 #include "preprocess/thread_limit.h"
 #include "preprocess/tiles/overviews.h"
@@ -19,22 +20,30 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Every digit of the crop; empty without one.
+std::string crop_text(const PointSelection& selection) {
+  if (!selection.crop) return {};
+  const auto& [low, high] = *selection.crop;
+  return fmt::format("crop {} {} {} {} {} {}", low.x, low.y, low.z, high.x, high.y, high.z);
+}
+
 /// Input and options: everything on which the tiles depend.
 Result<std::string> fingerprint_of(const std::vector<fs::path>& files,
                                    const ConvertOptions& options,
                                    const PatchFileOptions& file_options,
                                    const SpreadOptions& spread_options) {
   std::string text = fmt::format(
-      "relief {} tiles 4\nspacing {} cone {} overlap {} step {} colours {}\n"
-      "codec {} normals {}\ntile {}\n",
+      "relief {} tiles 5\nspacing {} cone {} overlap {} step {} colours {}\n"
+      "codec {} normals {}\ntile {}\nread {} {} {}\n",
       kVersion, options.spacing, options.cone_degrees,
       options.seams.value_or(false) ? -1 : options.overlap_cells, options.height_step,
       options.colour_scale, static_cast<int>(file_options.codec), file_options.normal_degrees,
-      tile_points(spread_options));
+      tile_points(spread_options), spread_options.read.format,
+      describe_classes(spread_options.read.selection), crop_text(spread_options.read.selection));
   for (const fs::path& file : files) {
     std::error_code error;
-    const auto size = fs::file_size(file, error);
-    const auto time = error ? fs::file_time_type{} : fs::last_write_time(file, error);
+    const auto size = fs::file_size(input_path(file), error);
+    const auto time = error ? fs::file_time_type{} : fs::last_write_time(input_path(file), error);
     if (error) return make_error("{}: cannot be opened: {}", file.string(), error.message());
     text += fmt::format("{} {} {}\n", fs::absolute(file).string(), size,
                         time.time_since_epoch().count());
@@ -101,7 +110,7 @@ Result<std::optional<TiledResult>> convert_files(
     const std::vector<fs::path>& files, const fs::path& output, const ConvertOptions& options,
     const PatchFileOptions& file_options, const TileOptions& tile_options, Progress& progress) {
   const SpreadOptions spread_options{tile_options.memory_bytes, tile_options.max_tile_points,
-                                     options.spacing};
+                                     options.spacing, tile_options.read};
   RELIEF_TRY_ASSIGN(const auto fingerprint,
                     fingerprint_of(files, options, file_options, spread_options));
   RELIEF_TRY_ASSIGN(auto job, TileJob::open(output, fingerprint));

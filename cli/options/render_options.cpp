@@ -7,9 +7,11 @@
 #include <string>
 
 #include "cli/options/engine_options.h"
+#include "cli/options/read_options.h"
 #include "cli/options/values.h"
 #include "common/image/film_file.h"
 #include "common/io/extension.h"
+#include "common/io/standard_input.h"
 #include "loader/view_settings.h"
 
 namespace relief::cli {
@@ -192,13 +194,14 @@ void add_platform_option(CLI::App& sub, GlPlatform& platform) {
 }
 
 void add_render_options(CLI::App& sub, RenderArguments& arguments) {
-  sub.add_option("SCENE", arguments.input, "Patch file (.relief), scan, mesh, or .json scene")
+  sub.add_option("SCENE", arguments.input,
+                 "Patch file (.relief), scan, mesh, raster, or .json scene; -: standard input")
       ->required()
       ->option_text("FILE");
   sub.add_option(
          "-o,--output", arguments.output,
          "Image to write, .png or .exr, or film, .mp4 or .webm; {view} in it stands for the "
-         "name of each view of a scene")
+         "name of each view of a scene; -: a PNG to standard output")
       ->required()
       ->option_text("FILE (required)");
   add_camera_options(sub, arguments.settings);
@@ -216,6 +219,7 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments) {
   add_number(sub, "--fps", arguments.frames_per_second, kFrameRates, "N",
              "Frames per second of a film, 1 to 240 (default 30)")
       ->needs(turntable);
+  add_read_options(sub, arguments.read);
   sub.add_option(
          "--frames", arguments.frames,
          "Frames to time after the one that draws the image, 1 to 100000; reports the median, "
@@ -237,7 +241,8 @@ void check_camera(const SceneSettings& settings) {
 }
 
 void check_together(const RenderArguments& arguments) {
-  const std::string format = lower_extension(arguments.output);
+  const std::string format =
+      arguments.output == kStandardName ? ".png" : lower_extension(arguments.output);
   const bool is_film = is_film_name(arguments.output);
   if (format != ".png" && format != ".exr" && !is_film) {
     throw CLI::ValidationError(
@@ -248,6 +253,8 @@ void check_together(const RenderArguments& arguments) {
   if (is_film && arguments.turntable == 0) {
     throw CLI::ValidationError("--output", "a film needs --turntable N, the number of its frames");
   }
+  if (arguments.turntable > 0 && arguments.output == kStandardName)
+    throw CLI::ValidationError("--turntable", "makes more than one image; name a file to write");
   if (arguments.turntable > 0 && arguments.settings.eye) {
     throw CLI::ValidationError("--turntable",
                                "goes around the model on --orbit or --view, not at --eye");

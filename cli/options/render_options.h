@@ -14,6 +14,7 @@ struct RenderArguments {
   std::filesystem::path input;   ///< a scene, a patch file, a scan or a mesh
   std::filesystem::path output;  ///< has {view} in it for a scene of several views
   TextureArguments texture;
+  ReadOptions read;        ///< of scans and meshes
   SceneSettings settings;  ///< overrides those of a scene
   GlPlatform platform = GlPlatform::Automatic;
   std::size_t turntable = 0;                ///< frames of a film; 0: none

@@ -14,6 +14,18 @@
 namespace relief::cli {
 namespace {
 
+template <class Number>
+std::optional<Number> parse_as(std::string_view text) {
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  Number value{};
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   for (std::size_t at = text.find(separator); at != std::string_view::npos;
@@ -25,17 +37,15 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   return parts;
 }
 
-template <class Number>
-std::optional<Number> parse_as(std::string_view text) {
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-  Number value{};
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end) return std::nullopt;
-  return value;
+std::optional<unsigned> parse_whole(std::string_view text) {
+  return parse_as<unsigned>(text);
 }
 
-/// The numbers of a comma-separated list, or nothing if an element is not a finite number.
+std::optional<double> parse_number(std::string_view text) {
+  const auto number = parse_as<double>(text);
+  return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
 std::vector<double> parse_numbers(std::string_view text) {
   std::vector<double> numbers;
   for (const std::string_view part : split(text, ',')) {
@@ -44,13 +54,6 @@ std::vector<double> parse_numbers(std::string_view text) {
     numbers.push_back(*number);
   }
   return numbers;
-}
-
-}  // namespace
-
-std::optional<double> parse_number(std::string_view text) {
-  const auto number = parse_as<double>(text);
-  return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 ImageSize parse_size(const std::string& text) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "common/scene/camera.h"
 #include "common/scene/choices.h"
@@ -19,6 +20,15 @@ namespace relief::cli {
 
 /// A finite number, or nothing if the text is none.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
+
+/// A whole number from 0 on, or nothing if the text is none.
+[[nodiscard]] std::optional<unsigned> parse_whole(std::string_view text);
+
+/// The parts between separators, empty ones included.
+[[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
+
+/// The numbers of a comma-separated list, or nothing if an element is not a finite number.
+[[nodiscard]] std::vector<double> parse_numbers(std::string_view text);
 
 /// Refuses what is no number above 0 and at most 1e100.
 [[nodiscard]] CLI::Validator positive_number();

@@ -29,6 +29,12 @@ std::string noise_line(const ConvertReport& report) {
   return line.empty() ? line : fmt::format("  noise             {}\n", line);
 }
 
+/// How many points were left out by choice; empty if all were chosen.
+std::string selection_line(const ReadResult& read) {
+  if (read.not_selected == 0) return {};
+  return fmt::format("  not selected      {} points\n", read.not_selected);
+}
+
 }  // namespace
 
 nlohmann::ordered_json convert_json(const ConvertSummary& s) {
@@ -39,6 +45,7 @@ nlohmann::ordered_json convert_json(const ConvertSummary& s) {
   return {{"points", s.report.points},
           {"points_dropped", s.read.dropped_nonfinite},
           {"points_left_out", s.read.left_out},
+          {"points_not_selected", s.read.not_selected},
           {"duplicates_merged", s.read.merged_duplicates},
           {"outliers_removed", s.outliers.sparse},
           {"cluster_points_removed", s.outliers.cluster},
@@ -96,7 +103,7 @@ std::string convert_text(const ConvertSummary& s, const std::filesystem::path& o
   std::string text = fmt::format(
       "{}\n"
       "  points            {} ({} not finite dropped, {} duplicates merged)\n"
-      "{}"
+      "{}{}"
       "  normals           {}\n"
       "  patches           {}\n"
       "  samples           {}\n"
@@ -109,9 +116,9 @@ std::string convert_text(const ConvertSummary& s, const std::filesystem::path& o
       "{}"
       "  time              {:.2f} s",
       output.string(), s.report.points, s.read.dropped_nonfinite, s.read.merged_duplicates,
-      noise_line(s.report), normals, s.file.patches, s.file.samples, s.file.spacing, spacings,
-      s.report.error_rms, s.report.error_max, s.report.psnr_db, s.report.uncovered_points, colours,
-      s.file.file_bytes,
+      selection_line(s.read), noise_line(s.report), normals, s.file.patches, s.file.samples,
+      s.file.spacing, spacings, s.report.error_rms, s.report.error_max, s.report.psnr_db,
+      s.report.uncovered_points, colours, s.file.file_bytes,
       8.0 * static_cast<double>(s.file.file_bytes) / static_cast<double>(s.file.samples), tiles,
       s.seconds);
   const char* separator = ": ";

@@ -11,6 +11,8 @@
 #include <system_error>
 #include <utility>
 
+#include "common/io/standard_input.h"
+
 namespace relief {
 namespace {
 
@@ -55,7 +57,7 @@ fs::path follow_links(const fs::path& path) {
 
 Result<RandomAccessFile> RandomAccessFile::open(const fs::path& path) {
   // Non-blocking, so that a pipe without a writer is refused and not waited for.
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  const int descriptor = ::open(input_path(path).c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor < 0) {
     return make_error("{}: cannot be opened: {}", path.string(), reason(errno));
   }

@@ -132,6 +132,10 @@ class PatchFile {
   std::unique_ptr<State> state_;
 };
 
+/// Returns whether a path names a patch file: by its extension, and standard input ("-") by its
+/// first bytes.
+[[nodiscard]] bool names_patch_file(const std::filesystem::path& path);
+
 /// Joining patches takes about this for each sample, if every one is at a border.
 inline constexpr std::uint64_t kJoiningBytes = 256;
 

@@ -65,6 +65,13 @@ Bounds box_of(const PatchSummary& patch) {
   return box;
 }
 
+bool has_magic(std::span<const std::byte> bytes) {
+  return bytes.size() >= kMagic.size() &&
+         std::equal(kMagic.begin(), kMagic.end(), bytes.begin(), [](std::uint8_t m, std::byte b) {
+           return m == std::to_integer<std::uint8_t>(b);
+         });
+}
+
 std::vector<std::byte> write_header(const FileHeader& header) {
   std::vector<std::byte> out;
   for (const std::uint8_t byte : kMagic) append_number(out, byte);

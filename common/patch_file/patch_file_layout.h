@@ -27,6 +27,9 @@ struct FileRange {
 /// checksum.
 [[nodiscard]] bool has_checksum(std::span<const std::byte> bytes, std::uint32_t checksum);
 
+/// Returns whether bytes begin as a patch file of any version.
+[[nodiscard]] bool has_magic(std::span<const std::byte> bytes);
+
 [[nodiscard]] std::vector<std::byte> write_header(const FileHeader& header);
 
 /// Returns the index's bytes in the header's version. The header supplies what all patches share.

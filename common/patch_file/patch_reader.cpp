@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "common/guard.h"
+#include "common/io/extension.h"
 #include "common/io/file.h"
+#include "common/io/standard_input.h"
 #include "common/patch_file/compact/compact_codec.h"
 #include "common/patch_file/compact/level_grid.h"
 #include "common/patch_file/fast/patch_codec.h"
@@ -299,6 +301,14 @@ std::uint64_t PatchFile::decoded_bytes(std::span<const std::uint64_t> patches) c
     }
   }
   return bytes;
+}
+
+bool names_patch_file(const std::filesystem::path& path) {
+  if (lower_extension(path) == ".relief") return true;
+  if (path != kStandardName) return false;
+  const auto file = RandomAccessFile::open(path);
+  std::array<std::byte, 8> first{};
+  return file && file->size() >= first.size() && file->read_at(0, first) && has_magic(first);
 }
 
 }  // namespace relief

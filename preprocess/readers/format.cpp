@@ -15,7 +15,7 @@ namespace {
 constexpr PointFormat kPointFormats[] = {
     {"PLY", "ply", is_ply, FileForm::Either, true, read_ply},
     {"PCD", "pcd", is_pcd, FileForm::Either, false, read_pcd},
-    {"LAS", "las laz", is_las, FileForm::Binary, true, read_las},
+    {"LAS", "las laz", is_las, FileForm::Binary, true, read_las, true},
     {"PTX", "ptx", nullptr, FileForm::Text, false, read_ptx},
     {"OBJ", "obj", nullptr, FileForm::Text, false, read_obj},
     {"glTF", "gltf glb", is_glb, FileForm::Either, false, read_gltf},
@@ -91,7 +91,15 @@ std::string streamed_formats() {
   return join_names(names);
 }
 
-Result<const PointFormat*> find_format(const std::filesystem::path& path, std::string_view text) {
+const PointFormat* format_named(std::string_view extension) {
+  const auto* const format = std::ranges::find_if(
+      kPointFormats, [&](const PointFormat& f) { return f.has_extension(extension); });
+  return format == std::end(kPointFormats) ? nullptr : format;
+}
+
+Result<const PointFormat*> find_format(const std::filesystem::path& path, std::string_view text,
+                                       std::string_view stated) {
+  if (const PointFormat* const format = format_named(stated); format != nullptr) return format;
   for (const PointFormat& format : kPointFormats) {
     if (format.recognises != nullptr && format.recognises(text)) return &format;
   }
@@ -106,12 +114,11 @@ Result<const PointFormat*> find_format(const std::filesystem::path& path, std::s
                       path.string(), other, readable_formats());
   }
   const std::string extension = extension_of(path);
-  const auto* const format = std::ranges::find_if(
-      kPointFormats, [&](const PointFormat& f) { return f.has_extension(extension); });
-  if (format == std::end(kPointFormats)) {
+  const PointFormat* const format = format_named(extension);
+  if (format == nullptr) {
     return make_error(
         "{}: neither its content nor its extension is of a readable format; readable formats are "
-        "{}, plain or gzipped",
+        "{}, plain or gzipped; --format names one",
         path.string(), readable_formats());
   }
   if (format->form == FileForm::Text && text.substr(0, 4096).find('\0') != text.npos) {
@@ -119,6 +126,13 @@ Result<const PointFormat*> find_format(const std::filesystem::path& path, std::s
                       path.string(), format->name);
   }
   return format;
+}
+
+Status check_classes(const std::string& name, const PointFormat& format,
+                     const PointSelection& selection) {
+  if (format.has_classes || !selection.asks_for_classes()) return {};
+  return make_error("{}: is {}, which has no classes or returns; leave out {}", name, format.name,
+                    describe_classes(selection));
 }
 
 }  // namespace relief

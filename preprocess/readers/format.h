@@ -28,6 +28,7 @@ struct PointFormat {
   FileForm form;
   bool streams;  ///< the reader uses Source::sink, so that --memory reads the file in blocks
   Reader read;
+  bool has_classes = false;  ///< the reader uses Source::selection()
 
   /// Returns whether an extension, in lower case without its dot, is of this format.
   [[nodiscard]] bool has_extension(std::string_view extension) const;
@@ -41,6 +42,15 @@ struct PointFormat {
 /// Finds the format of a file: by its content if a format recognises it, otherwise by its extension
 /// (that before ".gz", if packed). Fails if no format matches; the error lists the formats that can
 /// be read, or names the unsupported one.
-Result<const PointFormat*> find_format(const std::filesystem::path& path, std::string_view text);
+/// `stated`, if not empty, names the format instead, by one of its extensions.
+Result<const PointFormat*> find_format(const std::filesystem::path& path, std::string_view text,
+                                       std::string_view stated = {});
+
+/// Fails if a format without classes and returns is asked for them. `name` begins the error.
+Status check_classes(const std::string& name, const PointFormat& format,
+                     const PointSelection& selection);
+
+/// Returns the format with this extension (no dot); null if there is none.
+[[nodiscard]] const PointFormat* format_named(std::string_view extension);
 
 }  // namespace relief

@@ -6,6 +6,7 @@
 
 #include "common/guard.h"
 #include "common/io/file.h"
+#include "preprocess/points/keep_points.h"
 #include "preprocess/readers/format.h"
 #include "preprocess/readers/gunzip.h"
 #include "preprocess/readers/readers.h"
@@ -21,8 +22,16 @@ std::uint64_t largest_text() {
   return pages * page_size / 2;
 }
 
+Bounds finite_bounds(const Points& points) {
+  Bounds bounds;
+  for (const glm::dvec3& p : points.positions) {
+    if (is_finite(p)) extend(bounds, p);
+  }
+  return bounds;
+}
+
 Result<ReadResult> read_and_clean(const std::filesystem::path& path, std::vector<std::byte> bytes,
-                                  Progress& progress) {
+                                  Progress& progress, const ReadOptions& options) {
   const std::string name = path.string();
   if (is_gzip(bytes)) {
     RELIEF_TRY_ASSIGN(auto unpacked, gunzip(name, bytes, largest_text(), progress));
@@ -32,16 +41,24 @@ Result<ReadResult> read_and_clean(const std::filesystem::path& path, std::vector
   // The byte order mark that editors on Windows write.
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   if (text.empty()) return make_error("{}: the file is empty", name);
-  RELIEF_TRY_ASSIGN(const PointFormat* const format, find_format(path, text));
+  RELIEF_TRY_ASSIGN(const PointFormat* const format, find_format(path, text, options.format));
+  RELIEF_TRY(check_classes(name, *format, options.selection));
   progress.begin_stage("read", text.size());
   ReadRemarks remarks;
-  auto points = format->read({name, text, progress, remarks});
+  auto points = format->read({name, text, progress, remarks, nullptr, &options.selection});
   if (!points) return points.error();
   bytes = std::vector<std::byte>();  // frees; = {} would keep the memory
 
+  if (options.selection.crop && !points->positions.empty()) {
+    const Bounds bounds = finite_bounds(*points);
+    remarks.not_selected += crop_points(*points, *options.selection.crop);
+    if (points->positions.empty() && !bounds.empty())
+      return nothing_in_crop(name, *options.selection.crop, bounds);
+  }
   ReadResult result = clean_points(std::move(*points));
-  result.points_in_file += remarks.left_out;
+  result.points_in_file += remarks.left_out + remarks.not_selected;
   result.left_out = remarks.left_out;
+  result.not_selected = remarks.not_selected;
   result.notes = std::move(remarks.notes);
   if (result.points.positions.empty()) {
     return result.dropped_nonfinite == 0
@@ -55,18 +72,19 @@ Result<ReadResult> read_and_clean(const std::filesystem::path& path, std::vector
 }  // namespace
 
 Result<ReadResult> read_bytes(const std::filesystem::path& path, std::vector<std::byte> bytes,
-                              Progress& progress) {
+                              Progress& progress, const ReadOptions& options) {
   const std::string name = path.string();
   return guarded({.subject = name,
                   .task = "read it",
                   .advice = "the file may be damaged: write it again, or convert it to PLY",
                   .memory_advice = "convert with --memory"},
-                 [&] { return read_and_clean(path, std::move(bytes), progress); });
+                 [&] { return read_and_clean(path, std::move(bytes), progress, options); });
 }
 
-Result<ReadResult> read_points(const std::filesystem::path& path, Progress& progress) {
+Result<ReadResult> read_points(const std::filesystem::path& path, Progress& progress,
+                               const ReadOptions& options) {
   RELIEF_TRY_ASSIGN(auto bytes, read_file(path));
-  return read_bytes(path, std::move(bytes), progress);
+  return read_bytes(path, std::move(bytes), progress, options);
 }
 
 }  // namespace relief

@@ -7,6 +7,7 @@
 #include "common/error.h"
 #include "common/progress.h"
 #include "preprocess/readers/read_result.h"
+#include "preprocess/readers/selection.h"
 
 namespace relief {
 
@@ -16,8 +17,9 @@ namespace relief {
 /// keeps the first colour and texture coordinate; triangles keep texture seams. Renumbers triangles
 /// and drops degenerate ones. The file is not trusted: every count is checked against the remaining
 /// bytes before memory is allocated for it. Fails with one sentence: file, line or byte, what was
-/// expected.
-Result<ReadResult> read_points(const std::filesystem::path& path, Progress& progress);
+/// expected. Fails if the options select no point, or classes of a format without them.
+Result<ReadResult> read_points(const std::filesystem::path& path, Progress& progress,
+                               const ReadOptions& options = {});
 
 /// Returns the names of all readable formats, for messages: "PLY, PCD, ... and XYZ text".
 [[nodiscard]] std::string readable_formats();

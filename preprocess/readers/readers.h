@@ -15,7 +15,7 @@ namespace relief {
 /// Reads a file in memory as read_points does: decompresses it, finds its format, reads and cleans.
 /// `path` gives the extension and begins errors.
 Result<ReadResult> read_bytes(const std::filesystem::path& path, std::vector<std::byte> bytes,
-                              Progress& progress);
+                              Progress& progress, const ReadOptions& options = {});
 
 /// Each reader returns every point of the file, NaN and duplicates included, with the attributes
 /// that all points have. Triangles may have invalid indices; clean_points drops them. On any bytes,
@@ -34,10 +34,11 @@ Result<Points> read_ply(const Source& source);
 /// viewpoint other than the default.
 Result<Points> read_pcd(const Source& source);
 
-/// Reads LAS 1.1 to 1.4, point record formats 0 to 10; skips waveforms and extra bytes. Leaves out
-/// points that are marked as withheld or classified as noise. Keeps the upper byte of 16-bit
-/// colours. If no colour of the file is above 255, they are 8-bit values; if all are 0, the file
-/// has no colours.
+/// Reads LAS 1.1 to 1.4, point record formats 0 to 10, and LAZ if the build has LASzip; skips
+/// waveforms and extra bytes. Leaves out points that are marked as withheld, classified as noise
+/// (if no classes are selected) or not selected; fails if no point is left. Keeps the upper byte of
+/// 16-bit colours. If no colour of the file is above 255, they are 8-bit values; if all are 0, the
+/// file has no colours.
 Result<Points> read_las(const Source& source);
 
 /// Reads Wavefront OBJ: v (also with colours), vn, vt, f with polygons and negative indices, lines

@@ -4,6 +4,11 @@
 
 namespace relief {
 
+const PointSelection& Source::selection() const {
+  static const PointSelection all;
+  return selected != nullptr ? *selected : all;
+}
+
 std::string quoted(std::string_view text) {
   constexpr std::size_t longest = 24;
   std::string out = "'";

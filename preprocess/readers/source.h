@@ -10,12 +10,14 @@
 #include "common/error.h"
 #include "common/points.h"
 #include "common/progress.h"
+#include "preprocess/readers/selection.h"
 
 namespace relief {
 
 /// The remarks of a reader beside the points.
 struct ReadRemarks {
-  std::uint64_t left_out = 0;  ///< points that the file marks as not to be used
+  std::uint64_t left_out = 0;      ///< points that the file marks as not to be used
+  std::uint64_t not_selected = 0;  ///< points of other classes or returns than the selection's
   std::vector<std::string>
       notes;  ///< for the user, a sentence each that begins with the file's name
 };
@@ -46,6 +48,10 @@ struct Source {
   /// Receives the points if the format streams (see format.h); the reader then returns the last
   /// ones, and triangles are left out. Null: the reader returns all points.
   PointSink* sink = nullptr;
+  /// Classes and returns of formats that have them (see format.h). Null: all points.
+  const PointSelection* selected = nullptr;
+
+  [[nodiscard]] const PointSelection& selection() const;
 };
 
 /// Reports a reader's progress, and whether to stop. Cheap enough to call for every line.

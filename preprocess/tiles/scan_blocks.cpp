@@ -32,20 +32,38 @@ void drop_nonfinite(Points& points, ScanCounts& counts) {
 /// Passes a reader's blocks on and releases the memory of bytes already read.
 class FileSink final : public PointSink {
  public:
-  FileSink(const MappedFile& file, const TakePoints& take, ScanCounts& counts)
-      : file_(file), take_(take), counts_(counts) {}
+  FileSink(const MappedFile& file, const std::optional<Bounds>& crop, const TakePoints& take,
+           ScanCounts& counts)
+      : file_(file), crop_(crop), take_(take), counts_(counts) {}
 
   Status take(Points block) override {
     block.texcoords.clear();
     drop_nonfinite(block, counts_);
+    if (crop_) {
+      for (const glm::dvec3& p : block.positions) extend(bounds_, p);
+      const std::uint64_t outside = crop_points(block, *crop_);
+      counts_.points -= outside;
+      counts_.not_selected += outside;
+    }
+    taken_ += block.size();
     return take_(std::move(block));
   }
+
+  /// Fails if the crop has left none of the points. Call it after the last one.
+  [[nodiscard]] Status check_crop(const std::string& name) const {
+    if (crop_ && taken_ == 0 && !bounds_.empty()) return nothing_in_crop(name, *crop_, bounds_);
+    return {};
+  }
+
   void pass(std::size_t offset) override { file_.release_before(offset); }
 
  private:
   const MappedFile& file_;
+  const std::optional<Bounds>& crop_;
   const TakePoints& take_;
   ScanCounts& counts_;
+  Bounds bounds_;  ///< of all finite points, if they are cropped
+  std::uint64_t taken_ = 0;
 };
 
 /// Opens a file, unpacked if it is packed. Reuses an earlier unpacked copy.
@@ -66,12 +84,13 @@ Result<MappedFile> open_unpacked(const fs::path& path, const fs::path& unpacked,
   return MappedFile::open(unpacked);
 }
 
-Status read_file_blocks(const fs::path& path, const MappedFile& file, std::uint64_t memory,
-                        const TakePoints& take, ScanCounts& counts, std::vector<std::string>& notes,
-                        Progress& progress) {
+Status read_file_blocks(const fs::path& path, const MappedFile& file, const ReadOptions& options,
+                        std::uint64_t memory, const TakePoints& take, ScanCounts& counts,
+                        std::vector<std::string>& notes, Progress& progress) {
   std::string_view text(reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size());
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  RELIEF_TRY_ASSIGN(const PointFormat* const format, find_format(path, text));
+  RELIEF_TRY_ASSIGN(const PointFormat* const format, find_format(path, text, options.format));
+  RELIEF_TRY(check_classes(path.string(), *format, options.selection));
   if (!format->streams && text.size() > memory / kMemoryPerFileByte) {
     return make_error(
         "{}: its {} MB can only be read as a whole, for which --memory is too small; use more "
@@ -79,9 +98,9 @@ Status read_file_blocks(const fs::path& path, const MappedFile& file, std::uint6
         path.string(), text.size() / 1'000'000, streamed_formats());
   }
   ReadRemarks remarks;
-  FileSink sink(file, take, counts);
-  auto rest =
-      format->read({path.string(), text, progress, remarks, format->streams ? &sink : nullptr});
+  FileSink sink(file, options.selection.crop, take, counts);
+  auto rest = format->read({path.string(), text, progress, remarks,
+                            format->streams ? &sink : nullptr, &options.selection});
   if (!rest) return rest.error();
   rest->stance = stance_of(*rest);
   if (!rest->triangles.empty()) {
@@ -90,15 +109,18 @@ Status read_file_blocks(const fs::path& path, const MappedFile& file, std::uint6
     rest->triangles.clear();
   }
   counts.left_out += remarks.left_out;
+  counts.not_selected += remarks.not_selected;
   notes.insert(notes.end(), remarks.notes.begin(), remarks.notes.end());
-  return sink.take(std::move(*rest));
+  RELIEF_TRY(sink.take(std::move(*rest)));
+  return sink.check_crop(path.string());
 }
 
 }  // namespace
 
 Result<ScanCounts> read_blocks(const std::vector<fs::path>& files, const fs::path& folder,
-                               std::uint64_t memory, const TakePoints& take,
-                               std::vector<std::string>& notes, Progress& progress) {
+                               const ReadOptions& options, std::uint64_t memory,
+                               const TakePoints& take, std::vector<std::string>& notes,
+                               Progress& progress) {
   ScanCounts counts;
   for (std::size_t number = 0; number < files.size(); ++number) {
     const fs::path& path = files[number];
@@ -111,7 +133,7 @@ Result<ScanCounts> read_blocks(const std::vector<fs::path>& files, const fs::pat
     RELIEF_TRY(guarded(reading, [&]() -> Status {
       RELIEF_TRY_ASSIGN(const auto file,
                         open_unpacked(path, folder / fmt::format("unpacked-{}", number), progress));
-      return read_file_blocks(path, file, memory, take, counts, notes, progress);
+      return read_file_blocks(path, file, options, memory, take, counts, notes, progress);
     }));
   }
   if (counts.points == 0) {

@@ -10,14 +10,16 @@
 #include "common/error.h"
 #include "common/points.h"
 #include "common/progress.h"
+#include "preprocess/readers/selection.h"
 
 namespace relief {
 
 /// Counts of the points of a scan's files.
 struct ScanCounts {
-  std::uint64_t points = 0;     ///< finite ones, duplicates included
-  std::uint64_t nonfinite = 0;  ///< dropped
-  std::uint64_t left_out = 0;   ///< marked in a file as withheld or noise (LAS)
+  std::uint64_t points = 0;        ///< finite ones, duplicates included
+  std::uint64_t nonfinite = 0;     ///< dropped
+  std::uint64_t left_out = 0;      ///< marked in a file as withheld or noise (LAS)
+  std::uint64_t not_selected = 0;  ///< by ReadOptions::selection
 };
 
 /// Receives the next points.
@@ -29,8 +31,8 @@ using TakePoints = std::function<Status(Points block)>;
 /// bytes. Packed files are first unpacked to `folder`, where a later call finds them. Triangles are
 /// left out. Adds notes for the user to `notes`.
 Result<ScanCounts> read_blocks(const std::vector<std::filesystem::path>& files,
-                               const std::filesystem::path& folder, std::uint64_t memory,
-                               const TakePoints& take, std::vector<std::string>& notes,
-                               Progress& progress);
+                               const std::filesystem::path& folder, const ReadOptions& options,
+                               std::uint64_t memory, const TakePoints& take,
+                               std::vector<std::string>& notes, Progress& progress);
 
 }  // namespace relief

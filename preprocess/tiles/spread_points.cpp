@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "common/io/standard_input.h"
 #include "preprocess/points/neighbours.h"
 #include "preprocess/tiles/checkpoint.h"
 
@@ -49,7 +50,7 @@ struct Look {
 std::uint64_t bytes_of(const std::vector<fs::path>& files) {
   std::uint64_t bytes = 0;
   std::error_code ignored;
-  for (const fs::path& file : files) bytes += fs::file_size(file, ignored);
+  for (const fs::path& file : files) bytes += fs::file_size(input_path(file), ignored);
   return bytes;
 }
 
@@ -69,7 +70,7 @@ Result<Look> look(const std::vector<fs::path>& files, const TileJob& job,
   Look seen;
   progress.begin_stage("look", bytes_of(files));
   const auto read = read_blocks(
-      files, job.folder(), options.memory_bytes,
+      files, job.folder(), options.read, options.memory_bytes,
       [&](const Points& block) -> Status {
         seen.take(block);
         return {};
@@ -98,7 +99,7 @@ Status spread(const std::vector<fs::path>& files, const TileJob& job, const Spre
   progress.begin_stage("spread", bytes_of(files));
   std::vector<std::string> repeated_notes;
   const auto read = read_blocks(
-      files, job.folder(), options.memory_bytes,
+      files, job.folder(), options.read, options.memory_bytes,
       [&](const Points& block) { return tiles.add(block); }, repeated_notes, progress);
   if (!read) return read.error();
   if (read->points != scan.read.points) {

@@ -38,6 +38,7 @@ struct SpreadOptions {
   std::uint64_t memory_bytes = 0;
   std::uint64_t max_tile_points = 0;
   double grid_spacing = 0.0;  ///< 0: not yet known
+  ReadOptions read = {};      ///< how the files are read
 };
 
 /// Returns the approximate limit of points a tile.

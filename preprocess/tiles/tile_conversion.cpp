@@ -194,6 +194,7 @@ class TileConversion {
         20.0 * std::log10(glm::distance(scan_.bounds.min, scan_.bounds.max) / report.error_rms);
     result_.nonfinite = scan_.read.nonfinite;
     result_.left_out = scan_.read.left_out;
+    result_.not_selected = scan_.read.not_selected;
     result_.duplicates = duplicates_;
     result_.tiles = tile_count();
     result_.notes = scan_.notes;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "preprocess/convert_options.h"
+#include "preprocess/readers/selection.h"
 
 namespace relief {
 
@@ -21,14 +22,16 @@ struct TileOptions {
   /// Largest number of samples of the coarsest overview: fewer than an image has pixels, read and
   /// drawn in a few milliseconds.
   std::uint64_t overview_samples = std::uint64_t{1} << 16U;
+  ReadOptions read = {};  ///< how the files are read
 };
 
 /// Result of a conversion in tiles.
 struct TiledResult {
   ConvertReport report;  ///< `normals_repaired` counts the points near tiles' borders for each tile
-  std::uint64_t nonfinite = 0;   ///< points dropped
-  std::uint64_t left_out = 0;    ///< points marked as withheld or noise (LAS)
-  std::uint64_t duplicates = 0;  ///< points merged
+  std::uint64_t nonfinite = 0;     ///< points dropped
+  std::uint64_t left_out = 0;      ///< points marked as withheld or noise (LAS)
+  std::uint64_t not_selected = 0;  ///< points that TileOptions::read does not select
+  std::uint64_t duplicates = 0;    ///< points merged
   std::uint64_t tiles = 0;
   std::uint64_t halo_points = 0;   ///< points of other tiles in halos, over all tiles
   std::uint64_t tiles_found = 0;   ///< finished by an earlier run

@@ -1,18 +1,14 @@
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <utility>
 
 #include "preprocess/readers/las/las_header.h"
-#include "preprocess/readers/number_type.h"
+#include "preprocess/readers/las/las_point.h"
 #include "preprocess/readers/readers.h"
 
 namespace relief {
 namespace {
-
-glm::u16vec3 colour_of(const char* record, std::size_t at) {
-  return {load_whole<std::uint16_t>(record + at), load_whole<std::uint16_t>(record + at + 2),
-          load_whole<std::uint16_t>(record + at + 4)};
-}
 
 /// The contents of a file's 16-bit colour fields. Files do not state it; it follows from the
 /// largest value.
@@ -22,42 +18,104 @@ enum class Colours {
   Words   ///< 16 bits
 };
 
-Colours find_colours(const Source& source, const LasHeader& header) {
+Result<LasPoints> open_points(const Source& source, const LasHeader& header) {
+  if (header.is_packed) return open_laz_points(source, header);
+  return open_las_points(source, header);
+}
+
+Result<Colours> find_colours(const Source& source, const LasHeader& header) {
   if (header.colour_at() == 0) return Colours::None;
+  RELIEF_TRY_ASSIGN(const auto reader, open_points(source, header));
   Colours found = Colours::None;
-  const char* record = source.text.data() + header.body;
-  for (std::uint64_t i = 0; i < header.points; ++i, record += header.stride) {
-    if (source.sink != nullptr && i % PointSink::kBlockPoints == 0)
-      source.sink->pass(header.body + i * header.stride);
-    const glm::u16vec3 c = colour_of(record, header.colour_at());
-    const auto largest = std::max({c.x, c.y, c.z});
+  LasPoint point;
+  for (std::uint64_t i = 0; i < header.points; ++i) {
+    if (i % PointSink::kBlockPoints == 0) {
+      if (source.progress.cancelled()) return interrupted_error();
+      if (source.sink != nullptr) source.sink->pass(reader->offset());
+    }
+    RELIEF_TRY(reader->next(point));
+    const auto largest = std::max({point.colour.x, point.colour.y, point.colour.z});
     if (largest > 255) return Colours::Words;
     if (largest > 0) found = Colours::Bytes;
   }
   return found;
 }
 
-/// Points that the file marks as not to be used.
-struct LeftOut {
-  std::uint64_t withheld = 0;
-  std::uint64_t noise = 0;
+/// Decides which points are read, and counts the others.
+class PointFilter {
+ public:
+  PointFilter(const PointSelection& selection, bool is_wide)
+      : selection_(selection), has_classes_(selection.classes.any()), is_wide_(is_wide) {}
 
-  /// Returns whether this point is one, and counts it.
-  bool takes(const char* record, bool is_wide) {
-    const auto flags = load_whole<std::uint8_t>(record + 15);
-    if ((flags & (is_wide ? 0x04U : 0x80U)) != 0) {
-      ++withheld;
-      return true;
+  [[nodiscard]] bool takes(const LasPoint& point) {
+    if (point.is_withheld) {
+      ++withheld_;
+      return false;
     }
     // Class 18, high noise, is only defined in formats with a separate byte for classes.
-    const auto point_class = is_wide ? load_whole<std::uint8_t>(record + 16) : flags & 0x1FU;
-    const bool is_noise = point_class == 7 || (is_wide && point_class == 18);
-    noise += is_noise ? 1U : 0U;
-    return is_noise;
+    const bool is_noise = point.point_class == 7 || (is_wide_ && point.point_class == 18);
+    if (!has_classes_ && is_noise) {
+      ++noise_;
+      return false;
+    }
+    ++of_class_[point.point_class];
+    if ((!has_classes_ || selection_.classes.test(point.point_class)) && takes_return(point))
+      return true;
+    ++not_selected_;
+    return false;
   }
+
+  void add_remarks(const Source& source) const {
+    source.remarks.left_out = withheld_ + noise_;
+    source.remarks.not_selected = not_selected_;
+    if (withheld_ + noise_ == 0) return;
+    source.remarks.notes.push_back(
+        fmt::format("{}: {} withheld points and {} of noise (class 7 or 18) are left out",
+                    source.name, withheld_, noise_));
+  }
+
+  /// Returns why no point of a file with points was taken.
+  [[nodiscard]] Error no_points(const Source& source) const {
+    if (not_selected_ == 0) {
+      return make_error("{}: holds no points to use: all {} are marked as withheld or noise",
+                        source.name, withheld_ + noise_);
+    }
+    std::string classes;
+    for (std::size_t c = 0; c < of_class_.size(); ++c) {
+      if (of_class_[c] > 0) classes += fmt::format("{}{}", classes.empty() ? "" : ", ", c);
+    }
+    return make_error("{}: no point is selected by {}; its classes are {}", source.name,
+                      describe_classes(selection_), classes);
+  }
+
+ private:
+  [[nodiscard]] bool takes_return(const LasPoint& point) const {
+    switch (selection_.returns) {
+      case ReturnChoice::All:
+        return true;
+      case ReturnChoice::First:
+        return point.return_number == 1;
+      // Some writers count the returns of a pulse too low.
+      case ReturnChoice::Last:
+        return point.return_number >= point.returns;
+      case ReturnChoice::Single:
+        return point.return_number == 1 && point.returns == 1;
+      case ReturnChoice::Numbered:
+        return point.return_number == selection_.return_number;
+    }
+    return true;
+  }
+
+  const PointSelection& selection_;
+  bool has_classes_;
+  bool is_wide_;
+  std::uint64_t withheld_ = 0;
+  std::uint64_t noise_ = 0;
+  std::uint64_t not_selected_ = 0;
+  std::array<std::uint64_t, 256> of_class_{};
 };
 
-void add_remarks(const Source& source, Colours colours, const LeftOut& left_out) {
+void note_colours(const Source& source, Colours colours) {
   if (colours == Colours::Bytes) {
     source.remarks.notes.push_back(fmt::format(
         "{}: its colours are at most 255 and taken as 8-bit, though their fields have 16 bits",
@@ -66,51 +124,44 @@ void add_remarks(const Source& source, Colours colours, const LeftOut& left_out)
     source.remarks.notes.push_back(
         fmt::format("{}: its colours have 16 bits, of which the upper 8 are taken", source.name));
   }
-  source.remarks.left_out = left_out.withheld + left_out.noise;
-  if (source.remarks.left_out == 0) return;
-  source.remarks.notes.push_back(
-      fmt::format("{}: {} withheld points and {} of noise (class 7 or 18) are left out",
-                  source.name, left_out.withheld, left_out.noise));
 }
 
 }  // namespace
 
 Result<Points> read_las(const Source& source) {
   RELIEF_TRY_ASSIGN(const auto header, read_las_header(source));
-  const Colours colours = find_colours(source, header);
+  RELIEF_TRY_ASSIGN(const Colours colours, find_colours(source, header));
+  RELIEF_TRY_ASSIGN(const auto reader, open_points(source, header));
   Points points;
   std::uint64_t given = 0;  // to the sink
+  // The count of a packed file says little: its points may take next to no bytes.
   const std::uint64_t capacity =
-      source.sink != nullptr ? std::min<std::uint64_t>(header.points, PointSink::kBlockPoints)
-                             : header.points;
+      source.sink != nullptr || header.is_packed
+          ? std::min<std::uint64_t>(header.points, PointSink::kBlockPoints)
+          : header.points;
   points.positions.reserve(capacity);
   if (colours != Colours::None) points.colours.reserve(capacity);
   // The upper byte is right for both scalings of a byte to 16 bits, by 256 and by 257.
   const unsigned shift = colours == Colours::Words ? 8 : 0;
-  LeftOut left_out;
+  PointFilter filter(source.selection(), header.is_wide());
   ReadMeter meter(source);
+  LasPoint point;
   for (std::uint64_t i = 0; i < header.points; ++i) {
-    const std::size_t at = header.body + i * header.stride;
-    if (!meter.advance_to(at)) return interrupted_error();
-    const char* const record = source.text.data() + at;
-    if (left_out.takes(record, header.is_wide())) continue;
-    const glm::dvec3 steps(load_whole<std::int32_t>(record), load_whole<std::int32_t>(record + 4),
-                           load_whole<std::int32_t>(record + 8));
-    points.positions.push_back(header.offset + header.scale * steps);
-    if (colours != Colours::None) {
-      const glm::u16vec3 c = colour_of(record, header.colour_at());
-      points.colours.emplace_back(c.x >> shift, c.y >> shift, c.z >> shift);
-    }
+    if (!meter.advance_to(reader->offset())) return interrupted_error();
+    RELIEF_TRY(reader->next(point));
+    if (!filter.takes(point)) continue;
+    points.positions.push_back(header.offset + header.scale * glm::dvec3(point.steps));
+    if (colours != Colours::None)
+      points.colours.emplace_back(point.colour.x >> shift, point.colour.y >> shift,
+                                  point.colour.z >> shift);
     if (source.sink != nullptr && points.size() == PointSink::kBlockPoints) {
       given += points.size();
       if (Status taken = source.sink->take(std::exchange(points, {})); !taken) return taken.error();
     }
   }
-  add_remarks(source, colours, left_out);
-  if (points.size() + given == 0 && source.remarks.left_out > 0) {
-    return make_error("{}: holds no points to use: all {} are marked as withheld or noise",
-                      source.name, header.points);
-  }
+  note_colours(source, colours);
+  filter.add_remarks(source);
+  if (points.size() + given == 0 && header.points > 0) return filter.no_points(source);
   return points;
 }
 

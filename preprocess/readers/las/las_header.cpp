@@ -95,13 +95,10 @@ class LasHeaderReader {
                       "the file {}",
                       header_size_, min_size, size_));
     }
-    const auto format = whole<std::uint8_t>(kFormat);
-    if ((format & 0x80U) != 0) {
-      return make_error(
-          "{}: is packed as LAZ (or COPC, which is LAZ too), which cannot be read; unpack it to "
-          "LAS first, with `laszip -i IN.laz -o OUT.las` or `pdal translate IN.laz OUT.las`",
-          source_.name);
-    }
+    const std::uint32_t stated = whole<std::uint8_t>(kFormat);
+    // LAZ marks packed points by the upper bits.
+    header_.is_packed = (stated & 0xC0U) != 0;
+    const std::uint32_t format = stated & 0x3FU;
     if (format >= kFormats) {
       return damaged(kFormat, fmt::format("states point record format {}, but there are 0 to {}",
                                           format, kFormats - 1));
@@ -178,7 +175,7 @@ class LasHeaderReader {
 
   Status check_body() {
     const std::size_t left = size_ - header_.body;
-    if (header_.points > left / header_.stride) {
+    if (!header_.is_packed && header_.points > left / header_.stride) {
       return damaged(is_14_ ? kPoints : kLegacyPoints,
                      fmt::format("states {} points of {} bytes, but the {} bytes after byte {} "
                                  "cannot hold them",
@@ -192,7 +189,8 @@ class LasHeaderReader {
     const std::uint32_t count = is_14_ ? whole<std::uint32_t>(kExtendedCount) : 0;
     if (count == 0) return {};
     const auto first = whole<std::uint64_t>(kExtendedRecords);
-    const std::uint64_t points_end = header_.body + header_.points * header_.stride;
+    const std::uint64_t points_end =
+        header_.body + (header_.is_packed ? 0 : header_.points * header_.stride);
     if (first < points_end || first > size_) {
       return damaged(kExtendedRecords,
                      fmt::format("extended variable length records are said to begin at byte {}, "

@@ -12,6 +12,7 @@ namespace relief {
 /// A point's position is offset + scale * (its three integers).
 struct LasHeader {
   std::uint32_t format = 0;  ///< point record format, 0 to 10
+  bool is_packed = false;    ///< LAZ, or COPC, which is LAZ too
   std::size_t body = 0;      ///< byte of the first point
   std::size_t stride = 0;    ///< bytes per point, extra bytes included
   std::uint64_t points = 0;
@@ -24,8 +25,8 @@ struct LasHeader {
   [[nodiscard]] std::size_t colour_at() const;
 };
 
-/// Reads and checks the header (LAS 1.1 to 1.4, ASPRS). Variable length records and all points must
-/// fit into the file.
+/// Reads and checks the header (LAS 1.1 to 1.4, ASPRS). Variable length records must fit into the
+/// file, and all points, unless they are packed.
 Result<LasHeader> read_las_header(const Source& source);
 
 }  // namespace relief

@@ -16,6 +16,8 @@ struct LasPoint {
   std::uint8_t point_class = 1;
   bool withheld = false;
   std::array<std::uint16_t, 3> colour{0xFF00, 0x8000, 0};
+  unsigned return_number = 1;
+  unsigned returns = 1;
 };
 
 struct LasFile {
@@ -38,11 +40,13 @@ inline std::uint16_t las_header_size(std::uint8_t minor) {
 inline std::string las_record(const LasPoint& p, std::uint8_t format, std::uint16_t extra_bytes) {
   std::string out = pack(p.steps[0], p.steps[1], p.steps[2], std::uint16_t{0xABCD});
   const auto flags = static_cast<std::uint8_t>(p.withheld ? (format < 6 ? 0x80 : 0x04) : 0);
+  const auto returns =
+      static_cast<std::uint8_t>(p.return_number | p.returns << (format < 6 ? 3U : 4U));
   if (format < 6) {
-    out += pack(std::uint8_t{0x11}, static_cast<std::uint8_t>(p.point_class | flags),
-                std::int8_t{-9}, std::uint8_t{0xEE}, std::uint16_t{7});
+    out += pack(returns, static_cast<std::uint8_t>(p.point_class | flags), std::int8_t{-9},
+                std::uint8_t{0xEE}, std::uint16_t{7});
   } else {
-    out += pack(std::uint8_t{0x11}, flags, p.point_class, std::uint8_t{0xEE}, std::int16_t{-900},
+    out += pack(returns, flags, p.point_class, std::uint8_t{0xEE}, std::int16_t{-900},
                 std::uint16_t{7}, 123456.789);
   }
   const bool time = format == 1 || format == 3 || format == 4 || format == 5;

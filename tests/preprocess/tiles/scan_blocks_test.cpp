@@ -28,7 +28,7 @@ Gathered gather(const std::vector<std::filesystem::path>& files, const ScratchFo
   Gathered all;
   Progress progress;
   const auto counts = read_blocks(
-      files, folder.path(), std::uint64_t{1} << 30U,
+      files, folder.path(), {}, std::uint64_t{1} << 30U,
       [&](const Points& block) -> Status {
         if (block.size() == 0) return {};
         ++all.blocks;
@@ -49,7 +49,8 @@ std::string gather_error(const std::filesystem::path& file, const ScratchFolder&
   Progress progress;
   std::vector<std::string> notes;
   const auto counts = read_blocks(
-      {file}, folder.path(), memory, [](const Points&) -> Status { return {}; }, notes, progress);
+      {file}, folder.path(), {}, memory, [](const Points&) -> Status { return {}; }, notes,
+      progress);
   return counts ? "no error" : counts.error().message;
 }
 
@@ -181,6 +182,50 @@ TEST(ScanBlocks, DamageIsFoundAsItIsInTheWhole) {
   EXPECT_NE(gather_error(folder / "b.ply.gz", folder).find("truncated"), std::string::npos);
   // Nothing half unpacked is left to be taken for the file.
   EXPECT_FALSE(std::filesystem::exists(folder / "unpacked-0"));
+}
+
+TEST(ScanBlocksTest, SelectsAsReadingAtOnceDoes) {
+  test::LasFile file{.format = 0};
+  for (std::int32_t k = 0; k < 150000; ++k) {
+    file.points.push_back({{k, k % 977, 0},
+                           static_cast<std::uint8_t>(k % 5),
+                           false,
+                           {},
+                           static_cast<unsigned>(1 + k % 2),
+                           2});
+  }
+  const ScratchFolder folder;
+  const auto path = folder.path() / "a.las";
+  spill(path, test::las_file(file));
+  ReadOptions options;
+  options.selection.classes.set(1).set(3);
+  options.selection.returns = ReturnChoice::Last;
+  options.selection.crop = Bounds{{100, 1, -1}, {1200.5, 9, 1}};
+  Progress progress;
+  const auto whole = read_points(path, progress, options);
+  ASSERT_TRUE(whole);
+  std::vector<glm::dvec3> positions;
+  std::vector<std::string> notes;
+  const auto counts = read_blocks(
+      {path}, folder.path(), options, std::uint64_t{1} << 30U,
+      [&](const Points& block) -> Status {
+        positions.insert(positions.end(), block.positions.begin(), block.positions.end());
+        return {};
+      },
+      notes, progress);
+  ASSERT_TRUE(counts);
+  EXPECT_GT(positions.size(), 10000U);
+  EXPECT_EQ(positions, whole->points.positions);
+  EXPECT_EQ(counts->points, positions.size());
+  EXPECT_EQ(counts->not_selected, whole->not_selected);
+  EXPECT_EQ(counts->points + counts->not_selected, 150000U);
+  // A box beside the scan, and a class that no block has.
+  options.selection.crop = Bounds{{-2, -2, -1}, {-1, -1, 1}};
+  const auto none = read_blocks(
+      {path}, folder.path(), options, std::uint64_t{1} << 30U,
+      [](const Points&) -> Status { return {}; }, notes, progress);
+  ASSERT_FALSE(none);
+  EXPECT_NE(none.error().message.find("no point lies in --crop -2,-2,-1,-1"), std::string::npos);
 }
 
 }  // namespace
