@@ -80,6 +80,7 @@ int run_compare(const CompareArguments& arguments) {
     const Status writable = check_output(arguments.heatmap, {arguments.test, arguments.reference});
     if (!writable) return fail(writable.error());
   }
+  const InterruptedFiles unfinished({arguments.heatmap}, nullptr);
   const FlipOptions options = flip_options(arguments);
   const auto comparison = compare_files(arguments, options);
   if (!comparison) return fail(comparison.error());

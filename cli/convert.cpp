@@ -21,6 +21,7 @@
 #include "cli/options/texture_options.h"
 #include "cli/options/values.h"
 #include "cli/reports/convert_report.h"
+#include "common/io/extension.h"
 #include "common/patch_file/patch_file.h"
 #include "loader/load_files.h"
 #include "preprocess/convert_tiles.h"
@@ -130,6 +131,7 @@ int run_convert(const ConvertArguments& arguments) {
   if (const Status writable = check_output(arguments.output, files_read(arguments)); !writable) {
     return fail(writable.error());
   }
+  const InterruptedFiles unfinished({arguments.output}, [&] { return kept_by(arguments); });
   const tbb::global_control threads(
       tbb::global_control::max_allowed_parallelism,
       arguments.options.threads > 0 ? static_cast<std::size_t>(arguments.options.threads)
@@ -158,7 +160,7 @@ void add_surface_options(CLI::App& sub, ConvertArguments& arguments) {
       sub.add_option("--samples", arguments.options.samples,
                      "Make about so many samples, 64 or more, at most 4 for each point (default: "
                      "as --spacing has it)")
-          ->check(CLI::Range(kFewestSamples, kMostSamples))
+          ->check(count_from(kFewestSamples, kMostSamples))
           ->excludes(spacing)
           ->option_text("N");
   sub.add_option("--error", arguments.options.error,
@@ -181,7 +183,7 @@ void add_surface_options(CLI::App& sub, ConvertArguments& arguments) {
          "--cone-degrees", arguments.options.cone_degrees,
          "Largest angle between the normal of a patch and of its points, in degrees, 1 to 89; "
          "larger makes fewer patches (default 70)")
-      ->check(CLI::Range(1.0, 89.0))
+      ->check(number_from(1.0, 89.0))
       ->option_text("DEG");
   CLI::Option* const seams = sub.add_flag_callback(
       "--seams", [&arguments] { arguments.options.seams = true; },
@@ -197,8 +199,30 @@ void add_surface_options(CLI::App& sub, ConvertArguments& arguments) {
                      "without faces)",
                      arguments.options.overlap_cells))
       ->excludes(seams)
-      ->check(CLI::Range(0, 16))
+      ->check(count_from(0, 16))
       ->option_text("CELLS");
+}
+
+/// Refuses a name that does not end in .relief: `relief convert a.ply b.ply -o c.ply` would replace
+/// a scan.
+CLI::Validator patch_file_name() {
+  const auto complain = [](const std::string& name) {
+    return lower_extension(name) == ".relief"
+               ? std::string()
+               : "expected a name that ends in .relief; found " + name;
+  };
+  return {complain, ""};
+}
+
+/// Refuses what is less than tiles need. Sees bytes, whatever unit the user chose.
+CLI::Validator memory_limit() {
+  const auto complain = [](const std::string& text) {
+    const auto bytes = parse_number(text);
+    return bytes && *bytes >= static_cast<double>(kMinTileMemory) && *bytes <= 0x1p50
+               ? std::string()
+               : fmt::format("expected 256M or more; found {} bytes", text);
+  };
+  return {complain, ""};
 }
 
 /// Sets the noise to remove: auto, 0 or a standard deviation of at most 1e100.
@@ -208,7 +232,7 @@ void read_noise(const std::string& text, ConvertOptions& options) {
   const std::optional<double> noise = parse_number(text);
   if (!noise || !(*noise >= 0.0 && *noise <= 1e100)) {
     throw CLI::ValidationError(
-        "--noise", fmt::format("{} is neither auto nor a number from 0 to 1e100", text));
+        "--noise", fmt::format("expected auto or a number from 0 to 1e100; found {}", text));
   }
   options.noise = *noise;
   options.noise_removal = *noise > 0.0 ? NoiseRemoval::AsGiven : NoiseRemoval::None;
@@ -244,15 +268,15 @@ void add_file_options(CLI::App& sub, ConvertArguments& arguments) {
          "--codec", arguments.file.codec,
          "Codec: fast reads and writes quickest; compact halves the bytes of heights, and its "
          "coarse levels can be read separately (default fast)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, PatchCodec>{
-          {"fast", PatchCodec::Fast}, {"compact", PatchCodec::Compact}}))
+      ->transform(one_of(std::map<std::string, PatchCodec>{{"fast", PatchCodec::Fast},
+                                                           {"compact", PatchCodec::Compact}}))
       ->option_text("fast|compact");
   sub.add_option("--normal-degrees", arguments.file.normal_degrees,
                  fmt::format("Largest error of normals, in degrees, {:g} to {:g}, with --codec "
                              "compact; normals this near to those of the heights are not stored "
                              "(default {:g})",
                              kMinNormalDegrees, kMaxNormalDegrees, arguments.file.normal_degrees))
-      ->check(CLI::Range(kMinNormalDegrees, kMaxNormalDegrees))
+      ->check(number_from(kMinNormalDegrees, kMaxNormalDegrees))
       ->option_text("DEG");
 }
 
@@ -268,7 +292,7 @@ void add_texture_options(CLI::App& sub, ConvertArguments& arguments) {
                      "with textures, 1 to {} (default: the power of two that keeps the "
                      "texture's resolution, patch by patch)",
                      kMaxTexelsPerCell))
-      ->check(CLI::Range(1U, kMaxTexelsPerCell))
+      ->check(count_from(1, kMaxTexelsPerCell))
       ->option_text("N");
 }
 
@@ -286,7 +310,7 @@ void add_resource_options(CLI::App& sub, ConvertArguments& arguments) {
           ->excludes("--noise")
           ->excludes("--thin")
           ->transform(CLI::AsSizeValue(false))
-          ->check(CLI::Range(kMinTileMemory, std::uint64_t{1} << 50U))
+          ->check(memory_limit())
           ->option_text("BYTES");
   sub.add_flag_callback(
          "--no-overviews", [&arguments] { arguments.tiles.overviews = false; },
@@ -297,7 +321,7 @@ void add_resource_options(CLI::App& sub, ConvertArguments& arguments) {
   sub.add_option(
          "--threads", arguments.options.threads,
          "Threads, 1 to 1024; the file does not depend on them (default: one for each core)")
-      ->check(CLI::Range(1, 1024))
+      ->check(count_from(1, 1024))
       ->option_text("N");
 }
 
@@ -311,6 +335,7 @@ void add_convert(CLI::App& app, Command& command) {
       ->option_text("FILE...");
   sub->add_option("-o,--output", arguments->output, "Patch file to write (.relief)")
       ->required()
+      ->check(patch_file_name())
       ->option_text("FILE (required)");
   add_surface_options(*sub, *arguments);
   add_point_options(*sub, *arguments);

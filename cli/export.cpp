@@ -123,6 +123,7 @@ int run_export(const ExportArguments& arguments) {
   if (const Status writable = check_output(arguments.output, {arguments.input}); !writable) {
     return fail(writable.error());
   }
+  const InterruptedFiles unfinished({arguments.output}, nullptr);
   ConsoleProgress progress;
   auto summary = export_file(arguments, progress);
   progress.finish();

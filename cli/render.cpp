@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <atomic>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -108,14 +109,14 @@ class ImageWriter {
   }
   Status finish() { return film_ ? film_->finish() : Status(); }
 
-  /// Images in files that are complete, also after a failure.
+  /// Images in files that are complete, also after a failure. Thread-safe.
   [[nodiscard]] std::size_t written() const { return written_; }
 
  private:
   const std::vector<std::filesystem::path>& files_;
   double frames_per_second_ = 0.0;
   std::optional<FilmFile> film_;
-  std::size_t written_ = 0;
+  std::atomic<std::size_t> written_ = 0;
 };
 
 /// Loads, renders and writes.
@@ -169,16 +170,26 @@ int run_render(const RenderArguments& arguments) {
                    arguments.input.string(), plan->views.size()));
     return kWrongUsage;
   }
+  if (plan->file.empty() && marks_views(arguments.output)) {
+    (void)fail(
+        make_error("{}: {{view}} stands for the views of a .json scene, and {} is none; leave it "
+                   "out",
+                   arguments.output.string(), arguments.input.string()));
+    return kWrongUsage;
+  }
   const auto files = image_files(arguments.output, *plan);
   if (const Status good = check_files(*plan, arguments.texture.file, files); !good)
     return fail(good.error());
   ImageWriter writer(files, arguments.frames_per_second.value_or(kFramesPerSecond));
+  const auto kept = [&] {
+    const std::size_t count = writer.written();
+    return count == 0 ? std::string()
+                      : fmt::format("{} of {} images were written", count, files.size());
+  };
+  const InterruptedFiles unfinished(files, kept);
   const auto written = make_images(*plan, files, arguments, writer);
   if (!written) {
-    return fail(written.error(),
-                writer.written() == 0
-                    ? std::string()
-                    : fmt::format("{} of {} images were written", writer.written(), files.size()));
+    return fail(written.error(), kept());
   }
   return report(*plan, *written, arguments.json);
 }

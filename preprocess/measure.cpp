@@ -9,6 +9,9 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <optional>
+
+#include "preprocess/nearest_patch.h"
 
 namespace relief {
 namespace {
@@ -154,16 +157,16 @@ void compare_with_seams(const std::vector<glm::dvec3>& positions, const std::vec
 Fidelity measure_fidelity(const std::vector<glm::dvec3>& positions,
                           const std::vector<double>& distances, const std::vector<Patch>& patches) {
   const double limit = kUncoveredInSpacings * largest_spacing(patches);
+  std::optional<NearestPatch> nearest;
+  if (std::ranges::any_of(distances, [limit](double d) { return d > limit; }))
+    nearest.emplace(patches);
   // Fixed chunks, joined in order: floating-point sums do not depend on the number of threads.
   const Sums total = tbb::parallel_deterministic_reduce(
       tbb::blocked_range<std::size_t>(0, distances.size(), 4096), Sums{},
       [&](const tbb::blocked_range<std::size_t>& range, Sums sums) {
         for (std::size_t i = range.begin(); i != range.end(); ++i) {
           double d = distances[i];
-          if (d > limit) {
-            for (const Patch& patch : patches)
-              d = std::min(d, distance_or_far(patch, positions[i]));
-          }
+          if (d > limit) d = nearest->distance(positions[i], d);
           if (d > limit) ++sums.uncovered;
           if (d == kFar) d = limit;
           sums.squared += d * d;

@@ -3,12 +3,17 @@
 #include <CLI/CLI.hpp>
 #include <map>
 
+#include "cli/options/values.h"
+
 namespace relief::cli {
 namespace {
 
 const std::map<std::string, Acquisition> kAcquisitions{{"given", Acquisition::Given},
                                                        {"ewa", Acquisition::ViewIndependent},
                                                        {"optimised", Acquisition::Optimised}};
+
+/// Memory allows fewer, which is checked once the mesh is known.
+constexpr std::uint32_t kMostSplats = 1'000'000'000;
 
 }  // namespace
 
@@ -33,8 +38,8 @@ void add_texture_options(CLI::App& sub, TextureArguments& arguments) {
       ->option_text("given|ewa|optimised")
       ->needs(texture);
   sub.add_option("--points", arguments.points,
-                 "ewa: number of splats for a --texture, above 0 (default 100000)")
-      ->check(CLI::PositiveNumber)
+                 "ewa: number of splats for a --texture, 1 to 1000000000 (default 100000)")
+      ->check(count_from(1, kMostSplats))
       ->option_text("N")
       ->needs(texture);
 }

@@ -24,6 +24,8 @@ struct RunOptions {
   std::optional<std::uint64_t> largest_file;  ///< bytes; a write beyond them fails (RLIMIT_FSIZE)
   bool terminal = false;                      ///< standard error is a terminal
   std::string interrupt_at;  ///< with `terminal`: SIGINT once standard error shows this text
+  bool closed_out = false;   ///< standard output is closed, as by `>&-`
+  bool unread_out = false;   ///< standard output is a pipe whose reader has left, as by `| head -0`
 };
 
 Outcome run_relief(const std::vector<std::string>& arguments, const RunOptions& options = {});
