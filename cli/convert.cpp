@@ -50,6 +50,7 @@ struct ConvertArguments {
   std::vector<std::filesystem::path> inputs;
   std::filesystem::path output;
   std::filesystem::path texture;  ///< as texture_choice has it
+  bool flips_v = false;
   ConvertOptions options;
   PatchFileOptions file;
   TileOptions tiles{.memory_bytes = 0};  ///< 0: no limit, in one piece
@@ -88,8 +89,9 @@ Result<ConvertSummary> convert_files(const ConvertArguments& arguments, Progress
     RELIEF_TRY_ASSIGN(auto larger, convert_larger(arguments, progress));
     if (larger) return std::move(*larger);
   }
-  RELIEF_TRY_ASSIGN(auto read,
-                    load_points(arguments.inputs, texture_choice(arguments.texture), progress));
+  RELIEF_TRY_ASSIGN(
+      auto read, load_points(arguments.inputs, texture_choice(arguments.texture, arguments.flips_v),
+                             progress));
   ConvertSummary summary;
   if (arguments.clean) summary.outliers = remove_outliers(read.points, progress);
   if (summary.outliers.were_too_many)
@@ -286,6 +288,7 @@ void add_texture_options(CLI::App& sub, ConvertArguments& arguments) {
          "Image that the mesh's texture coordinates refer to, in place of the file's own images "
          "and normal maps; none: no textures (default: the file's own)")
       ->option_text("FILE|none");
+  add_flip_option(sub, arguments.flips_v);
   sub.add_option(
          "--texels-per-cell", arguments.options.texels_per_cell,
          fmt::format("Texels of colour and normal maps along the side of a grid cell, for a mesh "

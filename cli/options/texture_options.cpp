@@ -17,9 +17,15 @@ constexpr std::uint32_t kMostSplats = 1'000'000'000;
 
 }  // namespace
 
-TextureChoice texture_choice(const std::filesystem::path& option) {
-  if (option == "none") return {true, {}};
-  return {false, option};
+TextureChoice texture_choice(const std::filesystem::path& option, bool flips_v) {
+  if (option == "none") return {true, {}, flips_v};
+  return {false, option, flips_v};
+}
+
+void add_flip_option(CLI::App& sub, bool& flips_v) {
+  sub.add_flag("--flip-v", flips_v,
+               "Let texture coordinates count from the picture's upper edge, for a mesh whose "
+               "picture is upside down");
 }
 
 void add_texture_options(CLI::App& sub, TextureArguments& arguments) {
@@ -30,6 +36,7 @@ void add_texture_options(CLI::App& sub, TextureArguments& arguments) {
              "own; none: no texture; ewa spreads splats over the faces (default: the file's "
              "own)")
           ->option_text("FILE|none");
+  add_flip_option(sub, arguments.flips_v);
   sub.add_option(
          "--acquisition", arguments.acquisition,
          "ewa: how splats get the texture's colours: given takes its value at the point, ewa "
@@ -46,7 +53,7 @@ void add_texture_options(CLI::App& sub, TextureArguments& arguments) {
 
 LoadOptions load_options(const TextureArguments& arguments) {
   LoadOptions options;
-  options.textures = texture_choice(arguments.file);
+  options.textures = texture_choice(arguments.file, arguments.flips_v);
   if (arguments.acquisition)
     options.acquisition.acquisition = kAcquisitions.at(*arguments.acquisition);
   options.acquisition.points = arguments.points.value_or(options.acquisition.points);

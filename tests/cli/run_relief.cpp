@@ -83,8 +83,15 @@ Outcome run_relief(const std::vector<std::string>& arguments, const RunOptions& 
   bool interrupted = options.interrupt_at.empty();
   std::array<pollfd, 2> streams{
       {{options.unread_out ? -1 : out.read_end, POLLIN, 0}, {err.read_end, POLLIN, 0}}};
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  std::optional<Clock::time_point> interrupt;
   while (streams[0].fd >= 0 || streams[1].fd >= 0) {
-    poll(streams.data(), streams.size(), -1);
+    poll(streams.data(), streams.size(), options.interrupt_after ? 1 : -1);
+    if (options.interrupt_after && !interrupt && Clock::now() - start >= *options.interrupt_after) {
+      kill(child, SIGINT);
+      interrupt = Clock::now();
+    }
     if (streams[0].revents != 0 && !read_some(out.read_end, run.out)) streams[0].fd = -1;
     if (streams[1].revents != 0 && !read_some(err.read_end, run.err)) streams[1].fd = -1;
     if (!interrupted && run.err.find(options.interrupt_at) != std::string::npos) {
@@ -96,6 +103,8 @@ Outcome run_relief(const std::vector<std::string>& arguments, const RunOptions& 
   close(err.read_end);
   int status = 0;
   waitpid(child, &status, 0);
+  if (interrupt)
+    run.seconds_after_interrupt = std::chrono::duration<double>(Clock::now() - *interrupt).count();
   run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
   return run;
 }

@@ -73,14 +73,18 @@ glm::ivec2 height_range(const Patch& patch) {
 /// Projects triangles along a patch's normal.
 class View {
  public:
-  View(const Patch& patch, const Points& mesh)
+  /// `low`, `high`: in cells of height, between which triangles are wanted.
+  View(const Patch& patch, const Points& mesh, double low, double high)
       : mesh_(mesh),
         to_local_(glm::transpose(patch.axes)),
         origin_(patch.origin),
         spacing_(patch.spacing),
-        cells_(patch.width - 1, patch.height - 1) {}
+        cells_(patch.width - 1, patch.height - 1),
+        low_(low),
+        high_(high) {}
 
-  /// Adds a triangle, unless it is beside the patch's grid or edge-on.
+  /// Adds a triangle, unless it is beside the patch's grid, above it, below it or edge-on. (The
+  /// sphere about a large triangle reaches far above it: of a stack of 400, each patch got all.)
   void add(std::uint32_t index, std::vector<FlatTriangle>& to) const {
     FlatTriangle flat;
     flat.index = index;
@@ -90,6 +94,8 @@ class View {
       flat.corners[c] = glm::dvec2(position);
       flat.heights[static_cast<glm::length_t>(c)] = position.z;
     }
+    const glm::dvec3& z = flat.heights;
+    if (std::min({z.x, z.y, z.z}) > high_ || std::max({z.x, z.y, z.z}) < low_) return;
     const auto& p = flat.corners;
     const glm::dvec2 low = glm::min(glm::min(p[0], p[1]), p[2]);
     const glm::dvec2 high = glm::max(glm::max(p[0], p[1]), p[2]);
@@ -104,6 +110,8 @@ class View {
   glm::dvec3 origin_;
   double spacing_;
   glm::dvec2 cells_;
+  double low_;
+  double high_;
 };
 
 /// Sorts numbers below `end`. For many numbers, a bit set is faster than comparisons.
@@ -241,7 +249,7 @@ std::vector<FlatTriangle> TriangleSpheres::find_over(const Patch& patch) const {
   sort_numbers(near, spheres_.size());
   std::vector<FlatTriangle> found;
   found.reserve(near.size());
-  const View view(patch, mesh_);
+  const View view(patch, mesh_, low.z, high.z);
   for (const std::uint32_t t : near) view.add(t, found);
   return found;
 }
