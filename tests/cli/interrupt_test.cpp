@@ -57,7 +57,7 @@ class Interrupts : public CliTest {
 };
 
 TEST_F(Interrupts, OfConversionsLeaveNothing) {
-  interrupt_often({"convert", write_knot(40000), "-o", path("a.relief")}, path("a.relief"), 8);
+  interrupt_often({"convert", write_knot(20000), "-o", path("a.relief")}, path("a.relief"), 6);
 }
 
 TEST_F(Interrupts, OfImagesLeaveNothing) {
@@ -65,12 +65,12 @@ TEST_F(Interrupts, OfImagesLeaveNothing) {
   ASSERT_EQ(run_relief({"convert", scan, "-o", path("a.relief")}).exit_code, 0);
   for (const std::string engine : {"onepass", "multipass", "ewa", "raytrace"}) {
     interrupt_often(
-        {"render", path("a.relief"), "-o", path("a.exr"), "--engine", engine, "--size", "700x700"},
-        path("a.exr"), 4);
+        {"render", path("a.relief"), "-o", path("a.exr"), "--engine", engine, "--size", "300x300"},
+        path("a.exr"), 2);
   }
   interrupt_often(
-      {"render", path("a.relief"), "-o", path("a.png"), "--samples", "16", "--size", "2000x2000"},
-      path("a.png"), 4);
+      {"render", path("a.relief"), "-o", path("a.png"), "--samples", "16", "--size", "800x800"},
+      path("a.png"), 2);
 }
 
 /// What a driver or a library does: it runs for long and does not look.

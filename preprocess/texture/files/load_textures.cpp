@@ -252,7 +252,8 @@ Status load_textures(const fs::path& mesh, const TextureChoice& choice, Points& 
     done = put_on_all(mesh, choice.image, points);
   } else {
     done = resolve_materials(mesh, points, notes);
-    if (done) note_missing_picture(mesh, points, notes);
+    // A missing material file has a note of its own.
+    if (done && notes.empty()) note_missing_picture(mesh, points, notes);
   }
   points.material_files.clear();
   if (done && !has_triangle_colours(points)) leave_out(points);

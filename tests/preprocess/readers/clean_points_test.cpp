@@ -47,9 +47,9 @@ TEST(CleanPointsTest, DropsNonFiniteMergesEqualAndKeepsTheOrderOfFirstAppearance
 TEST(CleanPointsTest, RenumbersTrianglesAndDropsTheDegenerate) {
   Points points;
   points.positions = {{0, 0, 0}, {kNan, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 1, 0}};
-  points.triangles = {{0, 2, 4}, {3, 2, 4}, {0, 1, 2}, {0, 3, 4}, {0, 2, 5}, {0, 2, UINT32_MAX}};
+  points.triangles = {{0, 2, 4}, {2, 3, 4}, {0, 1, 2}, {0, 3, 4}, {0, 2, 5}, {0, 2, UINT32_MAX}};
   const ReadResult result = clean_points(points);
-  EXPECT_EQ(result.points.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 1, 2}}));
+  EXPECT_EQ(result.points.triangles, (std::vector<Triangle>{{0, 1, 2}, {1, 0, 2}}));
 }
 
 TEST(CleanPointsTest, MergedPointsOfASeamLeaveEachTriangleItsOwnTextureCoordinates) {
