@@ -158,6 +158,7 @@ int run_bench(const BenchArguments& arguments) {
   if (!arguments.plot.empty()) {
     const Status written = write_text(arguments.plot, plot_as_svg(plot_of(*result)));
     if (!written) return fail(written.error());
+    InterruptedFiles::note_complete();
   }
   return arguments.image.json ? print_json(as_json(*result)) : print_result(as_text(*result));
 }

@@ -71,6 +71,7 @@ Result<Comparison> compare_files(const CompareArguments& arguments, const FlipOp
         write_png(arguments.heatmap,
                   make_heatmap(comparison->flip.map, comparison->width, comparison->height));
     if (!written) return written.error();
+    InterruptedFiles::note_complete();
   }
   return comparison;
 }

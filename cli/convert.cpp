@@ -72,6 +72,7 @@ Result<std::optional<ConvertSummary>> convert_larger(const ConvertArguments& arg
   RELIEF_TRY_ASSIGN(auto tiled, convert_tiles(arguments.inputs, arguments.output, arguments.options,
                                               arguments.file, arguments.tiles, progress));
   if (!tiled) return std::optional<ConvertSummary>();
+  InterruptedFiles::note_complete();
   ConvertSummary summary;
   for (const std::string& text : tiled->notes) progress.note(text);
   summary.report = tiled->report;
@@ -109,6 +110,7 @@ Result<ConvertSummary> convert_files(const ConvertArguments& arguments, Progress
       !written) {
     return written.error();
   }
+  InterruptedFiles::note_complete();
   summary.read = std::move(read);
   summary.report = converted->report;
   return summarise(arguments, std::move(summary));

@@ -87,6 +87,7 @@ Result<Summary> export_file(const ExportArguments& arguments, Progress& progress
   }
   const Status written = format.write(arguments.output, {points, tolerance, is_closed}, progress);
   if (!written) return written.error();
+  InterruptedFiles::note_complete();
   std::error_code ignored;
   return Summary{
       as_mesh ? "mesh" : "points", points.size(),

@@ -31,6 +31,7 @@ struct Files {
   std::mutex mutex;
   std::vector<std::filesystem::path> outputs;
   std::function<std::string()> kept;
+  bool are_complete = false;
 };
 
 Files& files() {
@@ -46,6 +47,7 @@ void watch(int woken_by) {
   std::this_thread::sleep_for(kInterruptGrace);
   Files& all = files();
   const std::lock_guard lock(all.mutex);
+  if (all.are_complete) return;
   for (const auto& output : all.outputs) {
     remove_unfinished_files(output);
     // What writes a film goes on in a file without a name, and ends when its input does.
@@ -81,6 +83,13 @@ InterruptedFiles::InterruptedFiles(std::vector<std::filesystem::path> outputs,
   const std::lock_guard lock(all.mutex);
   all.outputs = std::move(outputs);
   all.kept = std::move(kept);
+  all.are_complete = false;
+}
+
+void InterruptedFiles::note_complete() {
+  Files& all = files();
+  const std::lock_guard lock(all.mutex);
+  all.are_complete = true;
 }
 
 InterruptedFiles::~InterruptedFiles() {

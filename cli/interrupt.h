@@ -15,9 +15,10 @@ namespace relief::cli {
 inline constexpr auto kInterruptGrace = std::chrono::milliseconds(300);
 
 /// Installs the signal handlers. The first SIGINT or SIGTERM is remembered (see interrupted), and
-/// the process ends kInterruptGrace later at the latest, with the same message and exit code; the
-/// second one ends it at once. A write beyond the file size limit fails like a full disk, and one
-/// to a pipe that nobody reads fails instead of ending the process.
+/// the process ends kInterruptGrace later at the latest, with the same message and exit code,
+/// unless all outputs are complete; the second one ends it at once. A write beyond the file size
+/// limit fails like a full disk, and one to a pipe that nobody reads fails instead of ending the
+/// process.
 void handle_signals();
 
 /// Returns true after an interrupt by the user.
@@ -30,6 +31,10 @@ class InterruptedFiles {
   /// `outputs`: what is being written; unfinished files beside them are removed. `kept`: returns
   /// what to say of finished files, empty if there are none; called on another thread.
   InterruptedFiles(std::vector<std::filesystem::path> outputs, std::function<std::string()> kept);
+  /// Says that all outputs are in their place. From then on the process is not ended: only the
+  /// report is left, and a failure would be untrue.
+  static void note_complete();
+
   InterruptedFiles(const InterruptedFiles&) = delete;
   InterruptedFiles& operator=(const InterruptedFiles&) = delete;
   ~InterruptedFiles();

@@ -97,7 +97,7 @@ class ImageWriter {
   Status write(std::size_t number, Image& image, double exposure) {
     if (!is_film_name(files_[number])) {
       RELIEF_TRY(write_image(files_[number], image, exposure));
-      ++written_;
+      if (++written_ == files_.size()) InterruptedFiles::note_complete();
       return {};
     }
     if (!film_) {
@@ -107,7 +107,12 @@ class ImageWriter {
     expose(image, exposure);
     return film_->add(image);
   }
-  Status finish() { return film_ ? film_->finish() : Status(); }
+  Status finish() {
+    if (!film_) return {};
+    RELIEF_TRY(film_->finish());
+    InterruptedFiles::note_complete();
+    return {};
+  }
 
   /// Images in files that are complete, also after a failure. Thread-safe.
   [[nodiscard]] std::size_t written() const { return written_; }
