@@ -7,9 +7,13 @@
 Makes its own scans. Runs each job once undisturbed, or for at most 40 s, then interrupts it at
 moments drawn from that time, and looks after each that the exit code is 1 (or 0, if it was done
 already) and that no file is left but what the command promises: finished tiles of --memory and
-finished images of a scene. Prints a row a job: the longest and the median time until the exit in
-seconds, how many interrupts were seen by the job itself (less than 0.3 s), and in which stage the
-longest was. Exit code 1 if a file is left, an exit code is wrong, or --max-seconds is exceeded.
+finished images of a scene. Prints a row a job: the longest time until the message and until the
+exit and the median of the latter, in seconds, how many interrupts were seen by the job itself (less
+than 0.3 s), and in which stage the longest was. Exit code 1 if a file is left, an exit code is
+wrong, or --max-seconds is exceeded by an exit.
+
+Measure on a machine that is otherwise idle: Mesa's thread for its shader cache has the lowest
+priority, so that a process that has said its last message ends only when others leave it a moment.
 """
 import argparse
 import math
@@ -153,6 +157,7 @@ class Run:
                                    stdin=subprocess.DEVNULL, env={**os.environ, "TERM": "xterm"})
         os.close(theirs)
         text, start, sent = b"", time.monotonic(), None
+        self.message = math.nan
         while True:
             now = time.monotonic()
             if sent is None and now - start >= interrupt_after:
@@ -162,6 +167,8 @@ class Run:
             if select.select([ours], [], [], wait)[0]:
                 try:
                     text += os.read(ours, 65536)
+                    if math.isnan(self.message) and b"relief: interrupted" in text and sent is not None:
+                        self.message = time.monotonic() - sent
                 except OSError:
                     break  # the other side is closed: the process has ended
         process.wait()
@@ -199,13 +206,13 @@ def main():
     arguments = parser.parse_args()
     relief = str(pathlib.Path(arguments.relief).resolve())
     rng = random.Random(arguments.seed)
-    bad, slowest, times = [], 0.0, []
+    bad, slowest, times, messages = [], 0.0, [], []
     with tempfile.TemporaryDirectory(prefix="relief-interrupt-") as folder:
         data = pathlib.Path(folder)
         make_data(relief, data, arguments.quick)
         wanted = [w for w in arguments.only.split(",") if w]
         chosen = [j for j in jobs(data, arguments.quick) if not wanted or any(w in j.name for w in wanted)]
-        print(f"{'job':<20} {'runs for':>9} {'longest':>8} {'median':>8} {'seen':>7}  in stage")
+        print(f"{'job':<20} {'runs for':>9} {'message':>8} {'exit':>8} {'median':>8} {'seen':>7}  in stage")
         for number, job in enumerate(chosen):
             def fresh():
                 shutil.rmtree(data / "out", ignore_errors=True)
@@ -229,12 +236,13 @@ def main():
                 continue
             longest = max(runs, key=lambda r: r.seconds)
             times += [r.seconds for r in runs]
+            messages += [r.message for r in runs]
             seen = sum(r.seconds < GRACE for r in runs)
-            print(f"{job.name:<20} {length:9.2f} {longest.seconds:8.3f} "
+            print(f"{job.name:<20} {length:9.2f} {max(r.message for r in runs):8.3f} {longest.seconds:8.3f} "
                   f"{statistics.median(r.seconds for r in runs):8.3f} {seen:3}/{len(runs):<3}  {longest.stage}", flush=True)
             slowest = max(slowest, longest.seconds)
     if times:
-        print(f"{len(times)} interrupts: longest {max(times):.3f} s, median {statistics.median(times):.3f} s, "
+        print(f"{len(times)} interrupts: message after {max(messages):.3f} s at most; exit: longest {max(times):.3f} s, median {statistics.median(times):.3f} s, "
               f"{sum(t <= 0.5 for t in times)} within 0.5 s; load {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores")
     for complaint in bad:
         print(f"measure_interrupt.py: {complaint}", file=sys.stderr)

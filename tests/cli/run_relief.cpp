@@ -12,6 +12,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <regex>
 #include <sstream>
 
 #include "models/knot_scan.h"
@@ -68,6 +69,12 @@ bool read_some(int from, std::string& to) {
   return count > 0;
 }
 
+/// Leaves out "relief: resample 25 %, 14 s left" and "relief: neighbours, 10 s so far".
+std::string without_progress(const std::string& text) {
+  static const std::regex progress("relief: [a-z ]+( [0-9]+ %(, .* left)?|, .* so far)\n");
+  return std::regex_replace(text, progress, "");
+}
+
 }  // namespace
 
 Outcome run_relief(const std::vector<std::string>& arguments, const RunOptions& options) {
@@ -101,6 +108,7 @@ Outcome run_relief(const std::vector<std::string>& arguments, const RunOptions& 
   }
   if (!options.unread_out) close(out.read_end);
   close(err.read_end);
+  if (!options.terminal) run.err = without_progress(run.err);
   int status = 0;
   waitpid(child, &status, 0);
   if (interrupt)

@@ -17,6 +17,7 @@ namespace relief::test {
 struct Outcome {
   int exit_code = 0;  ///< minus the signal's number if one ended it
   std::string out;
+  /// Without the lines of progress that a job of more than ten seconds prints on a busy machine.
   std::string err;
   double seconds_after_interrupt = 0.0;  ///< until the exit, with `interrupt_after`
 };
