@@ -21,17 +21,6 @@ void hold_closed_streams() {
   }
 }
 
-void print_message(std::string_view text) {
-  // Not fmt::print: it throws where standard error is closed or full.
-  std::fputs(fmt::format("relief: {}\n", text).c_str(), stderr);
-}
-
-void print_last_message(std::string_view text) {
-  const std::string line =
-      fmt::format("{}relief: {}\n", shows_bars(STDERR_FILENO) ? kWipeLine : "", text);
-  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, line.data(), line.size());
-}
-
 int fail(const Error& error, std::string_view kept) {
   if (interrupted()) {
     print_message(interrupt_message(std::string(kept)));

@@ -6,24 +6,14 @@
 
 #include "cli/console_progress.h"
 #include "cli/interrupt.h"
+#include "cli/messages.h"
 #include "common/error.h"
 
 namespace relief::cli {
 
-inline constexpr int kDone = 0;
-inline constexpr int kFailed = 1;
-inline constexpr int kWrongUsage = 2;
-
 /// Opens those of the three standard streams that are closed, such that reading and writing them
 /// fails. Otherwise the next file that is opened would take their place, and get what is printed.
 void hold_closed_streams();
-
-/// Prints "relief: " and `text` in one line on standard error.
-void print_message(std::string_view text);
-
-/// Prints a message after wiping a progress bar; for a process that is about to end, because it
-/// waits for no lock.
-void print_last_message(std::string_view text);
 
 /// Prints `error` in one line on standard error and returns kFailed. After an interrupt it prints
 /// "interrupted" instead, because that made the job fail. `kept`: the files written before, if any

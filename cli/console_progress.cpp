@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 
-#include "cli/console.h"
+#include "cli/interrupt.h"
+#include "cli/messages.h"
 
 namespace relief::cli {
 namespace {
@@ -38,11 +38,6 @@ std::string time_left(const StageState& stage, std::string_view before) {
 }
 
 }  // namespace
-
-bool shows_bars(int descriptor) {
-  const char* const terminal = std::getenv("TERM");
-  return isatty(descriptor) == 1 && terminal != nullptr && std::string_view(terminal) != "dumb";
-}
 
 std::string progress_text(const StageState& stage) {
   const double share = share_of(stage);

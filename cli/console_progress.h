@@ -15,13 +15,6 @@
 
 namespace relief::cli {
 
-/// Wipes the line of a terminal.
-inline constexpr const char* kWipeLine = "\r\x1b[K";
-
-/// Returns whether a bar can be drawn there and drawn over: it is a terminal, and not one for which
-/// TERM is `dumb` or missing (an editor's window, a log).
-[[nodiscard]] bool shows_bars(int descriptor);
-
 /// How far a stage is.
 struct StageState {
   std::string_view name;

@@ -9,7 +9,7 @@
 #include <thread>
 #include <utility>
 
-#include "cli/console.h"
+#include "cli/messages.h"
 #include "common/image/film_file.h"
 #include "common/io/file.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "cli/console.h"
+#include "cli/messages.h"
 
 namespace relief::cli {
 namespace {

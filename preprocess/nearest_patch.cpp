@@ -10,7 +10,7 @@
 #include <limits>
 #include <numeric>
 
-#include "preprocess/measure.h"
+#include "preprocess/patch_distance.h"
 
 namespace relief {
 namespace {
@@ -28,14 +28,15 @@ NearestPatch::Reach NearestPatch::reach_of(const Patch& patch) {
   double high = -low;
   double steepest = 0.0;  // along an edge between two samples, in steps of height a cell
   const auto compare = [&](std::int32_t a, std::int32_t b) {
-    if (a != kHole && b != kHole) steepest = std::max(steepest, std::abs(double{a} - double{b}));
+    if (a != kHole && b != kHole)
+      steepest = std::max(steepest, std::abs(static_cast<double>(a) - static_cast<double>(b)));
   };
   for (std::uint32_t j = 0; j < patch.height; ++j) {
     for (std::uint32_t i = 0; i < patch.width; ++i) {
       const std::int32_t h = patch.at(i, j);
       if (h == kHole) continue;
-      low = std::min(low, double{h});
-      high = std::max(high, double{h});
+      low = std::min(low, static_cast<double>(h));
+      high = std::max(high, static_cast<double>(h));
       if (i + 1 < patch.width) compare(h, patch.at(i + 1, j));
       if (j + 1 < patch.height) compare(h, patch.at(i, j + 1));
     }

@@ -14,9 +14,9 @@ namespace relief {
 /// follows from the content, or from the extension if the content does not show it. Drops points
 /// with NaN or infinite coordinates. Merges points at equal positions: averages their normals and
 /// keeps the first colour and texture coordinate; triangles keep texture seams. Renumbers triangles
-/// and drops degenerate and repeated ones. The file is not trusted: every count is checked against the remaining
-/// bytes before memory is allocated for it. Fails with one sentence: file, line or byte, what was
-/// expected.
+/// and drops degenerate and repeated ones. The file is not trusted: every count is checked against
+/// the remaining bytes before memory is allocated for it. Fails with one sentence: file, line or
+/// byte, what was expected.
 Result<ReadResult> read_points(const std::filesystem::path& path, Progress& progress);
 
 /// Returns the names of all readable formats, for messages: "PLY, PCD, ... and XYZ text".

@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-#include "preprocess/measure.h"
+#include "preprocess/patch_distance.h"
 
 namespace relief {
 namespace {
