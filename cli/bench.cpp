@@ -22,6 +22,7 @@
 #include "cli/options/engine_options.h"
 #include "cli/options/paths.h"
 #include "cli/options/render_options.h"
+#include "cli/options/values.h"
 #include "cli/plot/bench_plot.h"
 #include "cli/reports/bench_report.h"
 #include "common/io/extension.h"
@@ -151,11 +152,13 @@ int run_bench(const BenchArguments& arguments) {
     const Status writable = check_output(arguments.plot, *inputs);
     if (!writable) return fail(writable.error());
   }
+  const InterruptedFiles unfinished({arguments.plot}, nullptr);
   const auto result = measure(*plan, arguments);
   if (!result) return fail(result.error());
   if (!arguments.plot.empty()) {
     const Status written = write_text(arguments.plot, plot_as_svg(plot_of(*result)));
     if (!written) return fail(written.error());
+    InterruptedFiles::note_complete();
   }
   return arguments.image.json ? print_json(as_json(*result)) : print_result(as_text(*result));
 }
@@ -184,7 +187,7 @@ void add_bench(CLI::App& app, Command& command) {
     if (option.row.key == "cull") add_engine_option(*sub, image.settings.options, option);
   }
   sub->add_option("--frames", image.frames, "Frames to time of each row, 1 to 100000 (default 20)")
-      ->check(CLI::Range(1, 100000))
+      ->check(count_from(1, 100000))
       ->option_text("N");
   add_platform_option(*sub, image.platform);
   sub->add_option("--plot", arguments->plot,

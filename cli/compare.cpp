@@ -71,6 +71,7 @@ Result<Comparison> compare_files(const CompareArguments& arguments, const FlipOp
         write_png(arguments.heatmap,
                   make_heatmap(comparison->flip.map, comparison->width, comparison->height));
     if (!written) return written.error();
+    InterruptedFiles::note_complete();
   }
   return comparison;
 }
@@ -80,6 +81,7 @@ int run_compare(const CompareArguments& arguments) {
     const Status writable = check_output(arguments.heatmap, {arguments.test, arguments.reference});
     if (!writable) return fail(writable.error());
   }
+  const InterruptedFiles unfinished({arguments.heatmap}, nullptr);
   const FlipOptions options = flip_options(arguments);
   const auto comparison = compare_files(arguments, options);
   if (!comparison) return fail(comparison.error());

@@ -24,6 +24,7 @@
 #include "cli/options/values.h"
 #include "cli/reports/convert_report.h"
 #include "common/io/standard_input.h"
+#include "common/io/extension.h"
 #include "common/patch_file/patch_file.h"
 #include "loader/load_files.h"
 #include "preprocess/convert_tiles.h"
@@ -54,6 +55,7 @@ struct ConvertArguments {
   std::vector<std::filesystem::path> inputs;
   std::filesystem::path output;
   std::filesystem::path texture;  ///< as texture_choice has it
+  bool flips_v = false;
   ConvertOptions options;
   PatchFileOptions file;
   TileOptions tiles{.memory_bytes = 0};  ///< 0: no limit, in one piece
@@ -75,6 +77,7 @@ Result<std::optional<ConvertSummary>> convert_larger(const ConvertArguments& arg
   RELIEF_TRY_ASSIGN(auto tiled, convert_tiles(arguments.inputs, arguments.output, arguments.options,
                                               arguments.file, arguments.tiles, progress));
   if (!tiled) return std::optional<ConvertSummary>();
+  InterruptedFiles::note_complete();
   ConvertSummary summary;
   for (const std::string& text : tiled->notes) progress.note(text);
   summary.report = tiled->report;
@@ -93,7 +96,9 @@ Status write_patches(const ConvertArguments& arguments, const PatchModel& model,
   // The last moment at which nothing is there yet; writing takes well under a second.
   if (progress.cancelled()) return interrupted_error();
   progress.begin_stage("write", 0);
-  return write_patch_file(arguments.output, model, arguments.file);
+  RELIEF_TRY(write_patch_file(arguments.output, model, arguments.file));
+  InterruptedFiles::note_complete();
+  return {};
 }
 
 /// Converts the only input, a raster.
@@ -123,8 +128,9 @@ Result<ConvertSummary> convert_files(const ConvertArguments& arguments, Progress
     RELIEF_TRY_ASSIGN(auto larger, convert_larger(arguments, progress));
     if (larger) return std::move(*larger);
   }
-  RELIEF_TRY_ASSIGN(auto read, load_points(arguments.inputs, texture_choice(arguments.texture),
-                                           progress, arguments.tiles.read));
+  RELIEF_TRY_ASSIGN(
+      auto read, load_points(arguments.inputs, texture_choice(arguments.texture, arguments.flips_v),
+                             progress, arguments.tiles.read));
   ConvertSummary summary;
   if (arguments.clean) summary.outliers = remove_outliers(read.points, progress);
   if (summary.outliers.were_too_many)
@@ -165,6 +171,7 @@ int run_convert(ConvertArguments arguments) {
   if (const Status writable = check_output(arguments.output, files_read(arguments)); !writable) {
     return fail(writable.error());
   }
+  const InterruptedFiles unfinished({arguments.output}, [&] { return kept_by(arguments); });
   const tbb::global_control threads(
       tbb::global_control::max_allowed_parallelism,
       arguments.options.threads > 0 ? static_cast<std::size_t>(arguments.options.threads)
@@ -193,7 +200,7 @@ void add_surface_options(CLI::App& sub, ConvertArguments& arguments) {
       sub.add_option("--samples", arguments.options.samples,
                      "Make about so many samples, 64 or more, at most 4 for each point (default: "
                      "as --spacing has it)")
-          ->check(CLI::Range(kFewestSamples, kMostSamples))
+          ->check(count_from(kFewestSamples, kMostSamples))
           ->excludes(spacing)
           ->option_text("N");
   sub.add_option("--error", arguments.options.error,
@@ -216,7 +223,7 @@ void add_surface_options(CLI::App& sub, ConvertArguments& arguments) {
          "--cone-degrees", arguments.options.cone_degrees,
          "Largest angle between the normal of a patch and of its points, in degrees, 1 to 89; "
          "larger makes fewer patches (default 70)")
-      ->check(CLI::Range(1.0, 89.0))
+      ->check(number_from(1.0, 89.0))
       ->option_text("DEG");
   CLI::Option* const seams = sub.add_flag_callback(
       "--seams", [&arguments] { arguments.options.seams = true; },
@@ -232,8 +239,30 @@ void add_surface_options(CLI::App& sub, ConvertArguments& arguments) {
                      "without faces)",
                      arguments.options.overlap_cells))
       ->excludes(seams)
-      ->check(CLI::Range(0, 16))
+      ->check(count_from(0, 16))
       ->option_text("CELLS");
+}
+
+/// Refuses a name that does not end in .relief: `relief convert a.ply b.ply -o c.ply` would replace
+/// a scan.
+CLI::Validator patch_file_name() {
+  const auto complain = [](const std::string& name) {
+    return lower_extension(name) == ".relief" || name == kStandardName
+               ? std::string()
+               : "expected a name that ends in .relief; found " + name;
+  };
+  return {complain, ""};
+}
+
+/// Refuses what is less than tiles need. Sees bytes, whatever unit the user chose.
+CLI::Validator memory_limit() {
+  const auto complain = [](const std::string& text) {
+    const auto bytes = parse_number(text);
+    return bytes && *bytes >= static_cast<double>(kMinTileMemory) && *bytes <= 0x1p50
+               ? std::string()
+               : fmt::format("expected 256M or more; found {} bytes", text);
+  };
+  return {complain, ""};
 }
 
 /// Sets the noise to remove: auto, 0 or a standard deviation of at most 1e100.
@@ -243,7 +272,7 @@ void read_noise(const std::string& text, ConvertOptions& options) {
   const std::optional<double> noise = parse_number(text);
   if (!noise || !(*noise >= 0.0 && *noise <= 1e100)) {
     throw CLI::ValidationError(
-        "--noise", fmt::format("{} is neither auto nor a number from 0 to 1e100", text));
+        "--noise", fmt::format("expected auto or a number from 0 to 1e100; found {}", text));
   }
   options.noise = *noise;
   options.noise_removal = *noise > 0.0 ? NoiseRemoval::AsGiven : NoiseRemoval::None;
@@ -279,15 +308,15 @@ void add_file_options(CLI::App& sub, ConvertArguments& arguments) {
          "--codec", arguments.file.codec,
          "Codec: fast reads and writes quickest; compact halves the bytes of heights, and its "
          "coarse levels can be read separately (default fast)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, PatchCodec>{
-          {"fast", PatchCodec::Fast}, {"compact", PatchCodec::Compact}}))
+      ->transform(one_of(std::map<std::string, PatchCodec>{{"fast", PatchCodec::Fast},
+                                                           {"compact", PatchCodec::Compact}}))
       ->option_text("fast|compact");
   sub.add_option("--normal-degrees", arguments.file.normal_degrees,
                  fmt::format("Largest error of normals, in degrees, {:g} to {:g}, with --codec "
                              "compact; normals this near to those of the heights are not stored "
                              "(default {:g})",
                              kMinNormalDegrees, kMaxNormalDegrees, arguments.file.normal_degrees))
-      ->check(CLI::Range(kMinNormalDegrees, kMaxNormalDegrees))
+      ->check(number_from(kMinNormalDegrees, kMaxNormalDegrees))
       ->option_text("DEG");
 }
 
@@ -297,13 +326,14 @@ void add_texture_options(CLI::App& sub, ConvertArguments& arguments) {
          "Image that the mesh's texture coordinates refer to, in place of the file's own images "
          "and normal maps; none: no textures (default: the file's own)")
       ->option_text("FILE|none");
+  add_flip_option(sub, arguments.flips_v);
   sub.add_option(
          "--texels-per-cell", arguments.options.texels_per_cell,
          fmt::format("Texels of colour and normal maps along the side of a grid cell, for a mesh "
                      "with textures, 1 to {} (default: the power of two that keeps the "
                      "texture's resolution, patch by patch)",
                      kMaxTexelsPerCell))
-      ->check(CLI::Range(1U, kMaxTexelsPerCell))
+      ->check(count_from(1, kMaxTexelsPerCell))
       ->option_text("N");
 }
 
@@ -321,7 +351,7 @@ void add_resource_options(CLI::App& sub, ConvertArguments& arguments) {
           ->excludes("--noise")
           ->excludes("--thin")
           ->transform(CLI::AsSizeValue(false))
-          ->check(CLI::Range(kMinTileMemory, std::uint64_t{1} << 50U))
+          ->check(memory_limit())
           ->option_text("BYTES");
   sub.add_flag_callback(
          "--no-overviews", [&arguments] { arguments.tiles.overviews = false; },
@@ -332,7 +362,7 @@ void add_resource_options(CLI::App& sub, ConvertArguments& arguments) {
   sub.add_option(
          "--threads", arguments.options.threads,
          "Threads, 1 to 1024; the file does not depend on them (default: one for each core)")
-      ->check(CLI::Range(1, 1024))
+      ->check(count_from(1, 1024))
       ->option_text("N");
 }
 
@@ -348,6 +378,7 @@ void add_convert(CLI::App& app, Command& command) {
   sub->add_option("-o,--output", arguments->output,
                   "Patch file to write (.relief); -: standard output")
       ->required()
+      ->check(patch_file_name())
       ->option_text("FILE (required)");
   add_surface_options(*sub, *arguments);
   add_point_options(*sub, *arguments);

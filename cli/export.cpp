@@ -91,6 +91,7 @@ Result<Summary> export_file(const ExportArguments& arguments, Progress& progress
   }
   const Status written = format.write(arguments.output, {points, tolerance, is_closed}, progress);
   if (!written) return written.error();
+  InterruptedFiles::note_complete();
   std::error_code ignored;
   return Summary{
       as_mesh ? "mesh" : "points", points.size(),
@@ -132,6 +133,7 @@ int run_export(ExportArguments arguments) {
   if (const Status writable = check_output(arguments.output, {arguments.input}); !writable) {
     return fail(writable.error());
   }
+  const InterruptedFiles unfinished({arguments.output}, nullptr);
   ConsoleProgress progress;
   auto summary = export_file(arguments, progress);
   progress.finish();

@@ -54,9 +54,22 @@ std::vector<LevelSums> levels_of(const PatchTree& tree) {
   return levels;
 }
 
-nlohmann::ordered_json as_json(const PatchFileInfo& info, const std::vector<LevelSums>& levels,
-                               bool verified) {
+/// The box about all samples of the model, coarser tiles left out.
+Bounds drawn_bounds(const PatchTree& tree) {
+  Bounds drawn;
+  for (const TreeTile& tile : tree.tiles()) {
+    if (tile.level > 0 || tile.box.empty()) continue;
+    extend(drawn, tile.box.min);
+    extend(drawn, tile.box.max);
+  }
+  return drawn;
+}
+
+nlohmann::ordered_json as_json(const PatchFileInfo& info, const Bounds& drawn,
+                               const std::vector<LevelSums>& levels, bool verified) {
   const auto vector = [](glm::dvec3 v) { return nlohmann::ordered_json{v.x, v.y, v.z}; };
+  // A file only tells that a model is closed, never that it is not.
+  const auto closed = info.is_closed ? nlohmann::ordered_json(true) : nlohmann::ordered_json();
   nlohmann::ordered_json json = {{"version", info.version},
                                  {"codec", info.codec},
                                  {"patches", info.patches},
@@ -69,8 +82,10 @@ nlohmann::ordered_json as_json(const PatchFileInfo& info, const std::vector<Leve
                                  {"colour_bytes", info.colour_bytes},
                                  {"bounds_min", vector(info.bounds.min)},
                                  {"bounds_max", vector(info.bounds.max)},
+                                 {"drawn_min", vector(drawn.min)},
+                                 {"drawn_max", vector(drawn.max)},
                                  {"attributes", info.attributes},
-                                 {"closed", info.is_closed},
+                                 {"closed", closed},
                                  {"seams", info.is_joined},
                                  {"tiles", levels.front().tiles}};
   json["overviews"] = nlohmann::ordered_json::array();
@@ -85,10 +100,14 @@ nlohmann::ordered_json as_json(const PatchFileInfo& info, const std::vector<Leve
   return json;
 }
 
-std::string as_text(const PatchFileInfo& info, const std::vector<LevelSums>& levels,
-                    const InfoArguments& arguments) {
-  const auto& low = info.bounds.min;
-  const auto& high = info.bounds.max;
+/// "0 0 0 to 1 1 2"
+std::string as_text(const Bounds& box) {
+  return fmt::format("{:.9g} {:.9g} {:.9g} to {:.9g} {:.9g} {:.9g}", box.min.x, box.min.y,
+                     box.min.z, box.max.x, box.max.y, box.max.z);
+}
+
+std::string as_text(const PatchFileInfo& info, const Bounds& drawn,
+                    const std::vector<LevelSums>& levels, const InfoArguments& arguments) {
   std::string text = fmt::format(
       "{}{}\n"
       "  version     {}\n"
@@ -96,15 +115,16 @@ std::string as_text(const PatchFileInfo& info, const std::vector<LevelSums>& lev
       "  patches     {}\n"
       "  samples     {}\n"
       "  spacing     {:.6g}\n"
-      "  bounds      {:.9g} {:.9g} {:.9g} to {:.9g} {:.9g} {:.9g}\n"
+      "  bounds      {} of the input\n"
+      "  drawn       {}, with margins\n"
       "  attributes  {}\n"
       "  closed      {}\n"
       "  borders     {}\n"
       "  levels      {}\n"
       "  file        {} bytes: {} of heights, {} of normals, {} of colours\n",
       arguments.input.string(), arguments.verify ? ": every byte is right" : "", info.version,
-      info.codec, info.patches, info.samples, info.spacing, low.x, low.y, low.z, high.x, high.y,
-      high.z, fmt::join(info.attributes, ", "), info.is_closed ? "yes" : "not known",
+      info.codec, info.patches, info.samples, info.spacing, as_text(info.bounds), as_text(drawn),
+      fmt::join(info.attributes, ", "), info.is_closed ? "yes" : "not known",
       info.is_joined ? "meet at seams" : "overlap", info.levels, info.file_bytes, info.height_bytes,
       info.normal_bytes, info.colour_bytes);
   if (levels.front().tiles > 1) text += fmt::format("  tiles       {}\n", levels.front().tiles);
@@ -153,8 +173,9 @@ int run_info(const InfoArguments& arguments) {
     }
   }
   const std::vector<LevelSums> levels = levels_of(*tree);
-  return arguments.json ? print_json(as_json(file->info(), levels, arguments.verify))
-                        : print_result(as_text(file->info(), levels, arguments));
+  const Bounds drawn = drawn_bounds(*tree);
+  return arguments.json ? print_json(as_json(file->info(), drawn, levels, arguments.verify))
+                        : print_result(as_text(file->info(), drawn, levels, arguments));
 }
 
 }  // namespace

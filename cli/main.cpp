@@ -1,9 +1,13 @@
 // The `relief` command: parses, then runs the subcommand.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
+#include <string>
+#include <vector>
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/usage.h"
 #include "common/version.h"
 
 namespace {
@@ -18,7 +22,8 @@ constexpr const char* kReliefExamples =
     "  relief compare dragon.exr truth.exr --heatmap difference.png\n"
     "  relief bench dragon.ply.gz --plot bench.svg\n"
     "\n"
-    "`relief SUBCOMMAND --help` prints all options of a subcommand. Flags are off by default.\n"
+    "`relief SUBCOMMAND --help` or `relief help SUBCOMMAND` prints all options of a subcommand.\n"
+    "Flags are off by default.\n"
     "Exit code: 0 done, 1 failed (one sentence says why), 2 wrong usage.";
 
 int run_relief(int argc, char** argv) {
@@ -36,13 +41,16 @@ int run_relief(int argc, char** argv) {
   relief::cli::add_render(app, command);
   relief::cli::add_compare(app, command);
   relief::cli::add_bench(app, command);
+  std::vector<std::string> words = relief::cli::with_help_words({argv + 1, argv + argc});
+  std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
   try {
-    app.parse(argc, argv);
+    app.parse(std::move(words));
   } catch (const CLI::Success& help_or_version) {
+    if (app.get_subcommands().empty() && app.remaining_size() > 0)  // relief help convrt
+      return relief::cli::report_wrong_usage(app, help_or_version);
     return app.exit(help_or_version);
   } catch (const CLI::ParseError& error) {
-    app.exit(error);  // prints; its own codes would be above 2
-    return relief::cli::kWrongUsage;
+    return relief::cli::report_wrong_usage(app, error);
   }
   return command();
 }
@@ -50,6 +58,7 @@ int run_relief(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  relief::cli::hold_closed_streams();
   relief::cli::handle_signals();
   try {
     return run_relief(argc, argv);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <atomic>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -98,7 +99,7 @@ class ImageWriter {
   Status write(std::size_t number, Image& image, double exposure) {
     if (!is_film_name(files_[number])) {
       RELIEF_TRY(write_image(files_[number], image, exposure));
-      ++written_;
+      if (++written_ == files_.size()) InterruptedFiles::note_complete();
       return {};
     }
     if (!film_) {
@@ -108,16 +109,21 @@ class ImageWriter {
     expose(image, exposure);
     return film_->add(image);
   }
-  Status finish() { return film_ ? film_->finish() : Status(); }
+  Status finish() {
+    if (!film_) return {};
+    RELIEF_TRY(film_->finish());
+    InterruptedFiles::note_complete();
+    return {};
+  }
 
-  /// Images in files that are complete, also after a failure.
+  /// Images in files that are complete, also after a failure. Thread-safe.
   [[nodiscard]] std::size_t written() const { return written_; }
 
  private:
   const std::vector<std::filesystem::path>& files_;
   double frames_per_second_ = 0.0;
   std::optional<FilmFile> film_;
-  std::size_t written_ = 0;
+  std::atomic<std::size_t> written_ = 0;
 };
 
 /// Loads, renders and writes.
@@ -180,16 +186,26 @@ int run_render(RenderArguments arguments) {
                    arguments.input.string(), plan->views.size()));
     return kWrongUsage;
   }
+  if (plan->file.empty() && marks_views(arguments.output)) {
+    (void)fail(
+        make_error("{}: {{view}} stands for the views of a .json scene, and {} is none; leave it "
+                   "out",
+                   arguments.output.string(), arguments.input.string()));
+    return kWrongUsage;
+  }
   const auto files = image_files(arguments.output, *plan);
   if (const Status good = check_files(*plan, arguments.texture.file, files); !good)
     return fail(good.error());
   ImageWriter writer(files, arguments.frames_per_second.value_or(kFramesPerSecond));
+  const auto kept = [&] {
+    const std::size_t count = writer.written();
+    return count == 0 ? std::string()
+                      : fmt::format("{} of {} images were written", count, files.size());
+  };
+  const InterruptedFiles unfinished(files, kept);
   auto written = make_images(*plan, files, arguments, writer);
   if (!written) {
-    return fail(written.error(),
-                writer.written() == 0
-                    ? std::string()
-                    : fmt::format("{} of {} images were written", writer.written(), files.size()));
+    return fail(written.error(), kept());
   }
   if (is_standard) written->front().file = kStandardName;
   return report(*plan, *written, arguments.json, *output);

@@ -27,11 +27,12 @@ std::string describe(const AcquireResult& acquired) {
 
 }  // namespace
 
-Result<SplatCloud> acquire_splats(const std::filesystem::path& mesh,
-                                  const std::filesystem::path& file, const AcquireOptions& options,
-                                  Progress& progress) {
+Result<SplatCloud> acquire_splats(const std::filesystem::path& mesh, const TextureChoice& choice,
+                                  const AcquireOptions& options, Progress& progress) {
+  const std::filesystem::path& file = choice.image;
   RELIEF_TRY_ASSIGN(const auto texture, read_image(file));
   RELIEF_TRY_ASSIGN(auto scan, read_points(mesh, progress));
+  if (choice.flips_v) flip_v(scan.points);
   auto acquired = acquire_texture(std::move(scan.points), texture, options, progress);
   if (!acquired) {
     return make_error("{} with {}: {}", mesh.string(), file.string(), acquired.error().message);

@@ -150,7 +150,7 @@ Result<LoadedScene> load_textured_splats(const ScenePlan& plan, const LoadOption
   const OptionValues& values = plan.views.front().settings.options;
   if (const auto cutoff = values.find("cutoff"); cutoff != values.end())
     acquisition.cutoff = std::get<double>(cutoff->second);
-  RELIEF_TRY_ASSIGN(auto splats, acquire_splats(plan.models.front().file, options.textures.image,
+  RELIEF_TRY_ASSIGN(auto splats, acquire_splats(plan.models.front().file, options.textures,
                                                 acquisition, progress));
   LoadedScene scene;
   scene.patches.bounds = bounds_of(splats.positions);

@@ -242,6 +242,7 @@ Result<ConvertResult> convert(Points points, const ConvertOptions& options, Prog
   if (!has_triangle_colours(points)) {
     RELIEF_TRY(check_points(points.positions));
   }
+  RELIEF_TRY(check_spacing(options.spacing, bounds_of(points.positions)));
   const std::string task = fmt::format("convert {} points", points.size());
   return guarded({.subject = "",
                   .task = task,

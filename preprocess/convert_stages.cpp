@@ -1,6 +1,7 @@
 #include "preprocess/convert_stages.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 namespace relief {
 
@@ -15,6 +16,14 @@ Status check_spacing(double spacing, double area, std::uint64_t points) {
         spacing, nodes, points);
   }
   return {};
+}
+
+Status check_spacing(double spacing, const Bounds& scan) {
+  const double diagonal = glm::distance(scan.min, scan.max);
+  if (spacing <= diagonal) return {};
+  return make_error(
+      "a spacing of {:.6g} is more than the scan is wide, {:.6g}; choose a smaller --spacing",
+      spacing, diagonal);
 }
 
 ResampleOptions resample_options(const ConvertOptions& options, bool seams, double spacing,

@@ -13,6 +13,10 @@ namespace relief {
 /// than the scan has points.
 Status check_spacing(double spacing, double area, std::uint64_t points);
 
+/// Fails if `spacing` is more than the diagonal of the scan's bounds: then no sample has a
+/// neighbour.
+Status check_spacing(double spacing, const Bounds& scan);
+
 /// Returns the options for resampling regions at a given or chosen spacing.
 [[nodiscard]] ResampleOptions resample_options(const ConvertOptions& options, bool seams,
                                                double spacing, bool normals_from_points);

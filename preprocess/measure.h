@@ -6,18 +6,13 @@
 
 #include "common/patch.h"
 #include "common/seams/seam_distances.h"
+#include "preprocess/patch_distance.h"
 #include "preprocess/points/neighbours.h"
 
 namespace relief {
 
 /// Points farther than this many spacings from every patch are uncovered.
 inline constexpr double kUncoveredInSpacings = 2.0;
-
-/// Returns the distance (world units) of a world point to a patch's bilinear surface along the
-/// patch's normal. In a cell of four samples the surface is bilinear, in a cell of three a plane;
-/// elsewhere the distance is that to the nearest sample within two cells. Nothing if there is no
-/// sample that near.
-[[nodiscard]] std::optional<double> distance_to_patch(const Patch& patch, glm::dvec3 point);
 
 struct Fidelity {
   double rms = 0.0;             ///< world units

@@ -35,8 +35,12 @@ fs::path frame_file(const fs::path& pattern, std::size_t frame) {
 
 }  // namespace
 
+bool marks_views(const fs::path& pattern) {
+  return pattern.string().find(kViewMark) != std::string::npos;
+}
+
 bool names_each_view(const fs::path& pattern, const ScenePlan& plan) {
-  return plan.views.size() == 1 || pattern.string().find(kViewMark) != std::string::npos;
+  return plan.views.size() == 1 || marks_views(pattern);
 }
 
 std::vector<fs::path> image_files(const fs::path& pattern, const ScenePlan& plan) {
@@ -45,9 +49,7 @@ std::vector<fs::path> image_files(const fs::path& pattern, const ScenePlan& plan
     files.push_back(is_film_name(pattern) ? pattern : frame_file(pattern, frame));
   if (plan.film_frames > 0) return files;
   files.reserve(plan.views.size());
-  // Without a scene file no view has a name, and {view} is a part of the file's own.
-  for (const PlannedView& view : plan.views)
-    files.push_back(plan.file.empty() ? pattern : image_file(pattern, view.name));
+  for (const PlannedView& view : plan.views) files.push_back(image_file(pattern, view.name));
   return files;
 }
 

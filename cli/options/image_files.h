@@ -9,6 +9,9 @@
 
 namespace relief::cli {
 
+/// Returns whether `pattern` contains {view}.
+[[nodiscard]] bool marks_views(const std::filesystem::path& pattern);
+
 /// Returns whether `pattern` names a different file for each view: it contains {view}, or there is
 /// one view.
 [[nodiscard]] bool names_each_view(const std::filesystem::path& pattern, const ScenePlan& plan);

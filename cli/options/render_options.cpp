@@ -224,7 +224,7 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments) {
          "--frames", arguments.frames,
          "Frames to time after the one that draws the image, 1 to 100000; reports the median, "
          "and counts fragments (default: none)")
-      ->check(CLI::Range(1, 100000))
+      ->check(count_from(1, 100000))
       ->option_text("N");
   add_platform_option(sub, arguments.platform);
   sub.add_flag(

@@ -74,7 +74,25 @@ CLI::Validator positive_number() {
   const auto complain = [](const std::string& text) -> std::string {
     const std::optional<double> number = parse_number(text);
     if (number && *number > 0.0 && *number <= 1e100) return {};
-    return fmt::format("{} is no number above 0 and at most 1e100", text);
+    return fmt::format("expected a number above 0, at most 1e100; found {}", text);
+  };
+  return {complain, ""};
+}
+
+CLI::Validator number_from(double least, double most) {
+  const auto complain = [least, most](const std::string& text) -> std::string {
+    const std::optional<double> number = parse_number(text);
+    if (number && *number >= least && *number <= most) return {};
+    return fmt::format("expected a number from {:g} to {:g}; found {}", least, most, text);
+  };
+  return {complain, ""};
+}
+
+CLI::Validator count_from(std::uint64_t least, std::uint64_t most) {
+  const auto complain = [least, most](const std::string& text) -> std::string {
+    const auto number = parse_as<std::uint64_t>(text);
+    if (number && *number >= least && *number <= most) return {};
+    return fmt::format("expected a whole number from {} to {}; found {}", least, most, text);
   };
   return {complain, ""};
 }

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <glm/vec3.hpp>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -32,6 +34,27 @@ namespace relief::cli {
 
 /// Refuses what is no number above 0 and at most 1e100.
 [[nodiscard]] CLI::Validator positive_number();
+
+/// Refuses what is no number of a range.
+[[nodiscard]] CLI::Validator number_from(double least, double most);
+
+/// Refuses what is no whole number of a range.
+[[nodiscard]] CLI::Validator count_from(std::uint64_t least, std::uint64_t most);
+
+/// Replaces a name by its value, as number; refuses any other.
+template <class T>
+[[nodiscard]] CLI::Validator one_of(const std::map<std::string, T>& values) {
+  const auto replace = [values](std::string& text) -> std::string {
+    if (const auto found = values.find(text); found != values.end()) {
+      text = std::to_string(static_cast<int>(found->second));
+      return {};
+    }
+    std::string names;
+    for (const auto& [name, value] : values) names += (names.empty() ? "" : ", ") + name;
+    return "expected one of " + names + "; found " + text;
+  };
+  return {replace, ""};
+}
 
 /// "AZ,EL" or "AZ,EL,DIST": degrees, and bounding-sphere radii above 0.
 [[nodiscard]] Orbit parse_orbit(const std::string& text);

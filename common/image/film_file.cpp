@@ -27,11 +27,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kChannels = 3;
 
-/// A name beside `path` that no other process uses.
-fs::path temporary_beside(const fs::path& path) {
-  return path.parent_path() / fmt::format(".{}.{}.part", path.filename().string(), ::getpid());
-}
-
 std::vector<std::string> arguments_for(const fs::path& path, const fs::path& temporary,
                                        const FilmOptions& options) {
   std::vector<std::string> words{"ffmpeg",   "-loglevel", "error", "-y",         "-f",
@@ -113,6 +108,10 @@ bool is_film_name(const fs::path& path) {
   return extension == ".mp4" || extension == ".webm";
 }
 
+fs::path unfinished_film(const fs::path& path) {
+  return path.parent_path() / fmt::format(".{}.{}.part", path.filename().string(), ::getpid());
+}
+
 FilmFile::FilmFile(std::unique_ptr<Process> process) : process_(std::move(process)) {}
 FilmFile::FilmFile(FilmFile&&) noexcept = default;
 FilmFile& FilmFile::operator=(FilmFile&&) noexcept = default;
@@ -122,7 +121,7 @@ Result<FilmFile> FilmFile::open(const fs::path& path, const FilmOptions& options
   assert(is_film_name(path) && options.width > 0 && options.height > 0);
   auto process = std::make_unique<Process>(path);
   process->options = options;
-  process->temporary = temporary_beside(path);
+  process->temporary = unfinished_film(path);
   process->messages = std::tmpfile();
   // A socket, so that a write after ffmpeg's end is an error and no signal.
   int ends[2] = {-1, -1};

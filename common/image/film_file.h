@@ -10,6 +10,9 @@
 
 namespace relief {
 
+/// Returns the file beside `path` that becomes the film once this process has finished it.
+[[nodiscard]] std::filesystem::path unfinished_film(const std::filesystem::path& path);
+
 /// Returns whether a file of this name is a film: it ends in .mp4 or .webm.
 [[nodiscard]] bool is_film_name(const std::filesystem::path& path);
 

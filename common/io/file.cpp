@@ -53,6 +53,14 @@ fs::path follow_links(const fs::path& path) {
   return target;
 }
 
+constexpr int kMostUnfinished = 10000;
+
+/// The number makes the name unique among files that the same process writes at once or that an
+/// earlier process with this id left behind when it was killed.
+fs::path unfinished_file(const fs::path& target, int number) {
+  return target.parent_path() / fmt::format(".relief-{}-{}.tmp", ::getpid(), number);
+}
+
 }  // namespace
 
 Result<RandomAccessFile> RandomAccessFile::open(const fs::path& path) {
@@ -137,11 +145,8 @@ Result<AtomicFile> AtomicFile::create(const fs::path& path) {
     return make_error("{}: cannot be overwritten: {}", path.string(), reason(errno));
   }
 
-  // The number makes the name unique among files that the same process writes at once or that an
-  // earlier process with this id left behind when it was killed.
-  for (int number = 0; number < 10000; ++number) {
-    fs::path temporary =
-        target.parent_path() / fmt::format(".relief-{}-{}.tmp", ::getpid(), number);
+  for (int number = 0; number < kMostUnfinished; ++number) {
+    fs::path temporary = unfinished_file(target, number);
     const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor >= 0) return AtomicFile(path, target, std::move(temporary), descriptor);
     if (errno == ENOENT || errno == ENOTDIR) {
@@ -218,6 +223,15 @@ Status write_file_atomically(const fs::path& path, std::span<const std::byte> by
   RELIEF_TRY_ASSIGN(auto file, AtomicFile::create(path));
   RELIEF_TRY(file.write(bytes));
   return file.commit();
+}
+
+void remove_unfinished_files(const fs::path& path) noexcept {
+  try {
+    const fs::path target = follow_links(path);
+    // Files are numbered from 0, and few are written at once.
+    for (int number = 0; number < 64; ++number) ::unlink(unfinished_file(target, number).c_str());
+  } catch (...) {  // NOLINT: the process ends, and without memory a file stays
+  }
 }
 
 Status move_into_place(const fs::path& file, const fs::path& path) {

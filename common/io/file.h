@@ -51,6 +51,10 @@ class AtomicFile {
   int descriptor_ = -1;
 };
 
+/// Removes the unfinished files of this process that would become `path` or a file beside it. For a
+/// process that is about to end while another thread writes.
+void remove_unfinished_files(const std::filesystem::path& path) noexcept;
+
 /// A file open for reading at any offset, from any thread.
 class RandomAccessFile {
  public:

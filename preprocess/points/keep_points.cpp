@@ -1,6 +1,7 @@
 #include "preprocess/points/keep_points.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "preprocess/readers/source.h"
 
@@ -15,9 +16,47 @@ void compact(std::vector<T>& values, const std::vector<std::uint32_t>& kept) {
   values.resize(kept.size());
 }
 
-/// Renumbers triangles and drops those with a lost or invalid corner or with two equal corners.
+/// Triangles already kept: open addressing, at most half full.
+class KeptTriangles {
+ public:
+  explicit KeptTriangles(std::size_t count)
+      : slots_(std::bit_ceil(2 * count + 2), kNoPoint), mask_(slots_.size() - 1) {}
+
+  /// Stores the index of a triangle, and returns true, unless an earlier one has the same corners
+  /// in the same order from wherever one begins.
+  bool add(const std::vector<Triangle>& kept, const Triangle& triangle, std::uint32_t index) {
+    const Triangle turned = smallest_first(triangle);
+    for (std::uint64_t slot = hash(turned) & mask_;; slot = (slot + 1) & mask_) {
+      if (slots_[slot] == kNoPoint) {
+        slots_[slot] = index;
+        return true;
+      }
+      if (smallest_first(kept[slots_[slot]]) == turned) return false;
+    }
+  }
+
+ private:
+  static Triangle smallest_first(Triangle t) {
+    std::ranges::rotate(t, std::ranges::min_element(t));
+    return t;
+  }
+  /// The finaliser of SplitMix64.
+  static std::uint64_t hash(const Triangle& t) {
+    std::uint64_t h = (std::uint64_t{t[0]} << 32U | t[1]) + t[2] * 0x9E3779B97F4A7C15U;
+    h = (h ^ (h >> 30U)) * 0xBF58476D1CE4E5B9U;
+    h = (h ^ (h >> 27U)) * 0x94D049BB133111EBU;
+    return h ^ (h >> 31U);
+  }
+
+  std::vector<std::uint32_t> slots_;
+  std::uint64_t mask_;
+};
+
+/// Renumbers triangles and drops those with a lost or invalid corner, with two equal corners, or
+/// that repeat an earlier one.
 void renumber(Points& points, const std::vector<std::uint32_t>& new_index) {
   std::vector<Triangle>& triangles = points.triangles;
+  KeptTriangles kept(triangles.size());
   std::size_t left = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     Triangle t = triangles[i];
@@ -26,6 +65,7 @@ void renumber(Points& points, const std::vector<std::uint32_t>& new_index) {
     }
     const bool whole = std::ranges::find(t, kNoPoint) == t.end();
     if (!whole || t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
+    if (!kept.add(triangles, t, static_cast<std::uint32_t>(left))) continue;
     if (!points.corner_texcoords.empty()) {
       points.corner_texcoords[left] = points.corner_texcoords[i];
     }

@@ -16,8 +16,8 @@ template <class Vector>
 }
 
 /// Keeps the points listed in `kept` (ascending) with their attributes. `new_index` maps old
-/// indices to new ones, kNoPoint for removed points. Triangles that lose a corner, or have two
-/// equal corners, are dropped.
+/// indices to new ones, kNoPoint for removed points. Triangles that lose a corner, have two equal
+/// corners or repeat an earlier one, are dropped: of 20,000 equal quads two triangles remain.
 void keep_points(Points& points, const std::vector<std::uint32_t>& kept,
                  const std::vector<std::uint32_t>& new_index);
 

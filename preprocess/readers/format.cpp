@@ -103,6 +103,11 @@ Result<const PointFormat*> find_format(const std::filesystem::path& path, std::s
   for (const PointFormat& format : kPointFormats) {
     if (format.recognises != nullptr && format.recognises(text)) return &format;
   }
+  if (text.starts_with("\x89RLF") || extension_of(path) == "relief") {
+    return make_error(
+        "{}: is a patch file already; `relief info` prints what it holds, `relief render` draws it",
+        path.string());
+  }
   if (text.starts_with("ASTM-E57")) {
     return make_error(
         "{}: E57 files cannot be read; convert it first, with `pdal translate IN.e57 OUT.las` or "

@@ -53,6 +53,8 @@ Status gunzip_pieces(const std::string& name, std::span<const std::byte> bytes,
 
   std::vector<std::byte> piece(kPieceBytes);
   std::size_t used = 0;  // of bytes
+  std::uint64_t unpacked = 0;
+  const std::uint64_t most = std::max(kAnyRatioBytes, kLargestRatio * bytes.size());
   for (;;) {
     if (progress.cancelled()) return interrupted_error();
     stream.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(bytes.data() + used));
@@ -63,6 +65,13 @@ Status gunzip_pieces(const std::string& name, std::span<const std::byte> bytes,
     const int code = inflate(&stream, Z_NO_FLUSH);
     used += in_before - stream.avail_in;
     const auto made = std::span(piece).first(piece.size() - stream.avail_out);
+    unpacked += made.size();
+    if (unpacked > most) {
+      return make_error(
+          "{}: decompresses to more than {} times its size, which no scan should; decompress it "
+          "with gunzip first if it is one",
+          name, kLargestRatio);
+    }
     RELIEF_TRY(take(made, used));
     if (code == Z_STREAM_END) {
       const auto left = bytes.subspan(used);

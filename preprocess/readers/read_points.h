@@ -15,9 +15,10 @@ namespace relief {
 /// follows from the content, or from the extension if the content does not show it. Drops points
 /// with NaN or infinite coordinates. Merges points at equal positions: averages their normals and
 /// keeps the first colour and texture coordinate; triangles keep texture seams. Renumbers triangles
-/// and drops degenerate ones. The file is not trusted: every count is checked against the remaining
-/// bytes before memory is allocated for it. Fails with one sentence: file, line or byte, what was
-/// expected. Fails if the options select no point, or classes of a format without them.
+/// and drops degenerate and repeated ones. The file is not trusted: every count is checked against
+/// the remaining bytes before memory is allocated for it. Fails with one sentence: file, line or
+/// byte, what was expected. Fails if the options select no point, or classes of a format without
+/// them.
 Result<ReadResult> read_points(const std::filesystem::path& path, Progress& progress,
                                const ReadOptions& options = {});
 

@@ -24,6 +24,9 @@ constexpr float kSteepOwnCosine = 0.6F;
 constexpr float kMinShareOfOwnCosine = 0.5F;
 // The margin ends at this slope (80 degrees).
 constexpr float kMinMarginCosine = 0.17F;
+// A sheet no steeper than that rises by less than this over a length of 1 on the base plane. Points
+// above are of other sheets: of 20,000 quads in a stack, each patch would collect its whole column.
+constexpr double kMostMarginRise = 5.8;
 
 /// Removes points that cannot be the farthest in any direction: those well inside the octagon of
 /// the farthest points in eight directions.
@@ -129,7 +132,8 @@ PatchPoints collect_patch_points(const SurfaceSamples& samples, const NeighbourG
     const auto is_margin = [&](std::uint32_t from, std::uint32_t i, std::uint32_t j) {
       const glm::dvec3 step = samples.positions[j] - samples.positions[from];
       const double rise = glm::dot(step, glm::dvec3(region.normal));
-      return glm::dot(step, step) - rise * rise <= margin * margin &&
+      return std::abs(rise) <= kMostMarginRise * margin &&
+             glm::dot(step, step) - rise * rise <= margin * margin &&
              glm::dot(samples.normals[j], region.normal) >= kMinMarginCosine &&
              on_one_sheet(samples, i, j);
     };

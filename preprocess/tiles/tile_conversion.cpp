@@ -31,6 +31,8 @@ class TileConversion {
         centre_((scan_.bounds.min + scan_.bounds.max) / 2.0) {}
 
   Result<ConvertedTiles> run() {
+    if (const Status good = check_spacing(options_.spacing, scan_.bounds); !good)
+      return make_error("{}: {}", name_, good.error().message);
     for (const auto step :
          {&TileConversion::survey, &TileConversion::orient, &TileConversion::choose_grid,
           &TileConversion::resample, &TileConversion::sum_up}) {

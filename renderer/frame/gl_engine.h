@@ -3,6 +3,7 @@
 
 #include <cassert>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -21,8 +22,10 @@ class GlPreparedModel : public PreparedModel {
  public:
   explicit GlPreparedModel(std::unique_ptr<GlModel> model) : model_(std::move(model)) {}
 
-  /// Draws the image once and reads it back. First, in frames of their own, counts its fragments,
-  /// and last times `settings.frames` frames more, if that is asked for.
+  /// Draws the image once and reads it back; in parts if it is large, which see
+  /// renderer/frame/image_parts.h. First, in frames of their own, counts its fragments, and last
+  /// times `settings.frames` frames more, if that is asked for. Looks between parts and frames
+  /// whether the user interrupts.
   Result<RenderResult> render(const RenderSettings& asked, Progress& progress) override;
 
   /// The settings as this engine reads them: what it does not offer has the value that it draws.
@@ -42,11 +45,16 @@ class GlPreparedModel : public PreparedModel {
   /// What the frames of these settings took: `first`, which drew the image, unless more frames are
   /// to be timed. Fails if OpenGL complains.
   Result<RenderResult> measure(const GlFrame& frame, const GlDrawing& drawing,
-                               const RenderSettings& settings, FrameTime first) const;
+                               const RenderSettings& settings, FrameTime first,
+                               const Progress& progress) const;
 
   [[nodiscard]] GlModel& model() const { return *model_; }
 
  private:
+  /// Draws one part of an image with one sample a pixel. `settings` are settled.
+  Result<RenderResult> render_part(const RenderSettings& settings, const Raster& part,
+                                   const Progress& progress);
+
   /// Draws an image with at least `asked.samples` samples a pixel, in a square grid: the frame is
   /// drawn that much larger, in parts if need be, and the mean of linear light and coverage is
   /// taken. Normal, depth, UV and patch, if asked for, are those of the pixels' middles, from a
@@ -55,6 +63,14 @@ class GlPreparedModel : public PreparedModel {
 
   std::unique_ptr<GlModel> model_;  ///< first: what derived classes make of it goes before
 };
+
+/// Adds what drawing `drawn` took to what `all` did: times, fragments and what is explained.
+void add_cost(const RenderResult& drawn, RenderResult& all);
+
+/// Puts a part of an image in its place, and adds what it took to what the parts before it did.
+/// `all` is empty before the first part.
+void add_part(RenderResult drawn, const Raster& part, const RenderSettings& settings,
+              std::optional<RenderResult>& all);
 
 /// The whole image, one sample a pixel.
 [[nodiscard]] inline Raster whole_of(const RenderSettings& settings) {

@@ -56,17 +56,19 @@ FrameTime time_frame(const Gl& gl, const GlFrame& frame, const GlDrawing& drawin
   return clock.finish();
 }
 
-void time_frames(const Gl& gl, const GlFrame& frame, const GlDrawing& drawing, int frames,
-                 RenderResult& result) {
+Status time_frames(const Gl& gl, const GlFrame& frame, const GlDrawing& drawing, int frames,
+                   const Progress& progress, RenderResult& result) {
   std::vector<double> frame_ms;
   std::vector<double> gpu_ms;
   for (int i = 0; i < frames; ++i) {
+    if (progress.cancelled()) return interrupted_error();
     const FrameTime time = time_frame(gl, frame, drawing);
     frame_ms.push_back(time.wall_ms);
     if (time.gpu_ms) gpu_ms.push_back(*time.gpu_ms);
   }
   if (!frame_ms.empty()) result.frame_ms = median_of(frame_ms);
   if (!gpu_ms.empty()) result.gpu_ms = median_of(gpu_ms);
+  return {};
 }
 
 std::uint64_t count_fragments(const Gl& gl, const GlFrame& frame, const GlDrawing& counting) {

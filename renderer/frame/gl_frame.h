@@ -8,6 +8,7 @@
 #include <string>
 
 #include "common/error.h"
+#include "common/progress.h"
 #include "renderer/frame/resolve.h"
 #include "renderer/frame/targets.h"
 #include "renderer/gl/functions.h"
@@ -79,9 +80,10 @@ class FrameClock {
 /// Draws one frame and waits for it.
 FrameTime time_frame(const Gl& gl, const GlFrame& frame, const GlDrawing& drawing);
 
-/// Draws the frame `frames` times more, and puts the medians of their times into the result.
-void time_frames(const Gl& gl, const GlFrame& frame, const GlDrawing& drawing, int frames,
-                 RenderResult& result);
+/// Draws the frame `frames` times more, and puts the medians of their times into the result. Fails
+/// if the user interrupts.
+Status time_frames(const Gl& gl, const GlFrame& frame, const GlDrawing& drawing, int frames,
+                   const Progress& progress, RenderResult& result);
 
 /// The number of fragments that the model's passes shade. `counting`: a drawing that counts them.
 /// The frame has holes then, because early depth tests let fragments hide others that are then

@@ -1,4 +1,4 @@
-// How an image with several samples a pixel is cut into parts that one target can hold.
+// How a large image is cut into parts that one target can hold.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace relief {
 
-/// Texels of a target of several samples a pixel, at most: 200 MB with its depth buffer, 900 MB
-/// with the sums of `multipass`.
+/// Texels of a target, at most: 200 MB with its depth buffer, 900 MB with the sums of `multipass`.
+/// Between two parts the user can interrupt.
 inline constexpr std::uint64_t kMaxPartSamples = std::uint64_t{1} << 24U;
 
 /// Samples along a pixel's side for at least `samples` of them in a pixel, at least 1.

@@ -10,23 +10,6 @@
 namespace relief {
 namespace {
 
-template <class T>
-std::optional<T> sum_of(const std::optional<T>& a, const std::optional<T>& b) {
-  return a && b ? std::optional<T>(*a + *b) : std::nullopt;
-}
-
-/// What a part took, added to what the parts before it did.
-void add_part(RenderResult part, std::optional<RenderResult>& all) {
-  if (!all) {
-    all = std::move(part);
-    return;
-  }
-  all->frame_ms += part.frame_ms;
-  all->gpu_ms = sum_of(all->gpu_ms, part.gpu_ms);
-  all->fragments = sum_of(all->fragments, part.fragments);
-  if (all->explanation && part.explanation) append(*all->explanation, *part.explanation);
-}
-
 /// Puts the channels of `colours` in the place of those of their names.
 void replace_channels(Image colours, Image& image) {
   for (Channel& channel : colours.channels) {
@@ -41,37 +24,42 @@ void replace_channels(Image colours, Image& image) {
 Result<RenderResult> GlPreparedModel::render_supersampled(const RenderSettings& asked,
                                                           Progress& progress) {
   const Gl& gl = model_->gl();
-  std::optional<RenderResult> all;
   const Outputs& outputs = asked.outputs;
   RenderSettings one_sample = asked;
   one_sample.samples = 1;
+  std::optional<RenderResult> middles;  // of the pixels
   if (outputs.normal || outputs.depth || outputs.uv || outputs.patch_id) {
-    RELIEF_TRY_ASSIGN(all, render(one_sample, progress));
+    RELIEF_TRY_ASSIGN(middles, render(one_sample, progress));
   }
   one_sample.outputs = {};
   const RenderSettings coloured = settled(one_sample);
   RELIEF_TRY_ASSIGN(const auto resolve, model_->resolve());
-  RELIEF_TRY_ASSIGN(const auto resolved, make_resolved(gl, asked.width, asked.height));
-  for (const Raster& part :
-       parts_of(asked.width, asked.height, samples_a_side(asked.samples), largest_target(gl))) {
+  const std::vector<Raster> parts =
+      parts_of(asked.width, asked.height, samples_a_side(asked.samples), largest_target(gl));
+  if (parts.size() > 1) progress.begin_stage("render", parts.size());
+  std::optional<RenderResult> all;
+  for (const Raster& part : parts) {
+    if (progress.cancelled()) return interrupted_error();
     RELIEF_TRY_ASSIGN(GlFrame frame, model_->make_frame(coloured, part));
-    frame.resolve = {resolve, &resolved, part};
+    RELIEF_TRY_ASSIGN(const auto resolved, make_resolved(gl, part.width, part.height));
+    frame.resolve = {resolve, &resolved, {0, 0, part.width, part.height, part.side}};
     RELIEF_TRY_ASSIGN(const auto drawing, make_drawing(frame, coloured, Counting::Off));
     RELIEF_TRY_ASSIGN(const auto fragments, count_if_asked(frame, coloured));
     FrameClock clock(gl);
     draw_frame(gl, frame, *drawing, clock.timer());
-    RELIEF_TRY_ASSIGN(RenderResult drawn, measure(frame, *drawing, coloured, clock.finish()));
+    RELIEF_TRY_ASSIGN(RenderResult drawn,
+                      measure(frame, *drawing, coloured, clock.finish(), progress));
     drawn.fragments = fragments;
-    add_part(std::move(drawn), all);
+    drawn.image = read_colour(gl, resolved.colour, part.width, part.height);
+    finish_coverage(asked.background.has_value(), drawn);
+    add_part(std::move(drawn), part, asked, all);
+    if (parts.size() > 1) progress.advance(1);
   }
-  Image colours = read_colour(gl, resolved.colour, asked.width, asked.height);
-  if (all->image.channels.empty()) {
-    all->image = std::move(colours);
-  } else {
-    replace_channels(std::move(colours), all->image);
-  }
-  finish_coverage(asked.background.has_value(), *all);
-  return *std::move(all);
+  if (!middles) return *std::move(all);
+  add_cost(*all, *middles);
+  middles->covered_pixels = all->covered_pixels;
+  replace_channels(std::move(all->image), middles->image);
+  return *std::move(middles);
 }
 
 }  // namespace relief

@@ -151,12 +151,15 @@ TEST_F(BadInput, AllPointsOnALine) {
 
 TEST_F(BadInput, OutputThatCannotBeWritten) {
   const std::string scan = write_knot(500);
-  std::filesystem::create_directory(path("folder"));
   std::filesystem::create_directory(path("folder.png"));
-  expect_refused({"convert", scan, "-o", path("folder")}, "folder");
+  std::filesystem::create_directory(path("folder.relief"));
+  const std::string named_so = write("scan.relief", knot_scan_ply(500));
+  expect_refused({"convert", scan, "-o", path("folder.relief")}, "folder.relief");
   expect_refused({"convert", scan, "-o", path("missing/out.relief")}, "missing");
-  expect_refused({"convert", scan, "-o", scan}, "knot.ply");
-  expect_refused({"convert", scan, "-o", "/dev/null"}, "/dev/null");
+  expect_refused({"convert", named_so, "-o", named_so}, "scan.relief");
+  expect_refused({"export", scan, "-o", scan}, "knot.ply");
+  std::filesystem::create_symlink("/dev/null", path("null.relief"));
+  expect_refused({"convert", scan, "-o", path("null.relief")}, "null.relief");
   expect_refused({"render", scan, "-o", path("folder.png")}, "folder.png");
   expect_refused({"render", scan, "-o", path("missing/out.exr")}, "missing");
 }

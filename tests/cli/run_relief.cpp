@@ -12,6 +12,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <regex>
 #include <sstream>
 
 #include "models/knot_scan.h"
@@ -40,6 +41,7 @@ Stream open_terminal() {
 
 [[noreturn]] void become_relief(const std::vector<std::string>& arguments,
                                 const RunOptions& options, const Stream& out, const Stream& err) {
+  if (options.terminal) setenv("TERM", "xterm", 1);  // a test may run where there is none
   for (const auto& [name, value] : options.environment) setenv(name.c_str(), value.c_str(), 1);
   if (options.largest_file) {
     const rlimit limit{*options.largest_file, *options.largest_file};
@@ -49,6 +51,7 @@ Stream open_terminal() {
   dup2(out.write_end, STDOUT_FILENO);
   dup2(err.write_end, STDERR_FILENO);
   for (const int end : {out.read_end, out.write_end, err.read_end, err.write_end}) close(end);
+  if (options.closed_out) close(STDOUT_FILENO);
   std::string program = RELIEF_PROGRAM;
   std::vector<std::string> copies = arguments;
   std::vector<char*> argv{program.data()};
@@ -66,11 +69,18 @@ bool read_some(int from, std::string& to) {
   return count > 0;
 }
 
+/// Leaves out "relief: resample 25 %, 14 s left" and "relief: neighbours, 10 s so far".
+std::string without_progress(const std::string& text) {
+  static const std::regex progress("relief: [a-z ]+( [0-9]+ %(, .* left)?|, .* so far)\n");
+  return std::regex_replace(text, progress, "");
+}
+
 }  // namespace
 
 Outcome run_relief(const std::vector<std::string>& arguments, const RunOptions& options) {
   const Stream out = open_pipe();
   const Stream err = options.terminal ? open_terminal() : open_pipe();
+  if (options.unread_out) close(out.read_end);
   const pid_t child = fork();
   if (child == 0) become_relief(arguments, options, out, err);
   close(out.write_end);
@@ -78,9 +88,17 @@ Outcome run_relief(const std::vector<std::string>& arguments, const RunOptions& 
 
   Outcome run;
   bool interrupted = options.interrupt_at.empty();
-  std::array<pollfd, 2> streams{{{out.read_end, POLLIN, 0}, {err.read_end, POLLIN, 0}}};
+  std::array<pollfd, 2> streams{
+      {{options.unread_out ? -1 : out.read_end, POLLIN, 0}, {err.read_end, POLLIN, 0}}};
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  std::optional<Clock::time_point> interrupt;
   while (streams[0].fd >= 0 || streams[1].fd >= 0) {
-    poll(streams.data(), streams.size(), -1);
+    poll(streams.data(), streams.size(), options.interrupt_after ? 1 : -1);
+    if (options.interrupt_after && !interrupt && Clock::now() - start >= *options.interrupt_after) {
+      kill(child, SIGINT);
+      interrupt = Clock::now();
+    }
     if (streams[0].revents != 0 && !read_some(out.read_end, run.out)) streams[0].fd = -1;
     if (streams[1].revents != 0 && !read_some(err.read_end, run.err)) streams[1].fd = -1;
     if (!interrupted && run.err.find(options.interrupt_at) != std::string::npos) {
@@ -88,10 +106,13 @@ Outcome run_relief(const std::vector<std::string>& arguments, const RunOptions& 
       interrupted = true;
     }
   }
-  close(out.read_end);
+  if (!options.unread_out) close(out.read_end);
   close(err.read_end);
+  if (!options.terminal) run.err = without_progress(run.err);
   int status = 0;
   waitpid(child, &status, 0);
+  if (interrupt)
+    run.seconds_after_interrupt = std::chrono::duration<double>(Clock::now() - *interrupt).count();
   run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
   return run;
 }

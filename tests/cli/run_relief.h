@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -16,7 +17,9 @@ namespace relief::test {
 struct Outcome {
   int exit_code = 0;  ///< minus the signal's number if one ended it
   std::string out;
+  /// Without the lines of progress that a job of more than ten seconds prints on a busy machine.
   std::string err;
+  double seconds_after_interrupt = 0.0;  ///< until the exit, with `interrupt_after`
 };
 
 struct RunOptions {
@@ -24,6 +27,9 @@ struct RunOptions {
   std::optional<std::uint64_t> largest_file;  ///< bytes; a write beyond them fails (RLIMIT_FSIZE)
   bool terminal = false;                      ///< standard error is a terminal
   std::string interrupt_at;  ///< with `terminal`: SIGINT once standard error shows this text
+  std::optional<std::chrono::milliseconds> interrupt_after;  ///< SIGINT so long after the start
+  bool closed_out = false;  ///< standard output is closed, as by `>&-`
+  bool unread_out = false;  ///< standard output is a pipe whose reader has left, as by `| head -0`
 };
 
 Outcome run_relief(const std::vector<std::string>& arguments, const RunOptions& options = {});

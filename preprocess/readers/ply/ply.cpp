@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "preprocess/readers/ply/ply_header.h"
+#include "preprocess/readers/ply/ply_textures.h"
 #include "preprocess/readers/ply/ply_values.h"
 #include "preprocess/readers/point_record.h"
 #include "preprocess/readers/polygons.h"
@@ -40,6 +41,7 @@ class PlyBody {
       RELIEF_TRY(element.name == "vertex" ? read_vertices(element) : read_lists(element));
     }
     points_.stance = stance();
+    textures_.give(header_.textures, points_);
     return std::move(points_);
   }
 
@@ -128,17 +130,18 @@ class PlyBody {
 
   /// Any other element: faces and strips are kept, the rest is skipped.
   Status read_lists(const PlyElement& element) {
-    const bool strips = element.name == "tristrips";
-    const bool faces = element.name == "face";
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (!values_.begin_element()) return failure(element, i);
+      list_.clear();
+      textures_.begin_face();
       for (const PlyProperty& property : element.properties) {
-        const bool wanted = (faces || strips) && property.count_type &&
-                            (property.name == "vertex_indices" || property.name == "vertex_index");
-        if (!(wanted ? read_list(property) : skip_property(property))) return failure(element, i);
-        if (!wanted || source_.sink != nullptr) continue;
-        if (strips) append_strips(list_, points_.triangles);
-        if (faces) append_polygon(list_, points_.triangles);
+        if (!read_property(element, property)) return failure(element, i);
+      }
+      if (source_.sink == nullptr) {
+        const std::size_t before = points_.triangles.size();
+        if (element.name == "tristrips") append_strips(list_, points_.triangles);
+        if (element.name == "face") append_polygon(list_, points_.triangles);
+        textures_.end_face(list_.size(), before, points_.triangles.size());
       }
       if (!values_.end_element()) return failure(element, i);
       if (!meter_.advance_to(values_.offset())) return interrupted_error();
@@ -146,15 +149,32 @@ class PlyBody {
     return {};
   }
 
-  bool read_list(const PlyProperty& property) {
+  bool read_property(const PlyElement& element, const PlyProperty& property) {
+    const bool face = element.name == "face";
+    const std::string& name = property.name;
+    if (property.count_type) {
+      if ((face || element.name == "tristrips") &&
+          (name == "vertex_indices" || name == "vertex_index"))
+        return read_list(property, [this](double value) { list_.push_back(to_index(value)); });
+      if (face && name == "texcoord")
+        return read_list(property, [this](double value) { textures_.add_coordinate(value); });
+    } else if (face && name == "texnumber") {
+      double value = 0.0;
+      if (!values_.value(property.type, value)) return false;
+      textures_.set_number(value);
+      return true;
+    }
+    return skip_property(property);
+  }
+
+  template <class Take>
+  bool read_list(const PlyProperty& property, const Take& take) {
     std::uint64_t count = 0;
     if (!list_count(property, count)) return false;
-    list_.clear();
-    list_.reserve(count);
     for (std::uint64_t i = 0; i < count; ++i) {
       double value = 0.0;
       if (!values_.value(property.type, value)) return false;
-      list_.push_back(to_index(value));
+      take(value);
     }
     return true;
   }
@@ -185,6 +205,7 @@ class PlyBody {
   ReadMeter meter_;
   Values values_;
   Points points_;
+  PlyTextures textures_;
   std::vector<std::uint32_t> list_;
   bool impossible_list_ = false;
   bool has_vertices_ = false;  ///< they were read, or the sink has them

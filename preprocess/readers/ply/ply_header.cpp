@@ -78,7 +78,13 @@ Result<PlyHeader> read_ply_header(const Source& source) {
                         source.name, line.line_number());
     }
     const std::string_view keyword = line.peek();
-    if (keyword == "comment" || keyword == "obj_info") continue;
+    if (keyword == "comment") {
+      (void)line.word();
+      if (lower_case(line.word()) == "texturefile")
+        header.textures.emplace_back(trimmed(line.rest_of_line()));
+      continue;
+    }
+    if (keyword == "obj_info") continue;
     if (keyword == "end_header") break;
     if (keyword == "format") {
       (void)line.word();

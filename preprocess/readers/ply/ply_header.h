@@ -28,7 +28,9 @@ enum class PlyEncoding { Ascii, LittleEndian, BigEndian };
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::Ascii;
   std::vector<PlyElement> elements;  ///< in file order
-  std::size_t body = 0;              ///< offset of the first byte after the header
+  /// Pictures that `comment TextureFile NAME` lines name, as MeshLab writes them.
+  std::vector<std::string> textures;
+  std::size_t body = 0;  ///< offset of the first byte after the header
 };
 
 /// Reads the header. Counts are not yet checked against the bytes of the body.

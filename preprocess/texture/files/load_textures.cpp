@@ -103,11 +103,29 @@ Status put_on_all(const fs::path& mesh, const fs::path& image, Points& points) {
   return {};
 }
 
+/// Reads the image that a material of the mesh file itself names (PLY), if it does.
+Status read_named_texture(const fs::path& mesh, MeshMaterial& material) {
+  if (material.image.empty()) return {};
+  const fs::path file = resolve_beside(mesh, material.image);
+  auto read = read_texture(file, wrap_of(material.clamps));
+  if (!read) {
+    return make_error("{} (the texture of {}; --texture names another, and none does without)",
+                      read.error().message, mesh.string());
+  }
+  material.image = file.string();
+  material.texture = std::move(*read);
+  return {};
+}
+
 /// Reads the images of materials defined in the mesh file itself.
 Status read_stated_textures(const fs::path& mesh, Points& points) {
   std::map<std::pair<const void*, bool>, std::shared_ptr<const MeshTexture>> textures;
   for (MeshMaterial& material : points.materials) {
-    if (!material.is_stated || material.image_bytes == nullptr || !material.has_texcoords) continue;
+    if (!material.is_stated || !material.has_texcoords) continue;
+    if (material.image_bytes == nullptr) {
+      RELIEF_TRY(read_named_texture(mesh, material));
+      continue;
+    }
     const std::pair key(static_cast<const void*>(material.image_bytes.get()), material.clamps);
     auto texture = textures.find(key);
     if (texture == textures.end()) {
@@ -181,6 +199,17 @@ Status resolve_materials(const fs::path& mesh, Points& points, std::vector<std::
   return loaded;
 }
 
+/// Tells a user whose mesh could have a picture, and has no colours instead, how to name it.
+void note_missing_picture(const fs::path& mesh, const Points& points,
+                          std::vector<std::string>& notes) {
+  if (points.triangles.empty() || points.texcoords.empty() || !points.colours.empty()) return;
+  if (has_triangle_colours(points)) return;
+  notes.push_back(
+      fmt::format("{}: has texture coordinates, and no picture is found for them; --texture FILE "
+                  "names one",
+                  mesh.string()));
+}
+
 void leave_out(Points& points) {
   points.materials.clear();
   points.triangle_materials.clear();
@@ -198,6 +227,16 @@ fs::path resolve_beside(const fs::path& owner, const std::string& name) {
   return owner.parent_path() / (leaves ? fs::path(slashes).filename() : inside);
 }
 
+void flip_v(Points& points) {
+  for (glm::vec2& texcoord : points.texcoords) texcoord.y = 1.0F - texcoord.y;
+  for (CornerTexcoords& corners : points.corner_texcoords) {
+    for (glm::vec2& texcoord : corners) texcoord.y = 1.0F - texcoord.y;
+  }
+  for (CornerTangents& corners : points.corner_tangents) {
+    for (glm::vec4& tangent : corners) tangent.w = -tangent.w;
+  }
+}
+
 bool has_triangle_colours(const Points& points) {
   return std::any_of(points.triangle_materials.begin(), points.triangle_materials.end(),
                      [](std::uint32_t material) { return material != kNoMaterial; });
@@ -206,12 +245,15 @@ bool has_triangle_colours(const Points& points) {
 Status load_textures(const fs::path& mesh, const TextureChoice& choice, Points& points,
                      std::vector<std::string>& notes) {
   Status done;
+  if (choice.flips_v) flip_v(points);
   if (choice.left_out) {
     leave_out(points);
   } else if (!choice.image.empty()) {
     done = put_on_all(mesh, choice.image, points);
   } else {
     done = resolve_materials(mesh, points, notes);
+    // A missing material file has a note of its own.
+    if (done && notes.empty()) note_missing_picture(mesh, points, notes);
   }
   points.material_files.clear();
   if (done && !has_triangle_colours(points)) leave_out(points);

@@ -15,6 +15,7 @@ struct TextureChoice {
   bool left_out = false;        ///< ignore the file's colours and normal maps
   std::filesystem::path image;  ///< one texture for all triangles instead, without normal maps;
                                 ///< empty: the file's textures
+  bool flips_v = false;         ///< the coordinates' v goes downward: it becomes 1 - v
 };
 
 /// Reads the material files and images (textures and normal maps) that the file `mesh` names.
@@ -25,11 +26,16 @@ struct TextureChoice {
 /// folder (an absolute path, a drive, ..), only its last part is used: untrusted files must not
 /// make Relief read others.
 ///
+/// A mesh with texture coordinates for which nobody names a picture gets a note.
+///
 /// Fails with one sentence if an image that triangles use is missing, too large or damaged, or if
 /// `choice` names one for a mesh that can have none. A missing material file is only a note,
 /// because the shape is complete without it.
 Status load_textures(const std::filesystem::path& mesh, const TextureChoice& choice, Points& points,
                      std::vector<std::string>& notes);
+
+/// Turns texture coordinates whose v goes downward, and tangents with them.
+void flip_v(Points& points);
 
 /// Returns whether some triangle has a material.
 [[nodiscard]] bool has_triangle_colours(const Points& points);

@@ -57,6 +57,11 @@ std::vector<std::uint32_t> order_of(const std::vector<std::uint32_t>& codes) {
   return order;
 }
 
+/// What single precision may get wrong of distances to a sphere's slab.
+float slack_of(glm::vec3 centre, float radius) {
+  return 2e-6F * (glm::length(centre) + radius);
+}
+
 double cross(glm::dvec2 a, glm::dvec2 b) {
   return a.x * b.y - a.y * b.x;
 }
@@ -73,14 +78,18 @@ glm::ivec2 height_range(const Patch& patch) {
 /// Projects triangles along a patch's normal.
 class View {
  public:
-  View(const Patch& patch, const Points& mesh)
+  /// `low`, `high`: in cells of height, between which triangles are wanted.
+  View(const Patch& patch, const Points& mesh, double low, double high)
       : mesh_(mesh),
         to_local_(glm::transpose(patch.axes)),
         origin_(patch.origin),
         spacing_(patch.spacing),
-        cells_(patch.width - 1, patch.height - 1) {}
+        cells_(patch.width - 1, patch.height - 1),
+        low_(low),
+        high_(high) {}
 
-  /// Adds a triangle, unless it is beside the patch's grid or edge-on.
+  /// Adds a triangle, unless it is beside the patch's grid, above it, below it or edge-on. (The
+  /// sphere about a large triangle reaches far above it: of a stack of 400, each patch got all.)
   void add(std::uint32_t index, std::vector<FlatTriangle>& to) const {
     FlatTriangle flat;
     flat.index = index;
@@ -90,6 +99,8 @@ class View {
       flat.corners[c] = glm::dvec2(position);
       flat.heights[static_cast<glm::length_t>(c)] = position.z;
     }
+    const glm::dvec3& z = flat.heights;
+    if (std::min({z.x, z.y, z.z}) > high_ || std::max({z.x, z.y, z.z}) < low_) return;
     const auto& p = flat.corners;
     const glm::dvec2 low = glm::min(glm::min(p[0], p[1]), p[2]);
     const glm::dvec2 high = glm::max(glm::max(p[0], p[1]), p[2]);
@@ -104,6 +115,8 @@ class View {
   glm::dvec3 origin_;
   double spacing_;
   glm::dvec2 cells_;
+  double low_;
+  double high_;
 };
 
 /// Sorts numbers below `end`. For many numbers, a bit set is faster than comparisons.
@@ -161,6 +174,24 @@ void TriangleSpheres::sort_by_position(std::vector<Sphere>& spheres, const Bound
   spheres = std::move(sorted);
 }
 
+void TriangleSpheres::add_slab(std::span<const Sphere> members, Sphere& group) {
+  const glm::vec3 first = members.front().normal;
+  glm::vec3 sum(0.0F);
+  for (const Sphere& s : members) sum += glm::dot(s.normal, first) < 0.0F ? -s.normal : s.normal;
+  if (!(glm::length(sum) > 0.5F)) return;  // of all directions
+  group.normal = glm::normalize(sum);
+  for (const Sphere& s : members) {
+    const bool has_slab = s.normal != glm::vec3(0.0F);
+    // Not by the square of the cosine: normals that are nearly equal differ by more than it tells.
+    const float across = glm::length(glm::cross(s.normal, group.normal));
+    const float of_member =
+        has_slab ? std::min(s.radius, s.thickness + across * s.radius) : s.radius;
+    group.thickness = std::max(
+        group.thickness, std::abs(glm::dot(group.normal, s.centre - group.centre)) + of_member);
+  }
+  group.thickness = group.thickness * kRounding + slack_of(group.centre, group.radius);
+}
+
 std::vector<TriangleSpheres::Sphere> TriangleSpheres::group(const std::vector<Sphere>& spheres) {
   std::vector<Sphere> groups;
   groups.reserve(spheres.size() / kGroup + 1);
@@ -172,6 +203,7 @@ std::vector<TriangleSpheres::Sphere> TriangleSpheres::group(const std::vector<Sp
     for (const Sphere& s : members)
       group.radius = std::max(group.radius, glm::distance(group.centre, s.centre) + s.radius);
     group.radius *= kRounding;
+    add_slab(members, group);
     groups.push_back(group);
   }
   return groups;
@@ -190,8 +222,15 @@ TriangleSpheres::TriangleSpheres(const Points& mesh) : mesh_(mesh) {
     const double radius =
         std::max({glm::distance(a, centre), glm::distance(b, centre), glm::distance(c, centre)});
     // Single precision rounds the centre by less than a millionth of its distance.
-    spheres_.push_back(
-        {glm::vec3(centre), static_cast<float>(radius + 1e-6 * glm::length(centre)), t});
+    Sphere sphere{glm::vec3(centre), static_cast<float>(radius + 1e-6 * glm::length(centre)),
+                  glm::vec3(0.0F), 0.0F, t};
+    const glm::dvec3 normal = glm::cross(b - a, c - a);
+    // The normal of a needle is not exact.
+    if (glm::length(normal) > 1e-3 * radius * radius) {
+      sphere.normal = glm::vec3(glm::normalize(normal));
+      sphere.thickness = slack_of(sphere.centre, sphere.radius);
+    }
+    spheres_.push_back(sphere);
   }
   sort_by_position(spheres_, bounds);
   groups_ = group(spheres_);
@@ -229,8 +268,12 @@ std::vector<FlatTriangle> TriangleSpheres::find_over(const Patch& patch) const {
                          patch.axes * (patch.spacing * 0.5 * (low + high)));
   const glm::vec3 half = glm::vec3(patch.spacing * 0.5 * (high - low)) * kRounding;
   const auto meets_box = [&](const Sphere& sphere) {
-    const glm::vec3 apart = glm::abs(to_box * (sphere.centre - centre)) - half;
-    return std::max({apart.x, apart.y, apart.z}) <= sphere.radius;
+    const glm::vec3 to_sphere = to_box * (sphere.centre - centre);
+    const glm::vec3 apart = glm::abs(to_sphere) - half;
+    if (std::max({apart.x, apart.y, apart.z}) > sphere.radius) return false;
+    const glm::vec3 normal = to_box * sphere.normal;
+    return std::abs(glm::dot(normal, to_sphere)) <=
+           sphere.thickness + glm::dot(glm::abs(normal), half);
   };
   std::vector<std::uint32_t> near;
   const auto note = [&near](std::uint32_t triangle) {
@@ -241,7 +284,7 @@ std::vector<FlatTriangle> TriangleSpheres::find_over(const Patch& patch) const {
   sort_numbers(near, spheres_.size());
   std::vector<FlatTriangle> found;
   found.reserve(near.size());
-  const View view(patch, mesh_);
+  const View view(patch, mesh_, low.z, high.z);
   for (const std::uint32_t t : near) view.add(t, found);
   return found;
 }
@@ -252,7 +295,9 @@ std::optional<TriangleSpheres::Place> TriangleSpheres::find_nearest(glm::dvec3 p
   std::optional<Place> nearest;
   const auto may_be_near = [&](const Sphere& sphere) {
     const auto apart = static_cast<double>(glm::distance(sphere.centre, centre));
-    return apart <= double{kRounding} * (double{sphere.radius} + reach);
+    if (apart > double{kRounding} * (double{sphere.radius} + reach)) return false;
+    return std::abs(glm::dot(sphere.normal, sphere.centre - centre)) <=
+           double{kRounding} * (double{sphere.thickness} + reach);
   };
   const auto look_at = [&](std::uint32_t triangle) {
     const Triangle& corners = mesh_.triangles[triangle];

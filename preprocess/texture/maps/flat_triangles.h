@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "common/patch.h"
@@ -62,13 +63,20 @@ class TriangleSpheres {
   [[nodiscard]] std::optional<Place> find_nearest(glm::dvec3 position, double reach) const;
 
  private:
+  /// A sphere about triangles, cut by a slab: in a stack, the spheres of all triangles hold the
+  /// same places, and only their slabs tell them apart.
   struct Sphere {
     glm::vec3 centre{0.0F};  ///< relative to the centre of the mesh
     float radius = 0.0F;
+    glm::vec3 normal{0.0F};  ///< of the slab, which is about the centre; 0: there is none
+    float thickness = 0.0F;  ///< on either side
     std::uint32_t triangle = 0;
   };
   /// Sorts spheres so that adjacent ones are near each other.
   static void sort_by_position(std::vector<Sphere>& spheres, const Bounds& bounds);
+  /// Gives a group a slab about its members'.
+  static void add_slab(std::span<const Sphere> members, Sphere& group);
+
   /// Number of spheres in a group.
   static constexpr std::size_t kGroup = 32;
   static std::vector<Sphere> group(const std::vector<Sphere>& spheres);

@@ -47,9 +47,9 @@ TEST(CleanPointsTest, DropsNonFiniteMergesEqualAndKeepsTheOrderOfFirstAppearance
 TEST(CleanPointsTest, RenumbersTrianglesAndDropsTheDegenerate) {
   Points points;
   points.positions = {{0, 0, 0}, {kNan, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 1, 0}};
-  points.triangles = {{0, 2, 4}, {3, 2, 4}, {0, 1, 2}, {0, 3, 4}, {0, 2, 5}, {0, 2, UINT32_MAX}};
+  points.triangles = {{0, 2, 4}, {2, 3, 4}, {0, 1, 2}, {0, 3, 4}, {0, 2, 5}, {0, 2, UINT32_MAX}};
   const ReadResult result = clean_points(points);
-  EXPECT_EQ(result.points.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 1, 2}}));
+  EXPECT_EQ(result.points.triangles, (std::vector<Triangle>{{0, 1, 2}, {1, 0, 2}}));
 }
 
 TEST(CleanPointsTest, MergedPointsOfASeamLeaveEachTriangleItsOwnTextureCoordinates) {
@@ -83,6 +83,18 @@ TEST(CleanPointsTest, AMillionEqualPointsTakeNoLongerThanDifferentOnes) {
   const ReadResult result = clean_points(std::move(points));
   EXPECT_EQ(result.points.size(), 1U);
   EXPECT_EQ(result.merged_duplicates, 999'999U);
+}
+
+TEST(CleanPointsTest, RepeatedTrianglesAreDroppedWithTheirAttributes) {
+  Points points;
+  points.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 0}};
+  // The second begins elsewhere, the third with a point that is merged. The fourth faces the other
+  // way, which is a side of its own.
+  points.triangles = {{0, 1, 2}, {1, 2, 0}, {4, 1, 2}, {0, 2, 1}, {1, 3, 2}};
+  points.triangle_materials = {7, 8, 9, 10, 11};
+  const ReadResult result = clean_points(points);
+  EXPECT_EQ(result.points.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 1}, {1, 3, 2}}));
+  EXPECT_EQ(result.points.triangle_materials, (std::vector<std::uint32_t>{7, 10, 11}));
 }
 
 }  // namespace

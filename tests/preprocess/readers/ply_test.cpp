@@ -128,6 +128,45 @@ TEST(PlyTest, ReadsTextureCoordinatesUnderEachName) {
   }
 }
 
+// As MeshLab writes them.
+TEST(PlyTest, FacesHaveTextureCoordinatesAndPictures) {
+  const std::string faces =
+      "element face 3\nproperty list uchar int vertex_indices\n"
+      "property list uchar float texcoord\nproperty int texnumber\n";
+  std::string head = header("ascii", vertices(4) + faces);
+  head.insert(head.find("element"),
+              "comment TextureFile red paint.png\ncomment texturefile b.png\n");
+  const Points points = read("a.ply", head +
+                                          "0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
+                                          "4 0 1 2 3  8 0 0 0.5 0 0.5 1 0 1  1\n"
+                                          "3 0 2 1  6 0.25 0 1 1 1 0  0\n"
+                                          "3 1 3 2  0  7\n");
+  ASSERT_EQ(points.triangles.size(), 4U);
+  ASSERT_EQ(points.materials.size(), 2U);
+  EXPECT_EQ(points.materials[0].image, "red paint.png");
+  EXPECT_EQ(points.materials[1].image, "b.png");
+  EXPECT_EQ(points.triangle_materials, (std::vector<std::uint32_t>{1, 1, 0, kNoMaterial}));
+  using Corners = CornerTexcoords;
+  EXPECT_EQ(texcoords_of(points, 0), (Corners{{{0, 0}, {0.5, 0}, {0.5, 1}}}));
+  EXPECT_EQ(texcoords_of(points, 1), (Corners{{{0, 0}, {0.5, 1}, {0, 1}}}));
+  EXPECT_EQ(texcoords_of(points, 2), (Corners{{{0.25, 0}, {1, 1}, {1, 0}}}));
+  // A point has the coordinates of its first corner.
+  EXPECT_EQ(points.texcoords[0], glm::vec2(0, 0));
+  EXPECT_EQ(points.texcoords[2], glm::vec2(0.5, 1));
+}
+
+TEST(PlyTest, APictureGoesOnVerticesWithTextureCoordinates) {
+  std::string head =
+      header("ascii", vertices(3, "property float s\nproperty float t\n") +
+                          "element face 1\nproperty list uchar int vertex_indices\n");
+  head.insert(head.find("element"), "comment TextureFile a.png\n");
+  const Points points = read("a.ply", head + "0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2\n");
+  ASSERT_EQ(points.materials.size(), 1U);
+  EXPECT_TRUE(points.materials[0].is_stated);
+  EXPECT_EQ(points.triangle_materials, std::vector<std::uint32_t>{0});
+  EXPECT_EQ(texcoords_of(points, 0)[1], glm::vec2(1, 0));
+}
+
 TEST(PlyTest, HeadersMayEndTheirLinesInAnyWay) {
   // The first byte of the body looks like a line end: 10 is the last byte of 0x0A...
   const float x = std::bit_cast<float>(0x3F80000AU);

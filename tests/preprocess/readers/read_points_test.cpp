@@ -98,6 +98,27 @@ TEST(GunzipTest, AFileThatGrowsBeyondTheLimitIsRefused) {
             "a.ply: decompresses to more than 4 MB, which this machine's memory cannot hold");
 }
 
+// 300 MB of zeros are packed 1030 times.
+TEST(GunzipTest, UnpackingStopsAtARatioWhateverTheMemory) {
+  const std::vector<char> zeros(300'000'000);
+  const std::string bomb = gzip({zeros.data(), zeros.size()});
+  const std::uint64_t most = std::max(kAnyRatioBytes, kLargestRatio * bomb.size());
+  ASSERT_LT(most, zeros.size());
+  std::uint64_t unpacked = 0;
+  const Progress progress;
+  const Status done = gunzip_pieces("a.ply", std::as_bytes(std::span(bomb)), progress,
+                                    [&](std::span<const std::byte> piece, std::size_t) {
+                                      unpacked += piece.size();
+                                      return Status();
+                                    });
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().message,
+            "a.ply: decompresses to more than 200 times its size, which no scan should; decompress "
+            "it with gunzip first if it is one");
+  EXPECT_LE(unpacked, most);
+  EXPECT_GT(unpacked, most - 100'000);  // a piece has 64 KiB
+}
+
 TEST(ReadBytesTest, SaysWhatCannotBeRead) {
   EXPECT_EQ(error("empty.ply", ""), "empty.ply: the file is empty");
   EXPECT_EQ(error("empty.xyz.gz", gzip("")), "empty.xyz.gz: the file is empty");

@@ -71,6 +71,64 @@ TEST_F(LoadTextures, NamesWithBlanksAndOptionsLeadToImages) {
   EXPECT_EQ(colour_of(1), glm::vec3(linear_from_srgb(0.5F), 1.0F, 0.0F));
 }
 
+constexpr const char* kUnnamedSquare =
+    "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 1 0.75\nf 1/1 2/2 3/3\n";
+
+TEST_F(LoadTextures, AMeshThatCouldHaveAPictureSaysHowToNameIt) {
+  write("mesh/a.obj", kUnnamedSquare);
+  ASSERT_EQ(load(), "");
+  ASSERT_EQ(notes_.size(), 1U);
+  EXPECT_NE(notes_[0].find("a.obj: has texture coordinates, and no picture"), std::string::npos);
+  EXPECT_NE(notes_[0].find("--texture FILE"), std::string::npos);
+  // No note where the user has decided, or where there are no coordinates.
+  write_image("blue.png", {0.0F, 0.0F, 1.0F});
+  ASSERT_EQ(load({false, folder_ / "blue.png"}), "");
+  EXPECT_TRUE(notes_.empty());
+  ASSERT_EQ(load({true, {}}), "");
+  EXPECT_TRUE(notes_.empty());
+  write("mesh/a.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nf 1 2 3\n");
+  ASSERT_EQ(load(), "");
+  EXPECT_TRUE(notes_.empty());
+}
+
+TEST_F(LoadTextures, CoordinatesThatCountDownwardAreTurned) {
+  write("mesh/a.obj", kUnnamedSquare);
+  write_image("blue.png", {0.0F, 0.0F, 1.0F});
+  ASSERT_EQ(load({false, folder_ / "blue.png", true}), "");
+  EXPECT_EQ(texcoords_of(points_, 0),
+            (CornerTexcoords{{{0.0F, 1.0F}, {1.0F, 1.0F}, {1.0F, 0.25F}}}));
+  Points both;
+  both.corner_texcoords = {{{{0.0F, 0.25F}, {1.0F, 0.5F}, {2.0F, -1.0F}}}};
+  both.corner_tangents = {{{{1, 0, 0, 1}, {1, 0, 0, -1}, {1, 0, 0, 0}}}};
+  flip_v(both);
+  EXPECT_EQ(both.corner_texcoords[0],
+            (CornerTexcoords{{{0.0F, 0.75F}, {1.0F, 0.5F}, {2.0F, 2.0F}}}));
+  EXPECT_EQ(both.corner_tangents[0][0].w, -1.0F);
+  EXPECT_EQ(both.corner_tangents[0][1].w, 1.0F);
+}
+
+TEST_F(LoadTextures, PicturesThatAMeshFileNamesAreBesideIt) {
+  write_image("mesh/deeper/red paint.png", {1.0F, 0.0F, 0.0F});
+  const auto give = [&](const std::string& image) {
+    points_ = {};
+    points_.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    points_.texcoords = {{0, 0}, {1, 0}, {0, 1}};
+    points_.triangles = {{0, 1, 2}};
+    points_.materials.resize(1);
+    points_.materials[0].image = image;
+    points_.materials[0].is_stated = true;
+    points_.triangle_materials = {0};
+    const Status loaded = load_textures(folder_ / "mesh" / "a.ply", {}, points_, notes_);
+    return loaded ? std::string() : loaded.error().message;
+  };
+  EXPECT_EQ(give("deeper\\red paint.png"), "");
+  EXPECT_EQ(colour_of(0), glm::vec3(1.0F, 0.0F, 0.0F));
+  EXPECT_NE(give("gone.png").find("mesh/gone.png"), std::string::npos);
+  EXPECT_NE(give("gone.png").find("--texture names another"), std::string::npos);
+  // Not a way to make Relief read other files.
+  EXPECT_NE(give("/etc/passwd").find("mesh/passwd"), std::string::npos);
+}
+
 TEST_F(LoadTextures, MissingAndDamagedImagesAreNamed) {
   write("mesh/a.obj", kTexturedSquare);
   write("mesh/my colours.mtl", "newmtl of paint\nmap_Kd gone.png\n");
