@@ -25,12 +25,13 @@ Result<std::string> fingerprint_of(const std::vector<fs::path>& files,
                                    const PatchFileOptions& file_options,
                                    const SpreadOptions& spread_options) {
   std::string text = fmt::format(
-      "relief {} tiles 4\nspacing {} cone {} overlap {} step {} colours {}\n"
+      "relief {} tiles 5\nspacing {} cone {} overlap {} step {} colours {} side {} {} {} {}\n"
       "codec {} normals {}\ntile {}\n",
       kVersion, options.spacing, options.cone_degrees,
       options.seams.value_or(false) ? -1 : options.overlap_cells, options.height_step,
-      options.colour_scale, static_cast<int>(file_options.codec), file_options.normal_degrees,
-      tile_points(spread_options));
+      options.colour_scale, static_cast<int>(options.side.side), options.side.toward.x,
+      options.side.toward.y, options.side.toward.z, static_cast<int>(file_options.codec),
+      file_options.normal_degrees, tile_points(spread_options));
   for (const fs::path& file : files) {
     std::error_code error;
     const auto size = fs::file_size(file, error);

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
+#include "preprocess/readers/las/airborne.h"
 #include "preprocess/readers/las/las_header.h"
 #include "preprocess/readers/number_type.h"
 #include "preprocess/readers/readers.h"
@@ -73,12 +75,40 @@ void add_remarks(const Source& source, Colours colours, const LeftOut& left_out)
                   source.name, left_out.withheld, left_out.noise));
 }
 
+glm::dvec3 position_of(const char* record, const LasHeader& header) {
+  const glm::dvec3 steps(load_whole<std::int32_t>(record), load_whole<std::int32_t>(record + 4),
+                         load_whole<std::int32_t>(record + 8));
+  return header.offset + header.scale * steps;
+}
+
+/// Enough to know how evenly a scan sees the ground.
+constexpr std::uint64_t kSampledPoints = 200'000;
+
+bool is_airborne(const Source& source, const LasHeader& header) {
+  std::vector<glm::dvec3> sample;
+  bool several_returns = false;
+  const std::uint64_t step = header.points / kSampledPoints + 1;
+  for (std::uint64_t i = 0; i < header.points; i += step) {
+    const std::size_t at = header.body + i * header.stride;
+    if (source.sink != nullptr && sample.size() % 1024 == 0) source.sink->pass(at);
+    const char* const record = source.text.data() + at;
+    LeftOut left_out;
+    if (left_out.takes(record, header.is_wide())) continue;
+    sample.push_back(position_of(record, header));
+    const auto returns = load_whole<std::uint8_t>(record + 14);
+    several_returns |= (header.is_wide() ? returns >> 4U : returns >> 3U & 7U) > 1;
+  }
+  return looks_airborne(sample, several_returns);
+}
+
 }  // namespace
 
 Result<Points> read_las(const Source& source) {
   RELIEF_TRY_ASSIGN(const auto header, read_las_header(source));
   const Colours colours = find_colours(source, header);
+  const bool from_above = is_airborne(source, header);
   Points points;
+  points.is_airborne = from_above;
   std::uint64_t given = 0;  // to the sink
   const std::uint64_t capacity =
       source.sink != nullptr ? std::min<std::uint64_t>(header.points, PointSink::kBlockPoints)
@@ -94,9 +124,7 @@ Result<Points> read_las(const Source& source) {
     if (!meter.advance_to(at)) return interrupted_error();
     const char* const record = source.text.data() + at;
     if (left_out.takes(record, header.is_wide())) continue;
-    const glm::dvec3 steps(load_whole<std::int32_t>(record), load_whole<std::int32_t>(record + 4),
-                           load_whole<std::int32_t>(record + 8));
-    points.positions.push_back(header.offset + header.scale * steps);
+    points.positions.push_back(position_of(record, header));
     if (colours != Colours::None) {
       const glm::u16vec3 c = colour_of(record, header.colour_at());
       points.colours.emplace_back(c.x >> shift, c.y >> shift, c.z >> shift);
@@ -104,6 +132,7 @@ Result<Points> read_las(const Source& source) {
     if (source.sink != nullptr && points.size() == PointSink::kBlockPoints) {
       given += points.size();
       if (Status taken = source.sink->take(std::exchange(points, {})); !taken) return taken.error();
+      points.is_airborne = from_above;
     }
   }
   add_remarks(source, colours, left_out);
