@@ -111,7 +111,7 @@ Result<ConvertSummary> convert_heights(const ConvertArguments& arguments, Progre
         input.string());
   }
   RELIEF_TRY_ASSIGN(const auto converted,
-                    convert_raster(input, texture_choice(arguments.texture), arguments.options,
+                    convert_raster(input, texture_choice(arguments.texture, false), arguments.options,
                                    arguments.tiles.read, progress));
   RELIEF_TRY(write_patches(arguments, converted.model, progress));
   ConvertSummary summary;
@@ -278,6 +278,25 @@ void read_noise(const std::string& text, ConvertOptions& options) {
   options.noise_removal = *noise > 0.0 ? NoiseRemoval::AsGiven : NoiseRemoval::None;
 }
 
+/// Sets the side that normals face: auto, up, outward or toward=X,Y,Z.
+void read_side(const std::string& text, SideChoice& choice) {
+  const std::string_view toward = "toward=";
+  if (text.starts_with(toward)) {
+    choice = {NormalSide::Toward, parse_vector(text.substr(toward.size()))};
+    return;
+  }
+  const std::map<std::string, NormalSide> sides{
+      {"auto", NormalSide::Auto}, {"up", NormalSide::Up}, {"outward", NormalSide::Outward}};
+  const auto found = sides.find(text);
+  if (found == sides.end()) {
+    throw CLI::ValidationError(
+        "--normals",
+        fmt::format("expected auto, up, outward or toward=X,Y,Z, as in toward=0,0,1.5; found {}",
+                    text));
+  }
+  choice = {found->second, {}};
+}
+
 /// Adds the options that select points and say how exact they are.
 void add_point_options(CLI::App& sub, ConvertArguments& arguments) {
   sub.add_option_function<std::string>(
@@ -285,6 +304,14 @@ void add_point_options(CLI::App& sub, ConvertArguments& arguments) {
          "Noise to remove: its standard deviation along the normal, in the scan's unit; auto "
          "measures it, 0 keeps it (default: auto for scans without faces, 0 for meshes)")
       ->option_text("auto|0|S");
+  sub.add_option_function<std::string>(
+         "--normals",
+         [&arguments](const std::string& text) { read_side(text, arguments.options.side); },
+         "Side that normals of points face: up (+Z), outward, or towards a position, also if the "
+         "file gives normals; auto: towards the scanner if the file tells where it was, up if the "
+         "scan looks airborne, otherwise outward, and given normals stay; faces keep their side "
+         "(default auto)")
+      ->option_text("auto|up|outward|toward=X,Y,Z");
   sub.add_flag("--clean", arguments.clean,
                "Remove outliers: points far from their neighbours, and clusters of fewer than 50 "
                "points");

@@ -11,6 +11,7 @@ set(RELIEF_PUBLIC_HEADERS
   common/scene/scene.h common/transform.h common/version.h
   loader/load_files.h loader/load_scene.h loader/scene_plan.h loader/view_settings.h
   preprocess/convert.h preprocess/convert_options.h preprocess/convert_tiles.h
+  preprocess/normals/known_sides.h
   preprocess/readers/read_points.h preprocess/readers/read_result.h preprocess/tiles/tile_options.h
   renderer/geometry/mesh_of_patches.h renderer/geometry/mesh_of_points.h renderer/render.h
   renderer/viewport.h)

@@ -78,6 +78,10 @@ struct Points {
                                             ///< load_textures has read them
   std::optional<glm::dvec3> viewpoint;      ///< the scanner's position, if the file gives it
   std::optional<Stance> stance;             ///< if the file says how its points stand
+  /// The scanners' positions, if the file gives several; empty otherwise.
+  std::vector<glm::dvec3> scanners;
+  std::vector<std::uint16_t> scanner_of;  ///< index into `scanners`; empty if there are none
+  bool is_airborne = false;               ///< scanned from above, as far as the file tells
 
   [[nodiscard]] std::size_t size() const { return positions.size(); }
 };

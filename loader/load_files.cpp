@@ -73,11 +73,45 @@ void append_materials(Points& to, Points& from) {
   to.materials.insert(to.materials.end(), from.materials.begin(), from.materials.end());
 }
 
+/// Gives each point its scanner, if the scan has a viewpoint or scanners.
+void give_scanners(Points& scan) {
+  if (!scan.viewpoint) return;
+  scan.scanners = {*scan.viewpoint};
+  scan.scanner_of.assign(scan.size(), 0);
+}
+
+/// Points seen from several positions have no single viewpoint, but each its scanner, if all files
+/// tell. `to` has its own points still.
+void append_scanners(Points& to, Points& from) {
+  if (to.size() == 0) {
+    to.viewpoint = from.viewpoint;
+    to.scanners = std::move(from.scanners);
+    to.scanner_of = std::move(from.scanner_of);
+    return;
+  }
+  if (to.viewpoint && to.viewpoint == from.viewpoint) return;
+  give_scanners(to);
+  give_scanners(from);
+  to.viewpoint.reset();
+  const std::size_t before = to.scanners.size();
+  if (to.scanner_of.empty() || from.scanner_of.empty() ||
+      before + from.scanners.size() > std::size_t{UINT16_MAX} + 1) {
+    to.scanners.clear();
+    to.scanner_of.clear();
+    return;
+  }
+  to.scanners.insert(to.scanners.end(), from.scanners.begin(), from.scanners.end());
+  for (const std::uint16_t scanner : from.scanner_of)
+    to.scanner_of.push_back(static_cast<std::uint16_t>(scanner + before));
+}
+
 void append(Points& to, Points from, LeftOut& left_out) {
   const auto offset = static_cast<std::uint32_t>(to.size());
   if (left_out.normals) from.normals.clear();
   if (left_out.colours) from.colours.clear();
   if (left_out.texcoords) from.texcoords.clear();
+  to.is_airborne = from.is_airborne && (offset == 0 || to.is_airborne);
+  append_scanners(to, from);
   left_out.normals |= append_attribute(to.normals, offset, from.normals);
   left_out.colours |= append_attribute(to.colours, offset, from.colours);
   left_out.texcoords |= append_attribute(to.texcoords, offset, from.texcoords);
@@ -90,12 +124,6 @@ void append(Points& to, Points from, LeftOut& left_out) {
   if (offset == 0) to.stance = from.stance;
   // Of several images, none is the one to look at first.
   if (offset > 0 && to.stance) to.stance->is_from_sensor = false;
-  // Points seen from several positions have no single viewpoint.
-  if (offset == 0) {
-    to.viewpoint = from.viewpoint;
-  } else if (to.viewpoint != from.viewpoint) {
-    to.viewpoint.reset();
-  }
 }
 
 void note_left_out(const LeftOut& left_out, Progress& progress) {
@@ -232,7 +260,7 @@ Result<SplatCloud> splats_of_points(Points points, Progress& progress) {
   const NeighbourGraph graph = find_neighbours(points.positions, kSurfaceNeighbours);
   if (progress.cancelled()) return interrupted_error();
   progress.begin_stage("normals", 0);
-  complete_normals(points, graph, fit_local_frames(points.positions, graph));
+  complete_normals(points, graph, fit_local_frames(points.positions, graph), {}, progress);
   if (progress.cancelled()) return interrupted_error();
   SplatCloud cloud;
   cloud.radii = find_radii(graph);

@@ -196,7 +196,8 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   LocalFrames frames = fit_local_frames(points.positions, graph);
   take_known_normals(clean.normals, frames);
   in_time.wait();
-  const NormalsReport normals = complete_normals(points, graph, frames, &in_time.normals());
+  const NormalsReport normals = complete_normals(
+      points, graph, frames, {.side = options.side, .of_faces = &in_time.normals()}, progress);
   result.report.normals_estimated = normals.estimated;
   result.report.normals_repaired = normals.repaired;
   if (progress.cancelled()) return interrupted_error();

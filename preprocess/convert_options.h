@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "common/patch.h"
+#include "preprocess/normals/known_sides.h"
 
 namespace relief {
 
@@ -29,6 +30,7 @@ struct ConvertOptions {
   std::optional<bool> seams;
   NoiseRemoval noise_removal = NoiseRemoval::Default;
   double noise = 0.0;             ///< standard deviation along the normal, world units, for AsGiven
+  SideChoice side;                ///< that normals face; Auto keeps given normals and faces
   int overlap_cells = 1;          ///< width of the overlap margin, in grid cells
   double height_step = 0.0;       ///< world units per height index; 0: spacing / 20
   bool adaptive_spacing = false;  ///< each patch's spacing follows the scan's local density, up to

@@ -97,7 +97,8 @@ double opposed_pairs(const NeighbourGraph& graph, const LocalFrames& frames,
 // With more opposed pairs, the scan has no orientation to repair.
 constexpr double kUnorientedShare = 0.1;
 
-NormalsReport check_given(Points& points, const NeighbourGraph& graph, const LocalFrames& frames) {
+NormalsReport check_given(Points& points, const NeighbourGraph& graph, const LocalFrames& frames,
+                          const SideChoice& side, const Progress& progress) {
   NormalsReport report;
   std::vector<std::uint8_t> missing(points.size(), 0);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -107,9 +108,11 @@ NormalsReport check_given(Points& points, const NeighbourGraph& graph, const Loc
   }
   std::vector<std::uint8_t> repaired = missing;
   fill_missing(points, graph, frames, points.normals, missing);
-  if (opposed_pairs(graph, frames, points.normals) > kUnorientedShare) {
+  report.oriented = side.side != NormalSide::Auto ||
+                    opposed_pairs(graph, frames, points.normals) > kUnorientedShare;
+  if (report.oriented) {
     const std::vector<glm::vec3> before = points.normals;
-    report.sheets = orient_normals(points, graph, points.normals);
+    orient_normals(points, graph, side, points.normals, progress);
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (glm::dot(before[i], points.normals[i]) < 0.0F) repaired[i] = 1;
     }
@@ -157,13 +160,14 @@ std::vector<glm::vec3> normals_of_faces(const Points& points, const MeshEdges& e
 }
 
 NormalsReport complete_normals(Points& points, const NeighbourGraph& graph,
-                               const LocalFrames& frames, const std::vector<glm::vec3>* of_faces) {
-  if (has_normal(points)) return check_given(points, graph, frames);
+                               const LocalFrames& frames, const NormalsOptions& options,
+                               const Progress& progress) {
+  if (has_normal(points)) return check_given(points, graph, frames, options.side, progress);
 
   NormalsReport report;
   report.estimated = true;
   std::vector<glm::vec3> normals =
-      of_faces != nullptr ? *of_faces : normals_of_faces(points, MeshEdges(points));
+      options.of_faces != nullptr ? *options.of_faces : normals_of_faces(points, MeshEdges(points));
   if (!normals.empty()) {
     points.normals = std::move(normals);
     std::vector<std::uint8_t> missing(points.size());
@@ -175,7 +179,8 @@ NormalsReport complete_normals(Points& points, const NeighbourGraph& graph,
     }
   } else {
     points.normals = frames.normals;
-    report.sheets = orient_normals(points, graph, points.normals);
+    report.oriented = true;
+    orient_normals(points, graph, options.side, points.normals, progress);
   }
   return report;
 }

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "common/points.h"
+#include "common/progress.h"
+#include "preprocess/normals/known_sides.h"
 #include "preprocess/normals/mesh_edges.h"
 #include "preprocess/normals/sheets.h"
 #include "preprocess/points/neighbours.h"
@@ -14,7 +16,7 @@ namespace relief {
 struct NormalsReport {
   bool estimated = false;      ///< the scan had no normals
   std::uint64_t repaired = 0;  ///< given normals that were zero, NaN or inconsistent
-  Sheets sheets;               ///< of the oriented normals; empty if normals were given
+  bool oriented = false;       ///< their sides were chosen: neither the file's nor those of faces
 };
 
 /// Tangent planes of points by principal component analysis of their neighbours.
@@ -29,22 +31,39 @@ struct LocalFrames {
 [[nodiscard]] LocalFrames fit_local_frames(const std::vector<glm::dvec3>& positions,
                                            const NeighbourGraph& graph);
 
+struct NormalsOptions {
+  /// If not Auto, given normals are turned, too. Those of faces have the faces' side always.
+  SideChoice side;
+  /// The result of normals_of_faces; null: it is computed.
+  const std::vector<glm::vec3>* of_faces = nullptr;
+};
+
 /// Makes `points.normals` unit vectors, one per point: the given normals (zero, NaN and
 /// inconsistent ones repaired), or those of the triangles, or local frames oriented by
-/// orient_normals. `of_faces`: the result of normals_of_faces, if already computed.
+/// orient_normals. Incomplete if the user interrupts.
 NormalsReport complete_normals(Points& points, const NeighbourGraph& graph,
-                               const LocalFrames& frames,
-                               const std::vector<glm::vec3>* of_faces = nullptr);
+                               const LocalFrames& frames, const NormalsOptions& options = {},
+                               const Progress& progress = Progress());
 
 /// Returns the normals of the points' triangles, if these are oriented and the points have no
 /// normals; empty otherwise. `edges` are the triangles' edges.
 [[nodiscard]] std::vector<glm::vec3> normals_of_faces(const Points& points, const MeshEdges& edges);
 
-/// Flips unit normals so that neighbours agree: minimum spanning forest over the neighbour graph
-/// (Hoppe et al. 1992). Each connected component then faces the viewpoint if there is one,
-/// otherwise outward (faces_inward). Returns the components.
-Sheets orient_normals(const Points& points, const NeighbourGraph& graph,
-                      std::vector<glm::vec3>& normals);
+/// Flips unit normals so that they face one side of each surface.
+///
+/// The points are cut into small smooth pieces (cut_into_pieces). The sides of pieces are chosen so
+/// that the winding number of the whole surface about its own points is a half, as it is for closed
+/// surfaces that face outward ([Lin 2024] asks the same of each point), that neighbours across the
+/// borders of pieces agree, and that normals face the known direction, each as far as the others
+/// let them. Where the direction is sure (KnownSides), it decides at each point.
+///
+/// The result does not depend on the number of threads. Incomplete if the user interrupts.
+void orient_normals(const Points& points, const NeighbourGraph& graph, const SideChoice& choice,
+                    std::vector<glm::vec3>& normals, const Progress& progress);
+
+/// Returns the sheets: neighbours whose normals agree.
+[[nodiscard]] Sheets find_sheets(const NeighbourGraph& graph,
+                                 const std::vector<glm::vec3>& normals);
 
 /// Returns unit normals averaged over each point's neighbours on its side. The partition uses them,
 /// so that noise makes no patches.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,7 +9,7 @@
 
 namespace relief {
 
-/// The sheet of each point: connected points whose normals were made consistent.
+/// The sheet of each point: connected points whose normals agree.
 struct Sheets {
   std::vector<std::uint32_t> of_point;  ///< empty if the given normals were used
   std::uint32_t count = 0;
@@ -19,11 +18,12 @@ struct Sheets {
 /// Sums over a sheet's points that determine its outer side. Sums of a sheet's parts add up.
 /// Positions are relative to a base, which all summands share.
 struct SheetSums {
+  double points = 0.0;          ///< their number
   double area = 0.0;            ///< world units squared
   glm::dvec3 moment{0.0};       ///< area times position
   glm::dvec3 area_normal{0.0};  ///< area times normal
   double flux = 0.0;            ///< area times normal times position
-  double to_viewpoint = 0.0;    ///< area times normal times unit direction to the viewpoint
+  double kept_area = 0.0;       ///< area whose side is as chosen; negative: most is turned
 
   /// Adds a sheet; `turned`: with its normals flipped.
   void add(const SheetSums& other, bool turned);
@@ -36,9 +36,9 @@ struct SheetSums {
                                             std::span<const float> spacing, const Sheets& sheets,
                                             const glm::dvec3& base);
 
-/// Returns whether a sheet's normals must be flipped to face the viewpoint, if there is one, or
-/// otherwise outward. Outward means positive flux about the centroid, which is exact for closed
-/// surfaces. Open sheets that hardly bend, such as terrains, face +Z.
-[[nodiscard]] bool faces_inward(const SheetSums& sheet, bool has_viewpoint);
+/// Returns whether the normals of sheets that were joined must be flipped: if they enclose
+/// something, to face outward (positive flux about the centroid, which is exact for closed
+/// surfaces); otherwise so that most of the area faces the side that was chosen for it.
+[[nodiscard]] bool faces_inward(const SheetSums& sheet);
 
 }  // namespace relief

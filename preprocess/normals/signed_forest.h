@@ -40,6 +40,9 @@ class SignedForest {
     return {root, flipped};
   }
 
+  /// The number of members of a root's component.
+  [[nodiscard]] std::uint32_t size(Root root) const { return size_[root.root]; }
+
   void join(Root a, Root b, bool flip_between) {
     if (size_[a.root] < size_[b.root]) std::swap(a, b);
     parent_[b.root] = a.root;

@@ -91,6 +91,7 @@ void keep_points(Points& points, const std::vector<std::uint32_t>& kept,
   compact(points.normals, kept);
   compact(points.colours, kept);
   compact(points.texcoords, kept);
+  compact(points.scanner_of, kept);
 }
 
 std::uint64_t drop_points(Points& points, const std::vector<std::uint8_t>& dropped) {

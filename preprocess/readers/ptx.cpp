@@ -12,6 +12,9 @@ namespace {
 /// Fewest bytes of a point: four numbers of a digit each, with separators.
 constexpr std::size_t kMinPoint = 8;
 
+/// As many as 16 bits tell apart.
+constexpr std::size_t kMostScanners = 65536;
+
 /// A scanner's frame: the rows of its axes, and its position.
 struct ScanFrame {
   glm::dvec3 axes[3];
@@ -36,6 +39,7 @@ class PtxReader {
       coloured += colours_.size() > before ? 1U : 0U;
     }
     if (scans == 1) points_.viewpoint = frame_.translation;
+    if (scans == 1 || scans > kMostScanners) forget_scanners();
     if (colours_.size() == points_.size()) {
       points_.colours = to_colours(colours_, ColourNumbers::Integer);
     } else if (coloured > 0) {
@@ -68,6 +72,7 @@ class PtxReader {
           source_.name, line_.line_number(), columns, rows, line_.left());
     }
     RELIEF_TRY(read_frame());
+    if (points_.scanners.size() < kMostScanners) points_.scanners.push_back(frame_.translation);
     return read_points(count * static_cast<std::uint64_t>(rows));
   }
 
@@ -114,10 +119,16 @@ class PtxReader {
       const glm::dvec3 p(n[0], n[1], n[2]);
       // The scanner's own position means a beam without an echo: NaN, as in PCD files.
       constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+      points_.scanner_of.push_back(static_cast<std::uint16_t>(points_.scanners.size() - 1));
       points_.positions.push_back(p == glm::dvec3(0.0) ? glm::dvec3(nan) : frame_.in_world(p));
       if (coloured) colours_.emplace_back(n[4], n[5], n[6]);
     }
     return {};
+  }
+
+  void forget_scanners() {
+    points_.scanners.clear();
+    points_.scanner_of.clear();
   }
 
   const Source& source_;

@@ -31,14 +31,15 @@ Result<Points> read_ply(const Source& source);
 
 /// Reads PCD 0.7 and earlier: ascii, binary, binary_compressed. Fields x y z of any number type,
 /// normal_x normal_y normal_z, rgb or rgba packed in a float or an integer, r g b. Keeps a
-/// viewpoint other than the default.
+/// viewpoint other than the default, and the default of points in rows and columns (HEIGHT above
+/// 1), which are a camera's.
 Result<Points> read_pcd(const Source& source);
 
 /// Reads LAS 1.1 to 1.4, point record formats 0 to 10, and LAZ if the build has LASzip; skips
 /// waveforms and extra bytes. Leaves out points that are marked as withheld, classified as noise
 /// (if no classes are selected) or not selected; fails if no point is left. Keeps the upper byte of
 /// 16-bit colours. If no colour of the file is above 255, they are 8-bit values; if all are 0, the
-/// file has no colours.
+/// file has no colours. Says whether the scan looks airborne (looks_airborne).
 Result<Points> read_las(const Source& source);
 
 /// Reads Wavefront OBJ: v (also with colours), vn, vt, f with polygons and negative indices, lines
@@ -72,7 +73,8 @@ Result<Points> read_xyz(const Source& source);
 
 /// Reads PTX: scans of columns times rows, each with a matrix that transforms its points into the
 /// world; x y z intensity, or with r g b. Points at 0 0 0 are beams without an echo and become NaN.
-/// The viewpoint is the position of a single scan. Recognised only by its extension.
+/// The viewpoint is the position of a single scan; several scans are several scanners. Recognised
+/// only by its extension.
 Result<Points> read_ptx(const Source& source);
 
 /// Return whether the first bytes, or the length, are those of the format.

@@ -60,6 +60,7 @@ void place_scan(const ScanPose& pose, Points& scan) {
   for (CornerTangents& corners : scan.corner_tangents) {
     for (glm::vec4& t : corners) t = glm::vec4(glm::vec3(pose.turn * glm::dvec3(t)), t.w);
   }
+  for (glm::dvec3& p : scan.scanners) p = pose.turn * p + pose.translation;
   if (scan.viewpoint) scan.viewpoint = pose.turn * *scan.viewpoint + pose.translation;
 }
 

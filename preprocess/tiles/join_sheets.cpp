@@ -1,6 +1,7 @@
 #include "preprocess/tiles/join_sheets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <glm/geometric.hpp>
 #include <span>
@@ -22,10 +23,15 @@ struct Link {
   std::int64_t votes;
 };
 
+// A sheet's side was found from all of its points. Points common with another tile turn it only if
+// they are as many as a strip along its whole side, a halo wide, or as half of it: a body of
+// 437,000 points near a border, in whose halo some points of its ground lay, was turned by these.
+constexpr double kStripWidth = 12.0;  // points
+constexpr double kTurningShare = 0.5;
+
 class Joiner {
  public:
-  Joiner(const std::vector<SurveyPaths>& tiles, bool has_viewpoint)
-      : tiles_(tiles), has_viewpoint_(has_viewpoint) {}
+  explicit Joiner(const std::vector<SurveyPaths>& tiles) : tiles_(tiles) {}
 
   Result<SheetTurns> run(const Progress& progress) {
     for (const auto step : {&Joiner::number_sheets, &Joiner::count_votes}) {
@@ -97,12 +103,22 @@ class Joiner {
     return {};
   }
 
+  /// Whether a link would turn a sheet for too few points.
+  [[nodiscard]] bool is_weak(const Link& link) const {
+    const bool is_of_given = link.a == 0;
+    if (link.votes >= 0 || is_of_given) return false;
+    const double points = std::min(sums_[link.a].points, sums_[link.b].points);
+    return static_cast<double>(-link.votes) <
+           std::min(kStripWidth * std::sqrt(points), kTurningShare * points);
+  }
+
   SheetTurns decide() {
     std::vector<Link> links;
     links.reserve(votes_.size());
     for (const auto& [pair, votes] : votes_) {
-      links.push_back(
-          {static_cast<std::uint32_t>(pair >> 32U), static_cast<std::uint32_t>(pair), votes});
+      const Link link{static_cast<std::uint32_t>(pair >> 32U), static_cast<std::uint32_t>(pair),
+                      votes};
+      if (!is_weak(link)) links.push_back(link);
     }
     std::sort(links.begin(), links.end(), [](const Link& x, const Link& y) {
       return std::tuple(-std::abs(x.votes), x.a, x.b) < std::tuple(-std::abs(y.votes), y.a, y.b);
@@ -124,9 +140,8 @@ class Joiner {
     for (std::size_t tile = 0; tile < tiles_.size(); ++tile) {
       for (std::uint32_t sheet = 0; sheet < count_[tile]; ++sheet) {
         const SignedForest::Root root = forest.find(first_[tile] + sheet);
-        const bool root_is_turned = root.root == given.root
-                                        ? given.flipped
-                                        : faces_inward(joined[root.root], has_viewpoint_);
+        const bool root_is_turned =
+            root.root == given.root ? given.flipped : faces_inward(joined[root.root]);
         turns[tile].push_back(root.flipped != root_is_turned ? 1 : 0);
       }
     }
@@ -134,7 +149,6 @@ class Joiner {
   }
 
   const std::vector<SurveyPaths>& tiles_;
-  bool has_viewpoint_;
   std::vector<SheetSums> sums_;                    // of all sheets
   std::vector<std::uint32_t> first_;               // of each tile's sheets
   std::vector<std::uint32_t> count_;               // of each tile's sheets; 0: normals are given
@@ -143,11 +157,22 @@ class Joiner {
   std::unordered_map<std::uint64_t, std::int64_t> votes_;
 };
 
+/// No sheet of any tile turns.
+Result<SheetTurns> turn_none(const std::vector<SurveyPaths>& tiles, const Progress& progress) {
+  SheetTurns turns;
+  for (const SurveyPaths& tile : tiles) {
+    if (progress.cancelled()) return interrupted_error();
+    RELIEF_TRY_ASSIGN(const auto survey, load_survey(tile.survey));
+    turns.emplace_back(survey.sheets.count, std::uint8_t{0});
+  }
+  return turns;
+}
+
 }  // namespace
 
-Result<SheetTurns> join_sheets(const std::vector<SurveyPaths>& tiles, bool has_viewpoint,
+Result<SheetTurns> join_sheets(const std::vector<SurveyPaths>& tiles, bool are_sure,
                                const Progress& progress) {
-  return Joiner(tiles, has_viewpoint).run(progress);
+  return are_sure ? turn_none(tiles, progress) : Joiner(tiles).run(progress);
 }
 
 }  // namespace relief

@@ -20,10 +20,10 @@ struct SurveyPaths {
 };
 
 /// Joins the sheets of tiles. Points in halos belong to two tiles, which relates the orientation of
-/// their sheets. Sheets are joined along the relations that most points support, then turned
-/// outward (or to the viewpoint) like the sheets of one scan. Sheets that touch a tile with given
-/// normals follow these.
-Result<SheetTurns> join_sheets(const std::vector<SurveyPaths>& tiles, bool has_viewpoint,
+/// their sheets. Sheets are joined along the relations that most points support, but turned
+/// against each other only if many do; then together (faces_inward). Sheets that touch a tile with
+/// given normals follow these. `are_sure`: a known direction has decided the sides, and none turns.
+Result<SheetTurns> join_sheets(const std::vector<SurveyPaths>& tiles, bool are_sure,
                                const Progress& progress);
 
 }  // namespace relief

@@ -31,6 +31,7 @@ struct Look {
   bool some_colours = false;
   std::optional<glm::dvec3> viewpoint;
   Stance stance = kZUp;
+  bool is_airborne = true;
 
   void take(const Points& block) {
     if (block.size() == 0) return;
@@ -44,6 +45,7 @@ struct Look {
     some_colours = some_colours || !block.colours.empty();
     viewpoint = block.viewpoint;
     stance = stance_of(block);
+    is_airborne = is_airborne && block.is_airborne;
   }
 };
 
@@ -61,7 +63,7 @@ std::uint64_t points_for(std::uint64_t memory) {
 template <class Scan>
 auto scan_fields(Scan& s) {
   return std::tie(s.layout.cuts, s.layout.tiles, s.layout.largest_halo, s.counts, s.attributes,
-                  s.bounds, s.viewpoint, s.stance, s.read);
+                  s.bounds, s.viewpoint, s.stance, s.is_airborne, s.read);
 }
 
 /// The first reading.
@@ -83,6 +85,7 @@ Result<Look> look(const std::vector<fs::path>& files, const TileJob& job,
   scan.stance = seen.stance;
   // Points seen from several positions have no single viewpoint.
   if (files.size() == 1) scan.viewpoint = seen.viewpoint;
+  scan.is_airborne = seen.is_airborne;
   const auto note_mixed = [&](bool some, bool all, std::string_view name) {
     if (some && !all)
       scan.notes.push_back(fmt::format("only some of the scans have {}; they are left out", name));

@@ -21,8 +21,9 @@ struct SpreadScan {
   ScanAttributes attributes;
   Bounds bounds;
   std::optional<glm::dvec3>
-      viewpoint;  ///< position of the scanner, if the scan's only file gives it
-  Stance stance;  ///< of the last file
+      viewpoint;             ///< position of the scanner, if the scan's only file gives it
+  Stance stance;             ///< of the last file
+  bool is_airborne = false;  ///< all files
   ScanCounts read;
   std::vector<std::string> notes;
 };

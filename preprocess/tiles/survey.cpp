@@ -74,10 +74,11 @@ TileSurvey survey_tile(TilePoints& tile, const SurveyOptions& options, Progress&
   const NeighbourGraph graph = find_neighbours(points.positions, kSurfaceNeighbours);
   if (progress.cancelled()) return survey;
   LocalFrames frames = fit_local_frames(points.positions, graph);
-  NormalsReport normals = complete_normals(points, graph, frames);
+  const NormalsReport normals =
+      complete_normals(points, graph, frames, {.side = options.side}, progress);
   survey.normals_repaired = normals.repaired;
-  survey.sheets = std::move(normals.sheets);
-  if (survey.sheets.count > 0) {
+  if (normals.oriented) {
+    survey.sheets = find_sheets(graph, points.normals);
     survey.sums =
         sum_up(points, tile.own, points.normals, graph.spacing, survey.sheets, options.centre);
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/progress.h"
+#include "preprocess/normals/known_sides.h"
 #include "preprocess/normals/sheets.h"
 #include "preprocess/partition/partition.h"
 #include "preprocess/tiles/tile_files.h"
@@ -48,6 +49,7 @@ std::vector<std::uint32_t> merge_duplicates(TilePoints& tile);
 
 struct SurveyOptions {
   double cone_degrees = 0.0;
+  SideChoice side;         ///< that normals face
   bool seams = false;      ///< patches will meet: regions end at creases
   bool find_area = false;  ///< only needed to choose the spacing
   glm::dvec3 centre{0.0};  ///< of the scan's bounds

@@ -51,7 +51,9 @@ class TileConversion {
 
   Result<TilePoints> load(std::uint32_t tile) const {
     auto loaded = load_tile(folder_.folder(), tile, scan_.counts[tile], scan_.attributes);
-    if (loaded) loaded->points.viewpoint = scan_.viewpoint;
+    if (!loaded) return loaded;
+    loaded->points.viewpoint = scan_.viewpoint;
+    loaded->points.is_airborne = scan_.is_airborne;
     return loaded;
   }
 
@@ -69,8 +71,11 @@ class TileConversion {
   Status survey_one(std::uint32_t tile) {
     RELIEF_TRY_ASSIGN(auto loaded, load(tile));
     QuietProgress quiet(progress_);
-    const SurveyOptions survey_options{options_.cone_degrees, seams_, options_.spacing == 0.0,
-                                       centre_};
+    const SurveyOptions survey_options{.cone_degrees = options_.cone_degrees,
+                                       .side = options_.side,
+                                       .seams = seams_,
+                                       .find_area = options_.spacing == 0.0,
+                                       .centre = centre_};
     const TileSurvey made = survey_tile(loaded, survey_options, quiet);
     if (progress_.cancelled()) return interrupted_error();
     const std::vector<RimPoint> rim = rim_of(loaded, made);
@@ -95,7 +100,10 @@ class TileConversion {
     std::vector<SurveyPaths> paths;
     for (std::uint32_t tile = 0; tile < tile_count(); ++tile)
       paths.push_back({folder_.survey(tile), folder_.rim(tile)});
-    RELIEF_TRY_ASSIGN(auto turns, join_sheets(paths, scan_.viewpoint.has_value(), progress_));
+    Points known;
+    known.viewpoint = scan_.viewpoint;
+    RELIEF_TRY_ASSIGN(auto turns,
+                      join_sheets(paths, known_sides(known, options_.side).is_sure, progress_));
     turns_ = std::move(turns);
     for (std::uint32_t tile = 0; tile < tile_count(); ++tile) {
       RELIEF_TRY_ASSIGN(const auto survey, load_survey(folder_.survey(tile)));

@@ -2,7 +2,9 @@
 #include <array>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
+#include "preprocess/readers/las/airborne.h"
 #include "preprocess/readers/las/las_header.h"
 #include "preprocess/readers/las/las_point.h"
 #include "preprocess/readers/readers.h"
@@ -126,13 +128,38 @@ void note_colours(const Source& source, Colours colours) {
   }
 }
 
+/// Enough to know how evenly a scan sees the ground.
+constexpr std::uint64_t kSampledPoints = 200'000;
+
+Result<bool> is_airborne(const Source& source, const LasHeader& header) {
+  RELIEF_TRY_ASSIGN(const auto reader, open_points(source, header));
+  std::vector<glm::dvec3> sample;
+  bool several_returns = false;
+  PointFilter filter(source.selection(), header.is_wide());
+  const std::uint64_t step = header.points / kSampledPoints + 1;
+  LasPoint point;
+  for (std::uint64_t i = 0; i < header.points; ++i) {
+    if (i % PointSink::kBlockPoints == 0) {
+      if (source.progress.cancelled()) return interrupted_error();
+      if (source.sink != nullptr) source.sink->pass(reader->offset());
+    }
+    RELIEF_TRY(reader->next(point));
+    if (i % step != 0 || !filter.takes(point)) continue;
+    sample.push_back(header.offset + header.scale * glm::dvec3(point.steps));
+    several_returns |= point.returns > 1;
+  }
+  return looks_airborne(sample, several_returns);
+}
+
 }  // namespace
 
 Result<Points> read_las(const Source& source) {
   RELIEF_TRY_ASSIGN(const auto header, read_las_header(source));
   RELIEF_TRY_ASSIGN(const Colours colours, find_colours(source, header));
+  RELIEF_TRY_ASSIGN(const bool from_above, is_airborne(source, header));
   RELIEF_TRY_ASSIGN(const auto reader, open_points(source, header));
   Points points;
+  points.is_airborne = from_above;
   std::uint64_t given = 0;  // to the sink
   // The count of a packed file says little: its points may take next to no bytes.
   const std::uint64_t capacity =
@@ -157,6 +184,7 @@ Result<Points> read_las(const Source& source) {
     if (source.sink != nullptr && points.size() == PointSink::kBlockPoints) {
       given += points.size();
       if (Status taken = source.sink->take(std::exchange(points, {})); !taken) return taken.error();
+      points.is_airborne = from_above;
     }
   }
   note_colours(source, colours);

@@ -27,6 +27,7 @@ class PcdHeaderReader {
     }
     RELIEF_TRY(lay_out());
     RELIEF_TRY(count_points());
+    if (!is_default_ || height_.value_or(1) > 1) header_.viewpoint = viewpoint_;
     line_.skip_line();
     // A binary body may begin with a byte that looks like a line end: skip one.
     const std::size_t end = source_.text.find('\n', line_.offset());
@@ -88,10 +89,9 @@ class PcdHeaderReader {
       if (!line_.number(number)) return wrong("seven numbers (position and quaternion)");
     }
     const bool finite = std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
-    if (finite && v != std::array<double, 7>{0, 0, 0, 1, 0, 0, 0}) {
-      header_.viewpoint = glm::dvec3(v[0], v[1], v[2]);
-      header_.pose.position = *header_.viewpoint;
-    }
+    if (finite) viewpoint_ = glm::dvec3(v[0], v[1], v[2]);
+    is_default_ = v == std::array<double, 7>{0, 0, 0, 1, 0, 0, 0};
+    if (finite && !is_default_) header_.pose.position = *viewpoint_;
     const glm::dquat turn(v[3], v[4], v[5], v[6]);
     const double length = glm::length(turn);
     // Anything but a rotation is as good as the default.
@@ -184,6 +184,8 @@ class PcdHeaderReader {
   std::optional<std::uint64_t> width_;
   std::optional<std::uint64_t> height_;
   std::optional<std::uint64_t> points_;
+  std::optional<glm::dvec3> viewpoint_;
+  bool is_default_ = true;  ///< the viewpoint
 };
 
 }  // namespace

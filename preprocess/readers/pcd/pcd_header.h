@@ -27,7 +27,9 @@ struct PcdHeader {
   std::vector<PcdField> fields;
   std::uint64_t stride = 0;  ///< bytes per point
   std::uint64_t points = 0;
-  std::optional<glm::dvec3> viewpoint;  ///< unless it is the default, which is meaningless
+  /// Unless it is the default, which means nothing unless the points are a camera's rows and
+  /// columns.
+  std::optional<glm::dvec3> viewpoint;
   SensorPose pose;
   std::size_t body = 0;  ///< offset of the first byte after the header
 };

@@ -89,6 +89,17 @@ TEST(PcdTest, OnlyAViewpointThatIsNotTheDefaultIsOne) {
   EXPECT_EQ(read("b.pcd", moved).viewpoint, std::optional(dvec3(5, 6, 7)));
 }
 
+TEST(PcdTest, TheDefaultIsTheViewpointOfACamerasRowsAndColumns) {
+  std::string file = pcd_header(2, "ascii") + "1 2 3\n4 5 6\n";
+  const auto replace = [&file](const std::string& what, const std::string& with) {
+    ASSERT_NE(file.find(what), std::string::npos) << file;
+    file.replace(file.find(what), what.size(), with);
+  };
+  replace("WIDTH 2", "WIDTH 1");
+  replace("HEIGHT 1", "HEIGHT 2");
+  EXPECT_EQ(read("c.pcd", file).viewpoint, std::optional(dvec3(0, 0, 0)));
+}
+
 TEST(PcdTest, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(
       error("a.pcd", pcd_header(4000000000U, "binary") + pack(1.F, 2.F, 3.F)),

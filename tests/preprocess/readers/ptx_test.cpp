@@ -34,6 +34,8 @@ TEST(PtxTest, ReadsSeveralScansWithColours) {
   EXPECT_EQ(points.positions, (std::vector<dvec3>{{1, 1, 0}, {0, 1, 5}, {0, 2, 5}}));
   EXPECT_EQ(points.colours, (std::vector<u8vec3>{{255, 128, 0}, {1, 2, 3}, {4, 5, 6}}));
   EXPECT_FALSE(points.viewpoint.has_value());
+  EXPECT_EQ(points.scanners, (std::vector<dvec3>{{1, 0, 0}, {0, 0, 5}}));
+  EXPECT_EQ(points.scanner_of, (std::vector<std::uint16_t>{0, 1, 1}));
   const auto mixed = try_read("a.ptx", one + header(1, 1) + "1 0 0 0.5\n");
   ASSERT_TRUE(mixed);
   EXPECT_TRUE(mixed->points.colours.empty());

@@ -1,0 +1,49 @@
+#include "preprocess/normals/known_sides.h"
+
+#include <glm/geometric.hpp>
+
+namespace relief {
+namespace {
+
+// An open sheet that hardly bends, such as a terrain, has no outside: +Z decides. Half a sphere
+// sees 0.29 of itself about each of its points (mean) and has a mean normal of 0.5: with this
+// weight, its outside counts four times as much as +Z.
+constexpr float kUpWeight = 0.15F;
+// No more than an eighth of the largest error that a wrong side can be: a surface that bends under
+// an overhang keeps its sides even if the guess that the scan is airborne is wrong.
+constexpr float kAirborneWeight = 0.5F;
+// So that the side of a flat sheet is not left to rounding.
+constexpr float kLeastWeight = 1e-3F;
+
+}  // namespace
+
+glm::vec3 KnownSides::direction_at(const Points& points, std::size_t point) const {
+  if (!viewpoint && !is_of_scanners) return {0.0F, 0.0F, 1.0F};
+  const glm::dvec3 from = is_of_scanners ? points.scanners[points.scanner_of[point]] : *viewpoint;
+  const glm::dvec3 to = from - points.positions[point];
+  const double length = glm::length(to);
+  return length > 0.0 ? glm::vec3(to / length) : glm::vec3(0.0F);
+}
+
+KnownSides known_sides(const Points& points, const SideChoice& choice) {
+  switch (choice.side) {
+    case NormalSide::Up:
+      return {.weight = 1.0F, .is_sure = true};
+    case NormalSide::Toward:
+      return {.viewpoint = choice.toward, .weight = 1.0F, .is_sure = true};
+    case NormalSide::Outward:
+      return {.weight = kLeastWeight};
+    case NormalSide::Auto:
+      break;
+  }
+  if (points.viewpoint || !points.scanner_of.empty()) {
+    return {.viewpoint = points.viewpoint,
+            .is_of_scanners = !points.scanner_of.empty(),
+            .weight = 1.0F,
+            .is_sure = true};
+  }
+  return {.weight = points.is_airborne ? kAirborneWeight : kUpWeight,
+          .leads_slivers = points.is_airborne};
+}
+
+}  // namespace relief

@@ -1,0 +1,41 @@
+// What is known about the side that normals face.
+#pragma once
+
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "common/points.h"
+
+namespace relief {
+
+/// The side that normals of bare points face, as asked for.
+enum class NormalSide {
+  Auto,     ///< towards the scanner if the file tells where it was; otherwise found out
+  Up,       ///< +Z
+  Outward,  ///< out of what the surface encloses, wherever the scanner was
+  Toward,   ///< towards a position
+};
+
+struct SideChoice {
+  NormalSide side = NormalSide::Auto;
+  glm::dvec3 toward{0.0};  ///< for Toward, world frame
+};
+
+/// The direction that normals of a scan shall have.
+struct KnownSides {
+  std::optional<glm::dvec3> viewpoint{};  ///< towards this position; nothing: towards +Z
+  bool is_of_scanners = false;            ///< towards each point's own scanner instead
+  /// What a direction counts beside the winding numbers, which are a half about a closed surface.
+  float weight = 0.0F;
+  bool leads_slivers = false;  ///< it decides for pieces too small for winding numbers
+  bool is_sure = false;  ///< the direction alone decides, wherever it is not along the surface
+
+  /// The unit direction at a point.
+  [[nodiscard]] glm::vec3 direction_at(const Points& points, std::size_t point) const;
+};
+
+/// Returns what the choice and the file tell.
+[[nodiscard]] KnownSides known_sides(const Points& points, const SideChoice& choice);
+
+}  // namespace relief
