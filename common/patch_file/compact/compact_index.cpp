@@ -19,7 +19,8 @@ enum PatchFlag : std::uint8_t {
   OwnHeightStep = 2,
   HasNormals = 4,
   HasColours = 8,
-  AllFlags = 15,
+  HasScalars = 16,
+  AllFlags = 31,
 };
 
 /// Positions up to this magnitude are distinct in double precision.
@@ -109,6 +110,7 @@ std::vector<std::byte> write_compact_index(const FileIndex& index, const FileHea
   std::vector<std::byte> out;
   append_number(out, step);
   append_number(out, height_step);
+  if (header.has_scalars) append_chunk(index.chunks.front(), out);
   for (const PatchRecord& record : index.patches) {
     const PatchSummary patch = rounded_summary(record.summary, base, step);
     const std::span chunks(&index.chunks[record.first_chunk], record.chunk_count);
@@ -124,6 +126,9 @@ std::vector<std::byte> write_compact_index(const FileIndex& index, const FileHea
     if (patch.height_step != height_step) flags |= OwnHeightStep;
     if (normals != nullptr) flags |= HasNormals;
     if (colours != nullptr) flags |= HasColours;
+    const auto scalars =
+        static_cast<std::uint64_t>(std::ranges::count(chunks, kScalarChunk, &ChunkRecord::type));
+    if (scalars > 0) flags |= HasScalars;
     append_number(out, flags);
     if ((flags & OwnSpacing) != 0) append_number(out, patch.spacing);
     if ((flags & OwnHeightStep) != 0) append_number(out, patch.height_step);
@@ -143,6 +148,13 @@ std::vector<std::byte> write_compact_index(const FileIndex& index, const FileHea
       if (map == nullptr) continue;
       append_varint(out, map->scale);
       append_chunk(*map, out);
+    }
+    if (scalars == 0) continue;
+    append_varint(out, scalars);
+    for (const ChunkRecord& chunk : chunks) {
+      if (chunk.type != kScalarChunk) continue;
+      append_varint(out, chunk.scale);
+      append_chunk(chunk, out);
     }
   }
   return out;
@@ -164,6 +176,13 @@ Result<FileIndex> parse_compact_index(std::span<const std::byte> bytes, const Fi
   FileIndex index;
   index.patches.reserve(header.patches);
   std::uint64_t offset = header.data_offset();
+  if (header.has_scalars) {
+    ChunkRecord table;
+    table.type = kScalarTableChunk;
+    if (!take_chunk(in, header, table, offset))
+      return make_error("{}: its table of scalars is missing; the file is damaged", name);
+    index.chunks.push_back(table);
+  }
   for (std::uint32_t p = 0; p < header.patches; ++p) {
     constexpr const char* kEnd = "the index ends within it";
     PatchRecord record;
@@ -208,14 +227,15 @@ Result<FileIndex> parse_compact_index(std::span<const std::byte> bytes, const Fi
     }
 
     record.first_chunk = static_cast<std::uint32_t>(index.chunks.size());
-    for (const auto& [flag, type] : {std::pair{std::uint8_t{0}, kHeightsChunk},
-                                     std::pair{std::uint8_t{HasNormals}, kNormalsChunk},
-                                     std::pair{std::uint8_t{HasColours}, kColoursChunk}}) {
-      if (flag != 0 && (flags & flag) == 0) continue;
+    std::vector<ChunkType> types{kHeightsChunk};
+    if ((flags & HasNormals) != 0) types.push_back(kNormalsChunk);
+    if ((flags & HasColours) != 0) types.push_back(kColoursChunk);
+    bool has_count = (flags & HasScalars) == 0;
+    for (std::size_t c = 0; c < types.size(); ++c) {
       ChunkRecord chunk;
-      chunk.type = type;
+      chunk.type = types[c];
       std::uint64_t scale = 1;
-      if (flag != 0 && (!take_varint(in, scale) || scale > UINT16_MAX)) {
+      if (c > 0 && (!take_varint(in, scale) || scale > UINT16_MAX)) {
         return damaged(p, "a map has no scale");
       }
       chunk.scale = static_cast<std::uint16_t>(scale);
@@ -224,6 +244,12 @@ Result<FileIndex> parse_compact_index(std::span<const std::byte> bytes, const Fi
       }
       index.chunks.push_back(chunk);
       ++record.chunk_count;
+      if (has_count || c + 1 < types.size()) continue;
+      std::uint64_t scalars = 0;
+      if (!take_varint(in, scalars) || scalars > kMaxScalars)
+        return damaged(p, "it has too many scalars");
+      types.resize(types.size() + scalars, kScalarChunk);
+      has_count = true;
     }
     index.patches.push_back(record);
   }
