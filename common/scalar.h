@@ -25,6 +25,10 @@ inline constexpr std::uint16_t kMaxScalarCode = 65534;
 inline constexpr std::size_t kMaxScalars = 32;
 inline constexpr std::size_t kMaxScalarName = 63;
 
+/// Scalars that are computed and not read.
+inline constexpr const char* kHeightScalar = "height";
+inline constexpr const char* kDistanceScalar = "distance";  ///< of samples to the nearest point
+
 /// The values below which 0, 1 ... 100 % of a scalar's values lie, ascending.
 using Quantiles = std::array<double, 101>;
 

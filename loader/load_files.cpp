@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -37,7 +39,32 @@ struct LeftOut {
   bool normals = false;
   bool colours = false;
   bool texcoords = false;
+  std::set<std::string> scalars;
 };
+
+/// Keeps the scalars that all scans have.
+void append_scalars(Points& to, Points& from, LeftOut& left_out) {
+  const auto named = [](Points& points, const std::string& name) {
+    return std::ranges::find(points.scalars, name, &PointScalar::name);
+  };
+  if (to.positions.empty()) {
+    to.scalars = std::move(from.scalars);
+    return;
+  }
+  for (const PointScalar& scalar : from.scalars) {
+    if (named(to, scalar.name) == to.scalars.end()) left_out.scalars.insert(scalar.name);
+  }
+  std::erase_if(to.scalars, [&](PointScalar& scalar) {
+    const auto more = named(from, scalar.name);
+    if (more == from.scalars.end()) {
+      left_out.scalars.insert(scalar.name);
+      return true;
+    }
+    scalar.values.insert(scalar.values.end(), more->values.begin(), more->values.end());
+    scalar.is_label = scalar.is_label && more->is_label;
+    return false;
+  });
+}
 
 /// Triangles keep their materials, and their texture coordinates with them, which by point may have
 /// been left out.
@@ -79,6 +106,7 @@ void append(Points& to, Points from, LeftOut& left_out) {
   left_out.normals |= append_attribute(to.normals, offset, from.normals);
   left_out.colours |= append_attribute(to.colours, offset, from.colours);
   left_out.texcoords |= append_attribute(to.texcoords, offset, from.texcoords);
+  append_scalars(to, from, left_out);
   to.positions.insert(to.positions.end(), from.positions.begin(), from.positions.end());
   append_materials(to, from);
   to.triangles.reserve(to.triangles.size() + from.triangles.size());
@@ -104,13 +132,14 @@ void note_left_out(const LeftOut& left_out, Progress& progress) {
   note_if(left_out.normals, "normals");
   note_if(left_out.colours, "colours");
   note_if(left_out.texcoords, "texture coordinates");
+  for (const std::string& name : left_out.scalars) note_if(true, "the scalar " + name);
 }
 
 }  // namespace
 
 Result<ReadResult> load_mesh(const std::filesystem::path& path, const TextureChoice& textures,
-                             Progress& progress) {
-  auto read = read_points(path, progress);
+                             Progress& progress, const ScalarChoice& scalars) {
+  auto read = read_points(path, progress, scalars);
   if (!read) return read;
   std::vector<std::string> notes = std::move(read->notes);
   const Status loaded = load_textures(path, textures, read->points, notes);
@@ -149,15 +178,16 @@ Result<std::vector<ScanFile>> list_scans(const std::vector<std::filesystem::path
 }  // namespace
 
 Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
-                               const TextureChoice& textures, Progress& progress) {
+                               const TextureChoice& textures, Progress& progress,
+                               const ScalarChoice& scalars) {
   const auto scans = list_scans(paths);
   if (!scans) return scans.error();
   if (scans->size() == 1 && !scans->front().pose)
-    return load_mesh(paths.front(), textures, progress);
+    return load_mesh(paths.front(), textures, progress, scalars);
   ReadResult all;
   LeftOut left_out;
   for (const auto& [path, pose] : *scans) {
-    RELIEF_TRY_ASSIGN(auto scan, load_mesh(path, textures, progress));
+    RELIEF_TRY_ASSIGN(auto scan, load_mesh(path, textures, progress, scalars));
     if (pose) place_scan(*pose, scan.points);
     all.points_in_file += scan.points_in_file;
     all.dropped_nonfinite += scan.dropped_nonfinite;

@@ -14,15 +14,16 @@
 
 namespace relief {
 
-/// Reads a scan or mesh with its materials and textures. Adds a note for each that is left out.
+/// Reads a scan or mesh with its materials and textures, and the scalars that are asked for. Adds a note for each that is left out.
 Result<ReadResult> load_mesh(const std::filesystem::path& path, const TextureChoice& textures,
-                             Progress& progress);
+                             Progress& progress, const ScalarChoice& scalars = {});
 
 /// Reads one or more scans as one scan, in the frame of their coordinates. A .conf file names scans
 /// and the pose of each (preprocess/readers/scan_poses.h). Leaves out an attribute that only some
 /// of the files have, and notes it. Merges duplicates between files as within one.
 Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
-                               const TextureChoice& textures, Progress& progress);
+                               const TextureChoice& textures, Progress& progress,
+                               const ScalarChoice& scalars = {});
 
 /// Reads a .relief file, or a scan or mesh and converts it with the default options.
 Result<PatchModel> load_model(const std::filesystem::path& path, Progress& progress);

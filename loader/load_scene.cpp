@@ -12,6 +12,7 @@
 #include "common/transform.h"
 #include "loader/acquire_splats.h"
 #include "loader/assemble.h"
+#include "loader/colour_by.h"
 #include "loader/load_files.h"
 #include "loader/view_settings.h"
 #include "preprocess/convert.h"
@@ -49,16 +50,46 @@ Result<LoadedFile> load_patch_file(const std::filesystem::path& path, Forms form
   return file;
 }
 
-Result<LoadedFile> load_scan(const std::filesystem::path& path, const TextureChoice& textures,
-                             FormNeeds needs, Progress& progress) {
-  auto scan = load_mesh(path, textures, progress);
-  if (!scan) return scan.error();
+/// Paints the points, for forms that are made of them. Returns the scale, if points have one.
+Result<std::optional<ColourScale>> colour_scan(const ColourBy& colour_by, bool draws_points,
+                                               Points& points) {
+  RELIEF_TRY_ASSIGN(auto scale, scale_of_points(colour_by, points));
+  if (!draws_points) return scale;
+  if (!scale) {
+    return make_error(
+        "--colour-by {} is how far patches are from the points, but this engine draws the points "
+        "or faces themselves; use onepass, or convert the scan with --scalars {}",
+        kDistanceScalar, kDistanceScalar);
+  }
+  paint_points(colour_by, *scale, points);
+  return scale;
+}
+
+/// A scan in the forms that are needed, and what it is coloured by.
+struct LoadedScan {
   LoadedFile file;
+  std::optional<ColourScale> scale;
+};
+
+Result<LoadedScan> load_scan(const std::filesystem::path& path, const TextureChoice& textures,
+                             FormNeeds needs, const std::optional<ColourBy>& colour_by,
+                             Progress& progress) {
+  auto scan = load_mesh(path, colour_by ? TextureChoice{true, {}} : textures, progress,
+                        colour_by ? scalars_for(*colour_by) : ScalarChoice());
+  if (!scan) return scan.error();
+  LoadedScan made;
+  LoadedFile& file = made.file;
   file.patches.bounds = bounds_of(scan->points.positions);
   file.patches.bounding_radius = bounding_radius(scan->points.positions, file.patches.bounds);
   file.patches.extremes = extreme_points(scan->points.positions, file.patches.bounds);
   file.patches.stance = stance_of(scan->points);
   const bool has_triangles = !scan->points.triangles.empty();
+  if (colour_by) {
+    const bool draws_points = needs.splats || (needs.mesh && has_triangles);
+    auto scale = colour_scan(*colour_by, draws_points, scan->points);
+    if (!scale) return make_error("{}: {}", path.string(), scale.error().message);
+    made.scale = *std::move(scale);
+  }
   if (needs.mesh && has_triangles) file.mesh = mesh_of_points(scan->points);
   file.has_faces = file.mesh.has_value();
   if (needs.splats) {
@@ -67,13 +98,23 @@ Result<LoadedFile> load_scan(const std::filesystem::path& path, const TextureCho
     file.splats = std::move(*splats);
   }
   const bool meshes_patches = needs.mesh && !has_triangles;
-  if (!needs.patches && !meshes_patches) return file;
-  auto converted = convert(std::move(scan->points), {}, progress);
+  if (!needs.patches && !meshes_patches) return made;
+  ConvertOptions options;
+  if (colour_by) {
+    scan->points.colours = {};
+    options.distances = colour_by->scalar == kDistanceScalar;
+  }
+  auto converted = convert(std::move(scan->points), options, progress);
   if (!converted) return make_error("{}: {}", path.string(), converted.error().message);
   file.patches = std::move(converted->model);
-  if (!meshes_patches) return file;
+  if (colour_by) {
+    auto scale = paint_patches(*colour_by, std::move(made.scale), file.patches);
+    if (!scale) return make_error("{}: {}", path.string(), scale.error().message);
+    made.scale = *std::move(scale);
+  }
+  if (!meshes_patches) return made;
   RELIEF_TRY(add_mesh_of_patches(file, path));
-  return file;
+  return made;
 }
 
 using LoadedFiles = std::map<std::filesystem::path, LoadedFile>;
@@ -158,7 +199,10 @@ Result<LoadedScene> load_textured_splats(const ScenePlan& plan, const LoadOption
 
 Result<LoadedScene> load_models(const std::vector<SceneModel>& models,
                                 const TextureChoice& textures, FormNeeds needs, Progress& progress,
-                                const ViewsOf& views) {
+                                const ViewsOf& views,
+                                const std::optional<ColourBy>& colour_by) {
+  if (colour_by && models.size() > 1)
+    return make_error("only one model can be coloured by a scalar; the scene has {}", models.size());
   const bool has_scans = std::any_of(models.begin(), models.end(), [](const SceneModel& model) {
     return lower_extension(model.file) != ".relief";
   });
@@ -169,22 +213,35 @@ Result<LoadedScene> load_models(const std::vector<SceneModel>& models,
   if (!trees) return trees.error();
 
   LoadedFiles loaded;
+  std::optional<ColourScale> colours;
   for (const SceneModel& model : models) {
     if (loaded.find(model.file) != loaded.end() || trees->find(model.file) != trees->end())
       continue;
-    RELIEF_TRY_ASSIGN(auto file, lower_extension(model.file) == ".relief"
-                                     ? load_patch_file(model.file, forms, progress)
-                                     : load_scan(model.file, textures, needs, progress));
-    loaded.emplace(model.file, std::move(file));
+    if (lower_extension(model.file) == ".relief") {
+      RELIEF_TRY_ASSIGN(auto file, load_patch_file(model.file, forms, progress));
+      loaded.emplace(model.file, std::move(file));
+    } else {
+      RELIEF_TRY_ASSIGN(auto scan, load_scan(model.file, textures, needs, colour_by, progress));
+      loaded.emplace(model.file, std::move(scan.file));
+      colours = std::move(scan.scale);
+    }
   }
   if (!trees->empty()) {
     RELIEF_TRY(load_trees(models, *trees, views, loaded, progress));
+  }
+  if (colour_by && !has_scans) {
+    const std::filesystem::path& file = models.front().file;
+    auto scale = paint_patches(*colour_by, {}, loaded[file].patches);
+    if (!scale) return make_error("{}: {}", file.string(), scale.error().message);
+    colours = *std::move(scale);
   }
   SceneAssembler assembler(models.size() > 1);
   RELIEF_TRY(for_each_use(models, [&](const auto& path, const FileUse& use) {
     return assembler.add(loaded.at(path), use);
   }));
-  return assembler.take();
+  LoadedScene scene = assembler.take();
+  scene.colours = std::move(colours);
+  return scene;
 }
 
 Result<LoadedScene> load_scene(const ScenePlan& plan, const LoadOptions& options,
@@ -192,9 +249,12 @@ Result<LoadedScene> load_scene(const ScenePlan& plan, const LoadOptions& options
   RELIEF_TRY_ASSIGN(const FormNeeds needs, needs_of(plan, among));
   if (needs.splats && !options.textures.image.empty())
     return load_textured_splats(plan, options, progress);
-  return load_models(plan.models, options.textures, needs, progress, [&](const PatchModel& extent) {
-    return render_settings_of(plan, extent, among);
-  });
+  std::optional<ColourBy> colour_by = options.colour_by;
+  // Heights are along the up direction of the image.
+  if (colour_by && !colour_by->up) colour_by->up = plan.views.front().settings.up;
+  return load_models(
+      plan.models, options.textures, needs, progress,
+      [&](const PatchModel& extent) { return render_settings_of(plan, extent, among); }, colour_by);
 }
 
 }  // namespace relief

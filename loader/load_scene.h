@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,16 +33,19 @@ using ViewsOf = std::function<Result<std::vector<RenderSettings>>(const PatchMod
 /// by a conversion with the default options, which also stand for triangles if it has none.
 /// `textures`: of scans and meshes. Reads only those tiles of a patch file that `views` show
 /// (renderer/view/patches_in_view.h); reads all without `views`, and if splats or a mesh are
-/// needed.
+/// needed. `colour_by`: colours the model by a scalar, which is read from a scan, and which a patch
+/// file must hold; fails if there are several models.
 Result<LoadedScene> load_models(const std::vector<SceneModel>& models,
                                 const TextureChoice& textures, FormNeeds needs, Progress& progress,
-                                const ViewsOf& views = {});
+                                const ViewsOf& views = {},
+                                const std::optional<ColourBy>& colour_by = {});
 
 struct LoadOptions {
   TextureChoice textures;  ///< of scans and meshes
   /// Options for making splats of a mesh for which `textures` names an image. The cutoff is always
   /// that of the first view's options.
   AcquireOptions acquisition;
+  std::optional<ColourBy> colour_by;  ///< in place of colours and textures
 };
 
 /// Loads the models that the views of a plan show, in the forms that their engines prefer. The

@@ -4,6 +4,7 @@
 #include <CLI/App.hpp>
 #include <filesystem>
 
+#include "cli/options/colour_options.h"
 #include "cli/options/texture_options.h"
 #include "common/scene/scene.h"
 #include "renderer/render.h"
@@ -14,6 +15,7 @@ struct RenderArguments {
   std::filesystem::path input;   ///< a scene, a patch file, a scan or a mesh
   std::filesystem::path output;  ///< has {view} in it for a scene of several views
   TextureArguments texture;
+  ColourArguments colours;
   SceneSettings settings;  ///< overrides those of a scene
   GlPlatform platform = GlPlatform::Automatic;
   std::size_t turntable = 0;                ///< frames of a film; 0: none

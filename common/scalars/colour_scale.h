@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/ext/vector_uint3_sized.hpp>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,10 +13,6 @@
 #include "common/scalars/colour_map.h"
 
 namespace relief {
-
-/// Names that need no scalar of the file.
-inline constexpr const char* kHeightScalar = "height";
-inline constexpr const char* kDistanceScalar = "distance";
 
 /// An end of a range: a value, or the percentage of values below it.
 struct RangeEnd {
@@ -33,6 +30,7 @@ struct ColourBy {
   std::string scalar;  ///< canonical name, or kHeightScalar or kDistanceScalar
   std::optional<ColourMap> map;
   std::optional<ColourRange> range;
+  std::optional<glm::dvec3> up;  ///< heights are along it, of any length but 0; none: the model's
 };
 
 /// The colours of a scalar's values.

@@ -3,7 +3,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
-#include <set>
+#include <glm/geometric.hpp>
 #include <utility>
 #include <vector>
 
@@ -13,11 +13,6 @@
 
 namespace relief {
 namespace {
-
-/// The height of the world position of a node, without its x and y.
-double height_of(const Patch& patch, std::uint32_t i, std::uint32_t j) {
-  return position_of(patch, i, j).z;
-}
 
 void paint(const AttributeMap<std::uint16_t>& codes, const ScalarInfo& scalar,
            const ColourScale& scale, Patch& patch) {
@@ -74,7 +69,7 @@ void paint_scalar(std::size_t number, ColourScale& scale, PatchModel& model) {
   model.has_label_colours = scale.is_label;
 }
 
-void paint_heights(const ColourScale& scale, PatchModel& model) {
+void paint_heights(const ColourScale& scale, glm::dvec3 up, PatchModel& model) {
   tbb::parallel_for(std::size_t{0}, model.patches.size(), [&](std::size_t p) {
     Patch& patch = model.patches[p];
     patch.scalars = {};
@@ -82,7 +77,8 @@ void paint_heights(const ColourScale& scale, PatchModel& model) {
     for (std::uint32_t j = 0; j < patch.height; ++j) {
       for (std::uint32_t i = 0; i < patch.width; ++i) {
         if (patch.at(i, j) == kHole) continue;
-        patch.colours.texels[std::size_t{j} * patch.width + i] = scale.at(height_of(patch, i, j));
+        patch.colours.texels[std::size_t{j} * patch.width + i] =
+            scale.at(glm::dot(position_of(patch, i, j), up));
       }
     }
     continue_over_holes(patch.colours, kept_texels(patch, 1));
@@ -92,11 +88,11 @@ void paint_heights(const ColourScale& scale, PatchModel& model) {
   model.has_label_colours = false;
 }
 
-Quantiles height_quantiles(const PatchModel& model) {
+Quantiles height_quantiles(const PatchModel& model, glm::dvec3 up) {
   std::vector<double> heights;
   heights.reserve(count_samples(model));
   for_each_position(std::span(model.patches),
-                    [&heights](const glm::dvec3& position) { heights.push_back(position.z); });
+                    [&](const glm::dvec3& position) { heights.push_back(glm::dot(position, up)); });
   return find_quantiles(heights).value_or(Quantiles{});
 }
 

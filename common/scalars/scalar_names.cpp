@@ -24,6 +24,12 @@ std::string canonical_scalar_name(std::string_view name) {
   return lower;
 }
 
+std::string file_scalar_name(std::string_view name) {
+  std::string canonical = canonical_scalar_name(name);
+  const bool is_computed = canonical == kHeightScalar || canonical == kDistanceScalar;
+  return is_computed ? "file_" + canonical : canonical;
+}
+
 bool is_label_name(std::string_view name) {
   constexpr std::array kWords{"class", "label",  "segment", "cluster",
                               "instance", "return", "ring",   "category"};

@@ -14,6 +14,10 @@ namespace relief {
 /// kMaxScalarName bytes remain.
 [[nodiscard]] std::string canonical_scalar_name(std::string_view name);
 
+/// Returns the canonical name of a scalar that a file calls `name`. Those that are computed, height
+/// and distance, become file_height and file_distance.
+[[nodiscard]] std::string file_scalar_name(std::string_view name);
+
 /// Returns whether a canonical name is one of labels: a class, label, segment, cluster, instance,
 /// return, ring or id.
 [[nodiscard]] bool is_label_name(std::string_view name);

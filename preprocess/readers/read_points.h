@@ -6,6 +6,7 @@
 
 #include "common/error.h"
 #include "common/progress.h"
+#include "common/scalars/scalar_names.h"
 #include "preprocess/readers/read_result.h"
 
 namespace relief {
@@ -17,7 +18,10 @@ namespace relief {
 /// and drops degenerate ones. The file is not trusted: every count is checked against the remaining
 /// bytes before memory is allocated for it. Fails with one sentence: file, line or byte, what was
 /// expected.
-Result<ReadResult> read_points(const std::filesystem::path& path, Progress& progress);
+/// Keeps the scalars of `scalars`; fails if the file lacks one that it names. With `all`, one
+/// without any finite number is left out.
+Result<ReadResult> read_points(const std::filesystem::path& path, Progress& progress,
+                               const ScalarChoice& scalars = {});
 
 /// Returns the names of all readable formats, for messages: "PLY, PCD, ... and XYZ text".
 [[nodiscard]] std::string readable_formats();

@@ -15,10 +15,10 @@ namespace relief {
 /// Reads a file in memory as read_points does: decompresses it, finds its format, reads and cleans.
 /// `path` gives the extension and begins errors.
 Result<ReadResult> read_bytes(const std::filesystem::path& path, std::vector<std::byte> bytes,
-                              Progress& progress);
+                              Progress& progress, const ScalarChoice& scalars = {});
 
 /// Each reader returns every point of the file, NaN and duplicates included, with the attributes
-/// that all points have. Triangles may have invalid indices; clean_points drops them. On any bytes,
+/// that all points have, and the scalars that Source::scalars asks for. Triangles may have invalid indices; clean_points drops them. On any bytes,
 /// a reader never crashes, hangs, throws or takes memory out of proportion to the file. It fails
 /// with one sentence that begins with the file's name and gives the line or byte.
 
@@ -34,7 +34,7 @@ Result<Points> read_ply(const Source& source);
 /// viewpoint other than the default.
 Result<Points> read_pcd(const Source& source);
 
-/// Reads LAS 1.1 to 1.4, point record formats 0 to 10; skips waveforms and extra bytes. Leaves out
+/// Reads LAS 1.1 to 1.4, point record formats 0 to 10; skips waveforms. Leaves out
 /// points that are marked as withheld or classified as noise. Keeps the upper byte of 16-bit
 /// colours. If no colour of the file is above 255, they are 8-bit values; if all are 0, the file
 /// has no colours.

@@ -10,6 +10,7 @@
 #include "common/error.h"
 #include "common/points.h"
 #include "common/progress.h"
+#include "common/scalars/scalar_names.h"
 
 namespace relief {
 
@@ -18,6 +19,7 @@ struct ReadRemarks {
   std::uint64_t left_out = 0;  ///< points that the file marks as not to be used
   std::vector<std::string>
       notes;  ///< for the user, a sentence each that begins with the file's name
+  std::vector<std::string> scalars;  ///< canonical names of all that the file has
 };
 
 /// Receives a file's points block by block, for scans larger than memory.
@@ -46,6 +48,11 @@ struct Source {
   /// Receives the points if the format streams (see format.h); the reader then returns the last
   /// ones, and triangles are left out. Null: the reader returns all points.
   PointSink* sink = nullptr;
+  const ScalarChoice* scalars = nullptr;  ///< those to keep; null: none
+
+  /// Adds a scalar to the remarks, and returns whether to keep it. A second one of a name, and
+  /// those beyond kMaxScalars, are not kept.
+  [[nodiscard]] bool takes_scalar(const std::string& canonical) const;
 };
 
 /// Reports a reader's progress, and whether to stop. Cheap enough to call for every line.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "preprocess/readers/las/las_header.h"
+#include "preprocess/readers/las/las_scalars.h"
 #include "preprocess/readers/number_type.h"
 #include "preprocess/readers/readers.h"
 
@@ -85,6 +86,8 @@ Result<Points> read_las(const Source& source) {
                              : header.points;
   points.positions.reserve(capacity);
   if (colours != Colours::None) points.colours.reserve(capacity);
+  const std::vector<LasScalar> scalars = find_las_scalars(source, header);
+  for (const LasScalar& scalar : scalars) points.scalars.push_back({scalar.name, false, {}});
   // The upper byte is right for both scalings of a byte to 16 bits, by 256 and by 257.
   const unsigned shift = colours == Colours::Words ? 8 : 0;
   LeftOut left_out;
@@ -101,6 +104,8 @@ Result<Points> read_las(const Source& source) {
       const glm::u16vec3 c = colour_of(record, header.colour_at());
       points.colours.emplace_back(c.x >> shift, c.y >> shift, c.z >> shift);
     }
+    for (std::size_t k = 0; k < scalars.size(); ++k)
+      points.scalars[k].values.push_back(scalars[k].of(record));
     if (source.sink != nullptr && points.size() == PointSink::kBlockPoints) {
       given += points.size();
       if (Status taken = source.sink->take(std::exchange(points, {})); !taken) return taken.error();
