@@ -34,7 +34,7 @@ constexpr double kTicksApart = 2.4;  ///< least distance of two ticks
 
 const glm::vec3 kText(0.9F);
 const glm::vec3 kPanel(0.012F);
-constexpr float kPanelOpacity = 0.72F;
+constexpr float kPanelOpacity = 0.9F;
 
 struct Row {
   glm::u8vec3 colour{0};

@@ -59,7 +59,7 @@ std::vector<Tick> find_ticks(double low, double high, int most) {
     // Adding zero makes 0 of -0.
     const double value = step.multiple(first + k) + 0.0;
     if (value > high) break;
-    ticks.push_back({value, text_of(value, step, largest)});
+    ticks.push_back({std::max(value, low), text_of(value, step, largest)});
   }
   return ticks;
 }

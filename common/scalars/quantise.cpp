@@ -8,6 +8,8 @@ namespace {
 
 /// The range ends this many times the width of the middle 96 % beyond them.
 constexpr double kTailWidths = 16.0;
+/// Larger numbers count as this: the width of a range of them would be infinite.
+constexpr double kLargest = 4e307;
 constexpr std::size_t kLowPercent = 2;
 constexpr std::size_t kHighPercent = 98;
 
@@ -49,11 +51,11 @@ std::optional<ScalarInfo> describe_scalar(const PointScalar& scalar) {
       low = std::max(low, (*quantiles)[kLowPercent] - kTailWidths * width);
       high = std::min(high, (*quantiles)[kHighPercent] + kTailWidths * width);
     }
+    low = std::clamp(low, -kLargest, kLargest);
+    high = std::clamp(high, -kLargest, kLargest);
     info.offset = low;
     const double step = (high - low) / kMaxScalarCode;
-    // Neither subnormal nor infinite steps, for numbers of any magnitude.
     if (std::isnormal(step)) info.step = step;
-    if (!std::isfinite(high - low)) info.step = high / kMaxScalarCode - low / kMaxScalarCode;
   }
   std::ranges::transform(*quantiles, info.quantiles.begin(),
                          [&info](double value) { return code_of(info, value); });

@@ -239,7 +239,49 @@ def decode_colours(data, patch, scale):
     patch["colours"] = (scale, width, texels)
 
 
-DECODERS = {b"HGHT": decode_heights, b"NRML": decode_normals, b"COLR": decode_colours}
+def median(w, n, nw, ne, last):
+    prediction = plane(w, n, nw, ne, last)
+    if None in (w, n, nw):
+        return prediction
+    return min(max(prediction, min(w, n)), max(w, n))
+
+
+NO_SCALAR = 65535
+
+
+def add_scalar(patch, scale, kept, values):
+    texels = [(v if k else NO_SCALAR,) for v, k in zip(values, kept)]
+    name = "scalar %d" % sum(1 for key in patch if key.startswith("scalar "))
+    patch[name] = (scale, scale * (patch["width"] - 1) + 1, texels)
+
+
+def decode_scalar(data, patch, scale):
+    kept = kept_texels(patch, scale)
+    width = scale * (patch["width"] - 1) + 1
+    values = unpredict(data.residuals(sum(kept)), kept, width, median, wrap_unsigned)
+    add_scalar(patch, scale, kept, values)
+
+
+def scalar_table(data):
+    """A line for each scalar."""
+    lines = []
+    for _ in range(data.take("B")):
+        length = data.take("B")
+        name = bytes(data.take("%ds" % length)).decode("ascii")
+        flags, offset, step = data.take("Bdd")
+        quantiles = data.take("101H")
+        lines.append("scalar %s%s offset %.17g step %.17g" % (name, " label" if flags else "", offset, step))
+        lines.append("quantiles " + " ".join(map(str, quantiles)))
+    assert data.at == len(data.data)
+    return lines
+
+
+DECODERS = {
+    b"HGHT": decode_heights,
+    b"NRML": decode_normals,
+    b"COLR": decode_colours,
+    b"SCLR": decode_scalar,
+}
 
 # Codec 2 and the index of version 2.
 
@@ -436,11 +478,11 @@ def decode_compact_map(data, kept, width, channels, predict):
     return values
 
 
-def median(w, n, nw, ne, last):
-    prediction = plane(w, n, nw, ne, last)
-    if None in (w, n, nw):
-        return prediction
-    return min(max(prediction, min(w, n)), max(w, n))
+def decode_compact_scalar(data, patch, scale):
+    kept = kept_texels(patch, scale)
+    width = scale * (patch["width"] - 1) + 1
+    (values,) = decode_compact_map(data, kept, width, 1, median)
+    add_scalar(patch, scale, kept, [v + 32768 for v in values])
 
 
 def decode_compact_normals(data, patch, scale):
@@ -472,6 +514,7 @@ COMPACT_DECODERS = {
     b"HGHT": decode_compact_heights,
     b"NRML": decode_compact_normals,
     b"COLR": decode_compact_colours,
+    b"SCLR": decode_compact_scalar,
 }
 
 
@@ -504,11 +547,23 @@ def axes_of(words):
     ]  # fmt: skip
 
 
+<<<<<<< HEAD
 def compact_index(index, spacing, bounds, count, offset):
     """Patch records as those of version 1 begin, and their chunks."""
     place_step, model_step = index.take("dd")
     base = bounds[:3] if bounds[0] <= bounds[3] else (0.0, 0.0, 0.0)
     records = []
+=======
+def compact_index(index, spacing, bounds, count, has_scalars):
+    """Patch records as those of version 1 begin, and their chunks; the chunk of the scalars."""
+    place_step, model_step = index.take("dd")
+    base = bounds[:3] if bounds[0] <= bounds[3] else (0.0, 0.0, 0.0)
+    records, offset, of_scalars = [], 128, []
+    if has_scalars:
+        size = varint(index)
+        of_scalars = [(b"SCLS", 2, 1, offset, size, index.take("I"))]
+        offset += size
+>>>>>>> 65dd4dd (Tests of scalars: files, names, formats, maps, colours, ticks, legends)
     for _ in range(count):
         flags = index.take("B")
         own_spacing = index.take("d") if flags & 1 else spacing
@@ -518,8 +573,12 @@ def compact_index(index, spacing, bounds, count, offset):
         width, height, samples, _, _ = (varint(index) for _ in range(5))
         index.take("3b")
         chunks = []
-        for kind, flag in ((b"HGHT", 0), (b"NRML", 4), (b"COLR", 8)):
+        kinds = [(b"HGHT", 0), (b"NRML", 4), (b"COLR", 8)] + [(None, 16)] * bool(flags & 16)
+        for kind, flag in kinds:
             if flag and not flags & flag:
+                continue
+            if kind is None:
+                kinds += [(b"SCLR", 16)] * varint(index)
                 continue
             scale = varint(index) if flag else 1
             size = varint(index)
@@ -528,7 +587,7 @@ def compact_index(index, spacing, bounds, count, offset):
             offset += size
         records.append(((*origin, *axes, own_spacing, own_step, width, height, samples), chunks))
     assert index.at == len(index.data)
-    return records
+    return records, of_scalars
 
 
 def numbers(values):
@@ -596,8 +655,17 @@ def describe(file):
         patch_records = [index.take("14d3I2H2hf2I") for _ in range(patches)]
         chunk_records = [index.take("4sHHQII") for _ in range(chunks)]
         records = [(p, chunk_records[p[-2] : p[-2] + p[-1]]) for p in patch_records]
+        of_scalars = [chunk for chunk in chunk_records if chunk[0] == b"SCLS"]
     else:
+<<<<<<< HEAD
         records = compact_index(index, spacing, bounds, patches, begin)
+=======
+        records, of_scalars = compact_index(index, spacing, bounds, patches, flags & 8)
+    if flags & 8:
+        ((_, _, _, offset, size, checksum),) = of_scalars
+        assert zlib.crc32(file[offset : offset + size]) == checksum
+        lines += scalar_table(Bytes(file[offset : offset + size]))
+>>>>>>> 65dd4dd (Tests of scalars: files, names, formats, maps, colours, ticks, legends)
     for record, own_chunks in records:
         patch = dict(zip(("spacing", "step", "width", "height", "samples"), record[12:]))
         for kind, codec, scale, offset, size, checksum in own_chunks:
@@ -618,6 +686,8 @@ def describe(file):
             row = heights[k : k + width]
             lines.append(" ".join("." if h is HOLE else str(h) for h in row))
         lines += describe_map("normals", patch) + describe_map("colours", patch)
+        for name in sorted(key for key in patch if key.startswith("scalar ")):
+            lines += describe_map(name, patch)
     return "\n".join(lines) + "\n"
 
 
