@@ -161,6 +161,7 @@ Status load_trees(const std::vector<SceneModel>& models, const TreeFiles& trees,
                               read.tiles, tree.tiles().size(), read.model.patches.size(),
                               read.samples));
     loaded[path].patches = std::move(read.model);
+    loaded[path].patches.stance = tree.extent().stance;
   }
   return {};
 }

@@ -28,9 +28,9 @@ struct ColourRange {
 /// What to colour by. A label is coloured like a number if it has a map or a range.
 struct ColourBy {
   std::string scalar;  ///< canonical name, or kHeightScalar or kDistanceScalar
-  std::optional<ColourMap> map;
-  std::optional<ColourRange> range;
-  std::optional<glm::dvec3> up;  ///< heights are along it, of any length but 0; none: the model's
+  std::optional<ColourMap> map = {};
+  std::optional<ColourRange> range = {};
+  std::optional<glm::dvec3> up = {};  ///< heights are along it, of any length but 0; none: the model's
 };
 
 /// The colours of a scalar's values.

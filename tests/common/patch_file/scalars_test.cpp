@@ -102,7 +102,7 @@ TEST_P(Scalars, DamageIsFoundWhereverAFileEndsOrAByteIsWrong) {
 }
 
 /// The file with a changed index and header and the checksums made right.
-std::string forged(const std::string& valid,
+std::string forged_scalars(const std::string& valid,
                    const std::function<void(FileHeader&, FileIndex&)>& forge) {
   const std::vector<std::byte> bytes = bytes_of(valid);
   FileHeader header = *parse_header(std::span(bytes).first(kHeaderBytes), bytes.size(), "");
@@ -120,19 +120,19 @@ std::string forged(const std::string& valid,
 
 TEST_P(Scalars, OfForgedFilesAreRefused) {
   const std::string valid = written(model_with_scalars());
-  ASSERT_EQ(failure(forged(valid, [](FileHeader&, FileIndex&) {})), "");
+  ASSERT_EQ(failure(forged_scalars(valid, [](FileHeader&, FileIndex&) {})), "");
   const auto scalar_of = [](FileIndex& index, std::size_t patch) -> ChunkRecord& {
     const PatchRecord& record = index.patches[patch];
     return index.chunks[record.first_chunk + record.chunk_count - 1];
   };
   for (const int scale : {0, 3, 65535}) {
-    const std::string error = failure(forged(valid, [&](FileHeader&, FileIndex& index) {
+    const std::string error = failure(forged_scalars(valid, [&](FileHeader&, FileIndex& index) {
       scalar_of(index, 1).scale = static_cast<std::uint16_t>(scale);
     }));
     EXPECT_NE(error.find("scalars"), std::string::npos) << scale << ": " << error;
   }
   // One patch has another number of scalars than the table.
-  EXPECT_NE(failure(forged(valid, [&](FileHeader&, FileIndex& index) {
+  EXPECT_NE(failure(forged_scalars(valid, [&](FileHeader&, FileIndex& index) {
               scalar_of(index, 2).type = {'R', 'O', 'U', 'G'};
             })),
             "");
@@ -172,7 +172,7 @@ TEST(ForgedScalars, AreNotDecodedMoreOftenThanTheTableSays) {
   const ScratchFolder folder;
   PatchModel model = model_with_scalars();
   ASSERT_TRUE(write_patch_file(folder / "a.relief", model));
-  const std::string bytes = forged(slurp(folder / "a.relief"), [](FileHeader& h, FileIndex& index) {
+  const std::string bytes = forged_scalars(slurp(folder / "a.relief"), [](FileHeader& h, FileIndex& index) {
     PatchRecord& last = index.patches.back();
     const ChunkRecord scalar = index.chunks.back();
     for (int k = 0; k < 1000; ++k) index.chunks.push_back(scalar);
