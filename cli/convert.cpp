@@ -89,9 +89,8 @@ Result<ConvertSummary> convert_files(const ConvertArguments& arguments, Progress
     RELIEF_TRY_ASSIGN(auto larger, convert_larger(arguments, progress));
     if (larger) return std::move(*larger);
   }
-  RELIEF_TRY_ASSIGN(auto read,
-                    load_points(arguments.inputs, texture_choice(arguments.texture), progress,
-                                arguments.scalars));
+  RELIEF_TRY_ASSIGN(auto read, load_points(arguments.inputs, texture_choice(arguments.texture),
+                                           progress, arguments.scalars));
   ConvertSummary summary;
   if (arguments.clean) summary.outliers = remove_outliers(read.points, progress);
   if (summary.outliers.were_too_many)
@@ -286,8 +285,7 @@ void add_file_options(CLI::App& sub, ConvertArguments& arguments) {
 
 void add_scalar_option(CLI::App& sub, ConvertArguments& arguments) {
   sub.add_option_function<std::string>(
-         "--scalars",
-         [&arguments](const std::string& text) { read_scalars(text, arguments); },
+         "--scalars", [&arguments](const std::string& text) { read_scalars(text, arguments); },
          "Scalars to keep for `relief render --colour-by`: names such as intensity, "
          "classification, return_number or gps_time; distance, to the nearest point; all: those of "
          "the file (default: none)")
@@ -315,7 +313,8 @@ void add_resource_options(CLI::App& sub, ConvertArguments& arguments) {
       sub.add_option(
              "--memory", arguments.tiles.memory_bytes,
              "Memory limit, 256M or more. A scan that needs more is converted in tiles, without "
-             "its triangles, textures and scalars; tiles are kept in OUT.parts until the end, so that "
+             "its triangles, textures and scalars; tiles are kept in OUT.parts until the end, so "
+             "that "
              "the same command resumes an interrupted conversion (default: no limit)")
           ->excludes("--adaptive-spacing")
           ->excludes("--samples")

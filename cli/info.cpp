@@ -74,9 +74,9 @@ std::string scalars_as_text(const std::vector<ScalarInfo>& scalars) {
   std::string text;
   for (const ScalarInfo& scalar : scalars) {
     const Quantiles values = quantiles_of(scalar);
-    text += fmt::format("  scalar      {}: {:.9g} to {:.9g}, median {:.9g}{}\n", scalar.name,
-                        values.front(), values.back(), values[50],
-                        scalar.is_label ? ", labels" : "");
+    text +=
+        fmt::format("  scalar      {}: {:.9g} to {:.9g}, median {:.9g}{}\n", scalar.name,
+                    values.front(), values.back(), values[50], scalar.is_label ? ", labels" : "");
   }
   return text;
 }
@@ -134,9 +134,10 @@ std::string as_text(const PatchFileInfo& info, const std::vector<LevelSums>& lev
       "  file        {} bytes: {} of heights, {} of normals, {} of colours, {} of scalars\n",
       arguments.input.string(), arguments.verify ? ": every byte is right" : "", info.version,
       info.codec, info.patches, info.samples, info.spacing, low.x, low.y, low.z, high.x, high.y,
-      high.z, fmt::join(info.attributes, ", "), scalars_as_text(info.scalars), info.is_closed ? "yes" : "not known",
-      info.is_joined ? "meet at seams" : "overlap", info.levels, info.file_bytes, info.height_bytes,
-      info.normal_bytes, info.colour_bytes, info.scalar_bytes);
+      high.z, fmt::join(info.attributes, ", "), scalars_as_text(info.scalars),
+      info.is_closed ? "yes" : "not known", info.is_joined ? "meet at seams" : "overlap",
+      info.levels, info.file_bytes, info.height_bytes, info.normal_bytes, info.colour_bytes,
+      info.scalar_bytes);
   if (levels.front().tiles > 1) text += fmt::format("  tiles       {}\n", levels.front().tiles);
   for (std::size_t l = 1; l < levels.size(); ++l) {
     text += fmt::format(

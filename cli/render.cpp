@@ -63,7 +63,6 @@ void expose(Image& image, double exposure) {
   }
 }
 
-
 /// Applies the settings that only the command line has.
 void apply(const RenderArguments& arguments, const PlannedView& view, RenderSettings& settings) {
   // An EXR holds all outputs by default, a PNG none but colour.
@@ -88,8 +87,8 @@ class ImageWriter {
   ImageWriter(const std::vector<std::filesystem::path>& files, double frames_per_second)
       : files_(files), frames_per_second_(frames_per_second) {}
 
-  /// An EXR keeps the scene's light. Others are exposed, and get a legend of `colours`, if there are
-  /// some and the image is large enough.
+  /// An EXR keeps the scene's light. Others are exposed, and get a legend of `colours`, if there
+  /// are some and the image is large enough.
   Status write(std::size_t number, Image& image, double exposure,
                const std::optional<ColourScale>& colours) {
     const std::filesystem::path& file = files_[number];
@@ -132,8 +131,7 @@ Result<std::vector<WrittenImage>> make_images(const ScenePlan& plan,
   LoadOptions options = load_options(arguments.texture);
   options.colour_by = colour_by_of(arguments.colours);
   RELIEF_TRY_ASSIGN(const auto scene, load_scene(plan, options, progress));
-  const std::optional<ColourScale> legend =
-      arguments.colours.legend ? scene.colours : std::nullopt;
+  const std::optional<ColourScale> legend = arguments.colours.legend ? scene.colours : std::nullopt;
   if (progress.cancelled()) return interrupted_error();
   RELIEF_TRY_ASSIGN(auto views, render_settings_of(plan, scene.patches));
   for (std::size_t i = 0; i < views.size(); ++i) {

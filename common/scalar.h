@@ -36,8 +36,8 @@ using Quantiles = std::array<double, 101>;
 struct ScalarInfo {
   std::string name;  ///< printable, 1 to kMaxScalarName bytes
   bool is_label = false;
-  double offset = 0.0;  ///< the value of code 0
-  double step = 1.0;    ///< from one code to the next; above 0
+  double offset = 0.0;                         ///< the value of code 0
+  double step = 1.0;                           ///< from one code to the next; above 0
   std::array<std::uint16_t, 101> quantiles{};  ///< codes, at most kMaxScalarCode, ascending
 
   /// Returns the value of a code other than kNoScalar.

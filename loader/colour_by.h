@@ -20,8 +20,7 @@ namespace relief {
 
 /// Returns the scale that follows from a scan's own values: its scalar, or the heights of its
 /// points; nothing for kDistanceScalar, which only patches have. Errors are clauses.
-Result<std::optional<ColourScale>> scale_of_points(const ColourBy& colour_by,
-                                                   const Points& points);
+Result<std::optional<ColourScale>> scale_of_points(const ColourBy& colour_by, const Points& points);
 
 /// Replaces the colours of the points. Adds the labels that occur to the scale.
 void paint_points(const ColourBy& colour_by, ColourScale& scale, Points& points);

@@ -200,10 +200,10 @@ Result<LoadedScene> load_textured_splats(const ScenePlan& plan, const LoadOption
 
 Result<LoadedScene> load_models(const std::vector<SceneModel>& models,
                                 const TextureChoice& textures, FormNeeds needs, Progress& progress,
-                                const ViewsOf& views,
-                                const std::optional<ColourBy>& colour_by) {
+                                const ViewsOf& views, const std::optional<ColourBy>& colour_by) {
   if (colour_by && models.size() > 1)
-    return make_error("only one model can be coloured by a scalar; the scene has {}", models.size());
+    return make_error("only one model can be coloured by a scalar; the scene has {}",
+                      models.size());
   const bool has_scans = std::any_of(models.begin(), models.end(), [](const SceneModel& model) {
     return lower_extension(model.file) != ".relief";
   });

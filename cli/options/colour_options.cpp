@@ -36,7 +36,8 @@ ColourRange parse_colour_range(const std::string& text) {
   const std::string_view whole = text;
   const ColourRange range{parse_end(whole.substr(0, comma)), parse_end(whole.substr(comma + 1))};
   if (range.low.is_percent == range.high.is_percent && !(range.low.number < range.high.number))
-    throw CLI::ValidationError(kRangeOption, "its first end must be below its second; found " + text);
+    throw CLI::ValidationError(kRangeOption,
+                               "its first end must be below its second; found " + text);
   return range;
 }
 

@@ -9,8 +9,8 @@
 
 namespace relief {
 
-/// The data to write: positions, and normals, colours, scalars and triangles if `points` has them. Without
-/// triangles the file holds points. Other members are ignored.
+/// The data to write: positions, and normals, colours, scalars and triangles if `points` has them.
+/// Without triangles the file holds points. Other members are ignored.
 struct ExportRequest {
   const Points& points;
   /// Largest error of a position, world units. If single precision exceeds it, PLY stores doubles

@@ -70,8 +70,7 @@ void find_crossings(std::span<const std::vector<glm::dvec2>> contours, double y,
 
 /// The share of pixel `x` that lies between two positions.
 float share_of(double x, double left, double right) {
-  return static_cast<float>(
-      std::clamp(std::min(x + 1.0, right) - std::max(x, left), 0.0, 1.0));
+  return static_cast<float>(std::clamp(std::min(x + 1.0, right) - std::max(x, left), 0.0, 1.0));
 }
 
 float* channel_of(Image& image, std::string_view name) {
@@ -139,15 +138,14 @@ void Painter::text(std::string_view text, double x, double y, double size, glm::
           winding += crossings[k].second;
           if (winding == 0) continue;
           for (std::size_t i = 0; i < shares.size(); ++i) {
-            shares[i] += share_of(static_cast<double>(x0 + i), crossings[k].first,
-                                  crossings[k + 1].first) /
-                         kRows;
+            shares[i] +=
+                share_of(static_cast<double>(x0 + i), crossings[k].first, crossings[k + 1].first) /
+                kRows;
           }
         }
       }
       for (std::size_t i = 0; i < shares.size(); ++i) {
-        if (shares[i] > 0.0F)
-          blend(row * image_.width + x0 + i, colour, std::min(shares[i], 1.0F));
+        if (shares[i] > 0.0F) blend(row * image_.width + x0 + i, colour, std::min(shares[i], 1.0F));
       }
     }
     x += unit * glyph.advance;

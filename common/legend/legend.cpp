@@ -48,8 +48,7 @@ std::string title_of(const ColourScale& scale) {
 }
 
 std::string label_text(const ColourScale& scale, std::uint32_t label) {
-  const auto name =
-      scale.name == "classification" ? las_class_name(label) : std::string_view();
+  const auto name = scale.name == "classification" ? las_class_name(label) : std::string_view();
   return name.empty() ? fmt::format("{}", label) : fmt::format("{}  {}", label, name);
 }
 
@@ -135,8 +134,8 @@ bool draw_list(const ColourScale& scale, double em, Image& image) {
   if (!place) return false;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const double top = place->top + (static_cast<double>(k) * kLine + 0.25) * em;
-    const bool has_colour = k < scale.labels.size() && (k + 1 < rows.size() ||
-                                                        rows.size() == scale.labels.size());
+    const bool has_colour =
+        k < scale.labels.size() && (k + 1 < rows.size() || rows.size() == scale.labels.size());
     if (has_colour) {
       painter.fill(std::round(place->left), std::round(top),
                    std::round(place->left + kBarWidth * em), std::round(top + em),

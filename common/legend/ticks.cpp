@@ -31,8 +31,8 @@ Step step_for(double low, double high, int most) {
     return std::floor(high / size) - std::ceil(low / size) + 1.0 <= most;
   };
   const int power = static_cast<int>(std::floor(std::log10((high - low) / most)));
-  for (const Step step : {Step{1, power}, Step{2, power}, Step{5, power}, Step{1, power + 1},
-                          Step{2, power + 1}}) {
+  for (const Step step :
+       {Step{1, power}, Step{2, power}, Step{5, power}, Step{1, power + 1}, Step{2, power + 1}}) {
     if (fits(step)) return step;
   }
   return {5, power + 1};

@@ -11,7 +11,6 @@
 #include "common/patch_file/compact/compact_index.h"
 #include "common/patch_file/fault.h"
 #include "common/patch_file/plain_index.h"
-#include "common/patch_file/scalar_table.h"
 
 namespace relief {
 namespace {
@@ -19,30 +18,13 @@ namespace {
 // As in PNG: a byte above 127 and both line endings show a transfer that changed them.
 constexpr std::array<std::uint8_t, 8> kMagic{0x89, 'R', 'L', 'F', '\r', '\n', 0x1A, '\n'};
 
-/// Reads the table of scalars, whose offset is already that in the open file.
-Result<std::vector<ScalarInfo>> read_scalars(const RandomAccessFile& file, const FileIndex& index,
-                                             const std::string& name) {
-  const auto table = std::ranges::find(index.chunks, kScalarTableChunk, &ChunkRecord::type);
-  if (table == index.chunks.end())
-    return make_error("{}: its table of scalars is missing; the file is damaged", name);
-  std::vector<std::byte> bytes(table->size);
-  RELIEF_TRY(file.read_at(table->offset, bytes));
-  if (!has_checksum(bytes, table->checksum)) {
-    return make_error("{}: the checksum of its scalars (byte {}) is wrong; the file is damaged",
-                      name, table->offset);
-  }
-  auto scalars = parse_scalar_table(bytes);
-  if (!scalars) return make_error("{}: {}; the file is damaged", name, scalars.error().message);
-  return scalars;
-}
-
 /// Returns whether the index may have that many bytes, on which later code relies.
 bool index_fits(const FileHeader& header, std::uint64_t bytes) {
   if (header.version == kTreeVersion)
     return bytes == header.chunks * std::uint64_t{kTileRecordBytes};
   if (header.version == kCompactVersion) {
     return header.patches <= bytes / kMinCompactRecord &&
-           header.chunks <= (3ULL + kMaxScalars) * header.patches + 1;
+           header.chunks <= (3ULL + kMaxScalars) * header.patches;
   }
   return bytes == header.patches * std::uint64_t{kPatchRecordBytes} +
                       header.chunks * std::uint64_t{kChunkRecordBytes};
@@ -101,7 +83,6 @@ std::vector<std::byte> write_header(const FileHeader& header) {
   append_number(out, (header.is_closed ? kClosedFlag : std::uint64_t{0}) |
                          (header.is_joined ? kJoinedFlag : std::uint64_t{0}) |
                          (header.is_borderless ? kBorderlessFlag : std::uint64_t{0}) |
-                         (header.has_scalars ? kScalarsFlag : std::uint64_t{0}) |
                          (std::uint64_t{header.block_bytes} << kBlockSizeShift));
   append_number(out, header.index_checksum);
   append_number(out, crc32(out));
@@ -154,7 +135,6 @@ Result<FileHeader> parse_header(std::span<const std::byte> bytes, std::uint64_t 
   header.is_joined = (flags & kJoinedFlag) != 0;
   header.is_borderless = (flags & kBorderlessFlag) != 0;
   header.block_bytes = static_cast<std::uint32_t>(flags >> kBlockSizeShift);
-  header.has_scalars = (flags & kScalarsFlag) != 0;
   header.index_checksum = in.take<std::uint32_t>();
 
   if (file_bytes != header.file_bytes) {
@@ -215,10 +195,7 @@ Result<FileLayout> read_layout(const RandomAccessFile& file, FileRange range,
   RELIEF_TRY(file.read_at(range.offset + header.index_offset, bytes));
   RELIEF_TRY_ASSIGN(auto index, parse_index(bytes, header, name));
   for (ChunkRecord& chunk : index.chunks) chunk.offset += range.offset;
-  FileLayout layout{header, std::move(index), {}, {}};
-  if (header.has_scalars) {
-    RELIEF_TRY_ASSIGN(layout.scalars, read_scalars(file, layout.index, name));
-  }
+  FileLayout layout{header, std::move(index), {}};
   if (header.is_joined && header.patches > 0)
     layout.joined = {{0, header.patches, header.is_closed || header.is_borderless}};
   return layout;

@@ -25,7 +25,6 @@ inline constexpr std::size_t kTileRecordBytes = 84;
 inline constexpr std::uint64_t kClosedFlag = 1;
 inline constexpr std::uint64_t kJoinedFlag = 2;
 inline constexpr std::uint64_t kBorderlessFlag = 4;  ///< also where the surface is not closed
-inline constexpr std::uint64_t kScalarsFlag = 8;     ///< there is a table of scalars
 /// The upper half of the flags is the size of the model block, bytes.
 inline constexpr unsigned kBlockSizeShift = 32;
 
@@ -38,8 +37,7 @@ using ChunkType = std::array<char, 4>;
 inline constexpr ChunkType kHeightsChunk{'H', 'G', 'H', 'T'};
 inline constexpr ChunkType kNormalsChunk{'N', 'R', 'M', 'L'};
 inline constexpr ChunkType kColoursChunk{'C', 'O', 'L', 'R'};
-inline constexpr ChunkType kScalarChunk{'S', 'C', 'L', 'R'};  ///< one for each scalar of the table
-inline constexpr ChunkType kScalarTableChunk{'S', 'C', 'L', 'S'};  ///< of no patch
+inline constexpr ChunkType kScalarChunk{'S', 'C', 'L', 'R'};  ///< one for each of the model block
 
 /// Position and coding of a chunk's bytes.
 struct ChunkRecord {
@@ -73,7 +71,6 @@ struct FileHeader {
   bool is_closed = false;
   bool is_joined = false;
   bool is_borderless = false;     ///< PatchRun::is_closed of patches that meet
-  bool has_scalars = false;       ///< the first chunk is their table
   std::uint32_t block_bytes = 0;  ///< of the model block, which follows the header
   ModelBlock block;               ///< set by read_header
 
@@ -90,7 +87,6 @@ struct FileLayout {
   FileHeader header;
   FileIndex index;
   std::vector<PatchRun> joined;  ///< as in PatchModel: all patches, or those of each tile
-  std::vector<ScalarInfo> scalars;  ///< of a file without tiles
 };
 
 }  // namespace relief

@@ -78,11 +78,8 @@ Status check_height_range(const Patch& patch, const PatchSummary& summary, bool 
 }
 
 /// Collects the information of header and index.
-PatchFileInfo info_of(const FileLayout& layout) {
-  const FileHeader& header = layout.header;
-  const FileIndex& index = layout.index;
+PatchFileInfo info_of(const FileHeader& header, const FileIndex& index) {
   PatchFileInfo info;
-  info.scalars = layout.scalars;
   info.version = header.version;
   const bool compact = header.version == kCompactVersion ||
                        std::any_of(index.chunks.begin(), index.chunks.end(),
@@ -96,6 +93,7 @@ PatchFileInfo info_of(const FileLayout& layout) {
   info.bounding_radius = header.bounding_radius;
   info.extremes = header.block.extremes;
   info.stance = header.block.stance;
+  info.scalars = header.block.scalars;
   info.is_closed = header.is_closed;
   info.is_joined = header.is_joined;
   bool has_normals = false;
@@ -139,7 +137,7 @@ struct PatchFile::State {
   State(std::string file_name, RandomAccessFile opened, FileLayout layout)
       : name(std::move(file_name)),
         file(std::move(opened)),
-        info(info_of(layout)),
+        info(info_of(layout.header, layout.index)),
         index(std::move(layout.index)),
         joined(std::move(layout.joined)) {
     summaries.reserve(index.patches.size());

@@ -157,7 +157,7 @@ Result<FileLayout> read_own_layout(const RandomAccessFile& file, const std::stri
   if (!header) return header.error();
   if (header->version != kTreeVersion) return read_layout(file, {0, file.size()}, name);
   RELIEF_TRY_ASSIGN(const auto tree, read_tree_layout(file, name));
-  FileLayout whole{tree.header, {}, {}, {}};
+  FileLayout whole{tree.header, {}, {}};
   for (const TreeTile& tile : tree.tiles) {
     if (tile.level > 0) continue;
     RELIEF_TRY_ASSIGN(auto layout, read_tile(file, tile, name));

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <optional>
 
 #include "common/guard.h"
 #include "common/io/file.h"
@@ -156,43 +155,33 @@ EncodedPatch encode(const Patch& patch, const PatchFileOptions& options, ZstdCon
          compact ? encode_colours_compact(patch) : encode_colours(patch, zstd)});
   }
   for (const AttributeMap<std::uint16_t>& map : patch.scalars) {
-    encoded.chunks.push_back({kScalarChunk, static_cast<std::uint16_t>(map.scale),
-                              compact ? encode_scalar_compact(patch, map)
-                                      : encode_scalar(patch, map, zstd)});
+    encoded.chunks.push_back(
+        {kScalarChunk, static_cast<std::uint16_t>(map.scale),
+         compact ? encode_scalar_compact(patch, map) : encode_scalar(patch, map, zstd)});
   }
   return encoded;
 }
 
-/// Assigns each chunk its offset from `offset` on: the table of scalars, if there is one, then patch
-/// after patch, without gaps.
-FileIndex lay_out(const std::optional<EncodedChunk>& table,
-                  const std::vector<EncodedPatch>& patches, PatchCodec codec,
+/// Assigns each chunk its offset: patch after patch, without gaps, from `offset` on.
+FileIndex lay_out(const std::vector<EncodedPatch>& patches, PatchCodec codec,
                   std::uint64_t offset) {
   FileIndex index;
-  const auto add = [&](const EncodedChunk& chunk) {
-    ChunkRecord record;
-    record.type = chunk.type;
-    record.codec = codec == PatchCodec::Compact ? kCodecCompact : kCodecPredicted;
-    record.scale = chunk.scale;
-    record.offset = offset;
-    record.size = static_cast<std::uint32_t>(chunk.bytes.size());
-    record.checksum = crc32(chunk.bytes);
-    index.chunks.push_back(record);
-    offset += chunk.bytes.size();
-  };
-  if (table) add(*table);
   for (const EncodedPatch& patch : patches) {
     index.patches.push_back({patch.summary, static_cast<std::uint32_t>(index.chunks.size()),
                              static_cast<std::uint32_t>(patch.chunks.size())});
-    for (const EncodedChunk& chunk : patch.chunks) add(chunk);
+    for (const EncodedChunk& chunk : patch.chunks) {
+      ChunkRecord record;
+      record.type = chunk.type;
+      record.codec = codec == PatchCodec::Compact ? kCodecCompact : kCodecPredicted;
+      record.scale = chunk.scale;
+      record.offset = offset;
+      record.size = static_cast<std::uint32_t>(chunk.bytes.size());
+      record.checksum = crc32(chunk.bytes);
+      index.chunks.push_back(record);
+      offset += chunk.bytes.size();
+    }
   }
   return index;
-}
-
-/// The table of the model's scalars; nothing if it has none.
-std::optional<EncodedChunk> scalar_table(const PatchModel& model) {
-  if (model.scalars.empty()) return std::nullopt;
-  return EncodedChunk{kScalarTableChunk, 1, write_scalar_table(model.scalars)};
 }
 
 /// Returns why the model's scalars cannot be written, as a clause; empty if they can.
@@ -229,11 +218,10 @@ Status write_model(const std::filesystem::path& path, const PatchModel& model,
 
   const bool compact = options.codec == PatchCodec::Compact;
   const std::vector<std::byte> block =
-      write_model_block({model.extremes, model.stance}, model.bounds);
-  const std::optional<EncodedChunk> table = scalar_table(model);
+      write_model_block({model.extremes, model.stance, model.scalars}, model.bounds);
   FileHeader header;
   header.block_bytes = static_cast<std::uint32_t>(block.size());
-  const FileIndex layout = lay_out(table, encoded, options.codec, header.data_offset());
+  const FileIndex layout = lay_out(encoded, options.codec, header.data_offset());
   header.version = compact ? kCompactVersion : kPlainVersion;
   header.spacing = model.spacing;
   header.bounds = model.bounds;
@@ -241,7 +229,6 @@ Status write_model(const std::filesystem::path& path, const PatchModel& model,
   header.is_closed = model.is_closed;
   header.is_joined = is_joined(model);
   header.is_borderless = header.is_joined && !model.is_closed && model.joined.front().is_closed;
-  header.has_scalars = table.has_value();
   const std::vector<std::byte> index = write_index(layout, header);
   header.patches = static_cast<std::uint32_t>(layout.patches.size());
   header.chunks = static_cast<std::uint32_t>(layout.chunks.size());
@@ -253,9 +240,6 @@ Status write_model(const std::filesystem::path& path, const PatchModel& model,
 
   RELIEF_TRY(file.write(write_header(header)));
   RELIEF_TRY(file.write(block));
-  if (table) {
-    RELIEF_TRY(file.write(table->bytes));
-  }
   for (const EncodedPatch& patch : encoded) {
     for (const EncodedChunk& chunk : patch.chunks) {
       RELIEF_TRY(file.write(chunk.bytes));

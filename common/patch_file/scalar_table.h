@@ -1,4 +1,4 @@
-// The table of a patch file's scalars: the chunk SCLS (docs/patch-file.md, "Scalars").
+// The table of a patch file's scalars: the entry SCLS of its model block (docs/patch-file.md).
 #pragma once
 
 #include <cstddef>

@@ -15,10 +15,10 @@ using ColourTable = std::array<std::uint32_t, 256>;
 // (http://colorbrewer.org/)." Copyright (c) 2002 Cynthia Brewer, Mark Harrower, and The
 // Pennsylvania State University. Apache-2.0.
 // The dark ones of Paired first, then its light ones, then Dark2.
-constexpr std::array<std::uint32_t, 20> kLabels{
-    0x1F78B4, 0xFF7F00, 0x33A02C, 0xE31A1C, 0x6A3D9A, 0xB15928, 0xA6CEE3, 0xFDBF6F, 0xB2DF8A,
-    0xFB9A99, 0xCAB2D6, 0xFFFF99, 0x1B9E77, 0xD95F02, 0x7570B3, 0xE7298A, 0x66A61E, 0xE6AB02,
-    0xA6761D, 0x666666};
+constexpr std::array<std::uint32_t, 20> kLabels{0x1F78B4, 0xFF7F00, 0x33A02C, 0xE31A1C, 0x6A3D9A,
+                                                0xB15928, 0xA6CEE3, 0xFDBF6F, 0xB2DF8A, 0xFB9A99,
+                                                0xCAB2D6, 0xFFFF99, 0x1B9E77, 0xD95F02, 0x7570B3,
+                                                0xE7298A, 0x66A61E, 0xE6AB02, 0xA6761D, 0x666666};
 constexpr std::array<std::uint32_t, 23> kLasClasses{
     0x969696,  // never classified
     0xBDBDBD,  // unclassified

@@ -32,8 +32,9 @@ Result<ColourScale> make_colour_scale(const ColourBy& colour_by, bool has_labels
   scale.low = value_of(range.low, quantiles);
   scale.high = value_of(range.high, quantiles);
   if (scale.low > scale.high) {
-    return make_error("the range of {} is empty: it is {:g} to {:g}, and its values are {:g} to {:g}",
-                      scale.name, scale.low, scale.high, quantiles.front(), quantiles.back());
+    return make_error(
+        "the range of {} is empty: it is {:g} to {:g}, and its values are {:g} to {:g}", scale.name,
+        scale.low, scale.high, quantiles.front(), quantiles.back());
   }
   return scale;
 }

@@ -30,7 +30,8 @@ struct ColourBy {
   std::string scalar;  ///< canonical name, or kHeightScalar or kDistanceScalar
   std::optional<ColourMap> map = {};
   std::optional<ColourRange> range = {};
-  std::optional<glm::dvec3> up = {};  ///< heights are along it, of any length but 0; none: the model's
+  std::optional<glm::dvec3> up =
+      {};  ///< heights are along it, of any length but 0; none: the model's
 };
 
 /// The colours of a scalar's values.

@@ -22,8 +22,7 @@ void paint(const AttributeMap<std::uint16_t>& codes, const ScalarInfo& scalar,
     const std::uint16_t code = codes.texels[k];
     if (code != kNoScalar) known[k] = 1;
     if (known[k] == 0) continue;
-    patch.colours.texels[k] =
-        code == kNoScalar ? kNoScalarColour : scale.at(scalar.value_of(code));
+    patch.colours.texels[k] = code == kNoScalar ? kNoScalarColour : scale.at(scalar.value_of(code));
   }
   continue_over_holes(patch.colours, known);
 }

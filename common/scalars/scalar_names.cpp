@@ -31,8 +31,8 @@ std::string file_scalar_name(std::string_view name) {
 }
 
 bool is_label_name(std::string_view name) {
-  constexpr std::array kWords{"class", "label",  "segment", "cluster",
-                              "instance", "return", "ring",   "category"};
+  constexpr std::array kWords{"class",    "label",  "segment", "cluster",
+                              "instance", "return", "ring",    "category"};
   const bool has_word = std::ranges::any_of(
       kWords, [name](const char* word) { return name.find(word) != name.npos; });
   return has_word || name == "id" || name.ends_with("_id") || name == "user_data";

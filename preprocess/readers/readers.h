@@ -18,9 +18,10 @@ Result<ReadResult> read_bytes(const std::filesystem::path& path, std::vector<std
                               Progress& progress, const ScalarChoice& scalars = {});
 
 /// Each reader returns every point of the file, NaN and duplicates included, with the attributes
-/// that all points have, and the scalars that Source::scalars asks for. Triangles may have invalid indices; clean_points drops them. On any bytes,
-/// a reader never crashes, hangs, throws or takes memory out of proportion to the file. It fails
-/// with one sentence that begins with the file's name and gives the line or byte.
+/// that all points have, and the scalars that Source::scalars asks for. Triangles may have invalid
+/// indices; clean_points drops them. On any bytes, a reader never crashes, hangs, throws or takes
+/// memory out of proportion to the file. It fails with one sentence that begins with the file's
+/// name and gives the line or byte.
 
 /// Reads PLY 1.0, ASCII or binary in both byte orders. Positions x y z of any number type; normals
 /// nx ny nz; colours red green blue (or r g b, diffuse_red ...); texture coordinates s t, u v or

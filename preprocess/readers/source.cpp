@@ -11,8 +11,8 @@ bool Source::takes_scalar(const std::string& canonical) const {
   if (std::ranges::find(known, canonical) != known.end()) return false;
   known.push_back(canonical);
   if (scalars == nullptr || !scalars->has(canonical)) return false;
-  const auto kept = std::ranges::count_if(
-      known, [this](const std::string& one) { return scalars->has(one); });
+  const auto kept =
+      std::ranges::count_if(known, [this](const std::string& one) { return scalars->has(one); });
   return static_cast<std::size_t>(kept) <= kMaxScalars;
 }
 

@@ -110,9 +110,9 @@ AttributeMap<glm::u8vec3> sample_colours(const PatchPoints& points, const PointG
       const std::size_t m = std::size_t{b} * map.width + a;
       known[m] = 1;
       if (points.spacing[nearest] < step) {
-        values[m] = mean_around(
-            points, lookup, {x, y}, nearest, step,
-            [&](std::uint32_t p) { return linear_from_srgb8(colours[points.ids[p]]); });
+        values[m] = mean_around(points, lookup, {x, y}, nearest, step, [&](std::uint32_t p) {
+          return linear_from_srgb8(colours[points.ids[p]]);
+        });
         continue;
       }
       if (!between) between.emplace(points, lookup, colours);

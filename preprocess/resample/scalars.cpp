@@ -46,9 +46,7 @@ class NumberInterpolation {
  public:
   NumberInterpolation(const PatchPoints& points, std::size_t count, const PatchGrid& grid,
                       const PointScalar& scalar, const ScalarInfo& info, double step)
-      : valued_(valued_points(points, count, scalar, info)),
-        reach_(far_reach(grid)),
-        step_(step) {
+      : valued_(valued_points(points, count, scalar, info)), reach_(far_reach(grid)), step_(step) {
     if (valued_.points.size() > 0)
       lookup_.emplace(valued_.points, valued_.points.size(), grid.spacing);
   }
@@ -59,9 +57,10 @@ class NumberInterpolation {
     if (nearest == PointGrid::kNone) return kNoScalar;
     float share = 0.0F;
     if (valued_.points.spacing[nearest] < step_) {
-      share = mean_around(valued_.points, *lookup_, {x, y}, nearest, step_,
-                          [this](std::uint32_t p) { return valued_.values[p]; })
-                  .x;
+      share =
+          mean_around(valued_.points, *lookup_, {x, y}, nearest, step_, [this](std::uint32_t p) {
+            return valued_.values[p];
+          }).x;
     } else {
       if (!between_) between_.emplace(valued_.points, *lookup_, valued_.values);
       share = between_->at(x, y, nearest).x;

@@ -15,10 +15,10 @@ namespace relief {
 struct ScanSurface {
   const SurfaceSamples& samples;
   const NeighbourGraph& graph;
-  const Membership& membership;             ///< of all points
-  const std::vector<glm::u8vec3>& colours;  ///< empty, or one for each point
-  const CreaseNormals* creases = nullptr;   ///< of all points, with seams; may be null
-  std::span<const PointScalar> scalars = {};  ///< of all points
+  const Membership& membership;                   ///< of all points
+  const std::vector<glm::u8vec3>& colours;        ///< empty, or one for each point
+  const CreaseNormals* creases = nullptr;         ///< of all points, with seams; may be null
+  std::span<const PointScalar> scalars = {};      ///< of all points
   std::span<const ScalarInfo> scalar_infos = {};  ///< one for each
 };
 

@@ -36,10 +36,9 @@ class ColourByTest : public JsonTest {
   /// Renders an unlit PNG without anything behind, seen from above, and counts its opaque colours.
   std::map<std::uint32_t, std::size_t> colours_of(const std::string& scene,
                                                   std::vector<std::string> more) {
-    std::vector<std::string> arguments{"render",     scene,          "-o",         path("a.png"),
-                                       "--material", "unlit",        "--samples",  "1",
-                                       "--orbit",    "0,90",         "--up",       "z",
-                                       "--size",     "320x256",      "--background", "none"};
+    std::vector<std::string> arguments{
+        "render",  scene,  "-o",   path("a.png"), "--material", "unlit",   "--samples",    "1",
+        "--orbit", "0,90", "--up", "z",           "--size",     "320x256", "--background", "none"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome run = run_relief(arguments);
     EXPECT_EQ(run.exit_code, 0) << run.err;
@@ -86,9 +85,8 @@ TEST_F(ColourByTest, NumbersHaveTheColoursOfTheMap) {
   const std::string scan = write_square();
   run_json({"convert", scan, "-o", path("a.relief"), "--scalars", "all"});
   for (const std::string& scene : {scan, path("a.relief")}) {
-    const json report =
-        run_json({"render", scene, "-o", path("b.png"), "--colour-by", "Intensity",
-                  "--colour-range", "100,490", "--colour-map", "plasma"});
+    const json report = run_json({"render", scene, "-o", path("b.png"), "--colour-by", "Intensity",
+                                  "--colour-range", "100,490", "--colour-map", "plasma"});
     EXPECT_EQ(report["colour_by"], json::parse(R"({"scalar": "intensity", "low": 100.0,
                                                    "high": 490.0, "map": "plasma"})"));
     const auto colours =
@@ -113,8 +111,8 @@ TEST_F(ColourByTest, LabelsAreNeverMixed) {
     EXPECT_EQ(report["colour_by"]["labels"], json({2, 6}));
   }
   // With a map they are numbers.
-  const json mapped = run_json({"render", scan, "-o", path("b.png"), "--colour-by", "class",
-                                "--colour-map", "turbo"});
+  const json mapped = run_json(
+      {"render", scan, "-o", path("b.png"), "--colour-by", "class", "--colour-map", "turbo"});
   EXPECT_EQ(mapped["colour_by"]["high"], 6.0);
 }
 
@@ -140,9 +138,9 @@ TEST_F(ColourByTest, EveryEngineDrawsIt) {
     EXPECT_EQ(report["colour_by"]["scalar"], "intensity") << engine;
     EXPECT_NEAR(report["colour_by"]["low"].get<double>(), 100.0, 10.0) << engine;
   }
-  expect_refused({"render", scan, "-o", path("c.png"), "--engine", "ewa", "--colour-by",
-                  "distance"},
-                 "draws the points");
+  expect_refused(
+      {"render", scan, "-o", path("c.png"), "--engine", "ewa", "--colour-by", "distance"},
+      "draws the points");
 }
 
 TEST_F(ColourByTest, TheLegendIsInAPngAndNotInAnExr) {
@@ -154,8 +152,8 @@ TEST_F(ColourByTest, TheLegendIsInAPngAndNotInAnExr) {
   const auto exr = read_image(path("b.exr"));
   ASSERT_TRUE(exr);
   EXPECT_EQ(exr->find("A")->values.back(), 0.0F);
-  const Outcome tiny = run_relief(
-      {"render", scan, "-o", path("t.png"), "--colour-by", "class", "--size", "60x40"});
+  const Outcome tiny =
+      run_relief({"render", scan, "-o", path("t.png"), "--colour-by", "class", "--size", "60x40"});
   EXPECT_EQ(tiny.exit_code, 0);
   EXPECT_NE(tiny.err.find("too small for a legend"), std::string::npos) << tiny.err;
 }
@@ -180,8 +178,8 @@ TEST_F(ColourByTest, MissingScalarsAreNamed) {
                  "has no scalar 'echo'; it has intensity, classification");
   expect_refused({"convert", scan, "-o", path("c.relief"), "--scalars", "echo"},
                  "has no scalar 'echo'; it has intensity, classification");
-  expect_refused({"render", scan, "-o", path("c.png"), "--colour-by", "intensity",
-                  "--colour-range", "600,98%"},
+  expect_refused({"render", scan, "-o", path("c.png"), "--colour-by", "intensity", "--colour-range",
+                  "600,98%"},
                  "the range of intensity is empty");
 }
 
@@ -204,18 +202,18 @@ TEST_F(ColourByTest, WrongOptionsAreWrongUsage) {
   refuses({"--colour-by", "z", "--colour-range", "0%,101%"}, "neither a number");
   refuses({"--colour-by", ""}, "name of a scalar");
   write("s.json", R"({"models": [{"file": "square.csv"}], "views": [{"name": "v"}]})");
-  EXPECT_EQ(run_relief({"render", path("s.json"), "-o", path("c.png"), "--colour-by", "z"})
-                .exit_code,
-            2);
+  EXPECT_EQ(
+      run_relief({"render", path("s.json"), "-o", path("c.png"), "--colour-by", "z"}).exit_code, 2);
   for (const char* names : {"", "a,,b", "height"})
-    EXPECT_EQ(run_relief({"convert", scan, "-o", path("c.relief"), std::string("--scalars=") + names})
-                  .exit_code,
-              2)
+    EXPECT_EQ(
+        run_relief({"convert", scan, "-o", path("c.relief"), std::string("--scalars=") + names})
+            .exit_code,
+        2)
         << names;
-  EXPECT_EQ(run_relief({"convert", scan, "-o", path("c.relief"), "--scalars", "all", "--memory",
-                        "1G"})
-                .exit_code,
-            2);
+  EXPECT_EQ(
+      run_relief({"convert", scan, "-o", path("c.relief"), "--scalars", "all", "--memory", "1G"})
+          .exit_code,
+      2);
 }
 
 }  // namespace

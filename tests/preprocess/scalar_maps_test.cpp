@@ -47,8 +47,8 @@ void for_each_value(const PatchModel& model, std::size_t scalar, const Visit& vi
         if (patch.at(i, j) == kHole) continue;
         const std::uint16_t code =
             map.texels[std::size_t{j} * map.scale * map.width + i * map.scale];
-        visit(position_of(patch, i, j), code == kNoScalar ? std::nan("")
-                                                          : model.scalars[scalar].value_of(code));
+        visit(position_of(patch, i, j),
+              code == kNoScalar ? std::nan("") : model.scalars[scalar].value_of(code));
       }
     }
   }
@@ -136,8 +136,7 @@ TEST(ScalarMaps, OfAMeshReachIntoItsTriangles) {
   for (std::uint32_t i = 0; i < 8; ++i) {
     for (std::uint32_t j = 0; j < 8; ++j) {
       const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-      for (const glm::dvec3 corner :
-           {glm::dvec3(0, 0, 0), {1, 0, 0}, {1, 1, 0}, {0, 1, 0}})
+      for (const glm::dvec3 corner : {glm::dvec3(0, 0, 0), {1, 0, 0}, {1, 1, 0}, {0, 1, 0}})
         mesh.positions.push_back(corner + glm::dvec3(20 + i, j, 0));
       mesh.triangles.push_back({first, first + 1, first + 2});
       mesh.triangles.push_back({first, first + 2, first + 3});
@@ -157,8 +156,8 @@ TEST(ScalarMaps, OfAMeshReachIntoItsTriangles) {
     EXPECT_NEAR(value, std::clamp(position.x, 0.0, 28.0), 0.5) << position.x;
   });
   for_each_value(model, 1, [](glm::dvec3 position, double value) {
-    // A triangle's corners have equal weights at its centroid, 4/3 from the middle; added points are
-    // about a unit apart.
+    // A triangle's corners have equal weights at its centroid, 4/3 from the middle; added points
+    // are about a unit apart.
     if (std::abs(position.x - 4.0) < 4.0 / 3.0 + 1.0) return;
     EXPECT_EQ(value, position.x < 4.0 ? 1.0 : 2.0) << position.x;
   });

@@ -110,7 +110,6 @@ std::vector<std::byte> write_compact_index(const FileIndex& index, const FileHea
   std::vector<std::byte> out;
   append_number(out, step);
   append_number(out, height_step);
-  if (header.has_scalars) append_chunk(index.chunks.front(), out);
   for (const PatchRecord& record : index.patches) {
     const PatchSummary patch = rounded_summary(record.summary, base, step);
     const std::span chunks(&index.chunks[record.first_chunk], record.chunk_count);
@@ -176,13 +175,6 @@ Result<FileIndex> parse_compact_index(std::span<const std::byte> bytes, const Fi
   FileIndex index;
   index.patches.reserve(header.patches);
   std::uint64_t offset = header.data_offset();
-  if (header.has_scalars) {
-    ChunkRecord table;
-    table.type = kScalarTableChunk;
-    if (!take_chunk(in, header, table, offset))
-      return make_error("{}: its table of scalars is missing; the file is damaged", name);
-    index.chunks.push_back(table);
-  }
   for (std::uint32_t p = 0; p < header.patches; ++p) {
     constexpr const char* kEnd = "the index ends within it";
     PatchRecord record;

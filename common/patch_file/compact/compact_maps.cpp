@@ -246,8 +246,7 @@ std::vector<std::byte> encode_scalar_compact(const Patch& patch,
 }
 
 Result<AttributeMap<std::uint16_t>> decode_scalar_compact(std::span<const std::byte> bytes,
-                                                          std::uint32_t scale,
-                                                          const Patch& patch) {
+                                                          std::uint32_t scale, const Patch& patch) {
   const std::vector<std::uint8_t> kept = kept_texels(patch, scale);
   AttributeMap<std::uint16_t> map;
   shape_map(patch, scale, map);

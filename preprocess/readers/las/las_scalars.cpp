@@ -30,10 +30,10 @@ constexpr unsigned kHasScale = 0x08;
 constexpr unsigned kHasOffset = 0x10;
 
 /// Types 1 to 10.
-constexpr std::array kExtraTypes{NumberType::Uint8,  NumberType::Int8,    NumberType::Uint16,
-                            NumberType::Int16,  NumberType::Uint32,  NumberType::Int32,
-                            NumberType::Uint64, NumberType::Int64,   NumberType::Float32,
-                            NumberType::Float64};
+constexpr std::array kExtraTypes{NumberType::Uint8,  NumberType::Int8,   NumberType::Uint16,
+                                 NumberType::Int16,  NumberType::Uint32, NumberType::Int32,
+                                 NumberType::Uint64, NumberType::Int64,  NumberType::Float32,
+                                 NumberType::Float64};
 
 std::vector<LasScalar> standard_scalars(const LasHeader& header) {
   const bool wide = header.is_wide();
@@ -85,7 +85,8 @@ std::size_t bytes_of(const char* description) {
   const auto type = load_whole<std::uint8_t>(description + kExtraType);
   if (type == 0) return load_whole<std::uint8_t>(description + kExtraOptions);
   if (type > 3 * kExtraTypes.size()) return 0;
-  return size_of(kExtraTypes[(type - 1U) % kExtraTypes.size()]) * (1U + (type - 1U) / kExtraTypes.size());
+  return size_of(kExtraTypes[(type - 1U) % kExtraTypes.size()]) *
+         (1U + (type - 1U) / kExtraTypes.size());
 }
 
 void append_described(const char* record, std::size_t bytes, const LasHeader& header,

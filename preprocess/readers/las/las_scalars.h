@@ -14,8 +14,8 @@ namespace relief {
 
 /// A scalar of a point record.
 struct LasScalar {
-  std::string name;        ///< canonical
-  std::size_t at = 0;      ///< byte within the record
+  std::string name;    ///< canonical
+  std::size_t at = 0;  ///< byte within the record
   NumberType type = NumberType::Uint8;
   unsigned shift = 0;      ///< bits to the right of it
   std::uint32_t mask = 0;  ///< the bits that are it; 0: all

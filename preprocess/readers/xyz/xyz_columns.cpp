@@ -104,7 +104,8 @@ ColumnRoles find_column_roles(const NumberTable& table, std::string_view names,
     }
     column += 3;
   }
-  for (std::size_t c = 0; c < table.columns; ++c) found.names.push_back(fmt::format("column{}", c + 1));
+  for (std::size_t c = 0; c < table.columns; ++c)
+    found.names.push_back(fmt::format("column{}", c + 1));
   const bool has_intensity = table.columns == 4 || table.columns == 7;
   if (extension == ".pts" && has_intensity) found.names[3] = "intensity";
   return found;

@@ -27,7 +27,8 @@ std::string describe_map(const char* name, const AttributeMap<Texel>& map) {
 }
 
 inline std::string describe_map(const std::string& name, const AttributeMap<std::uint16_t>& map) {
-  std::string text = fmt::format("{} scale {} size {} {}\n", name, map.scale, map.width, map.height);
+  std::string text =
+      fmt::format("{} scale {} size {} {}\n", name, map.scale, map.width, map.height);
   for (std::uint32_t j = 0; j < map.height; ++j) {
     for (std::uint32_t i = 0; i < map.width; ++i)
       text += fmt::format("{}{}", i > 0 ? " " : "", map.texels[std::size_t{j} * map.width + i]);
@@ -54,6 +55,11 @@ inline std::string describe(const PatchModel& model) {
       fmt::format("spacing {:.17g}\nbounds {} {}\nradius {:.17g}\n", model.spacing,
                   describe(model.bounds.min), describe(model.bounds.max), model.bounding_radius);
   if (!model.joined.empty()) text += "patches meet at seams\n";
+  for (const glm::dvec3& point : model.extremes) text += "extreme " + describe(point) + '\n';
+  if (model.stance != Stance{}) {
+    text += fmt::format("stands {} {} {}\n", describe(model.stance.up),
+                        describe(model.stance.front), model.stance.is_from_sensor ? 1 : 0);
+  }
   for (const ScalarInfo& scalar : model.scalars) text += describe(scalar);
   for (const Patch& patch : model.patches) {
     text += fmt::format("patch {} {} spacing {:.17g} step {:.17g}\norigin {}\naxes {} {} {}\n",

@@ -547,23 +547,11 @@ def axes_of(words):
     ]  # fmt: skip
 
 
-<<<<<<< HEAD
 def compact_index(index, spacing, bounds, count, offset):
     """Patch records as those of version 1 begin, and their chunks."""
     place_step, model_step = index.take("dd")
     base = bounds[:3] if bounds[0] <= bounds[3] else (0.0, 0.0, 0.0)
     records = []
-=======
-def compact_index(index, spacing, bounds, count, has_scalars):
-    """Patch records as those of version 1 begin, and their chunks; the chunk of the scalars."""
-    place_step, model_step = index.take("dd")
-    base = bounds[:3] if bounds[0] <= bounds[3] else (0.0, 0.0, 0.0)
-    records, offset, of_scalars = [], 128, []
-    if has_scalars:
-        size = varint(index)
-        of_scalars = [(b"SCLS", 2, 1, offset, size, index.take("I"))]
-        offset += size
->>>>>>> 65dd4dd (Tests of scalars: files, names, formats, maps, colours, ticks, legends)
     for _ in range(count):
         flags = index.take("B")
         own_spacing = index.take("d") if flags & 1 else spacing
@@ -587,7 +575,7 @@ def compact_index(index, spacing, bounds, count, has_scalars):
             offset += size
         records.append(((*origin, *axes, own_spacing, own_step, width, height, samples), chunks))
     assert index.at == len(index.data)
-    return records, of_scalars
+    return records
 
 
 def numbers(values):
@@ -626,6 +614,8 @@ def describe_block(data, bounds):
                 lines.append("extreme " + numbers(point))
         if kind == b"STND":
             lines.append("stands " + numbers(entry.take("6d")) + " %d" % entry.take("B"))
+        if kind == b"SCLS":
+            lines += scalar_table(entry)
     return lines
 
 
@@ -655,17 +645,8 @@ def describe(file):
         patch_records = [index.take("14d3I2H2hf2I") for _ in range(patches)]
         chunk_records = [index.take("4sHHQII") for _ in range(chunks)]
         records = [(p, chunk_records[p[-2] : p[-2] + p[-1]]) for p in patch_records]
-        of_scalars = [chunk for chunk in chunk_records if chunk[0] == b"SCLS"]
     else:
-<<<<<<< HEAD
         records = compact_index(index, spacing, bounds, patches, begin)
-=======
-        records, of_scalars = compact_index(index, spacing, bounds, patches, flags & 8)
-    if flags & 8:
-        ((_, _, _, offset, size, checksum),) = of_scalars
-        assert zlib.crc32(file[offset : offset + size]) == checksum
-        lines += scalar_table(Bytes(file[offset : offset + size]))
->>>>>>> 65dd4dd (Tests of scalars: files, names, formats, maps, colours, ticks, legends)
     for record, own_chunks in records:
         patch = dict(zip(("spacing", "step", "width", "height", "samples"), record[12:]))
         for kind, codec, scale, offset, size, checksum in own_chunks:

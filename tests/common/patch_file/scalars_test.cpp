@@ -103,7 +103,7 @@ TEST_P(Scalars, DamageIsFoundWhereverAFileEndsOrAByteIsWrong) {
 
 /// The file with a changed index and header and the checksums made right.
 std::string forged_scalars(const std::string& valid,
-                   const std::function<void(FileHeader&, FileIndex&)>& forge) {
+                           const std::function<void(FileHeader&, FileIndex&)>& forge) {
   const std::vector<std::byte> bytes = bytes_of(valid);
   FileHeader header = *parse_header(std::span(bytes).first(kHeaderBytes), bytes.size(), "");
   FileIndex index = *parse_index(std::span(bytes).subspan(header.index_offset), header, "");
@@ -132,9 +132,10 @@ TEST_P(Scalars, OfForgedFilesAreRefused) {
     EXPECT_NE(error.find("scalars"), std::string::npos) << scale << ": " << error;
   }
   // One patch has another number of scalars than the table.
-  EXPECT_NE(failure(forged_scalars(valid, [&](FileHeader&, FileIndex& index) {
-              scalar_of(index, 2).type = {'R', 'O', 'U', 'G'};
-            })),
+  EXPECT_NE(failure(forged_scalars(valid,
+                                   [&](FileHeader&, FileIndex& index) {
+                                     scalar_of(index, 2).type = {'R', 'O', 'U', 'G'};
+                                   })),
             "");
 }
 
@@ -172,13 +173,14 @@ TEST(ForgedScalars, AreNotDecodedMoreOftenThanTheTableSays) {
   const ScratchFolder folder;
   PatchModel model = model_with_scalars();
   ASSERT_TRUE(write_patch_file(folder / "a.relief", model));
-  const std::string bytes = forged_scalars(slurp(folder / "a.relief"), [](FileHeader& h, FileIndex& index) {
-    PatchRecord& last = index.patches.back();
-    const ChunkRecord scalar = index.chunks.back();
-    for (int k = 0; k < 1000; ++k) index.chunks.push_back(scalar);
-    last.chunk_count += 1000;
-    h.chunks += 1000;
-  });
+  const std::string bytes =
+      forged_scalars(slurp(folder / "a.relief"), [](FileHeader& h, FileIndex& index) {
+        PatchRecord& last = index.patches.back();
+        const ChunkRecord scalar = index.chunks.back();
+        for (int k = 0; k < 1000; ++k) index.chunks.push_back(scalar);
+        last.chunk_count += 1000;
+        h.chunks += 1000;
+      });
   spill(folder / "b.relief", bytes);
   const auto file = PatchFile::open(folder / "b.relief");
   ASSERT_TRUE(file) << file.error().message;

@@ -17,8 +17,8 @@ PatchModel painted_model() {
 TEST(PaintScalar, GivesEachTexelTheColourOfItsValue) {
   const PatchModel before = painted_model();
   PatchModel model = before;
-  ColourScale scale = *make_colour_scale({"intensity", {}, {}}, false,
-                                         quantiles_of(model.scalars[0]));
+  ColourScale scale =
+      *make_colour_scale({"intensity", {}, {}}, false, quantiles_of(model.scalars[0]));
   paint_scalar(0, scale, model);
   EXPECT_TRUE(model.has_colours);
   EXPECT_FALSE(model.has_label_colours);
@@ -41,8 +41,8 @@ TEST(PaintScalar, GivesEachTexelTheColourOfItsValue) {
 
 TEST(PaintScalar, ListsTheLabelsThatOccur) {
   PatchModel model = painted_model();
-  ColourScale scale = *make_colour_scale({"classification", {}, {}}, true,
-                                         quantiles_of(model.scalars[1]));
+  ColourScale scale =
+      *make_colour_scale({"classification", {}, {}}, true, quantiles_of(model.scalars[1]));
   paint_scalar(1, scale, model);
   EXPECT_EQ(scale.labels, (std::vector<std::uint32_t>{2, 3, 4}));
   EXPECT_TRUE(model.has_label_colours);
@@ -51,8 +51,8 @@ TEST(PaintScalar, ListsTheLabelsThatOccur) {
 TEST(PaintScalar, PatchesWithoutItHaveNoColours) {
   PatchModel model = painted_model();
   model.patches[1].scalars = {};
-  ColourScale scale = *make_colour_scale({"intensity", {}, {}}, false,
-                                         quantiles_of(model.scalars[0]));
+  ColourScale scale =
+      *make_colour_scale({"intensity", {}, {}}, false, quantiles_of(model.scalars[0]));
   paint_scalar(0, scale, model);
   EXPECT_TRUE(model.patches[1].colours.empty());
   EXPECT_FALSE(model.patches[2].colours.empty());

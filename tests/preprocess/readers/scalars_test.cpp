@@ -113,15 +113,14 @@ TEST(ScalarsOfText, HaveTheNamesOfTheirColumns) {
 }
 
 TEST(ScalarsOfPcd, AreFieldsOfOneNumber) {
-  const std::string header = test::pcd_header(
-      2, "ascii", 4, {" curvature histogram _", " 4 4 1", " F F U", " 1 3 1"});
+  const std::string header =
+      test::pcd_header(2, "ascii", 4, {" curvature histogram _", " 4 4 1", " F F U", " 1 3 1"});
   const auto scalars = read("a.pcd", header + "0 0 0 0.5 1 2 3 0\n1 0 0 0.25 4 5 6 0\n");
   ASSERT_EQ(scalars.size(), 1U);
   EXPECT_EQ(named(scalars, "curvature").values, (Values{0.5, 0.25}));
   const std::string binary = test::pcd_header(2, "binary", 4, {" label", " 2", " U", " 1"});
-  const auto labels =
-      read("b.pcd", binary + test::pack(0.F, 0.F, 0.F, std::uint16_t{7}, 1.F, 0.F, 0.F,
-                                        std::uint16_t{65534}));
+  const auto labels = read("b.pcd", binary + test::pack(0.F, 0.F, 0.F, std::uint16_t{7}, 1.F, 0.F,
+                                                        0.F, std::uint16_t{65534}));
   EXPECT_EQ(named(labels, "label").values, (Values{7, 65534}));
   EXPECT_TRUE(named(labels, "label").is_label);
 }
@@ -177,7 +176,8 @@ std::string with_record(const std::string& record, std::uint16_t extra_bytes) {
   std::string file = test::las_file(
       {.format = 0, .extra_bytes = extra_bytes, .records = 1, .points = {{}, {{100, 0, 0}}}});
   const std::size_t at = test::las_header_size(2);
-  const std::string vlr = test::pack(std::uint16_t{0}) + std::string("LASF_Spec\0\0\0\0\0\0\0", 16) +
+  const std::string vlr = test::pack(std::uint16_t{0}) +
+                          std::string("LASF_Spec\0\0\0\0\0\0\0", 16) +
                           test::pack(std::uint16_t{4}, static_cast<std::uint16_t>(record.size())) +
                           std::string(32, 'd') + record;
   file.replace(at, 59, vlr);
@@ -188,7 +188,7 @@ std::string with_record(const std::string& record, std::uint16_t extra_bytes) {
 TEST(ExtraBytesOfLas, AreReadAsTheirRecordDescribesThem) {
   // A point's extra bytes are all 0x3C.
   const std::string record = described("Deviation", 3, 0x08, 0.5) +  // u16, scaled
-                             described("pair", 11) +                  // u8, u8: no single number
+                             described("pair", 11) +                 // u8, u8: no single number
                              described("Amplitude", 1, 0x10, 0, 100.0) +
                              described("flag", 1, 0x01, 0, 0, 0x3C);  // all without data
   const auto scalars = read("a.las", with_record(record, 6));
