@@ -6,6 +6,7 @@
 #include <oneapi/tbb/info.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <map>
@@ -59,6 +60,7 @@ struct ConvertArguments {
   ConvertOptions options;
   PatchFileOptions file;
   TileOptions tiles{.memory_bytes = 0};  ///< 0: no limit, in one piece
+  ScalarChoice scalars;                  ///< of the files
   bool clean = false;
   double thin = 0.0;  ///< side of the cubes, scan's unit; 0: no thinning
   bool json = false;
@@ -128,9 +130,11 @@ Result<ConvertSummary> convert_files(const ConvertArguments& arguments, Progress
     RELIEF_TRY_ASSIGN(auto larger, convert_larger(arguments, progress));
     if (larger) return std::move(*larger);
   }
+  ReadOptions options = arguments.tiles.read;
+  options.scalars = arguments.scalars;
   RELIEF_TRY_ASSIGN(
       auto read, load_points(arguments.inputs, texture_choice(arguments.texture, arguments.flips_v),
-                             progress, arguments.tiles.read));
+                             progress, options));
   ConvertSummary summary;
   if (arguments.clean) summary.outliers = remove_outliers(read.points, progress);
   if (summary.outliers.were_too_many)
@@ -323,6 +327,31 @@ void add_point_options(CLI::App& sub, ConvertArguments& arguments) {
       ->option_text("S");
 }
 
+/// Sets the scalars to keep: names, of which distance is computed, or all of the files.
+void read_scalars(const std::string& text, ConvertArguments& arguments) {
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    const std::string name = canonical_scalar_name(text.substr(at, end - at));
+    at = end + 1;
+    if (name.empty())
+      throw CLI::ValidationError("--scalars", "expected names with commas between; found " + text);
+    if (name == kHeightScalar) {
+      throw CLI::ValidationError("--scalars",
+                                 "height needs no scalar: `relief render --colour-by height` takes "
+                                 "it from the surface");
+    }
+    if (name == "all") {
+      arguments.scalars.all = true;
+    } else if (name == kDistanceScalar) {
+      arguments.options.distances = true;
+    } else {
+      arguments.scalars.names.push_back(name);
+    }
+  }
+  if (arguments.scalars.names.size() > kMaxScalars)
+    throw CLI::ValidationError("--scalars", fmt::format("names more than {}", kMaxScalars));
+}
+
 /// Adds the options of the patch file.
 void add_file_options(CLI::App& sub, ConvertArguments& arguments) {
   sub.add_option_function<std::string>(
@@ -347,6 +376,15 @@ void add_file_options(CLI::App& sub, ConvertArguments& arguments) {
       ->option_text("DEG");
 }
 
+void add_scalar_option(CLI::App& sub, ConvertArguments& arguments) {
+  sub.add_option_function<std::string>(
+         "--scalars", [&arguments](const std::string& text) { read_scalars(text, arguments); },
+         "Scalars to keep for `relief render --colour-by`: names such as intensity, "
+         "classification, return_number or gps_time; distance, to the nearest point; all: those of "
+         "the file (default: none)")
+      ->option_text("NAME,...|all");
+}
+
 void add_texture_options(CLI::App& sub, ConvertArguments& arguments) {
   sub.add_option(
          "--texture", arguments.texture,
@@ -369,7 +407,8 @@ void add_resource_options(CLI::App& sub, ConvertArguments& arguments) {
       sub.add_option(
              "--memory", arguments.tiles.memory_bytes,
              "Memory limit, 256M or more. A scan that needs more is converted in tiles, without "
-             "its triangles and textures; tiles are kept in OUT.parts until the end, so that "
+             "its triangles, textures and scalars; tiles are kept in OUT.parts until the end, so "
+             "that "
              "the same command resumes an interrupted conversion (default: no limit)")
           ->excludes("--adaptive-spacing")
           ->excludes("--samples")
@@ -377,6 +416,7 @@ void add_resource_options(CLI::App& sub, ConvertArguments& arguments) {
           ->excludes("--clean")
           ->excludes("--noise")
           ->excludes("--thin")
+          ->excludes("--scalars")
           ->transform(CLI::AsSizeValue(false))
           ->check(memory_limit())
           ->option_text("BYTES");
@@ -410,6 +450,7 @@ void add_convert(CLI::App& app, Command& command) {
   add_surface_options(*sub, *arguments);
   add_point_options(*sub, *arguments);
   add_read_options(*sub, arguments->tiles.read);
+  add_scalar_option(*sub, *arguments);
   add_file_options(*sub, *arguments);
   add_texture_options(*sub, *arguments);
   add_resource_options(*sub, *arguments);

@@ -65,6 +65,33 @@ Bounds drawn_bounds(const PatchTree& tree) {
   return drawn;
 }
 
+/// Each with its range and three percentiles.
+nlohmann::ordered_json scalars_as_json(const std::vector<ScalarInfo>& scalars) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const ScalarInfo& scalar : scalars) {
+    const Quantiles values = quantiles_of(scalar);
+    json.push_back({{"name", scalar.name},
+                    {"label", scalar.is_label},
+                    {"min", values.front()},
+                    {"p2", values[2]},
+                    {"median", values[50]},
+                    {"p98", values[98]},
+                    {"max", values.back()}});
+  }
+  return json;
+}
+
+std::string scalars_as_text(const std::vector<ScalarInfo>& scalars) {
+  std::string text;
+  for (const ScalarInfo& scalar : scalars) {
+    const Quantiles values = quantiles_of(scalar);
+    text +=
+        fmt::format("  scalar      {}: {:.9g} to {:.9g}, median {:.9g}{}\n", scalar.name,
+                    values.front(), values.back(), values[50], scalar.is_label ? ", labels" : "");
+  }
+  return text;
+}
+
 nlohmann::ordered_json as_json(const PatchFileInfo& info, const Bounds& drawn,
                                const std::vector<LevelSums>& levels, bool verified) {
   const auto vector = [](glm::dvec3 v) { return nlohmann::ordered_json{v.x, v.y, v.z}; };
@@ -84,7 +111,9 @@ nlohmann::ordered_json as_json(const PatchFileInfo& info, const Bounds& drawn,
                                  {"bounds_max", vector(info.bounds.max)},
                                  {"drawn_min", vector(drawn.min)},
                                  {"drawn_max", vector(drawn.max)},
+                                 {"scalar_bytes", info.scalar_bytes},
                                  {"attributes", info.attributes},
+                                 {"scalars", scalars_as_json(info.scalars)},
                                  {"closed", closed},
                                  {"seams", info.is_joined},
                                  {"tiles", levels.front().tiles}};
@@ -118,15 +147,17 @@ std::string as_text(const PatchFileInfo& info, const Bounds& drawn,
       "  bounds      {} of the input\n"
       "  drawn       {}, with margins\n"
       "  attributes  {}\n"
+      "{}"
       "  closed      {}\n"
       "  borders     {}\n"
       "  levels      {}\n"
-      "  file        {} bytes: {} of heights, {} of normals, {} of colours\n",
+      "  file        {} bytes: {} of heights, {} of normals, {} of colours, {} of scalars\n",
       arguments.input.string(), arguments.verify ? ": every byte is right" : "", info.version,
       info.codec, info.patches, info.samples, info.spacing, as_text(info.bounds), as_text(drawn),
-      fmt::join(info.attributes, ", "), info.is_closed ? "yes" : "not known",
-      info.is_joined ? "meet at seams" : "overlap", info.levels, info.file_bytes, info.height_bytes,
-      info.normal_bytes, info.colour_bytes);
+      fmt::join(info.attributes, ", "), scalars_as_text(info.scalars),
+      info.is_closed ? "yes" : "not known", info.is_joined ? "meet at seams" : "overlap",
+      info.levels, info.file_bytes, info.height_bytes, info.normal_bytes, info.colour_bytes,
+      info.scalar_bytes);
   if (levels.front().tiles > 1) text += fmt::format("  tiles       {}\n", levels.front().tiles);
   for (std::size_t l = 1; l < levels.size(); ++l) {
     text += fmt::format(

@@ -24,6 +24,7 @@
 #include "common/image/image_io.h"
 #include "common/io/extension.h"
 #include "common/io/standard_input.h"
+#include "common/legend/legend.h"
 #include "loader/first_look.h"
 #include "loader/load_scene.h"
 #include "loader/view_settings.h"
@@ -65,13 +66,6 @@ void expose(Image& image, double exposure) {
   }
 }
 
-/// Writes an image. An EXR keeps the scene's light, a PNG is exposed.
-Status write_image(const std::filesystem::path& path, Image& image, double exposure) {
-  if (lower_extension(path) == ".exr") return write_exr(path, image);
-  expose(image, exposure);
-  return write_png(path, image);
-}
-
 /// Applies the settings that only the command line has.
 void apply(const RenderArguments& arguments, const PlannedView& view, RenderSettings& settings) {
   // An EXR holds all outputs by default, a PNG none but colour.
@@ -96,18 +90,25 @@ class ImageWriter {
   ImageWriter(const std::vector<std::filesystem::path>& files, double frames_per_second)
       : files_(files), frames_per_second_(frames_per_second) {}
 
-  Status write(std::size_t number, Image& image, double exposure) {
-    if (!is_film_name(files_[number])) {
-      RELIEF_TRY(write_image(files_[number], image, exposure));
-      if (++written_ == files_.size()) InterruptedFiles::note_complete();
-      return {};
-    }
-    if (!film_) {
+  /// An EXR keeps the scene's light. Others are exposed, and get a legend of `colours`, if there
+  /// are some and the image is large enough.
+  Status write(std::size_t number, Image& image, double exposure,
+               const std::optional<ColourScale>& colours) {
+    const std::filesystem::path& file = files_[number];
+    const bool is_film = is_film_name(file);
+    if (is_film && !film_) {
       const FilmOptions options{image.width, image.height, frames_per_second_};
-      RELIEF_TRY_ASSIGN(film_, FilmFile::open(files_[number], options));
+      RELIEF_TRY_ASSIGN(film_, FilmFile::open(file, options));
     }
-    expose(image, exposure);
-    return film_->add(image);
+    const bool is_exr = lower_extension(file) == ".exr";
+    if (!is_exr) {
+      expose(image, exposure);
+      if (colours) lacks_legend_ |= !draw_legend(*colours, image);
+    }
+    if (is_film) return film_->add(image);
+    RELIEF_TRY(is_exr ? write_exr(file, image) : write_png(file, image));
+    if (++written_ == files_.size()) InterruptedFiles::note_complete();
+    return {};
   }
   Status finish() {
     if (!film_) return {};
@@ -118,12 +119,15 @@ class ImageWriter {
 
   /// Images in files that are complete, also after a failure. Thread-safe.
   [[nodiscard]] std::size_t written() const { return written_; }
+  /// Whether some image was too small for its legend.
+  [[nodiscard]] bool lacks_legend() const { return lacks_legend_; }
 
  private:
   const std::vector<std::filesystem::path>& files_;
   double frames_per_second_ = 0.0;
   std::optional<FilmFile> film_;
   std::atomic<std::size_t> written_ = 0;
+  bool lacks_legend_ = false;
 };
 
 /// Loads, renders and writes.
@@ -134,7 +138,9 @@ Result<std::vector<WrittenImage>> make_images(const ScenePlan& plan,
   ConsoleProgress progress;
   LoadOptions options = load_options(arguments.texture);
   options.read = arguments.read;
+  options.colour_by = colour_by_of(arguments.colours);
   RELIEF_TRY_ASSIGN(const auto scene, load_scene(plan, options, progress));
+  const std::optional<ColourScale> legend = arguments.colours.legend ? scene.colours : std::nullopt;
   if (progress.cancelled()) return interrupted_error();
   RELIEF_TRY_ASSIGN(auto views, render_settings_of(plan, scene.patches));
   for (std::size_t i = 0; i < views.size(); ++i) {
@@ -144,13 +150,14 @@ Result<std::vector<WrittenImage>> make_images(const ScenePlan& plan,
   std::vector<WrittenImage> written(views.size());
   const auto keep = [&](std::size_t i, RenderResult result) -> Status {
     const PlannedView& view = view_at(plan, i);
-    RELIEF_TRY(writer.write(i, result.image, view.settings.exposure.value_or(0.0)));
+    RELIEF_TRY(writer.write(i, result.image, view.settings.exposure.value_or(0.0), legend));
     result.image.channels.clear();
-    written[i] = {view.name, files[i], views[i], std::move(result)};
+    written[i] = {view.name, files[i], views[i], std::move(result), scene.colours};
     return {};
   };
   RELIEF_TRY(render_views(scene.forms(), views, keep, progress));
   RELIEF_TRY(writer.finish());
+  if (writer.lacks_legend()) progress.note("the image is too small for a legend");
   return written;
 }
 

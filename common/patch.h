@@ -11,6 +11,7 @@
 
 #include "common/bounds.h"
 #include "common/instance.h"
+#include "common/scalar.h"
 #include "common/stance.h"
 
 namespace relief {
@@ -58,6 +59,9 @@ struct Patch {
   AttributeMap<glm::i16vec2>
       normals;  ///< octahedral unit normals in the patch frame, see common/octahedral.h
   AttributeMap<glm::u8vec3> colours;  ///< 8-bit sRGB; empty if the scan has no colour
+  /// Codes of PatchModel::scalars, in their order; empty, or one map for each. Texels over holes
+  /// are kNoScalar, as are those without a value.
+  std::vector<AttributeMap<std::uint16_t>> scalars;
 
   std::uint8_t material = 0;  ///< index into a scene's materials; not in patch files
 
@@ -91,6 +95,8 @@ struct PatchModel {
   std::vector<glm::dvec3> extremes;
   Stance stance;
   bool has_colours = false;
+  bool has_label_colours = false;  ///< the colours stand for labels: none lies between two of them
+  std::vector<ScalarInfo> scalars;
   /// The surface encloses a body, normals outward, so that its back is invisible from outside.
   bool is_closed = false;
 };

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "common/scalar.h"
 #include "common/stance.h"
 
 namespace relief {
@@ -76,6 +77,7 @@ struct Points {
                                                   ///< `materials`, or kNoMaterial
   std::vector<std::string> material_files;  ///< material files that an OBJ file names; empty once
                                             ///< load_textures has read them
+  std::vector<PointScalar> scalars;         ///< those that were asked for
   std::optional<glm::dvec3> viewpoint;      ///< the scanner's position, if the file gives it
   std::optional<Stance> stance;             ///< if the file says how its points stand
   /// The scanners' positions, if the file gives several; empty otherwise.

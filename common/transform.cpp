@@ -64,6 +64,7 @@ void extend_extremes(PatchModel& to, const PatchModel& from) {
 void extend(PatchModel& to, const PatchModel& from) {
   if (from.bounds.empty()) return;
   to.has_colours = to.has_colours || from.has_colours;
+  to.has_label_colours = to.has_label_colours || from.has_label_colours;
   if (to.bounds.empty()) {
     to.bounds = from.bounds;
     to.bounding_radius = from.bounding_radius;
@@ -179,6 +180,7 @@ PatchModel without_patches(const PatchModel& model) {
   extent.extremes = model.extremes;
   extent.stance = model.stance;
   extent.has_colours = model.has_colours;
+  extent.has_label_colours = model.has_label_colours;
   extent.is_closed = model.is_closed;
   return extent;
 }

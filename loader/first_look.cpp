@@ -26,7 +26,9 @@ void complete_look(const PlannedView& view, const LoadedScene& scene, RenderSett
   if (engine && (*engine)->capabilities.needs_opengl && !is_timed &&
       planned.options.find("samples") == planned.options.end())
     settings.samples = kPictureSamples;
-  if (!planned.material && has_colours(scene)) settings.material = Material::Unlit;
+  // Colours that stand for numbers say nothing of the shape: light does.
+  if (!planned.material && has_colours(scene) && !scene.colours)
+    settings.material = Material::Unlit;
 }
 
 }  // namespace relief

@@ -12,7 +12,7 @@ inline constexpr int kPictureSamples = 4;
 
 /// Completes the settings of a view with what its plan leaves open: a background on which dark and
 /// light scans both show; kPictureSamples samples a pixel; the stored colours of a scan that has
-/// colours, and light on any other.
+/// colours of its own, and light on any other.
 void complete_look(const PlannedView& view, const LoadedScene& scene, RenderSettings& settings);
 
 }  // namespace relief

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -39,7 +41,32 @@ struct LeftOut {
   bool normals = false;
   bool colours = false;
   bool texcoords = false;
+  std::set<std::string> scalars;
 };
+
+/// Keeps the scalars that all scans have.
+void append_scalars(Points& to, Points& from, LeftOut& left_out) {
+  const auto named = [](Points& points, const std::string& name) {
+    return std::ranges::find(points.scalars, name, &PointScalar::name);
+  };
+  if (to.positions.empty()) {
+    to.scalars = std::move(from.scalars);
+    return;
+  }
+  for (const PointScalar& scalar : from.scalars) {
+    if (named(to, scalar.name) == to.scalars.end()) left_out.scalars.insert(scalar.name);
+  }
+  std::erase_if(to.scalars, [&](PointScalar& scalar) {
+    const auto more = named(from, scalar.name);
+    if (more == from.scalars.end()) {
+      left_out.scalars.insert(scalar.name);
+      return true;
+    }
+    scalar.values.insert(scalar.values.end(), more->values.begin(), more->values.end());
+    scalar.is_label = scalar.is_label && more->is_label;
+    return false;
+  });
+}
 
 /// Triangles keep their materials, and their texture coordinates with them, which by point may have
 /// been left out.
@@ -115,6 +142,7 @@ void append(Points& to, Points from, LeftOut& left_out) {
   left_out.normals |= append_attribute(to.normals, offset, from.normals);
   left_out.colours |= append_attribute(to.colours, offset, from.colours);
   left_out.texcoords |= append_attribute(to.texcoords, offset, from.texcoords);
+  append_scalars(to, from, left_out);
   to.positions.insert(to.positions.end(), from.positions.begin(), from.positions.end());
   append_materials(to, from);
   to.triangles.reserve(to.triangles.size() + from.triangles.size());
@@ -134,6 +162,7 @@ void note_left_out(const LeftOut& left_out, Progress& progress) {
   note_if(left_out.normals, "normals");
   note_if(left_out.colours, "colours");
   note_if(left_out.texcoords, "texture coordinates");
+  for (const std::string& name : left_out.scalars) note_if(true, "the scalar " + name);
 }
 
 }  // namespace

@@ -14,7 +14,8 @@
 
 namespace relief {
 
-/// Reads a scan or mesh with its materials and textures. Adds a note for each that is left out.
+/// Reads a scan or mesh with its materials and textures, and the scalars that are asked for. Adds a
+/// note for each that is left out.
 Result<ReadResult> load_mesh(const std::filesystem::path& path, const TextureChoice& textures,
                              Progress& progress, const ReadOptions& options = {});
 

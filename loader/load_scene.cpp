@@ -12,6 +12,7 @@
 #include "common/transform.h"
 #include "loader/acquire_splats.h"
 #include "loader/assemble.h"
+#include "loader/colour_by.h"
 #include "loader/load_files.h"
 #include "loader/view_settings.h"
 #include "preprocess/convert.h"
@@ -50,16 +51,47 @@ Result<LoadedFile> load_patch_file(const std::filesystem::path& path, Forms form
   return file;
 }
 
-Result<LoadedFile> load_scan(const std::filesystem::path& path, const LoadOptions& options,
-                             FormNeeds needs, Progress& progress) {
-  auto scan = load_mesh(path, options.textures, progress, options.read);
-  if (!scan) return scan.error();
+/// Paints the points, for forms that are made of them. Returns the scale, if points have one.
+Result<std::optional<ColourScale>> colour_scan(const ColourBy& colour_by, bool draws_points,
+                                               Points& points) {
+  RELIEF_TRY_ASSIGN(auto scale, scale_of_points(colour_by, points));
+  if (!draws_points) return scale;
+  if (!scale) {
+    return make_error(
+        "--colour-by {} is how far patches are from the points, but this engine draws the points "
+        "or faces themselves; use onepass, or convert the scan with --scalars {}",
+        kDistanceScalar, kDistanceScalar);
+  }
+  paint_points(colour_by, *scale, points);
+  return scale;
+}
+
+/// A scan in the forms that are needed, and what it is coloured by.
+struct LoadedScan {
   LoadedFile file;
+  std::optional<ColourScale> scale;
+};
+
+Result<LoadedScan> load_scan(const std::filesystem::path& path, const LoadOptions& options,
+                             FormNeeds needs, Progress& progress) {
+  const std::optional<ColourBy>& colour_by = options.colour_by;
+  ReadOptions read = options.read;
+  if (colour_by) read.scalars = scalars_for(*colour_by);
+  auto scan = load_mesh(path, colour_by ? TextureChoice{true, {}} : options.textures, progress, read);
+  if (!scan) return scan.error();
+  LoadedScan made;
+  LoadedFile& file = made.file;
   file.patches.bounds = bounds_of(scan->points.positions);
   file.patches.bounding_radius = bounding_radius(scan->points.positions, file.patches.bounds);
   file.patches.extremes = extreme_points(scan->points.positions, file.patches.bounds);
   file.patches.stance = stance_of(scan->points);
   const bool has_triangles = !scan->points.triangles.empty();
+  if (colour_by) {
+    const bool draws_points = needs.splats || (needs.mesh && has_triangles);
+    auto scale = colour_scan(*colour_by, draws_points, scan->points);
+    if (!scale) return make_error("{}: {}", path.string(), scale.error().message);
+    made.scale = *std::move(scale);
+  }
   if (needs.mesh && has_triangles) file.mesh = mesh_of_points(scan->points);
   file.has_faces = file.mesh.has_value();
   if (needs.splats) {
@@ -68,13 +100,23 @@ Result<LoadedFile> load_scan(const std::filesystem::path& path, const LoadOption
     file.splats = std::move(*splats);
   }
   const bool meshes_patches = needs.mesh && !has_triangles;
-  if (!needs.patches && !meshes_patches) return file;
-  auto converted = convert(std::move(scan->points), {}, progress);
+  if (!needs.patches && !meshes_patches) return made;
+  ConvertOptions converting;
+  if (colour_by) {
+    scan->points.colours = {};
+    converting.distances = colour_by->scalar == kDistanceScalar;
+  }
+  auto converted = convert(std::move(scan->points), converting, progress);
   if (!converted) return make_error("{}: {}", path.string(), converted.error().message);
   file.patches = std::move(converted->model);
-  if (!meshes_patches) return file;
+  if (colour_by) {
+    auto scale = paint_patches(*colour_by, std::move(made.scale), file.patches);
+    if (!scale) return make_error("{}: {}", path.string(), scale.error().message);
+    made.scale = *std::move(scale);
+  }
+  if (!meshes_patches) return made;
   RELIEF_TRY(add_mesh_of_patches(file, path));
-  return file;
+  return made;
 }
 
 /// Whether a file becomes patches without points.
@@ -126,6 +168,7 @@ Status load_trees(const std::vector<SceneModel>& models, const TreeFiles& trees,
                               read.tiles, tree.tiles().size(), read.model.patches.size(),
                               read.samples));
     loaded[path].patches = std::move(read.model);
+    loaded[path].patches.stance = tree.extent().stance;
   }
   return {};
 }
@@ -164,6 +207,9 @@ Result<LoadedScene> load_textured_splats(const ScenePlan& plan, const LoadOption
 
 Result<LoadedScene> load_models(const std::vector<SceneModel>& models, const LoadOptions& options,
                                 FormNeeds needs, Progress& progress, const ViewsOf& views) {
+  if (options.colour_by && models.size() > 1)
+    return make_error("only one model can be coloured by a scalar; the scene has {}",
+                      models.size());
   const bool has_scans = std::any_of(
       models.begin(), models.end(),
       [&options](const SceneModel& model) { return !is_patches(model.file, options.read); });
@@ -174,22 +220,35 @@ Result<LoadedScene> load_models(const std::vector<SceneModel>& models, const Loa
   if (!trees) return trees.error();
 
   LoadedFiles loaded;
+  std::optional<ColourScale> colours;
   for (const SceneModel& model : models) {
     if (loaded.find(model.file) != loaded.end() || trees->find(model.file) != trees->end())
       continue;
-    RELIEF_TRY_ASSIGN(auto file, is_patches(model.file, options.read)
-                                     ? load_patch_file(model.file, forms, options, progress)
-                                     : load_scan(model.file, options, needs, progress));
-    loaded.emplace(model.file, std::move(file));
+    if (is_patches(model.file, options.read)) {
+      RELIEF_TRY_ASSIGN(auto file, load_patch_file(model.file, forms, options, progress));
+      loaded.emplace(model.file, std::move(file));
+    } else {
+      RELIEF_TRY_ASSIGN(auto scan, load_scan(model.file, options, needs, progress));
+      loaded.emplace(model.file, std::move(scan.file));
+      colours = std::move(scan.scale);
+    }
   }
   if (!trees->empty()) {
     RELIEF_TRY(load_trees(models, *trees, views, loaded, progress));
+  }
+  if (options.colour_by && !has_scans) {
+    const std::filesystem::path& file = models.front().file;
+    auto scale = paint_patches(*options.colour_by, {}, loaded[file].patches);
+    if (!scale) return make_error("{}: {}", file.string(), scale.error().message);
+    colours = *std::move(scale);
   }
   SceneAssembler assembler(models.size() > 1);
   RELIEF_TRY(for_each_use(models, [&](const auto& path, const FileUse& use) {
     return assembler.add(loaded.at(path), use);
   }));
-  return assembler.take();
+  LoadedScene scene = assembler.take();
+  scene.colours = std::move(colours);
+  return scene;
 }
 
 Result<LoadedScene> load_scene(const ScenePlan& plan, const LoadOptions& options,
@@ -197,7 +256,11 @@ Result<LoadedScene> load_scene(const ScenePlan& plan, const LoadOptions& options
   RELIEF_TRY_ASSIGN(const FormNeeds needs, needs_of(plan, among));
   if (needs.splats && !options.textures.image.empty())
     return load_textured_splats(plan, options, progress);
-  return load_models(plan.models, options, needs, progress, [&](const PatchModel& extent) {
+  LoadOptions of_plan = options;
+  // Heights are along the up direction of the image.
+  if (of_plan.colour_by && !of_plan.colour_by->up)
+    of_plan.colour_by->up = plan.views.front().settings.up;
+  return load_models(plan.models, of_plan, needs, progress, [&](const PatchModel& extent) {
     return render_settings_of(plan, extent, among);
   });
 }

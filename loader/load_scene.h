@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct LoadOptions {
   /// Options for making splats of a mesh for which `textures` names an image. The cutoff is always
   /// that of the first view's options.
   AcquireOptions acquisition;
+  std::optional<ColourBy> colour_by;  ///< in place of colours and textures
 };
 
 /// Reads the models and puts them in their positions. Reads a file that several of them name once.
@@ -41,7 +43,8 @@ struct LoadOptions {
 /// by a conversion with the default options, which also stand for triangles if it has none.
 /// Reads only those tiles of a patch file that `views` show
 /// (renderer/view/patches_in_view.h); reads all without `views`, and if splats or a mesh are
-/// needed.
+/// needed. With options.colour_by fails if there are several models, or if a patch file lacks the
+/// scalar.
 Result<LoadedScene> load_models(const std::vector<SceneModel>& models, const LoadOptions& options,
                                 FormNeeds needs, Progress& progress, const ViewsOf& views = {});
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "common/patch.h"
+#include "common/scalars/colour_scale.h"
 #include "renderer/geometry/splat_cloud.h"
 #include "renderer/geometry/triangle_mesh.h"
 #include "renderer/model.h"
@@ -16,7 +17,8 @@ struct LoadedScene {
   PatchModel patches;
   std::optional<TriangleMesh> mesh;
   std::optional<SplatCloud> splats;
-  bool mesh_is_input = false;  ///< all triangles of the mesh are faces of the files
+  bool mesh_is_input = false;          ///< all triangles of the mesh are faces of the files
+  std::optional<ColourScale> colours;  ///< what LoadOptions::colour_by made of it
 
   [[nodiscard]] RenderModel forms() const {
     RenderModel forms = RenderModel::of(patches);

@@ -12,6 +12,7 @@
 #include "common/extremes.h"
 #include "common/guard.h"
 #include "common/mesh/mesh_normals.h"
+#include "preprocess/add_distances.h"
 #include "preprocess/clean_scan.h"
 #include "preprocess/convert_stages.h"
 #include "preprocess/make_model.h"
@@ -21,6 +22,7 @@
 #include "preprocess/partition/split_by_density.h"
 #include "preprocess/points/densify.h"
 #include "preprocess/points/neighbours.h"
+#include "preprocess/resample/scalars.h"
 #include "preprocess/sample_search.h"
 #include "preprocess/texture/files/load_textures.h"
 #include "preprocess/texture/maps/flat_triangles.h"
@@ -211,12 +213,14 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
 
   const SurfaceSamples samples{points.positions, points.normals, graph.spacing, frames.roughness};
   if (options.adaptive_spacing) regions = split_by_density(samples, graph, std::move(regions));
+  const std::vector<ScalarInfo> scalars = describe_scalars(points.scalars);
   const PartitionedScan scan{.points = points,
                              .scanned = clean.scanned.empty() ? points.positions : clean.scanned,
                              .measured = textured ? points.size() : result.report.points,
                              .graph = graph,
                              .samples = samples,
                              .regions = regions,
+                             .scalars = scalars,
                              .creases = creases ? &*creases : nullptr,
                              .spheres = points.triangles.empty() ? nullptr : &in_time.spheres(),
                              .textured = textured,
@@ -233,6 +237,11 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   model.stance = options.up ? stance_of(*options.up) : stance_of(points);
   model.has_colours = textured || !points.colours.empty();
   report_model(made.fidelity, model, result.report);
+  if (options.distances) {
+    std::vector<glm::dvec3> measured = scan.scanned;
+    measured.resize(scan.measured);
+    RELIEF_TRY(add_distances(measured, model, progress));
+  }
   return result;
 }
 

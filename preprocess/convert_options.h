@@ -35,7 +35,10 @@ struct ConvertOptions {
   double height_step = 0.0;       ///< world units per height index; 0: spacing / 20
   bool adaptive_spacing = false;  ///< each patch's spacing follows the scan's local density, up to
                                   ///< 8 to 1; `spacing` is then the typical one
-  int colour_scale = 2;  ///< colour texels per grid cell along each side, of coloured points
+  int colour_scale = 2;    ///< texels per grid cell along each side, of the colours and scalars of
+                           ///< points
+  bool distances = false;  ///< add the scalar `distance` (add_distances). The points' own scalars
+                           ///< are always kept.
   int texels_per_cell =
       0;  ///< colour texels per grid cell of meshes with textures or materials, and normal texels
           ///< of meshes with normal maps, 1 to 64; 0: as many as keep their detail (map_textures)

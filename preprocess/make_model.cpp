@@ -94,7 +94,9 @@ Result<MeasuredModel> make_model(const PartitionedScan& scan, const ConvertOptio
        .graph = scan.graph,
        .membership = membership,
        .colours = scan.points.colours,
-       .creases = scan.creases},
+       .creases = scan.creases,
+       .scalars = scan.points.scalars,
+       .scalar_infos = scan.scalars},
       budget.factors, resample_options(options, seams, spacing, scan.normals_from_points), regions,
       progress);
   std::vector<Patch>& patches = made.model.patches;
@@ -114,6 +116,7 @@ Result<MeasuredModel> make_model(const PartitionedScan& scan, const ConvertOptio
   if (seams)
     made.model.joined = {{0, static_cast<std::uint32_t>(patches.size()), scan.is_borderless}};
   made.model.spacing = spacing;
+  made.model.scalars = scan.scalars;
   made.fidelity = measure(scan.scanned, scan.measured, scan.graph,
                           owners_of(regions, scan.points.size()), made.model);
   return made;

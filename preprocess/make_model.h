@@ -26,6 +26,7 @@ struct PartitionedScan {
   const NeighbourGraph& graph;
   SurfaceSamples samples;
   const std::vector<Region>& regions;
+  const std::vector<ScalarInfo>& scalars;    ///< of those of `points`
   const CreaseNormals* creases = nullptr;    ///< none: patches overlap
   const TriangleSpheres* spheres = nullptr;  ///< of the mesh; none without triangles
   bool textured = false;                     ///< its triangles have materials

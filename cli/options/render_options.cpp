@@ -90,6 +90,10 @@ void check_for_engine(const RenderArguments& arguments) {
   const TextureArguments& texture = arguments.texture;
   if (!texture.file.empty() && (kind == ".json" || kind == ".relief"))
     throw CLI::ValidationError("--texture", "needs a mesh");
+  if (arguments.colours.scalar && kind == ".json")
+    throw CLI::ValidationError("--colour-by", "is for a scan, mesh or patch file, not for a scene");
+  if (arguments.colours.scalar && !texture.file.empty())
+    throw CLI::ValidationError("--colour-by", "excludes --texture");
   const PlannedView view{"", arguments.settings, {}};
   const EngineEntry& engine = **engine_of(view);
   if ((texture.acquisition || texture.points) && engine.forms.front() != ModelForm::Splats)
@@ -207,6 +211,7 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments) {
   add_camera_options(sub, arguments.settings);
   add_engine_options(sub, arguments.settings);
   add_material_options(sub, arguments.settings);
+  add_colour_options(sub, arguments.colours);
   add_image_options(sub, arguments.settings);
   add_texture_options(sub, arguments.texture);
   CLI::Option* const turntable =

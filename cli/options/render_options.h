@@ -4,6 +4,7 @@
 #include <CLI/App.hpp>
 #include <filesystem>
 
+#include "cli/options/colour_options.h"
 #include "cli/options/texture_options.h"
 #include "common/scene/scene.h"
 #include "renderer/render.h"
@@ -15,6 +16,7 @@ struct RenderArguments {
   std::filesystem::path output;  ///< has {view} in it for a scene of several views
   TextureArguments texture;
   ReadOptions read;        ///< of scans and meshes
+  ColourArguments colours;
   SceneSettings settings;  ///< overrides those of a scene
   GlPlatform platform = GlPlatform::Automatic;
   std::size_t turntable = 0;                ///< frames of a film; 0: none

@@ -33,6 +33,28 @@ double median_frame_ms(const std::vector<WrittenImage>& written) {
   return median_of(times);
 }
 
+std::string map_name(ColourMap map) {
+  for (const Named<ColourMap>& named : kColourMaps) {
+    if (named.value == map) return std::string(named.name);
+  }
+  return {};
+}
+
+nlohmann::ordered_json colours_as_json(const ColourScale& scale) {
+  if (scale.is_label) return {{"scalar", scale.name}, {"labels", scale.labels}};
+  return {{"scalar", scale.name},
+          {"low", scale.low},
+          {"high", scale.high},
+          {"map", map_name(scale.map)}};
+}
+
+std::string colours_as_text(const ColourScale& scale) {
+  if (scale.is_label)
+    return fmt::format("  coloured by     {}: {}\n", scale.name, fmt::join(scale.labels, ", "));
+  return fmt::format("  coloured by     {}: {:.9g} to {:.9g}, {}\n", scale.name, scale.low,
+                     scale.high, map_name(scale.map));
+}
+
 }  // namespace
 
 nlohmann::ordered_json as_json(const WrittenImage& written) {
@@ -53,6 +75,7 @@ nlohmann::ordered_json as_json(const WrittenImage& written) {
        {"covered_pixels", result.covered_pixels},
        {"fragments", value_or_null(result.fragments)},
        {"level", value_or_null(result.level)}});
+  if (written.colours) json["colour_by"] = colours_as_json(*written.colours);
   if (settings.explain)
     json["explain"] = result.explanation ? as_json(*result.explanation) : nlohmann::ordered_json();
   return json;
@@ -87,17 +110,19 @@ std::string as_text(const WrittenImage& written) {
   const RenderResult& result = written.result;
   const std::string fragments =
       result.fragments ? fmt::format("{}", *result.fragments) : std::string("not counted");
+  const std::string colours = written.colours ? colours_as_text(*written.colours) : std::string();
   const std::string text = fmt::format(
       "{}\n"
       "  engine          {}: {}\n"
       "  material        {}\n"
+      "{}"
       "  renderer        {}\n"
       "  size            {}x{}\n"
       "  frame           {:.2f} ms\n"
       "  covered pixels  {}\n"
       "  fragments       {}\n",
       written.file.string(), settings.engine, fmt::join(options_as_text(settings), ", "),
-      material_names(settings), result.renderer, result.image.width, result.image.height,
+      material_names(settings), colours, result.renderer, result.image.width, result.image.height,
       result.frame_ms, result.covered_pixels, fragments);
   return result.explanation ? text + as_text(*result.explanation) : text;
 }

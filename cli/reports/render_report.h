@@ -3,9 +3,11 @@
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "common/scalars/colour_scale.h"
 #include "renderer/render.h"
 
 namespace relief::cli {
@@ -17,6 +19,7 @@ struct WrittenImage {
   std::filesystem::path file;
   RenderSettings settings;
   RenderResult result;
+  std::optional<ColourScale> colours;  ///< of --colour-by
 };
 
 /// Returns one JSON object: the engine and its options, sizes, times and counts, and `explain` with

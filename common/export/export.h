@@ -9,8 +9,8 @@
 
 namespace relief {
 
-/// The data to write: positions, and normals, colours and triangles if `points` has them. Without
-/// triangles the file holds points. Other members are ignored.
+/// The data to write: positions, and normals, colours, scalars and triangles if `points` has them.
+/// Without triangles the file holds points. Other members are ignored.
 struct ExportRequest {
   const Points& points;
   /// Largest error of a position, world units. If single precision exceeds it, PLY stores doubles
@@ -22,8 +22,9 @@ struct ExportRequest {
 /// Each function writes a file atomically. It fails with one sentence (disk full, more than the
 /// format can hold), or if the user interrupts.
 
-/// PLY 1.0, binary_little_endian: float or double x y z, float nx ny nz, uchar red green blue, and
-/// a list of three for each triangle.
+/// PLY 1.0, binary_little_endian: float or double x y z, float nx ny nz, uchar red green blue, each
+/// scalar under its name (ushort for labels, NaN for none), and a list of three for each triangle.
+/// The other formats have no place for scalars.
 Status export_ply(const std::filesystem::path& path, const ExportRequest& request,
                   Progress& progress);
 

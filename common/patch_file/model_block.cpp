@@ -7,12 +7,14 @@
 #include "common/extremes.h"
 #include "common/io/vector_bytes.h"
 #include "common/patch_file/patch_file_layout.h"
+#include "common/patch_file/scalar_table.h"
 
 namespace relief {
 namespace {
 
 constexpr std::array<char, 4> kExtremesEntry{'E', 'X', 'T', 'R'};
 constexpr std::array<char, 4> kStanceEntry{'S', 'T', 'N', 'D'};
+constexpr std::array<char, 4> kScalarsEntry{'S', 'C', 'L', 'S'};
 
 constexpr std::size_t kEntryHeader = 8;
 constexpr std::size_t kExtremeBytes = 6;
@@ -73,6 +75,13 @@ std::string take_stance(ByteReader in, ModelBlock& block) {
   return "its stance is not of unit vectors at right angles";
 }
 
+std::string take_scalars(std::span<const std::byte> bytes, ModelBlock& block) {
+  auto scalars = parse_scalar_table(bytes);
+  if (!scalars) return scalars.error().message;
+  block.scalars = *std::move(scalars);
+  return {};
+}
+
 }  // namespace
 
 std::vector<std::byte> write_model_block(const ModelBlock& block, const Bounds& bounds) {
@@ -80,6 +89,7 @@ std::vector<std::byte> write_model_block(const ModelBlock& block, const Bounds& 
   if (!block.extremes.empty() && !bounds.empty())
     append_entry(out, kExtremesEntry, extremes_content(block.extremes, bounds));
   if (block.stance != Stance{}) append_entry(out, kStanceEntry, stance_content(block.stance));
+  if (!block.scalars.empty()) append_entry(out, kScalarsEntry, write_scalar_table(block.scalars));
   if (!out.empty()) append_number(out, crc32(out));
   return out;
 }
@@ -103,10 +113,12 @@ Result<ModelBlock> parse_model_block(std::span<const std::byte> bytes, const Bou
     for (char& c : type) c = static_cast<char>(in.take<std::uint8_t>());
     const auto length = in.take<std::uint32_t>();
     if (length > in.left()) return damaged("an entry is cut off");
-    const ByteReader content(in.take_bytes(length));
+    const std::span<const std::byte> bytes_of_entry = in.take_bytes(length);
+    const ByteReader content(bytes_of_entry);
     std::string fault;
     if (type == kExtremesEntry) fault = take_extremes(content, bounds, block);
     if (type == kStanceEntry) fault = take_stance(content, block);
+    if (type == kScalarsEntry) fault = take_scalars(bytes_of_entry, block);
     if (!fault.empty()) return damaged(fault);
   }
   return block;

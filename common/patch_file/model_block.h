@@ -10,6 +10,7 @@
 
 #include "common/bounds.h"
 #include "common/error.h"
+#include "common/scalar.h"
 #include "common/stance.h"
 
 namespace relief {
@@ -20,6 +21,7 @@ inline constexpr std::size_t kMaxModelBlock = std::size_t{1} << 20U;
 struct ModelBlock {
   std::vector<glm::dvec3> extremes;  ///< as PatchModel::extremes
   Stance stance;
+  std::vector<ScalarInfo> scalars = {};  ///< as PatchModel::scalars
 };
 
 /// Returns the bytes of a block; none if it says nothing that a reader would not assume. `bounds`:

@@ -29,12 +29,14 @@ struct PatchFileInfo {
   std::uint64_t height_bytes = 0;  ///< of all chunks of heights, with masks
   std::uint64_t normal_bytes = 0;
   std::uint64_t colour_bytes = 0;
+  std::uint64_t scalar_bytes = 0;
   unsigned levels = 1;  ///< levels of the largest patch that read_level decodes without finer ones
   Bounds bounds;
   double bounding_radius = 0.0;
   std::vector<glm::dvec3> extremes;  ///< as PatchModel::extremes
   Stance stance;
   std::vector<std::string> attributes;  ///< "normal", "colour"
+  std::vector<ScalarInfo> scalars;      ///< as PatchModel::scalars
   bool is_closed = false;               ///< as PatchModel::is_closed
   bool is_joined = false;               ///< patches meet at seams, or those of each tile do
 };

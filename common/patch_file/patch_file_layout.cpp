@@ -23,7 +23,8 @@ bool index_fits(const FileHeader& header, std::uint64_t bytes) {
   if (header.version == kTreeVersion)
     return bytes == header.chunks * std::uint64_t{kTileRecordBytes};
   if (header.version == kCompactVersion) {
-    return header.patches <= bytes / kMinCompactRecord && header.chunks <= 3ULL * header.patches;
+    return header.patches <= bytes / kMinCompactRecord &&
+           header.chunks <= (3ULL + kMaxScalars) * header.patches;
   }
   return bytes == header.patches * std::uint64_t{kPatchRecordBytes} +
                       header.chunks * std::uint64_t{kChunkRecordBytes};

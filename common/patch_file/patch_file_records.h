@@ -37,6 +37,7 @@ using ChunkType = std::array<char, 4>;
 inline constexpr ChunkType kHeightsChunk{'H', 'G', 'H', 'T'};
 inline constexpr ChunkType kNormalsChunk{'N', 'R', 'M', 'L'};
 inline constexpr ChunkType kColoursChunk{'C', 'O', 'L', 'R'};
+inline constexpr ChunkType kScalarChunk{'S', 'C', 'L', 'R'};  ///< one for each of the model block
 
 /// Position and coding of a chunk's bytes.
 struct ChunkRecord {

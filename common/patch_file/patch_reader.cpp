@@ -95,6 +95,7 @@ PatchFileInfo info_of(const FileHeader& header, const FileIndex& index) {
   info.bounding_radius = header.bounding_radius;
   info.extremes = header.block.extremes;
   info.stance = header.block.stance;
+  info.scalars = header.block.scalars;
   info.is_closed = header.is_closed;
   info.is_joined = header.is_joined;
   bool has_normals = false;
@@ -103,6 +104,7 @@ PatchFileInfo info_of(const FileHeader& header, const FileIndex& index) {
     info.height_bytes += chunk.type == kHeightsChunk ? chunk.size : 0;
     info.normal_bytes += chunk.type == kNormalsChunk ? chunk.size : 0;
     info.colour_bytes += chunk.type == kColoursChunk ? chunk.size : 0;
+    info.scalar_bytes += chunk.type == kScalarChunk ? chunk.size : 0;
     has_normals |= chunk.type == kNormalsChunk;
     has_colours |= chunk.type == kColoursChunk;
   }
@@ -173,6 +175,35 @@ struct PatchFile::State {
                         patch, what, chunk.offset, decoded.error().message);
     }
     return {};
+  }
+
+  /// Reads the maps of the table's scalars, if the patch has them.
+  Status read_scalars(std::uint64_t number, Patch& patch, ZstdContexts& zstd) const {
+    if (info.scalars.empty()) return {};
+    const PatchRecord& record = index.patches[number];
+    for (const ChunkRecord& chunk :
+         std::span(index.chunks).subspan(record.first_chunk, record.chunk_count)) {
+      if (chunk.type != kScalarChunk) continue;
+      // A forged index may name one chunk many times.
+      if (patch.scalars.size() == info.scalars.size()) {
+        return make_error("{}: patch {}: has more scalars than the {} of the file; it is damaged",
+                          name, number, info.scalars.size());
+      }
+      if (!is_map_scale_valid(record.summary, chunk.scale)) {
+        return make_error("{}: patch {}: its scalars have {} texels a cell; the file is damaged",
+                          name, number, chunk.scale);
+      }
+      RELIEF_TRY(read_chunk(number, "scalars", chunk, [&](const auto& bytes) -> Status {
+        RELIEF_TRY_ASSIGN(auto map, chunk.codec == kCodecCompact
+                                        ? decode_scalar_compact(bytes, chunk.scale, patch)
+                                        : decode_scalar(bytes, chunk.scale, patch, zstd));
+        patch.scalars.push_back(std::move(map));
+        return {};
+      }));
+    }
+    if (patch.scalars.empty() || patch.scalars.size() == info.scalars.size()) return {};
+    return make_error("{}: patch {}: has {} scalars, but the file {}; the file is damaged", name,
+                      number, patch.scalars.size(), info.scalars.size());
   }
 
   /// Reads a patch without its maps; for `level` 1 or more, every 2^level-th node in both
@@ -269,6 +300,7 @@ Result<Patch> PatchFile::read_patch(std::uint64_t index, ZstdContexts& zstd) con
       !read) {
     return read.error();
   }
+  if (Status read = s.read_scalars(index, *patch, zstd); !read) return read.error();
   return patch;
 } catch (const std::bad_alloc&) {
   return make_error("{}: not enough memory to decode patch {}; {}", state_->name, index,
@@ -298,6 +330,8 @@ std::uint64_t PatchFile::decoded_bytes(std::span<const std::uint64_t> patches) c
       const std::uint64_t area = texels(summary.width) * texels(summary.height);
       if (chunk.type == kNormalsChunk) bytes += area * sizeof(glm::i16vec2);
       if (chunk.type == kColoursChunk) bytes += area * sizeof(glm::u8vec3);
+      if (chunk.type == kScalarChunk && !state_->info.scalars.empty())
+        bytes += area * sizeof(std::uint16_t);
     }
   }
   return bytes;

@@ -14,6 +14,7 @@
 #include "common/patch_file/fault.h"
 #include "common/patch_file/patch_file.h"
 #include "common/patch_file/patch_file_layout.h"
+#include "common/patch_file/scalar_table.h"
 
 namespace relief {
 namespace {
@@ -61,6 +62,9 @@ std::string find_fault(const Patch& patch, const PatchSummary& summary) {
   std::string fault;
   if (!patch.normals.empty()) fault = find_fault(patch, patch.normals, "normal");
   if (fault.empty() && !patch.colours.empty()) fault = find_fault(patch, patch.colours, "colour");
+  for (const AttributeMap<std::uint16_t>& map : patch.scalars) {
+    if (fault.empty()) fault = find_fault(patch, map, "scalar");
+  }
   return fault;
 }
 
@@ -150,6 +154,11 @@ EncodedPatch encode(const Patch& patch, const PatchFileOptions& options, ZstdCon
         {kColoursChunk, static_cast<std::uint16_t>(patch.colours.scale),
          compact ? encode_colours_compact(patch) : encode_colours(patch, zstd)});
   }
+  for (const AttributeMap<std::uint16_t>& map : patch.scalars) {
+    encoded.chunks.push_back(
+        {kScalarChunk, static_cast<std::uint16_t>(map.scale),
+         compact ? encode_scalar_compact(patch, map) : encode_scalar(patch, map, zstd)});
+  }
   return encoded;
 }
 
@@ -175,12 +184,24 @@ FileIndex lay_out(const std::vector<EncodedPatch>& patches, PatchCodec codec,
   return index;
 }
 
+/// Returns why the model's scalars cannot be written, as a clause; empty if they can.
+std::string find_scalar_fault(const PatchModel& model) {
+  for (const Patch& patch : model.patches) {
+    if (!patch.scalars.empty() && patch.scalars.size() != model.scalars.size())
+      return fmt::format("a patch has {} scalars, the model {}", patch.scalars.size(),
+                         model.scalars.size());
+  }
+  return find_fault(std::span(model.scalars));
+}
+
 Status write_model(const std::filesystem::path& path, const PatchModel& model,
                    const PatchFileOptions& options) {
   if (const auto fault = find_fault(model.spacing, model.bounds, model.bounding_radius);
       !fault.empty()) {
     return make_error("{}: the model cannot be written: {}", path.string(), fault);
   }
+  if (const std::string fault = find_scalar_fault(model); !fault.empty())
+    return make_error("{}: the model cannot be written: {}", path.string(), fault);
   // Before encoding, so that a missing directory is reported at once.
   RELIEF_TRY_ASSIGN(auto file, AtomicFile::create(path));
 
@@ -197,7 +218,7 @@ Status write_model(const std::filesystem::path& path, const PatchModel& model,
 
   const bool compact = options.codec == PatchCodec::Compact;
   const std::vector<std::byte> block =
-      write_model_block({model.extremes, model.stance}, model.bounds);
+      write_model_block({model.extremes, model.stance, model.scalars}, model.bounds);
   FileHeader header;
   header.block_bytes = static_cast<std::uint32_t>(block.size());
   const FileIndex layout = lay_out(encoded, options.codec, header.data_offset());

@@ -75,6 +75,7 @@ Result<PatchModel> PatchFile::read_all(Progress& progress) const {
   model.stance = info().stance;
   model.is_closed = info().is_closed;
   model.joined = joined();
+  model.scalars = info().scalars;
   join_normals(model);
   model.has_colours = std::any_of(model.patches.begin(), model.patches.end(),
                                   [](const Patch& p) { return !p.colours.empty(); });

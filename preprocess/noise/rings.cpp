@@ -18,15 +18,15 @@ std::array<double, Rings::kCount> squared_radii() {
   return squared;
 }
 
-const std::array<double, Rings::kCount> kSquaredRadii = squared_radii();
+const std::array<double, Rings::kCount> kSquaredRingRadii = squared_radii();
 
 }  // namespace
 
 double Rings::radius(std::size_t ring) {
-  return std::sqrt(kSquaredRadii[ring]);
+  return std::sqrt(kSquaredRingRadii[ring]);
 }
 double Rings::squared_radius(std::size_t ring) {
-  return kSquaredRadii[ring];
+  return kSquaredRingRadii[ring];
 }
 
 void Rings::collect(const glm::dvec3& centre, double unit, std::size_t rings) {
@@ -39,7 +39,7 @@ bool Rings::collect_within(const glm::dvec3& centre, double unit, std::size_t ri
   found_.clear();
   ring_of_.clear();
   const double scale = 1.0 / (unit * unit);
-  const double squared_reach = kSquaredRadii[rings - 1];
+  const double squared_reach = kSquaredRingRadii[rings - 1];
   double reach = squared_reach * unit * unit;
   const auto look_at_leaf = [&](std::size_t first, std::size_t count) {
     std::array<double, PositionTree::kLeafSize> squared;
@@ -48,7 +48,7 @@ bool Rings::collect_within(const glm::dvec3& centre, double unit, std::size_t ri
       const double distance = squared[m] * scale;
       if (!(distance < squared_reach)) continue;
       std::uint8_t ring = 0;
-      while (distance >= kSquaredRadii[ring]) ++ring;
+      while (distance >= kSquaredRingRadii[ring]) ++ring;
       found_.push_back(
           {(tree_.at(first + m) - centre) / unit, static_cast<std::uint32_t>(first + m)});
       ring_of_.push_back(ring);

@@ -56,6 +56,13 @@ void append(Points& points, const Triangle& t, glm::dvec3 w) {
     points.colours.emplace_back(mix(points.colours, glm::vec3(0.0F)) + 0.5F);
   }
   if (!points.texcoords.empty()) points.texcoords.push_back(mix(points.texcoords, glm::vec2(0.0F)));
+  const glm::length_t nearest = w.x >= w.y ? (w.x >= w.z ? 0 : 2) : (w.y >= w.z ? 1 : 2);
+  for (PointScalar& scalar : points.scalars) {
+    double value = scalar.values[t[static_cast<std::size_t>(nearest)]];
+    if (!scalar.is_label)
+      value = w.x * scalar.values[t[0]] + w.y * scalar.values[t[1]] + w.z * scalar.values[t[2]];
+    scalar.values.push_back(value);
+  }
 }
 
 /// Calls `add(triangle, weights)` for the points on large ones of `triangles`, about `step` apart:

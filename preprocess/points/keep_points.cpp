@@ -92,6 +92,7 @@ void keep_points(Points& points, const std::vector<std::uint32_t>& kept,
   compact(points.colours, kept);
   compact(points.texcoords, kept);
   compact(points.scanner_of, kept);
+  for (PointScalar& scalar : points.scalars) compact(scalar.values, kept);
 }
 
 std::uint64_t drop_points(Points& points, const std::vector<std::uint8_t>& dropped) {

@@ -42,6 +42,15 @@ Role RecordLayout::add(Role role) {
   return role;
 }
 
+Role RecordLayout::add(std::string_view name, const Source& source) {
+  const Role role = role_of(name);
+  if (role != Other) return add(role);
+  std::string scalar = file_scalar_name(name);
+  if (!source.takes_scalar(scalar)) return Other;
+  scalars_.push_back(std::move(scalar));
+  return static_cast<Role>(Other + scalars_.size());
+}
+
 PointCollector::PointCollector(const RecordLayout& layout, ColourNumbers colour_numbers,
                                std::size_t count)
     : layout_(layout), colour_numbers_(colour_numbers) {
@@ -49,6 +58,10 @@ PointCollector::PointCollector(const RecordLayout& layout, ColourNumbers colour_
   if (layout.normals()) points_.normals.reserve(count);
   if (layout.colours()) colours_.reserve(count);
   if (layout.texcoords()) points_.texcoords.reserve(count);
+  for (const std::string& name : layout.scalars()) {
+    points_.scalars.push_back({name, false, {}});
+    points_.scalars.back().values.reserve(count);
+  }
 }
 
 void PointCollector::add(const PointRecord& record) {
@@ -62,6 +75,8 @@ void PointCollector::add(const PointRecord& record) {
   if (layout_.texcoords()) {
     points_.texcoords.emplace_back(static_cast<float>(record[U]), static_cast<float>(record[V]));
   }
+  for (std::size_t k = 0; k < points_.scalars.size(); ++k)
+    points_.scalars[k].values.push_back(record[kRoles + k]);
 }
 
 Points PointCollector::finish() {

@@ -17,8 +17,8 @@ namespace relief {
 enum Role : std::uint8_t { X, Y, Z, Nx, Ny, Nz, Red, Green, Blue, U, V, Other };
 inline constexpr std::size_t kRoles = Other + 1;
 
-/// The numbers of one point, by role.
-using PointRecord = std::array<double, kRoles>;
+/// The numbers of one point, by role. Scalars follow the roles.
+using PointRecord = std::array<double, kRoles + kMaxScalars>;
 
 /// Returns the role of a name (in lower case) in any of the formats: x y z; nx or normal_x ...;
 /// red, r or diffuse_red ...; s t, u v or texture_u texture_v.
@@ -29,14 +29,20 @@ class RecordLayout {
  public:
   /// Adds the next number of the record and returns the role under which to store it.
   Role add(Role role);
+  /// The same for a number of this name in the file (lower case), which is a scalar if it has no
+  /// other role and the source takes it.
+  Role add(std::string_view name, const Source& source);
 
   [[nodiscard]] bool positions() const { return has_[X] && has_[Y] && has_[Z]; }
   [[nodiscard]] bool normals() const { return has_[Nx] && has_[Ny] && has_[Nz]; }
   [[nodiscard]] bool colours() const { return has_[Red] && has_[Green] && has_[Blue]; }
   [[nodiscard]] bool texcoords() const { return has_[U] && has_[V]; }
+  /// The names of the scalars; the first is stored behind the last role.
+  [[nodiscard]] const std::vector<std::string>& scalars() const { return scalars_; }
 
  private:
   std::array<bool, kRoles> has_{};
+  std::vector<std::string> scalars_;
 };
 
 /// Makes points from records.

@@ -30,6 +30,7 @@ class PtxReader {
   explicit PtxReader(const Source& source) : source_(source), line_(source.text), meter_(source) {}
 
   Result<Points> read() {
+    if (source_.takes_scalar("intensity")) points_.scalars.push_back({"intensity", false, {}});
     std::size_t scans = 0;
     std::size_t coloured = 0;
     while (line_.next_line()) {
@@ -122,6 +123,7 @@ class PtxReader {
       points_.scanner_of.push_back(static_cast<std::uint16_t>(points_.scanners.size() - 1));
       points_.positions.push_back(p == glm::dvec3(0.0) ? glm::dvec3(nan) : frame_.in_world(p));
       if (coloured) colours_.emplace_back(n[4], n[5], n[6]);
+      if (!points_.scalars.empty()) points_.scalars.front().values.push_back(n[3]);
     }
     return {};
   }

@@ -6,6 +6,7 @@
 
 #include "common/error.h"
 #include "common/progress.h"
+#include "common/scalars/scalar_names.h"
 #include "preprocess/readers/read_result.h"
 #include "preprocess/readers/selection.h"
 
@@ -18,7 +19,8 @@ namespace relief {
 /// and drops degenerate and repeated ones. The file is not trusted: every count is checked against
 /// the remaining bytes before memory is allocated for it. Fails with one sentence: file, line or
 /// byte, what was expected. Fails if the options select no point, or classes of a format without
-/// them.
+/// them, or name a scalar that the file lacks. With `all`, a scalar without any finite number is
+/// left out.
 Result<ReadResult> read_points(const std::filesystem::path& path, Progress& progress,
                                const ReadOptions& options = {});
 

@@ -18,9 +18,10 @@ Result<ReadResult> read_bytes(const std::filesystem::path& path, std::vector<std
                               Progress& progress, const ReadOptions& options = {});
 
 /// Each reader returns every point of the file, NaN and duplicates included, with the attributes
-/// that all points have. Triangles may have invalid indices; clean_points drops them. On any bytes,
-/// a reader never crashes, hangs, throws or takes memory out of proportion to the file. It fails
-/// with one sentence that begins with the file's name and gives the line or byte.
+/// that all points have, and the scalars that Source::scalars asks for. Triangles may have invalid
+/// indices; clean_points drops them. On any bytes, a reader never crashes, hangs, throws or takes
+/// memory out of proportion to the file. It fails with one sentence that begins with the file's
+/// name and gives the line or byte.
 
 /// Reads PLY 1.0, ASCII or binary in both byte orders. Positions x y z of any number type; normals
 /// nx ny nz; colours red green blue (or r g b, diffuse_red ...); texture coordinates s t, u v or
@@ -35,8 +36,8 @@ Result<Points> read_ply(const Source& source);
 /// 1), which are a camera's.
 Result<Points> read_pcd(const Source& source);
 
-/// Reads LAS 1.1 to 1.4, point record formats 0 to 10, and LAZ if the build has LASzip; skips
-/// waveforms and extra bytes. Leaves out points that are marked as withheld, classified as noise
+/// Reads LAS 1.1 to 1.4, point record formats 0 to 10, and LAZ, without its scalars, if the build has
+/// LASzip; skips waveforms. Leaves out points that are marked as withheld, classified as noise
 /// (if no classes are selected) or not selected; fails if no point is left. Keeps the upper byte of
 /// 16-bit colours. If no colour of the file is above 255, they are 8-bit values; if all are 0, the
 /// file has no colours. Says whether the scan looks airborne (looks_airborne).

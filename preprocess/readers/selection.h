@@ -9,6 +9,7 @@
 
 #include "common/bounds.h"
 #include "common/error.h"
+#include "common/scalars/scalar_names.h"
 #include "common/points.h"
 
 namespace relief {
@@ -39,6 +40,7 @@ struct PointSelection {
 /// How files are read.
 struct ReadOptions {
   PointSelection selection = {};
+  ScalarChoice scalars = {};  ///< those to keep
   /// One of PointFormat's extensions, which names the format; empty: by content, then extension.
   std::string format = {};
 };

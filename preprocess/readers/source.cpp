@@ -2,11 +2,23 @@
 
 #include <algorithm>
 
+#include "common/scalar.h"
+
 namespace relief {
 
 const PointSelection& Source::selection() const {
   static const PointSelection all;
   return selected != nullptr ? *selected : all;
+}
+
+bool Source::takes_scalar(const std::string& canonical) const {
+  std::vector<std::string>& known = remarks.scalars;
+  if (std::ranges::find(known, canonical) != known.end()) return false;
+  known.push_back(canonical);
+  if (scalars == nullptr || !scalars->has(canonical)) return false;
+  const auto kept =
+      std::ranges::count_if(known, [this](const std::string& one) { return scalars->has(one); });
+  return static_cast<std::size_t>(kept) <= kMaxScalars;
 }
 
 std::string quoted(std::string_view text) {

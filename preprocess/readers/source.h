@@ -10,6 +10,7 @@
 #include "common/error.h"
 #include "common/points.h"
 #include "common/progress.h"
+#include "common/scalars/scalar_names.h"
 #include "preprocess/readers/selection.h"
 
 namespace relief {
@@ -20,6 +21,7 @@ struct ReadRemarks {
   std::uint64_t not_selected = 0;  ///< points of other classes or returns than the selection's
   std::vector<std::string>
       notes;  ///< for the user, a sentence each that begins with the file's name
+  std::vector<std::string> scalars;  ///< canonical names of all that the file has
 };
 
 /// Receives a file's points block by block, for scans larger than memory.
@@ -50,8 +52,13 @@ struct Source {
   PointSink* sink = nullptr;
   /// Classes and returns of formats that have them (see format.h). Null: all points.
   const PointSelection* selected = nullptr;
+  const ScalarChoice* scalars = nullptr;  ///< those to keep; null: none
 
   [[nodiscard]] const PointSelection& selection() const;
+
+  /// Adds a scalar to the remarks, and returns whether to keep it. A second one of a name, and
+  /// those beyond kMaxScalars, are not kept.
+  [[nodiscard]] bool takes_scalar(const std::string& canonical) const;
 };
 
 /// Reports a reader's progress, and whether to stop. Cheap enough to call for every line.

@@ -56,25 +56,8 @@ void continue_outward(std::vector<Value>& values, std::vector<std::uint8_t>& kno
   }
 }
 
-// The mean of the colours around a position, for scans finer than the texels, which are `step`
-// apart.
-glm::vec3 mean_colour(const PatchPoints& points, const PointGrid& lookup, glm::dvec2 position,
-                      std::uint32_t nearest, double step, const std::vector<glm::u8vec3>& colours) {
-  const double to_nearest = glm::distance(glm::dvec2(points.positions[nearest]), position);
-  // At least the distance to the nearest point, so that some weight is above 0.
-  const double radius = std::max(0.5 * step, 0.6 * to_nearest);
-  glm::vec3 sum(0.0F);
-  float weights = 0.0F;
-  lookup.for_each_within(
-      position.x, position.y, 2.5 * radius, [&](std::uint32_t p, double squared) {
-        const auto w = static_cast<float>(std::exp(-squared / (radius * radius)));
-        sum += w * linear_from_srgb8(colours[points.ids[p]]);
-        weights += w;
-      });
-  return sum / weights;
-}
+}  // namespace
 
-// A texel has its own colour if one of the nodes around it is a sample.
 bool beside_sample(const std::vector<NodeState>& states, const PatchGrid& grid, std::uint32_t a,
                    std::uint32_t b, std::uint32_t scale) {
   const std::uint32_t i0 = a / scale;
@@ -86,8 +69,6 @@ bool beside_sample(const std::vector<NodeState>& states, const PatchGrid& grid, 
   }
   return false;
 }
-
-}  // namespace
 
 AttributeMap<glm::i16vec2> sample_normals(const std::vector<SurfacePoint>& surface,
                                           const std::vector<NodeState>& states,
@@ -129,7 +110,9 @@ AttributeMap<glm::u8vec3> sample_colours(const PatchPoints& points, const PointG
       const std::size_t m = std::size_t{b} * map.width + a;
       known[m] = 1;
       if (points.spacing[nearest] < step) {
-        values[m] = mean_colour(points, lookup, {x, y}, nearest, step, colours);
+        values[m] = mean_around(points, lookup, {x, y}, nearest, step, [&](std::uint32_t p) {
+          return linear_from_srgb8(colours[points.ids[p]]);
+        });
         continue;
       }
       if (!between) between.emplace(points, lookup, colours);

@@ -49,6 +49,14 @@ glm::dmat2 along_surface(glm::vec3 normal) {
   return glm::dmat2(1.0) + stretch * glm::outerProduct(slope, slope);
 }
 
+std::vector<glm::vec3> linear_colours(const PatchPoints& points,
+                                      const std::vector<glm::u8vec3>& colours) {
+  std::vector<glm::vec3> linear;
+  linear.reserve(points.size());
+  for (const std::uint32_t id : points.ids) linear.push_back(linear_from_srgb8(colours[id]));
+  return linear;
+}
+
 }  // namespace
 
 struct ColourInterpolation::Metric {
@@ -59,9 +67,11 @@ struct ColourInterpolation::Metric {
 
 ColourInterpolation::ColourInterpolation(const PatchPoints& points, const PointGrid& lookup,
                                          const std::vector<glm::u8vec3>& colours)
-    : points_(points), lookup_(lookup) {
-  values_.reserve(points.size());
-  for (const std::uint32_t id : points.ids) values_.push_back(linear_from_srgb8(colours[id]));
+    : ColourInterpolation(points, lookup, linear_colours(points, colours)) {}
+
+ColourInterpolation::ColourInterpolation(const PatchPoints& points, const PointGrid& lookup,
+                                         std::vector<glm::vec3> values)
+    : points_(points), lookup_(lookup), values_(std::move(values)) {
   tensors_.reserve(points.size());
   for (std::uint32_t p = 0; p < points.size(); ++p) tensors_.push_back(gradient_at(p));
 }

@@ -22,6 +22,9 @@ class ColourInterpolation {
   /// `points`.
   ColourInterpolation(const PatchPoints& points, const PointGrid& lookup,
                       const std::vector<glm::u8vec3>& colours);
+  /// The same for values of each point of the patch, 0 to 1.
+  ColourInterpolation(const PatchPoints& points, const PointGrid& lookup,
+                      std::vector<glm::vec3> values);
 
   /// Returns the linear colour at local (x, y). `nearest` is the nearest point.
   [[nodiscard]] glm::vec3 at(double x, double y, std::uint32_t nearest) const;

@@ -12,6 +12,7 @@
 #include "preprocess/resample/borders/creases.h"
 #include "preprocess/resample/borders/foreign_nodes.h"
 #include "preprocess/resample/mls.h"
+#include "preprocess/resample/scalars.h"
 #include "preprocess/resample/store_heights.h"
 
 namespace relief {
@@ -168,6 +169,10 @@ Patch resample_region(const ScanSurface& scan, const Region& region,
   if (!scan.colours.empty()) {
     patch.colours =
         sample_colours(points, supporting, with_margin, grid, scan.colours, options.colour_scale);
+  }
+  for (std::size_t k = 0; k < scan.scalars.size(); ++k) {
+    patch.scalars.push_back(sample_scalar(points, supporting, with_margin, grid, scan.scalars[k],
+                                          scan.scalar_infos[k], options.colour_scale));
   }
   return patch;
 }

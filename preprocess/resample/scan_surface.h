@@ -2,8 +2,10 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
+#include "common/scalar.h"
 #include "preprocess/normals/crease_normals.h"
 #include "preprocess/partition/partition.h"
 
@@ -13,9 +15,11 @@ namespace relief {
 struct ScanSurface {
   const SurfaceSamples& samples;
   const NeighbourGraph& graph;
-  const Membership& membership;             ///< of all points
-  const std::vector<glm::u8vec3>& colours;  ///< empty, or one for each point
-  const CreaseNormals* creases = nullptr;   ///< of all points, with seams; may be null
+  const Membership& membership;                   ///< of all points
+  const std::vector<glm::u8vec3>& colours;        ///< empty, or one for each point
+  const CreaseNormals* creases = nullptr;         ///< of all points, with seams; may be null
+  std::span<const PointScalar> scalars = {};      ///< of all points
+  std::span<const ScalarInfo> scalar_infos = {};  ///< one for each
 };
 
 }  // namespace relief

@@ -10,6 +10,7 @@
 #include "common/disjoint_sets.h"
 #include "common/image/srgb.h"
 #include "renderer/geometry/mesh_of_patches.h"
+#include "renderer/geometry/node_texels.h"
 
 namespace relief {
 namespace {
@@ -132,6 +133,23 @@ void drop_unused(TriangleMesh& mesh) {
   keep(numbers, mesh);
 }
 
+/// The values of all samples, in their order; NaN where there is none.
+std::vector<double> sample_values(const PatchModel& model, std::size_t scalar) {
+  std::vector<double> values;
+  for (const Patch& patch : model.patches) {
+    for (std::uint32_t j = 0; j < patch.height; ++j) {
+      for (std::uint32_t i = 0; i < patch.width; ++i) {
+        if (patch.at(i, j) == kHole) continue;
+        const std::uint16_t code =
+            patch.scalars.empty() ? kNoScalar : texel_at(patch.scalars[scalar], i, j);
+        values.push_back(code == kNoScalar ? std::numeric_limits<double>::quiet_NaN()
+                                           : model.scalars[scalar].value_of(code));
+      }
+    }
+  }
+  return values;
+}
+
 }  // namespace
 
 Result<Points> sample_points(const PatchModel& model) {
@@ -143,7 +161,12 @@ Result<Points> sample_points(const PatchModel& model) {
     keep(numbers, mesh);
   }
   mesh.triangles = {};
-  return points_of(std::move(mesh));
+  Points points = points_of(std::move(mesh));
+  for (std::size_t k = 0; k < model.scalars.size(); ++k) {
+    const ScalarInfo& scalar = model.scalars[k];
+    points.scalars.push_back({scalar.name, scalar.is_label, sample_values(model, k)});
+  }
+  return points;
 }
 
 Result<Points> surface_mesh(const PatchModel& model) {

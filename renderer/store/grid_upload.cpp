@@ -107,7 +107,7 @@ Result<GridMaps> GridUpload::make_maps() {
     made.normals = std::move(maps.texture);
   }
   if (needs_.colours) {
-    RELIEF_TRY_ASSIGN(MapArray maps, upload_colours(gl_, whole.patches));
+    RELIEF_TRY_ASSIGN(MapArray maps, upload_colours(gl_, whole.patches, model_.has_label_colours));
     set_map_positions(whole, maps.spots, &shared::PatchInfo::colours, colour_scale, grids_);
     made.colours = std::move(maps.texture);
   }

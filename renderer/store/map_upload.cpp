@@ -209,7 +209,7 @@ bool has_fine_colours(const PatchModel& model) {
   });
 }
 
-Result<MapArray> upload_colours(const Gl& gl, const PatchList& patches) {
+Result<MapArray> upload_colours(const Gl& gl, const PatchList& patches, bool nearest) {
   static const AttributeMap<glm::u8vec3> no_colours{1, 1, 1, {glm::u8vec3(0)}};
   const auto colours_of = [](const Patch& patch) -> const AttributeMap<glm::u8vec3>& {
     return patch.colours.empty() ? no_colours : patch.colours;
@@ -222,8 +222,12 @@ Result<MapArray> upload_colours(const Gl& gl, const PatchList& patches) {
   };
   std::vector<glm::uvec2> sizes;
   for (const Patch* patch : patches) sizes.push_back(padded_size(colours_of(*patch)));
-  const Format format{"colour maps",    GL_SRGB8_ALPHA8, GL_RGBA,
-                      GL_UNSIGNED_BYTE, GL_LINEAR,       static_cast<GLsizei>(room.levels)};
+  const Format format{"colour maps",
+                      GL_SRGB8_ALPHA8,
+                      GL_RGBA,
+                      GL_UNSIGNED_BYTE,
+                      nearest ? GL_NEAREST : GL_LINEAR,
+                      static_cast<GLsizei>(room.levels)};
   return upload(gl, patches, format, sizes, room.ring, [&](const Patch& patch) {
     const AttributeMap<glm::u8vec3>& map = colours_of(patch);
     return with_ring<glm::u8vec4>(map, padded_size(map), room.ring);

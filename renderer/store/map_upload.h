@@ -45,7 +45,8 @@ Result<MapArray> upload_normals(const Gl& gl, const PatchList& patches);
 /// texel a cell; each map then begins at a multiple of the coarsest level's texel and has a ring of
 /// half of one (2 cells) or more, so that no level mixes maps. A patch without colours gets one
 /// texel that nobody reads: the neutral grey is the shader's, for 8-bit sRGB has no value for it.
-Result<MapArray> upload_colours(const Gl& gl, const PatchList& patches);
+/// `nearest`: lookups take the nearest texel, for colours that stand for labels.
+Result<MapArray> upload_colours(const Gl& gl, const PatchList& patches, bool nearest = false);
 
 /// Masks: 1 at samples, 0 at holes and in a ring around each mask.
 Result<MapArray> upload_masks(const Gl& gl, const PatchList& patches);

@@ -13,6 +13,8 @@ void check(const Patch& patch) {
   require(patch.heights.size() == std::size_t{patch.width} * patch.height);
   require(patch.normals.texels.size() == std::size_t{patch.normals.width} * patch.normals.height);
   require(patch.colours.texels.size() == std::size_t{patch.colours.width} * patch.colours.height);
+  for (const AttributeMap<std::uint16_t>& map : patch.scalars)
+    require(map.texels.size() == std::size_t{map.width} * map.height);
 }
 
 void read(const PatchFile& file) {

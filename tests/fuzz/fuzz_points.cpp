@@ -24,6 +24,7 @@ void check(const Points& points) {
   const std::size_t triangles = points.triangles.size();
   require(fits(points.normals, count) && fits(points.colours, count) &&
           fits(points.texcoords, count));
+  for (const PointScalar& scalar : points.scalars) require(scalar.values.size() == count);
   require(fits(points.corner_texcoords, triangles) && fits(points.corner_tangents, triangles) &&
           fits(points.triangle_materials, triangles));
   for (const glm::dvec3& p : points.positions) {
@@ -70,7 +71,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   // read_bytes refuses an empty file before any reader sees it.
   if (text.empty()) return 0;
-  auto points = relief::fuzz::fuzzed_format->read({"fuzzed", text, progress, remarks});
+  const relief::ScalarChoice scalars{true, {}};
+  auto points =
+      relief::fuzz::fuzzed_format->read({"fuzzed", text, progress, remarks, nullptr, &scalars});
   if (points) {
     relief::fuzz::check(relief::clean_points(*std::move(points)).points);
   } else {

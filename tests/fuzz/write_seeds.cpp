@@ -68,8 +68,8 @@ void add_scans(const Seeds& seeds) {
 }
 
 void add_patch_files(const Seeds& seeds, const fs::path& test_data) {
-  for (const char* name :
-       {"version1.relief", "version2.relief", "version3.relief", "version3_seams.relief"})
+  for (const char* name : {"version1.relief", "version1_scalars.relief", "version2.relief",
+                           "version2_scalars.relief", "version3.relief", "version3_seams.relief"})
     seeds.add("patch_file", name, slurp(test_data / name));
   const ScratchFolder scratch;
   for (const PatchCodec codec : {PatchCodec::Fast, PatchCodec::Compact}) {

@@ -47,4 +47,10 @@ Status decode_normals_compact(std::span<const std::byte> bytes, std::uint32_t sc
 /// Sets `patch.colours`, as decode_normals_compact does for normals.
 Status decode_colours_compact(std::span<const std::byte> bytes, std::uint32_t scale, Patch& patch);
 
+/// As encode_scalar and decode_scalar (fast/patch_codec.h).
+[[nodiscard]] std::vector<std::byte> encode_scalar_compact(const Patch& patch,
+                                                           const AttributeMap<std::uint16_t>& map);
+Result<AttributeMap<std::uint16_t>> decode_scalar_compact(std::span<const std::byte> bytes,
+                                                          std::uint32_t scale, const Patch& patch);
+
 }  // namespace relief

@@ -19,7 +19,8 @@ enum PatchFlag : std::uint8_t {
   OwnHeightStep = 2,
   HasNormals = 4,
   HasColours = 8,
-  AllFlags = 15,
+  HasScalars = 16,
+  AllFlags = 31,
 };
 
 /// Positions up to this magnitude are distinct in double precision.
@@ -124,6 +125,9 @@ std::vector<std::byte> write_compact_index(const FileIndex& index, const FileHea
     if (patch.height_step != height_step) flags |= OwnHeightStep;
     if (normals != nullptr) flags |= HasNormals;
     if (colours != nullptr) flags |= HasColours;
+    const auto scalars =
+        static_cast<std::uint64_t>(std::ranges::count(chunks, kScalarChunk, &ChunkRecord::type));
+    if (scalars > 0) flags |= HasScalars;
     append_number(out, flags);
     if ((flags & OwnSpacing) != 0) append_number(out, patch.spacing);
     if ((flags & OwnHeightStep) != 0) append_number(out, patch.height_step);
@@ -143,6 +147,13 @@ std::vector<std::byte> write_compact_index(const FileIndex& index, const FileHea
       if (map == nullptr) continue;
       append_varint(out, map->scale);
       append_chunk(*map, out);
+    }
+    if (scalars == 0) continue;
+    append_varint(out, scalars);
+    for (const ChunkRecord& chunk : chunks) {
+      if (chunk.type != kScalarChunk) continue;
+      append_varint(out, chunk.scale);
+      append_chunk(chunk, out);
     }
   }
   return out;
@@ -208,14 +219,15 @@ Result<FileIndex> parse_compact_index(std::span<const std::byte> bytes, const Fi
     }
 
     record.first_chunk = static_cast<std::uint32_t>(index.chunks.size());
-    for (const auto& [flag, type] : {std::pair{std::uint8_t{0}, kHeightsChunk},
-                                     std::pair{std::uint8_t{HasNormals}, kNormalsChunk},
-                                     std::pair{std::uint8_t{HasColours}, kColoursChunk}}) {
-      if (flag != 0 && (flags & flag) == 0) continue;
+    std::vector<ChunkType> types{kHeightsChunk};
+    if ((flags & HasNormals) != 0) types.push_back(kNormalsChunk);
+    if ((flags & HasColours) != 0) types.push_back(kColoursChunk);
+    bool has_count = (flags & HasScalars) == 0;
+    for (std::size_t c = 0; c < types.size(); ++c) {
       ChunkRecord chunk;
-      chunk.type = type;
+      chunk.type = types[c];
       std::uint64_t scale = 1;
-      if (flag != 0 && (!take_varint(in, scale) || scale > UINT16_MAX)) {
+      if (c > 0 && (!take_varint(in, scale) || scale > UINT16_MAX)) {
         return damaged(p, "a map has no scale");
       }
       chunk.scale = static_cast<std::uint16_t>(scale);
@@ -224,6 +236,12 @@ Result<FileIndex> parse_compact_index(std::span<const std::byte> bytes, const Fi
       }
       index.chunks.push_back(chunk);
       ++record.chunk_count;
+      if (has_count || c + 1 < types.size()) continue;
+      std::uint64_t scalars = 0;
+      if (!take_varint(in, scalars) || scalars > kMaxScalars)
+        return damaged(p, "it has too many scalars");
+      types.resize(types.size() + scalars, kScalarChunk);
+      has_count = true;
     }
     index.patches.push_back(record);
   }

@@ -21,6 +21,9 @@ namespace {
 /// The expected magnitude of residuals before any are known, in 1/256.
 constexpr std::uint32_t kFirstExpectation = 8 << kExpectationBits;
 
+/// Values are signed in this codec; the codes of scalars are not.
+constexpr std::int32_t kScalarMiddle = 32768;
+
 /// The magnitude, in 1/256, that the residuals of one channel have around texel k: those to the
 /// west and north count three times as much as those to the north-west and north-east.
 std::uint32_t expectation_at(const Neighbours& magnitudes) {
@@ -231,6 +234,29 @@ Status decode_colours_compact(std::span<const std::byte> bytes, std::uint32_t sc
   }
   continue_over_holes(map, kept);
   return {};
+}
+
+std::vector<std::byte> encode_scalar_compact(const Patch& patch,
+                                             const AttributeMap<std::uint16_t>& map) {
+  const std::vector<std::uint8_t> kept = kept_texels(patch, map.scale);
+  std::array<std::vector<std::int32_t>, 1> values;
+  values[0].reserve(map.texels.size());
+  for (const std::uint16_t code : map.texels) values[0].push_back(code - kScalarMiddle);
+  return encode_map({map.width, map.height, kept}, values, predict_median);
+}
+
+Result<AttributeMap<std::uint16_t>> decode_scalar_compact(std::span<const std::byte> bytes,
+                                                          std::uint32_t scale, const Patch& patch) {
+  const std::vector<std::uint8_t> kept = kept_texels(patch, scale);
+  AttributeMap<std::uint16_t> map;
+  shape_map(patch, scale, map);
+  std::array<std::vector<std::int32_t>, 1> values;
+  RELIEF_TRY(decode_map(bytes, {map.width, map.height, kept}, predict_median, values));
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    map.texels[k] =
+        kept[k] == 0 ? kNoScalar : static_cast<std::uint16_t>(values[0][k] + kScalarMiddle);
+  }
+  return map;
 }
 
 }  // namespace relief

@@ -54,6 +54,17 @@ Status decode_normals(std::span<const std::byte> bytes, std::uint32_t scale, Pat
 Status decode_colours(std::span<const std::byte> bytes, std::uint32_t scale, Patch& patch,
                       ZstdContexts& zstd);
 
+/// Encodes the codes of a scalar exactly, without the texels over holes.
+[[nodiscard]] std::vector<std::byte> encode_scalar(const Patch& patch,
+                                                   const AttributeMap<std::uint16_t>& map,
+                                                   ZstdContexts& zstd);
+
+/// Returns the map of a scalar; the heights are already decoded. Texels that were not stored are
+/// kNoScalar.
+Result<AttributeMap<std::uint16_t>> decode_scalar(std::span<const std::byte> bytes,
+                                                  std::uint32_t scale, const Patch& patch,
+                                                  ZstdContexts& zstd);
+
 /// Sets the size of a map for `patch`.
 template <class Texel>
 void shape_map(const Patch& patch, std::uint32_t scale, AttributeMap<Texel>& map) {

@@ -7,6 +7,8 @@
 #include "preprocess/readers/las/airborne.h"
 #include "preprocess/readers/las/las_header.h"
 #include "preprocess/readers/las/las_point.h"
+#include "preprocess/readers/las/las_scalars.h"
+#include "preprocess/readers/number_type.h"
 #include "preprocess/readers/readers.h"
 
 namespace relief {
@@ -155,6 +157,13 @@ Result<bool> is_airborne(const Source& source, const LasHeader& header) {
 
 Result<Points> read_las(const Source& source) {
   RELIEF_TRY_ASSIGN(const auto header, read_las_header(source));
+  if (header.is_packed && source.scalars != nullptr &&
+      (source.scalars->all || !source.scalars->names.empty())) {
+    return make_error(
+        "{}: scalars of packed LAS files cannot be read; unpack it first, with `pdal translate "
+        "IN.laz OUT.las`",
+        source.name);
+  }
   RELIEF_TRY_ASSIGN(const Colours colours, find_colours(source, header));
   RELIEF_TRY_ASSIGN(const bool from_above, is_airborne(source, header));
   RELIEF_TRY_ASSIGN(const auto reader, open_points(source, header));
@@ -168,6 +177,9 @@ Result<Points> read_las(const Source& source) {
           : header.points;
   points.positions.reserve(capacity);
   if (colours != Colours::None) points.colours.reserve(capacity);
+  const std::vector<LasScalar> scalars =
+      header.is_packed ? std::vector<LasScalar>() : find_las_scalars(source, header);
+  for (const LasScalar& scalar : scalars) points.scalars.push_back({scalar.name, false, {}});
   // The upper byte is right for both scalings of a byte to 16 bits, by 256 and by 257.
   const unsigned shift = colours == Colours::Words ? 8 : 0;
   PointFilter filter(source.selection(), header.is_wide());
@@ -181,6 +193,9 @@ Result<Points> read_las(const Source& source) {
     if (colours != Colours::None)
       points.colours.emplace_back(point.colour.x >> shift, point.colour.y >> shift,
                                   point.colour.z >> shift);
+    const char* const record = source.text.data() + header.body + i * header.stride;
+    for (std::size_t k = 0; k < scalars.size(); ++k)
+      points.scalars[k].values.push_back(scalars[k].of(record));
     if (source.sink != nullptr && points.size() == PointSink::kBlockPoints) {
       given += points.size();
       if (Status taken = source.sink->take(std::exchange(points, {})); !taken) return taken.error();

@@ -209,6 +209,10 @@ class LasHeaderReader {
 
 }  // namespace
 
+std::size_t LasHeader::standard_bytes() const {
+  return kShapes[format].size;
+}
+
 std::size_t LasHeader::colour_at() const {
   return kShapes[format].colour;
 }

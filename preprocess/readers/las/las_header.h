@@ -21,6 +21,8 @@ struct LasHeader {
 
   /// Formats 6 to 10 have separate bytes for flags and classes.
   [[nodiscard]] bool is_wide() const { return format >= 6; }
+  /// Bytes of a point without extra bytes.
+  [[nodiscard]] std::size_t standard_bytes() const;
   /// Offset of a point's red, green and blue; 0: no colours.
   [[nodiscard]] std::size_t colour_at() const;
 };

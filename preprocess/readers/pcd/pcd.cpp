@@ -38,9 +38,13 @@ struct PcdLayout {
   std::size_t packed_colour = SIZE_MAX;
   ColourNumbers colour_numbers = ColourNumbers::Integer;
 
-  explicit PcdLayout(const std::vector<PcdField>& fields) {
+  PcdLayout(const Source& source, const std::vector<PcdField>& fields) {
     for (std::size_t i = 0; i < fields.size(); ++i) {
-      roles.push_back(record.add(role_of(fields[i].name)));
+      // Padding, packed colours and histograms are no scalars.
+      const bool is_number =
+          fields[i].name != "_" && fields[i].count == 1 && !is_packed_colour(fields[i]);
+      roles.push_back(is_number ? record.add(fields[i].name, source)
+                                : record.add(role_of(fields[i].name)));
       if (roles[i] == Red && is_real(fields[i].type)) colour_numbers = ColourNumbers::Real;
       if (is_packed_colour(fields[i])) packed_colour = i;
     }
@@ -169,7 +173,7 @@ bool is_pcd(std::string_view text) {
 
 Result<Points> read_pcd(const Source& source) {
   RELIEF_TRY_ASSIGN(const auto header, read_pcd_header(source));
-  const PcdLayout layout(header.fields);
+  const PcdLayout layout(source, header.fields);
   if (!layout.record.positions()) {
     return make_error("{}: its points have no fields x, y and z", source.name);
   }

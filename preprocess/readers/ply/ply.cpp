@@ -88,7 +88,7 @@ class PlyBody {
     std::vector<Role> roles;  // per property
     ColourNumbers colour_numbers = ColourNumbers::Integer;
     for (const PlyProperty& property : element.properties) {
-      const Role role = layout.add(property.count_type ? Other : role_of(property.name));
+      const Role role = property.count_type ? Other : layout.add(property.name, source_);
       roles.push_back(role);
       if (role == Red && is_real(property.type)) colour_numbers = ColourNumbers::Real;
     }

@@ -141,7 +141,10 @@ class XyzReader {
     const std::string_view extension = dot == name.npos ? "" : name.substr(dot);
     ColumnRoles found = find_column_roles(table_, names_, extension);
     RecordLayout layout;
-    for (const Role role : found.roles) layout.add(role);
+    for (std::size_t c = 0; c < found.roles.size(); ++c) {
+      found.roles[c] = found.roles[c] == Other ? layout.add(found.names[c], source_)
+                                               : layout.add(found.roles[c]);
+    }
     collector_.emplace(layout, found.colour_numbers, table_.rows());
     roles_ = std::move(found.roles);
   }

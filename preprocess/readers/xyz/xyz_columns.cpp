@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "preprocess/readers/source.h"
 
 namespace relief {
@@ -28,6 +30,7 @@ std::optional<ColumnRoles> roles_from_names(const NumberTable& table, std::strin
   ColumnRoles found;
   for (const std::string& name : names) found.roles.push_back(layout.add(role_of(name)));
   if (!layout.positions()) return std::nullopt;
+  found.names = names;
   return found;
 }
 
@@ -101,6 +104,10 @@ ColumnRoles find_column_roles(const NumberTable& table, std::string_view names,
     }
     column += 3;
   }
+  for (std::size_t c = 0; c < table.columns; ++c)
+    found.names.push_back(fmt::format("column{}", c + 1));
+  const bool has_intensity = table.columns == 4 || table.columns == 7;
+  if (extension == ".pts" && has_intensity) found.names[3] = "intensity";
   return found;
 }
 

@@ -20,6 +20,7 @@ struct NumberTable {
 struct ColumnRoles {
   std::vector<Role> roles;  ///< per column
   ColourNumbers colour_numbers = ColourNumbers::Integer;
+  std::vector<std::string> names;  ///< per column, of those that are scalars
 };
 
 /// Gives each column its role.
@@ -29,9 +30,10 @@ struct ColumnRoles {
 ///    - integers from 0 to 65535, not all of them 0 or 1: a colour;
 ///    - vectors of length 1 (within 5 %, in 9 of 10 rows that are not 0): a normal;
 ///    - numbers from 0 to 1: a colour.
-///    Other columns (intensity, classification, time) are ignored.
+/// Other columns (intensity, classification, time) are scalars, named as in that line, or column4,
+/// column5 ... without one.
 /// `extension` decides ambiguous cases: `.xyzn` has normals, `.xyzrgb` colours, and the fourth of
-/// seven columns of `.pts` is the intensity.
+/// four or seven columns of `.pts` is the intensity.
 [[nodiscard]] ColumnRoles find_column_roles(const NumberTable& table, std::string_view names,
                                             std::string_view extension);
 

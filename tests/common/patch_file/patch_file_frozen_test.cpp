@@ -17,7 +17,9 @@ std::filesystem::path frozen(const std::string& name) {
 }
 
 class FrozenPatchFile : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Versions, FrozenPatchFile, testing::Values("version1", "version2"));
+INSTANTIATE_TEST_SUITE_P(Versions, FrozenPatchFile,
+                         testing::Values("version1", "version2", "version1_scalars",
+                                         "version2_scalars"));
 
 TEST_P(FrozenPatchFile, DecodesAsItAlwaysDid) {
   const std::string name = GetParam();

@@ -239,7 +239,49 @@ def decode_colours(data, patch, scale):
     patch["colours"] = (scale, width, texels)
 
 
-DECODERS = {b"HGHT": decode_heights, b"NRML": decode_normals, b"COLR": decode_colours}
+def median(w, n, nw, ne, last):
+    prediction = plane(w, n, nw, ne, last)
+    if None in (w, n, nw):
+        return prediction
+    return min(max(prediction, min(w, n)), max(w, n))
+
+
+NO_SCALAR = 65535
+
+
+def add_scalar(patch, scale, kept, values):
+    texels = [(v if k else NO_SCALAR,) for v, k in zip(values, kept)]
+    name = "scalar %d" % sum(1 for key in patch if key.startswith("scalar "))
+    patch[name] = (scale, scale * (patch["width"] - 1) + 1, texels)
+
+
+def decode_scalar(data, patch, scale):
+    kept = kept_texels(patch, scale)
+    width = scale * (patch["width"] - 1) + 1
+    values = unpredict(data.residuals(sum(kept)), kept, width, median, wrap_unsigned)
+    add_scalar(patch, scale, kept, values)
+
+
+def scalar_table(data):
+    """A line for each scalar."""
+    lines = []
+    for _ in range(data.take("B")):
+        length = data.take("B")
+        name = bytes(data.take("%ds" % length)).decode("ascii")
+        flags, offset, step = data.take("Bdd")
+        quantiles = data.take("101H")
+        lines.append("scalar %s%s offset %.17g step %.17g" % (name, " label" if flags else "", offset, step))
+        lines.append("quantiles " + " ".join(map(str, quantiles)))
+    assert data.at == len(data.data)
+    return lines
+
+
+DECODERS = {
+    b"HGHT": decode_heights,
+    b"NRML": decode_normals,
+    b"COLR": decode_colours,
+    b"SCLR": decode_scalar,
+}
 
 # Codec 2 and the index of version 2.
 
@@ -436,11 +478,11 @@ def decode_compact_map(data, kept, width, channels, predict):
     return values
 
 
-def median(w, n, nw, ne, last):
-    prediction = plane(w, n, nw, ne, last)
-    if None in (w, n, nw):
-        return prediction
-    return min(max(prediction, min(w, n)), max(w, n))
+def decode_compact_scalar(data, patch, scale):
+    kept = kept_texels(patch, scale)
+    width = scale * (patch["width"] - 1) + 1
+    (values,) = decode_compact_map(data, kept, width, 1, median)
+    add_scalar(patch, scale, kept, [v + 32768 for v in values])
 
 
 def decode_compact_normals(data, patch, scale):
@@ -472,6 +514,7 @@ COMPACT_DECODERS = {
     b"HGHT": decode_compact_heights,
     b"NRML": decode_compact_normals,
     b"COLR": decode_compact_colours,
+    b"SCLR": decode_compact_scalar,
 }
 
 
@@ -518,8 +561,12 @@ def compact_index(index, spacing, bounds, count, offset):
         width, height, samples, _, _ = (varint(index) for _ in range(5))
         index.take("3b")
         chunks = []
-        for kind, flag in ((b"HGHT", 0), (b"NRML", 4), (b"COLR", 8)):
+        kinds = [(b"HGHT", 0), (b"NRML", 4), (b"COLR", 8)] + [(None, 16)] * bool(flags & 16)
+        for kind, flag in kinds:
             if flag and not flags & flag:
+                continue
+            if kind is None:
+                kinds += [(b"SCLR", 16)] * varint(index)
                 continue
             scale = varint(index) if flag else 1
             size = varint(index)
@@ -567,6 +614,8 @@ def describe_block(data, bounds):
                 lines.append("extreme " + numbers(point))
         if kind == b"STND":
             lines.append("stands " + numbers(entry.take("6d")) + " %d" % entry.take("B"))
+        if kind == b"SCLS":
+            lines += scalar_table(entry)
     return lines
 
 
@@ -618,6 +667,8 @@ def describe(file):
             row = heights[k : k + width]
             lines.append(" ".join("." if h is HOLE else str(h) for h in row))
         lines += describe_map("normals", patch) + describe_map("colours", patch)
+        for name in sorted(key for key in patch if key.startswith("scalar ")):
+            lines += describe_map(name, patch)
     return "\n".join(lines) + "\n"
 
 

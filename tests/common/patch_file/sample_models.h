@@ -131,6 +131,35 @@ inline Patch bumpy_patch(const PatchShape& shape) {
   return patch;
 }
 
+/// Gives a model two scalars: whole numbers that vary smoothly, with texels without a value, at two
+/// texels a cell; and labels.
+inline void add_scalars(PatchModel& model) {
+  ScalarInfo number{"intensity", false, -1.5, 0.25, {}};
+  ScalarInfo label{"classification", true, 2.0, 1.0, {}};
+  for (std::size_t k = 0; k < number.quantiles.size(); ++k) {
+    number.quantiles[k] = static_cast<std::uint16_t>(600 * k);
+    label.quantiles[k] = static_cast<std::uint16_t>(k / 40);
+  }
+  model.scalars = {number, label};
+  for (Patch& patch : model.patches) {
+    for (const std::uint32_t scale : {2U, 1U}) {
+      AttributeMap<std::uint16_t> map;
+      map.scale = scale;
+      map.width = scale * (patch.width - 1) + 1;
+      map.height = scale * (patch.height - 1) + 1;
+      for (std::uint32_t b = 0; b < map.height; ++b) {
+        for (std::uint32_t a = 0; a < map.width; ++a) {
+          const bool has_none = scale == 2 && (a * b) % 23 == 22;
+          const auto smooth = static_cast<std::uint16_t>(30000 + 800 * a - 500 * b);
+          const auto class_code = static_cast<std::uint16_t>(a / 5 % 3);
+          map.texels.push_back(has_none ? kNoScalar : (scale == 2 ? smooth : class_code));
+        }
+      }
+      patch.scalars.push_back(std::move(map));
+    }
+  }
+}
+
 /// A model of `patches` patches of various sizes.
 inline PatchModel bumpy_model(std::uint32_t patches, std::uint32_t colours = 0) {
   PatchModel model;

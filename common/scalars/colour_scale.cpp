@@ -1,0 +1,42 @@
+#include "common/scalars/colour_scale.h"
+
+#include "common/scalars/quantise.h"
+
+namespace relief {
+namespace {
+
+double value_of(const RangeEnd& end, const Quantiles& quantiles) {
+  return end.is_percent ? at_percent(quantiles, end.number) : end.number;
+}
+
+}  // namespace
+
+glm::u8vec3 ColourScale::at(double value) const {
+  if (is_label) {
+    const auto label = static_cast<std::uint32_t>(value);
+    return name == "classification" ? las_class_colour(label) : label_colour(label);
+  }
+  // A range of one value: all have the middle of the map.
+  if (!(high > low)) return colour_at(map, 0.5);
+  return colour_at(map, value / (high - low) - low / (high - low));
+}
+
+Result<ColourScale> make_colour_scale(const ColourBy& colour_by, bool has_labels,
+                                      const Quantiles& quantiles) {
+  ColourScale scale;
+  scale.name = colour_by.scalar;
+  scale.has_labels = has_labels;
+  scale.is_label = has_labels && !colour_by.map && !colour_by.range;
+  scale.map = colour_by.map.value_or(ColourMap::Viridis);
+  const ColourRange range = colour_by.range.value_or(ColourRange());
+  scale.low = value_of(range.low, quantiles);
+  scale.high = value_of(range.high, quantiles);
+  if (scale.low > scale.high) {
+    return make_error(
+        "the range of {} is empty: it is {:g} to {:g}, and its values are {:g} to {:g}", scale.name,
+        scale.low, scale.high, quantiles.front(), quantiles.back());
+  }
+  return scale;
+}
+
+}  // namespace relief
