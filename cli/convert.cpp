@@ -24,8 +24,8 @@
 #include "cli/options/texture_options.h"
 #include "cli/options/values.h"
 #include "cli/reports/convert_report.h"
-#include "common/io/standard_input.h"
 #include "common/io/extension.h"
+#include "common/io/standard_input.h"
 #include "common/patch_file/patch_file.h"
 #include "loader/load_files.h"
 #include "preprocess/convert_tiles.h"
@@ -113,8 +113,8 @@ Result<ConvertSummary> convert_heights(const ConvertArguments& arguments, Progre
         input.string());
   }
   RELIEF_TRY_ASSIGN(const auto converted,
-                    convert_raster(input, texture_choice(arguments.texture, false), arguments.options,
-                                   arguments.tiles.read, progress));
+                    convert_raster(input, texture_choice(arguments.texture, false),
+                                   arguments.options, arguments.tiles.read, progress));
   RELIEF_TRY(write_patches(arguments, converted.model, progress));
   ConvertSummary summary;
   summary.report = converted.report;

@@ -77,7 +77,8 @@ Result<LoadedScan> load_scan(const std::filesystem::path& path, const LoadOption
   const std::optional<ColourBy>& colour_by = options.colour_by;
   ReadOptions read = options.read;
   if (colour_by) read.scalars = scalars_for(*colour_by);
-  auto scan = load_mesh(path, colour_by ? TextureChoice{true, {}} : options.textures, progress, read);
+  auto scan =
+      load_mesh(path, colour_by ? TextureChoice{true, {}} : options.textures, progress, read);
   if (!scan) return scan.error();
   LoadedScan made;
   LoadedFile& file = made.file;

@@ -50,7 +50,7 @@ void add_colour_options(CLI::App& sub, ColourArguments& arguments) {
              },
              "Colour by a scalar of the scan instead of its colours: height, distance (to the "
              "nearest point), intensity, classification, return_number or any other; a patch file "
-             "needs `relief convert --scalars` for all but height")
+             "needs `relief convert --scalars` for all but height (default: the stored colours)")
           ->check([](const std::string& text) {
             return text.empty() ? "expected the name of a scalar; found none" : std::string();
           })

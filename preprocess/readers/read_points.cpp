@@ -85,8 +85,8 @@ Result<ReadResult> read_and_clean(const std::filesystem::path& path, std::vector
   RELIEF_TRY(check_classes(name, *format, options.selection));
   progress.begin_stage("read", text.size());
   ReadRemarks remarks;
-  auto points = format->read(
-      {name, text, progress, remarks, nullptr, &options.selection, &options.scalars});
+  auto points =
+      format->read({name, text, progress, remarks, nullptr, &options.selection, &options.scalars});
   if (!points) return points.error();
   bytes = std::vector<std::byte>();  // frees; = {} would keep the memory
 

@@ -36,8 +36,8 @@ Result<Points> read_ply(const Source& source);
 /// 1), which are a camera's.
 Result<Points> read_pcd(const Source& source);
 
-/// Reads LAS 1.1 to 1.4, point record formats 0 to 10, and LAZ, without its scalars, if the build has
-/// LASzip; skips waveforms. Leaves out points that are marked as withheld, classified as noise
+/// Reads LAS 1.1 to 1.4, point record formats 0 to 10, and LAZ, without its scalars, if the build
+/// has LASzip; skips waveforms. Leaves out points that are marked as withheld, classified as noise
 /// (if no classes are selected) or not selected; fails if no point is left. Keeps the upper byte of
 /// 16-bit colours. If no colour of the file is above 255, they are 8-bit values; if all are 0, the
 /// file has no colours. Says whether the scan looks airborne (looks_airborne).

@@ -9,8 +9,8 @@
 
 #include "common/bounds.h"
 #include "common/error.h"
-#include "common/scalars/scalar_names.h"
 #include "common/points.h"
+#include "common/scalars/scalar_names.h"
 
 namespace relief {
 

@@ -42,9 +42,9 @@ TEST_F(InputsTest, PointsAreSelectedByClassReturnAndBox) {
                                 options)),
               0)
         << errors();
-    const auto json = nlohmann::json::parse(bytes_of(path("json")));
-    EXPECT_EQ(json["points"].get<int>() + json["points_not_selected"].get<int>(), 7200);
-    return json["points"].get<int>();
+    const auto report = nlohmann::json::parse(bytes_of(path("json")));
+    EXPECT_EQ(report["points"].get<int>() + report["points_not_selected"].get<int>(), 7200);
+    return report["points"].get<int>();
   };
   EXPECT_EQ(points(""), 7200);
   EXPECT_EQ(points("--classes 2"), 3600);
@@ -66,10 +66,10 @@ TEST_F(InputsTest, PointsAreSelectedByClassReturnAndBox) {
 TEST_F(InputsTest, ARasterIsConvertedAndDrawn) {
   write("grid.csv", csv_text(hills(40, 30)));
   ASSERT_EQ(shell("$R convert $F/grid.csv -o $F/grid.relief --json > $F/json"), 0) << errors();
-  const auto json = nlohmann::json::parse(bytes_of(path("json")));
-  EXPECT_EQ(json["samples"], json["points"]);
-  EXPECT_EQ(json["error_max"], 0.0);
-  EXPECT_TRUE(json["psnr_db"].is_null());
+  const auto report = nlohmann::json::parse(bytes_of(path("json")));
+  EXPECT_EQ(report["samples"], report["points"]);
+  EXPECT_EQ(report["error_max"], 0.0);
+  EXPECT_TRUE(report["psnr_db"].is_null());
   EXPECT_EQ(shell("$R render $F/grid.csv -o $F/a.png --size 64x64 > $F/out"), 0) << errors();
   EXPECT_EQ(shell("$R render $F/grid.csv -o $F/b.png --size 64x64 --engine ewa > $F/out"), 0)
       << errors();
