@@ -15,7 +15,7 @@ Result<ReadResult> try_read(const std::string& name, std::string_view bytes,
                             const ScalarChoice& choice) {
   Progress progress;
   const auto* const begin = reinterpret_cast<const std::byte*>(bytes.data());
-  return read_bytes(name, {begin, begin + bytes.size()}, progress, choice);
+  return read_bytes(name, {begin, begin + bytes.size()}, progress, {.scalars = choice});
 }
 
 std::vector<PointScalar> read(const std::string& name, std::string_view bytes,
