@@ -76,7 +76,7 @@ void add_colour_options(CLI::App& sub, ColourArguments& arguments) {
       ->needs(colour_by);
   sub.add_flag_callback(
          "--no-legend", [&arguments] { arguments.legend = false; },
-         "Leave out the legend of --colour-by, which a .png has in its lower right corner")
+         "Leave out the legend of --colour-by, which a .png or film has in a corner")
       ->needs(colour_by);
 }
 
