@@ -103,7 +103,7 @@ class ImageWriter {
     const bool is_exr = lower_extension(file) == ".exr";
     if (!is_exr) {
       expose(image, exposure);
-      if (colours) lacks_legend_ |= !draw_legend(*colours, image);
+      if (colours) lacks_legend_ |= !draw_legend(*colours, image, corner_);
     }
     if (is_film) return film_->add(image);
     RELIEF_TRY(is_exr ? write_exr(file, image) : write_png(file, image));
@@ -128,6 +128,7 @@ class ImageWriter {
   std::optional<FilmFile> film_;
   std::atomic<std::size_t> written_ = 0;
   bool lacks_legend_ = false;
+  std::optional<LegendCorner> corner_;  ///< of all legends, so that they do not jump in a film
 };
 
 /// Loads, renders and writes.

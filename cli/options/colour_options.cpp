@@ -48,9 +48,9 @@ void add_colour_options(CLI::App& sub, ColourArguments& arguments) {
              [&arguments](const std::string& text) {
                arguments.scalar = canonical_scalar_name(text);
              },
-             "Colour by a scalar of the scan instead of its colours: height, distance (to the "
-             "nearest point), intensity, classification, return_number or any other; a patch file "
-             "needs `relief convert --scalars` for all but height (default: the stored colours)")
+             "Colour by a scalar of the scan: height, distance (to the nearest point), intensity, "
+             "classification, return_number or any other; a patch file needs `relief convert "
+             "--scalars` for all but height (default: by the scan's own colours)")
           ->check([](const std::string& text) {
             return text.empty() ? "expected the name of a scalar; found none" : std::string();
           })
@@ -76,7 +76,7 @@ void add_colour_options(CLI::App& sub, ColourArguments& arguments) {
       ->needs(colour_by);
   sub.add_flag_callback(
          "--no-legend", [&arguments] { arguments.legend = false; },
-         "Leave out the legend of --colour-by, which a .png has in its lower right corner")
+         "Leave out the legend of --colour-by, which a .png or film has in a corner")
       ->needs(colour_by);
 }
 

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vec2.hpp>
+#include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -52,50 +55,103 @@ std::string label_text(const ColourScale& scale, std::uint32_t label) {
   return name.empty() ? fmt::format("{}", label) : fmt::format("{}  {}", label, name);
 }
 
-/// One corner of a legend, in pixels, and its text size.
-struct Place {
+/// Where the panel is, whole pixels.
+struct Panel {
   double left = 0.0;
   double top = 0.0;
-  double em = 0.0;
+  double right = 0.0;
+  double bottom = 0.0;
+};
+
+Panel panel_in(LegendCorner corner, double width, double height, double margin,
+               const Image& image) {
+  Panel panel;
+  panel.left = std::round(corner.is_left ? margin : image.width - margin - width);
+  panel.top = std::round(corner.is_top ? margin : image.height - margin - height);
+  panel.right = panel.left + std::round(width);
+  panel.bottom = panel.top + std::round(height);
+  return panel;
+}
+
+/// Counts the pixels under a panel that differ from the one in the image's corner, which nearly
+/// always shows the background.
+std::size_t count_hidden(const Panel& panel, LegendCorner corner, const Image& image) {
+  const std::size_t x = corner.is_left ? 0 : image.width - 1;
+  const std::size_t y = corner.is_top ? 0 : image.height - 1;
+  const std::size_t background = y * image.width + x;
+  std::size_t count = 0;
+  for (auto j = static_cast<std::size_t>(panel.top); j < static_cast<std::size_t>(panel.bottom);
+       ++j) {
+    for (auto i = static_cast<std::size_t>(panel.left); i < static_cast<std::size_t>(panel.right);
+         ++i) {
+      const std::size_t pixel = j * image.width + i;
+      count += std::ranges::any_of(image.channels, [&](const Channel& channel) {
+        return channel.values[pixel] != channel.values[background];
+      });
+    }
+  }
+  return count;
+}
+
+/// What a legend is drawn on.
+struct Canvas {
+  Image& image;
+  std::optional<LegendCorner>& corner;
+  double em = 0.0;  ///< size of the text, pixels
 };
 
 /// Draws the panel for a content of this size, in ems, and the title. Returns where the content
 /// begins, or nothing if there is no room.
-std::optional<Place> open_panel(const std::string& title, double width, double height, double em,
-                                const Image& image, Painter& painter) {
+std::optional<glm::dvec2> open_panel(const std::string& title, double width, double height,
+                                     const Canvas& canvas, Painter& painter) {
+  const double em = canvas.em;
+  const Image& image = canvas.image;
   const double full_width = (std::max(width, text_width(title)) + 2.0 * kPadding) * em;
   const double full_height = (height + kLine + 2.0 * kPadding) * em;
-  if (full_width > kMaxShare * image.width || full_height > image.height - 2.0 * kMargin * em)
+  const double margin = kMargin * em;
+  if (full_width > kMaxShare * image.width || full_height > image.height - 2.0 * margin)
     return std::nullopt;
-  const double right = std::round(image.width - kMargin * em);
-  const double bottom = std::round(image.height - kMargin * em);
-  const Place panel{std::round(right - full_width), std::round(bottom - full_height), em};
-  painter.fill(panel.left, panel.top, right, bottom, kPanel, kPanelOpacity);
+  const auto panel_at = [&](LegendCorner corner) {
+    return panel_in(corner, full_width, full_height, margin, image);
+  };
+  if (!canvas.corner) {
+    std::size_t fewest = std::numeric_limits<std::size_t>::max();
+    for (const LegendCorner corner :
+         {LegendCorner{false, false}, {false, true}, {true, false}, {true, true}}) {
+      const std::size_t hidden = count_hidden(panel_at(corner), corner, image);
+      if (hidden >= fewest) continue;
+      fewest = hidden;
+      canvas.corner = corner;
+    }
+  }
+  const Panel panel = panel_at(*canvas.corner);
+  painter.fill(panel.left, panel.top, panel.right, panel.bottom, kPanel, kPanelOpacity);
   const double left = panel.left + kPadding * em;
   const double top = panel.top + kPadding * em;
   painter.text(title, left, top + kCapHeight * em, em, kText);
-  return Place{left, top + kLine * em, em};
+  return glm::dvec2(left, top + kLine * em);
 }
 
-bool draw_bar(const ColourScale& scale, double em, Image& image) {
-  const double bar = std::floor(kBarShare * image.height / em);  // ems
+bool draw_bar(const ColourScale& scale, const Canvas& canvas) {
+  const double em = canvas.em;
+  const double bar = std::floor(kBarShare * canvas.image.height / em);  // ems
   const int most = static_cast<int>(bar / kTicksApart) + 1;
   if (most < 2) return false;
   const std::vector<Tick> ticks = find_ticks(scale.low, scale.high, most);
   double widest = 0.0;
   for (const Tick& tick : ticks) widest = std::max(widest, text_width(tick.text));
   const double numbers = kBarWidth + kTickLength + kGap;
-  Painter painter(image);
+  Painter painter(canvas.image);
   const auto place =
-      open_panel(title_of(scale), numbers + widest, bar + 0.5 * kLine, em, image, painter);
+      open_panel(title_of(scale), numbers + widest, bar + 0.5 * kLine, canvas, painter);
   if (!place) return false;
-  const double top = std::round(place->top + 0.25 * kLine * em);
+  const double top = std::round(place->y + 0.25 * kLine * em);
   const double bottom = std::round(top + bar * em);
-  const double right = std::round(place->left + kBarWidth * em);
+  const double right = std::round(place->x + kBarWidth * em);
   for (double y = top; y < bottom; y += 1.0) {
     const double share = (bottom - 0.5 - y) / (bottom - top);
     const glm::u8vec3 colour = scale.at(std::lerp(scale.low, scale.high, share));
-    painter.fill(std::round(place->left), y, right, y + 1.0, linear_from_srgb8(colour), 1.0F);
+    painter.fill(std::round(place->x), y, right, y + 1.0, linear_from_srgb8(colour), 1.0F);
   }
   const double thickness = std::max(1.0, std::round(em / 14.0));
   for (const Tick& tick : ticks) {
@@ -104,7 +160,7 @@ bool draw_bar(const ColourScale& scale, double em, Image& image) {
     const double y = std::lerp(bottom, top, share);
     const double line = std::clamp(std::round(y - 0.5 * thickness), top, bottom - thickness);
     painter.fill(right, line, right + kTickLength * em, line + thickness, kText, 1.0F);
-    painter.text(tick.text, place->left + numbers * em, y + 0.5 * kCapHeight * em, em, kText);
+    painter.text(tick.text, place->x + numbers * em, y + 0.5 * kCapHeight * em, em, kText);
   }
   return true;
 }
@@ -120,28 +176,28 @@ std::vector<Row> rows_of(const ColourScale& scale, std::size_t most) {
   return rows;
 }
 
-bool draw_list(const ColourScale& scale, double em, Image& image) {
-  const double room = kMaxShare * image.height / em - kLine - 2.0 * kPadding;
+bool draw_list(const ColourScale& scale, const Canvas& canvas) {
+  const double em = canvas.em;
+  const double room = kMaxShare * canvas.image.height / em - kLine - 2.0 * kPadding;
   const auto most = static_cast<std::size_t>(std::max(room / kLine, 0.0));
   if (most < 2) return false;
   const std::vector<Row> rows = rows_of(scale, most);
   double widest = 0.0;
   for (const Row& row : rows) widest = std::max(widest, text_width(row.text));
   const double texts = kBarWidth + kGap;
-  Painter painter(image);
+  Painter painter(canvas.image);
   const auto place = open_panel(title_of(scale), texts + widest,
-                                kLine * static_cast<double>(rows.size()), em, image, painter);
+                                kLine * static_cast<double>(rows.size()), canvas, painter);
   if (!place) return false;
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const double top = place->top + (static_cast<double>(k) * kLine + 0.25) * em;
+    const double top = place->y + (static_cast<double>(k) * kLine + 0.25) * em;
     const bool has_colour =
         k < scale.labels.size() && (k + 1 < rows.size() || rows.size() == scale.labels.size());
     if (has_colour) {
-      painter.fill(std::round(place->left), std::round(top),
-                   std::round(place->left + kBarWidth * em), std::round(top + em),
-                   linear_from_srgb8(rows[k].colour), 1.0F);
+      painter.fill(std::round(place->x), std::round(top), std::round(place->x + kBarWidth * em),
+                   std::round(top + em), linear_from_srgb8(rows[k].colour), 1.0F);
     }
-    painter.text(rows[k].text, place->left + texts * em, top + (0.5 + 0.5 * kCapHeight) * em, em,
+    painter.text(rows[k].text, place->x + texts * em, top + (0.5 + 0.5 * kCapHeight) * em, em,
                  kText);
   }
   return true;
@@ -149,10 +205,11 @@ bool draw_list(const ColourScale& scale, double em, Image& image) {
 
 }  // namespace
 
-bool draw_legend(const ColourScale& scale, Image& image) {
+bool draw_legend(const ColourScale& scale, Image& image, std::optional<LegendCorner>& corner) {
   const double smaller = std::min(image.width, image.height);
   for (const double em : {std::max(std::round(kTextShare * smaller), kMinText), kMinText}) {
-    if (scale.is_label ? draw_list(scale, em, image) : draw_bar(scale, em, image)) return true;
+    const Canvas canvas{image, corner, em};
+    if (scale.is_label ? draw_list(scale, canvas) : draw_bar(scale, canvas)) return true;
   }
   return false;
 }

@@ -14,6 +14,29 @@
 namespace relief {
 namespace {
 
+/// Gives every texel that is not known the colour of one beside it that is, outward from the known
+/// ones: means would be colours of no label.
+void spread_outward(AttributeMap<glm::u8vec3>& map, std::vector<std::uint8_t>& known) {
+  std::vector<std::size_t> queue;
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    if (known[k] != 0) queue.push_back(k);
+  }
+  for (std::size_t head = 0; head < queue.size(); ++head) {
+    const std::size_t from = queue[head];
+    const std::size_t i = from % map.width;
+    const std::size_t j = from / map.width;
+    for (std::size_t y = j > 0 ? j - 1 : 0; y <= j + 1 && y < map.height; ++y) {
+      for (std::size_t x = i > 0 ? i - 1 : 0; x <= i + 1 && x < map.width; ++x) {
+        const std::size_t to = y * map.width + x;
+        if (known[to] != 0) continue;
+        known[to] = 1;
+        map.texels[to] = map.texels[from];
+        queue.push_back(to);
+      }
+    }
+  }
+}
+
 void paint(const AttributeMap<std::uint16_t>& codes, const ScalarInfo& scalar,
            const ColourScale& scale, Patch& patch) {
   std::vector<std::uint8_t> known = kept_texels(patch, codes.scale);
@@ -24,7 +47,10 @@ void paint(const AttributeMap<std::uint16_t>& codes, const ScalarInfo& scalar,
     if (known[k] == 0) continue;
     patch.colours.texels[k] = code == kNoScalar ? kNoScalarColour : scale.at(scalar.value_of(code));
   }
-  continue_over_holes(patch.colours, known);
+  if (scale.is_label)
+    spread_outward(patch.colours, known);
+  else
+    continue_over_holes(patch.colours, known);
 }
 
 /// The labels at samples.

@@ -52,6 +52,10 @@ std::size_t count(const Image& image, glm::u8vec3 colour) {
   return found;
 }
 
+bool drawn(const ColourScale& scale, Image& image, std::optional<LegendCorner> corner = {}) {
+  return draw_legend(scale, image, corner);
+}
+
 TEST(Text, CoversAsMuchAsTheOutlineDoes) {
   // The letter l of DejaVu Sans is a bar of 184 x 1556 units; its area comes back at any position.
   for (const double shift : {0.0, 0.3, 0.71}) {
@@ -79,7 +83,7 @@ TEST(Text, OutsideOfTheImageIsNothing) {
 TEST(Legend, IsReadableOnAnyBackground) {
   for (const auto& [value, alpha] : {std::pair{0.0F, 1.0F}, {1.0F, 1.0F}, {0.0F, 0.0F}}) {
     Image image = plain(640, 512, value, alpha);
-    ASSERT_TRUE(draw_legend(bar(), image));
+    ASSERT_TRUE(drawn(bar(), image));
     // Its panel: 16 pixels from the lower right corner, beside any text.
     const float panel = at(image, "R", 620, 495);
     EXPECT_GE((0.9F + 0.05F) / (panel + 0.05F), 4.5F) << "WCAG's contrast for text";
@@ -90,14 +94,14 @@ TEST(Legend, IsReadableOnAnyBackground) {
 
 TEST(Legend, HasTheColoursOfTheMap) {
   Image image = plain(640, 512, 0.0F, 1.0F);
-  ASSERT_TRUE(draw_legend(bar(), image));
+  ASSERT_TRUE(drawn(bar(), image));
   EXPECT_GT(count(image, colour_at(ColourMap::Viridis, 0.002)), 0U);
   EXPECT_GT(count(image, colour_at(ColourMap::Viridis, 0.998)), 0U);
 }
 
 TEST(Legend, ListsLabelsWithTheirColours) {
   Image image = plain(640, 512, 0.0F, 1.0F);
-  ASSERT_TRUE(draw_legend(classes(7), image));
+  ASSERT_TRUE(drawn(classes(7), image));
   for (const std::uint32_t label : {0U, 2U, 6U})
     EXPECT_GT(count(image, las_class_colour(label)), 100U) << label;
   EXPECT_EQ(count(image, las_class_colour(9)), 0U);
@@ -106,7 +110,7 @@ TEST(Legend, ListsLabelsWithTheirColours) {
 TEST(Legend, OfManyLabelsFitsTheImage) {
   for (const std::uint32_t labels : {1U, 17U, 18U, 19U, 20U, 65535U}) {
     Image image = plain(640, 512, 0.0F, 1.0F);
-    EXPECT_TRUE(draw_legend(classes(labels), image)) << labels;
+    EXPECT_TRUE(drawn(classes(labels), image)) << labels;
     EXPECT_EQ(at(image, "R", 600, 20), 0.0F) << "the upper half stays free";
   }
 }
@@ -114,16 +118,42 @@ TEST(Legend, OfManyLabelsFitsTheImage) {
 TEST(Legend, IsLeftOutOfTinyImages) {
   for (const ColourScale& scale : {bar(), classes(3)}) {
     Image image = plain(64, 48, 0.5F, 1.0F);
-    EXPECT_FALSE(draw_legend(scale, image));
+    EXPECT_FALSE(drawn(scale, image));
     EXPECT_EQ(image.channels[0].values, std::vector<float>(64 * 48, 0.5F));
+  }
+}
+
+TEST(Legend, GoesWhereItHidesLeast) {
+  for (const LegendCorner free :
+       {LegendCorner{false, false}, {false, true}, {true, false}, {true, true}}) {
+    // Something in all corners but one.
+    Image image = plain(640, 512, 0.25F, 1.0F);
+    Painter painter(image);
+    painter.fill(80, 80, 560, 432, glm::vec3(0.5F), 1.0F);
+    for (const LegendCorner corner :
+         {LegendCorner{false, false}, {false, true}, {true, false}, {true, true}}) {
+      if (corner.is_left == free.is_left && corner.is_top == free.is_top) continue;
+      const double x = corner.is_left ? 20 : 540;
+      const double y = corner.is_top ? 20 : 412;
+      painter.fill(x, y, x + 80, y + 80, glm::vec3(0.5F), 1.0F);
+    }
+    std::optional<LegendCorner> corner;
+    ASSERT_TRUE(draw_legend(bar(), image, corner));
+    ASSERT_TRUE(corner);
+    EXPECT_EQ(corner->is_left, free.is_left);
+    EXPECT_EQ(corner->is_top, free.is_top);
+    // The next frame keeps it.
+    Image next = plain(640, 512, 0.25F, 1.0F);
+    ASSERT_TRUE(draw_legend(bar(), next, corner));
+    EXPECT_NE(at(next, "R", free.is_left ? 18 : 621, free.is_top ? 18 : 493), 0.25F);
   }
 }
 
 TEST(Legend, GrowsWithTheImage) {
   Image small = plain(640, 512, 0.0F, 0.0F);
   Image large = plain(2560, 2048, 0.0F, 0.0F);
-  ASSERT_TRUE(draw_legend(bar(), small));
-  ASSERT_TRUE(draw_legend(bar(), large));
+  ASSERT_TRUE(drawn(bar(), small));
+  ASSERT_TRUE(drawn(bar(), large));
   const auto covered = [](const Image& image) {
     const auto& alpha = image.channels[3].values;
     return std::accumulate(alpha.begin(), alpha.end(), 0.0) / static_cast<double>(alpha.size());

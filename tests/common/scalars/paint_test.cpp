@@ -46,6 +46,13 @@ TEST(PaintScalar, ListsTheLabelsThatOccur) {
   paint_scalar(1, scale, model);
   EXPECT_EQ(scale.labels, (std::vector<std::uint32_t>{2, 3, 4}));
   EXPECT_TRUE(model.has_label_colours);
+  for (const Patch& patch : model.patches) {
+    for (const glm::u8vec3 colour : patch.colours.texels) {
+      const bool is_one = colour == las_class_colour(2) || colour == las_class_colour(3) ||
+                          colour == las_class_colour(4);
+      ASSERT_TRUE(is_one) << "also over holes";
+    }
+  }
 }
 
 TEST(PaintScalar, PatchesWithoutItHaveNoColours) {
