@@ -32,6 +32,7 @@ Status add_forms(LoadedScene& scene, LoadedFile file, const FileUse& use,
 
 Status SceneAssembler::add(LoadedFile& file, const FileUse& use) {
   const std::uint32_t patches_before = patches_;
+  scene_.has_faces |= file.is_mesh;
   RELIEF_TRY(several_ ? add_model_instance(file, use) : move_model(file.patches, use));
   return add_forms(scene_, use.is_last ? std::move(file) : LoadedFile(file), use, patches_before);
 }

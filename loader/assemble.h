@@ -20,6 +20,7 @@ struct LoadedFile {
   std::optional<PatchRun> run;  ///< once `patches` have been moved into a scene of several models
   std::optional<TriangleMesh> mesh;
   std::optional<SplatCloud> splats;
+  bool is_mesh = false;    ///< the file has faces, or its patches are of some
   bool has_faces = false;  ///< the mesh is the file's own
 };
 

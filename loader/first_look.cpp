@@ -26,8 +26,9 @@ void complete_look(const PlannedView& view, const LoadedScene& scene, RenderSett
   if (engine && (*engine)->capabilities.needs_opengl && !is_timed &&
       planned.options.find("samples") == planned.options.end())
     settings.samples = kPictureSamples;
-  // Colours that stand for numbers say nothing of the shape: light does.
-  if (!planned.material && has_colours(scene) && !scene.colours)
+  // Colours that stand for numbers say nothing of the shape: light does. A mesh without light is
+  // flat.
+  if (!planned.material && has_colours(scene) && !scene.colours && !scene.has_faces)
     settings.material = Material::Unlit;
 }
 

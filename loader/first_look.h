@@ -11,8 +11,8 @@ namespace relief {
 inline constexpr int kPictureSamples = 4;
 
 /// Completes the settings of a view with what its plan leaves open: a background on which dark and
-/// light scans both show; kPictureSamples samples a pixel; the stored colours of a scan that has
-/// colours of its own, and light on any other.
+/// light scans both show; kPictureSamples samples a pixel; the stored colours of points that have
+/// some, which are photographs mostly and lit already, and light on anything else.
 void complete_look(const PlannedView& view, const LoadedScene& scene, RenderSettings& settings);
 
 }  // namespace relief

@@ -43,6 +43,7 @@ Result<LoadedFile> load_patch_file(const std::filesystem::path& path, Forms form
                                    const LoadOptions& options, Progress& progress) {
   RELIEF_TRY_ASSIGN(auto model, load_model(path, progress, options.read, options.textures));
   LoadedFile file;
+  file.is_mesh = is_joined(model);  // patches of bare points overlap, unless --seams joins them
   file.patches = std::move(model);
   if (forms.mesh) {
     RELIEF_TRY(add_mesh_of_patches(file, path));
@@ -87,6 +88,7 @@ Result<LoadedScan> load_scan(const std::filesystem::path& path, const LoadOption
   file.patches.extremes = extreme_points(scan->points.positions, file.patches.bounds);
   file.patches.stance = stance_of(scan->points);
   const bool has_triangles = !scan->points.triangles.empty();
+  file.is_mesh = has_triangles;
   if (colour_by) {
     const bool draws_points = needs.splats || (needs.mesh && has_triangles);
     auto scale = colour_scan(*colour_by, draws_points, scan->points);

@@ -17,6 +17,7 @@ struct LoadedScene {
   PatchModel patches;
   std::optional<TriangleMesh> mesh;
   std::optional<SplatCloud> splats;
+  bool has_faces = false;              ///< some model is a mesh, or was converted from one
   bool mesh_is_input = false;          ///< all triangles of the mesh are faces of the files
   std::optional<ColourScale> colours;  ///< what LoadOptions::colour_by made of it
 

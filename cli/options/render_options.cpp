@@ -161,7 +161,7 @@ void add_material_options(CLI::App& sub, SceneSettings& settings) {
       sub, "--material", settings.material, kMaterials,
       "Material: unlit shows the stored colour; lit shades it; mirror reflects --env; glass "
       "refracts it, too; split shows quarters: lit, mirror, both, the samples (default: unlit for "
-      "scans with colours, lit for others)");
+      "points with colours, lit for others)");
   add_number(sub, "--ior", settings.ior, kRefractiveIndices, "N",
              "glass: index of refraction, 1 to 4 (default 1.5)");
   sub.add_option_function<std::string>(

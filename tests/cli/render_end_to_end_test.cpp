@@ -1,4 +1,6 @@
 // From scans and patch files to images, through the command alone.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -230,6 +232,38 @@ TEST_F(RenderEndToEnd, TheImageDoesNotDependOnLlvmpipesThreads) {
   }
   ASSERT_FALSE(images[0].empty());
   EXPECT_EQ(images[0], images[1]);
+}
+
+/// A square of 2 n^2 triangles, red.
+std::string square_mesh(int n) {
+  std::string text = fmt::format(
+      "ply\nformat ascii 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty "
+      "float "
+      "z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nelement face {}\nproperty "
+      "list uchar int vertex_indices\nend_header\n",
+      (n + 1) * (n + 1), 2 * n * n);
+  for (int y = 0; y <= n; ++y) {
+    for (int x = 0; x <= n; ++x) text += fmt::format("{} {} 0 200 40 40\n", x, y);
+  }
+  for (int y = 0; y < n; ++y) {
+    for (int x = 0; x < n; ++x) {
+      const int at = y * (n + 1) + x;
+      text += fmt::format("3 {} {} {}\n3 {} {} {}\n", at, at + 1, at + n + 1, at + 1, at + n + 2,
+                          at + n + 1);
+    }
+  }
+  return text;
+}
+
+TEST_F(RenderEndToEnd, PointsShowTheirColoursAndMeshesAreLit) {
+  const auto material_of = [this](const std::string& scan) {
+    return run_json({"render", scan, "-o", path("look.png"), "--size", "64x64"})["material"];
+  };
+  EXPECT_EQ(material_of(write("points.ply", square_ply(21, "200 40 40"))), "unlit");
+  const std::string faces = write("faces.ply", square_mesh(20));
+  EXPECT_EQ(material_of(faces), "lit");
+  run_json({"convert", faces, "-o", path("faces.relief")});
+  EXPECT_EQ(material_of(path("faces.relief")), "lit") << "as the scan that it was";
 }
 
 TEST_F(RenderEndToEnd, EyeTargetAndOrbitAgree) {
