@@ -129,7 +129,7 @@ TEST(ReadBytesTest, SaysWhatCannotBeRead) {
   EXPECT_EQ(error("a.foo", "1 2 3\n"),
             "a.foo: neither its content nor its extension is of a readable format; readable "
             "formats are " +
-                readable_formats() + ", plain or gzipped");
+                readable_formats() + ", plain or gzipped; --format names one");
   EXPECT_EQ(error("a.zip", "PK\x03\x04..."),
             "a.zip: is a ZIP archive, which cannot be read; readable formats are " +
                 readable_formats() + ", plain or gzipped");

@@ -137,14 +137,18 @@ TEST(ScalarsOfLas, AreThoseOfEachPointRecordFormat) {
   for (std::uint8_t format = 0; format <= 10; ++format) {
     SCOPED_TRACE(int{format});
     const bool wide = format >= 6;
-    const auto scalars =
-        read("a.las", test::las_file({.minor = static_cast<std::uint8_t>(wide ? 4 : 3),
-                                      .format = format,
-                                      .extra_bytes = 2,
-                                      .points = {{{0, 0, 0}, 2}, {{100, 0, 0}, 6}}}));
+    const auto scalars = read(
+        "a.las",
+        test::las_file(
+            {.minor = static_cast<std::uint8_t>(wide ? 4 : 3),
+             .format = format,
+             .extra_bytes = 2,
+             .points = {
+                 {.steps = {0, 0, 0}, .point_class = 2, .return_number = 1, .returns = 3},
+                 {.steps = {100, 0, 0}, .point_class = 6, .return_number = 2, .returns = 5}}}));
     EXPECT_EQ(named(scalars, "intensity").values, Values(2, 0xABCD));
-    EXPECT_EQ(named(scalars, "return_number").values, Values(2, 1));
-    EXPECT_EQ(named(scalars, "number_of_returns").values, Values(2, wide ? 1 : 2));
+    EXPECT_EQ(named(scalars, "return_number").values, (Values{1, 2}));
+    EXPECT_EQ(named(scalars, "number_of_returns").values, (Values{3, 5}));
     EXPECT_EQ(named(scalars, "classification").values, (Values{2, 6}));
     EXPECT_TRUE(named(scalars, "classification").is_label);
     EXPECT_DOUBLE_EQ(named(scalars, "scan_angle").values[0], wide ? -5.4 : -9.0);
