@@ -15,7 +15,7 @@ struct RenderArguments {
   std::filesystem::path input;   ///< a scene, a patch file, a scan or a mesh
   std::filesystem::path output;  ///< has {view} in it for a scene of several views
   TextureArguments texture;
-  ReadOptions read;        ///< of scans and meshes
+  ReadOptions read;  ///< of scans and meshes
   ColourArguments colours;
   SceneSettings settings;  ///< overrides those of a scene
   GlPlatform platform = GlPlatform::Automatic;

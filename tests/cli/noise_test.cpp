@@ -57,7 +57,8 @@ TEST_F(Noise, WrongValuesAreWrongUsage) {
     const Outcome run =
         run_relief({"convert", scan, "-o", path("plane.relief"), std::string("--noise=") + value});
     EXPECT_EQ(run.exit_code, 2) << value;
-    EXPECT_NE(run.err.find("expected auto or a number from 0 to 1e100"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("expected auto or a number from 0 to 1e100"), std::string::npos)
+        << run.err;
     EXPECT_FALSE(std::filesystem::exists(path("plane.relief")));
   }
   EXPECT_EQ(
