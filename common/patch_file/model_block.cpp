@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "common/extremes.h"
+#include "common/io/crc32.h"
 #include "common/io/vector_bytes.h"
-#include "common/patch_file/patch_file_layout.h"
 #include "common/patch_file/scalar_table.h"
 
 namespace relief {

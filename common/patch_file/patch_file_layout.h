@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/error.h"
+#include "common/io/crc32.h"
 #include "common/patch_file/patch_file_records.h"
 
 namespace relief {
@@ -19,16 +20,6 @@ struct FileRange {
   std::uint64_t offset = 0;
   std::uint64_t bytes = 0;
 };
-
-/// Returns the CRC-32 of ISO 3309, as in gzip and PNG.
-[[nodiscard]] std::uint32_t crc32(std::span<const std::byte> bytes);
-
-/// Returns whether `bytes` have this crc32. Always true in fuzzing builds: no fuzzer gets past a
-/// checksum.
-[[nodiscard]] bool has_checksum(std::span<const std::byte> bytes, std::uint32_t checksum);
-
-/// Returns whether bytes begin as a patch file of any version.
-[[nodiscard]] bool has_magic(std::span<const std::byte> bytes);
 
 [[nodiscard]] std::vector<std::byte> write_header(const FileHeader& header);
 

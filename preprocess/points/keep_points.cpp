@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "preprocess/readers/source.h"
+#include "preprocess/points/no_point.h"
 
 namespace relief {
 namespace {

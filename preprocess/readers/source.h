@@ -11,6 +11,7 @@
 #include "common/points.h"
 #include "common/progress.h"
 #include "common/scalars/scalar_names.h"
+#include "preprocess/points/no_point.h"
 #include "preprocess/readers/selection.h"
 
 namespace relief {
@@ -95,9 +96,6 @@ class ReadMeter {
 
 /// Returns `text` with ASCII letters in lower case.
 [[nodiscard]] std::string lower_case(std::string_view text);
-
-/// Points can be indexed with 32 bits; the largest index stands for "no such point".
-inline constexpr std::uint32_t kNoPoint = UINT32_MAX;
 
 /// Returns the error for a file with `count` >= kNoPoint points.
 [[nodiscard]] Error too_many_points(const Source& source, std::uint64_t count);
