@@ -22,27 +22,15 @@ enum class Colours {
   Words   ///< 16 bits
 };
 
+/// What one point says of that; of all points the largest holds.
+Colours colours_of(const LasPoint& point) {
+  const auto largest = std::max({point.colour.x, point.colour.y, point.colour.z});
+  return largest > 255 ? Colours::Words : largest > 0 ? Colours::Bytes : Colours::None;
+}
+
 Result<LasPoints> open_points(const Source& source, const LasHeader& header) {
   if (header.is_packed) return open_laz_points(source, header);
   return open_las_points(source, header);
-}
-
-Result<Colours> find_colours(const Source& source, const LasHeader& header) {
-  if (header.colour_at() == 0) return Colours::None;
-  RELIEF_TRY_ASSIGN(const auto reader, open_points(source, header));
-  Colours found = Colours::None;
-  LasPoint point;
-  for (std::uint64_t i = 0; i < header.points; ++i) {
-    if (i % PointSink::kBlockPoints == 0) {
-      if (source.progress.cancelled()) return interrupted_error();
-      if (source.sink != nullptr) source.sink->pass(reader->offset());
-    }
-    RELIEF_TRY(reader->next(point));
-    const auto largest = std::max({point.colour.x, point.colour.y, point.colour.z});
-    if (largest > 255) return Colours::Words;
-    if (largest > 0) found = Colours::Bytes;
-  }
-  return found;
 }
 
 /// Decides which points are read, and counts the others.
@@ -130,15 +118,23 @@ void note_colours(const Source& source, Colours colours) {
   }
 }
 
+/// What a file does not state, and its points tell together.
+struct Survey {
+  Colours colours = Colours::None;
+  bool is_airborne = false;  ///< looks_airborne
+};
+
 /// Enough to know how evenly a scan sees the ground.
 constexpr std::uint64_t kSampledPoints = 200'000;
 
-Result<bool> is_airborne(const Source& source, const LasHeader& header) {
+Result<Survey> survey(const Source& source, const LasHeader& header) {
   RELIEF_TRY_ASSIGN(const auto reader, open_points(source, header));
+  Survey found;
   std::vector<glm::dvec3> sample;
   bool several_returns = false;
   PointFilter filter(source.selection(), header.is_wide());
   const std::uint64_t step = header.points / kSampledPoints + 1;
+  const bool has_colours = header.colour_at() != 0;
   LasPoint point;
   for (std::uint64_t i = 0; i < header.points; ++i) {
     if (i % PointSink::kBlockPoints == 0) {
@@ -146,29 +142,30 @@ Result<bool> is_airborne(const Source& source, const LasHeader& header) {
       if (source.sink != nullptr) source.sink->pass(reader->offset());
     }
     RELIEF_TRY(reader->next(point));
+    if (has_colours) found.colours = std::max(found.colours, colours_of(point));
     if (i % step != 0 || !filter.takes(point)) continue;
     sample.push_back(header.offset + header.scale * glm::dvec3(point.steps));
     several_returns |= point.returns > 1;
   }
-  return looks_airborne(sample, several_returns);
+  found.is_airborne = looks_airborne(sample, several_returns);
+  return found;
 }
 
 }  // namespace
 
 Result<Points> read_las(const Source& source) {
   RELIEF_TRY_ASSIGN(const auto header, read_las_header(source));
-  if (header.is_packed && source.scalars != nullptr &&
-      (source.scalars->all || !source.scalars->names.empty())) {
+  if (header.is_packed && source.scalars != nullptr && !source.scalars->empty()) {
     return make_error(
         "{}: scalars of packed LAS files cannot be read; unpack it first, with `pdal translate "
         "IN.laz OUT.las`",
         source.name);
   }
-  RELIEF_TRY_ASSIGN(const Colours colours, find_colours(source, header));
-  RELIEF_TRY_ASSIGN(const bool from_above, is_airborne(source, header));
+  RELIEF_TRY_ASSIGN(const Survey found, survey(source, header));
+  const Colours colours = found.colours;
   RELIEF_TRY_ASSIGN(const auto reader, open_points(source, header));
   Points points;
-  points.is_airborne = from_above;
+  points.is_airborne = found.is_airborne;
   std::uint64_t given = 0;  // to the sink
   // The count of a packed file says little: its points may take next to no bytes.
   const std::uint64_t capacity =
@@ -199,7 +196,7 @@ Result<Points> read_las(const Source& source) {
     if (source.sink != nullptr && points.size() == PointSink::kBlockPoints) {
       given += points.size();
       if (Status taken = source.sink->take(std::exchange(points, {})); !taken) return taken.error();
-      points.is_airborne = from_above;
+      points.is_airborne = found.is_airborne;
     }
   }
   note_colours(source, colours);
