@@ -71,15 +71,19 @@ def quality(truth, points, normals, seconds, patches, count_all=True, sigma=0.0)
             f"{100 * np.mean(bare):.1f} | {patches} | {seconds:.2f}")
 
 
-def of_relief(arguments, truth, scan):
+def samples_of(arguments, scan):
+    """Converts a scan. Returns the report of the conversion and the samples as a point cloud."""
     patches, samples = scan.with_suffix(".relief"), scan.with_suffix(".samples.ply")
     done = subprocess.run([arguments.relief, "convert", scan, "-o", patches, "--json",
                            *arguments.convert.split()], capture_output=True, text=True)
     if done.returncode != 0:
         sys.exit(done.stderr)
-    report = json.loads(done.stdout)
     subprocess.run([arguments.relief, "export", patches, "-o", samples], check=True, capture_output=True)
-    cloud = o3d.io.read_point_cloud(str(samples))
+    return json.loads(done.stdout), o3d.io.read_point_cloud(str(samples))
+
+
+def of_relief(arguments, truth, scan):
+    report, cloud = samples_of(arguments, scan)
     return quality(truth, np.asarray(cloud.points), np.asarray(cloud.normals), report["seconds"],
                    report["patches"])
 

@@ -17,15 +17,14 @@ Needs numpy and open3d from PyPI.
 """
 import argparse
 import gzip
-import json
 import pathlib
 import shutil
-import subprocess
-import sys
 import time
 
 import numpy as np
 import open3d as o3d
+
+from measure_noise import samples_of, write_ply
 
 SEED = 20261125
 BOTH = 1.5  # spacings
@@ -74,27 +73,13 @@ class Truth:
         return np.where((to_ground < distance)[:, None], [0.0, 0.0, 1.0], normals), counts
 
 
-def write_ply(path, points):
-    with open(path, "wb") as file:
-        file.write(b"ply\nformat binary_little_endian 1.0\nelement vertex %d\nproperty double x\n"
-                   b"property double y\nproperty double z\nend_header\n" % len(points))
-        file.write(np.ascontiguousarray(points, "<f8").tobytes())
-
-
 def flipped(truth, points, normals):
     expected, counts = truth.normals(points)
     return np.mean(np.sum(normals * expected, axis=1)[counts] < 0), 1 - counts.mean()
 
 
 def of_relief(arguments, truth, scan):
-    patches, samples = scan.with_suffix(".relief"), scan.with_suffix(".samples.ply")
-    done = subprocess.run([arguments.relief, "convert", scan, "-o", patches, "--json",
-                           *arguments.convert.split()], capture_output=True, text=True)
-    if done.returncode != 0:
-        sys.exit(done.stderr)
-    report = json.loads(done.stdout)
-    subprocess.run([arguments.relief, "export", patches, "-o", samples], check=True, capture_output=True)
-    cloud = o3d.io.read_point_cloud(str(samples))
+    report, cloud = samples_of(arguments, scan)
     wrong, left_out = flipped(truth, np.asarray(cloud.points), np.asarray(cloud.normals))
     stage = report["stage_seconds"].get("normals", 0.0)
     return (f"{100 * wrong:.2f} | {100 * left_out:.1f} | {report['patches']} | "

@@ -8,24 +8,12 @@
 #include <glm/geometric.hpp>
 
 #include "shaders/include/shading.h"
+#include "tests/renderer/shading/environments.h"
 
 namespace relief {
 namespace {
 
-/// An environment whose light is `light(direction)`.
-template <class Light>
-CubeMap sky_of(std::uint32_t size, const Light& light) {
-  CubeMap cube;
-  cube.size = size;
-  for (std::size_t face = 0; face < 6; ++face) {
-    for (std::uint32_t i = 0; i < size * size; ++i) {
-      const glm::dvec2 texel(i % size, i / size);
-      const glm::dvec2 st = (2.0 * texel + 1.0) / static_cast<double>(size) - 1.0;
-      cube.faces[face].push_back(light(glm::normalize(cube_direction(face, st))));
-    }
-  }
-  return cube;
-}
+using test::environment_of;
 
 glm::vec3 scattered_under(const CubeMap& cube, glm::vec3 normal) {
   shared::Frame frame{};
@@ -51,7 +39,7 @@ glm::dvec3 integrate(const CubeMap& cube, glm::dvec3 normal) {
 }
 
 TEST(Irradiance, OfOneColourIsThatColour) {
-  const CubeMap grey = sky_of(64, [](glm::dvec3) { return glm::vec3(0.5F, 1, 8); });
+  const CubeMap grey = environment_of(64, [](glm::dvec3) { return glm::vec3(0.5F, 1, 8); });
   for (const glm::vec3 n : {glm::vec3(1, 0, 0), glm::vec3(0, -1, 0), glm::vec3(0.6F, 0, -0.8F)}) {
     // The middles of texels stand for them: 64 x 64 a face are off by 1e-4.
     EXPECT_LT(glm::distance(scattered_under(grey, n), glm::vec3(0.5F, 1, 8)), 2e-3F);
@@ -60,7 +48,7 @@ TEST(Irradiance, OfOneColourIsThatColour) {
 
 TEST(Irradiance, OfAnyLightIsItsIntegralUpToTheSecondOrder) {
   // A bright cap above, a red one to the right, dim elsewhere.
-  const CubeMap sky = sky_of(64, [](glm::dvec3 d) {
+  const CubeMap sky = environment_of(64, [](glm::dvec3 d) {
     return glm::vec3(0.1F + (d.y > 0.7 ? 4.0F : 0.0F)) + glm::vec3(d.x > 0.8 ? 2.0F : 0.0F, 0, 0);
   });
   for (const glm::dvec3 n : {glm::dvec3(0, 1, 0), glm::dvec3(0, -1, 0), glm::dvec3(1, 0, 0),
@@ -75,7 +63,7 @@ TEST(Irradiance, OfAnyLightIsItsIntegralUpToTheSecondOrder) {
 
 TEST(LitByEnvironment, AWhiteSurfaceInWhiteLightIsWhite) {
   shared::Frame frame{};
-  std::ranges::copy(irradiance_of(sky_of(32, [](glm::dvec3) { return glm::vec3(1.0F); })),
+  std::ranges::copy(irradiance_of(environment_of(32, [](glm::dvec3) { return glm::vec3(1.0F); })),
                     frame.irradiance);
   for (const float facing : {1.0F, 0.5F, 0.01F}) {
     const glm::vec3 ray(-std::sqrt(1.0F - facing * facing), 0.0F, -facing);

@@ -8,24 +8,12 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
+#include "tests/renderer/shading/environments.h"
+
 namespace relief {
 namespace {
 
-/// An environment whose light is `light(direction)`.
-template <class Light>
-CubeMap environment_of(std::uint32_t size, const Light& light) {
-  CubeMap cube;
-  cube.size = size;
-  for (std::size_t face = 0; face < 6; ++face) {
-    for (std::uint32_t y = 0; y < size; ++y) {
-      for (std::uint32_t x = 0; x < size; ++x) {
-        const glm::dvec2 st = (2.0 * glm::dvec2(x, y) + 1.0) / static_cast<double>(size) - 1.0;
-        cube.faces[face].push_back(light(glm::normalize(cube_direction(face, st))));
-      }
-    }
-  }
-  return cube;
-}
+using test::environment_of;
 
 /// D(h) (n . l) of a direction at this cosine from the one that is faced, but for a factor.
 double weight_at(double cosine, double roughness) {
