@@ -137,8 +137,8 @@ void add_camera_options(CLI::App& sub, SceneSettings& settings) {
       ->needs(eye);
   sub.add_option_function<std::string>(
          "--up", [&](const std::string& s) { settings.up = parse_up(s); },
-         "Up direction of the model, for --orbit and --view, and of --eye (default: z for LAS, PTX "
-         "and XYZ, that of the sensor for PCD, y for others)")
+         "Up direction of the model, for --orbit and --view, and of --eye (default: z for points, "
+         "y for meshes, and as the sensor stood for PCD)")
       ->option_text("x|y|z|-x|-y|-z|X,Y,Z");
   add_number(sub, "--roll", settings.roll_degrees, {-360.0, 360.0}, "DEG",
              "Turn the camera about its line of sight, counter-clockwise, in degrees, -360 to 360 "
