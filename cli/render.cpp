@@ -55,8 +55,6 @@ std::string render_footer() {
          "  relief render suite.json -o 'out/{view}.exr'";
 }
 
-constexpr double kFramesPerSecond = 30.0;
-
 /// Multiplies light, and the background, by 2 to the power of the exposure (stops).
 void expose(Image& image, double exposure) {
   const auto factor = static_cast<float>(std::exp2(exposure));
@@ -204,7 +202,7 @@ int run_render(RenderArguments arguments) {
   const auto files = image_files(arguments.output, *plan);
   if (const Status good = check_files(*plan, arguments.texture.file, files); !good)
     return fail(good.error());
-  ImageWriter writer(files, arguments.frames_per_second.value_or(kFramesPerSecond));
+  ImageWriter writer(files, arguments.frames_per_second.value_or(FilmOptions{}.frames_per_second));
   const auto kept = [&] {
     const std::size_t count = writer.written();
     return count == 0 ? std::string()

@@ -3,7 +3,15 @@
 #include <algorithm>
 #include <iterator>
 
+#include "common/extremes.h"
+
 namespace relief {
+
+void set_extent(PatchModel& model, const std::vector<glm::dvec3>& positions) {
+  model.bounds = bounds_of(positions);
+  model.bounding_radius = bounding_radius(positions, model.bounds);
+  model.extremes = extreme_points(positions, model.bounds);
+}
 
 std::size_t count_samples(const Patch& patch) {
   return patch.heights.size() -

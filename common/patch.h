@@ -101,6 +101,9 @@ struct PatchModel {
   bool is_closed = false;
 };
 
+/// Sets bounds, bounding sphere and extreme points to those of a scan's positions (world frame).
+void set_extent(PatchModel& model, const std::vector<glm::dvec3>& positions);
+
 /// Returns whether all patches of a model meet at seams.
 [[nodiscard]] inline bool is_joined(const PatchModel& model) {
   return model.joined.size() == 1 && model.joined.front().count == model.patches.size();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <optional>
 
 namespace relief {
 
@@ -23,5 +24,10 @@ inline constexpr Stance kZUp{{0.0, 0.0, 1.0}, {0.0, -1.0, 0.0}, false};
 /// of the six axes gives: with Y up +Z, with Z up -Y, with -Y up -Z, with -Z up +Y, with X and -X
 /// up +Z.
 [[nodiscard]] Stance stance_of(glm::dvec3 up);
+
+/// Returns the stance that is asked for by its up direction, or the usual one.
+[[nodiscard]] inline Stance stance_of(const std::optional<glm::dvec3>& up, const Stance& usual) {
+  return up ? stance_of(*up) : usual;
+}
 
 }  // namespace relief

@@ -16,6 +16,11 @@
 namespace relief {
 namespace {
 
+/// Returns the direction of heights, unit: that of `colour_by`, or else the model's own.
+glm::dvec3 up_of(const ColourBy& colour_by, const Stance& stance) {
+  return glm::normalize(colour_by.up.value_or(stance.up));
+}
+
 std::vector<double> heights_of(const ColourBy& colour_by, const Points& points) {
   std::vector<double> heights;
   heights.reserve(points.size());
@@ -38,10 +43,6 @@ Error missing_scalar(const std::string& name, const PatchModel& model) {
 }
 
 }  // namespace
-
-glm::dvec3 up_of(const ColourBy& colour_by, const Stance& stance) {
-  return glm::normalize(colour_by.up.value_or(stance.up));
-}
 
 ScalarChoice scalars_for(const ColourBy& colour_by) {
   if (colour_by.scalar == kHeightScalar || colour_by.scalar == kDistanceScalar) return {};

@@ -15,9 +15,6 @@ namespace relief {
 /// Returns what must be read from a scan for it.
 [[nodiscard]] ScalarChoice scalars_for(const ColourBy& colour_by);
 
-/// Returns the direction of heights, unit: that of `colour_by`, or else the model's own.
-[[nodiscard]] glm::dvec3 up_of(const ColourBy& colour_by, const Stance& stance);
-
 /// Returns the scale that follows from a scan's own values: its scalar, or the heights of its
 /// points; nothing for kDistanceScalar, which only patches have. Errors are clauses.
 Result<std::optional<ColourScale>> scale_of_points(const ColourBy& colour_by, const Points& points);

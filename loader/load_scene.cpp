@@ -6,7 +6,6 @@
 #include <map>
 #include <utility>
 
-#include "common/extremes.h"
 #include "common/io/extension.h"
 #include "common/patch_file/patch_tree.h"
 #include "common/transform.h"
@@ -83,9 +82,7 @@ Result<LoadedScan> load_scan(const std::filesystem::path& path, const LoadOption
   if (!scan) return scan.error();
   LoadedScan made;
   LoadedFile& file = made.file;
-  file.patches.bounds = bounds_of(scan->points.positions);
-  file.patches.bounding_radius = bounding_radius(scan->points.positions, file.patches.bounds);
-  file.patches.extremes = extreme_points(scan->points.positions, file.patches.bounds);
+  set_extent(file.patches, scan->points.positions);
   file.patches.stance = stance_of(scan->points);
   const bool has_triangles = !scan->points.triangles.empty();
   file.is_mesh = has_triangles;
@@ -199,9 +196,7 @@ Result<LoadedScene> load_textured_splats(const ScenePlan& plan, const LoadOption
   RELIEF_TRY_ASSIGN(auto splats, acquire_splats(plan.models.front().file, options.textures,
                                                 acquisition, progress));
   LoadedScene scene;
-  scene.patches.bounds = bounds_of(splats.positions);
-  scene.patches.bounding_radius = bounding_radius(splats.positions, scene.patches.bounds);
-  scene.patches.extremes = extreme_points(splats.positions, scene.patches.bounds);
+  set_extent(scene.patches, splats.positions);
   scene.splats = std::move(splats);
   return scene;
 }

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "common/background_tasks.h"
-#include "common/extremes.h"
 #include "common/guard.h"
 #include "common/mesh/mesh_normals.h"
 #include "preprocess/add_distances.h"
@@ -231,10 +230,8 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   PatchModel& model = result.model;
   model.is_closed = in_time.is_closed();
   // As scanned, so that a camera is the same for engines that draw the points themselves.
-  model.bounds = bounds_of(scan.scanned);
-  model.bounding_radius = bounding_radius(scan.scanned, model.bounds);
-  model.extremes = extreme_points(scan.scanned, model.bounds);
-  model.stance = options.up ? stance_of(*options.up) : stance_of(points);
+  set_extent(model, scan.scanned);
+  model.stance = stance_of(options.up, stance_of(points));
   model.has_colours = textured || !points.colours.empty();
   report_model(made.fidelity, model, result.report);
   if (options.distances) {

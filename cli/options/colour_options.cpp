@@ -27,8 +27,7 @@ RangeEnd parse_end(std::string_view text) {
   return {*number, is_percent};
 }
 
-}  // namespace
-
+/// "LO,HI": numbers, or percentages such as 2%.
 ColourRange parse_colour_range(const std::string& text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos)
@@ -40,6 +39,8 @@ ColourRange parse_colour_range(const std::string& text) {
                                "its first end must be below its second; found " + text);
   return range;
 }
+
+}  // namespace
 
 void add_colour_options(CLI::App& sub, ColourArguments& arguments) {
   auto* const colour_by =

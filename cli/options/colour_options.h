@@ -22,7 +22,4 @@ void add_colour_options(CLI::App& sub, ColourArguments& arguments);
 /// What they ask for; nothing without --colour-by.
 [[nodiscard]] std::optional<ColourBy> colour_by_of(const ColourArguments& arguments);
 
-/// "LO,HI": numbers, or percentages such as 2%. Throws CLI::ValidationError.
-[[nodiscard]] ColourRange parse_colour_range(const std::string& text);
-
 }  // namespace relief::cli

@@ -50,10 +50,8 @@ std::vector<std::byte> bytes_of(const Image& frame) {
   std::vector<std::byte> bytes(pixels * kChannels);
   for (std::size_t c = 0; c < kChannels; ++c) {
     assert(channels[c] != nullptr && "a frame has colour");
-    for (std::size_t i = 0; i < pixels; ++i) {
-      const float value = srgb_from_linear(channels[c]->values[i]);
-      bytes[i * kChannels + c] = static_cast<std::byte>(value * 255.0F + 0.5F);
-    }
+    for (std::size_t i = 0; i < pixels; ++i)
+      bytes[i * kChannels + c] = static_cast<std::byte>(srgb8_from_linear(channels[c]->values[i]));
   }
   return bytes;
 }

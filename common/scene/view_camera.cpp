@@ -15,16 +15,12 @@ namespace {
 
 constexpr double kDefaultFieldOfView = 45.0;
 
-/// Up to this share of its width and depth a model's height makes it flat: terrain and airborne
-/// scans have 0.02 to 0.2, the flattest body of those tried, a rocker arm that lies, 0.5.
+/// Up to this share of its width and depth a model's height makes it flat: the terrain and the
+/// airborne scans at hand have 0.05 to 0.25, the flattest body, a rocker arm that lies, 0.59.
 constexpr double kFlat = 0.3;
 
 constexpr Orbit kFlatOrbit{30.0, 35.0, 0.0};
 constexpr Orbit kBodyOrbit{25.0, 15.0, 0.0};
-
-Stance stance_for(const SceneSettings& settings, const PatchModel& model) {
-  return settings.up ? stance_of(*settings.up) : model.stance;
-}
 
 std::vector<glm::dvec3> points_to_frame(const PatchModel& model) {
   if (!model.extremes.empty()) return model.extremes;
@@ -51,7 +47,7 @@ Camera camera_on_orbit(const SceneSettings& settings, const PatchModel& model, c
   const double aspect = aspect_of(settings);
   Camera camera = orbit_camera(middle_of(model), radius_of(model), orbit,
                                settings.fov_degrees.value_or(kDefaultFieldOfView), aspect,
-                               stance_for(settings, model));
+                               stance_of(settings.up, model.stance));
   if (!settings.orthographic) return camera;
   const auto points = points_to_frame(model);
   camera.orthographic_height =
@@ -75,10 +71,11 @@ Result<Camera> camera_at_eye(const SceneSettings& settings, const PatchModel& mo
   return camera;
 }
 
-}  // namespace
-
+/// Where a model is looked at from unless a camera is named: a sensor's frame from the sensor; what
+/// is flat, such as terrain, obliquely from above; anything else from the front, a little from the
+/// side and above.
 Orbit first_orbit(const SceneSettings& settings, const PatchModel& model) {
-  const Stance stance = stance_for(settings, model);
+  const Stance stance = stance_of(settings.up, model.stance);
   if (stance.is_from_sensor) return {};
   const glm::dvec3 side = glm::cross(stance.up, stance.front);
   const std::vector<glm::dvec3> points = points_to_frame(model);
@@ -90,6 +87,8 @@ Orbit first_orbit(const SceneSettings& settings, const PatchModel& model) {
   const double level = std::min(length_along(side), length_along(stance.front));
   return length_along(stance.up) <= kFlat * level ? kFlatOrbit : kBodyOrbit;
 }
+
+}  // namespace
 
 std::vector<SceneSettings> film_frames(const SceneSettings& settings, const PatchModel& model,
                                        std::size_t count) {

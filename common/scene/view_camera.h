@@ -13,17 +13,13 @@ namespace relief {
 
 /// The camera of an image of the model, of which only the extent and the stance are used.
 ///
-/// An orbit without a distance, and a model for which neither orbit nor eye is given, are framed:
-/// the model's extreme points, or without those the corners of its bounds, take most of the image.
+/// Without orbit and eye, a sensor's frame is seen from the sensor, flat terrain obliquely from
+/// above, and anything else from the front. That and an orbit without a distance are framed: the
+/// model's extreme points, or without those the corners of its bounds, take most of the image.
 /// An orbit with a distance, and an eye without a target, look at the middle of the bounds. An
 /// orthographic camera without a height sees the model just whole. `roll_degrees` and `zoom` come
 /// last. Fails, with a clause, if the eye is where it looks.
 Result<Camera> camera_for(const SceneSettings& settings, const PatchModel& model);
-
-/// Where a model is looked at from unless a camera is named: a sensor's frame from the sensor; what
-/// is flat, such as terrain, obliquely from above; anything else from the front, a little from the
-/// side and above.
-[[nodiscard]] Orbit first_orbit(const SceneSettings& settings, const PatchModel& model);
 
 /// The settings of each frame of a film in which the camera goes once around the model, at the
 /// elevation that `settings` have. All frames look at the middle of the bounds from one distance,

@@ -286,14 +286,14 @@ Result<ConvertResult> convert_opened(std::unique_ptr<HeightRaster> raster,
   }
   made.model.spacing = plan.spacing;
   made.model.has_colours = plan.drape != nullptr;
-  made.model.stance = options.up ? stance_of(*options.up) : kZUp;
+  made.model.stance = stance_of(options.up, kZUp);
   find_bounds(made.model);
   ConvertReport report = report_of(made, plan, made.error.cells);
   return ConvertResult{std::move(made.model), report};
 }
 
-}  // namespace
-
+/// Returns the options that do not apply to rasters and are set, as the command line names them
+/// ("--error, --seams"); empty if there is none.
 std::string unused_for_rasters(const ConvertOptions& options, const ReadOptions& read) {
   std::string names;
   const auto name_if = [&](bool is_set, std::string_view name) {
@@ -309,6 +309,8 @@ std::string unused_for_rasters(const ConvertOptions& options, const ReadOptions&
   name_if(read.selection.asks_for_classes(), describe_classes(read.selection));
   return names;
 }
+
+}  // namespace
 
 Result<ConvertResult> convert_raster(const std::filesystem::path& path,
                                      const TextureChoice& texture, const ConvertOptions& options,

@@ -11,11 +11,6 @@
 
 namespace relief {
 
-/// Returns the options that do not apply to rasters and are set, as the command line names them
-/// ("--error, --seams"); empty if there is none.
-[[nodiscard]] std::string unused_for_rasters(const ConvertOptions& options,
-                                             const ReadOptions& read);
-
 /// Converts a raster. Its cells are the samples: tiles of up to 256 x 256 cells are patches, which
 /// overlap their neighbours by one cell; base planes are horizontal, spacing and height step are
 /// the raster's own, and cells without data are holes. x is east, y north, z up. Degrees become

@@ -173,7 +173,7 @@ class TileConversion {
     model.spacing = spacing_;
     model.bounds = scan_.bounds;
     model.bounding_radius = radius_;
-    model.stance = options_.up ? stance_of(*options_.up) : scan_.stance;
+    model.stance = stance_of(options_.up, scan_.stance);
     model.has_colours = scan_.attributes.colours;
     return model;
   }
