@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <glm/common.hpp>
 #include <limits>
@@ -87,7 +88,7 @@ glm::u16vec3 extreme_steps(const glm::dvec3& position, const Bounds& bounds) {
   for (glm::length_t c = 0; c < 3; ++c) {
     const double size = bounds.max[c] - bounds.min[c];
     const double share = size > 0.0 ? (position[c] - bounds.min[c]) / size : 0.0;
-    steps[c] = static_cast<std::uint16_t>(std::clamp(share, 0.0, 1.0) * kExtremeSteps + 0.5);
+    steps[c] = static_cast<std::uint16_t>(std::lround(std::clamp(share, 0.0, 1.0) * kExtremeSteps));
   }
   return steps;
 }

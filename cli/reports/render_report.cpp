@@ -29,6 +29,7 @@ std::string material_names(const RenderSettings& settings) {
 
 double median_frame_ms(const std::vector<WrittenImage>& written) {
   std::vector<double> times;
+  times.reserve(written.size());
   for (const WrittenImage& image : written) times.push_back(image.result.frame_ms);
   return median_of(times);
 }

@@ -139,6 +139,7 @@ Result<FilmFile> FilmFile::open(const fs::path& path, const FilmOptions& options
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   std::vector<std::string> words = arguments_for(path, process->temporary, options);
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   const int failed =

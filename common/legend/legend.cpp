@@ -148,7 +148,9 @@ bool draw_bar(const ColourScale& scale, const Canvas& canvas) {
   const double top = std::round(place->y + 0.25 * kLine * em);
   const double bottom = std::round(top + bar * em);
   const double right = std::round(place->x + kBarWidth * em);
-  for (double y = top; y < bottom; y += 1.0) {
+  const auto rows = static_cast<int>(bottom - top);
+  for (int row = 0; row < rows; ++row) {
+    const double y = top + row;
     const double share = (bottom - 0.5 - y) / (bottom - top);
     const glm::u8vec3 colour = scale.at(std::lerp(scale.low, scale.high, share));
     painter.fill(std::round(place->x), y, right, y + 1.0, linear_from_srgb8(colour), 1.0F);

@@ -62,7 +62,8 @@ std::vector<std::uint32_t> labels_of(std::size_t number, const PatchModel& model
     for (std::uint32_t j = 0; j < patch.height; ++j) {
       for (std::uint32_t i = 0; i < patch.width; ++i) {
         if (patch.at(i, j) == kHole) continue;
-        occurs[codes.texels[std::size_t{j} * codes.scale * codes.width + i * codes.scale]] = 1;
+        occurs[codes.texels[std::size_t{j} * codes.scale * codes.width +
+                            std::size_t{i} * codes.scale]] = 1;
       }
     }
   }

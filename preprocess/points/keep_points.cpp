@@ -37,7 +37,7 @@ class KeptTriangles {
 
  private:
   static Triangle smallest_first(Triangle t) {
-    std::ranges::rotate(t, std::ranges::min_element(t));
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     return t;
   }
   /// The finaliser of SplitMix64.

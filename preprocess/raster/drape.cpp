@@ -73,7 +73,7 @@ Result<Drape> read_picture(const std::filesystem::path& path, const RasterInfo& 
 Status check_bands(const GdalFile& file) {
   const int bands = file.bands();
   for (int b = 1; b <= std::min(bands, 3); ++b) {
-    if (file.gdal().type(file.band(b)) != kGdalByte) {
+    if (file.gdal().type(file.band(b)) != GdalType::Byte) {
       return make_error(
           "{}: its bands are not of 8 bits; make an image of them, with "
           "`gdal_translate -ot Byte -scale IN OUT.tif`",
@@ -161,7 +161,7 @@ Result<Drape> read_georeferenced(const GdalFile& file, const RasterInfo& raster,
     if (c == 0 || file.bands() >= 3) {
       RELIEF_TRY(file.read(c + 1, {x0, y0, x1 - x0, y1 - y0}, band.data(),
                            static_cast<int>(drape.width), static_cast<int>(drape.height),
-                           kGdalByte));
+                           GdalType::Byte));
     }
     for (std::size_t k = 0; k < band.size(); ++k) drape.pixels[k][c] = band[k];
   }

@@ -16,14 +16,7 @@ using GdalBand = void*;
 using GdalSystem = void*;
 
 /// GDALDataType.
-enum GdalType : int {
-  kGdalByte = 1,
-  kGdalUint16 = 2,
-  kGdalInt16 = 3,
-  kGdalUint32 = 4,
-  kGdalInt32 = 5,
-  kGdalDouble = 7
-};
+enum GdalType : int { Byte = 1, Uint16 = 2, Int16 = 3, Uint32 = 4, Int32 = 5, Double = 7 };
 
 /// GDALRasterIOExtraArg, version 1.
 struct GdalReadOptions {

@@ -14,7 +14,7 @@ namespace {
 
 bool is_whole(int type) {
   // GDT_UInt64, GDT_Int64 and GDT_Int8 are 12 to 14.
-  return (type >= kGdalByte && type <= kGdalInt32) || (type >= 12 && type <= 14);
+  return (type >= GdalType::Byte && type <= GdalType::Int32) || (type >= 12 && type <= 14);
 }
 
 /// Metres of a unit of heights, by its name; nothing if it is unknown or not stated.
@@ -60,7 +60,7 @@ class GdalRaster final : public HeightRaster {
     const int first =
         is_flipped_ ? static_cast<int>(info_.rows - window.row) - h : static_cast<int>(window.row);
     RELIEF_TRY(file_.read(1, {static_cast<int>(window.column), first, w, h}, heights.data(), w, h,
-                          kGdalDouble));
+                          GdalType::Double));
     for (double& value : heights) {
       const bool is_hole = !std::isfinite(value) || value == no_data_;
       value = is_hole ? std::numeric_limits<double>::quiet_NaN() : value * scale_ + offset_;

@@ -108,8 +108,9 @@ std::vector<ScalarInfo> describe_scalars(std::vector<PointScalar>& scalars) {
   std::vector<ScalarInfo> infos;
   std::erase_if(scalars, [&infos](const PointScalar& scalar) {
     auto info = describe_scalar(scalar);
-    if (info) infos.push_back(*std::move(info));
-    return !info;
+    if (!info) return true;
+    infos.push_back(*std::move(info));
+    return false;
   });
   return infos;
 }

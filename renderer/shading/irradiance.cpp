@@ -44,8 +44,9 @@ std::array<glm::vec4, 9> irradiance_of(const CubeMap& environment) {
   const double size = environment.size;
   for (std::size_t face = 0; face < environment.faces.size(); ++face) {
     for (std::size_t i = 0; i < environment.faces[face].size(); ++i) {
-      const glm::dvec2 texel(static_cast<double>(i % environment.size) + 0.5,
-                             static_cast<double>(i / environment.size) + 0.5);
+      const std::size_t column = i % environment.size;
+      const std::size_t row = i / environment.size;
+      const glm::dvec2 texel(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
       const glm::dvec3 along = cube_direction(face, 2.0 * texel / size - 1.0);
       const double length = glm::length(along);
       // The texel's solid angle: its side is 2 / size at distance 1.

@@ -16,7 +16,6 @@ namespace {
 
 using test::bumpy_model;
 using test::ScratchFolder;
-using test::slurp;
 
 /// A model with everything that a block holds.
 PatchModel placed_model() {
