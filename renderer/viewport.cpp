@@ -7,23 +7,36 @@
 
 #include "renderer/engine_checks.h"
 #include "renderer/frame/gl_engine.h"
+#include "renderer/frame/image_parts.h"
 #include "renderer/gl/open_gl.h"
 #include "renderer/gl/saved_state.h"
 #include "renderer/shading/environment_cache.h"
 
 namespace relief {
+namespace {
+
+/// Copies the target's colours to where the part lies in the framebuffer.
+void copy_pixels(const Gl& gl, const Targets& from, const Raster& part, GLuint framebuffer) {
+  const auto width = static_cast<GLint>(part.width);
+  const auto height = static_cast<GLint>(part.height);
+  const auto left = static_cast<GLint>(part.left);
+  const auto bottom = static_cast<GLint>(part.bottom);
+  gl.BlitNamedFramebuffer(from.framebuffer.id(), framebuffer, 0, 0, width, height, left, bottom,
+                          left + width, bottom + height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+}  // namespace
 
 struct Viewport::Reused {
   std::optional<Targets> targets;
 
   /// The targets, if they fit.
-  std::optional<Targets> take(const RenderSettings& settings) {
-    const Outputs& outputs = settings.outputs;
-    const bool fits =
-        targets && targets->width == settings.width && targets->height == settings.height &&
-        targets->normal.has_value() == outputs.normal &&
-        targets->depth.has_value() == outputs.depth && targets->uv.has_value() == outputs.uv &&
-        targets->patch_id.has_value() == outputs.patch_id;
+  std::optional<Targets> take(std::uint32_t width, std::uint32_t height, const Outputs& outputs) {
+    const bool fits = targets && targets->width == width && targets->height == height &&
+                      targets->normal.has_value() == outputs.normal &&
+                      targets->depth.has_value() == outputs.depth &&
+                      targets->uv.has_value() == outputs.uv &&
+                      targets->patch_id.has_value() == outputs.patch_id;
     return fits ? std::exchange(targets, std::nullopt) : std::nullopt;
   }
 };
@@ -54,25 +67,65 @@ Result<std::unique_ptr<Viewport>> Viewport::create(const GlLoader& load, const R
   return made;
 }
 
-Status Viewport::draw(const RenderSettings& view, std::uint32_t framebuffer) {
+Result<GlPreparedModel*> Viewport::engine_for(const RenderSettings& view) {
   const auto found = prepared_.find(view.engine);
   if (found == prepared_.end())
     return make_error("engine {} is not among the looks of this viewport", view.engine);
-  auto& engine = static_cast<GlPreparedModel&>(*found->second);
+  return static_cast<GlPreparedModel*>(found->second.get());
+}
+
+Status Viewport::draw(const RenderSettings& view, std::uint32_t framebuffer) {
+  return draw(view, {0, 0, view.width, view.height}, framebuffer);
+}
+
+Status Viewport::draw(const RenderSettings& view, const Rectangle& part,
+                      std::uint32_t framebuffer) {
+  assert(part.left + part.width <= view.width && part.bottom + part.height <= view.height);
+  RELIEF_TRY_ASSIGN(GlPreparedModel* const engine, engine_for(view));
   const Gl& gl = opengl_->gl();
   const SavedState saved(gl);
-  const RenderSettings settings = engine.settled(view);
-  RELIEF_TRY_ASSIGN(GlFrame frame, engine.model().make_frame(settings, whole_of(settings),
-                                                             reused_->take(settings)));
-  RELIEF_TRY_ASSIGN(const auto drawing, engine.make_drawing(frame, settings, Counting::Off));
+  RenderSettings settings = engine->settled(view);
+  settings.samples = 1;
+  const std::uint32_t side = samples_a_side(view.samples);
+  const Resolve* resolve = nullptr;
+  if (side > 1) {
+    RELIEF_TRY_ASSIGN(resolve, engine->model().resolve());
+  }
+  PassTimer timer(gl);
+  for (Raster raster : parts_of(part.width, part.height, side, largest_target(gl))) {
+    raster.left += part.left;
+    raster.bottom += part.bottom;
+    RELIEF_TRY_ASSIGN(GlFrame frame, engine->model().make_frame(
+                                         settings, raster,
+                                         reused_->take(raster.width * side, raster.height * side,
+                                                       settings.outputs)));
+    if (side > 1) frame.resolve = {resolve, framebuffer, raster};
+    RELIEF_TRY_ASSIGN(const auto drawing, engine->make_drawing(frame, settings, Counting::Off));
+    draw_frame(gl, frame, *drawing, timer);
+    if (side == 1) copy_pixels(gl, frame.targets, raster, framebuffer);
+    reused_->targets = std::move(frame.targets);
+  }
+  return check_errors(gl, "the viewport");
+}
+
+Result<Image> Viewport::probe(const RenderSettings& view, std::uint32_t x, std::uint32_t y) {
+  assert(x < view.width && y < view.height);
+  RELIEF_TRY_ASSIGN(GlPreparedModel* const engine, engine_for(view));
+  const Gl& gl = opengl_->gl();
+  const SavedState saved(gl);
+  RenderSettings settings = engine->settled(view);
+  settings.samples = 1;
+  settings.outputs = {};
+  settings.outputs.depth = true;
+  settings.outputs.patch_id = true;
+  RELIEF_TRY_ASSIGN(const GlFrame frame,
+                    engine->model().make_frame(settings, Raster{x, y, 1, 1, 1}));
+  RELIEF_TRY_ASSIGN(const auto drawing, engine->make_drawing(frame, settings, Counting::Off));
   PassTimer timer(gl);
   draw_frame(gl, frame, *drawing, timer);
-  const auto width = static_cast<GLint>(settings.width);
-  const auto height = static_cast<GLint>(settings.height);
-  gl.BlitNamedFramebuffer(frame.targets.framebuffer.id(), framebuffer, 0, 0, width, height, 0, 0,
-                          width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  reused_->targets = std::move(frame.targets);
-  return check_errors(gl, "the viewport");
+  Image pixel = read_targets(gl, frame.targets);
+  RELIEF_TRY(check_errors(gl, "the viewport"));
+  return pixel;
 }
 
 }  // namespace relief

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "common/error.h"
+#include "common/image/image.h"
 #include "renderer/engine_registry.h"
 #include "renderer/gl/loader.h"
 #include "renderer/model.h"
@@ -16,7 +17,16 @@
 namespace relief {
 
 class EnvironmentCache;
+class GlPreparedModel;
 class OpenGl;
+
+/// Pixels of an image, from its lower left corner.
+struct Rectangle {
+  std::uint32_t left = 0;
+  std::uint32_t bottom = 0;
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+};
 
 /// A model on the GPU, uploaded once with all its levels, and drawn from any view into any
 /// framebuffer. The OpenGL 4.5 core context belongs to the caller: it is current on this thread,
@@ -40,15 +50,25 @@ class Viewport {
 
   /// Draws a view into the lower left `view.width` times `view.height` pixels of the framebuffer's
   /// colour attachment: linear light, premultiplied, alpha the model's coverage. (OpenGL encodes it
-  /// as sRGB if the framebuffer is such and GL_FRAMEBUFFER_SRGB is enabled.) One sample a pixel.
-  /// Does not wait for OpenGL, nor touch the framebuffer's depth. The pixels are those of render().
-  /// Targets are made anew when the size or the outputs change.
+  /// as sRGB if the framebuffer is such and GL_FRAMEBUFFER_SRGB is enabled.) `view.samples` samples
+  /// a pixel. Does not wait for OpenGL, nor touch the framebuffer's depth. The pixels are those of
+  /// render(). Targets are made anew when the size or the outputs change.
   Status draw(const RenderSettings& view, std::uint32_t framebuffer);
 
+  /// Draws a rectangle of the view into the same pixels of the framebuffer, which but for rounding
+  /// are those that draw() gives them. What lies beside it costs nothing and stays as it was.
+  Status draw(const RenderSettings& view, const Rectangle& part, std::uint32_t framebuffer);
+
+  /// Reads what one pixel of the view shows, `x` and `y` from the lower left corner: an image of
+  /// one pixel with the channels of colour, "Z" and "patch" (common/image/image.h). Draws that
+  /// pixel alone and waits for it.
+  Result<Image> probe(const RenderSettings& view, std::uint32_t x, std::uint32_t y);
+
  private:
-  struct Reused;  ///< the last frame's targets
+  struct Reused;  ///< the last part's targets
 
   Viewport();
+  Result<GlPreparedModel*> engine_for(const RenderSettings& view);
 
   std::shared_ptr<const OpenGl> opengl_;  ///< first: the last to go
   std::shared_ptr<EnvironmentCache> environments_;

@@ -23,11 +23,11 @@ Result<Resolve> Resolve::create(const Gl& gl) {
 }
 
 void Resolve::draw(PassTimer& timer, const Texture& samples, const Raster& part,
-                   const ResolvedColour& into) const {
+                   GLuint framebuffer) const {
   const ScopedPass pass(*gl_, timer, "resolve");
   const auto left = static_cast<GLint>(part.left);
   const auto bottom = static_cast<GLint>(part.bottom);
-  gl_->BindFramebuffer(GL_FRAMEBUFFER, into.framebuffer.id());
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   gl_->Viewport(left, bottom, static_cast<GLsizei>(part.width), static_cast<GLsizei>(part.height));
   gl_->BindTextureUnit(RELIEF_TEXTURE_PIXEL_SAMPLES, samples.id());
   gl_->UseProgram(program_.id());

@@ -25,10 +25,9 @@ class Resolve {
  public:
   static Result<Resolve> create(const Gl& gl);
 
-  /// Reads the part's `samples` and writes its pixels `into` the image; leaves no framebuffer
-  /// bound.
-  void draw(PassTimer& timer, const Texture& samples, const Raster& part,
-            const ResolvedColour& into) const;
+  /// Reads the part's `samples` and writes its pixels into the image of the framebuffer; leaves no
+  /// framebuffer bound.
+  void draw(PassTimer& timer, const Texture& samples, const Raster& part, GLuint framebuffer) const;
 
  private:
   Resolve(const Gl& gl, Program program, VertexArray nothing)
@@ -41,11 +40,11 @@ class Resolve {
 /// What resolves one part; what it points to must outlive it.
 struct PartResolve {
   const Resolve* resolve = nullptr;
-  const ResolvedColour* into = nullptr;
+  GLuint framebuffer = 0;  ///< of the whole image
   Raster part;
 
   void draw(PassTimer& timer, const Texture& samples) const {
-    resolve->draw(timer, samples, part, *into);
+    resolve->draw(timer, samples, part, framebuffer);
   }
 };
 

@@ -42,7 +42,8 @@ Result<RenderResult> GlPreparedModel::render_supersampled(const RenderSettings& 
     if (progress.cancelled()) return interrupted_error();
     RELIEF_TRY_ASSIGN(GlFrame frame, model_->make_frame(coloured, part));
     RELIEF_TRY_ASSIGN(const auto resolved, make_resolved(gl, part.width, part.height));
-    frame.resolve = {resolve, &resolved, {0, 0, part.width, part.height, part.side}};
+    frame.resolve = {
+        resolve, resolved.framebuffer.id(), {0, 0, part.width, part.height, part.side}};
     RELIEF_TRY_ASSIGN(const auto drawing, make_drawing(frame, coloured, Counting::Off));
     RELIEF_TRY_ASSIGN(const auto fragments, count_if_asked(frame, coloured));
     FrameClock clock(gl);

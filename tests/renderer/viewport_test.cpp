@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <span>
 #include <utility>
@@ -119,6 +120,69 @@ TEST(Viewport, DrawsWhatRenderDoesFromAnyViewAtAnySize) {
             << engine << " view " << k << " " << channel;
     }
   }
+}
+
+// A wipe draws one look left of its divider and another right of it; a picture that is refined is
+// drawn in bands.
+TEST(Viewport, DrawsPartsThatAreThoseOfTheWholeWithAnySamplesAPixel) {
+  const PatchModel model = viewport_model();
+  for (const int samples : {1, 4}) {
+    RenderSettings view = views_around(model)[1];
+    view.samples = samples;
+    const Image expected = render_with_all_levels(model, {&view, 1}).front();
+    const Window window;
+    const auto viewport = Viewport::create(window.loader(), RenderModel::of(model), {&view, 1});
+    ASSERT_TRUE(viewport) << viewport.error().message;
+    const WindowFramebuffer whole(window.gl(), view.width, view.height);
+    ASSERT_TRUE((*viewport)->draw(view, whole.framebuffer.id()));
+    const WindowFramebuffer parts(window.gl(), view.width, view.height);
+    const std::uint32_t cut = 23;
+    ASSERT_TRUE((*viewport)->draw(view, {0, 0, cut, view.height}, parts.framebuffer.id()));
+    ASSERT_TRUE(
+        (*viewport)->draw(view, {cut, 0, view.width - cut, view.height}, parts.framebuffer.id()));
+    const Image one = read_colour(window.gl(), whole.colour, view.width, view.height);
+    const Image joined = read_colour(window.gl(), parts.colour, view.width, view.height);
+    for (const char* const channel : {"R", "G", "B", "A"}) {
+      EXPECT_EQ(test::values(one, channel), test::values(expected, channel)) << samples;
+      const std::vector<float>& a = test::values(joined, channel);
+      const std::vector<float>& b = test::values(expected, channel);
+      // The part's projection is rounded otherwise: a colour by a half float's last two bits, and
+      // where an edge passes through a sample, that sample.
+      std::size_t edges = 0;
+      for (std::size_t p = 0; p < a.size(); ++p) edges += std::abs(a[p] - b[p]) > 0x1p-10F ? 1 : 0;
+      EXPECT_LE(edges, 2U) << channel << " of " << samples << " samples";
+    }
+  }
+}
+
+TEST(Viewport, ProbesThePixelThatOneSees) {
+  const PatchModel model = viewport_model();
+  RenderSettings view = views_around(model)[1];
+  view.outputs.depth = true;
+  view.outputs.patch_id = true;
+  const Image expected = render_with_all_levels(model, {&view, 1}).front();
+  view.outputs = {};
+  const Window window;
+  const auto viewport = Viewport::create(window.loader(), RenderModel::of(model), {&view, 1});
+  ASSERT_TRUE(viewport) << viewport.error().message;
+  int covered = 0;
+  for (std::uint32_t y = 0; y < view.height; y += 3) {
+    for (std::uint32_t x = 0; x < view.width; x += 3) {
+      const auto pixel = (*viewport)->probe(view, x, y);
+      ASSERT_TRUE(pixel) << pixel.error().message;
+      const std::size_t at = std::size_t{view.height - 1 - y} * view.width + x;
+      for (const char* const channel : {"patch", "A"})
+        EXPECT_EQ(test::values(*pixel, channel)[0], test::values(expected, channel)[at])
+            << channel << " " << x << "," << y;
+      const float distance = test::values(expected, "Z")[at];
+      if (distance < std::numeric_limits<float>::infinity()) {
+        // Its triangles are a hundred times as large as the image of one pixel.
+        EXPECT_NEAR(test::values(*pixel, "Z")[0], distance, 1e-5F * distance) << x << "," << y;
+      }
+      covered += test::values(*pixel, "A")[0] > 0.0F ? 1 : 0;
+    }
+  }
+  EXPECT_GT(covered, 50);
 }
 
 // A single image keeps only the levels that it draws. They lie elsewhere in the atlas of normals
