@@ -29,4 +29,7 @@ void add_info(CLI::App& app, Command& command);
 /// relief render: renders a patch file, a scan or a scene.
 void add_render(CLI::App& app, Command& command);
 
+/// relief view: shows patch files and scans in a window.
+void add_view(CLI::App& app, Command& command);
+
 }  // namespace relief::cli

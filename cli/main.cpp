@@ -18,6 +18,7 @@ constexpr const char* kReliefExamples =
     "  relief info dragon.relief --verify\n"
     "  relief render dragon.relief -o dragon.png --orbit 30,20\n"
     "  relief render dragon.relief -o dragon.exr --material mirror --env studio.hdr\n"
+    "  relief view dragon.relief\n"
     "  relief export dragon.relief -o dragon.glb\n"
     "  relief compare dragon.exr truth.exr --heatmap difference.png\n"
     "  relief bench dragon.ply.gz --plot bench.svg\n"
@@ -39,6 +40,7 @@ int run_relief(int argc, char** argv) {
   relief::cli::add_info(app, command);
   relief::cli::add_export(app, command);
   relief::cli::add_render(app, command);
+  relief::cli::add_view(app, command);
   relief::cli::add_compare(app, command);
   relief::cli::add_bench(app, command);
   std::vector<std::string> words = relief::cli::with_help_words({argv + 1, argv + argc});

@@ -80,6 +80,7 @@ Result<LoadedScan> load_scan(const std::filesystem::path& path, const LoadOption
   auto scan =
       load_mesh(path, colour_by ? TextureChoice{true, {}} : options.textures, progress, read);
   if (!scan) return scan.error();
+  if (options.on_points) options.on_points(scan->points);
   LoadedScan made;
   LoadedFile& file = made.file;
   set_extent(file.patches, scan->points.positions);

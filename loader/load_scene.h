@@ -8,6 +8,7 @@
 
 #include "common/error.h"
 #include "common/patch.h"
+#include "common/points.h"
 #include "common/progress.h"
 #include "common/scene/scene.h"
 #include "loader/loaded_scene.h"
@@ -36,6 +37,9 @@ struct LoadOptions {
   /// that of the first view's options.
   AcquireOptions acquisition;
   std::optional<ColourBy> colour_by;  ///< in place of colours and textures
+  /// Is given the points of each scan or mesh before they are converted, on the loading thread;
+  /// null: nobody waits for them.
+  std::function<void(const Points&)> on_points = {};
 };
 
 /// Reads the models and puts them in their positions. Reads a file that several of them name once.

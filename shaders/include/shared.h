@@ -172,12 +172,18 @@ using glm::vec4;
 /// Uniform that averages samples: where its part of the image is, and how many it has.
 #define RELIEF_UNIFORM_PART 0
 
+/// Uniforms of what brings a picture into a window: factor of its light, strength of the shade of
+/// points, the window's width and height.
+#define RELIEF_UNIFORM_EXPOSURE 0
+#define RELIEF_UNIFORM_SHADE 1
+#define RELIEF_UNIFORM_WINDOW 2
+
 /// Vertex attributes: the patch that a draw command draws, through its base instance; with cells
 /// also the corner of the part that it draws (column, then row in the upper half).
 #define RELIEF_ATTRIBUTE_PATCH 0
 #define RELIEF_ATTRIBUTE_CORNER 1
 
-/// The same of the bench's mesh.
+/// The same of the bench's mesh, and of the points of a scan.
 #define RELIEF_ATTRIBUTE_POSITION 0
 #define RELIEF_ATTRIBUTE_NORMAL 1
 #define RELIEF_ATTRIBUTE_COLOUR 2
@@ -393,6 +399,12 @@ struct SeamVertex {
   vec4 owners;  ///< the same position in the owner's grid frame
 };
 
+/// The camera of a scan's points.
+struct PointFrame {
+  mat4 clip_from_points;
+  vec4 size;  ///< of a point: pixels at distance 1, the fewest and the most pixels
+};
+
 /// What all patches of a frame share.
 struct Frame {
   vec4 ray_origin;  ///< world direction of unit depth through window position (0, 0); w: near
@@ -418,6 +430,7 @@ static_assert(sizeof(PatchInfo) == 16 * kPatchInfoRows);
 static_assert(offsetof(PatchInfo, nodes) == 48 && offsetof(PatchInfo, colours) == 96 &&
               offsetof(PatchInfo, extent) == 128);
 static_assert(sizeof(ProxyVertex) == 16 && sizeof(ProxySource) == 8 && sizeof(SeamVertex) == 32);
+static_assert(sizeof(PointFrame) == 80);
 static_assert(sizeof(PatchView) == 16 * kPatchViewRows && offsetof(PatchView, eye) == 64);
 static_assert(sizeof(Frame) == 272 + 32 * kMaxLights && offsetof(Frame, light_position) == 96);
 }  // namespace relief::shared

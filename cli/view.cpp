@@ -1,0 +1,98 @@
+// relief view: a window that shows scans.
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/interrupt.h"
+#include "cli/options/colour_options.h"
+#include "cli/options/engine_options.h"
+#include "cli/options/read_options.h"
+#include "cli/options/render_options.h"
+#include "cli/options/texture_options.h"
+#include "cli/options/values.h"
+#include "common/scene/scene.h"
+#ifdef RELIEF_HAS_VIEWER
+#include "viewer/viewer.h"
+#endif
+
+namespace relief::cli {
+namespace {
+
+struct ViewArguments {
+  std::vector<std::filesystem::path> files;
+  SceneSettings settings;
+  ReadOptions read;
+  std::filesystem::path texture;
+  bool flips_v = false;
+  ColourArguments colours;
+  double target_ms = 33.0;
+};
+
+constexpr const char* kViewFooter =
+    "FILE is a patch file, a scan, a mesh, a raster or a .json scene. A scan shows its points at "
+    "once,\n"
+    "and its patches when they are converted. Files can be dropped on the window.\n"
+    "\n"
+    "Examples:\n"
+    "  relief view dragon.relief\n"
+    "  relief view scan1.ply scan2.ply\n"
+    "  relief view dragon.relief --material mirror --env studio.exr";
+
+#ifdef RELIEF_HAS_VIEWER
+int run_view(const ViewArguments& arguments) {
+  ViewerOptions options;
+  options.files = arguments.files;
+  options.settings = arguments.settings;
+  options.load.read = arguments.read;
+  options.load.textures = texture_choice(arguments.texture, arguments.flips_v);
+  options.load.colour_by = colour_by_of(arguments.colours);
+  options.target_ms = arguments.target_ms;
+  options.is_interrupted = interrupted;
+  // Ctrl-C closes the window, and closing it is no failure.
+  if (const Status shown = run_viewer(std::move(options)); !shown) return fail(shown.error());
+  return 0;
+}
+#else
+int run_view(const ViewArguments& /*arguments*/) {
+  return fail(
+      make_error("this build has no window; install libglfw3-dev and libimgui-dev, and build it "
+                 "again"));
+}
+#endif
+
+}  // namespace
+
+void add_view(CLI::App& app, Command& command) {
+  auto* sub = app.add_subcommand("view", "Show patch files and scans in a window");
+  const auto arguments = std::make_shared<ViewArguments>();
+  sub->add_option("FILE", arguments->files, "Files to open (default: an empty window)")
+      ->option_text("FILE...");
+  add_camera_options(*sub, arguments->settings);
+  add_engine_options(*sub, arguments->settings);
+  add_material_options(*sub, arguments->settings);
+  add_colour_options(*sub, arguments->colours);
+  sub->add_option(
+         "--texture", arguments->texture,
+         "Texture of a mesh, PNG or JPEG; none: ignore those that the mesh names (default: "
+         "those)")
+      ->option_text("FILE|none");
+  add_flip_option(*sub, arguments->flips_v);
+  add_read_options(*sub, arguments->read);
+  sub->add_option("--target-ms", arguments->target_ms,
+                  "Time of a frame while the camera moves, milliseconds, 5 to 1000: coarser "
+                  "pictures keep it (default 33)")
+      ->check(CLI::Range(5.0, 1000.0))
+      ->option_text("MS");
+  sub->footer(kViewFooter);
+  sub->callback([arguments, &command] {
+    check_camera(arguments->settings);
+    check_engine_options(arguments->settings);
+    command = [arguments] { return run_view(*arguments); };
+  });
+}
+
+}  // namespace relief::cli

@@ -1,0 +1,76 @@
+// The window's picture: what is on the GPU, how it is drawn and shown.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
+
+#include "common/error.h"
+#include "common/image/image.h"
+#include "renderer/gl/loader.h"
+#include "renderer/gl/open_gl.h"
+#include "viewer/drawing/live_picture.h"
+#include "viewer/drawing/pacer.h"
+#include "viewer/drawing/point_cloud.h"
+#include "viewer/drawing/presenter.h"
+#include "viewer/drawing/uploaded_scene.h"
+#include "viewer/session.h"
+
+namespace relief {
+
+/// Draws a session into the window whose OpenGL context is current. Everything it holds goes before
+/// the context does.
+class Display {
+ public:
+  static Result<std::unique_ptr<Display>> create(const GlLoader& load, double target_ms);
+
+  /// Uploads what has arrived, which then is what is drawn, and puts it into the session. If that
+  /// fails, what was there before stays.
+  Status show(std::shared_ptr<const LoadedScene> scene, Session& session);
+  Status show(const ScanPoints& points);
+
+  /// Makes the picture newer: all of it and coarsely if something `changes`, otherwise the next
+  /// part of the full picture. A look that cannot be drawn fails, and is put back in the session.
+  Status update(Session& session, bool changes);
+
+  /// Shows the newest picture in the window.
+  void present(const Session& session);
+
+  /// Tells the pace of moving pictures what the last took until it was in the window.
+  void note_frame(double ms);
+
+  /// Whether there is nothing left to refine.
+  [[nodiscard]] bool is_complete() const { return picture_.is_complete(); }
+  [[nodiscard]] Pacer& pacer() { return pacer_; }
+  [[nodiscard]] const UploadedScene* scene() const { return scene_.get(); }
+
+  /// The pixel below a cursor as Viewport::probe gives it. Nothing without a scene or beside it.
+  [[nodiscard]] std::optional<Image> probe(const Session& session, glm::dvec2 cursor);
+
+ private:
+  explicit Display(GlLoader load, std::shared_ptr<const OpenGl> opengl, double target_ms)
+      : load_(std::move(load)),
+        opengl_(std::move(opengl)),
+        picture_(opengl_->gl()),
+        pacer_(target_ms) {}
+  Status prepare(Session& session);
+  void clear(const Session& session);
+
+  GlLoader load_;
+  std::shared_ptr<const OpenGl> opengl_;
+  std::optional<Presenter> presenter_;
+  std::unique_ptr<UploadedScene> scene_;
+  std::optional<PointCloud> points_;
+  LivePicture picture_;
+  Pacer pacer_;
+  bool is_steady_ = false;  ///< the next frame compiles and uploads nothing
+  std::optional<std::pair<SceneSettings, std::optional<SceneSettings>>> drawn_looks_;
+};
+
+/// The point of the surface at a probed pixel, world units, as precise as a float depth. `cursor`:
+/// where it was probed.
+[[nodiscard]] std::optional<glm::dvec3> surface_of(const Image& pixel, const Session& session,
+                                                   glm::dvec2 cursor);
+
+}  // namespace relief

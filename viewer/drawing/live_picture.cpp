@@ -1,0 +1,95 @@
+#include "viewer/drawing/live_picture.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace relief {
+namespace {
+
+/// A window that answers within a tenth of a second feels alive; a band leaves room for an input
+/// event and the frame that it asks for.
+constexpr double kBandMs = 30.0;
+constexpr std::uint32_t kFewestRows = 16;
+
+double ms_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+      .count();
+}
+
+}  // namespace
+
+const Canvas* LivePicture::shown() const {
+  const std::optional<Canvas>& canvas = shows_full_ ? full_ : coarse_;
+  return canvas ? &*canvas : nullptr;
+}
+
+Status LivePicture::fit(std::optional<Canvas>& canvas, std::uint32_t width, std::uint32_t height) {
+  if (canvas && canvas->width == width && canvas->height == height) return {};
+  canvas.reset();
+  RELIEF_TRY_ASSIGN(canvas, make_canvas(*gl_, width, height));
+  return {};
+}
+
+Status LivePicture::draw(Viewport& model, const Looks& looks, const Quality& quality) {
+  const std::vector<Pane> panes = panes_of(looks, quality);
+  const bool is_full = quality.scale == 1.0;
+  std::optional<Canvas>& canvas = is_full ? full_ : coarse_;
+  RELIEF_TRY(fit(canvas, panes.front().settings.width, panes.front().settings.height));
+  for (const Pane& pane : panes)
+    RELIEF_TRY(model.draw(pane.settings, pane.part, canvas->framebuffer.id()));
+  gl_->Finish();
+  shows_full_ = is_full;
+  // At full size only levels of detail differ from one sample a pixel at rest.
+  stage_ = Stage::OneSample;
+  next_row_ = 0;
+  return {};
+}
+
+Status LivePicture::draw(const PointCloud& points, const Looks& looks, const Quality& quality) {
+  const std::vector<Pane> panes = panes_of(looks, quality);
+  const RenderSettings& settings = panes.front().settings;
+  RELIEF_TRY(fit(coarse_, settings.width, settings.height));
+  const double share = quality.scale * quality.scale;
+  points.draw(settings.camera, settings.background.value_or(glm::vec3(0.0F)),
+              static_cast<std::size_t>(share * static_cast<double>(points.size())), *coarse_);
+  gl_->Finish();
+  shows_full_ = false;
+  stage_ = Stage::Complete;
+  return {};
+}
+
+Status LivePicture::draw_band(Viewport& model, const Looks& looks, int samples, bool& is_last) {
+  const std::uint32_t height = looks.first.height;
+  const auto wanted = static_cast<std::uint32_t>(std::min(rows_per_ms_ * kBandMs, 1e5));
+  const std::uint32_t rows = std::min(std::max(wanted, kFewestRows), height - next_row_);
+  const auto start = std::chrono::steady_clock::now();
+  for (Pane& pane : panes_of(looks, samples)) {
+    // From the top, as one reads.
+    pane.part.bottom = height - next_row_ - rows;
+    pane.part.height = rows;
+    RELIEF_TRY(model.draw(pane.settings, pane.part, full_->framebuffer.id()));
+  }
+  gl_->Finish();
+  rows_per_ms_ = rows / std::max(ms_since(start), 0.01);
+  next_row_ += rows;
+  is_last = next_row_ == height;
+  return {};
+}
+
+Status LivePicture::refine(Viewport& model, const Looks& looks) {
+  if (is_complete()) return {};
+  RELIEF_TRY(fit(full_, looks.first.width, looks.first.height));
+  const bool is_first = stage_ == Stage::OneSample;
+  bool is_last = false;
+  RELIEF_TRY(draw_band(model, looks, is_first ? 1 : looks.first.samples, is_last));
+  if (!is_last) return {};
+  shows_full_ = true;
+  next_row_ = 0;
+  const bool has_more = is_first && looks.first.samples > 1;
+  stage_ = has_more ? Stage::AllSamples : Stage::Complete;
+  // A band of several samples takes that many times as long.
+  if (has_more) rows_per_ms_ /= looks.first.samples;
+  return {};
+}
+
+}  // namespace relief

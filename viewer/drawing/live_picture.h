@@ -1,0 +1,52 @@
+// The picture in the window: coarse while it changes, then refined part by part.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <optional>
+
+#include "common/error.h"
+#include "renderer/gl/functions.h"
+#include "renderer/viewport.h"
+#include "viewer/drawing/canvas.h"
+#include "viewer/drawing/looks.h"
+#include "viewer/drawing/pacer.h"
+#include "viewer/drawing/point_cloud.h"
+
+namespace relief {
+
+/// Draws what a window shows. A change is drawn at once and coarsely; at rest the picture becomes
+/// that of `relief render`, in bands that each take some tens of milliseconds, so that the window
+/// answers in between.
+class LivePicture {
+ public:
+  explicit LivePicture(const Gl& gl) : gl_(&gl) {}
+
+  /// Draws all of it, at a quality, and waits for it. Refining begins anew.
+  Status draw(Viewport& model, const Looks& looks, const Quality& quality);
+  Status draw(const PointCloud& points, const Looks& looks, const Quality& quality);
+
+  /// Draws the next band of the full picture: first with one sample a pixel, then with as many as
+  /// the looks have. Does nothing once it is_complete(). `looks`: those of draw().
+  Status refine(Viewport& model, const Looks& looks);
+  [[nodiscard]] bool is_complete() const { return stage_ == Stage::Complete; }
+
+  /// The newest picture; null before the first.
+  [[nodiscard]] const Canvas* shown() const;
+
+ private:
+  enum class Stage : std::uint8_t { OneSample, AllSamples, Complete };
+
+  Status fit(std::optional<Canvas>& canvas, std::uint32_t width, std::uint32_t height);
+  Status draw_band(Viewport& model, const Looks& looks, int samples, bool& is_last);
+
+  const Gl* gl_;
+  std::optional<Canvas> coarse_;
+  std::optional<Canvas> full_;
+  bool shows_full_ = false;
+  Stage stage_ = Stage::Complete;
+  std::uint32_t next_row_ = 0;  ///< of the stage's next band
+  double rows_per_ms_ = 4.0;    ///< of the last band
+};
+
+}  // namespace relief

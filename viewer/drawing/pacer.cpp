@@ -1,0 +1,42 @@
+#include "viewer/drawing/pacer.h"
+
+#include <algorithm>
+
+namespace relief {
+namespace {
+
+/// Frames that must be quick before a finer picture is tried; doubled each time that was too slow.
+constexpr int kQuickFrames = 8;
+constexpr int kMostDoublings = 5;
+
+/// A picture at another step takes at least this share of what its pixels suggest: levels of detail
+/// and what does not depend on pixels.
+double cost_ratio(std::size_t from, std::size_t to) {
+  const double scale = kQualities[to].scale / kQualities[from].scale;
+  return 0.3 + 0.7 * scale * scale;
+}
+
+}  // namespace
+
+void Pacer::note(double frame_ms) {
+  if (frame_ms > 1.15 * target_ms_) {
+    const std::size_t before = step_;
+    while (step_ + 1 < kQualities.size() &&
+           (step_ == before || frame_ms * cost_ratio(before, step_) > target_ms_))
+      ++step_;
+    if (quick_frames_ < 0) slow_after_finer_ = std::min(slow_after_finer_ + 1, kMostDoublings);
+    quick_frames_ = 0;
+    return;
+  }
+  if (quick_frames_ < 0) {  // the finer step is quick enough
+    if (++quick_frames_ == 0) slow_after_finer_ = 0;
+    return;
+  }
+  const bool would_fit = step_ > 0 && frame_ms * cost_ratio(step_, step_ - 1) < 0.95 * target_ms_;
+  quick_frames_ = would_fit ? quick_frames_ + 1 : 0;
+  if (quick_frames_ < kQuickFrames << slow_after_finer_) return;
+  --step_;
+  quick_frames_ = -kQuickFrames;
+}
+
+}  // namespace relief

@@ -1,0 +1,46 @@
+// How coarse a picture is while the camera moves.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace relief {
+
+/// A quality of moving pictures.
+struct Quality {
+  double scale = 1.0;              ///< the picture's sides over the window's
+  double pixels_per_sample = 4.0;  ///< RenderSettings::pixels_per_sample
+};
+
+/// From the finest, which is that of pictures at rest but for antialiasing. Each step halves the
+/// pixels of the one before or nearly so, and draws coarser levels of detail with them.
+inline constexpr std::array<Quality, 7> kQualities{{{1.0, 4.0},
+                                                    {0.84, 5.0},
+                                                    {0.7, 6.0},
+                                                    {0.59, 8.0},
+                                                    {0.5, 10.0},
+                                                    {0.4, 12.0},
+                                                    {0.3, 16.0}}};
+
+/// Chooses the quality at which a frame takes about a target time.
+class Pacer {
+ public:
+  explicit Pacer(double target_ms) : target_ms_(target_ms) {}
+
+  [[nodiscard]] const Quality& quality() const { return kQualities[step_]; }
+
+  /// What the frame that was drawn at quality() took. One that took too long makes the next coarser
+  /// at once, by as many steps as its pixels suggest; several that took little make it finer by one.
+  void note(double frame_ms);
+
+  void set_target(double target_ms) { target_ms_ = target_ms; }
+  [[nodiscard]] double target_ms() const { return target_ms_; }
+
+ private:
+  double target_ms_;
+  std::size_t step_ = 2;    ///< a guess: the first frame is not the one to find out
+  int quick_frames_ = 0;    ///< one after the other
+  int slow_after_finer_ = 0;  ///< how often a finer step was too slow, which is then tried less often
+};
+
+}  // namespace relief

@@ -1,0 +1,43 @@
+// The points of a scan on OpenGL.
+#pragma once
+
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <utility>
+
+#include "common/error.h"
+#include "common/scene/camera.h"
+#include "renderer/gl/object.h"
+#include "viewer/document/scan_points.h"
+#include "viewer/drawing/canvas.h"
+
+namespace relief {
+
+/// Points of about the size of their spacing. No surface: they only bridge the time until there is
+/// one.
+class PointCloud {
+ public:
+  /// Uploads the points. Fails if OpenGL has no memory for them.
+  static Result<PointCloud> create(const Gl& gl, const ScanPoints& points);
+
+  /// Draws the first `most` points, which are spread over all, and clears what was there before to
+  /// `background` (linear).
+  void draw(const Camera& camera, const glm::vec3& background, std::size_t most,
+            const Canvas& into) const;
+
+  [[nodiscard]] std::size_t size() const { return count_; }
+
+ private:
+  PointCloud(const Gl& gl, const ScanPoints& points, Program program);
+
+  const Gl* gl_;
+  Program program_;
+  Buffer points_;
+  Buffer frame_;
+  VertexArray vertices_;
+  glm::dvec3 origin_;
+  double spacing_;
+  std::size_t count_;
+};
+
+}  // namespace relief

@@ -1,0 +1,139 @@
+#include "viewer/input.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <array>
+#include <glm/geometric.hpp>
+#include <string_view>
+#include <utility>
+
+#include "viewer/window/window.h"
+
+namespace relief {
+namespace {
+
+/// A hand trembles by this, in pixels.
+constexpr double kTremble = 4.0;
+constexpr double kDoubleClickSeconds = 0.35;
+
+/// Keys that look from a side, as number keys in other programs: 1 to 7 in the order of kViews.
+constexpr int kFirstViewKey = GLFW_KEY_1;
+
+DragKind drag_of(MouseButton button, const Modifiers& modifiers) {
+  if (button == MouseButton::Middle || button == MouseButton::Right || modifiers.shift)
+    return DragKind::Pan;
+  if (modifiers.control) return DragKind::Look;
+  return modifiers.alt ? DragKind::Roll : DragKind::Orbit;
+}
+
+struct Reactor {
+  const SurfaceFinder& surface;
+  Pointer& pointer;
+  Session& session;
+  Reaction reaction = {};
+
+  void operator()(const ButtonEvent& event) {
+    pointer.cursor = event.cursor;
+    if (event.pressed && !pointer.held) {
+      pointer.held = event.button;
+      pointer.pressed_at = event.cursor;
+      pointer.has_moved = false;
+      session.navigator.begin(drag_of(event.button, event.modifiers), event.cursor,
+                              surface(event.cursor));
+    } else if (!event.pressed && pointer.held == event.button) {
+      pointer.held.reset();
+      session.navigator.end();
+      if (pointer.has_moved || event.button != MouseButton::Left) return;
+      reaction.click = event.cursor;
+      reaction.is_double = event.seconds - pointer.last_click < kDoubleClickSeconds;
+      pointer.last_click = event.seconds;
+    }
+  }
+
+  void operator()(const MoveEvent& event) {
+    pointer.cursor = event.cursor;
+    if (!pointer.held) return;
+    if (glm::distance(event.cursor, pointer.pressed_at) > kTremble) pointer.has_moved = true;
+    if (!pointer.has_moved) return;
+    session.navigator.drag(event.cursor);
+    reaction.changes = true;
+  }
+
+  void operator()(const WheelEvent& event) {
+    pointer.cursor = event.cursor;
+    session.navigator.zoom(event.steps.y, event.cursor, surface(event.cursor));
+    reaction.changes = true;
+  }
+
+  void operator()(const KeyEvent& event) {
+    if (!event.pressed) return;
+    if (event.modifiers.control) {
+      return;
+    }
+    Navigator& navigator = session.navigator;
+    const int view = event.key - kFirstViewKey;
+    if (view >= 0 && view < static_cast<int>(kViews.size())) {
+      navigator.look_from(kViews[static_cast<std::size_t>(view)].value);
+    } else if (event.key == GLFW_KEY_HOME) {
+      navigator.home();
+    } else if (event.key == GLFW_KEY_F) {
+      navigator.frame_all();
+    } else if (event.key == GLFW_KEY_L) {
+      navigator.level();
+    } else if (event.key == GLFW_KEY_O) {
+      navigator.set_orthographic(!navigator.camera().is_orthographic());
+    } else if (event.key == GLFW_KEY_TAB) {
+      session.shows_panels = !session.shows_panels;
+    } else if (event.key == GLFW_KEY_ESCAPE) {
+      session.shows_help = false;
+    }
+    reaction.changes = true;
+  }
+
+  void operator()(const CharacterEvent& event) {
+    if (event.character == U'?') session.shows_help = !session.shows_help;
+  }
+
+  void operator()(const DropEvent& event) { reaction.dropped = event.files; }
+};
+
+constexpr std::array<std::pair<int, glm::dvec3>, 6> kFlyKeys{{{GLFW_KEY_D, {1.0, 0.0, 0.0}},
+                                                              {GLFW_KEY_A, {-1.0, 0.0, 0.0}},
+                                                              {GLFW_KEY_E, {0.0, 1.0, 0.0}},
+                                                              {GLFW_KEY_Q, {0.0, -1.0, 0.0}},
+                                                              {GLFW_KEY_W, {0.0, 0.0, 1.0}},
+                                                              {GLFW_KEY_S, {0.0, 0.0, -1.0}}}};
+
+glm::dvec3 fly_direction(const Window& window) {
+  glm::dvec3 direction(0.0);
+  if (window.is_down(GLFW_KEY_LEFT_CONTROL) || window.is_down(GLFW_KEY_RIGHT_CONTROL))
+    return direction;
+  for (const auto& [key, along] : kFlyKeys) {
+    if (window.is_down(key)) direction += along;
+  }
+  return direction;
+}
+
+}  // namespace
+
+Reaction react_to(const Event& event, const SurfaceFinder& surface, Pointer& pointer,
+                  Session& session) {
+  Reactor reactor{surface, pointer, session};
+  std::visit(reactor, event);
+  return std::move(reactor.reaction);
+}
+
+bool is_flying(const Window& window) {
+  return fly_direction(window) != glm::dvec3(0.0);
+}
+
+bool fly(const Window& window, double seconds, Session& session) {
+  const glm::dvec3 direction = fly_direction(window);
+  if (direction == glm::dvec3(0.0)) return false;
+  const bool is_fast = window.is_down(GLFW_KEY_LEFT_SHIFT) || window.is_down(GLFW_KEY_RIGHT_SHIFT);
+  session.navigator.fly(direction, seconds, is_fast ? 3.0 : 1.0);
+  return true;
+}
+
+}  // namespace relief

@@ -1,0 +1,51 @@
+// All keys and gestures.
+#include <imgui.h>
+
+#include <array>
+#include <utility>
+
+#include "viewer/panels/panels.h"
+
+namespace relief {
+namespace {
+
+constexpr std::array<std::pair<const char*, const char*>, 15> kKeys{
+    {{"drag", "orbit about the point under the cursor"},
+     {"right drag, Shift + drag", "pan"},
+     {"Ctrl + drag", "look around"},
+     {"Alt + drag", "roll"},
+     {"wheel, pinch", "zoom towards the cursor"},
+     {"W A S D, Q E", "fly; with Shift faster"},
+     {"1 to 7", "front, back, left, right, top, bottom, oblique"},
+     {"Home", "the first view"},
+     {"F", "frame all"},
+     {"L", "level the horizon"},
+     {"O", "orthographic"},
+     {"Tab", "hide the panels"},
+     {"Ctrl + Q", "quit"},
+     {"?", "this list"},
+     {"drop a file", "open it"}}};
+
+}  // namespace
+
+void show_help(Session& session) {
+  const ImGuiViewport& viewport = *ImGui::GetMainViewport();
+  ImGui::SetNextWindowPos(
+      {viewport.Pos.x + 0.5F * viewport.Size.x, viewport.Pos.y + 0.5F * viewport.Size.y},
+      ImGuiCond_Appearing, {0.5F, 0.5F});
+  ImGui::Begin("Keys", &session.shows_help,
+               ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoCollapse);
+  if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
+    for (const auto& [key, effect] : kKeys) {
+      ImGui::TableNextColumn();
+      ImGui::TextColored({1.0F, 0.85F, 0.5F, 1.0F}, "%s", key);
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted(effect);
+    }
+    ImGui::EndTable();
+  }
+  ImGui::End();
+}
+
+}  // namespace relief

@@ -1,0 +1,44 @@
+#include "viewer/session.h"
+
+#include <utility>
+
+#include "loader/first_look.h"
+#include "loader/view_settings.h"
+
+namespace relief {
+namespace {
+
+constexpr std::size_t kMostMessages = 5;
+
+}  // namespace
+
+void add_message(Session& session, std::string text, bool is_error, double now) {
+  session.messages.push_back({std::move(text), is_error, now});
+  if (session.messages.size() > kMostMessages) session.messages.pop_front();
+}
+
+Result<RenderSettings> settings_of(const Session& session, const SceneSettings& look) {
+  const ScenePlan& plan = session.document.plan();
+  PlannedView view = plan.views.front();
+  view.settings = look;
+  RELIEF_TRY_ASSIGN(RenderSettings settings,
+                    render_settings_of(plan, view, session.scene->patches));
+  complete_look(view, *session.scene, settings);
+  settings.camera = session.navigator.camera();
+  settings.width = static_cast<std::uint32_t>(session.window.x);
+  settings.height = static_cast<std::uint32_t>(session.window.y);
+  settings.outputs = {};
+  return settings;
+}
+
+Result<Looks> looks_of(const Session& session) {
+  Looks looks;
+  RELIEF_TRY_ASSIGN(looks.first, settings_of(session, session.look));
+  if (session.compared) {
+    RELIEF_TRY_ASSIGN(looks.second, settings_of(session, *session.compared));
+  }
+  looks.divider = session.divider;
+  return looks;
+}
+
+}  // namespace relief

@@ -1,0 +1,27 @@
+// `relief view`: a window that shows scans.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "common/error.h"
+#include "common/scene/scene.h"
+#include "loader/load_scene.h"
+
+namespace relief {
+
+struct ViewerOptions {
+  std::vector<std::filesystem::path> files;  ///< opened first; may be empty
+  SceneSettings settings;                    ///< the first look and camera
+  LoadOptions load;                          ///< how files are read
+  double target_ms = 33.0;                   ///< of a frame while something moves
+  std::function<bool()> is_interrupted = [] { return false; };  ///< asked now and then
+};
+
+/// Opens a window and shows files until the user closes it. To be called on the program's first
+/// thread. Fails, with one sentence, without a display, OpenGL 4.5 or one of the first files.
+/// A file that turns out to be broken later gives a message in the window.
+Status run_viewer(ViewerOptions options);
+
+}  // namespace relief

@@ -1,0 +1,96 @@
+#include "viewer/window/gui.h"
+
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <array>
+#include <filesystem>
+
+#include "viewer/window/window.h"
+
+namespace relief {
+namespace {
+
+constexpr float kTextPixels = 15.0F;
+
+/// Where Debian and others keep a font without serifs; the first that is there is taken.
+constexpr std::array<const char*, 4> kFonts{"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+                                            "/usr/share/fonts/TTF/DejaVuSans.ttf",
+                                            "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
+                                            "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf"};
+
+void load_font(float scale) {
+  ImGuiIO& io = ImGui::GetIO();
+  const std::array<ImWchar, 9> letters{0x20,   0x17F,  0x2010, 0x2027, 0x2190,
+                                       0x2193, 0x2200, 0x22FF, 0};
+  static const std::array<ImWchar, 9> kept = letters;  // read when the atlas is made
+  for (const char* const font : kFonts) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(font, ignored)) continue;
+    if (io.Fonts->AddFontFromFileTTF(font, kTextPixels * scale, nullptr, kept.data()) != nullptr)
+      return;
+  }
+  ImFontConfig config;
+  config.SizePixels = 13.0F * scale;
+  io.Fonts->AddFontDefault(&config);
+}
+
+void set_style(float scale) {
+  ImGui::StyleColorsDark();
+  ImGuiStyle& style = ImGui::GetStyle();
+  style.WindowRounding = 6.0F;
+  style.FrameRounding = 4.0F;
+  style.GrabRounding = 4.0F;
+  style.WindowBorderSize = 0.0F;
+  style.WindowPadding = {10.0F, 10.0F};
+  style.ItemSpacing = {8.0F, 6.0F};
+  style.Colors[ImGuiCol_WindowBg] = {0.11F, 0.115F, 0.125F, 0.93F};
+  style.Colors[ImGuiCol_Header] = {0.24F, 0.27F, 0.31F, 1.0F};
+  style.Colors[ImGuiCol_FrameBg] = {0.20F, 0.21F, 0.23F, 1.0F};
+  style.Colors[ImGuiCol_Button] = {0.25F, 0.28F, 0.32F, 1.0F};
+  style.ScaleAllSizes(scale);
+}
+
+}  // namespace
+
+Gui::Gui(Window& window) {
+  IMGUI_CHECKVERSION();
+  ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;  // what is remembered is remembered by viewer/settings
+  io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  const auto scale = static_cast<float>(window.scale());
+  load_font(scale);
+  set_style(scale);
+  // Calls the window's own callbacks, too, which are set already.
+  ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
+  ImGui_ImplOpenGL3_Init("#version 450");
+}
+
+Gui::~Gui() {
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui_ImplGlfw_Shutdown();
+  ImGui::DestroyContext();
+}
+
+void Gui::begin() {
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  ImGui::NewFrame();
+}
+
+void Gui::end() {
+  ImGui::Render();
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+bool Gui::wants_mouse() const {
+  return ImGui::GetIO().WantCaptureMouse;
+}
+
+bool Gui::wants_keys() const {
+  return ImGui::GetIO().WantTextInput;
+}
+
+}  // namespace relief
