@@ -9,6 +9,7 @@
 #include "common/patch.h"
 #include "common/scene/camera.h"
 #include "common/scene/choices.h"
+#include "common/stance.h"
 #include "viewer/navigation/drag.h"
 #include "viewer/navigation/pose.h"
 #include "viewer/navigation/transition.h"
@@ -29,9 +30,11 @@ namespace relief {
 /// What holds after every call: the camera is finite, its eye is not its target, and its up
 /// direction is at a right angle to the line of sight (unless a caller's camera is shown, whose up
 /// direction is the caller's). No input makes the image jump: a drag of no length changes nothing.
-/// Every call but advance(), and those that only read, ends a transition where it is.
+/// Drags, wheel and flights end a transition where it is; new views start from there.
 class Navigator {
  public:
+  Navigator();
+
   // What there is to see.
 
   /// Takes the model's bounds, bounding sphere, extreme points, stance and spacing
@@ -91,8 +94,12 @@ class Navigator {
   /// looks straight up or down.
   void level();
 
-  void go_to(const Camera& camera);       ///< e.g. a bookmark; finite, eye and target differ
-  void set_camera(const Camera& camera);  ///< likewise, at once and to the last bit
+  /// Goes to a camera, for example a bookmark's: is_usable() (pose.h), else nothing happens. Its
+  /// target becomes the pivot.
+  void go_to(const Camera& camera);
+
+  /// Shows a usable camera at once, to the last bit. Its target becomes the pivot.
+  void set_camera(const Camera& camera);
 
   // Settings.
 
@@ -110,7 +117,7 @@ class Navigator {
   void set_field_of_view(double degrees);
 
   /// Sets the point that the background turns about and whose depth projections keep.
-  void set_pivot(glm::dvec3 point);
+  void set_pivot(glm::dvec3 point) { pivot_ = point; }
 
   // Time.
 
@@ -127,7 +134,48 @@ class Navigator {
 
   /// How little of the world the image's height shows at the pivot's depth when one has zoomed in
   /// all the way.
-  [[nodiscard]] double least_image_height() const;
+  [[nodiscard]] double least_image_height() const { return limits_.least_height; }
+
+ private:
+  [[nodiscard]] glm::dvec2 size() const;
+  [[nodiscard]] double aspect() const;
+  [[nodiscard]] glm::dvec3 centre() const { return origin_ + limits_.centre; }
+  [[nodiscard]] DragSettings drag_settings() const;
+
+  /// The camera of `relief render` for an orbit, or for the first look.
+  [[nodiscard]] Camera camera_on(const std::optional<Orbit>& orbit) const;
+
+  /// The camera that a transition ends with, else the present one.
+  [[nodiscard]] const Camera& destination() const;
+  [[nodiscard]] double depth_at_pivot(const Pose& pose) const;
+
+  /// From the poses' origin.
+  [[nodiscard]] std::optional<glm::dvec3> local(const std::optional<glm::dvec3>& point) const;
+
+  // The point that a movement refers to; the pivot becomes it, unless it is the background.
+  glm::dvec3 anchor(glm::dvec2 cursor, const std::optional<glm::dvec3>& under);
+  glm::dvec3 orbit_anchor(const std::optional<glm::dvec3>& under);
+
+  void stop();  ///< ends a transition
+  void show(const Pose& pose);
+  void put(const Pose& pose);  ///< likewise, and a drag goes on from there
+  void restart_drag();
+  void glide(const Camera& camera);
+  void change_lens(const Pose& pose);
+
+  PatchModel extent_;
+  std::optional<glm::dvec3> up_axis_;  ///< that was asked for
+  ImageSize image_;
+  Limits limits_;
+  OrbitStyle style_ = OrbitStyle::Turntable;
+
+  glm::dvec3 origin_{0.0};  ///< of the poses
+  Pose pose_;
+  Camera camera_;  ///< pose_ in the world
+  glm::dvec3 pivot_{0.0};
+  bool is_home_ = false;  ///< nobody has moved the camera since home()
+  std::optional<Drag> drag_;
+  std::optional<Transition> transition_;
 };
 
 }  // namespace relief
