@@ -22,13 +22,6 @@ constexpr double kFlat = 0.3;
 constexpr Orbit kFlatOrbit{30.0, 35.0, 0.0};
 constexpr Orbit kBodyOrbit{25.0, 15.0, 0.0};
 
-std::vector<glm::dvec3> points_to_frame(const PatchModel& model) {
-  if (!model.extremes.empty()) return model.extremes;
-  std::vector<glm::dvec3> corners = corners_of(model.bounds);
-  // A model without patches is nowhere.
-  return corners.empty() ? std::vector<glm::dvec3>(1, glm::dvec3(0.0)) : corners;
-}
-
 glm::dvec3 middle_of(const PatchModel& model) {
   return 0.5 * (model.bounds.min + model.bounds.max);
 }
@@ -89,6 +82,13 @@ Orbit first_orbit(const SceneSettings& settings, const PatchModel& model) {
 }
 
 }  // namespace
+
+std::vector<glm::dvec3> points_to_frame(const PatchModel& model) {
+  if (!model.extremes.empty()) return model.extremes;
+  std::vector<glm::dvec3> corners = corners_of(model.bounds);
+  // A model without patches is nowhere.
+  return corners.empty() ? std::vector<glm::dvec3>(1, glm::dvec3(0.0)) : corners;
+}
 
 std::vector<SceneSettings> film_frames(const SceneSettings& settings, const PatchModel& model,
                                        std::size_t count) {

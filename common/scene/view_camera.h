@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/vec3.hpp>
 #include <vector>
 
 #include "common/error.h"
@@ -20,6 +21,10 @@ namespace relief {
 /// orthographic camera without a height sees the model just whole. `roll_degrees` and `zoom` come
 /// last. Fails, with a clause, if the eye is where it looks.
 Result<Camera> camera_for(const SceneSettings& settings, const PatchModel& model);
+
+/// The points of a model that an image shows whole: its extreme points, or without those the corners
+/// of its bounds, or the origin. Not empty.
+[[nodiscard]] std::vector<glm::dvec3> points_to_frame(const PatchModel& model);
 
 /// The settings of each frame of a film in which the camera goes once around the model, at the
 /// elevation that `settings` have. All frames look at the middle of the bounds from one distance,
