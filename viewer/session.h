@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "common/scene/scene.h"
 #include "renderer/settings.h"
@@ -23,6 +24,8 @@ struct Message {
 };
 
 struct Session {
+  explicit Session(Document opened) : document(std::move(opened)) {}
+
   Document document;
   std::shared_ptr<const LoadedScene> scene;  ///< what is shown; null: points, or nothing yet
   Navigator navigator;

@@ -155,8 +155,8 @@ class Loop {
 
 Status run_viewer(ViewerOptions options) {
   // What is first loads while the window opens.
-  Session session{.document = Document(std::move(options.load), &Window::wake),
-                  .look = options.settings};
+  Session session(Document(std::move(options.load), &Window::wake));
+  session.look = options.settings;
   if (!options.files.empty()) RELIEF_TRY(session.document.open(options.files, options.settings));
   RELIEF_TRY_ASSIGN(const auto window, Window::open({.title = title_of(session)}));
   RELIEF_TRY_ASSIGN(const auto display, Display::create(Window::loader(), options.target_ms));
