@@ -30,6 +30,7 @@ struct ViewArguments {
   bool flips_v = false;
   ColourArguments colours;
   double target_ms = 33.0;
+  std::filesystem::path frame_log;
 };
 
 constexpr const char* kViewFooter =
@@ -51,6 +52,7 @@ int run_view(const ViewArguments& arguments) {
   options.load.textures = texture_choice(arguments.texture, arguments.flips_v);
   options.load.colour_by = colour_by_of(arguments.colours);
   options.target_ms = arguments.target_ms;
+  options.frame_log = arguments.frame_log;
   options.is_interrupted = interrupted;
   // Ctrl-C closes the window, and closing it is no failure.
   if (const Status shown = run_viewer(std::move(options)); !shown) return fail(shown.error());
@@ -87,6 +89,9 @@ void add_view(CLI::App& app, Command& command) {
                   "pictures keep it (default 33)")
       ->check(CLI::Range(5.0, 1000.0))
       ->option_text("MS");
+  sub->add_option("--frame-log", arguments->frame_log,
+                  "CSV file to write with the time of each frame (default: none)")
+      ->option_text("FILE");
   sub->footer(kViewFooter);
   sub->callback([arguments, &command] {
     check_camera(arguments->settings);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "viewer/drawing/display.h"
+#include "viewer/frame_log.h"
 #include "viewer/input.h"
 #include "viewer/panels/panels.h"
 #include "viewer/session.h"
@@ -34,8 +35,12 @@ std::string title_of(const Session& session) {
 /// shows it; when there is nothing left to do it only waits.
 class Loop {
  public:
-  Loop(Window& window, Gui& gui, Display& display, Session& session)
-      : window_(window), gui_(gui), display_(display), session_(session) {}
+  Loop(Window& window, Gui& gui, Display& display, Session& session, FrameLog log)
+      : window_(window),
+        gui_(gui),
+        display_(display),
+        session_(session),
+        log_(std::move(log)) {}
 
   void turn() {
     const double waits = is_busy() ? 0.0 : is_progressing() ? kProgressSeconds : kRestSeconds;
@@ -120,6 +125,11 @@ class Loop {
   }
 
   void draw(bool changes, double now) {
+    const double scale = display_.pacer().quality().scale;
+    const FrameKind kind = display_.is_empty()      ? FrameKind::Empty
+                           : changes                ? FrameKind::Moving
+                           : display_.is_complete() ? FrameKind::Panels
+                                                    : FrameKind::Band;
     report(display_.update(session_, changes), now);
     display_.present(session_);
     gui_.begin();
@@ -127,6 +137,7 @@ class Loop {
     gui_.end();
     window_.swap();
     const double ms = 1000.0 * (window_.seconds() - now);
+    log_.add(kind, ms, scale);
     if (changes) {
       session_.frame_ms = ms;
       display_.note_frame(ms);
@@ -146,6 +157,7 @@ class Loop {
   Gui& gui_;
   Display& display_;
   Session& session_;
+  FrameLog log_;
   Pointer pointer_;
   double last_ = 0.0;
   int frames_left_ = kFramesAfterEvent;
@@ -154,6 +166,10 @@ class Loop {
 }  // namespace
 
 Status run_viewer(ViewerOptions options) {
+  FrameLog log;
+  if (!options.frame_log.empty()) {
+    RELIEF_TRY_ASSIGN(log, FrameLog::open(options.frame_log));
+  }
   // What is first loads while the window opens.
   Session session(Document(std::move(options.load), &Window::wake));
   session.look = options.settings;
@@ -161,7 +177,7 @@ Status run_viewer(ViewerOptions options) {
   RELIEF_TRY_ASSIGN(const auto window, Window::open({.title = title_of(session)}));
   RELIEF_TRY_ASSIGN(const auto display, Display::create(Window::loader(), options.target_ms));
   Gui gui(*window);
-  Loop loop(*window, gui, *display, session);
+  Loop loop(*window, gui, *display, session, std::move(log));
   while (!window->wants_close() && !options.is_interrupted()) loop.turn();
   return {};
 }

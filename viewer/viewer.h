@@ -16,6 +16,7 @@ struct ViewerOptions {
   SceneSettings settings;                    ///< the first look and camera
   LoadOptions load;                          ///< how files are read
   double target_ms = 33.0;                   ///< of a frame while something moves
+  std::filesystem::path frame_log;           ///< a CSV of all frames; empty: none is written
   std::function<bool()> is_interrupted = [] { return false; };  ///< asked now and then
 };
 

@@ -81,8 +81,9 @@ Status Display::prepare(Session& session) {
 
 Status Display::update(Session& session, bool changes) {
   if (points_) {
-    if (!changes) return {};
-    return picture_.draw(*points_, looks_of_points(session), pacer_.quality());
+    const Looks looks = looks_of_points(session);
+    return changes ? picture_.draw(*points_, looks, pacer_.quality())
+                   : picture_.refine(*points_, looks);
   }
   if (scene_ == nullptr) return {};
   if (std::exchange(session.look_changed, false)) {

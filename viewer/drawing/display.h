@@ -42,6 +42,8 @@ class Display {
 
   /// Whether there is nothing left to refine.
   [[nodiscard]] bool is_complete() const { return picture_.is_complete(); }
+  /// Whether nothing has been opened yet.
+  [[nodiscard]] bool is_empty() const { return scene_ == nullptr && !points_; }
   [[nodiscard]] Pacer& pacer() { return pacer_; }
   [[nodiscard]] const UploadedScene* scene() const { return scene_.get(); }
 

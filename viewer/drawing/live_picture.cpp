@@ -48,14 +48,19 @@ Status LivePicture::draw(Viewport& model, const Looks& looks, const Quality& qua
 Status LivePicture::draw(const PointCloud& points, const Looks& looks, const Quality& quality) {
   const std::vector<Pane> panes = panes_of(looks, quality);
   const RenderSettings& settings = panes.front().settings;
-  RELIEF_TRY(fit(coarse_, settings.width, settings.height));
-  const double share = quality.scale * quality.scale;
+  const bool is_full = quality.scale == 1.0;
+  std::optional<Canvas>& canvas = is_full ? full_ : coarse_;
+  RELIEF_TRY(fit(canvas, settings.width, settings.height));
   points.draw(settings.camera, settings.background.value_or(glm::vec3(0.0F)),
-              static_cast<std::size_t>(share * static_cast<double>(points.size())), *coarse_);
+              quality.scale * quality.scale, *canvas);
   gl_->Finish();
-  shows_full_ = false;
-  stage_ = Stage::Complete;
+  shows_full_ = is_full;
+  stage_ = is_full ? Stage::Complete : Stage::OneSample;
   return {};
+}
+
+Status LivePicture::refine(const PointCloud& points, const Looks& looks) {
+  return is_complete() ? Status() : draw(points, looks, kQualities.front());
 }
 
 Status LivePicture::draw_band(Viewport& model, const Looks& looks, int samples, bool& is_last) {

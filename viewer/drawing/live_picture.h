@@ -27,8 +27,10 @@ class LivePicture {
   Status draw(const PointCloud& points, const Looks& looks, const Quality& quality);
 
   /// Draws the next band of the full picture: first with one sample a pixel, then with as many as
-  /// the looks have. Does nothing once it is_complete(). `looks`: those of draw().
+  /// the looks have; of points all at once. Does nothing once it is_complete(). `looks`: those of
+  /// draw().
   Status refine(Viewport& model, const Looks& looks);
+  Status refine(const PointCloud& points, const Looks& looks);
   [[nodiscard]] bool is_complete() const { return stage_ == Stage::Complete; }
 
   /// The newest picture; null before the first.

@@ -1,7 +1,7 @@
 #include "viewer/drawing/point_cloud.h"
 
-#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <glm/ext/matrix_transform.hpp>
 #include <span>
@@ -63,14 +63,14 @@ Result<PointCloud> PointCloud::create(const Gl& gl, const ScanPoints& points) {
   return made;
 }
 
-void PointCloud::draw(const Camera& camera, const glm::vec3& background, std::size_t most,
+void PointCloud::draw(const Camera& camera, const glm::vec3& background, double share,
                       const Canvas& into) const {
   const Gl& gl = *gl_;
   PassTimer timer(gl);
   const ScopedPass pass(gl, timer, "scan points");
   const DepthNeeds needs{kNear * spacing_, {}, spacing_};
   const View view = make_view(camera, into.width, into.height, needs);
-  const shared::PointFrame frame = frame_of(view, origin_, kOverlap * spacing_);
+  const shared::PointFrame frame = frame_of(view, origin_, kOverlap * spacing_ / std::sqrt(share));
   gl.NamedBufferSubData(frame_.id(), 0, sizeof(frame), &frame);
   const std::array<float, 4> colour{background.x, background.y, background.z, 0.0F};
   const float infinite = 0.0F;
@@ -85,7 +85,7 @@ void PointCloud::draw(const Camera& camera, const glm::vec3& background, std::si
   gl.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_FRAME, frame_.id());
   gl.UseProgram(program_.id());
   gl.BindVertexArray(vertices_.id());
-  gl.DrawArrays(GL_POINTS, 0, static_cast<GLsizei>(std::min(most, count_)));
+  gl.DrawArrays(GL_POINTS, 0, static_cast<GLsizei>(std::ceil(share * static_cast<double>(count_))));
   gl.BindVertexArray(0);
   gl.UseProgram(0);
   gl.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_BIND_FRAME, 0);

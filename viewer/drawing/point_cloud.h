@@ -20,12 +20,10 @@ class PointCloud {
   /// Uploads the points. Fails if OpenGL has no memory for them.
   static Result<PointCloud> create(const Gl& gl, const ScanPoints& points);
 
-  /// Draws the first `most` points, which are spread over all, and clears what was there before to
-  /// `background` (linear).
-  void draw(const Camera& camera, const glm::vec3& background, std::size_t most,
+  /// Draws a share of the points, 0 to 1, spread over all of them and the larger the fewer they
+  /// are. Clears what was there before to `background` (linear).
+  void draw(const Camera& camera, const glm::vec3& background, double share,
             const Canvas& into) const;
-
-  [[nodiscard]] std::size_t size() const { return count_; }
 
  private:
   PointCloud(const Gl& gl, const ScanPoints& points, Program program);

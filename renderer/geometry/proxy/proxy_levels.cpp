@@ -168,10 +168,14 @@ std::vector<ProxyLevel> make_proxy_levels(std::span<const Patch> patches,
     std::fill_n(is_joined.begin() + some.first, count, true);
     add_seams(*some.seams, std::span(clusters).subspan(some.first, count), triangles);
   }
+  std::vector<Triangle> of_patch;  // many samples have one cluster, and then one triangle
   for (std::uint32_t p = 0; p < patches.size(); ++p) {
-    (is_joined[p] ? add_joined_cells : add_cells)(patches[p], clusters[p], triangles);
-    keep_unique(triangles);
+    of_patch.clear();
+    (is_joined[p] ? add_joined_cells : add_cells)(patches[p], clusters[p], of_patch);
+    keep_unique(of_patch);
+    triangles.insert(triangles.end(), of_patch.begin(), of_patch.end());
   }
+  keep_unique(triangles);
   levels.push_back(make_level(spacings.front(), middle, grid, triangles));
   for (const double spacing : spacings.subspan(1)) {
     CubeGrid coarser(spacing);
