@@ -22,8 +22,8 @@ namespace relief {
 /// last. Fails, with a clause, if the eye is where it looks.
 Result<Camera> camera_for(const SceneSettings& settings, const PatchModel& model);
 
-/// The points of a model that an image shows whole: its extreme points, or without those the corners
-/// of its bounds, or the origin. Not empty.
+/// The points of a model that an image shows whole: its extreme points, or without those the
+/// corners of its bounds, or the origin. Not empty.
 [[nodiscard]] std::vector<glm::dvec3> points_to_frame(const PatchModel& model);
 
 /// The settings of each frame of a film in which the camera goes once around the model, at the
