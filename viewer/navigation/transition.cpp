@@ -4,14 +4,16 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
 
 namespace relief {
 namespace {
 
-/// Of [van Wijk 2003]: how much a change of scale counts beside one of place; their users chose 1.4.
-constexpr double kRho = 1.4;
+/// Of [van Wijk 2003]: how far back the camera goes to cover a distance. The square root of 2, as
+/// in D3.
+constexpr double kRho = glm::root_two<double>();
 
 /// Below this share of what is seen a change of place is none: the path's equations divide by it.
 constexpr double kLeastWay = 1e-9;
@@ -26,7 +28,7 @@ struct Shown {
   double height;
 };
 
-/// Eq. (9) of [van Wijk 2003], rearranged so that nothing cancels.
+/// The optimal path of [van Wijk 2003], rearranged so that nothing cancels.
 Shown shown_between(double from, double to, double distance, double share) {
   if (distance < kLeastWay * std::max(from, to))
     return {share, from * std::exp(share * std::log(to / from))};
