@@ -19,7 +19,8 @@ constexpr double kLeastRadii = 1e-6;
 constexpr double kClearRadii = 1.05;
 
 double farthest_distance(const Limits& limits, const Pose& pose) {
-  return kFarthestRadii * limits.radius / (2.0 * slope_of(pose));
+  const double height = kFarthestRadii * limits.radius;
+  return pose.is_orthographic() ? height : height / (2.0 * slope_of(pose));
 }
 
 }  // namespace
@@ -28,7 +29,7 @@ Limits limits_for(const PatchModel& extent, glm::dvec3 origin, double aspect) {
   Limits limits;
   const glm::dvec3 centre = 0.5 * (extent.bounds.min + extent.bounds.max);
   const double largest = glm::length(centre) + extent.bounding_radius;
-  if (!std::isfinite(largest)) return limits;  // bounds that a hostile file has
+  if (!(largest <= kMostCoordinate)) return limits;  // bounds that a hostile file has
   limits.centre = centre - origin;
   if (extent.bounding_radius > 0.0) limits.radius = extent.bounding_radius;
   const double steady = kLeastRoundings * std::numeric_limits<double>::epsilon() * largest;

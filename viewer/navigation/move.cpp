@@ -18,13 +18,12 @@ double limited_height(double height, double factor, const Limits& limits) {
 }
 
 Pose zoomed_orthographic(const Pose& pose, double factor, glm::dvec3 point, const Limits& limits) {
+  const glm::dvec3 beside = point + depth_of(pose, point) * pose.backward();  // the eye
+  const double asked = std::min(factor, farthest_factor(limits, pose, beside));
   Pose result = pose;
-  result.orthographic_height = limited_height(pose.orthographic_height, factor, limits);
-  const double share = 1.0 - result.orthographic_height / pose.orthographic_height;
-  const glm::dvec3 way = point - pose.eye;
-  const double right = glm::dot(way, pose.right());
-  const double up = glm::dot(way, pose.up());
-  result.eye += share * (right * pose.right() + up * pose.up());
+  result.orthographic_height = limited_height(pose.orthographic_height, asked, limits);
+  const double share = result.orthographic_height / pose.orthographic_height;
+  result.eye = beside + share * (pose.eye - beside);
   return result;
 }
 
@@ -81,16 +80,17 @@ Pose with_projection(const Pose& pose, bool orthographic, double depth, const Li
   result.focus = pose.orthographic_height / (2.0 * slope_of(pose));
   result.eye += (result.focus - depth) * pose.backward();
   result.orthographic_height = 0.0;
-  return result;
+  return within_reach(limits, pose, result);
 }
 
-Pose with_field_of_view(const Pose& pose, double degrees, double depth) {
+Pose with_field_of_view(const Pose& pose, double degrees, double depth,
+                        const Limits& limits) {
   Pose result = pose;
   result.vertical_fov_degrees = degrees;
   if (pose.is_orthographic()) return result;
   result.focus = depth * slope_of(pose) / slope_of(result);
   result.eye += (result.focus - depth) * pose.backward();
-  return result;
+  return within_reach(limits, pose, result);
 }
 
 }  // namespace relief

@@ -47,6 +47,7 @@ struct Flight {
                                    const Limits& limits);
 
 /// Returns the pose with another vertical field of view, likewise.
-[[nodiscard]] Pose with_field_of_view(const Pose& pose, double degrees, double depth);
+[[nodiscard]] Pose with_field_of_view(const Pose& pose, double degrees, double depth,
+                                      const Limits& limits);
 
 }  // namespace relief

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <utility>
 #include <vector>
 
 #include "common/bounds.h"
-#include "common/extremes.h"
 #include "common/scene/framing.h"
 #include "common/scene/view_camera.h"
 #include "viewer/navigation/anchor.h"
@@ -21,8 +20,8 @@ namespace {
 /// Without a surface ahead one flies as if there were one this far, in radii of the model.
 constexpr double kLeastFlightRadii = 0.02;
 
-/// Points closer together than so many samples are framed with as much around them.
-constexpr double kLeastFramedSamples = 20.0;
+/// A point alone is framed with as much around it as so many of the least images.
+constexpr double kLeastFramedHeights = 20.0;
 
 /// A line of sight closer to the up axis than this (sine) has no horizon.
 constexpr double kNoHorizon = 1e-6;
@@ -128,8 +127,12 @@ void Navigator::frame(std::span<const glm::dvec3> points) {
   std::vector<glm::dvec3> all(points.begin(), points.end());
   const Bounds bounds = bounds_of(all);
   const glm::dvec3 middle = 0.5 * (bounds.min + bounds.max);
-  const glm::dvec3 least(0.5 * kLeastFramedSamples * limits_.least_height * std::max(aspect(), 1.0));
-  for (const glm::dvec3& p : corners_of({middle - least, middle + least})) all.push_back(p);
+  const glm::dmat3 axes = glm::transpose(view_rotation(destination()));
+  const double least = 0.5 * kLeastFramedHeights * limits_.least_height;
+  for (const double side : {-least, least}) {
+    all.push_back(middle + side * axes[0]);
+    all.push_back(middle + side * axes[1]);
+  }
   glide(framed(destination(), all, aspect(), true));
   pivot_ = middle;
 }
@@ -153,7 +156,7 @@ void Navigator::go_to(const Camera& camera) {
 void Navigator::set_camera(const Camera& camera) {
   stop();
   put(pose_of(camera, origin_));
-  camera_ = camera;
+  camera_ = with_usable_up(camera);
   pivot_ = camera.target;
 }
 
@@ -170,7 +173,7 @@ void Navigator::set_orthographic(bool orthographic) {
 void Navigator::set_field_of_view(double degrees) {
   const Pose pose = pose_of(destination(), origin_);
   const double limited = std::clamp(degrees, kMinFieldOfView, kMaxFieldOfView);
-  change_lens(with_field_of_view(pose, limited, depth_at_pivot(pose)));
+  change_lens(with_field_of_view(pose, limited, depth_at_pivot(pose), limits_));
 }
 
 bool Navigator::advance(double seconds) {
@@ -254,7 +257,7 @@ void Navigator::glide(const Camera& camera) {
   if (!is_usable(camera)) return;
   drag_.reset();
   is_home_ = false;
-  transition_ = Transition{pose_, pose_of(camera, origin_), camera, 0.0};
+  transition_ = Transition{pose_, pose_of(camera, origin_), with_usable_up(camera), 0.0};
 }
 
 void Navigator::change_lens(const Pose& pose) {

@@ -28,8 +28,7 @@ namespace relief {
 /// itself.
 ///
 /// What holds after every call: the camera is finite, its eye is not its target, and its up
-/// direction is at a right angle to the line of sight (unless a caller's camera is shown, whose up
-/// direction is the caller's). No input makes the image jump: a drag of no length changes nothing.
+/// direction does not run along the line of sight. No input makes the image jump: a drag of no length changes nothing.
 /// Drags, wheel and flights end a transition where it is; new views start from there.
 class Navigator {
  public:
@@ -98,7 +97,7 @@ class Navigator {
   /// target becomes the pivot.
   void go_to(const Camera& camera);
 
-  /// Shows a usable camera at once, to the last bit. Its target becomes the pivot.
+  /// Shows a usable camera at once, to the last bit (but see with_usable_up() in pose.h). Its target becomes the pivot.
   void set_camera(const Camera& camera);
 
   // Settings.

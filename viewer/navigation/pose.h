@@ -30,8 +30,16 @@ struct Pose {
 /// the line of sight. With origin 0 it is the camera relative to the pose's origin.
 [[nodiscard]] Camera camera_of(const Pose& pose, glm::dvec3 origin);
 
-/// Returns whether a camera is finite and its eye, target and up direction make a view.
+/// Coordinates beyond this limit are no camera's: their squares would not be finite.
+inline constexpr double kMostCoordinate = 1e100;
+
+/// Returns whether the coordinates of a camera are up to kMostCoordinate and its eye, target and up
+/// direction make a view.
 [[nodiscard]] bool is_usable(const Camera& camera);
+
+/// Returns the camera, with another up direction if its own runs along the line of sight. Its image
+/// is the same.
+[[nodiscard]] Camera with_usable_up(const Camera& camera);
 
 /// Returns tan(fov / 2): half the image's height at depth 1.
 [[nodiscard]] double slope_of(const Pose& pose);

@@ -4,14 +4,16 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
 
 namespace relief {
 namespace {
 
-/// Of [van Wijk 2003]: how much a change of scale counts beside one of place; their users chose 1.4.
-constexpr double kRho = 1.4;
+/// Of [van Wijk 2003]: how far back the camera goes to cover a distance. The square root of 2, as
+/// in D3.
+constexpr double kRho = glm::root_two<double>();
 
 /// Below this share of what is seen a change of place is none: the path's equations divide by it.
 constexpr double kLeastWay = 1e-9;
@@ -26,7 +28,7 @@ struct Shown {
   double height;
 };
 
-/// Eq. (9) of [van Wijk 2003], rearranged so that nothing cancels.
+/// The optimal path of [van Wijk 2003], rearranged so that nothing cancels.
 Shown shown_between(double from, double to, double distance, double share) {
   if (distance < kLeastWay * std::max(from, to))
     return {share, from * std::exp(share * std::log(to / from))};
@@ -49,11 +51,13 @@ double smoothstep(double t) { return t * t * (3.0 - 2.0 * t); }
 
 }  // namespace
 
-Pose pose_between(const Pose& from, const Pose& to, double share) {
+Pose pose_between(const Pose& from, const Pose& to, double share, double most_height) {
   const glm::dvec3 start = target_of(from);
   const glm::dvec3 way = target_of(to) - start;
-  const Shown shown = shown_between(image_height_at(from, from.focus),
-                                    image_height_at(to, to.focus), glm::length(way), share);
+  const double first = image_height_at(from, from.focus);
+  const double last = image_height_at(to, to.focus);
+  Shown shown = shown_between(first, last, glm::length(way), share);
+  shown.height = std::min(shown.height, std::max({most_height, first, last}));
   const bool orthographic = from.is_orthographic() && to.is_orthographic();
   const double slope = std::exp(glm::mix(std::log(slope_at_end(from, orthographic)),
                                          std::log(slope_at_end(to, orthographic)), share));
@@ -69,7 +73,8 @@ Pose pose_between(const Pose& from, const Pose& to, double share) {
 
 Pose pose_of(const Transition& transition, const Limits& limits) {
   const double share = std::clamp(transition.elapsed / kTransitionSeconds, 0.0, 1.0);
-  const Pose pose = pose_between(transition.from, transition.to, smoothstep(share));
+  const Pose pose = pose_between(transition.from, transition.to, smoothstep(share),
+                                 kFarthestRadii * limits.radius);
   const double depth = std::min(depth_of(transition.from, limits.centre),
                                 depth_of(transition.to, limits.centre));
   return set_back(limits, pose, depth);

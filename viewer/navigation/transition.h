@@ -24,8 +24,9 @@ struct Transition {
 /// change of [van Wijk 2003]: on the spot the distance changes exponentially; between distant
 /// close-ups the camera goes back, across and down again, and not through what lies between. It
 /// turns about the target meanwhile, at constant speed and the short way (slerp). Between the
-/// projections it is a perspective one whose field of view shrinks or grows.
-[[nodiscard]] Pose pose_between(const Pose& from, const Pose& to, double share);
+/// projections it is a perspective one whose field of view shrinks or grows. It never shows more of
+/// the world than `most_height` in the image's height, unless an end does.
+[[nodiscard]] Pose pose_between(const Pose& from, const Pose& to, double share, double most_height);
 
 /// Returns the pose of a transition now, at a speed that grows and fades, with the model before an
 /// orthographic eye if it is so at both ends.
