@@ -47,6 +47,9 @@ class Display {
   [[nodiscard]] Pacer& pacer() { return pacer_; }
   [[nodiscard]] const UploadedScene* scene() const { return scene_.get(); }
 
+  /// The newest picture; null before the first.
+  [[nodiscard]] const Canvas* picture() const { return picture_.shown(); }
+
   /// The pixel below a cursor as Viewport::probe gives it. Nothing without a scene or beside it.
   [[nodiscard]] std::optional<Image> probe(const Session& session, glm::dvec2 cursor);
 

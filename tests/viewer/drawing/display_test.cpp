@@ -1,0 +1,171 @@
+// What a window shows, without the window: in an OpenGL context of the test's own.
+#include "viewer/drawing/display.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "common/transform.h"
+#include "loader/first_look.h"
+#include "renderer/frame/targets.h"
+#include "renderer/gl/context.h"
+#include "renderer/gl/functions.h"
+#include "renderer/render.h"
+#include "tests/common/patch_file/sample_models.h"
+#include "tests/renderer/scenes.h"
+#include "viewer/document/scan_points.h"
+
+namespace relief {
+namespace {
+
+PatchModel ball() {
+  test::SphereShape shape;
+  shape.bumps = 0.1;
+  shape.patches_per_side = 2;
+  return test::sphere_model(shape);
+}
+
+/// A session that shows a ball, whose file is never read.
+class Showing : public testing::Test {
+ protected:
+  Showing() : session_(Document({}, [] {})) {
+    auto context = make_context(GlPlatform::Automatic, false);
+    EXPECT_TRUE(context);
+    context_ = *std::move(context);
+    gl_ = *load_functions(*context_);
+    const GlLoader load = [this](const char* name) { return context_->get_proc_address(name); };
+    auto display = Display::create(load, 33.0);
+    EXPECT_TRUE(display) << display.error().message;
+    display_ = *std::move(display);
+    test::spill(folder_ / "ball.ply", "");
+    EXPECT_TRUE(session_.document.open({folder_ / "ball.ply"}, {}));
+    session_.window = {96, 64};
+    session_.navigator.set_image({96, 64});
+  }
+  ~Showing() override { display_.reset(); }
+
+  void show(PatchModel model) {
+    auto scene = std::make_shared<LoadedScene>();
+    scene->patches = std::move(model);
+    session_.navigator.set_model(without_patches(scene->patches), false);
+    const Status shown = display_->show(scene, session_);
+    ASSERT_TRUE(shown) << shown.error().message;
+  }
+  void finish() {
+    Status status = display_->update(session_, true);
+    for (int k = 0; k < 1000 && status && !display_->is_complete(); ++k)
+      status = display_->update(session_, false);
+    ASSERT_TRUE(status) << status.error().message;
+    ASSERT_TRUE(display_->is_complete());
+  }
+  [[nodiscard]] Image picture() const {
+    const Canvas& canvas = *display_->picture();
+    return read_colour(gl_, canvas.colour, canvas.width, canvas.height);
+  }
+
+  test::ScratchFolder folder_;
+  std::unique_ptr<GlContext> context_;
+  Gl gl_;
+  std::unique_ptr<Display> display_;
+  Session session_;
+};
+
+TEST_F(Showing, IsCoarseInMotionAndAtRestWhatRenderDraws) {
+  show(ball());
+  ASSERT_TRUE(display_->update(session_, true));
+  EXPECT_LT(display_->picture()->width, 96U);
+  EXPECT_FALSE(display_->is_complete());
+  finish();
+  const Image shown = picture();
+  ASSERT_EQ(shown.width, 96U);
+  const auto settings = settings_of(session_, session_.look);
+  ASSERT_TRUE(settings) << settings.error().message;
+  EXPECT_EQ(settings->samples, kPictureSamples);
+  display_.reset();
+  context_.reset();
+  Progress silent;
+  const auto rendered = render(session_.scene->patches, *settings, silent);
+  ASSERT_TRUE(rendered) << rendered.error().message;
+  std::size_t others = 0;
+  for (const char* const name : {"R", "G", "B"}) {
+    const std::vector<float>& a = shown.find(name)->values;
+    const std::vector<float>& b = rendered->image.find(name)->values;
+    // All levels are on the GPU, and bands have projections of their own: roundings of a half
+    // float, and of an edge's pixel one sample of four.
+    for (std::size_t p = 0; p < a.size(); ++p) others += std::abs(a[p] - b[p]) > 0x1p-9F ? 1 : 0;
+  }
+  EXPECT_LE(others, 6U);
+}
+
+TEST_F(Showing, TwoLooksMeetAtTheDivider) {
+  show(ball());
+  finish();
+  const Image lit = picture();
+  session_.compared = session_.look;
+  session_.compared->material = Material::Unlit;
+  session_.divider = 0.5;
+  session_.look_changed = true;
+  finish();
+  const Image both = picture();
+  const auto differs = [&](std::uint32_t first, std::uint32_t end) {
+    for (std::uint32_t y = 0; y < both.height; ++y) {
+      for (std::uint32_t x = first; x < end; ++x) {
+        const std::size_t p = std::size_t{y} * both.width + x;
+        if (std::abs(lit.find("G")->values[p] - both.find("G")->values[p]) > 0.02F) return true;
+      }
+    }
+    return false;
+  };
+  EXPECT_FALSE(differs(0, 48));
+  EXPECT_TRUE(differs(48, 96));
+}
+
+TEST_F(Showing, ALookThatCannotBeDrawnIsPutBack) {
+  show(ball());
+  finish();
+  session_.look.engine = "ewa";  // on the CPU
+  session_.look_changed = true;
+  EXPECT_FALSE(display_->update(session_, false));
+  EXPECT_FALSE(session_.look.engine);
+  finish();
+}
+
+TEST_F(Showing, FindsTheSurfaceUnderTheCursor) {
+  show(ball());
+  const auto pixel = display_->probe(session_, {48.0, 32.0});
+  ASSERT_TRUE(pixel);
+  const auto point = surface_of(*pixel, session_, {48.0, 32.0});
+  ASSERT_TRUE(point);
+  EXPECT_NEAR(glm::length(*point), 1.0, 0.11) << "on the ball and its bumps";
+  EXPECT_GT(glm::dot(*point, session_.navigator.camera().eye), 0.0) << "on the side one sees";
+  const auto beside = display_->probe(session_, {1.0, 1.0});
+  ASSERT_TRUE(beside);
+  EXPECT_FALSE(surface_of(*beside, session_, {1.0, 1.0}));
+}
+
+TEST_F(Showing, PointsAreShownUntilThereIsASurface) {
+  Points points;
+  for (int k = 0; k < 4000; ++k) {
+    const double z = 1.0 - (2.0 * k + 1.0) / 4000.0;
+    const double r = std::sqrt(1.0 - z * z);
+    points.positions.emplace_back(5e6 + r * std::cos(2.4 * k), r * std::sin(2.4 * k), z);
+    points.colours.emplace_back(255, 0, 0);
+  }
+  const ScanPoints shown = scan_points_of(points);
+  session_.navigator.set_model(shown.extent, false);
+  ASSERT_TRUE(display_->show(shown));
+  finish();
+  const Image image = picture();
+  const std::size_t middle = 32 * 96 + 48;
+  EXPECT_GT(image.find("R")->values[middle], 0.9F);
+  EXPECT_LT(image.find("G")->values[middle], 0.1F);
+  show(ball());
+  finish();
+  EXPECT_LT(picture().find("R")->values[middle], 0.9F);
+}
+
+}  // namespace
+}  // namespace relief
