@@ -1,6 +1,10 @@
 #include "viewer/session.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "common/scene/view_camera.h"
+#include "common/transform.h"
 
 #include "loader/first_look.h"
 #include "loader/view_settings.h"
@@ -10,7 +14,33 @@ namespace {
 
 constexpr std::size_t kMostMessages = 5;
 
+/// Whether the settings say where a camera is.
+bool has_camera(const SceneSettings& settings) {
+  return settings.orbit || settings.eye || settings.target || settings.roll_degrees ||
+         settings.zoom || settings.fov_degrees || settings.orthographic;
+}
+
 }  // namespace
+
+void start_camera(Session& session, const PatchModel& extent) {
+  SceneSettings& look = session.look;
+  session.navigator.set_model(without_patches(extent), false);
+  if (look.up && !look.eye) session.navigator.set_up_axis(look.up);
+  look.size = ImageSize{static_cast<std::uint32_t>(std::max(session.window.x, 1)),
+                        static_cast<std::uint32_t>(std::max(session.window.y, 1))};
+  if (has_camera(look)) {
+    if (const auto camera = camera_for(look, extent)) session.navigator.set_camera(*camera);
+  }
+  look.size.reset();
+  look.orbit.reset();
+  look.eye.reset();
+  look.target.reset();
+  look.up.reset();
+  look.roll_degrees.reset();
+  look.zoom.reset();
+  look.fov_degrees.reset();
+  look.orthographic.reset();
+}
 
 void add_message(Session& session, std::string text, bool is_error, double now) {
   session.messages.push_back({std::move(text), is_error, now});

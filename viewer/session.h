@@ -45,6 +45,10 @@ struct Session {
   double frame_ms = 0.0;  ///< of the last moving frame
 };
 
+/// Shows another model: from where the look's settings ask for, or as `relief render` does. Takes
+/// what concerns the camera out of the look.
+void start_camera(Session& session, const PatchModel& extent);
+
 void add_message(Session& session, std::string text, bool is_error, double now);
 
 /// Returns the renderer's settings of a look for the window's size and the present camera, as

@@ -64,7 +64,7 @@ class Loop {
 
  private:
   [[nodiscard]] bool is_busy() const {
-    return frames_left_ > 0 || !display_.is_complete() || session_.navigator.moving() ||
+    return frames_left_ > 0 || waiting_ != nullptr || !display_.is_complete() || session_.navigator.moving() ||
            session_.look_changed || is_flying(window_);
   }
   [[nodiscard]] bool is_progressing() const {
@@ -87,18 +87,33 @@ class Loop {
     Arrival arrival = session_.document.take();
     for (std::string& note : arrival.notes) add_message(session_, std::move(note), false, now);
     if (arrival.failure) add_message(session_, *std::move(arrival.failure), true, now);
+    if (arrival.is_other) {
+      window_.set_title(title_of(session_));
+      session_.look = session_.document.plan().views.front().settings;
+    }
     if (arrival.points) {
-      session_.navigator.set_model(arrival.points->extent, !arrival.is_other);
+      if (arrival.is_other) start_camera(session_, arrival.points->extent);
       report(display_.show(*arrival.points), now);
     }
-    if (arrival.scene) {
-      const bool is_first = arrival.is_other || session_.scene == nullptr;
-      session_.navigator.set_model(without_patches(arrival.scene->patches), !is_first);
-      report(display_.show(std::move(arrival.scene), session_), now);
+    const bool shows_waiting = waiting_ != nullptr && arrival.scene == nullptr;
+    std::shared_ptr<const LoadedScene> scene =
+        shows_waiting ? std::move(waiting_) : std::move(arrival.scene);
+    waiting_.reset();
+    if (scene == nullptr) return arrival.points.has_value();
+    if (display_.is_empty()) {
+      // The upload takes longer than a user likes to look at nothing.
+      const ScanPoints samples = scan_points_of(scene->patches);
+      start_camera(session_, samples.extent);
+      report(display_.show(samples), now);
+      waiting_ = std::move(scene);
+      return true;
     }
-    const bool changes = arrival.points || arrival.scene;
-    if (arrival.is_other) window_.set_title(title_of(session_));
-    return changes;
+    if (arrival.is_other && !arrival.points)
+      start_camera(session_, scene->patches);
+    else
+      session_.navigator.set_model(without_patches(scene->patches), true);
+    report(display_.show(std::move(scene), session_), now);
+    return true;
   }
 
   bool react(const Event& event, double now) {
@@ -159,6 +174,7 @@ class Loop {
   Session& session_;
   FrameLog log_;
   Pointer pointer_;
+  std::shared_ptr<const LoadedScene> waiting_;  ///< to be shown in the next turn
   double last_ = 0.0;
   int frames_left_ = kFramesAfterEvent;
 };

@@ -6,6 +6,9 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "common/octahedral.h"
+#include "common/transform.h"
+
 namespace relief {
 namespace {
 
@@ -25,15 +28,28 @@ std::size_t step_of(std::size_t count) {
   return step;
 }
 
+/// Grey that is lit from above. `normal`: of any length.
+glm::u8vec4 grey_of(const glm::vec3& normal, const glm::vec3& up) {
+  float facing = 0.5F;
+  const float length = glm::length(normal);
+  if (std::isfinite(length) && length > 0.0F) facing += 0.5F * glm::dot(normal, up) / length;
+  return {glm::u8vec3(static_cast<std::uint8_t>(kDarkest + kRange * facing)), 255};
+}
+
 glm::u8vec4 colour_of(const Points& points, std::size_t index, const glm::vec3& up) {
   if (!points.colours.empty()) return {points.colours[index], 255};
-  float facing = 0.5F;
-  if (!points.normals.empty()) {
-    const glm::vec3 normal = points.normals[index];
-    const float length = glm::length(normal);
-    if (std::isfinite(length) && length > 0.0F) facing += 0.5F * glm::dot(normal, up) / length;
-  }
-  return {glm::u8vec3(static_cast<std::uint8_t>(kDarkest + kRange * facing)), 255};
+  return grey_of(points.normals.empty() ? glm::vec3(0.0F) : points.normals[index], up);
+}
+
+glm::u8vec4 colour_of(const Patch& patch, std::uint32_t i, std::uint32_t j, const glm::vec3& up) {
+  const auto texel_of = [i, j](const auto& map) {
+    return map.texels[std::size_t{j} * map.scale * map.width + std::size_t{i} * map.scale];
+  };
+  if (!patch.colours.empty()) return {texel_of(patch.colours), 255};
+  const glm::dvec3 normal = patch.normals.empty()
+                                ? patch.axes[2]
+                                : patch.axes * glm::dvec3(unit_from_snorm16(texel_of(patch.normals)));
+  return grey_of(glm::vec3(normal), up);
 }
 
 /// As if the points were spread evenly over half the surface of their box.
@@ -63,6 +79,34 @@ ScanPoints scan_points_of(const Points& points) {
   }
   shown.spacing = spacing_of(bounds, std::max<std::size_t>(shown.points.size(), 1));
   shown.extent.spacing = shown.spacing;
+  return shown;
+}
+
+ScanPoints scan_points_of(const PatchModel& given) {
+  ScanPoints shown;
+  shown.extent = without_patches(given);
+  const PatchModel placed = given.instances.empty() ? PatchModel() : bake(given);
+  const std::vector<Patch>& patches = given.instances.empty() ? given.patches : placed.patches;
+  shown.origin = 0.5 * (given.bounds.min + given.bounds.max);
+  const glm::vec3 up(given.stance.up);
+  std::vector<ShownPoint> samples;
+  for (const Patch& patch : patches) {
+    for (std::uint32_t j = 0; j < patch.height; ++j) {
+      for (std::uint32_t i = 0; i < patch.width; ++i) {
+        if (patch.at(i, j) == kHole) continue;
+        samples.push_back({glm::vec3(position_of(patch, i, j) - shown.origin),
+                           colour_of(patch, i, j, up)});
+      }
+    }
+  }
+  const std::size_t count = samples.size();
+  if (count == 0) return shown;
+  const std::size_t step = step_of(count);
+  const std::size_t kept = std::min(count, kMostShownPoints);
+  shown.points.reserve(kept);
+  for (std::size_t k = 0, index = 0; k < kept; ++k, index = (index + step) % count)
+    shown.points.push_back(samples[index]);
+  shown.spacing = given.spacing * std::sqrt(static_cast<double>(count) / static_cast<double>(kept));
   return shown;
 }
 

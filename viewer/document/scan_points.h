@@ -1,4 +1,4 @@
-// The points of a scan as they are shown until its patches are there.
+// The points of a scan, or the samples of patches, as they are shown until the surface is there.
 #pragma once
 
 #include <cstddef>
@@ -31,5 +31,8 @@ struct ScanPoints {
 /// Takes the finite points of a scan. Points without colours are grey, lit from above by their
 /// normals if they have some.
 [[nodiscard]] ScanPoints scan_points_of(const Points& points);
+
+/// Takes the samples of patches, coloured or lit in the same way.
+[[nodiscard]] ScanPoints scan_points_of(const PatchModel& model);
 
 }  // namespace relief

@@ -80,13 +80,14 @@ Status Display::prepare(Session& session) {
 }
 
 Status Display::update(Session& session, bool changes) {
+  const bool look_changes = std::exchange(session.look_changed, false);
   if (points_) {
     const Looks looks = looks_of_points(session);
     return changes ? picture_.draw(*points_, looks, pacer_.quality())
                    : picture_.refine(*points_, looks);
   }
   if (scene_ == nullptr) return {};
-  if (std::exchange(session.look_changed, false)) {
+  if (look_changes) {
     changes = true;
     RELIEF_TRY(prepare(session));
   }

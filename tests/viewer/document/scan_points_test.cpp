@@ -58,7 +58,7 @@ TEST(ScanPoints, HasColoursOrShade) {
 }
 
 TEST(ScanPoints, NothingOfNothing) {
-  EXPECT_TRUE(scan_points_of({}).points.empty());
+  EXPECT_TRUE(scan_points_of(Points()).points.empty());
 }
 
 }  // namespace
