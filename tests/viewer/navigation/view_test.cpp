@@ -172,6 +172,17 @@ TEST(Transition, BetweenAllViewsStaysOutsideTheModel) {
   }
 }
 
+TEST(Transition, BetweenOrthographicCamerasNeverCutsTheModel) {
+  Navigator navigator = navigator_about(kBall);
+  const auto camera_at = [](double y) {
+    return Camera{
+        kUtm + glm::dvec3(0, 1.06 * y, 0), kUtm + glm::dvec3(0, y, 0), {0, 0, 1}, 45.0, 9.0};
+  };
+  navigator.set_camera(camera_at(-100));
+  navigator.go_to(camera_at(100));
+  finish(navigator, [](const Camera& camera) { EXPECT_GT(depth_of(camera, kUtm), 100.0); });
+}
+
 TEST(Transition, BetweenDistantCloseUpsGoesBackAndAcross) {
   Navigator navigator = navigator_about(kBall);
   const Camera left{kUtm + glm::dvec3(-60, -100, 0), kUtm + glm::dvec3(-60, -90, 0), {0, 0, 1}};
