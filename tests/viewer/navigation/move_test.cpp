@@ -91,6 +91,7 @@ TEST(Fly, NeverReachesWhatIsAhead) {
   }
   EXPECT_LT(glm::distance(navigator.camera().eye, kUtm), kBall.radius + 1.0) << "but comes close";
 
+  navigator = navigator_about(kBall);
   const glm::dvec3 ahead = *pick(kBall, navigator.camera(), 0.5 * kSize);
   for (int i = 0; i < 100; ++i) navigator.fly({0, 0, 1}, 0.1, 3.0, ahead);
   const double depth = depth_of(navigator.camera(), ahead);
