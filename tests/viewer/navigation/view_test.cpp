@@ -84,6 +84,18 @@ TEST(Views, FollowTheSizeOfAWindowThatNobodyHasTouched) {
   expect_same(navigator.camera(), touched);
 }
 
+TEST(Views, AreLeftWhereSomeoneHasStoppedThem) {
+  Navigator navigator = navigator_about(kBall);
+  navigator.zoom(5.0, {600, 300}, std::nullopt);
+  navigator.home();
+  navigator.advance(0.1);
+  navigator.begin(DragKind::Pan, {600, 300}, std::nullopt);
+  navigator.end();
+  const Camera stopped = navigator.camera();
+  navigator.set_image({300, 900});
+  expect_same(navigator.camera(), stopped);
+}
+
 TEST(Views, StandTheModelOnTheAxisThatIsAskedFor) {
   Navigator navigator = navigator_about(kBall);
   navigator.set_up_axis(glm::dvec3(0, 3, 0));
