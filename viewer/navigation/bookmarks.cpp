@@ -10,8 +10,7 @@ namespace relief {
 namespace {
 
 /// The name, or with a number if one of the bookmarks but that at `own` has it.
-std::string free_name(const std::vector<Bookmark>& list, const std::string& name,
-                      std::size_t own) {
+std::string free_name(const std::vector<Bookmark>& list, const std::string& name, std::size_t own) {
   const std::string wanted = name.empty() ? "view" : name;
   const auto is_taken = [&](const std::string& n) {
     for (std::size_t i = 0; i < list.size(); ++i)
@@ -19,7 +18,8 @@ std::string free_name(const std::vector<Bookmark>& list, const std::string& name
     return false;
   };
   std::string free = wanted;
-  for (std::size_t number = 2; is_taken(free); ++number) free = fmt::format("{} {}", wanted, number);
+  for (std::size_t number = 2; is_taken(free); ++number)
+    free = fmt::format("{} {}", wanted, number);
   return free;
 }
 

@@ -17,8 +17,7 @@ constexpr double kZoomPerHeight = 12.6;
 
 Pose orbit_of(const Drag& drag, glm::dvec2 shift, const DragSettings& settings) {
   const double angle = kOrbitPerSide / std::min(settings.size.x, settings.size.y);
-  const Pose pose =
-      orbited(drag.from, drag.point, shift, angle, settings.style, settings.axis);
+  const Pose pose = orbited(drag.from, drag.point, shift, angle, settings.style, settings.axis);
   return kept_before_model(settings.limits, drag.from, pose);
 }
 

@@ -35,10 +35,10 @@ struct DragSettings {
 struct Drag {
   DragKind kind = DragKind::Orbit;
   Pose from;
-  glm::dvec2 start{0.0};   ///< cursor
-  glm::dvec2 last{0.0};    ///< cursor
-  glm::dvec3 point{0.0};   ///< before the eye, from the poses' origin
-  double angle = 0.0;      ///< that the image has been rolled by, radians
+  glm::dvec2 start{0.0};  ///< cursor
+  glm::dvec2 last{0.0};   ///< cursor
+  glm::dvec3 point{0.0};  ///< before the eye, from the poses' origin
+  double angle = 0.0;     ///< that the image has been rolled by, radians
 };
 
 /// Moves the cursor of a drag and returns the pose.

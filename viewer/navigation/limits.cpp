@@ -57,8 +57,8 @@ double farthest_factor(const Limits& limits, const Pose& pose, glm::dvec3 point)
 }
 
 Pose within_reach(const Limits& limits, const Pose& before, const Pose& pose) {
-  const double most = std::max(farthest_distance(limits, pose),
-                               glm::distance(before.eye, limits.centre));
+  const double most =
+      std::max(farthest_distance(limits, pose), glm::distance(before.eye, limits.centre));
   const double distance = glm::distance(pose.eye, limits.centre);
   if (distance <= most) return pose;
   Pose result = pose;
@@ -66,7 +66,9 @@ Pose within_reach(const Limits& limits, const Pose& before, const Pose& pose) {
   return result;
 }
 
-double clear_depth(const Limits& limits) { return kClearRadii * limits.radius; }
+double clear_depth(const Limits& limits) {
+  return kClearRadii * limits.radius;
+}
 
 Pose set_back(const Limits& limits, const Pose& pose, double depth) {
   if (!pose.is_orthographic()) return pose;

@@ -50,12 +50,11 @@ Pose zoomed(const Pose& pose, double steps, glm::dvec3 point, const Limits& limi
 }
 
 Pose flown(const Pose& pose, const Flight& flight, const Limits& limits) {
-  const glm::dvec3 way =
-      glm::clamp(flight.seconds * flight.direction, glm::dvec3(-kMostAtOnce), glm::dvec3(kMostAtOnce));
+  const glm::dvec3 way = glm::clamp(flight.seconds * flight.direction, glm::dvec3(-kMostAtOnce),
+                                    glm::dvec3(kMostAtOnce));
   Pose result = pose;
   if (pose.is_orthographic()) {
-    result.orthographic_height =
-        limited_height(pose.orthographic_height, std::exp(-way.z), limits);
+    result.orthographic_height = limited_height(pose.orthographic_height, std::exp(-way.z), limits);
     result.eye += pose.orthographic_height * (way.x * pose.right() + way.y * flight.up);
   } else {
     double forward = -flight.distance * std::expm1(-way.z);
@@ -83,8 +82,7 @@ Pose with_projection(const Pose& pose, bool orthographic, double depth, const Li
   return within_reach(limits, pose, result);
 }
 
-Pose with_field_of_view(const Pose& pose, double degrees, double depth,
-                        const Limits& limits) {
+Pose with_field_of_view(const Pose& pose, double degrees, double depth, const Limits& limits) {
   Pose result = pose;
   result.vertical_fov_degrees = degrees;
   if (pose.is_orthographic()) return result;

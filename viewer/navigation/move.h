@@ -29,11 +29,11 @@ inline constexpr double kZoomStep = 1.2;
 
 /// Where a camera flies.
 struct Flight {
-  glm::dvec3 direction{0.0};           ///< right, up, forward: distances ahead a second
+  glm::dvec3 direction{0.0};  ///< right, up, forward: distances ahead a second
   double seconds = 0.0;
-  double distance = 0.0;               ///< ahead, world units; an orthographic camera has its own
-  std::optional<double> surface;       ///< depth of what it must not reach
-  glm::dvec3 up{0.0, 1.0, 0.0};        ///< world, of length 1
+  double distance = 0.0;          ///< ahead, world units; an orthographic camera has its own
+  std::optional<double> surface;  ///< depth of what it must not reach
+  glm::dvec3 up{0.0, 1.0, 0.0};   ///< world, of length 1
 };
 
 /// Returns the pose after a flight within the limits. The distance to what is ahead shrinks

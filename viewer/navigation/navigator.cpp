@@ -28,7 +28,9 @@ constexpr double kNoHorizon = 1e-6;
 
 }  // namespace
 
-Navigator::Navigator() { set_model({}, false); }
+Navigator::Navigator() {
+  set_model({}, false);
+}
 
 void Navigator::set_model(PatchModel extent, bool keep_camera) {
   assert(extent.patches.empty() && "an extent");
@@ -75,7 +77,9 @@ void Navigator::drag(glm::dvec2 cursor) {
   show(dragged(*drag_, cursor, drag_settings()));
 }
 
-void Navigator::end() { drag_.reset(); }
+void Navigator::end() {
+  drag_.reset();
+}
 
 void Navigator::zoom(double steps, glm::dvec2 cursor, std::optional<glm::dvec3> under) {
   stop();
@@ -100,8 +104,8 @@ void Navigator::fly(glm::dvec3 direction, double seconds, double speed_factor,
     flight.surface = depth_of(pose_, *surface);
     flight.distance = *flight.surface;
   } else {
-    flight.distance = std::max(glm::distance(pose_.eye, pivot_ - origin_),
-                               kLeastFlightRadii * limits_.radius);
+    flight.distance =
+        std::max(glm::distance(pose_.eye, pivot_ - origin_), kLeastFlightRadii * limits_.radius);
   }
   put(flown(pose_, flight, limits_));
 }
@@ -137,7 +141,9 @@ void Navigator::frame(std::span<const glm::dvec3> points) {
   pivot_ = middle;
 }
 
-void Navigator::roll(double degrees) { glide(rolled(destination(), degrees)); }
+void Navigator::roll(double degrees) {
+  glide(rolled(destination(), degrees));
+}
 
 void Navigator::level() {
   Camera camera = destination();
@@ -189,13 +195,21 @@ bool Navigator::advance(double seconds) {
   return false;
 }
 
-Stance Navigator::stance() const { return stance_of(up_axis_, extent_.stance); }
+Stance Navigator::stance() const {
+  return stance_of(up_axis_, extent_.stance);
+}
 
-glm::dvec2 Navigator::size() const { return {image_.width, image_.height}; }
+glm::dvec2 Navigator::size() const {
+  return {image_.width, image_.height};
+}
 
-double Navigator::aspect() const { return static_cast<double>(image_.width) / image_.height; }
+double Navigator::aspect() const {
+  return static_cast<double>(image_.width) / image_.height;
+}
 
-DragSettings Navigator::drag_settings() const { return {size(), style_, stance().up, limits_}; }
+DragSettings Navigator::drag_settings() const {
+  return {size(), style_, stance().up, limits_};
+}
 
 Camera Navigator::camera_on(const std::optional<Orbit>& orbit) const {
   SceneSettings settings;
@@ -208,7 +222,9 @@ Camera Navigator::camera_on(const std::optional<Orbit>& orbit) const {
   return camera && is_usable(*camera) ? *camera : Camera{};  // bounds that a hostile file has
 }
 
-const Camera& Navigator::destination() const { return transition_ ? transition_->end : camera_; }
+const Camera& Navigator::destination() const {
+  return transition_ ? transition_->end : camera_;
+}
 
 double Navigator::depth_at_pivot(const Pose& pose) const {
   return background_depth(pose, pivot_ - origin_, limits_);

@@ -23,13 +23,16 @@ namespace relief {
 /// reports by the content scale. Points and cameras are in world units.
 ///
 /// `under` is the point of the surface below the cursor, which the caller has picked; none over the
-/// background. A point that is not finite or not before the eye counts as none. Over the background
-/// stands in for it the point of the cursor's ray that is as deep as pivot(); for an orbit, pivot()
-/// itself.
+/// background. A point that is not finite or not before the eye counts as none. The background is
+/// taken to be as deep as pivot(), and turns about it: the last point that a movement referred to.
 ///
 /// What holds after every call: the camera is finite, its eye is not its target, and its up
-/// direction does not run along the line of sight. No input makes the image jump: a drag of no length changes nothing.
-/// Drags, wheel and flights end a transition where it is; new views start from there.
+/// direction does not run along the line of sight. No input makes the image jump: a drag of no
+/// length changes nothing. Drags, wheel and flights end a transition where it is; new views start
+/// from there.
+///
+/// The camera stays before the surface that it zooms to or flies to. It knows no other surface: a
+/// pan or an orbit close to one may lead through it.
 class Navigator {
  public:
   Navigator();
@@ -89,15 +92,16 @@ class Navigator {
   /// Turns the camera about its line of sight, counter-clockwise as seen from the eye.
   void roll(double degrees);
 
-  /// Turns the camera about its line of sight until the horizon is level. Nothing to do for one that
-  /// looks straight up or down.
+  /// Turns the camera about its line of sight until the horizon is level. Nothing to do for one
+  /// that looks straight up or down.
   void level();
 
   /// Goes to a camera, for example a bookmark's: is_usable() (pose.h), else nothing happens. Its
   /// target becomes the pivot.
   void go_to(const Camera& camera);
 
-  /// Shows a usable camera at once, to the last bit (but see with_usable_up() in pose.h). Its target becomes the pivot.
+  /// Shows a usable camera at once, to the last bit (but see with_usable_up() in pose.h). Its
+  /// target becomes the pivot.
   void set_camera(const Camera& camera);
 
   // Settings.
@@ -157,10 +161,10 @@ class Navigator {
 
   void stop();  ///< ends a transition
   void show(const Pose& pose);
-  void put(const Pose& pose);  ///< likewise, and a drag goes on from there
+  void put(const Pose& pose);  ///< shows it, and a drag goes on from there
   void restart_drag();
-  void glide(const Camera& camera);
-  void change_lens(const Pose& pose);
+  void glide(const Camera& camera);    ///< begins a transition
+  void change_lens(const Pose& pose);  ///< at once, or as another end of a transition
 
   PatchModel extent_;
   std::optional<glm::dvec3> up_axis_;  ///< that was asked for

@@ -18,7 +18,9 @@ constexpr double kLeastTargetShare = 1e-8;
 /// Directions closer than this (sine) are the same.
 constexpr double kParallel = 1e-6;
 
-bool is_position(glm::dvec3 v) { return glm::length(v) <= kMostCoordinate; }
+bool is_position(glm::dvec3 v) {
+  return glm::length(v) <= kMostCoordinate;
+}
 
 }  // namespace
 
@@ -49,13 +51,13 @@ Camera camera_of(const Pose& pose, glm::dvec3 origin) {
 bool is_usable(const Camera& camera) {
   return is_position(camera.eye) && is_position(camera.target) && is_position(camera.up) &&
          glm::distance(camera.eye, camera.target) > 0.0 && glm::length(camera.up) > 0.0 &&
-         camera.orthographic_height <= kMostCoordinate &&
-         camera.vertical_fov_degrees > 0.0 && camera.vertical_fov_degrees < 180.0;
+         camera.orthographic_height <= kMostCoordinate && camera.vertical_fov_degrees > 0.0 &&
+         camera.vertical_fov_degrees < 180.0;
 }
 
 Camera with_usable_up(const Camera& camera) {
-  const glm::dvec3 across = glm::cross(glm::normalize(camera.up),
-                                       glm::normalize(camera.target - camera.eye));
+  const glm::dvec3 across =
+      glm::cross(glm::normalize(camera.up), glm::normalize(camera.target - camera.eye));
   if (glm::length(across) >= kParallel) return camera;
   Camera result = camera;
   result.up = glm::transpose(view_rotation(camera))[1];

@@ -12,8 +12,9 @@ namespace relief {
 /// rounded to 1e-9 units; what a movement adds up is not.
 struct Pose {
   glm::dvec3 eye{0.0, 0.0, 1.0};  ///< from the origin, world directions
-  glm::dquat turn{1.0, 0.0, 0.0, 0.0};  ///< from eye coordinates (x right, y up, z backward) to world
-  double focus = 1.0;  ///< depth of the target, above 0
+  glm::dquat turn{1.0, 0.0, 0.0,
+                  0.0};  ///< from eye coordinates (x right, y up, z backward) to world
+  double focus = 1.0;    ///< depth of the target, above 0
   double vertical_fov_degrees = 45.0;
   double orthographic_height = 0.0;  ///< as in Camera
 

@@ -43,8 +43,8 @@ double depth_of(const Camera& camera, glm::dvec3 world) {
 
 glm::dvec3 world_at(const Camera& camera, glm::dvec2 cursor, double depth, glm::dvec2 size) {
   const glm::dvec2 across = from_middle(camera, cursor, size);
-  const glm::dvec3 seen = camera.is_orthographic() ? glm::dvec3(across, -depth)
-                                                   : depth * glm::dvec3(across, -1.0);
+  const glm::dvec3 seen =
+      camera.is_orthographic() ? glm::dvec3(across, -depth) : depth * glm::dvec3(across, -1.0);
   return camera.eye + glm::transpose(view_rotation(camera)) * seen;
 }
 

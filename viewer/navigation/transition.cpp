@@ -37,17 +37,20 @@ Shown shown_between(double from, double to, double distance, double share) {
   const double r0 = -std::asinh((change + far * far) / (2.0 * from * far));
   const double r1 = -std::asinh((change - far * far) / (2.0 * to * far));
   const double s = share * (r1 - r0);
-  return {from / far * std::sinh(s) / std::cosh(s + r0),
-          from * std::cosh(r0) / std::cosh(s + r0)};
+  return {from / far * std::sinh(s) / std::cosh(s + r0), from * std::cosh(r0) / std::cosh(s + r0)};
 }
 
 double slope_at_end(const Pose& pose, bool both_orthographic) {
   return pose.is_orthographic() && !both_orthographic ? kNearlyParallel : slope_of(pose);
 }
 
-glm::dvec3 target_of(const Pose& pose) { return pose.eye - pose.focus * pose.backward(); }
+glm::dvec3 target_of(const Pose& pose) {
+  return pose.eye - pose.focus * pose.backward();
+}
 
-double smoothstep(double t) { return t * t * (3.0 - 2.0 * t); }
+double smoothstep(double t) {
+  return t * t * (3.0 - 2.0 * t);
+}
 
 }  // namespace
 
@@ -65,8 +68,7 @@ Pose pose_between(const Pose& from, const Pose& to, double share, double most_he
   pose.turn = glm::normalize(glm::slerp(from.turn, to.turn, share));
   pose.vertical_fov_degrees = glm::degrees(2.0 * std::atan(slope));
   pose.orthographic_height = orthographic ? shown.height : 0.0;
-  pose.focus =
-      orthographic ? glm::mix(from.focus, to.focus, share) : shown.height / (2.0 * slope);
+  pose.focus = orthographic ? glm::mix(from.focus, to.focus, share) : shown.height / (2.0 * slope);
   pose.eye = start + shown.way * way + pose.focus * pose.backward();
   return pose;
 }
@@ -75,8 +77,8 @@ Pose pose_of(const Transition& transition, const Limits& limits) {
   const double share = std::clamp(transition.elapsed / kTransitionSeconds, 0.0, 1.0);
   const Pose pose = pose_between(transition.from, transition.to, smoothstep(share),
                                  kFarthestRadii * limits.radius);
-  const double depth = std::min(depth_of(transition.from, limits.centre),
-                                depth_of(transition.to, limits.centre));
+  const double depth =
+      std::min(depth_of(transition.from, limits.centre), depth_of(transition.to, limits.centre));
   return set_back(limits, pose, depth);
 }
 

@@ -14,7 +14,7 @@ inline constexpr double kTransitionSeconds = 0.3;
 struct Transition {
   Pose from;
   Pose to;
-  Camera end;  ///< what is shown when it is over
+  Camera end;            ///< what is shown when it is over
   double elapsed = 0.0;  ///< seconds
 };
 

@@ -19,8 +19,8 @@ glm::dquat turntable(const Pose& pose, glm::dvec2 angles, glm::dvec3 axis) {
   const double upright = glm::dot(pose.up(), axis);
   const double elevation = std::atan2(glm::dot(pose.backward(), axis), upright);
   const double most = glm::radians(kMostElevation);
-  const double then = std::clamp(elevation + angles.y, std::min(-most, elevation),
-                                 std::max(most, elevation));
+  const double then =
+      std::clamp(elevation + angles.y, std::min(-most, elevation), std::max(most, elevation));
   const double side = upright < 0.0 ? angles.x : -angles.x;
   return glm::angleAxis(side, axis) * glm::angleAxis(elevation - then, pose.right());
 }
@@ -37,10 +37,10 @@ glm::dquat trackball(const Pose& pose, glm::dvec2 angles) {
 Pose orbited(const Pose& pose, glm::dvec3 about, glm::dvec2 shift, double angle, OrbitStyle style,
              glm::dvec3 axis) {
   const glm::dvec2 angles = angle * shift;
-  return turned(pose,
-                style == OrbitStyle::Turntable ? turntable(pose, angles, axis)
-                                               : trackball(pose, angles),
-                about);
+  return turned(
+      pose,
+      style == OrbitStyle::Turntable ? turntable(pose, angles, axis) : trackball(pose, angles),
+      about);
 }
 
 double angle_about_middle(glm::dvec2 from, glm::dvec2 to, glm::dvec2 size) {

@@ -25,8 +25,8 @@ inline constexpr double kMostElevation = 89.9;
                            OrbitStyle style, glm::dvec3 axis);
 
 /// Returns the angle about the image's middle that a cursor has gone from one position to another,
-/// radians, clockwise as seen. 0 while either is close to the middle, where a pixel would be a large
-/// angle.
+/// radians, clockwise as seen. 0 while either is close to the middle, where a pixel would be a
+/// large angle.
 [[nodiscard]] double angle_about_middle(glm::dvec2 from, glm::dvec2 to, glm::dvec2 size);
 
 /// Returns the pose turned about its line of sight, so that the image turns clockwise. Radians.

@@ -42,6 +42,15 @@ TEST(Pan, OfTheBackgroundMovesWhatIsAsDeepAsThePivot) {
   EXPECT_LT(glm::distance(after, before + glm::dvec2(30, 40)), kSamePixel);
 }
 
+TEST(Pan, OfTheBackgroundMovesWhatIsLookedAtIfThePivotIsBehind) {
+  Navigator navigator = navigator_about(kBall);
+  const Camera first = navigator.camera();
+  navigator.set_pivot(first.eye + 50.0 * backward_of(first));
+  navigator.pan({30, 40}, {3, 3}, std::nullopt);
+  const glm::dvec2 after = *project(navigator.camera(), first.target, kSize);
+  EXPECT_LT(glm::distance(after, 0.5 * kSize + glm::dvec2(30, 40)), kSamePixel);
+}
+
 TEST(Pan, EndsFarFromTheModel) {
   Navigator navigator = navigator_about(kBall);
   for (int i = 0; i < 1000; ++i) navigator.pan({500, 0}, {3, 3}, std::nullopt);
@@ -81,6 +90,12 @@ TEST(Fly, NeverReachesWhatIsAhead) {
     ASSERT_GT(glm::distance(navigator.camera().eye, kUtm), kBall.radius);
   }
   EXPECT_LT(glm::distance(navigator.camera().eye, kUtm), kBall.radius + 1.0) << "but comes close";
+
+  navigator = navigator_about(kBall);
+  const glm::dvec3 ahead = *pick(kBall, navigator.camera(), 0.5 * kSize);
+  for (int i = 0; i < 100; ++i) navigator.fly({0, 0, 1}, 0.1, 3.0, ahead);
+  const double depth = depth_of(navigator.camera(), ahead);
+  EXPECT_NEAR(image_height_at(navigator.camera(), depth), navigator.least_image_height(), 1e-7);
 }
 
 TEST(Fly, OverTheBackgroundIsNeverStuck) {

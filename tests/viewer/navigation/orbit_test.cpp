@@ -170,16 +170,53 @@ TEST(Orbit, OfATrackballGoesOverThePoles) {
   EXPECT_LT(up_of(navigator.camera()).z, -0.9);
 }
 
+TEST(Orbit, OfACameraThatIsUpsideDownTurnsTheModelWithTheCursor) {
+  Navigator navigator = navigator_about(kOriginBall);
+  navigator.set_camera(rolled(navigator.camera(), 180.0));
+  const Camera first = navigator.camera();
+  const glm::dvec3 front = *pick(kOriginBall, first, 0.5 * kSize);
+  navigator.begin(DragKind::Orbit, {2, 2}, std::nullopt);
+  navigator.drag({30, 2});
+  EXPECT_GT(project(navigator.camera(), front, kSize)->x, 0.5 * kSize.x + 5.0);
+}
+
 TEST(Orbit, OfAnOrthographicCameraNeverCutsTheModel) {
   Navigator navigator = navigator_about(kOriginBall);
-  navigator.set_orthographic(true);
   const glm::dvec2 cursor(660, 420);
   for (int i = 0; i < 20; ++i)
     navigator.zoom(1.0, cursor, pick(kOriginBall, navigator.camera(), cursor));
+  navigator.set_orthographic(true);
   navigator.begin(DragKind::Orbit, cursor, pick(kOriginBall, navigator.camera(), cursor));
   for (const glm::dvec2 to : path_from(cursor)) {
     navigator.drag(to);
     EXPECT_GT(depth_of(navigator.camera(), kOriginBall.centre), kOriginBall.radius);
+  }
+}
+
+TEST(Orbit, OfAnOrthographicCameraThatCutsTheModelGoesOnCutting) {
+  Navigator navigator = navigator_about(kOriginBall);
+  navigator.set_camera({{0, -10, 0}, {0, 0, 0}, {0, 0, 1}, 45.0, 300.0});
+  navigator.begin(DragKind::Orbit, {640, 400}, glm::dvec3(0));
+  navigator.drag({650, 400});
+  EXPECT_NEAR(depth_of(navigator.camera(), kOriginBall.centre), 10.0, 1e-9);
+}
+
+TEST(Drag, GoesOnWithoutAJumpAfterTheWheelAndANewSize) {
+  for (const DragKind kind :
+       {DragKind::Orbit, DragKind::Look, DragKind::Pan, DragKind::Zoom, DragKind::Roll}) {
+    Navigator navigator = navigator_about(kBall);
+    const glm::dvec2 cursor(780, 250);
+    navigator.begin(kind, cursor, pick(kBall, navigator.camera(), cursor));
+    navigator.drag(cursor + glm::dvec2(80, -60));
+    navigator.zoom(2.0, cursor, pick(kBall, navigator.camera(), cursor));
+    Camera before = navigator.camera();
+    navigator.drag(cursor + glm::dvec2(80.001, -60));
+    EXPECT_LT(shift_between(before, navigator.camera(), kBall), 0.02);
+    before = navigator.camera();
+    navigator.set_image({640, 300});
+    navigator.drag(cursor + glm::dvec2(80, -60));
+    EXPECT_LT(shift_between(before, navigator.camera(), kBall), 0.05);
+    EXPECT_TRUE(navigator.is_dragging());
   }
 }
 

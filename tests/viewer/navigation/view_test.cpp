@@ -84,6 +84,18 @@ TEST(Views, FollowTheSizeOfAWindowThatNobodyHasTouched) {
   expect_same(navigator.camera(), touched);
 }
 
+TEST(Views, AreLeftWhereSomeoneHasStoppedThem) {
+  Navigator navigator = navigator_about(kBall);
+  navigator.zoom(5.0, {600, 300}, std::nullopt);
+  navigator.home();
+  navigator.advance(0.1);
+  navigator.begin(DragKind::Pan, {600, 300}, std::nullopt);
+  navigator.end();
+  const Camera stopped = navigator.camera();
+  navigator.set_image({300, 900});
+  expect_same(navigator.camera(), stopped);
+}
+
 TEST(Views, StandTheModelOnTheAxisThatIsAskedFor) {
   Navigator navigator = navigator_about(kBall);
   navigator.set_up_axis(glm::dvec3(0, 3, 0));
@@ -170,6 +182,17 @@ TEST(Transition, BetweenAllViewsStaysOutsideTheModel) {
       });
     }
   }
+}
+
+TEST(Transition, BetweenOrthographicCamerasNeverCutsTheModel) {
+  Navigator navigator = navigator_about(kBall);
+  const auto camera_at = [](double y) {
+    return Camera{
+        kUtm + glm::dvec3(0, 1.06 * y, 0), kUtm + glm::dvec3(0, y, 0), {0, 0, 1}, 45.0, 9.0};
+  };
+  navigator.set_camera(camera_at(-100));
+  navigator.go_to(camera_at(100));
+  finish(navigator, [](const Camera& camera) { EXPECT_GT(depth_of(camera, kUtm), 100.0); });
 }
 
 TEST(Transition, BetweenDistantCloseUpsGoesBackAndAcross) {

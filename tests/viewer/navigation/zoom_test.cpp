@@ -107,6 +107,25 @@ TEST_P(Zoom, OfADragIsThatOfTheWheel) {
   EXPECT_NEAR(size_at(navigator.camera()), size_at(first), 1e-8);
 }
 
+TEST(Limits, HoldBesideTheModel) {
+  Navigator navigator = navigator_about(kBall);
+  navigator.set_orthographic(true);
+  navigator.zoom(20.0, {640, 400}, std::nullopt);
+  for (int i = 0; i < 50; ++i) navigator.zoom(-2.0, {0.0, -1e5}, std::nullopt);
+  EXPECT_LE(glm::distance(navigator.camera().eye, kUtm), kFarthestRadii * kBall.radius + 1e-6);
+
+  // From as far as a narrow lens allows, with the head turned away.
+  navigator = navigator_about(kBall);
+  navigator.set_field_of_view(1.0);
+  navigator.zoom(-100.0, {640, 400}, std::nullopt);
+  Camera away = navigator.camera();
+  const double distance = glm::distance(away.eye, kUtm);
+  away.target = 2.0 * away.eye - away.target;
+  navigator.set_camera(away);
+  navigator.set_field_of_view(45.0);
+  EXPECT_LE(glm::distance(navigator.camera().eye, kUtm), distance * (1.0 + 1e-12));
+}
+
 TEST(Limits, OfAModelWhoseSpacingIsUnknownAreAShareOfItsSize) {
   Ball ball;
   ball.spacing = 0.0;
