@@ -22,7 +22,7 @@ import sys
 import urllib.parse
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FOLDERS = "cli|cmake|common|docs|loader|models|preprocess|renderer|scripts|shaders|tests"
+FOLDERS = "cli|cmake|common|docs|loader|models|preprocess|renderer|scripts|shaders|tests|viewer"
 MAX_README_LINES = 120
 
 PATH = re.compile(rf"(?<![\w./<-])((?:{FOLDERS})/[\w./*{{}},+-]*)")

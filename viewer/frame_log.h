@@ -17,8 +17,8 @@ enum class FrameKind : std::uint8_t {
   Panels   ///< the picture as it was
 };
 
-/// Writes a CSV file with a line for each frame, for whoever measures how fast a window is. Each line
-/// is written at once, so that the file is complete whatever ends the program.
+/// Writes a CSV file with a line for each frame, for whoever measures how fast a window is. Each
+/// line is written at once, so that the file is complete whatever ends the program.
 class FrameLog {
  public:
   FrameLog() = default;  ///< writes nothing

@@ -39,8 +39,8 @@ struct Reactor {
       pointer.held = event.button;
       pointer.pressed_at = event.cursor;
       pointer.has_moved = false;
-      session.navigator.begin(drag_of(event.button, event.modifiers), event.cursor,
-                              surface(event.cursor));
+      pointer.kind = drag_of(event.button, event.modifiers);
+      pointer.under = surface(event.cursor);
     } else if (!event.pressed && pointer.held == event.button) {
       pointer.held.reset();
       session.navigator.end();
@@ -54,8 +54,12 @@ struct Reactor {
   void operator()(const MoveEvent& event) {
     pointer.cursor = event.cursor;
     if (!pointer.held) return;
-    if (glm::distance(event.cursor, pointer.pressed_at) > kTremble) pointer.has_moved = true;
-    if (!pointer.has_moved) return;
+    if (!pointer.has_moved) {
+      if (glm::distance(event.cursor, pointer.pressed_at) <= kTremble) return;
+      pointer.has_moved = true;
+      // From here: from where it was pressed the picture would jump.
+      session.navigator.begin(pointer.kind, event.cursor, pointer.under);
+    }
     session.navigator.drag(event.cursor);
     reaction.changes = true;
   }
@@ -82,6 +86,9 @@ struct Reactor {
     } else if (event.key == GLFW_KEY_L) {
       navigator.level();
     } else if (event.key == GLFW_KEY_O) {
+      // What is in the middle keeps its size.
+      if (const auto middle = surface(0.5 * glm::dvec2(session.window)))
+        navigator.set_pivot(*middle);
       navigator.set_orthographic(!navigator.camera().is_orthographic());
     } else if (event.key == GLFW_KEY_TAB) {
       session.shows_panels = !session.shows_panels;
@@ -128,11 +135,12 @@ bool is_flying(const Window& window) {
   return fly_direction(window) != glm::dvec3(0.0);
 }
 
-bool fly(const Window& window, double seconds, Session& session) {
+bool fly(const Window& window, double seconds, const SurfaceFinder& surface, Session& session) {
   const glm::dvec3 direction = fly_direction(window);
   if (direction == glm::dvec3(0.0)) return false;
   const bool is_fast = window.is_down(GLFW_KEY_LEFT_SHIFT) || window.is_down(GLFW_KEY_RIGHT_SHIFT);
-  session.navigator.fly(direction, seconds, is_fast ? 3.0 : 1.0);
+  session.navigator.fly(direction, seconds, is_fast ? 3.0 : 1.0,
+                        surface(0.5 * glm::dvec2(session.window)));
   return true;
 }
 

@@ -16,9 +16,11 @@ class Window;
 /// What the mouse is doing.
 struct Pointer {
   std::optional<MouseButton> held;
+  DragKind kind = DragKind::Orbit;  ///< what a drag does
   glm::dvec2 pressed_at{0.0};
-  bool has_moved = false;       ///< since it was pressed, by more than a trembling hand
-  double last_click = -1.0;     ///< seconds
+  std::optional<glm::dvec3> under;  ///< the surface there
+  bool has_moved = false;           ///< since it was pressed, by more than a trembling hand
+  double last_click = -1.0;         ///< seconds
   glm::dvec2 cursor{0.0};
 };
 
@@ -27,9 +29,9 @@ using SurfaceFinder = std::function<std::optional<glm::dvec3>(glm::dvec2 cursor)
 
 /// What an event was, beside what it changed in the session.
 struct Reaction {
-  bool changes = false;  ///< the camera or what is shown
-  std::optional<glm::dvec2> click;         ///< pressed and released at one place, left button
-  bool is_double = false;                  ///< the click is the second of two
+  bool changes = false;             ///< the camera or what is shown
+  std::optional<glm::dvec2> click;  ///< pressed and released at one place, left button
+  bool is_double = false;           ///< the click is the second of two
   std::vector<std::filesystem::path> dropped;
   bool adds_dropped = false;  ///< to the open files
 };
@@ -39,7 +41,7 @@ Reaction react_to(const Event& event, const SurfaceFinder& surface, Pointer& poi
                   Session& session);
 
 /// Flies while its keys are held. Returns whether the camera has moved.
-bool fly(const Window& window, double seconds, Session& session);
+bool fly(const Window& window, double seconds, const SurfaceFinder& surface, Session& session);
 
 /// Whether a key that flies is held.
 [[nodiscard]] bool is_flying(const Window& window);

@@ -30,7 +30,7 @@ struct Session {
   std::shared_ptr<const LoadedScene> scene;  ///< what is shown; null: points, or nothing yet
   Navigator navigator;
 
-  SceneSettings look;                    ///< of the picture, but for its camera and size
+  SceneSettings look;                     ///< of the picture, but for its camera and size
   std::optional<SceneSettings> compared;  ///< the look right of the divider
   double divider = 0.5;
 
@@ -41,7 +41,7 @@ struct Session {
   /// Set by whoever changes a look; the picture is then drawn anew.
   bool look_changed = true;
 
-  glm::ivec2 window{0};  ///< its size in pixels
+  glm::ivec2 window{0};   ///< its size in pixels
   double frame_ms = 0.0;  ///< of the last moving frame
 };
 

@@ -36,11 +36,7 @@ std::string title_of(const Session& session) {
 class Loop {
  public:
   Loop(Window& window, Gui& gui, Display& display, Session& session, FrameLog log)
-      : window_(window),
-        gui_(gui),
-        display_(display),
-        session_(session),
-        log_(std::move(log)) {}
+      : window_(window), gui_(gui), display_(display), session_(session), log_(std::move(log)) {}
 
   void turn() {
     const double waits = is_busy() ? 0.0 : is_progressing() ? kProgressSeconds : kRestSeconds;
@@ -50,7 +46,7 @@ class Loop {
     bool changes = take_size();
     changes |= take_arrivals(now);
     for (const Event& event : events) changes |= react(event, now);
-    if (!gui_.wants_keys()) changes |= fly(window_, passed, session_);
+    if (!gui_.wants_keys()) changes |= fly(window_, passed, surface_finder(), session_);
     changes |= session_.navigator.advance(passed);
     if (session_.window.x == 0 || session_.window.y == 0) return;  // minimised
     if (!events.empty() || changes) frames_left_ = kFramesAfterEvent;
@@ -64,8 +60,8 @@ class Loop {
 
  private:
   [[nodiscard]] bool is_busy() const {
-    return frames_left_ > 0 || waiting_ != nullptr || !display_.is_complete() || session_.navigator.moving() ||
-           session_.look_changed || is_flying(window_);
+    return frames_left_ > 0 || waiting_ != nullptr || !display_.is_complete() ||
+           session_.navigator.moving() || session_.look_changed || is_flying(window_);
   }
   [[nodiscard]] bool is_progressing() const {
     return session_.document.is_loading() || !session_.messages.empty();
@@ -116,20 +112,23 @@ class Loop {
     return true;
   }
 
+  [[nodiscard]] SurfaceFinder surface_finder() const {
+    return [this](glm::dvec2 cursor) -> std::optional<glm::dvec3> {
+      const auto pixel = display_.probe(session_, cursor);
+      return pixel ? surface_of(*pixel, session_, cursor) : std::nullopt;
+    };
+  }
+
   bool react(const Event& event, double now) {
     const bool is_release =
         std::holds_alternative<ButtonEvent>(event) && !std::get<ButtonEvent>(event).pressed;
-    const bool is_mouse = std::holds_alternative<ButtonEvent>(event) ||
-                          std::holds_alternative<WheelEvent>(event);
+    const bool is_mouse =
+        std::holds_alternative<ButtonEvent>(event) || std::holds_alternative<WheelEvent>(event);
     const bool is_key =
         std::holds_alternative<KeyEvent>(event) || std::holds_alternative<CharacterEvent>(event);
     if (is_mouse && gui_.wants_mouse() && !(is_release && pointer_.held)) return false;
     if (is_key && gui_.wants_keys()) return false;
-    const SurfaceFinder surface = [this](glm::dvec2 cursor) -> std::optional<glm::dvec3> {
-      const auto pixel = display_.probe(session_, cursor);
-      return pixel ? surface_of(*pixel, session_, cursor) : std::nullopt;
-    };
-    const Reaction reaction = react_to(event, surface, pointer_, session_);
+    const Reaction reaction = react_to(event, surface_finder(), pointer_, session_);
     if (!reaction.dropped.empty()) {
       const auto opened = reaction.adds_dropped
                               ? session_.document.add(reaction.dropped, session_.look)

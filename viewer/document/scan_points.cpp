@@ -46,9 +46,9 @@ glm::u8vec4 colour_of(const Patch& patch, std::uint32_t i, std::uint32_t j, cons
     return map.texels[std::size_t{j} * map.scale * map.width + std::size_t{i} * map.scale];
   };
   if (!patch.colours.empty()) return {texel_of(patch.colours), 255};
-  const glm::dvec3 normal = patch.normals.empty()
-                                ? patch.axes[2]
-                                : patch.axes * glm::dvec3(unit_from_snorm16(texel_of(patch.normals)));
+  const glm::dvec3 normal =
+      patch.normals.empty() ? patch.axes[2]
+                            : patch.axes * glm::dvec3(unit_from_snorm16(texel_of(patch.normals)));
   return grey_of(glm::vec3(normal), up);
 }
 
@@ -94,8 +94,8 @@ ScanPoints scan_points_of(const PatchModel& given) {
     for (std::uint32_t j = 0; j < patch.height; ++j) {
       for (std::uint32_t i = 0; i < patch.width; ++i) {
         if (patch.at(i, j) == kHole) continue;
-        samples.push_back({glm::vec3(position_of(patch, i, j) - shown.origin),
-                           colour_of(patch, i, j, up)});
+        samples.push_back(
+            {glm::vec3(position_of(patch, i, j) - shown.origin), colour_of(patch, i, j, up)});
       }
     }
   }

@@ -15,8 +15,7 @@ Result<Canvas> make_canvas(const Gl& gl, std::uint32_t width, std::uint32_t heig
   gl.TextureParameteri(colour.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   gl.TextureParameteri(colour.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   gl.TextureParameteri(colour.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  Framebuffer framebuffer =
-      make_framebuffer(gl, "canvas", &depth, {{RELIEF_OUT_COLOUR, &colour}});
+  Framebuffer framebuffer = make_framebuffer(gl, "canvas", &depth, {{RELIEF_OUT_COLOUR, &colour}});
   RELIEF_TRY(check_errors(gl, "the window's picture"));
   return Canvas{width, height, std::move(colour), std::move(depth), std::move(framebuffer)};
 }

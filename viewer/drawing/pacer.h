@@ -14,13 +14,8 @@ struct Quality {
 
 /// From the finest, which is that of pictures at rest but for antialiasing. Each step halves the
 /// pixels of the one before or nearly so, and draws coarser levels of detail with them.
-inline constexpr std::array<Quality, 7> kQualities{{{1.0, 4.0},
-                                                    {0.84, 5.0},
-                                                    {0.7, 6.0},
-                                                    {0.59, 8.0},
-                                                    {0.5, 10.0},
-                                                    {0.4, 12.0},
-                                                    {0.3, 16.0}}};
+inline constexpr std::array<Quality, 7> kQualities{
+    {{1.0, 4.0}, {0.84, 5.0}, {0.7, 6.0}, {0.59, 8.0}, {0.5, 10.0}, {0.4, 12.0}, {0.3, 16.0}}};
 
 /// Chooses the quality at which a frame takes about a target time.
 class Pacer {
@@ -30,7 +25,8 @@ class Pacer {
   [[nodiscard]] const Quality& quality() const { return kQualities[step_]; }
 
   /// What the frame that was drawn at quality() took. One that took too long makes the next coarser
-  /// at once, by as many steps as its pixels suggest; several that took little make it finer by one.
+  /// at once, by as many steps as its pixels suggest; several that took little make it finer by
+  /// one.
   void note(double frame_ms);
 
   void set_target(double target_ms) { target_ms_ = target_ms; }
@@ -38,9 +34,10 @@ class Pacer {
 
  private:
   double target_ms_;
-  std::size_t step_ = 2;    ///< a guess: the first frame is not the one to find out
-  int quick_frames_ = 0;    ///< one after the other
-  int slow_after_finer_ = 0;  ///< how often a finer step was too slow, which is then tried less often
+  std::size_t step_ = 2;  ///< a guess: the first frame is not the one to find out
+  int quick_frames_ = 0;  ///< one after the other
+  int slow_after_finer_ =
+      0;  ///< how often a finer step was too slow, which is then tried less often
 };
 
 }  // namespace relief

@@ -24,8 +24,7 @@ constexpr double kNear = 0.01;
 
 shared::PointFrame frame_of(const View& view, const glm::dvec3& origin, double size) {
   const glm::dmat4 from_world = glm::dmat4(view.rotation);
-  const glm::dmat4 clip =
-      view.projection * glm::translate(from_world, origin - view.eye);
+  const glm::dmat4 clip = view.projection * glm::translate(from_world, origin - view.eye);
   const double pixels = size * view.height / (2.0 * view.slope_y);
   return {glm::mat4(clip), {static_cast<float>(pixels), kFewestPixels, kMostPixels, 0.0F}};
 }

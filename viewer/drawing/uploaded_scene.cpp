@@ -20,9 +20,8 @@ std::pair<std::string, std::uint64_t> kind_of(const RenderSettings& look, ModelM
 UploadedScene::UploadedScene(GlLoader load, std::shared_ptr<const LoadedScene> scene)
     : load_(std::move(load)), scene_(std::move(scene)), forms_(scene_->forms()) {}
 
-Result<std::unique_ptr<UploadedScene>> UploadedScene::create(const GlLoader& load,
-                                                     std::shared_ptr<const LoadedScene> scene,
-                                                     const Looks& looks) {
+Result<std::unique_ptr<UploadedScene>> UploadedScene::create(
+    const GlLoader& load, std::shared_ptr<const LoadedScene> scene, const Looks& looks) {
   std::unique_ptr<UploadedScene> made(new UploadedScene(load, std::move(scene)));
   RELIEF_TRY(made->prepare(looks));
   return made;
@@ -31,9 +30,8 @@ Result<std::unique_ptr<UploadedScene>> UploadedScene::create(const GlLoader& loa
 bool UploadedScene::has(const RenderSettings& look) const {
   const ModelMaps maps(scene_->patches);
   const auto kind = kind_of(look, maps);
-  return std::any_of(looks_.begin(), looks_.end(), [&](const RenderSettings& known) {
-    return kind_of(known, maps) == kind;
-  });
+  return std::any_of(looks_.begin(), looks_.end(),
+                     [&](const RenderSettings& known) { return kind_of(known, maps) == kind; });
 }
 
 Status UploadedScene::prepare(const Looks& looks) {

@@ -16,8 +16,8 @@ class UploadedScene {
  public:
   /// Uploads what the looks need. Fails as Viewport::create does.
   static Result<std::unique_ptr<UploadedScene>> create(const GlLoader& load,
-                                                   std::shared_ptr<const LoadedScene> scene,
-                                                   const Looks& looks);
+                                                       std::shared_ptr<const LoadedScene> scene,
+                                                       const Looks& looks);
 
   /// Uploads what these looks need and those before did not. If that fails, the looks before can
   /// still be drawn.

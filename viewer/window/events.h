@@ -48,7 +48,6 @@ struct DropEvent {
   std::vector<std::filesystem::path> files;
 };
 
-using Event =
-    std::variant<ButtonEvent, MoveEvent, WheelEvent, KeyEvent, CharacterEvent, DropEvent>;
+using Event = std::variant<ButtonEvent, MoveEvent, WheelEvent, KeyEvent, CharacterEvent, DropEvent>;
 
 }  // namespace relief
