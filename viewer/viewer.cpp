@@ -6,7 +6,9 @@
 #include "viewer/drawing/display.h"
 #include "viewer/input.h"
 #include "viewer/panels/panels.h"
+#include "viewer/remember.h"
 #include "viewer/session.h"
+#include "viewer/settings/settings_file.h"
 #include "viewer/window/gui.h"
 #include "viewer/window/window.h"
 
@@ -55,6 +57,8 @@ class Loop {
     }
     frames_left_ = std::max(frames_left_ - 1, 0);
     draw(changes || session_.look_changed, now);
+    if (session_.wants_close) window_.close();
+    window_.set_full_screen(session_.wants_full_screen);
   }
 
  private:
@@ -67,7 +71,9 @@ class Loop {
   }
 
   bool take_size() {
-    const glm::ivec2 size = window_.size();
+    session_.scale = window_.scale();
+    glm::ivec2 size = window_.size();
+    size.x -= side_panel_width(session_, size.x);
     if (size == session_.window || size.x == 0 || size.y == 0) {
       session_.window = size;
       return false;
@@ -82,7 +88,12 @@ class Loop {
     Arrival arrival = session_.document.take();
     for (std::string& note : arrival.notes) add_message(session_, std::move(note), false, now);
     if (arrival.failure) add_message(session_, *std::move(arrival.failure), true, now);
+    if (arrival.is_other) {
+      session_.points_read = 0;
+      report(remember_files(session_, window_.size()), now);
+    }
     if (arrival.points) {
+      session_.points_read = arrival.points->total;
       session_.navigator.set_model(arrival.points->extent, !arrival.is_other);
       report(display_.show(*arrival.points), now);
     }
@@ -91,19 +102,22 @@ class Loop {
       session_.navigator.set_model(without_patches(arrival.scene->patches), !is_first);
       report(display_.show(std::move(arrival.scene), session_), now);
     }
-    const bool changes = arrival.points || arrival.scene;
-    if (arrival.is_other) window_.set_title(title_of(session_));
-    return changes;
+    return arrival.points || arrival.scene;
   }
 
   bool react(const Event& event, double now) {
+    const bool is_over_panel = gui_.wants_mouse();
+    if (session_.compared &&
+        react_to(event, session_.window.x, session_.scale, !is_over_panel && !pointer_.held,
+                 session_.divider))
+      return true;
     const bool is_release =
         std::holds_alternative<ButtonEvent>(event) && !std::get<ButtonEvent>(event).pressed;
     const bool is_mouse = std::holds_alternative<ButtonEvent>(event) ||
                           std::holds_alternative<WheelEvent>(event);
     const bool is_key =
         std::holds_alternative<KeyEvent>(event) || std::holds_alternative<CharacterEvent>(event);
-    if (is_mouse && gui_.wants_mouse() && !(is_release && pointer_.held)) return false;
+    if (is_mouse && is_over_panel && !(is_release && pointer_.held)) return false;
     if (is_key && gui_.wants_keys()) return false;
     const SurfaceFinder surface = [this](glm::dvec2 cursor) -> std::optional<glm::dvec3> {
       const auto pixel = display_.probe(session_, cursor);
@@ -123,14 +137,12 @@ class Loop {
     report(display_.update(session_, changes), now);
     display_.present(session_);
     gui_.begin();
-    show_panels(session_, now);
+    show_panels(session_, panels_, now);
     gui_.end();
+    window_.set_title(title_of(session_));
     window_.swap();
     const double ms = 1000.0 * (window_.seconds() - now);
-    if (changes) {
-      session_.frame_ms = ms;
-      display_.note_frame(ms);
-    }
+    if (changes && display_.note_frame(ms)) session_.frame_ms = ms;
   }
 
   void look_at_files() {
@@ -146,23 +158,40 @@ class Loop {
   Gui& gui_;
   Display& display_;
   Session& session_;
+  PanelState panels_;
   Pointer pointer_;
   double last_ = 0.0;
   int frames_left_ = kFramesAfterEvent;
 };
+
+/// Gives a new session what is remembered. A file that is no settings is left aside.
+void recall(Session& session) {
+  const auto path = settings_path();
+  if (!path) return;
+  auto preferences = load_preferences(*path);
+  if (preferences)
+    apply_preferences(*std::move(preferences), session);
+  else
+    add_message(session, preferences.error().message, true, 0.0);
+}
 
 }  // namespace
 
 Status run_viewer(ViewerOptions options) {
   // What is first loads while the window opens.
   Session session(Document(std::move(options.load), &Window::wake));
-  session.look = options.settings;
+  session.look = session.first_look = options.settings;
+  recall(session);
+  if (options.target_ms) session.target_ms = *options.target_ms;
   if (!options.files.empty()) RELIEF_TRY(session.document.open(options.files, options.settings));
-  RELIEF_TRY_ASSIGN(const auto window, Window::open({.title = title_of(session)}));
-  RELIEF_TRY_ASSIGN(const auto display, Display::create(Window::loader(), options.target_ms));
+  RELIEF_TRY_ASSIGN(const auto window, Window::open({.title = title_of(session),
+                                                    .size = session.preferences.window}));
+  RELIEF_TRY_ASSIGN(const auto display, Display::create(Window::loader()));
   Gui gui(*window);
   Loop loop(*window, gui, *display, session);
   while (!window->wants_close() && !options.is_interrupted()) loop.turn();
+  // Nobody is there any more to read why they can't be written.
+  (void)remember_settings(session, window->size());
   return {};
 }
 
