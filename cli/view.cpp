@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,8 @@ struct ViewArguments {
   std::filesystem::path texture;
   bool flips_v = false;
   ColourArguments colours;
-  double target_ms = 33.0;
   std::filesystem::path frame_log;
+  std::optional<double> target_ms;
 };
 
 constexpr const char* kViewFooter =
@@ -86,7 +87,7 @@ void add_view(CLI::App& app, Command& command) {
   add_read_options(*sub, arguments->read);
   sub->add_option("--target-ms", arguments->target_ms,
                   "Time of a frame while the camera moves, milliseconds, 5 to 1000: coarser "
-                  "pictures keep it (default 33)")
+                  "pictures keep it (default: that of the last window, at first 33)")
       ->check(CLI::Range(5.0, 1000.0))
       ->option_text("MS");
   sub->add_option("--frame-log", arguments->frame_log,

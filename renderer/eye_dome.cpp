@@ -10,11 +10,12 @@
 #include <utility>
 #include <vector>
 
+#include "shaders/include/shared.h"
+
 namespace relief {
 namespace {
 
-constexpr double kFactor = 300.0;
-constexpr double kRadius = 1.0 / 700.0;  // of the image's height
+constexpr double kRadius = shared::kEyeDomeRadius;
 
 /// A camera with a field of view of 45 degrees sees as much at so many times the image's height as
 /// an orthographic one: steps of depth there are as those of a perspective image.
@@ -23,9 +24,7 @@ constexpr double kDistance = 1.207;
 /// What steps are measured in: log2 of the depth, or depth over that of a perspective camera.
 std::vector<float> depth_measure(const Channel& depth, const Camera& camera) {
   std::vector<float> measure(depth.values.size());
-  const double scale = camera.is_orthographic()
-                           ? 1.0 / (kDistance * camera.orthographic_height * std::log(2.0))
-                           : 0.0;
+  const double scale = eye_dome_scale(camera);
   std::transform(depth.values.begin(), depth.values.end(), measure.begin(), [&](float z) {
     if (!std::isfinite(z)) return z;
     return static_cast<float>(scale > 0.0 ? scale * z : std::log2(std::max(double{z}, 1e-300)));
@@ -34,6 +33,11 @@ std::vector<float> depth_measure(const Channel& depth, const Camera& camera) {
 }
 
 }  // namespace
+
+double eye_dome_scale(const Camera& camera) {
+  return camera.is_orthographic() ? 1.0 / (kDistance * camera.orthographic_height * std::log(2.0))
+                                  : 0.0;
+}
 
 void shade_eye_dome(Image& image, const Camera& camera, double strength) {
   const Channel* const depth = image.find("Z");
@@ -65,8 +69,8 @@ void shade_eye_dome(Image& image, const Camera& camera, double strength) {
         const float beside = measure[static_cast<std::size_t>(row * width + column)];
         if (beside < measure[at]) steps += measure[at] - beside;
       }
-      shade[at] = static_cast<float>(
-          std::exp(-kFactor * strength * steps / static_cast<double>(neighbours.size())));
+      shade[at] = static_cast<float>(std::exp(-double{shared::kEyeDomeFactor} * strength * steps /
+                                              static_cast<double>(neighbours.size())));
     }
   });
   for (Channel& channel : image.channels) {

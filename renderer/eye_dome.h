@@ -14,4 +14,8 @@ namespace relief {
 /// background stays. `camera`: the image's. Does not depend on the number of threads.
 void shade_eye_dome(Image& image, const Camera& camera, double strength);
 
+/// Returns what that measures steps of an orthographic camera's depth in: log2 of a depth has as
+/// large steps as this times the depth (world units). 0 for a perspective camera.
+[[nodiscard]] double eye_dome_scale(const Camera& camera);
+
 }  // namespace relief

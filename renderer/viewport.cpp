@@ -15,14 +15,15 @@
 namespace relief {
 namespace {
 
-/// Copies the target's colours to where the part lies in the framebuffer.
-void copy_pixels(const Gl& gl, const Targets& from, const Raster& part, GLuint framebuffer) {
+/// Copies the target's colours, depths or both to where the part lies in the framebuffer.
+void copy_pixels(const Gl& gl, const Targets& from, const Raster& part, GLuint framebuffer,
+                 GLbitfield what) {
   const auto width = static_cast<GLint>(part.width);
   const auto height = static_cast<GLint>(part.height);
   const auto left = static_cast<GLint>(part.left);
   const auto bottom = static_cast<GLint>(part.bottom);
   gl.BlitNamedFramebuffer(from.framebuffer.id(), framebuffer, 0, 0, width, height, left, bottom,
-                          left + width, bottom + height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+                          left + width, bottom + height, what, GL_NEAREST);
 }
 
 }  // namespace
@@ -67,7 +68,7 @@ Result<std::unique_ptr<Viewport>> Viewport::create(const GlLoader& load, const R
   return made;
 }
 
-Result<GlPreparedModel*> Viewport::engine_for(const RenderSettings& view) {
+Result<GlPreparedModel*> Viewport::engine_for(const RenderSettings& view) const {
   const auto found = prepared_.find(view.engine);
   if (found == prepared_.end())
     return make_error("engine {} is not among the looks of this viewport", view.engine);
@@ -87,6 +88,7 @@ Status Viewport::draw(const RenderSettings& view, const Rectangle& part,
   RenderSettings settings = engine->settled(view);
   settings.samples = 1;
   const std::uint32_t side = samples_a_side(view.samples);
+  const GLbitfield copied = GL_COLOR_BUFFER_BIT | (view.eye_dome > 0.0 ? GL_DEPTH_BUFFER_BIT : 0U);
   const Resolve* resolve = nullptr;
   if (side > 1) {
     RELIEF_TRY_ASSIGN(resolve, engine->model().resolve());
@@ -102,10 +104,17 @@ Status Viewport::draw(const RenderSettings& view, const Rectangle& part,
     if (side > 1) frame.resolve = {resolve, framebuffer, raster};
     RELIEF_TRY_ASSIGN(const auto drawing, engine->make_drawing(frame, settings, Counting::Off));
     draw_frame(gl, frame, *drawing, timer);
-    if (side == 1) copy_pixels(gl, frame.targets, raster, framebuffer);
+    if (side == 1) copy_pixels(gl, frame.targets, raster, framebuffer, copied);
     reused_->targets = std::move(frame.targets);
   }
   return check_errors(gl, "the viewport");
+}
+
+double Viewport::depth_range(const RenderSettings& view) const {
+  const auto engine = engine_for(view);
+  assert(engine && "an engine of the looks");
+  const View shown = (*engine)->model().view_of(view);
+  return shown.orthographic ? shown.far - shown.near : 0.0;
 }
 
 Result<Image> Viewport::probe(const RenderSettings& view, std::uint32_t x, std::uint32_t y) {

@@ -51,13 +51,19 @@ class Viewport {
   /// Draws a view into the lower left `view.width` times `view.height` pixels of the framebuffer's
   /// colour attachment: linear light, premultiplied, alpha the model's coverage. (OpenGL encodes it
   /// as sRGB if the framebuffer is such and GL_FRAMEBUFFER_SRGB is enabled.) `view.samples` samples
-  /// a pixel. Does not wait for OpenGL, nor touch the framebuffer's depth. The pixels are those of
-  /// render(). Targets are made anew when the size or the outputs change.
+  /// a pixel. Does not wait for OpenGL. The pixels are those of render() without eye-dome lighting;
+  /// for that, with `view.eye_dome` above 0 and one sample a pixel, the framebuffer's depth
+  /// (GL_DEPTH_COMPONENT32F) becomes that of the model, reversed; otherwise it stays. Targets are
+  /// made anew when the size or the outputs change.
   Status draw(const RenderSettings& view, std::uint32_t framebuffer);
 
   /// Draws a rectangle of the view into the same pixels of the framebuffer, which but for rounding
   /// are those that draw() gives them. What lies beside it costs nothing and stays as it was.
   Status draw(const RenderSettings& view, const Rectangle& part, std::uint32_t framebuffer);
+
+  /// Returns how far apart, in world units, what depth values of 1 and 0 stand for is; 0 for a
+  /// perspective view, whose depth values are not linear. The engine is among those of the looks.
+  [[nodiscard]] double depth_range(const RenderSettings& view) const;
 
   /// Reads what one pixel of the view shows, `x` and `y` from the lower left corner: an image of
   /// one pixel with the channels of colour, "Z" and "patch" (common/image/image.h). Draws that
@@ -68,7 +74,7 @@ class Viewport {
   struct Reused;  ///< the last part's targets
 
   Viewport();
-  Result<GlPreparedModel*> engine_for(const RenderSettings& view);
+  Result<GlPreparedModel*> engine_for(const RenderSettings& view) const;
 
   std::shared_ptr<const OpenGl> opengl_;  ///< first: the last to go
   std::shared_ptr<EnvironmentCache> environments_;

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "viewer/shortcuts.h"
 #include "viewer/window/window.h"
 
 namespace relief {
@@ -72,9 +73,11 @@ struct Reactor {
 
   void operator()(const KeyEvent& event) {
     if (!event.pressed) return;
-    if (event.modifiers.control) {
+    if (react_to_shortcut(event.key, event.modifiers, session)) {
+      reaction.changes = true;
       return;
     }
+    if (event.modifiers.control) return;
     Navigator& navigator = session.navigator;
     const int view = event.key - kFirstViewKey;
     if (view >= 0 && view < static_cast<int>(kViews.size())) {

@@ -47,6 +47,10 @@ void add_message(Session& session, std::string text, bool is_error, double now) 
   if (session.messages.size() > kMostMessages) session.messages.pop_front();
 }
 
+SceneSettings& edited_look(Session& session) {
+  return session.compared && session.edits_compared ? *session.compared : session.look;
+}
+
 Result<RenderSettings> settings_of(const Session& session, const SceneSettings& look) {
   const ScenePlan& plan = session.document.plan();
   PlannedView view = plan.views.front();
@@ -67,7 +71,7 @@ Result<Looks> looks_of(const Session& session) {
   if (session.compared) {
     RELIEF_TRY_ASSIGN(looks.second, settings_of(session, *session.compared));
   }
-  looks.divider = session.divider;
+  looks.divider = session.divider.share;
   return looks;
 }
 

@@ -10,9 +10,12 @@
 
 #include "common/scene/scene.h"
 #include "renderer/settings.h"
+#include "viewer/choices/divider.h"
 #include "viewer/document/document.h"
 #include "viewer/drawing/looks.h"
+#include "viewer/navigation/bookmarks.h"
 #include "viewer/navigation/navigator.h"
+#include "viewer/settings/preferences.h"
 
 namespace relief {
 
@@ -28,11 +31,18 @@ struct Session {
 
   Document document;
   std::shared_ptr<const LoadedScene> scene;  ///< what is shown; null: points, or nothing yet
+  std::size_t points_read = 0;               ///< of the scan whose points came last
   Navigator navigator;
+  Bookmarks bookmarks;
 
+  SceneSettings first_look;               ///< that of the command line
   SceneSettings look;                     ///< of the picture, but for its camera and size
   std::optional<SceneSettings> compared;  ///< the look right of the divider
-  double divider = 0.5;
+  bool edits_compared = false;            ///< panels change that one
+  Divider divider;
+
+  double target_ms = 33.0;  ///< of a frame while something moves
+  Preferences preferences;  ///< what is remembered but is not above
 
   bool shows_panels = true;
   bool shows_help = false;
@@ -41,9 +51,17 @@ struct Session {
   /// Set by whoever changes a look; the picture is then drawn anew.
   bool look_changed = true;
 
-  glm::ivec2 window{0};   ///< its size in pixels
+  bool asks_for_file = false;  ///< the field for a path is to be typed into
+  bool wants_close = false;
+  bool wants_full_screen = false;
+
+  glm::ivec2 window{0};   ///< the picture's size in pixels: the window's without the side panel
+  double scale = 1.0;     ///< the window's: how large texts are
   double frame_ms = 0.0;  ///< of the last moving frame
 };
+
+/// The look that panels change: the left one, or the right one if that is chosen and there.
+[[nodiscard]] SceneSettings& edited_look(Session& session);
 
 /// Shows another model: from where the look's settings ask for, or as `relief render` does. Takes
 /// what concerns the camera out of the look.

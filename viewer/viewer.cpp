@@ -7,7 +7,9 @@
 #include "viewer/frame_log.h"
 #include "viewer/input.h"
 #include "viewer/panels/panels.h"
+#include "viewer/remember.h"
 #include "viewer/session.h"
+#include "viewer/settings/settings_file.h"
 #include "viewer/window/gui.h"
 #include "viewer/window/window.h"
 
@@ -56,6 +58,8 @@ class Loop {
     }
     frames_left_ = std::max(frames_left_ - 1, 0);
     draw(changes || session_.look_changed, now);
+    if (session_.wants_close) window_.close();
+    window_.set_full_screen(session_.wants_full_screen);
   }
 
  private:
@@ -68,7 +72,9 @@ class Loop {
   }
 
   bool take_size() {
-    const glm::ivec2 size = window_.size();
+    session_.scale = window_.scale();
+    glm::ivec2 size = window_.size();
+    size.x -= side_panel_width(session_, size.x);
     if (size == session_.window || size.x == 0 || size.y == 0) {
       session_.window = size;
       return false;
@@ -84,10 +90,12 @@ class Loop {
     for (std::string& note : arrival.notes) add_message(session_, std::move(note), false, now);
     if (arrival.failure) add_message(session_, *std::move(arrival.failure), true, now);
     if (arrival.is_other) {
-      window_.set_title(title_of(session_));
       session_.look = session_.document.plan().views.front().settings;
+      session_.points_read = 0;
+      report(remember_files(session_, window_.size()), now);
     }
     if (arrival.points) {
+      session_.points_read = arrival.points->total;
       if (arrival.is_other) start_camera(session_, arrival.points->extent);
       report(display_.show(*arrival.points), now);
     }
@@ -120,13 +128,17 @@ class Loop {
   }
 
   bool react(const Event& event, double now) {
+    const bool is_over_panel = gui_.wants_mouse();
+    if (session_.compared && react_to(event, session_.window.x, session_.scale,
+                                      !is_over_panel && !pointer_.held, session_.divider))
+      return true;
     const bool is_release =
         std::holds_alternative<ButtonEvent>(event) && !std::get<ButtonEvent>(event).pressed;
     const bool is_mouse =
         std::holds_alternative<ButtonEvent>(event) || std::holds_alternative<WheelEvent>(event);
     const bool is_key =
         std::holds_alternative<KeyEvent>(event) || std::holds_alternative<CharacterEvent>(event);
-    if (is_mouse && gui_.wants_mouse() && !(is_release && pointer_.held)) return false;
+    if (is_mouse && is_over_panel && !(is_release && pointer_.held)) return false;
     if (is_key && gui_.wants_keys()) return false;
     const Reaction reaction = react_to(event, surface_finder(), pointer_, session_);
     if (!reaction.dropped.empty()) {
@@ -147,15 +159,13 @@ class Loop {
     report(display_.update(session_, changes), now);
     display_.present(session_);
     gui_.begin();
-    show_panels(session_, now);
+    show_panels(session_, panels_, now);
     gui_.end();
+    window_.set_title(title_of(session_));
     window_.swap();
     const double ms = 1000.0 * (window_.seconds() - now);
     log_.add(kind, ms, scale);
-    if (changes) {
-      session_.frame_ms = ms;
-      display_.note_frame(ms);
-    }
+    if (changes && display_.note_frame(ms)) session_.frame_ms = ms;
   }
 
   void look_at_files() {
@@ -172,11 +182,23 @@ class Loop {
   Display& display_;
   Session& session_;
   FrameLog log_;
+  PanelState panels_;
   Pointer pointer_;
   std::shared_ptr<const LoadedScene> waiting_;  ///< to be shown in the next turn
   double last_ = 0.0;
   int frames_left_ = kFramesAfterEvent;
 };
+
+/// Gives a new session what is remembered. A file that is no settings is left aside.
+void recall(Session& session) {
+  const auto path = settings_path();
+  if (!path) return;
+  auto preferences = load_preferences(*path);
+  if (preferences)
+    apply_preferences(*std::move(preferences), session);
+  else
+    add_message(session, preferences.error().message, true, 0.0);
+}
 
 }  // namespace
 
@@ -187,13 +209,18 @@ Status run_viewer(ViewerOptions options) {
   }
   // What is first loads while the window opens.
   Session session(Document(std::move(options.load), &Window::wake));
-  session.look = options.settings;
+  session.look = session.first_look = options.settings;
+  recall(session);
+  if (options.target_ms) session.target_ms = *options.target_ms;
   if (!options.files.empty()) RELIEF_TRY(session.document.open(options.files, options.settings));
-  RELIEF_TRY_ASSIGN(const auto window, Window::open({.title = title_of(session)}));
-  RELIEF_TRY_ASSIGN(const auto display, Display::create(Window::loader(), options.target_ms));
+  RELIEF_TRY_ASSIGN(const auto window,
+                    Window::open({.title = title_of(session), .size = session.preferences.window}));
+  RELIEF_TRY_ASSIGN(const auto display, Display::create(Window::loader()));
   Gui gui(*window);
   Loop loop(*window, gui, *display, session, std::move(log));
   while (!window->wants_close() && !options.is_interrupted()) loop.turn();
+  // Nobody is there any more to read why they can't be written.
+  (void)remember_settings(session, window->size());
   return {};
 }
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "common/error.h"
@@ -15,8 +16,9 @@ struct ViewerOptions {
   std::vector<std::filesystem::path> files;  ///< opened first; may be empty
   SceneSettings settings;                    ///< the first look and camera
   LoadOptions load;                          ///< how files are read
-  double target_ms = 33.0;                   ///< of a frame while something moves
   std::filesystem::path frame_log;           ///< a CSV of all frames; empty: none is written
+  std::optional<double> target_ms;           ///< of a frame while something moves; none: as
+                                             ///< remembered
   std::function<bool()> is_interrupted = [] { return false; };  ///< asked now and then
 };
 

@@ -172,11 +172,12 @@ using glm::vec4;
 /// Uniform that averages samples: where its part of the image is, and how many it has.
 #define RELIEF_UNIFORM_PART 0
 
-/// Uniforms of what brings a picture into a window: factor of its light, strength of the shade of
-/// points, the window's width and height.
+/// Uniforms of what brings a picture into a window: factor of its light, strength of eye-dome
+/// lighting, the window's width and height, what steps of linear depth values are measured in.
 #define RELIEF_UNIFORM_EXPOSURE 0
 #define RELIEF_UNIFORM_SHADE 1
 #define RELIEF_UNIFORM_WINDOW 2
+#define RELIEF_UNIFORM_DEPTH_SCALE 3
 
 /// Vertex attributes: the patch that a draw command draws, through its base instance; with cells
 /// also the corner of the part that it draws (column, then row in the upper half).
@@ -312,6 +313,11 @@ RELIEF_CONST float kNeutralGrey = 0.5f;
 
 /// The most lights of an image.
 RELIEF_CONST int kMaxLights = 16;
+
+/// Eye-dome lighting (renderer/eye_dome.h): the factor of its strength, and how far away the
+/// neighbours are, as a share of the image's height.
+RELIEF_CONST float kEyeDomeFactor = 300.0f;
+RELIEF_CONST float kEyeDomeRadius = 1.0f / 700.0f;
 
 /// No light is brighter than this at a surface.
 RELIEF_CONST float kBrightestLight = 1000.0f;

@@ -5,8 +5,11 @@ layout(binding = RELIEF_TEXTURE_PIXEL_SAMPLES) uniform sampler2D picture;
 layout(binding = RELIEF_TEXTURE_VISIBLE_DEPTH) uniform sampler2D picture_depth;
 
 layout(location = RELIEF_UNIFORM_EXPOSURE) uniform float exposure;
-// Strength of the shade where points lie behind their neighbours, 0: none.
+// Strength of the shade where a surface lies behind its neighbours, 0: none.
 layout(location = RELIEF_UNIFORM_SHADE) uniform float shade;
+
+// Of an orthographic camera: from its depth values to what steps are measured in; 0: perspective.
+layout(location = RELIEF_UNIFORM_DEPTH_SCALE) uniform float depth_scale;
 
 // Width and height in pixels.
 layout(location = RELIEF_UNIFORM_WINDOW) uniform ivec3 window;
@@ -19,19 +22,25 @@ vec3 srgb_of(vec3 linear) {
              greaterThan(light, vec3(0.0031308)));
 }
 
-// Eye-dome lighting [Boucheny 2009]: the mean of how much nearer the neighbours are, in octaves.
+// Eye-dome lighting as renderer/eye_dome.cpp has it: the mean of how much nearer the neighbours are.
 float eye_dome(ivec2 at) {
   float own = texelFetch(picture_depth, at, 0).r;
   if (own == 0.0) return 1.0;
-  ivec2 last = textureSize(picture_depth, 0) - 1;
+  ivec2 size = textureSize(picture_depth, 0);
+  float radius = kEyeDomeRadius * float(size.y);
+  int straight = max(1, int(radius + 0.5));
+  int diagonal = max(1, int(0.7071 * radius + 0.5));
   float nearer = 0.0;
-  for (int k = 0; k < 4; ++k) {
-    ivec2 aside = (k & 1) == 0 ? ivec2(2, 0) : ivec2(0, 2);
-    float other = texelFetch(picture_depth, clamp(at + (k < 2 ? aside : -aside), ivec2(0), last), 0).r;
-    // Depth is reversed and infinite: near over distance.
-    if (other > 0.0) nearer += max(0.0, log2(other / own));
+  for (int dy = -1; dy <= 1; ++dy) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      ivec2 beside = at + (dx * dy == 0 ? straight : diagonal) * ivec2(dx, dy);
+      if (any(lessThan(beside, ivec2(0))) || any(greaterThanEqual(beside, size))) continue;
+      float other = texelFetch(picture_depth, beside, 0).r;
+      // Depth is reversed: near over distance, or linear from 1 to 0.
+      if (other > own) nearer += depth_scale > 0.0 ? depth_scale * (other - own) : log2(other / own);
+    }
   }
-  return exp(-shade * nearer * 0.25);
+  return exp(-kEyeDomeFactor * shade * nearer / 8.0);
 }
 
 void main() {

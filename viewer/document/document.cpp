@@ -46,6 +46,14 @@ Status Document::add(const std::vector<std::filesystem::path>& files,
   return open(all, settings);
 }
 
+void Document::close() {
+  job_.reset();
+  files_.clear();
+  plan_ = {};
+  read_.clear();
+  seen_.clear();
+}
+
 void Document::reload(const SceneSettings& settings) {
   ScenePlan plan = plan_;
   plan.views.front().settings = overlay(plan.views.front().settings, settings);

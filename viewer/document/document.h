@@ -37,6 +37,9 @@ class Document {
   /// The same with the open files and others.
   Status add(const std::vector<std::filesystem::path>& files, const SceneSettings& settings);
 
+  /// Closes all files.
+  void close();
+
   /// Loads the open files again for a view with these settings, if that is worth while: files have
   /// changed, or a patch file has tiles and the view shows others.
   void reload(const SceneSettings& settings);

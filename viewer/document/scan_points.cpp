@@ -63,6 +63,7 @@ double spacing_of(const Bounds& bounds, std::size_t count) {
 ScanPoints scan_points_of(const Points& points) {
   ScanPoints shown;
   const std::size_t count = points.size();
+  shown.total = count;
   if (count == 0) return shown;
   set_extent(shown.extent, points.positions);
   shown.extent.stance = stance_of(points);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/image/srgb.h"
+#include "renderer/eye_dome.h"
 #include "renderer/view/view.h"
 
 namespace relief {
@@ -36,9 +37,9 @@ glm::uvec2 pixel_of(glm::dvec2 cursor, glm::ivec2 window) {
 
 }  // namespace
 
-Result<std::unique_ptr<Display>> Display::create(const GlLoader& load, double target_ms) {
+Result<std::unique_ptr<Display>> Display::create(const GlLoader& load) {
   RELIEF_TRY_ASSIGN(auto opengl, OpenGl::adopt(load));
-  std::unique_ptr<Display> made(new Display(load, std::move(opengl), target_ms));
+  std::unique_ptr<Display> made(new Display(load, std::move(opengl)));
   RELIEF_TRY_ASSIGN(made->presenter_, Presenter::create(made->opengl_->gl()));
   return made;
 }
@@ -69,7 +70,11 @@ Status Display::show(const ScanPoints& points) {
 Status Display::prepare(Session& session) {
   const auto prepared = [&]() -> Status {
     RELIEF_TRY_ASSIGN(const Looks looks, looks_of(session));
-    return scene_->prepare(looks);
+    RELIEF_TRY(scene_->prepare(looks));
+    // What is read or compiled by the first image that needs it fails here, once.
+    RELIEF_TRY(scene_->viewport().probe(looks.first, 0, 0));
+    if (looks.second) RELIEF_TRY(scene_->viewport().probe(*looks.second, 0, 0));
+    return {};
   }();
   if (prepared)
     drawn_looks_.emplace(session.look, session.compared);
@@ -79,7 +84,18 @@ Status Display::prepare(Session& session) {
   return prepared;
 }
 
+void Display::forget() {
+  scene_.reset();
+  points_.reset();
+  picture_ = LivePicture(opengl_->gl());
+}
+
 Status Display::update(Session& session, bool changes) {
+  pacer_.set_target(session.target_ms);
+  if (session.document.files().empty() && (scene_ != nullptr || points_)) {
+    forget();
+    session.scene.reset();
+  }
   const bool look_changes = std::exchange(session.look_changed, false);
   if (points_) {
     const Looks looks = looks_of_points(session);
@@ -92,13 +108,15 @@ Status Display::update(Session& session, bool changes) {
     RELIEF_TRY(prepare(session));
   }
   RELIEF_TRY_ASSIGN(const Looks looks, looks_of(session));
+  depth_scale_ = eye_dome_scale(looks.first.camera) * scene_->viewport().depth_range(looks.first);
   if (changes) return picture_.draw(scene_->viewport(), looks, pacer_.quality());
   return picture_.refine(scene_->viewport(), looks);
 }
 
-void Display::note_frame(double ms) {
-  // What compiles shaders says nothing about the next frame.
-  if (std::exchange(is_steady_, true)) pacer_.note(ms);
+bool Display::note_frame(double ms) {
+  const bool was_steady = std::exchange(is_steady_, true);
+  if (was_steady) pacer_.note(ms);
+  return was_steady;
 }
 
 void Display::present(const Session& session) {
@@ -108,10 +126,22 @@ void Display::present(const Session& session) {
     opengl_->gl().ClearNamedFramebufferfv(0, GL_COLOR, 0, grey.data());
     return;
   }
-  Presentation how;
-  how.exposure = session.look.exposure.value_or(0.0);
-  how.shade = points_ ? kShadeOfPoints : 0.0;
-  presenter_->draw(*canvas, session.window, how);
+  if (points_) {
+    presenter_->draw(*canvas, session.window, {.shade = kShadeOfPoints});
+    return;
+  }
+  const auto how = [&](const SceneSettings& look) {
+    return Presentation{.exposure = look.exposure.value_or(0.0),
+                        .shade = look.eye_dome.value_or(0.0),
+                        .depth_scale = depth_scale_};
+  };
+  Presentation left = how(session.look);
+  if (session.compared) {
+    Presentation right = how(*session.compared);
+    left.to = right.from = session.divider.share;
+    presenter_->draw(*canvas, session.window, right);
+  }
+  presenter_->draw(*canvas, session.window, left);
 }
 
 std::optional<Image> Display::probe(const Session& session, glm::dvec2 cursor) {

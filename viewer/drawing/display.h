@@ -23,7 +23,7 @@ namespace relief {
 /// the context does.
 class Display {
  public:
-  static Result<std::unique_ptr<Display>> create(const GlLoader& load, double target_ms);
+  static Result<std::unique_ptr<Display>> create(const GlLoader& load);
 
   /// Uploads what has arrived, which then is what is drawn, and puts it into the session. If that
   /// fails, what was there before stays.
@@ -37,8 +37,9 @@ class Display {
   /// Shows the newest picture in the window.
   void present(const Session& session);
 
-  /// Tells the pace of moving pictures what the last took until it was in the window.
-  void note_frame(double ms);
+  /// Tells the pace of moving pictures what the last took until it was in the window. Returns
+  /// whether the next ones will take about as long: one that compiles or uploads tells nothing.
+  bool note_frame(double ms);
 
   /// Whether there is nothing left to refine.
   [[nodiscard]] bool is_complete() const { return picture_.is_complete(); }
@@ -54,13 +55,10 @@ class Display {
   [[nodiscard]] std::optional<Image> probe(const Session& session, glm::dvec2 cursor);
 
  private:
-  explicit Display(GlLoader load, std::shared_ptr<const OpenGl> opengl, double target_ms)
-      : load_(std::move(load)),
-        opengl_(std::move(opengl)),
-        picture_(opengl_->gl()),
-        pacer_(target_ms) {}
+  explicit Display(GlLoader load, std::shared_ptr<const OpenGl> opengl)
+      : load_(std::move(load)), opengl_(std::move(opengl)), picture_(opengl_->gl()) {}
   Status prepare(Session& session);
-  void clear(const Session& session);
+  void forget();  ///< what is closed
 
   GlLoader load_;
   std::shared_ptr<const OpenGl> opengl_;
@@ -68,8 +66,9 @@ class Display {
   std::unique_ptr<UploadedScene> scene_;
   std::optional<PointCloud> points_;
   LivePicture picture_;
-  Pacer pacer_;
-  bool is_steady_ = false;  ///< the next frame compiles and uploads nothing
+  Pacer pacer_{33.0};         ///< its target is the session's
+  double depth_scale_ = 0.0;  ///< of the newest picture (Presentation::depth_scale)
+  bool is_steady_ = false;    ///< the next frame compiles and uploads nothing
   std::optional<std::pair<SceneSettings, std::optional<SceneSettings>>> drawn_looks_;
 };
 

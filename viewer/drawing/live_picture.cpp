@@ -86,14 +86,14 @@ Status LivePicture::refine(Viewport& model, const Looks& looks) {
   RELIEF_TRY(fit(full_, looks.first.width, looks.first.height));
   const bool is_first = stage_ == Stage::OneSample;
   bool is_last = false;
-  RELIEF_TRY(draw_band(model, looks, is_first ? 1 : looks.first.samples, is_last));
+  RELIEF_TRY(draw_band(model, looks, is_first ? 1 : most_samples(looks), is_last));
   if (!is_last) return {};
   shows_full_ = true;
   next_row_ = 0;
-  const bool has_more = is_first && looks.first.samples > 1;
+  const bool has_more = is_first && most_samples(looks) > 1;
   stage_ = has_more ? Stage::AllSamples : Stage::Complete;
   // A band of several samples takes that many times as long.
-  if (has_more) rows_per_ms_ /= looks.first.samples;
+  if (has_more) rows_per_ms_ /= most_samples(looks);
   return {};
 }
 

@@ -31,8 +31,12 @@ std::uint32_t scaled(std::uint32_t side, double scale) {
 
 std::vector<Pane> panes_of(const Looks& looks, int samples) {
   std::vector<Pane> panes = panes_of(looks, looks.first.width, looks.first.height);
-  for (Pane& pane : panes) pane.settings.samples = samples;
+  for (Pane& pane : panes) pane.settings.samples = std::min(pane.settings.samples, samples);
   return panes;
+}
+
+int most_samples(const Looks& looks) {
+  return std::max(looks.first.samples, looks.second ? looks.second->samples : 1);
 }
 
 std::vector<Pane> panes_of(const Looks& looks, const Quality& quality) {

@@ -24,8 +24,11 @@ struct Pane {
   Rectangle part;
 };
 
-/// Returns the panes of the picture at its full size, `samples` samples a pixel.
+/// Returns the panes of the picture at its full size, with at most `samples` samples a pixel.
 [[nodiscard]] std::vector<Pane> panes_of(const Looks& looks, int samples);
+
+/// Returns the most samples a pixel that a look has.
+[[nodiscard]] int most_samples(const Looks& looks);
 
 /// Returns the panes of a coarser picture of the same, one sample a pixel.
 [[nodiscard]] std::vector<Pane> panes_of(const Looks& looks, const Quality& quality);

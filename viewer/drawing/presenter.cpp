@@ -19,13 +19,18 @@ void Presenter::draw(const Canvas& canvas, glm::ivec2 window, const Presentation
   PassTimer timer(gl);
   const ScopedPass pass(gl, timer, "present");
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
-  gl.Viewport(0, 0, window.x, window.y);
+  const auto left = static_cast<GLint>(std::lround(how.from * window.x));
+  const auto right = static_cast<GLint>(std::lround(how.to * window.x));
+  gl.Viewport(left, 0, right - left,
+              window.y);  // cuts the triangle off; pixels stay where they are
   gl.Disable(GL_DEPTH_TEST);
   gl.Disable(GL_BLEND);
   gl.UseProgram(program_.id());
   gl.ProgramUniform1f(program_.id(), RELIEF_UNIFORM_EXPOSURE,
                       static_cast<float>(std::exp2(how.exposure)));
   gl.ProgramUniform1f(program_.id(), RELIEF_UNIFORM_SHADE, static_cast<float>(how.shade));
+  gl.ProgramUniform1f(program_.id(), RELIEF_UNIFORM_DEPTH_SCALE,
+                      static_cast<float>(how.depth_scale));
   gl.ProgramUniform3i(program_.id(), RELIEF_UNIFORM_WINDOW, window.x, window.y, 0);
   gl.BindTextureUnit(RELIEF_TEXTURE_PIXEL_SAMPLES, canvas.colour.id());
   gl.BindTextureUnit(RELIEF_TEXTURE_VISIBLE_DEPTH, canvas.depth.id());

@@ -109,6 +109,9 @@ class Navigator {
   /// Stands the model on another axis, of any length but 0, or on its own one, and shows home().
   void set_up_axis(std::optional<glm::dvec3> up);
 
+  /// Returns the axis that was asked for; none: the model's own.
+  [[nodiscard]] std::optional<glm::dvec3> up_axis() const { return up_axis_; }
+
   /// Turntable by default.
   void set_orbit_style(OrbitStyle style) { style_ = style; }
 

@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 15> kKeys{
+constexpr std::array<std::pair<const char*, const char*>, 21> kKeys{
     {{"drag", "orbit about the point under the cursor"},
      {"right drag, Shift + drag", "pan"},
      {"Ctrl + drag", "look around"},
@@ -21,10 +21,16 @@ constexpr std::array<std::pair<const char*, const char*>, 15> kKeys{
      {"F", "frame all"},
      {"L", "level the horizon"},
      {"O", "orthographic"},
+     {"Ctrl + B", "add a bookmark"},
+     {"Page up, Page down", "the bookmark before, the next one"},
+     {"C", "compare two looks"},
      {"Tab", "hide the panels"},
+     {"F11", "full screen"},
+     {"Ctrl + O", "open a file"},
      {"Ctrl + Q", "quit"},
      {"?", "this list"},
-     {"drop a file", "open it"}}};
+     {"drop a file", "open it"},
+     {"right click on a slider", "its default"}}};
 
 }  // namespace
 

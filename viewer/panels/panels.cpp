@@ -2,10 +2,13 @@
 
 namespace relief {
 
-void show_panels(Session& session, double now) {
+void show_panels(Session& session, PanelState& state, double now) {
   show_messages(session, now);
+  if (session.compared) show_divider(session);
   if (session.shows_help) show_help(session);
+  if (session.asks_for_file) session.shows_panels = true;
   if (!session.shows_panels) return;
+  show_side_panel({session, state, now});
   show_status_bar(session);
 }
 

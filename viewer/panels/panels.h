@@ -1,17 +1,31 @@
-// The panels over the picture.
+// The panels around the picture and over it.
 #pragma once
 
+#include "viewer/panels/panel_state.h"
 #include "viewer/session.h"
 
 namespace relief {
 
+/// Returns how wide the side panel is in a window, both in pixels; 0 while it is hidden.
+[[nodiscard]] int side_panel_width(const Session& session, int window);
+
 /// Shows all panels that are open, and changes the session as the user asks. Between Gui::begin()
 /// and Gui::end().
-void show_panels(Session& session, double now);
+void show_panels(Session& session, PanelState& state, double now);
 
 /// Parts of it, one file each.
+void show_side_panel(const PanelContext& panel);
+void show_divider(Session& session);
 void show_status_bar(const Session& session);
 void show_messages(Session& session, double now);
 void show_help(Session& session);
+
+/// Sections of the side panel.
+void show_files(const PanelContext& panel);
+void show_views(const PanelContext& panel);
+void show_look(const PanelContext& panel);
+void show_light(const PanelContext& panel);
+void show_drawing(const PanelContext& panel);
+void show_comparison(const PanelContext& panel);
 
 }  // namespace relief

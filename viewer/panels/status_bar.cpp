@@ -28,7 +28,9 @@ void show_status_bar(const Session& session) {
   const ImGuiViewport& viewport = *ImGui::GetMainViewport();
   const float height = ImGui::GetFrameHeight();
   ImGui::SetNextWindowPos({viewport.Pos.x, viewport.Pos.y + viewport.Size.y - height});
-  ImGui::SetNextWindowSize({viewport.Size.x, height});
+  const float width =
+      static_cast<float>(session.window.x) / ImGui::GetIO().DisplayFramebufferScale.x;
+  ImGui::SetNextWindowSize({width, height});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10.0F, 3.0F});
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
@@ -36,8 +38,10 @@ void show_status_bar(const Session& session) {
                                       ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
   ImGui::Begin("status", nullptr, kFlags);
   ImGui::TextUnformatted(state_of(session).c_str());
-  const std::string right = fmt::format("{:.0f} ms   ? for keys", session.frame_ms);
-  ImGui::SameLine(viewport.Size.x - ImGui::CalcTextSize(right.c_str()).x - 12.0F);
+  const std::string frame =
+      session.frame_ms > 0.0 ? fmt::format("{:.0f} ms   ", session.frame_ms) : std::string();
+  const std::string right = frame + "? for keys";
+  ImGui::SameLine(width - ImGui::CalcTextSize(right.c_str()).x - 12.0F);
   ImGui::TextUnformatted(right.c_str());
   ImGui::End();
   ImGui::PopStyleVar(2);

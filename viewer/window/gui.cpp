@@ -1,5 +1,8 @@
 #include "viewer/window/gui.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
@@ -49,7 +52,21 @@ void set_style(float scale) {
   style.Colors[ImGuiCol_Header] = {0.24F, 0.27F, 0.31F, 1.0F};
   style.Colors[ImGuiCol_FrameBg] = {0.20F, 0.21F, 0.23F, 1.0F};
   style.Colors[ImGuiCol_Button] = {0.25F, 0.28F, 0.32F, 1.0F};
+  // The value of a slider is read through its grab.
+  style.Colors[ImGuiCol_SliderGrab] = {0.27F, 0.42F, 0.62F, 1.0F};
+  style.Colors[ImGuiCol_SliderGrabActive] = {0.33F, 0.52F, 0.76F, 1.0F};
   style.ScaleAllSizes(scale);
+}
+
+/// Pixels for each screen coordinate, which is what Dear ImGui measures in: 1 with X11.
+float density_of(GLFWwindow* window) {
+  int pixels = 0;
+  int coordinates = 0;
+  glfwGetFramebufferSize(window, &pixels, nullptr);
+  glfwGetWindowSize(window, &coordinates, nullptr);
+  return coordinates > 0 && pixels > 0
+             ? static_cast<float>(pixels) / static_cast<float>(coordinates)
+             : 1.0F;
 }
 
 }  // namespace
@@ -61,8 +78,10 @@ Gui::Gui(Window& window) {
   io.IniFilename = nullptr;  // what is remembered is remembered by viewer/settings
   io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   const auto scale = static_cast<float>(window.scale());
+  const float density = density_of(window.handle());
   load_font(scale);
-  set_style(scale);
+  io.FontGlobalScale = 1.0F / density;
+  set_style(scale / density);
   // Calls the window's own callbacks, too, which are set already.
   ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
   ImGui_ImplOpenGL3_Init("#version 450");

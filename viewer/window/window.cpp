@@ -27,6 +27,22 @@ MouseButton button_of(int button) {
   return button == GLFW_MOUSE_BUTTON_MIDDLE ? MouseButton::Middle : MouseButton::Left;
 }
 
+/// The screen that a place (screen coordinates) is on, or the first one.
+GLFWmonitor* monitor_at(glm::ivec2 place) {
+  int count = 0;
+  GLFWmonitor** const monitors = glfwGetMonitors(&count);
+  for (int k = 0; k < count; ++k) {
+    glm::ivec2 low(0);
+    glfwGetMonitorPos(monitors[k], &low.x, &low.y);
+    const GLFWvidmode* const mode = glfwGetVideoMode(monitors[k]);
+    if (mode == nullptr) continue;
+    const glm::ivec2 high = low + glm::ivec2(mode->width, mode->height);
+    if (place.x >= low.x && place.y >= low.y && place.x < high.x && place.y < high.y)
+      return monitors[k];
+  }
+  return glfwGetPrimaryMonitor();
+}
+
 Modifiers held_modifiers(GLFWwindow* window) {
   const auto held = [window](int left, int right) {
     return glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
@@ -64,6 +80,7 @@ Result<std::unique_ptr<Window>> Window::open(const WindowOptions& options) {
   }
   glfwMakeContextCurrent(made->window_);
   glfwSwapInterval(1);
+  made->title_ = options.title;
   made->listen();
   return made;
 }
@@ -159,7 +176,23 @@ void Window::close() {
   glfwSetWindowShouldClose(window_, GLFW_TRUE);
 }
 
+void Window::set_full_screen(bool full) {
+  if (full == std::exchange(is_full_screen_, full)) return;
+  if (!full) {
+    glfwSetWindowMonitor(window_, nullptr, place_.x, place_.y, size_.x, size_.y, GLFW_DONT_CARE);
+    return;
+  }
+  glfwGetWindowPos(window_, &place_.x, &place_.y);
+  glfwGetWindowSize(window_, &size_.x, &size_.y);
+  GLFWmonitor* const monitor = monitor_at(place_ + size_ / 2);
+  const GLFWvidmode* const mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+  if (mode == nullptr) return;
+  glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
 void Window::set_title(const std::string& title) {
+  if (title == title_) return;
+  title_ = title;
   glfwSetWindowTitle(window_, title.c_str());
 }
 

@@ -45,6 +45,8 @@ class Window {
   [[nodiscard]] bool wants_close() const;
   [[nodiscard]] bool is_down(int key) const;  ///< GLFW_KEY_...
   void close();
+  /// Fills the screen that the window is on, or goes back to where it was.
+  void set_full_screen(bool full);
   void set_title(const std::string& title);
   void set_clipboard(const std::string& text);
   void swap();
@@ -58,6 +60,10 @@ class Window {
   void listen();
 
   GLFWwindow* window_ = nullptr;
+  std::string title_;
+  bool is_full_screen_ = false;
+  glm::ivec2 place_{0};  ///< before it filled the screen, screen coordinates
+  glm::ivec2 size_{0};
   std::vector<Event> events_;
 };
 

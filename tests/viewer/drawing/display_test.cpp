@@ -37,7 +37,7 @@ class Showing : public testing::Test {
     context_ = *std::move(context);
     gl_ = *load_functions(*context_);
     const GlLoader load = [this](const char* name) { return context_->get_proc_address(name); };
-    auto display = Display::create(load, 33.0);
+    auto display = Display::create(load);
     EXPECT_TRUE(display) << display.error().message;
     display_ = *std::move(display);
     test::spill(folder_ / "ball.ply", "");
@@ -106,7 +106,6 @@ TEST_F(Showing, TwoLooksMeetAtTheDivider) {
   const Image lit = picture();
   session_.compared = session_.look;
   session_.compared->material = Material::Unlit;
-  session_.divider = 0.5;
   session_.look_changed = true;
   finish();
   const Image both = picture();

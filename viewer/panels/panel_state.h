@@ -1,0 +1,57 @@
+// What panels hold that is nobody else's: texts being typed, figures that take a while to find.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "loader/loaded_scene.h"
+#include "viewer/session.h"
+
+namespace relief {
+
+/// A path that is being typed.
+struct PathField {
+  std::array<char, 4096> text{};  ///< with its 0
+  std::vector<std::string> completions;
+  bool takes_keys = false;  ///< from the next frame on
+  bool is_open = false;     ///< the completions are shown
+};
+
+/// What the open files are, found once for each scene.
+struct SceneFacts {
+  std::weak_ptr<const LoadedScene> scene;
+  std::size_t samples = 0;
+};
+
+/// Whether files are there, and how large they are: asked of the disk now and then.
+struct FileFacts {
+  std::map<std::filesystem::path, std::optional<std::uintmax_t>> bytes;  ///< none: not there
+  double since = -1.0;  ///< the window's clock, seconds
+};
+
+struct PanelState {
+  PathField file;
+  bool adds_file = false;
+  PathField environment;
+  SceneFacts scene;
+  FileFacts files;
+  std::optional<std::size_t> renamed;  ///< a bookmark
+  bool name_takes_keys = false;        ///< from the next frame on
+  std::array<char, 256> new_name{};
+};
+
+/// What a panel works with.
+struct PanelContext {
+  Session& session;
+  PanelState& state;
+  double now;  ///< the window's clock, seconds
+};
+
+}  // namespace relief
