@@ -173,11 +173,10 @@ using glm::vec4;
 #define RELIEF_UNIFORM_PART 0
 
 /// Uniforms of what brings a picture into a window: factor of its light, strength of eye-dome
-/// lighting, the window's width and height, what steps of linear depth values are measured in.
+/// lighting, what steps of linear depth values are measured in.
 #define RELIEF_UNIFORM_EXPOSURE 0
 #define RELIEF_UNIFORM_SHADE 1
-#define RELIEF_UNIFORM_WINDOW 2
-#define RELIEF_UNIFORM_DEPTH_SCALE 3
+#define RELIEF_UNIFORM_DEPTH_SCALE 2
 
 /// Vertex attributes: the patch that a draw command draws, through its base instance; with cells
 /// also the corner of the part that it draws (column, then row in the upper half).

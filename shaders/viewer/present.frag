@@ -1,4 +1,4 @@
-// From a picture in linear light to the window, which takes sRGB.
+// From a picture in linear light to what a window shows, sRGB.
 #include "include/shared.h"
 
 layout(binding = RELIEF_TEXTURE_PIXEL_SAMPLES) uniform sampler2D picture;
@@ -10,9 +10,6 @@ layout(location = RELIEF_UNIFORM_SHADE) uniform float shade;
 
 // Of an orthographic camera: from its depth values to what steps are measured in; 0: perspective.
 layout(location = RELIEF_UNIFORM_DEPTH_SCALE) uniform float depth_scale;
-
-// Width and height in pixels.
-layout(location = RELIEF_UNIFORM_WINDOW) uniform ivec3 window;
 
 layout(location = RELIEF_OUT_COLOUR) out vec4 out_colour;
 
@@ -44,8 +41,8 @@ float eye_dome(ivec2 at) {
 }
 
 void main() {
-  vec2 share = gl_FragCoord.xy / vec2(window.xy);
-  vec3 light = texture(picture, share).rgb;
-  if (shade > 0.0) light *= eye_dome(ivec2(share * vec2(textureSize(picture_depth, 0))));
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  vec3 light = texelFetch(picture, at, 0).rgb;
+  if (shade > 0.0) light *= eye_dome(at);
   out_colour = vec4(srgb_of(exposure * light), 1.0);
 }

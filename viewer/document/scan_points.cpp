@@ -52,6 +52,23 @@ glm::u8vec4 colour_of(const Patch& patch, std::uint32_t i, std::uint32_t j, cons
   return grey_of(glm::vec3(normal), up);
 }
 
+/// The spacing of nearly all samples, or less: points as large as the mean leave gaps.
+double wide_spacing_of(const std::vector<Patch>& patches) {
+  std::vector<std::pair<double, std::size_t>> samples;  // by spacing
+  std::size_t total = 0;
+  for (const Patch& patch : patches) {
+    samples.emplace_back(patch.spacing, count_samples(patch));
+    total += samples.back().second;
+  }
+  std::sort(samples.begin(), samples.end());
+  std::size_t finer = 0;
+  for (const auto& [spacing, count] : samples) {
+    finer += count;
+    if (20 * finer >= 19 * total) return spacing;
+  }
+  return 0.0;
+}
+
 /// As if the points were spread evenly over half the surface of their box.
 double spacing_of(const Bounds& bounds, std::size_t count) {
   const glm::dvec3 s = bounds.max - bounds.min;
@@ -78,6 +95,7 @@ ScanPoints scan_points_of(const Points& points) {
     if (!is_finite(position)) continue;
     shown.points.push_back({glm::vec3(position - shown.origin), colour_of(points, index, up)});
   }
+  shown.is_lit = points.colours.empty() && !points.normals.empty();
   shown.spacing = spacing_of(bounds, std::max<std::size_t>(shown.points.size(), 1));
   shown.extent.spacing = shown.spacing;
   return shown;
@@ -107,7 +125,9 @@ ScanPoints scan_points_of(const PatchModel& given) {
   shown.points.reserve(kept);
   for (std::size_t k = 0, index = 0; k < kept; ++k, index = (index + step) % count)
     shown.points.push_back(samples[index]);
-  shown.spacing = given.spacing * std::sqrt(static_cast<double>(count) / static_cast<double>(kept));
+  shown.is_lit = !given.has_colours;
+  shown.spacing =
+      wide_spacing_of(patches) * std::sqrt(static_cast<double>(count) / static_cast<double>(kept));
   return shown;
 }
 

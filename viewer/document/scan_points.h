@@ -26,6 +26,7 @@ struct ScanPoints {
   std::vector<ShownPoint>
       points;             ///< in an order in which any first part of them is spread over all
   std::size_t total = 0;  ///< points of the scan, of which some are in `points`
+  bool is_lit = false;    ///< their colours show their shape
   double spacing = 0.0;   ///< about how far apart neighbours are, world units
   PatchModel extent;      ///< bounds, extreme points and stance, without patches
 };

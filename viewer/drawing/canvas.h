@@ -9,13 +9,16 @@
 
 namespace relief {
 
-/// Linear light, half float, as the renderer's own targets, and depth for what needs it.
+/// Linear light, half float, as the renderer's own targets, and depth for what needs it. Beside it
+/// the same as a window has it.
 struct Canvas {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   Texture colour;
   Texture depth;
   Framebuffer framebuffer;
+  Texture shown;  ///< sRGB, 8 bits
+  Framebuffer shown_framebuffer;
 };
 
 /// Sides of at least 1. Fails if OpenGL has no memory for it.

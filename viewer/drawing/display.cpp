@@ -92,10 +92,17 @@ void Display::forget() {
 
 Status Display::update(Session& session, bool changes) {
   pacer_.set_target(session.target_ms);
-  if (session.document.files().empty() && (scene_ != nullptr || points_)) {
+  if (session.document.files().empty() && !is_empty()) {
     forget();
     session.scene.reset();
   }
+  if (is_complete() && !changes && !session.look_changed) return {};
+  const Status drawn = draw(session, changes);
+  if (picture_.shown() != nullptr) encode(session);
+  return drawn;
+}
+
+Status Display::draw(Session& session, bool changes) {
   const bool look_changes = std::exchange(session.look_changed, false);
   if (points_) {
     const Looks looks = looks_of_points(session);
@@ -104,30 +111,18 @@ Status Display::update(Session& session, bool changes) {
   }
   if (scene_ == nullptr) return {};
   if (look_changes) {
-    changes = true;
     RELIEF_TRY(prepare(session));
   }
   RELIEF_TRY_ASSIGN(const Looks looks, looks_of(session));
   depth_scale_ = eye_dome_scale(looks.first.camera) * scene_->viewport().depth_range(looks.first);
-  if (changes) return picture_.draw(scene_->viewport(), looks, pacer_.quality());
+  if (changes || look_changes) return picture_.draw(scene_->viewport(), looks, pacer_.quality());
   return picture_.refine(scene_->viewport(), looks);
 }
 
-bool Display::note_frame(double ms) {
-  const bool was_steady = std::exchange(is_steady_, true);
-  if (was_steady) pacer_.note(ms);
-  return was_steady;
-}
-
-void Display::present(const Session& session) {
-  const Canvas* const canvas = picture_.shown();
-  if (canvas == nullptr) {
-    const std::array<float, 4> grey{kEmpty, kEmpty, kEmpty, 1.0F};
-    opengl_->gl().ClearNamedFramebufferfv(0, GL_COLOR, 0, grey.data());
-    return;
-  }
+void Display::encode(const Session& session) {
+  const Canvas& canvas = *picture_.shown();
   if (points_) {
-    presenter_->draw(*canvas, session.window, {.shade = kShadeOfPoints});
+    presenter_->encode(canvas, {.shade = points_->is_lit() ? 0.0 : kShadeOfPoints});
     return;
   }
   const auto how = [&](const SceneSettings& look) {
@@ -139,9 +134,25 @@ void Display::present(const Session& session) {
   if (session.compared) {
     Presentation right = how(*session.compared);
     left.to = right.from = session.divider.share;
-    presenter_->draw(*canvas, session.window, right);
+    presenter_->encode(canvas, right);
   }
-  presenter_->draw(*canvas, session.window, left);
+  presenter_->encode(canvas, left);
+}
+
+bool Display::note_frame(double ms) {
+  const bool was_steady = std::exchange(is_steady_, true);
+  if (was_steady) pacer_.note(ms);
+  return was_steady;
+}
+
+void Display::present(const Session& session) {
+  const Canvas* const canvas = picture_.shown();
+  if (canvas != nullptr) {
+    presenter_->copy(*canvas, session.window);
+    return;
+  }
+  const std::array<float, 4> grey{kEmpty, kEmpty, kEmpty, 1.0F};
+  opengl_->gl().ClearNamedFramebufferfv(0, GL_COLOR, 0, grey.data());
 }
 
 std::optional<Image> Display::probe(const Session& session, glm::dvec2 cursor) {

@@ -57,6 +57,8 @@ class Display {
  private:
   explicit Display(GlLoader load, std::shared_ptr<const OpenGl> opengl)
       : load_(std::move(load)), opengl_(std::move(opengl)), picture_(opengl_->gl()) {}
+  Status draw(Session& session, bool changes);
+  void encode(const Session& session);
   Status prepare(Session& session);
   void forget();  ///< what is closed
 

@@ -41,6 +41,7 @@ PointCloud::PointCloud(const Gl& gl, const ScanPoints& points, Program program)
       vertices_(gl, "scan points"),
       origin_(points.origin),
       spacing_(points.spacing),
+      is_lit_(points.is_lit),
       count_(points.points.size()) {
   const GLuint id = vertices_.id();
   gl.VertexArrayVertexBuffer(id, 0, points_.id(), 0, sizeof(ShownPoint));

@@ -25,6 +25,9 @@ class PointCloud {
   void draw(const Camera& camera, const glm::vec3& background, double share,
             const Canvas& into) const;
 
+  /// Whether the points' colours show their shape.
+  [[nodiscard]] bool is_lit() const { return is_lit_; }
+
  private:
   PointCloud(const Gl& gl, const ScanPoints& points, Program program);
 
@@ -35,6 +38,7 @@ class PointCloud {
   VertexArray vertices_;
   glm::dvec3 origin_;
   double spacing_;
+  bool is_lit_;
   std::size_t count_;
 };
 

@@ -14,15 +14,15 @@ Result<Presenter> Presenter::create(const Gl& gl) {
   return Presenter(gl, std::move(program), VertexArray(gl, "no attributes"));
 }
 
-void Presenter::draw(const Canvas& canvas, glm::ivec2 window, const Presentation& how) const {
+void Presenter::encode(const Canvas& canvas, const Presentation& how) const {
   const Gl& gl = *gl_;
   PassTimer timer(gl);
-  const ScopedPass pass(gl, timer, "present");
-  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
-  const auto left = static_cast<GLint>(std::lround(how.from * window.x));
-  const auto right = static_cast<GLint>(std::lround(how.to * window.x));
-  gl.Viewport(left, 0, right - left,
-              window.y);  // cuts the triangle off; pixels stay where they are
+  const ScopedPass pass(gl, timer, "encode");
+  gl.BindFramebuffer(GL_FRAMEBUFFER, canvas.shown_framebuffer.id());
+  const auto left = static_cast<GLint>(std::lround(how.from * canvas.width));
+  const auto right = static_cast<GLint>(std::lround(how.to * canvas.width));
+  // Cuts the triangle off; pixels stay where they are.
+  gl.Viewport(left, 0, right - left, static_cast<GLsizei>(canvas.height));
   gl.Disable(GL_DEPTH_TEST);
   gl.Disable(GL_BLEND);
   gl.UseProgram(program_.id());
@@ -31,7 +31,6 @@ void Presenter::draw(const Canvas& canvas, glm::ivec2 window, const Presentation
   gl.ProgramUniform1f(program_.id(), RELIEF_UNIFORM_SHADE, static_cast<float>(how.shade));
   gl.ProgramUniform1f(program_.id(), RELIEF_UNIFORM_DEPTH_SCALE,
                       static_cast<float>(how.depth_scale));
-  gl.ProgramUniform3i(program_.id(), RELIEF_UNIFORM_WINDOW, window.x, window.y, 0);
   gl.BindTextureUnit(RELIEF_TEXTURE_PIXEL_SAMPLES, canvas.colour.id());
   gl.BindTextureUnit(RELIEF_TEXTURE_VISIBLE_DEPTH, canvas.depth.id());
   gl.BindVertexArray(nothing_.id());
@@ -40,6 +39,15 @@ void Presenter::draw(const Canvas& canvas, glm::ivec2 window, const Presentation
   gl.BindTextureUnit(RELIEF_TEXTURE_VISIBLE_DEPTH, 0);
   gl.BindTextureUnit(RELIEF_TEXTURE_PIXEL_SAMPLES, 0);
   gl.UseProgram(0);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+void Presenter::copy(const Canvas& canvas, glm::ivec2 window) const {
+  const auto width = static_cast<GLint>(canvas.width);
+  const auto height = static_cast<GLint>(canvas.height);
+  const bool is_whole = width == window.x && height == window.y;
+  gl_->BlitNamedFramebuffer(canvas.shown_framebuffer.id(), 0, 0, 0, width, height, 0, 0, window.x,
+                            window.y, GL_COLOR_BUFFER_BIT, is_whole ? GL_NEAREST : GL_LINEAR);
 }
 
 }  // namespace relief

@@ -21,14 +21,19 @@ struct Presentation {
   double to = 1.0;
 };
 
-/// Draws a canvas over the window, enlarged if it is smaller, as sRGB.
+/// Brings a canvas into the window in two steps: light becomes sRGB at the canvas's own size, and
+/// only when it has changed; then that is copied, enlarged if it is smaller. In one step each frame
+/// of 1280x800 took 20 ms on llvmpipe, whatever had changed.
 class Presenter {
  public:
   static Result<Presenter> create(const Gl& gl);
 
-  /// `window`: the size of the picture in it, in pixels, from its lower left corner. Leaves the
-  /// window's framebuffer bound, and nothing else.
-  void draw(const Canvas& canvas, glm::ivec2 window, const Presentation& how) const;
+  /// Makes what is shown of a canvas.
+  void encode(const Canvas& canvas, const Presentation& how) const;
+
+  /// Copies it into the window. `window`: the size of the picture in it, in pixels, from its lower
+  /// left corner.
+  void copy(const Canvas& canvas, glm::ivec2 window) const;
 
  private:
   Presenter(const Gl& gl, Program program, VertexArray nothing)
