@@ -1,7 +1,6 @@
 // Picking: where a ray meets the surface that is reconstructed from patches, in double precision.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -61,6 +60,9 @@ class SurfacePicker {
   [[nodiscard]] std::optional<SurfacePoint> pick(const PickQuery& query) const;
 
  private:
+  [[nodiscard]] std::optional<SurfacePoint> pick_on(std::uint32_t number,
+                                                    const PickQuery& query) const;
+
   const PatchModel* model_;
   std::vector<Seams> seams_;  ///< by run of PatchModel::joined
 };
