@@ -52,6 +52,30 @@ CLI::Option* add_number(CLI::App& sub, const std::string& name, std::optional<T>
       ->option_text(letter);
 }
 
+void add_light_options(CLI::App& sub, SceneSettings& settings) {
+  sub.add_option_function<std::vector<std::string>>(
+         "--light",
+         [&](const std::vector<std::string>& texts) {
+           auto& lights = settings.lights.emplace();
+           for (const std::string& text : texts) lights.push_back(parse_light(text));
+           if (lights.size() > kMaxLights) {
+             throw CLI::ValidationError(
+                 "--light", fmt::format("is there {} times; an image has at most {} lights",
+                                        lights.size(), kMaxLights));
+           }
+         },
+         "Light on lit models, once for each, up to 16: the direction toward it, or point: and its "
+         "position, then its linear colour (default: three lights fixed to the camera; white)")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->option_text("[point:]X,Y,Z[,R,G,B]");
+  sub.add_option_function<std::string>(
+         "--ambient", [&](const std::string& s) { settings.ambient = parse_ambient(s); },
+         "Light on lit models from all directions, linear, each 0 to 1000 (default "
+         "0.06,0.06,0.06; 0,0,0 with --env)")
+      ->option_text("R,G,B");
+}
+
 void add_image_options(CLI::App& sub, SceneSettings& settings) {
   sub.add_option_function<std::string>(
          "--background", [&](const std::string& s) { settings.background = parse_background(s); },
@@ -210,6 +234,7 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments) {
   add_engine_options(sub, arguments.settings);
   add_material_options(sub, arguments.settings);
   add_colour_options(sub, arguments.colours);
+  add_light_options(sub, arguments.settings);
   add_image_options(sub, arguments.settings);
   add_texture_options(sub, arguments.texture);
   CLI::Option* const turntable =
