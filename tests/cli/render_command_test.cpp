@@ -198,8 +198,7 @@ TEST_F(CommandLine, MakesTheSameImageColouredByAScalar) {
   load(file_, settings, options);
   image_.has_legend = false;
   expect_same("height");
-  EXPECT_NE(command().line.find("--colour-by height --colour-map turbo --colour-range -1.5,90% "
-                                "--no-legend"),
+  EXPECT_NE(command().line.find("--colour-by height --colour-map turbo --colour-range -1.5,90%"),
             std::string::npos);
   // As a viewer holds its camera: at a right angle. --up would be that of the heights, too.
   view_.camera.eye += glm::dvec3(0.0, 0.0, 3.0);
