@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -10,7 +11,6 @@
 
 #include "common/image/srgb.h"
 #include "common/scalars/colour_map.h"
-#include "loader/render_command.h"
 #include "preprocess/readers/selection.h"
 
 namespace relief {
@@ -44,6 +44,18 @@ constexpr std::array<Named<Acquisition>, 3> kAcquisitions{{{"given", Acquisition
                                                            {"optimised", Acquisition::Optimised}}};
 
 }  // namespace
+
+std::string shell_word(std::string_view word) {
+  constexpr std::string_view kPlain = "@%+=:,./-_";
+  const bool is_plain = !word.empty() && std::ranges::all_of(word, [&](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           kPlain.find(c) != std::string_view::npos;
+  });
+  if (is_plain) return std::string(word);
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
 
 void CommandWords::add(std::string_view word) {
   line_ += (line_.empty() ? "" : " ") + shell_word(word);

@@ -11,6 +11,9 @@
 
 namespace relief {
 
+/// Returns a word as a POSIX shell reads it: in single quotes unless no character needs them.
+[[nodiscard]] std::string shell_word(std::string_view word);
+
 /// Collects the words of a command, each as a POSIX shell reads it.
 class CommandWords {
  public:

@@ -209,18 +209,6 @@ std::vector<std::string> find_missing(const RenderSettings& view, const RenderSe
 
 }  // namespace
 
-std::string shell_word(std::string_view word) {
-  constexpr std::string_view kPlain = "@%+=:,./-_";
-  const bool is_plain = !word.empty() && std::ranges::all_of(word, [&](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-           kPlain.find(c) != std::string_view::npos;
-  });
-  if (is_plain) return std::string(word);
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
-
 Result<RenderCommand> render_command(const ScenePlan& plan, const LoadedScene& scene,
                                      const RenderSettings& view, const CommandedImage& image,
                                      std::span<const EngineEntry> among) {

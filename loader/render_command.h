@@ -6,7 +6,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "common/error.h"
@@ -44,8 +43,5 @@ struct RenderCommand {
 Result<RenderCommand> render_command(const ScenePlan& plan, const LoadedScene& scene,
                                      const RenderSettings& view, const CommandedImage& image,
                                      std::span<const EngineEntry> among = engines());
-
-/// Returns a word as a POSIX shell reads it: in single quotes unless no character needs them.
-[[nodiscard]] std::string shell_word(std::string_view word);
 
 }  // namespace relief

@@ -10,6 +10,7 @@
 
 #include "common/image/image_io.h"
 #include "common/image/srgb.h"
+#include "loader/command_words.h"
 #include "loader/first_look.h"
 #include "loader/load_scene.h"
 #include "loader/view_settings.h"
