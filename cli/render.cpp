@@ -25,6 +25,7 @@
 #include "common/io/extension.h"
 #include "common/io/standard_input.h"
 #include "common/legend/legend.h"
+#include "common/scene/camera_path.h"
 #include "loader/first_look.h"
 #include "loader/load_scene.h"
 #include "loader/view_settings.h"
@@ -52,6 +53,7 @@ std::string render_footer() {
          "  relief render dragon.relief -o top.png --eye 0,1,0 --target 0,0,0 --up 0,0,-1 "
          "--orthographic 0.25\n"
          "  relief render statue.ply -o statue.mp4 --turntable 120\n"
+         "  relief render statue.ply -o flight.mp4 --path flight.json\n"
          "  relief render suite.json -o 'out/{view}.exr'";
 }
 
@@ -172,6 +174,18 @@ int report(const ScenePlan& plan, const std::vector<WrittenImage>& written, bool
   return output.finish(text);
 }
 
+/// Plans the frames of a film whose camera follows a path.
+Status plan_path(const RenderArguments& arguments, ScenePlan& plan, double& frames_per_second) {
+  RELIEF_TRY_ASSIGN(const CameraPath path, read_camera_path(arguments.path));
+  frames_per_second =
+      arguments.frames_per_second.value_or(path.frames_per_second.value_or(kUsualFrameRate));
+  auto cameras = film_cameras(path, frames_per_second);
+  if (!cameras) return make_error("{}: {}", arguments.path.string(), cameras.error().message);
+  plan.film_cameras = *std::move(cameras);
+  plan.film_frames = plan.film_cameras.size();
+  return {};
+}
+
 int run_render(RenderArguments arguments) {
   auto output = OutputFile::open(arguments.output, ".png");
   if (!output) return fail(output.error());
@@ -180,12 +194,19 @@ int run_render(RenderArguments arguments) {
   if (const Status opened = open_inputs({arguments.input}); !opened) return fail(opened.error());
   auto plan = plan_scene(arguments.input, arguments.settings);
   if (!plan) return fail(plan.error());
-  if (arguments.turntable > 0 && plan->views.size() > 1) {
-    (void)fail(make_error("{}: has {} views; --turntable makes a film of a single one",
-                          arguments.input.string(), plan->views.size()));
+  const bool follows_path = !arguments.path.empty();
+  if ((arguments.turntable > 0 || follows_path) && plan->views.size() > 1) {
+    (void)fail(make_error("{}: has {} views; {} makes a film of a single one",
+                          arguments.input.string(), plan->views.size(),
+                          follows_path ? "--path" : "--turntable"));
     return kWrongUsage;
   }
+  double frames_per_second = arguments.frames_per_second.value_or(kUsualFrameRate);
   plan->film_frames = arguments.turntable;
+  if (follows_path) {
+    if (const Status planned = plan_path(arguments, *plan, frames_per_second); !planned)
+      return fail(planned.error());
+  }
   if (!names_each_view(arguments.output, *plan)) {
     (void)fail(
         make_error("{}: has {} views; put {{view}} into the output's name, as in out/{{view}}.exr",
@@ -202,7 +223,7 @@ int run_render(RenderArguments arguments) {
   const auto files = image_files(arguments.output, *plan);
   if (const Status good = check_files(*plan, arguments.texture.file, files); !good)
     return fail(good.error());
-  ImageWriter writer(files, arguments.frames_per_second.value_or(FilmOptions{}.frames_per_second));
+  ImageWriter writer(files, frames_per_second);
   const auto kept = [&] {
     const std::size_t count = writer.written();
     return count == 0 ? std::string()

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/error.h"
+#include "common/scene/camera.h"
 #include "common/scene/scene.h"
 #include "renderer/engine_registry.h"
 
@@ -26,8 +27,10 @@ struct ScenePlan {
   std::filesystem::path file;  ///< the scene file; empty without one
   std::vector<SceneModel> models;
   std::vector<PlannedView> views;
-  /// Above 0: the only view is a film of so many frames, in which the camera goes once around.
+  /// Above 0: the only view is a film of so many frames, in which the camera goes once around, or
+  /// is that of each frame.
   std::size_t film_frames = 0;
+  std::vector<Camera> film_cameras;  ///< empty, or as many as there are frames
 };
 
 /// Reads a scene (.json). Any other file is a scene of one model and one view. `overrides` win over

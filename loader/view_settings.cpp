@@ -43,6 +43,11 @@ void light_by_environment(const SceneSettings& planned, RenderSettings& settings
 std::vector<PlannedView> planned_frames(const ScenePlan& plan, const PatchModel& extent) {
   if (plan.film_frames == 0) return plan.views;
   std::vector<PlannedView> frames(plan.film_frames, plan.views.front());
+  if (!plan.film_cameras.empty()) {
+    for (std::size_t i = 0; i < frames.size(); ++i)
+      frames[i].settings = with_camera(std::move(frames[i].settings), plan.film_cameras[i]);
+    return frames;
+  }
   const auto settings = film_frames(plan.views.front().settings, extent, plan.film_frames);
   for (std::size_t i = 0; i < frames.size(); ++i) frames[i].settings = settings[i];
   return frames;

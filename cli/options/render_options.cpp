@@ -12,6 +12,7 @@
 #include "common/image/film_file.h"
 #include "common/io/extension.h"
 #include "common/io/standard_input.h"
+#include "common/scene/camera_path.h"
 #include "loader/view_settings.h"
 
 namespace relief::cli {
@@ -35,9 +36,6 @@ CLI::Option* add_choice(CLI::App& sub, const std::string& name, std::optional<T>
       ->option_text(list_names(table, "|"));
 }
 
-/// Frames a second.
-constexpr NumberChoice kFrameRates{1.0, 240.0};
-
 /// A number from a range.
 template <class T>
 CLI::Option* add_number(CLI::App& sub, const std::string& name, std::optional<T>& to,
@@ -52,6 +50,30 @@ CLI::Option* add_number(CLI::App& sub, const std::string& name, std::optional<T>
                                   range.max, text);
       })
       ->option_text(letter);
+}
+
+void add_light_options(CLI::App& sub, SceneSettings& settings) {
+  sub.add_option_function<std::vector<std::string>>(
+         "--light",
+         [&](const std::vector<std::string>& texts) {
+           auto& lights = settings.lights.emplace();
+           for (const std::string& text : texts) lights.push_back(parse_light(text));
+           if (lights.size() > kMaxLights) {
+             throw CLI::ValidationError(
+                 "--light", fmt::format("is there {} times; an image has at most {} lights",
+                                        lights.size(), kMaxLights));
+           }
+         },
+         "Light on lit models, once for each, up to 16: the direction toward it, or point: and its "
+         "position, then its linear colour (default: three lights fixed to the camera; white)")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->option_text("[point:]X,Y,Z[,R,G,B]");
+  sub.add_option_function<std::string>(
+         "--ambient", [&](const std::string& s) { settings.ambient = parse_ambient(s); },
+         "Light on lit models from all directions, linear, each 0 to 1000 (default "
+         "0.06,0.06,0.06; 0,0,0 with --env)")
+      ->option_text("R,G,B");
 }
 
 void add_image_options(CLI::App& sub, SceneSettings& settings) {
@@ -212,6 +234,7 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments) {
   add_engine_options(sub, arguments.settings);
   add_material_options(sub, arguments.settings);
   add_colour_options(sub, arguments.colours);
+  add_light_options(sub, arguments.settings);
   add_image_options(sub, arguments.settings);
   add_texture_options(sub, arguments.texture);
   CLI::Option* const turntable =
@@ -221,9 +244,16 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments) {
                      "one image)")
           ->check(CLI::Range(2, 100000))
           ->option_text("N");
-  add_number(sub, "--fps", arguments.frames_per_second, kFrameRates, "N",
-             "Frames per second of a film, 1 to 240 (default 30)")
-      ->needs(turntable);
+  sub.add_option(
+         "--path", arguments.path,
+         "Make a film in which the camera follows a path, a .json file of cameras and "
+         "times: as many frames as its seconds times --fps, written as those of --turntable "
+         "(default: one image)")
+      ->option_text("FILE")
+      ->excludes(turntable);
+  add_number(
+      sub, "--fps", arguments.frames_per_second, kFrameRates, "N",
+      "Frames per second of a film, 1 to 240 (default: what the file of --path says, or 30)");
   add_read_options(sub, arguments.read);
   sub.add_option(
          "--frames", arguments.frames,
@@ -245,6 +275,22 @@ void check_camera(const SceneSettings& settings) {
   }
 }
 
+namespace {
+
+/// A camera path takes the place of all cameras.
+void check_path(const RenderArguments& arguments) {
+  if (arguments.output == kStandardName)
+    throw CLI::ValidationError("--path", "makes more than one image; name a file to write");
+  const SceneSettings& settings = arguments.settings;
+  if (settings.orbit || settings.eye || settings.up || settings.fov_degrees ||
+      settings.orthographic) {
+    throw CLI::ValidationError(
+        "--path", "has cameras; leave out --orbit, --view, --eye, --up, --fov and --orthographic");
+  }
+}
+
+}  // namespace
+
 void check_together(const RenderArguments& arguments) {
   const std::string format =
       arguments.output == kStandardName ? ".png" : lower_extension(arguments.output);
@@ -255,9 +301,14 @@ void check_together(const RenderArguments& arguments) {
         "expected a name that ends in .png or .exr, or .mp4 or .webm for a film; found " +
             arguments.output.string());
   }
-  if (is_film && arguments.turntable == 0) {
-    throw CLI::ValidationError("--output", "a film needs --turntable N, the number of its frames");
+  const bool has_frames = arguments.turntable > 0 || !arguments.path.empty();
+  if (is_film && !has_frames) {
+    throw CLI::ValidationError(
+        "--output", "a film needs --turntable N, the number of its frames, or --path FILE");
   }
+  if (arguments.frames_per_second && !has_frames)
+    throw CLI::ValidationError("--fps", "is for a film: --turntable or --path");
+  if (!arguments.path.empty()) check_path(arguments);
   if (arguments.turntable > 0 && arguments.output == kStandardName)
     throw CLI::ValidationError("--turntable", "makes more than one image; name a file to write");
   if (arguments.turntable > 0 && arguments.settings.eye) {

@@ -20,6 +20,7 @@ struct RenderArguments {
   SceneSettings settings;  ///< overrides those of a scene
   GlPlatform platform = GlPlatform::Automatic;
   std::size_t turntable = 0;                ///< frames of a film; 0: none
+  std::filesystem::path path;               ///< camera path of a film; empty: none
   std::optional<double> frames_per_second;  ///< of a film
   std::optional<int> frames;                ///< to be timed; by default the image is drawn once
   bool explain = false;

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -149,6 +150,45 @@ Background parse_background(const std::string& text) {
   }
   const auto linear = [](double n) { return linear_from_srgb(static_cast<float>(n)); };
   return {glm::vec3(linear(numbers[0]), linear(numbers[1]), linear(numbers[2]))};
+}
+
+Light parse_light(const std::string& text) {
+  constexpr std::string_view kPoint = "point:";
+  Light light;
+  const bool is_point = text.starts_with(kPoint);
+  const auto n = parse_numbers(std::string_view(text).substr(is_point ? kPoint.size() : 0));
+  const double most = is_point ? kMaxPointLight : kMaxLight;
+  const bool has_colour = n.size() == 6;
+  const bool is_good =
+      (n.size() == 3 || has_colour) &&
+      std::all_of(n.begin() + 3, n.end(), [most](double c) { return c >= 0.0 && c <= most; });
+  const glm::dvec3 position = is_good ? glm::dvec3(n[0], n[1], n[2]) : glm::dvec3(0.0);
+  const double length = glm::length(position);
+  constexpr double kShortestDirection = 1e-12;
+  if (!is_good || (!is_point && !(length > kShortestDirection && std::isfinite(length)))) {
+    throw CLI::ValidationError(
+        "--light",
+        fmt::format("expected X,Y,Z or X,Y,Z,R,G,B, with point: before it where a light is, "
+                    "colours from 0 to {:g}; found {}",
+                    most, text));
+  }
+  // What is of length 1 stays as it is.
+  constexpr double kRounding = 1e-15;
+  const bool is_unit = std::abs(length - 1.0) <= kRounding;
+  light.kind = is_point ? LightKind::Point : LightKind::Directional;
+  light.position = is_point || is_unit ? position : position / length;
+  if (has_colour) light.colour = {n[3], n[4], n[5]};
+  return light;
+}
+
+glm::vec3 parse_ambient(const std::string& text) {
+  const auto n = parse_numbers(text);
+  const auto in_range = [](double c) { return c >= 0.0 && c <= kMaxLight; };
+  if (n.size() != 3 || !std::all_of(n.begin(), n.end(), in_range)) {
+    throw CLI::ValidationError(
+        "--ambient", "expected R,G,B, linear, each 0 to 1000, as in 0.1,0.1,0.1; found " + text);
+  }
+  return {n[0], n[1], n[2]};
 }
 
 glm::vec3 parse_absorption(const std::string& text) {

@@ -74,6 +74,13 @@ template <class T>
 /// "R,G,B", sRGB values in [0, 1], as linear RGB; or "none".
 [[nodiscard]] Background parse_background(const std::string& text);
 
+/// "X,Y,Z", the direction toward a light, or "point:X,Y,Z", where one is; then ",R,G,B", its
+/// colour, linear, unless that is white.
+[[nodiscard]] Light parse_light(const std::string& text);
+
+/// "R,G,B", linear, from 0 to 1000.
+[[nodiscard]] glm::vec3 parse_ambient(const std::string& text);
+
 /// "R,G,B", exponents from 0 to 100.
 [[nodiscard]] glm::vec3 parse_absorption(const std::string& text);
 

@@ -90,6 +90,20 @@ std::vector<glm::dvec3> points_to_frame(const PatchModel& model) {
   return corners.empty() ? std::vector<glm::dvec3>(1, glm::dvec3(0.0)) : corners;
 }
 
+SceneSettings with_camera(SceneSettings settings, const Camera& camera) {
+  settings.orbit.reset();
+  settings.eye = camera.eye;
+  settings.target = camera.target;
+  settings.up = camera.up;
+  settings.fov_degrees.reset();
+  settings.orthographic.reset();
+  if (camera.is_orthographic())
+    settings.orthographic = OrthographicSize{camera.orthographic_height};
+  else
+    settings.fov_degrees = camera.vertical_fov_degrees;
+  return settings;
+}
+
 std::vector<SceneSettings> film_frames(const SceneSettings& settings, const PatchModel& model,
                                        std::size_t count) {
   const std::vector<glm::dvec3> points = points_to_frame(model);

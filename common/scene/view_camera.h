@@ -26,6 +26,9 @@ Result<Camera> camera_for(const SceneSettings& settings, const PatchModel& model
 /// corners of its bounds, or the origin. Not empty.
 [[nodiscard]] std::vector<glm::dvec3> points_to_frame(const PatchModel& model);
 
+/// The same settings with a camera, in place of their orbit, eye or view. Roll and zoom stay.
+[[nodiscard]] SceneSettings with_camera(SceneSettings settings, const Camera& camera);
+
 /// The settings of each frame of a film in which the camera goes once around the model, at the
 /// elevation that `settings` have. All frames look at the middle of the bounds from one distance,
 /// from which the model is whole in each of them, unless `settings` name the distance.

@@ -77,6 +77,11 @@ TEST(Usage, WrongUsageIsExitCodeTwo) {
       {"render", "x.relief", "-o", "x.png", "--engine", "ewa", "--tau", "nan"},
       {"render", "x.relief", "-o", "x.png", "--engine", "ewa", "--time-budget", "-1"},
       {"render", "x.relief", "-o", "x.png", "--samples", "65537"},
+      {"render", "x.relief", "-o", "x.png", "--light", "1,0"},
+      {"render", "x.relief", "-o", "x.png", "--light", "0,0,0"},
+      {"render", "x.relief", "-o", "x.png", "--light", "1,0,0,1,1,1001"},
+      {"render", "x.relief", "-o", "x.png", "--light", "point:1,0,0,1,1"},
+      {"render", "x.relief", "-o", "x.png", "--ambient", "1,0,-1"},
       {"render", "x.relief", "-o", "x.png", "--engine", "raytrace", "--samples", "0"},
       {"render", "x.relief", "-o", "x.png", "--engine", "raytrace", "--tau", "0.5"},
       {"render", "x.relief", "-o", "x.png", "--primitive", "disc"},
@@ -179,7 +184,7 @@ std::string help_of(const std::string& subcommand) {
 // The number of options is written down here, so that one that is lost or not listed is noticed.
 TEST(Usage, HelpListsEveryOptionWithItsDefault) {
   const std::map<std::string, std::size_t> counts{{"bench", 25}, {"compare", 7}, {"convert", 29},
-                                                  {"export", 8}, {"info", 3},    {"render", 53}};
+                                                  {"export", 8}, {"info", 3},    {"render", 56}};
   for (const auto& [subcommand, count] : counts) {
     const std::vector<ListedOption> options = options_of(help_of(subcommand));
     EXPECT_EQ(options.size(), count) << subcommand;

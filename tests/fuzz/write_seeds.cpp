@@ -120,6 +120,17 @@ void add_scenes(const Seeds& seeds) {
   "up": [0, 1, 0], "orthographic": "fit", "exposure": -1.5, "roughness": 0.2, "opacity": 1}]})");
 }
 
+void add_camera_paths(const Seeds& seeds) {
+  seeds.add("camera_path", "full.json",
+            R"({"version": 1, "frames_per_second": 25, "loop": true, "keys": [
+  {"name": "a", "time": 0.5, "eye": [0, -5, 1], "target": [0, 0, 0], "up": [0, 0, 1], "fov": 30},
+  {"time": 2, "eye": [5e5, 5e6, 1], "target": [5e5, 5e6, 0], "up": [0, 0, 1]},
+  {"eye": [0, 5, 1], "target": [0, 0, 0], "up": [0, 0, -1]}]})");
+  seeds.add("camera_path", "orthographic.json", R"({"version": 1, "keys": [
+  {"eye": [0, 0, 1], "target": [0, 0, 0], "up": [0, 1, 0], "orthographic": 2},
+  {"eye": [1, 0, 0], "target": [0, 0, 0], "up": [0, 1, 0], "orthographic": 0.1}]})");
+}
+
 }  // namespace
 }  // namespace relief::test
 
@@ -130,6 +141,7 @@ int main(int argc, char** argv) {
   relief::test::add_patch_files(seeds, argv[2]);
   relief::test::add_images(seeds);
   relief::test::add_scenes(seeds);
+  relief::test::add_camera_paths(seeds);
   for (const relief::PointFormat& format : relief::point_formats()) {
     if (seeds.has(std::string(format.target()))) continue;
     fmt::print(stderr, "{} has no seed: add a file to sample_files()\n", format.name);
