@@ -42,6 +42,9 @@ struct RenderSettings {
   double eye_dome = 0.0;          ///< strength of eye-dome lighting (renderer/eye_dome.h); 0: none
   Outputs outputs;
   std::optional<double> pixels_per_sample;  ///< of `onepass`: see pixels_per_sample_of
+  /// Of `onepass`: models are drawn from afar (renderer/geometry/proxy/proxy.h) up to so many times
+  /// the size, at least 1: quicker and coarser pictures while a camera moves.
+  double afar_factor = 1.0;
   /// Of the engines on OpenGL: samples a pixel, at least 1; they are a square grid of at least that
   /// many. With several, colour and coverage are means over the pixel, while normal, depth, UV and
   /// patch id are those of its middle, as RaytraceSettings says.

@@ -104,7 +104,7 @@ Status GlModel::add_materials(const RenderSettings& settings, GlFrame& frame) {
 View GlModel::view_of(const RenderSettings& settings) const {
   View view = make_view(settings.camera, settings.width, settings.height, depth_needs_);
   view.pixels_per_sample = pixels_per_sample_of(settings);
-  view.proxy_diameter = draws_from_afar(settings) ? kProxyDiameter : 0.0;
+  view.proxy_diameter = draws_from_afar(settings) ? settings.afar_factor * kProxyDiameter : 0.0;
   view.cull = cull_mode_of(settings);
   return view;
 }

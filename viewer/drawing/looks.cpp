@@ -47,6 +47,7 @@ std::vector<Pane> panes_of(const Looks& looks, const Quality& quality) {
     // Where levels of detail are off, they stay off at full size only.
     const double own = pixels_per_sample_of(pane.settings);
     pane.settings.pixels_per_sample = std::max(own, quality.pixels_per_sample);
+    pane.settings.afar_factor = quality.afar_factor;
   }
   return panes;
 }

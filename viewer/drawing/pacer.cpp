@@ -9,11 +9,11 @@ namespace {
 constexpr int kQuickFrames = 8;
 constexpr int kMostDoublings = 5;
 
-/// A picture at another step takes at least this share of what its pixels suggest: levels of detail
-/// and what does not depend on pixels.
+/// What a picture at another step takes, over this one: half of it depends on pixels. (The Dragon at
+/// scale 0.3, 0.5, 0.84 on llvmpipe: 17, 21, 31 ms.)
 double cost_ratio(std::size_t from, std::size_t to) {
   const double scale = kQualities[to].scale / kQualities[from].scale;
-  return 0.3 + 0.7 * scale * scale;
+  return 0.5 + 0.5 * scale * scale;
 }
 
 }  // namespace
