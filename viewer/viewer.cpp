@@ -97,12 +97,13 @@ class Loop {
       session_.navigator.set_model(arrival.points->extent, !arrival.is_other);
       report(display_.show(*arrival.points), now);
     }
+    const bool changes = arrival.points || arrival.scene;
     if (arrival.scene) {
       const bool is_first = arrival.is_other || session_.scene == nullptr;
       session_.navigator.set_model(without_patches(arrival.scene->patches), !is_first);
       report(display_.show(std::move(arrival.scene), session_), now);
     }
-    return arrival.points || arrival.scene;
+    return changes;
   }
 
   bool react(const Event& event, double now) {
@@ -142,7 +143,7 @@ class Loop {
     window_.set_title(title_of(session_));
     window_.swap();
     const double ms = 1000.0 * (window_.seconds() - now);
-    if (changes && display_.note_frame(ms)) session_.frame_ms = ms;
+    if (changes && session_.scene != nullptr && display_.note_frame(ms)) session_.frame_ms = ms;
   }
 
   void look_at_files() {

@@ -50,8 +50,16 @@ void set_style(float scale) {
   style.ItemSpacing = {8.0F, 6.0F};
   style.Colors[ImGuiCol_WindowBg] = {0.11F, 0.115F, 0.125F, 0.93F};
   style.Colors[ImGuiCol_Header] = {0.24F, 0.27F, 0.31F, 1.0F};
+  style.Colors[ImGuiCol_HeaderHovered] = {0.29F, 0.33F, 0.38F, 1.0F};
+  style.Colors[ImGuiCol_HeaderActive] = {0.33F, 0.38F, 0.44F, 1.0F};
+  style.Colors[ImGuiCol_PopupBg] = {0.14F, 0.145F, 0.16F, 1.0F};
   style.Colors[ImGuiCol_FrameBg] = {0.20F, 0.21F, 0.23F, 1.0F};
+  style.Colors[ImGuiCol_FrameBgHovered] = {0.24F, 0.26F, 0.29F, 1.0F};
+  style.Colors[ImGuiCol_FrameBgActive] = {0.26F, 0.29F, 0.33F, 1.0F};
   style.Colors[ImGuiCol_Button] = {0.25F, 0.28F, 0.32F, 1.0F};
+  style.Colors[ImGuiCol_ButtonHovered] = {0.31F, 0.35F, 0.41F, 1.0F};
+  style.Colors[ImGuiCol_ButtonActive] = {0.36F, 0.42F, 0.50F, 1.0F};
+  style.Colors[ImGuiCol_TextDisabled] = {0.58F, 0.60F, 0.63F, 1.0F};
   // The value of a slider is read through its grab.
   style.Colors[ImGuiCol_SliderGrab] = {0.27F, 0.42F, 0.62F, 1.0F};
   style.Colors[ImGuiCol_SliderGrabActive] = {0.33F, 0.52F, 0.76F, 1.0F};
