@@ -15,8 +15,9 @@ namespace {
 /// sRGB of a window in which nothing is open: that of pictures' background.
 constexpr float kEmpty = 0.25F;
 
-/// Strength of eye-dome lighting of bare points: without it they have no shape.
-constexpr double kShadeOfPoints = 1.0;
+/// Strength of eye-dome lighting of bare points: without it they have no shape, and with more the
+/// gaps between them hide it.
+constexpr double kShadeOfPoints = 0.05;
 
 /// Looks of a picture of points, of which only camera, size and background count.
 Looks looks_of_points(const Session& session) {

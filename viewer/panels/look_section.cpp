@@ -61,9 +61,9 @@ bool glass_rows(const EngineCapabilities& can, const RenderSettings& drawn, Scen
   preferences.material.ior = made.ior;
   preferences.material.absorption = made.absorption;
   if (!can.two_interfaces.has(drawn.primitive)) return changes;
-  const std::vector<std::string> names{"Where light enters", "Where it leaves, too"};
+  const std::vector<std::string> names{"1, where light enters", "2, also where it leaves"};
   const auto chosen =
-      choice_row("Refracts", "Surfaces that refract light: one or two interfaces", names,
+      choice_row("Interfaces", "Surfaces that refract light", names,
                  static_cast<std::size_t>(look.interfaces.value_or(1) - 1));
   if (!chosen) return changes;
   look.interfaces = static_cast<int>(*chosen) + 1;
@@ -89,11 +89,8 @@ bool material_rows(const RenderSettings& drawn, SceneSettings& look, Preferences
                  current == choices.end()
                      ? std::nullopt
                      : std::optional(static_cast<std::size_t>(current - choices.begin())));
-  if (chosen) {
-    choose_material(look, choices[*chosen], preferences.material);
-    return true;
-  }
-  bool changes = false;
+  bool changes = chosen.has_value();
+  if (chosen) choose_material(look, choices[*chosen], preferences.material);
   if (drawn.material == Material::Mirror && drawn.constants.roughness > 0.0F)
     changes |= roughness_row(look, preferences);
   if (drawn.material == Material::Glass) changes |= glass_rows(can, drawn, look, preferences);
