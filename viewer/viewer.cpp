@@ -19,8 +19,8 @@ namespace {
 constexpr double kRestSeconds = 0.25;
 /// How often progress is shown.
 constexpr double kProgressSeconds = 0.1;
-/// Frames after an event: panels open, close and light up over several.
-constexpr int kFramesAfterEvent = 3;
+/// Frames after an event: panels open, close, light up and take keys over several.
+constexpr int kFramesAfterEvent = 6;
 /// A pause is no motion.
 constexpr double kLongestStep = 0.1;
 
@@ -46,7 +46,10 @@ class Loop {
     const double passed = std::min(now - std::exchange(last_, now), kLongestStep);
     bool changes = take_size();
     changes |= take_arrivals(now);
-    for (const Event& event : events) changes |= react(event, now);
+    for (const Event& event : events) {
+      gui_.note(event);
+      changes |= react(event, now);
+    }
     if (!gui_.wants_keys()) changes |= fly(window_, passed, session_);
     changes |= session_.navigator.advance(passed);
     if (session_.window.x == 0 || session_.window.y == 0) return;  // minimised

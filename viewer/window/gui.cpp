@@ -49,6 +49,7 @@ void set_style(float scale) {
   style.WindowPadding = {10.0F, 10.0F};
   style.ItemSpacing = {8.0F, 6.0F};
   style.Colors[ImGuiCol_WindowBg] = {0.11F, 0.115F, 0.125F, 0.93F};
+  style.Colors[ImGuiCol_TitleBg] = style.Colors[ImGuiCol_TitleBgActive] = {0.20F, 0.22F, 0.25F, 1.0F};
   style.Colors[ImGuiCol_Header] = {0.24F, 0.27F, 0.31F, 1.0F};
   style.Colors[ImGuiCol_HeaderHovered] = {0.29F, 0.33F, 0.38F, 1.0F};
   style.Colors[ImGuiCol_HeaderActive] = {0.33F, 0.38F, 0.44F, 1.0F};
@@ -79,7 +80,7 @@ float density_of(GLFWwindow* window) {
 
 }  // namespace
 
-Gui::Gui(Window& window) {
+Gui::Gui(Window& window) : window_(window.handle()) {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
@@ -101,10 +102,25 @@ Gui::~Gui() {
   ImGui::DestroyContext();
 }
 
+void Gui::note(const Event& event) {
+  const auto* const key = std::get_if<KeyEvent>(&event);
+  if (key != nullptr && key->pressed && !key->repeated && key->key >= 0 &&
+      key->key <= GLFW_KEY_LAST)
+    tapped_.push_back(key->key);
+}
+
 void Gui::begin() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+#if IMGUI_VERSION_NUM < 18700
+  for (const int key : tapped_) ImGui::GetIO().KeysDown[key] = true;
   ImGui::NewFrame();
+  for (const int key : tapped_)
+    ImGui::GetIO().KeysDown[key] = glfwGetKey(window_, key) == GLFW_PRESS;
+#else
+  ImGui::NewFrame();
+#endif
+  tapped_.clear();
 }
 
 void Gui::end() {
