@@ -93,7 +93,7 @@ class Loop {
     if (arrival.failure) add_message(session_, *std::move(arrival.failure), true, now);
     if (arrival.is_other) {
       session_.points_read = 0;
-      report(remember_files(session_, window_.size()), now);
+      if (!arrival.failure) report(remember_files(session_, window_.size()), now);
     }
     if (arrival.points) {
       session_.points_read = arrival.points->total;
@@ -111,7 +111,7 @@ class Loop {
 
   bool react(const Event& event, double now) {
     const bool is_over_panel = gui_.wants_mouse();
-    if (session_.compared &&
+    if (session_.compared && session_.scene != nullptr &&
         react_to(event, session_.window.x, session_.scale, !is_over_panel && !pointer_.held,
                  session_.divider))
       return true;
@@ -145,8 +145,18 @@ class Loop {
     gui_.end();
     window_.set_title(title_of(session_));
     window_.swap();
+    if (std::exchange(session_.closes_files, false)) close_files();
     const double ms = 1000.0 * (window_.seconds() - now);
     if (changes && session_.scene != nullptr && display_.note_frame(ms)) session_.frame_ms = ms;
+  }
+
+  /// Not while panels read what is open.
+  void close_files() {
+    session_.document.close();
+    session_.points_read = 0;
+    session_.frame_ms = 0.0;
+    display_.show_nothing(session_);
+    frames_left_ = kFramesAfterEvent;
   }
 
   void look_at_files() {
@@ -176,7 +186,8 @@ void recall(Session& session) {
   if (preferences)
     apply_preferences(*std::move(preferences), session);
   else
-    add_message(session, preferences.error().message, true, 0.0);
+    add_message(session, preferences.error().message + "; the window begins with its defaults",
+                true, 0.0);
 }
 
 }  // namespace

@@ -85,7 +85,8 @@ Status Display::prepare(Session& session) {
   return prepared;
 }
 
-void Display::forget() {
+void Display::show_nothing(Session& session) {
+  session.scene.reset();
   scene_.reset();
   points_.reset();
   picture_ = LivePicture(opengl_->gl());
@@ -93,10 +94,6 @@ void Display::forget() {
 
 Status Display::update(Session& session, bool changes) {
   pacer_.set_target(session.target_ms);
-  if (session.document.files().empty() && (scene_ != nullptr || points_)) {
-    forget();
-    session.scene.reset();
-  }
   if (points_) {
     if (!changes) return {};
     return picture_.draw(*points_, looks_of_points(session), pacer_.quality());

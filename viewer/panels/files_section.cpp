@@ -47,9 +47,10 @@ void open(const std::vector<fs::path>& files, bool beside, const PanelContext& p
 void close(const fs::path& file, const PanelContext& panel) {
   std::vector<fs::path> left = panel.session.document.files();
   std::erase(left, file);
-  if (!left.empty()) return open(left, false, panel);
-  panel.session.document.close();
-  panel.session.points_read = 0;
+  if (left.empty())
+    panel.session.closes_files = true;
+  else
+    open(left, false, panel);
 }
 
 /// A name that is cut where `right` begins, and its whole path as help.

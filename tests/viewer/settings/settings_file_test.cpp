@@ -69,7 +69,7 @@ TEST_F(SettingsFile, IsRefusedIfItIsNone) {
   const auto loaded = load_preferences(file_);
   ASSERT_FALSE(loaded);
   EXPECT_EQ(loaded.error().message,
-            file_.string() + ": has 2097152 bytes, too many for settings; remove it");
+            file_.string() + ": has 2097152 bytes, too many for settings");
 }
 
 TEST_F(SettingsFile, IsNotWrittenWhereNoFolderCanBe) {
