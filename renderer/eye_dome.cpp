@@ -35,9 +35,8 @@ std::vector<float> depth_measure(const Channel& depth, const Camera& camera) {
 }  // namespace
 
 double eye_dome_scale(const Camera& camera) {
-  return camera.is_orthographic()
-             ? 1.0 / (kDistance * camera.orthographic_height * std::log(2.0))
-             : 0.0;
+  return camera.is_orthographic() ? 1.0 / (kDistance * camera.orthographic_height * std::log(2.0))
+                                  : 0.0;
 }
 
 void shade_eye_dome(Image& image, const Camera& camera, double strength) {
@@ -70,8 +69,8 @@ void shade_eye_dome(Image& image, const Camera& camera, double strength) {
         const float beside = measure[static_cast<std::size_t>(row * width + column)];
         if (beside < measure[at]) steps += measure[at] - beside;
       }
-      shade[at] = static_cast<float>(
-          std::exp(-double{shared::kEyeDomeFactor} * strength * steps / static_cast<double>(neighbours.size())));
+      shade[at] = static_cast<float>(std::exp(-double{shared::kEyeDomeFactor} * strength * steps /
+                                              static_cast<double>(neighbours.size())));
     }
   });
   for (Channel& channel : image.channels) {

@@ -31,7 +31,7 @@ struct Session {
 
   Document document;
   std::shared_ptr<const LoadedScene> scene;  ///< what is shown; null: points, or nothing yet
-  std::size_t points_read = 0;  ///< of the scan whose points came last
+  std::size_t points_read = 0;               ///< of the scan whose points came last
   Navigator navigator;
   Bookmarks bookmarks;
 
@@ -56,8 +56,8 @@ struct Session {
   bool wants_close = false;
   bool wants_full_screen = false;
 
-  glm::ivec2 window{0};  ///< the picture's size in pixels: the window's without the side panel
-  double scale = 1.0;    ///< the window's: how large texts are
+  glm::ivec2 window{0};   ///< the picture's size in pixels: the window's without the side panel
+  double scale = 1.0;     ///< the window's: how large texts are
   double frame_ms = 0.0;  ///< of the last moving frame
 };
 

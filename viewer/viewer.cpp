@@ -117,8 +117,8 @@ class Loop {
       return true;
     const bool is_release =
         std::holds_alternative<ButtonEvent>(event) && !std::get<ButtonEvent>(event).pressed;
-    const bool is_mouse = std::holds_alternative<ButtonEvent>(event) ||
-                          std::holds_alternative<WheelEvent>(event);
+    const bool is_mouse =
+        std::holds_alternative<ButtonEvent>(event) || std::holds_alternative<WheelEvent>(event);
     const bool is_key =
         std::holds_alternative<KeyEvent>(event) || std::holds_alternative<CharacterEvent>(event);
     if (is_mouse && is_over_panel && !(is_release && pointer_.held)) return false;
@@ -199,8 +199,8 @@ Status run_viewer(ViewerOptions options) {
   recall(session);
   if (options.target_ms) session.target_ms = *options.target_ms;
   if (!options.files.empty()) RELIEF_TRY(session.document.open(options.files, options.settings));
-  RELIEF_TRY_ASSIGN(const auto window, Window::open({.title = title_of(session),
-                                                    .size = session.preferences.window}));
+  RELIEF_TRY_ASSIGN(const auto window,
+                    Window::open({.title = title_of(session), .size = session.preferences.window}));
   RELIEF_TRY_ASSIGN(const auto display, Display::create(Window::loader()));
   Gui gui(*window);
   Loop loop(*window, gui, *display, session);

@@ -14,7 +14,8 @@ namespace {
 
 std::string text_of(const std::optional<OptionValue>& value) {
   if (!value) return "off";
-  if (const auto* const number = std::get_if<double>(&*value)) return fmt::format("{:.4g}", *number);
+  if (const auto* const number = std::get_if<double>(&*value))
+    return fmt::format("{:.4g}", *number);
   return std::get<std::string>(*value);
 }
 
@@ -88,8 +89,7 @@ void add_engines(const RenderSettings& a, const RenderSettings& b, Collector& fo
 
 /// What follows from an environment alone goes without saying.
 void add_lights(const LookInForce& a, const LookInForce& b, Collector& found) {
-  if (a.asked.lights || b.asked.lights)
-    found.add("light", lights_of(a.drawn), lights_of(b.drawn));
+  if (a.asked.lights || b.asked.lights) found.add("light", lights_of(a.drawn), lights_of(b.drawn));
   if (a.asked.ambient || b.asked.ambient)
     found.add("ambient", a.drawn.lights.ambient.g, b.drawn.lights.ambient.g);
 }

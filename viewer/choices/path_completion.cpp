@@ -41,7 +41,8 @@ std::vector<std::string> complete_path(std::string_view typed,
     if (!name.starts_with(start) || (name.starts_with('.') && !start.starts_with('.'))) continue;
     std::error_code gone;
     const bool is_folder = entry->is_directory(gone);
-    if (is_folder || accepts(entry->path())) found.push_back(before + name + (is_folder ? "/" : ""));
+    if (is_folder || accepts(entry->path()))
+      found.push_back(before + name + (is_folder ? "/" : ""));
   }
   std::sort(found.begin(), found.end());
   if (found.size() > most) found.resize(most);
@@ -59,8 +60,7 @@ std::string common_start(const std::vector<std::string>& texts) {
 }
 
 bool has_extension(const fs::path& path, const std::vector<std::string>& extensions) {
-  return std::find(extensions.begin(), extensions.end(), lower_extension(path)) !=
-         extensions.end();
+  return std::find(extensions.begin(), extensions.end(), lower_extension(path)) != extensions.end();
 }
 
 }  // namespace relief

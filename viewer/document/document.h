@@ -16,9 +16,9 @@ namespace relief {
 
 /// Something new about a document.
 struct Arrival {
-  std::optional<ScanPoints> points;               ///< to be shown until the scene is there
-  std::shared_ptr<const LoadedScene> scene;       ///< in place of what was there
-  std::optional<std::string> failure;             ///< why there is no scene
+  std::optional<ScanPoints> points;          ///< to be shown until the scene is there
+  std::shared_ptr<const LoadedScene> scene;  ///< in place of what was there
+  std::optional<std::string> failure;        ///< why there is no scene
   std::vector<std::string> notes;
   bool is_other = false;  ///< the first of other files than before
 };

@@ -23,10 +23,11 @@ struct ShownPoint {
 
 struct ScanPoints {
   glm::dvec3 origin{0.0};
-  std::vector<ShownPoint> points;  ///< in an order in which any first part of them is spread over all
-  std::size_t total = 0;       ///< points of the scan, of which some are in `points`
-  double spacing = 0.0;            ///< about how far apart neighbours are, world units
-  PatchModel extent;               ///< bounds, extreme points and stance, without patches
+  std::vector<ShownPoint>
+      points;             ///< in an order in which any first part of them is spread over all
+  std::size_t total = 0;  ///< points of the scan, of which some are in `points`
+  double spacing = 0.0;   ///< about how far apart neighbours are, world units
+  PatchModel extent;      ///< bounds, extreme points and stance, without patches
 };
 
 /// Takes the finite points of a scan. Points without colours are grey, lit from above by their

@@ -54,9 +54,7 @@ class Display {
 
  private:
   explicit Display(GlLoader load, std::shared_ptr<const OpenGl> opengl)
-      : load_(std::move(load)),
-        opengl_(std::move(opengl)),
-        picture_(opengl_->gl()) {}
+      : load_(std::move(load)), opengl_(std::move(opengl)), picture_(opengl_->gl()) {}
   Status prepare(Session& session);
 
   GlLoader load_;
@@ -65,9 +63,9 @@ class Display {
   std::unique_ptr<UploadedScene> scene_;
   std::optional<PointCloud> points_;
   LivePicture picture_;
-  Pacer pacer_{33.0};  ///< its target is the session's
+  Pacer pacer_{33.0};         ///< its target is the session's
   double depth_scale_ = 0.0;  ///< of the newest picture (Presentation::depth_scale)
-  bool is_steady_ = false;  ///< the next frame compiles and uploads nothing
+  bool is_steady_ = false;    ///< the next frame compiles and uploads nothing
   std::optional<std::pair<SceneSettings, std::optional<SceneSettings>>> drawn_looks_;
 };
 

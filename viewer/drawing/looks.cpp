@@ -13,9 +13,10 @@ std::vector<Pane> panes_of(const Looks& looks, std::uint32_t width, std::uint32_
     made.settings.height = height;
     return made;
   };
-  const auto cut = looks.second ? static_cast<std::uint32_t>(std::lround(
-                                      std::clamp(looks.divider, 0.0, 1.0) * width))
-                                : width;
+  const auto cut =
+      looks.second
+          ? static_cast<std::uint32_t>(std::lround(std::clamp(looks.divider, 0.0, 1.0) * width))
+          : width;
   std::vector<Pane> panes;
   if (cut > 0) panes.push_back(pane(looks.first, 0, cut));
   if (cut < width) panes.push_back(pane(*looks.second, cut, width));

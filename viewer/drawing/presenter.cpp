@@ -21,7 +21,8 @@ void Presenter::draw(const Canvas& canvas, glm::ivec2 window, const Presentation
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
   const auto left = static_cast<GLint>(std::lround(how.from * window.x));
   const auto right = static_cast<GLint>(std::lround(how.to * window.x));
-  gl.Viewport(left, 0, right - left, window.y);  // cuts the triangle off; pixels stay where they are
+  gl.Viewport(left, 0, right - left,
+              window.y);  // cuts the triangle off; pixels stay where they are
   gl.Disable(GL_DEPTH_TEST);
   gl.Disable(GL_BLEND);
   gl.UseProgram(program_.id());

@@ -26,7 +26,8 @@ class Presenter {
  public:
   static Result<Presenter> create(const Gl& gl);
 
-  /// `window`: the size of the picture in it, in pixels, from its lower left corner. Leaves the window's framebuffer bound, and nothing else.
+  /// `window`: the size of the picture in it, in pixels, from its lower left corner. Leaves the
+  /// window's framebuffer bound, and nothing else.
   void draw(const Canvas& canvas, glm::ivec2 window, const Presentation& how) const;
 
  private:

@@ -90,8 +90,8 @@ class Navigator {
   /// Turns the camera about its line of sight, counter-clockwise as seen from the eye.
   void roll(double degrees);
 
-  /// Turns the camera about its line of sight until the horizon is level. Nothing to do for one that
-  /// looks straight up or down.
+  /// Turns the camera about its line of sight until the horizon is level. Nothing to do for one
+  /// that looks straight up or down.
   void level();
 
   /// Goes to a camera, for example a bookmark's: is_usable() (pose.h), else nothing happens. Its

@@ -107,7 +107,8 @@ void extent_facts(const Bounds& bounds) {
 
 void scene_facts(const PanelContext& panel) {
   const Session& session = panel.session;
-  if (session.points_read > 0) fact("Points", count_text(session.points_read));
+  const bool is_one = session.document.files().size() == 1;
+  if (session.points_read > 0 && is_one) fact("Points", count_text(session.points_read));
   if (session.scene == nullptr) return;
   const PatchModel& patches = session.scene->patches;
   SceneFacts& facts = panel.state.scene;
@@ -129,11 +130,11 @@ void recent_files(const PanelContext& panel) {
     const bool is_there = bytes_of(file, panel).has_value();
     ImGui::PushID(file.c_str());
     ImGui::BeginDisabled(!is_there);
-    if (ImGui::Selectable(file.filename().c_str()))
-      open({file}, panel.state.adds_file, panel);
+    if (ImGui::Selectable(file.filename().c_str())) open({file}, panel.state.adds_file, panel);
     ImGui::EndDisabled();
     help_for_last(
-        (is_there ? file.string() : fmt::format("{} is not there any more", file.string())).c_str());
+        (is_there ? file.string() : fmt::format("{} is not there any more", file.string()))
+            .c_str());
     ImGui::PopID();
   }
 }

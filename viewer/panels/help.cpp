@@ -39,9 +39,8 @@ void show_help(Session& session) {
   const ImGuiViewport& viewport = *ImGui::GetMainViewport();
   const float width =
       static_cast<float>(session.window.x) / ImGui::GetIO().DisplayFramebufferScale.x;
-  ImGui::SetNextWindowPos(
-      {viewport.Pos.x + 0.5F * width, viewport.Pos.y + 0.5F * viewport.Size.y},
-      ImGuiCond_Appearing, {0.5F, 0.5F});
+  ImGui::SetNextWindowPos({viewport.Pos.x + 0.5F * width, viewport.Pos.y + 0.5F * viewport.Size.y},
+                          ImGuiCond_Appearing, {0.5F, 0.5F});
   ImGui::Begin("Keys", &session.shows_help,
                ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoCollapse);

@@ -44,10 +44,10 @@ void environment_rows(const PanelContext& panel) {
   for (const fs::path& file : files)
     names.push_back(file.empty() ? std::string("Built-in") : file.filename().string());
   const auto at = std::find(files.begin(), files.end(), current) - files.begin();
-  const auto chosen =
-      choice_row("Environment",
-                 "What mirrors and glass show. A file also lights what is lit, and is the background",
-                 names, static_cast<std::size_t>(at));
+  const auto chosen = choice_row(
+      "Environment",
+      "What mirrors and glass show. A file also lights what is lit, and is the background", names,
+      static_cast<std::size_t>(at));
   if (chosen && files[*chosen].empty()) {
     look.environment.reset();
     panel.session.look_changed = true;
@@ -67,20 +67,26 @@ bool key_rows(const Stance& stance, Light& light) {
   std::optional<double> elevation = before.elevation_degrees;
   std::optional<double> intensity = before.intensity;
   const KeyLight usual;
-  bool changes = number_row({"Azimuth", "0 is in front of the model, 90 to the right",
-                             {-180.0, 180.0}, usual.azimuth_degrees, "%.0f\xC2\xB0"},
+  bool changes = number_row({"Azimuth",
+                             "0 is in front of the model, 90 to the right",
+                             {-180.0, 180.0},
+                             usual.azimuth_degrees,
+                             "%.0f\xC2\xB0"},
                             azimuth);
-  changes |= number_row({"Elevation", "Above the horizon", {-89.0, 89.0}, usual.elevation_degrees,
-                         "%.0f\xC2\xB0"},
-                        elevation);
-  changes |= number_row({"Intensity", "Radiance of a white surface that faces the light",
-                         {0.0, kMostIntensity}, usual.intensity, "%.2f"},
+  changes |= number_row(
+      {"Elevation", "Above the horizon", {-89.0, 89.0}, usual.elevation_degrees, "%.0f\xC2\xB0"},
+      elevation);
+  changes |= number_row({"Intensity",
+                         "Radiance of a white surface that faces the light",
+                         {0.0, kMostIntensity},
+                         usual.intensity,
+                         "%.2f"},
                         intensity);
   if (changes) {
-    light = light_of({azimuth.value_or(usual.azimuth_degrees),
-                      elevation.value_or(usual.elevation_degrees),
-                      static_cast<float>(intensity.value_or(usual.intensity))},
-                     stance);
+    light = light_of(
+        {azimuth.value_or(usual.azimuth_degrees), elevation.value_or(usual.elevation_degrees),
+         static_cast<float>(intensity.value_or(usual.intensity))},
+        stance);
   }
   return changes;
 }

@@ -20,17 +20,21 @@ constexpr NumberChoice kFineExposures{-5.0, 5.0};
 constexpr NumberChoice kFineEyeDomes{0.0, 5.0};
 
 bool opacity_row(SceneSettings& look) {
-  return number_row({"Opacity", "Share of the background that the surface covers", kOpacities, 1.0,
-                     "%.2f"},
-                    look.opacity);
+  return number_row(
+      {"Opacity", "Share of the background that the surface covers", kOpacities, 1.0, "%.2f"},
+      look.opacity);
 }
 
 bool roughness_row(SceneSettings& look, Preferences& preferences) {
-  if (!number_row({"Roughness", "0 is smooth", kRoughnesses, 0.0, "%.2f"}, look.roughness))
+  if (!number_row({"Roughness",
+                   "Near 0 it is smooth",
+                   {kRoughnessStep, kRoughnesses.max},
+                   kFirstRoughness,
+                   "%.2f"},
+                  look.roughness))
     return false;
-  const auto least = static_cast<double>(kRoughnessStep);
   const float chosen =
-      stepped_roughness(static_cast<float>(std::max(look.roughness.value_or(least), least)));
+      stepped_roughness(static_cast<float>(look.roughness.value_or(kFirstRoughness)));
   const bool is_other = preferences.material.roughness != chosen;
   look.roughness = preferences.material.roughness = chosen;
   return is_other;
@@ -40,9 +44,9 @@ bool absorption_row(SceneSettings& look) {
   begin_row("Absorption",
             "Light that is lost along the body's diameter, as exponents for red, green and blue");
   glm::vec3 value = look.absorption.value_or(glm::vec3(0.0F));
-  const bool moved = ImGui::DragFloat3(
-      "##absorption", &value.x, 0.02F, static_cast<float>(kAbsorptions.min),
-      static_cast<float>(kAbsorptions.max), "%.2f", ImGuiSliderFlags_AlwaysClamp);
+  const bool moved =
+      ImGui::DragFloat3("##absorption", &value.x, 0.02F, static_cast<float>(kAbsorptions.min),
+                        static_cast<float>(kAbsorptions.max), "%.2f", ImGuiSliderFlags_AlwaysClamp);
   const bool takes_back = ImGui::IsItemClicked(ImGuiMouseButton_Right);
   if (takes_back)
     look.absorption.reset();
@@ -62,9 +66,8 @@ bool glass_rows(const EngineCapabilities& can, const RenderSettings& drawn, Scen
   preferences.material.absorption = made.absorption;
   if (!can.two_interfaces.has(drawn.primitive)) return changes;
   const std::vector<std::string> names{"1, where light enters", "2, also where it leaves"};
-  const auto chosen =
-      choice_row("Interfaces", "Surfaces that refract light", names,
-                 static_cast<std::size_t>(look.interfaces.value_or(1) - 1));
+  const auto chosen = choice_row("Interfaces", "Surfaces that refract light", names,
+                                 static_cast<std::size_t>(look.interfaces.value_or(1) - 1));
   if (!chosen) return changes;
   look.interfaces = static_cast<int>(*chosen) + 1;
   if (look.interfaces == 2) look.opacity.reset();  // the two do not go together
@@ -83,8 +86,9 @@ bool material_rows(const RenderSettings& drawn, SceneSettings& look, Preferences
   const auto current =
       std::find(choices.begin(), choices.end(), choice_of(drawn.material, drawn.constants));
   const auto chosen =
-      choice_row("Material", "Unlit shows the stored colours; split shows quarters: lit, mirror, "
-                             "both, and the samples",
+      choice_row("Material",
+                 "Unlit shows the stored colours; split shows quarters: lit, mirror, "
+                 "both, and the samples",
                  names,
                  current == choices.end()
                      ? std::nullopt
@@ -112,6 +116,19 @@ bool background_rows(const RenderSettings& drawn, SceneSettings& look) {
   return true;
 }
 
+bool eye_dome_row(const RenderSettings& drawn, SceneSettings& look) {
+  const bool is_opaque = !is_transparent(drawn);  // there is no depth of other surfaces
+  ImGui::BeginDisabled(!is_opaque);
+  const bool changes =
+      number_row({"Eye dome",
+                  is_opaque ? "Eye-dome lighting: what lies behind its neighbours is darker"
+                            : "Eye-dome lighting shades opaque surfaces only",
+                  kFineEyeDomes, 0.0, "%.2f"},
+                 look.eye_dome);
+  ImGui::EndDisabled();
+  return changes;
+}
+
 }  // namespace
 
 void show_look(const PanelContext& panel) {
@@ -126,18 +143,17 @@ void show_look(const PanelContext& panel) {
   else
     show_faint_wrapped("The models of this scene have materials of their own.");
   changes |= background_rows(*drawn, look);
-  changes |= number_row({"Exposure", "Stops: light is multiplied by 2 to this power", kFineExposures, 0.0,
-                         "%+.2f"},
-                        look.exposure);
-  changes |= number_row({"Eye dome", "Eye-dome lighting: what lies behind its neighbours is darker",
-                         kFineEyeDomes, 0.0, "%.2f"},
-                        look.eye_dome);
+  changes |= number_row(
+      {"Exposure", "Stops: light is multiplied by 2 to this power", kFineExposures, 0.0, "%+.2f"},
+      look.exposure);
+  changes |= eye_dome_row(*drawn, look);
   session.look_changed |= changes;
   if (ImGui::Button("Reset look")) {
     look = session.first_look;
     session.look_changed = true;
   }
-  help_for_last("The look that the window began with. A right click on a slider resets that alone.");
+  help_for_last(
+      "The look that the window began with. A right click on a slider resets that alone.");
 }
 
 }  // namespace relief

@@ -21,12 +21,12 @@ void show_messages(Session& session, double now) {
   const ImGuiViewport& viewport = *ImGui::GetMainViewport();
   const float width =
       static_cast<float>(session.window.x) / ImGui::GetIO().DisplayFramebufferScale.x;
-  ImGui::SetNextWindowPos({viewport.Pos.x + 0.5F * width, viewport.Pos.y + 12.0F},
-                          ImGuiCond_Always, {0.5F, 0.0F});
-  constexpr ImGuiWindowFlags kFlags =
-      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
-      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
-      ImGuiWindowFlags_NoNav;
+  ImGui::SetNextWindowPos({viewport.Pos.x + 0.5F * width, viewport.Pos.y + 12.0F}, ImGuiCond_Always,
+                          {0.5F, 0.0F});
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_AlwaysAutoResize |
+                                      ImGuiWindowFlags_NoSavedSettings |
+                                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
   ImGui::Begin("messages", nullptr, kFlags);
   ImGui::PushTextWrapPos(kWidth * width);
   for (const Message& message : session.messages) {

@@ -43,7 +43,7 @@ struct PanelState {
   SceneFacts scene;
   FileFacts files;
   std::optional<std::size_t> renamed;  ///< a bookmark
-  bool name_takes_keys = false;           ///< from the next frame on
+  bool name_takes_keys = false;        ///< from the next frame on
   std::array<char, 256> new_name{};
 };
 

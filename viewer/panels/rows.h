@@ -19,8 +19,8 @@ struct NumberRow {
   const char* label;
   const char* help;
   NumberChoice range;
-  double usual;           ///< the value in force if none is chosen
-  const char* format;     ///< of printf, for a double
+  double usual;        ///< the value in force if none is chosen
+  const char* format;  ///< of printf, for a double
   bool logarithmic = false;
 };
 

@@ -35,8 +35,7 @@ void show_status_bar(const Session& session) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10.0F, 3.0F});
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                       ImGuiWindowFlags_NoSavedSettings |
-                                      ImGuiWindowFlags_NoFocusOnAppearing |
-                                      ImGuiWindowFlags_NoNav;
+                                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
   ImGui::Begin("status", nullptr, kFlags);
   ImGui::TextUnformatted(state_of(session).c_str());
   const std::string frame =

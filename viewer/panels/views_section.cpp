@@ -51,9 +51,8 @@ void orbit_row(Navigator& navigator) {
     if (navigator.orbit_style() == style) current = names.size();
     names.push_back(capitalised(name));
   }
-  const auto chosen =
-      choice_row("Orbit", "A turntable keeps the up axis upright; a trackball does not", names,
-                 current);
+  const auto chosen = choice_row(
+      "Orbit", "A turntable keeps the up axis upright; a trackball does not", names, current);
   if (chosen) navigator.set_orbit_style(kOrbitStyles[*chosen].value);
 }
 
@@ -65,9 +64,9 @@ void lens_rows(Navigator& navigator) {
   if (is_orthographic) return;
   std::optional<double> degrees = navigator.camera().vertical_fov_degrees;
   const double usual = Camera().vertical_fov_degrees;
-  if (number_row({"Field of view", "Vertical", {kMinFieldOfView, kMaxFieldOfView}, usual,
-                  "%.1f\xC2\xB0"},
-                 degrees))
+  if (number_row(
+          {"Field of view", "Vertical", {kMinFieldOfView, kMaxFieldOfView}, usual, "%.1f\xC2\xB0"},
+          degrees))
     navigator.set_field_of_view(degrees.value_or(usual));
 }
 
@@ -98,9 +97,9 @@ void rename_field(std::size_t index, const PanelContext& panel) {
   ImGui::SetNextItemWidth(-1.0F);
   if (std::exchange(panel.state.name_takes_keys, false)) ImGui::SetKeyboardFocusHere();
   auto& name = panel.state.new_name;
-  const bool entered = ImGui::InputText("##name", name.data(), name.size(),
-                                        ImGuiInputTextFlags_EnterReturnsTrue |
-                                            ImGuiInputTextFlags_AutoSelectAll);
+  const bool entered =
+      ImGui::InputText("##name", name.data(), name.size(),
+                       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   if (entered) panel.session.bookmarks.rename(index, name.data());
   if (entered || ImGui::IsItemDeactivated()) panel.state.renamed.reset();
 }

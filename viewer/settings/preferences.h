@@ -32,7 +32,7 @@ inline constexpr std::array<Named<OrbitStyle>, 2> kOrbitStyles{
 struct Preferences {
   glm::ivec2 window{1280, 800};  ///< its size on a screen whose content scale is 1
   bool shows_panels = true;
-  std::map<std::string, bool, std::less<>> sections;  ///< open or not, by title
+  std::map<std::string, bool, std::less<>> sections;       ///< open or not, by title
   std::vector<std::filesystem::path> recent_files;         ///< absolute, the latest first
   std::vector<std::filesystem::path> recent_environments;  ///< likewise
   double target_ms = 33.0;

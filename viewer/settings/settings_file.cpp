@@ -43,8 +43,8 @@ Result<Preferences> load_preferences(const fs::path& path) {
   if (!failed && bytes > kMostBytes)
     return make_error("{}: has {} bytes, too many for settings", path.string(), bytes);
   RELIEF_TRY_ASSIGN(const auto content, read_file(path));
-  return parse_preferences(
-      {reinterpret_cast<const char*>(content.data()), content.size()}, path.string());
+  return parse_preferences({reinterpret_cast<const char*>(content.data()), content.size()},
+                           path.string());
 }
 
 Status save_preferences(const fs::path& path, const Preferences& preferences) {

@@ -49,7 +49,8 @@ void set_style(float scale) {
   style.WindowPadding = {10.0F, 10.0F};
   style.ItemSpacing = {8.0F, 6.0F};
   style.Colors[ImGuiCol_WindowBg] = {0.11F, 0.115F, 0.125F, 0.93F};
-  style.Colors[ImGuiCol_TitleBg] = style.Colors[ImGuiCol_TitleBgActive] = {0.20F, 0.22F, 0.25F, 1.0F};
+  style.Colors[ImGuiCol_TitleBg] =
+      style.Colors[ImGuiCol_TitleBgActive] = {0.20F, 0.22F, 0.25F, 1.0F};
   style.Colors[ImGuiCol_Header] = {0.24F, 0.27F, 0.31F, 1.0F};
   style.Colors[ImGuiCol_HeaderHovered] = {0.29F, 0.33F, 0.38F, 1.0F};
   style.Colors[ImGuiCol_HeaderActive] = {0.33F, 0.38F, 0.44F, 1.0F};

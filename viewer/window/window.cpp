@@ -110,8 +110,8 @@ void Window::listen() {
     self.events_.push_back(WheelEvent{{x, y}, held_modifiers(w), self.cursor()});
   });
   glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int /*scancode*/, int action, int mods) {
-    kOwner(w).events_.push_back(KeyEvent{key, action != GLFW_RELEASE, action == GLFW_REPEAT,
-                                         modifiers_of(mods)});
+    kOwner(w).events_.push_back(
+        KeyEvent{key, action != GLFW_RELEASE, action == GLFW_REPEAT, modifiers_of(mods)});
   });
   glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned character) {
     kOwner(w).events_.push_back(CharacterEvent{static_cast<char32_t>(character)});

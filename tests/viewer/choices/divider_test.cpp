@@ -63,7 +63,7 @@ TEST(Divider, LeavesToOthersWhatIsTheirs) {
   EXPECT_FALSE(press(divider, 500.0, 1.0, false));  // over a panel
   EXPECT_FALSE(move(divider, 500.0, false));        // while the camera is dragged across it
   EXPECT_FALSE(divider.is_hovered);
-  EXPECT_FALSE(release(divider, 500.0));            // of a button that began elsewhere
+  EXPECT_FALSE(release(divider, 500.0));  // of a button that began elsewhere
   EXPECT_FALSE(react_to(ButtonEvent{MouseButton::Right, true, {}, {500.0, 0.0}, 0.0}, kWidth, 1.0,
                         true, divider));
   EXPECT_FALSE(react_to(WheelEvent{{0.0, 1.0}, {}, {500.0, 0.0}}, kWidth, 1.0, true, divider));

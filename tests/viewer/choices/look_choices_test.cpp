@@ -181,8 +181,8 @@ TEST(Differences, NameEnginesAndOptionsThatBothHave) {
   b.pixels_per_sample = 8.0;
   EXPECT_EQ(texts(a, b), (std::vector<std::string>{"samples: 1 | 16", "pixels per sample: 4 | 8"}));
   RenderSettings c = default_settings(engine("multipass"));
-  EXPECT_EQ(texts(a, c), (std::vector<std::string>{"engine: onepass | multipass",
-                                                   "primitive: cell | quad"}));
+  EXPECT_EQ(texts(a, c),
+            (std::vector<std::string>{"engine: onepass | multipass", "primitive: cell | quad"}));
 }
 
 TEST(Differences, NameLightAndExposure) {

@@ -26,7 +26,11 @@ class PathCompletion : public testing::Test {
                                                   std::size_t most = kMostCompletions) const {
     const std::string before = folder_.string() + "/";
     std::vector<std::string> found = complete_path(
-        before + typed, [](const fs::path& p) { return has_extension(p, {".exr", ".hdr"}); }, most);
+        before + typed,
+        [](const fs::path& p) {
+          return has_extension(p, {".exr", ".hdr"});
+        },
+        most);
     for (std::string& text : found) {
       EXPECT_TRUE(text.starts_with(before)) << text;
       text.erase(0, before.size());

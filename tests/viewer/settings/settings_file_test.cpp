@@ -21,8 +21,7 @@ class SettingsFile : public testing::Test {
   ~SettingsFile() override { fs::remove_all(folder_); }
 
   const fs::path folder_ =
-      fs::path(testing::TempDir()) /
-      testing::UnitTest::GetInstance()->current_test_info()->name();
+      fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
   const fs::path file_ = folder_ / "config" / "relief" / "viewer.json";
 };
 
@@ -68,8 +67,7 @@ TEST_F(SettingsFile, IsRefusedIfItIsNone) {
   std::ofstream(file_) << std::string(std::size_t{2} << 20U, ' ');
   const auto loaded = load_preferences(file_);
   ASSERT_FALSE(loaded);
-  EXPECT_EQ(loaded.error().message,
-            file_.string() + ": has 2097152 bytes, too many for settings");
+  EXPECT_EQ(loaded.error().message, file_.string() + ": has 2097152 bytes, too many for settings");
 }
 
 TEST_F(SettingsFile, IsNotWrittenWhereNoFolderCanBe) {
