@@ -2,7 +2,7 @@
 // program that includes it has OpenMesh itself, and links relief::preprocess and relief::renderer.
 #pragma once
 
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/Mesh/DefaultTriMesh.hh>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -90,7 +90,7 @@ template <class Mesh>
 /// triangle that OpenMesh refuses, because it has no place in a manifold with those before it, gets
 /// vertices of its own, as OpenMesh's readers do. Fails if there are more triangles than OpenMesh
 /// can count.
-template <class Mesh = OpenMesh::TriMesh_ArrayKernelT<>>
+template <class Mesh = OpenMesh::TriMesh>
 [[nodiscard]] Result<Mesh> openmesh_of_points(const Points& points) {
   using Point = typename Mesh::Point;
   using Normal = typename Mesh::Normal;
@@ -127,8 +127,8 @@ template <class Mesh = OpenMesh::TriMesh_ArrayKernelT<>>
 
 /// Returns the surface of patches (surface_mesh) as a mesh, as openmesh_of_points() does. Patches
 /// that meet at seams are one mesh, which is closed if the scan's mesh was; others are one mesh
-/// each. Positions have the precision of `Mesh`: OpenMesh::TriMesh has double.
-template <class Mesh = OpenMesh::TriMesh_ArrayKernelT<>>
+/// each. Positions have the precision of `Mesh`; that of OpenMesh::TriMesh is double.
+template <class Mesh = OpenMesh::TriMesh>
 [[nodiscard]] Result<Mesh> openmesh_of_patches(const PatchModel& model) {
   RELIEF_TRY_ASSIGN(const Points surface, surface_mesh(model));
   return openmesh_of_points<Mesh>(surface);

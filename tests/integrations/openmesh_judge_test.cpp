@@ -105,7 +105,7 @@ TEST(OpenMeshJudges, SurfacesAreClosedManifolds) {
   for (const Body& body : bodies()) {
     SCOPED_TRACE(body.name);
     const auto surface = surface_mesh(body.model);
-    auto mesh = openmesh_of_patches<Mesh>(body.model);
+    auto mesh = openmesh_of_patches(body.model);
     ASSERT_TRUE(surface && mesh);
     expect_closed(std::move(*mesh), body, surface->size());
   }
@@ -136,12 +136,12 @@ TEST(OpenMeshJudges, ExportedFilesAreClosedManifolds) {
 TEST(OpenMeshJudges, MeshesStayClosedManifoldsWhenConverted) {
   for (const Body& body : bodies()) {
     SCOPED_TRACE(body.name);
-    const auto mesh = openmesh_of_patches<Mesh>(body.model);
+    const auto mesh = openmesh_of_patches(body.model);
     ASSERT_TRUE(mesh) << mesh.error().message;
     const PatchModel again = model_of(points_of_openmesh(*mesh));
     EXPECT_TRUE(again.is_closed);
     const auto surface = surface_mesh(again);
-    auto back = openmesh_of_patches<Mesh>(again);
+    auto back = openmesh_of_patches(again);
     ASSERT_TRUE(surface && back);
     expect_closed(std::move(*back), body, surface->size());
   }
@@ -152,7 +152,7 @@ TEST(OpenMeshJudges, OverlappingPatchesAreManifoldsEach) {
   Progress progress;
   const auto converted = convert(test::sample_sphere(5'000), {}, progress);
   ASSERT_TRUE(converted) << converted.error().message;
-  const auto mesh = openmesh_of_patches<Mesh>(converted->model);
+  const auto mesh = openmesh_of_patches(converted->model);
   ASSERT_TRUE(mesh) << mesh.error().message;
   EXPECT_EQ(mesh->n_vertices(), count_samples(converted->model));
   EXPECT_GT(mesh->n_faces(), mesh->n_vertices());

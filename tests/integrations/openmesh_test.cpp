@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <OpenMesh/Core/Mesh/DefaultPolyMesh.hh>
-#include <OpenMesh/Core/Mesh/DefaultTriMesh.hh>
 
 #include "preprocess/convert.h"
 #include "tests/preprocess/surfaces.h"
@@ -116,7 +115,7 @@ TEST(OpenMeshSurface, HasNormalsAndColoursInEachPrecision) {
   const auto single = openmesh_of_patches<FloatMesh>(sphere.model);
   ASSERT_TRUE(single) << single.error().message;
   expect_coloured_sphere(*single);
-  const auto twice = openmesh_of_patches<DoubleMesh>(sphere.model);
+  const auto twice = openmesh_of_patches(sphere.model);
   ASSERT_TRUE(twice) << twice.error().message;
   expect_coloured_sphere(*twice);
 }
