@@ -2,7 +2,7 @@
 # The one list of the system packages that Relief needs: the names are those of Debian 12 and 13 and of
 # Ubuntu 24.04. Installs the missing packages of the given groups; prints nothing if none is missing.
 #
-#   scripts/packages.sh build run [raster] [laz] [test] [check] [demo]
+#   scripts/packages.sh build run [raster] [laz] [test] [check] [demo] [integrations]
 #   scripts/packages.sh --list build run        # prints the names and installs nothing
 set -euo pipefail
 
@@ -17,7 +17,8 @@ group() {
     test) echo libgtest-dev python3 ;;
     check) echo clang-tidy clang-format clang libclang-rt-dev ;;  # -rt: libFuzzer
     demo) echo npm ca-certificates ;;                # the Dragon comes in an npm package
-    *) echo "packages.sh: no group '$1'; there are build, run, raster, laz, test, check and demo" >&2; return 2 ;;
+    integrations) echo libpcl-dev libopenmesh-dev ;; # 1 GB; tests of <relief/pcl.h> and <relief/openmesh.h>
+    *) echo "packages.sh: no group '$1'; there are build, run, raster, laz, test, check, demo and integrations" >&2; return 2 ;;
   esac
 }
 
