@@ -25,8 +25,8 @@ bool is_environment(const fs::path& path) {
 
 void choose_environment(const fs::path& path, const PanelContext& panel) {
   std::error_code failed;
-  fs::path whole = fs::absolute(path, failed);
-  edited_look(panel.session).environment = failed ? path : std::move(whole);
+  const fs::path whole = fs::absolute(path, failed);
+  edited_look(panel.session).environment = failed ? path : whole;
   panel.session.look_changed = true;
 }
 
@@ -41,6 +41,7 @@ void environment_rows(const PanelContext& panel) {
     files.insert(files.begin(), current);
   files.insert(files.begin(), fs::path());
   std::vector<std::string> names;
+  names.reserve(files.size());
   for (const fs::path& file : files)
     names.push_back(file.empty() ? std::string("Built-in") : file.filename().string());
   const auto at = std::find(files.begin(), files.end(), current) - files.begin();

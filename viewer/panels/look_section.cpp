@@ -82,6 +82,7 @@ bool material_rows(const RenderSettings& drawn, SceneSettings& look, Preferences
   if (!can.split_view.any())
     std::erase_if(choices, [](const MaterialChoice& c) { return c.kind == Material::Split; });
   std::vector<std::string> names;
+  names.reserve(choices.size());
   for (const MaterialChoice& choice : choices) names.push_back(capitalised(choice.name));
   const auto current =
       std::find(choices.begin(), choices.end(), choice_of(drawn.material, drawn.constants));
