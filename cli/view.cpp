@@ -77,6 +77,7 @@ void add_view(CLI::App& app, Command& command) {
   add_camera_options(*sub, arguments->settings);
   add_engine_options(*sub, arguments->settings);
   add_material_options(*sub, arguments->settings);
+  add_background_options(*sub, arguments->settings);
   add_colour_options(*sub, arguments->colours);
   sub->add_option(
          "--texture", arguments->texture,

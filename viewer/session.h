@@ -68,6 +68,9 @@ struct Session {
 /// what concerns the camera out of the look.
 void start_camera(Session& session, const PatchModel& extent);
 
+/// Takes what concerns the camera out of a look: that is the navigator's.
+void forget_camera(SceneSettings& look);
+
 void add_message(Session& session, std::string text, bool is_error, double now);
 
 /// Returns the renderer's settings of a look for the window's size and the present camera, as

@@ -96,6 +96,8 @@ class Loop {
       session_.points_read = 0;
       if (!arrival.failure) {
         session_.look = session_.document.plan().views.front().settings;
+        // What a scene file asks for is the first look of its models.
+        if (!session_.document.plan().file.empty()) session_.first_look = session_.look;
         report(remember_files(session_, window_.size()), now);
       }
     }
@@ -178,6 +180,7 @@ class Loop {
   /// Not while panels read what is open.
   void close_files() {
     session_.document.close();
+    waiting_.reset();
     session_.points_read = 0;
     session_.frame_ms = 0.0;
     display_.show_nothing(session_);

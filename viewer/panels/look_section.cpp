@@ -151,6 +151,7 @@ void show_look(const PanelContext& panel) {
   session.look_changed |= changes;
   if (ImGui::Button("Reset look")) {
     look = session.first_look;
+    forget_camera(look);
     session.look_changed = true;
   }
   help_for_last(
