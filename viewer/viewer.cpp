@@ -233,8 +233,9 @@ Status run_viewer(ViewerOptions options) {
   recall(session);
   if (options.target_ms) session.target_ms = *options.target_ms;
   if (!options.files.empty()) RELIEF_TRY(session.document.open(options.files, options.settings));
-  RELIEF_TRY_ASSIGN(const auto window,
-                    Window::open({.title = title_of(session), .size = session.preferences.window}));
+  WindowOptions opening{.title = title_of(session), .size = session.preferences.window};
+  if (const auto& size = options.settings.size) opening.size = {size->width, size->height};
+  RELIEF_TRY_ASSIGN(const auto window, Window::open(opening));
   RELIEF_TRY_ASSIGN(const auto display, Display::create(Window::loader()));
   Gui gui(*window);
   Loop loop(*window, gui, *display, session, std::move(log));
