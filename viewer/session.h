@@ -13,6 +13,7 @@
 #include "viewer/choices/divider.h"
 #include "viewer/document/document.h"
 #include "viewer/drawing/looks.h"
+#include "viewer/measuring/tool.h"
 #include "viewer/navigation/bookmarks.h"
 #include "viewer/navigation/navigator.h"
 #include "viewer/settings/preferences.h"
@@ -41,6 +42,10 @@ struct Session {
   bool edits_compared = false;            ///< panels change that one
   Divider divider;
 
+  MeasuringTool measuring;
+  MeasurementKind last_tool = MeasurementKind::Distance;  ///< that the key M chooses
+  std::optional<PickedPoint> hovered;                     ///< the surface under a resting cursor
+
   double target_ms = 33.0;  ///< of a frame while something moves
   Preferences preferences;  ///< what is remembered but is not above
 
@@ -51,7 +56,8 @@ struct Session {
   /// Set by whoever changes a look; the picture is then drawn anew.
   bool look_changed = true;
 
-  bool asks_for_file = false;  ///< the field for a path is to be typed into
+  std::string asks_for_section;  ///< of the side panel, by title: it is to be opened and seen
+  bool asks_for_file = false;    ///< the field for a path is to be typed into
   bool wants_close = false;
   bool wants_full_screen = false;
 

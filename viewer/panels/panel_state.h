@@ -24,6 +24,12 @@ struct PathField {
   bool is_open = false;     ///< the completions are shown
 };
 
+/// A file name that is offered, until the user types another one.
+struct SaveField {
+  std::array<char, 4096> text{};  ///< with its 0
+  std::string offered;            ///< what was offered last
+};
+
 /// What the open files are, found once for each scene.
 struct SceneFacts {
   std::weak_ptr<const LoadedScene> scene;
@@ -40,6 +46,7 @@ struct PanelState {
   PathField file;
   bool adds_file = false;
   PathField environment;
+  SaveField measurements;
   SceneFacts scene;
   FileFacts files;
   std::optional<std::size_t> renamed;  ///< a bookmark

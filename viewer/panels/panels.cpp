@@ -4,6 +4,7 @@ namespace relief {
 
 void show_panels(Session& session, PanelState& state, double now) {
   show_messages(session, now);
+  show_measurements(session);
   if (session.compared) show_divider(session);
   if (session.shows_help) show_help(session);
   if (session.asks_for_file) session.shows_panels = true;

@@ -15,6 +15,7 @@ void show_panels(Session& session, PanelState& state, double now);
 
 /// Parts of it, one file each.
 void show_side_panel(const PanelContext& panel);
+void show_measurements(const Session& session);  ///< over the picture
 void show_divider(Session& session);
 void show_status_bar(const Session& session);
 void show_messages(Session& session, double now);
@@ -26,6 +27,7 @@ void show_views(const PanelContext& panel);
 void show_look(const PanelContext& panel);
 void show_light(const PanelContext& panel);
 void show_drawing(const PanelContext& panel);
+void show_measuring(const PanelContext& panel);
 void show_comparison(const PanelContext& panel);
 
 }  // namespace relief
