@@ -16,6 +16,8 @@
 #include "viewer/measuring/tool.h"
 #include "viewer/navigation/bookmarks.h"
 #include "viewer/navigation/navigator.h"
+#include "viewer/pictures/bookmark_path.h"
+#include "viewer/pictures/picture_job.h"
 #include "viewer/settings/preferences.h"
 
 namespace relief {
@@ -25,6 +27,18 @@ struct Message {
   std::string text;
   bool is_error = false;
   double since = 0.0;  ///< the window's clock, seconds
+};
+
+/// What pictures and films are like, beside the look.
+struct PictureChoice {
+  std::optional<ImageSize> size;  ///< none: the window's
+  bool is_transparent = false;    ///< no background
+};
+
+/// A camera path that is played in the window.
+struct PathPreview {
+  CameraPath path;
+  double seconds = 0.0;  ///< since it began
 };
 
 struct Session {
@@ -45,6 +59,12 @@ struct Session {
   MeasuringTool measuring;
   MeasurementKind last_tool = MeasurementKind::Distance;  ///< that the key M chooses
   std::optional<PickedPoint> hovered;                     ///< the surface under a resting cursor
+
+  PictureChoice picture;
+  PathChoice path;
+  std::optional<PathPreview> preview;
+  std::unique_ptr<PictureJob> picture_job;  ///< the picture or film that is being made
+  bool wants_picture = false;               ///< by its key
 
   double target_ms = 33.0;  ///< of a frame while something moves
   Preferences preferences;  ///< what is remembered but is not above

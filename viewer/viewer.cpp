@@ -8,6 +8,7 @@
 #include "viewer/input.h"
 #include "viewer/measuring_input.h"
 #include "viewer/panels/panels.h"
+#include "viewer/picture_orders.h"
 #include "viewer/remember.h"
 #include "viewer/session.h"
 #include "viewer/settings/settings_file.h"
@@ -53,11 +54,14 @@ class Loop {
     for (const Event& event : events) changes |= react(event, now);
     if (!gui_.wants_keys()) changes |= fly(window_, passed, surface_finder(), session_);
     changes |= session_.navigator.advance(passed);
+    if (changes) session_.preview.reset();  // the user takes the camera over
+    changes |= play(passed, session_);
+    if (take_picture(now, session_)) frames_left_ = kFramesAfterEvent;
     if (measuring_.hover(changes || gui_.wants_mouse() || pointer_.held, now, display_, session_))
       frames_left_ = std::max(frames_left_, 1);
     if (session_.window.x == 0 || session_.window.y == 0) return;  // minimised
     if (!events.empty() || changes) frames_left_ = kFramesAfterEvent;
-    if (frames_left_ == 0 && display_.is_complete() && !session_.document.is_loading()) {
+    if (frames_left_ == 0 && display_.is_complete() && !is_progressing()) {
       look_at_files();
       return;
     }
@@ -70,10 +74,12 @@ class Loop {
  private:
   [[nodiscard]] bool is_busy() const {
     return frames_left_ > 0 || waiting_ != nullptr || !display_.is_complete() ||
-           session_.navigator.moving() || session_.look_changed || is_flying(window_);
+           session_.navigator.moving() || session_.look_changed || session_.preview ||
+           is_flying(window_);
   }
   [[nodiscard]] bool is_progressing() const {
-    return session_.document.is_loading() || !session_.messages.empty();
+    return session_.document.is_loading() || session_.picture_job != nullptr ||
+           !session_.messages.empty();
   }
 
   bool take_size() {

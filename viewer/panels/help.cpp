@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 24> kKeys{
+constexpr std::array<std::pair<const char*, const char*>, 25> kKeys{
     {{"drag", "orbit about the point under the cursor"},
      {"right drag, Shift + drag", "pan"},
      {"Ctrl + drag", "look around"},
@@ -30,6 +30,7 @@ constexpr std::array<std::pair<const char*, const char*>, 24> kKeys{
      {"Tab", "hide the panels"},
      {"F11", "full screen"},
      {"Ctrl + O", "open a file"},
+     {"Ctrl + S", "write a picture"},
      {"Ctrl + Q", "quit"},
      {"?", "this list"},
      {"drop a file", "open it"},

@@ -46,7 +46,7 @@ void tool_buttons(Session& session) {
     if (column++ % kToolColumns != 0) ImGui::SameLine(0.0F, gap);
     const bool is_chosen = tool.chosen() == kind;
     if (is_chosen)
-      ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+      ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab));
     const bool clicked = ImGui::Button(capitalised(name_of(kind)).c_str(), size);
     if (is_chosen) ImGui::PopStyleColor();
     help_for_last(help_of(kind));

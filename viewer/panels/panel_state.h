@@ -42,11 +42,22 @@ struct FileFacts {
   double since = -1.0;  ///< the window's clock, seconds
 };
 
+/// The name that a new picture gets.
+struct OfferedPicture {
+  std::filesystem::path of;  ///< the open file
+  std::string name;
+  bool was_busy = false;  ///< with a picture, the last time
+};
+
 struct PanelState {
   PathField file;
   bool adds_file = false;
   PathField environment;
+  bool is_scrolling = false;  ///< to the section that is asked for
   SaveField measurements;
+  SaveField picture;
+  OfferedPicture offered_picture;
+  SaveField film;
   SceneFacts scene;
   FileFacts files;
   std::optional<std::size_t> renamed;  ///< a bookmark

@@ -10,14 +10,18 @@
 
 namespace relief {
 
-void show_save_field(const char* id, const std::string& offered, const Session& session,
-                     SaveField& field) {
+void offer(const std::string& offered, SaveField& field) {
   if (field.text.front() == '\0' || field.offered == field.text.data()) {
     const std::size_t length = std::min(offered.size(), field.text.size() - 1);
     std::copy_n(offered.begin(), length, field.text.begin());
     field.text[length] = '\0';
     field.offered = field.text.data();
   }
+}
+
+void show_save_field(const char* id, const std::string& offered, const Session& session,
+                     SaveField& field) {
+  offer(offered, field);
   ImGui::SetNextItemWidth(-1.0F);
   ImGui::InputText(id, field.text.data(), field.text.size());
   help_for_last(path_in(field, session).string().c_str());

@@ -13,6 +13,9 @@ namespace relief {
 void show_save_field(const char* id, const std::string& offered, const Session& session,
                      SaveField& field);
 
+/// Puts what is offered into the field, unless the user has typed something else.
+void offer(const std::string& offered, SaveField& field);
+
 /// The path that the field names.
 [[nodiscard]] std::filesystem::path path_in(const SaveField& field, const Session& session);
 

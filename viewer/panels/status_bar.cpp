@@ -11,12 +11,17 @@ namespace {
 
 std::string state_of(const Session& session) {
   if (session.document.files().empty()) return "drop a file here to open it";
-  const LoadProgress progress = session.document.progress();
+  const JobProgress progress = session.document.progress();
   if (!progress.stage.empty()) {
     return progress.share ? fmt::format("{} {:.0f} %", progress.stage, 100.0 * *progress.share)
                           : progress.stage;
   }
   if (session.document.is_loading()) return "opening";
+  if (session.picture_job != nullptr) {
+    const JobProgress made = session.picture_job->progress();
+    return fmt::format("{} {:.0f} %", session.picture_job->request().file.filename().string(),
+                       100.0 * made.share.value_or(0.0));
+  }
   if (session.scene == nullptr) return "nothing is shown";
   const PatchModel& patches = session.scene->patches;
   return fmt::format("{} patches", patches.patches.size());
