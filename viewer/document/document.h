@@ -55,7 +55,7 @@ class Document {
   void cancel() { job_.reset(); }
 
   [[nodiscard]] bool is_loading() const { return job_ != nullptr; }
-  [[nodiscard]] LoadProgress progress() const { return job_ ? job_->progress() : LoadProgress{}; }
+  [[nodiscard]] JobProgress progress() const { return job_ ? job_->progress() : JobProgress{}; }
   [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
   [[nodiscard]] const ScenePlan& plan() const { return plan_; }
 
