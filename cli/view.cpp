@@ -55,7 +55,8 @@ int run_view(const ViewArguments& arguments) {
   options.target_ms = arguments.target_ms;
   options.frame_log = arguments.frame_log;
   options.is_interrupted = interrupted;
-  // Ctrl-C closes the window, and closing it is no failure.
+  // Ctrl-C closes the window, and closing it is no failure: nothing is being written.
+  InterruptedFiles::note_complete();
   if (const Status shown = run_viewer(std::move(options)); !shown) return fail(shown.error());
   return 0;
 }
