@@ -48,14 +48,14 @@ TREMBLE = 4  # viewer/input.cpp: pixels after which a press becomes a drag, whic
 def write_ball(path, points, turns):
     """A bumpy ball in coloured blocks, binary PLY. `turns`: exchanges the colours' channels."""
     rng = random.Random(1)
-    colours = [[rng.randrange(60, 256) for _ in range(3)] for _ in range(4096)]
+    colours = [[rng.randrange(60, 256) for _ in range(3)] for _ in range(20 ** 3)]
     body = bytearray()
     for k in range(points):
         z = 1 - (2 * k + 1) / points
         angle = k * math.pi * (3 - math.sqrt(5))
         x, y = math.sqrt(1 - z * z) * math.cos(angle), math.sqrt(1 - z * z) * math.sin(angle)
         bump = 1 + 0.08 * math.sin(5 * x) * math.sin(5 * y) * math.sin(5 * z)
-        block = (int(5 * x + 8) * 16 + int(5 * y + 8)) * 16 + int(5 * z + 8)
+        block = (int(8 * x + 10) * 20 + int(8 * y + 10)) * 20 + int(8 * z + 10)
         colour = colours[block][turns:] + colours[block][:turns]
         body += struct.pack("<3f3B", bump * x, bump * y, 0.7 * bump * z, *colour)
     header = f"ply\nformat binary_little_endian 1.0\nelement vertex {points}\n"
@@ -68,13 +68,22 @@ def difference(a, b):
     """The largest difference of two pictures of one size, and how many pixels differ by more than 1."""
     if (a.width, a.height) != (b.width, b.height):
         raise AssertionError(f"pictures of {a.width}x{a.height} and of {b.width}x{b.height}")
-    far = {k // 3 for k, (p, q) in enumerate(zip(a.pixels, b.pixels)) if abs(p - q) > 1}
-    most = max((abs(p - q) for p, q in zip(a.pixels, b.pixels)), default=0)
-    return most, len(far)
+    most, far = 0, 0
+    for y in range(a.height):
+        p, q = a.row(y), b.row(y)
+        if p == q:
+            continue
+        off = [abs(i - j) for i, j in zip(p, q)]
+        largest = max(off)
+        most = max(most, largest)
+        if largest > 1:
+            far += len({k // 3 for k, d in enumerate(off) if d > 1})
+    return most, far
 
 
-def shift_of(before, after, x, y, expected, reach=12, half=18):
-    """How far what is around a pixel of one picture has moved in another."""
+def shift_of(before, after, x, y, expected, reach=12, half=28):
+    """How far what is around a pixel of one picture has moved in another. What is around has several
+    blocks, as one edge alone says nothing of a motion along it."""
     patch = before.crop(x - half, y - half, x + half + 1, y + half + 1).pixels
 
     def error(at):
@@ -93,8 +102,9 @@ def has_key(name):
 class Test:
     def __init__(self, relief, work):
         self.relief, self.work = pathlib.Path(relief).resolve(), pathlib.Path(work)
-        shutil.rmtree(self.work, ignore_errors=True)
-        self.work.mkdir(parents=True)
+        self.work.mkdir(parents=True, exist_ok=True)
+        for old in list(self.work.glob("[0-9][0-9]_*.png")) + [self.work / "failed.png"]:
+            old.unlink(missing_ok=True)
         self.model, self.other = self.work / "ball.relief", self.work / "other.relief"
         self.references = {}
         self.window = None
@@ -428,6 +438,7 @@ def measure_once(relief, file, work):
     finally:
         window.close()
         display.close()
+        shutil.rmtree(work / "display", ignore_errors=True)
     times = sorted(f["ms"] for f in moving)
     gaps = [1000 * (b["seconds"] - a["seconds"]) for a, b in zip(moving, moving[1:])]
     return [first, rest, (len(moving) - 1) / (moving[-1]["seconds"] - moving[0]["seconds"]),
@@ -453,6 +464,8 @@ def main():
     parser.add_argument("--measure", nargs="+", metavar="FILE", help="files to measure with, instead of the test")
     parser.add_argument("--runs", type=int, default=5, help="of --measure, for each file (default 5)")
     arguments = parser.parse_args()
+    if not arguments.relief.is_file():
+        parser.error(f"{arguments.relief}: there is no such file")
     missing = [name for name in ("Xvfb", "xdotool") if shutil.which(name) is None]
     if missing:
         print(f"{' and '.join(missing)} cannot be found: scripts/packages.sh window-test installs them")
