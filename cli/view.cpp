@@ -55,7 +55,7 @@ int run_view(const ViewArguments& arguments) {
   options.target_ms = arguments.target_ms;
   options.frame_log = arguments.frame_log;
   options.is_interrupted = interrupted;
-  // Ctrl-C closes the window, and closing it is no failure: nothing is being written.
+  // Ctrl-C closes the window. That is no failure, and nothing is lost if loading takes its time to end.
   InterruptedFiles::note_complete();
   if (const Status shown = run_viewer(std::move(options)); !shown) return fail(shown.error());
   return 0;
@@ -78,6 +78,7 @@ void add_view(CLI::App& app, Command& command) {
   add_camera_options(*sub, arguments->settings);
   add_engine_options(*sub, arguments->settings);
   add_material_options(*sub, arguments->settings);
+  add_background_options(*sub, arguments->settings);
   add_colour_options(*sub, arguments->colours);
   sub->add_option(
          "--texture", arguments->texture,

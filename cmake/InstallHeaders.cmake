@@ -1,6 +1,7 @@
 # Run by `cmake --install`: copies the public headers, and what they include, to include/relief/.
 # In this tree headers include each other by their path from its root ("common/patch.h"); installed
 # ones do so as <relief/common/patch.h>, so that a user needs include/ on the path and nothing else.
+# What is in integrations/ is installed at the top, as <relief/pcl.h>.
 # Takes SOURCE (the tree), STAGE (an empty folder to make them in), DESTINATION, and HEADERS.
 # An install script inherits no policies.
 cmake_policy(VERSION 3.25)
@@ -25,6 +26,7 @@ file(REMOVE_RECURSE ${STAGE})
 foreach(header IN LISTS public)
   file(READ ${SOURCE}/${header} text)
   string(REGEX REPLACE "(\n#include )\"([^\"]+)\"" "\\1<relief/\\2>" text "${text}")
-  file(WRITE ${STAGE}/${header} "${text}")
+  string(REGEX REPLACE "^integrations/" "" installed "${header}")
+  file(WRITE ${STAGE}/${installed} "${text}")
 endforeach()
 file(INSTALL ${STAGE}/ DESTINATION ${DESTINATION})

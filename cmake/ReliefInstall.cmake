@@ -9,12 +9,13 @@ set(RELIEF_PUBLIC_HEADERS
   common/io/file.h common/mesh/mesh_texture.h common/mesh/normal_texture.h common/patch.h
   common/patch_file/patch_file.h common/patch_file/patch_tree.h common/patch_file/tree_tile.h common/points.h common/progress.h
   common/scene/scene.h common/transform.h common/version.h
+  integrations/openmesh.h integrations/pcl.h
   loader/load_files.h loader/load_scene.h loader/scene_plan.h loader/view_settings.h
   preprocess/convert.h preprocess/convert_options.h preprocess/convert_tiles.h
   preprocess/normals/known_sides.h
   preprocess/readers/read_points.h preprocess/readers/read_result.h preprocess/tiles/tile_options.h
-  renderer/geometry/mesh_of_patches.h renderer/geometry/mesh_of_points.h renderer/render.h
-  renderer/viewport.h)
+  renderer/geometry/mesh_of_patches.h renderer/geometry/mesh_of_points.h
+  renderer/geometry/points_of_patches.h renderer/render.h renderer/viewport.h)
 install(CODE "
   set(SOURCE ${PROJECT_SOURCE_DIR})
   set(STAGE ${PROJECT_BINARY_DIR}/include/relief)

@@ -25,13 +25,14 @@ if(RELIEF_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${RELIEF_CCACHE}")
 endif()
 
-# relief_test(NAME SOURCES... [LIBS ...]): one GoogleTest program, each of its tests known to ctest.
+# relief_test(NAME SOURCES... [LIBS ...] [LABELS ...]): one GoogleTest program, each of its tests known to
+# ctest.
 function(relief_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LIBS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBS;LABELS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LIBS} GTest::gtest_main)
   relief_configure(${name})
   # GCC 12 sees null pointers in std::vector<nlohmann::json> behind GoogleTest's macros; there are none.
   target_compile_options(${name} PRIVATE -Wno-null-dereference)
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300 LABELS "${ARG_LABELS}")
 endfunction()

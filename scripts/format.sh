@@ -5,5 +5,5 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 mode=(-i)
 if [ "${1:-}" = --check ]; then mode=(--dry-run -Werror); fi
-find cli common loader models preprocess renderer shaders tests viewer \( -name '*.h' -o -name '*.cpp' \) -print0 |
+find cli common integrations loader models preprocess renderer shaders tests viewer \( -name '*.h' -o -name '*.cpp' \) -print0 |
   xargs -0 clang-format "${mode[@]}"

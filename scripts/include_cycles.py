@@ -12,7 +12,7 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ("common", "preprocess", "renderer", "loader", "viewer", "cli", "shaders", "tests")
+FOLDERS = ("common", "preprocess", "renderer", "integrations", "loader", "viewer", "cli", "shaders", "tests")
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 
 

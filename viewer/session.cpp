@@ -22,15 +22,7 @@ bool has_camera(const SceneSettings& settings) {
 
 }  // namespace
 
-void start_camera(Session& session, const PatchModel& extent) {
-  SceneSettings& look = session.look;
-  session.navigator.set_model(without_patches(extent), false);
-  if (look.up && !look.eye) session.navigator.set_up_axis(look.up);
-  look.size = ImageSize{static_cast<std::uint32_t>(std::max(session.window.x, 1)),
-                        static_cast<std::uint32_t>(std::max(session.window.y, 1))};
-  if (has_camera(look)) {
-    if (const auto camera = camera_for(look, extent)) session.navigator.set_camera(*camera);
-  }
+void forget_camera(SceneSettings& look) {
   look.size.reset();
   look.orbit.reset();
   look.eye.reset();
@@ -40,6 +32,18 @@ void start_camera(Session& session, const PatchModel& extent) {
   look.zoom.reset();
   look.fov_degrees.reset();
   look.orthographic.reset();
+}
+
+void start_camera(Session& session, const PatchModel& extent) {
+  SceneSettings& look = session.look;
+  session.navigator.set_model(without_patches(extent), false);
+  if (look.up && !look.eye) session.navigator.set_up_axis(look.up);
+  look.size = ImageSize{static_cast<std::uint32_t>(std::max(session.window.x, 1)),
+                        static_cast<std::uint32_t>(std::max(session.window.y, 1))};
+  if (has_camera(look)) {
+    if (const auto camera = camera_for(look, extent)) session.navigator.set_camera(*camera);
+  }
+  forget_camera(look);
 }
 
 void add_message(Session& session, std::string text, bool is_error, double now) {

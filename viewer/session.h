@@ -52,6 +52,7 @@ struct Session {
   bool look_changed = true;
 
   bool asks_for_file = false;  ///< the field for a path is to be typed into
+  bool closes_files = false;   ///< all that are open, before the next frame
   bool wants_close = false;
   bool wants_full_screen = false;
 
@@ -66,6 +67,9 @@ struct Session {
 /// Shows another model: from where the look's settings ask for, or as `relief render` does. Takes
 /// what concerns the camera out of the look.
 void start_camera(Session& session, const PatchModel& extent);
+
+/// Takes what concerns the camera out of a look: that is the navigator's.
+void forget_camera(SceneSettings& look);
 
 void add_message(Session& session, std::string text, bool is_error, double now);
 

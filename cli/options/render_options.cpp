@@ -76,16 +76,7 @@ void add_light_options(CLI::App& sub, SceneSettings& settings) {
       ->option_text("R,G,B");
 }
 
-void add_image_options(CLI::App& sub, SceneSettings& settings) {
-  sub.add_option_function<std::string>(
-         "--background", [&](const std::string& s) { settings.background = parse_background(s); },
-         "Background colour, sRGB, each 0 to 1; none: transparent (default: the environment of "
-         "--env, "
-         "otherwise grey)")
-      ->option_text("R,G,B|none");
-  add_number(sub, "--edl", settings.eye_dome, kEyeDomes, "S",
-             "Eye-dome lighting of this strength, 0 to 100: what lies behind its neighbours is "
-             "darker; 1 is usual (default 0)");
+void add_outputs_option(CLI::App& sub, SceneSettings& settings) {
   sub.add_option_function<std::string>(
          "--outputs", [&](const std::string& s) { settings.outputs = parse_outputs(s); },
          "Outputs that an .exr holds beside colour: all, colour for none, or some of "
@@ -128,6 +119,18 @@ void check_for_engine(const RenderArguments& arguments) {
 }
 
 }  // namespace
+
+void add_background_options(CLI::App& sub, SceneSettings& settings) {
+  sub.add_option_function<std::string>(
+         "--background", [&](const std::string& s) { settings.background = parse_background(s); },
+         "Background colour, sRGB, each 0 to 1; none: transparent (default: the environment of "
+         "--env, "
+         "otherwise grey)")
+      ->option_text("R,G,B|none");
+  add_number(sub, "--edl", settings.eye_dome, kEyeDomes, "S",
+             "Eye-dome lighting of this strength, 0 to 100: what lies behind its neighbours is "
+             "darker; 1 is usual (default 0)");
+}
 
 void add_camera_options(CLI::App& sub, SceneSettings& settings) {
   sub.add_option_function<std::string>(
@@ -235,7 +238,8 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments) {
   add_material_options(sub, arguments.settings);
   add_colour_options(sub, arguments.colours);
   add_light_options(sub, arguments.settings);
-  add_image_options(sub, arguments.settings);
+  add_background_options(sub, arguments.settings);
+  add_outputs_option(sub, arguments.settings);
   add_texture_options(sub, arguments.texture);
   CLI::Option* const turntable =
       sub.add_option("--turntable", arguments.turntable,

@@ -32,6 +32,7 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments);
 
 /// Parts of them, for other subcommands: image size and camera, material and environment, OpenGL
 /// platform.
+void add_background_options(CLI::App& sub, SceneSettings& settings);
 void add_camera_options(CLI::App& sub, SceneSettings& settings);
 void add_material_options(CLI::App& sub, SceneSettings& settings);
 void add_platform_option(CLI::App& sub, GlPlatform& platform);

@@ -72,8 +72,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // read_bytes refuses an empty file before any reader sees it.
   if (text.empty()) return 0;
   const relief::ScalarChoice scalars{true, {}};
-  auto points =
-      relief::fuzz::fuzzed_format->read({"fuzzed", text, progress, remarks, nullptr, &scalars});
+  auto points = relief::fuzz::fuzzed_format->read({.name = "fuzzed",
+                                                   .text = text,
+                                                   .progress = progress,
+                                                   .remarks = remarks,
+                                                   .scalars = &scalars});
   if (points) {
     relief::fuzz::check(relief::clean_points(*std::move(points)).points);
   } else {

@@ -9,8 +9,14 @@ namespace {
 constexpr int kQuickFrames = 8;
 constexpr int kMostDoublings = 5;
 
-/// What a picture at another step takes, over this one: half of it depends on pixels. (The Dragon at
-/// scale 0.3, 0.5, 0.84 on llvmpipe: 17, 21, 31 ms.)
+/// Frames over the target, as shares of it. A few that are a little late are the machine's own
+/// doing.
+constexpr double kSlow = 1.15;
+constexpr double kVerySlow = 2.0;
+constexpr int kSlowFrames = 3;
+
+/// What a picture at another step takes, over this one: half of it depends on pixels. (The Dragon
+/// at scale 0.3, 0.5, 0.84 on llvmpipe: 17, 21, 31 ms.)
 double cost_ratio(std::size_t from, std::size_t to) {
   const double scale = kQualities[to].scale / kQualities[from].scale;
   return 0.5 + 0.5 * scale * scale;
@@ -19,7 +25,9 @@ double cost_ratio(std::size_t from, std::size_t to) {
 }  // namespace
 
 void Pacer::note(double frame_ms) {
-  if (frame_ms > 1.15 * target_ms_) {
+  if (frame_ms > kSlow * target_ms_) {
+    if (frame_ms < kVerySlow * target_ms_ && ++slow_frames_ < kSlowFrames) return;
+    slow_frames_ = 0;
     const std::size_t before = step_;
     while (step_ + 1 < kQualities.size() &&
            (step_ == before || frame_ms * cost_ratio(before, step_) > target_ms_))
@@ -28,6 +36,7 @@ void Pacer::note(double frame_ms) {
     quick_frames_ = 0;
     return;
   }
+  slow_frames_ = 0;
   if (quick_frames_ < 0) {  // the finer step is quick enough
     if (++quick_frames_ == 0) slow_after_finer_ = 0;
     return;

@@ -13,11 +13,11 @@ struct Quality {
   double afar_factor = 1.0;        ///< RenderSettings::afar_factor
 };
 
-/// From the finest, which is that of pictures at rest but for antialiasing. Each step has fewer pixels
-/// than the one before, and coarser levels of detail. The first two draw patches. Beyond that a
-/// machine has no GPU: what takes its time are vertices, most of all those of seams, which the
-/// meshes that stand for models seen from afar have not. (The Dragon, 384x240, llvmpipe: 33 ms a
-/// frame; from afar 10 ms.)
+/// From the finest, which is that of pictures at rest but for antialiasing. Each step has fewer
+/// pixels than the one before, and coarser levels of detail. The first two draw patches. Beyond
+/// that a machine has no GPU: what takes its time are vertices, most of all those of seams, which
+/// the meshes that stand for models seen from afar have not. (The Dragon, 384x240, llvmpipe: 33 ms
+/// a frame; from afar 10 ms.)
 inline constexpr std::array<Quality, 7> kQualities{{{1.0, 4.0, 1.0},
                                                     {0.84, 6.0, 1.0},
                                                     {0.84, 8.0, 4.0},
@@ -33,9 +33,9 @@ class Pacer {
 
   [[nodiscard]] const Quality& quality() const { return kQualities[step_]; }
 
-  /// What the frame that was drawn at quality() took. One that took too long makes the next coarser
-  /// at once, by as many steps as its pixels suggest; several that took little make it finer by
-  /// one.
+  /// What the frame that was drawn at quality() took. One that took far too long, or some that took
+  /// too long, make the next coarser by as many steps as the pixels suggest; several that took
+  /// little make it finer by one.
   void note(double frame_ms);
 
   void set_target(double target_ms) { target_ms_ = target_ms; }
@@ -44,6 +44,7 @@ class Pacer {
  private:
   double target_ms_;
   std::size_t step_ = 2;  ///< a guess: the first frame is not the one to find out
+  int slow_frames_ = 0;   ///< one after the other
   int quick_frames_ = 0;  ///< one after the other
   int slow_after_finer_ =
       0;  ///< how often a finer step was too slow, which is then tried less often

@@ -4,7 +4,6 @@
 #include <glm/gtc/constants.hpp>
 
 #include "viewer/navigation/move.h"
-#include "viewer/navigation/turn.h"
 
 namespace relief {
 namespace {

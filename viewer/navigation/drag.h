@@ -7,6 +7,7 @@
 
 #include "viewer/navigation/limits.h"
 #include "viewer/navigation/pose.h"
+#include "viewer/navigation/turn.h"
 
 namespace relief {
 
@@ -17,10 +18,6 @@ enum class DragKind : std::uint8_t {
   Roll,   ///< turns the image about its middle
   Look    ///< turns the head; an orthographic camera orbits
 };
-
-/// Turntable: to the side about the model's up axis, up and down about the image's horizontal; the
-/// image never turns upside down. Trackball: about the image's own axes.
-enum class OrbitStyle : std::uint8_t { Turntable, Trackball };
 
 /// What a drag depends on but its cursor.
 struct DragSettings {

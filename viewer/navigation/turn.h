@@ -1,13 +1,17 @@
 // Turning a camera: orbit, look, roll.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "viewer/navigation/drag.h"
 #include "viewer/navigation/pose.h"
 
 namespace relief {
+
+/// Turntable: to the side about the model's up axis, up and down about the image's horizontal; the
+/// image never turns upside down. Trackball: about the image's own axes.
+enum class OrbitStyle : std::uint8_t { Turntable, Trackball };
 
 /// The elevation, degrees, beyond which a turntable does not turn; but a camera that is there
 /// already may stay.

@@ -25,19 +25,23 @@ bool is_environment(const fs::path& path) {
 
 void choose_environment(const fs::path& path, const PanelContext& panel) {
   std::error_code failed;
-  fs::path whole = fs::absolute(path, failed);
-  edited_look(panel.session).environment = failed ? path : std::move(whole);
+  const fs::path whole = fs::absolute(path, failed);
+  edited_look(panel.session).environment = failed ? path : whole;
   panel.session.look_changed = true;
 }
 
 void environment_rows(const PanelContext& panel) {
   SceneSettings& look = edited_look(panel.session);
   const fs::path current = look.environment.value_or(fs::path());
+  // What could be read has become the look's; what could not has not.
+  if (!current.empty() && !panel.session.look_changed)
+    remember(panel.session.preferences.recent_environments, current, kMostRecentEnvironments);
   std::vector<fs::path> files = panel.session.preferences.recent_environments;
   if (!current.empty() && std::find(files.begin(), files.end(), current) == files.end())
     files.insert(files.begin(), current);
   files.insert(files.begin(), fs::path());
   std::vector<std::string> names;
+  names.reserve(files.size());
   for (const fs::path& file : files)
     names.push_back(file.empty() ? std::string("Built-in") : file.filename().string());
   const auto at = std::find(files.begin(), files.end(), current) - files.begin();
