@@ -31,15 +31,15 @@ Result<ScenePlan> plan_of(const std::vector<std::filesystem::path>& files,
 Status Document::open(const std::vector<std::filesystem::path>& files,
                       const SceneSettings& settings) {
   RELIEF_TRY_ASSIGN(ScenePlan plan, plan_of(files, settings));
-  files_ = files;
-  is_other_ = true;
+  if (!std::exchange(is_other_, true)) shown_ = opened_;
+  opened_.files = files;
   start(std::move(plan), true);
   return {};
 }
 
 Status Document::add(const std::vector<std::filesystem::path>& files,
                      const SceneSettings& settings) {
-  std::vector<std::filesystem::path> all = files_;
+  std::vector<std::filesystem::path> all = opened_.files;
   for (const auto& file : files) {
     if (std::find(all.begin(), all.end(), file) == all.end()) all.push_back(file);
   }
@@ -48,29 +48,37 @@ Status Document::add(const std::vector<std::filesystem::path>& files,
 
 void Document::close() {
   job_.reset();
-  files_.clear();
-  plan_ = {};
-  read_.clear();
-  seen_.clear();
+  opened_ = shown_ = {};
+  is_other_ = false;
+}
+
+void Document::cancel() {
+  job_.reset();
+  if (is_other_) return_to_shown();
+}
+
+void Document::return_to_shown() {
+  opened_ = std::exchange(shown_, {});
+  is_other_ = false;
 }
 
 void Document::reload(const SceneSettings& settings) {
-  ScenePlan plan = plan_;
+  ScenePlan plan = opened_.plan;
   plan.views.front().settings = overlay(plan.views.front().settings, settings);
   start(std::move(plan), false);
 }
 
 void Document::start(ScenePlan plan, bool shows_points) {
   job_.reset();
-  plan_ = plan;
-  read_ = look_at_files();
-  seen_ = read_;
+  opened_.plan = plan;
+  opened_.read = look_at_files();
+  opened_.seen = opened_.read;
   job_ = std::make_unique<LoadJob>(LoadRequest{std::move(plan), options_, shows_points}, wake_);
 }
 
 std::vector<Document::FileState> Document::look_at_files() const {
   std::vector<FileState> states;
-  for (const SceneModel& model : plan_.models) {
+  for (const SceneModel& model : opened_.plan.models) {
     std::error_code gone;
     FileState state;
     state.time = std::filesystem::last_write_time(model.file, gone);
@@ -81,14 +89,14 @@ std::vector<Document::FileState> Document::look_at_files() const {
 }
 
 bool Document::has_changed_on_disk() {
-  if (plan_.models.empty()) return false;
+  if (opened_.plan.models.empty()) return false;
   std::vector<FileState> now = look_at_files();
-  const bool rests = now == seen_;
-  seen_ = std::move(now);
+  const bool rests = now == opened_.seen;
+  opened_.seen = std::move(now);
   // A file that is gone is about to come back, or what is shown is all that is left of it.
-  const bool is_there =
-      std::none_of(seen_.begin(), seen_.end(), [](const FileState& s) { return s.bytes == 0; });
-  return rests && is_there && seen_ != read_;
+  const bool is_there = std::none_of(opened_.seen.begin(), opened_.seen.end(),
+                                     [](const FileState& s) { return s.bytes == 0; });
+  return rests && is_there && opened_.seen != opened_.read;
 }
 
 Arrival Document::take() {
@@ -97,13 +105,16 @@ Arrival Document::take() {
   arrival.points = job_->take_points();
   arrival.notes = job_->take_notes();
   auto scene = job_->take_scene();
-  if (arrival.points || scene) arrival.is_other = std::exchange(is_other_, false);
+  if (arrival.points || (scene && *scene)) {
+    arrival.is_other = std::exchange(is_other_, false);
+    shown_ = {};
+  }
   if (!scene) return arrival;
   if (*scene)
     arrival.scene = std::make_shared<const LoadedScene>(*std::move(*scene));
   else
     arrival.failure = scene->error().message;
-  job_.reset();
+  cancel();
   return arrival;
 }
 

@@ -31,7 +31,8 @@ class Document {
       : options_(std::move(options)), wake_(std::move(wake)) {}
 
   /// Begins to load files in place of those that are open. Fails, with one sentence, if there is no
-  /// such file or a scene file is wrong; then nothing changes.
+  /// such file or a scene file is wrong; then nothing changes. If nothing of them can be loaded,
+  /// those that were shown are the open ones again.
   Status open(const std::vector<std::filesystem::path>& files, const SceneSettings& settings);
 
   /// The same with the open files and others.
@@ -52,12 +53,16 @@ class Document {
   Arrival take();
 
   /// Ends the job, if there is one.
-  void cancel() { job_.reset(); }
+  void cancel();
 
   [[nodiscard]] bool is_loading() const { return job_ != nullptr; }
   [[nodiscard]] JobProgress progress() const { return job_ ? job_->progress() : JobProgress{}; }
-  [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
-  [[nodiscard]] const ScenePlan& plan() const { return plan_; }
+  /// Also files of which nothing is loaded yet.
+  [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return opened_.files; }
+  /// That of what is shown, or of what is loaded if nothing is shown.
+  [[nodiscard]] const ScenePlan& plan() const {
+    return is_other_ && !shown_.files.empty() ? shown_.plan : opened_.plan;
+  }
 
   LoadOptions& options() { return options_; }
 
@@ -67,15 +72,20 @@ class Document {
     std::uintmax_t bytes = 0;
     bool operator==(const FileState&) const = default;
   };
+  struct Opened {
+    std::vector<std::filesystem::path> files;
+    ScenePlan plan;               ///< of the files
+    std::vector<FileState> read;  ///< of the files of the plan, when the job began
+    std::vector<FileState> seen;  ///< at the last look
+  };
   [[nodiscard]] std::vector<FileState> look_at_files() const;
   void start(ScenePlan plan, bool shows_points);
+  void return_to_shown();
 
   LoadOptions options_;
   std::function<void()> wake_;
-  std::vector<std::filesystem::path> files_;
-  ScenePlan plan_;               ///< of files_
-  std::vector<FileState> read_;  ///< of the files of plan_, when the job began
-  std::vector<FileState> seen_;  ///< at the last look
+  Opened opened_;
+  Opened shown_;  ///< while is_other_
   std::unique_ptr<LoadJob> job_;
   bool is_other_ = false;  ///< the job's files are others than those shown
 };

@@ -105,6 +105,11 @@ void Window::listen() {
     Window& self = kOwner(w);
     self.events_.push_back(MoveEvent{self.cursor()});
   });
+  // What the cursor has left is drawn again without its light.
+  glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int /*entered*/) {
+    Window& self = kOwner(w);
+    self.events_.push_back(MoveEvent{self.cursor()});
+  });
   glfwSetScrollCallback(window_, [](GLFWwindow* w, double x, double y) {
     Window& self = kOwner(w);
     self.events_.push_back(WheelEvent{{x, y}, held_modifiers(w), self.cursor()});

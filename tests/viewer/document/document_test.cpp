@@ -73,6 +73,33 @@ TEST_F(Opening, ABrokenFileSaysWhy) {
   EXPECT_NE(arrival.failure->find("broken.relief"), std::string::npos);
 }
 
+TEST_F(Opening, AfterABrokenFileTheOneThatIsShownIsOpenAgain) {
+  Document document({}, [] {});
+  const auto knot = write("knot.ply", knot_scan_ply(2000));
+  ASSERT_TRUE(document.open({knot}, {}));
+  wait(document);
+  ASSERT_TRUE(document.open({write("broken.relief", "RELIEF?")}, {}));
+  EXPECT_EQ(document.plan().models.front().file, knot) << "it is shown while others are loaded";
+  const Arrival arrival = wait(document);
+  EXPECT_TRUE(arrival.failure);
+  EXPECT_FALSE(arrival.is_other) << "camera and look stay";
+  EXPECT_EQ(document.files(), std::vector{knot});
+  EXPECT_EQ(document.plan().models.front().file, knot);
+  write("knot.ply", knot_scan_ply(2500));
+  EXPECT_FALSE(document.has_changed_on_disk());
+  EXPECT_TRUE(document.has_changed_on_disk()) << "it is watched again";
+}
+
+TEST_F(Opening, AfterACancelledJobTheOneThatIsShownIsOpenAgain) {
+  Document document({}, [] {});
+  const auto knot = write("knot.ply", knot_scan_ply(2000));
+  ASSERT_TRUE(document.open({knot}, {}));
+  wait(document);
+  ASSERT_TRUE(document.open({write("large.ply", knot_scan_ply(200000))}, {}));
+  document.cancel();
+  EXPECT_EQ(document.files(), std::vector{knot});
+}
+
 TEST_F(Opening, AJobThatIsCancelledEndsSoon) {
   Document document({}, [] {});
   ASSERT_TRUE(document.open({write("knot.ply", knot_scan_ply(200000))}, {}));
