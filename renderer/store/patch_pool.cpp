@@ -330,8 +330,10 @@ void PatchPool::show(std::span<const ShownChunk> chunks) {
     const auto number = static_cast<std::uint32_t>(store_.instances.size());
     StoredInstance instance;
     instance.first = static_cast<std::uint32_t>(store_.levels.size());
+    // Patches that meet others are not left out: their neighbours' seams would end in nothing.
+    const bool is_whole = shown.hidden.empty() || !resident.seams.empty();
     for (std::size_t k = 0; k < resident.levels.size(); ++k) {
-      if (shown.hidden.empty() || !shown.hidden[k]) store_.levels.push_back(resident.levels[k]);
+      if (is_whole || !shown.hidden[k]) store_.levels.push_back(resident.levels[k]);
     }
     instance.count = static_cast<std::uint32_t>(store_.levels.size()) - instance.first;
     if (!resident.seams.empty()) {

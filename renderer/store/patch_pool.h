@@ -28,7 +28,7 @@ using ChunkSlot = std::uint32_t;
 /// A chunk to be drawn.
 struct ShownChunk {
   ChunkSlot slot = 0;
-  /// By patch: whether it is left out. Empty: all are drawn.
+  /// By patch: whether it is left out. Empty: all are drawn, as are those that meet others.
   std::vector<bool> hidden = {};
 };
 

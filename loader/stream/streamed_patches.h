@@ -1,0 +1,110 @@
+// What a view shows of a file with tiles: on the GPU within a budget, read as the view moves.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "loader/stream/cut.h"
+#include "loader/stream/tile_loader.h"
+#include "loader/stream/tile_source.h"
+#include "renderer/settings.h"
+#include "renderer/store/patch_pool.h"
+#include "renderer/view/patches_in_view.h"
+
+namespace relief {
+
+/// Bytes that a stream may take.
+struct StreamBudget {
+  std::uint64_t memory = std::uint64_t{256} << 20U;  ///< of chunks that were read
+  std::uint64_t gpu = std::uint64_t{1} << 30U;       ///< of chunks on the GPU
+};
+
+/// How far a stream is.
+struct StreamState {
+  std::size_t tiles = 0;  ///< of the file
+  std::size_t shown_tiles = 0;
+  std::uint64_t shown_samples = 0;
+  std::size_t waiting = 0;        ///< chunks and indices that are still to be read
+  double coarser = 1.0;           ///< by how much, so that what is in view fits the GPU's budget
+  std::uint64_t gpu_bytes = 0;    ///< PatchPool::bytes()
+  std::uint64_t cached_bytes = 0;
+  LoaderCounts counts;
+};
+
+/// Keeps a pool (renderer/store/patch_pool.h) filled with what views show of a file, in the context
+/// of its OpenGL. Where something is not there yet, coarser patches stand in.
+class StreamedPatches {
+ public:
+  /// `needs`: of the pool. `wake`: as TileLoader's. Reads what the first view needs least, so that
+  /// there is a picture: the tiles without a parent.
+  static Result<std::unique_ptr<StreamedPatches>> create(
+      const Gl& gl, std::shared_ptr<TileSource> source, const StoreNeeds& needs,
+      const StreamBudget& budget, std::span<const RenderSettings> views,
+      std::function<void()> wake);
+
+  /// Makes the pool fit the views: takes what was read, for up to `ms` milliseconds, and asks for
+  /// what is missing. Returns whether what is drawn has changed.
+  bool update(std::span<const RenderSettings> views, double ms);
+
+  /// Whether all that the last views need is drawn.
+  [[nodiscard]] bool is_settled() const { return cut_.wanted.empty(); }
+
+  /// What could not be read, once each.
+  [[nodiscard]] std::vector<std::string> take_failures();
+
+  [[nodiscard]] const PatchPool& pool() const { return pool_; }
+  [[nodiscard]] StreamState state() const;
+
+ private:
+  /// A chunk on the GPU.
+  struct Resident {
+    ChunkSlot slot = 0;
+    std::uint64_t bytes = 0;
+    std::uint64_t last_seen = 0;  ///< the update in whose view it was
+    std::vector<Bounds> boxes;    ///< of its patches
+  };
+
+  StreamedPatches(const Gl& gl, std::shared_ptr<TileSource> source, const StoreNeeds& needs,
+                  const StreamBudget& budget, std::function<void()> wake);
+  Status load_roots();
+  void choose(std::span<const RenderSettings> views);
+  void make_cut();
+  [[nodiscard]] Cut cut_for(const TilePath& path) const;
+  [[nodiscard]] std::uint64_t bytes_of(const Cut& cut) const;
+  [[nodiscard]] const TileIndex* index_of(std::uint32_t tile) const;
+  bool take(Loaded loaded);
+  bool upload(ChunkKey key, const PatchChunk& chunk);
+  bool make_room(std::uint64_t bytes);
+  bool show();
+  void ask();
+  void fail(const Want& want, std::string message);
+
+  std::shared_ptr<TileSource> source_;
+  StreamBudget budget_;
+  PatchPool pool_;
+  TileLoader loader_;
+  std::vector<std::shared_ptr<const TileIndex>> indices_;  ///< by tile
+  std::map<ChunkKey, Resident> residents_;
+  std::uint64_t resident_bytes_ = 0;
+  std::map<ChunkKey, std::uint64_t> bytes_;  ///< of each chunk that was there once
+  double bytes_a_node_;                      ///< of these, a mean
+
+  std::vector<Onlooker> onlookers_;
+  double coarser_ = 1.0;
+  Cut cut_;
+  std::vector<CutPart> shown_;
+  std::vector<Want> asked_;
+  std::uint64_t updates_ = 0;
+
+  std::map<std::pair<std::uint32_t, std::optional<std::uint32_t>>, double> failed_;  ///< when, s
+  std::vector<std::string> failures_;
+  std::vector<std::string> known_failures_;
+};
+
+}  // namespace relief

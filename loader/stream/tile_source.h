@@ -1,0 +1,68 @@
+// A scene of one patch file with tiles, of which chunks are read one by one.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "common/error.h"
+#include "common/patch_file/patch_tree.h"
+#include "common/transform.h"
+#include "loader/loaded_scene.h"
+#include "loader/scene_plan.h"
+#include "loader/stream/chunks.h"
+#include "renderer/store/patch_chunk.h"
+
+namespace relief {
+
+/// An open file. Thread-safe but for its construction.
+class TileSource {
+ public:
+  /// Opens the file of a plan, if it is all that the plan shows and has tiles; otherwise null.
+  /// Reads the list of tiles and the index of the first one. Fails as PatchTree::open() does.
+  static Result<std::shared_ptr<TileSource>> open(const ScenePlan& plan);
+
+  [[nodiscard]] std::span<const TreeTile> tiles() const { return tree_.tiles(); }
+  /// Where the model stands.
+  [[nodiscard]] const Transform& where() const { return where_; }
+  /// The scene without patches: bounds and attributes of all of it.
+  [[nodiscard]] const LoadedScene& scene() const { return scene_; }
+  /// A box about all that can be drawn of it, world.
+  [[nodiscard]] const Bounds& box() const { return box_; }
+
+  /// Reads the index of a tile. Errors are sentences that begin with the file's name.
+  Result<TileIndex> read_index(std::uint32_t tile);
+
+  /// Reads a chunk of a tile and prepares it for the GPU. The chunk's boxes are in the file's
+  /// frame.
+  Result<PatchChunk> read_chunk(ChunkKey key, const ChunkInfo& chunk, const StoreNeeds& needs,
+                                const StoreLimits& limits);
+
+ private:
+  using FileTime = std::filesystem::file_time_type;
+
+  TileSource(std::filesystem::path path, PatchTree tree)
+      : path_(std::move(path)), tree_(std::move(tree)) {}
+  Result<std::shared_ptr<const PatchFile>> file_of(std::uint32_t tile);
+  Status check_unchanged() const;
+
+  std::filesystem::path path_;
+  PatchTree tree_;
+  Transform where_;
+  std::uint8_t material_ = 0;
+  LoadedScene scene_;
+  Bounds box_;
+  FileTime time_;
+  std::vector<std::uint32_t> first_ids_;  ///< by tile: the patch id of its first
+
+  std::mutex mutex_;
+  std::list<std::pair<std::uint32_t, std::shared_ptr<const PatchFile>>> files_;  ///< latest first
+};
+
+}  // namespace relief
