@@ -65,6 +65,7 @@ TileIndex index_tile(std::span<const PatchSummary> patches, bool are_joined) {
     chunk.spacing = std::max(chunk.spacing, patch.spacing);
     chunk.nodes += nodes;
     chunk.samples += patch.samples;
+    chunk.is_joined = are_joined;
   }
   return index;
 }

@@ -29,6 +29,7 @@ struct ChunkInfo {
   double spacing = 0.0;                ///< of the coarsest
   std::uint64_t nodes = 0;
   std::uint64_t samples = 0;
+  bool is_joined = false;  ///< its patches meet at seams
 };
 
 struct TileIndex {

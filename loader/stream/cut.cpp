@@ -26,7 +26,7 @@ class CutMaker {
   std::vector<Bounds> add(std::uint32_t t, bool is_end, std::vector<Bounds> gaps) {
     const TileIndex* const index = state_.index(t);
     if (index == nullptr) {
-      want({t, std::nullopt}, tiles_[t].box);
+      want({t, std::nullopt, 0}, tiles_[t].box);
       if (is_end) gaps.push_back(tiles_[t].box);
       return gaps;
     }
@@ -36,8 +36,10 @@ class CutMaker {
       if (!state_.sees(chunk.box, chunk.spacing)) continue;
       const ChunkKey key{t, c};
       cut_.seen.push_back(key);
-      if (!state_.is_there(key)) {
-        want({t, c}, chunk.box);
+      const std::optional<std::uint32_t> finest = state_.finest(key);
+      const std::uint32_t needed = is_end ? state_.needed(chunk) : kUsualFinest;
+      if (!finest || *finest > needed) want({t, c, needed}, chunk.box);
+      if (!finest) {
         missing.push_back(chunk.box);
       } else if (is_end) {
         cut_.shown.push_back({key});

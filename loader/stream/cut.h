@@ -27,8 +27,10 @@ struct TilePath {
 struct CutState {
   /// What is known of a tile's chunks; null: its index has not been read.
   std::function<const TileIndex*(std::uint32_t tile)> index;
-  /// Whether a chunk can be drawn.
-  std::function<bool(ChunkKey key)> is_there;
+  /// The finest level of a chunk that can be drawn; none: nothing of it.
+  std::function<std::optional<std::uint32_t>(ChunkKey key)> finest;
+  /// The finest level that the view shows of a chunk.
+  std::function<std::uint32_t(const ChunkInfo& chunk)> needed;
   /// Whether the view may show samples in a box, which are `spacing` apart.
   std::function<bool(const Bounds& box, double spacing)> sees;
   /// How far a box is from the eye.
@@ -49,6 +51,7 @@ struct CutPart {
 struct Want {
   std::uint32_t tile = 0;
   std::optional<std::uint32_t> chunk;
+  std::uint32_t finest = 0;  ///< level of the chunk
 
   bool operator==(const Want&) const = default;
 };
@@ -56,8 +59,15 @@ struct Want {
 struct Cut {
   std::vector<CutPart> shown;
   std::vector<ChunkKey> seen;  ///< chunks of the path in view, there or not
-  std::vector<Want> wanted;    ///< of them, those that are not there: coarse first, then near first
+  /// Of them, those that are not there, or not as fine as needed: coarse tiles first, near ones
+  /// first.
+  std::vector<Want> wanted;
 };
+
+/// Chunks are read from this level on unless finer ones are needed: a tile whose samples are seen a
+/// pixel apart is drawn at four pixels a sample (kPixelsPerSampleOfCells). Preparing the finer ones
+/// takes two thirds of the time.
+inline constexpr std::uint32_t kUsualFinest = 2;
 
 /// Chooses what is drawn now. Where chunks that the view is to show are missing, what is there of
 /// their tiles' ancestors stands in. Nothing covers a region twice but in the boxes of what is

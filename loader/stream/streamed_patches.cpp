@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <set>
 #include <utility>
+
+#include "common/transform.h"
+#include "renderer/frame/image_parts.h"
 
 namespace relief {
 namespace {
@@ -17,6 +21,9 @@ constexpr double kShareOfNews = 0.1;
 
 /// The pool's arrays grow ahead of what is in them.
 constexpr double kShareOfBudget = 0.75;
+constexpr double kMostOfBudget = 0.8;
+/// Room in textures for what is in view, over what that takes: bands leave gaps.
+constexpr double kReserved = 1.1;
 
 /// What a view needs may be made coarser by so much at each try.
 constexpr double kCoarserStep = 1.2;
@@ -53,7 +60,7 @@ StreamedPatches::StreamedPatches(const Gl& gl, std::shared_ptr<TileSource> sourc
       loader_(source_, needs, store_limits(gl), {budget.memory / 4, budget.memory - budget.memory / 4},
               std::move(wake)),
       indices_(source_->tiles().size()),
-      bytes_a_node_(kFirstBytesANode) {}
+      cost_a_node_{kFirstBytesANode, {}} {}
 
 Result<std::unique_ptr<StreamedPatches>> StreamedPatches::create(
     const Gl& gl, std::shared_ptr<TileSource> source, const StoreNeeds& needs,
@@ -72,11 +79,11 @@ Status StreamedPatches::load_roots() {
   for (std::uint32_t t = 0; t < tiles.size() && samples < kMostFirstSamples; ++t) {
     if (tiles[t].parent != kNoTile || !is_in_view(onlookers_, tiles[t].box, tiles[t].spacing))
       continue;
-    Loaded index = loader_.load({t, std::nullopt});
+    Loaded index = loader_.load({t, std::nullopt, 0});
     if (index.failure) return Error{*index.failure};
     take(index);
     for (std::uint32_t c = 0; c < index.index->chunks.size() && samples < kMostFirstSamples; ++c) {
-      Loaded chunk = loader_.load({t, c});
+      Loaded chunk = loader_.load({t, c, 0});
       if (chunk.failure) return Error{*chunk.failure};
       upload({t, c}, *chunk.chunk);
       samples += index.index->chunks[c].samples;
@@ -95,35 +102,72 @@ Cut StreamedPatches::cut_for(const TilePath& path) const {
                          (first.view.eye - first.transform.translation) / first.transform.scale;
   const CutState state{
       .index = [this](std::uint32_t tile) { return index_of(tile); },
-      .is_there = [this](ChunkKey key) { return residents_.contains(key); },
+      .finest = [this](ChunkKey key) -> std::optional<std::uint32_t> {
+        const auto there = residents_.find(key);
+        if (there == residents_.end()) return std::nullopt;
+        return there->second.finest;
+      },
+      .needed = [this](const ChunkInfo& chunk) { return needed_level(chunk); },
       .sees = [this](const Bounds& box,
                      double spacing) { return is_in_view(onlookers_, box, spacing); },
       .distance = [&eye](const Bounds& box) { return distance_between(eye, box); }};
   return relief::make_cut(source_->tiles(), path, state);
 }
 
-std::uint64_t StreamedPatches::bytes_of(const Cut& cut) const {
-  double bytes = 0.0;
-  for (const ChunkKey key : cut.seen) {
-    const auto known = bytes_.find(key);
-    bytes += known != bytes_.end()
-                 ? static_cast<double>(known->second)
-                 : bytes_a_node_ *
-                       static_cast<double>(index_of(key.tile)->chunks[key.chunk].nodes);
+/// kUsualFinest if no view shows a finer level of any of its patches, otherwise 0.
+std::uint32_t StreamedPatches::needed_level(const ChunkInfo& chunk) const {
+  if (chunk.is_joined) return 0;
+  const double spacing = std::ldexp(chunk.spacing, kUsualFinest);
+  for (std::size_t k = 0; k < onlookers_.size(); ++k) {
+    const Onlooker& onlooker = onlookers_[k];
+    const glm::dvec3 centre = moved(onlooker.transform, 0.5 * (chunk.box.min + chunk.box.max));
+    const double scale = onlooker.transform.scale;
+    const double radius = 0.5 * scale * glm::distance(chunk.box.min, chunk.box.max);
+    if (scale * spacing > level_pixels_[k] * nearest_pixel(onlooker.view, centre, radius))
+      return 0;
   }
-  return static_cast<std::uint64_t>(bytes);
+  return kUsualFinest;
+}
+
+void StreamedPatches::scale(double by, Cost& cost) {
+  cost.all *= by;
+  for (double* bytes : {&cost.maps.heights, &cost.maps.normals, &cost.maps.colours,
+                        &cost.maps.masks})
+    *bytes *= by;
+}
+
+void StreamedPatches::add(const Cost& some, double times, Cost& to) {
+  to.all += times * some.all;
+  to.maps.heights += times * some.maps.heights;
+  to.maps.normals += times * some.maps.normals;
+  to.maps.colours += times * some.maps.colours;
+  to.maps.masks += times * some.maps.masks;
+}
+
+StreamedPatches::Cost StreamedPatches::cost_of(const Cut& cut) const {
+  Cost sum;
+  for (const ChunkKey key : cut.seen) {
+    const auto known = costs_.find(key);
+    if (known != costs_.end())
+      add(known->second, 1.0, sum);
+    else
+      add(cost_a_node_, static_cast<double>(index_of(key.tile)->chunks[key.chunk].nodes), sum);
+  }
+  return sum;
 }
 
 void StreamedPatches::choose(std::span<const RenderSettings> views) {
   onlookers_ = onlookers_of(views, {&source_->where(), 1}, source_->scene().patches);
+  level_pixels_.clear();
+  for (const RenderSettings& view : views)
+    level_pixels_.push_back(pixels_per_sample_of(view) / samples_a_side(view.samples));
 }
 
 /// As fine as the views ask for, or coarser until it fits the budget. What is not known yet of
 /// tiles is asked for before it is found out how much that is.
 void StreamedPatches::make_cut() {
   const std::vector<Onlooker> asked = onlookers_;
-  const auto limit =
-      static_cast<std::uint64_t>(kShareOfBudget * static_cast<double>(budget_.gpu));
+  const double limit = kShareOfBudget * static_cast<double>(budget_.gpu);
   coarser_ = 1.0;
   std::vector<Want> unknown;
   for (int step = 0; step < kMostSteps; ++step, coarser_ *= kCoarserStep) {
@@ -134,7 +178,7 @@ void StreamedPatches::make_cut() {
       std::copy_if(cut_.wanted.begin(), cut_.wanted.end(), std::back_inserter(unknown),
                    [](const Want& want) { return !want.chunk; });
     }
-    if (bytes_of(cut_) <= limit) break;
+    if (cost_of(cut_).all <= limit) break;
   }
   onlookers_ = asked;
   for (const Want& want : unknown) {
@@ -155,6 +199,7 @@ bool StreamedPatches::update(std::span<const RenderSettings> views, double ms) {
   ++updates_;
   choose(views);
   make_cut();
+  reserve();
   bool has_more = false;
   do {
     std::optional<Loaded> loaded = loader_.take();
@@ -184,12 +229,15 @@ bool StreamedPatches::take(Loaded loaded) {
 }
 
 bool StreamedPatches::upload(ChunkKey key, const PatchChunk& chunk) {
-  if (residents_.contains(key)) return false;
+  const auto before = residents_.find(key);
+  if (before != residents_.end() && before->second.finest <= chunk.finest) return false;
   const std::uint64_t bytes = chunk.bytes();
   const auto nodes = static_cast<double>(indices_[key.tile]->chunks[key.chunk].nodes);
-  bytes_[key] = bytes;
-  bytes_a_node_ += kShareOfNews * (static_cast<double>(bytes) / nodes - bytes_a_node_);
-  if (!make_room(bytes)) {
+  const Cost cost{static_cast<double>(bytes), bytes_of(chunk.maps)};
+  costs_[key] = cost;
+  scale(1.0 - kShareOfNews, cost_a_node_);
+  add(cost, kShareOfNews / nodes, cost_a_node_);
+  if (!make_room(chunk)) {
     failed_[{key.tile, key.chunk}] = seconds();
     return true;
   }
@@ -197,30 +245,49 @@ bool StreamedPatches::upload(ChunkKey key, const PatchChunk& chunk) {
   if (!slot) {
     // There is less memory than the budget: do with what there is.
     budget_.gpu = std::max<std::uint64_t>(resident_bytes_, 1);
-    fail({key.tile, key.chunk}, slot.error().message);
+    fail({key.tile, key.chunk, 0}, slot.error().message);
     return true;
   }
-  residents_[key] = {*slot, bytes, updates_, chunk.boxes};
+  if (const auto coarser = residents_.find(key); coarser != residents_.end()) drop(coarser);
+  residents_[key] = {*slot, ++uploads_, bytes, updates_, chunk.finest, chunk.boxes};
   resident_bytes_ += bytes;
   return true;
 }
 
-/// Drops what was not seen for longest. Whether there is room.
-bool StreamedPatches::make_room(std::uint64_t bytes) {
-  const auto limit = static_cast<std::uint64_t>(0.8 * static_cast<double>(budget_.gpu));
-  while (resident_bytes_ + bytes > limit) {
+/// Drops what was not seen for longest: until the chunk fits the budget, and if it can be helped
+/// without larger textures. Whether it fits.
+bool StreamedPatches::make_room(const PatchChunk& chunk) {
+  const auto limit = static_cast<std::uint64_t>(kMostOfBudget * static_cast<double>(budget_.gpu));
+  const std::uint64_t bytes = chunk.bytes();
+  while (resident_bytes_ + bytes > limit || !pool_.has_room(chunk)) {
     const auto oldest = std::ranges::min_element(
         residents_, {}, [](const auto& resident) { return resident.second.last_seen; });
-    if (oldest == residents_.end() || oldest->second.last_seen == updates_) return false;
-    pool_.remove(oldest->second.slot);
-    resident_bytes_ -= oldest->second.bytes;
-    residents_.erase(oldest);
+    if (oldest == residents_.end() || oldest->second.last_seen == updates_)
+      return resident_bytes_ + bytes <= limit;
+    drop(oldest);
   }
   return true;
 }
 
+/// Makes room for what is in view before it is there: growing copies what is.
+void StreamedPatches::reserve() {
+  MapBytes maps = cost_of(cut_).maps;
+  for (double* bytes : {&maps.heights, &maps.normals, &maps.colours, &maps.masks})
+    *bytes *= kReserved;
+  // If it fails, add() will, too, and say so.
+  static_cast<void>(pool_.reserve(maps));
+}
+
+void StreamedPatches::drop(std::map<ChunkKey, Resident>::iterator resident) {
+  pool_.remove(resident->second.slot);
+  resident_bytes_ -= resident->second.bytes;
+  residents_.erase(resident);
+}
+
 bool StreamedPatches::show() {
-  if (cut_.shown == shown_) return false;
+  std::vector<std::uint64_t> numbers;
+  for (const CutPart& part : cut_.shown) numbers.push_back(residents_.at(part.key).number);
+  if (numbers == shown_numbers_ && cut_.shown == shown_) return false;
   std::vector<ShownChunk> chunks;
   for (const CutPart& part : cut_.shown) {
     const Resident& resident = residents_.at(part.key);
@@ -235,6 +302,7 @@ bool StreamedPatches::show() {
   }
   pool_.show(chunks);
   shown_ = cut_.shown;
+  shown_numbers_ = std::move(numbers);
   return true;
 }
 

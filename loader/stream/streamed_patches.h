@@ -65,8 +65,10 @@ class StreamedPatches {
   /// A chunk on the GPU.
   struct Resident {
     ChunkSlot slot = 0;
+    std::uint64_t number = 0;  ///< another one each time something is uploaded
     std::uint64_t bytes = 0;
     std::uint64_t last_seen = 0;  ///< the update in whose view it was
+    std::uint32_t finest = 0;     ///< level that is there
     std::vector<Bounds> boxes;    ///< of its patches
   };
 
@@ -76,11 +78,13 @@ class StreamedPatches {
   void choose(std::span<const RenderSettings> views);
   void make_cut();
   [[nodiscard]] Cut cut_for(const TilePath& path) const;
-  [[nodiscard]] std::uint64_t bytes_of(const Cut& cut) const;
+  [[nodiscard]] std::uint32_t needed_level(const ChunkInfo& chunk) const;
+  void reserve();
   [[nodiscard]] const TileIndex* index_of(std::uint32_t tile) const;
   bool take(Loaded loaded);
   bool upload(ChunkKey key, const PatchChunk& chunk);
-  bool make_room(std::uint64_t bytes);
+  bool make_room(const PatchChunk& chunk);
+  void drop(std::map<ChunkKey, Resident>::iterator resident);
   bool show();
   void ask();
   void fail(const Want& want, std::string message);
@@ -92,13 +96,24 @@ class StreamedPatches {
   std::vector<std::shared_ptr<const TileIndex>> indices_;  ///< by tile
   std::map<ChunkKey, Resident> residents_;
   std::uint64_t resident_bytes_ = 0;
-  std::map<ChunkKey, std::uint64_t> bytes_;  ///< of each chunk that was there once
-  double bytes_a_node_;                      ///< of these, a mean
+  /// What chunks take on the GPU.
+  struct Cost {
+    double all = 0.0;
+    MapBytes maps = {};
+  };
+  static void scale(double by, Cost& cost);
+  static void add(const Cost& some, double times, Cost& to);
+  [[nodiscard]] Cost cost_of(const Cut& cut) const;
+  std::map<ChunkKey, Cost> costs_;  ///< of each that was there once
+  Cost cost_a_node_;                ///< of these, a mean
 
   std::vector<Onlooker> onlookers_;
+  std::vector<double> level_pixels_;  ///< by onlooker: how far apart samples of levels may be seen
   double coarser_ = 1.0;
   Cut cut_;
   std::vector<CutPart> shown_;
+  std::vector<std::uint64_t> shown_numbers_;  ///< Resident::number of each
+  std::uint64_t uploads_ = 0;
   std::vector<Want> asked_;
   std::uint64_t updates_ = 0;
 

@@ -107,6 +107,7 @@ Loaded TileLoader::read(const Want& want) {
     if (const auto found = indices_.find(want.tile); found != indices_.end())
       index = found->second;
     if (want.chunk) loaded.chunk = cache_.get({want.tile, *want.chunk});
+    if (loaded.chunk && loaded.chunk->finest > want.finest) loaded.chunk = nullptr;
     if (loaded.chunk) ++counts_.cached;
   }
   if (loaded.chunk) return loaded;
@@ -118,7 +119,8 @@ Loaded TileLoader::read(const Want& want) {
     if (!want.chunk) return {};
     const ChunkKey key{want.tile, *want.chunk};
     RELIEF_TRY_ASSIGN(PatchChunk chunk,
-                      source_->read_chunk(key, index->chunks[key.chunk], needs_, limits_));
+                      source_->read_chunk(key, index->chunks[key.chunk], needs_, limits_,
+                                          want.finest));
     loaded.chunk = std::make_shared<const PatchChunk>(std::move(chunk));
     return {};
   };

@@ -12,6 +12,7 @@
 #include <set>
 #include <string>
 #include <thread>
+#include <tuple>
 #include <vector>
 
 #include "common/error.h"
@@ -71,7 +72,7 @@ class TileLoader {
  private:
   struct Order {
     bool operator()(const Want& a, const Want& b) const {
-      return std::pair(a.tile, a.chunk) < std::pair(b.tile, b.chunk);
+      return std::tie(a.tile, a.chunk, a.finest) < std::tie(b.tile, b.chunk, b.finest);
     }
   };
   void run(const std::stop_token& stop);

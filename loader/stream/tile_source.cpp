@@ -105,7 +105,8 @@ Result<TileIndex> TileSource::read_index(std::uint32_t tile) {
 }
 
 Result<PatchChunk> TileSource::read_chunk(ChunkKey key, const ChunkInfo& chunk,
-                                          const StoreNeeds& needs, const StoreLimits& limits) {
+                                          const StoreNeeds& needs, const StoreLimits& limits,
+                                          std::uint32_t finest) {
   RELIEF_TRY_ASSIGN(const auto file, file_of(key.tile));
   const std::vector<std::uint64_t> numbers(chunk.patches.begin(), chunk.patches.end());
   RELIEF_TRY(fits_memory(file->name(), kPreparing * file->decoded_bytes(numbers)));
@@ -131,7 +132,7 @@ Result<PatchChunk> TileSource::read_chunk(ChunkKey key, const ChunkInfo& chunk,
   }
   if (const Status placed = transform_model(model, where_); !placed)
     return make_error("{}: {}", file->name(), placed.error().message);
-  RELIEF_TRY_ASSIGN(PatchChunk made, prepare_chunk(model, ids, needs, limits));
+  RELIEF_TRY_ASSIGN(PatchChunk made, prepare_chunk(model, ids, needs, limits, finest));
   made.boxes = std::move(boxes);
   return made;
 }

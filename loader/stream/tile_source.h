@@ -39,10 +39,10 @@ class TileSource {
   /// Reads the index of a tile. Errors are sentences that begin with the file's name.
   Result<TileIndex> read_index(std::uint32_t tile);
 
-  /// Reads a chunk of a tile and prepares it for the GPU. The chunk's boxes are in the file's
+  /// Reads a chunk of a tile and prepares its levels from `finest` on for the GPU. The chunk's boxes are in the file's
   /// frame.
   Result<PatchChunk> read_chunk(ChunkKey key, const ChunkInfo& chunk, const StoreNeeds& needs,
-                                const StoreLimits& limits);
+                                const StoreLimits& limits, std::uint32_t finest);
 
  private:
   using FileTime = std::filesystem::file_time_type;

@@ -19,9 +19,10 @@ bool has_one_material(const PatchModel& model) {
          });
 }
 
-std::vector<std::uint32_t> all_levels_of(const PatchExtent& extent) {
-  std::vector<std::uint32_t> levels(extent.levels);
-  std::iota(levels.begin(), levels.end(), 0U);
+std::vector<std::uint32_t> all_levels_of(const PatchExtent& extent, std::uint32_t finest) {
+  const std::uint32_t first = std::min(finest, extent.levels - 1);
+  std::vector<std::uint32_t> levels(extent.levels - first);
+  std::iota(levels.begin(), levels.end(), first);
   return levels;
 }
 
@@ -63,6 +64,7 @@ ModelCollector::ModelCollector(const StoreLimits& limits, const PatchModel& mode
       needs_(needs),
       views_(views.views),
       all_levels_(views.all_levels),
+      finest_(views.finest),
       grids_(limits, model, needs),
       proxies_(limits),
       seams_(limits, model, needs.cells, needs.masks) {
@@ -143,7 +145,7 @@ Status ModelCollector::add_near(const Instance& instance, std::span<const View> 
     const std::size_t p = instance.first + k;
     const PatchExtent extent = measured_extent(instance, p, views);
     const std::vector<std::uint32_t> kept =
-        all_levels_ ? all_levels_of(extent) : levels_in(views, extent);
+        all_levels_ ? all_levels_of(extent, finest_) : levels_in(views, extent);
     out_.levels.push_back({extent, static_cast<std::uint32_t>(out_.patches.size()),
                        static_cast<std::uint32_t>(kept.size())});
     const std::uint8_t material =

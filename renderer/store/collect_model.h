@@ -90,6 +90,7 @@ class ModelCollector {
   const StoreNeeds& needs_;
   std::span<const View> views_;
   bool all_levels_;
+  std::uint32_t finest_;
   CollectedModel out_;
   GridUpload grids_;
   ProxyUpload proxies_;

@@ -7,7 +7,7 @@ namespace relief {
 namespace {
 
 /// Of a layer, unless a band is higher.
-constexpr std::uint32_t kLayerRows = 1024;
+constexpr std::uint32_t kLayerRows = 2048;
 
 }  // namespace
 
@@ -22,9 +22,16 @@ std::optional<AtlasSpot> MapArrayPool::find_room(std::uint32_t rows) {
   return std::nullopt;
 }
 
-Status MapArrayPool::grow(const MapBand& band, std::optional<Texture>& texture) {
-  const std::uint32_t width = std::max(width_, band.width);
-  const std::uint32_t rows = std::max({rows_, band.height, kLayerRows});
+bool MapArrayPool::has_room(const MapBand& band) const {
+  return band.width <= width_ && std::any_of(layers_.begin(), layers_.end(), [&](const Spans& l) {
+           return l.has(band.height);
+         });
+}
+
+Status MapArrayPool::grow(std::uint32_t width, std::uint32_t rows, std::uint32_t more_layers,
+                          std::optional<Texture>& texture) {
+  width = std::max(width, width_);
+  rows = std::max({rows, rows_, kLayerRows});
   const auto before = static_cast<std::uint32_t>(layers_.size());
   const auto most = static_cast<std::uint32_t>(get_limit(gl_, GL_MAX_ARRAY_TEXTURE_LAYERS));
   const auto largest = static_cast<std::uint32_t>(get_limit(gl_, GL_MAX_TEXTURE_SIZE));
@@ -34,8 +41,7 @@ Status MapArrayPool::grow(const MapBand& band, std::optional<Texture>& texture) 
         "--gpu-memory",
         format_.label, largest, most);
   }
-  // By a quarter: copying costs less than memory that nobody uses.
-  const std::uint32_t layers = std::min(most, before + 1 + before / 4);
+  const std::uint32_t layers = std::min(most, before + more_layers);
   RELIEF_TRY_ASSIGN(Texture larger, make_map_array(gl_, format_, {width, rows}, layers));
   if (texture && before > 0) {
     gl_.CopyImageSubData(texture->id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, larger.id(),
@@ -50,11 +56,19 @@ Status MapArrayPool::grow(const MapBand& band, std::optional<Texture>& texture) 
   return {};
 }
 
+Result<bool> MapArrayPool::reserve(std::uint64_t bytes, std::optional<Texture>& texture) {
+  const std::uint64_t layer = std::uint64_t{width_} * std::max(rows_, kLayerRows) * texel_bytes_;
+  const std::uint64_t layers = (bytes + layer - 1) / layer;
+  if (layers <= layers_.size()) return false;
+  RELIEF_TRY(grow(width_, rows_, static_cast<std::uint32_t>(layers - layers_.size()), texture));
+  return true;
+}
+
 Result<AtlasSpot> MapArrayPool::add(const MapBand& band, std::optional<Texture>& texture) {
   std::optional<AtlasSpot> spot;
   if (band.width <= width_) spot = find_room(band.height);
   if (!spot) {
-    RELIEF_TRY(grow(band, texture));
+    RELIEF_TRY(grow(band.width, band.height, 1, texture));
     spot = find_room(band.height);
   }
   gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);

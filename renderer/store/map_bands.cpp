@@ -52,6 +52,13 @@ PackedMaps pack(const PatchList& patches, std::uint32_t width, std::uint32_t rin
 
 }  // namespace
 
+MapBytes bytes_of(const MapBands& bands) {
+  const auto of = [](const std::optional<MapBand>& band) {
+    return band ? static_cast<double>(band->texels.size()) : 0.0;
+  };
+  return {of(bands.heights), of(bands.normals), of(bands.colours), of(bands.masks)};
+}
+
 PackedMaps pack_heights(const PatchList& patches) {
   return pack(patches, kBandWidth, 0, [](const Patch& patch) { return padded_heights(patch); });
 }

@@ -32,6 +32,16 @@ struct MapBands {
   std::optional<MapBand> masks;
 };
 
+/// Bytes of the texels of each.
+struct MapBytes {
+  double heights = 0.0;
+  double normals = 0.0;
+  double colours = 0.0;
+  double masks = 0.0;
+};
+
+[[nodiscard]] MapBytes bytes_of(const MapBands& bands);
+
 /// A band, and where texel (0, 0) of each patch's map lies in it; layers are 0.
 struct PackedMaps {
   MapBand band;

@@ -25,12 +25,15 @@ std::uint64_t PatchChunk::bytes() const {
 }
 
 Result<PatchChunk> prepare_chunk(const PatchModel& model, std::span<const std::uint32_t> ids,
-                                 const StoreNeeds& needs, const StoreLimits& limits) {
-  const UploadViews views{{}, true};
+                                 const StoreNeeds& needs, const StoreLimits& limits,
+                                 std::uint32_t finest) {
+  if (!model.joined.empty()) finest = 0;
+  const UploadViews views{{}, true, finest};
   ModelCollector collector(limits, model, needs, views);
   const auto count = static_cast<std::uint32_t>(model.patches.size());
   RELIEF_TRY(collector.add({0, count, {}, 0, model.is_closed}));
   PatchChunk chunk;
+  chunk.finest = finest;
   chunk.maps = collector.grids().make_bands();
   RELIEF_TRY(collector.add_seam_blocks());
   chunk.table = collector.table();

@@ -88,10 +88,10 @@ PatchPool::PatchPool(const Gl& gl, const StoreNeeds& needs, const PooledModel& m
       model_(model),
       store_{.table = enlarged_table<shared::PatchInfo>(gl, "patch table", GL_RGBA32I, nullptr, 0,
                                                         1)},
-      heights_(gl, height_format(), sizeof(std::uint16_t)),
-      normals_(gl, normal_format(), sizeof(glm::i16vec2)),
-      colours_(gl, colour_format(model.nearest_colours), sizeof(glm::u8vec4)),
-      masks_(gl, mask_format(), sizeof(std::uint8_t)),
+      heights_(gl, height_format(), sizeof(std::uint16_t), kBandWidth),
+      normals_(gl, normal_format(), sizeof(glm::i16vec2), kBandWidth),
+      colours_(gl, colour_format(model.nearest_colours), sizeof(glm::u8vec4), kColourBandWidth),
+      masks_(gl, mask_format(), sizeof(std::uint8_t), kBandWidth),
       widest_(kUsualSide) {
   reserve_rows(kFirstRows);
   // The first row is of no patch: parts that are free belong to it.
@@ -159,6 +159,28 @@ Result<ChunkSlot> PatchPool::add(const PatchChunk& chunk) {
   else
     *free = std::move(resident);
   return slot;
+}
+
+bool PatchPool::has_room(const PatchChunk& chunk) const {
+  const auto fits = [](const std::optional<MapBand>& band, const MapArrayPool& pool) {
+    return !band || pool.has_room(*band);
+  };
+  return fits(chunk.maps.heights, heights_) && fits(chunk.maps.normals, normals_) &&
+         fits(chunk.maps.colours, colours_) && fits(chunk.maps.masks, masks_);
+}
+
+Status PatchPool::reserve(const MapBytes& bytes) {
+  const auto reserve = [](double wanted, MapArrayPool& pool, std::optional<Texture>& texture) {
+    return pool.reserve(static_cast<std::uint64_t>(wanted), texture);
+  };
+  RELIEF_TRY_ASSIGN(bool grown, reserve(bytes.colours, colours_, store_.colours));
+  if (grown) return {};
+  RELIEF_TRY_ASSIGN(grown, reserve(bytes.normals, normals_, store_.normals));
+  if (grown) return {};
+  RELIEF_TRY_ASSIGN(grown, reserve(bytes.masks, masks_, store_.masks));
+  if (grown) return {};
+  RELIEF_TRY_ASSIGN(grown, reserve(bytes.heights, heights_, store_.heights));
+  return {};
 }
 
 Status PatchPool::place(const PatchChunk& chunk, Resident& resident) {

@@ -110,7 +110,8 @@ struct PatchStore {
 /// The views that a model is uploaded for.
 struct UploadViews {
   std::span<const View> views = {};
-  bool all_levels = false;  ///< also those that none of the views chooses
+  bool all_levels = false;   ///< also those that none of the views chooses
+  std::uint32_t finest = 0;  ///< of all levels; of patches that have none as coarse their coarsest
 };
 
 /// Uploads a model, of each patch the levels that the views choose; the patches themselves without

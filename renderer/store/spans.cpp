@@ -1,5 +1,6 @@
 #include "renderer/store/spans.h"
 
+#include <algorithm>
 #include <cassert>
 #include <iterator>
 
@@ -16,6 +17,11 @@ std::optional<std::uint32_t> Spans::take(std::uint32_t count) {
     return first;
   }
   return std::nullopt;
+}
+
+bool Spans::has(std::uint32_t count) const {
+  return count == 0 || std::any_of(gaps_.begin(), gaps_.end(),
+                                   [count](const auto& gap) { return gap.second >= count; });
 }
 
 void Spans::give(std::uint32_t first, std::uint32_t count) {

@@ -16,6 +16,9 @@ class Spans {
   /// are at 0.
   [[nodiscard]] std::optional<std::uint32_t> take(std::uint32_t count);
 
+  /// Whether take() would return a place.
+  [[nodiscard]] bool has(std::uint32_t count) const;
+
   /// Gives back what take() returned for that count.
   void give(std::uint32_t first, std::uint32_t count);
 
