@@ -14,16 +14,21 @@
 namespace relief {
 namespace {
 
-/// A guess before the first chunk: normals, colours at two texels a cell, levels of cells.
-constexpr double kFirstBytesANode = 32.0;
+/// Room for a map over its texels.
+constexpr double kPacking = 1.2;
+/// All levels of a patch over the finest.
+constexpr double kLevels = 4.0 / 3.0;
+/// Of cells, with what the CPU keeps of them: 6 from kUsualFinest on, 11 with all levels.
+constexpr double kCellBytesANode = 9.0;
 /// What a chunk counts for in the mean.
 constexpr double kShareOfNews = 0.1;
 
-/// The pool's arrays grow ahead of what is in them.
-constexpr double kShareOfBudget = 0.75;
-constexpr double kMostOfBudget = 0.8;
-/// Room in textures for what is in view, over what that takes: bands leave gaps.
-constexpr double kReserved = 1.1;
+/// Of each kind of memory this much is used: chunks come and go, and leave gaps.
+constexpr double kFill = 0.88;
+/// It is less if there are more gaps than that.
+constexpr double kLessFill = 0.95;
+/// A file that needs less than the budget gets no more, and this for gaps.
+constexpr double kSlack = 1.4;
 
 /// What a view needs may be made coarser by so much at each try.
 constexpr double kCoarserStep = 1.2;
@@ -60,7 +65,7 @@ StreamedPatches::StreamedPatches(const Gl& gl, std::shared_ptr<TileSource> sourc
       loader_(source_, needs, store_limits(gl), {budget.memory / 4, budget.memory - budget.memory / 4},
               std::move(wake)),
       indices_(source_->tiles().size()),
-      cost_a_node_{kFirstBytesANode, {}} {}
+      fill_(kFill) {}
 
 Result<std::unique_ptr<StreamedPatches>> StreamedPatches::create(
     const Gl& gl, std::shared_ptr<TileSource> source, const StoreNeeds& needs,
@@ -68,8 +73,11 @@ Result<std::unique_ptr<StreamedPatches>> StreamedPatches::create(
   std::unique_ptr<StreamedPatches> made(
       new StreamedPatches(gl, std::move(source), needs, budget, std::move(wake)));
   made->choose(views);
+  made->plan(needs);
   RELIEF_TRY(made->load_roots());
-  made->update(views, 0.0);
+  made->make_cut();
+  made->show();
+  made->ask();
   return made;
 }
 
@@ -77,15 +85,14 @@ Status StreamedPatches::load_roots() {
   std::uint64_t samples = 0;
   const std::span<const TreeTile> tiles = source_->tiles();
   for (std::uint32_t t = 0; t < tiles.size() && samples < kMostFirstSamples; ++t) {
-    if (tiles[t].parent != kNoTile || !is_in_view(onlookers_, tiles[t].box, tiles[t].spacing))
-      continue;
+    if (tiles[t].parent != kNoTile) continue;
     Loaded index = loader_.load({t, std::nullopt, 0});
     if (index.failure) return Error{*index.failure};
     take(index);
     for (std::uint32_t c = 0; c < index.index->chunks.size() && samples < kMostFirstSamples; ++c) {
       Loaded chunk = loader_.load({t, c, 0});
       if (chunk.failure) return Error{*chunk.failure};
-      upload({t, c}, *chunk.chunk);
+      add({t, c}, *chunk.chunk);
       samples += index.index->chunks[c].samples;
     }
   }
@@ -136,7 +143,7 @@ void StreamedPatches::scale(double by, Cost& cost) {
     *bytes *= by;
 }
 
-void StreamedPatches::add(const Cost& some, double times, Cost& to) {
+void StreamedPatches::sum_up(const Cost& some, double times, Cost& to) {
   to.all += times * some.all;
   to.maps.heights += times * some.maps.heights;
   to.maps.normals += times * some.maps.normals;
@@ -149,9 +156,9 @@ StreamedPatches::Cost StreamedPatches::cost_of(const Cut& cut) const {
   for (const ChunkKey key : cut.seen) {
     const auto known = costs_.find(key);
     if (known != costs_.end())
-      add(known->second, 1.0, sum);
+      sum_up(known->second, 1.0, sum);
     else
-      add(cost_a_node_, static_cast<double>(index_of(key.tile)->chunks[key.chunk].nodes), sum);
+      sum_up(cost_a_node_, static_cast<double>(index_of(key.tile)->chunks[key.chunk].nodes), sum);
   }
   return sum;
 }
@@ -167,7 +174,6 @@ void StreamedPatches::choose(std::span<const RenderSettings> views) {
 /// tiles is asked for before it is found out how much that is.
 void StreamedPatches::make_cut() {
   const std::vector<Onlooker> asked = onlookers_;
-  const double limit = kShareOfBudget * static_cast<double>(budget_.gpu);
   coarser_ = 1.0;
   std::vector<Want> unknown;
   for (int step = 0; step < kMostSteps; ++step, coarser_ *= kCoarserStep) {
@@ -178,7 +184,7 @@ void StreamedPatches::make_cut() {
       std::copy_if(cut_.wanted.begin(), cut_.wanted.end(), std::back_inserter(unknown),
                    [](const Want& want) { return !want.chunk; });
     }
-    if (cost_of(cut_).all <= limit) break;
+    if (fits(cost_of(cut_))) break;
   }
   onlookers_ = asked;
   for (const Want& want : unknown) {
@@ -199,13 +205,17 @@ bool StreamedPatches::update(std::span<const RenderSettings> views, double ms) {
   ++updates_;
   choose(views);
   make_cut();
-  reserve();
+  if (!has_room_) {
+    const auto reserved = pool_.reserve(room_.maps);
+    // If there is less memory than the budget, adding chunks will say so.
+    has_room_ = !reserved || *reserved;
+  }
   bool has_more = false;
-  do {
+  while (has_room_ && (!has_more || 1000.0 * (seconds() - start) < ms)) {
     std::optional<Loaded> loaded = loader_.take();
     if (!loaded) break;
     has_more |= take(*std::move(loaded));
-  } while (1000.0 * (seconds() - start) < ms);
+  }
   if (has_more) make_cut();
   const bool changes = show();
   ask();
@@ -231,56 +241,83 @@ bool StreamedPatches::take(Loaded loaded) {
 bool StreamedPatches::upload(ChunkKey key, const PatchChunk& chunk) {
   const auto before = residents_.find(key);
   if (before != residents_.end() && before->second.finest <= chunk.finest) return false;
-  const std::uint64_t bytes = chunk.bytes();
-  const auto nodes = static_cast<double>(indices_[key.tile]->chunks[key.chunk].nodes);
-  const Cost cost{static_cast<double>(bytes), bytes_of(chunk.maps)};
+  const Cost cost{static_cast<double>(chunk.bytes()), bytes_of(chunk.maps)};
   costs_[key] = cost;
   scale(1.0 - kShareOfNews, cost_a_node_);
-  add(cost, kShareOfNews / nodes, cost_a_node_);
-  if (!make_room(chunk)) {
-    failed_[{key.tile, key.chunk}] = seconds();
-    return true;
-  }
+  const auto nodes = static_cast<double>(indices_[key.tile]->chunks[key.chunk].nodes);
+  sum_up(cost, kShareOfNews / nodes, cost_a_node_);
+  if (make_room(chunk)) return add(key, chunk);
+  // The next cut is coarser, and may have no more need of it.
+  failed_[key_of({key.tile, key.chunk, 0})] = seconds();
+  return true;
+}
+
+bool StreamedPatches::add(ChunkKey key, const PatchChunk& chunk) {
+  const Cost cost{static_cast<double>(chunk.bytes()), bytes_of(chunk.maps)};
+  costs_[key] = cost;
   const auto slot = pool_.add(chunk);
   if (!slot) {
     // There is less memory than the budget: do with what there is.
-    budget_.gpu = std::max<std::uint64_t>(resident_bytes_, 1);
+    fill_ *= kLessFill;
     fail({key.tile, key.chunk, 0}, slot.error().message);
     return true;
   }
   if (const auto coarser = residents_.find(key); coarser != residents_.end()) drop(coarser);
-  residents_[key] = {*slot, ++uploads_, bytes, updates_, chunk.finest, chunk.boxes};
-  resident_bytes_ += bytes;
+  const double rest = cost.all - sum_of(cost.maps);
+  residents_[key] = {*slot, ++uploads_, rest, updates_, chunk.finest, chunk.boxes};
+  resident_rest_ += rest;
   return true;
 }
 
-/// Drops what was not seen for longest: until the chunk fits the budget, and if it can be helped
-/// without larger textures. Whether it fits.
+/// Drops what was not seen for longest until the chunk fits. Whether it does.
 bool StreamedPatches::make_room(const PatchChunk& chunk) {
-  const auto limit = static_cast<std::uint64_t>(kMostOfBudget * static_cast<double>(budget_.gpu));
-  const std::uint64_t bytes = chunk.bytes();
-  while (resident_bytes_ + bytes > limit || !pool_.has_room(chunk)) {
+  const double rest = static_cast<double>(chunk.bytes()) - sum_of(bytes_of(chunk.maps));
+  while (!pool_.has_room(chunk) || resident_rest_ + rest > room_.all - sum_of(room_.maps)) {
     const auto oldest = std::ranges::min_element(
         residents_, {}, [](const auto& resident) { return resident.second.last_seen; });
-    if (oldest == residents_.end() || oldest->second.last_seen == updates_)
-      return resident_bytes_ + bytes <= limit;
+    if (oldest == residents_.end() || oldest->second.last_seen == updates_) {
+      fill_ *= kLessFill;
+      return false;
+    }
     drop(oldest);
   }
   return true;
 }
 
-/// Makes room for what is in view before it is there: growing copies what is.
-void StreamedPatches::reserve() {
-  MapBytes maps = cost_of(cut_).maps;
-  for (double* bytes : {&maps.heights, &maps.normals, &maps.colours, &maps.masks})
-    *bytes *= kReserved;
-  // If it fails, add() will, too, and say so.
-  static_cast<void>(pool_.reserve(maps));
+double StreamedPatches::sum_of(const MapBytes& maps) {
+  return maps.heights + maps.normals + maps.colours + maps.masks;
+}
+
+/// Divides the budget as the finest patches need it.
+void StreamedPatches::plan(const StoreNeeds& needs) {
+  const PatchKind& kind = source_->kind();
+  const auto texels = [](std::uint32_t a_cell) { return double(a_cell) * a_cell * kPacking; };
+  MapBytes& maps = cost_a_node_.maps;
+  maps.masks = needs.masks ? texels(1) : 0.0;
+  maps.normals = needs.normals ? texels(kind.normal_texels) * sizeof(glm::i16vec2) : 0.0;
+  maps.colours = needs.colours ? texels(kind.colour_texels) * sizeof(glm::u8vec4) : 0.0;
+  maps.heights = needs.heights ? kLevels * texels(1) * sizeof(std::uint16_t) : 0.0;
+  cost_a_node_.all = sum_of(maps) + (needs.cells ? kCellBytesANode : 0.0) +
+                     (needs.splats ? kLevels * sizeof(SampleRecord) / kind.nodes_a_sample : 0.0);
+  double nodes = 0.0;
+  for (const TreeTile& tile : source_->tiles())
+    nodes += kind.nodes_a_sample * static_cast<double>(tile.samples);
+  const double wanted = kSlack * nodes;
+  const double allowed = static_cast<double>(budget_.gpu) / cost_a_node_.all;
+  room_ = cost_a_node_;
+  scale(std::min(wanted, allowed), room_);
+}
+
+bool StreamedPatches::fits(const Cost& cost) const {
+  const auto fit = [this](double bytes, double room) { return bytes <= fill_ * room; };
+  return fit(cost.maps.heights, room_.maps.heights) && fit(cost.maps.normals, room_.maps.normals) &&
+         fit(cost.maps.colours, room_.maps.colours) && fit(cost.maps.masks, room_.maps.masks) &&
+         fit(cost.all - sum_of(cost.maps), room_.all - sum_of(room_.maps));
 }
 
 void StreamedPatches::drop(std::map<ChunkKey, Resident>::iterator resident) {
   pool_.remove(resident->second.slot);
-  resident_bytes_ -= resident->second.bytes;
+  resident_rest_ -= resident->second.rest;
   residents_.erase(resident);
 }
 

@@ -22,7 +22,7 @@ namespace relief {
 /// Bytes that a stream may take.
 struct StreamBudget {
   std::uint64_t memory = std::uint64_t{256} << 20U;  ///< of chunks that were read
-  std::uint64_t gpu = std::uint64_t{1} << 30U;       ///< of chunks on the GPU
+  std::uint64_t gpu = std::uint64_t{1} << 30U;       ///< of the GPU
 };
 
 /// How far a stream is.
@@ -66,10 +66,16 @@ class StreamedPatches {
   struct Resident {
     ChunkSlot slot = 0;
     std::uint64_t number = 0;  ///< another one each time something is uploaded
-    std::uint64_t bytes = 0;
+    double rest = 0.0;         ///< bytes beside maps
     std::uint64_t last_seen = 0;  ///< the update in whose view it was
     std::uint32_t finest = 0;     ///< level that is there
     std::vector<Bounds> boxes;    ///< of its patches
+  };
+
+  /// What chunks take on the GPU.
+  struct Cost {
+    double all = 0.0;
+    MapBytes maps = {};
   };
 
   StreamedPatches(const Gl& gl, std::shared_ptr<TileSource> source, const StoreNeeds& needs,
@@ -79,10 +85,12 @@ class StreamedPatches {
   void make_cut();
   [[nodiscard]] Cut cut_for(const TilePath& path) const;
   [[nodiscard]] std::uint32_t needed_level(const ChunkInfo& chunk) const;
-  void reserve();
+  void plan(const StoreNeeds& needs);
+  [[nodiscard]] bool fits(const Cost& cost) const;
   [[nodiscard]] const TileIndex* index_of(std::uint32_t tile) const;
   bool take(Loaded loaded);
   bool upload(ChunkKey key, const PatchChunk& chunk);
+  bool add(ChunkKey key, const PatchChunk& chunk);
   bool make_room(const PatchChunk& chunk);
   void drop(std::map<ChunkKey, Resident>::iterator resident);
   bool show();
@@ -95,17 +103,16 @@ class StreamedPatches {
   TileLoader loader_;
   std::vector<std::shared_ptr<const TileIndex>> indices_;  ///< by tile
   std::map<ChunkKey, Resident> residents_;
-  std::uint64_t resident_bytes_ = 0;
-  /// What chunks take on the GPU.
-  struct Cost {
-    double all = 0.0;
-    MapBytes maps = {};
-  };
+  double resident_rest_ = 0.0;
   static void scale(double by, Cost& cost);
-  static void add(const Cost& some, double times, Cost& to);
+  static void sum_up(const Cost& some, double times, Cost& to);
   [[nodiscard]] Cost cost_of(const Cut& cut) const;
+  [[nodiscard]] static double sum_of(const MapBytes& maps);
   std::map<ChunkKey, Cost> costs_;  ///< of each that was there once
   Cost cost_a_node_;                ///< of these, a mean
+  Cost room_;                       ///< what the budget is divided into
+  bool has_room_ = false;           ///< the pool's textures are as large as that
+  double fill_;                     ///< how much of it can be filled
 
   std::vector<Onlooker> onlookers_;
   std::vector<double> level_pixels_;  ///< by onlooker: how far apart samples of levels may be seen

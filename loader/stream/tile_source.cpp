@@ -59,8 +59,7 @@ Result<std::shared_ptr<TileSource>> TileSource::open(const ScenePlan& plan) {
   }
   LoadedFile file;
   file.patches = made->tree_.extent();
-  RELIEF_TRY_ASSIGN(const auto first, made->file_of(0));
-  file.patches.has_colours = has(first->info(), "colour");
+  RELIEF_TRY(made->look_at_finest(file.patches));
   SceneAssembler assembler(false);
   RELIEF_TRY(for_each_use(plan.models, [&](const auto& /*path*/, const FileUse& use) {
     made->where_ = use.where;
@@ -71,6 +70,21 @@ Result<std::shared_ptr<TileSource>> TileSource::open(const ScenePlan& plan) {
   made->scene_.patches.stance = made->tree_.extent().stance;
   made->box_ = box_of(made->tiles(), made->where_);
   return made;
+}
+
+Status TileSource::look_at_finest(PatchModel& extent) {
+  const auto tile = static_cast<std::uint32_t>(tiles().size() - 1);
+  RELIEF_TRY_ASSIGN(const auto file, file_of(tile));
+  extent.has_colours = has(file->info(), "colour");
+  const std::vector<PatchSummary>& patches = file->patches();
+  if (patches.empty()) return {};
+  RELIEF_TRY_ASSIGN(const Patch patch, file->read_patch(patches.size() / 2));
+  std::uint64_t nodes = 0;
+  for (const PatchSummary& p : patches) nodes += std::uint64_t{p.width} * p.height;
+  const auto samples = static_cast<double>(std::max<std::uint64_t>(file->info().samples, 1));
+  kind_ = {static_cast<double>(nodes) / samples, std::max(patch.normals.scale, 1U),
+           std::max(patch.colours.scale, 1U)};
+  return {};
 }
 
 Status TileSource::check_unchanged() const {

@@ -21,11 +21,18 @@
 
 namespace relief {
 
+/// What the finest patches of a file are like, by one of them.
+struct PatchKind {
+  double nodes_a_sample = 2.0;
+  std::uint32_t normal_texels = 1;  ///< a cell along a side
+  std::uint32_t colour_texels = 1;
+};
+
 /// An open file. Thread-safe but for its construction.
 class TileSource {
  public:
   /// Opens the file of a plan, if it is all that the plan shows and has tiles; otherwise null.
-  /// Reads the list of tiles and the index of the first one. Fails as PatchTree::open() does.
+  /// Reads the list of tiles, the index of the last one and one of its patches. Fails as PatchTree::open() does.
   static Result<std::shared_ptr<TileSource>> open(const ScenePlan& plan);
 
   [[nodiscard]] std::span<const TreeTile> tiles() const { return tree_.tiles(); }
@@ -33,6 +40,7 @@ class TileSource {
   [[nodiscard]] const Transform& where() const { return where_; }
   /// The scene without patches: bounds and attributes of all of it.
   [[nodiscard]] const LoadedScene& scene() const { return scene_; }
+  [[nodiscard]] const PatchKind& kind() const { return kind_; }
   /// A box about all that can be drawn of it, world.
   [[nodiscard]] const Bounds& box() const { return box_; }
 
@@ -51,6 +59,7 @@ class TileSource {
       : path_(std::move(path)), tree_(std::move(tree)) {}
   Result<std::shared_ptr<const PatchFile>> file_of(std::uint32_t tile);
   Status check_unchanged() const;
+  Status look_at_finest(PatchModel& extent);
 
   std::filesystem::path path_;
   PatchTree tree_;
@@ -58,6 +67,7 @@ class TileSource {
   std::uint8_t material_ = 0;
   LoadedScene scene_;
   Bounds box_;
+  PatchKind kind_;
   FileTime time_;
   std::vector<std::uint32_t> first_ids_;  ///< by tile: the patch id of its first
 

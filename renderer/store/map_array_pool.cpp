@@ -23,9 +23,10 @@ std::optional<AtlasSpot> MapArrayPool::find_room(std::uint32_t rows) {
 }
 
 bool MapArrayPool::has_room(const MapBand& band) const {
-  return band.width <= width_ && std::any_of(layers_.begin(), layers_.end(), [&](const Spans& l) {
-           return l.has(band.height);
-         });
+  // No layer has room for what is wider or higher than all: the texture has to grow.
+  return band.width > width_ || band.height > rows_ ||
+         std::any_of(layers_.begin(), layers_.end(),
+                     [&](const Spans& layer) { return layer.has(band.height); });
 }
 
 Status MapArrayPool::grow(std::uint32_t width, std::uint32_t rows, std::uint32_t more_layers,

@@ -27,7 +27,7 @@ class MapArrayPool {
   /// allows no array as large; then nothing has changed.
   Result<AtlasSpot> add(const MapBand& band, std::optional<Texture>& texture);
 
-  /// Whether add() would take the band without growing.
+  /// Whether add() would take the band without growing, or will grow whatever else is dropped.
   [[nodiscard]] bool has_room(const MapBand& band) const;
 
   /// Grows, if need be, to so many bytes. Returns whether it did. Fails as add() does.

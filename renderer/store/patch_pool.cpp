@@ -169,18 +169,18 @@ bool PatchPool::has_room(const PatchChunk& chunk) const {
          fits(chunk.maps.colours, colours_) && fits(chunk.maps.masks, masks_);
 }
 
-Status PatchPool::reserve(const MapBytes& bytes) {
+Result<bool> PatchPool::reserve(const MapBytes& bytes) {
   const auto reserve = [](double wanted, MapArrayPool& pool, std::optional<Texture>& texture) {
     return pool.reserve(static_cast<std::uint64_t>(wanted), texture);
   };
   RELIEF_TRY_ASSIGN(bool grown, reserve(bytes.colours, colours_, store_.colours));
-  if (grown) return {};
+  if (grown) return false;
   RELIEF_TRY_ASSIGN(grown, reserve(bytes.normals, normals_, store_.normals));
-  if (grown) return {};
+  if (grown) return false;
   RELIEF_TRY_ASSIGN(grown, reserve(bytes.masks, masks_, store_.masks));
-  if (grown) return {};
+  if (grown) return false;
   RELIEF_TRY_ASSIGN(grown, reserve(bytes.heights, heights_, store_.heights));
-  return {};
+  return !grown;
 }
 
 Status PatchPool::place(const PatchChunk& chunk, Resident& resident) {

@@ -303,7 +303,7 @@ class Flight {
       draw_sum_ += ms;
       draw_worst_ = std::max(draw_worst_, ms);
       ++frames_;
-      if (stream_->state().shown_tiles == 0) ++empty_;
+      if (stream_->pool().store().instances.empty()) ++empty_;
     }
   }
 
