@@ -15,6 +15,7 @@
 #include "cli/options/texture_options.h"
 #include "cli/options/values.h"
 #include "common/scene/scene.h"
+#include "loader/stream/streamed_patches.h"
 #ifdef RELIEF_HAS_VIEWER
 #include "viewer/viewer.h"
 #endif
@@ -30,7 +31,11 @@ struct ViewArguments {
   bool flips_v = false;
   ColourArguments colours;
   double target_ms = 33.0;
+  StreamBudget budget;
 };
+
+/// Less would hold a few parts of an image only.
+constexpr std::uint64_t kLeastBudget = std::uint64_t{64} << 20U;
 
 constexpr const char* kViewFooter =
     "FILE is a patch file, a scan, a mesh, a raster or a .json scene. A scan shows its points at "
@@ -50,6 +55,7 @@ int run_view(const ViewArguments& arguments) {
   options.load.read = arguments.read;
   options.load.textures = texture_choice(arguments.texture, arguments.flips_v);
   options.load.colour_by = colour_by_of(arguments.colours);
+  options.budget = arguments.budget;
   options.target_ms = arguments.target_ms;
   options.is_interrupted = interrupted;
   // Ctrl-C closes the window, and closing it is no failure.
@@ -87,6 +93,18 @@ void add_view(CLI::App& app, Command& command) {
                   "pictures keep it (default 33)")
       ->check(CLI::Range(5.0, 1000.0))
       ->option_text("MS");
+  sub->add_option("--memory", arguments->budget.memory,
+                  "Memory for what was read of a patch file with tiles, 64M or more (default 512M; "
+                  "128M without a GPU)")
+      ->transform(CLI::AsSizeValue(false))
+      ->check(bytes_from(kLeastBudget))
+      ->option_text("BYTES");
+  sub->add_option("--gpu-memory", arguments->budget.gpu,
+                  "GPU memory for a patch file with tiles, 64M or more: what does not fit is shown "
+                  "coarser (default 1G; 320M of memory without a GPU)")
+      ->transform(CLI::AsSizeValue(false))
+      ->check(bytes_from(kLeastBudget))
+      ->option_text("BYTES");
   sub->footer(kViewFooter);
   sub->callback([arguments, &command] {
     check_camera(arguments->settings);

@@ -12,6 +12,7 @@
 #include "renderer/settings.h"
 #include "viewer/document/document.h"
 #include "viewer/drawing/looks.h"
+#include "viewer/drawing/uploaded_scene.h"
 #include "viewer/navigation/navigator.h"
 
 namespace relief {
@@ -40,6 +41,9 @@ struct Session {
 
   /// Set by whoever changes a look; the picture is then drawn anew.
   bool look_changed = true;
+
+  StreamOptions streaming;             ///< of files that are read as views need them
+  std::optional<StreamState> stream;  ///< of what is shown, if it is such a file
 
   glm::ivec2 window{0};  ///< its size in pixels
   double frame_ms = 0.0;  ///< of the last moving frame

@@ -48,6 +48,7 @@ class Loop {
     if (!gui_.wants_keys()) changes |= fly(window_, passed, session_);
     changes |= session_.navigator.advance(passed);
     if (session_.window.x == 0 || session_.window.y == 0) return;  // minimised
+    take_tiles(now);
     if (!events.empty() || changes) frames_left_ = kFramesAfterEvent;
     if (frames_left_ == 0 && display_.is_complete() && !session_.document.is_loading()) {
       look_at_files();
@@ -59,11 +60,12 @@ class Loop {
 
  private:
   [[nodiscard]] bool is_busy() const {
-    return frames_left_ > 0 || !display_.is_complete() || session_.navigator.moving() ||
+    return frames_left_ > 0 || !display_.is_complete() || display_.has_tiles_to_take() || session_.navigator.moving() ||
            session_.look_changed || is_flying(window_);
   }
   [[nodiscard]] bool is_progressing() const {
-    return session_.document.is_loading() || !session_.messages.empty();
+    return session_.document.is_loading() || !session_.messages.empty() ||
+           (session_.stream && session_.stream->waiting > 0);
   }
 
   bool take_size() {
@@ -94,6 +96,14 @@ class Loop {
     const bool changes = arrival.points || arrival.scene;
     if (arrival.is_other) window_.set_title(title_of(session_));
     return changes;
+  }
+
+  /// Of a file that is read as the view needs it.
+  void take_tiles(double now) {
+    const bool was_waiting = session_.stream && session_.stream->waiting > 0;
+    const Result<bool> has_more = display_.stream(session_);
+    if (!has_more) add_message(session_, has_more.error().message, true, now);
+    if ((has_more && *has_more) || !has_more || was_waiting) frames_left_ = std::max(frames_left_, 1);
   }
 
   bool react(const Event& event, double now) {
@@ -157,6 +167,7 @@ Status run_viewer(ViewerOptions options) {
   // What is first loads while the window opens.
   Session session(Document(std::move(options.load), &Window::wake));
   session.look = options.settings;
+  session.streaming = {options.budget, &Window::wake};
   if (!options.files.empty()) RELIEF_TRY(session.document.open(options.files, options.settings));
   RELIEF_TRY_ASSIGN(const auto window, Window::open({.title = title_of(session)}));
   RELIEF_TRY_ASSIGN(const auto display, Display::create(Window::loader(), options.target_ms));

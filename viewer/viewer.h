@@ -8,6 +8,7 @@
 #include "common/error.h"
 #include "common/scene/scene.h"
 #include "loader/load_scene.h"
+#include "loader/stream/streamed_patches.h"
 
 namespace relief {
 
@@ -15,6 +16,7 @@ struct ViewerOptions {
   std::vector<std::filesystem::path> files;  ///< opened first; may be empty
   SceneSettings settings;                    ///< the first look and camera
   LoadOptions load;                          ///< how files are read
+  StreamBudget budget = {};  ///< of files that are read as views need them; 0: what suits the GPU
   double target_ms = 33.0;                   ///< of a frame while something moves
   std::function<bool()> is_interrupted = [] { return false; };  ///< asked now and then
 };

@@ -21,9 +21,15 @@ namespace relief {
 
 /// Bytes that a stream may take.
 struct StreamBudget {
-  std::uint64_t memory = std::uint64_t{256} << 20U;  ///< of chunks that were read
-  std::uint64_t gpu = std::uint64_t{1} << 30U;       ///< of the GPU
+  std::uint64_t memory = 0;  ///< of chunks that were read
+  std::uint64_t gpu = 0;     ///< of the GPU
 };
+
+/// What a window takes unless its user says otherwise: with a GPU, and where OpenGL runs on the CPU
+/// and has its memory, too. There making a texture takes 0.56 ms a megabyte.
+inline constexpr StreamBudget kHardwareBudget{std::uint64_t{512} << 20U, std::uint64_t{1} << 30U};
+inline constexpr StreamBudget kSoftwareBudget{std::uint64_t{128} << 20U,
+                                              std::uint64_t{320} << 20U};
 
 /// How far a stream is.
 struct StreamState {
@@ -54,6 +60,9 @@ class StreamedPatches {
 
   /// Whether all that the last views need is drawn.
   [[nodiscard]] bool is_settled() const { return cut_.wanted.empty(); }
+
+  /// Whether update() has something to do although the views are those of the last one.
+  [[nodiscard]] bool has_news() const { return !has_room_ || loader_.has_news(); }
 
   /// What could not be read, once each.
   [[nodiscard]] std::vector<std::string> take_failures();

@@ -52,6 +52,11 @@ std::optional<Loaded> TileLoader::take() {
   return taken;
 }
 
+bool TileLoader::has_news() const {
+  const std::lock_guard lock(mutex_);
+  return !done_.empty();
+}
+
 Loaded TileLoader::load(const Want& want) {
   return read(want);
 }

@@ -63,6 +63,9 @@ class TileLoader {
   /// Returns the next thing that was read; none if there is none.
   [[nodiscard]] std::optional<Loaded> take();
 
+  /// Whether there is something to take.
+  [[nodiscard]] bool has_news() const;
+
   /// Reads something now, on this thread.
   [[nodiscard]] Loaded load(const Want& want);
 

@@ -7,6 +7,7 @@
 #include "common/patch_file/patch_file.h"
 #include "common/seams/join_normals.h"
 #include "loader/assemble.h"
+#include "loader/view_settings.h"
 
 namespace relief {
 namespace {
@@ -70,6 +71,19 @@ Result<std::shared_ptr<TileSource>> TileSource::open(const ScenePlan& plan) {
   made->scene_.patches.stance = made->tree_.extent().stance;
   made->box_ = box_of(made->tiles(), made->where_);
   return made;
+}
+
+Result<std::optional<LoadedScene>> load_tiles(const ScenePlan& plan, const LoadOptions& options) {
+  std::optional<LoadedScene> scene;
+  if (options.colour_by) return scene;  // its scale depends on all patches
+  RELIEF_TRY_ASSIGN(const EngineEntry* const engine, engine_of(plan.views.front()));
+  if (!engine->capabilities.needs_opengl || engine->forms.front() != ModelForm::Patches)
+    return scene;
+  RELIEF_TRY_ASSIGN(auto tiles, TileSource::open(plan));
+  if (tiles == nullptr) return scene;
+  scene = tiles->scene();
+  scene->tiles = std::move(tiles);
+  return scene;
 }
 
 Status TileSource::look_at_finest(PatchModel& extent) {

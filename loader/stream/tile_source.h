@@ -14,6 +14,7 @@
 #include "common/error.h"
 #include "common/patch_file/patch_tree.h"
 #include "common/transform.h"
+#include "loader/load_scene.h"
 #include "loader/loaded_scene.h"
 #include "loader/scene_plan.h"
 #include "loader/stream/chunks.h"
@@ -74,5 +75,10 @@ class TileSource {
   std::mutex mutex_;
   std::list<std::pair<std::uint32_t, std::shared_ptr<const PatchFile>>> files_;  ///< latest first
 };
+
+/// Returns the scene of a plan with LoadedScene::tiles, if its patches can be read as views need
+/// them: if all is one patch file with tiles, the engine draws patches on OpenGL, and nothing of
+/// all patches is asked for. Otherwise nothing. Fails as TileSource::open() does.
+Result<std::optional<LoadedScene>> load_tiles(const ScenePlan& plan, const LoadOptions& options);
 
 }  // namespace relief

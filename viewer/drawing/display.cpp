@@ -17,6 +17,9 @@ constexpr float kEmpty = 0.25F;
 /// Strength of eye-dome lighting of bare points: without it they have no shape.
 constexpr double kShadeOfPoints = 1.0;
 
+/// For uploading what was read, in a frame.
+constexpr double kUploadMs = 8.0;
+
 /// Looks of a picture of points, of which only camera, size and background count.
 Looks looks_of_points(const Session& session) {
   Looks looks;
@@ -47,7 +50,7 @@ Status Display::show(std::shared_ptr<const LoadedScene> scene, Session& session)
   const std::shared_ptr<const LoadedScene> before = std::exchange(session.scene, scene);
   auto view = [&]() -> Result<std::unique_ptr<UploadedScene>> {
     RELIEF_TRY_ASSIGN(const Looks looks, looks_of(session));
-    return UploadedScene::create(load_, std::move(scene), looks);
+    return UploadedScene::create(load_, std::move(scene), looks, session.streaming);
   }();
   if (!view) {
     session.scene = before;
@@ -92,6 +95,21 @@ Status Display::update(Session& session, bool changes) {
   RELIEF_TRY_ASSIGN(const Looks looks, looks_of(session));
   if (changes) return picture_.draw(scene_->viewport(), looks, pacer_.quality());
   return picture_.refine(scene_->viewport(), looks);
+}
+
+Result<bool> Display::stream(Session& session) {
+  session.stream.reset();
+  StreamedPatches* const stream = scene_ ? scene_->stream() : nullptr;
+  if (stream == nullptr) return false;
+  RELIEF_TRY_ASSIGN(const Looks looks, looks_of(session));
+  std::vector<RenderSettings> views{looks.first};
+  if (looks.second) views.push_back(*looks.second);
+  is_stale_ |= stream->update(views, kUploadMs);
+  session.stream = stream->state();
+  if (is_stale_ && picture_.restart()) is_stale_ = false;
+  const std::vector<std::string> failures = stream->take_failures();
+  if (!failures.empty()) return Error{failures.front()};
+  return !picture_.is_complete();
 }
 
 void Display::note_frame(double ms) {

@@ -34,6 +34,10 @@ class Display {
   /// part of the full picture. A look that cannot be drawn fails, and is put back in the session.
   Status update(Session& session, bool changes);
 
+  /// Takes what was read of a scene that is read as views need it. Returns whether there is more to
+  /// draw or to refine.
+  Result<bool> stream(Session& session);
+
   /// Shows the newest picture in the window.
   void present(const Session& session);
 
@@ -42,6 +46,10 @@ class Display {
 
   /// Whether there is nothing left to refine.
   [[nodiscard]] bool is_complete() const { return picture_.is_complete(); }
+  /// Whether stream() has something to do although the view rests.
+  [[nodiscard]] bool has_tiles_to_take() const {
+    return scene_ != nullptr && scene_->stream() != nullptr && scene_->stream()->has_news();
+  }
   [[nodiscard]] Pacer& pacer() { return pacer_; }
   [[nodiscard]] const UploadedScene* scene() const { return scene_.get(); }
 
@@ -64,6 +72,7 @@ class Display {
   std::optional<PointCloud> points_;
   LivePicture picture_;
   Pacer pacer_;
+  bool is_stale_ = false;   ///< patches have come that the picture at rest has not
   bool is_steady_ = false;  ///< the next frame compiles and uploads nothing
   std::optional<std::pair<SceneSettings, std::optional<SceneSettings>>> drawn_looks_;
 };
