@@ -16,6 +16,7 @@
 #include "cli/options/texture_options.h"
 #include "cli/options/values.h"
 #include "common/scene/scene.h"
+#include "loader/stream/streamed_patches.h"
 #ifdef RELIEF_HAS_VIEWER
 #include "viewer/viewer.h"
 #endif
@@ -32,7 +33,11 @@ struct ViewArguments {
   ColourArguments colours;
   std::filesystem::path frame_log;
   std::optional<double> target_ms;
+  StreamBudget budget;
 };
+
+/// Less would hold a few parts of an image only.
+constexpr std::uint64_t kLeastBudget = std::uint64_t{64} << 20U;
 
 constexpr const char* kViewFooter =
     "FILE is a patch file, a scan, a mesh, a raster or a .json scene. A scan shows its points at "
@@ -52,6 +57,7 @@ int run_view(const ViewArguments& arguments) {
   options.load.read = arguments.read;
   options.load.textures = texture_choice(arguments.texture, arguments.flips_v);
   options.load.colour_by = colour_by_of(arguments.colours);
+  options.budget = arguments.budget;
   options.target_ms = arguments.target_ms;
   options.frame_log = arguments.frame_log;
   options.is_interrupted = interrupted;
@@ -96,6 +102,18 @@ void add_view(CLI::App& app, Command& command) {
   sub->add_option("--frame-log", arguments->frame_log,
                   "CSV file to write with the time of each frame (default: none)")
       ->option_text("FILE");
+  sub->add_option("--memory", arguments->budget.memory,
+                  "Memory for what was read of a patch file with tiles, 64M or more (default 512M; "
+                  "128M without a GPU)")
+      ->transform(CLI::AsSizeValue(false))
+      ->check(bytes_from(kLeastBudget))
+      ->option_text("BYTES");
+  sub->add_option("--gpu-memory", arguments->budget.gpu,
+                  "GPU memory for a patch file with tiles, 64M or more: what does not fit is shown "
+                  "coarser (default 1G; 320M of memory without a GPU)")
+      ->transform(CLI::AsSizeValue(false))
+      ->check(bytes_from(kLeastBudget))
+      ->option_text("BYTES");
   sub->footer(kViewFooter);
   sub->callback([arguments, &command] {
     check_camera(arguments->settings);

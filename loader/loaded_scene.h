@@ -1,6 +1,7 @@
 // The models of a scene in memory.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "common/patch.h"
@@ -11,6 +12,8 @@
 
 namespace relief {
 
+class TileSource;
+
 struct LoadedScene {
   /// The patches of all models, if an engine draws them. The bounds are always there and do not
   /// depend on the engines, so that cameras have the same position for all.
@@ -20,6 +23,8 @@ struct LoadedScene {
   bool has_faces = false;              ///< some model is a mesh, or was converted from one
   bool mesh_is_input = false;          ///< all triangles of the mesh are faces of the files
   std::optional<ColourScale> colours;  ///< what LoadOptions::colour_by made of it
+  /// Where patches are read as views need them (loader/stream/); `patches` then has none.
+  std::shared_ptr<TileSource> tiles;
 
   [[nodiscard]] RenderModel forms() const {
     RenderModel forms = RenderModel::of(patches);

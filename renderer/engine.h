@@ -22,6 +22,7 @@ namespace relief {
 
 class EnvironmentCache;
 class OpenGl;
+class PatchPool;
 struct ModelMaps;
 
 /// A model that an engine has made ready for any number of images. What does not depend on the view
@@ -50,6 +51,9 @@ struct PrepareRequest {
   std::shared_ptr<const OpenGl> opengl;   ///< current; null for an engine that does not need it
   std::shared_ptr<EnvironmentCache> environments;  ///< decoded once, whatever engine asks first
   KeptLevels levels = KeptLevels::OfViews;
+  /// The patches on the GPU, if they come and go: `model` then has none, and says what is known of
+  /// all. Outlives what is prepared.
+  const PatchPool* pool = nullptr;
 };
 
 /// Whether an engine can do something: never, always, or with some primitives only.

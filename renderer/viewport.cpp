@@ -48,6 +48,20 @@ Viewport::~Viewport() = default;
 Result<std::unique_ptr<Viewport>> Viewport::create(const GlLoader& load, const RenderModel& model,
                                                    std::span<const RenderSettings> looks,
                                                    std::span<const EngineEntry> among) {
+  return make(load, model, nullptr, looks, among);
+}
+
+Result<std::unique_ptr<Viewport>> Viewport::create(const GlLoader& load, const PatchModel& model,
+                                                   const PatchPool& pool,
+                                                   std::span<const RenderSettings> looks,
+                                                   std::span<const EngineEntry> among) {
+  return make(load, RenderModel::of(model), &pool, looks, among);
+}
+
+Result<std::unique_ptr<Viewport>> Viewport::make(const GlLoader& load, const RenderModel& model,
+                                                 const PatchPool* pool,
+                                                 std::span<const RenderSettings> looks,
+                                                 std::span<const EngineEntry> among) {
   std::unique_ptr<Viewport> made(new Viewport);
   RELIEF_TRY_ASSIGN(made->opengl_, OpenGl::adopt(load));
   made->environments_ = std::make_shared<EnvironmentCache>();
@@ -63,9 +77,29 @@ Result<std::unique_ptr<Viewport>> Viewport::create(const GlLoader& load, const R
                                                               .views = views,
                                                               .opengl = made->opengl_,
                                                               .environments = made->environments_,
-                                                              .levels = KeptLevels::All}));
+                                                              .levels = KeptLevels::All,
+                                                              .pool = pool}));
   }
   return made;
+}
+
+StoreNeeds pool_needs(const PatchModel& model, std::span<const RenderSettings> looks,
+                      std::span<const EngineEntry> among) {
+  const ModelMaps maps(model);
+  StoreNeeds needs;
+  for (const RenderSettings& look : looks) {
+    const EngineEntry* const engine = find_engine(look.engine, among);
+    if (engine == nullptr || engine->features == nullptr) continue;
+    const StoreNeeds more = needs_of(engine->features(look, maps));
+    needs.splats |= more.splats;
+    needs.heights |= more.heights;
+    needs.cells |= more.cells;
+  }
+  needs.normals = true;
+  needs.colours = model.has_colours;
+  needs.masks = needs.cells;
+  needs.bodies = needs.cells;
+  return needs;
 }
 
 Result<GlPreparedModel*> Viewport::engine_for(const RenderSettings& view) const {

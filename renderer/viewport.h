@@ -13,12 +13,14 @@
 #include "renderer/gl/loader.h"
 #include "renderer/model.h"
 #include "renderer/settings.h"
+#include "renderer/store/patch_store.h"
 
 namespace relief {
 
 class EnvironmentCache;
 class GlPreparedModel;
 class OpenGl;
+class PatchPool;
 
 /// Pixels of an image, from its lower left corner.
 struct Rectangle {
@@ -42,6 +44,14 @@ class Viewport {
   /// sizes do not matter. Fails if OpenGL is older than 4.5 or lacks memory, or an engine of
   /// `looks` does not draw this model with OpenGL.
   static Result<std::unique_ptr<Viewport>> create(const GlLoader& load, const RenderModel& model,
+                                                  std::span<const RenderSettings> looks,
+                                                  std::span<const EngineEntry> among = engines());
+
+  /// The same for a model whose patches come and go. `pool` has them, was made in the same context
+  /// for what the looks need (pool_needs()), and outlives the viewport; `model` has no patches, and
+  /// the bounds and attributes of all.
+  static Result<std::unique_ptr<Viewport>> create(const GlLoader& load, const PatchModel& model,
+                                                  const PatchPool& pool,
                                                   std::span<const RenderSettings> looks,
                                                   std::span<const EngineEntry> among = engines());
   ~Viewport();
@@ -74,6 +84,10 @@ class Viewport {
   struct Reused;  ///< the last part's targets
 
   Viewport();
+  static Result<std::unique_ptr<Viewport>> make(const GlLoader& load, const RenderModel& model,
+                                                const PatchPool* pool,
+                                                std::span<const RenderSettings> looks,
+                                                std::span<const EngineEntry> among);
   Result<GlPreparedModel*> engine_for(const RenderSettings& view) const;
 
   std::shared_ptr<const OpenGl> opengl_;  ///< first: the last to go
@@ -81,5 +95,10 @@ class Viewport {
   std::map<std::string, std::unique_ptr<PreparedModel>, std::less<>> prepared_;  ///< by engine
   std::unique_ptr<Reused> reused_;
 };
+
+/// Returns what a pool has to hold for these looks of a model (Viewport::create), and for others
+/// that differ in nothing but material, lights and outputs.
+[[nodiscard]] StoreNeeds pool_needs(const PatchModel& model, std::span<const RenderSettings> looks,
+                                    std::span<const EngineEntry> among = engines());
 
 }  // namespace relief

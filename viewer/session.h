@@ -13,6 +13,7 @@
 #include "viewer/choices/divider.h"
 #include "viewer/document/document.h"
 #include "viewer/drawing/looks.h"
+#include "viewer/drawing/uploaded_scene.h"
 #include "viewer/measuring/tool.h"
 #include "viewer/navigation/bookmarks.h"
 #include "viewer/navigation/navigator.h"
@@ -82,8 +83,11 @@ struct Session {
   bool wants_close = false;
   bool wants_full_screen = false;
 
-  glm::ivec2 window{0};   ///< the picture's size in pixels: the window's without the side panel
-  double scale = 1.0;     ///< the window's: how large texts are
+  glm::ivec2 window{0};     ///< the picture's size in pixels: the window's without the side panel
+  double scale = 1.0;       ///< the window's: how large texts are
+  StreamOptions streaming;  ///< of files that are read as views need them
+  std::optional<StreamState> stream;  ///< of what is shown, if it is such a file
+
   double frame_ms = 0.0;  ///< of the last moving frame
 };
 

@@ -63,6 +63,7 @@ class Loop {
     if (measuring_.hover(changes || gui_.wants_mouse() || pointer_.held, now, display_, session_))
       frames_left_ = std::max(frames_left_, 1);
     if (session_.window.x == 0 || session_.window.y == 0) return;  // minimised
+    take_tiles(now);
     if (!events.empty() || changes) frames_left_ = kFramesAfterEvent;
     if (frames_left_ == 0 && display_.is_complete() && !is_progressing()) {
       look_at_files();
@@ -77,12 +78,12 @@ class Loop {
  private:
   [[nodiscard]] bool is_busy() const {
     return frames_left_ > 0 || waiting_ != nullptr || !display_.is_complete() ||
-           session_.navigator.moving() || session_.look_changed || session_.preview ||
-           is_flying(window_);
+           display_.has_tiles_to_take() || session_.navigator.moving() || session_.look_changed ||
+           session_.preview || is_flying(window_);
   }
   [[nodiscard]] bool is_progressing() const {
     return session_.document.is_loading() || session_.picture_job != nullptr ||
-           !session_.messages.empty();
+           !session_.messages.empty() || (session_.stream && session_.stream->waiting > 0);
   }
 
   bool take_size() {
@@ -122,7 +123,7 @@ class Loop {
         shows_waiting ? std::move(waiting_) : std::move(arrival.scene);
     waiting_.reset();
     if (scene == nullptr) return arrival.points.has_value();
-    if (display_.is_empty()) {
+    if (display_.is_empty() && !scene->patches.patches.empty()) {
       // The upload takes longer than a user likes to look at nothing.
       const ScanPoints samples = scan_points_of(scene->patches);
       start_camera(session_, samples.extent);
@@ -136,6 +137,14 @@ class Loop {
       session_.navigator.set_model(without_patches(scene->patches), true);
     report(display_.show(std::move(scene), session_), now);
     return true;
+  }
+
+  /// Of a file that is read as the view needs it.
+  void take_tiles(double now) {
+    const bool was_waiting = session_.stream && session_.stream->waiting > 0;
+    const Result<bool> has_more = display_.stream(session_);
+    if (!has_more) add_message(session_, has_more.error().message, true, now);
+    if (!has_more || *has_more || was_waiting) frames_left_ = std::max(frames_left_, 1);
   }
 
   [[nodiscard]] SurfaceFinder surface_finder() const {
@@ -245,6 +254,7 @@ Status run_viewer(ViewerOptions options) {
   // What is first loads while the window opens.
   Session session(Document(std::move(options.load), &Window::wake));
   session.look = session.first_look = options.settings;
+  session.streaming = {options.budget, &Window::wake};
   recall(session);
   if (options.target_ms) session.target_ms = *options.target_ms;
   if (!options.files.empty()) RELIEF_TRY(session.document.open(options.files, options.settings));

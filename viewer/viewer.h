@@ -9,6 +9,7 @@
 #include "common/error.h"
 #include "common/scene/scene.h"
 #include "loader/load_scene.h"
+#include "loader/stream/streamed_patches.h"
 
 namespace relief {
 
@@ -19,6 +20,7 @@ struct ViewerOptions {
   std::filesystem::path frame_log;           ///< a CSV of all frames; empty: none is written
   std::optional<double> target_ms;           ///< of a frame while something moves; none: as
                                              ///< remembered
+  StreamBudget budget = {};  ///< of files that are read as views need them; 0: what suits the GPU
   std::function<bool()> is_interrupted = [] { return false; };  ///< asked now and then
 };
 

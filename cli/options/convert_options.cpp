@@ -91,17 +91,6 @@ CLI::Validator patch_file_name() {
   return {complain, ""};
 }
 
-/// Refuses what is less than tiles need. Sees bytes, whatever unit the user chose.
-CLI::Validator memory_limit() {
-  const auto complain = [](const std::string& text) {
-    const auto bytes = parse_number(text);
-    return bytes && *bytes >= static_cast<double>(kMinTileMemory) && *bytes <= 0x1p50
-               ? std::string()
-               : fmt::format("expected 256M or more; found {} bytes", text);
-  };
-  return {complain, ""};
-}
-
 /// Sets the noise to remove: auto, 0 or a standard deviation of at most 1e100.
 void read_noise(const std::string& text, ConvertOptions& options) {
   options.noise_removal = NoiseRemoval::AsMeasured;
@@ -250,7 +239,7 @@ void add_resource_options(CLI::App& sub, ConvertArguments& arguments) {
           ->excludes("--thin")
           ->excludes("--scalars")
           ->transform(CLI::AsSizeValue(false))
-          ->check(memory_limit())
+          ->check(bytes_from(kMinTileMemory))
           ->option_text("BYTES");
   sub.add_flag_callback(
          "--no-overviews", [&arguments] { arguments.tiles.overviews = false; },

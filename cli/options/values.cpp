@@ -89,6 +89,16 @@ CLI::Validator number_from(double least, double most) {
   return {complain, ""};
 }
 
+CLI::Validator bytes_from(std::uint64_t least) {
+  const auto complain = [least](const std::string& text) {
+    const auto bytes = parse_number(text);
+    return bytes && *bytes >= static_cast<double>(least) && *bytes <= 0x1p50
+               ? std::string()
+               : fmt::format("expected {}M or more; found {} bytes", least >> 20U, text);
+  };
+  return {complain, ""};
+}
+
 CLI::Validator count_from(std::uint64_t least, std::uint64_t most) {
   const auto complain = [least, most](const std::string& text) -> std::string {
     const auto number = parse_as<std::uint64_t>(text);

@@ -91,6 +91,7 @@ Result<std::unique_ptr<PreparedModel>> prepare_on_gpu(const PrepareRequest& requ
                        .patches = *patches,
                        .views = request.views,
                        .levels = request.levels,
+                       .pool = request.pool,
                        .needs = needs_of(request.views, ModelMaps(*patches), features_of)}));
   return std::unique_ptr<PreparedModel>(std::make_unique<Prepared>(std::move(on_gpu)));
 }

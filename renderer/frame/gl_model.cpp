@@ -44,6 +44,11 @@ Result<std::unique_ptr<GlModel>> GlModel::create(GlModelParts parts) {
   made->cubes_ = std::move(parts.environments);
   made->maps_ = ModelMaps(parts.patches);
   made->depth_needs_ = depth_needs_of(parts.patches);
+  made->pool_ = parts.pool;
+  if (parts.pool != nullptr) {
+    made->depth_needs_.bounds = parts.pool->body().box;
+    return made;
+  }
   std::vector<View> looks;
   looks.reserve(parts.views.size());
   for (const RenderSettings& settings : parts.views) looks.push_back(made->view_of(settings));

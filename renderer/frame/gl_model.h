@@ -20,6 +20,7 @@
 #include "renderer/settings.h"
 #include "renderer/shading/environment.h"
 #include "renderer/shading/environment_cache.h"
+#include "renderer/store/patch_pool.h"
 #include "renderer/store/patch_store.h"
 
 namespace relief {
@@ -31,7 +32,8 @@ struct GlModelParts {
   const PatchModel& patches;
   std::span<const RenderSettings> views = {};  ///< settled
   KeptLevels levels = KeptLevels::OfViews;
-  StoreNeeds needs = {};  ///< of all views
+  const PatchPool* pool = nullptr;  ///< as PrepareRequest has it
+  StoreNeeds needs = {};            ///< of all views
 };
 
 /// The model's patches, and the environments that images have needed so far. What is made of it
@@ -42,7 +44,7 @@ class GlModel {
   static Result<std::unique_ptr<GlModel>> create(GlModelParts parts);
 
   [[nodiscard]] const Gl& gl() const { return opengl_->gl(); }
-  [[nodiscard]] const PatchStore& store() const { return *store_; }
+  [[nodiscard]] const PatchStore& store() const { return pool_ ? pool_->store() : *store_; }
   [[nodiscard]] ModelMaps maps() const { return maps_; }
 
   /// Makes what a part of an image needs whatever engine draws it. Fails if the part is larger than
@@ -70,7 +72,8 @@ class GlModel {
 
   std::shared_ptr<const OpenGl> opengl_;  ///< first: the last to go
   std::shared_ptr<EnvironmentCache> cubes_;
-  std::optional<PatchStore> store_;
+  const PatchPool* pool_ = nullptr;
+  std::optional<PatchStore> store_;                                          ///< without a pool
   std::map<std::pair<std::filesystem::path, float>, Texture> environments_;  ///< by roughness
   std::map<std::pair<std::filesystem::path, std::vector<float>>, Texture> rough_environments_;
   std::map<bool, Backdrop> backdrops_;  ///< by whether the camera is orthographic

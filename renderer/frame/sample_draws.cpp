@@ -1,5 +1,6 @@
 #include "renderer/frame/sample_draws.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <glm/vec2.hpp>
@@ -39,6 +40,12 @@ VertexArray make_vertices(const Gl& gl, const PatchStore& store, bool cells,
   return vertices;
 }
 
+Table make_patch_views(const Gl& gl, const PatchStore& store) {
+  const std::vector<shared::PatchView> views(store.patches.size());
+  return make_table(gl, "patch views", GL_RGBA32F, std::span<const shared::PatchView>(views),
+                    GL_DYNAMIC_STORAGE_BIT);
+}
+
 /// One page's commands in a buffer.
 template <class Command>
 SampleDraw::Page make_page(const Gl& gl, const Table& records, const std::vector<Command>& commands,
@@ -53,40 +60,44 @@ SampleDraw::Page make_page(const Gl& gl, const Table& records, const std::vector
 SampleDraws::SampleDraws(const Gl& gl, const PatchStore& store, bool cells)
     : gl_(&gl),
       store_(&store),
+      cells_(cells),
       quad_corners_(make_quad_corners(gl)),
       vertices_(make_vertices(gl, store, cells, quad_corners_)),
-      patch_views_(make_table(
-          gl, "patch views", GL_RGBA32F,
-          std::span<const shared::PatchView>(std::vector<shared::PatchView>(store.patches.size())),
-          GL_DYNAMIC_STORAGE_BIT)) {}
+      patch_views_(make_patch_views(gl, store)) {}
+
+void SampleDraws::renew() {
+  vertices_ = make_vertices(*gl_, *store_, cells_, quad_corners_);
+  patch_views_ = make_patch_views(*gl_, *store_);
+}
 
 void SampleDraws::look(const View& view, const std::vector<std::uint32_t>& visible) const {
-  std::vector<shared::PatchView> views(store_->patches.size());
-  if (views.empty()) return;
-  for (const std::uint32_t p : visible) views[p] = view_patch(view, store_->patches[p]);
-  gl_->NamedBufferSubData(patch_views_.buffer.id(), 0,
-                          static_cast<GLsizeiptr>(views.size() * sizeof(shared::PatchView)),
-                          views.data());
+  if (visible.empty()) return;
+  const auto [lowest, highest] = std::minmax_element(visible.begin(), visible.end());
+  const std::uint32_t first = *lowest;
+  std::vector<shared::PatchView> views(*highest + 1 - first);
+  for (const std::uint32_t p : visible) views[p - first] = view_patch(view, store_->patches[p]);
+  gl_->NamedBufferSubData(
+      patch_views_.buffer.id(), static_cast<GLintptr>(first * sizeof(shared::PatchView)),
+      static_cast<GLsizeiptr>(views.size() * sizeof(shared::PatchView)), views.data());
 }
 
 SampleDraw SampleDraws::make_draw(SampleShape shape, const SidedList& patches) const {
   SampleDraw draw{shape, {}};
-  for (std::uint32_t p = 0; p < store_->pages.size(); ++p) {
-    const Table& records = store_->pages[p];
-    const auto add = [&](const std::vector<std::uint32_t>& list, bool front_alone) {
-      if (list.empty()) return;
+  const auto page_of = [this](std::uint32_t patch) { return store_->patches[patch].records.page; };
+  const auto add = [&](const std::vector<std::uint32_t>& list, bool front_alone) {
+    for (const auto& [page, share] : by_page(list, page_of)) {
+      const Table& records = store_->pages[page];
       if (shape == SampleShape::Quads) {
-        draw.pages.push_back(
-            make_page(*gl_, records, quad_commands(*store_, list, p), front_alone));
+        draw.pages.push_back(make_page(*gl_, records, quad_commands(*store_, share), front_alone));
       } else {
         const std::uint32_t vertices = shape == SampleShape::Points ? 1 : 3;
         draw.pages.push_back(
-            make_page(*gl_, records, array_commands(*store_, list, p, vertices), front_alone));
+            make_page(*gl_, records, array_commands(*store_, share, vertices), front_alone));
       }
-    };
-    add(patches.both, false);
-    add(patches.front, true);
-  }
+    }
+  };
+  add(patches.both, false);
+  add(patches.front, true);
   return draw;
 }
 

@@ -33,6 +33,9 @@ class SampleDraws {
   /// `cells`: for programs over the store's cells instead, whose instances are parts of patches.
   SampleDraws(const Gl& gl, const PatchStore& store, bool cells = false);
 
+  /// Makes anew what was made of the store's buffers, which have been replaced.
+  void renew();
+
   /// Relates the visible patches to the frame's camera.
   void look(const View& view, const std::vector<std::uint32_t>& visible) const;
 
@@ -49,6 +52,7 @@ class SampleDraws {
   friend class BoundModel;
   const Gl* gl_;
   const PatchStore* store_;
+  bool cells_;
   Buffer quad_corners_;  ///< two triangles per quad, for kQuadsPerCommand quads
   VertexArray vertices_;
   Table patch_views_;  ///< shared::PatchView per patch, rewritten each frame

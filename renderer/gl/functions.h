@@ -27,6 +27,8 @@ class GlContext;
   F(PFNGLCLIPCONTROLPROC, ClipControl)                                 \
   F(PFNGLCOLORMASKPROC, ColorMask)                                     \
   F(PFNGLCOMPILESHADERPROC, CompileShader)                             \
+  F(PFNGLCOPYIMAGESUBDATAPROC, CopyImageSubData)                       \
+  F(PFNGLCOPYNAMEDBUFFERSUBDATAPROC, CopyNamedBufferSubData)           \
   F(PFNGLCREATEBUFFERSPROC, CreateBuffers)                             \
   F(PFNGLCREATEFRAMEBUFFERSPROC, CreateFramebuffers)                   \
   F(PFNGLCREATEPROGRAMPROC, CreateProgram)                             \

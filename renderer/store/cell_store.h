@@ -49,14 +49,29 @@ struct UploadedCells {
   std::vector<Part> parts;
 };
 
-/// The buffers of some patches; more than one page only for a model that is larger than what OpenGL
-/// lets a shader see of one buffer.
+/// The cells of some patches as they are uploaded.
+struct CellPageData {
+  std::vector<std::uint16_t> heights;  ///< 16 bits a node, as PatchCells has them
+  std::vector<CellRow> rows;           ///< the first has no nodes, as has the one after each patch
+  std::vector<std::uint32_t> runs;     ///< CellPart::runs
+  std::vector<RimRecord> rims;
+  std::vector<std::uint16_t> strips;  ///< CellPart::strip
+
+  [[nodiscard]] std::size_t bytes() const {
+    return (heights.size() + strips.size()) * sizeof(std::uint16_t) +
+           rows.size() * sizeof(CellRow) + runs.size() * sizeof(std::uint32_t) +
+           rims.size() * sizeof(RimRecord);
+  }
+};
+
+/// The buffers of some patches; more than one page for a model that is larger than what OpenGL lets
+/// a shader see of one buffer, and for one whose patches come and go.
 struct CellPage {
-  Table heights;  ///< 16 bits a node, as PatchCells has them
-  Table rows;     ///< CellRow; the first has no nodes, as has the one after each patch
-  Table runs;     ///< CellPart::runs
-  Table rims;     ///< RimRecord
-  std::optional<Buffer> strips;           ///< CellPart::strip, 16 bits a node
+  Table heights;
+  Table rows;
+  Table runs;
+  Table rims;
+  std::optional<Buffer> strips;
   std::optional<VertexArray> attributes;  ///< of strips: their nodes, and CellStore::positions
 };
 
@@ -66,28 +81,31 @@ struct CellStore {
   Buffer positions;  ///< per part the two per-instance attributes, patch and corner
 };
 
-/// Collects the cells of patches in the order of the model and uploads them page by page.
-class CellUpload {
+/// Collects the cells of patches in the order of the model, page by page.
+class CellPages {
  public:
-  explicit CellUpload(const Gl& gl);
+  /// `most_texels`: most_cell_texels().
+  explicit CellPages(std::size_t most_texels) : most_texels_(most_texels) {}
 
   /// Fails if the patch is larger than a page.
   Result<UploadedCells> add(const PatchCells& cells);
 
-  /// Uploads what is left. `positions`: CellStore::positions.
-  std::vector<CellPage> take(const Buffer& positions);
+  /// Ends the last page, and returns all.
+  std::vector<CellPageData> take();
 
  private:
-  void flush();
-
-  const Gl& gl_;
-  std::size_t most_texels_ = 0;
-  std::vector<std::uint16_t> heights_;
-  std::vector<CellRow> rows_;
-  std::vector<std::uint32_t> runs_;
-  std::vector<RimRecord> rims_;
-  std::vector<std::uint16_t> strips_;
-  std::vector<CellPage> pages_;
+  std::size_t most_texels_;
+  std::vector<CellPageData> pages_;
+  CellPageData current_;
 };
+
+/// Returns the most heights and rows of a page.
+[[nodiscard]] std::size_t most_cell_texels(const Gl& gl);
+
+/// Uploads a page. `positions`: CellStore::positions.
+CellPage upload_page(const Gl& gl, const CellPageData& data, const Buffer& positions);
+
+/// Makes CellPage::attributes for other positions.
+void attach_positions(const Gl& gl, const Buffer& positions, CellPage& page);
 
 }  // namespace relief

@@ -57,8 +57,11 @@ void set_map_positions(const WholePatches& whole, const std::vector<AtlasSpot>& 
 
 }  // namespace
 
-GridUpload::GridUpload(const Gl& gl, const PatchModel& model, const StoreNeeds& needs)
-    : gl_(gl), model_(model), needs_(needs), pages_(gl), cells_(gl) {}
+GridUpload::GridUpload(const StoreLimits& limits, const PatchModel& model, const StoreNeeds& needs)
+    : model_(model),
+      needs_(needs),
+      records_(limits.most_records),
+      cells_(limits.most_cell_texels) {}
 
 Result<std::size_t> GridUpload::get(std::size_t patch, std::uint32_t level) {
   const auto [found, is_new] = numbers_.try_emplace({patch, level}, grids_.size());
@@ -74,7 +77,7 @@ Result<std::size_t> GridUpload::get(std::size_t patch, std::uint32_t level) {
                    ? bound_samples(whole)
                    : make_samples(*grid.nodes, meets ? kReachToSeam : kReachToHole);
   if (needs_.splats) {
-    RELIEF_TRY_ASSIGN(const RecordRun added, pages_.add(grid.shape.records));
+    RELIEF_TRY_ASSIGN(const RecordRun added, records_.add(grid.shape.records));
     grid.records = added;
   }
   if (needs_.cells) {
@@ -90,32 +93,62 @@ Result<std::size_t> GridUpload::get(std::size_t patch, std::uint32_t level) {
   return grids_.size() - 1;
 }
 
-Result<GridMaps> GridUpload::make_maps() {
+Result<GridMaps> GridUpload::make_maps(const Gl& gl) {
   GridMaps made;
   if (needs_.heights) {
     PatchList nodes;
     for (const Grid& grid : grids_) nodes.push_back(grid.nodes);
-    RELIEF_TRY_ASSIGN(MapArray maps, upload_heights(gl_, nodes));
+    RELIEF_TRY_ASSIGN(MapArray maps, upload_heights(gl, nodes));
     for (std::size_t k = 0; k < grids_.size(); ++k)
       grids_[k].info.heights = map_position(maps.spots[k], 0);
     made.heights = std::move(maps.texture);
   }
   const WholePatches whole = whole_patches(model_, grids_);
   if (needs_.normals) {
-    RELIEF_TRY_ASSIGN(MapArray maps, upload_normals(gl_, whole.patches));
+    RELIEF_TRY_ASSIGN(MapArray maps, upload_normals(gl, whole.patches));
     set_map_positions(whole, maps.spots, &shared::PatchInfo::normals, normal_scale, grids_);
     made.normals = std::move(maps.texture);
   }
   if (needs_.colours) {
-    RELIEF_TRY_ASSIGN(MapArray maps, upload_colours(gl_, whole.patches, model_.has_label_colours));
+    RELIEF_TRY_ASSIGN(MapArray maps, upload_colours(gl, whole.patches, model_.has_label_colours));
     set_map_positions(whole, maps.spots, &shared::PatchInfo::colours, colour_scale, grids_);
     made.colours = std::move(maps.texture);
   }
   if (needs_.masks && !coarser_.empty()) {
-    RELIEF_TRY_ASSIGN(MapArray maps, upload_masks(gl_, whole.patches));
+    RELIEF_TRY_ASSIGN(MapArray maps, upload_masks(gl, whole.patches));
     set_map_positions(
         whole, maps.spots, &shared::PatchInfo::masks, [](const Patch&) { return 1; }, grids_);
     made.masks = std::move(maps.texture);
+  }
+  return made;
+}
+
+MapBands GridUpload::make_bands() {
+  MapBands made;
+  if (needs_.heights) {
+    PatchList nodes;
+    for (const Grid& grid : grids_) nodes.push_back(grid.nodes);
+    auto [band, spots] = pack_heights(nodes);
+    for (std::size_t k = 0; k < grids_.size(); ++k)
+      grids_[k].info.heights = map_position(spots[k], 0);
+    made.heights = std::move(band);
+  }
+  const WholePatches whole = whole_patches(model_, grids_);
+  if (needs_.normals) {
+    auto [band, spots] = pack_normals(whole.patches);
+    set_map_positions(whole, spots, &shared::PatchInfo::normals, normal_scale, grids_);
+    made.normals = std::move(band);
+  }
+  if (needs_.colours) {
+    auto [band, spots] = pack_colours(whole.patches);
+    set_map_positions(whole, spots, &shared::PatchInfo::colours, colour_scale, grids_);
+    made.colours = std::move(band);
+  }
+  if (needs_.masks) {
+    auto [band, spots] = pack_masks(whole.patches);
+    set_map_positions(
+        whole, spots, &shared::PatchInfo::masks, [](const Patch&) { return 1; }, grids_);
+    made.masks = std::move(band);
   }
   return made;
 }

@@ -16,8 +16,10 @@
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
 #include "renderer/store/cell_store.h"
+#include "renderer/store/map_bands.h"
 #include "renderer/store/patch_store.h"
 #include "renderer/store/sample_pages.h"
+#include "renderer/store/store_limits.h"
 #include "shaders/include/shared.h"
 
 namespace relief {
@@ -41,11 +43,11 @@ struct GridMaps {
   std::optional<Texture> masks;
 };
 
-/// Uploads levels of patches as they are asked for, each once.
+/// Makes levels of patches as they are asked for, each once, and uploads them together.
 class GridUpload {
  public:
-  /// All must outlive it.
-  GridUpload(const Gl& gl, const PatchModel& model, const StoreNeeds& needs);
+  /// `model` and `needs` must outlive it.
+  GridUpload(const StoreLimits& limits, const PatchModel& model, const StoreNeeds& needs);
 
   /// The index of the level. Fails if OpenGL can't draw as many samples.
   Result<std::size_t> get(std::size_t patch, std::uint32_t level);
@@ -53,17 +55,20 @@ class GridUpload {
   [[nodiscard]] const Grid& grid(std::size_t index) const { return grids_[index]; }
 
   /// Uploads the maps of all grids, and notes in Grid::info where they are.
-  Result<GridMaps> make_maps();
+  Result<GridMaps> make_maps(const Gl& gl);
 
-  std::vector<Table> take_pages() { return pages_.take(); }
-  std::vector<CellPage> take_cells(const Buffer& positions) { return cells_.take(positions); }
+  /// Packs the maps of all grids into images instead, which have no mip levels, and notes in
+  /// Grid::info where they are in them.
+  MapBands make_bands();
+
+  std::vector<std::vector<SampleRecord>> take_records() { return records_.take(); }
+  std::vector<CellPageData> take_cells() { return cells_.take(); }
 
  private:
-  const Gl& gl_;
   const PatchModel& model_;
   const StoreNeeds& needs_;
-  SamplePages pages_;
-  CellUpload cells_;
+  SamplePages records_;
+  CellPages cells_;
   std::deque<PatchLevel> coarser_;  ///< whose elements stay where they are
   std::vector<Grid> grids_;
   std::map<std::pair<std::size_t, std::uint32_t>, std::size_t> numbers_;

@@ -16,21 +16,12 @@
 namespace relief {
 namespace {
 
-/// How a kind of map is kept by OpenGL.
-struct Format {
-  const char* label;
-  GLenum internal;
-  GLenum format;
-  GLenum type;
-  GLint filter;
-  GLsizei mip_levels = 0;  ///< coarser ones; maps lie in blocks of that power of two
-};
-
 /// More texels a cell than this, the converter's for coloured points, make a fine map.
 constexpr std::uint32_t kUsualScale = 2;
 /// Two levels beyond a texel a cell: coarser ones of cells, too, are seen at several pixels a cell.
 constexpr std::uint32_t kLevelsBeyondCells = 2;
-void set_filter(const Gl& gl, GLuint id, const Format& format) {
+
+void set_filter(const Gl& gl, GLuint id, const MapFormat& format) {
   gl.TextureParameteri(id, GL_TEXTURE_MAG_FILTER, format.filter);
   gl.TextureParameteri(id, GL_TEXTURE_MIN_FILTER,
                        format.mip_levels > 0 ? GL_LINEAR_MIPMAP_LINEAR : format.filter);
@@ -38,17 +29,9 @@ void set_filter(const Gl& gl, GLuint id, const Format& format) {
   gl.TextureParameteri(id, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
-/// A map with what surrounds it, as it is uploaded.
-template <class Texel>
-struct PaddedMap {
-  std::uint32_t width = 0;
-  std::uint32_t height = 0;
-  std::vector<Texel> texels;
-};
-
 /// Makes the array and uploads the padded maps that `pad` gives for each patch; `sizes` are theirs.
 template <class Pad>
-Result<MapArray> upload(const Gl& gl, const PatchList& patches, const Format& format,
+Result<MapArray> upload(const Gl& gl, const PatchList& patches, const MapFormat& format,
                         const std::vector<glm::uvec2>& sizes, std::uint32_t ring, const Pad& pad) {
   const auto largest = static_cast<std::uint32_t>(get_limit(gl, GL_MAX_TEXTURE_SIZE));
   const auto most = static_cast<std::uint32_t>(get_limit(gl, GL_MAX_ARRAY_TEXTURE_LAYERS));
@@ -60,13 +43,9 @@ Result<MapArray> upload(const Gl& gl, const PatchList& patches, const Format& fo
         "convert again with a larger spacing{}",
         format.label, largest, most, format.mip_levels > 0 ? " or fewer texels a cell" : "");
   }
-  MapArray array{Texture(gl, format.label, GLenum{GL_TEXTURE_2D_ARRAY}), std::move(atlas->spots)};
+  RELIEF_TRY_ASSIGN(Texture texture, make_map_array(gl, format, atlas->size, atlas->layers));
+  MapArray array{std::move(texture), std::move(atlas->spots)};
   const GLuint id = array.texture.id();
-  gl.TextureStorage3D(id, 1 + format.mip_levels, format.internal,
-                      static_cast<GLsizei>(atlas->size.x), static_cast<GLsizei>(atlas->size.y),
-                      static_cast<GLsizei>(atlas->layers));
-  set_filter(gl, id, format);
-  RELIEF_TRY(check_errors(gl, format.label));
 
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   for (std::size_t p = 0; p < patches.size(); ++p) {
@@ -107,16 +86,6 @@ PaddedMap<Out> with_ring(const AttributeMap<In>& map, glm::uvec2 size, std::uint
   return padded;
 }
 
-/// The room that a kind of map takes for its mip levels.
-struct MipRoom {
-  std::uint32_t levels = 0;  ///< coarser ones
-  std::uint32_t ring = 1;    ///< texels around each map
-
-  [[nodiscard]] glm::uvec2 padded(glm::uvec2 size) const {
-    return whole_blocks(size + 2 * ring, 1U << levels);
-  }
-};
-
 /// `finest`: texels a cell; not `fine`: no mip levels.
 MipRoom room_for(std::uint32_t finest, bool fine) {
   if (!fine) return {};
@@ -134,6 +103,11 @@ glm::i16vec2 stereographic_from_octahedral(glm::i16vec2 octahedral) {
   return glm::i16vec2(glm::round(32767.0F * half));
 }
 
+const AttributeMap<glm::u8vec3>& colours_of(const Patch& patch) {
+  static const AttributeMap<glm::u8vec3> no_colours{1, 1, 1, {glm::u8vec3(0)}};
+  return patch.colours.empty() ? no_colours : patch.colours;
+}
+
 }  // namespace
 
 std::int32_t normal_scale(const Patch& patch) {
@@ -144,38 +118,79 @@ std::int32_t colour_scale(const Patch& patch) {
   return patch.colours.empty() ? 0 : static_cast<std::int32_t>(patch.colours.scale);
 }
 
+PaddedMap<std::uint16_t> padded_heights(const Patch& patch) {
+  PaddedMap<std::uint16_t> map{patch.width + 1, patch.height + 1, {}};
+  map.texels.resize(std::size_t{map.width} * map.height,
+                    static_cast<std::uint16_t>(shared::kHoleTexel));
+  for (std::uint32_t j = 0; j < patch.height; ++j) {
+    for (std::uint32_t i = 0; i < patch.width; ++i) {
+      const std::int32_t h = patch.at(i, j);
+      if (h != kHole) map.texels[std::size_t{j} * map.width + i] = static_cast<std::uint16_t>(h);
+    }
+  }
+  return map;
+}
+
+PaddedMap<std::uint8_t> padded_mask(const Patch& patch) {
+  PaddedMap<std::uint8_t> map{patch.width + 2, patch.height + 2, {}};
+  map.texels.resize(std::size_t{map.width} * map.height, 0);
+  for (std::uint32_t j = 0; j < patch.height; ++j) {
+    for (std::uint32_t i = 0; i < patch.width; ++i) {
+      if (patch.at(i, j) != kHole) map.texels[std::size_t{j + 1} * map.width + i + 1] = 255;
+    }
+  }
+  return map;
+}
+
+PaddedMap<glm::i16vec2> padded_normals(const Patch& patch, const MipRoom& room) {
+  AttributeMap<glm::i16vec2> map = normal_map_of(patch);
+  for (glm::i16vec2& texel : map.texels) texel = stereographic_from_octahedral(texel);
+  return with_ring<glm::i16vec2>(map, room.padded({map.width, map.height}), room.ring);
+}
+
+PaddedMap<glm::u8vec4> padded_colours(const Patch& patch, const MipRoom& room) {
+  const AttributeMap<glm::u8vec3>& map = colours_of(patch);
+  return with_ring<glm::u8vec4>(map, room.padded({map.width, map.height}), room.ring);
+}
+
+MapFormat height_format() {
+  return {"height maps", GL_R16UI, GL_RED_INTEGER, GL_UNSIGNED_SHORT, GL_NEAREST};
+}
+
+MapFormat mask_format() {
+  return {"masks", GL_R8, GL_RED, GL_UNSIGNED_BYTE, GL_LINEAR};
+}
+
+MapFormat normal_format() {
+  return {"normal maps", GL_RG16_SNORM, GL_RG, GL_SHORT, GL_LINEAR};
+}
+
+MapFormat colour_format(bool nearest) {
+  return {"colour maps", GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE,
+          nearest ? GL_NEAREST : GL_LINEAR};
+}
+
+Result<Texture> make_map_array(const Gl& gl, const MapFormat& format, glm::uvec2 size,
+                               std::uint32_t layers) {
+  Texture texture(gl, format.label, GLenum{GL_TEXTURE_2D_ARRAY});
+  gl.TextureStorage3D(texture.id(), 1 + format.mip_levels, format.internal,
+                      static_cast<GLsizei>(size.x), static_cast<GLsizei>(size.y),
+                      static_cast<GLsizei>(layers));
+  set_filter(gl, texture.id(), format);
+  RELIEF_TRY(check_errors(gl, format.label));
+  return texture;
+}
+
 Result<MapArray> upload_heights(const Gl& gl, const PatchList& patches) {
   std::vector<glm::uvec2> sizes;
   for (const Patch* patch : patches) sizes.emplace_back(patch->width + 1, patch->height + 1);
-  const Format format{"height maps", GL_R16UI, GL_RED_INTEGER, GL_UNSIGNED_SHORT, GL_NEAREST};
-  return upload(gl, patches, format, sizes, 0, [](const Patch& patch) {
-    PaddedMap<std::uint16_t> map{patch.width + 1, patch.height + 1, {}};
-    map.texels.resize(std::size_t{map.width} * map.height,
-                      static_cast<std::uint16_t>(shared::kHoleTexel));
-    for (std::uint32_t j = 0; j < patch.height; ++j) {
-      for (std::uint32_t i = 0; i < patch.width; ++i) {
-        const std::int32_t h = patch.at(i, j);
-        if (h != kHole) map.texels[std::size_t{j} * map.width + i] = static_cast<std::uint16_t>(h);
-      }
-    }
-    return map;
-  });
+  return upload(gl, patches, height_format(), sizes, 0, padded_heights);
 }
 
 Result<MapArray> upload_masks(const Gl& gl, const PatchList& patches) {
   std::vector<glm::uvec2> sizes;
   for (const Patch* patch : patches) sizes.emplace_back(patch->width + 2, patch->height + 2);
-  const Format format{"masks", GL_R8, GL_RED, GL_UNSIGNED_BYTE, GL_LINEAR};
-  return upload(gl, patches, format, sizes, 1, [](const Patch& patch) {
-    PaddedMap<std::uint8_t> map{patch.width + 2, patch.height + 2, {}};
-    map.texels.resize(std::size_t{map.width} * map.height, 0);
-    for (std::uint32_t j = 0; j < patch.height; ++j) {
-      for (std::uint32_t i = 0; i < patch.width; ++i) {
-        if (patch.at(i, j) != kHole) map.texels[std::size_t{j + 1} * map.width + i + 1] = 255;
-      }
-    }
-    return map;
-  });
+  return upload(gl, patches, mask_format(), sizes, 1, padded_mask);
 }
 
 Result<MapArray> upload_normals(const Gl& gl, const PatchList& patches) {
@@ -189,13 +204,10 @@ Result<MapArray> upload_normals(const Gl& gl, const PatchList& patches) {
     sizes.push_back(room.padded(
         {own ? patch->normals.width : patch->width, own ? patch->normals.height : patch->height}));
   }
-  const Format format{"normal maps", GL_RG16_SNORM, GL_RG,
-                      GL_SHORT,      GL_LINEAR,     static_cast<GLsizei>(room.levels)};
-  return upload(gl, patches, format, sizes, room.ring, [&](const Patch& patch) {
-    AttributeMap<glm::i16vec2> map = normal_map_of(patch);
-    for (glm::i16vec2& texel : map.texels) texel = stereographic_from_octahedral(texel);
-    return with_ring<glm::i16vec2>(map, room.padded({map.width, map.height}), room.ring);
-  });
+  MapFormat format = normal_format();
+  format.mip_levels = static_cast<GLsizei>(room.levels);
+  return upload(gl, patches, format, sizes, room.ring,
+                [&](const Patch& patch) { return padded_normals(patch, room); });
 }
 
 bool has_fine_normals(const PatchModel& model) {
@@ -210,28 +222,18 @@ bool has_fine_colours(const PatchModel& model) {
 }
 
 Result<MapArray> upload_colours(const Gl& gl, const PatchList& patches, bool nearest) {
-  static const AttributeMap<glm::u8vec3> no_colours{1, 1, 1, {glm::u8vec3(0)}};
-  const auto colours_of = [](const Patch& patch) -> const AttributeMap<glm::u8vec3>& {
-    return patch.colours.empty() ? no_colours : patch.colours;
-  };
   std::uint32_t finest = 0;
   for (const Patch* patch : patches) finest = std::max(finest, colours_of(*patch).scale);
   const MipRoom room = room_for(finest, finest > kUsualScale);
-  const auto padded_size = [&](const AttributeMap<glm::u8vec3>& map) {
-    return room.padded({map.width, map.height});
-  };
   std::vector<glm::uvec2> sizes;
-  for (const Patch* patch : patches) sizes.push_back(padded_size(colours_of(*patch)));
-  const Format format{"colour maps",
-                      GL_SRGB8_ALPHA8,
-                      GL_RGBA,
-                      GL_UNSIGNED_BYTE,
-                      nearest ? GL_NEAREST : GL_LINEAR,
-                      static_cast<GLsizei>(room.levels)};
-  return upload(gl, patches, format, sizes, room.ring, [&](const Patch& patch) {
-    const AttributeMap<glm::u8vec3>& map = colours_of(patch);
-    return with_ring<glm::u8vec4>(map, padded_size(map), room.ring);
-  });
+  for (const Patch* patch : patches) {
+    const AttributeMap<glm::u8vec3>& map = colours_of(*patch);
+    sizes.push_back(room.padded({map.width, map.height}));
+  }
+  MapFormat format = colour_format(nearest);
+  format.mip_levels = static_cast<GLsizei>(room.levels);
+  return upload(gl, patches, format, sizes, room.ring,
+                [&](const Patch& patch) { return padded_colours(patch, room); });
 }
 
 }  // namespace relief

@@ -1,6 +1,9 @@
 // The maps of all patches, as array textures.
 #pragma once
 
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 #include <vector>
 
 #include "common/error.h"
@@ -19,6 +22,50 @@ struct MapArray {
 
 /// The patches whose maps are uploaded.
 using PatchList = std::vector<const Patch*>;
+
+/// The room that a kind of map takes for its mip levels.
+struct MipRoom {
+  std::uint32_t levels = 0;  ///< coarser ones
+  std::uint32_t ring = 1;    ///< texels around each map
+
+  [[nodiscard]] glm::uvec2 padded(glm::uvec2 size) const {
+    return whole_blocks(size + 2 * ring, 1U << levels);
+  }
+};
+
+/// A map with what surrounds it, as it is uploaded.
+template <class Texel>
+struct PaddedMap {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  std::vector<Texel> texels;
+};
+
+/// The map of one patch as the functions below upload it.
+[[nodiscard]] PaddedMap<std::uint16_t> padded_heights(const Patch& patch);
+[[nodiscard]] PaddedMap<std::uint8_t> padded_mask(const Patch& patch);
+[[nodiscard]] PaddedMap<glm::i16vec2> padded_normals(const Patch& patch, const MipRoom& room);
+[[nodiscard]] PaddedMap<glm::u8vec4> padded_colours(const Patch& patch, const MipRoom& room);
+
+/// How a kind of map is kept by OpenGL.
+struct MapFormat {
+  const char* label;
+  GLenum internal;
+  GLenum format;
+  GLenum type;
+  GLint filter;
+  GLsizei mip_levels = 0;  ///< coarser ones; maps lie in blocks of that power of two
+};
+
+[[nodiscard]] MapFormat height_format();
+[[nodiscard]] MapFormat mask_format();
+[[nodiscard]] MapFormat normal_format();
+/// `nearest`: as upload_colours has it.
+[[nodiscard]] MapFormat colour_format(bool nearest);
+
+/// Makes an array texture of that format, without texels. Fails if OpenGL has no memory for it.
+Result<Texture> make_map_array(const Gl& gl, const MapFormat& format, glm::uvec2 size,
+                               std::uint32_t layers);
 
 /// Heights as 16-bit unsigned integers; holes, and a column and a row beyond the last, are
 /// shared::kHoleTexel.

@@ -83,29 +83,35 @@ struct StoredInstance {
 
 /// The model on the GPU.
 struct PatchStore {
-  std::vector<StoredInstance> instances;
-  std::vector<StoredPatch> patches;  ///< each level that is kept of each placed patch
-  std::vector<StoredLevels> levels;  ///< of each placed patch, one instance after the other
-  std::vector<Table> pages;       ///< sample records; more than one only for a model that is larger
-                                  ///< than what OpenGL lets a shader see of one buffer
+  std::vector<StoredInstance> instances = {};
+  std::vector<StoredPatch> patches = {};  ///< each level that is kept of each placed patch
+  std::vector<StoredLevels> levels = {};  ///< of each placed patch, one instance after the other
+  std::vector<Table> pages = {};  ///< sample records; more than one for a model that is larger than
+                                  ///< what OpenGL lets a shader see of one buffer, and in a pool
   Table table;                    ///< shared::PatchInfo, parallel to `patches`
-  std::optional<Table> bodies;    ///< R32F: diameter of the sphere about the model that it belongs
-                                  ///< to (world units), parallel to `patches`
-  std::optional<Buffer> indices;  ///< 0, 1, 2 ...: the per-instance attribute that names the patch;
-                                  ///< cells alone have CellStore::positions instead
-  std::optional<Texture> heights;
-  std::optional<Texture> normals;
-  std::optional<Texture> colours;
-  std::optional<Texture> masks;
-  std::optional<CellStore> cells;
-  std::optional<ProxyStore> proxies;
-  std::optional<SeamStore> seams;
+  std::optional<Table> bodies = {};    ///< R32F: diameter of the sphere about the model that it
+                                       ///< belongs to (world units), parallel to `patches`
+  std::optional<Buffer> indices = {};  ///< 0, 1, 2 ...: the per-instance attribute that names the
+                                       ///< patch; cells alone have CellStore::positions instead
+  std::optional<Texture> heights = {};
+  std::optional<Texture> normals = {};
+  std::optional<Texture> colours = {};
+  std::optional<Texture> masks = {};
+  std::optional<CellStore> cells = {};
+  std::optional<ProxyStore> proxies = {};
+  std::optional<SeamStore> seams = {};
+  /// How often a pool (patch_pool.h) has replaced `positions`, `indices` or grown `patches`: what
+  /// is made of these is then out of date.
+  std::uint32_t buffers_version = 0;
+  /// How often it has changed what programs depend on: kinds of cells, the widest patch.
+  std::uint32_t programs_version = 0;
 };
 
 /// The views that a model is uploaded for.
 struct UploadViews {
   std::span<const View> views = {};
-  bool all_levels = false;  ///< also those that none of the views chooses
+  bool all_levels = false;   ///< also those that none of the views chooses
+  std::uint32_t finest = 0;  ///< of all levels; of patches that have none as coarse their coarsest
 };
 
 /// Uploads a model, of each patch the levels that the views choose; the patches themselves without

@@ -57,12 +57,11 @@ Result<std::uint32_t> ProxyUpload::add(std::span<const Patch> patches,
     }
     for (const Triangle& t : level.triangles) indices_.insert(indices_.end(), t.begin(), t.end());
   }
-  const auto most = static_cast<std::size_t>(get_limit(gl_, GL_MAX_TEXTURE_BUFFER_SIZE));
-  if (vertices_.size() > most) {
+  if (vertices_.size() > most_vertices_) {
     return make_error(
         "models seen from afar have {} vertices, more than this OpenGL can draw ({}); draw the "
         "scene with pixels-per-sample 0",
-        vertices_.size(), most);
+        vertices_.size(), most_vertices_);
   }
   meshes_.push_back(std::move(mesh));
   return static_cast<std::uint32_t>(meshes_.size() - 1);
@@ -73,13 +72,13 @@ std::uint32_t ProxyUpload::add_instance(std::uint32_t patch) {
   return static_cast<std::uint32_t>(patches_.size() - 1);
 }
 
-ProxyStore ProxyUpload::take(bool with_sources) {
-  Buffer indices = make_buffer(gl_, "proxy triangles", std::span<const std::uint32_t>(indices_));
-  Buffer patches = make_buffer(gl_, "proxy instances", std::span<const std::uint32_t>(patches_));
+ProxyStore ProxyUpload::take(const Gl& gl, bool with_sources) {
+  Buffer indices = make_buffer(gl, "proxy triangles", std::span<const std::uint32_t>(indices_));
+  Buffer patches = make_buffer(gl, "proxy instances", std::span<const std::uint32_t>(patches_));
   VertexArray attributes =
-      make_patch_attributes(gl_, "models from afar", patches, sizeof(std::uint32_t), indices);
+      make_patch_attributes(gl, "models from afar", patches, sizeof(std::uint32_t), indices);
   ProxyStore store{std::move(meshes_),
-                   make_table(gl_, "proxy vertices", GL_RGBA32UI,
+                   make_table(gl, "proxy vertices", GL_RGBA32UI,
                               std::span<const shared::ProxyVertex>(vertices_)),
                    std::nullopt,
                    std::move(indices),
@@ -87,7 +86,7 @@ ProxyStore ProxyUpload::take(bool with_sources) {
                    std::move(attributes)};
   if (with_sources)
     store.sources =
-        make_table(gl_, "proxy sources", GL_RG32UI, std::span<const shared::ProxySource>(sources_));
+        make_table(gl, "proxy sources", GL_RG32UI, std::span<const shared::ProxySource>(sources_));
   return store;
 }
 

@@ -13,6 +13,7 @@
 #include "renderer/geometry/proxy/proxy_levels.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
+#include "renderer/store/store_limits.h"
 #include "shaders/include/shared.h"
 
 namespace relief {
@@ -44,7 +45,7 @@ struct ProxyStore {
 /// Collects the meshes of runs of patches and their instances, and uploads them.
 class ProxyUpload {
  public:
-  explicit ProxyUpload(const Gl& gl) : gl_(gl) {}
+  explicit ProxyUpload(const StoreLimits& limits) : most_vertices_(limits.most_buffer_texels) {}
 
   /// Adds the levels of a run; returns its number. Fails if OpenGL lets no shader see as many
   /// vertices.
@@ -58,10 +59,10 @@ class ProxyUpload {
   [[nodiscard]] bool empty() const { return meshes_.empty(); }
 
   /// Uploads all that was added.
-  ProxyStore take(bool with_sources);
+  ProxyStore take(const Gl& gl, bool with_sources);
 
  private:
-  const Gl& gl_;
+  std::size_t most_vertices_;
   std::vector<StoredProxyMesh> meshes_;
   std::vector<shared::ProxyVertex> vertices_;
   std::vector<shared::ProxySource> sources_;

@@ -7,10 +7,10 @@
 
 namespace relief {
 
-SamplePages::SamplePages(const Gl& gl) : gl_(gl) {
+std::size_t most_sample_records(const Gl& gl) {
   // Quads count four vertices a record in signed 32-bit numbers.
-  most_records_ = static_cast<std::size_t>(std::min(get_limit(gl, GL_MAX_TEXTURE_BUFFER_SIZE),
-                                                    std::numeric_limits<std::int32_t>::max() / 4));
+  return static_cast<std::size_t>(std::min(get_limit(gl, GL_MAX_TEXTURE_BUFFER_SIZE),
+                                           std::numeric_limits<std::int32_t>::max() / 4));
 }
 
 Result<RecordRun> SamplePages::add(const std::vector<SampleRecord>& records) {
@@ -20,7 +20,8 @@ Result<RecordRun> SamplePages::add(const std::vector<SampleRecord>& records) {
         "with a larger spacing",
         records.size(), most_records_);
   }
-  if (current_.size() + records.size() > most_records_) flush();
+  if (current_.size() + records.size() > most_records_)
+    pages_.push_back(std::exchange(current_, {}));
   const RecordRun run{static_cast<std::uint32_t>(pages_.size()),
                       static_cast<std::uint32_t>(current_.size()),
                       static_cast<std::uint32_t>(records.size())};
@@ -28,15 +29,13 @@ Result<RecordRun> SamplePages::add(const std::vector<SampleRecord>& records) {
   return run;
 }
 
-std::vector<Table> SamplePages::take() {
-  if (!current_.empty()) flush();
+std::vector<std::vector<SampleRecord>> SamplePages::take() {
+  if (!current_.empty()) pages_.push_back(std::exchange(current_, {}));
   return std::move(pages_);
 }
 
-void SamplePages::flush() {
-  pages_.push_back(
-      make_table(gl_, "sample records", GL_RGBA32UI, std::span<const SampleRecord>(current_)));
-  current_.clear();
+Table upload_page(const Gl& gl, const std::vector<SampleRecord>& records) {
+  return make_table(gl, "sample records", GL_RGBA32UI, std::span<const SampleRecord>(records));
 }
 
 }  // namespace relief

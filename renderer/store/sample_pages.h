@@ -19,25 +19,28 @@ struct RecordRun {
   std::uint32_t count = 0;
 };
 
-/// Collects the records of patches in the order of the model and uploads them, cut into pages that
-/// shaders can see whole.
+/// Collects the records of patches in the order of the model, cut into pages that shaders can see
+/// whole.
 class SamplePages {
  public:
-  explicit SamplePages(const Gl& gl);
+  /// `most_records`: most_sample_records().
+  explicit SamplePages(std::size_t most_records) : most_records_(most_records) {}
 
   /// Fails if the patch has more than a page.
   Result<RecordRun> add(const std::vector<SampleRecord>& records);
 
-  /// Uploads what is left.
-  std::vector<Table> take();
+  /// Ends the last page, and returns all.
+  std::vector<std::vector<SampleRecord>> take();
 
  private:
-  void flush();
-
-  const Gl& gl_;
-  std::size_t most_records_ = 0;
+  std::size_t most_records_;
   std::vector<SampleRecord> current_;
-  std::vector<Table> pages_;
+  std::vector<std::vector<SampleRecord>> pages_;
 };
+
+/// Returns the most records of a page.
+[[nodiscard]] std::size_t most_sample_records(const Gl& gl);
+
+[[nodiscard]] Table upload_page(const Gl& gl, const std::vector<SampleRecord>& records);
 
 }  // namespace relief

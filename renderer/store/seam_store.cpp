@@ -146,8 +146,9 @@ void add_bounds(std::span<const std::uint32_t> corners,
 
 }  // namespace
 
-SeamUpload::SeamUpload(const Gl& gl, const PatchModel& model, bool needed, bool with_rings)
-    : gl_(gl), model_(model), with_rings_(with_rings) {
+SeamUpload::SeamUpload(const StoreLimits& limits, const PatchModel& model, bool needed,
+                       bool with_rings)
+    : most_texels_(limits.most_buffer_texels), model_(model), with_rings_(with_rings) {
   if (!needed) return;
   for (const PatchRun& run : model.joined) {
     Seams& seams = made_[run.first];
@@ -191,23 +192,22 @@ Result<std::span<const SeamBlocks>> SeamUpload::get(PatchRun run) {
       blocks.push_back(block);
     }
   }
-  const auto most = static_cast<std::size_t>(get_limit(gl_, GL_MAX_TEXTURE_BUFFER_SIZE));
-  if (2 * vertices_.size() > most) {
+  if (2 * vertices_.size() > most_texels_) {
     return make_error(
         "the seams between patches have {} vertices, more than this OpenGL can draw ({}); "
         "convert again with a larger spacing",
-        vertices_.size(), most / 2);
+        vertices_.size(), most_texels_ / 2);
   }
   return std::span<const SeamBlocks>(shares);
 }
 
-SeamStore SeamUpload::take(std::vector<StoredSeam> seams, const Buffer& positions) {
-  Buffer corners = make_buffer(gl_, "seam corners", std::span<const std::uint32_t>(corners_));
+SeamStore SeamUpload::take(const Gl& gl, std::vector<StoredSeam> seams, const Buffer& positions) {
+  Buffer corners = make_buffer(gl, "seam corners", std::span<const std::uint32_t>(corners_));
   VertexArray attributes =
-      make_patch_attributes(gl_, "seams", positions, sizeof(glm::uvec2), corners);
+      make_patch_attributes(gl, "seams", positions, sizeof(glm::uvec2), corners);
   return {
       std::move(seams),
-      make_table(gl_, "seam vertices", GL_RGBA32F, std::span<const shared::SeamVertex>(vertices_)),
+      make_table(gl, "seam vertices", GL_RGBA32F, std::span<const shared::SeamVertex>(vertices_)),
       std::move(corners), std::move(attributes)};
 }
 

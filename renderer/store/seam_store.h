@@ -15,6 +15,7 @@
 #include "renderer/geometry/levels.h"
 #include "renderer/gl/functions.h"
 #include "renderer/gl/object.h"
+#include "renderer/store/store_limits.h"
 #include "shaders/include/shared.h"
 
 namespace relief {
@@ -57,7 +58,7 @@ class SeamUpload {
   /// Begins to make the seams of all runs in the background, while patches are uploaded: a thread
   /// takes about as long for the one as for the other. `model` must outlive it. `needed`: get()
   /// will be called; `with_rings`: coarser levels may be drawn.
-  SeamUpload(const Gl& gl, const PatchModel& model, bool needed, bool with_rings);
+  SeamUpload(const StoreLimits& limits, const PatchModel& model, bool needed, bool with_rings);
 
   /// The seams of a run. Not after get() of it.
   const Seams& made(PatchRun run);
@@ -67,10 +68,14 @@ class SeamUpload {
 
   [[nodiscard]] bool empty() const { return corners_.empty(); }
   /// `positions`: CellStore::positions.
-  SeamStore take(std::vector<StoredSeam> seams, const Buffer& positions);
+  SeamStore take(const Gl& gl, std::vector<StoredSeam> seams, const Buffer& positions);
+
+  /// What take() uploads.
+  [[nodiscard]] std::vector<shared::SeamVertex>& vertices() { return vertices_; }
+  [[nodiscard]] std::vector<std::uint32_t>& corners() { return corners_; }
 
  private:
-  const Gl& gl_;
+  std::size_t most_texels_;
   const PatchModel& model_;
   bool with_rings_;
   std::map<std::uint32_t, Seams> made_;                    ///< by first patch, until asked for

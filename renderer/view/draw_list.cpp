@@ -57,22 +57,21 @@ double widest_disc(const PatchStore& store) {
 
 std::vector<ArraysCommand> array_commands(const PatchStore& store,
                                           const std::vector<std::uint32_t>& patches,
-                                          std::uint32_t page, std::uint32_t vertices) {
+                                          std::uint32_t vertices) {
   std::vector<ArraysCommand> commands;
   for (const std::uint32_t p : patches) {
     const RecordRun& run = store.patches[p].records;
-    if (run.page == page) commands.push_back({vertices * run.count, 1, vertices * run.first, p});
+    commands.push_back({vertices * run.count, 1, vertices * run.first, p});
   }
   return commands;
 }
 
 std::vector<ElementsCommand> quad_commands(const PatchStore& store,
-                                           const std::vector<std::uint32_t>& patches,
-                                           std::uint32_t page) {
+                                           const std::vector<std::uint32_t>& patches) {
   std::vector<ElementsCommand> commands;
   for (const std::uint32_t p : patches) {
     const RecordRun& run = store.patches[p].records;
-    if (run.page == page) add_quads(run.first, run.count, p, commands);
+    add_quads(run.first, run.count, p, commands);
   }
   return commands;
 }

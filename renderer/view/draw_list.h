@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 #include "renderer/gl/functions.h"
@@ -64,15 +65,34 @@ void add_quads(std::uint32_t first, std::uint32_t quads, std::uint32_t instance,
 /// The radius that no splat of the model exceeds, world units.
 [[nodiscard]] double widest_disc(const PatchStore& store);
 
-/// Commands that draw one page's share of `patches`, `vertices` per sample without indices: 1 for
-/// points, 3 for triangles.
+/// Things of one page.
+struct PageShare {
+  std::uint32_t page = 0;
+  std::vector<std::uint32_t> things;  ///< in the order of the list
+};
+
+/// Sorts a list by pages, those first whose things come first. `page_of` names the page of a thing.
+template <class PageOf>
+[[nodiscard]] std::vector<PageShare> by_page(const std::vector<std::uint32_t>& things,
+                                             const PageOf& page_of) {
+  std::vector<PageShare> shares;
+  std::unordered_map<std::uint32_t, std::size_t> numbers;
+  for (const std::uint32_t thing : things) {
+    const auto [found, is_new] = numbers.try_emplace(page_of(thing), shares.size());
+    if (is_new) shares.push_back({found->first, {}});
+    shares[found->second].things.push_back(thing);
+  }
+  return shares;
+}
+
+/// Commands that draw patches, whose records are of one page, `vertices` per sample without
+/// indices: 1 for points, 3 for triangles.
 [[nodiscard]] std::vector<ArraysCommand> array_commands(const PatchStore& store,
                                                         const std::vector<std::uint32_t>& patches,
-                                                        std::uint32_t page, std::uint32_t vertices);
+                                                        std::uint32_t vertices);
 
 /// The same with a quad per sample, at most kQuadsPerCommand each.
 [[nodiscard]] std::vector<ElementsCommand> quad_commands(const PatchStore& store,
-                                                         const std::vector<std::uint32_t>& patches,
-                                                         std::uint32_t page);
+                                                         const std::vector<std::uint32_t>& patches);
 
 }  // namespace relief

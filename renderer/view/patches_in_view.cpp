@@ -112,6 +112,10 @@ std::vector<Onlooker> onlookers_of(std::span<const RenderSettings> views,
   return onlookers;
 }
 
+bool is_in_view(std::span<const Onlooker> onlookers, const Bounds& box, double spacing) {
+  return is_seen(onlookers, ball_of(box), spacing);
+}
+
 std::vector<std::uint32_t> choose_tiles(std::span<const TreeTile> tiles,
                                         std::span<const Onlooker> onlookers) {
   const std::vector<Bounds> boxes = whole_boxes(tiles);

@@ -27,6 +27,10 @@ struct Onlooker {
                                                  std::span<const Transform> transforms,
                                                  const PatchModel& extent);
 
+/// Whether some onlooker may see samples in a box of the file, which are `spacing` apart.
+[[nodiscard]] bool is_in_view(std::span<const Onlooker> onlookers, const Bounds& box,
+                              double spacing);
+
 /// The tiles whose patches show all that is seen, in the list's order: no region is in two of them.
 /// A tile stands for its children where its samples are seen at most Onlooker::pixels apart.
 [[nodiscard]] std::vector<std::uint32_t> choose_tiles(std::span<const TreeTile> tiles,

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "loader/stream/tile_source.h"
+
 namespace relief {
 
 LoadJob::LoadJob(LoadRequest request, std::function<void()> wake)
@@ -25,6 +27,8 @@ void LoadJob::run() {
   }
   auto scene = [&]() -> Result<LoadedScene> {
     try {
+      RELIEF_TRY_ASSIGN(std::optional<LoadedScene> tiles, load_tiles(request_.plan, options));
+      if (tiles) return *std::move(tiles);
       return load_scene(request_.plan, options, reporter_);
     } catch (const std::bad_alloc&) {
       return make_error("{}: there is not enough memory for this model",

@@ -19,6 +19,9 @@ constexpr float kEmpty = 0.25F;
 /// gaps between them hide it.
 constexpr double kShadeOfPoints = 0.05;
 
+/// For uploading what was read, in a frame.
+constexpr double kUploadMs = 8.0;
+
 /// Looks of a picture of points, of which only camera, size and background count.
 Looks looks_of_points(const Session& session) {
   Looks looks;
@@ -49,7 +52,7 @@ Status Display::show(std::shared_ptr<const LoadedScene> scene, Session& session)
   const std::shared_ptr<const LoadedScene> before = std::exchange(session.scene, scene);
   auto view = [&]() -> Result<std::unique_ptr<UploadedScene>> {
     RELIEF_TRY_ASSIGN(const Looks looks, looks_of(session));
-    return UploadedScene::create(load_, std::move(scene), looks);
+    return UploadedScene::create(load_, std::move(scene), looks, session.streaming);
   }();
   if (!view) {
     session.scene = before;
@@ -141,6 +144,21 @@ bool Display::note_frame(double ms) {
   const bool was_steady = std::exchange(is_steady_, true);
   if (was_steady) pacer_.note(ms);
   return was_steady;
+}
+
+Result<bool> Display::stream(Session& session) {
+  session.stream.reset();
+  StreamedPatches* const stream = scene_ ? scene_->stream() : nullptr;
+  if (stream == nullptr) return false;
+  RELIEF_TRY_ASSIGN(const Looks looks, looks_of(session));
+  std::vector<RenderSettings> views{looks.first};
+  if (looks.second) views.push_back(*looks.second);
+  is_stale_ |= stream->update(views, kUploadMs);
+  session.stream = stream->state();
+  if (is_stale_ && picture_.restart()) is_stale_ = false;
+  const std::vector<std::string> failures = stream->take_failures();
+  if (!failures.empty()) return Error{failures.front()};
+  return !picture_.is_complete();
 }
 
 void Display::present(const Session& session) {

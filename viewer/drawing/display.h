@@ -37,6 +37,10 @@ class Display {
   /// part of the full picture. A look that cannot be drawn fails, and is put back in the session.
   Status update(Session& session, bool changes);
 
+  /// Takes what was read of a scene that is read as views need it. Returns whether there is more to
+  /// draw or to refine.
+  Result<bool> stream(Session& session);
+
   /// Shows the newest picture in the window.
   void present(const Session& session);
 
@@ -48,6 +52,10 @@ class Display {
   [[nodiscard]] bool is_complete() const { return picture_.is_complete(); }
   /// Whether nothing has been opened yet.
   [[nodiscard]] bool is_empty() const { return scene_ == nullptr && !points_; }
+  /// Whether stream() has something to do although the view rests.
+  [[nodiscard]] bool has_tiles_to_take() const {
+    return scene_ != nullptr && scene_->stream() != nullptr && scene_->stream()->has_news();
+  }
   [[nodiscard]] Pacer& pacer() { return pacer_; }
   [[nodiscard]] const UploadedScene* scene() const { return scene_.get(); }
 
@@ -73,6 +81,7 @@ class Display {
   Pacer pacer_{33.0};         ///< its target is the session's
   double depth_scale_ = 0.0;  ///< of the newest picture (Presentation::depth_scale)
   bool is_steady_ = false;    ///< the next frame compiles and uploads nothing
+  bool is_stale_ = false;     ///< patches have come that the picture at rest has not
   std::optional<std::pair<SceneSettings, std::optional<SceneSettings>>> drawn_looks_;
 };
 

@@ -81,6 +81,13 @@ Status LivePicture::draw_band(Viewport& model, const Looks& looks, int samples, 
   return {};
 }
 
+bool LivePicture::restart() {
+  if (stage_ == Stage::OneSample && next_row_ > 0) return false;
+  stage_ = Stage::OneSample;
+  next_row_ = 0;
+  return true;
+}
+
 Status LivePicture::refine(Viewport& model, const Looks& looks) {
   if (is_complete()) return {};
   RELIEF_TRY(fit(full_, looks.first.width, looks.first.height));

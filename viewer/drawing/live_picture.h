@@ -33,6 +33,11 @@ class LivePicture {
   Status refine(const PointCloud& points, const Looks& looks);
   [[nodiscard]] bool is_complete() const { return stage_ == Stage::Complete; }
 
+  /// Begins to refine anew, as what is drawn has changed at rest. What is shown stays until it is
+  /// drawn over. Does nothing amid a first pass, so that it gets to its end; returns whether it
+  /// did.
+  bool restart();
+
   /// The newest picture; null before the first.
   [[nodiscard]] const Canvas* shown() const;
 

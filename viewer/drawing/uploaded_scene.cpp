@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "renderer/frame/features.h"
+#include "renderer/frame/gl_frame.h"
 
 namespace relief {
 namespace {
@@ -15,14 +16,30 @@ std::pair<std::string, std::uint64_t> kind_of(const RenderSettings& look, ModelM
   return {look.engine, has_features ? engine->features(look, maps).bits : 0};
 }
 
+/// On a renderer that has no memory of its own there is half as much for all, and making the
+/// largest texture takes less than a tenth of a second.
+StreamBudget budget_for(StreamBudget budget, const Gl& gl) {
+  const bool is_software = renderer_name(gl).find("llvmpipe") != std::string::npos ||
+                           renderer_name(gl).find("softpipe") != std::string::npos;
+  if (budget.gpu == 0) budget.gpu = is_software ? kSoftwareBudget.gpu : kHardwareBudget.gpu;
+  if (budget.memory == 0)
+    budget.memory = is_software ? kSoftwareBudget.memory : kHardwareBudget.memory;
+  return budget;
+}
+
 }  // namespace
 
-UploadedScene::UploadedScene(GlLoader load, std::shared_ptr<const LoadedScene> scene)
-    : load_(std::move(load)), scene_(std::move(scene)), forms_(scene_->forms()) {}
+UploadedScene::UploadedScene(GlLoader load, std::shared_ptr<const LoadedScene> scene,
+                             StreamOptions options)
+    : load_(std::move(load)),
+      scene_(std::move(scene)),
+      forms_(scene_->forms()),
+      options_(std::move(options)) {}
 
 Result<std::unique_ptr<UploadedScene>> UploadedScene::create(
-    const GlLoader& load, std::shared_ptr<const LoadedScene> scene, const Looks& looks) {
-  std::unique_ptr<UploadedScene> made(new UploadedScene(load, std::move(scene)));
+    const GlLoader& load, std::shared_ptr<const LoadedScene> scene, const Looks& looks,
+    const StreamOptions& options) {
+  std::unique_ptr<UploadedScene> made(new UploadedScene(load, std::move(scene), options));
   RELIEF_TRY(made->prepare(looks));
   return made;
 }
@@ -39,9 +56,31 @@ Status UploadedScene::prepare(const Looks& looks) {
   if (!has(looks.first)) wanted.push_back(looks.first);
   if (looks.second && !has(*looks.second)) wanted.push_back(*looks.second);
   if (viewport_ != nullptr && wanted.size() == looks_.size()) return {};
-  RELIEF_TRY_ASSIGN(auto viewport, Viewport::create(load_, forms_, wanted));
-  viewport_ = std::move(viewport);
+  if (scene_->tiles != nullptr) {
+    RELIEF_TRY(prepare_stream(wanted));
+  } else {
+    RELIEF_TRY_ASSIGN(viewport_, Viewport::create(load_, forms_, wanted));
+  }
   looks_ = std::move(wanted);
+  return {};
+}
+
+/// What is read stays for looks that need no more of it than those before.
+Status UploadedScene::prepare_stream(const std::vector<RenderSettings>& looks) {
+  if (opengl_ == nullptr) {
+    RELIEF_TRY_ASSIGN(opengl_, OpenGl::adopt(load_));
+  }
+  const StoreNeeds needs = pool_needs(scene_->patches, looks);
+  std::unique_ptr<StreamedPatches> made;
+  if (stream_ == nullptr || needs != stream_needs_) {
+    RELIEF_TRY_ASSIGN(made, StreamedPatches::create(opengl_->gl(), scene_->tiles, needs,
+                                                    budget_for(options_.budget, opengl_->gl()),
+                                                    looks, options_.wake));
+  }
+  const StreamedPatches& patches = made ? *made : *stream_;
+  RELIEF_TRY_ASSIGN(viewport_, Viewport::create(load_, scene_->patches, patches.pool(), looks));
+  if (made) stream_ = std::move(made);
+  stream_needs_ = needs;
   return {};
 }
 

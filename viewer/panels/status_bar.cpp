@@ -23,6 +23,11 @@ std::string state_of(const Session& session) {
                        100.0 * made.share.value_or(0.0));
   }
   if (session.scene == nullptr) return "nothing is shown";
+  if (session.stream) {
+    return fmt::format("{} of {} tiles, {:.1f} M samples{}", session.stream->shown_tiles,
+                       session.stream->tiles, 1e-6 * double(session.stream->shown_samples),
+                       session.stream->waiting > 0 ? ", reading more" : "");
+  }
   const PatchModel& patches = session.scene->patches;
   return fmt::format("{} patches", patches.patches.size());
 }

@@ -74,18 +74,17 @@ void draw_seams(const Gl& gl, const Programs& programs, const CellDraws& draws, 
 
 CellDraws make_cell_draws(const Gl& gl, const CellStore& store, const SidedList& parts) {
   CellDraws draws;
-  for (std::uint32_t page = 0; page < store.pages.size(); ++page) {
-    const auto add = [&](const std::vector<std::uint32_t>& list, bool front_alone) {
-      if (list.empty()) return;
-      draws.pages.push_back({&store.pages[page], front_alone,
-                             upload(gl, strip_commands(store, list, page)),
-                             upload(gl, run_commands(store, list, page)),
-                             upload(gl, edge_commands(store, list, page)),
-                             upload(gl, rim_commands(store, list, page))});
-    };
-    add(parts.both, false);
-    add(parts.front, true);
-  }
+  const auto page_of = [&store](std::uint32_t part) { return store.parts[part].buffers.page; };
+  const auto add = [&](const std::vector<std::uint32_t>& list, bool front_alone) {
+    for (const auto& [page, share] : by_page(list, page_of)) {
+      draws.pages.push_back(
+          {&store.pages[page], front_alone, upload(gl, strip_commands(store, share)),
+           upload(gl, run_commands(store, share)), upload(gl, edge_commands(store, share)),
+           upload(gl, rim_commands(store, share))});
+    }
+  };
+  add(parts.both, false);
+  add(parts.front, true);
   return draws;
 }
 

@@ -28,24 +28,21 @@ void leave_out_backs(const PatchStore& store, const View& view, std::vector<std:
 }
 
 std::vector<ElementsCommand> strip_commands(const CellStore& store,
-                                            const std::vector<std::uint32_t>& parts,
-                                            std::uint32_t page) {
+                                            const std::vector<std::uint32_t>& parts) {
   std::vector<ElementsCommand> commands;
   for (const std::uint32_t p : parts) {
     const PartBuffers& part = store.parts[p].buffers;
-    if (part.page == page && part.strip > 0)
-      commands.push_back({part.strip, 1, part.first_strip, 0, p});
+    if (part.strip > 0) commands.push_back({part.strip, 1, part.first_strip, 0, p});
   }
   return commands;
 }
 
 std::vector<ArraysCommand> run_commands(const CellStore& store,
-                                        const std::vector<std::uint32_t>& parts,
-                                        std::uint32_t page) {
+                                        const std::vector<std::uint32_t>& parts) {
   std::vector<ArraysCommand> commands;
   for (const std::uint32_t p : parts) {
     const PartBuffers& part = store.parts[p].buffers;
-    if (part.page != page || part.runs == 0) continue;
+    if (part.runs == 0) continue;
     commands.push_back(
         {shared::kRunVertices * part.runs, 1, shared::kRunVertices * part.first_run, p});
   }
@@ -53,12 +50,11 @@ std::vector<ArraysCommand> run_commands(const CellStore& store,
 }
 
 std::vector<ArraysCommand> edge_commands(const CellStore& store,
-                                         const std::vector<std::uint32_t>& parts,
-                                         std::uint32_t page) {
+                                         const std::vector<std::uint32_t>& parts) {
   std::vector<ArraysCommand> commands;
   for (const std::uint32_t p : parts) {
     const PartBuffers& part = store.parts[p].buffers;
-    if (part.page != page || part.edge_runs == 0) continue;
+    if (part.edge_runs == 0) continue;
     commands.push_back({shared::kEdgeRunVertices * part.edge_runs, 1,
                         shared::kEdgeRunVertices * (part.first_run + part.runs), p});
   }
@@ -66,12 +62,11 @@ std::vector<ArraysCommand> edge_commands(const CellStore& store,
 }
 
 std::vector<ElementsCommand> rim_commands(const CellStore& store,
-                                          const std::vector<std::uint32_t>& parts,
-                                          std::uint32_t page) {
+                                          const std::vector<std::uint32_t>& parts) {
   std::vector<ElementsCommand> commands;
   for (const std::uint32_t p : parts) {
     const PartBuffers& part = store.parts[p].buffers;
-    if (part.page == page) add_quads(part.first_rim, part.rims, p, commands);
+    add_quads(part.first_rim, part.rims, p, commands);
   }
   return commands;
 }

@@ -24,25 +24,21 @@ struct MaterialChoice {
 /// Leaves out the parts that show the view nothing but their back sides.
 void leave_out_backs(const PatchStore& store, const View& view, std::vector<std::uint32_t>& parts);
 
-/// Commands that draw the runs of one page's share of `parts`.
+/// Commands that draw the runs of parts, which are of one page.
 [[nodiscard]] std::vector<ArraysCommand> run_commands(const CellStore& store,
-                                                      const std::vector<std::uint32_t>& parts,
-                                                      std::uint32_t page);
+                                                      const std::vector<std::uint32_t>& parts);
 
 /// Commands that draw the cells of patches that meet others.
 [[nodiscard]] std::vector<ElementsCommand> strip_commands(const CellStore& store,
-                                                          const std::vector<std::uint32_t>& parts,
-                                                          std::uint32_t page);
+                                                          const std::vector<std::uint32_t>& parts);
 
 /// Commands that draw the cells of levels that holes touch, as strips.
 [[nodiscard]] std::vector<ArraysCommand> edge_commands(const CellStore& store,
-                                                       const std::vector<std::uint32_t>& parts,
-                                                       std::uint32_t page);
+                                                       const std::vector<std::uint32_t>& parts);
 
 /// Commands that draw their border splats, at most kQuadsPerCommand each.
 [[nodiscard]] std::vector<ElementsCommand> rim_commands(const CellStore& store,
-                                                        const std::vector<std::uint32_t>& parts,
-                                                        std::uint32_t page);
+                                                        const std::vector<std::uint32_t>& parts);
 
 /// The seams in view of patches of those materials whose instances it shows from near, nearest
 /// first, as indices of SeamStore::seams.

@@ -72,24 +72,22 @@ TEST_F(Stores, SplatsHaveNoCellsAndHeightMapsOnlyForCorrections) {
 }
 
 TEST_F(Stores, RowsOfEachPatchFollowARowWithoutNodes) {
-  CellUpload upload(gl_);
+  CellPages collected(most_cell_texels(gl_));
   const PatchModel model = test::height_field(5, [](double, double) { return 0.0; });
   std::vector<std::int32_t> first;
   std::vector<UploadedCells::Part> parts;
   for (int patch = 0; patch < 3; ++patch) {
-    const auto added = upload.add(make_cells(model.patches[0], make_samples(model.patches[0])));
+    const auto added = collected.add(make_cells(model.patches[0], make_samples(model.patches[0])));
     ASSERT_TRUE(added);
     first.push_back(added->first_row);
     parts.insert(parts.end(), added->parts.begin(), added->parts.end());
   }
   EXPECT_EQ(first, (std::vector<std::int32_t>{1, 7, 13}));
-  const Buffer positions =
-      make_buffer(gl_, "part positions", std::span<const glm::uvec2>(std::array{glm::uvec2(0)}));
-  const std::vector<CellPage> pages = upload.take(positions);
-  EXPECT_FALSE(pages[0].strips);
+  const std::vector<CellPageData> pages = collected.take();
   ASSERT_EQ(pages.size(), 1U);
-  std::vector<CellRow> rows(19);
-  gl_.GetNamedBufferSubData(pages[0].rows.buffer.id(), 0, 19 * sizeof(CellRow), rows.data());
+  EXPECT_TRUE(pages[0].strips.empty());
+  const std::vector<CellRow>& rows = pages[0].rows;
+  ASSERT_EQ(rows.size(), 19U);
   for (const std::size_t r : {0U, 6U, 12U, 18U}) EXPECT_EQ(rows[r].span, 0U) << r;
   // The third patch's second row: heights 55 to 59.
   EXPECT_EQ(rows[14].base, 55U);

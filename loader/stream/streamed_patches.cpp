@@ -1,0 +1,378 @@
+#include "loader/stream/streamed_patches.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <set>
+#include <utility>
+
+#include "common/transform.h"
+#include "renderer/frame/image_parts.h"
+
+namespace relief {
+namespace {
+
+/// Room for a map over its texels.
+constexpr double kPacking = 1.2;
+/// All levels of a patch over the finest.
+constexpr double kLevels = 4.0 / 3.0;
+/// Of cells, with what the CPU keeps of them: 6 from kUsualFinest on, 11 with all levels.
+constexpr double kCellBytesANode = 9.0;
+/// What a chunk counts for in the mean.
+constexpr double kShareOfNews = 0.1;
+
+/// Of each kind of memory this much is used: chunks come and go, and leave gaps.
+constexpr double kFill = 0.88;
+/// It is less if there are more gaps than that.
+constexpr double kLessFill = 0.95;
+/// A file that needs less than the budget gets no more, and this for gaps.
+constexpr double kSlack = 1.4;
+
+/// What a view needs may be made coarser by so much at each try.
+constexpr double kCoarserStep = 1.2;
+constexpr int kMostSteps = 64;
+
+/// Samples that are read before the first picture.
+constexpr std::uint64_t kMostFirstSamples = 200'000;
+
+/// What could not be read is tried again after some time.
+constexpr double kRetrySeconds = 5.0;
+
+double seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+auto key_of(const Want& want) {
+  return std::pair(want.tile, want.chunk);
+}
+
+double distance_between(const glm::dvec3& p, const Bounds& box) {
+  return glm::distance(p, glm::clamp(p, box.min, box.max));
+}
+
+}  // namespace
+
+StreamedPatches::StreamedPatches(const Gl& gl, std::shared_ptr<TileSource> source,
+                                 const StoreNeeds& needs, const StreamBudget& budget,
+                                 std::function<void()> wake)
+    : source_(std::move(source)),
+      budget_(budget),
+      pool_(gl, needs,
+            {.body = {source_->box(), {}}, .is_closed = source_->scene().patches.is_closed}),
+      loader_(source_, needs, store_limits(gl),
+              {budget.memory / 4, budget.memory - budget.memory / 4}, std::move(wake)),
+      indices_(source_->tiles().size()),
+      fill_(kFill) {}
+
+Result<std::unique_ptr<StreamedPatches>> StreamedPatches::create(
+    const Gl& gl, std::shared_ptr<TileSource> source, const StoreNeeds& needs,
+    const StreamBudget& budget, std::span<const RenderSettings> views, std::function<void()> wake) {
+  std::unique_ptr<StreamedPatches> made(
+      new StreamedPatches(gl, std::move(source), needs, budget, std::move(wake)));
+  made->choose(views);
+  made->plan(needs);
+  RELIEF_TRY(made->load_roots());
+  made->make_cut();
+  made->show();
+  made->ask();
+  return made;
+}
+
+Status StreamedPatches::load_roots() {
+  std::uint64_t samples = 0;
+  const std::span<const TreeTile> tiles = source_->tiles();
+  for (std::uint32_t t = 0; t < tiles.size() && samples < kMostFirstSamples; ++t) {
+    if (tiles[t].parent != kNoTile) continue;
+    Loaded index = loader_.load({t, std::nullopt, 0});
+    if (index.failure) return Error{*index.failure};
+    take(index);
+    for (std::uint32_t c = 0; c < index.index->chunks.size() && samples < kMostFirstSamples; ++c) {
+      Loaded chunk = loader_.load({t, c, 0});
+      if (chunk.failure) return Error{*chunk.failure};
+      add({t, c}, *chunk.chunk);
+      samples += index.index->chunks[c].samples;
+    }
+  }
+  return {};
+}
+
+const TileIndex* StreamedPatches::index_of(std::uint32_t tile) const {
+  return indices_[tile].get();
+}
+
+Cut StreamedPatches::cut_for(const TilePath& path) const {
+  const Onlooker& first = onlookers_.front();
+  const glm::dvec3 eye = glm::transpose(first.transform.rotation) *
+                         (first.view.eye - first.transform.translation) / first.transform.scale;
+  const CutState state{
+      .index = [this](std::uint32_t tile) { return index_of(tile); },
+      .finest = [this](ChunkKey key) -> std::optional<std::uint32_t> {
+        const auto there = residents_.find(key);
+        if (there == residents_.end()) return std::nullopt;
+        return there->second.finest;
+      },
+      .needed = [this](const ChunkInfo& chunk) { return needed_level(chunk); },
+      .sees = [this](const Bounds& box,
+                     double spacing) { return is_in_view(onlookers_, box, spacing); },
+      .distance = [&eye](const Bounds& box) { return distance_between(eye, box); }};
+  return relief::make_cut(source_->tiles(), path, state);
+}
+
+/// kUsualFinest if no view shows a finer level of any of its patches, otherwise 0.
+std::uint32_t StreamedPatches::needed_level(const ChunkInfo& chunk) const {
+  if (chunk.is_joined) return 0;
+  const double spacing = std::ldexp(chunk.spacing, kUsualFinest);
+  for (std::size_t k = 0; k < onlookers_.size(); ++k) {
+    const Onlooker& onlooker = onlookers_[k];
+    const glm::dvec3 centre = moved(onlooker.transform, 0.5 * (chunk.box.min + chunk.box.max));
+    const double scale = onlooker.transform.scale;
+    const double radius = 0.5 * scale * glm::distance(chunk.box.min, chunk.box.max);
+    if (scale * spacing > level_pixels_[k] * nearest_pixel(onlooker.view, centre, radius)) return 0;
+  }
+  return kUsualFinest;
+}
+
+void StreamedPatches::scale(double by, Cost& cost) {
+  cost.all *= by;
+  for (double* bytes :
+       {&cost.maps.heights, &cost.maps.normals, &cost.maps.colours, &cost.maps.masks})
+    *bytes *= by;
+}
+
+void StreamedPatches::sum_up(const Cost& some, double times, Cost& to) {
+  to.all += times * some.all;
+  to.maps.heights += times * some.maps.heights;
+  to.maps.normals += times * some.maps.normals;
+  to.maps.colours += times * some.maps.colours;
+  to.maps.masks += times * some.maps.masks;
+}
+
+StreamedPatches::Cost StreamedPatches::cost_of(const Cut& cut) const {
+  Cost sum;
+  for (const ChunkKey key : cut.seen) {
+    const auto known = costs_.find(key);
+    if (known != costs_.end())
+      sum_up(known->second, 1.0, sum);
+    else
+      sum_up(cost_a_node_, static_cast<double>(index_of(key.tile)->chunks[key.chunk].nodes), sum);
+  }
+  return sum;
+}
+
+void StreamedPatches::choose(std::span<const RenderSettings> views) {
+  onlookers_ = onlookers_of(views, {&source_->where(), 1}, source_->scene().patches);
+  level_pixels_.clear();
+  for (const RenderSettings& view : views)
+    level_pixels_.push_back(pixels_per_sample_of(view) / samples_a_side(view.samples));
+}
+
+/// As fine as the views ask for, or coarser until it fits the budget. What is not known yet of
+/// tiles is asked for before it is found out how much that is.
+void StreamedPatches::make_cut() {
+  const std::vector<Onlooker> asked = onlookers_;
+  coarser_ = 1.0;
+  std::vector<Want> unknown;
+  for (int step = 0; step < kMostSteps; ++step, coarser_ *= kCoarserStep) {
+    for (std::size_t k = 0; k < asked.size(); ++k)
+      onlookers_[k].pixels = asked[k].pixels * coarser_;
+    cut_ = cut_for(path_to(source_->tiles(), choose_tiles(source_->tiles(), onlookers_)));
+    if (step == 0) {
+      std::copy_if(cut_.wanted.begin(), cut_.wanted.end(), std::back_inserter(unknown),
+                   [](const Want& want) { return !want.chunk; });
+    }
+    if (fits(cost_of(cut_))) break;
+  }
+  onlookers_ = asked;
+  for (const Want& want : unknown) {
+    if (std::ranges::find(cut_.wanted, want) == cut_.wanted.end()) cut_.wanted.push_back(want);
+  }
+  const double now = seconds();
+  std::erase_if(failed_, [now](const auto& f) { return now - f.second > kRetrySeconds; });
+  std::erase_if(cut_.wanted, [this](const Want& want) { return failed_.contains(key_of(want)); });
+  for (const ChunkKey key : cut_.seen) {
+    if (const auto there = residents_.find(key); there != residents_.end())
+      there->second.last_seen = updates_;
+  }
+}
+
+bool StreamedPatches::update(std::span<const RenderSettings> views, double ms) {
+  const double start = seconds();
+  ++updates_;
+  choose(views);
+  make_cut();
+  if (!has_room_) {
+    const auto reserved = pool_.reserve(room_.maps);
+    // If there is less memory than the budget, adding chunks will say so.
+    has_room_ = !reserved || *reserved;
+  }
+  bool has_more = false;
+  while (has_room_ && (!has_more || 1000.0 * (seconds() - start) < ms)) {
+    std::optional<Loaded> loaded = loader_.take();
+    if (!loaded) break;
+    has_more |= take(*std::move(loaded));
+  }
+  if (has_more) make_cut();
+  const bool changes = show();
+  ask();
+  return changes;
+}
+
+/// Whether the cut may be another one now.
+bool StreamedPatches::take(Loaded loaded) {
+  if (loaded.failure) {
+    fail(loaded.want, *std::move(loaded.failure));
+    return true;
+  }
+  if (loaded.index) {
+    indices_[loaded.want.tile] = std::move(loaded.index);
+    return true;
+  }
+  const ChunkKey key{loaded.want.tile, *loaded.want.chunk};
+  // The view may have gone on; the loader's cache has it still.
+  if (std::ranges::find(cut_.seen, key) == cut_.seen.end()) return false;
+  return upload(key, *loaded.chunk);
+}
+
+bool StreamedPatches::upload(ChunkKey key, const PatchChunk& chunk) {
+  const auto before = residents_.find(key);
+  if (before != residents_.end() && before->second.finest <= chunk.finest) return false;
+  const Cost cost{static_cast<double>(chunk.bytes()), bytes_of(chunk.maps)};
+  costs_[key] = cost;
+  scale(1.0 - kShareOfNews, cost_a_node_);
+  const auto nodes = static_cast<double>(indices_[key.tile]->chunks[key.chunk].nodes);
+  sum_up(cost, kShareOfNews / nodes, cost_a_node_);
+  if (make_room(chunk)) return add(key, chunk);
+  // The next cut is coarser, and may have no more need of it.
+  failed_[key_of({key.tile, key.chunk, 0})] = seconds();
+  return true;
+}
+
+bool StreamedPatches::add(ChunkKey key, const PatchChunk& chunk) {
+  const Cost cost{static_cast<double>(chunk.bytes()), bytes_of(chunk.maps)};
+  costs_[key] = cost;
+  const auto slot = pool_.add(chunk);
+  if (!slot) {
+    // There is less memory than the budget: do with what there is.
+    fill_ *= kLessFill;
+    fail({key.tile, key.chunk, 0}, slot.error().message);
+    return true;
+  }
+  if (const auto coarser = residents_.find(key); coarser != residents_.end()) drop(coarser);
+  const double rest = cost.all - sum_of(cost.maps);
+  residents_[key] = {*slot, ++uploads_, rest, updates_, chunk.finest, chunk.boxes};
+  resident_rest_ += rest;
+  return true;
+}
+
+/// Drops what was not seen for longest until the chunk fits. Whether it does.
+bool StreamedPatches::make_room(const PatchChunk& chunk) {
+  const double rest = static_cast<double>(chunk.bytes()) - sum_of(bytes_of(chunk.maps));
+  while (!pool_.has_room(chunk) || resident_rest_ + rest > room_.all - sum_of(room_.maps)) {
+    const auto oldest = std::ranges::min_element(
+        residents_, {}, [](const auto& resident) { return resident.second.last_seen; });
+    if (oldest == residents_.end() || oldest->second.last_seen == updates_) {
+      fill_ *= kLessFill;
+      return false;
+    }
+    drop(oldest);
+  }
+  return true;
+}
+
+double StreamedPatches::sum_of(const MapBytes& maps) {
+  return maps.heights + maps.normals + maps.colours + maps.masks;
+}
+
+/// Divides the budget as the finest patches need it.
+void StreamedPatches::plan(const StoreNeeds& needs) {
+  const PatchKind& kind = source_->kind();
+  const auto texels = [](std::uint32_t a_cell) { return double(a_cell) * a_cell * kPacking; };
+  MapBytes& maps = cost_a_node_.maps;
+  maps.masks = needs.masks ? texels(1) : 0.0;
+  maps.normals = needs.normals ? texels(kind.normal_texels) * sizeof(glm::i16vec2) : 0.0;
+  maps.colours = needs.colours ? texels(kind.colour_texels) * sizeof(glm::u8vec4) : 0.0;
+  maps.heights = needs.heights ? kLevels * texels(1) * sizeof(std::uint16_t) : 0.0;
+  cost_a_node_.all = sum_of(maps) + (needs.cells ? kCellBytesANode : 0.0) +
+                     (needs.splats ? kLevels * sizeof(SampleRecord) / kind.nodes_a_sample : 0.0);
+  double nodes = 0.0;
+  for (const TreeTile& tile : source_->tiles())
+    nodes += kind.nodes_a_sample * static_cast<double>(tile.samples);
+  const double wanted = kSlack * nodes;
+  const double allowed = static_cast<double>(budget_.gpu) / cost_a_node_.all;
+  room_ = cost_a_node_;
+  scale(std::min(wanted, allowed), room_);
+}
+
+bool StreamedPatches::fits(const Cost& cost) const {
+  const auto fit = [this](double bytes, double room) { return bytes <= fill_ * room; };
+  return fit(cost.maps.heights, room_.maps.heights) && fit(cost.maps.normals, room_.maps.normals) &&
+         fit(cost.maps.colours, room_.maps.colours) && fit(cost.maps.masks, room_.maps.masks) &&
+         fit(cost.all - sum_of(cost.maps), room_.all - sum_of(room_.maps));
+}
+
+void StreamedPatches::drop(std::map<ChunkKey, Resident>::iterator resident) {
+  pool_.remove(resident->second.slot);
+  resident_rest_ -= resident->second.rest;
+  residents_.erase(resident);
+}
+
+bool StreamedPatches::show() {
+  std::vector<std::uint64_t> numbers;
+  for (const CutPart& part : cut_.shown) numbers.push_back(residents_.at(part.key).number);
+  if (numbers == shown_numbers_ && cut_.shown == shown_) return false;
+  std::vector<ShownChunk> chunks;
+  for (const CutPart& part : cut_.shown) {
+    const Resident& resident = residents_.at(part.key);
+    ShownChunk shown{resident.slot};
+    if (!part.gaps.empty()) {
+      for (const Bounds& box : resident.boxes) {
+        shown.hidden.push_back(std::ranges::none_of(
+            part.gaps, [&box](const Bounds& gap) { return overlap(box, gap); }));
+      }
+    }
+    chunks.push_back(std::move(shown));
+  }
+  pool_.show(chunks);
+  shown_ = cut_.shown;
+  shown_numbers_ = std::move(numbers);
+  return true;
+}
+
+void StreamedPatches::ask() {
+  if (cut_.wanted == asked_) return;
+  asked_ = cut_.wanted;
+  loader_.want(asked_);
+}
+
+void StreamedPatches::fail(const Want& want, std::string message) {
+  failed_[key_of(want)] = seconds();
+  if (std::ranges::find(known_failures_, message) != known_failures_.end()) return;
+  known_failures_.push_back(message);
+  failures_.push_back(std::move(message));
+}
+
+std::vector<std::string> StreamedPatches::take_failures() {
+  return std::exchange(failures_, {});
+}
+
+StreamState StreamedPatches::state() const {
+  StreamState state;
+  state.tiles = source_->tiles().size();
+  std::set<std::uint32_t> tiles;
+  for (const CutPart& part : shown_) {
+    tiles.insert(part.key.tile);
+    if (part.gaps.empty())
+      state.shown_samples += index_of(part.key.tile)->chunks[part.key.chunk].samples;
+  }
+  state.shown_tiles = tiles.size();
+  state.waiting = cut_.wanted.size();
+  state.coarser = coarser_;
+  state.gpu_bytes = pool_.bytes();
+  state.cached_bytes = loader_.cached_bytes();
+  state.counts = loader_.counts();
+  return state;
+}
+
+}  // namespace relief

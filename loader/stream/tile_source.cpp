@@ -1,0 +1,168 @@
+#include "loader/stream/tile_source.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include "common/patch_file/fast/zstd_contexts.h"
+#include "common/patch_file/patch_file.h"
+#include "common/seams/join_normals.h"
+#include "loader/assemble.h"
+#include "loader/view_settings.h"
+
+namespace relief {
+namespace {
+
+/// Tiles that stay open: each has a file descriptor and the records of its patches.
+constexpr std::size_t kMostOpenTiles = 64;
+
+/// What is drawn of samples reaches this far beyond them, in spacings (renderer/view).
+constexpr double kReach = 8.0;
+
+/// Preparing a chunk takes about as many bytes again for each byte decoded.
+constexpr std::uint64_t kPreparing = 3;
+
+bool has(const PatchFileInfo& info, const char* attribute) {
+  return std::ranges::find(info.attributes, attribute) != info.attributes.end();
+}
+
+Bounds box_of(std::span<const TreeTile> tiles, const Transform& where) {
+  Bounds box;
+  for (const TreeTile& tile : tiles) {
+    if (tile.box.empty()) continue;
+    const double reach = kReach * tile.spacing;
+    for (int corner = 0; corner < 8; ++corner) {
+      glm::dvec3 p = tile.box.min - reach;
+      for (int axis = 0; axis < 3; ++axis) {
+        if ((corner >> axis & 1) != 0) p[axis] = tile.box.max[axis] + reach;
+      }
+      extend(box, moved(where, p));
+    }
+  }
+  return box;
+}
+
+}  // namespace
+
+Result<std::shared_ptr<TileSource>> TileSource::open(const ScenePlan& plan) {
+  if (plan.models.size() != 1 || !names_patch_file(plan.models.front().file))
+    return std::shared_ptr<TileSource>();
+  const std::filesystem::path& path = plan.models.front().file;
+  std::error_code gone;
+  const FileTime time = std::filesystem::last_write_time(path, gone);
+  RELIEF_TRY_ASSIGN(PatchTree tree, PatchTree::open(path));
+  if (tree.tiles().size() < 2 || gone) return std::shared_ptr<TileSource>();
+  std::shared_ptr<TileSource> made(new TileSource(path, std::move(tree)));
+  made->time_ = time;
+  std::uint32_t id = 0;
+  for (const TreeTile& tile : made->tiles()) {
+    made->first_ids_.push_back(id);
+    id += tile.patches;
+  }
+  LoadedFile file;
+  file.patches = made->tree_.extent();
+  RELIEF_TRY(made->look_at_finest(file.patches));
+  SceneAssembler assembler(false);
+  RELIEF_TRY(for_each_use(plan.models, [&](const auto& /*path*/, const FileUse& use) {
+    made->where_ = use.where;
+    made->material_ = use.material;
+    return assembler.add(file, use);
+  }));
+  made->scene_ = assembler.take();
+  made->scene_.patches.stance = made->tree_.extent().stance;
+  made->box_ = box_of(made->tiles(), made->where_);
+  return made;
+}
+
+Result<std::optional<LoadedScene>> load_tiles(const ScenePlan& plan, const LoadOptions& options) {
+  std::optional<LoadedScene> scene;
+  if (options.colour_by) return scene;  // its scale depends on all patches
+  RELIEF_TRY_ASSIGN(const EngineEntry* const engine, engine_of(plan.views.front()));
+  if (!engine->capabilities.needs_opengl || engine->forms.front() != ModelForm::Patches)
+    return scene;
+  RELIEF_TRY_ASSIGN(auto tiles, TileSource::open(plan));
+  if (tiles == nullptr) return scene;
+  scene = tiles->scene();
+  scene->tiles = std::move(tiles);
+  return scene;
+}
+
+Status TileSource::look_at_finest(PatchModel& extent) {
+  const auto tile = static_cast<std::uint32_t>(tiles().size() - 1);
+  RELIEF_TRY_ASSIGN(const auto file, file_of(tile));
+  extent.has_colours = has(file->info(), "colour");
+  const std::vector<PatchSummary>& patches = file->patches();
+  if (patches.empty()) return {};
+  RELIEF_TRY_ASSIGN(const Patch patch, file->read_patch(patches.size() / 2));
+  std::uint64_t nodes = 0;
+  for (const PatchSummary& p : patches) nodes += std::uint64_t{p.width} * p.height;
+  const auto samples = static_cast<double>(std::max<std::uint64_t>(file->info().samples, 1));
+  kind_ = {static_cast<double>(nodes) / samples, std::max(patch.normals.scale, 1U),
+           std::max(patch.colours.scale, 1U)};
+  return {};
+}
+
+Status TileSource::check_unchanged() const {
+  std::error_code gone;
+  const FileTime now = std::filesystem::last_write_time(path_, gone);
+  if (!gone && now == time_) return {};
+  return make_error("{}: {} while it was shown; what has been read of it stays", path_.string(),
+                    gone ? "has vanished" : "has changed");
+}
+
+Result<std::shared_ptr<const PatchFile>> TileSource::file_of(std::uint32_t tile) {
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::ranges::find(files_, tile, [](const auto& f) { return f.first; });
+    if (found != files_.end()) {
+      files_.splice(files_.begin(), files_, found);
+      return files_.front().second;
+    }
+  }
+  RELIEF_TRY(check_unchanged());
+  RELIEF_TRY_ASSIGN(PatchFile opened, tree_.open_tile(tile));
+  auto file = std::make_shared<const PatchFile>(std::move(opened));
+  const std::lock_guard lock(mutex_);
+  files_.emplace_front(tile, file);
+  if (files_.size() > kMostOpenTiles) files_.pop_back();
+  return file;
+}
+
+Result<TileIndex> TileSource::read_index(std::uint32_t tile) {
+  RELIEF_TRY_ASSIGN(const auto file, file_of(tile));
+  return index_tile(file->patches(), !file->joined().empty());
+}
+
+Result<PatchChunk> TileSource::read_chunk(ChunkKey key, const ChunkInfo& chunk,
+                                          const StoreNeeds& needs, const StoreLimits& limits,
+                                          std::uint32_t finest) {
+  RELIEF_TRY_ASSIGN(const auto file, file_of(key.tile));
+  const std::vector<std::uint64_t> numbers(chunk.patches.begin(), chunk.patches.end());
+  RELIEF_TRY(fits_memory(file->name(), kPreparing * file->decoded_bytes(numbers)));
+  PatchModel model;
+  model.spacing = file->info().spacing;
+  model.bounds = chunk.box;
+  model.is_closed = scene_.patches.is_closed;
+  model.has_colours = scene_.patches.has_colours;
+  ZstdContexts zstd;
+  std::vector<std::uint32_t> ids;
+  std::vector<Bounds> boxes;
+  for (const std::uint32_t p : chunk.patches) {
+    RELIEF_TRY_ASSIGN(Patch patch, file->read_patch(p, zstd));
+    patch.material = material_;
+    model.patches.push_back(std::move(patch));
+    ids.push_back(first_ids_[key.tile] + p);
+    boxes.push_back(relief::box_of(file->patches()[p]));
+  }
+  if (!file->joined().empty()) {
+    model.joined.push_back(
+        {0, static_cast<std::uint32_t>(model.patches.size()), file->joined().front().is_closed});
+    join_normals(model);
+  }
+  if (const Status placed = transform_model(model, where_); !placed)
+    return make_error("{}: {}", file->name(), placed.error().message);
+  RELIEF_TRY_ASSIGN(PatchChunk made, prepare_chunk(model, ids, needs, limits, finest));
+  made.boxes = std::move(boxes);
+  return made;
+}
+
+}  // namespace relief

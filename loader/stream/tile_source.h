@@ -1,0 +1,85 @@
+// A scene of one patch file with tiles, of which chunks are read one by one.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "common/error.h"
+#include "common/patch_file/patch_tree.h"
+#include "common/transform.h"
+#include "loader/load_scene.h"
+#include "loader/loaded_scene.h"
+#include "loader/scene_plan.h"
+#include "loader/stream/chunks.h"
+#include "renderer/store/patch_chunk.h"
+
+namespace relief {
+
+/// What the finest patches of a file are like, by one of them.
+struct PatchKind {
+  double nodes_a_sample = 2.0;
+  std::uint32_t normal_texels = 1;  ///< a cell along a side
+  std::uint32_t colour_texels = 1;
+};
+
+/// An open file. Thread-safe but for its construction.
+class TileSource {
+ public:
+  /// Opens the file of a plan, if it is all that the plan shows and has tiles; otherwise null.
+  /// Reads the list of tiles, the index of the last one and one of its patches. Fails as
+  /// PatchTree::open() does.
+  static Result<std::shared_ptr<TileSource>> open(const ScenePlan& plan);
+
+  [[nodiscard]] std::span<const TreeTile> tiles() const { return tree_.tiles(); }
+  /// Where the model stands.
+  [[nodiscard]] const Transform& where() const { return where_; }
+  /// The scene without patches: bounds and attributes of all of it.
+  [[nodiscard]] const LoadedScene& scene() const { return scene_; }
+  [[nodiscard]] const PatchKind& kind() const { return kind_; }
+  /// A box about all that can be drawn of it, world.
+  [[nodiscard]] const Bounds& box() const { return box_; }
+
+  /// Reads the index of a tile. Errors are sentences that begin with the file's name.
+  Result<TileIndex> read_index(std::uint32_t tile);
+
+  /// Reads a chunk of a tile and prepares its levels from `finest` on for the GPU. The chunk's
+  /// boxes are in the file's frame.
+  Result<PatchChunk> read_chunk(ChunkKey key, const ChunkInfo& chunk, const StoreNeeds& needs,
+                                const StoreLimits& limits, std::uint32_t finest);
+
+ private:
+  using FileTime = std::filesystem::file_time_type;
+
+  TileSource(std::filesystem::path path, PatchTree tree)
+      : path_(std::move(path)), tree_(std::move(tree)) {}
+  Result<std::shared_ptr<const PatchFile>> file_of(std::uint32_t tile);
+  Status check_unchanged() const;
+  Status look_at_finest(PatchModel& extent);
+
+  std::filesystem::path path_;
+  PatchTree tree_;
+  Transform where_;
+  std::uint8_t material_ = 0;
+  LoadedScene scene_;
+  Bounds box_;
+  PatchKind kind_;
+  FileTime time_;
+  std::vector<std::uint32_t> first_ids_;  ///< by tile: the patch id of its first
+
+  std::mutex mutex_;
+  std::list<std::pair<std::uint32_t, std::shared_ptr<const PatchFile>>> files_;  ///< latest first
+};
+
+/// Returns the scene of a plan with LoadedScene::tiles, if its patches can be read as views need
+/// them: if all is one patch file with tiles, the engine draws patches on OpenGL, and nothing of
+/// all patches is asked for. Otherwise nothing. Fails as TileSource::open() does.
+Result<std::optional<LoadedScene>> load_tiles(const ScenePlan& plan, const LoadOptions& options);
+
+}  // namespace relief

@@ -1,0 +1,54 @@
+// An array texture whose maps come and go in bands.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "common/error.h"
+#include "renderer/gl/functions.h"
+#include "renderer/gl/object.h"
+#include "renderer/store/map_bands.h"
+#include "renderer/store/map_upload.h"
+#include "renderer/store/spans.h"
+
+namespace relief {
+
+/// Keeps bands of maps in the layers of an array texture, which grows as needed; what is in it is
+/// then copied, and stays where it is.
+class MapArrayPool {
+ public:
+  /// `texel_bytes`: of a texel in the format. `width`: of layers, unless a band is wider.
+  MapArrayPool(const Gl& gl, const MapFormat& format, std::uint32_t texel_bytes,
+               std::uint32_t width)
+      : gl_(gl), format_(format), texel_bytes_(texel_bytes), width_(width) {}
+
+  /// Uploads a band. Returns where it begins: x is 0. Fails if OpenGL has no memory for it, or
+  /// allows no array as large; then nothing has changed.
+  Result<AtlasSpot> add(const MapBand& band, std::optional<Texture>& texture);
+
+  /// Whether add() would take the band without growing, or will grow whatever else is dropped.
+  [[nodiscard]] bool has_room(const MapBand& band) const;
+
+  /// Grows, if need be, to so many bytes. Returns whether it did. Fails as add() does.
+  Result<bool> reserve(std::uint64_t bytes, std::optional<Texture>& texture);
+
+  /// Gives back the place of a band.
+  void remove(const AtlasSpot& spot, std::uint32_t rows);
+
+  [[nodiscard]] std::uint64_t bytes() const;
+
+ private:
+  std::optional<AtlasSpot> find_room(std::uint32_t rows);
+  Status grow(std::uint32_t width, std::uint32_t rows, std::uint32_t more_layers,
+              std::optional<Texture>& texture);
+
+  const Gl& gl_;
+  MapFormat format_;
+  std::uint32_t texel_bytes_;
+  std::uint32_t width_;
+  std::uint32_t rows_ = 0;  ///< of a layer
+  std::vector<Spans> layers_;
+};
+
+}  // namespace relief
