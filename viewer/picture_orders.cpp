@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <system_error>
 #include <utility>
 
 #include "common/io/extension.h"
@@ -46,7 +47,14 @@ Status check_order(const std::filesystem::path& file, bool is_film, const Sessio
   if (session.scene == nullptr) return make_error("There is no surface to make a picture of yet");
   if (session.picture_job != nullptr)
     return make_error("A picture is being made; wait for it, or cancel it");
-  return check_picture_name(file, is_film);
+  RELIEF_TRY(check_picture_name(file, is_film));
+  RELIEF_TRY_ASSIGN(const auto inputs, find_inputs(session.document.plan()));
+  std::error_code is_missing;
+  for (const std::filesystem::path& input : inputs) {
+    if (std::filesystem::equivalent(file, input, is_missing))
+      return make_error("{}: is an open file; choose another name", file.string());
+  }
+  return {};
 }
 
 Status begin_picture(const std::filesystem::path& file, Session& session) {

@@ -62,7 +62,7 @@ void film_buttons(const PanelContext& panel) {
       ".mp4 and .webm by ffmpeg, .png and .exr as numbered frames. Size and background are those "
       "of the section Picture");
   ImGui::SameLine(0.0F, gap);
-  file.replace_extension(".json");
+  file.replace_filename(file.stem().string() + "-path.json");
   if (ImGui::Button("Write path", size)) write_path(file, panel.now, session);
   help_for_last(fmt::format("{}, for relief render --path", file.string()).c_str());
 }
@@ -80,7 +80,8 @@ void show_film(const PanelContext& panel) {
   const auto cameras = film_cameras(*path, session.path.frames_per_second);
   show_faint(cameras ? fmt::format("{:.1f} s, {} frames", seconds, cameras->size()).c_str()
                      : cameras.error().message.c_str());
-  show_save_field("##film", name_beside(session, ".mp4"), session, panel.state.film);
+  show_save_field("##film", free_name(".mp4", panel.state.offered_film, session), session,
+                  panel.state.film);
   film_buttons(panel);
   if (session.picture_job != nullptr && session.picture_job->request().is_film) show_job(session);
 }

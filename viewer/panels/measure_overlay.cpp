@@ -52,7 +52,7 @@ class Pen {
     list_.AddCircleFilled(at(*seen), 0.2F * em_, colour, 20);
   }
 
-  /// A text above a position, whole if that is in the image.
+  /// A text above or below a position that is in the image; left out where others are already.
   void label(glm::dvec3 world, const std::string& text, ImU32 colour) {
     const auto seen = project(camera_, world, size_);
     if (!seen || !is_in(*seen)) return;
@@ -62,11 +62,15 @@ class Pen {
     const float margin = 0.35F * em_;
     const float left = std::clamp(anchor.x - 0.5F * size.x, origin_.x + 2.0F * margin,
                                   std::max(end.x - size.x - 2.0F * margin, origin_.x));
-    const float above = anchor.y - size.y - 0.8F * em_;
-    const float top = above < origin_.y + margin ? anchor.y + 0.8F * em_ : above;
-    list_.AddRectFilled({left - margin, top - 0.5F * margin},
-                        {left + size.x + margin, top + size.y + 0.5F * margin}, kDark, 0.35F * em_);
-    list_.AddText({left, top}, colour, text.c_str());
+    for (const float top : {anchor.y - size.y - 0.8F * em_, anchor.y + 0.8F * em_}) {
+      const ImVec4 box{left - margin, top - 0.5F * margin, left + size.x + margin,
+                       top + size.y + 0.5F * margin};
+      if (box.y < origin_.y || !is_free(box)) continue;
+      taken_.push_back(box);
+      list_.AddRectFilled({box.x, box.y}, {box.z, box.w}, kDark, 0.35F * em_);
+      list_.AddText({left, top}, colour, text.c_str());
+      return;
+    }
   }
 
  private:
@@ -80,12 +84,19 @@ class Pen {
   /// Single precision holds the pixel.
   [[nodiscard]] bool is_near(glm::dvec2 pixel) const { return is_in(0.5 * (pixel + 0.5 * size_)); }
 
+  [[nodiscard]] bool is_free(const ImVec4& box) const {
+    return std::none_of(taken_.begin(), taken_.end(), [&box](const ImVec4& other) {
+      return box.x < other.z && other.x < box.z && box.y < other.w && other.y < box.w;
+    });
+  }
+
   const Camera& camera_;
   glm::dvec2 size_;
   ImVec2 origin_;
   float density_;
   float em_;
   ImDrawList& list_;
+  std::vector<ImVec4> taken_;  ///< boxes of labels: left, top, right, bottom
 };
 
 constexpr float kWide = 0.13F;  ///< of the text's height
@@ -105,8 +116,11 @@ void draw(const Measurement& measurement, const Session& session, ImU32 colour, 
   } else {
     pen.lines(points, colour, kWide);
   }
-  if (measurement.kind == MeasurementKind::Angle)
-    pen.lines(angle_arc(points[0], points[1], points[2]), colour, kThin);
+  if (measurement.kind == MeasurementKind::Angle) {
+    const std::vector<glm::dvec3> arc = angle_arc(points[0], points[1], points[2]);
+    pen.lines(arc, colour, kThin);
+    if (!arc.empty()) anchor = arc[arc.size() / 2];
+  }
   for (const glm::dvec3 point : points) pen.point(point, colour);
   pen.label(anchor, label_of(measurement, up, spacing), colour);
 }
@@ -132,9 +146,11 @@ void draw_open(const Session& session, Pen& pen) {
 void show_measurements(const Session& session) {
   if (session.window.x <= 0 || session.window.y <= 0) return;
   Pen pen(session);
-  for (const Measurement& measurement : session.measuring.list())
-    draw(measurement, session, kLight, pen);
+  // Those that come first keep their labels.
   draw_open(session, pen);
+  const auto& list = session.measuring.list();
+  for (auto newest = list.rbegin(); newest != list.rend(); ++newest)
+    draw(*newest, session, kLight, pen);
 }
 
 }  // namespace relief

@@ -42,11 +42,11 @@ struct FileFacts {
   double since = -1.0;  ///< the window's clock, seconds
 };
 
-/// The name that a new picture gets.
-struct OfferedPicture {
+/// A name that no file has, for a new picture or film.
+struct FreeName {
   std::filesystem::path of;  ///< the open file
   std::string name;
-  bool was_busy = false;  ///< with a picture, the last time
+  bool was_busy = false;  ///< a picture was being made, the last time
 };
 
 struct PanelState {
@@ -56,8 +56,9 @@ struct PanelState {
   bool is_scrolling = false;  ///< to the section that is asked for
   SaveField measurements;
   SaveField picture;
-  OfferedPicture offered_picture;
+  FreeName offered_picture;
   SaveField film;
+  FreeName offered_film;
   SceneFacts scene;
   FileFacts files;
   std::optional<std::size_t> renamed;  ///< a bookmark

@@ -18,23 +18,9 @@ namespace {
 
 constexpr std::array<ImageSize, 3> kPictureSizes{{{1920, 1080}, {3840, 2160}, {4096, 4096}}};
 
-/// A name that no file has; asked of the disk once for each picture.
-const std::string& offered_name(const PanelContext& panel) {
-  OfferedPicture& offered = panel.state.offered_picture;
-  const auto& files = panel.session.document.files();
-  const std::filesystem::path of = files.empty() ? "relief" : files.front();
-  const bool is_busy = panel.session.picture_job != nullptr;
-  const bool has_ended = std::exchange(offered.was_busy, is_busy) && !is_busy;
-  if (offered.of == of && !has_ended) return offered.name;
-  offered.of = of;
-  const auto path = of.parent_path() / name_beside(panel.session, ".png");
-  offered.name = free_path(path).filename().string();
-  return offered.name;
-}
-
 void size_rows(Session& session) {
   std::vector<std::string> names{
-      fmt::format("As the window, {} \xC3\x97 {}", session.window.x, session.window.y)};
+      fmt::format("Window, {} \xC3\x97 {}", session.window.x, session.window.y)};
   std::optional<std::size_t> current;
   if (!session.picture.size) current = 0;
   for (const ImageSize size : kPictureSizes) {
@@ -76,21 +62,23 @@ void show_job(Session& session) {
   if (session.picture_job == nullptr) return;
   PictureJob& job = *session.picture_job;
   const JobProgress progress = job.progress();
-  const std::string text = job.is_cancelled()       ? std::string("Cancelling")
-                           : progress.stage.empty() ? std::string("Beginning")
+  const std::string text = job.is_cancelled()       ? std::string("cancelling")
+                           : progress.stage.empty() ? std::string("beginning")
                                                     : progress.stage;
   show_faint_wrapped(fmt::format("{}: {}", job.request().file.filename().string(), text).c_str());
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float button = ImGui::CalcTextSize("Cancel").x + 2.0F * ImGui::GetStyle().FramePadding.x;
+  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab));
   ImGui::ProgressBar(static_cast<float>(progress.share.value_or(0.0)),
                      {ImGui::GetContentRegionAvail().x - button - gap, 0.0F});
+  ImGui::PopStyleColor();
   ImGui::SameLine();
   if (ImGui::Button("Cancel")) job.cancel();
 }
 
 void take_picture_key(const PanelContext& panel) {
   if (!std::exchange(panel.session.wants_picture, false)) return;
-  offer(offered_name(panel), panel.state.picture);
+  offer(free_name(".png", panel.state.offered_picture, panel.session), panel.state.picture);
   order_picture(path_in(panel.state.picture, panel.session), panel.now, panel.session);
 }
 
@@ -98,7 +86,8 @@ void show_picture(const PanelContext& panel) {
   Session& session = panel.session;
   size_rows(session);
   ImGui::Checkbox("Transparent background", &session.picture.is_transparent);
-  show_save_field("##picture", offered_name(panel), session, panel.state.picture);
+  show_save_field("##picture", free_name(".png", panel.state.offered_picture, panel.session),
+                  session, panel.state.picture);
   const float gap = 0.5F * ImGui::GetStyle().ItemSpacing.x;
   const ImVec2 size{0.5F * (ImGui::GetContentRegionAvail().x - gap), 0.0F};
   if (ImGui::Button("Write picture", size))

@@ -3,6 +3,8 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <system_error>
+#include <utility>
 
 #include "common/io/extension.h"
 #include "viewer/choices/path_completion.h"
@@ -30,8 +32,13 @@ void show_save_field(const char* id, const std::string& offered, const Session& 
 std::filesystem::path path_in(const SaveField& field, const Session& session) {
   const std::filesystem::path path = typed_path(field.text.data());
   const auto& files = session.document.files();
-  if (path.has_parent_path() || files.empty()) return path;
-  return files.front().parent_path() / path;
+  std::error_code unknown;
+  const auto full = [&unknown](const std::filesystem::path& short_path) {
+    std::filesystem::path absolute = std::filesystem::absolute(short_path, unknown);
+    return unknown ? short_path : absolute;
+  };
+  if (path.has_parent_path() || files.empty()) return full(path);
+  return full(files.front()).parent_path() / path;
 }
 
 std::string name_beside(const Session& session, const std::string& ending) {
@@ -39,6 +46,17 @@ std::string name_beside(const Session& session, const std::string& ending) {
   std::filesystem::path name = files.empty() ? "relief" : files.front().filename();
   if (lower_extension(name) == ".gz") name = name.stem();
   return name.stem().string() + ending;
+}
+
+const std::string& free_name(const std::string& ending, FreeName& name, const Session& session) {
+  const auto& files = session.document.files();
+  const std::filesystem::path of = files.empty() ? "relief" : files.front();
+  const bool is_busy = session.picture_job != nullptr;
+  const bool has_ended = std::exchange(name.was_busy, is_busy) && !is_busy;
+  if (name.of == of && !has_ended) return name.name;
+  name.of = of;
+  name.name = free_path(of.parent_path() / name_beside(session, ending)).filename().string();
+  return name.name;
 }
 
 }  // namespace relief

@@ -16,10 +16,14 @@ void show_save_field(const char* id, const std::string& offered, const Session& 
 /// Puts what is offered into the field, unless the user has typed something else.
 void offer(const std::string& offered, SaveField& field);
 
-/// The path that the field names.
+/// The absolute path that the field names.
 [[nodiscard]] std::filesystem::path path_in(const SaveField& field, const Session& session);
 
 /// Returns the first open file's name without its extensions and with an ending: "dragon-1.png".
 [[nodiscard]] std::string name_beside(const Session& session, const std::string& ending);
+
+/// Returns the first such name that no file has. The disk is asked once for each file that is open
+/// and each picture that is made.
+const std::string& free_name(const std::string& ending, FreeName& name, const Session& session);
 
 }  // namespace relief

@@ -23,7 +23,7 @@ namespace {
 class FilmProgress final : public Progress {
  public:
   FilmProgress(Progress& outer, std::size_t frames) : outer_(outer) {
-    outer_.begin_stage("Writing the film", frames);
+    outer_.begin_stage("render", frames);
   }
   void advance_frame() { outer_.advance(1); }
   void note(std::string_view text) override { outer_.note(text); }
