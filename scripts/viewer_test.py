@@ -174,6 +174,7 @@ class Test:
 
     def no_display(self):
         environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        environment["XDG_CONFIG_HOME"] = str(self.work / "config")
         done = subprocess.run([str(self.relief), "view", str(self.model)], env=environment, capture_output=True,
                               text=True, check=False, timeout=60)
         self.check(done.returncode == 1, f"without a display the exit code is {done.returncode}, not 1")
