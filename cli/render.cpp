@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <atomic>
-#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -20,13 +18,11 @@
 #include "cli/options/output_file.h"
 #include "cli/options/render_options.h"
 #include "cli/reports/render_report.h"
-#include "common/image/film_file.h"
-#include "common/image/image_io.h"
 #include "common/io/extension.h"
 #include "common/io/standard_input.h"
-#include "common/legend/legend.h"
 #include "common/scene/camera_path.h"
 #include "loader/first_look.h"
+#include "loader/image_writer.h"
 #include "loader/load_scene.h"
 #include "loader/view_settings.h"
 
@@ -57,15 +53,6 @@ std::string render_footer() {
          "  relief render suite.json -o 'out/{view}.exr'";
 }
 
-/// Multiplies light, and the background, by 2 to the power of the exposure (stops).
-void expose(Image& image, double exposure) {
-  const auto factor = static_cast<float>(std::exp2(exposure));
-  for (Channel& channel : image.channels) {
-    if (channel.name != "R" && channel.name != "G" && channel.name != "B") continue;
-    for (float& value : channel.values) value *= factor;
-  }
-}
-
 /// Applies the settings that only the command line has.
 void apply(const RenderArguments& arguments, const PlannedView& view, RenderSettings& settings) {
   // An EXR holds all outputs by default, a PNG none but colour.
@@ -83,53 +70,6 @@ void apply(const RenderArguments& arguments, const PlannedView& view, RenderSett
 const PlannedView& view_at(const ScenePlan& plan, std::size_t image) {
   return plan.views[plan.film_frames > 0 ? 0 : image];
 }
-
-/// Puts images into their files, or into the film that all of them are.
-class ImageWriter {
- public:
-  ImageWriter(const std::vector<std::filesystem::path>& files, double frames_per_second)
-      : files_(files), frames_per_second_(frames_per_second) {}
-
-  /// An EXR keeps the scene's light. Others are exposed, and get a legend of `colours`, if there
-  /// are some and the image is large enough.
-  Status write(std::size_t number, Image& image, double exposure,
-               const std::optional<ColourScale>& colours) {
-    const std::filesystem::path& file = files_[number];
-    const bool is_film = is_film_name(file);
-    if (is_film && !film_) {
-      const FilmOptions options{image.width, image.height, frames_per_second_};
-      RELIEF_TRY_ASSIGN(film_, FilmFile::open(file, options));
-    }
-    const bool is_exr = lower_extension(file) == ".exr";
-    if (!is_exr) {
-      expose(image, exposure);
-      if (colours) lacks_legend_ |= !draw_legend(*colours, image, corner_);
-    }
-    if (is_film) return film_->add(image);
-    RELIEF_TRY(is_exr ? write_exr(file, image) : write_png(file, image));
-    if (++written_ == files_.size()) InterruptedFiles::note_complete();
-    return {};
-  }
-  Status finish() {
-    if (!film_) return {};
-    RELIEF_TRY(film_->finish());
-    InterruptedFiles::note_complete();
-    return {};
-  }
-
-  /// Images in files that are complete, also after a failure. Thread-safe.
-  [[nodiscard]] std::size_t written() const { return written_; }
-  /// Whether some image was too small for its legend.
-  [[nodiscard]] bool lacks_legend() const { return lacks_legend_; }
-
- private:
-  const std::vector<std::filesystem::path>& files_;
-  double frames_per_second_ = 0.0;
-  std::optional<FilmFile> film_;
-  std::atomic<std::size_t> written_ = 0;
-  bool lacks_legend_ = false;
-  std::optional<LegendCorner> corner_;  ///< of all legends, so that they do not jump in a film
-};
 
 /// Loads, renders and writes.
 Result<std::vector<WrittenImage>> make_images(const ScenePlan& plan,
@@ -223,7 +163,7 @@ int run_render(RenderArguments arguments) {
   const auto files = image_files(arguments.output, *plan);
   if (const Status good = check_files(*plan, arguments.texture.file, files); !good)
     return fail(good.error());
-  ImageWriter writer(files, frames_per_second);
+  ImageWriter writer(files, frames_per_second, &InterruptedFiles::note_complete);
   const auto kept = [&] {
     const std::size_t count = writer.written();
     return count == 0 ? std::string()

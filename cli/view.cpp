@@ -55,7 +55,8 @@ int run_view(const ViewArguments& arguments) {
   options.target_ms = arguments.target_ms;
   options.frame_log = arguments.frame_log;
   options.is_interrupted = interrupted;
-  // Ctrl-C closes the window. That is no failure, and nothing is lost if loading takes its time to end.
+  // Ctrl-C closes the window. That is no failure, and nothing is lost if loading takes its time to
+  // end.
   InterruptedFiles::note_complete();
   if (const Status shown = run_viewer(std::move(options)); !shown) return fail(shown.error());
   return 0;

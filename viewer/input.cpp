@@ -47,8 +47,10 @@ struct Reactor {
       session.navigator.end();
       if (pointer.has_moved || event.button != MouseButton::Left) return;
       reaction.click = event.cursor;
-      reaction.is_double = event.seconds - pointer.last_click < kDoubleClickSeconds;
+      reaction.is_double = event.seconds - pointer.last_click < kDoubleClickSeconds &&
+                           glm::distance(event.cursor, pointer.last_click_at) <= kTremble;
       pointer.last_click = event.seconds;
+      pointer.last_click_at = event.cursor;
     }
   }
 

@@ -21,6 +21,7 @@ struct Pointer {
   std::optional<glm::dvec3> under;  ///< the surface there
   bool has_moved = false;           ///< since it was pressed, by more than a trembling hand
   double last_click = -1.0;         ///< seconds
+  glm::dvec2 last_click_at{0.0};
   glm::dvec2 cursor{0.0};
 };
 

@@ -13,8 +13,11 @@
 #include "viewer/choices/divider.h"
 #include "viewer/document/document.h"
 #include "viewer/drawing/looks.h"
+#include "viewer/measuring/tool.h"
 #include "viewer/navigation/bookmarks.h"
 #include "viewer/navigation/navigator.h"
+#include "viewer/pictures/bookmark_path.h"
+#include "viewer/pictures/picture_job.h"
 #include "viewer/settings/preferences.h"
 
 namespace relief {
@@ -24,6 +27,18 @@ struct Message {
   std::string text;
   bool is_error = false;
   double since = 0.0;  ///< the window's clock, seconds
+};
+
+/// What pictures and films are like, beside the look.
+struct PictureChoice {
+  std::optional<ImageSize> size;  ///< none: the window's
+  bool is_transparent = false;    ///< no background
+};
+
+/// A camera path that is played in the window.
+struct PathPreview {
+  CameraPath path;
+  double seconds = 0.0;  ///< since it began
 };
 
 struct Session {
@@ -41,6 +56,16 @@ struct Session {
   bool edits_compared = false;            ///< panels change that one
   Divider divider;
 
+  MeasuringTool measuring;
+  MeasurementKind last_tool = MeasurementKind::Distance;  ///< that the key M chooses
+  std::optional<PickedPoint> hovered;                     ///< the surface under a resting cursor
+
+  PictureChoice picture;
+  PathChoice path;
+  std::optional<PathPreview> preview;
+  std::unique_ptr<PictureJob> picture_job;  ///< the picture or film that is being made
+  bool wants_picture = false;               ///< by its key
+
   double target_ms = 33.0;  ///< of a frame while something moves
   Preferences preferences;  ///< what is remembered but is not above
 
@@ -51,8 +76,9 @@ struct Session {
   /// Set by whoever changes a look; the picture is then drawn anew.
   bool look_changed = true;
 
-  bool asks_for_file = false;  ///< the field for a path is to be typed into
-  bool closes_files = false;   ///< all that are open, before the next frame
+  std::string asks_for_section;  ///< of the side panel, by title: it is to be opened and seen
+  bool asks_for_file = false;    ///< the field for a path is to be typed into
+  bool closes_files = false;     ///< all that are open, before the next frame
   bool wants_close = false;
   bool wants_full_screen = false;
 

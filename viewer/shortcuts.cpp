@@ -13,6 +13,8 @@ bool react_to_control(int key, Session& session) {
     add_bookmark(session);
   } else if (key == GLFW_KEY_O) {
     session.asks_for_file = true;
+  } else if (key == GLFW_KEY_S) {
+    session.wants_picture = true;
   } else if (key == GLFW_KEY_Q) {
     session.wants_close = true;
   } else {

@@ -6,7 +6,9 @@
 #include "viewer/drawing/display.h"
 #include "viewer/frame_log.h"
 #include "viewer/input.h"
+#include "viewer/measuring_input.h"
 #include "viewer/panels/panels.h"
+#include "viewer/picture_orders.h"
 #include "viewer/remember.h"
 #include "viewer/session.h"
 #include "viewer/settings/settings_file.h"
@@ -41,7 +43,9 @@ class Loop {
       : window_(window), gui_(gui), display_(display), session_(session), log_(std::move(log)) {}
 
   void turn() {
-    const double waits = is_busy() ? 0.0 : is_progressing() ? kProgressSeconds : kRestSeconds;
+    const double waits = is_busy()          ? 0.0
+                         : is_progressing() ? kProgressSeconds
+                                            : measuring_.wait(kRestSeconds);
     const std::vector<Event> events = window_.wait(waits);
     const double now = window_.seconds();
     const double passed = std::min(now - std::exchange(last_, now), kLongestStep);
@@ -53,9 +57,14 @@ class Loop {
     }
     if (!gui_.wants_keys()) changes |= fly(window_, passed, surface_finder(), session_);
     changes |= session_.navigator.advance(passed);
+    if (changes) session_.preview.reset();  // the user takes the camera over
+    changes |= play(passed, session_);
+    if (take_picture(now, session_)) frames_left_ = kFramesAfterEvent;
+    if (measuring_.hover(changes || gui_.wants_mouse() || pointer_.held, now, display_, session_))
+      frames_left_ = std::max(frames_left_, 1);
     if (session_.window.x == 0 || session_.window.y == 0) return;  // minimised
     if (!events.empty() || changes) frames_left_ = kFramesAfterEvent;
-    if (frames_left_ == 0 && display_.is_complete() && !session_.document.is_loading()) {
+    if (frames_left_ == 0 && display_.is_complete() && !is_progressing()) {
       look_at_files();
       return;
     }
@@ -68,10 +77,12 @@ class Loop {
  private:
   [[nodiscard]] bool is_busy() const {
     return frames_left_ > 0 || waiting_ != nullptr || !display_.is_complete() ||
-           session_.navigator.moving() || session_.look_changed || is_flying(window_);
+           session_.navigator.moving() || session_.look_changed || session_.preview ||
+           is_flying(window_);
   }
   [[nodiscard]] bool is_progressing() const {
-    return session_.document.is_loading() || !session_.messages.empty();
+    return session_.document.is_loading() || session_.picture_job != nullptr ||
+           !session_.messages.empty();
   }
 
   bool take_size() {
@@ -148,6 +159,7 @@ class Loop {
         std::holds_alternative<KeyEvent>(event) || std::holds_alternative<CharacterEvent>(event);
     if (is_mouse && is_over_panel && !(is_release && pointer_.held)) return false;
     if (is_key && gui_.wants_keys()) return false;
+    if (measuring_.take(event, session_)) return false;
     const Reaction reaction = react_to(event, surface_finder(), pointer_, session_);
     if (!reaction.dropped.empty()) {
       const auto opened = reaction.adds_dropped
@@ -155,6 +167,8 @@ class Loop {
                               : session_.document.open(reaction.dropped, session_.look);
       report(opened, now);
     }
+    if (reaction.click)
+      measuring_.click(*reaction.click, reaction.is_double, now, display_, session_);
     return reaction.changes;
   }
 
@@ -203,6 +217,7 @@ class Loop {
   FrameLog log_;
   PanelState panels_;
   Pointer pointer_;
+  MeasuringInput measuring_{&Window::wake};
   std::shared_ptr<const LoadedScene> waiting_;  ///< to be shown in the next turn
   double last_ = 0.0;
   int frames_left_ = kFramesAfterEvent;

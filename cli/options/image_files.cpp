@@ -1,13 +1,12 @@
 #include "cli/options/image_files.h"
 
-#include <fmt/format.h>
-
 #include <string>
 #include <string_view>
 #include <system_error>
 
 #include "cli/options/paths.h"
 #include "common/image/film_file.h"
+#include "loader/image_writer.h"
 
 namespace relief::cli {
 
@@ -24,13 +23,6 @@ fs::path image_file(const fs::path& pattern, const std::string& view) {
     name.replace(at, kViewMark.size(), view);
   }
   return name;
-}
-
-/// The file of a frame, "turn.png" with its number before the dot: "turn_0007.png".
-fs::path frame_file(const fs::path& pattern, std::size_t frame) {
-  fs::path name = pattern;
-  return name.replace_filename(
-      fmt::format("{}_{:04}{}", pattern.stem().string(), frame, pattern.extension().string()));
 }
 
 }  // namespace

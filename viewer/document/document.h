@@ -56,7 +56,7 @@ class Document {
   void cancel();
 
   [[nodiscard]] bool is_loading() const { return job_ != nullptr; }
-  [[nodiscard]] LoadProgress progress() const { return job_ ? job_->progress() : LoadProgress{}; }
+  [[nodiscard]] JobProgress progress() const { return job_ ? job_->progress() : JobProgress{}; }
   /// Also files of which nothing is loaded yet.
   [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return opened_.files; }
   /// That of what is shown, or of what is loaded if nothing is shown.

@@ -4,53 +4,11 @@
 
 namespace relief {
 
-/// What the loading thread reports and the window's thread reads.
-class LoadJob::Reporter final : public Progress {
- public:
-  void begin_stage(std::string_view name, std::uint64_t units) override {
-    const std::lock_guard lock(mutex_);
-    stage_ = name;
-    units_ = units;
-    done_ = 0;
-  }
-  void advance(std::uint64_t units) override { done_ += units; }
-  void note(std::string_view text) override {
-    const std::lock_guard lock(mutex_);
-    notes_.emplace_back(text);
-  }
-  [[nodiscard]] bool cancelled() const override { return cancelled_; }
-
-  void cancel() { cancelled_ = true; }
-  [[nodiscard]] LoadProgress progress() const {
-    const std::lock_guard lock(mutex_);
-    LoadProgress progress{stage_, {}};
-    if (units_ > 0)
-      progress.share =
-          std::min(1.0, static_cast<double>(done_.load()) / static_cast<double>(units_));
-    return progress;
-  }
-  [[nodiscard]] std::vector<std::string> take_notes() {
-    const std::lock_guard lock(mutex_);
-    return std::exchange(notes_, {});
-  }
-
- private:
-  mutable std::mutex mutex_;
-  std::string stage_;
-  std::uint64_t units_ = 0;
-  std::vector<std::string> notes_;
-  std::atomic<std::uint64_t> done_ = 0;
-  std::atomic<bool> cancelled_ = false;
-};
-
 LoadJob::LoadJob(LoadRequest request, std::function<void()> wake)
-    : request_(std::move(request)),
-      wake_(std::move(wake)),
-      reporter_(std::make_unique<Reporter>()),
-      thread_([this] { run(); }) {}
+    : request_(std::move(request)), wake_(std::move(wake)), thread_([this] { run(); }) {}
 
 LoadJob::~LoadJob() {
-  reporter_->cancel();
+  reporter_.cancel();
 }
 
 void LoadJob::run() {
@@ -67,7 +25,7 @@ void LoadJob::run() {
   }
   auto scene = [&]() -> Result<LoadedScene> {
     try {
-      return load_scene(request_.plan, options, *reporter_);
+      return load_scene(request_.plan, options, reporter_);
     } catch (const std::bad_alloc&) {
       return make_error("{}: there is not enough memory for this model",
                         request_.plan.models.front().file.string());
@@ -80,8 +38,8 @@ void LoadJob::run() {
   wake_();
 }
 
-LoadProgress LoadJob::progress() const {
-  return reporter_->progress();
+JobProgress LoadJob::progress() const {
+  return reporter_.progress();
 }
 
 std::optional<ScanPoints> LoadJob::take_points() {
@@ -90,7 +48,7 @@ std::optional<ScanPoints> LoadJob::take_points() {
 }
 
 std::vector<std::string> LoadJob::take_notes() {
-  return reporter_->take_notes();
+  return reporter_.take_notes();
 }
 
 std::optional<Result<LoadedScene>> LoadJob::take_scene() {

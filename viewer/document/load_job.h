@@ -1,9 +1,7 @@
 // A scene that is loaded on a thread of its own.
 #pragma once
 
-#include <atomic>
 #include <functional>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include "common/error.h"
+#include "common/watched_progress.h"
 #include "loader/load_scene.h"
 #include "viewer/document/scan_points.h"
 
@@ -21,12 +20,6 @@ struct LoadRequest {
   ScenePlan plan;
   LoadOptions options;
   bool shows_points = true;  ///< make a cloud of the points of scans until patches are there
-};
-
-/// How far a job is.
-struct LoadProgress {
-  std::string stage;            ///< empty before the first
-  std::optional<double> share;  ///< of the stage, 0 to 1; none if unknown
 };
 
 /// Loads a scene in the background. Its functions are called from one thread.
@@ -42,7 +35,7 @@ class LoadJob {
   LoadJob& operator=(const LoadJob&) = delete;
 
   [[nodiscard]] const ScenePlan& plan() const { return request_.plan; }
-  [[nodiscard]] LoadProgress progress() const;
+  [[nodiscard]] JobProgress progress() const;
 
   /// Returns the points of the scan, once.
   [[nodiscard]] std::optional<ScanPoints> take_points();
@@ -52,12 +45,11 @@ class LoadJob {
   [[nodiscard]] std::optional<Result<LoadedScene>> take_scene();
 
  private:
-  class Reporter;
   void run();
 
   LoadRequest request_;
   std::function<void()> wake_;
-  std::unique_ptr<Reporter> reporter_;
+  WatchedProgress reporter_;
   mutable std::mutex mutex_;
   std::optional<ScanPoints> points_;
   std::optional<Result<LoadedScene>> scene_;

@@ -123,6 +123,13 @@ std::string label_of(const Measurement& measurement, glm::dvec3 up, double spaci
   return format_length(value, spacing);
 }
 
+std::string copied_text(const Measurement& measurement, glm::dvec3 up) {
+  if (measurement.kind != MeasurementKind::Point)
+    return fmt::format("{}", values_of(measurement, up).front().value);
+  const glm::dvec3 at = measurement.points.front().position;
+  return fmt::format("{}, {}, {}", at.x, at.y, at.z);
+}
+
 glm::dvec3 label_anchor(const Measurement& measurement) {
   assert(is_complete(measurement) && "labelled once all points are there");
   const std::vector<SurfacePoint>& points = measurement.points;

@@ -60,6 +60,10 @@ struct MeasuredValue {
 /// have hundredths of a degree.
 [[nodiscard]] std::string label_of(const Measurement& measurement, glm::dvec3 up, double spacing);
 
+/// Returns what is copied of a measurement: that value with as many digits as bring it back to the
+/// bit, of a point "x, y, z".
+[[nodiscard]] std::string copied_text(const Measurement& measurement, glm::dvec3 up);
+
 /// Returns where its label belongs (world): at a point, in the middle of the way along a distance,
 /// height or polyline, at the middle point of an angle.
 [[nodiscard]] glm::dvec3 label_anchor(const Measurement& measurement);

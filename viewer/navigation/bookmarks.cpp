@@ -34,7 +34,7 @@ std::size_t after_move(std::size_t index, std::size_t from, std::size_t to) {
 }  // namespace
 
 std::size_t Bookmarks::add(const std::string& name, const Camera& camera) {
-  list_.push_back({free_name(list_, name, list_.size()), camera});
+  list_.push_back({free_name(list_, name, list_.size()), camera, kBookmarkSeconds});
   selected_ = list_.size() - 1;
   return *selected_;
 }
@@ -52,6 +52,11 @@ void Bookmarks::remove(std::size_t index) {
 void Bookmarks::rename(std::size_t index, const std::string& name) {
   assert(index < size());
   list_[index].name = free_name(list_, name, index);
+}
+
+void Bookmarks::set_seconds(std::size_t index, double seconds) {
+  assert(index < size() && seconds > 0.0);
+  list_[index].seconds = seconds;
 }
 
 void Bookmarks::replace(std::size_t index, const Camera& camera) {

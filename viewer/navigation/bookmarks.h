@@ -10,10 +10,14 @@
 
 namespace relief {
 
+/// Seconds to the next bookmark, of a camera path.
+inline constexpr double kBookmarkSeconds = 2.0;
+
 /// A camera with a name.
 struct Bookmark {
   std::string name;
   Camera camera;
+  double seconds = kBookmarkSeconds;  ///< to the next one, above 0
 };
 
 /// A list of bookmarks, of which one may be selected. Names differ and are not empty. All indices
@@ -30,6 +34,7 @@ class Bookmarks {
   /// Renames a bookmark; a name that another one has gets a number.
   void rename(std::size_t index, const std::string& name);
 
+  void set_seconds(std::size_t index, double seconds);
   void replace(std::size_t index, const Camera& camera);
   void move(std::size_t from, std::size_t to);  ///< changes the order, e.g. of a camera path
 

@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 22> kKeys{
+constexpr std::array<std::pair<const char*, const char*>, 26> kKeys{
     {{"drag", "orbit about the point under the cursor"},
      {"right drag, Shift + drag", "pan"},
      {"Ctrl + drag", "look around"},
@@ -24,9 +24,13 @@ constexpr std::array<std::pair<const char*, const char*>, 22> kKeys{
      {"Ctrl + B", "add a bookmark"},
      {"Page up, Page down", "the bookmark before, the next one"},
      {"C", "compare two looks"},
+     {"M", "measure"},
+     {"Backspace, Esc", "measuring: take a point back, give up"},
+     {"Enter, double click", "end a polyline"},
      {"Tab", "hide the panels"},
      {"F11", "full screen"},
      {"Ctrl + O", "open a file"},
+     {"Ctrl + S", "write a picture"},
      {"Ctrl + Q", "quit"},
      {"?", "this list"},
      {"drop a file", "open it"},

@@ -24,6 +24,12 @@ struct PathField {
   bool is_open = false;     ///< the completions are shown
 };
 
+/// A file name that is offered, until the user types another one.
+struct SaveField {
+  std::array<char, 4096> text{};  ///< with its 0
+  std::string offered;            ///< what was offered last
+};
+
 /// What the open files are, found once for each scene.
 struct SceneFacts {
   std::weak_ptr<const LoadedScene> scene;
@@ -36,10 +42,22 @@ struct FileFacts {
   double since = -1.0;  ///< the window's clock, seconds
 };
 
+/// The name that a new picture gets.
+struct OfferedPicture {
+  std::filesystem::path of;  ///< the open file
+  std::string name;
+  bool was_busy = false;  ///< with a picture, the last time
+};
+
 struct PanelState {
   PathField file;
   bool adds_file = false;
   PathField environment;
+  bool is_scrolling = false;  ///< to the section that is asked for
+  SaveField measurements;
+  SaveField picture;
+  OfferedPicture offered_picture;
+  SaveField film;
   SceneFacts scene;
   FileFacts files;
   std::optional<std::size_t> renamed;  ///< a bookmark

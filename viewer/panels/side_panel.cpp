@@ -20,19 +20,31 @@ struct Section {
   void (*show)(const PanelContext& panel);
 };
 
-constexpr std::array<Section, 6> kSections{{{"Files", true, show_files},
+constexpr std::array<Section, 9> kSections{{{"Files", true, show_files},
                                             {"Views", true, show_views},
                                             {"Look", true, show_look},
                                             {"Light", false, show_light},
                                             {"Drawing", false, show_drawing},
-                                            {"Compare", false, show_comparison}}};
+                                            {"Compare", false, show_comparison},
+                                            {"Measure", false, show_measuring},
+                                            {"Picture", false, show_picture},
+                                            {"Film", false, show_film}}};
 
 void show_section(const Section& section, const PanelContext& panel) {
   auto& open = panel.session.preferences.sections;
   const auto known = open.find(section.title);
+  bool is_asked_for = false;
   const bool was_open = known == open.end() ? section.is_open_at_first : known->second;
-  ImGui::SetNextItemOpen(was_open, ImGuiCond_Always);
+  if (panel.session.asks_for_section == section.title) {
+    // In the first frame what is in it has no height yet, so that it cannot be scrolled to.
+    if (std::exchange(panel.state.is_scrolling, !panel.state.is_scrolling))
+      panel.session.asks_for_section.clear();
+    open.insert_or_assign(section.title, true);
+    is_asked_for = true;
+  }
+  ImGui::SetNextItemOpen(is_asked_for || was_open, ImGuiCond_Always);
   const bool is_open = ImGui::CollapsingHeader(section.title);
+  if (is_asked_for) ImGui::SetScrollHereY(0.0F);
   if (is_open != was_open) open.insert_or_assign(section.title, is_open);
   if (!is_open) return;
   ImGui::PushID(section.title);

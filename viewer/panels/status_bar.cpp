@@ -11,15 +11,35 @@ namespace {
 
 std::string state_of(const Session& session) {
   if (session.document.files().empty()) return "drop a file here to open it";
-  const LoadProgress progress = session.document.progress();
+  const JobProgress progress = session.document.progress();
   if (!progress.stage.empty()) {
     return progress.share ? fmt::format("{} {:.0f} %", progress.stage, 100.0 * *progress.share)
                           : progress.stage;
   }
   if (session.document.is_loading()) return "opening";
+  if (session.picture_job != nullptr) {
+    const JobProgress made = session.picture_job->progress();
+    return fmt::format("{} {:.0f} %", session.picture_job->request().file.filename().string(),
+                       100.0 * made.share.value_or(0.0));
+  }
   if (session.scene == nullptr) return "nothing is shown";
   const PatchModel& patches = session.scene->patches;
   return fmt::format("{} patches", patches.patches.size());
+}
+
+/// What is under the cursor: position, patch, normal, colour.
+std::string hovered_text(const Session& session) {
+  if (!session.hovered || session.scene == nullptr) return {};
+  const SurfacePoint& point = session.hovered->point;
+  std::string text = format_position(point.position, session.scene->patches.spacing);
+  if (!session.hovered->is_exact) return text + "  (single precision)";
+  text += fmt::format("   patch {}   normal {:.3f}, {:.3f}, {:.3f}", point.patch + 1,
+                      point.normal.x, point.normal.y, point.normal.z);
+  if (point.colour) {
+    const glm::u8vec3 colour = *point.colour;
+    text += fmt::format("   #{:02x}{:02x}{:02x}", colour.r, colour.g, colour.b);
+  }
+  return text;
 }
 
 }  // namespace
@@ -37,7 +57,8 @@ void show_status_bar(const Session& session) {
                                       ImGuiWindowFlags_NoSavedSettings |
                                       ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
   ImGui::Begin("status", nullptr, kFlags);
-  ImGui::TextUnformatted(state_of(session).c_str());
+  const std::string hovered = hovered_text(session);
+  ImGui::TextUnformatted((hovered.empty() ? state_of(session) : hovered).c_str());
   const std::string frame =
       session.frame_ms > 0.0 ? fmt::format("{:.0f} ms   ", session.frame_ms) : std::string();
   const std::string right = frame + "? for keys";

@@ -1,0 +1,165 @@
+#include "viewer/measuring_input.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "renderer/view/view.h"
+#include "viewer/drawing/display.h"
+
+namespace relief {
+namespace {
+
+/// A cursor that has not moved for this long rests.
+constexpr double kRestingSeconds = 0.1;
+
+bool is_in(glm::dvec2 cursor, glm::ivec2 window) {
+  return cursor.x >= 0.0 && cursor.y >= 0.0 && cursor.x < window.x && cursor.y < window.y;
+}
+
+/// The patch that a probed pixel shows.
+std::optional<std::uint32_t> patch_of(const Image& pixel) {
+  const Channel* const patch = pixel.find("patch");
+  if (patch == nullptr || !(patch->values.front() > 0.0F)) return std::nullopt;
+  return static_cast<std::uint32_t>(patch->values.front()) - 1;
+}
+
+/// The query for the middle of a probed pixel.
+std::optional<PickQuery> query_of(const Image& pixel, glm::dvec2 cursor, const Session& session) {
+  const Channel* const depth = pixel.find("Z");
+  const auto patch = patch_of(pixel);
+  if (depth == nullptr || !std::isfinite(depth->values.front()) || !patch) return std::nullopt;
+  const View view =
+      make_view(session.navigator.camera(), static_cast<std::uint32_t>(session.window.x),
+                static_cast<std::uint32_t>(session.window.y), 0.0);
+  const glm::dvec2 middle(std::floor(cursor.x) + 0.5,
+                          session.window.y - std::floor(cursor.y) - 0.5);
+  PickQuery query;
+  query.start = view.eye + ray_start(view, middle);
+  query.direction = ray_through(view, middle);
+  query.depth = depth->values.front();
+  query.pixel = pixel_at(view, query.depth);
+  query.patch = *patch;
+  return query;
+}
+
+/// The patches beside a pixel.
+std::vector<std::uint32_t> patches_about(glm::dvec2 cursor, Display& display,
+                                         const Session& session) {
+  constexpr std::array<glm::dvec2, 4> kNeighbours{
+      {{-1.0, 0.0}, {1.0, 0.0}, {0.0, -1.0}, {0.0, 1.0}}};
+  std::vector<std::uint32_t> patches;
+  for (const glm::dvec2 step : kNeighbours) {
+    if (!is_in(cursor + step, session.window)) continue;
+    const auto pixel = display.probe(session, cursor + step);
+    const auto patch = pixel ? patch_of(*pixel) : std::nullopt;
+    if (patch) patches.push_back(*patch);
+  }
+  return patches;
+}
+
+}  // namespace
+
+void toggle_measuring(Session& session) {
+  if (session.measuring.chosen()) return session.measuring.put_away();
+  session.measuring.choose(session.last_tool);
+  session.asks_for_section = "Measure";
+}
+
+bool MeasuringInput::take(const Event& event, Session& session) {
+  if (const auto* const move = std::get_if<MoveEvent>(&event)) {
+    cursor_ = move->cursor;
+    has_moved_ = true;
+    return false;
+  }
+  const auto* const key = std::get_if<KeyEvent>(&event);
+  if (key == nullptr || !key->pressed || key->modifiers.control) return false;
+  switch (key->key) {
+    case GLFW_KEY_M:
+      toggle_measuring(session);
+      return true;
+    case GLFW_KEY_ESCAPE:
+      return !session.shows_help && session.measuring.escape();
+    case GLFW_KEY_BACKSPACE:
+      return session.measuring.remove_last();
+    case GLFW_KEY_ENTER:
+    case GLFW_KEY_KP_ENTER:
+      return session.measuring.finish();
+    default:
+      return false;
+  }
+}
+
+void MeasuringInput::click(glm::dvec2 cursor, bool is_double, double now, Display& display,
+                           Session& session) {
+  MeasuringTool& tool = session.measuring;
+  if (!tool.chosen()) return;
+  if (is_double) {  // its first click has added the point
+    tool.finish();
+    return;
+  }
+  const auto picked = pick(cursor, display, session);
+  if (!picked) return;
+  if (!picked->is_exact)
+    add_message(session, "This point has single precision: the surface is still being prepared",
+                false, now);
+  tool.add(picked->point);
+}
+
+bool MeasuringInput::hover(bool is_elsewhere, double now, Display& display, Session& session) {
+  picker_.set_model(session.scene == nullptr ? nullptr
+                                             : std::shared_ptr<const PatchModel>(
+                                                   session.scene, &session.scene->patches));
+  const bool is_exact = picker_.ready() != nullptr;
+  const bool becomes_exact = is_exact && !was_exact_;
+  was_exact_ = is_exact;
+  const bool has_moved = std::exchange(has_moved_, false);
+  if (is_elsewhere || has_moved || becomes_exact) {
+    moved_at_ = now;
+    is_searched_ = false;
+  }
+  const bool is_open = !session.measuring.open_points().empty();
+  if (is_elsewhere || (has_moved && !is_open))
+    return std::exchange(session.hovered, std::nullopt).has_value();
+  if (is_searched_ || !is_in(cursor_, session.window)) return false;
+  if (!is_open && now - moved_at_ < kRestingSeconds) return false;
+  is_searched_ = true;
+  session.hovered = pick(cursor_, display, session);
+  return true;
+}
+
+double MeasuringInput::wait(double most) const {
+  return is_searched_ ? most : std::min(most, kRestingSeconds);
+}
+
+std::optional<PickedPoint> MeasuringInput::pick(glm::dvec2 cursor, Display& display,
+                                                const Session& session) const {
+  const auto pixel = display.probe(session, cursor);
+  if (!pixel) return std::nullopt;
+  auto query = query_of(*pixel, cursor, session);
+  if (!query) return std::nullopt;
+  PickedPoint picked;
+  if (const auto picker = picker_.ready()) {
+    auto point = picker->pick(*query);
+    if (!point) {
+      const auto others = patches_about(cursor, display, session);
+      query->others = others;
+      point = picker->pick(*query);
+      query->others = {};
+    }
+    if (point) return PickedPoint{*point, true};
+  }
+  picked.is_exact = false;
+  picked.point.position = query->start + query->depth * query->direction;
+  picked.point.normal = glm::dvec3(0.0);
+  picked.point.patch = query->patch;
+  picked.point.depth = query->depth;
+  return picked;
+}
+
+}  // namespace relief
