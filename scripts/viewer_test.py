@@ -306,6 +306,7 @@ class Test:
         self.check_equal(picture, self.reference(), "the picture below the message", top=100)
         self.window.click(self.window.picture_size()[0] // 2, 30)
         self.check_equal(self.shoot("no_message"), self.reference(), "after a click on the message")
+        self.check(message() == 0.0, "a click on a message does not close it")
         self.say("broken", "a message, and the old picture stays")
 
     def resize(self):
