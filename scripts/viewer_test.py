@@ -5,9 +5,9 @@
     scripts/viewer_test.py build/release/cli/relief --measure dragon.relief lucy_50k.ply [--runs 5]
 
 The test opens, orbits, zooms, changes materials, compares, drops files, resizes and quits by real
-input events on a display of its own (Xvfb, xdotool), and judges the window by screenshots. They stay
-in --work. Prints a line for each step and how long frames took, which no step depends on. Exit code
-77 where Xvfb or xdotool is missing, except where CI is set: there it is a failure.
+input events on a display of its own (Xvfb, xdotool), and judges the window by screenshots, which stay
+in --work. Prints a line for each step, with times that nothing depends on. Exit code 77 where Xvfb or
+xdotool is missing, except where CI is set: there it is a failure.
 
 --measure prints a row for each file, medians of all runs: seconds from the start to the first picture
 and to rest, frames a second and their times while the camera orbits for 5 s, and CPU at rest. Measure
@@ -18,7 +18,6 @@ import math
 import os
 import pathlib
 import random
-import re
 import shutil
 import statistics
 import struct
@@ -132,6 +131,8 @@ class Test:
             raise RuntimeError(f"relief {words[0]}: {done.stderr.strip()}")
 
     def open(self, *arguments):
+        if self.window:
+            self.window.close()
         self.window = ViewerWindow(self.display, self.relief, arguments, self.work, WINDOW)
         self.window.rest()
 
@@ -173,6 +174,7 @@ class Test:
 
     def no_display(self):
         environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        environment["XDG_CONFIG_HOME"] = str(self.work / "config")
         done = subprocess.run([str(self.relief), "view", str(self.model)], env=environment, capture_output=True,
                               text=True, check=False, timeout=60)
         self.check(done.returncode == 1, f"without a display the exit code is {done.returncode}, not 1")
@@ -260,7 +262,8 @@ class Test:
         self.window.key("w")
         self.window.key("Home")
         text = self.check_equal(self.shoot("home"), self.reference(), "the first view again and relief render")
-        self.say("zoom", f"the point under the cursor moved by {shift}; background {share[0]:.0%}, then {share[1]:.0%}; back at the first view {text}")
+        self.say("zoom", f"the point under the cursor moved by {shift}; background {share[0]:.0%}, then "
+                         f"{share[1]:.0%}; back at the first view {text}")
 
     def panels(self):
         """Hidden and back; the list of keys."""
@@ -276,20 +279,6 @@ class Test:
         self.window.key("Escape")
         self.check_equal(self.shoot("no_keys"), self.reference(), "without the list of keys")
         self.say("panels", "hidden, shown; keys listed")
-
-    def measurements(self):
-        """Two points and the distance between them, above the picture."""
-        self.window.key("m")
-        x, y = (side // 2 for side in self.window.picture_size())
-        self.window.click(x - 60, y)
-        one = self.shoot("one_point")
-        self.window.click(x + 60, y + 20)
-        two = self.shoot("two_points")
-        _, far = difference(one, two)
-        self.check(far > 100, "the second point of a measurement is not to be seen")
-        self.window.key("Escape")
-        self.window.key("m")
-        self.say("measure", f"the second point changes {far} pixels")
 
     def drop(self):
         self.window.drop([self.other])
@@ -317,6 +306,7 @@ class Test:
         self.check_equal(picture, self.reference(), "the picture below the message", top=100)
         self.window.click(self.window.picture_size()[0] // 2, 30)
         self.check_equal(self.shoot("no_message"), self.reference(), "after a click on the message")
+        self.check(message() == 0.0, "a click on a message does not close it")
         self.say("broken", "a message, and the old picture stays")
 
     def resize(self):
@@ -357,10 +347,7 @@ class Test:
         cpu = self.window.cpu_seconds()
         time.sleep(2.0)
         used = (self.window.cpu_seconds() - cpu) / 2.0
-        self.display.xdotool("key", "ctrl+q")
-        code = self.window.end_of()
-        self.check(code == 0, f"Ctrl+Q ends with {code}: {self.window.said()}")
-        self.check(self.window.said() == "", f"the window said: {self.window.said()}")
+        self.finish()
         self.say("quit", f"exit code 0; CPU at rest before {used:.1%}")
 
     def empty_window(self):
@@ -376,6 +363,44 @@ class Test:
         self.check(code == 0, f"Ctrl-C ends with {code}: {self.window.said()}")
         self.say("empty", "a file dropped; Ctrl-C: exit code 0")
 
+    # In windows of their own: what they leave over the picture is nobody else's.
+
+    def measure(self):
+        """Two points and what lies between them."""
+        self.open(self.other)
+        self.window.key("m")
+        x, y = (side // 2 for side in self.window.picture_size())
+        self.window.click(x - 60, y)
+        one = self.shoot("one_point")
+        _, far = difference(one, self.reference(model=self.other).crop(0, 0, one.width, one.height))
+        self.check(far > 20, "the first point of a measurement is not to be seen")
+        self.window.click(x + 60, y + 20)
+        _, far = difference(one, self.shoot("two_points"))
+        # A line of 126 pixels, and what it measures.
+        self.check(far > 120, "the second point of a measurement is not to be seen")
+        self.finish()
+        self.say("measure", f"the second point changes {far} pixels")
+
+    def write_picture(self):
+        self.open(self.other)
+        self.reference(model=self.other)
+        before = set(self.work.glob("*.png"))
+        written = lambda: set(self.work.glob("*.png")) - before
+        self.window.key("ctrl+s")
+        self.window.wait_until(written, "a picture that is written beside the model")
+        file = written().pop()
+        picture, reference = read_png(file), self.reference(model=self.other)
+        file.unlink()
+        self.check(picture.pixels == reference.pixels, "a written picture is not to the byte that of relief render")
+        self.finish()
+        self.say("picture", "that of relief render, to the byte")
+
+    def finish(self):
+        self.display.xdotool("key", "ctrl+q")
+        code = self.window.end_of()
+        self.check(code == 0, f"Ctrl+Q ends with {code}: {self.window.said()}")
+        self.check(self.window.said() == "", f"the window said: {self.window.said()}")
+
     def run(self):
         self.make_files()
         self.no_display()
@@ -386,10 +411,6 @@ class Test:
         self.pan()
         self.close_up()
         self.panels()
-        if has_key("M"):
-            self.measurements()
-        else:
-            self.say("measure", "not tested: the window has no key M")
         self.drop()
         self.drop_broken()
         self.resize()
@@ -397,6 +418,11 @@ class Test:
         self.change_file()
         self.quit()
         self.empty_window()
+        for key, step in (("M", self.measure), ("Ctrl + S", self.write_picture)):
+            if has_key(key):
+                step()
+            else:
+                self.say("not tested", f"the window's list of keys (viewer/panels/help.cpp) has no {key}")
 
 
 def run_test(relief, work):
@@ -460,7 +486,8 @@ def measure(relief, files, runs, work):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("relief", type=pathlib.Path, help="the built program")
-    parser.add_argument("--work", type=pathlib.Path, help="folder for what it writes (default: viewer_test beside it)")
+    parser.add_argument("--work", type=pathlib.Path,
+                        help="folder for what it writes (default: viewer_test in the build folder)")
     parser.add_argument("--measure", nargs="+", metavar="FILE", help="files to measure with, instead of the test")
     parser.add_argument("--runs", type=int, default=5, help="of --measure, for each file (default 5)")
     arguments = parser.parse_args()

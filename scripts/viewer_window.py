@@ -36,19 +36,28 @@ class ViewerWindow:
         self.started = time.monotonic()
         self.process = subprocess.Popen([str(relief), "view", *map(str, arguments), "--frame-log", str(self.log_path)],
                                         env=environment, stdout=subprocess.DEVNULL, stderr=self.errors)
-        self.id = self.find()
-        self.take_keys()
+        try:
+            self.id = self.find()
+            self.take_keys()
+        except BaseException:
+            self.close()
+            raise
 
     def find(self):
         end = time.monotonic() + 60.0
         while time.monotonic() < end:
             if self.process.poll() is not None:
                 raise RuntimeError(f"relief view ended with {self.process.returncode}: {self.said()}")
-            found = self.display.xdotool("search", "--onlyvisible", "--pid", self.process.pid, check=False).split()
+            found = self.shown()
             if found:
-                return int(found[0])
+                return found[0]
             time.sleep(0.02)
         raise RuntimeError("relief view opens no window in a minute")
+
+    def shown(self):
+        """The process's windows that are to be seen."""
+        found = self.display.xdotool("search", "--onlyvisible", "--pid", self.process.pid, check=False)
+        return [int(word) for word in found.split()]
 
     def take_keys(self):
         """Gives the window the keys, as a window manager does when one appears."""
@@ -187,8 +196,7 @@ class ViewerWindow:
     def restore(self):
         with contextlib.closing(Desktop(self.display.name)) as desktop:
             desktop.restore(self.id)
-        self.wait_until(lambda: str(self.id) in self.display.xdotool("search", "--onlyvisible", "--pid",
-                                                                     self.process.pid, check=False), "a restored window")
+        self.wait_until(lambda: self.id in self.shown(), "a restored window")
         self.take_keys()
 
     def resize(self, width, height):

@@ -13,6 +13,8 @@ namespace relief {
 namespace {
 
 constexpr std::size_t kMostMessages = 5;
+constexpr double kNoteSeconds = 6.0;
+constexpr double kErrorSeconds = 20.0;
 
 /// Whether the settings say where a camera is.
 bool has_camera(const SceneSettings& settings) {
@@ -49,6 +51,12 @@ void start_camera(Session& session, const PatchModel& extent) {
 void add_message(Session& session, std::string text, bool is_error, double now) {
   session.messages.push_back({std::move(text), is_error, now});
   if (session.messages.size() > kMostMessages) session.messages.pop_front();
+}
+
+bool drop_old_messages(Session& session, double now) {
+  return std::erase_if(session.messages, [now](const Message& m) {
+           return now - m.since > (m.is_error ? kErrorSeconds : kNoteSeconds);
+         }) > 0;
 }
 
 SceneSettings& edited_look(Session& session) {

@@ -103,6 +103,9 @@ void forget_camera(SceneSettings& look);
 
 void add_message(Session& session, std::string text, bool is_error, double now);
 
+/// Takes messages away that have been there long enough. Returns whether there were some.
+bool drop_old_messages(Session& session, double now);
+
 /// Returns the renderer's settings of a look for the window's size and the present camera, as
 /// `relief render` completes them. Fails as render_settings_of() does.
 Result<RenderSettings> settings_of(const Session& session, const SceneSettings& look);

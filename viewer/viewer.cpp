@@ -59,6 +59,7 @@ class Loop {
     changes |= session_.navigator.advance(passed);
     if (changes) session_.preview.reset();  // the user takes the camera over
     changes |= play(passed, session_);
+    if (drop_old_messages(session_, now)) frames_left_ = std::max(frames_left_, 1);
     if (take_picture(now, session_)) frames_left_ = kFramesAfterEvent;
     if (measuring_.hover(changes || gui_.wants_mouse() || pointer_.held, now, display_, session_))
       frames_left_ = std::max(frames_left_, 1);
@@ -83,7 +84,7 @@ class Loop {
   }
   [[nodiscard]] bool is_progressing() const {
     return session_.document.is_loading() || session_.picture_job != nullptr ||
-           !session_.messages.empty() || (session_.stream && session_.stream->waiting > 0);
+           (session_.stream && session_.stream->waiting > 0);
   }
 
   bool take_size() {
@@ -102,6 +103,7 @@ class Loop {
 
   bool take_arrivals(double now) {
     Arrival arrival = session_.document.take();
+    if (arrival.failure || !arrival.notes.empty()) frames_left_ = kFramesAfterEvent;
     for (std::string& note : arrival.notes) add_message(session_, std::move(note), false, now);
     if (arrival.failure) add_message(session_, *std::move(arrival.failure), true, now);
     if (arrival.is_other) {
@@ -216,7 +218,9 @@ class Loop {
   }
 
   void report(const Status& status, double now) {
-    if (!status) add_message(session_, status.error().message, true, now);
+    if (status) return;
+    add_message(session_, status.error().message, true, now);
+    frames_left_ = kFramesAfterEvent;
   }
 
   Window& window_;

@@ -6,17 +6,12 @@
 namespace relief {
 namespace {
 
-constexpr double kNoteSeconds = 6.0;
-constexpr double kErrorSeconds = 20.0;
 /// Of the picture's width.
 constexpr float kWidth = 0.6F;
 
 }  // namespace
 
-void show_messages(Session& session, double now) {
-  std::erase_if(session.messages, [now](const Message& m) {
-    return now - m.since > (m.is_error ? kErrorSeconds : kNoteSeconds);
-  });
+void show_messages(Session& session) {
   if (session.messages.empty()) return;
   const ImGuiViewport& viewport = *ImGui::GetMainViewport();
   const float width =

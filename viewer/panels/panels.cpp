@@ -3,7 +3,7 @@
 namespace relief {
 
 void show_panels(Session& session, PanelState& state, double now) {
-  show_messages(session, now);
+  show_messages(session);
   show_measurements(session);
   if (session.compared && session.scene != nullptr) show_divider(session);
   if (session.shows_help) show_help(session);

@@ -18,7 +18,7 @@ void show_side_panel(const PanelContext& panel);
 void show_measurements(const Session& session);  ///< over the picture
 void show_divider(Session& session);
 void show_status_bar(const Session& session);
-void show_messages(Session& session, double now);
+void show_messages(Session& session);
 void show_help(Session& session);
 
 /// Makes a picture if its key was pressed.
