@@ -53,8 +53,8 @@ class Viewport {
   /// as sRGB if the framebuffer is such and GL_FRAMEBUFFER_SRGB is enabled.) `view.samples` samples
   /// a pixel. Does not wait for OpenGL. The pixels are those of render() without eye-dome lighting;
   /// for that, with `view.eye_dome` above 0 and one sample a pixel, the framebuffer's depth
-  /// (GL_DEPTH_COMPONENT32F) becomes that of the model, reversed; otherwise it stays. Targets are
-  /// made anew when the size or the outputs change.
+  /// (GL_DEPTH_COMPONENT32F) becomes that of the opaque surfaces, reversed; otherwise it stays.
+  /// Targets are made anew when the size or the outputs change.
   Status draw(const RenderSettings& view, std::uint32_t framebuffer);
 
   /// Draws a rectangle of the view into the same pixels of the framebuffer, which but for rounding

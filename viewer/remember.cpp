@@ -36,7 +36,7 @@ Status remember_settings(Session& session, glm::ivec2 window) {
   const auto path = settings_path();
   if (!path) return {};
   Preferences& preferences = session.preferences;
-  note_window(window, session.scale, preferences);
+  if (!session.wants_full_screen) note_window(window, session.scale, preferences);
   preferences.shows_panels = session.shows_panels;
   preferences.orbit_style = session.navigator.orbit_style();
   return save_preferences(*path, preferences);

@@ -52,6 +52,7 @@ struct Session {
   bool look_changed = true;
 
   bool asks_for_file = false;  ///< the field for a path is to be typed into
+  bool closes_files = false;   ///< all that are open, before the next frame
   bool wants_close = false;
   bool wants_full_screen = false;
 

@@ -20,8 +20,8 @@ namespace {
 constexpr double kRestSeconds = 0.25;
 /// How often progress is shown.
 constexpr double kProgressSeconds = 0.1;
-/// Frames after an event: panels open, close and light up over several.
-constexpr int kFramesAfterEvent = 3;
+/// Frames after an event: panels open, close, light up and take keys over several.
+constexpr int kFramesAfterEvent = 6;
 /// A pause is no motion.
 constexpr double kLongestStep = 0.1;
 
@@ -47,7 +47,10 @@ class Loop {
     const double passed = std::min(now - std::exchange(last_, now), kLongestStep);
     bool changes = take_size();
     changes |= take_arrivals(now);
-    for (const Event& event : events) changes |= react(event, now);
+    for (const Event& event : events) {
+      gui_.note(event);
+      changes |= react(event, now);
+    }
     if (!gui_.wants_keys()) changes |= fly(window_, passed, surface_finder(), session_);
     changes |= session_.navigator.advance(passed);
     if (session_.window.x == 0 || session_.window.y == 0) return;  // minimised
@@ -92,7 +95,7 @@ class Loop {
     if (arrival.is_other) {
       session_.look = session_.document.plan().views.front().settings;
       session_.points_read = 0;
-      report(remember_files(session_, window_.size()), now);
+      if (!arrival.failure) report(remember_files(session_, window_.size()), now);
     }
     if (arrival.points) {
       session_.points_read = arrival.points->total;
@@ -129,8 +132,9 @@ class Loop {
 
   bool react(const Event& event, double now) {
     const bool is_over_panel = gui_.wants_mouse();
-    if (session_.compared && react_to(event, session_.window.x, session_.scale,
-                                      !is_over_panel && !pointer_.held, session_.divider))
+    if (session_.compared && session_.scene != nullptr &&
+        react_to(event, session_.window.x, session_.scale, !is_over_panel && !pointer_.held,
+                 session_.divider))
       return true;
     const bool is_release =
         std::holds_alternative<ButtonEvent>(event) && !std::get<ButtonEvent>(event).pressed;
@@ -163,9 +167,19 @@ class Loop {
     gui_.end();
     window_.set_title(title_of(session_));
     window_.swap();
+    if (std::exchange(session_.closes_files, false)) close_files();
     const double ms = 1000.0 * (window_.seconds() - now);
     log_.add(kind, ms, scale);
-    if (changes && display_.note_frame(ms)) session_.frame_ms = ms;
+    if (changes && session_.scene != nullptr && display_.note_frame(ms)) session_.frame_ms = ms;
+  }
+
+  /// Not while panels read what is open.
+  void close_files() {
+    session_.document.close();
+    session_.points_read = 0;
+    session_.frame_ms = 0.0;
+    display_.show_nothing(session_);
+    frames_left_ = kFramesAfterEvent;
   }
 
   void look_at_files() {
@@ -197,7 +211,8 @@ void recall(Session& session) {
   if (preferences)
     apply_preferences(*std::move(preferences), session);
   else
-    add_message(session, preferences.error().message, true, 0.0);
+    add_message(session, preferences.error().message + "; the window begins with its defaults",
+                true, 0.0);
 }
 
 }  // namespace

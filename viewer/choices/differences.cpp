@@ -87,15 +87,19 @@ void add_engines(const RenderSettings& a, const RenderSettings& b, Collector& fo
   }
 }
 
+/// What follows from an environment alone goes without saying.
+void add_lights(const LookInForce& a, const LookInForce& b, Collector& found) {
+  if (a.asked.lights || b.asked.lights) found.add("light", lights_of(a.drawn), lights_of(b.drawn));
+  if (a.asked.ambient || b.asked.ambient)
+    found.add("ambient", a.drawn.lights.ambient.g, b.drawn.lights.ambient.g);
+}
+
 void add_light(const LookInForce& a, const LookInForce& b, Collector& found) {
   found.add("environment", environment_of(a.drawn), environment_of(b.drawn));
-  const bool is_lit = a.drawn.material == Material::Lit && b.drawn.material == Material::Lit;
-  if (is_lit) {
-    found.add("light", lights_of(a.drawn), lights_of(b.drawn));
-    found.add("ambient", a.drawn.lights.ambient.g, b.drawn.lights.ambient.g);
-  }
+  if (shows(a.drawn, b.drawn, Material::Lit)) add_lights(a, b, found);
   found.add("eye dome", a.drawn.eye_dome, b.drawn.eye_dome);
-  found.add("background", background_of(a.drawn), background_of(b.drawn));
+  if (a.asked.background || b.asked.background)
+    found.add("background", background_of(a.drawn), background_of(b.drawn));
   found.add("exposure", a.asked.exposure.value_or(0.0), b.asked.exposure.value_or(0.0));
 }
 

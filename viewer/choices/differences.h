@@ -23,7 +23,8 @@ struct LookInForce {
 };
 
 /// Returns what differs in the images, the most telling first: materials and their parameters,
-/// engines and their options, light, background, exposure. Not the camera.
+/// engines and their options, light, background, exposure. Not the camera, nor what follows from
+/// another difference.
 [[nodiscard]] std::vector<Difference> differences_of(const LookInForce& first,
                                                      const LookInForce& second);
 

@@ -15,8 +15,9 @@ namespace {
 /// sRGB of a window in which nothing is open: that of pictures' background.
 constexpr float kEmpty = 0.25F;
 
-/// Strength of eye-dome lighting of bare points: without it they have no shape.
-constexpr double kShadeOfPoints = 1.0;
+/// Strength of eye-dome lighting of bare points: without it they have no shape, and with more the
+/// gaps between them hide it.
+constexpr double kShadeOfPoints = 0.05;
 
 /// Looks of a picture of points, of which only camera, size and background count.
 Looks looks_of_points(const Session& session) {
@@ -84,7 +85,8 @@ Status Display::prepare(Session& session) {
   return prepared;
 }
 
-void Display::forget() {
+void Display::show_nothing(Session& session) {
+  session.scene.reset();
   scene_.reset();
   points_.reset();
   picture_ = LivePicture(opengl_->gl());
@@ -92,10 +94,6 @@ void Display::forget() {
 
 Status Display::update(Session& session, bool changes) {
   pacer_.set_target(session.target_ms);
-  if (session.document.files().empty() && !is_empty()) {
-    forget();
-    session.scene.reset();
-  }
   if (is_complete() && !changes && !session.look_changed) return {};
   const Status drawn = draw(session, changes);
   if (picture_.shown() != nullptr) encode(session);

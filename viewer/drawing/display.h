@@ -30,6 +30,9 @@ class Display {
   Status show(std::shared_ptr<const LoadedScene> scene, Session& session);
   Status show(const ScanPoints& points);
 
+  /// Takes what is shown off the GPU and out of the session.
+  void show_nothing(Session& session);
+
   /// Makes the picture newer: all of it and coarsely if something `changes`, otherwise the next
   /// part of the full picture. A look that cannot be drawn fails, and is put back in the session.
   Status update(Session& session, bool changes);
@@ -60,7 +63,6 @@ class Display {
   Status draw(Session& session, bool changes);
   void encode(const Session& session);
   Status prepare(Session& session);
-  void forget();  ///< what is closed
 
   GlLoader load_;
   std::shared_ptr<const OpenGl> opengl_;

@@ -12,17 +12,23 @@
 namespace relief {
 namespace {
 
-constexpr std::size_t kMostLines = 4;
+constexpr std::size_t kMostDifferences = 4;
 
 constexpr ImU32 kLine = IM_COL32(255, 255, 255, 230);
 constexpr ImU32 kLineHovered = IM_COL32(255, 217, 128, 255);
 constexpr ImU32 kBehindText = IM_COL32(20, 21, 24, 205);
 constexpr ImU32 kText = IM_COL32(240, 240, 240, 255);
+constexpr ImU32 kFaintText = IM_COL32(170, 174, 180, 255);
 constexpr ImU32 kEdited = IM_COL32(255, 217, 128, 255);
 
+struct Line {
+  std::string what;
+  std::string value;
+};
+
 struct Labels {
-  std::vector<std::string> left{"A"};
-  std::vector<std::string> right{"B"};
+  std::vector<Line> left{{"", "A"}};
+  std::vector<Line> right{{"", "B"}};
 };
 
 Labels labels_of(const Session& session) {
@@ -32,36 +38,40 @@ Labels labels_of(const Session& session) {
   const auto second = settings_of(session, *session.compared);
   if (!first || !second) return labels;
   const auto differences = differences_of({session.look, *first}, {*session.compared, *second});
-  for (const Difference& difference : differences) {
-    if (labels.left.size() == kMostLines) {
-      const auto more = fmt::format("and {} more", differences.size() - kMostLines + 1);
-      labels.left.push_back(more);
-      labels.right.push_back(more);
-      break;
-    }
-    labels.left.push_back(fmt::format("{} {}", difference.what, difference.first));
-    labels.right.push_back(fmt::format("{} {}", difference.what, difference.second));
+  const std::size_t shown = std::min(differences.size(), kMostDifferences);
+  for (std::size_t k = 0; k < shown; ++k) {
+    const std::string what = differences[k].what + "  ";
+    labels.left.push_back({what, differences[k].first});
+    labels.right.push_back({what, differences[k].second});
   }
+  if (shown == differences.size()) return labels;
+  const Line more{fmt::format("and {} more", differences.size() - shown), ""};
+  labels.left.push_back(more);
+  labels.right.push_back(more);
   return labels;
 }
 
+float width_of(const Line& line) {
+  return ImGui::CalcTextSize(line.what.c_str()).x + ImGui::CalcTextSize(line.value.c_str()).x;
+}
+
 /// Lines in a box whose upper corner at the divider is `at`.
-void draw_lines(ImDrawList& list, const std::vector<std::string>& lines, ImVec2 at, bool is_left,
+void draw_lines(ImDrawList& list, const std::vector<Line>& lines, ImVec2 at, bool is_left,
                 bool is_edited) {
   const float em = ImGui::GetFontSize();
   const float margin = 0.5F * em;
   float width = 0.0F;
-  for (const std::string& line : lines)
-    width = std::max(width, ImGui::CalcTextSize(line.c_str()).x);
+  for (const Line& line : lines) width = std::max(width, width_of(line));
   const float height = 1.25F * em * static_cast<float>(lines.size());
   const float left = is_left ? at.x - width - 2.0F * margin : at.x;
   list.AddRectFilled({left, at.y}, {left + width + 2.0F * margin, at.y + height + margin},
                      kBehindText, 0.35F * em);
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    const float own = ImGui::CalcTextSize(lines[k].c_str()).x;
-    const float x = left + margin + (is_left ? width - own : 0.0F);
+    const float x = left + margin + (is_left ? width - width_of(lines[k]) : 0.0F);
     const float y = at.y + 0.4F * margin + 1.25F * em * static_cast<float>(k);
-    list.AddText({x, y}, k == 0 && is_edited ? kEdited : kText, lines[k].c_str());
+    const float what = ImGui::CalcTextSize(lines[k].what.c_str()).x;
+    list.AddText({x, y}, kFaintText, lines[k].what.c_str());
+    list.AddText({x + what, y}, k == 0 && is_edited ? kEdited : kText, lines[k].value.c_str());
   }
 }
 

@@ -23,7 +23,7 @@ void engine_row(const RenderSettings& drawn, Session& session) {
   std::string help;
   for (const EngineEntry* engine : engines) {
     if (engine->name == drawn.engine) current = names.size();
-    names.push_back(capitalised(engine->name));
+    names.push_back(engine->name);
     help += fmt::format("{}{}: {}", help.empty() ? "" : "\n", names.back(), engine->summary);
   }
   const auto chosen = choice_row("Engine", help.c_str(), names, current);
@@ -102,7 +102,7 @@ bool option_row(const OptionContext& of) {
 
 void pace_row(Session& session) {
   std::optional<double> target = session.target_ms;
-  if (!number_row({"Target",
+  if (!number_row({"Frame time",
                    "Time of a frame while something moves: coarser pictures and levels of detail "
                    "keep it",
                    kTargetMs, Preferences().target_ms, "%.0f ms", true},

@@ -47,9 +47,10 @@ void open(const std::vector<fs::path>& files, bool beside, const PanelContext& p
 void close(const fs::path& file, const PanelContext& panel) {
   std::vector<fs::path> left = panel.session.document.files();
   std::erase(left, file);
-  if (!left.empty()) return open(left, false, panel);
-  panel.session.document.close();
-  panel.session.points_read = 0;
+  if (left.empty())
+    panel.session.closes_files = true;
+  else
+    open(left, false, panel);
 }
 
 /// A name that is cut where `right` begins, and its whole path as help.
@@ -106,7 +107,8 @@ void extent_facts(const Bounds& bounds) {
 
 void scene_facts(const PanelContext& panel) {
   const Session& session = panel.session;
-  if (session.points_read > 0) fact("Points", count_text(session.points_read));
+  const bool is_one = session.document.files().size() == 1;
+  if (session.points_read > 0 && is_one) fact("Points", count_text(session.points_read));
   if (session.scene == nullptr) return;
   const PatchModel& patches = session.scene->patches;
   SceneFacts& facts = panel.state.scene;

@@ -9,14 +9,14 @@
 namespace relief {
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 21> kKeys{
+constexpr std::array<std::pair<const char*, const char*>, 22> kKeys{
     {{"drag", "orbit about the point under the cursor"},
      {"right drag, Shift + drag", "pan"},
      {"Ctrl + drag", "look around"},
      {"Alt + drag", "roll"},
      {"wheel, pinch", "zoom towards the cursor"},
      {"W A S D, Q E", "fly; with Shift faster"},
-     {"1 to 7", "front, back, left, right, top, bottom, oblique"},
+     {"1 to 7", "front, back, left, right, top, bottom, iso"},
      {"Home", "the first view"},
      {"F", "frame all"},
      {"L", "level the horizon"},
@@ -30,18 +30,21 @@ constexpr std::array<std::pair<const char*, const char*>, 21> kKeys{
      {"Ctrl + Q", "quit"},
      {"?", "this list"},
      {"drop a file", "open it"},
-     {"right click on a slider", "its default"}}};
+     {"right click on a slider", "its default"},
+     {"Ctrl + click on a slider", "type a number"}}};
 
 }  // namespace
 
 void show_help(Session& session) {
   const ImGuiViewport& viewport = *ImGui::GetMainViewport();
-  ImGui::SetNextWindowPos(
-      {viewport.Pos.x + 0.5F * viewport.Size.x, viewport.Pos.y + 0.5F * viewport.Size.y},
-      ImGuiCond_Appearing, {0.5F, 0.5F});
+  const float width =
+      static_cast<float>(session.window.x) / ImGui::GetIO().DisplayFramebufferScale.x;
+  ImGui::SetNextWindowPos({viewport.Pos.x + 0.5F * width, viewport.Pos.y + 0.5F * viewport.Size.y},
+                          ImGuiCond_Appearing, {0.5F, 0.5F});
   ImGui::Begin("Keys", &session.shows_help,
                ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoCollapse);
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.6F * ImGui::GetFontSize(), 2.0F});
   if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
     for (const auto& [key, effect] : kKeys) {
       ImGui::TableNextColumn();
@@ -51,6 +54,7 @@ void show_help(Session& session) {
     }
     ImGui::EndTable();
   }
+  ImGui::PopStyleVar();
   ImGui::End();
 }
 

@@ -33,6 +33,9 @@ void choose_environment(const fs::path& path, const PanelContext& panel) {
 void environment_rows(const PanelContext& panel) {
   SceneSettings& look = edited_look(panel.session);
   const fs::path current = look.environment.value_or(fs::path());
+  // What could be read has become the look's; what could not has not.
+  if (!current.empty() && !panel.session.look_changed)
+    remember(panel.session.preferences.recent_environments, current, kMostRecentEnvironments);
   std::vector<fs::path> files = panel.session.preferences.recent_environments;
   if (!current.empty() && std::find(files.begin(), files.end(), current) == files.end())
     files.insert(files.begin(), current);

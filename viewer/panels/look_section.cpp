@@ -26,11 +26,15 @@ bool opacity_row(SceneSettings& look) {
 }
 
 bool roughness_row(SceneSettings& look, Preferences& preferences) {
-  if (!number_row({"Roughness", "0 is smooth", kRoughnesses, 0.0, "%.2f"}, look.roughness))
+  if (!number_row({"Roughness",
+                   "Near 0 it is smooth",
+                   {kRoughnessStep, kRoughnesses.max},
+                   kFirstRoughness,
+                   "%.2f"},
+                  look.roughness))
     return false;
-  const auto least = static_cast<double>(kRoughnessStep);
   const float chosen =
-      stepped_roughness(static_cast<float>(std::max(look.roughness.value_or(least), least)));
+      stepped_roughness(static_cast<float>(look.roughness.value_or(kFirstRoughness)));
   const bool is_other = preferences.material.roughness != chosen;
   look.roughness = preferences.material.roughness = chosen;
   return is_other;
@@ -61,9 +65,9 @@ bool glass_rows(const EngineCapabilities& can, const RenderSettings& drawn, Scen
   preferences.material.ior = made.ior;
   preferences.material.absorption = made.absorption;
   if (!can.two_interfaces.has(drawn.primitive)) return changes;
-  const std::vector<std::string> names{"Where light enters", "Where it leaves, too"};
-  const auto chosen = choice_row("Refracts", "Surfaces that refract light: one or two interfaces",
-                                 names, static_cast<std::size_t>(look.interfaces.value_or(1) - 1));
+  const std::vector<std::string> names{"1, where light enters", "2, also where it leaves"};
+  const auto chosen = choice_row("Interfaces", "Surfaces that refract light", names,
+                                 static_cast<std::size_t>(look.interfaces.value_or(1) - 1));
   if (!chosen) return changes;
   look.interfaces = static_cast<int>(*chosen) + 1;
   if (look.interfaces == 2) look.opacity.reset();  // the two do not go together
@@ -89,11 +93,8 @@ bool material_rows(const RenderSettings& drawn, SceneSettings& look, Preferences
                  current == choices.end()
                      ? std::nullopt
                      : std::optional(static_cast<std::size_t>(current - choices.begin())));
-  if (chosen) {
-    choose_material(look, choices[*chosen], preferences.material);
-    return true;
-  }
-  bool changes = false;
+  bool changes = chosen.has_value();
+  if (chosen) choose_material(look, choices[*chosen], preferences.material);
   if (drawn.material == Material::Mirror && drawn.constants.roughness > 0.0F)
     changes |= roughness_row(look, preferences);
   if (drawn.material == Material::Glass) changes |= glass_rows(can, drawn, look, preferences);
@@ -115,6 +116,19 @@ bool background_rows(const RenderSettings& drawn, SceneSettings& look) {
   return true;
 }
 
+bool eye_dome_row(const RenderSettings& drawn, SceneSettings& look) {
+  const bool is_opaque = !is_transparent(drawn);  // there is no depth of other surfaces
+  ImGui::BeginDisabled(!is_opaque);
+  const bool changes =
+      number_row({"Eye dome",
+                  is_opaque ? "Eye-dome lighting: what lies behind its neighbours is darker"
+                            : "Eye-dome lighting shades opaque surfaces only",
+                  kFineEyeDomes, 0.0, "%.2f"},
+                 look.eye_dome);
+  ImGui::EndDisabled();
+  return changes;
+}
+
 }  // namespace
 
 void show_look(const PanelContext& panel) {
@@ -132,9 +146,7 @@ void show_look(const PanelContext& panel) {
   changes |= number_row(
       {"Exposure", "Stops: light is multiplied by 2 to this power", kFineExposures, 0.0, "%+.2f"},
       look.exposure);
-  changes |= number_row({"Eye dome", "Eye-dome lighting: what lies behind its neighbours is darker",
-                         kFineEyeDomes, 0.0, "%.2f"},
-                        look.eye_dome);
+  changes |= eye_dome_row(*drawn, look);
   session.look_changed |= changes;
   if (ImGui::Button("Reset look")) {
     look = session.first_look;

@@ -38,10 +38,10 @@ Result<Preferences> load_preferences(const fs::path& path) {
   if (status.type() == fs::file_type::not_found) return Preferences();
   // A named pipe would be waited for.
   if (failed || !fs::is_regular_file(status))
-    return make_error("{}: is no file of settings; remove it", path.string());
+    return make_error("{}: is no file of settings", path.string());
   const std::uintmax_t bytes = fs::file_size(path, failed);
   if (!failed && bytes > kMostBytes)
-    return make_error("{}: has {} bytes, too many for settings; remove it", path.string(), bytes);
+    return make_error("{}: has {} bytes, too many for settings", path.string(), bytes);
   RELIEF_TRY_ASSIGN(const auto content, read_file(path));
   return parse_preferences({reinterpret_cast<const char*>(content.data()), content.size()},
                            path.string());

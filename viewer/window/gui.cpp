@@ -49,9 +49,19 @@ void set_style(float scale) {
   style.WindowPadding = {10.0F, 10.0F};
   style.ItemSpacing = {8.0F, 6.0F};
   style.Colors[ImGuiCol_WindowBg] = {0.11F, 0.115F, 0.125F, 0.93F};
+  style.Colors[ImGuiCol_TitleBg] =
+      style.Colors[ImGuiCol_TitleBgActive] = {0.20F, 0.22F, 0.25F, 1.0F};
   style.Colors[ImGuiCol_Header] = {0.24F, 0.27F, 0.31F, 1.0F};
+  style.Colors[ImGuiCol_HeaderHovered] = {0.29F, 0.33F, 0.38F, 1.0F};
+  style.Colors[ImGuiCol_HeaderActive] = {0.33F, 0.38F, 0.44F, 1.0F};
+  style.Colors[ImGuiCol_PopupBg] = {0.14F, 0.145F, 0.16F, 1.0F};
   style.Colors[ImGuiCol_FrameBg] = {0.20F, 0.21F, 0.23F, 1.0F};
+  style.Colors[ImGuiCol_FrameBgHovered] = {0.24F, 0.26F, 0.29F, 1.0F};
+  style.Colors[ImGuiCol_FrameBgActive] = {0.26F, 0.29F, 0.33F, 1.0F};
   style.Colors[ImGuiCol_Button] = {0.25F, 0.28F, 0.32F, 1.0F};
+  style.Colors[ImGuiCol_ButtonHovered] = {0.31F, 0.35F, 0.41F, 1.0F};
+  style.Colors[ImGuiCol_ButtonActive] = {0.36F, 0.42F, 0.50F, 1.0F};
+  style.Colors[ImGuiCol_TextDisabled] = {0.58F, 0.60F, 0.63F, 1.0F};
   // The value of a slider is read through its grab.
   style.Colors[ImGuiCol_SliderGrab] = {0.27F, 0.42F, 0.62F, 1.0F};
   style.Colors[ImGuiCol_SliderGrabActive] = {0.33F, 0.52F, 0.76F, 1.0F};
@@ -71,7 +81,7 @@ float density_of(GLFWwindow* window) {
 
 }  // namespace
 
-Gui::Gui(Window& window) {
+Gui::Gui(Window& window) : window_(window.handle()) {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
@@ -93,10 +103,25 @@ Gui::~Gui() {
   ImGui::DestroyContext();
 }
 
+void Gui::note(const Event& event) {
+  const auto* const key = std::get_if<KeyEvent>(&event);
+  if (key != nullptr && key->pressed && !key->repeated && key->key >= 0 &&
+      key->key <= GLFW_KEY_LAST)
+    tapped_.push_back(key->key);
+}
+
 void Gui::begin() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+#if IMGUI_VERSION_NUM < 18700
+  for (const int key : tapped_) ImGui::GetIO().KeysDown[key] = true;
   ImGui::NewFrame();
+  for (const int key : tapped_)
+    ImGui::GetIO().KeysDown[key] = glfwGetKey(window_, key) == GLFW_PRESS;
+#else
+  ImGui::NewFrame();
+#endif
+  tapped_.clear();
 }
 
 void Gui::end() {

@@ -192,10 +192,12 @@ TEST(Differences, NameLightAndExposure) {
   b.lights.from_environment = true;
   SceneSettings brighter;
   brighter.exposure = 1.5;
-  EXPECT_EQ(
-      texts(a, b, {}, brighter),
-      (std::vector<std::string>{"environment: built-in | studio", "light: camera | environment",
-                                "background: 0 0 0 | environment", "exposure: 0 | 1.5"}));
+  EXPECT_EQ(texts(a, b, {}, brighter),
+            (std::vector<std::string>{"environment: built-in | studio", "exposure: 0 | 1.5"}));
+  brighter.lights = b.lights.list = {Light{}};
+  EXPECT_EQ(texts(a, b, {}, brighter),
+            (std::vector<std::string>{"environment: built-in | studio",
+                                      "light: camera | environment and own", "exposure: 0 | 1.5"}));
 }
 
 }  // namespace
