@@ -13,6 +13,7 @@
 #include "viewer/choices/divider.h"
 #include "viewer/document/document.h"
 #include "viewer/drawing/looks.h"
+#include "viewer/inspecting/inspection.h"
 #include "viewer/navigation/bookmarks.h"
 #include "viewer/navigation/navigator.h"
 #include "viewer/settings/preferences.h"
@@ -24,6 +25,17 @@ struct Message {
   std::string text;
   bool is_error = false;
   double since = 0.0;  ///< the window's clock, seconds
+};
+
+/// What is known of what an inspection shows, and what it needs to be undone.
+struct InspectionState {
+  bool is_distance_loaded = false;  ///< or being loaded: the files coloured by distance
+  std::optional<ColourBy> colour_by_before;         ///< LoadOptions::colour_by without that
+  std::shared_ptr<const LoadedScene> scene_before;  ///< likewise; null: to be loaded again
+  std::optional<double> fragments_a_pixel;          ///< mean over pixels that the model covers
+  std::optional<double> psnr_db;                    ///< of the picture against the truth
+  std::string truth;                                ///< what the truth shows
+  std::optional<double> truth_share;  ///< done of it, 0 to 1, while it is traced
 };
 
 struct Session {
@@ -40,6 +52,9 @@ struct Session {
   std::optional<SceneSettings> compared;  ///< the look right of the divider
   bool edits_compared = false;            ///< panels change that one
   Divider divider;
+
+  Inspection inspection = Inspection::Picture;  ///< what is shown in place of the picture
+  InspectionState inspected;
 
   double target_ms = 33.0;  ///< of a frame while something moves
   Preferences preferences;  ///< what is remembered but is not above
@@ -74,7 +89,7 @@ void add_message(Session& session, std::string text, bool is_error, double now);
 /// `relief render` completes them. Fails as render_settings_of() does.
 Result<RenderSettings> settings_of(const Session& session, const SceneSettings& look);
 
-/// Returns the settings of what the window shows. `session.scene` is not null.
+/// Returns the settings of what the window shows, for its inspection. `session.scene` is not null.
 Result<Looks> looks_of(const Session& session);
 
 }  // namespace relief

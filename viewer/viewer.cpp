@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "viewer/distance_colours.h"
+#include "viewer/drawing/difference_view.h"
 #include "viewer/drawing/display.h"
 #include "viewer/frame_log.h"
 #include "viewer/input.h"
@@ -47,6 +49,10 @@ class Loop {
     const double passed = std::min(now - std::exchange(last_, now), kLongestStep);
     bool changes = take_size();
     changes |= take_arrivals(now);
+    if (auto before = follow_distance(session_)) {
+      report(display_.show(std::move(before), session_), now);
+      changes = true;
+    }
     for (const Event& event : events) {
       gui_.note(event);
       changes |= react(event, now);
@@ -55,7 +61,8 @@ class Loop {
     changes |= session_.navigator.advance(passed);
     if (session_.window.x == 0 || session_.window.y == 0) return;  // minimised
     if (!events.empty() || changes) frames_left_ = kFramesAfterEvent;
-    if (frames_left_ == 0 && display_.is_complete() && !session_.document.is_loading()) {
+    if (frames_left_ == 0 && display_.is_complete() && !session_.document.is_loading() &&
+        !difference_.is_busy()) {
       look_at_files();
       return;
     }
@@ -71,7 +78,7 @@ class Loop {
            session_.navigator.moving() || session_.look_changed || is_flying(window_);
   }
   [[nodiscard]] bool is_progressing() const {
-    return session_.document.is_loading() || !session_.messages.empty();
+    return session_.document.is_loading() || difference_.is_busy() || !session_.messages.empty();
   }
 
   bool take_size() {
@@ -91,10 +98,14 @@ class Loop {
   bool take_arrivals(double now) {
     Arrival arrival = session_.document.take();
     for (std::string& note : arrival.notes) add_message(session_, std::move(note), false, now);
-    if (arrival.failure) add_message(session_, *std::move(arrival.failure), true, now);
+    if (arrival.failure) {
+      add_message(session_, *arrival.failure, true, now);
+      give_up_distance(session_, arrival.is_other);
+    }
     if (arrival.is_other) {
       session_.look = session_.document.plan().views.front().settings;
       session_.points_read = 0;
+      session_.inspected.scene_before.reset();
       if (!arrival.failure) report(remember_files(session_, window_.size()), now);
     }
     if (arrival.points) {
@@ -161,6 +172,9 @@ class Loop {
                            : display_.is_complete() ? FrameKind::Panels
                                                     : FrameKind::Band;
     report(display_.update(session_, changes), now);
+    const auto compared = difference_.update(session_, changes, display_.is_complete(),
+                                             display_.picture(), now);
+    if (!compared) add_message(session_, compared.error().message, true, now);
     display_.present(session_);
     gui_.begin();
     show_panels(session_, panels_, now);
@@ -184,6 +198,7 @@ class Loop {
 
   void look_at_files() {
     if (!session_.document.has_changed_on_disk()) return;
+    session_.inspected.scene_before.reset();
     session_.document.reload(session_.look);
   }
 
@@ -196,6 +211,7 @@ class Loop {
   Display& display_;
   Session& session_;
   FrameLog log_;
+  DifferenceView difference_{display_.gl(), &Window::wake};
   PanelState panels_;
   Pointer pointer_;
   std::shared_ptr<const LoadedScene> waiting_;  ///< to be shown in the next turn

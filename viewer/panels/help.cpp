@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 22> kKeys{
+constexpr std::array<std::pair<const char*, const char*>, 23> kKeys{
     {{"drag", "orbit about the point under the cursor"},
      {"right drag, Shift + drag", "pan"},
      {"Ctrl + drag", "look around"},
@@ -24,6 +24,7 @@ constexpr std::array<std::pair<const char*, const char*>, 22> kKeys{
      {"Ctrl + B", "add a bookmark"},
      {"Page up, Page down", "the bookmark before, the next one"},
      {"C", "compare two looks"},
+     {"I, Shift + I", "inspect: the next view, the one before"},
      {"Tab", "hide the panels"},
      {"F11", "full screen"},
      {"Ctrl + O", "open a file"},

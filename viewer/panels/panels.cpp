@@ -5,6 +5,7 @@ namespace relief {
 void show_panels(Session& session, PanelState& state, double now) {
   show_messages(session, now);
   if (session.compared && session.scene != nullptr) show_divider(session);
+  show_legend(session);
   if (session.shows_help) show_help(session);
   if (session.asks_for_file) session.shows_panels = true;
   if (!session.shows_panels) return;

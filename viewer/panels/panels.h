@@ -17,6 +17,7 @@ void show_panels(Session& session, PanelState& state, double now);
 void show_side_panel(const PanelContext& panel);
 void show_divider(Session& session);
 void show_status_bar(const Session& session);
+void show_legend(const Session& session);
 void show_messages(Session& session, double now);
 void show_help(Session& session);
 
@@ -27,5 +28,6 @@ void show_look(const PanelContext& panel);
 void show_light(const PanelContext& panel);
 void show_drawing(const PanelContext& panel);
 void show_comparison(const PanelContext& panel);
+void show_inspection(const PanelContext& panel);
 
 }  // namespace relief

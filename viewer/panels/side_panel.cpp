@@ -20,12 +20,13 @@ struct Section {
   void (*show)(const PanelContext& panel);
 };
 
-constexpr std::array<Section, 6> kSections{{{"Files", true, show_files},
+constexpr std::array<Section, 7> kSections{{{"Files", true, show_files},
                                             {"Views", true, show_views},
                                             {"Look", true, show_look},
                                             {"Light", false, show_light},
                                             {"Drawing", false, show_drawing},
-                                            {"Compare", false, show_comparison}}};
+                                            {"Compare", false, show_comparison},
+                                            {"Inspect", true, show_inspection}}};
 
 void show_section(const Section& section, const PanelContext& panel) {
   auto& open = panel.session.preferences.sections;
