@@ -175,6 +175,7 @@ class Loop {
     const auto compared = difference_.update(session_, changes, display_.is_complete(),
                                              display_.picture(), now);
     if (!compared) add_message(session_, compared.error().message, true, now);
+    if (!compared || *compared) frames_left_ = kFramesAfterEvent;  // its legend opens
     display_.present(session_);
     gui_.begin();
     show_panels(session_, panels_, now);

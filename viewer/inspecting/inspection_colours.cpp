@@ -31,13 +31,14 @@ glm::dvec3 linear_from_oklch(double lightness, double chroma, double hue) {
 }  // namespace
 
 glm::u8vec3 patch_colour(std::uint32_t id) {
-  // Ids near each other differ by the golden angle in hue, and in lightness and chroma.
-  constexpr std::array<double, 3> kLightness{0.78, 0.62, 0.87};
-  constexpr std::array<double, 2> kChroma{0.13, 0.09};
-  constexpr double kGoldenAngle = std::numbers::pi * 0.7639320225002102;
+  // Of the steps of hue and lightness that were tried those whose colours differ most from the next
+  // three. 61 has no common factor with 256: no hue comes twice.
+  constexpr std::array<double, 2> kLightness{0.65, 0.85};
+  constexpr std::array<double, 2> kChroma{0.16, 0.1};
+  constexpr double kHueStep = 61.0 * 2.0 * std::numbers::pi / kColours;
   const std::uint32_t k = id % kColours;
   const glm::dvec3 linear =
-      linear_from_oklch(kLightness[k % 3], kChroma[k % 2], kGoldenAngle * double(k));
+      linear_from_oklch(kLightness[k % 2], kChroma[k % 2], kHueStep * double(k));
   const auto encoded = [](double x) {
     return static_cast<std::uint8_t>(std::lround(255.0F * srgb_from_linear(static_cast<float>(x))));
   };

@@ -10,9 +10,9 @@
 namespace relief {
 
 /// The count that has the last colour of overdraw, and all larger ones.
-inline constexpr double kMostFragments = 16.0;
+inline constexpr double kMostFragments = 8.0;
 /// The same of the difference, in steps of 8 bits.
-inline constexpr double kMostDifference = 32.0;
+inline constexpr double kMostDifference = 30.0;
 
 inline constexpr ColourMap kFragmentMap = ColourMap::Inferno;
 inline constexpr ColourMap kDifferenceMap = ColourMap::Magma;

@@ -18,12 +18,30 @@ namespace {
 constexpr ImU32 kTickColour = IM_COL32(200, 204, 210, 255);
 constexpr int kBarSteps = 64;
 constexpr int kMostTicks = 6;
+constexpr int kFewestTicks = 2;
 /// In ems.
-constexpr float kBarWidth = 14.0F;
+constexpr float kBarWidth = 16.0F;
 constexpr float kBarHeight = 0.8F;
 
 ImU32 colour_of(glm::u8vec3 colour) {
   return IM_COL32(colour.r, colour.g, colour.b, 255);
+}
+
+std::string text_of_tick(const Tick& tick, double high, bool is_open) {
+  return is_open && tick.value >= high ? "\xE2\x89\xA5 " + tick.text : tick.text;
+}
+
+/// As many ticks as a bar has room for.
+std::vector<Tick> fitting_ticks(double low, double high, float width) {
+  std::vector<Tick> ticks;
+  for (int most = kMostTicks; most >= kFewestTicks; --most) {
+    ticks = find_ticks(low, high, most);
+    float needed = 0.0F;
+    for (const Tick& tick : ticks)
+      needed += ImGui::CalcTextSize(tick.text.c_str()).x + 1.5F * ImGui::GetFontSize();
+    if (needed < width) break;
+  }
+  return ticks;
 }
 
 /// A bar of a map with numbers below it; `is_open`: larger values have the last colour.
@@ -38,10 +56,9 @@ void bar(ColourMap map, double low, double high, bool is_open) {
     list.AddRectFilled({left, at.y}, {right, at.y + kBarHeight * em},
                        colour_of(colour_at(map, (k + 0.5) / kBarSteps)));
   }
-  for (const Tick& tick : find_ticks(low, high, kMostTicks)) {
+  for (const Tick& tick : fitting_ticks(low, high, width)) {
     const double share = high > low ? (tick.value - low) / (high - low) : 0.5;
-    const bool is_last = is_open && tick.value >= high;
-    const std::string text = is_last ? "\xE2\x89\xA5 " + tick.text : tick.text;
+    const std::string text = text_of_tick(tick, high, is_open);
     const float size = ImGui::CalcTextSize(text.c_str()).x;
     const float x = at.x + width * static_cast<float>(share);
     list.AddLine({x, at.y + kBarHeight * em}, {x, at.y + 1.1F * em}, kTickColour);
@@ -114,7 +131,9 @@ void show_legend(const Session& session) {
       ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
       ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoInputs;
-  ImGui::Begin("legend", nullptr, kFlags);
+  // A window of its own for each, as large as its text.
+  const std::string name = fmt::format("legend {}", static_cast<int>(session.inspection));
+  ImGui::Begin(name.c_str(), nullptr, kFlags);
   content(session);
   ImGui::End();
 }

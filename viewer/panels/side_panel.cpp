@@ -23,10 +23,10 @@ struct Section {
 constexpr std::array<Section, 7> kSections{{{"Files", true, show_files},
                                             {"Views", true, show_views},
                                             {"Look", true, show_look},
+                                            {"Inspect", true, show_inspection},
                                             {"Light", false, show_light},
                                             {"Drawing", false, show_drawing},
-                                            {"Compare", false, show_comparison},
-                                            {"Inspect", true, show_inspection}}};
+                                            {"Compare", false, show_comparison}}};
 
 void show_section(const Section& section, const PanelContext& panel) {
   auto& open = panel.session.preferences.sections;

@@ -38,11 +38,15 @@ class Inspecting : public testing::Test {
     EXPECT_TRUE(session_.document.open({folder_ / "ball.ply"}, {}));
     session_.window = {kWidth, kHeight};
     session_.navigator.set_image({kWidth, kHeight});
-    test::SphereShape shape;
-    shape.patches_per_side = 2;
+    const test::SphereShape shape;  // a patch a side of a cube
+    // Not from afar, as a ball of so few pixels is.
+    session_.look.options["pixels-per-sample"] = 0.5;
     auto scene = std::make_shared<LoadedScene>();
     scene->patches = test::sphere_model(shape);
     session_.navigator.set_model(without_patches(scene->patches), false);
+    // The middle of a patch, whose normal is toward the eye.
+    session_.navigator.look_from(kViews.front().value);
+    for (int k = 0; k < 100; ++k) session_.navigator.advance(0.05);
     EXPECT_TRUE(display_->show(scene, session_));
   }
   ~Inspecting() override { display_.reset(); }
@@ -75,8 +79,8 @@ class Inspecting : public testing::Test {
   Session session_;
 };
 
-/// The middle of the ball nearly faces the eye, whose light is 1 there; half floats, and means of
-/// four samples that lie on neighbours of the pixel's middle.
+/// Half floats, and the mean of four samples that are up to a pixel off the ball's middle, which is
+/// a fiftieth of its height.
 constexpr float kTolerance = 0.04F;
 
 void expect_near(glm::vec3 shown, glm::vec3 expected) {
@@ -91,13 +95,12 @@ TEST_F(Inspecting, PatchesHaveTheirColours) {
 }
 
 TEST_F(Inspecting, LevelsHaveTheirs) {
-  // Balls of 96x64 pixels are coarse: some level, but not from afar.
   show(Inspection::Levels);
-  const glm::vec3 shown = colour_at_middle();
-  float nearest = 1.0F;
-  for (std::uint32_t level = 0; level < 8; ++level)
-    nearest = std::min(nearest, glm::length(shown - linear_from_srgb8(level_colour(level))));
-  EXPECT_LT(nearest, kTolerance);
+  expect_near(colour_at_middle(), linear_from_srgb8(level_colour(0)));
+  // By default samples are seen up to 4 pixels apart; those of this ball lie 1.2 apart.
+  session_.look.options.clear();
+  show(Inspection::Levels);
+  expect_near(colour_at_middle(), linear_from_srgb8(level_colour(1)));
 }
 
 TEST_F(Inspecting, NormalsPointTowardTheEye) {

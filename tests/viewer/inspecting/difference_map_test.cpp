@@ -28,16 +28,16 @@ glm::u8vec3 rgb(glm::u8vec4 pixel) {
 TEST(DifferenceMap, HasTheStepsOfEachPixel) {
   const Image truth = image_of(3, 2, 100);
   Image shown = truth;
-  shown.channels[1].values[0] = linear_from_srgb8(116);  // upper left, green
+  shown.channels[1].values[0] = linear_from_srgb8(124);  // upper left, green
   shown.channels[2].values[5] = linear_from_srgb8(20);   // lower right, blue
   const auto map = map_difference(shown, truth, 0.0);
   ASSERT_TRUE(map) << map.error().message;
   ASSERT_EQ(map->pixels.size(), 6U);
-  EXPECT_EQ(rgb(map->pixels[3]), colour_at(kDifferenceMap, std::lround(255.0 / 2.0) / 255.0));
+  EXPECT_EQ(rgb(map->pixels[3]), colour_at(kDifferenceMap, 0.8));
   EXPECT_EQ(rgb(map->pixels[2]), colour_at(kDifferenceMap, 1.0));
   EXPECT_EQ(rgb(map->pixels[0]), colour_at(kDifferenceMap, 0.0));
   // 18 values, two of which are off.
-  const double mean = (16.0 * 16.0 + 80.0 * 80.0) / (255.0 * 255.0) / 18.0;
+  const double mean = (24.0 * 24.0 + 80.0 * 80.0) / (255.0 * 255.0) / 18.0;
   EXPECT_NEAR(map->psnr_db, -10.0 * std::log10(mean), 0.01) << "floats of linear light";
 }
 
