@@ -36,7 +36,8 @@ bool react_to_shortcut(int key, const Modifiers& modifiers, Session& session) {
   } else if (key == GLFW_KEY_C) {
     toggle_comparison(session);
   } else if (key == GLFW_KEY_I) {
-    choose_inspection(next_inspection(session.inspection, modifiers.shift ? -1 : 1), session);
+    if (session.scene != nullptr)
+      choose_inspection(next_inspection(session.inspection, modifiers.shift ? -1 : 1), session);
   } else if (key == GLFW_KEY_F11) {
     session.wants_full_screen = !session.wants_full_screen;
   } else {

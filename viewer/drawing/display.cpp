@@ -57,7 +57,7 @@ Status Display::show(std::shared_ptr<const LoadedScene> scene, Session& session)
   }
   scene_ = *std::move(view);
   points_.reset();
-  session.look_changed = true;
+  drawn_inspection_ = session.inspection;
   is_steady_ = false;
   drawn_looks_.emplace(session.look, session.compared);
   return {};
@@ -115,15 +115,19 @@ Status Display::draw(Session& session, bool changes) {
   if (scene_ == nullptr) return {};
   if (look_changes) {
     RELIEF_TRY(prepare(session));
-    RELIEF_TRY(choose_inspector(session));
   }
+  RELIEF_TRY(choose_inspector(session));
   RELIEF_TRY_ASSIGN(const Looks looks, looks_of(session));
   depth_scale_ = eye_dome_scale(looks.first.camera) * scene_->viewport().depth_range(looks.first);
-  RELIEF_TRY(changes || look_changes
-                 ? picture_.draw(scene_->viewport(), looks, pacer_.quality())
-                 : picture_.refine(scene_->viewport(), looks));
+  const Status drawn = changes || look_changes
+                           ? picture_.draw(scene_->viewport(), looks, pacer_.quality())
+                           : picture_.refine(scene_->viewport(), looks);
+  if (!drawn && inspector_) {
+    session.inspection = Inspection::Picture;
+    session.look_changed = true;
+  }
   note_figures(session);
-  return {};
+  return drawn;
 }
 
 Status Display::choose_inspector(const Session& session) {

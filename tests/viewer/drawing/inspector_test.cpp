@@ -97,8 +97,9 @@ TEST_F(Inspecting, PatchesHaveTheirColours) {
 TEST_F(Inspecting, LevelsHaveTheirs) {
   show(Inspection::Levels);
   expect_near(colour_at_middle(), linear_from_srgb8(level_colour(0)));
-  // By default samples are seen up to 4 pixels apart; those of this ball lie 1.2 apart.
-  session_.look.options.clear();
+  // Its samples are seen 1.2 pixels apart. Level 1 is off by s^2 / 8 of a ball's radius, for s = 0.1,
+  // which is 1/32 of a pixel, and level 2 by four times that; 8/128 of a pixel are allowed.
+  session_.look.options["pixels-per-sample"] = 8.0;
   show(Inspection::Levels);
   expect_near(colour_at_middle(), linear_from_srgb8(level_colour(1)));
 }
@@ -147,6 +148,17 @@ TEST_F(Inspecting, OverdrawCountsWhatIsShaded) {
   EXPECT_GE(colour_at_middle().r, two.r - kTolerance);
   show(Inspection::Picture);
   EXPECT_FALSE(session_.inspected.fragments_a_pixel);
+}
+
+TEST_F(Inspecting, WhatCannotBeCountedIsThePictureAgain) {
+  show(Inspection::Picture);
+  session_.look.opacity = 0.5;
+  session_.inspection = Inspection::Overdraw;
+  session_.look_changed = true;
+  const Status status = display_->update(session_, true);
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().message, "fragments of semi-transparent surfaces are not counted");
+  show(Inspection::Picture);
 }
 
 TEST_F(Inspecting, ThePictureComesBack) {
