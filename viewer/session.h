@@ -29,13 +29,13 @@ struct Message {
 
 /// What is known of what an inspection shows, and what it needs to be undone.
 struct InspectionState {
-  bool is_distance_loaded = false;  ///< or being loaded: the files coloured by distance
-  std::optional<ColourBy> colour_by_before;         ///< LoadOptions::colour_by without that
+  bool is_distance_loaded = false;           ///< or being loaded: the files coloured by distance
+  std::optional<ColourBy> colour_by_before;  ///< LoadOptions::colour_by without that
   std::shared_ptr<const LoadedScene> scene_before;  ///< likewise; null: to be loaded again
   std::optional<double> fragments_a_pixel;          ///< mean over pixels that the model covers
   std::optional<double> psnr_db;                    ///< of the picture against the truth
   std::string truth;                                ///< what the truth shows
-  std::optional<double> truth_share;  ///< done of it, 0 to 1, while it is traced
+  std::optional<double> truth_share;                ///< done of it, 0 to 1, while it is traced
 };
 
 struct Session {

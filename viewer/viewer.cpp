@@ -172,8 +172,8 @@ class Loop {
                            : display_.is_complete() ? FrameKind::Panels
                                                     : FrameKind::Band;
     report(display_.update(session_, changes), now);
-    const auto compared = difference_.update(session_, changes, display_.is_complete(),
-                                             display_.picture(), now);
+    const auto compared =
+        difference_.update(session_, changes, display_.is_complete(), display_.picture(), now);
     if (!compared) add_message(session_, compared.error().message, true, now);
     if (!compared || *compared) frames_left_ = kFramesAfterEvent;  // its legend opens
     display_.present(session_);

@@ -63,17 +63,15 @@ Status DifferenceView::begin(Session& session) {
 Status DifferenceView::show(const Truth& truth, Session& session, const Canvas& picture) {
   const Image shown = read_colour(*gl_, picture.colour, picture.width, picture.height);
   const Image& first = truth.images.front();
-  const Image whole = truth.images.size() > 1
-                          ? join_at(first, truth.images.back(), session.divider.share)
-                          : first;
+  const Image whole =
+      truth.images.size() > 1 ? join_at(first, truth.images.back(), session.divider.share) : first;
   auto map = map_difference(shown, whole, session.look.exposure.value_or(0.0));
   if (!map) return make_error("the picture {}", map.error().message);
   gl_->TextureSubImage2D(picture.shown.id(), 0, 0, 0, static_cast<GLsizei>(map->width),
                          static_cast<GLsizei>(map->height), GL_RGBA, GL_UNSIGNED_BYTE,
                          map->pixels.data());
   session.inspected.psnr_db = map->psnr_db;
-  session.inspected.truth =
-      truth.is_input ? "the input's triangles" : "the patches' own triangles";
+  session.inspected.truth = truth.is_input ? "the input's triangles" : "the patches' own triangles";
   return {};
 }
 

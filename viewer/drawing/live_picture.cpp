@@ -67,9 +67,8 @@ Status LivePicture::draw_pane(Viewport& model, const Pane& pane, const Canvas& c
   if (inspector_ == nullptr) return model.draw(pane.settings, pane.part, canvas.framebuffer.id());
   RenderSettings settings = pane.settings;
   settings.afar_factor = 1.0;  // what is drawn from afar has no levels, cells or samples
-  return model.draw(settings, pane.part, [&](const DrawnPart& part) {
-    return inspector_->draw(part, canvas);
-  });
+  return model.draw(settings, pane.part,
+                    [&](const DrawnPart& part) { return inspector_->draw(part, canvas); });
 }
 
 Status LivePicture::draw_band(Viewport& model, const Looks& looks, int samples, bool& is_last) {

@@ -39,11 +39,9 @@ namespace {
 /// Whether the faces of all files can be read again: those of patch files are gone.
 bool has_input_faces(const TruthModel& model) {
   return model.scene->has_faces && !model.scene->colours &&
-         std::none_of(model.plan.models.begin(), model.plan.models.end(),
-                      [&](const SceneModel& m) {
-                        return names_patch_file(m.file) ||
-                               is_raster(m.file, model.options.read.format);
-                      });
+         std::none_of(model.plan.models.begin(), model.plan.models.end(), [&](const SceneModel& m) {
+           return names_patch_file(m.file) || is_raster(m.file, model.options.read.format);
+         });
 }
 
 /// What the tracer's thread keeps from request to request.

@@ -11,15 +11,22 @@ Inspection next_inspection(Inspection inspection, int steps) {
 
 std::optional<int> inspected_output(Inspection inspection) {
   switch (inspection) {
-    case Inspection::Patches: return shared::kInspectPatches;
-    case Inspection::Normals: return shared::kInspectNormals;
-    case Inspection::Levels: return shared::kInspectLevels;
-    case Inspection::Cells: return shared::kInspectCells;
-    case Inspection::Samples: return shared::kInspectSamples;
-    case Inspection::Overdraw: return shared::kInspectOverdraw;
+    case Inspection::Patches:
+      return shared::kInspectPatches;
+    case Inspection::Normals:
+      return shared::kInspectNormals;
+    case Inspection::Levels:
+      return shared::kInspectLevels;
+    case Inspection::Cells:
+      return shared::kInspectCells;
+    case Inspection::Samples:
+      return shared::kInspectSamples;
+    case Inspection::Overdraw:
+      return shared::kInspectOverdraw;
     case Inspection::Picture:
     case Inspection::Distance:
-    case Inspection::Difference: break;
+    case Inspection::Difference:
+      break;
   }
   return {};
 }

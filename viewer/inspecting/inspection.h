@@ -33,11 +33,12 @@ inline constexpr std::array<InspectionText, 9> kInspections{
      {"Patches", "Each patch in a colour of its own"},
      {"Normals", "Red, green and blue: x, y and z of the normal in the scan's frame, -1 to 1"},
      {"Levels of detail", "The level that each patch is drawn at"},
-     {"Cells", "The grid of each patch at its finest level; zoom in where cells are too small to see"},
+     {"Cells",
+      "The grid of each patch at its finest level; zoom in where cells are too small to see"},
      {"Samples", "The samples of each patch at its finest level; zoom in where they are too close"},
      {"Overdraw", "Fragments that are shaded a pixel, in all passes that draw the model"},
      {"Distance to the points", "How far the surface is from the nearest point of the scan"},
-     {"Difference to ray tracing",
+     {"Difference to truth",
       "How far each pixel is off a ray-traced image of the same view, in 8-bit steps"}}};
 
 [[nodiscard]] inline const InspectionText& text_of(Inspection inspection) {

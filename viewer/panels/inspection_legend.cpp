@@ -71,8 +71,8 @@ void bar(ColourMap map, double low, double high, bool is_open) {
 void box(glm::u8vec3 colour, const std::string& text) {
   const float em = ImGui::GetFontSize();
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 0.1F * em},
-                                            {at.x + em, at.y + 0.9F * em}, colour_of(colour));
+  ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 0.1F * em}, {at.x + em, at.y + 0.9F * em},
+                                            colour_of(colour));
   ImGui::Dummy({1.2F * em, em});
   ImGui::SameLine();
   ImGui::TextUnformatted(text.c_str());
@@ -90,10 +90,14 @@ void level_boxes() {
 bool has_legend(const Session& session) {
   switch (session.inspection) {
     case Inspection::Levels:
-    case Inspection::Overdraw: return true;
-    case Inspection::Distance: return session.scene->colours.has_value();
-    case Inspection::Difference: return session.inspected.psnr_db.has_value();
-    default: return false;
+    case Inspection::Overdraw:
+      return true;
+    case Inspection::Distance:
+      return session.scene->colours.has_value();
+    case Inspection::Difference:
+      return session.inspected.psnr_db.has_value();
+    default:
+      return false;
   }
 }
 

@@ -32,8 +32,8 @@ class Inspecting : public testing::Test {
   Inspecting() : session_(Document({}, [] {})) {
     context_ = *make_context(GlPlatform::Automatic, false);
     gl_ = *load_functions(*context_);
-    display_ = *Display::create(
-        [this](const char* name) { return context_->get_proc_address(name); });
+    display_ =
+        *Display::create([this](const char* name) { return context_->get_proc_address(name); });
     test::spill(folder_ / "ball.ply", "");
     EXPECT_TRUE(session_.document.open({folder_ / "ball.ply"}, {}));
     session_.window = {kWidth, kHeight};
@@ -97,8 +97,8 @@ TEST_F(Inspecting, PatchesHaveTheirColours) {
 TEST_F(Inspecting, LevelsHaveTheirs) {
   show(Inspection::Levels);
   expect_near(colour_at_middle(), linear_from_srgb8(level_colour(0)));
-  // Its samples are seen 1.2 pixels apart. Level 1 is off by s^2 / 8 of a ball's radius, for s = 0.1,
-  // which is 1/32 of a pixel, and level 2 by four times that; 8/128 of a pixel are allowed.
+  // Its samples are seen 1.2 pixels apart. Level 1 is off by s^2 / 8 of a ball's radius, for s =
+  // 0.1, which is 1/32 of a pixel, and level 2 by four times that; 8/128 of a pixel are allowed.
   session_.look.options["pixels-per-sample"] = 8.0;
   show(Inspection::Levels);
   expect_near(colour_at_middle(), linear_from_srgb8(level_colour(1)));
@@ -115,7 +115,8 @@ TEST_F(Inspecting, NormalsPointTowardTheEye) {
 TEST_F(Inspecting, BesideTheModelIsTheBackground) {
   show(Inspection::Picture);
   const glm::vec3 background = colour_at(0);
-  for (const Inspection inspection : {Inspection::Patches, Inspection::Cells, Inspection::Overdraw}) {
+  for (const Inspection inspection :
+       {Inspection::Patches, Inspection::Cells, Inspection::Overdraw}) {
     show(inspection);
     EXPECT_EQ(colour_at(0), background);
   }
