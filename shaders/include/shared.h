@@ -179,8 +179,8 @@ using glm::vec4;
 #define RELIEF_UNIFORM_DEPTH_SCALE 2
 
 /// Texture units and uniforms of the pass that shows outputs of a view in colours, where no model
-/// is bound: which output (InspectionKind of viewer/inspecting/inspection.h), where its part of the
-/// picture is and how many samples it has, the world direction toward the eye, the value of the
+/// is bound: which output (inspected_output() of viewer/inspecting/inspection.h), where its part of
+/// the picture is and how many samples it has, the world direction toward the eye, the value of the
 /// scale's end.
 #define RELIEF_TEXTURE_INSPECTED_COLOUR 0
 #define RELIEF_TEXTURE_INSPECTED_NORMAL 1

@@ -116,6 +116,8 @@ void content(const Session& session) {
     const ColourScale& scale = *session.scene->colours;
     ImGui::TextUnformatted("Distance to the points, in the scan's unit");
     bar(scale.map, scale.low, scale.high, true);
+    const std::string range = fmt::format("2 % to 98 %: {:.3g} to {:.3g}", scale.low, scale.high);
+    ImGui::TextUnformatted(range.c_str());
   }
 }
 
