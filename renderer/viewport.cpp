@@ -144,6 +144,37 @@ Status Viewport::draw(const RenderSettings& view, const Rectangle& part,
   return check_errors(gl, "the viewport");
 }
 
+Status Viewport::draw(const RenderSettings& view, const Rectangle& part, const PartReader& read) {
+  assert(part.left + part.width <= view.width && part.bottom + part.height <= view.height);
+  RELIEF_TRY_ASSIGN(GlPreparedModel* const engine, engine_for(view));
+  const Gl& gl = opengl_->gl();
+  const SavedState saved(gl);
+  RenderSettings settings = engine->settled(view);
+  settings.samples = 1;
+  const Counting counting = view.count_fragments ? Counting::On : Counting::Off;
+  const std::uint32_t side = samples_a_side(view.samples);
+  PassTimer timer(gl);
+  for (Raster raster : parts_of(part.width, part.height, side, largest_target(gl))) {
+    raster.left += part.left;
+    raster.bottom += part.bottom;
+    RELIEF_TRY_ASSIGN(GlFrame frame, engine->model().make_frame(
+                                         settings, raster,
+                                         reused_->take(raster.width * side, raster.height * side,
+                                                       settings.outputs)));
+    RELIEF_TRY_ASSIGN(const auto drawing, engine->make_drawing(frame, settings, counting));
+    if (drawing == nullptr)
+      return make_error("fragments of semi-transparent surfaces are not counted");
+    std::optional<Buffer> counts;
+    if (counting == Counting::On)
+      counts = draw_counting(gl, frame, *drawing, CountsOf::Pixels);
+    else
+      draw_frame(gl, frame, *drawing, timer);
+    RELIEF_TRY(read({frame, raster, engine->model().store(), counts ? counts->id() : 0}));
+    reused_->targets = std::move(frame.targets);
+  }
+  return check_errors(gl, "the viewport");
+}
+
 double Viewport::depth_range(const RenderSettings& view) const {
   const auto engine = engine_for(view);
   assert(engine && "an engine of the looks");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>
@@ -14,6 +15,7 @@
 #include "renderer/model.h"
 #include "renderer/settings.h"
 #include "renderer/store/patch_store.h"
+#include "renderer/view/view.h"
 
 namespace relief {
 
@@ -21,6 +23,7 @@ class EnvironmentCache;
 class GlPreparedModel;
 class OpenGl;
 class PatchPool;
+struct GlFrame;
 
 /// Pixels of an image, from its lower left corner.
 struct Rectangle {
@@ -29,6 +32,16 @@ struct Rectangle {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
 };
+
+/// A part of a view that has just been drawn, while it is read.
+struct DrawnPart {
+  const GlFrame& frame;  ///< its targets hold what was drawn, its view is the part's
+  Raster raster;         ///< where the part lies in the view
+  const PatchStore& store;
+  std::uint32_t counts = 0;  ///< buffer: fragments by pixel, as draw_counting() gives them; 0: none
+};
+
+using PartReader = std::function<Status(const DrawnPart& part)>;
 
 /// A model on the GPU, uploaded once with all its levels, and drawn from any view into any
 /// framebuffer. The OpenGL 4.5 core context belongs to the caller: it is current on this thread,
@@ -70,6 +83,12 @@ class Viewport {
   /// Draws a rectangle of the view into the same pixels of the framebuffer, which but for rounding
   /// are those that draw() gives them. What lies beside it costs nothing and stays as it was.
   Status draw(const RenderSettings& view, const Rectangle& part, std::uint32_t framebuffer);
+
+  /// Draws a rectangle of the view, and gives each part of it with its outputs to `read`, which may
+  /// draw: OpenGL's state is restored after it. `view.samples` samples a pixel, which are not
+  /// averaged. With `view.count_fragments` what is drawn are the counts; fails if the look has
+  /// semi-transparent surfaces, whose fragments are not counted.
+  Status draw(const RenderSettings& view, const Rectangle& part, const PartReader& read);
 
   /// Returns how far apart, in world units, what depth values of 1 and 0 stand for is; 0 for a
   /// perspective view, whose depth values are not linear. The engine is among those of the looks.

@@ -83,6 +83,8 @@ Result<Looks> looks_of(const Session& session) {
   if (session.compared) {
     RELIEF_TRY_ASSIGN(looks.second, settings_of(session, *session.compared));
   }
+  looks.first = inspected(std::move(looks.first), session.inspection);
+  if (looks.second) looks.second = inspected(*std::move(looks.second), session.inspection);
   looks.divider = session.divider.share;
   return looks;
 }

@@ -14,6 +14,7 @@
 #include "viewer/document/document.h"
 #include "viewer/drawing/looks.h"
 #include "viewer/drawing/uploaded_scene.h"
+#include "viewer/inspecting/inspection.h"
 #include "viewer/measuring/tool.h"
 #include "viewer/navigation/bookmarks.h"
 #include "viewer/navigation/navigator.h"
@@ -42,6 +43,17 @@ struct PathPreview {
   double seconds = 0.0;  ///< since it began
 };
 
+/// What is known of what an inspection shows, and what it needs to be undone.
+struct InspectionState {
+  bool is_distance_loaded = false;           ///< or being loaded: the files coloured by distance
+  std::optional<ColourBy> colour_by_before;  ///< LoadOptions::colour_by without that
+  std::shared_ptr<const LoadedScene> scene_before;  ///< likewise; null: to be loaded again
+  std::optional<double> fragments_a_pixel;          ///< mean over pixels that the model covers
+  std::optional<double> psnr_db;                    ///< of the picture against the truth
+  std::string truth;                                ///< what the truth shows
+  std::optional<double> truth_share;                ///< done of it, 0 to 1, while it is traced
+};
+
 struct Session {
   explicit Session(Document opened) : document(std::move(opened)) {}
 
@@ -64,8 +76,10 @@ struct Session {
   PictureChoice picture;
   PathChoice path;
   std::optional<PathPreview> preview;
-  std::unique_ptr<PictureJob> picture_job;  ///< the picture or film that is being made
-  bool wants_picture = false;               ///< by its key
+  std::unique_ptr<PictureJob> picture_job;      ///< the picture or film that is being made
+  bool wants_picture = false;                   ///< by its key
+  Inspection inspection = Inspection::Picture;  ///< what is shown in place of the picture
+  InspectionState inspected;
 
   double target_ms = 33.0;  ///< of a frame while something moves
   Preferences preferences;  ///< what is remembered but is not above
@@ -110,7 +124,7 @@ bool drop_old_messages(Session& session, double now);
 /// `relief render` completes them. Fails as render_settings_of() does.
 Result<RenderSettings> settings_of(const Session& session, const SceneSettings& look);
 
-/// Returns the settings of what the window shows. `session.scene` is not null.
+/// Returns the settings of what the window shows, for its inspection. `session.scene` is not null.
 Result<Looks> looks_of(const Session& session);
 
 }  // namespace relief

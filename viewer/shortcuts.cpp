@@ -37,6 +37,9 @@ bool react_to_shortcut(int key, const Modifiers& modifiers, Session& session) {
     go_to_selected(session.bookmarks.select_previous(), session);
   } else if (key == GLFW_KEY_C) {
     toggle_comparison(session);
+  } else if (key == GLFW_KEY_I) {
+    if (session.scene != nullptr)
+      choose_inspection(next_inspection(session.inspection, modifiers.shift ? -1 : 1), session);
   } else if (key == GLFW_KEY_F11) {
     session.wants_full_screen = !session.wants_full_screen;
   } else {
@@ -51,6 +54,12 @@ void toggle_comparison(Session& session) {
   else
     session.compared = session.look;
   session.edits_compared = session.compared.has_value();
+  session.look_changed = true;
+}
+
+void choose_inspection(Inspection inspection, Session& session) {
+  session.inspection = inspection;
+  session.inspected.psnr_db.reset();
   session.look_changed = true;
 }
 

@@ -13,6 +13,9 @@ bool react_to_shortcut(int key, const Modifiers& modifiers, Session& session);
 /// keeps the look left of the divider.
 void toggle_comparison(Session& session);
 
+/// Shows something else in place of the picture.
+void choose_inspection(Inspection inspection, Session& session);
+
 /// Adds the camera to the bookmarks.
 void add_bookmark(Session& session);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "viewer/distance_colours.h"
+#include "viewer/drawing/difference_view.h"
 #include "viewer/drawing/display.h"
 #include "viewer/frame_log.h"
 #include "viewer/input.h"
@@ -51,6 +53,10 @@ class Loop {
     const double passed = std::min(now - std::exchange(last_, now), kLongestStep);
     bool changes = take_size();
     changes |= take_arrivals(now);
+    if (auto before = follow_distance(session_)) {
+      report(display_.show(std::move(before), session_), now);
+      changes = true;
+    }
     for (const Event& event : events) {
       gui_.note(event);
       changes |= react(event, now);
@@ -84,7 +90,7 @@ class Loop {
   }
   [[nodiscard]] bool is_progressing() const {
     return session_.document.is_loading() || session_.picture_job != nullptr ||
-           (session_.stream && session_.stream->waiting > 0);
+           difference_.is_busy() || (session_.stream && session_.stream->waiting > 0);
   }
 
   bool take_size() {
@@ -105,7 +111,10 @@ class Loop {
     Arrival arrival = session_.document.take();
     if (arrival.failure || !arrival.notes.empty()) frames_left_ = kFramesAfterEvent;
     for (std::string& note : arrival.notes) add_message(session_, std::move(note), false, now);
-    if (arrival.failure) add_message(session_, *std::move(arrival.failure), true, now);
+    if (arrival.failure) {
+      add_message(session_, *arrival.failure, true, now);
+      give_up_distance(session_, arrival.is_other);
+    }
     if (arrival.is_other) {
       session_.points_read = 0;
       if (!arrival.failure) {
@@ -114,6 +123,7 @@ class Loop {
         if (!session_.document.plan().file.empty()) session_.first_look = session_.look;
         report(remember_files(session_, window_.size()), now);
       }
+      session_.inspected.scene_before.reset();
     }
     if (arrival.points) {
       session_.points_read = arrival.points->total;
@@ -190,6 +200,10 @@ class Loop {
                            : display_.is_complete() ? FrameKind::Panels
                                                     : FrameKind::Band;
     report(display_.update(session_, changes), now);
+    const auto compared =
+        difference_.update(session_, changes, display_.is_complete(), display_.picture(), now);
+    if (!compared) add_message(session_, compared.error().message, true, now);
+    if (!compared || *compared) frames_left_ = kFramesAfterEvent;  // its legend opens
     display_.present(session_);
     gui_.begin();
     show_panels(session_, panels_, now);
@@ -214,6 +228,7 @@ class Loop {
 
   void look_at_files() {
     if (!session_.document.has_changed_on_disk()) return;
+    session_.inspected.scene_before.reset();
     session_.document.reload(session_.look);
   }
 
@@ -228,6 +243,7 @@ class Loop {
   Display& display_;
   Session& session_;
   FrameLog log_;
+  DifferenceView difference_{display_.gl(), &Window::wake};
   PanelState panels_;
   Pointer pointer_;
   MeasuringInput measuring_{&Window::wake};

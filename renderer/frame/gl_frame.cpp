@@ -72,16 +72,23 @@ Status time_frames(const Gl& gl, const GlFrame& frame, const GlDrawing& drawing,
 }
 
 std::uint64_t count_fragments(const Gl& gl, const GlFrame& frame, const GlDrawing& counting) {
+  const Buffer buffer = draw_counting(gl, frame, counting, CountsOf::Frame);
   std::uint32_t count = 0;
-  const Buffer buffer =
-      make_buffer(gl, "fragment count", std::span<const std::uint32_t>(&count, 1));
+  gl.GetNamedBufferSubData(buffer.id(), sizeof(count), sizeof(count), &count);
+  return count;
+}
+
+Buffer draw_counting(const Gl& gl, const GlFrame& frame, const GlDrawing& counting, CountsOf of) {
+  const std::size_t width = of == CountsOf::Pixels ? frame.targets.width : 0;
+  std::vector<std::uint32_t> zeros(1 + std::max<std::size_t>(width * frame.targets.height, 1));
+  zeros.front() = static_cast<std::uint32_t>(width);
+  Buffer buffer = make_buffer(gl, "fragment counts", std::span<const std::uint32_t>(zeros));
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, RELIEF_BIND_FRAGMENT_COUNT, buffer.id());
   PassTimer timer(gl);
   draw_frame(gl, frame, counting, timer);
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, RELIEF_BIND_FRAGMENT_COUNT, 0);
-  gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  gl.GetNamedBufferSubData(buffer.id(), 0, sizeof(count), &count);
-  return count;
+  gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+  return buffer;
 }
 
 void read_frame(const Gl& gl, const GlFrame& frame, bool opaque, RenderResult& result) {

@@ -90,6 +90,12 @@ Status time_frames(const Gl& gl, const GlFrame& frame, const GlDrawing& drawing,
 /// discarded.
 std::uint64_t count_fragments(const Gl& gl, const GlFrame& frame, const GlDrawing& counting);
 
+enum class CountsOf : bool { Frame, Pixels };
+
+/// Draws the frame with a drawing that counts. Returns the counts as shaders/include/counting.glsl
+/// keeps them: pixels a row, then one count for all pixels or a count a pixel, lower row first.
+Buffer draw_counting(const Gl& gl, const GlFrame& frame, const GlDrawing& counting, CountsOf of);
+
 /// Reads back what was drawn last, counts what the model covers and, if `opaque`, puts the
 /// background under it.
 void read_frame(const Gl& gl, const GlFrame& frame, bool opaque, RenderResult& result);

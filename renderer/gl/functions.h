@@ -73,6 +73,7 @@ class GlContext;
   F(PFNGLPIXELSTOREIPROC, PixelStorei)                                 \
   F(PFNGLPROGRAMUNIFORM1FPROC, ProgramUniform1f)                       \
   F(PFNGLPROGRAMUNIFORM1IPROC, ProgramUniform1i)                       \
+  F(PFNGLPROGRAMUNIFORM3FPROC, ProgramUniform3f)                       \
   F(PFNGLPROGRAMUNIFORM3IPROC, ProgramUniform3i)                       \
   F(PFNGLSHADERSOURCEPROC, ShaderSource)                               \
   F(PFNGLTEXTUREBARRIERPROC, TextureBarrier)                           \

@@ -19,4 +19,16 @@ std::vector<std::uint32_t> levels_for(const PatchStore& store, const View& view)
   return chosen;
 }
 
+std::vector<std::uint8_t> drawn_levels(const PatchStore& store, const View& view) {
+  std::vector<std::uint8_t> levels(store.levels.size(), kDrawnFromAfar);
+  const std::vector<std::uint32_t> chosen = levels_for(store, view);
+  auto next = chosen.begin();
+  for (const StoredInstance& instance : store.instances) {
+    if (instance.is_proxy_in(view)) continue;
+    for (std::uint32_t l = instance.first; l < instance.first + instance.count; ++l)
+      levels[l] = static_cast<std::uint8_t>(store.patches[*next++].level);
+  }
+  return levels;
+}
+
 }  // namespace relief

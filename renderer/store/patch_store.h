@@ -124,4 +124,11 @@ Result<PatchStore> upload_model(const Gl& gl, const PatchModel& model, const Sto
 /// for.)
 [[nodiscard]] std::vector<std::uint32_t> levels_for(const PatchStore& store, const View& view);
 
+/// In place of a level: the patch's instance is drawn from afar, as a mesh.
+inline constexpr std::uint8_t kDrawnFromAfar = 255;
+
+/// The level that the view draws of each placed patch: `store.levels`' order, which is that of
+/// patch ids if all levels are kept.
+[[nodiscard]] std::vector<std::uint8_t> drawn_levels(const PatchStore& store, const View& view);
+
 }  // namespace relief

@@ -8,10 +8,12 @@
 layout(early_fragment_tests) in;
 #endif
 layout(std430, binding = RELIEF_BIND_FRAGMENT_COUNT) buffer FragmentCount {
-  uint fragment_count;
+  uint counts_a_row;  // 0: one count for all pixels
+  uint fragment_counts[];
 };
 void count_fragment() {
-  atomicAdd(fragment_count, 1u);
+  uvec2 pixel = min(uvec2(gl_FragCoord.xy), uvec2(max(counts_a_row, 1u) - 1u, 0xFFFFu));
+  atomicAdd(fragment_counts[pixel.y * counts_a_row + pixel.x], 1u);
 }
 #else
 void count_fragment() {}

@@ -178,6 +178,21 @@ using glm::vec4;
 #define RELIEF_UNIFORM_SHADE 1
 #define RELIEF_UNIFORM_DEPTH_SCALE 2
 
+/// Texture units and uniforms of the pass that shows outputs of a view in colours, where no model
+/// is bound: which output (inspected_output() of viewer/inspecting/inspection.h), where its part of
+/// the picture is and how many samples it has, the world direction toward the eye, the value of the
+/// scale's end.
+#define RELIEF_TEXTURE_INSPECTED_COLOUR 0
+#define RELIEF_TEXTURE_INSPECTED_NORMAL 1
+#define RELIEF_TEXTURE_INSPECTED_UV 2
+#define RELIEF_TEXTURE_INSPECTED_PATCH 3
+#define RELIEF_TEXTURE_INSPECTED_LEVELS 4
+#define RELIEF_TEXTURE_INSPECTION_COLOURS 5
+#define RELIEF_UNIFORM_INSPECTION 0
+#define RELIEF_UNIFORM_INSPECTED_PART 1
+#define RELIEF_UNIFORM_TOWARD_EYE 2
+#define RELIEF_UNIFORM_SCALE_END 3
+
 /// Vertex attributes: the patch that a draw command draws, through its base instance; with cells
 /// also the corner of the part that it draws (column, then row in the upper half).
 #define RELIEF_ATTRIBUTE_PATCH 0
@@ -320,6 +335,17 @@ RELIEF_CONST float kEyeDomeRadius = 1.0f / 700.0f;
 
 /// No light is brighter than this at a surface.
 RELIEF_CONST float kBrightestLight = 1000.0f;
+
+/// What an inspection shows, as C++ and GLSL number it.
+RELIEF_CONST int kInspectPatches = 1;
+RELIEF_CONST int kInspectNormals = 2;
+RELIEF_CONST int kInspectLevels = 3;
+RELIEF_CONST int kInspectCells = 4;
+RELIEF_CONST int kInspectSamples = 5;
+RELIEF_CONST int kInspectOverdraw = 6;
+
+/// Colours of the scale of an inspection.
+RELIEF_CONST int kInspectionColours = 256;
 
 /// The most materials of an image.
 RELIEF_CONST int kMaxMaterials = 256;

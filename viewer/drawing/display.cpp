@@ -60,6 +60,7 @@ Status Display::show(std::shared_ptr<const LoadedScene> scene, Session& session)
   }
   scene_ = *std::move(view);
   points_.reset();
+  drawn_inspection_ = session.inspection;
   is_steady_ = false;
   drawn_looks_.emplace(session.look, session.compared);
   return {};
@@ -80,10 +81,13 @@ Status Display::prepare(Session& session) {
     if (looks.second) RELIEF_TRY(scene_->viewport().probe(*looks.second, 0, 0));
     return {};
   }();
-  if (prepared)
+  if (prepared) {
     drawn_looks_.emplace(session.look, session.compared);
-  else
+    drawn_inspection_ = session.inspection;
+  } else {
     std::tie(session.look, session.compared) = *drawn_looks_;
+    session.inspection = drawn_inspection_;
+  }
   is_steady_ = false;
   return prepared;
 }
@@ -93,6 +97,7 @@ void Display::show_nothing(Session& session) {
   scene_.reset();
   points_.reset();
   picture_ = LivePicture(opengl_->gl());
+  inspector_.reset();
 }
 
 Status Display::update(Session& session, bool changes) {
@@ -114,16 +119,48 @@ Status Display::draw(Session& session, bool changes) {
   if (look_changes) {
     RELIEF_TRY(prepare(session));
   }
+  RELIEF_TRY(choose_inspector(session));
   RELIEF_TRY_ASSIGN(const Looks looks, looks_of(session));
   depth_scale_ = eye_dome_scale(looks.first.camera) * scene_->viewport().depth_range(looks.first);
-  if (changes || look_changes) return picture_.draw(scene_->viewport(), looks, pacer_.quality());
-  return picture_.refine(scene_->viewport(), looks);
+  const Status drawn = changes || look_changes
+                           ? picture_.draw(scene_->viewport(), looks, pacer_.quality())
+                           : picture_.refine(scene_->viewport(), looks);
+  if (!drawn && inspector_) {
+    session.inspection = Inspection::Picture;
+    session.look_changed = true;
+  }
+  note_figures(session);
+  return drawn;
+}
+
+Status Display::choose_inspector(const Session& session) {
+  const bool is_needed = inspected_output(session.inspection).has_value();
+  if (is_needed == inspector_.has_value() &&
+      (!inspector_ || inspector_->what() == session.inspection))
+    return {};
+  picture_.inspect_with(nullptr);
+  inspector_.reset();
+  if (!is_needed) return {};
+  RELIEF_TRY_ASSIGN(inspector_, Inspector::create(opengl_->gl(), session.inspection));
+  picture_.inspect_with(&*inspector_);
+  return {};
+}
+
+void Display::note_figures(Session& session) const {
+  session.inspected.fragments_a_pixel.reset();
+  if (!inspector_ || !picture_.is_complete() || inspector_->figures().covered == 0) return;
+  session.inspected.fragments_a_pixel = static_cast<double>(inspector_->figures().fragments) /
+                                        static_cast<double>(inspector_->figures().covered);
 }
 
 void Display::encode(const Session& session) {
   const Canvas& canvas = *picture_.shown();
   if (points_) {
     presenter_->encode(canvas, {.shade = points_->is_lit() ? 0.0 : kShadeOfPoints});
+    return;
+  }
+  if (inspector_) {
+    presenter_->encode(canvas, {});
     return;
   }
   const auto how = [&](const SceneSettings& look) {

@@ -10,6 +10,7 @@
 #include "common/image/image.h"
 #include "renderer/gl/loader.h"
 #include "renderer/gl/open_gl.h"
+#include "viewer/drawing/inspector.h"
 #include "viewer/drawing/live_picture.h"
 #include "viewer/drawing/pacer.h"
 #include "viewer/drawing/point_cloud.h"
@@ -59,6 +60,8 @@ class Display {
   [[nodiscard]] Pacer& pacer() { return pacer_; }
   [[nodiscard]] const UploadedScene* scene() const { return scene_.get(); }
 
+  [[nodiscard]] const Gl& gl() const { return opengl_->gl(); }
+
   /// The newest picture; null before the first.
   [[nodiscard]] const Canvas* picture() const { return picture_.shown(); }
 
@@ -71,18 +74,22 @@ class Display {
   Status draw(Session& session, bool changes);
   void encode(const Session& session);
   Status prepare(Session& session);
+  Status choose_inspector(const Session& session);
+  void note_figures(Session& session) const;
 
   GlLoader load_;
   std::shared_ptr<const OpenGl> opengl_;
   std::optional<Presenter> presenter_;
   std::unique_ptr<UploadedScene> scene_;
   std::optional<PointCloud> points_;
+  std::optional<Inspector> inspector_;  ///< only while the session's inspection needs it
   LivePicture picture_;
   Pacer pacer_{33.0};         ///< its target is the session's
   double depth_scale_ = 0.0;  ///< of the newest picture (Presentation::depth_scale)
   bool is_steady_ = false;    ///< the next frame compiles and uploads nothing
   bool is_stale_ = false;     ///< patches have come that the picture at rest has not
   std::optional<std::pair<SceneSettings, std::optional<SceneSettings>>> drawn_looks_;
+  Inspection drawn_inspection_ = Inspection::Picture;
 };
 
 /// The point of the surface at a probed pixel, world units, as precise as a float depth. `cursor`:

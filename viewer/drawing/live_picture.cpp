@@ -35,8 +35,8 @@ Status LivePicture::draw(Viewport& model, const Looks& looks, const Quality& qua
   const bool is_full = quality.scale == 1.0;
   std::optional<Canvas>& canvas = is_full ? full_ : coarse_;
   RELIEF_TRY(fit(canvas, panes.front().settings.width, panes.front().settings.height));
-  for (const Pane& pane : panes)
-    RELIEF_TRY(model.draw(pane.settings, pane.part, canvas->framebuffer.id()));
+  if (inspector_ != nullptr) inspector_->begin();
+  for (const Pane& pane : panes) RELIEF_TRY(draw_pane(model, pane, *canvas));
   gl_->Finish();
   shows_full_ = is_full;
   // At full size only levels of detail differ from one sample a pixel at rest.
@@ -63,16 +63,25 @@ Status LivePicture::refine(const PointCloud& points, const Looks& looks) {
   return is_complete() ? Status() : draw(points, looks, kQualities.front());
 }
 
+Status LivePicture::draw_pane(Viewport& model, const Pane& pane, const Canvas& canvas) {
+  if (inspector_ == nullptr) return model.draw(pane.settings, pane.part, canvas.framebuffer.id());
+  RenderSettings settings = pane.settings;
+  settings.afar_factor = 1.0;  // what is drawn from afar has no levels, cells or samples
+  return model.draw(settings, pane.part,
+                    [&](const DrawnPart& part) { return inspector_->draw(part, canvas); });
+}
+
 Status LivePicture::draw_band(Viewport& model, const Looks& looks, int samples, bool& is_last) {
   const std::uint32_t height = looks.first.height;
   const auto wanted = static_cast<std::uint32_t>(std::min(rows_per_ms_ * kBandMs, 1e5));
   const std::uint32_t rows = std::min(std::max(wanted, kFewestRows), height - next_row_);
+  if (inspector_ != nullptr && next_row_ == 0) inspector_->begin();
   const auto start = std::chrono::steady_clock::now();
   for (Pane& pane : panes_of(looks, samples)) {
     // From the top, as one reads.
     pane.part.bottom = height - next_row_ - rows;
     pane.part.height = rows;
-    RELIEF_TRY(model.draw(pane.settings, pane.part, full_->framebuffer.id()));
+    RELIEF_TRY(draw_pane(model, pane, *full_));
   }
   gl_->Finish();
   rows_per_ms_ = rows / std::max(ms_since(start), 0.01);

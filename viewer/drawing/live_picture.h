@@ -9,6 +9,7 @@
 #include "renderer/gl/functions.h"
 #include "renderer/viewport.h"
 #include "viewer/drawing/canvas.h"
+#include "viewer/drawing/inspector.h"
 #include "viewer/drawing/looks.h"
 #include "viewer/drawing/pacer.h"
 #include "viewer/drawing/point_cloud.h"
@@ -21,6 +22,10 @@ namespace relief {
 class LivePicture {
  public:
   explicit LivePicture(const Gl& gl) : gl_(&gl) {}
+
+  /// Shows from now on what an inspector makes of views, null: the views. It outlives the pictures
+  /// that it draws. The looks are inspected().
+  void inspect_with(Inspector* inspector) { inspector_ = inspector; }
 
   /// Draws all of it, at a quality, and waits for it. Refining begins anew.
   Status draw(Viewport& model, const Looks& looks, const Quality& quality);
@@ -45,9 +50,11 @@ class LivePicture {
   enum class Stage : std::uint8_t { OneSample, AllSamples, Complete };
 
   Status fit(std::optional<Canvas>& canvas, std::uint32_t width, std::uint32_t height);
+  Status draw_pane(Viewport& model, const Pane& pane, const Canvas& canvas);
   Status draw_band(Viewport& model, const Looks& looks, int samples, bool& is_last);
 
   const Gl* gl_;
+  Inspector* inspector_ = nullptr;
   std::optional<Canvas> coarse_;
   std::optional<Canvas> full_;
   bool shows_full_ = false;

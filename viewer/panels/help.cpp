@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 26> kKeys{
+constexpr std::array<std::pair<const char*, const char*>, 27> kKeys{
     {{"drag", "orbit about the point under the cursor"},
      {"right drag, Shift + drag", "pan"},
      {"Ctrl + drag", "look around"},
@@ -27,6 +27,7 @@ constexpr std::array<std::pair<const char*, const char*>, 26> kKeys{
      {"M", "measure"},
      {"Backspace, Esc", "measuring: take a point back, give up"},
      {"Enter, double click", "end a polyline"},
+     {"I, Shift + I", "inspect: the next view, the one before"},
      {"Tab", "hide the panels"},
      {"F11", "full screen"},
      {"Ctrl + O", "open a file"},

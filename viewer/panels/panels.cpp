@@ -6,6 +6,7 @@ void show_panels(Session& session, PanelState& state, double now) {
   show_messages(session);
   show_measurements(session);
   if (session.compared && session.scene != nullptr) show_divider(session);
+  show_legend(session);
   if (session.shows_help) show_help(session);
   take_picture_key({session, state, now});
   if (session.asks_for_file) session.shows_panels = true;

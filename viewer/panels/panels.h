@@ -19,6 +19,7 @@ void show_measurements(const Session& session);  ///< over the picture
 void show_divider(Session& session);
 void show_status_bar(const Session& session);
 void show_messages(Session& session);
+void show_legend(const Session& session);
 void show_help(Session& session);
 
 /// Makes a picture if its key was pressed.
@@ -37,5 +38,6 @@ void show_measuring(const PanelContext& panel);
 void show_picture(const PanelContext& panel);
 void show_film(const PanelContext& panel);
 void show_comparison(const PanelContext& panel);
+void show_inspection(const PanelContext& panel);
 
 }  // namespace relief

@@ -20,15 +20,16 @@ struct Section {
   void (*show)(const PanelContext& panel);
 };
 
-constexpr std::array<Section, 9> kSections{{{"Files", true, show_files},
-                                            {"Views", true, show_views},
-                                            {"Look", true, show_look},
-                                            {"Light", false, show_light},
-                                            {"Drawing", false, show_drawing},
-                                            {"Compare", false, show_comparison},
-                                            {"Measure", false, show_measuring},
-                                            {"Picture", false, show_picture},
-                                            {"Film", false, show_film}}};
+constexpr std::array<Section, 10> kSections{{{"Files", true, show_files},
+                                             {"Views", true, show_views},
+                                             {"Look", true, show_look},
+                                             {"Inspect", true, show_inspection},
+                                             {"Light", false, show_light},
+                                             {"Drawing", false, show_drawing},
+                                             {"Compare", false, show_comparison},
+                                             {"Measure", false, show_measuring},
+                                             {"Picture", false, show_picture},
+                                             {"Film", false, show_film}}};
 
 void show_section(const Section& section, const PanelContext& panel) {
   auto& open = panel.session.preferences.sections;

@@ -2,12 +2,25 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <cmath>
 #include <string>
 
 #include "viewer/panels/panels.h"
 
 namespace relief {
 namespace {
+
+/// What an inspection has found.
+std::string inspected_of(const InspectionState& state) {
+  if (state.truth_share) return fmt::format("trace rays {:.0f} %", 100.0 * *state.truth_share);
+  if (state.psnr_db)
+    return std::isinf(*state.psnr_db)
+               ? fmt::format("no difference to {}", state.truth)
+               : fmt::format("PSNR {:.1f} dB against {}", *state.psnr_db, state.truth);
+  if (state.fragments_a_pixel)
+    return fmt::format("{:.2f} fragments a covered pixel", *state.fragments_a_pixel);
+  return {};
+}
 
 std::string state_of(const Session& session) {
   if (session.document.files().empty()) return "drop a file here to open it";
@@ -29,7 +42,9 @@ std::string state_of(const Session& session) {
                        session.stream->waiting > 0 ? ", reading more" : "");
   }
   const PatchModel& patches = session.scene->patches;
-  return fmt::format("{} patches", patches.patches.size());
+  const std::string inspected = inspected_of(session.inspected);
+  return fmt::format("{} patches{}{}", patches.patches.size(), inspected.empty() ? "" : "   ",
+                     inspected);
 }
 
 /// What is under the cursor: position, patch, normal, colour.
