@@ -37,9 +37,10 @@ std::string state_of(const Session& session) {
   }
   if (session.scene == nullptr) return "nothing is shown";
   if (session.stream) {
-    return fmt::format("{} of {} tiles, {:.1f} M samples{}", session.stream->shown_tiles,
-                       session.stream->tiles, 1e-6 * double(session.stream->shown_samples),
-                       session.stream->waiting > 0 ? ", reading more" : "");
+    const StreamState& stream = *session.stream;
+    if (stream.waiting > 0) return fmt::format("reading, {} parts left", stream.waiting);
+    return fmt::format("{} of {} tiles, {:.1f} M samples", stream.shown_tiles, stream.tiles,
+                       1e-6 * static_cast<double>(stream.shown_samples));
   }
   const PatchModel& patches = session.scene->patches;
   const std::string inspected = inspected_of(session.inspected);

@@ -104,7 +104,8 @@ class Pools : public testing::Test {
 };
 
 std::vector<RenderSettings> looks_at(const PatchModel& model) {
-  std::vector<RenderSettings> looks(4, test::small_image(model, {20.0, 15.0}, 128));
+  // Larger than what is drawn from afar (renderer/geometry/proxy/proxy.h), which a pool does not.
+  std::vector<RenderSettings> looks(4, test::small_image(model, {20.0, 15.0}, 192));
   looks[1].material = Material::Unlit;
   looks[2].primitive = Primitive::Sprite;
   looks[3].engine = "multipass";
@@ -191,7 +192,7 @@ TEST_F(Pools, LeaveOutWhatIsHiddenAndWhatIsNotShown) {
 
 TEST_F(Pools, ShowTheLevelsThatAreThere) {
   RenderSettings look = looks_at(model_).front();
-  look.pixels_per_sample = 16.0;  // the sphere's samples are four pixels apart
+  look.pixels_per_sample = 40.0;  // the sphere's samples are four to seven pixels apart
   PatchPool pool = make_pool(look);
   const PatchChunk coarse = chunk_of(0, 54, 2);
   EXPECT_EQ(coarse.finest, 2U);
@@ -204,7 +205,7 @@ TEST_F(Pools, KeepWhatMeetsAtSeams) {
   model_.joined = {{0, 54, false}};
   const RenderSettings look = looks_at(model_).front();
   PatchPool pool = make_pool(look);
-  // A first chunk without seams, then some with them: programs are made for both.
+  // Programs are made before there are seams, and anew once there are.
   std::vector<ShownChunk> shown;
   pool.show(shown);
   const auto viewport = Viewport::create(loader(), extent_, pool, {&look, 1});
