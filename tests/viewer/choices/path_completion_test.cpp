@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "tests/common/patch_file/sample_models.h"
+
 namespace relief {
 namespace {
 
@@ -13,13 +15,11 @@ namespace fs = std::filesystem;
 class PathCompletion : public testing::Test {
  protected:
   PathCompletion() {
-    fs::remove_all(folder_);
     fs::create_directories(folder_ / "maps");
     fs::create_directories(folder_ / ".hidden");
     for (const char* name : {"studio.exr", "sunset.HDR", "sun.txt", "maps/city.exr"})
       std::ofstream(folder_ / name) << "x";
   }
-  ~PathCompletion() override { fs::remove_all(folder_); }
 
   /// Without the folder that all of them begin with.
   [[nodiscard]] std::vector<std::string> complete(const std::string& typed,
@@ -38,7 +38,8 @@ class PathCompletion : public testing::Test {
     return found;
   }
 
-  const fs::path folder_ = fs::path(testing::TempDir()) / "path_completion";
+  const test::ScratchFolder scratch_;  // ctest runs several of these tests at once
+  const fs::path& folder_ = scratch_.path();
 };
 
 using Texts = std::vector<std::string>;
