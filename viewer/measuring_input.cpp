@@ -106,7 +106,10 @@ void MeasuringInput::click(glm::dvec2 cursor, bool is_double, double now, Displa
   const auto picked = pick(cursor, display, session);
   if (!picked) return;
   if (!picked->is_exact)
-    add_message(session, "This point has single precision: the surface is still being prepared",
+    add_message(session,
+                session.stream ? "This point has single precision, as in all files with tiles"
+                               : "This point has single precision: the surface is still being "
+                                 "prepared",
                 false, now);
   tool.add(picked->point);
 }
