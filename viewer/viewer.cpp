@@ -60,8 +60,8 @@ class Loop {
 
  private:
   [[nodiscard]] bool is_busy() const {
-    return frames_left_ > 0 || !display_.is_complete() || display_.has_tiles_to_take() || session_.navigator.moving() ||
-           session_.look_changed || is_flying(window_);
+    return frames_left_ > 0 || !display_.is_complete() || display_.has_tiles_to_take() ||
+           session_.navigator.moving() || session_.look_changed || is_flying(window_);
   }
   [[nodiscard]] bool is_progressing() const {
     return session_.document.is_loading() || !session_.messages.empty() ||
@@ -103,7 +103,7 @@ class Loop {
     const bool was_waiting = session_.stream && session_.stream->waiting > 0;
     const Result<bool> has_more = display_.stream(session_);
     if (!has_more) add_message(session_, has_more.error().message, true, now);
-    if ((has_more && *has_more) || !has_more || was_waiting) frames_left_ = std::max(frames_left_, 1);
+    if (!has_more || *has_more || was_waiting) frames_left_ = std::max(frames_left_, 1);
   }
 
   bool react(const Event& event, double now) {

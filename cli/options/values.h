@@ -38,8 +38,8 @@ namespace relief::cli {
 /// Refuses what is no number of a range.
 [[nodiscard]] CLI::Validator number_from(double least, double most);
 
-/// Refuses fewer bytes than `least`, which has the unit M. Sees bytes, whatever unit the user chose;
-/// follows CLI::AsSizeValue.
+/// Refuses fewer bytes than `least`, which has the unit M. Sees bytes, whatever unit the user
+/// chose; follows CLI::AsSizeValue.
 [[nodiscard]] CLI::Validator bytes_from(std::uint64_t least);
 
 /// Refuses what is no whole number of a range.

@@ -92,11 +92,10 @@ class CutMaker {
 }  // namespace
 
 bool CutPart::operator==(const CutPart& other) const {
-  return key == other.key &&
-         std::equal(gaps.begin(), gaps.end(), other.gaps.begin(), other.gaps.end(),
-                    [](const Bounds& a, const Bounds& b) {
-                      return a.min == b.min && a.max == b.max;
-                    });
+  return key == other.key && std::equal(gaps.begin(), gaps.end(), other.gaps.begin(),
+                                        other.gaps.end(), [](const Bounds& a, const Bounds& b) {
+                                          return a.min == b.min && a.max == b.max;
+                                        });
 }
 
 bool overlap(const Bounds& a, const Bounds& b) {

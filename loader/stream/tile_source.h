@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -33,7 +34,8 @@ struct PatchKind {
 class TileSource {
  public:
   /// Opens the file of a plan, if it is all that the plan shows and has tiles; otherwise null.
-  /// Reads the list of tiles, the index of the last one and one of its patches. Fails as PatchTree::open() does.
+  /// Reads the list of tiles, the index of the last one and one of its patches. Fails as
+  /// PatchTree::open() does.
   static Result<std::shared_ptr<TileSource>> open(const ScenePlan& plan);
 
   [[nodiscard]] std::span<const TreeTile> tiles() const { return tree_.tiles(); }
@@ -48,10 +50,11 @@ class TileSource {
   /// Reads the index of a tile. Errors are sentences that begin with the file's name.
   Result<TileIndex> read_index(std::uint32_t tile);
 
-  /// Reads a chunk of a tile and prepares its levels from `finest` on for the GPU. The chunk's boxes are in the file's
-  /// frame.
+  /// Reads a chunk of a tile and prepares its levels from `finest` on for the GPU. The chunk's
+  /// boxes are in the file's frame. Ends early, with an error, once `stop` asks for it.
   Result<PatchChunk> read_chunk(ChunkKey key, const ChunkInfo& chunk, const StoreNeeds& needs,
-                                const StoreLimits& limits, std::uint32_t finest);
+                                const StoreLimits& limits, std::uint32_t finest,
+                                const std::stop_token& stop = {});
 
  private:
   using FileTime = std::filesystem::file_time_type;

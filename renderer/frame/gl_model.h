@@ -73,7 +73,7 @@ class GlModel {
   std::shared_ptr<const OpenGl> opengl_;  ///< first: the last to go
   std::shared_ptr<EnvironmentCache> cubes_;
   const PatchPool* pool_ = nullptr;
-  std::optional<PatchStore> store_;  ///< without a pool
+  std::optional<PatchStore> store_;                                          ///< without a pool
   std::map<std::pair<std::filesystem::path, float>, Texture> environments_;  ///< by roughness
   std::map<std::pair<std::filesystem::path, std::vector<float>>, Texture> rough_environments_;
   std::map<bool, Backdrop> backdrops_;  ///< by whether the camera is orthographic

@@ -76,10 +76,9 @@ void SampleDraws::look(const View& view, const std::vector<std::uint32_t>& visib
   const std::uint32_t first = *lowest;
   std::vector<shared::PatchView> views(*highest + 1 - first);
   for (const std::uint32_t p : visible) views[p - first] = view_patch(view, store_->patches[p]);
-  gl_->NamedBufferSubData(patch_views_.buffer.id(),
-                          static_cast<GLintptr>(first * sizeof(shared::PatchView)),
-                          static_cast<GLsizeiptr>(views.size() * sizeof(shared::PatchView)),
-                          views.data());
+  gl_->NamedBufferSubData(
+      patch_views_.buffer.id(), static_cast<GLintptr>(first * sizeof(shared::PatchView)),
+      static_cast<GLsizeiptr>(views.size() * sizeof(shared::PatchView)), views.data());
 }
 
 SampleDraw SampleDraws::make_draw(SampleShape shape, const SidedList& patches) const {

@@ -30,8 +30,8 @@ class VariantCache {
         return make_error("{}; this is a mistake in Relief", contradiction);
       RELIEF_TRY_ASSIGN(Variant made, Variant::create(model.gl(), store, features));
       found = variants_
-                  .emplace(features, Made{std::move(made), store.programs_version,
-                                          store.buffers_version})
+                  .emplace(features,
+                           Made{std::move(made), store.programs_version, store.buffers_version})
                   .first;
     }
     Made& made = found->second;

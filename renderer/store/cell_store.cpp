@@ -64,7 +64,8 @@ CellPage upload_page(const Gl& gl, const CellPageData& data, const Buffer& posit
       make_table(gl, "cell heights", GL_R16UI, std::span<const std::uint16_t>(data.heights)),
       make_table(gl, "cell rows", GL_RG32UI, std::span<const CellRow>(data.rows)),
       make_table(gl, "cell runs", GL_R32UI, std::span<const std::uint32_t>(data.runs)),
-      make_table(gl, "rims", GL_RG32UI, std::span<const RimRecord>(data.rims)), std::nullopt,
+      make_table(gl, "rims", GL_RG32UI, std::span<const RimRecord>(data.rims)),
+      std::nullopt,
       std::nullopt};
   if (!data.strips.empty())
     page.strips = make_buffer(gl, "cell strips", std::span<const std::uint16_t>(data.strips));

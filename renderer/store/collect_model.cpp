@@ -130,7 +130,7 @@ Bounds ModelCollector::box_of(const Instance& instance, Run& run) {
 }
 
 PatchExtent ModelCollector::measured_extent(const Instance& instance, std::size_t patch,
-                            std::span<const View> views) {
+                                            std::span<const View> views) {
   PatchExtent& extent = extents_[patch];
   if (run_of(model_, patch) == nullptr) return moved(instance.transform, extent);
   std::uint32_t coarsest = all_levels_ ? extent.levels - 1 : 0;
@@ -147,7 +147,7 @@ Status ModelCollector::add_near(const Instance& instance, std::span<const View> 
     const std::vector<std::uint32_t> kept =
         all_levels_ ? all_levels_of(extent, finest_) : levels_in(views, extent);
     out_.levels.push_back({extent, static_cast<std::uint32_t>(out_.patches.size()),
-                       static_cast<std::uint32_t>(kept.size())});
+                           static_cast<std::uint32_t>(kept.size())});
     const std::uint8_t material =
         model_.instances.empty() ? model_.patches[p].material : instance.material;
     for (const std::uint32_t level : kept) {
@@ -160,7 +160,7 @@ Status ModelCollector::add_near(const Instance& instance, std::span<const View> 
 }
 
 void ModelCollector::add_grid(std::size_t index, const Transform& where, std::uint8_t material,
-              std::uint32_t id) {
+                              std::uint32_t id) {
   const Grid& grid = grids_.grid(index);
   const PatchFrame frame = relief::moved(where, *grid.nodes);
   StoredPatch kept;
@@ -184,7 +184,7 @@ void ModelCollector::add_parts(std::size_t index) {
   const StoredPatch& patch = out_.patches.back();
   for (const UploadedCells::Part& part : grids_.grid(index).cells.parts) {
     out_.parts.push_back({number, patch.origin + patch.axes * (patch.spacing * part.centre),
-                      patch.spacing * part.radius, part.normals, part.buffers});
+                          patch.spacing * part.radius, part.normals, part.buffers});
     out_.positions.emplace_back(number, part.corner.x | (part.corner.y << 16U));
   }
 }
@@ -199,11 +199,11 @@ Result<PatchRun> ModelCollector::add_seams(const Instance& instance) {
     const std::uint8_t material =
         model_.instances.empty() ? model_.patches[p].material : instance.material;
     out_.seams.push_back({static_cast<std::uint32_t>(out_.patches.size()),
-                      0,
-                      extent.centre,
-                      extent.radius + kSeamReach * extent.spacing,
-                      extent,
-                      {}});
+                          0,
+                          extent.centre,
+                          extent.radius + kSeamReach * extent.spacing,
+                          extent,
+                          {}});
     seam_patches_.push_back(p);
     add_grid(grid, instance.transform, material, first_id_ + k);
   }
@@ -220,7 +220,7 @@ Result<StoredInstance::StoredProxy> ModelCollector::add_proxy(const Instance& in
     RELIEF_TRY_ASSIGN(
         const std::uint32_t added,
         proxies_.add(std::span(model_.patches).subspan(instance.first, instance.count), joined,
-                   run.model));
+                     run.model));
     run.mesh = added;
   }
   const StoredProxyMesh& mesh = proxies_.mesh(*run.mesh);

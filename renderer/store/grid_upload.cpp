@@ -58,7 +58,10 @@ void set_map_positions(const WholePatches& whole, const std::vector<AtlasSpot>& 
 }  // namespace
 
 GridUpload::GridUpload(const StoreLimits& limits, const PatchModel& model, const StoreNeeds& needs)
-    : model_(model), needs_(needs), records_(limits.most_records), cells_(limits.most_cell_texels) {}
+    : model_(model),
+      needs_(needs),
+      records_(limits.most_records),
+      cells_(limits.most_cell_texels) {}
 
 Result<std::size_t> GridUpload::get(std::size_t patch, std::uint32_t level) {
   const auto [found, is_new] = numbers_.try_emplace({patch, level}, grids_.size());

@@ -40,8 +40,7 @@ PackedMaps pack(const PatchList& patches, std::uint32_t width, std::uint32_t rin
     const Map& map = maps[m];
     AtlasSpot& spot = packed.spots[m];
     for (std::uint32_t y = 0; y < map.height; ++y) {
-      std::memcpy(packed.band.texels.data() +
-                      (std::size_t{spot.y + y} * width + spot.x) * kBytes,
+      std::memcpy(packed.band.texels.data() + (std::size_t{spot.y + y} * width + spot.x) * kBytes,
                   map.texels.data() + std::size_t{y} * map.width, map.width * kBytes);
     }
     spot.x += ring;

@@ -37,7 +37,8 @@ Result<PatchChunk> prepare_chunk(const PatchModel& model, std::span<const std::u
   chunk.maps = collector.grids().make_bands();
   RELIEF_TRY(collector.add_seam_blocks());
   chunk.table = collector.table();
-  for (shared::PatchInfo& row : chunk.table) row.nodes.z = static_cast<int>(ids[static_cast<std::size_t>(row.nodes.z)]);
+  for (shared::PatchInfo& row : chunk.table)
+    row.nodes.z = static_cast<int>(ids[static_cast<std::size_t>(row.nodes.z)]);
   chunk.cells = collector.grids().take_cells();
   chunk.records = collector.grids().take_records();
   chunk.seam_vertices = std::move(collector.seams().vertices());

@@ -29,7 +29,8 @@ struct PatchChunk {
 };
 
 /// Prepares the levels of the patches of a model without instances from `finest` on; of patches
-/// that meet others all. Needs no OpenGL: on any thread. `ids`: of the patches. Fails if OpenGL can't draw as many samples.
+/// that meet others all. Needs no OpenGL: on any thread. `ids`: of the patches. Fails if OpenGL
+/// can't draw as many samples.
 Result<PatchChunk> prepare_chunk(const PatchModel& model, std::span<const std::uint32_t> ids,
                                  const StoreNeeds& needs, const StoreLimits& limits,
                                  std::uint32_t finest = 0);

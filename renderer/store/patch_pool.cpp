@@ -86,8 +86,8 @@ PatchPool::PatchPool(const Gl& gl, const StoreNeeds& needs, const PooledModel& m
     : gl_(gl),
       needs_(needs),
       model_(model),
-      store_{.table = enlarged_table<shared::PatchInfo>(gl, "patch table", GL_RGBA32I, nullptr, 0,
-                                                        1)},
+      store_{.table =
+                 enlarged_table<shared::PatchInfo>(gl, "patch table", GL_RGBA32I, nullptr, 0, 1)},
       heights_(gl, height_format(), sizeof(std::uint16_t), kBandWidth),
       normals_(gl, normal_format(), sizeof(glm::i16vec2), kBandWidth),
       colours_(gl, colour_format(model.nearest_colours), sizeof(glm::u8vec4), kColourBandWidth),
@@ -124,8 +124,8 @@ void PatchPool::reserve_rows(std::uint32_t count) {
 
 void PatchPool::reserve_positions(std::uint32_t count) {
   CellStore& cells = *store_.cells;
-  cells.positions = enlarged<glm::uvec2>(gl_, "part positions", &cells.positions,
-                                         positions_.size(), count);
+  cells.positions =
+      enlarged<glm::uvec2>(gl_, "part positions", &cells.positions, positions_.size(), count);
   cells.parts.resize(count);
   positions_.grow(count);
   attach_positions_everywhere();
@@ -243,8 +243,8 @@ void PatchPool::add_rows(const PatchChunk& chunk, Resident& resident) {
 
   resident.parts = static_cast<std::uint32_t>(lists.parts.size());
   resident.positions = static_cast<std::uint32_t>(lists.positions.size());
-  resident.first_position =
-      take(positions_, resident.positions, [this](std::uint32_t count) { reserve_positions(count); });
+  resident.first_position = take(positions_, resident.positions,
+                                 [this](std::uint32_t count) { reserve_positions(count); });
   std::vector<glm::uvec2> positions = lists.positions;
   for (glm::uvec2& position : positions) position.x += first;
   write(gl_, store_.cells->positions, resident.first_position, positions);
@@ -258,13 +258,13 @@ void PatchPool::add_rows(const PatchChunk& chunk, Resident& resident) {
 void PatchPool::add_seams(const PatchChunk& chunk, Resident& resident) {
   if (!store_.seams) {
     Buffer corners = enlarged<std::uint32_t>(gl_, "seam corners", nullptr, 0, 1);
-    VertexArray attributes = make_patch_attributes(gl_, "seams", store_.cells->positions,
-                                                   sizeof(glm::uvec2), corners);
-    store_.seams.emplace(SeamStore{{},
-                                   enlarged_table<shared::SeamVertex>(gl_, "seam vertices",
-                                                                      GL_RGBA32F, nullptr, 0, 1),
-                                   std::move(corners),
-                                   std::move(attributes)});
+    VertexArray attributes =
+        make_patch_attributes(gl_, "seams", store_.cells->positions, sizeof(glm::uvec2), corners);
+    store_.seams.emplace(SeamStore{
+        {},
+        enlarged_table<shared::SeamVertex>(gl_, "seam vertices", GL_RGBA32F, nullptr, 0, 1),
+        std::move(corners),
+        std::move(attributes)});
     ++store_.programs_version;
   }
   SeamStore& seams = *store_.seams;
@@ -300,9 +300,8 @@ void PatchPool::note_kinds(const PatchChunk& chunk) {
   bool changes = false;
   const std::vector<StoredPart>& parts = chunk.lists.parts;
   const auto note = [&](bool& known, auto PartBuffers::*count) {
-    if (known || std::none_of(parts.begin(), parts.end(), [count](const StoredPart& part) {
-          return part.buffers.*count > 0;
-        }))
+    if (known || std::none_of(parts.begin(), parts.end(),
+                              [count](const StoredPart& part) { return part.buffers.*count > 0; }))
       return;
     known = true;
     changes = true;

@@ -48,8 +48,9 @@ class PatchPool {
   /// textures; true also if that can't be helped.
   [[nodiscard]] bool has_room(const PatchChunk& chunk) const;
 
-  /// Makes room for maps of so many bytes in all. At most one texture is made in a call, which takes
-  /// a while where OpenGL runs on the CPU: 0.56 ms a megabyte. Returns whether there is room now.
+  /// Makes room for maps of so many bytes in all. At most one texture is made in a call, which
+  /// takes a while where OpenGL runs on the CPU: 0.56 ms a megabyte. Returns whether there is room
+  /// now.
   Result<bool> reserve(const MapBytes& bytes);
 
   /// Drops a chunk. show() has to be called before anything is drawn again.

@@ -85,8 +85,8 @@ template <class PageOf>
   return shares;
 }
 
-/// Commands that draw patches, whose records are of one page, `vertices` per sample without indices: 1 for
-/// points, 3 for triangles.
+/// Commands that draw patches, whose records are of one page, `vertices` per sample without
+/// indices: 1 for points, 3 for triangles.
 [[nodiscard]] std::vector<ArraysCommand> array_commands(const PatchStore& store,
                                                         const std::vector<std::uint32_t>& patches,
                                                         std::uint32_t vertices);

@@ -5,8 +5,8 @@
 //                   [--size WxH] [--samples N] [--stills N] [--pictures FOLDER] [--whole]
 //
 // The camera goes from pose to pose: `--frames` frames of motion, then it rests until everything is
-// there. Every `--stills`th settled picture is compared with one of the same view of tiles that were
-// read for it alone. `--whole`: measures instead what uploading each view's tiles as one model
+// there. Every `--stills`th settled picture is compared with one of the same view of tiles that
+// were read for it alone. `--whole`: measures instead what uploading each view's tiles as one model
 // takes.
 #include <sys/resource.h>
 #include <time.h>
@@ -104,8 +104,8 @@ Camera random_pose(const PatchModel& extent, std::mt19937& random) {
   const auto draw = [&random] { return std::uniform_real_distribution<double>(0.0, 1.0)(random); };
   const Bounds& box = extent.bounds;
   const glm::dvec3 size = box.max - box.min;
-  const glm::dvec3 target = box.min + size * glm::dvec3(0.1 + 0.8 * draw(), 0.1 + 0.8 * draw(),
-                                                        0.3 * draw());
+  const glm::dvec3 target =
+      box.min + size * glm::dvec3(0.1 + 0.8 * draw(), 0.1 + 0.8 * draw(), 0.3 * draw());
   Orbit orbit;
   orbit.azimuth_degrees = 360.0 * draw();
   orbit.elevation_degrees = 8.0 + 60.0 * draw();
@@ -173,8 +173,8 @@ class Flight {
     RenderSettings view = settings_at(camera);
     const StoreNeeds needs = pool_needs(extent, {&view, 1});
     stream_ = must(StreamedPatches::create(
-        gl(), source_, needs,
-        {arguments_.memory * 1'000'000U, arguments_.gpu * 1'000'000U}, {&view, 1}, [] {}));
+        gl(), source_, needs, {arguments_.memory * 1'000'000U, arguments_.gpu * 1'000'000U},
+        {&view, 1}, [] {}));
     viewport_ = must(Viewport::create(load_, extent, stream_->pool(), {&view, 1}));
     std::printf("opened after %.0f ms, %.0f MB\n", ms_since(start), resident_mb());
     draw(view, 1);
@@ -182,9 +182,11 @@ class Flight {
     picture("first");
     rest(view);
     std::printf("settled after %.0f ms, %.0f MB\n", ms_since(start), resident_mb());
-    draw(view, arguments_.samples);
-    picture("settled");
-    compare(view, "settled");
+    if (arguments_.stills <= arguments_.poses) {
+      draw(view, arguments_.samples);
+      picture("settled");
+      compare(view, "settled");
+    }
     std::mt19937 random(arguments_.seed);
     for (int pose = 1; pose <= arguments_.poses; ++pose) {
       const Camera next = random_pose(extent, random);
@@ -196,10 +198,10 @@ class Flight {
       const double settled = ms_since(rests);
       const StreamState state = stream_->state();
       std::printf(
-          "pose %d: settled after %.0f ms, %zu tiles, %.1f M samples, coarser %.1f, GPU %.0f MB, "
+          "pose %d: settled after %.0f ms, %zu tiles, %.1f M samples, %sGPU %.0f MB, "
           "cache %.0f MB, RSS %.0f MB, read %llu, from cache %llu\n",
           pose, settled, state.shown_tiles, 1e-6 * static_cast<double>(state.shown_samples),
-          state.coarser, 1e-6 * static_cast<double>(state.gpu_bytes),
+          state.is_coarser ? "coarser, " : "", 1e-6 * static_cast<double>(state.gpu_bytes),
           1e-6 * static_cast<double>(state.cached_bytes), resident_mb(),
           static_cast<unsigned long long>(state.counts.read),
           static_cast<unsigned long long>(state.counts.cached));
@@ -207,16 +209,17 @@ class Flight {
         draw(view, arguments_.samples);
         const std::string name = "pose" + std::to_string(pose);
         picture(name);
-        if (state.coarser == 1.0) compare(view, name);
+        if (!state.is_coarser) compare(view, name);
       }
       for (const std::string& failure : stream_->take_failures())
         std::printf("failure: %s\n", failure.c_str());
       std::fflush(stdout);
     }
-    std::printf("frames %zu: update mean %.1f ms, worst %.1f ms (%.1f of the thread's CPU time); "
-                "draw mean %.1f, worst %.1f ms\n",
-                frames_, update_sum_ / static_cast<double>(frames_), update_worst_,
-                update_worst_cpu_, draw_sum_ / static_cast<double>(frames_), draw_worst_);
+    std::printf(
+        "frames %zu: update mean %.1f ms, worst %.1f ms (%.1f of the thread's CPU time); "
+        "draw mean %.1f, worst %.1f ms\n",
+        frames_, update_sum_ / static_cast<double>(frames_), update_worst_, update_worst_cpu_,
+        draw_sum_ / static_cast<double>(frames_), draw_worst_);
     std::printf("empty pictures %zu; peak %.0f MB\n", empty_, peak_mb());
   }
 
@@ -234,13 +237,17 @@ class Flight {
       const LoadedScene scene = load(view);
       const double loaded = ms_since(start);
       const Clock::time_point uploads = Clock::now();
+      const double cpu = thread_ms();
       viewport_ = must(Viewport::create(load_, RenderModel::of(scene.patches), {&view, 1}));
       gl().Finish();
       const double uploaded = ms_since(uploads);
+      const double uploaded_cpu = thread_ms() - cpu;
       draw(view, 1);
-      std::printf("pose %d: %.1f M samples, read %.0f ms, uploaded %.0f ms, drawn %.0f ms\n", pose,
-                  1e-6 * static_cast<double>(count_samples(scene.patches)), loaded, uploaded,
-                  ms_since(uploads) - uploaded);
+      std::printf(
+          "pose %d: %.1f M samples, read %.0f ms, uploaded %.0f ms (%.0f of the thread's "
+          "CPU time), drawn %.0f ms\n",
+          pose, 1e-6 * static_cast<double>(count_samples(scene.patches)), loaded, uploaded,
+          uploaded_cpu, ms_since(uploads) - uploaded);
       std::fflush(stdout);
       viewport_.reset();
     }
@@ -320,16 +327,16 @@ class Flight {
   void compare(const RenderSettings& view, const std::string& name) {
     const Image streamed = read();
     const LoadedScene scene = load(view);
-    const auto viewport =
-        must(Viewport::create(load_, RenderModel::of(scene.patches), {&view, 1}));
+    const auto viewport = must(Viewport::create(load_, RenderModel::of(scene.patches), {&view, 1}));
     must(viewport->draw(view, framebuffer_.id()));
     const Image reference = read();
     const Difference found = difference(streamed, reference);
     if (!arguments_.pictures.empty())
       must(write_png(arguments_.pictures / (name + "-reference.png"), reference));
-    std::printf("  %s: %zu pixels differ by more than one level, at most by %d; covered in one of "
-                "the two alone: %zu\n",
-                name.c_str(), found.beyond_one, found.largest, found.holes);
+    std::printf(
+        "  %s: %zu pixels differ by more than one level, at most by %d; covered in one of "
+        "the two alone: %zu\n",
+        name.c_str(), found.beyond_one, found.largest, found.holes);
   }
 
   Arguments arguments_;
@@ -356,17 +363,28 @@ Arguments parse(int count, char** texts) {
   for (int k = 1; k < count; ++k) {
     const std::string text = texts[k];
     const auto next = [&] { return std::string(k + 1 < count ? texts[++k] : "0"); };
-    if (text == "--poses") arguments.poses = std::stoi(next());
-    else if (text == "--frames") arguments.frames = std::stoi(next());
-    else if (text == "--seed") arguments.seed = static_cast<unsigned>(std::stoul(next()));
-    else if (text == "--memory") arguments.memory = std::stoull(next());
-    else if (text == "--gpu-memory") arguments.gpu = std::stoull(next());
-    else if (text == "--samples") arguments.samples = std::stoi(next());
-    else if (text == "--stills") arguments.stills = std::stoi(next());
-    else if (text == "--pictures") arguments.pictures = next();
-    else if (text == "--whole") arguments.whole = true;
-    else if (text == "--size") std::sscanf(next().c_str(), "%ux%u", &arguments.width, &arguments.height);
-    else arguments.file = text;
+    if (text == "--poses")
+      arguments.poses = std::stoi(next());
+    else if (text == "--frames")
+      arguments.frames = std::stoi(next());
+    else if (text == "--seed")
+      arguments.seed = static_cast<unsigned>(std::stoul(next()));
+    else if (text == "--memory")
+      arguments.memory = std::stoull(next());
+    else if (text == "--gpu-memory")
+      arguments.gpu = std::stoull(next());
+    else if (text == "--samples")
+      arguments.samples = std::stoi(next());
+    else if (text == "--stills")
+      arguments.stills = std::stoi(next());
+    else if (text == "--pictures")
+      arguments.pictures = next();
+    else if (text == "--whole")
+      arguments.whole = true;
+    else if (text == "--size")
+      std::sscanf(next().c_str(), "%ux%u", &arguments.width, &arguments.height);
+    else
+      arguments.file = text;
   }
   return arguments;
 }

@@ -77,11 +77,10 @@ CellDraws make_cell_draws(const Gl& gl, const CellStore& store, const SidedList&
   const auto page_of = [&store](std::uint32_t part) { return store.parts[part].buffers.page; };
   const auto add = [&](const std::vector<std::uint32_t>& list, bool front_alone) {
     for (const auto& [page, share] : by_page(list, page_of)) {
-      draws.pages.push_back({&store.pages[page], front_alone,
-                             upload(gl, strip_commands(store, share)),
-                             upload(gl, run_commands(store, share)),
-                             upload(gl, edge_commands(store, share)),
-                             upload(gl, rim_commands(store, share))});
+      draws.pages.push_back(
+          {&store.pages[page], front_alone, upload(gl, strip_commands(store, share)),
+           upload(gl, run_commands(store, share)), upload(gl, edge_commands(store, share)),
+           upload(gl, rim_commands(store, share))});
     }
   };
   add(parts.both, false);

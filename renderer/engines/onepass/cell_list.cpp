@@ -32,8 +32,7 @@ std::vector<ElementsCommand> strip_commands(const CellStore& store,
   std::vector<ElementsCommand> commands;
   for (const std::uint32_t p : parts) {
     const PartBuffers& part = store.parts[p].buffers;
-    if (part.strip > 0)
-      commands.push_back({part.strip, 1, part.first_strip, 0, p});
+    if (part.strip > 0) commands.push_back({part.strip, 1, part.first_strip, 0, p});
   }
   return commands;
 }

@@ -60,8 +60,8 @@ TEST(Chunks, KeepPatchesThatMeetTogether) {
   const TileIndex index = index_tile(square_of_patches(), true);
   ASSERT_EQ(index.chunks.size(), 1U);
   EXPECT_TRUE(index.chunks.front().is_joined);
-  EXPECT_TRUE(std::is_sorted(index.chunks.front().patches.begin(),
-                             index.chunks.front().patches.end()));
+  EXPECT_TRUE(
+      std::is_sorted(index.chunks.front().patches.begin(), index.chunks.front().patches.end()));
 }
 
 TEST(Chunks, LeaveOutPatchesWithoutSamplesAndGiveLargeOnesAChunkOfTheirOwn) {

@@ -132,7 +132,8 @@ TEST_F(Pools, AreDrawnTheSameHoweverOftenChunksHaveComeAndGone) {
   const RenderSettings look = looks_at(model_).front();
   PatchPool pool = make_pool(look);
   std::vector<ChunkSlot> slots;
-  for (std::uint32_t first = 0; first < 54; first += 3) slots.push_back(*pool.add(chunk_of(first, 3)));
+  for (std::uint32_t first = 0; first < 54; first += 3)
+    slots.push_back(*pool.add(chunk_of(first, 3)));
   // The viewport stays while buffers are replaced, as a window's does.
   pool.show(std::vector<ShownChunk>{{slots[0]}});
   const auto viewport = Viewport::create(loader(), extent_, pool, {&look, 1});
