@@ -20,7 +20,10 @@ struct ChunkKey {
   std::uint32_t tile = 0;   ///< in PatchTree::tiles()
   std::uint32_t chunk = 0;  ///< in TileIndex::chunks
 
-  auto operator<=>(const ChunkKey&) const = default;
+  bool operator==(const ChunkKey&) const = default;
+  bool operator<(const ChunkKey& other) const {
+    return tile != other.tile ? tile < other.tile : chunk < other.chunk;
+  }
 };
 
 struct ChunkInfo {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "common/transform.h"
+#include "loader/stream/choose_within.h"
 #include "renderer/frame/image_parts.h"
 
 namespace relief {
@@ -20,6 +21,9 @@ constexpr double kPacking = 1.2;
 constexpr double kLevels = 4.0 / 3.0;
 /// Of cells, with what the CPU keeps of them: 6 from kUsualFinest on, 11 with all levels.
 constexpr double kCellBytesANode = 9.0;
+constexpr double kFinestBytesANode = 5.0;
+/// Room for normals and masks over what the finest patches take.
+constexpr double kOfOverviews = 1.4;
 /// What a chunk counts for in the mean.
 constexpr double kShareOfNews = 0.1;
 
@@ -27,12 +31,10 @@ constexpr double kShareOfNews = 0.1;
 constexpr double kFill = 0.88;
 /// It is less if there are more gaps than that.
 constexpr double kLessFill = 0.95;
+constexpr double kLeastFill = 0.6;
+constexpr double kMoreFill = 1.01;
 /// A file that needs less than the budget gets no more, and this for gaps.
 constexpr double kSlack = 1.4;
-
-/// What a view needs may be made coarser by so much at each try.
-constexpr double kCoarserStep = 1.2;
-constexpr int kMostSteps = 64;
 
 /// Samples that are read before the first picture.
 constexpr std::uint64_t kMostFirstSamples = 200'000;
@@ -149,44 +151,62 @@ void StreamedPatches::sum_up(const Cost& some, double times, Cost& to) {
   to.maps.masks += times * some.maps.masks;
 }
 
-StreamedPatches::Cost StreamedPatches::cost_of(const Cut& cut) const {
+/// Of the chunks of a tile in view; 0 if they are not known yet.
+StreamedPatches::Cost StreamedPatches::cost_of(std::uint32_t tile) const {
   Cost sum;
-  for (const ChunkKey key : cut.seen) {
-    const auto known = costs_.find(key);
-    if (known != costs_.end())
-      sum_up(known->second, 1.0, sum);
-    else
-      sum_up(cost_a_node_, static_cast<double>(index_of(key.tile)->chunks[key.chunk].nodes), sum);
+  const TileIndex* const index = index_of(tile);
+  for (std::uint32_t c = 0; index != nullptr && c < index->chunks.size(); ++c) {
+    const ChunkInfo& chunk = index->chunks[c];
+    if (!is_in_view(onlookers_, chunk.box, chunk.spacing)) continue;
+    const auto nodes = static_cast<double>(chunk.nodes);
+    const auto known = costs_.find({tile, c});
+    if (known == costs_.end()) {
+      sum_up(cost_a_node_, nodes, sum);
+    } else {
+      sum_up(known->second.cost, 1.0, sum);
+      if (needed_level(chunk) < known->second.finest) sum.all += kFinestBytesANode * nodes;
+    }
   }
   return sum;
 }
 
 void StreamedPatches::choose(std::span<const RenderSettings> views) {
-  onlookers_ = onlookers_of(views, {&source_->where(), 1}, source_->scene().patches);
+  const std::vector<Onlooker> before = std::exchange(
+      onlookers_, onlookers_of(views, {&source_->where(), 1}, source_->scene().patches));
+  const bool moves = before.size() != onlookers_.size() ||
+                     before.front().view.eye != onlookers_.front().view.eye ||
+                     before.front().view.rotation != onlookers_.front().view.rotation;
+  // Gaps close as chunks go. Not at rest: the picture would change back and forth.
+  if (moves) fill_ = std::min(fill_ * kMoreFill, kFill);
   level_pixels_.clear();
   for (const RenderSettings& view : views)
     level_pixels_.push_back(pixels_per_sample_of(view) / samples_a_side(view.samples));
 }
 
-/// As fine as the views ask for, or coarser until it fits the budget. What is not known yet of
-/// tiles is asked for before it is found out how much that is.
+/// As fine as the views ask for, or coarser where that does not fit the budget. What is not known
+/// yet of tiles is asked for before it is found out how much that is.
 void StreamedPatches::make_cut() {
-  const std::vector<Onlooker> asked = onlookers_;
-  coarser_ = 1.0;
-  std::vector<Want> unknown;
-  for (int step = 0; step < kMostSteps; ++step, coarser_ *= kCoarserStep) {
-    for (std::size_t k = 0; k < asked.size(); ++k)
-      onlookers_[k].pixels = asked[k].pixels * coarser_;
-    cut_ = cut_for(path_to(source_->tiles(), choose_tiles(source_->tiles(), onlookers_)));
-    if (step == 0) {
-      std::copy_if(cut_.wanted.begin(), cut_.wanted.end(), std::back_inserter(unknown),
-                   [](const Want& want) { return !want.chunk; });
+  const std::span<const TreeTile> tiles = source_->tiles();
+  const std::vector<std::uint32_t> goal = choose_tiles(tiles, onlookers_);
+  Cost sum;
+  const std::vector<std::uint32_t> chosen = choose_within(
+      tiles, goal,
+      [&](std::uint32_t t) { return coarseness(onlookers_, tiles[t].box, tiles[t].spacing); },
+      [&](std::span<const std::uint32_t> more) {
+        Cost with = sum;
+        for (const std::uint32_t t : more) sum_up(cost_of(t), 1.0, with);
+        const bool fit = fits(with);
+        if (fit || more.empty() || tiles[more.front()].parent == kNoTile) sum = with;
+        return fit;
+      });
+  is_coarser_ = chosen != goal;
+  cut_ = cut_for(path_to(tiles, chosen));
+  if (is_coarser_) {
+    for (const std::uint32_t t : path_to(tiles, goal).tiles) {
+      const Want index{t, std::nullopt, 0};
+      if (index_of(t) == nullptr && std::ranges::find(cut_.wanted, index) == cut_.wanted.end())
+        cut_.wanted.push_back(index);
     }
-    if (fits(cost_of(cut_))) break;
-  }
-  onlookers_ = asked;
-  for (const Want& want : unknown) {
-    if (std::ranges::find(cut_.wanted, want) == cut_.wanted.end()) cut_.wanted.push_back(want);
   }
   const double now = seconds();
   std::erase_if(failed_, [now](const auto& f) { return now - f.second > kRetrySeconds; });
@@ -239,7 +259,6 @@ bool StreamedPatches::upload(ChunkKey key, const PatchChunk& chunk) {
   const auto before = residents_.find(key);
   if (before != residents_.end() && before->second.finest <= chunk.finest) return false;
   const Cost cost{static_cast<double>(chunk.bytes()), bytes_of(chunk.maps)};
-  costs_[key] = cost;
   scale(1.0 - kShareOfNews, cost_a_node_);
   const auto nodes = static_cast<double>(indices_[key.tile]->chunks[key.chunk].nodes);
   sum_up(cost, kShareOfNews / nodes, cost_a_node_);
@@ -251,11 +270,11 @@ bool StreamedPatches::upload(ChunkKey key, const PatchChunk& chunk) {
 
 bool StreamedPatches::add(ChunkKey key, const PatchChunk& chunk) {
   const Cost cost{static_cast<double>(chunk.bytes()), bytes_of(chunk.maps)};
-  costs_[key] = cost;
+  costs_[key] = {cost, chunk.finest};
   const auto slot = pool_.add(chunk);
   if (!slot) {
     // There is less memory than the budget: do with what there is.
-    fill_ *= kLessFill;
+    fill_less();
     fail({key.tile, key.chunk, 0}, slot.error().message);
     return true;
   }
@@ -273,7 +292,7 @@ bool StreamedPatches::make_room(const PatchChunk& chunk) {
     const auto oldest = std::ranges::min_element(
         residents_, {}, [](const auto& resident) { return resident.second.last_seen; });
     if (oldest == residents_.end() || oldest->second.last_seen == updates_) {
-      fill_ *= kLessFill;
+      fill_less();
       return false;
     }
     drop(oldest);
@@ -300,9 +319,12 @@ void StreamedPatches::plan(const StoreNeeds& needs) {
   for (const TreeTile& tile : source_->tiles())
     nodes += kind.nodes_a_sample * static_cast<double>(tile.samples);
   const double wanted = kSlack * nodes;
-  const double allowed = static_cast<double>(budget_.gpu) / cost_a_node_.all;
   room_ = cost_a_node_;
-  scale(std::min(wanted, allowed), room_);
+  // Overviews often have fewer colours: more of them fit, if there is room for the rest.
+  room_.maps.masks *= kOfOverviews;
+  room_.maps.normals *= kOfOverviews;
+  room_.all += sum_of(room_.maps) - sum_of(maps);
+  scale(std::min(wanted, static_cast<double>(budget_.gpu) / room_.all), room_);
 }
 
 bool StreamedPatches::fits(const Cost& cost) const {
@@ -310,6 +332,12 @@ bool StreamedPatches::fits(const Cost& cost) const {
   return fit(cost.maps.heights, room_.maps.heights) && fit(cost.maps.normals, room_.maps.normals) &&
          fit(cost.maps.colours, room_.maps.colours) && fit(cost.maps.masks, room_.maps.masks) &&
          fit(cost.all - sum_of(cost.maps), room_.all - sum_of(room_.maps));
+}
+
+/// Once in an update, however many chunks find no room.
+void StreamedPatches::fill_less() {
+  if (std::exchange(less_filled_, updates_) == updates_) return;
+  fill_ = std::max(fill_ * kLessFill, kLeastFill);
 }
 
 void StreamedPatches::drop(std::map<ChunkKey, Resident>::iterator resident) {
@@ -368,7 +396,7 @@ StreamState StreamedPatches::state() const {
   }
   state.shown_tiles = tiles.size();
   state.waiting = cut_.wanted.size();
-  state.coarser = coarser_;
+  state.is_coarser = is_coarser_;
   state.gpu_bytes = pool_.bytes();
   state.cached_bytes = loader_.cached_bytes();
   state.counts = loader_.counts();

@@ -36,7 +36,7 @@ struct StreamState {
   std::size_t shown_tiles = 0;
   std::uint64_t shown_samples = 0;
   std::size_t waiting = 0;      ///< chunks and indices that are still to be read
-  double coarser = 1.0;         ///< by how much, so that what is in view fits the GPU's budget
+  bool is_coarser = false;      ///< by how much, so that what is in view fits the GPU's budget
   std::uint64_t gpu_bytes = 0;  ///< PatchPool::bytes()
   std::uint64_t cached_bytes = 0;
   LoaderCounts counts;
@@ -102,6 +102,7 @@ class StreamedPatches {
   bool upload(ChunkKey key, const PatchChunk& chunk);
   bool add(ChunkKey key, const PatchChunk& chunk);
   bool make_room(const PatchChunk& chunk);
+  void fill_less();
   void drop(std::map<ChunkKey, Resident>::iterator resident);
   bool show();
   void ask();
@@ -116,17 +117,22 @@ class StreamedPatches {
   double resident_rest_ = 0.0;
   static void scale(double by, Cost& cost);
   static void sum_up(const Cost& some, double times, Cost& to);
-  [[nodiscard]] Cost cost_of(const Cut& cut) const;
+  [[nodiscard]] Cost cost_of(std::uint32_t tile) const;
   [[nodiscard]] static double sum_of(const MapBytes& maps);
-  std::map<ChunkKey, Cost> costs_;  ///< of each that was there once
-  Cost cost_a_node_;                ///< of these, a mean
-  Cost room_;                       ///< what the budget is divided into
-  bool has_room_ = false;           ///< the pool's textures are as large as that
-  double fill_;                     ///< how much of it can be filled
+  struct KnownCost {
+    Cost cost;
+    std::uint32_t finest = 0;  ///< level that was there
+  };
+  std::map<ChunkKey, KnownCost> costs_;  ///< of each that was there once
+  Cost cost_a_node_;                     ///< of these, a mean
+  Cost room_;                            ///< what the budget is divided into
+  bool has_room_ = false;                ///< the pool's textures are as large as that
+  double fill_;                          ///< how much of it can be filled
+  std::uint64_t less_filled_ = 0;        ///< the update that made it less
 
   std::vector<Onlooker> onlookers_;
   std::vector<double> level_pixels_;  ///< by onlooker: how far apart samples of levels may be seen
-  double coarser_ = 1.0;
+  bool is_coarser_ = false;
   Cut cut_;
   std::vector<CutPart> shown_;
   std::vector<std::uint64_t> shown_numbers_;  ///< Resident::number of each

@@ -93,7 +93,7 @@ void TileLoader::run(const std::stop_token& stop) {
       changed_.wait(lock, stop, [&] { return (want = next()).has_value(); });
     }
     if (!want) return;
-    Loaded loaded = read(*want);
+    Loaded loaded = read(*want, stop);
     {
       const std::lock_guard lock(mutex_);
       at_work_.erase(*want);
@@ -104,7 +104,7 @@ void TileLoader::run(const std::stop_token& stop) {
   }
 }
 
-Loaded TileLoader::read(const Want& want) {
+Loaded TileLoader::read(const Want& want, const std::stop_token& stop) {
   Loaded loaded{want, nullptr, nullptr, std::nullopt};
   std::shared_ptr<const TileIndex> index;
   {
@@ -123,7 +123,7 @@ Loaded TileLoader::read(const Want& want) {
     if (!want.chunk) return {};
     const ChunkKey key{want.tile, *want.chunk};
     RELIEF_TRY_ASSIGN(PatchChunk chunk, source_->read_chunk(key, index->chunks[key.chunk], needs_,
-                                                            limits_, want.finest));
+                                                            limits_, want.finest, stop));
     loaded.chunk = std::make_shared<const PatchChunk>(std::move(chunk));
     return {};
   };

@@ -51,7 +51,7 @@ class TileLoader {
   TileLoader(std::shared_ptr<TileSource> source, const StoreNeeds& needs, const StoreLimits& limits,
              const LoaderBudget& budget, std::function<void()> wake);
 
-  /// Ends the threads, each after the chunk that it reads.
+  /// Ends the threads, each at the latest when it has prepared a chunk.
   ~TileLoader();
   TileLoader(const TileLoader&) = delete;
   TileLoader& operator=(const TileLoader&) = delete;
@@ -80,7 +80,7 @@ class TileLoader {
   };
   void run(const std::stop_token& stop);
   std::optional<Want> next();  ///< under the lock
-  [[nodiscard]] Loaded read(const Want& want);
+  [[nodiscard]] Loaded read(const Want& want, const std::stop_token& stop = {});
 
   std::shared_ptr<TileSource> source_;
   StoreNeeds needs_;

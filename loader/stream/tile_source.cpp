@@ -5,6 +5,7 @@
 
 #include "common/patch_file/fast/zstd_contexts.h"
 #include "common/patch_file/patch_file.h"
+#include "common/progress.h"
 #include "common/seams/join_normals.h"
 #include "loader/assemble.h"
 #include "loader/view_settings.h"
@@ -134,7 +135,7 @@ Result<TileIndex> TileSource::read_index(std::uint32_t tile) {
 
 Result<PatchChunk> TileSource::read_chunk(ChunkKey key, const ChunkInfo& chunk,
                                           const StoreNeeds& needs, const StoreLimits& limits,
-                                          std::uint32_t finest) {
+                                          std::uint32_t finest, const std::stop_token& stop) {
   RELIEF_TRY_ASSIGN(const auto file, file_of(key.tile));
   const std::vector<std::uint64_t> numbers(chunk.patches.begin(), chunk.patches.end());
   RELIEF_TRY(fits_memory(file->name(), kPreparing * file->decoded_bytes(numbers)));
@@ -147,6 +148,7 @@ Result<PatchChunk> TileSource::read_chunk(ChunkKey key, const ChunkInfo& chunk,
   std::vector<std::uint32_t> ids;
   std::vector<Bounds> boxes;
   for (const std::uint32_t p : chunk.patches) {
+    if (stop.stop_requested()) return interrupted_error();
     RELIEF_TRY_ASSIGN(Patch patch, file->read_patch(p, zstd));
     patch.material = material_;
     model.patches.push_back(std::move(patch));

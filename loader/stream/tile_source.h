@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -50,9 +51,10 @@ class TileSource {
   Result<TileIndex> read_index(std::uint32_t tile);
 
   /// Reads a chunk of a tile and prepares its levels from `finest` on for the GPU. The chunk's
-  /// boxes are in the file's frame.
+  /// boxes are in the file's frame. Ends early, with an error, once `stop` asks for it.
   Result<PatchChunk> read_chunk(ChunkKey key, const ChunkInfo& chunk, const StoreNeeds& needs,
-                                const StoreLimits& limits, std::uint32_t finest);
+                                const StoreLimits& limits, std::uint32_t finest,
+                                const std::stop_token& stop = {});
 
  private:
   using FileTime = std::filesystem::file_time_type;

@@ -6,8 +6,10 @@
 namespace relief {
 namespace {
 
-/// Of a layer, unless a band is higher.
-constexpr std::uint32_t kLayerRows = 2048;
+/// Of a layer that is made for a single band, unless that is higher.
+constexpr std::uint32_t kFewestRows = 1024;
+/// Bands of a few hundred rows leave a gap in each layer: few high layers have few.
+constexpr std::uint32_t kMostRows = 8192;
 
 }  // namespace
 
@@ -32,17 +34,17 @@ bool MapArrayPool::has_room(const MapBand& band) const {
 Status MapArrayPool::grow(std::uint32_t width, std::uint32_t rows, std::uint32_t more_layers,
                           std::optional<Texture>& texture) {
   width = std::max(width, width_);
-  rows = std::max({rows, rows_, kLayerRows});
+  rows = std::max({rows, rows_, kFewestRows});
   const auto before = static_cast<std::uint32_t>(layers_.size());
   const auto most = static_cast<std::uint32_t>(get_limit(gl_, GL_MAX_ARRAY_TEXTURE_LAYERS));
   const auto largest = static_cast<std::uint32_t>(get_limit(gl_, GL_MAX_TEXTURE_SIZE));
-  if (before == most || std::max(width, rows) > largest) {
+  if (before + more_layers > most || std::max(width, rows) > largest) {
     return make_error(
         "the {} are larger than this OpenGL allows ({} texels a side, {} layers); give a smaller "
         "--gpu-memory",
         format_.label, largest, most);
   }
-  const std::uint32_t layers = std::min(most, before + more_layers);
+  const std::uint32_t layers = before + more_layers;
   RELIEF_TRY_ASSIGN(Texture larger, make_map_array(gl_, format_, {width, rows}, layers));
   if (texture && before > 0) {
     gl_.CopyImageSubData(texture->id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, larger.id(),
@@ -58,10 +60,12 @@ Status MapArrayPool::grow(std::uint32_t width, std::uint32_t rows, std::uint32_t
 }
 
 Result<bool> MapArrayPool::reserve(std::uint64_t bytes, std::optional<Texture>& texture) {
-  const std::uint64_t layer = std::uint64_t{width_} * std::max(rows_, kLayerRows) * texel_bytes_;
-  const std::uint64_t layers = (bytes + layer - 1) / layer;
-  if (layers <= layers_.size()) return false;
-  RELIEF_TRY(grow(width_, rows_, static_cast<std::uint32_t>(layers - layers_.size()), texture));
+  if (bytes <= this->bytes()) return false;
+  const auto divided = [](std::uint64_t a, std::uint64_t b) { return (a + b - 1) / b; };
+  const std::uint64_t rows = divided(bytes, std::uint64_t{width_} * texel_bytes_);
+  const std::uint64_t layers = std::max<std::uint64_t>(layers_.size(), divided(rows, kMostRows));
+  RELIEF_TRY(grow(width_, static_cast<std::uint32_t>(divided(rows, layers)),
+                  static_cast<std::uint32_t>(layers - layers_.size()), texture));
   return true;
 }
 

@@ -57,17 +57,22 @@ bool is_seen(std::span<const Onlooker> onlookers, const Ball& ball, double spaci
                      [&](const Onlooker& onlooker) { return sees(onlooker, ball, spacing); });
 }
 
-/// Whether a box's samples, where it is nearest to the eye, are as near to each other as asked for.
-bool is_fine_enough(const Onlooker& onlooker, const Bounds& box, double spacing) {
+/// The depth of the point of a box that is nearest along the view axis; below 0 behind the eye.
+double nearest_depth_of(const Onlooker& onlooker, const Bounds& box) {
   const Transform& transform = onlooker.transform;
   const glm::dvec3 forward = -glm::transpose(onlooker.view.rotation)[2];
   const glm::dvec3 in_model = glm::transpose(transform.rotation) * forward;
   const glm::dvec3 centre = moved(transform, (box.min + box.max) / 2.0);
   const glm::dvec3 half = (box.max - box.min) / 2.0;
-  const double depth = glm::dot(forward, centre - onlooker.view.eye) -
-                       transform.scale * glm::dot(glm::abs(in_model), half);
+  return glm::dot(forward, centre - onlooker.view.eye) -
+         transform.scale * glm::dot(glm::abs(in_model), half);
+}
+
+/// Whether a box's samples, where it is nearest to the eye, are as near to each other as asked for.
+bool is_fine_enough(const Onlooker& onlooker, const Bounds& box, double spacing) {
+  const double depth = nearest_depth_of(onlooker, box);
   if (depth <= 0.0 && !onlooker.view.orthographic) return false;
-  return spacing * transform.scale <= onlooker.pixels * pixel_at(onlooker.view, depth);
+  return spacing * onlooker.transform.scale <= onlooker.pixels * pixel_at(onlooker.view, depth);
 }
 
 /// Each tile's box about its own samples and those of all that it stands for, which may reach a
@@ -114,6 +119,19 @@ std::vector<Onlooker> onlookers_of(std::span<const RenderSettings> views,
 
 bool is_in_view(std::span<const Onlooker> onlookers, const Bounds& box, double spacing) {
   return is_seen(onlookers, ball_of(box), spacing);
+}
+
+double coarseness(std::span<const Onlooker> onlookers, const Bounds& box, double spacing) {
+  constexpr double kNearest = 0.02;
+  double most = 0.0;
+  for (const Onlooker& onlooker : onlookers) {
+    if (!sees(onlooker, ball_of(box), spacing)) continue;
+    const double scale = onlooker.transform.scale;
+    const double least = kNearest * scale * glm::distance(box.min, box.max);
+    const double depth = std::max(nearest_depth_of(onlooker, box), least);
+    most = std::max(most, spacing * scale / (onlooker.pixels * pixel_at(onlooker.view, depth)));
+  }
+  return most;
 }
 
 std::vector<std::uint32_t> choose_tiles(std::span<const TreeTile> tiles,

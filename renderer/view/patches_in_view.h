@@ -31,6 +31,11 @@ struct Onlooker {
 [[nodiscard]] bool is_in_view(std::span<const Onlooker> onlookers, const Bounds& box,
                               double spacing);
 
+/// How many times as far apart as they may be some onlooker sees the samples of a box, where it is
+/// nearest; 0 if none sees it. About the eye as from a fiftieth of the box's diagonal.
+[[nodiscard]] double coarseness(std::span<const Onlooker> onlookers, const Bounds& box,
+                                double spacing);
+
 /// The tiles whose patches show all that is seen, in the list's order: no region is in two of them.
 /// A tile stands for its children where its samples are seen at most Onlooker::pixels apart.
 [[nodiscard]] std::vector<std::uint32_t> choose_tiles(std::span<const TreeTile> tiles,

@@ -182,9 +182,11 @@ class Flight {
     picture("first");
     rest(view);
     std::printf("settled after %.0f ms, %.0f MB\n", ms_since(start), resident_mb());
-    draw(view, arguments_.samples);
-    picture("settled");
-    compare(view, "settled");
+    if (arguments_.stills <= arguments_.poses) {
+      draw(view, arguments_.samples);
+      picture("settled");
+      compare(view, "settled");
+    }
     std::mt19937 random(arguments_.seed);
     for (int pose = 1; pose <= arguments_.poses; ++pose) {
       const Camera next = random_pose(extent, random);
@@ -196,10 +198,10 @@ class Flight {
       const double settled = ms_since(rests);
       const StreamState state = stream_->state();
       std::printf(
-          "pose %d: settled after %.0f ms, %zu tiles, %.1f M samples, coarser %.1f, GPU %.0f MB, "
+          "pose %d: settled after %.0f ms, %zu tiles, %.1f M samples, %sGPU %.0f MB, "
           "cache %.0f MB, RSS %.0f MB, read %llu, from cache %llu\n",
           pose, settled, state.shown_tiles, 1e-6 * static_cast<double>(state.shown_samples),
-          state.coarser, 1e-6 * static_cast<double>(state.gpu_bytes),
+          state.is_coarser ? "coarser, " : "", 1e-6 * static_cast<double>(state.gpu_bytes),
           1e-6 * static_cast<double>(state.cached_bytes), resident_mb(),
           static_cast<unsigned long long>(state.counts.read),
           static_cast<unsigned long long>(state.counts.cached));
@@ -207,7 +209,7 @@ class Flight {
         draw(view, arguments_.samples);
         const std::string name = "pose" + std::to_string(pose);
         picture(name);
-        if (state.coarser == 1.0) compare(view, name);
+        if (!state.is_coarser) compare(view, name);
       }
       for (const std::string& failure : stream_->take_failures())
         std::printf("failure: %s\n", failure.c_str());
@@ -235,13 +237,17 @@ class Flight {
       const LoadedScene scene = load(view);
       const double loaded = ms_since(start);
       const Clock::time_point uploads = Clock::now();
+      const double cpu = thread_ms();
       viewport_ = must(Viewport::create(load_, RenderModel::of(scene.patches), {&view, 1}));
       gl().Finish();
       const double uploaded = ms_since(uploads);
+      const double uploaded_cpu = thread_ms() - cpu;
       draw(view, 1);
-      std::printf("pose %d: %.1f M samples, read %.0f ms, uploaded %.0f ms, drawn %.0f ms\n", pose,
-                  1e-6 * static_cast<double>(count_samples(scene.patches)), loaded, uploaded,
-                  ms_since(uploads) - uploaded);
+      std::printf(
+          "pose %d: %.1f M samples, read %.0f ms, uploaded %.0f ms (%.0f of the thread's "
+          "CPU time), drawn %.0f ms\n",
+          pose, 1e-6 * static_cast<double>(count_samples(scene.patches)), loaded, uploaded,
+          uploaded_cpu, ms_since(uploads) - uploaded);
       std::fflush(stdout);
       viewport_.reset();
     }

@@ -39,8 +39,8 @@ class LivePicture {
   [[nodiscard]] bool is_complete() const { return stage_ == Stage::Complete; }
 
   /// Begins to refine anew, as what is drawn has changed at rest. What is shown stays until it is
-  /// drawn over. Does nothing amid a first pass, so that it gets to its end; returns whether it
-  /// did.
+  /// drawn over. Returns whether it did: amid a first pass it does not, so that one comes to its
+  /// end.
   bool restart();
 
   /// The newest picture; null before the first.

@@ -16,8 +16,8 @@ std::pair<std::string, std::uint64_t> kind_of(const RenderSettings& look, ModelM
   return {look.engine, has_features ? engine->features(look, maps).bits : 0};
 }
 
-/// On a renderer that has no memory of its own there is half as much for all, and making the
-/// largest texture takes less than a tenth of a second.
+/// What OpenGL on the CPU takes is memory, too, and it is to make the largest texture in less than
+/// a tenth of a second.
 StreamBudget budget_for(StreamBudget budget, const Gl& gl) {
   const bool is_software = renderer_name(gl).find("llvmpipe") != std::string::npos ||
                            renderer_name(gl).find("softpipe") != std::string::npos;
