@@ -11,8 +11,8 @@
 
 namespace relief {
 
-/// Grid nodes of a chunk, unless a patch has more: about 80,000 samples, which take some 50 ms to
-/// read and prepare, and 3 ms to upload (llvmpipe).
+/// Grid nodes of a chunk, unless a patch has more: about 65,000 samples, which take 39 to 77 ms to
+/// read and prepare, and 1 ms to upload (llvmpipe).
 inline constexpr std::uint64_t kChunkNodes = 131'072;
 
 /// A chunk of a file.

@@ -66,7 +66,7 @@ struct Cut {
 
 /// Chunks are read from this level on unless finer ones are needed: a tile whose samples are seen a
 /// pixel apart is drawn at four pixels a sample (kPixelsPerSampleOfCells). Preparing the finer ones
-/// takes two thirds of the time.
+/// takes half of the time.
 inline constexpr std::uint32_t kUsualFinest = 2;
 
 /// Chooses what is drawn now. Where chunks that the view is to show are missing, what is there of

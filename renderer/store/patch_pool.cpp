@@ -193,11 +193,9 @@ Status PatchPool::place(const PatchChunk& chunk, Resident& resident) {
 
 Status PatchPool::add_maps(const PatchChunk& chunk, Resident& resident) {
   const auto add = [](const std::optional<MapBand>& band, MapArrayPool& pool,
-                      std::optional<Texture>& texture,
-                      std::optional<Resident::Band>& kept) -> Status {
+                      std::optional<Texture>& texture, std::optional<PlacedBand>& kept) -> Status {
     if (!band) return {};
-    RELIEF_TRY_ASSIGN(const AtlasSpot spot, pool.add(*band, texture));
-    kept = Resident::Band{spot, band->height};
+    RELIEF_TRY_ASSIGN(kept, pool.add(*band, texture));
     return {};
   };
   RELIEF_TRY(add(chunk.maps.heights, heights_, store_.heights, resident.heights));
@@ -322,8 +320,8 @@ void PatchPool::remove(ChunkSlot slot) {
 }
 
 void PatchPool::release(Resident& resident) {
-  const auto remove = [](const std::optional<Resident::Band>& band, MapArrayPool& pool) {
-    if (band) pool.remove(band->spot, band->rows);
+  const auto remove = [](const std::optional<PlacedBand>& band, MapArrayPool& pool) {
+    if (band) pool.remove(*band);
   };
   remove(resident.heights, heights_);
   remove(resident.normals, normals_);

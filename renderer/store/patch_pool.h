@@ -85,14 +85,10 @@ class PatchPool {
     std::vector<std::uint32_t> record_pages;
     std::vector<StoredLevels> levels;
     std::vector<StoredSeam> seams;
-    struct Band {
-      AtlasSpot spot;
-      std::uint32_t rows = 0;
-    };
-    std::optional<Band> heights;
-    std::optional<Band> normals;
-    std::optional<Band> colours;
-    std::optional<Band> masks;
+    std::optional<PlacedBand> heights;
+    std::optional<PlacedBand> normals;
+    std::optional<PlacedBand> colours;
+    std::optional<PlacedBand> masks;
   };
 
   Status place(const PatchChunk& chunk, Resident& resident);

@@ -1,6 +1,5 @@
 #include "renderer/store/spans.h"
 
-#include <algorithm>
 #include <cassert>
 #include <iterator>
 
@@ -8,20 +7,30 @@ namespace relief {
 
 std::optional<std::uint32_t> Spans::take(std::uint32_t count) {
   if (count == 0) return 0;
-  for (auto gap = gaps_.begin(); gap != gaps_.end(); ++gap) {
-    const auto [first, places] = *gap;
+  for (const auto& [first, places] : gaps_) {
     if (places < count) continue;
-    gaps_.erase(gap);
-    if (places > count) gaps_.emplace(first + count, places - count);
-    taken_ += count;
-    return first;
+    const std::uint32_t taken = first;
+    take(taken, count);
+    return taken;
   }
   return std::nullopt;
 }
 
-bool Spans::has(std::uint32_t count) const {
-  return count == 0 || std::any_of(gaps_.begin(), gaps_.end(),
-                                   [count](const auto& gap) { return gap.second >= count; });
+bool Spans::has(std::uint32_t first, std::uint32_t count) const {
+  auto gap = gaps_.upper_bound(first);
+  if (gap == gaps_.begin()) return false;
+  --gap;
+  return first + count <= gap->first + gap->second;
+}
+
+void Spans::take(std::uint32_t first, std::uint32_t count) {
+  assert(count > 0 && has(first, count) && "free places");
+  const auto gap = std::prev(gaps_.upper_bound(first));
+  const std::uint32_t end = gap->first + gap->second;
+  gap->second = first - gap->first;
+  if (gap->second == 0) gaps_.erase(gap);
+  if (end > first + count) gaps_.emplace(first + count, end - first - count);
+  taken_ += count;
 }
 
 void Spans::give(std::uint32_t first, std::uint32_t count) {

@@ -16,8 +16,14 @@ class Spans {
   /// are at 0.
   [[nodiscard]] std::optional<std::uint32_t> take(std::uint32_t count);
 
-  /// Whether take() would return a place.
-  [[nodiscard]] bool has(std::uint32_t count) const;
+  /// Whether these places are free.
+  [[nodiscard]] bool has(std::uint32_t first, std::uint32_t count) const;
+
+  /// Takes these places, which are free; `count` is at least 1.
+  void take(std::uint32_t first, std::uint32_t count);
+
+  /// By first place of each gap how many places it has.
+  [[nodiscard]] const std::map<std::uint32_t, std::uint32_t>& gaps() const { return gaps_; }
 
   /// Gives back what take() returned for that count.
   void give(std::uint32_t first, std::uint32_t count);

@@ -167,6 +167,27 @@ TEST_F(Pools, GrowWhileTheyAreDrawn) {
     EXPECT_EQ(test::values(after, channel), test::values(before, channel)) << channel;
 }
 
+/// The pool's budget holds for files with some wide patches among many narrow ones.
+TEST_F(Pools, TakeWidePatchesWithoutGrowing) {
+  const RenderSettings look = looks_at(model_).front();
+  PatchPool pool = make_pool(look);
+  const MapBytes room{0.0, 32e6, 0.0, 8e6};
+  for (int k = 0; k < 4; ++k) ASSERT_TRUE(pool.reserve(room));
+  model_ = test::height_field(1500, [](double x, double y) { return 0.01 * x * y; });
+  extent_ = without_patches(model_);
+  needs_.colours = false;
+  const PatchChunk wide = chunk_of(0, 1, 2);
+  ASSERT_EQ(wide.maps.normals->width, 1502U);
+  ASSERT_TRUE(pool.has_room(wide));
+  const std::uint64_t before = pool.bytes();
+  const auto slot = pool.add(wide);
+  ASSERT_TRUE(slot) << slot.error().message;
+  // What is the chunk's own comes on top: cells.
+  EXPECT_LT(pool.bytes(), before + 4'000'000U);
+  pool.remove(*slot);
+  EXPECT_TRUE(pool.has_room(wide));
+}
+
 TEST_F(Pools, LeaveOutWhatIsHiddenAndWhatIsNotShown) {
   const RenderSettings look = looks_at(model_).front();
   PatchPool pool = make_pool(look);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -13,7 +14,9 @@ TEST(SpansOfPlaces, AreTakenFromTheFirstGapThatTheyFit) {
   Spans spans(10);
   EXPECT_EQ(spans.take(4), 0U);
   EXPECT_EQ(spans.take(4), 4U);
-  EXPECT_FALSE(spans.has(3));
+  EXPECT_FALSE(spans.has(7, 1));
+  EXPECT_TRUE(spans.has(8, 2));
+  EXPECT_FALSE(spans.has(8, 3));
   EXPECT_FALSE(spans.take(3));
   spans.give(0, 4);
   EXPECT_EQ(spans.take(2), 0U);
@@ -41,9 +44,14 @@ TEST(SpansOfPlaces, NeverOverlapHoweverTheyComeAndGo) {
   for (int step = 0; step < 5000; ++step) {
     if (random() % 2 == 0 || kept.empty()) {
       const std::uint32_t count = 1 + random() % 20;
-      const bool has = spans.has(count);
-      const auto first = spans.take(count);
-      ASSERT_EQ(first.has_value(), has);
+      const std::uint32_t at = random() % 200;
+      std::optional<std::uint32_t> first;
+      if (random() % 2 == 0) {
+        first = spans.take(count);
+      } else if (spans.has(at, count)) {
+        first = at;
+        spans.take(at, count);
+      }
       if (!first) continue;
       for (std::uint32_t k = *first; k < *first + count; ++k) {
         ASSERT_FALSE(is_taken.at(k));
