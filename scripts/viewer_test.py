@@ -41,7 +41,7 @@ UNLIT, MIRROR = 0, 2
 # of 255, and a fragment on the edge of a triangle may fall to either side.
 EDGE_PIXELS = 20
 
-TREMBLE = 4  # viewer/input.cpp: pixels after which a press becomes a drag, which begins there
+TREMBLE = 4  # viewer/input/reaction.cpp: pixels after which a press becomes a drag, which begins there
 
 
 def write_ball(path, points, turns):

@@ -7,8 +7,9 @@
 #include "viewer/drawing/difference_view.h"
 #include "viewer/drawing/display.h"
 #include "viewer/frame_log.h"
-#include "viewer/input.h"
-#include "viewer/measuring_input.h"
+#include "viewer/input/fly_keys.h"
+#include "viewer/input/measuring_input.h"
+#include "viewer/input/reaction.h"
 #include "viewer/panels/panels.h"
 #include "viewer/picture_orders.h"
 #include "viewer/remember.h"
@@ -59,9 +60,10 @@ class Loop {
     }
     for (const Event& event : events) {
       gui_.note(event);
+      fly_keys_.note(event, gui_.wants_keys());
       changes |= react(event, now);
     }
-    if (!gui_.wants_keys()) changes |= fly(window_, passed, surface_finder(), session_);
+    changes |= fly(passed);
     changes |= session_.navigator.advance(passed);
     if (changes) session_.preview.reset();  // the user takes the camera over
     changes |= play(passed, session_);
@@ -86,7 +88,7 @@ class Loop {
   [[nodiscard]] bool is_busy() const {
     return frames_left_ > 0 || waiting_ != nullptr || !display_.is_complete() ||
            display_.has_tiles_to_take() || session_.navigator.moving() || session_.look_changed ||
-           session_.preview || is_flying(window_);
+           session_.preview || fly_keys_.is_flying();
   }
   [[nodiscard]] bool is_progressing() const {
     return session_.document.is_loading() || session_.picture_job != nullptr ||
@@ -148,6 +150,14 @@ class Loop {
     else
       session_.navigator.set_model(without_patches(scene->patches), true);
     report(display_.show(std::move(scene), session_), now);
+    return true;
+  }
+
+  /// Returns whether the camera has moved.
+  bool fly(double seconds) {
+    if (!fly_keys_.is_flying()) return false;
+    session_.navigator.fly(fly_keys_.direction(), seconds, fly_keys_.speed_factor(),
+                           surface_finder()(0.5 * glm::dvec2(session_.window)));
     return true;
   }
 
@@ -246,6 +256,7 @@ class Loop {
   DifferenceView difference_{display_.gl(), &Window::wake};
   PanelState panels_;
   Pointer pointer_;
+  FlyKeys fly_keys_;
   MeasuringInput measuring_{&Window::wake};
   std::shared_ptr<const LoadedScene> waiting_;  ///< to be shown in the next turn
   double last_ = 0.0;

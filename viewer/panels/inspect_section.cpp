@@ -6,7 +6,7 @@
 
 #include "viewer/panels/panels.h"
 #include "viewer/panels/rows.h"
-#include "viewer/shortcuts.h"
+#include "viewer/input/shortcuts.h"
 
 namespace relief {
 

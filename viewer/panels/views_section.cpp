@@ -9,7 +9,7 @@
 #include "common/scene/scene.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/rows.h"
-#include "viewer/shortcuts.h"
+#include "viewer/input/shortcuts.h"
 
 namespace relief {
 namespace {

@@ -173,10 +173,6 @@ bool Window::wants_close() const {
   return glfwWindowShouldClose(window_) == GLFW_TRUE;
 }
 
-bool Window::is_down(int key) const {
-  return glfwGetKey(window_, key) == GLFW_PRESS;
-}
-
 void Window::close() {
   glfwSetWindowShouldClose(window_, GLFW_TRUE);
 }

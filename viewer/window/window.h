@@ -43,7 +43,6 @@ class Window {
   [[nodiscard]] double scale() const;
   [[nodiscard]] double seconds() const;
   [[nodiscard]] bool wants_close() const;
-  [[nodiscard]] bool is_down(int key) const;  ///< GLFW_KEY_...
   void close();
   /// Fills the screen that the window is on, or goes back to where it was.
   void set_full_screen(bool full);

@@ -11,8 +11,6 @@
 
 namespace relief {
 
-class Window;
-
 /// What the mouse is doing.
 struct Pointer {
   std::optional<MouseButton> held;
@@ -40,11 +38,5 @@ struct Reaction {
 /// Applies an event to the camera. What a panel takes must not come here, but for releases.
 Reaction react_to(const Event& event, const SurfaceFinder& surface, Pointer& pointer,
                   Session& session);
-
-/// Flies while its keys are held. Returns whether the camera has moved.
-bool fly(const Window& window, double seconds, const SurfaceFinder& surface, Session& session);
-
-/// Whether a key that flies is held.
-[[nodiscard]] bool is_flying(const Window& window);
 
 }  // namespace relief

@@ -1,15 +1,13 @@
-#include "viewer/input.h"
+#include "viewer/input/reaction.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include <array>
 #include <glm/geometric.hpp>
 #include <string_view>
 #include <utility>
 
-#include "viewer/shortcuts.h"
-#include "viewer/window/window.h"
+#include "viewer/input/shortcuts.h"
 
 namespace relief {
 namespace {
@@ -110,23 +108,6 @@ struct Reactor {
   void operator()(const DropEvent& event) { reaction.dropped = event.files; }
 };
 
-constexpr std::array<std::pair<int, glm::dvec3>, 6> kFlyKeys{{{GLFW_KEY_D, {1.0, 0.0, 0.0}},
-                                                              {GLFW_KEY_A, {-1.0, 0.0, 0.0}},
-                                                              {GLFW_KEY_E, {0.0, 1.0, 0.0}},
-                                                              {GLFW_KEY_Q, {0.0, -1.0, 0.0}},
-                                                              {GLFW_KEY_W, {0.0, 0.0, 1.0}},
-                                                              {GLFW_KEY_S, {0.0, 0.0, -1.0}}}};
-
-glm::dvec3 fly_direction(const Window& window) {
-  glm::dvec3 direction(0.0);
-  if (window.is_down(GLFW_KEY_LEFT_CONTROL) || window.is_down(GLFW_KEY_RIGHT_CONTROL))
-    return direction;
-  for (const auto& [key, along] : kFlyKeys) {
-    if (window.is_down(key)) direction += along;
-  }
-  return direction;
-}
-
 }  // namespace
 
 Reaction react_to(const Event& event, const SurfaceFinder& surface, Pointer& pointer,
@@ -134,19 +115,6 @@ Reaction react_to(const Event& event, const SurfaceFinder& surface, Pointer& poi
   Reactor reactor{surface, pointer, session};
   std::visit(reactor, event);
   return std::move(reactor.reaction);
-}
-
-bool is_flying(const Window& window) {
-  return fly_direction(window) != glm::dvec3(0.0);
-}
-
-bool fly(const Window& window, double seconds, const SurfaceFinder& surface, Session& session) {
-  const glm::dvec3 direction = fly_direction(window);
-  if (direction == glm::dvec3(0.0)) return false;
-  const bool is_fast = window.is_down(GLFW_KEY_LEFT_SHIFT) || window.is_down(GLFW_KEY_RIGHT_SHIFT);
-  session.navigator.fly(direction, seconds, is_fast ? 3.0 : 1.0,
-                        surface(0.5 * glm::dvec2(session.window)));
-  return true;
 }
 
 }  // namespace relief

@@ -1,4 +1,4 @@
-#include "viewer/measuring_input.h"
+#include "viewer/input/measuring_input.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

@@ -1,4 +1,4 @@
-#include "viewer/shortcuts.h"
+#include "viewer/input/shortcuts.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
