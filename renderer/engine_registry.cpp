@@ -14,7 +14,8 @@ namespace relief {
   F(onepass)              \
   F(multipass)            \
   F(ewa)                  \
-  F(raytrace)
+  F(raytrace)             \
+  F(volume_reference)
 
 #define RELIEF_ENGINE_DECLARED(folder) \
   namespace folder {                   \

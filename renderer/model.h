@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "common/patch.h"
+#include "common/volume/gaussian_cloud.h"
+#include "common/volume/scalar_volume.h"
 #include "renderer/geometry/splat_cloud.h"
 #include "renderer/geometry/triangle_mesh.h"
 
@@ -14,13 +16,14 @@ namespace relief {
 
 /// A form that a model comes in. A new form is a new enumerator, and a new alternative of
 /// RenderModel::Form at the same position.
-enum class ModelForm : std::uint8_t { Patches, Splats, Mesh };
+enum class ModelForm : std::uint8_t { Patches, Splats, Mesh, Volume, Gaussians };
 
 /// One model in one or several forms, which it borrows: they must outlive the rendering. Each form
 /// is there at most once.
 class RenderModel {
  public:
-  using Form = std::variant<const PatchModel*, const SplatCloud*, const TriangleMesh*>;
+  using Form = std::variant<const PatchModel*, const SplatCloud*, const TriangleMesh*,
+                            const ScalarVolume*, const GaussianCloud*>;
 
   /// A model without any form, for add().
   RenderModel() = default;

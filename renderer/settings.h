@@ -17,6 +17,7 @@
 #include "renderer/engines/multipass/settings.h"
 #include "renderer/engines/raytrace/settings.h"
 #include "renderer/gl/platform.h"
+#include "renderer/volume/settings.h"
 
 namespace relief {
 
@@ -52,6 +53,7 @@ struct RenderSettings {
   MultipassSettings multipass;
   EwaSettings ewa;
   RaytraceSettings raytrace;
+  VolumeSettings volume;
   /// Values of engine options that have no member here: an engine's own (renderer/engine.h).
   OptionValues options;
   GlPlatform platform = GlPlatform::Automatic;

@@ -37,7 +37,7 @@ std::string default_text(const SharedOption& option, std::size_t first, std::siz
 }
 
 std::string range_text(const OptionRow& row) {
-  if (row.kind == OptionKind::Choice) return {};
+  if (row.kind == OptionKind::Choice || row.kind == OptionKind::Text) return {};
   return fmt::format(", {:g} to {:g}", row.range.min, row.range.max);
 }
 

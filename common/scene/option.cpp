@@ -20,6 +20,10 @@ bool accepts(const OptionRow& row, const OptionValue& value) {
     return name != nullptr &&
            std::find(row.choices.begin(), row.choices.end(), *name) != row.choices.end();
   }
+  if (row.kind == OptionKind::Text) {
+    const auto* const text = std::get_if<std::string>(&value);
+    return text != nullptr && !text->empty();
+  }
   const double* const number = std::get_if<double>(&value);
   if (number == nullptr || !(*number >= row.range.min && *number <= row.range.max)) return false;
   return row.kind == OptionKind::Number || *number == std::floor(*number);
@@ -29,6 +33,7 @@ bool accepts(const OptionRow& row, const OptionValue& value) {
 
 std::string expected_of(const OptionRow& row) {
   if (row.kind == OptionKind::Choice) return fmt::format("{}", fmt::join(row.choices, ", "));
+  if (row.kind == OptionKind::Text) return "a name or a file";
   return fmt::format("a {} from {:g} to {:g}",
                      row.kind == OptionKind::Integer ? "whole number" : "number", row.range.min,
                      row.range.max);
@@ -41,7 +46,7 @@ Status check_value(const OptionRow& row, const OptionValue& value) {
 
 Result<OptionValue> parse_value(const OptionRow& row, std::string_view text) {
   OptionValue value = std::string(text);
-  if (row.kind != OptionKind::Choice) {
+  if (row.kind == OptionKind::Integer || row.kind == OptionKind::Number) {
     if (text.starts_with('+')) text.remove_prefix(1);
     double number = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);

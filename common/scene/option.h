@@ -14,14 +14,14 @@
 
 namespace relief {
 
-/// A number, or the name of a choice.
+/// A number, or the name of a choice, or a text.
 using OptionValue = std::variant<double, std::string>;
 
 /// Values by key, as the command line and scene files give them. A value that is not given has no
 /// entry.
 using OptionValues = std::map<std::string, OptionValue, std::less<>>;
 
-enum class OptionKind : std::uint8_t { Integer, Number, Choice };
+enum class OptionKind : std::uint8_t { Integer, Number, Choice, Text };
 
 /// The values that an option accepts, and the text of its help.
 struct OptionRow {

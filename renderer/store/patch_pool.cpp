@@ -17,7 +17,7 @@ constexpr std::uint32_t kFirstPositions = 16384;
 constexpr std::uint32_t kFirstVertices = 4096;
 
 /// Wider patches than this are rare; programs are set up for it from the beginning.
-constexpr std::uint32_t kUsualSide = 1007;
+constexpr std::uint32_t kUsualLayerSide = 1007;
 
 /// A larger copy of a buffer of `before` elements, the rest of which is not set.
 template <class T>
@@ -92,11 +92,11 @@ PatchPool::PatchPool(const Gl& gl, const StoreNeeds& needs, const PooledModel& m
       normals_(gl, normal_format(), sizeof(glm::i16vec2), kBandWidth),
       colours_(gl, colour_format(model.nearest_colours), sizeof(glm::u8vec4), kColourBandWidth),
       masks_(gl, mask_format(), sizeof(std::uint8_t), kBandWidth),
-      widest_(kUsualSide) {
+      widest_(kUsualLayerSide) {
   reserve_rows(kFirstRows);
   // The first row is of no patch: parts that are free belong to it.
   static_cast<void>(rows_.take(1));
-  store_.patches.front().side = kUsualSide;
+  store_.patches.front().side = kUsualLayerSide;
   if (!needs.cells) return;
   store_.cells.emplace(
       CellStore{{}, {}, enlarged<glm::uvec2>(gl, "part positions", nullptr, 0, 1)});

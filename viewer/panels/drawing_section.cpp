@@ -96,6 +96,7 @@ bool number_option_row(const OptionContext& of) {
 }
 
 bool option_row(const OptionContext& of) {
+  if (of.option.row.kind == OptionKind::Text) return false;  // given on the command line
   if (of.option.row.kind == OptionKind::Choice) return choice_option_row(of);
   return of.option.row.key == "samples" ? samples_row(of) : number_option_row(of);
 }

@@ -1,0 +1,18 @@
+// The registry's entry of the engine `volume-reference`.
+#include "renderer/engines/volume_reference/render_volume_reference.h"
+#include "renderer/volume/options.h"
+
+namespace relief::volume_reference {
+
+EngineEntry entry() {
+  return {.name = "volume-reference",
+          .summary = "splats volumes and 3D Gaussians with EWA filtering [Zwicker 2002] on the CPU",
+          .forms = {ModelForm::Volume, ModelForm::Gaussians},
+          .primitives = {},
+          .interpolations = {},
+          .capabilities = {},
+          .options = volume_options(),
+          .prepare = prepare};
+}
+
+}  // namespace relief::volume_reference

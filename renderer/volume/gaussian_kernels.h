@@ -1,0 +1,22 @@
+// The kernels of a scene of 3D Gaussians [Kerbl 2023].
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "common/volume/gaussian_cloud.h"
+#include "renderer/volume/kernel_cloud.h"
+#include "renderer/volume/settings.h"
+
+namespace relief {
+
+/// A kernel for each Gaussian, without its colour, which depends on the eye.
+[[nodiscard]] KernelCloud kernels_of_gaussians(const GaussianCloud& gaussians);
+
+/// The colours that an eye (world) sees, as they are blended: from harmonics up to the settings'
+/// degree, not below 0.
+[[nodiscard]] std::vector<glm::vec3> gaussian_colours(const GaussianCloud& gaussians,
+                                                      glm::dvec3 eye,
+                                                      const GaussianSettings& settings);
+
+}  // namespace relief

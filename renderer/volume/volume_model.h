@@ -1,0 +1,67 @@
+// A volume or a scene of Gaussians as kernels, kept from image to image.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "common/error.h"
+#include "common/progress.h"
+#include "renderer/model.h"
+#include "renderer/settings.h"
+#include "renderer/shading/environment_cache.h"
+#include "renderer/view/view.h"
+#include "renderer/volume/kernel_cloud.h"
+
+namespace relief {
+
+/// Borrows a volume or a scene of Gaussians, and makes its kernels when they are first needed, and
+/// again when their settings change.
+class VolumeModel {
+ public:
+  /// One of the two is there.
+  VolumeModel(const ScalarVolume* volume, const GaussianCloud* gaussians)
+      : volume_(volume), gaussians_(gaussians) {}
+
+  /// The kernels for these settings. Fails if the transfer function can't be read.
+  Result<const KernelCloud*> kernels(const RenderSettings& settings, const Progress& progress);
+
+  /// Their colours as an image with these settings blends them: Gaussians' seen from the eye, a
+  /// volume's lit at the nodes (pre-shaded).
+  Result<std::vector<glm::vec3>> colours(const KernelCloud& kernels, const RenderSettings& settings,
+                                         const View& view, EnvironmentCache& environments) const;
+
+  [[nodiscard]] const ScalarVolume* volume() const { return volume_; }
+  [[nodiscard]] const GaussianCloud* gaussians() const { return gaussians_; }
+  /// Whether colours are blended as encoded sRGB.
+  [[nodiscard]] bool blends_encoded(const RenderSettings& settings) const {
+    return gaussians_ != nullptr && settings.volume.gaussians.blend == GaussianBlend::Srgb;
+  }
+  [[nodiscard]] bool is_antialiased() const {
+    return gaussians_ != nullptr && gaussians_->is_antialiased;
+  }
+
+ private:
+  /// What the kernels of a volume depend on.
+  struct Key {
+    std::string transfer;
+    double sigma = 0.0;
+    std::optional<double> iso;
+    double iso_opacity = 0.0;
+    bool operator==(const Key&) const = default;
+  };
+
+  const ScalarVolume* volume_;
+  const GaussianCloud* gaussians_;
+  std::optional<Key> key_;
+  KernelCloud kernels_;
+};
+
+/// Near plane of views: no part of a volume that can be told apart is nearer to the eye.
+[[nodiscard]] View volume_view(const RenderSettings& settings);
+
+/// A pixel's colour, blended as encoded sRGB and multiplied by its alpha, as linear light
+/// multiplied by the same alpha.
+[[nodiscard]] glm::dvec3 decoded(glm::dvec3 premultiplied, double alpha);
+
+}  // namespace relief
