@@ -54,22 +54,27 @@ std::string volume_extensions() {
   return all;
 }
 
+Result<ScalarVolume> read_volume_bytes(const std::filesystem::path& path,
+                                       std::span<const std::byte> bytes,
+                                       const VolumeReadOptions& options, Progress& progress) {
+  const std::string name = path.string();
+  return guarded({.subject = name,
+                  .task = "read it",
+                  .advice = "the file may be damaged: write it again",
+                  .memory_advice = "crop or downsample the volume"},
+                 [&]() -> Result<ScalarVolume> {
+                   progress.begin_stage("read", bytes.size());
+                   RELIEF_TRY_ASSIGN(auto volume, read_by_format({name, bytes, progress}, options));
+                   if (std::ranges::all_of(volume.values, [](float v) { return std::isnan(v); }))
+                     return make_error("{}: holds no value that is a finite number", name);
+                   return volume;
+                 });
+}
+
 Result<ScalarVolume> read_volume(const std::filesystem::path& path,
                                  const VolumeReadOptions& options, Progress& progress) {
-  const std::string name = path.string();
-  return guarded(
-      {.subject = name,
-       .task = "read it",
-       .advice = "the file may be damaged: write it again",
-       .memory_advice = "crop or downsample the volume"},
-      [&]() -> Result<ScalarVolume> {
-        RELIEF_TRY_ASSIGN(const auto file, MappedFile::open(path));
-        progress.begin_stage("read", file.bytes().size());
-        RELIEF_TRY_ASSIGN(auto volume, read_by_format({name, file.bytes(), progress}, options));
-        if (std::ranges::all_of(volume.values, [](float v) { return std::isnan(v); }))
-          return make_error("{}: holds no value that is a finite number", name);
-        return volume;
-      });
+  RELIEF_TRY_ASSIGN(const auto file, MappedFile::open(path));
+  return read_volume_bytes(path, file.bytes(), options, progress);
 }
 
 }  // namespace relief
