@@ -9,7 +9,7 @@ set -euo pipefail
 group() {
   case $1 in
     build) echo cmake ninja-build g++ pkg-config libeigen3-dev libtbb-dev libglm-dev \
-      libfmt-dev libcli11-dev nlohmann-json3-dev libzstd-dev zlib1g-dev libopenexr-dev libpng-dev libturbojpeg0-dev libtinygltf-dev libdraco-dev \
+      libfmt-dev libcli11-dev nlohmann-json3-dev libzstd-dev zlib1g-dev libexpat1-dev libopenexr-dev libpng-dev libturbojpeg0-dev libtinygltf-dev libdraco-dev \
       libembree-dev libegl-dev libgl-dev $(group window) ;;
     window) echo libglfw3-dev libimgui-dev ;;        # without them all but `relief view` is built
     # Opened while running; Mesa draws without a GPU; the font is that of the window.
