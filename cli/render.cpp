@@ -24,6 +24,7 @@
 #include "loader/first_look.h"
 #include "loader/image_writer.h"
 #include "loader/load_scene.h"
+#include "loader/load_volume.h"
 #include "loader/view_settings.h"
 
 namespace relief::cli {
@@ -79,6 +80,7 @@ Result<std::vector<WrittenImage>> make_images(const ScenePlan& plan,
   ConsoleProgress progress;
   LoadOptions options = load_options(arguments.texture);
   options.read = arguments.read;
+  options.volume = arguments.volume;
   options.colour_by = colour_by_of(arguments.colours);
   RELIEF_TRY_ASSIGN(const auto scene, load_scene(plan, options, progress));
   const std::optional<ColourScale> legend = arguments.colours.legend ? scene.colours : std::nullopt;
@@ -134,6 +136,7 @@ int run_render(RenderArguments arguments) {
   if (const Status opened = open_inputs({arguments.input}); !opened) return fail(opened.error());
   auto plan = plan_scene(arguments.input, arguments.settings);
   if (!plan) return fail(plan.error());
+  choose_volume_engine(*plan, arguments.volume);
   const bool follows_path = !arguments.path.empty();
   if ((arguments.turntable > 0 || follows_path) && plan->views.size() > 1) {
     (void)fail(make_error("{}: has {} views; {} makes a film of a single one",

@@ -13,6 +13,7 @@
 #include "loader/assemble.h"
 #include "loader/colour_by.h"
 #include "loader/load_files.h"
+#include "loader/load_volume.h"
 #include "loader/view_settings.h"
 #include "preprocess/convert.h"
 #include "preprocess/raster/raster.h"
@@ -252,6 +253,8 @@ Result<LoadedScene> load_models(const std::vector<SceneModel>& models, const Loa
 
 Result<LoadedScene> load_scene(const ScenePlan& plan, const LoadOptions& options,
                                Progress& progress, std::span<const EngineEntry> among) {
+  RELIEF_TRY_ASSIGN(const bool is_volume, has_kernels(plan.models, options.volume));
+  if (is_volume) return load_kernels(plan.models, options.volume, progress);
   RELIEF_TRY_ASSIGN(const FormNeeds needs, needs_of(plan, among));
   if (needs.splats && !options.textures.image.empty())
     return load_textured_splats(plan, options, progress);

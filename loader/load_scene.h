@@ -16,6 +16,7 @@
 #include "preprocess/readers/selection.h"
 #include "preprocess/texture/acquisition/acquisition.h"
 #include "preprocess/texture/files/load_textures.h"
+#include "preprocess/volumes/read_volume.h"
 #include "renderer/engine_registry.h"
 
 namespace relief {
@@ -31,8 +32,9 @@ struct FormNeeds {
 using ViewsOf = std::function<Result<std::vector<RenderSettings>>(const PatchModel& extent)>;
 
 struct LoadOptions {
-  TextureChoice textures;  ///< of scans and meshes
-  ReadOptions read;        ///< how scans and meshes are read
+  TextureChoice textures;    ///< of scans and meshes
+  ReadOptions read;          ///< how scans and meshes are read
+  VolumeReadOptions volume;  ///< how volumes are read
   /// Options for making splats of a mesh for which `textures` names an image. The cutoff is always
   /// that of the first view's options.
   AcquireOptions acquisition;

@@ -20,9 +20,11 @@ struct LoadedScene {
   PatchModel patches;
   std::optional<TriangleMesh> mesh;
   std::optional<SplatCloud> splats;
-  bool has_faces = false;              ///< some model is a mesh, or was converted from one
-  bool mesh_is_input = false;          ///< all triangles of the mesh are faces of the files
-  std::optional<ColourScale> colours;  ///< what LoadOptions::colour_by made of it
+  std::optional<ScalarVolume> volume;      ///< then there is nothing else
+  std::optional<GaussianCloud> gaussians;  ///< likewise
+  bool has_faces = false;                  ///< some model is a mesh, or was converted from one
+  bool mesh_is_input = false;              ///< all triangles of the mesh are faces of the files
+  std::optional<ColourScale> colours;      ///< what LoadOptions::colour_by made of it
   /// Where patches are read as views need them (loader/stream/); `patches` then has none.
   std::shared_ptr<TileSource> tiles;
 
@@ -30,6 +32,8 @@ struct LoadedScene {
     RenderModel forms = RenderModel::of(patches);
     if (mesh) forms.add(*mesh);
     if (splats) forms.add(*splats);
+    if (volume) forms.add(*volume);
+    if (gaussians) forms.add(*gaussians);
     return forms;
   }
 };

@@ -94,4 +94,18 @@ void add_read_options(CLI::App& sub, ReadOptions& options) {
       ->option_text("X0,Y0,X1,Y1[,Z0,Z1]");
 }
 
+void add_raw_option(CLI::App& sub, VolumeReadOptions& options) {
+  sub.add_option_function<std::string>(
+         "--raw",
+         [&options](const std::string& text) {
+           auto layout = parse_raw_layout(text);
+           if (!layout) throw CLI::ValidationError("--raw", layout.error().message);
+           options.raw = *layout;
+         },
+         "Layout of a volume without a header, as in 256x256x109:u8 or 64x64x32:f32:be:1,1,2.5: "
+         "size, "
+         "type, byte order and spacing (default: the file has a header)")
+      ->option_text("LAYOUT");
+}
+
 }  // namespace relief::cli

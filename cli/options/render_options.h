@@ -7,6 +7,7 @@
 #include "cli/options/colour_options.h"
 #include "cli/options/texture_options.h"
 #include "common/scene/scene.h"
+#include "preprocess/volumes/read_volume.h"
 #include "renderer/render.h"
 
 namespace relief::cli {
@@ -16,6 +17,7 @@ struct RenderArguments {
   std::filesystem::path output;  ///< has {view} in it for a scene of several views
   TextureArguments texture;
   ReadOptions read;  ///< of scans and meshes
+  VolumeReadOptions volume;
   ColourArguments colours;
   SceneSettings settings;  ///< overrides those of a scene
   GlPlatform platform = GlPlatform::Automatic;

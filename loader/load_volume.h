@@ -1,0 +1,31 @@
+// Volumes and scenes of 3D Gaussians in memory.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "common/error.h"
+#include "common/progress.h"
+#include "common/scene/scene.h"
+#include "loader/loaded_scene.h"
+#include "loader/scene_plan.h"
+#include "preprocess/volumes/read_volume.h"
+
+namespace relief {
+
+/// Whether a file is drawn as kernels: a volume, or 3D Gaussians. Reads at most its header; a file
+/// that can't be read is neither.
+[[nodiscard]] bool has_kernels(const std::filesystem::path& path, const VolumeReadOptions& options);
+
+/// Whether all models of a scene are such files, or none is. Fails if only some are.
+Result<bool> has_kernels(const std::vector<SceneModel>& models, const VolumeReadOptions& options);
+
+/// Gives the views that name no engine the one that draws such models.
+void choose_volume_engine(ScenePlan& plan, const VolumeReadOptions& options);
+
+/// Reads the scene's only model, a volume or Gaussians, with the extent that cameras see. Fails if
+/// there are several, or if it has a position of its own.
+Result<LoadedScene> load_kernels(const std::vector<SceneModel>& models,
+                                 const VolumeReadOptions& options, Progress& progress);
+
+}  // namespace relief
