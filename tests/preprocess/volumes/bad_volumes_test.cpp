@@ -43,7 +43,7 @@ TEST(BadVolumesTest, NrrdSaysWhatIsWrong) {
   EXPECT_EQ(error("sizes: 2 3 4", "sizes: 2 0 4"),
             "line 6: expected three sizes above 0, found '2 0 4'");
   EXPECT_EQ(error("sizes: 2 3 4", "sizes: 2147483647 2147483647 2147483647"),
-            "states a size of 2147483647 x 2147483647 x 2147483647, whose values would take more "
+            "states a size of 2147483647 x 2147483647 x 2147483647, which would take more "
             "than half of this machine's memory; crop or downsample it");
   EXPECT_EQ(error("sizes: 2 3 4", "sizes: 4294967298 3 4"),
             "states a size of 4294967298 x 3 x 4; each must be 1 to 2147483647");
@@ -113,7 +113,7 @@ TEST(BadVolumesTest, NiftiSaysWhatIsWrong) {
   EXPECT_EQ(error({.dim = {3, 2, -3, 4}}),
             "states a size of 2 x -3 x 4; each must be 1 to 2147483647");
   EXPECT_EQ(error({.dim = {3, 32767, 32767, 32767}}),
-            "states a size of 32767 x 32767 x 32767, whose values would take more than half of "
+            "states a size of 32767 x 32767 x 32767, which would take more than half of "
             "this machine's memory; crop or downsample it");
   EXPECT_EQ(error({.pixdim = {1.F, 1.F, 0.F, 3.F}, .sform_code = 0}),
             "its spacing (pixdim) is 1 x 0 x 3; each must be above 0");

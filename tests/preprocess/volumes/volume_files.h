@@ -350,6 +350,9 @@ inline std::vector<VolumeFile> volume_files() {
        meta_header("MET_SHORT", "CompressedData = True\nElementDataFile = LOCAL\n") +
            zlib_pack(i16),
        true},
+      {"gzip.mha",
+       meta_header("MET_SHORT", "CompressedData = True\nElementDataFile = LOCAL\n") + gzip(i16),
+       true},
       {"ascii.mha",
        meta_header("MET_FLOAT", "BinaryData = False\nElementDataFile = LOCAL\n") + sample_text(),
        true},
