@@ -2,7 +2,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "preprocess/volumes/volume_readers.h"
+#include "preprocess/volumes/read_volume.h"
 #include "tests/fuzz/memory_file.h"
 
 namespace relief::fuzz {

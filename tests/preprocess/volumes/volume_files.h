@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "preprocess/volumes/volume_readers.h"
+#include "preprocess/volumes/read_volume.h"
 #include "tests/preprocess/readers/gltf_files.h"
 #include "tests/preprocess/readers/pack.h"
 #include "tests/preprocess/readers/scan_files.h"
