@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "preprocess/readers/gunzip.h"
+#include "preprocess/readers/inflate.h"
 #include "preprocess/volumes/meta_image_header.h"
 #include "preprocess/volumes/volume_readers.h"
 #include "preprocess/volumes/volume_values.h"
