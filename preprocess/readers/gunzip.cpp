@@ -2,12 +2,9 @@
 
 #include <algorithm>
 
-#include "preprocess/readers/inflate.h"
-
 namespace relief {
 namespace {
 
-constexpr unsigned kZipMagic[] = {0x1F, 0x8B};
 /// Numbers as text are seldom packed tighter.
 constexpr std::size_t kLikelyRatio = 8;
 
@@ -20,11 +17,6 @@ std::uint64_t stated_size(std::span<const std::byte> bytes) {
 }
 
 }  // namespace
-
-bool is_gzip(std::span<const std::byte> bytes) {
-  return bytes.size() >= 2 && std::to_integer<unsigned>(bytes[0]) == kZipMagic[0] &&
-         std::to_integer<unsigned>(bytes[1]) == kZipMagic[1];
-}
 
 Status gunzip_pieces(const std::string& name, std::span<const std::byte> bytes,
                      const Progress& progress, const TakePiece& take) {

@@ -7,12 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "preprocess/readers/inflate.h"
 #include "preprocess/readers/source.h"
 
 namespace relief {
-
-/// Returns whether `bytes` begin as a gzip file.
-[[nodiscard]] bool is_gzip(std::span<const std::byte> bytes);
 
 /// Receives the decompressed data piece by piece. `used`: total number of compressed bytes read so
 /// far.

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "common/guard.h"
-#include "preprocess/readers/gunzip.h"
 
 namespace relief {
 namespace {
 
+constexpr unsigned kZipMagic[] = {0x1F, 0x8B};
 /// zlib's window is 32 KiB; a call handles at most 4 GiB.
 constexpr std::size_t kStep = std::size_t{1} << 20U;
 /// Bytes that are unpacked at a time.
@@ -40,6 +40,11 @@ int window_bits(DeflateForm form) {
 }
 
 }  // namespace
+
+bool is_gzip(std::span<const std::byte> bytes) {
+  return bytes.size() >= 2 && std::to_integer<unsigned>(bytes[0]) == kZipMagic[0] &&
+         std::to_integer<unsigned>(bytes[1]) == kZipMagic[1];
+}
 
 Status inflate_pieces(const std::string& name, std::span<const std::byte> bytes, DeflateForm form,
                       const Progress& progress, const TakeInflated& take) {

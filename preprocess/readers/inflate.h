@@ -19,6 +19,9 @@ enum class DeflateForm : std::uint8_t {
   Raw    ///< nothing
 };
 
+/// Returns whether `bytes` begin as a gzip file.
+[[nodiscard]] bool is_gzip(std::span<const std::byte> bytes);
+
 /// The largest ratio of decompressed to compressed bytes that DEFLATE allows.
 inline constexpr std::uint64_t kDeflateRatio = 1032;
 

@@ -30,15 +30,17 @@ constexpr std::array<std::uint8_t, 256> kBase64Values = base64_values();
 
 bool EncodedBytes::take_group(std::byte (&group)[3]) {
   std::uint32_t bits = 0;
-  for (int digits = 0; digits < 4;) {
-    if (text_.empty()) return false;
-    const std::uint8_t value = kBase64Values[static_cast<unsigned char>(text_.front())];
-    text_.remove_prefix(1);
+  int digits = 0;
+  std::size_t at = 0;
+  for (; digits < 4; ++at) {
+    if (at == text_.size()) return false;
+    const std::uint8_t value = kBase64Values[static_cast<unsigned char>(text_[at])];
     if (value == kBlank) continue;
     if (value == kNoDigit) return false;
     bits = bits << 6U | (value == kPadding ? 0U : value);
     ++digits;
   }
+  text_.remove_prefix(at);
   for (unsigned k = 0; k < 3; ++k) group[k] = static_cast<std::byte>(bits >> (16 - 8 * k) & 0xFFU);
   return true;
 }
@@ -52,11 +54,13 @@ bool EncodedBytes::take(std::uint64_t count, std::span<const std::byte>& bytes) 
     return true;
   }
   decoded_.resize(size);
-  for (std::size_t at = 0; at < size; at += 3) {
-    std::byte group[3];
+  std::byte* out = decoded_.data();
+  std::byte group[3];
+  for (std::size_t left = size; left > 0;) {
     if (!take_group(group)) return false;
-    const std::size_t used = std::min<std::size_t>(3, size - at);
-    std::copy_n(group, used, decoded_.begin() + static_cast<std::ptrdiff_t>(at));
+    const std::size_t used = std::min<std::size_t>(3, left);
+    out = std::copy_n(group, used, out);
+    left -= used;
   }
   bytes = decoded_;
   return true;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "preprocess/readers/inflate.h"
 #include "preprocess/volumes/meta_image_header.h"
 #include "preprocess/volumes/volume_readers.h"
 #include "preprocess/volumes/volume_values.h"
@@ -27,7 +28,8 @@ Result<std::vector<float>> read_meta_values(const VolumeSource& data, const Meta
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     return read_text_values<float>(data.name, text, count, data.progress);
   }
-  if (header.is_compressed) block.packing = DeflateForm::Zlib;
+  // MetaIO reads both, and writes zlib.
+  if (header.is_compressed) block.packing = is_gzip(bytes) ? DeflateForm::Gzip : DeflateForm::Zlib;
   return read_values<float>(data.name, bytes, block, data.progress);
 }
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "preprocess/readers/gunzip.h"
+#include "preprocess/readers/inflate.h"
 #include "preprocess/volumes/volume_grid.h"
 #include "preprocess/volumes/volume_readers.h"
 #include "preprocess/volumes/volume_values.h"

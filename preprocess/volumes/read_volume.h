@@ -1,8 +1,10 @@
 // Reads volumes: scalar fields at the nodes of a grid.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "common/error.h"
@@ -31,5 +33,11 @@ struct VolumeReadOptions {
 /// file, what was found, what to do; also if no node has a value.
 Result<ScalarVolume> read_volume(const std::filesystem::path& path,
                                  const VolumeReadOptions& options, Progress& progress);
+
+/// Reads a file in memory as read_volume does. `path` gives the format and the folder of a detached
+/// file of values, and begins errors.
+Result<ScalarVolume> read_volume_bytes(const std::filesystem::path& path,
+                                       std::span<const std::byte> bytes,
+                                       const VolumeReadOptions& options, Progress& progress);
 
 }  // namespace relief

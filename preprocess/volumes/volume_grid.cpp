@@ -30,7 +30,8 @@ std::uint64_t half_of_memory() {
 
 }  // namespace
 
-Result<glm::uvec3> checked_size(const std::string& name, const std::array<std::int64_t, 3>& size) {
+Result<glm::uvec3> checked_size(const std::string& name, const std::array<std::int64_t, 3>& size,
+                                std::uint64_t bytes_each) {
   for (const std::int64_t nodes : size) {
     if (nodes < 1 || nodes > std::numeric_limits<std::int32_t>::max()) {
       return make_error("{}: states a size of {} x {} x {}; each must be 1 to 2147483647", name,
@@ -38,10 +39,10 @@ Result<glm::uvec3> checked_size(const std::string& name, const std::array<std::i
     }
   }
   const auto layer = static_cast<std::uint64_t>(size[0]) * static_cast<std::uint64_t>(size[1]);
-  const std::uint64_t most = half_of_memory() / sizeof(float);
+  const std::uint64_t most = half_of_memory() / bytes_each;
   if (layer > most / static_cast<std::uint64_t>(size[2])) {
     return make_error(
-        "{}: states a size of {} x {} x {}, whose values would take more than half of this "
+        "{}: states a size of {} x {} x {}, which would take more than half of this "
         "machine's memory; crop or downsample it",
         name, size[0], size[1], size[2]);
   }

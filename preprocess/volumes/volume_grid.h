@@ -26,9 +26,10 @@ inline constexpr FileFrame kLpsFrame{{-1.0, -1.0, 1.0}, true};
 /// Anatomical volumes stand on their feet and face the viewer.
 inline constexpr Stance kAnatomicalStance{{0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}, false};
 
-/// Fails on a size below 1, and on a volume whose values would take more than half of this
-/// machine's memory.
-Result<glm::uvec3> checked_size(const std::string& name, const std::array<std::int64_t, 3>& size);
+/// Fails on a size below 1, and on a volume that would take more than half of this machine's
+/// memory, at `bytes_each` for each node.
+Result<glm::uvec3> checked_size(const std::string& name, const std::array<std::int64_t, 3>& size,
+                                std::uint64_t bytes_each = sizeof(float));
 
 /// Fails if coordinates are not finite and if the steps are zero or lie in one plane. Steps may be
 /// mirrored: values stay where the file says.

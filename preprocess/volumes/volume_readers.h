@@ -2,16 +2,10 @@
 #pragma once
 
 #include "common/volume/scalar_volume.h"
-#include "preprocess/volumes/read_volume.h"
+#include "preprocess/volumes/raw_layout.h"
 #include "preprocess/volumes/volume_source.h"
 
 namespace relief {
-
-/// Reads a file in memory as read_volume does. `path` gives the format and the folder of a detached
-/// file of values, and begins errors.
-Result<ScalarVolume> read_volume_bytes(const std::filesystem::path& path,
-                                       std::span<const std::byte> bytes,
-                                       const VolumeReadOptions& options, Progress& progress);
 
 /// Each reader returns a volume as ScalarVolume promises, with values that are finite or NaN. On
 /// any bytes, a reader never crashes or hangs, or takes memory out of proportion to the file. It

@@ -21,6 +21,7 @@ Result<MappedFile> open_beside(const VolumeSource& header, std::string_view file
   if (!opened) {
     return make_error("{}: the file of its values: {}", header.name, opened.error().message);
   }
+  header.progress.begin_stage("read", opened->bytes().size());
   return opened;
 }
 

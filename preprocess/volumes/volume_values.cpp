@@ -17,8 +17,6 @@ namespace {
 
 /// Converting a megabyte takes about a millisecond.
 constexpr std::size_t kValueStep = std::size_t{1} << 20U;
-/// Volumes are seldom packed tighter; memory for more grows with the data.
-constexpr std::uint64_t kLikelyVolumeRatio = 8;
 
 /// Advances a progress to numbers of bytes that only grow.
 class BytesMeter {
@@ -102,18 +100,16 @@ Result<std::vector<Real>> read_packed(const std::string& name, std::span<const s
 
 Error too_few_values(const std::string& name, const ValueBlock& block, std::uint64_t found) {
   return make_error(
-      "{}: holds {} bytes of values, but its header or layout states {} values of {} bytes; the "
-      "file is "
-      "truncated, or the header's size or type is wrong",
-      name, found, block.count, size_of(block.form.type));
+      "{}: holds {} bytes of values, but its header or layout states {} values of {} bits; the "
+      "file is truncated, or the header's size or type is wrong",
+      name, found, block.count, 8 * size_of(block.form.type));
 }
 
 Error too_many_values(const std::string& name, const ValueBlock& block) {
   return make_error(
-      "{}: holds more than the {} values of {} bytes that its header or layout states; the "
-      "header's size or "
-      "type is wrong",
-      name, block.count, size_of(block.form.type));
+      "{}: holds more than the {} values of {} bits that its header or layout states; the "
+      "header's size or type is wrong",
+      name, block.count, 8 * size_of(block.form.type));
 }
 
 template <class Real>

@@ -15,6 +15,9 @@
 
 namespace relief {
 
+/// Volumes are seldom packed tighter; memory for more grows with the data.
+inline constexpr std::uint64_t kLikelyVolumeRatio = 8;
+
 /// How values lie in the bytes of a file.
 struct ValueBlock {
   NumberForm form;

@@ -29,8 +29,6 @@ constexpr std::array<std::pair<std::string_view, NumberType>, 10> kVtkTypes = {{
     {"Float64", NumberType::Float64},
 }};
 
-constexpr std::uint64_t kLikelyVtkRatio = 8;
-
 std::optional<NumberType> vtk_type(std::string_view name) {
   const auto* const row =
       std::ranges::find(kVtkTypes, name, &std::pair<std::string_view, NumberType>::first);
@@ -105,7 +103,7 @@ Result<std::vector<Real>> read_blocks(VtkArrayBytes& from) {
 
   const ValueBlock& block = from.block;
   ValueCollector<Real> collector(block.form, block.count,
-                                 kLikelyVtkRatio * packed_size / size_of(block.form.type));
+                                 kLikelyVolumeRatio * packed_size / size_of(block.form.type));
   for (const std::uint64_t size : packed_sizes) {
     RELIEF_TRY(inflate_pieces(from.source.name, bytes.first(size), DeflateForm::Zlib,
                               from.source.progress,

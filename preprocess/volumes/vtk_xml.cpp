@@ -151,7 +151,10 @@ Result<ScalarVolume> place_structured(const VolumeSource& source, const VtkDocum
   if (document.points.size() != 1 || !has_components(document.points[0], "3")) {
     return make_error("{}: lacks one array of points with three coordinates each", source.name);
   }
-  RELIEF_TRY_ASSIGN(auto volume, make_volume(source.name, extent.size, {}, {}));
+  ScalarVolume volume;
+  // The value, and the position as the file's numbers and as a vector.
+  constexpr std::uint64_t bytes_each = sizeof(float) + 2 * sizeof(glm::dvec3);
+  RELIEF_TRY_ASSIGN(volume.size, checked_size(source.name, extent.size, bytes_each));
   RELIEF_TRY_ASSIGN(const auto numbers, read_vtk_array<double>(source, document, document.points[0],
                                                                3 * nodes_of(volume)));
   CurvilinearGrid grid;

@@ -10,6 +10,7 @@
 #include "preprocess/readers/format.h"
 #include "tests/common/patch_file/sample_models.h"
 #include "tests/preprocess/readers/sample_files.h"
+#include "tests/preprocess/volumes/volume_files.h"
 
 namespace relief::test {
 namespace {
@@ -131,6 +132,12 @@ void add_camera_paths(const Seeds& seeds) {
   {"eye": [1, 0, 0], "target": [0, 0, 0], "up": [0, 1, 0], "orthographic": 0.1}]})");
 }
 
+void add_volumes(const Seeds& seeds) {
+  for (const VolumeFile& file : volume_files()) seeds.add("volume", file.name, file.bytes);
+  for (const VolumeFile& file : plain_volume_files()) seeds.add("volume", file.name, file.bytes);
+  seeds.add("volume", "detached.nhdr", nrrd_header("short", "raw", "endian: big\ndata file: a\n"));
+}
+
 }  // namespace
 }  // namespace relief::test
 
@@ -142,6 +149,7 @@ int main(int argc, char** argv) {
   relief::test::add_images(seeds);
   relief::test::add_scenes(seeds);
   relief::test::add_camera_paths(seeds);
+  relief::test::add_volumes(seeds);
   for (const relief::PointFormat& format : relief::point_formats()) {
     if (seeds.has(std::string(format.target()))) continue;
     fmt::print(stderr, "{} has no seed: add a file to sample_files()\n", format.name);

@@ -10,7 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "preprocess/volumes/volume_readers.h"
+#include "preprocess/volumes/read_volume.h"
+#include "tests/preprocess/readers/gltf_files.h"
 #include "tests/preprocess/readers/pack.h"
 #include "tests/preprocess/readers/scan_files.h"
 
@@ -71,21 +72,6 @@ inline std::string zlib_pack(std::string_view bytes) {
                      reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()),
             Z_OK);
   out.resize(size);
-  return out;
-}
-
-inline std::string base64(std::string_view bytes) {
-  constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  for (; !bytes.empty(); bytes.remove_prefix(std::min<std::size_t>(3, bytes.size()))) {
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      bits = bits << 8U | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0U);
-    }
-    for (std::size_t k = 0; k < 4; ++k)
-      out += k > bytes.size() ? '=' : digits[bits >> (18 - 6 * k) & 63U];
-  }
   return out;
 }
 
@@ -266,7 +252,9 @@ class VtkWriter {
   }
   /// Packed in two blocks, so that a number may lie on their border.
   [[nodiscard]] std::string encode(const std::string& bytes, bool is_base64) const {
-    const auto coded = [&](const std::string& b) { return is_base64 ? base64(b) : b; };
+    const auto coded = [&](const std::string& b) -> std::string {
+      return is_base64 ? base64(b) : b;
+    };
     if (!form_.is_packed) return coded(size(bytes.size()) + bytes);
     const std::size_t block = bytes.size() / 2 + 1;
     const std::string first = zlib_pack(bytes.substr(0, block));
@@ -361,6 +349,9 @@ inline std::vector<VolumeFile> volume_files() {
       {"zlib.mha",
        meta_header("MET_SHORT", "CompressedData = True\nElementDataFile = LOCAL\n") +
            zlib_pack(i16),
+       true},
+      {"gzip.mha",
+       meta_header("MET_SHORT", "CompressedData = True\nElementDataFile = LOCAL\n") + gzip(i16),
        true},
       {"ascii.mha",
        meta_header("MET_FLOAT", "BinaryData = False\nElementDataFile = LOCAL\n") + sample_text(),
