@@ -1,5 +1,7 @@
 #include "preprocess/readers/gunzip.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 
 #include "preprocess/readers/inflate.h"
@@ -20,6 +22,12 @@ std::uint64_t stated_size(std::span<const std::byte> bytes) {
 }
 
 }  // namespace
+
+std::uint64_t largest_unpacked() {
+  const auto pages = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES));
+  const auto page_size = static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+  return pages * page_size / 2;
+}
 
 bool is_gzip(std::span<const std::byte> bytes) {
   return bytes.size() >= 2 && std::to_integer<unsigned>(bytes[0]) == kZipMagic[0] &&
