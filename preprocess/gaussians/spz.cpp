@@ -18,6 +18,11 @@ namespace {
 /// (gunzip.h). Centres are noise that hardly packs; if all other streams were of zeros, the ratio
 /// would be 8 at most (degree 4).
 constexpr std::uint64_t kMostPackedRatio = 32;
+#ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
+constexpr std::uint64_t kAnyPackedBytes = std::uint64_t{1} << 20U;
+#else
+constexpr std::uint64_t kAnyPackedBytes = kAnyRatioBytes;
+#endif
 /// More extensions than this are not read; those that are known have at most 20 bytes.
 constexpr std::size_t kMostExtensionBytes = std::size_t{64} << 10U;
 /// Version 4: the header goes on with the offset of the table of contents and 12 unused bytes.
@@ -34,7 +39,7 @@ std::span<const std::byte> bytes_of(const Source& source) {
 /// Returns the bytes of all streams. Fails if a file of this size can't decompress to them.
 Result<std::size_t> streams_size(const Source& source, const SpzHeader& header) {
   const std::uint64_t size = std::uint64_t{header.count} * spz_sizes(header).sum();
-  if (size > std::max(kAnyRatioBytes, kMostPackedRatio * source.text.size())) {
+  if (size > std::max(kAnyPackedBytes, kMostPackedRatio * source.text.size())) {
     return make_error(
         "{}: states {} Gaussians, which are {} MB, but has only {} bytes; the file is truncated or "
         "damaged",
