@@ -1,5 +1,7 @@
 #include "preprocess/readers/gunzip.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 
 namespace relief {
@@ -17,6 +19,12 @@ std::uint64_t stated_size(std::span<const std::byte> bytes) {
 }
 
 }  // namespace
+
+std::uint64_t largest_unpacked() {
+  const auto pages = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES));
+  const auto page_size = static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+  return pages * page_size / 2;
+}
 
 Status gunzip_pieces(const std::string& name, std::span<const std::byte> bytes,
                      const Progress& progress, const TakePiece& take) {

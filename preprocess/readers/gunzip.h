@@ -22,6 +22,10 @@ inline constexpr std::uint64_t kLargestRatio = 200;
 /// Below this size any ratio is allowed, bytes.
 inline constexpr std::uint64_t kAnyRatioBytes = std::uint64_t{64} << 20U;
 
+/// Returns the largest size of an unpacked file: half of this machine's memory, so that what it
+/// holds also fits.
+[[nodiscard]] std::uint64_t largest_unpacked();
+
 /// Decompresses all members of a gzip file and passes them to `take`. Stops if `take` fails. Fails
 /// once the data are more than kAnyRatioBytes and kLargestRatio times the whole file's size. Errors
 /// begin with `name`.

@@ -1,7 +1,6 @@
 #include "preprocess/readers/read_points.h"
 
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,14 +17,6 @@
 
 namespace relief {
 namespace {
-
-/// The largest size of an unpacked file: half of this machine's memory, so that its points also
-/// fit.
-std::uint64_t largest_text() {
-  const auto pages = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES));
-  const auto page_size = static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
-  return pages * page_size / 2;
-}
 
 Bounds finite_bounds(const Points& points) {
   Bounds bounds;
@@ -74,7 +65,7 @@ Result<ReadResult> read_and_clean(const std::filesystem::path& path, std::vector
                                   Progress& progress, const ReadOptions& options) {
   const std::string name = path.string();
   if (is_gzip(bytes)) {
-    RELIEF_TRY_ASSIGN(auto unpacked, gunzip(name, bytes, largest_text(), progress));
+    RELIEF_TRY_ASSIGN(auto unpacked, gunzip(name, bytes, largest_unpacked(), progress));
     bytes = std::move(unpacked);
   }
   std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());

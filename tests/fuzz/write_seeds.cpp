@@ -9,6 +9,7 @@
 #include "common/patch_file/patch_file.h"
 #include "preprocess/readers/format.h"
 #include "tests/common/patch_file/sample_models.h"
+#include "tests/preprocess/gaussians/gaussian_files.h"
 #include "tests/preprocess/readers/sample_files.h"
 #include "tests/preprocess/volumes/volume_files.h"
 
@@ -66,6 +67,10 @@ void add_scans(const Seeds& seeds) {
     seeds.add("drc", fmt::format("mesh{}", static_cast<int>(method)), drc_mesh(method));
   seeds.add("gunzip", "too_large.gz", gzip(std::string(100000, 'x')));
   seeds.add("gunzip", "two_members.gz", gzip("one") + gzip(std::string(1000, 'x')));
+}
+
+void add_gaussians(const Seeds& seeds) {
+  for (const GaussianFile& file : gaussian_files()) seeds.add("gaussians", file.name, file.bytes);
 }
 
 void add_patch_files(const Seeds& seeds, const fs::path& test_data) {
@@ -145,6 +150,7 @@ int main(int argc, char** argv) {
   if (argc != 3) return 2;
   const relief::test::Seeds seeds(argv[1]);
   relief::test::add_scans(seeds);
+  relief::test::add_gaussians(seeds);
   relief::test::add_patch_files(seeds, argv[2]);
   relief::test::add_images(seeds);
   relief::test::add_scenes(seeds);
