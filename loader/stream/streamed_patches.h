@@ -14,7 +14,7 @@
 #include "loader/stream/tile_loader.h"
 #include "loader/stream/tile_source.h"
 #include "renderer/settings.h"
-#include "renderer/store/patch_pool.h"
+#include "renderer/store/pool/patch_pool.h"
 #include "renderer/view/patches_in_view.h"
 
 namespace relief {
@@ -42,8 +42,8 @@ struct StreamState {
   LoaderCounts counts;
 };
 
-/// Keeps a pool (renderer/store/patch_pool.h) filled with what views show of a file, in the context
-/// of its OpenGL. Where something is not there yet, coarser patches stand in.
+/// Keeps a pool (renderer/store/pool/patch_pool.h) filled with what views show of a file, in the
+/// context of its OpenGL. Where something is not there yet, coarser patches stand in.
 class StreamedPatches {
  public:
   /// `needs`: of the pool. `wake`: as TileLoader's. Reads what the first view needs least, so that

@@ -1,5 +1,5 @@
 // A model whose patches come and go looks like one that was uploaded whole.
-#include "renderer/store/patch_pool.h"
+#include "renderer/store/pool/patch_pool.h"
 
 #include <gtest/gtest.h>
 
