@@ -6,6 +6,7 @@
 #include "viewer/distance_colours.h"
 #include "viewer/drawing/difference_view.h"
 #include "viewer/drawing/display.h"
+#include "viewer/drawing/probed_surface.h"
 #include "viewer/frame_log.h"
 #include "viewer/input/fly_keys.h"
 #include "viewer/input/measuring_input.h"
@@ -172,7 +173,8 @@ class Loop {
   [[nodiscard]] SurfaceFinder surface_finder() const {
     return [this](glm::dvec2 cursor) -> std::optional<glm::dvec3> {
       const auto pixel = display_.probe(session_, cursor);
-      return pixel ? surface_of(*pixel, session_, cursor) : std::nullopt;
+      const auto surface = pixel ? surface_of(*pixel, session_, cursor) : std::nullopt;
+      return surface ? std::optional(surface->position()) : std::nullopt;
     };
   }
 

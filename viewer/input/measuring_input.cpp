@@ -5,12 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 #include <vector>
 
-#include "renderer/view/view.h"
 #include "viewer/drawing/display.h"
+#include "viewer/drawing/probed_surface.h"
 
 namespace relief {
 namespace {
@@ -31,21 +30,10 @@ std::optional<std::uint32_t> patch_of(const Image& pixel) {
 
 /// The query for the middle of a probed pixel.
 std::optional<PickQuery> query_of(const Image& pixel, glm::dvec2 cursor, const Session& session) {
-  const Channel* const depth = pixel.find("Z");
+  const auto surface = surface_of(pixel, session, cursor);
   const auto patch = patch_of(pixel);
-  if (depth == nullptr || !std::isfinite(depth->values.front()) || !patch) return std::nullopt;
-  const View view =
-      make_view(session.navigator.camera(), static_cast<std::uint32_t>(session.window.x),
-                static_cast<std::uint32_t>(session.window.y), 0.0);
-  const glm::dvec2 middle(std::floor(cursor.x) + 0.5,
-                          session.window.y - std::floor(cursor.y) - 0.5);
-  PickQuery query;
-  query.start = view.eye + ray_start(view, middle);
-  query.direction = ray_through(view, middle);
-  query.depth = depth->values.front();
-  query.pixel = pixel_at(view, query.depth);
-  query.patch = *patch;
-  return query;
+  if (!surface || !patch) return std::nullopt;
+  return PickQuery{surface->start, surface->direction, surface->depth, surface->pixel, *patch, {}};
 }
 
 /// The patches beside a pixel.

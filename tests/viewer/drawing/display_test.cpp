@@ -17,6 +17,7 @@
 #include "tests/common/patch_file/sample_models.h"
 #include "tests/renderer/scenes.h"
 #include "viewer/document/scan_points.h"
+#include "viewer/drawing/probed_surface.h"
 
 namespace relief {
 namespace {
@@ -138,8 +139,8 @@ TEST_F(Showing, FindsTheSurfaceUnderTheCursor) {
   ASSERT_TRUE(pixel);
   const auto point = surface_of(*pixel, session_, {48.0, 32.0});
   ASSERT_TRUE(point);
-  EXPECT_NEAR(glm::length(*point), 1.0, 0.11) << "on the ball and its bumps";
-  EXPECT_GT(glm::dot(*point, session_.navigator.camera().eye), 0.0) << "on the side one sees";
+  EXPECT_NEAR(glm::length(point->position()), 1.0, 0.11) << "on the ball and its bumps";
+  EXPECT_GT(glm::dot(point->position(), session_.navigator.camera().eye), 0.0) << "on the side one sees";
   const auto beside = display_->probe(session_, {1.0, 1.0});
   ASSERT_TRUE(beside);
   EXPECT_FALSE(surface_of(*beside, session_, {1.0, 1.0}));
