@@ -91,7 +91,8 @@ TEST_F(Showing, FindsTheSurfaceUnderTheCursor) {
   const auto point = surface_of(*pixel, session_, {48.0, 32.0});
   ASSERT_TRUE(point);
   EXPECT_NEAR(glm::length(point->position()), 1.0, 0.11) << "on the ball and its bumps";
-  EXPECT_GT(glm::dot(point->position(), session_.navigator.camera().eye), 0.0) << "on the side one sees";
+  EXPECT_GT(glm::dot(point->position(), session_.navigator.camera().eye), 0.0)
+      << "on the side one sees";
   const auto beside = display_->probe(session_, {1.0, 1.0});
   ASSERT_TRUE(beside);
   EXPECT_FALSE(surface_of(*beside, session_, {1.0, 1.0}));
