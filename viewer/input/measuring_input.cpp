@@ -36,6 +36,12 @@ std::optional<PickQuery> query_of(const Image& pixel, glm::dvec2 cursor, const S
   return PickQuery{surface->start, surface->direction, surface->depth, surface->pixel, *patch, {}};
 }
 
+/// What is shown; null if nothing is.
+std::shared_ptr<const PatchModel> model_of(const Session& session) {
+  if (session.scene == nullptr) return nullptr;
+  return {session.scene, &session.scene->patches};
+}
+
 /// The patches beside a pixel.
 std::vector<std::uint32_t> patches_about(glm::dvec2 cursor, Display& display,
                                          const Session& session) {
@@ -103,9 +109,11 @@ void MeasuringInput::click(glm::dvec2 cursor, bool is_double, double now, Displa
 }
 
 bool MeasuringInput::hover(bool is_elsewhere, double now, Display& display, Session& session) {
-  picker_.set_model(session.scene == nullptr ? nullptr
-                                             : std::shared_ptr<const PatchModel>(
-                                                   session.scene, &session.scene->patches));
+  const std::shared_ptr<const PatchModel> shown = model_of(session);
+  if (session.measuring.chosen())
+    picker_.set_model(shown);
+  else
+    picker_.keep_only(shown.get());
   const bool is_exact = picker_.ready() != nullptr;
   const bool becomes_exact = is_exact && !was_exact_;
   was_exact_ = is_exact;
@@ -129,11 +137,12 @@ double MeasuringInput::wait(double most) const {
 }
 
 std::optional<PickedPoint> MeasuringInput::pick(glm::dvec2 cursor, Display& display,
-                                                const Session& session) const {
+                                                const Session& session) {
   const auto pixel = display.probe(session, cursor);
   if (!pixel) return std::nullopt;
   auto query = query_of(*pixel, cursor, session);
   if (!query) return std::nullopt;
+  picker_.set_model(model_of(session));
   PickedPoint picked;
   if (const auto picker = picker_.ready()) {
     auto point = picker->pick(*query);
