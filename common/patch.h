@@ -40,6 +40,13 @@ struct AttributeMap {
   [[nodiscard]] bool empty() const { return texels.empty(); }
 };
 
+/// Returns the texel of a map at a node.
+template <class Texel>
+[[nodiscard]] const Texel& texel_at(const AttributeMap<Texel>& map, std::uint32_t i,
+                                    std::uint32_t j) {
+  return map.texels[std::size_t{j} * map.scale * map.width + std::size_t{i} * map.scale];
+}
+
 /// A patch: a regular grid of heights over its base plane, with holes, and attribute maps.
 ///
 /// Frame: node (i, j) with height index h lies in the world at

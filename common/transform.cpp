@@ -12,13 +12,10 @@
 #include <utility>
 
 #include "common/extremes.h"
+#include "common/is_finite.h"
 
 namespace relief {
 namespace {
-
-bool is_finite(glm::dvec3 v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 /// Neither 0, nor subnormal, nor infinite in single precision.
 bool fits_float(double value) {

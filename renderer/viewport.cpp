@@ -42,6 +42,15 @@ struct Viewport::Reused {
   }
 };
 
+/// A part of a view whose targets are there and empty.
+struct Viewport::BegunPart {
+  GlPreparedModel& engine;
+  const RenderSettings& settings;  ///< of the view, with one sample a pixel
+  const Raster& raster;            ///< where the part lies in the view
+  GlFrame& frame;
+  PassTimer& timer;
+};
+
 Viewport::Viewport() : reused_(std::make_unique<Reused>()) {}
 Viewport::~Viewport() = default;
 
@@ -115,61 +124,58 @@ Status Viewport::draw(const RenderSettings& view, std::uint32_t framebuffer) {
 
 Status Viewport::draw(const RenderSettings& view, const Rectangle& part,
                       std::uint32_t framebuffer) {
-  assert(part.left + part.width <= view.width && part.bottom + part.height <= view.height);
-  RELIEF_TRY_ASSIGN(GlPreparedModel* const engine, engine_for(view));
-  const Gl& gl = opengl_->gl();
-  const SavedState saved(gl);
-  RenderSettings settings = engine->settled(view);
-  settings.samples = 1;
   const std::uint32_t side = samples_a_side(view.samples);
   const GLbitfield copied = GL_COLOR_BUFFER_BIT | (view.eye_dome > 0.0 ? GL_DEPTH_BUFFER_BIT : 0U);
-  const Resolve* resolve = nullptr;
-  if (side > 1) {
-    RELIEF_TRY_ASSIGN(resolve, engine->model().resolve());
-  }
-  PassTimer timer(gl);
-  for (Raster raster : parts_of(part.width, part.height, side, largest_target(gl))) {
-    raster.left += part.left;
-    raster.bottom += part.bottom;
-    RELIEF_TRY_ASSIGN(GlFrame frame, engine->model().make_frame(
-                                         settings, raster,
-                                         reused_->take(raster.width * side, raster.height * side,
-                                                       settings.outputs)));
-    if (side > 1) frame.resolve = {resolve, framebuffer, raster};
-    RELIEF_TRY_ASSIGN(const auto drawing, engine->make_drawing(frame, settings, Counting::Off));
-    draw_frame(gl, frame, *drawing, timer);
-    if (side == 1) copy_pixels(gl, frame.targets, raster, framebuffer, copied);
-    reused_->targets = std::move(frame.targets);
-  }
-  return check_errors(gl, "the viewport");
+  return draw_parts(view, part, [&](const BegunPart& begun) -> Status {
+    const Gl& gl = opengl_->gl();
+    if (side > 1) {
+      RELIEF_TRY_ASSIGN(const Resolve* const resolve, begun.engine.model().resolve());
+      begun.frame.resolve = {resolve, framebuffer, begun.raster};
+    }
+    RELIEF_TRY_ASSIGN(const auto drawing,
+                      begun.engine.make_drawing(begun.frame, begun.settings, Counting::Off));
+    draw_frame(gl, begun.frame, *drawing, begun.timer);
+    if (side == 1) copy_pixels(gl, begun.frame.targets, begun.raster, framebuffer, copied);
+    return {};
+  });
 }
 
 Status Viewport::draw(const RenderSettings& view, const Rectangle& part, const PartReader& read) {
-  assert(part.left + part.width <= view.width && part.bottom + part.height <= view.height);
-  RELIEF_TRY_ASSIGN(GlPreparedModel* const engine, engine_for(view));
-  const Gl& gl = opengl_->gl();
-  const SavedState saved(gl);
-  RenderSettings settings = engine->settled(view);
-  settings.samples = 1;
   const Counting counting = view.count_fragments ? Counting::On : Counting::Off;
-  const std::uint32_t side = samples_a_side(view.samples);
-  PassTimer timer(gl);
-  for (Raster raster : parts_of(part.width, part.height, side, largest_target(gl))) {
-    raster.left += part.left;
-    raster.bottom += part.bottom;
-    RELIEF_TRY_ASSIGN(GlFrame frame, engine->model().make_frame(
-                                         settings, raster,
-                                         reused_->take(raster.width * side, raster.height * side,
-                                                       settings.outputs)));
-    RELIEF_TRY_ASSIGN(const auto drawing, engine->make_drawing(frame, settings, counting));
+  return draw_parts(view, part, [&](const BegunPart& begun) -> Status {
+    const Gl& gl = opengl_->gl();
+    RELIEF_TRY_ASSIGN(const auto drawing,
+                      begun.engine.make_drawing(begun.frame, begun.settings, counting));
     if (drawing == nullptr)
       return make_error("fragments of semi-transparent surfaces are not counted");
     std::optional<Buffer> counts;
     if (counting == Counting::On)
-      counts = draw_counting(gl, frame, *drawing, CountsOf::Pixels);
+      counts = draw_counting(gl, begun.frame, *drawing, CountsOf::Pixels);
     else
-      draw_frame(gl, frame, *drawing, timer);
-    RELIEF_TRY(read({frame, raster, engine->model().store(), counts ? counts->id() : 0}));
+      draw_frame(gl, begun.frame, *drawing, begun.timer);
+    return read(
+        {begun.frame, begun.raster, begun.engine.model().store(), counts ? counts->id() : 0});
+  });
+}
+
+Status Viewport::draw_parts(const RenderSettings& view, const Rectangle& part,
+                            const PartDrawer& draw) {
+  assert(part.left + part.width <= view.width && part.bottom + part.height <= view.height);
+  RELIEF_TRY_ASSIGN(GlPreparedModel* const engine, engine_for(view));
+  const Gl& gl = opengl_->gl();
+  const SavedState saved(gl);
+  RenderSettings settings = engine->settled(view);
+  settings.samples = 1;
+  const std::uint32_t side = samples_a_side(view.samples);
+  PassTimer timer(gl);
+  for (Raster raster : parts_of(part.width, part.height, side, largest_target(gl))) {
+    raster.left += part.left;
+    raster.bottom += part.bottom;
+    RELIEF_TRY_ASSIGN(GlFrame frame, engine->model().make_frame(
+                                         settings, raster,
+                                         reused_->take(raster.width * side, raster.height * side,
+                                                       settings.outputs)));
+    RELIEF_TRY(draw({*engine, settings, raster, frame, timer}));
     reused_->targets = std::move(frame.targets);
   }
   return check_errors(gl, "the viewport");

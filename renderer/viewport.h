@@ -100,6 +100,8 @@ class Viewport {
   Result<Image> probe(const RenderSettings& view, std::uint32_t x, std::uint32_t y);
 
  private:
+  struct BegunPart;
+  using PartDrawer = std::function<Status(const BegunPart& part)>;
   struct Reused;  ///< the last part's targets
 
   Viewport();
@@ -108,6 +110,8 @@ class Viewport {
                                                 std::span<const RenderSettings> looks,
                                                 std::span<const EngineEntry> among);
   Result<GlPreparedModel*> engine_for(const RenderSettings& view) const;
+  /// Calls `draw` for each of the parts that a rectangle of a view is drawn in.
+  Status draw_parts(const RenderSettings& view, const Rectangle& part, const PartDrawer& draw);
 
   std::shared_ptr<const OpenGl> opengl_;  ///< first: the last to go
   std::shared_ptr<EnvironmentCache> environments_;

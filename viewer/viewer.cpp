@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "viewer/arrivals.h"
 #include "viewer/distance_colours.h"
 #include "viewer/drawing/difference_view.h"
 #include "viewer/drawing/display.h"
+#include "viewer/drawing/probed_surface.h"
 #include "viewer/frame_log.h"
 #include "viewer/input/fly_keys.h"
 #include "viewer/input/measuring_input.h"
@@ -86,7 +88,7 @@ class Loop {
 
  private:
   [[nodiscard]] bool is_busy() const {
-    return frames_left_ > 0 || waiting_ != nullptr || !display_.is_complete() ||
+    return frames_left_ > 0 || arrivals_.is_waiting() || !display_.is_complete() ||
            display_.has_tiles_to_take() || session_.navigator.moving() || session_.look_changed ||
            session_.preview || fly_keys_.is_flying();
   }
@@ -110,47 +112,9 @@ class Loop {
   }
 
   bool take_arrivals(double now) {
-    Arrival arrival = session_.document.take();
-    if (arrival.failure || !arrival.notes.empty()) frames_left_ = kFramesAfterEvent;
-    for (std::string& note : arrival.notes) add_message(session_, std::move(note), false, now);
-    if (arrival.failure) {
-      add_message(session_, *arrival.failure, true, now);
-      give_up_distance(session_, arrival.is_other);
-    }
-    if (arrival.is_other) {
-      session_.points_read = 0;
-      if (!arrival.failure) {
-        session_.look = session_.document.plan().views.front().settings;
-        // What a scene file asks for is the first look of its models.
-        if (!session_.document.plan().file.empty()) session_.first_look = session_.look;
-        report(remember_files(session_, window_.size()), now);
-      }
-      session_.inspected.scene_before.reset();
-    }
-    if (arrival.points) {
-      session_.points_read = arrival.points->total;
-      if (arrival.is_other) start_camera(session_, arrival.points->extent);
-      report(display_.show(*arrival.points), now);
-    }
-    const bool shows_waiting = waiting_ != nullptr && arrival.scene == nullptr;
-    std::shared_ptr<const LoadedScene> scene =
-        shows_waiting ? std::move(waiting_) : std::move(arrival.scene);
-    waiting_.reset();
-    if (scene == nullptr) return arrival.points.has_value();
-    if (display_.is_empty() && !scene->patches.patches.empty()) {
-      // The upload takes longer than a user likes to look at nothing.
-      const ScanPoints samples = scan_points_of(scene->patches);
-      start_camera(session_, samples.extent);
-      report(display_.show(samples), now);
-      waiting_ = std::move(scene);
-      return true;
-    }
-    if (arrival.is_other && !arrival.points)
-      start_camera(session_, scene->patches);
-    else
-      session_.navigator.set_model(without_patches(scene->patches), true);
-    report(display_.show(std::move(scene), session_), now);
-    return true;
+    const TakenArrivals taken = arrivals_.take(window_.size(), now, display_, session_);
+    if (taken.has_told) frames_left_ = kFramesAfterEvent;
+    return taken.changes;
   }
 
   /// Returns whether the camera has moved.
@@ -172,7 +136,8 @@ class Loop {
   [[nodiscard]] SurfaceFinder surface_finder() const {
     return [this](glm::dvec2 cursor) -> std::optional<glm::dvec3> {
       const auto pixel = display_.probe(session_, cursor);
-      return pixel ? surface_of(*pixel, session_, cursor) : std::nullopt;
+      const auto surface = pixel ? surface_of(*pixel, session_, cursor) : std::nullopt;
+      return surface ? std::optional(surface->position()) : std::nullopt;
     };
   }
 
@@ -229,7 +194,7 @@ class Loop {
   /// Not while panels read what is open.
   void close_files() {
     session_.document.close();
-    waiting_.reset();
+    arrivals_.forget();
     session_.points_read = 0;
     session_.frame_ms = 0.0;
     display_.show_nothing(session_);
@@ -253,12 +218,12 @@ class Loop {
   Display& display_;
   Session& session_;
   FrameLog log_;
+  Arrivals arrivals_;
   DifferenceView difference_{display_.gl(), &Window::wake};
   PanelState panels_;
   Pointer pointer_;
   FlyKeys fly_keys_;
   MeasuringInput measuring_{&Window::wake};
-  std::shared_ptr<const LoadedScene> waiting_;  ///< to be shown in the next turn
   double last_ = 0.0;
   int frames_left_ = kFramesAfterEvent;
 };

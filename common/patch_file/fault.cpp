@@ -5,16 +5,14 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
+#include "common/is_finite.h"
+
 namespace relief {
 namespace {
 
 /// Tolerance of orthonormal axes: the rounding of a double rotation is near 1e-16, that of a matrix
 /// once stored as floats near 1e-7.
 constexpr double kAxesTolerance = 1e-6;
-
-bool is_finite(const glm::dvec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 bool is_positive(double value) {
   return std::isfinite(value) && value > 0.0;

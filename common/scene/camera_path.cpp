@@ -69,7 +69,8 @@ glm::dvec3 velocity(glm::dvec3 before, glm::dvec3 after, double seconds_before,
   return speed > fastest ? fastest / speed * mean : mean;
 }
 
-/// Of a number; 0 where it turns round, so that it never leaves the range of the keys.
+/// The velocity of a number, likewise; 0 where it turns round, so that it never leaves the range of
+/// the keys.
 double velocity(double before, double after, double seconds_before, double seconds_after) {
   if (before * after <= 0.0) return 0.0;
   const double mean =
@@ -96,15 +97,17 @@ Velocity velocity_between(const Step& before, const Step& after) {
   return at;
 }
 
-/// How far a cubic has come at part `u` of a step: `way` is the whole of it.
+/// The value at part `u` of a step, less that at its begin, of the cubic curve that changes by
+/// `way` in the step and has the given velocities at its ends.
 template <class Value>
 Value cubic(double u, Value way, Value velocity_before, Value velocity_after, double seconds) {
   return u * u * (3.0 - 2.0 * u) * way +
          u * (1.0 - u) * seconds * ((1.0 - u) * velocity_before - u * velocity_after);
 }
 
-/// The same of turns (Kim, Kim and Shin 1995, "A general construction scheme for unit quaternion
-/// curves", with the cumulative Bernstein basis).
+/// The rotation from the begin of a step to part `u` of it, along the cubic curve that rotates by
+/// `turn` in the step and has the given angular velocities at its ends (Kim, Kim and Shin 1995, "A
+/// general construction scheme for unit quaternion curves", with the cumulative Bernstein basis).
 glm::dquat cubic_turn(double u, glm::dvec3 turn, glm::dvec3 velocity_before,
                       glm::dvec3 velocity_after, double seconds) {
   const glm::dvec3 first = seconds / 3.0 * velocity_before;

@@ -67,7 +67,7 @@ Result<std::vector<Camera>> film_cameras(const CameraPath& path, double frames_p
 /// and perspective cameras beside orthographic ones.
 Result<CameraPath> read_camera_path(const std::filesystem::path& file);
 
-/// The same of text; `name` begins messages.
+/// Reads a camera path from the text of a file, as read_camera_path() does. `name` begins messages.
 Result<CameraPath> parse_camera_path(std::string_view text, const std::string& name);
 
 /// Returns the text of a path's file. Reading that gives the same path to the bit.

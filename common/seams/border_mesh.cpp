@@ -21,9 +21,7 @@ glm::dvec3 node_position(const Patch& patch, std::uint32_t node) {
 
 glm::dvec3 normal_of(const Patch& patch, std::uint32_t i, std::uint32_t j) {
   if (patch.normals.empty()) return patch.axes[2];
-  const AttributeMap<glm::i16vec2>& map = patch.normals;
-  const std::size_t texel = std::size_t{j} * map.scale * map.width + std::size_t{i} * map.scale;
-  return patch.axes * glm::dvec3(unit_from_snorm16(map.texels[texel]));
+  return patch.axes * glm::dvec3(unit_from_snorm16(texel_at(patch.normals, i, j)));
 }
 
 /// Fits a plane to the samples within two cells of a vertex, which at a border are few and on one

@@ -15,15 +15,6 @@
 namespace relief {
 namespace {
 
-/// Room for a map over its texels.
-constexpr double kPacking = 1.2;
-/// All levels of a patch over the finest.
-constexpr double kLevels = 4.0 / 3.0;
-/// Of cells, with what the CPU keeps of them: 6 from kUsualFinest on, 11 with all levels.
-constexpr double kCellBytesANode = 9.0;
-constexpr double kFinestBytesANode = 5.0;
-/// Room for normals and masks over what the finest patches take.
-constexpr double kOfOverviews = 1.4;
 /// What a chunk counts for in the mean.
 constexpr double kShareOfNews = 0.1;
 
@@ -33,8 +24,6 @@ constexpr double kFill = 0.88;
 constexpr double kLessFill = 0.95;
 constexpr double kLeastFill = 0.6;
 constexpr double kMoreFill = 1.01;
-/// A file that needs less than the budget gets no more, and this for gaps.
-constexpr double kSlack = 1.4;
 
 /// Samples that are read before the first picture.
 constexpr std::uint64_t kMostFirstSamples = 200'000;
@@ -54,18 +43,27 @@ double distance_between(const glm::dvec3& p, const Bounds& box) {
   return glm::distance(p, glm::clamp(p, box.min, box.max));
 }
 
+/// About as many as the patches of all tiles have.
+double nodes_of(const TileSource& source) {
+  double nodes = 0.0;
+  for (const TreeTile& tile : source.tiles())
+    nodes += source.kind().nodes_a_sample * static_cast<double>(tile.samples);
+  return nodes;
+}
+
 }  // namespace
 
 StreamedPatches::StreamedPatches(const Gl& gl, std::shared_ptr<TileSource> source,
                                  const StoreNeeds& needs, const StreamBudget& budget,
                                  std::function<void()> wake)
     : source_(std::move(source)),
-      budget_(budget),
       pool_(gl, needs,
             {.body = {source_->box(), {}}, .is_closed = source_->scene().patches.is_closed}),
       loader_(source_, needs, store_limits(gl),
               {budget.memory / 4, budget.memory - budget.memory / 4}, std::move(wake)),
       indices_(source_->tiles().size()),
+      cost_a_node_(usual_cost_a_node(source_->kind(), needs)),
+      room_(divide_budget(budget.gpu, cost_a_node_, nodes_of(*source_))),
       fill_(kFill) {}
 
 Result<std::unique_ptr<StreamedPatches>> StreamedPatches::create(
@@ -74,7 +72,6 @@ Result<std::unique_ptr<StreamedPatches>> StreamedPatches::create(
   std::unique_ptr<StreamedPatches> made(
       new StreamedPatches(gl, std::move(source), needs, budget, std::move(wake)));
   made->choose(views);
-  made->plan(needs);
   RELIEF_TRY(made->load_roots());
   made->make_cut();
   made->show();
@@ -136,24 +133,9 @@ std::uint32_t StreamedPatches::needed_level(const ChunkInfo& chunk) const {
   return kUsualFinest;
 }
 
-void StreamedPatches::scale(double by, Cost& cost) {
-  cost.all *= by;
-  for (double* bytes :
-       {&cost.maps.heights, &cost.maps.normals, &cost.maps.colours, &cost.maps.masks})
-    *bytes *= by;
-}
-
-void StreamedPatches::sum_up(const Cost& some, double times, Cost& to) {
-  to.all += times * some.all;
-  to.maps.heights += times * some.maps.heights;
-  to.maps.normals += times * some.maps.normals;
-  to.maps.colours += times * some.maps.colours;
-  to.maps.masks += times * some.maps.masks;
-}
-
 /// Of the chunks of a tile in view; 0 if they are not known yet.
-StreamedPatches::Cost StreamedPatches::cost_of(std::uint32_t tile) const {
-  Cost sum;
+ChunkCost StreamedPatches::cost_in_view(std::uint32_t tile) const {
+  ChunkCost sum;
   const TileIndex* const index = index_of(tile);
   for (std::uint32_t c = 0; index != nullptr && c < index->chunks.size(); ++c) {
     const ChunkInfo& chunk = index->chunks[c];
@@ -161,10 +143,10 @@ StreamedPatches::Cost StreamedPatches::cost_of(std::uint32_t tile) const {
     const auto nodes = static_cast<double>(chunk.nodes);
     const auto known = costs_.find({tile, c});
     if (known == costs_.end()) {
-      sum_up(cost_a_node_, nodes, sum);
+      sum += nodes * cost_a_node_;
     } else {
-      sum_up(known->second.cost, 1.0, sum);
-      if (needed_level(chunk) < known->second.finest) sum.all += kFinestBytesANode * nodes;
+      sum += known->second.cost;
+      if (needed_level(chunk) < known->second.finest) sum.rest += kFinestBytesANode * nodes;
     }
   }
   return sum;
@@ -188,14 +170,15 @@ void StreamedPatches::choose(std::span<const RenderSettings> views) {
 void StreamedPatches::make_cut() {
   const std::span<const TreeTile> tiles = source_->tiles();
   const std::vector<std::uint32_t> goal = choose_tiles(tiles, onlookers_);
-  Cost sum;
+  ChunkCost sum;
+  const ChunkCost room = fill_ * room_;
   const std::vector<std::uint32_t> chosen = choose_within(
       tiles, goal,
       [&](std::uint32_t t) { return coarseness(onlookers_, tiles[t].box, tiles[t].spacing); },
       [&](std::span<const std::uint32_t> more) {
-        Cost with = sum;
-        for (const std::uint32_t t : more) sum_up(cost_of(t), 1.0, with);
-        const bool fit = fits(with);
+        ChunkCost with = sum;
+        for (const std::uint32_t t : more) with += cost_in_view(t);
+        const bool fit = with.fits(room);
         if (fit || more.empty() || tiles[more.front()].parent == kNoTile) sum = with;
         return fit;
       });
@@ -258,10 +241,9 @@ bool StreamedPatches::take(Loaded loaded) {
 bool StreamedPatches::upload(ChunkKey key, const PatchChunk& chunk) {
   const auto before = residents_.find(key);
   if (before != residents_.end() && before->second.finest <= chunk.finest) return false;
-  const Cost cost{static_cast<double>(chunk.bytes()), bytes_of(chunk.maps)};
-  scale(1.0 - kShareOfNews, cost_a_node_);
   const auto nodes = static_cast<double>(indices_[key.tile]->chunks[key.chunk].nodes);
-  sum_up(cost, kShareOfNews / nodes, cost_a_node_);
+  cost_a_node_ = (1.0 - kShareOfNews) * cost_a_node_;
+  cost_a_node_ += kShareOfNews / nodes * cost_of(chunk);
   if (make_room(chunk)) return add(key, chunk);
   // The next cut is coarser, and may have no more need of it.
   failed_[key_of({key.tile, key.chunk, 0})] = seconds();
@@ -269,7 +251,7 @@ bool StreamedPatches::upload(ChunkKey key, const PatchChunk& chunk) {
 }
 
 bool StreamedPatches::add(ChunkKey key, const PatchChunk& chunk) {
-  const Cost cost{static_cast<double>(chunk.bytes()), bytes_of(chunk.maps)};
+  const ChunkCost cost = cost_of(chunk);
   costs_[key] = {cost, chunk.finest};
   const auto slot = pool_.add(chunk);
   if (!slot) {
@@ -279,16 +261,15 @@ bool StreamedPatches::add(ChunkKey key, const PatchChunk& chunk) {
     return true;
   }
   if (const auto coarser = residents_.find(key); coarser != residents_.end()) drop(coarser);
-  const double rest = cost.all - sum_of(cost.maps);
-  residents_[key] = {*slot, ++uploads_, rest, updates_, chunk.finest, chunk.boxes};
-  resident_rest_ += rest;
+  residents_[key] = {*slot, ++uploads_, cost.rest, updates_, chunk.finest, chunk.boxes};
+  resident_rest_ += cost.rest;
   return true;
 }
 
 /// Drops what was not seen for longest until the chunk fits. Whether it does.
 bool StreamedPatches::make_room(const PatchChunk& chunk) {
-  const double rest = static_cast<double>(chunk.bytes()) - sum_of(bytes_of(chunk.maps));
-  while (!pool_.has_room(chunk) || resident_rest_ + rest > room_.all - sum_of(room_.maps)) {
+  const double rest = cost_of(chunk).rest;
+  while (!pool_.has_room(chunk) || resident_rest_ + rest > room_.rest) {
     const auto oldest = std::ranges::min_element(
         residents_, {}, [](const auto& resident) { return resident.second.last_seen; });
     if (oldest == residents_.end() || oldest->second.last_seen == updates_) {
@@ -298,40 +279,6 @@ bool StreamedPatches::make_room(const PatchChunk& chunk) {
     drop(oldest);
   }
   return true;
-}
-
-double StreamedPatches::sum_of(const MapBytes& maps) {
-  return maps.heights + maps.normals + maps.colours + maps.masks;
-}
-
-/// Divides the budget as the finest patches need it.
-void StreamedPatches::plan(const StoreNeeds& needs) {
-  const PatchKind& kind = source_->kind();
-  const auto texels = [](std::uint32_t a_cell) { return double(a_cell) * a_cell * kPacking; };
-  MapBytes& maps = cost_a_node_.maps;
-  maps.masks = needs.masks ? texels(1) : 0.0;
-  maps.normals = needs.normals ? texels(kind.normal_texels) * sizeof(glm::i16vec2) : 0.0;
-  maps.colours = needs.colours ? texels(kind.colour_texels) * sizeof(glm::u8vec4) : 0.0;
-  maps.heights = needs.heights ? kLevels * texels(1) * sizeof(std::uint16_t) : 0.0;
-  cost_a_node_.all = sum_of(maps) + (needs.cells ? kCellBytesANode : 0.0) +
-                     (needs.splats ? kLevels * sizeof(SampleRecord) / kind.nodes_a_sample : 0.0);
-  double nodes = 0.0;
-  for (const TreeTile& tile : source_->tiles())
-    nodes += kind.nodes_a_sample * static_cast<double>(tile.samples);
-  const double wanted = kSlack * nodes;
-  room_ = cost_a_node_;
-  // Overviews often have fewer colours: more of them fit, if there is room for the rest.
-  room_.maps.masks *= kOfOverviews;
-  room_.maps.normals *= kOfOverviews;
-  room_.all += sum_of(room_.maps) - sum_of(maps);
-  scale(std::min(wanted, static_cast<double>(budget_.gpu) / room_.all), room_);
-}
-
-bool StreamedPatches::fits(const Cost& cost) const {
-  const auto fit = [this](double bytes, double room) { return bytes <= fill_ * room; };
-  return fit(cost.maps.heights, room_.maps.heights) && fit(cost.maps.normals, room_.maps.normals) &&
-         fit(cost.maps.colours, room_.maps.colours) && fit(cost.maps.masks, room_.maps.masks) &&
-         fit(cost.all - sum_of(cost.maps), room_.all - sum_of(room_.maps));
 }
 
 /// Once in an update, however many chunks find no room.

@@ -10,11 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "loader/stream/chunk_cost.h"
 #include "loader/stream/cut.h"
 #include "loader/stream/tile_loader.h"
 #include "loader/stream/tile_source.h"
 #include "renderer/settings.h"
-#include "renderer/store/patch_pool.h"
+#include "renderer/store/pool/patch_pool.h"
 #include "renderer/view/patches_in_view.h"
 
 namespace relief {
@@ -36,14 +37,14 @@ struct StreamState {
   std::size_t shown_tiles = 0;
   std::uint64_t shown_samples = 0;
   std::size_t waiting = 0;      ///< chunks and indices that are still to be read
-  bool is_coarser = false;      ///< by how much, so that what is in view fits the GPU's budget
+  bool is_coarser = false;      ///< than the view asks for, to fit the GPU's budget
   std::uint64_t gpu_bytes = 0;  ///< PatchPool::bytes()
   std::uint64_t cached_bytes = 0;
   LoaderCounts counts;
 };
 
-/// Keeps a pool (renderer/store/patch_pool.h) filled with what views show of a file, in the context
-/// of its OpenGL. Where something is not there yet, coarser patches stand in.
+/// Keeps a pool (renderer/store/pool/patch_pool.h) filled with what views show of a file, in the
+/// context of its OpenGL. Where something is not there yet, coarser patches stand in.
 class StreamedPatches {
  public:
   /// `needs`: of the pool. `wake`: as TileLoader's. Reads what the first view needs least, so that
@@ -82,10 +83,10 @@ class StreamedPatches {
     std::vector<Bounds> boxes;    ///< of its patches
   };
 
-  /// What chunks take on the GPU.
-  struct Cost {
-    double all = 0.0;
-    MapBytes maps = {};
+  /// What a chunk took when it was there last.
+  struct KnownCost {
+    ChunkCost cost;
+    std::uint32_t finest = 0;  ///< level that was there
   };
 
   StreamedPatches(const Gl& gl, std::shared_ptr<TileSource> source, const StoreNeeds& needs,
@@ -95,8 +96,7 @@ class StreamedPatches {
   void make_cut();
   [[nodiscard]] Cut cut_for(const TilePath& path) const;
   [[nodiscard]] std::uint32_t needed_level(const ChunkInfo& chunk) const;
-  void plan(const StoreNeeds& needs);
-  [[nodiscard]] bool fits(const Cost& cost) const;
+  [[nodiscard]] ChunkCost cost_in_view(std::uint32_t tile) const;
   [[nodiscard]] const TileIndex* index_of(std::uint32_t tile) const;
   bool take(Loaded loaded);
   bool upload(ChunkKey key, const PatchChunk& chunk);
@@ -109,23 +109,14 @@ class StreamedPatches {
   void fail(const Want& want, std::string message);
 
   std::shared_ptr<TileSource> source_;
-  StreamBudget budget_;
   PatchPool pool_;
   TileLoader loader_;
   std::vector<std::shared_ptr<const TileIndex>> indices_;  ///< by tile
   std::map<ChunkKey, Resident> residents_;
-  double resident_rest_ = 0.0;
-  static void scale(double by, Cost& cost);
-  static void sum_up(const Cost& some, double times, Cost& to);
-  [[nodiscard]] Cost cost_of(std::uint32_t tile) const;
-  [[nodiscard]] static double sum_of(const MapBytes& maps);
-  struct KnownCost {
-    Cost cost;
-    std::uint32_t finest = 0;  ///< level that was there
-  };
+  double resident_rest_ = 0.0;           ///< Resident::rest of all
   std::map<ChunkKey, KnownCost> costs_;  ///< of each that was there once
-  Cost cost_a_node_;                     ///< of these, a mean
-  Cost room_;                            ///< what the budget is divided into
+  ChunkCost cost_a_node_;                ///< of these, a mean
+  ChunkCost room_;                       ///< what the budget is divided into
   bool has_room_ = false;                ///< the pool's textures are as large as that
   double fill_;                          ///< how much of it can be filled
   std::uint64_t less_filled_ = 0;        ///< the update that made it less

@@ -19,7 +19,7 @@
 #include "loader/loaded_scene.h"
 #include "loader/scene_plan.h"
 #include "loader/stream/chunks.h"
-#include "renderer/store/patch_chunk.h"
+#include "renderer/store/pool/patch_chunk.h"
 
 namespace relief {
 

@@ -1,19 +1,12 @@
 // Removes points from a scan, with their attributes and triangles.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "common/points.h"
 
 namespace relief {
-
-/// Returns whether no component of a vector is NaN or infinite.
-template <class Vector>
-[[nodiscard]] bool is_finite(const Vector& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 /// Keeps the points listed in `kept` (ascending) with their attributes. `new_index` maps old
 /// indices to new ones, kNoPoint for removed points. Triangles that lose a corner, have two equal

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
-#include <cmath>
 #include <glm/vector_relational.hpp>
 #include <utility>
 
+#include "common/is_finite.h"
 #include "preprocess/points/keep_points.h"
 #include "preprocess/readers/read_points.h"
 #include "preprocess/readers/source.h"

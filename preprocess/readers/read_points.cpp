@@ -10,7 +10,7 @@
 
 #include "common/guard.h"
 #include "common/io/file.h"
-#include "preprocess/points/keep_points.h"
+#include "common/is_finite.h"
 #include "preprocess/readers/format.h"
 #include "preprocess/readers/gunzip.h"
 #include "preprocess/readers/readers.h"

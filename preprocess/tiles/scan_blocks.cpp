@@ -7,6 +7,7 @@
 #include "common/guard.h"
 #include "common/io/file.h"
 #include "common/io/mapped_file.h"
+#include "common/is_finite.h"
 #include "preprocess/points/keep_points.h"
 #include "preprocess/readers/format.h"
 #include "preprocess/readers/gunzip.h"

@@ -20,8 +20,8 @@
 #include "renderer/settings.h"
 #include "renderer/shading/environment.h"
 #include "renderer/shading/environment_cache.h"
-#include "renderer/store/patch_pool.h"
 #include "renderer/store/patch_store.h"
+#include "renderer/store/pool/patch_pool.h"
 
 namespace relief {
 

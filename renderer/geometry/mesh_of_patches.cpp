@@ -14,7 +14,6 @@
 #include "common/octahedral.h"
 #include "common/seams/cell_triangles.h"
 #include "common/seams/make_seams.h"
-#include "renderer/geometry/node_texels.h"
 #include "renderer/geometry/patch_normals.h"
 #include "renderer/geometry/proxy/proxy.h"
 #include "renderer/shading/materials.h"

@@ -1,4 +1,4 @@
-// The texels of a patch's maps at and about its nodes.
+// The texels of a patch's maps about its nodes.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,6 @@
 #include "common/patch.h"
 
 namespace relief {
-
-/// The texel of a map at a node.
-template <class Texel>
-[[nodiscard]] const Texel& texel_at(const AttributeMap<Texel>& map, std::uint32_t i,
-                                    std::uint32_t j) {
-  return map.texels[std::size_t{j} * map.scale * map.width + std::size_t{i} * map.scale];
-}
 
 /// Values of texels, added up, and how many they are.
 struct TexelSum {

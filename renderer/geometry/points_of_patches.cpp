@@ -10,7 +10,6 @@
 #include "common/disjoint_sets.h"
 #include "common/image/srgb.h"
 #include "renderer/geometry/mesh_of_patches.h"
-#include "renderer/geometry/node_texels.h"
 
 namespace relief {
 namespace {

@@ -46,10 +46,8 @@ float slope_along(const PaddedHeights& heights, std::size_t k, std::size_t step,
 
 /// The slope that the normal map has at a node; nothing without a map or where it is too steep.
 std::optional<glm::vec2> slope_of_normal(const Patch& patch, std::uint32_t i, std::uint32_t j) {
-  const AttributeMap<glm::i16vec2>& map = patch.normals;
-  if (map.empty()) return std::nullopt;
-  const std::size_t texel = std::size_t{j} * map.scale * map.width + std::size_t{i} * map.scale;
-  const glm::vec3 n = unit_from_snorm16(map.texels[texel]);
+  if (patch.normals.empty()) return std::nullopt;
+  const glm::vec3 n = unit_from_snorm16(texel_at(patch.normals, i, j));
   if (n.z * shared::kSteepest < 1.0F) return std::nullopt;
   return glm::vec2(-n.x, -n.y) / n.z;
 }

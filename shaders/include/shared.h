@@ -198,7 +198,7 @@ using glm::vec4;
 #define RELIEF_ATTRIBUTE_PATCH 0
 #define RELIEF_ATTRIBUTE_CORNER 1
 
-/// The same of the bench's mesh, and of the points of a scan.
+/// Vertex attributes of the mesh of `relief bench` and of a scan's points in the window.
 #define RELIEF_ATTRIBUTE_POSITION 0
 #define RELIEF_ATTRIBUTE_NORMAL 1
 #define RELIEF_ATTRIBUTE_COLOUR 2

@@ -15,10 +15,9 @@
 #include "renderer/engine_registry.h"
 #include "renderer/frame/attachments.h"
 #include "renderer/frame/targets.h"
-#include "renderer/gl/context.h"
-#include "renderer/gl/functions.h"
 #include "renderer/gl/open_gl.h"
 #include "renderer/shading/environment_cache.h"
+#include "tests/renderer/gl/own_context.h"
 #include "tests/renderer/images.h"
 #include "tests/renderer/scenes.h"
 
@@ -49,25 +48,7 @@ std::vector<RenderSettings> views_around(const PatchModel& model) {
 }
 
 /// A window, without the window.
-class Window {
- public:
-  Window() : context_(must(make_context(GlPlatform::Automatic, false))) {
-    gl_ = must(load_functions(*context_));
-  }
-  [[nodiscard]] GlLoader loader() const {
-    return [this](const char* name) { return context_->get_proc_address(name); };
-  }
-  [[nodiscard]] const Gl& gl() const { return gl_; }
-
- private:
-  template <class T>
-  static T must(Result<T> result) {
-    EXPECT_TRUE(result) << (result ? std::string() : result.error().message);
-    return *std::move(result);
-  }
-  std::unique_ptr<GlContext> context_;
-  Gl gl_;
-};
+using Window = test::OwnContext;
 
 struct WindowFramebuffer {
   WindowFramebuffer(const Gl& gl, std::uint32_t width, std::uint32_t height)

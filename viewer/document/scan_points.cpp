@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "common/is_finite.h"
 #include "common/octahedral.h"
 #include "common/transform.h"
 
@@ -16,16 +17,14 @@ namespace {
 constexpr float kDarkest = 70.0F;
 constexpr float kRange = 150.0F;
 
-bool is_finite(const glm::dvec3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
-/// A step that visits all of `count` places in an order that looks random: near the golden ratio of
-/// them, and without a common factor.
-std::size_t step_of(std::size_t count) {
+/// Calls `visit` with `kept` of the places 0 to count - 1, spread over all of them in an order that
+/// looks random: the step is near the golden ratio of `count` and has no factor in common with it,
+/// so that no place comes twice. `count` is at least 1, `kept` at most that.
+template <class Visit>
+void for_each_spread(std::size_t count, std::size_t kept, const Visit& visit) {
   auto step = std::max<std::size_t>(1, static_cast<std::size_t>(0.618 * double(count)));
   while (std::gcd(step, count) != 1) ++step;
-  return step;
+  for (std::size_t k = 0, index = 0; k < kept; ++k, index = (index + step) % count) visit(index);
 }
 
 /// Grey that is lit from above. `normal`: of any length.
@@ -42,13 +41,11 @@ glm::u8vec4 colour_of(const Points& points, std::size_t index, const glm::vec3& 
 }
 
 glm::u8vec4 colour_of(const Patch& patch, std::uint32_t i, std::uint32_t j, const glm::vec3& up) {
-  const auto texel_of = [i, j](const auto& map) {
-    return map.texels[std::size_t{j} * map.scale * map.width + std::size_t{i} * map.scale];
-  };
-  if (!patch.colours.empty()) return {texel_of(patch.colours), 255};
+  if (!patch.colours.empty()) return {texel_at(patch.colours, i, j), 255};
   const glm::dvec3 normal =
-      patch.normals.empty() ? patch.axes[2]
-                            : patch.axes * glm::dvec3(unit_from_snorm16(texel_of(patch.normals)));
+      patch.normals.empty()
+          ? patch.axes[2]
+          : patch.axes * glm::dvec3(unit_from_snorm16(texel_at(patch.normals, i, j)));
   return grey_of(glm::vec3(normal), up);
 }
 
@@ -88,13 +85,12 @@ ScanPoints scan_points_of(const Points& points) {
   shown.origin = 0.5 * (bounds.min + bounds.max);
   const std::size_t kept = std::min(count, kMostShownPoints);
   shown.points.reserve(kept);
-  const std::size_t step = step_of(count);
   const glm::vec3 up(shown.extent.stance.up);
-  for (std::size_t k = 0, index = 0; k < kept; ++k, index = (index + step) % count) {
+  for_each_spread(count, kept, [&](std::size_t index) {
     const glm::dvec3& position = points.positions[index];
-    if (!is_finite(position)) continue;
-    shown.points.push_back({glm::vec3(position - shown.origin), colour_of(points, index, up)});
-  }
+    if (is_finite(position))
+      shown.points.push_back({glm::vec3(position - shown.origin), colour_of(points, index, up)});
+  });
   shown.is_lit = points.colours.empty() && !points.normals.empty();
   shown.spacing = spacing_of(bounds, std::max<std::size_t>(shown.points.size(), 1));
   shown.extent.spacing = shown.spacing;
@@ -120,11 +116,9 @@ ScanPoints scan_points_of(const PatchModel& given) {
   }
   const std::size_t count = samples.size();
   if (count == 0) return shown;
-  const std::size_t step = step_of(count);
   const std::size_t kept = std::min(count, kMostShownPoints);
   shown.points.reserve(kept);
-  for (std::size_t k = 0, index = 0; k < kept; ++k, index = (index + step) % count)
-    shown.points.push_back(samples[index]);
+  for_each_spread(count, kept, [&](std::size_t index) { shown.points.push_back(samples[index]); });
   shown.is_lit = !given.has_colours;
   shown.spacing =
       wide_spacing_of(patches) * std::sqrt(static_cast<double>(count) / static_cast<double>(kept));

@@ -9,16 +9,16 @@
 
 namespace relief {
 
-/// Linear light, half float, as the renderer's own targets, and depth for what needs it. Beside it
-/// the same as a window has it.
+/// A picture twice: as the renderer draws it, with the depth that eye-dome lighting needs, and as
+/// the window shows it.
 struct Canvas {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
-  Texture colour;
-  Texture depth;
-  Framebuffer framebuffer;
-  Texture shown;  ///< sRGB, 8 bits
-  Framebuffer shown_framebuffer;
+  Texture colour;                 ///< linear light, half floats
+  Texture depth;                  ///< of the surfaces, reversed (Viewport::draw)
+  Framebuffer framebuffer;        ///< of colour and depth
+  Texture shown;                  ///< the encoded colour: sRGB, 8 bits
+  Framebuffer shown_framebuffer;  ///< of `shown`
 };
 
 /// Sides of at least 1. Fails if OpenGL has no memory for it.

@@ -7,7 +7,6 @@
 
 #include "common/image/srgb.h"
 #include "renderer/eye_dome.h"
-#include "renderer/view/view.h"
 
 namespace relief {
 namespace {
@@ -216,20 +215,6 @@ std::optional<Image> Display::probe(const Session& session, glm::dvec2 cursor) {
   const glm::uvec2 at = pixel_of(cursor, session.window);
   auto pixel = scene_->viewport().probe(is_second ? *looks->second : looks->first, at.x, at.y);
   return pixel ? std::optional<Image>(*std::move(pixel)) : std::nullopt;
-}
-
-std::optional<glm::dvec3> surface_of(const Image& pixel, const Session& session,
-                                     glm::dvec2 cursor) {
-  const Channel* const depth = pixel.find("Z");
-  if (depth == nullptr || !std::isfinite(depth->values.front())) return std::nullopt;
-  const Camera& camera = session.navigator.camera();
-  const View view = make_view(camera, static_cast<std::uint32_t>(session.window.x),
-                              static_cast<std::uint32_t>(session.window.y), 0.0);
-  // The middle of the pixel.
-  const glm::dvec2 window(std::floor(cursor.x) + 0.5,
-                          session.window.y - std::floor(cursor.y) - 0.5);
-  return view.eye + ray_start(view, window) +
-         static_cast<double>(depth->values.front()) * ray_through(view, window);
 }
 
 }  // namespace relief

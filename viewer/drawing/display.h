@@ -2,7 +2,6 @@
 #pragma once
 
 #include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
 
@@ -91,10 +90,5 @@ class Display {
   std::optional<std::pair<SceneSettings, std::optional<SceneSettings>>> drawn_looks_;
   Inspection drawn_inspection_ = Inspection::Picture;
 };
-
-/// The point of the surface at a probed pixel, world units, as precise as a float depth. `cursor`:
-/// where it was probed.
-[[nodiscard]] std::optional<glm::dvec3> surface_of(const Image& pixel, const Session& session,
-                                                   glm::dvec2 cursor);
 
 }  // namespace relief

@@ -5,12 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 #include <vector>
 
-#include "renderer/view/view.h"
 #include "viewer/drawing/display.h"
+#include "viewer/drawing/probed_surface.h"
 
 namespace relief {
 namespace {
@@ -31,21 +30,16 @@ std::optional<std::uint32_t> patch_of(const Image& pixel) {
 
 /// The query for the middle of a probed pixel.
 std::optional<PickQuery> query_of(const Image& pixel, glm::dvec2 cursor, const Session& session) {
-  const Channel* const depth = pixel.find("Z");
+  const auto surface = surface_of(pixel, session, cursor);
   const auto patch = patch_of(pixel);
-  if (depth == nullptr || !std::isfinite(depth->values.front()) || !patch) return std::nullopt;
-  const View view =
-      make_view(session.navigator.camera(), static_cast<std::uint32_t>(session.window.x),
-                static_cast<std::uint32_t>(session.window.y), 0.0);
-  const glm::dvec2 middle(std::floor(cursor.x) + 0.5,
-                          session.window.y - std::floor(cursor.y) - 0.5);
-  PickQuery query;
-  query.start = view.eye + ray_start(view, middle);
-  query.direction = ray_through(view, middle);
-  query.depth = depth->values.front();
-  query.pixel = pixel_at(view, query.depth);
-  query.patch = *patch;
-  return query;
+  if (!surface || !patch) return std::nullopt;
+  return PickQuery{surface->start, surface->direction, surface->depth, surface->pixel, *patch, {}};
+}
+
+/// What is shown; null if nothing is.
+std::shared_ptr<const PatchModel> model_of(const Session& session) {
+  if (session.scene == nullptr) return nullptr;
+  return {session.scene, &session.scene->patches};
 }
 
 /// The patches beside a pixel.
@@ -115,9 +109,11 @@ void MeasuringInput::click(glm::dvec2 cursor, bool is_double, double now, Displa
 }
 
 bool MeasuringInput::hover(bool is_elsewhere, double now, Display& display, Session& session) {
-  picker_.set_model(session.scene == nullptr ? nullptr
-                                             : std::shared_ptr<const PatchModel>(
-                                                   session.scene, &session.scene->patches));
+  const std::shared_ptr<const PatchModel> shown = model_of(session);
+  if (session.measuring.chosen())
+    picker_.set_model(shown);
+  else
+    picker_.keep_only(shown.get());
   const bool is_exact = picker_.ready() != nullptr;
   const bool becomes_exact = is_exact && !was_exact_;
   was_exact_ = is_exact;
@@ -141,11 +137,12 @@ double MeasuringInput::wait(double most) const {
 }
 
 std::optional<PickedPoint> MeasuringInput::pick(glm::dvec2 cursor, Display& display,
-                                                const Session& session) const {
+                                                const Session& session) {
   const auto pixel = display.probe(session, cursor);
   if (!pixel) return std::nullopt;
   auto query = query_of(*pixel, cursor, session);
   if (!query) return std::nullopt;
+  picker_.set_model(model_of(session));
   PickedPoint picked;
   if (const auto picker = picker_.ready()) {
     auto point = picker->pick(*query);

@@ -29,8 +29,7 @@ class MeasuringInput {
   /// Adds the surface at a click to the open measurement. A double click ends a polyline.
   void click(glm::dvec2 cursor, bool is_double, double now, Display& display, Session& session);
 
-  /// Begins to make the picker of what is shown now, if that is something else than before. Finds
-  /// the surface under the cursor: once it has rested, or at once while a measurement is
+  /// Finds the surface under the cursor: once it has rested, or at once while a measurement is
   /// open. `is_elsewhere`: the camera moves, or the cursor is not for the picture. Returns whether
   /// there is something new to show.
   bool hover(bool is_elsewhere, double now, Display& display, Session& session);
@@ -40,8 +39,10 @@ class MeasuringInput {
 
  private:
   [[nodiscard]] std::optional<PickedPoint> pick(glm::dvec2 cursor, Display& display,
-                                                const Session& session) const;
+                                                const Session& session);
 
+  /// Of what is shown, made when a tool is chosen or the cursor first rests on the surface: for the
+  /// Dragon it takes 0.6 s of a processor and 42 MB.
   BackgroundPicker picker_;
   glm::dvec2 cursor_{-1.0};
   bool has_moved_ = false;   ///< since the last hover()

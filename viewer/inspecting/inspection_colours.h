@@ -9,9 +9,10 @@
 
 namespace relief {
 
-/// The count that has the last colour of overdraw, and all larger ones.
+/// The scale of overdraw ends at so many fragments a pixel; higher counts have its last colour.
 inline constexpr double kMostFragments = 8.0;
-/// The same of the difference, in steps of 8 bits.
+/// The scale of the difference to the ray-traced truth ends at so many steps of 8-bit sRGB; larger
+/// differences have its last colour.
 inline constexpr double kMostDifference = 30.0;
 
 inline constexpr ColourMap kFragmentMap = ColourMap::Inferno;

@@ -33,6 +33,10 @@ void BackgroundPicker::set_model(std::shared_ptr<const PatchModel> model) {
   changed_.notify_one();
 }
 
+void BackgroundPicker::keep_only(const PatchModel* model) {
+  if (model_.get() != model) set_model(nullptr);  // only this thread sets it
+}
+
 std::shared_ptr<const SurfacePicker> BackgroundPicker::ready() const {
   const std::lock_guard lock(mutex_);
   return ready_;

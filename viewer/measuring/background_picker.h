@@ -28,6 +28,9 @@ class BackgroundPicker {
   /// of none. Does nothing if it is the same model.
   void set_model(std::shared_ptr<const PatchModel> model);
 
+  /// Drops the picker of any other model. Makes none.
+  void keep_only(const PatchModel* model);
+
   /// Returns the picker of the model that was set last; null until it is ready.
   [[nodiscard]] std::shared_ptr<const SurfacePicker> ready() const;
 

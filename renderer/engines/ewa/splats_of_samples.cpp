@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "common/image/srgb.h"
-#include "renderer/geometry/node_texels.h"
 #include "renderer/geometry/patch_normals.h"
 #include "renderer/shading/materials.h"
 #include "shaders/include/shared.h"

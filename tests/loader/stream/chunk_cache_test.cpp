@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/store/patch_chunk.h"
+#include "renderer/store/pool/patch_chunk.h"
 
 namespace relief {
 namespace {

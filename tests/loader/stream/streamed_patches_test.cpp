@@ -18,10 +18,9 @@
 #include "common/transform.h"
 #include "renderer/frame/attachments.h"
 #include "renderer/frame/targets.h"
-#include "renderer/gl/context.h"
-#include "renderer/gl/open_gl.h"
 #include "renderer/viewport.h"
 #include "tests/common/patch_file/sample_models.h"
+#include "tests/renderer/gl/own_context.h"
 #include "tests/renderer/scenes.h"
 
 namespace relief {
@@ -33,12 +32,6 @@ constexpr std::uint64_t kMegabyte = std::uint64_t{1} << 20U;
 class Streams : public testing::Test {
  protected:
   void SetUp() override {
-    auto context = make_context(GlPlatform::Automatic, true);
-    ASSERT_TRUE(context) << context.error().message;
-    context_ = std::move(*context);
-    auto opengl = OpenGl::adopt(loader());
-    ASSERT_TRUE(opengl) << opengl.error().message;
-    opengl_ = std::move(*opengl);
     write_tree();
     plan_.models.push_back({file(), {}, {}, {}});
     plan_.views.emplace_back();
@@ -73,10 +66,8 @@ class Streams : public testing::Test {
     return {folder_ / name};
   }
 
-  [[nodiscard]] GlLoader loader() const {
-    return [this](const char* name) { return context_->get_proc_address(name); };
-  }
-  [[nodiscard]] const Gl& gl() const { return opengl_->gl(); }
+  [[nodiscard]] GlLoader loader() const { return context_.loader(); }
+  [[nodiscard]] const Gl& gl() const { return context_.gl(); }
 
   /// From `radii` away; at 3 the fine samples are about a pixel apart.
   RenderSettings view_from(double radii, double azimuth = 20.0) {
@@ -161,8 +152,7 @@ class Streams : public testing::Test {
 
   test::ScratchFolder folder_;
   ScenePlan plan_;
-  std::unique_ptr<GlContext> context_;
-  std::shared_ptr<const OpenGl> opengl_;
+  test::OwnContext context_;
   std::shared_ptr<TileSource> source_;
 };
 

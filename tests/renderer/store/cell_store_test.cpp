@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "renderer/engines/onepass/features.h"
-#include "renderer/gl/context.h"
 #include "renderer/store/patch_store.h"
+#include "tests/renderer/gl/own_context.h"
 #include "tests/renderer/scenes.h"
 
 namespace relief {
@@ -20,29 +20,21 @@ namespace {
 
 class Stores : public testing::Test {
  protected:
-  void SetUp() override {
-    auto context = make_context(GlPlatform::Automatic, true);
-    ASSERT_TRUE(context) << context.error().message;
-    context_ = std::move(*context);
-    const auto functions = load_functions(*context_);
-    ASSERT_TRUE(functions) << functions.error().message;
-    gl_ = *functions;
-  }
-
   /// What an image with these settings needs of the model.
   PatchStore upload(Primitive primitive, Interpolation interpolation) {
     RenderSettings settings;
     settings.primitive = primitive;
     settings.interpolation = interpolation;
     const Features features = onepass::features_of(settings, model_.has_colours);
-    auto store = upload_model(gl_, model_, needs_of(features));
+    auto store = upload_model(gl(), model_, needs_of(features));
     EXPECT_TRUE(store);
     return std::move(*store);
   }
 
+  [[nodiscard]] const Gl& gl() const { return context_.gl(); }
+
   PatchModel model_ = test::sphere_model({});
-  std::unique_ptr<GlContext> context_;
-  Gl gl_;
+  test::OwnContext context_;
 };
 
 TEST_F(Stores, CellsHaveNoRecordsAndNoHeightMaps) {
@@ -72,7 +64,7 @@ TEST_F(Stores, SplatsHaveNoCellsAndHeightMapsOnlyForCorrections) {
 }
 
 TEST_F(Stores, RowsOfEachPatchFollowARowWithoutNodes) {
-  CellPages collected(most_cell_texels(gl_));
+  CellPages collected(most_cell_texels(gl()));
   const PatchModel model = test::height_field(5, [](double, double) { return 0.0; });
   std::vector<std::int32_t> first;
   std::vector<UploadedCells::Part> parts;

@@ -4,19 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
-#include <utility>
 #include <vector>
 
-#include "common/transform.h"
 #include "loader/first_look.h"
-#include "renderer/frame/targets.h"
-#include "renderer/gl/context.h"
-#include "renderer/gl/functions.h"
 #include "renderer/render.h"
-#include "tests/common/patch_file/sample_models.h"
 #include "tests/renderer/scenes.h"
+#include "tests/viewer/drawing/own_display.h"
 #include "viewer/document/scan_points.h"
+#include "viewer/drawing/probed_surface.h"
 
 namespace relief {
 namespace {
@@ -28,50 +23,7 @@ PatchModel ball() {
   return test::sphere_model(shape);
 }
 
-/// A session that shows a ball, whose file is never read.
-class Showing : public testing::Test {
- protected:
-  Showing() : session_(Document({}, [] {})) {
-    auto context = make_context(GlPlatform::Automatic, false);
-    EXPECT_TRUE(context);
-    context_ = *std::move(context);
-    gl_ = *load_functions(*context_);
-    const GlLoader load = [this](const char* name) { return context_->get_proc_address(name); };
-    auto display = Display::create(load);
-    EXPECT_TRUE(display) << display.error().message;
-    display_ = *std::move(display);
-    test::spill(folder_ / "ball.ply", "");
-    EXPECT_TRUE(session_.document.open({folder_ / "ball.ply"}, {}));
-    session_.window = {96, 64};
-    session_.navigator.set_image({96, 64});
-  }
-  ~Showing() override { display_.reset(); }
-
-  void show(PatchModel model) {
-    auto scene = std::make_shared<LoadedScene>();
-    scene->patches = std::move(model);
-    session_.navigator.set_model(without_patches(scene->patches), false);
-    const Status shown = display_->show(scene, session_);
-    ASSERT_TRUE(shown) << shown.error().message;
-  }
-  void finish() {
-    Status status = display_->update(session_, true);
-    for (int k = 0; k < 1000 && status && !display_->is_complete(); ++k)
-      status = display_->update(session_, false);
-    ASSERT_TRUE(status) << status.error().message;
-    ASSERT_TRUE(display_->is_complete());
-  }
-  [[nodiscard]] Image picture() const {
-    const Canvas& canvas = *display_->picture();
-    return read_colour(gl_, canvas.colour, canvas.width, canvas.height);
-  }
-
-  test::ScratchFolder folder_;
-  std::unique_ptr<GlContext> context_;
-  Gl gl_;
-  std::unique_ptr<Display> display_;
-  Session session_;
-};
+using Showing = test::OwnDisplay;
 
 TEST_F(Showing, IsCoarseInMotionAndAtRestWhatRenderDraws) {
   show(ball());
@@ -138,8 +90,9 @@ TEST_F(Showing, FindsTheSurfaceUnderTheCursor) {
   ASSERT_TRUE(pixel);
   const auto point = surface_of(*pixel, session_, {48.0, 32.0});
   ASSERT_TRUE(point);
-  EXPECT_NEAR(glm::length(*point), 1.0, 0.11) << "on the ball and its bumps";
-  EXPECT_GT(glm::dot(*point, session_.navigator.camera().eye), 0.0) << "on the side one sees";
+  EXPECT_NEAR(glm::length(point->position()), 1.0, 0.11) << "on the ball and its bumps";
+  EXPECT_GT(glm::dot(point->position(), session_.navigator.camera().eye), 0.0)
+      << "on the side one sees";
   const auto beside = display_->probe(session_, {1.0, 1.0});
   ASSERT_TRUE(beside);
   EXPECT_FALSE(surface_of(*beside, session_, {1.0, 1.0}));

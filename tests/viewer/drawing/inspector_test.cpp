@@ -4,66 +4,41 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <memory>
 #include <thread>
-#include <utility>
-#include <vector>
 
 #include "common/image/srgb.h"
-#include "common/transform.h"
-#include "renderer/frame/targets.h"
-#include "renderer/gl/context.h"
-#include "tests/common/patch_file/sample_models.h"
 #include "tests/renderer/scenes.h"
+#include "tests/viewer/drawing/own_display.h"
 #include "viewer/drawing/difference_view.h"
-#include "viewer/drawing/display.h"
 #include "viewer/inspecting/inspection_colours.h"
 
 namespace relief {
 namespace {
 
-constexpr std::uint32_t kWidth = 96;
-constexpr std::uint32_t kHeight = 64;
-constexpr std::size_t kMiddle = std::size_t{kHeight / 2} * kWidth + kWidth / 2;
-
 /// A ball in a window that has no panels.
-class Inspecting : public testing::Test {
+class Inspecting : public test::OwnDisplay {
  protected:
-  Inspecting() : session_(Document({}, [] {})) {
-    context_ = *make_context(GlPlatform::Automatic, false);
-    gl_ = *load_functions(*context_);
-    display_ =
-        *Display::create([this](const char* name) { return context_->get_proc_address(name); });
-    test::spill(folder_ / "ball.ply", "");
-    EXPECT_TRUE(session_.document.open({folder_ / "ball.ply"}, {}));
-    session_.window = {kWidth, kHeight};
-    session_.navigator.set_image({kWidth, kHeight});
-    const test::SphereShape shape;  // a patch a side of a cube
+  static constexpr std::size_t kMiddle = std::size_t{kHeight / 2} * kWidth + kWidth / 2;
+
+  Inspecting() {
     // Not from afar, as a ball of so few pixels is.
     session_.look.options["pixels-per-sample"] = 0.5;
-    auto scene = std::make_shared<LoadedScene>();
-    scene->patches = test::sphere_model(shape);
-    session_.navigator.set_model(without_patches(scene->patches), false);
+    show(test::sphere_model({}));  // a patch a side of a cube
     // The middle of a patch, whose normal is toward the eye.
     session_.navigator.look_from(kViews.front().value);
     for (int k = 0; k < 100; ++k) session_.navigator.advance(0.05);
-    EXPECT_TRUE(display_->show(scene, session_));
   }
-  ~Inspecting() override { display_.reset(); }
 
+  using OwnDisplay::show;
   void show(Inspection inspection) {
     session_.inspection = inspection;
     session_.look_changed = true;
-    Status status = display_->update(session_, true);
-    for (int k = 0; k < 1000 && status && !display_->is_complete(); ++k)
-      status = display_->update(session_, false);
-    ASSERT_TRUE(status) << status.error().message;
+    finish();
     ASSERT_EQ(session_.inspection, inspection);
   }
   [[nodiscard]] glm::vec3 colour_at_middle() const { return colour_at(kMiddle); }
   [[nodiscard]] glm::vec3 colour_at(std::size_t pixel) const {
-    const Canvas& canvas = *display_->picture();
-    const Image image = read_colour(gl_, canvas.colour, canvas.width, canvas.height);
+    const Image image = picture();
     return {image.find("R")->values[pixel], image.find("G")->values[pixel],
             image.find("B")->values[pixel]};
   }
@@ -71,12 +46,6 @@ class Inspecting : public testing::Test {
     const auto pixel = display_->probe(session_, {kWidth / 2, kHeight / 2});
     return static_cast<std::uint32_t>(pixel->find("patch")->values.front()) - 1;
   }
-
-  test::ScratchFolder folder_;
-  std::unique_ptr<GlContext> context_;
-  Gl gl_;
-  std::unique_ptr<Display> display_;
-  Session session_;
 };
 
 /// Half floats, and the mean of four samples that are up to a pixel off the ball's middle, which is
@@ -172,7 +141,7 @@ TEST_F(Inspecting, ThePictureComesBack) {
 
 TEST_F(Inspecting, TheDifferenceToRayTracingIsSmall) {
   show(Inspection::Difference);
-  DifferenceView view(gl_, [] {});
+  DifferenceView view(context_->gl(), [] {});
   bool is_shown = false;
   for (int k = 0; k < 2000 && !is_shown; ++k) {
     const auto updated =

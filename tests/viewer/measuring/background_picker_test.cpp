@@ -67,6 +67,18 @@ TEST(BackgroundPicker, ASetModelThatIsTheSameStaysReady) {
   EXPECT_EQ(pickers.ready(), ready);
 }
 
+TEST(BackgroundPicker, IsDroppedWithAnotherModelOnly) {
+  BackgroundPicker pickers([] {});
+  const auto model = plane(3.0);
+  pickers.set_model(model);
+  const auto ready = wait_for(pickers);
+  ASSERT_NE(ready, nullptr);
+  pickers.keep_only(model.get());
+  EXPECT_EQ(pickers.ready(), ready);
+  pickers.keep_only(plane(4.0).get());
+  EXPECT_EQ(pickers.ready(), nullptr);
+}
+
 TEST(BackgroundPicker, GoesWhileOneIsBeingMade) {
   for (int k = 0; k < 20; ++k) {
     BackgroundPicker pickers([] {});

@@ -1,4 +1,4 @@
-#include "renderer/store/patch_chunk.h"
+#include "renderer/store/pool/patch_chunk.h"
 
 #include <utility>
 

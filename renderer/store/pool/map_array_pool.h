@@ -10,7 +10,7 @@
 #include "renderer/gl/object.h"
 #include "renderer/store/map_bands.h"
 #include "renderer/store/map_upload.h"
-#include "renderer/store/spans.h"
+#include "renderer/store/pool/spans.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "renderer/store/spans.h"
+#include "renderer/store/pool/spans.h"
 
 #include <gtest/gtest.h>
 

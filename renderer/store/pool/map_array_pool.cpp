@@ -1,4 +1,4 @@
-#include "renderer/store/map_array_pool.h"
+#include "renderer/store/pool/map_array_pool.h"
 
 #include <algorithm>
 #include <span>

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "common/error.h"
-#include "renderer/store/map_array_pool.h"
-#include "renderer/store/patch_chunk.h"
 #include "renderer/store/patch_store.h"
-#include "renderer/store/spans.h"
+#include "renderer/store/pool/map_array_pool.h"
+#include "renderer/store/pool/patch_chunk.h"
+#include "renderer/store/pool/spans.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "renderer/store/patch_pool.h"
+#include "renderer/store/pool/patch_pool.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

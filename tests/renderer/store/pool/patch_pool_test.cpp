@@ -1,5 +1,5 @@
 // A model whose patches come and go looks like one that was uploaded whole.
-#include "renderer/store/patch_pool.h"
+#include "renderer/store/pool/patch_pool.h"
 
 #include <gtest/gtest.h>
 
@@ -14,9 +14,8 @@
 #include "common/transform.h"
 #include "renderer/frame/attachments.h"
 #include "renderer/frame/targets.h"
-#include "renderer/gl/context.h"
-#include "renderer/gl/open_gl.h"
 #include "renderer/viewport.h"
+#include "tests/renderer/gl/own_context.h"
 #include "tests/renderer/images.h"
 #include "tests/renderer/scenes.h"
 
@@ -25,13 +24,7 @@ namespace {
 
 class Pools : public testing::Test {
  protected:
-  void SetUp() override {
-    auto context = make_context(GlPlatform::Automatic, true);
-    ASSERT_TRUE(context) << context.error().message;
-    context_ = std::move(*context);
-    auto opengl = OpenGl::adopt(loader());
-    ASSERT_TRUE(opengl) << opengl.error().message;
-    opengl_ = std::move(*opengl);
+  Pools() {
     test::SphereShape shape;
     shape.bumps = 0.1;
     shape.patches_per_side = 3;
@@ -39,12 +32,9 @@ class Pools : public testing::Test {
     model_ = test::sphere_model(shape);
     extent_ = without_patches(model_);
   }
-  void TearDown() override { EXPECT_TRUE(opengl_->status()); }
 
-  [[nodiscard]] GlLoader loader() const {
-    return [this](const char* name) { return context_->get_proc_address(name); };
-  }
-  [[nodiscard]] const Gl& gl() const { return opengl_->gl(); }
+  [[nodiscard]] GlLoader loader() const { return context_.loader(); }
+  [[nodiscard]] const Gl& gl() const { return context_.gl(); }
 
   PatchPool make_pool(const RenderSettings& look) {
     needs_ = pool_needs(extent_, {&look, 1});
@@ -96,8 +86,7 @@ class Pools : public testing::Test {
     EXPECT_LE(beyond, 3 * test::values(a, "R").size() / 1000) << what;
   }
 
-  std::unique_ptr<GlContext> context_;
-  std::shared_ptr<const OpenGl> opengl_;
+  test::OwnContext context_;
   PatchModel model_;
   PatchModel extent_;
   StoreNeeds needs_;

@@ -1,0 +1,74 @@
+#include "loader/stream/chunk_cost.h"
+
+#include <algorithm>
+
+namespace relief {
+namespace {
+
+/// Room for a map over its texels.
+constexpr double kPacking = 1.2;
+/// All levels of a patch over the finest.
+constexpr double kLevels = 4.0 / 3.0;
+/// Of cells, with what the CPU keeps of them: 6 from kUsualFinest on, 11 with all levels.
+constexpr double kCellBytesANode = 9.0;
+/// Room for normals and masks over what the finest patches take: overviews often have fewer
+/// colours, so that more of them fit, if there is room for the rest.
+constexpr double kOfOverviews = 1.4;
+/// A file that needs less than the budget gets no more, and this for gaps.
+constexpr double kSlack = 1.4;
+
+double sum_of(const MapBytes& maps) {
+  return maps.heights + maps.normals + maps.colours + maps.masks;
+}
+
+}  // namespace
+
+double ChunkCost::all() const {
+  return sum_of(maps) + rest;
+}
+
+bool ChunkCost::fits(const ChunkCost& room) const {
+  return maps.heights <= room.maps.heights && maps.normals <= room.maps.normals &&
+         maps.colours <= room.maps.colours && maps.masks <= room.maps.masks && rest <= room.rest;
+}
+
+ChunkCost& ChunkCost::operator+=(const ChunkCost& more) {
+  maps.heights += more.maps.heights;
+  maps.normals += more.maps.normals;
+  maps.colours += more.maps.colours;
+  maps.masks += more.maps.masks;
+  rest += more.rest;
+  return *this;
+}
+
+ChunkCost operator*(double times, const ChunkCost& cost) {
+  return {{times * cost.maps.heights, times * cost.maps.normals, times * cost.maps.colours,
+           times * cost.maps.masks},
+          times * cost.rest};
+}
+
+ChunkCost cost_of(const PatchChunk& chunk) {
+  const MapBytes maps = bytes_of(chunk.maps);
+  return {maps, static_cast<double>(chunk.bytes()) - sum_of(maps)};
+}
+
+ChunkCost usual_cost_a_node(const PatchKind& kind, const StoreNeeds& needs) {
+  const auto texels = [](std::uint32_t a_cell) { return double(a_cell) * a_cell * kPacking; };
+  ChunkCost cost;
+  cost.maps.masks = needs.masks ? texels(1) : 0.0;
+  cost.maps.normals = needs.normals ? texels(kind.normal_texels) * sizeof(glm::i16vec2) : 0.0;
+  cost.maps.colours = needs.colours ? texels(kind.colour_texels) * sizeof(glm::u8vec4) : 0.0;
+  cost.maps.heights = needs.heights ? kLevels * texels(1) * sizeof(std::uint16_t) : 0.0;
+  cost.rest = (needs.cells ? kCellBytesANode : 0.0) +
+              (needs.splats ? kLevels * sizeof(SampleRecord) / kind.nodes_a_sample : 0.0);
+  return cost;
+}
+
+ChunkCost divide_budget(std::uint64_t bytes, const ChunkCost& a_node, double nodes) {
+  ChunkCost room = a_node;
+  room.maps.masks *= kOfOverviews;
+  room.maps.normals *= kOfOverviews;
+  return std::min(kSlack * nodes, static_cast<double>(bytes) / room.all()) * room;
+}
+
+}  // namespace relief
