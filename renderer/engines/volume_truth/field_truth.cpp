@@ -12,7 +12,9 @@ namespace {
 
 /// What halving a part of a ray may change in the ray's colour or opacity. The halves, which are
 /// kept, are off by less, and a ray has some tens of parts that are visible.
-constexpr double kChange = 2e-6;
+constexpr double kChange = 5e-7;
+/// The optical depth of parts that do not matter.
+constexpr double kFaintPart = 1e-3;
 constexpr int kMostHalvings = 12;
 constexpr int kBisections = 40;
 /// Parts of a cell in which crossings of the surface are looked for: values are cubic along a ray.
@@ -201,7 +203,10 @@ class FieldRay {
       const double opacity_change =
           std::abs(std::exp(-trapezoids) - std::exp(-first.optical_depth - second.optical_depth));
       const double most = std::max({change.x, change.y, change.z, opacity_change});
-      if (sum_.transmittance * most > kChange) {
+      // Three places may agree by chance, so that parts that matter are halved at least once.
+      const bool is_first_look =
+          halvings == 0 && first.optical_depth + second.optical_depth > kFaintPart;
+      if (sum_.transmittance * most > kChange || is_first_look) {
         gather(a, m, halvings + 1);
         if (!sum_.is_done()) gather(m, b, halvings + 1);
         return;

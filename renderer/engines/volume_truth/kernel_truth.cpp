@@ -16,17 +16,29 @@ constexpr std::size_t kBatch = 1U << 18U;
 /// Rays that are one piece of work.
 constexpr std::size_t kRaysOfPiece = 512;
 
+/// Between two planes a ray has at most so many parts in which its colour is taken as linear in the
+/// optical depth. In noise that is opaque within a node, and steps of half a standard deviation,
+/// one part is off by 1e-3, eight by 1e-4.
+constexpr int kMostParts = 8;
+
 /// What a ray has met in a plane.
 struct Met {
   double depth = 0.0;  ///< along the view axis
-  double extinction = 0.0;
-  glm::dvec3 colour{0.0};
-
-  Met() = default;
-  Met(double at, const Density& density) : depth(at), extinction(density.extinction()) {
-    if (extinction > 0.0) colour = density.colour();
-  }
+  Density density;
 };
+
+/// Four planes' cubic: the density at a share of the way from the second to the third.
+Density cubic_at(const std::array<Met, 4>& planes, double share) {
+  const double u = share;
+  const std::array<double, 4> weights{
+      -u * (u - 1.0) * (u - 2.0) / 6.0, (u + 1.0) * (u - 1.0) * (u - 2.0) / 2.0,
+      -(u + 1.0) * u * (u - 2.0) / 2.0, (u + 1.0) * u * (u - 1.0) / 6.0};
+  Density at;
+  for (std::size_t p = 0; p < 4; ++p) {
+    for (std::size_t c = 0; c < 4; ++c) at.values[c] += weights[p] * planes[p].density.values[c];
+  }
+  return at;
+}
 
 /// A ray on its way through the planes.
 struct Sweep {
@@ -35,27 +47,43 @@ struct Sweep {
   double length = 1.0;      ///< world units for a unit of depth
   std::size_t ray = 0;      ///< of the image
   int met = 0;              ///< planes
-  std::array<Met, 3> last;  ///< the latest ones, in the order in which they were met
+  std::array<Met, 4> last;  ///< the latest ones, in the order in which they were met
   RaySum sum;
 
   /// Takes the next plane's: puts what is between the two before it behind what has been gathered.
   void meet(const Met& next) {
-    const auto& [a, b, c] = last;
-    if (met >= 3 && (b.extinction > 0.0 || c.extinction > 0.0)) {
-      const double mean =
-          (13.0 * (b.extinction + c.extinction) - a.extinction - next.extinction) / 24.0;
-      put(b, c, std::max(mean, 0.0));
-    }
-    last = {b, c, next};
+    last = {last[1], last[2], last[3], next};
     ++met;
+    const auto& [a, b, c, d] = last;
+    if (met < 4 || !(b.density.extinction() > 0.0 || c.density.extinction() > 0.0)) return;
+    const double rough =
+        0.5 * (b.density.extinction() + c.density.extinction()) * (c.depth - b.depth) * length;
+    const double seen = sum.transmittance * std::min(rough, 1.0);
+    const int parts =
+        std::clamp(static_cast<int>(std::ceil(12.0 * std::sqrt(seen))), 1, kMostParts);
+    Met low = b;
+    for (int p = 0; p < parts; ++p) {
+      const double share = (p + 1.0) / parts;
+      const Met high =
+          p + 1 == parts ? c : Met{b.depth + share * (c.depth - b.depth), cubic_at(last, share)};
+      put(low, cubic_at(last, (p + 0.5) / parts), high);
+      low = high;
+    }
   }
 
-  void put(const Met& from, const Met& to, double mean_extinction) {
+  /// Puts a part behind it, by Simpson's rule, which is exact for cubics. Where kernels begin,
+  /// cubics swing below 0; parts that do count, so that all together are exact.
+  void put(const Met& from, const Density& middle, const Met& to) {
+    const double mean =
+        (from.density.extinction() + 4.0 * middle.extinction() + to.density.extinction()) / 6.0;
+    const bool has_first = from.density.extinction() > 0.0;
+    const bool has_last = to.density.extinction() > 0.0;
+    if (!has_first && !has_last) return;
     add(sum, {.from = from.depth,
               .to = to.depth,
-              .optical_depth = mean_extinction * (to.depth - from.depth) * length,
-              .first = from.extinction > 0.0 ? from.colour : to.colour,
-              .last = to.extinction > 0.0 ? to.colour : from.colour});
+              .optical_depth = mean * (to.depth - from.depth) * length,
+              .first = (has_first ? from : to).density.colour(),
+              .last = (has_last ? to : from).density.colour()});
   }
 };
 
@@ -166,7 +194,7 @@ class Sweeper {
     if (ray.sum.is_done()) return;
     const double depth = (at - ray.start[axis_]) / ray.along[axis_];
     if (depth < 0.0) return;
-    const Met met(depth, plane_.sum_at(place_of(ray, depth)));
+    const Met met{depth, plane_.sum_at(place_of(ray, depth))};
     if (ray.met == 0) begin(ray, met);
     ray.meet(met);
   }
@@ -183,12 +211,12 @@ class Sweeper {
   void begin(Sweep& ray, const Met& first) const {
     const double between = step_ / std::abs(ray.along[axis_]);
     if (first.depth > between) {  // the ray starts before all planes
-      ray.meet(Met(first.depth - between, {}));
+      ray.meet({first.depth - between, {}});
       return;
     }
     const Met start = met_at(ray, 0.0);
     const Met middle = met_at(ray, 0.5 * first.depth);
-    ray.put(start, first, (start.extinction + 4.0 * middle.extinction + first.extinction) / 6.0);
+    ray.put(start, middle.density, first);
     ray.meet(met_at(ray, first.depth - between));
   }
 

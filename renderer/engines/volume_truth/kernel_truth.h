@@ -9,8 +9,8 @@ namespace relief::volume_truth {
 
 /// Fills the image's rays. Along a ray the sum is taken where the ray meets planes of the grid,
 /// `step` standard deviations apart, so that all rays share what is summed across a plane. Between
-/// two of them the optical depth is the integral of the cubic through the four next to them, and
-/// the colour is linear in the optical depth. Gives up if `progress` is cancelled.
+/// two of them emission and extinction are the cubics through the four next to them. Gives up if
+/// `progress` is cancelled.
 void integrate_kernels(const NodeKernels& kernels, const RegularGrid& grid, const View& view,
                        double step, SampleImage& into, Progress& progress);
 

@@ -23,10 +23,9 @@ NodeKernels::NodeKernels(const KernelCloud& cloud, std::span<const glm::vec3> co
     : size_(cloud.size), sigma_(sigma) {
   nodes_.resize(std::size_t{cloud.size.x} * cloud.size.y * cloud.size.z, glm::vec4(0.0F));
   const double root = std::sqrt(2.0 * std::numbers::pi) * sigma;
-  const double middle = 1.0 / (root * root * root * std::abs(glm::determinant(grid.step)));
+  middle_ = 1.0 / (root * root * root * std::abs(glm::determinant(grid.step)));
   for (std::size_t k = 0; k < cloud.count(); ++k) {
-    const double extinction = middle * static_cast<double>(cloud.weights[k]);
-    nodes_[cloud.nodes[k]] = glm::vec4(glm::dvec4(extinction * glm::dvec3(colours[k]), extinction));
+    nodes_[cloud.nodes[k]] = glm::vec4(cloud.weights[k] * colours[k], cloud.weights[k]);
   }
 }
 
@@ -43,7 +42,7 @@ Density NodeKernels::sum_at(glm::dvec3 place) const {
   const Reached z(place.z, reach());
   for (int k = std::max(z.first, 0); k <= std::min(z.last, size_.z - 1); ++k) {
     for (int j = std::max(y.first, 0); j <= std::min(y.last, size_.y - 1); ++j) {
-      const double outer = gaussian(k - place.z, sigma_) * gaussian(j - place.y, sigma_);
+      const double outer = middle_ * gaussian(k - place.z, sigma_) * gaussian(j - place.y, sigma_);
       const std::size_t line =
           static_cast<std::size_t>(k) * stride(2) + static_cast<std::size_t>(j) * stride(1);
       for (int i = std::max(x.first, 0); i <= std::min(x.last, size_.x - 1); ++i) {
@@ -62,7 +61,7 @@ void NodeKernels::sum_across(int axis, double at, int row, std::span<Density> li
   const int along = (axis + 1) % 3;
   const std::size_t step = stride(along);
   for (int n = std::max(across.first, 0); n <= std::min(across.last, size_[axis] - 1); ++n) {
-    const double weight = gaussian(n - at, sigma_);
+    const double weight = middle_ * gaussian(n - at, sigma_);
     std::size_t node = static_cast<std::size_t>(n) * stride(axis) +
                        static_cast<std::size_t>(row) * stride((axis + 2) % 3);
     for (Density& density : line) {

@@ -25,9 +25,9 @@ struct Density {
   }
 };
 
-/// Kernels end so many standard deviations from their node along each axis of the grid: what is
-/// beyond is 2e-6 of them.
-inline constexpr double kReach = 5.0;
+/// Kernels end so many standard deviations from their node along each axis of the grid: 2e-10 of
+/// them is beyond.
+inline constexpr double kReach = 6.5;
 
 /// The nodes of a regular grid with what their kernels weigh. In the grid's own coordinates, where
 /// node (i, j, k) is at (i, j, k), kernels are round, and a product of three Gaussians.
@@ -51,7 +51,8 @@ class NodeKernels {
 
   glm::ivec3 size_;
   double sigma_;
-  std::vector<glm::vec4> nodes_;  ///< emission and extinction in the middle of the kernel
+  double middle_ = 0.0;           ///< of a kernel of weight 1
+  std::vector<glm::vec4> nodes_;  ///< weights, after the colours times them
 };
 
 /// The nodes that reach a coordinate, both ends included; not clipped to the grid.

@@ -39,9 +39,9 @@ struct Segment {
   return opacity * segment.first + of_change * (segment.last - segment.first);
 }
 
-/// Puts a segment behind what the ray has gathered.
+/// Puts a segment behind what the ray has gathered. An optical depth slightly below 0 is one.
 inline void add(RaySum& sum, const Segment& segment) {
-  if (!(segment.optical_depth > 0.0)) return;
+  if (segment.optical_depth == 0.0) return;
   sum.colour += sum.transmittance * light_of(segment);
   const double after = sum.transmittance * std::exp(-segment.optical_depth);
   if (sum.transmittance > 0.5 && after <= 0.5) {

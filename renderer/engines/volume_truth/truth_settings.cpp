@@ -39,8 +39,8 @@ std::vector<EngineOption> truth_options() {
        .range = kSteps,
        .placeholder = "S",
        .help = "longest step along rays: standard deviations of kernels, or spacings of a field",
-       .default_text = "0.5"},
-      0.5));
+       .default_text = "0.4"},
+      TruthSettings{}.step));
   options.push_back(own_choice(
       {.key = "order",
        .help = "3D Gaussians are ordered by where rays meet them, or by their centres' depths",

@@ -29,7 +29,7 @@ struct TruthSettings {
   Truth truth = Truth::Kernels;
   /// Kernels: the distance of the planes in which they are summed, in standard deviations. Field:
   /// the longest part of a ray that is taken as one, in spacings.
-  double step = 0.5;
+  double step = 0.4;
   GaussianOrder order = GaussianOrder::Ray;
   int side = 1;  ///< rays along a pixel's side; 1: one through its middle, without a filter
 };
