@@ -15,7 +15,8 @@ namespace relief {
   F(multipass)            \
   F(ewa)                  \
   F(raytrace)             \
-  F(volume_reference)
+  F(volume_reference)     \
+  F(volume_truth)
 
 #define RELIEF_ENGINE_DECLARED(folder) \
   namespace folder {                   \
