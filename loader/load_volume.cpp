@@ -29,7 +29,7 @@ void choose_volume_engine(ScenePlan& plan, const VolumeReadOptions& options) {
                   [&](const SceneModel& model) { return has_kernels(model.file, options); });
   if (!is_volume) return;
   for (PlannedView& view : plan.views) {
-    if (!view.settings.engine) view.settings.engine = "volume-reference";
+    if (!view.settings.engine) view.settings.engine = "volume";
   }
 }
 
