@@ -1,5 +1,6 @@
 // Layers, composited front to back [Zwicker 2002, Eq. (7) and (10)]; as in
 // renderer/engines/volume_reference/composite.cpp.
+#include "include/shared.h"
 #include "volume/layout.h"
 
 layout(std140, binding = RELIEF_VOLUME_BIND_RULE) uniform RuleBlock { VolumeRule rule; };

@@ -1,5 +1,6 @@
 // A pixel's splats one after the other, front to back, from its tile's list: what
 // renderer/engines/volume_reference/composite.cpp does.
+#include "include/shared.h"
 #include "volume/layout.h"
 #include "volume/compositing.glsl"
 
