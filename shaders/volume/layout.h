@@ -15,11 +15,13 @@ using glm::uvec4;
 
 // Binding points of these passes.
 #define RELIEF_VOLUME_BIND_RULE 0
+#define RELIEF_VOLUME_BIND_GRID 1
 #define RELIEF_VOLUME_TEXTURE_SPLATS 0
 #define RELIEF_VOLUME_TEXTURE_ENTRIES 1
 #define RELIEF_VOLUME_TEXTURE_STARTS 2
 #define RELIEF_VOLUME_TEXTURE_NODES 0
 #define RELIEF_VOLUME_TEXTURE_DISTANCES 1
+#define RELIEF_VOLUME_TEXTURE_NORMALS 2
 
 // VolumeRule::flags.
 #define RELIEF_VOLUME_PEAK 1u         // weights are opacities, not optical depths
@@ -42,11 +44,31 @@ struct VolumeRule {
   vec4 slabs;    ///< where the first one begins, and how thick they are, world units; 0, 0
 };
 
+/// A regular grid as the rays of an image meet it. Sheet coordinates: u and v in a sheet, w across,
+/// in nodes of the box that holds all kernels; x and y are pixels from the image's middle.
+/// A ray at the sheet w is where (place + (w - middle) * along.xy) / along.z says, at the depth
+/// (depth + w - middle) / along.z, where each is a linear function of x and y.
+struct VolumeGrid {
+  vec4 place_origin;  ///< xy: at the image's middle; z: depth there; w: the middle sheet
+  vec4 place_x;       ///< xyz: change for a pixel to the right; w: extinction of a texel's 1
+  vec4 place_y;       ///< xyz: for a pixel upward; w: colour of a texel's 1
+  vec4 along_origin;  ///< index steps for a unit of depth; w: 1 if the camera is orthographic
+  vec4 along_x;       ///< w: where the axis is, pixels from the image's middle: x
+  vec4 along_y;       ///< w: likewise y
+  vec4 kernel;        ///< variance of kernels (nodes squared), cutoff of q, near, filter's variance
+  vec4 camera;        ///< pixels for a slope of 1 to the right and upward; 1: scales uniformly; 0
+  ivec4 u;            ///< xyz: the texel beside along u; w: texels along it
+  ivec4 v;
+  ivec4 w;
+};
+
+RELIEF_CONST int kVolumeBlock = 4;  ///< nodes along a block's side
 RELIEF_CONST int kVolumeSplatRows = 5;
 RELIEF_CONST int kVolumeTile = 16;  ///< pixels along a tile's side
 
 #ifdef __cplusplus
 static_assert(sizeof(VolumeSplat) == 16 * kVolumeSplatRows);
+static_assert(sizeof(VolumeGrid) == 176 && offsetof(VolumeGrid, u) == 128);
 static_assert(sizeof(VolumeRule) == 48 && offsetof(VolumeRule, limits) == 16);
 }  // namespace relief::shared
 #endif

@@ -1,6 +1,7 @@
 // A way to draw kernels: lists of splats a tile, blended quads, or rays through a grid's sheets.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
 
@@ -18,6 +19,7 @@ namespace relief::volume {
 /// One frame of a cloud of kernels.
 struct VolumeFrame {
   const KernelCloud& cloud;
+  std::uint64_t cloud_version = 0;     ///< another one when the cloud has changed
   std::span<const glm::vec3> colours;  ///< of each kernel, as it is blended
   const View& view;
   const RenderSettings& settings;

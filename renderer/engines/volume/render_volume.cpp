@@ -7,6 +7,7 @@
 
 #include "common/median.h"
 #include "common/volume/transfer_function.h"
+#include "renderer/engines/volume/grid_drawing.h"
 #include "renderer/engines/volume/list_drawing.h"
 #include "renderer/frame/features.h"
 #include "renderer/frame/gl_frame.h"
@@ -22,7 +23,11 @@ class Prepared final : public PreparedModel {
       : opengl_(request.opengl),
         environments_(request.environments),
         model_(std::move(model)),
-        lists_(make_list_drawing(gl())) {}
+        lists_(make_list_drawing(gl())) {
+    const ScalarVolume* const volume = model_.volume();
+    if (volume != nullptr && std::holds_alternative<RegularGrid>(volume->placement))
+      grid_ = make_grid_drawing(gl(), *volume);
+  }
 
   Result<RenderResult> render(const RenderSettings& settings, Progress& progress) override {
     RELIEF_TRY_ASSIGN(const KernelCloud* const cloud, model_.kernels(settings, progress));
@@ -66,18 +71,21 @@ class Prepared final : public PreparedModel {
     clear_volume_targets(gl(), targets);
     const VolumeFrame frame{
         .cloud = cloud,
+        .cloud_version = model_.version(),
         .colours = colours,
         .view = view,
         .settings = settings,
         .is_antialiased = model_.is_antialiased(),
         .spacing = model_.volume() == nullptr ? 0.0 : mean_spacing(*model_.volume()),
         .features = features_of(settings, ModelMaps(false))};
-    return lists_->draw(frame, targets, timer, progress);
+    VolumeDrawing& drawing = is_for_grid(gl(), frame, model_.volume()) ? *grid_ : *lists_;
+    return drawing.draw(frame, targets, timer, progress);
   }
 
   std::shared_ptr<const OpenGl> opengl_;  ///< first: the last to go
   std::shared_ptr<EnvironmentCache> environments_;
   VolumeModel model_;
+  std::unique_ptr<VolumeDrawing> grid_;  ///< of a regular grid
   std::unique_ptr<VolumeDrawing> lists_;
 };
 
