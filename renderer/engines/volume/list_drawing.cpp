@@ -1,13 +1,11 @@
 #include "renderer/engines/volume/list_drawing.h"
 
-#include <tbb/parallel_for.h>
-
-#include <algorithm>
 #include <map>
 #include <utility>
 #include <vector>
 
 #include "renderer/engines/volume/rule.h"
+#include "renderer/engines/volume/shader_splats.h"
 #include "renderer/gl/program.h"
 #include "renderer/volume/placement.h"
 #include "renderer/volume/tile_lists.h"
@@ -16,27 +14,6 @@ namespace relief::volume {
 namespace {
 
 static_assert(shared::kVolumeTile == kTile);
-
-glm::vec3 bounded(glm::vec3 colour) {
-  return glm::min(colour, glm::vec3(kLargest));
-}
-
-std::vector<shared::VolumeSplat> shader_splats(const VolumeFrame& frame,
-                                               std::span<const PlacedSplat> placed) {
-  std::vector<shared::VolumeSplat> splats(placed.size());
-  tbb::parallel_for(std::size_t{0}, placed.size(), [&](std::size_t s) {
-    const Footprint& f = placed[s].footprint;
-    const std::uint32_t k = placed[s].kernel;
-    shared::VolumeSplat& splat = splats[s];
-    splat.place = {f.centre.x, f.centre.y, f.cutoff, std::min(f.peak, double{kLargest})};
-    splat.shape = {f.xx, f.xy, f.yy, f.depth};
-    splat.colour = glm::vec4(bounded(frame.colours[k]), f.depth_deviation);
-    splat.normal = frame.cloud.normals.empty() ? glm::vec4(0.0F)
-                                               : glm::vec4(frame.cloud.normals[k], 0.0F);
-    splat.slope = {f.slope.x, f.slope.y, 0.0, 0.0};
-  });
-  return splats;
-}
 
 /// The tiles' lists one after the other, and where each begins.
 struct Lists {
@@ -76,10 +53,11 @@ class ListDrawing final : public VolumeDrawing {
     const Tiling tiling{frame.view.width, frame.view.height};
     const Lists lists = shader_lists(TileLists(tiling, placed, order), tiling.count());
     const auto most = static_cast<std::size_t>(get_limit(gl_, GL_MAX_TEXTURE_BUFFER_SIZE));
-    if (placed.size() > most / shared::kVolumeSplatRows || lists.entries.size() > most) {
-      return make_error("{} kernels in {} places are more than this OpenGL can draw; "
-                        "--engine volume-reference can",
-                        placed.size(), lists.entries.size());
+    if (lists.entries.size() > most) {
+      return make_error(
+          "{} kernels in {} places are more than this OpenGL can draw at once; --engine "
+          "volume-reference can",
+          placed.size(), lists.entries.size());
     }
     if (progress.cancelled()) return interrupted_error();
 
@@ -89,10 +67,7 @@ class ListDrawing final : public VolumeDrawing {
       rule.slabs = {order.first_depth, order.thickness, 0.0, 0.0};
     }
     const std::vector<shared::VolumeSplat> splats = shader_splats(frame, placed);
-    const Table splat_table = make_table<glm::vec4>(
-        gl_, "splats", GL_RGBA32F,
-        {reinterpret_cast<const glm::vec4*>(splats.data()),
-         splats.size() * shared::kVolumeSplatRows});
+    RELIEF_TRY_ASSIGN(const Table splat_table, make_splat_table(gl_, splats));
     const Table entries = make_table<glm::uvec2>(gl_, "tile lists", GL_RG32UI, lists.entries);
     const Table starts = make_table<std::uint32_t>(gl_, "tile starts", GL_R32UI, lists.starts);
     const Buffer rules =

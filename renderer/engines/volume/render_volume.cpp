@@ -9,6 +9,7 @@
 #include "common/volume/transfer_function.h"
 #include "renderer/engines/volume/grid_drawing.h"
 #include "renderer/engines/volume/list_drawing.h"
+#include "renderer/engines/volume/quad_drawing.h"
 #include "renderer/frame/features.h"
 #include "renderer/frame/gl_frame.h"
 #include "renderer/gl/open_gl.h"
@@ -23,6 +24,7 @@ class Prepared final : public PreparedModel {
       : opengl_(request.opengl),
         environments_(request.environments),
         model_(std::move(model)),
+        quads_(make_quad_drawing(gl())),
         lists_(make_list_drawing(gl())) {
     const ScalarVolume* const volume = model_.volume();
     if (volume != nullptr && std::holds_alternative<RegularGrid>(volume->placement))
@@ -78,14 +80,16 @@ class Prepared final : public PreparedModel {
         .is_antialiased = model_.is_antialiased(),
         .spacing = model_.volume() == nullptr ? 0.0 : mean_spacing(*model_.volume()),
         .features = features_of(settings, ModelMaps(false))};
-    VolumeDrawing& drawing = is_for_grid(gl(), frame, model_.volume()) ? *grid_ : *lists_;
-    return drawing.draw(frame, targets, timer, progress);
+    if (is_for_grid(gl(), frame, model_.volume()))
+      return grid_->draw(frame, targets, timer, progress);
+    return (is_for_quads(frame) ? *quads_ : *lists_).draw(frame, targets, timer, progress);
   }
 
   std::shared_ptr<const OpenGl> opengl_;  ///< first: the last to go
   std::shared_ptr<EnvironmentCache> environments_;
   VolumeModel model_;
   std::unique_ptr<VolumeDrawing> grid_;  ///< of a regular grid
+  std::unique_ptr<VolumeDrawing> quads_;
   std::unique_ptr<VolumeDrawing> lists_;
 };
 
