@@ -4,12 +4,24 @@
 #include <utility>
 
 #include "common/volume/move.h"
+#include "loader/view_settings.h"
+#include "preprocess/gaussians/read_gaussians.h"
 #include "renderer/volume/extent.h"
 
 namespace relief {
+namespace {
+
+bool draws_kernels(const EngineEntry& engine) {
+  return std::find(engine.forms.begin(), engine.forms.end(), ModelForm::Volume) !=
+         engine.forms.end();
+}
+
+}  // namespace
 
 bool has_kernels(const std::filesystem::path& path, const VolumeReadOptions& options) {
-  return is_volume(path, options);
+  if (is_volume(path, options)) return true;
+  const auto found = is_gaussians(path);
+  return found && *found;
 }
 
 Result<bool> has_kernels(const std::vector<SceneModel>& models, const VolumeReadOptions& options) {
@@ -29,14 +41,32 @@ void choose_volume_engine(ScenePlan& plan, const VolumeReadOptions& options) {
                   [&](const SceneModel& model) { return has_kernels(model.file, options); });
   if (!is_volume) return;
   for (PlannedView& view : plan.views) {
-    if (!view.settings.engine) view.settings.engine = "volume-reference";
+    if (!view.settings.engine) view.settings.engine = "volume";
   }
 }
 
-Result<LoadedScene> load_kernels(const std::vector<SceneModel>& models,
-                                 const VolumeReadOptions& options, Progress& progress) {
-  const SceneModel& model = models.front();
+Result<LoadedScene> load_kernels(const ScenePlan& plan, const VolumeReadOptions& options,
+                                 std::span<const EngineEntry> among, Progress& progress) {
+  const SceneModel& model = plan.models.front();
+  for (const PlannedView& view : plan.views) {
+    RELIEF_TRY_ASSIGN(const EngineEntry* const engine, engine_of(view, among));
+    if (!draws_kernels(*engine)) {
+      return make_error(
+          "{}: is a volume or a scene of 3D Gaussians, which engine {} can't draw; `relief render` "
+          "draws it with engine volume",
+          model.file.string(), engine->name);
+    }
+  }
   LoadedScene scene;
+  if (!is_volume(model.file, options)) {
+    RELIEF_TRY_ASSIGN(auto gaussians, read_gaussians(model.file, progress));
+    if (const Status moved = move_gaussians(gaussians, model.transform); !moved)
+      return make_error("{}: {}", model.file.string(), moved.error().message);
+    set_extent(scene.patches, extent_of(gaussians));
+    scene.patches.stance = gaussians.stance;
+    scene.gaussians = std::move(gaussians);
+    return scene;
+  }
   RELIEF_TRY_ASSIGN(auto volume, read_volume(model.file, options, progress));
   move_volume(volume, model.transform);
   set_extent(scene.patches, extent_of(volume));

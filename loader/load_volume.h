@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include "common/error.h"
@@ -23,9 +24,9 @@ Result<bool> has_kernels(const std::vector<SceneModel>& models, const VolumeRead
 /// Gives the views that name no engine the one that draws such models.
 void choose_volume_engine(ScenePlan& plan, const VolumeReadOptions& options);
 
-/// Reads the scene's only model, a volume or Gaussians, with the extent that cameras see. Fails if
-/// there are several, or if it has a position of its own.
-Result<LoadedScene> load_kernels(const std::vector<SceneModel>& models,
-                                 const VolumeReadOptions& options, Progress& progress);
+/// Reads the plan's only model, a volume or Gaussians, with the extent that cameras see. Fails if
+/// an engine of its views draws neither.
+Result<LoadedScene> load_kernels(const ScenePlan& plan, const VolumeReadOptions& options,
+                                 std::span<const EngineEntry> among, Progress& progress);
 
 }  // namespace relief

@@ -15,6 +15,7 @@ namespace relief {
   F(multipass)            \
   F(ewa)                  \
   F(raytrace)             \
+  F(volume)               \
   F(volume_reference)     \
   F(volume_truth)
 

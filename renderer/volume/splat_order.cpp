@@ -35,20 +35,6 @@ SplatOrder by_depth(std::span<const PlacedSplat> splats) {
   return order;
 }
 
-/// The grid's axis whose planes are most parallel to the image.
-glm::length_t sheet_axis(const KernelCloud& cloud, const RayCamera& camera) {
-  glm::length_t best = 0;
-  double most = -1.0;
-  for (glm::length_t axis = 0; axis < 3; ++axis) {
-    const double along = std::abs((camera.rotation * cloud.across[axis]).z);
-    if (along > most) {
-      most = along;
-      best = axis;
-    }
-  }
-  return best;
-}
-
 std::uint32_t sheet_of(const KernelCloud& cloud, std::uint32_t kernel, glm::length_t axis) {
   const std::uint32_t node = cloud.nodes[kernel];
   if (axis == 0) return node % cloud.size.x;
@@ -132,6 +118,19 @@ SplatOrder by_slabs(std::span<const PlacedSplat> splats, double thickness) {
 }
 
 }  // namespace
+
+glm::length_t sheet_axis(const KernelCloud& cloud, const RayCamera& camera) {
+  glm::length_t best = 0;
+  double most = -1.0;
+  for (glm::length_t axis = 0; axis < 3; ++axis) {
+    const double along = std::abs((camera.rotation * cloud.across[axis]).z);
+    if (along > most) {
+      most = along;
+      best = axis;
+    }
+  }
+  return best;
+}
 
 VolumeVisibility visibility_of(const KernelCloud& cloud, VolumeVisibility wanted) {
   if (wanted == VolumeVisibility::Automatic || wanted == VolumeVisibility::Sheet)

@@ -36,6 +36,9 @@ struct SplatOrder {
 /// The visibility that `Automatic` stands for. A cloud without a grid has no sheets: it is sorted.
 [[nodiscard]] VolumeVisibility visibility_of(const KernelCloud& cloud, VolumeVisibility wanted);
 
+/// The grid's axis whose planes are most parallel to the image.
+[[nodiscard]] glm::length_t sheet_axis(const KernelCloud& cloud, const RayCamera& camera);
+
 /// Sorts by `visibility`, which is not Automatic. Equals keep the cloud's order. Slabs are
 /// `thickness` thick (world units).
 [[nodiscard]] SplatOrder order_splats(const KernelCloud& cloud, std::span<const PlacedSplat> splats,

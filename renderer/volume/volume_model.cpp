@@ -21,6 +21,7 @@ Result<const KernelCloud*> VolumeModel::kernels(const RenderSettings& settings,
   if (gaussians_ != nullptr) key = {};  // theirs depend on nothing
   if (key_ == key) return &kernels_;
   key_.reset();
+  ++version_;
   if (gaussians_ != nullptr) {
     kernels_ = kernels_of_gaussians(*gaussians_);
   } else {

@@ -1,6 +1,7 @@
 // A volume or a scene of Gaussians as kernels, kept from image to image.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,6 +32,9 @@ class VolumeModel {
   Result<std::vector<glm::vec3>> colours(const KernelCloud& kernels, const RenderSettings& settings,
                                          const View& view, EnvironmentCache& environments) const;
 
+  /// How often the kernels have been made.
+  [[nodiscard]] std::uint64_t version() const { return version_; }
+
   [[nodiscard]] const ScalarVolume* volume() const { return volume_; }
   [[nodiscard]] const GaussianCloud* gaussians() const { return gaussians_; }
   /// Whether colours are blended as encoded sRGB.
@@ -55,6 +59,7 @@ class VolumeModel {
   const GaussianCloud* gaussians_;
   std::optional<Key> key_;
   KernelCloud kernels_;
+  std::uint64_t version_ = 0;
 };
 
 /// Near plane of views: no part of a volume that can be told apart is nearer to the eye.

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "renderer/engines/volume_reference/tile_lists.h"
+#include "renderer/volume/tile_lists.h"
 #include "renderer/volume/kernel_cloud.h"
 #include "renderer/volume/settings.h"
 

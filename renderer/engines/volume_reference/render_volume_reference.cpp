@@ -14,40 +14,13 @@
 #include "common/volume/transfer_function.h"
 #include "renderer/engines/volume_reference/composite.h"
 #include "renderer/frame/film.h"
+#include "renderer/volume/placement.h"
 #include "renderer/volume/volume_model.h"
 
 namespace relief::volume_reference {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// Kernels that are projected as one piece of work.
-constexpr std::size_t kChunk = 16384;
-
-/// The footprints of all kernels that reach into the image, in the cloud's order.
-std::vector<PlacedSplat> place(const KernelCloud& cloud, const View& view,
-                               const FootprintRule& rule, const Progress& progress) {
-  const RayCamera camera = ray_camera(view);
-  const glm::dvec2 size(view.width, view.height);
-  std::vector<std::vector<PlacedSplat>> chunks((cloud.count() + kChunk - 1) / kChunk);
-  tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t c) {
-    if (progress.cancelled()) return;
-    for (std::size_t k = c * kChunk; k < std::min((c + 1) * kChunk, cloud.count()); ++k) {
-      const auto footprint = footprint_of(cloud, k, camera, rule);
-      if (!footprint) continue;
-      const glm::dvec2 low = footprint->centre - footprint->reach;
-      const glm::dvec2 high = footprint->centre + footprint->reach;
-      if (!(high.x > 0.0 && high.y > 0.0 && low.x < size.x && low.y < size.y)) continue;
-      chunks[c].push_back({*footprint, static_cast<std::uint32_t>(k)});
-    }
-  });
-  std::vector<PlacedSplat> all;
-  std::size_t count = 0;
-  for (const auto& chunk : chunks) count += chunk.size();
-  all.reserve(count);
-  for (const auto& chunk : chunks) all.insert(all.end(), chunk.begin(), chunk.end());
-  return all;
-}
 
 FilmPixel film_pixel(const VolumePixel& shown, bool is_encoded) {
   FilmPixel pixel;
@@ -98,7 +71,7 @@ class Prepared final : public PreparedModel {
     const VolumeSettings& chosen = settings.volume;
     const FootprintRule rule = footprint_rule(chosen, cloud.weight, model_.is_antialiased(), view);
     RELIEF_TRY_ASSIGN(const auto colours, model_.colours(cloud, settings, view, *environments_));
-    const std::vector<PlacedSplat> splats = place(cloud, view, rule, progress);
+    const std::vector<PlacedSplat> splats = place_splats(cloud, view, rule, progress);
     const double thickness = model_.volume() == nullptr ? 0.0 : mean_spacing(*model_.volume());
     const SplatOrder order = order_splats(cloud, splats, visibility_of(cloud, chosen.visibility),
                                           ray_camera(view), thickness);

@@ -1,9 +1,9 @@
-#include "renderer/engines/volume_reference/tile_lists.h"
+#include "renderer/volume/tile_lists.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace relief::volume_reference {
+namespace relief {
 namespace {
 
 /// The first and last of `low` to `high` whose middle is within `reach` of `at`.
@@ -60,4 +60,4 @@ TileLists::TileLists(const Tiling& tiling, std::span<const PlacedSplat> splats,
                   [&](std::size_t tile) { entries_[next[tile]++] = ordered; });
 }
 
-}  // namespace relief::volume_reference
+}  // namespace relief

@@ -8,7 +8,7 @@
 
 #include "renderer/volume/splat_order.h"
 
-namespace relief::volume_reference {
+namespace relief {
 
 /// Pixels along each side of a tile: its sums, 50 bytes a pixel, stay in a core's first cache.
 inline constexpr std::int64_t kTile = 16;
@@ -52,4 +52,4 @@ class TileLists {
   std::vector<OrderedSplat> entries_;
 };
 
-}  // namespace relief::volume_reference
+}  // namespace relief

@@ -1,0 +1,43 @@
+// A way to draw kernels: lists of splats a tile, blended quads, or rays through a grid's sheets.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "common/error.h"
+#include "common/progress.h"
+#include "renderer/engines/volume/image.h"
+#include "renderer/gl/functions.h"
+#include "renderer/gl/pass.h"
+#include "renderer/settings.h"
+#include "renderer/view/view.h"
+#include "renderer/volume/kernel_cloud.h"
+
+namespace relief::volume {
+
+/// One frame of a cloud of kernels.
+struct VolumeFrame {
+  const KernelCloud& cloud;
+  std::uint64_t cloud_version = 0;     ///< another one when the cloud has changed
+  std::span<const glm::vec3> colours;  ///< of each kernel, as it is blended
+  const View& view;
+  const RenderSettings& settings;
+  bool is_antialiased = false;
+  double spacing = 0.0;  ///< mean distance of a volume's nodes, world units; 0: no volume
+  Features features;     ///< RELIEF_FEATURE bits of the outputs
+};
+
+class VolumeDrawing {
+ public:
+  VolumeDrawing() = default;
+  virtual ~VolumeDrawing() = default;
+  VolumeDrawing(const VolumeDrawing&) = delete;
+  VolumeDrawing& operator=(const VolumeDrawing&) = delete;
+
+  /// Draws into targets that are cleared. Fails if a shader or the memory does.
+  virtual Status draw(const VolumeFrame& frame, const VolumeTargets& targets, PassTimer& timer,
+                      const Progress& progress) = 0;
+};
+
+}  // namespace relief::volume

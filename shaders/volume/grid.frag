@@ -1,0 +1,116 @@
+// A pixel's ray through the sheets of a regular grid, front to back. In each sheet it gathers the
+// kernels whose footprints reach the pixel: their variance in sheet coordinates is that of a kernel
+// seen along the ray, plus the low-pass filter's. This is the footprint of
+// renderer/volume/footprint.h with the Jacobian of the pixel in place of the kernel's centre.
+#include "include/shared.h"
+#include "volume/layout.h"
+#include "volume/compositing.glsl"
+
+layout(std140, binding = RELIEF_VOLUME_BIND_GRID) uniform GridBlock { VolumeGrid grid; };
+/// Colour and extinction, of the scales that the grid has.
+layout(binding = RELIEF_VOLUME_TEXTURE_NODES) uniform sampler3D nodes;
+/// Blocks from each block to the nearest one with kernels.
+layout(binding = RELIEF_VOLUME_TEXTURE_DISTANCES) uniform usampler3D distances;
+#if RELIEF_FEATURES & RELIEF_FEATURE_OUT_NORMAL
+layout(binding = RELIEF_VOLUME_TEXTURE_NORMALS) uniform sampler3D normals;
+#endif
+
+/// A symmetric 2 x 2 matrix: xx, xy, yy.
+float determinant_of(vec3 m) { return m.x * m.z - m.y * m.y; }
+
+/// Widens the variance of a kernel (sheet coordinates) by the filter. `right` and `up`: what a pixel
+/// is in the sheet.
+vec3 filtered(vec3 variance, vec2 right, vec2 up) {
+  if (grid.camera.z != 0.0) {
+    // In pixels: the inverse of the columns right and up on both sides.
+    float area = right.x * up.y - right.y * up.x;
+    vec2 a = vec2(up.y, -up.x);
+    vec2 b = vec2(-right.y, right.x);
+    vec3 pixels = vec3(a.x * a.x * variance.x + 2.0 * a.x * a.y * variance.y + a.y * a.y * variance.z,
+                       0.0,
+                       b.x * b.x * variance.x + 2.0 * b.x * b.y * variance.y + b.y * b.y * variance.z);
+    float area2 = area * area;
+    float sum = (pixels.x + pixels.z) / area2;
+    float product = determinant_of(variance) / area2;
+    float minor = product / (0.5 * sum + sqrt(max(0.25 * sum * sum - product, 0.0)));
+    return variance * max(1.0, 1.0 / minor);
+  }
+  return variance + grid.kernel.w * vec3(right.x * right.x + up.x * up.x,
+                                         right.x * right.y + up.x * up.y,
+                                         right.y * right.y + up.y * up.y);
+}
+
+void main() {
+  vec2 at = gl_FragCoord.xy - 0.5 * vec2(rule.image.xy);
+  vec3 place = grid.place_origin.xyz + at.x * grid.place_x.xyz + at.y * grid.place_y.xyz;
+  vec3 along = grid.along_origin.xyz + at.x * grid.along_x.xyz + at.y * grid.along_y.xyz;
+  float per_w = 1.0 / along.z;
+  vec2 slope = along.xy * per_w;
+  vec2 ray = (at - vec2(grid.along_x.w, grid.along_y.w)) / grid.camera.xy;
+  float ray_length = grid.along_origin.w != 0.0 ? 1.0 : sqrt(1.0 + dot(ray, ray));
+  float step_length = ray_length * abs(per_w);  // world units from sheet to sheet
+  float spread = max(1.0, max(abs(slope.x), abs(slope.y)));
+  vec3 along_ray = grid.kernel.x * vec3(1.0 + slope.x * slope.x, slope.x * slope.y,
+                                        1.0 + slope.y * slope.y);
+  float cutoff = grid.kernel.y;
+  float kept = 1.0 - exp(-0.5 * cutoff);
+  float scale = grid.place_x.w * step_length / (6.283185307 * kept);
+  int last = grid.w.w - 1;
+  int direction = along.z < 0.0 ? -1 : 1;
+  // The first sheet that lies before the eye.
+  float first = grid.kernel.z * along.z - place.z + grid.place_origin.w;
+  int k = direction > 0 ? int(clamp(ceil(first), 0.0, float(last) + 1.0))
+                        : int(clamp(floor(first), -1.0, float(last)));
+  ivec2 size = ivec2(grid.u.w, grid.v.w);
+
+  Pixel shown = empty_pixel();
+  while (k >= 0 && k <= last) {
+    float from_middle = float(k) - grid.place_origin.w;
+    vec2 uv = (place.xy + from_middle * along.xy) * per_w;
+    vec2 right = (grid.place_x.xy + from_middle * grid.along_x.xy - uv * grid.along_x.z) * per_w;
+    vec2 up = (grid.place_y.xy + from_middle * grid.along_y.xy - uv * grid.along_y.z) * per_w;
+    vec3 variance = filtered(along_ray, right, up);
+    vec2 reach = sqrt(cutoff * variance.xz);
+
+    ivec2 node = clamp(ivec2(floor(clamp(uv, vec2(-1.0), vec2(size)))), ivec2(0), size - 1);
+    ivec3 block = (node.x * grid.u.xyz + node.y * grid.v.xyz + k * grid.w.xyz) / kVolumeBlock;
+    float clear = float((int(texelFetch(distances, block, 0).x) - 1) * kVolumeBlock);
+    clear -= max(reach.x, reach.y);
+    if (clear > 0.0) {
+      k += direction * max(int(ceil(clear / spread)), 1);
+      continue;
+    }
+
+    float determinant = determinant_of(variance);
+    vec3 shape = vec3(variance.z, -variance.y, variance.x) / determinant;
+    float peak = scale * inversesqrt(determinant);
+    ivec2 low = ivec2(max(ceil(uv - reach), vec2(0.0)));
+    ivec2 high = ivec2(min(floor(uv + reach), vec2(size - 1)));
+    Layer layer = empty_layer();
+    for (int j = low.y; j <= high.y; ++j) {
+      vec2 d;
+      d.y = uv.y - float(j);
+      for (int i = low.x; i <= high.x; ++i) {
+        d.x = uv.x - float(i);
+        float q = shape.x * d.x * d.x + 2.0 * shape.y * d.x * d.y + shape.z * d.y * d.y;
+        ivec3 texel = i * grid.u.xyz + j * grid.v.xyz + k * grid.w.xyz;
+        vec4 found = texelFetch(nodes, texel, 0);
+        float weight = q < cutoff ? found.a * exp(-0.5 * q) : 0.0;
+        vec3 normal = vec3(0.0);
+#if RELIEF_FEATURES & RELIEF_FEATURE_OUT_NORMAL
+        normal = texelFetch(normals, texel, 0).xyz;
+#endif
+        // The kernel's mean place on the ray.
+        float off = -dot(slope, d) / (1.0 + dot(slope, slope));
+        add(layer, weight, found.rgb, normal, (place.z + from_middle + off) * per_w);
+      }
+    }
+    layer.depth_sum *= peak;
+    layer.colour *= peak * grid.place_y.w;
+    layer.normal *= peak;
+    layer.place *= peak;
+    if (end_layer(shown, layer)) break;
+    k += direction;
+  }
+  write_pixel(shown);
+}
