@@ -76,6 +76,22 @@ Footprint bound_of(const KernelCloud& cloud, std::size_t k, const RayCamera& cam
   return bound;
 }
 
+/// Where a ray is nearest to a Gaussian's centre, measured by its standard deviations.
+struct NearestPlace {
+  double depth = 0.0;    ///< in units of `along`; at least 0
+  double squared = 0.0;  ///< the Mahalanobis distance there
+};
+
+/// `inverse_root`: of the variance, which makes the Gaussian a unit one.
+NearestPlace nearest_place(const glm::dmat3& inverse_root, glm::dvec3 centre, glm::dvec3 start,
+                           glm::dvec3 along) {
+  const glm::dvec3 to_centre = inverse_root * (centre - start);
+  const glm::dvec3 step = inverse_root * along;
+  const double depth = std::max(glm::dot(step, to_centre) / glm::dot(step, step), 0.0);
+  const glm::dvec3 left_over = to_centre - depth * step;
+  return {depth, glm::dot(left_over, left_over)};
+}
+
 /// A Gaussian on a ray.
 struct MetGaussian {
   double order = 0.0;
@@ -101,15 +117,6 @@ RaySum composited(std::vector<MetGaussian>& met, std::span<const glm::vec3> colo
 }
 
 }  // namespace
-
-NearestPlace nearest_place(const glm::dmat3& inverse_root, glm::dvec3 centre, glm::dvec3 start,
-                           glm::dvec3 along) {
-  const glm::dvec3 to_centre = inverse_root * (centre - start);
-  const glm::dvec3 step = inverse_root * along;
-  const double depth = std::max(glm::dot(step, to_centre) / glm::dot(step, step), 0.0);
-  const glm::dvec3 left_over = to_centre - depth * step;
-  return {depth, glm::dot(left_over, left_over)};
-}
 
 void meet_gaussians(const KernelCloud& cloud, std::span<const glm::vec3> colours, const View& view,
                     const GaussianSettings& settings, GaussianOrder order, SampleImage& into,

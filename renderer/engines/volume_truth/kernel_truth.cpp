@@ -186,6 +186,9 @@ class Sweeper {
                           for (std::size_t r = range.begin(); r < range.end(); ++r)
                             pass(rays[r], up);
                         });
+      const auto of_all = static_cast<std::size_t>(planes + 2);
+      const auto plane = static_cast<std::size_t>(p);
+      progress.advance(rays.size() * (plane + 1) / of_all - rays.size() * plane / of_all);
     }
   }
 
@@ -261,7 +264,6 @@ void integrate_kernels(const NodeKernels& kernels, const RegularGrid& grid, cons
       Sweeper(kernels, static_cast<int>(way / 2), way % 2 == 1, step).run(ways[way], progress);
       if (progress.cancelled()) return;
       for (const Sweep& ray : ways[way]) into.rays[ray.ray] = ray.sum;
-      progress.advance(ways[way].size());
     }
   }
 }

@@ -18,6 +18,15 @@ namespace {
 
 using TruthClock = std::chrono::steady_clock;
 
+/// Rays that are kept at once: 6 GB of them.
+constexpr std::uint64_t kMostRays = 1U << 27U;
+
+/// Those of the pixels; the filter's border comes on top.
+std::uint64_t rays_of(const View& view, const TruthSettings& truth) {
+  return std::uint64_t{view.width} * view.height * static_cast<std::uint64_t>(truth.side) *
+         static_cast<std::uint64_t>(truth.side);
+}
+
 class PreparedTruth final : public PreparedModel {
  public:
   PreparedTruth(VolumeModel model, std::shared_ptr<EnvironmentCache> environments)
@@ -27,6 +36,12 @@ class PreparedTruth final : public PreparedModel {
     RELIEF_TRY_ASSIGN(const auto surroundings, surroundings_of(settings, *environments_));
     const View view = volume_view(settings);
     const TruthSettings truth = truth_settings(settings);
+    if (rays_of(view, truth) > kMostRays) {
+      return make_error(
+          "an image of {}x{} with {} samples a pixel needs more than {} rays; "
+          "choose fewer samples or a smaller image",
+          view.width, view.height, truth.side * truth.side, kMostRays);
+    }
     Film film;
     std::vector<double> frame_ms;
     for (int i = 0; i < std::max(settings.frames, 1); ++i) {

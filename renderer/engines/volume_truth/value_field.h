@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <optional>
 #include <vector>
 
 #include "common/progress.h"
