@@ -24,8 +24,9 @@ std::vector<OptionRow> swept_options() {
   std::vector<OptionRow> rows;
   for (const SharedOption& option : shared_options()) {
     const bool on_opengl =
-        std::any_of(option.engines.begin(), option.engines.end(),
-                    [](const EngineEntry* engine) { return engine->capabilities.needs_opengl; });
+        std::any_of(option.engines.begin(), option.engines.end(), [](const EngineEntry* engine) {
+          return engine->capabilities.needs_opengl && engine->forms.front() == ModelForm::Patches;
+        });
     if (on_opengl && option.row.kind != OptionKind::Choice) rows.push_back(option.row);
   }
   return rows;

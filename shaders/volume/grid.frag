@@ -90,10 +90,17 @@ void main() {
     for (int j = low.y; j <= high.y; ++j) {
       vec2 d;
       d.y = uv.y - float(j);
-      for (int i = low.x; i <= high.x; ++i) {
+      // The ellipse's part of the row.
+      float b = shape.y * d.y;
+      float half_width = sqrt(max(b * b - shape.x * (shape.z * d.y * d.y - cutoff), 0.0)) / shape.x;
+      float row_middle = uv.x + b / shape.x;
+      int begin = max(int(ceil(row_middle - half_width)), low.x);
+      int end = min(int(floor(row_middle + half_width)), high.x);
+      ivec3 row = j * grid.v.xyz + k * grid.w.xyz;
+      for (int i = begin; i <= end; ++i) {
         d.x = uv.x - float(i);
         float q = shape.x * d.x * d.x + 2.0 * shape.y * d.x * d.y + shape.z * d.y * d.y;
-        ivec3 texel = i * grid.u.xyz + j * grid.v.xyz + k * grid.w.xyz;
+        ivec3 texel = row + i * grid.u.xyz;
         vec4 found = texelFetch(nodes, texel, 0);
         float weight = q < cutoff ? found.a * exp(-0.5 * q) : 0.0;
         vec3 normal = vec3(0.0);

@@ -39,9 +39,9 @@ struct VolumeSplat {
 
 /// How layers are composited, and in which tiles.
 struct VolumeRule {
-  uvec4 image;   ///< width, height, tiles in a row, flags
-  vec4 limits;   ///< smallest and largest alpha of a contribution, smallest transmittance, 0
-  vec4 slabs;    ///< where the first one begins, and how thick they are, world units; 0, 0
+  uvec4 image;  ///< width, height, tiles in a row, flags
+  vec4 limits;  ///< smallest and largest alpha of a contribution, smallest transmittance, 0
+  vec4 slabs;   ///< where the first one begins, and how thick they are, world units; 0, 0
 };
 
 /// A regular grid as the rays of an image meet it. Sheet coordinates: u and v in a sheet, w across,

@@ -106,17 +106,16 @@ class GridDrawing final : public VolumeDrawing {
   void prepare_cloud(const VolumeFrame& frame) {
     const KernelCloud& cloud = frame.cloud;
     const bool needs_normals = frame.features.has(RELIEF_FEATURE_OUT_NORMAL);
-    if (textures_ && frame.cloud_version == version_ &&
-        (textures_->normals || !needs_normals))
+    if (textures_ && frame.cloud_version == version_ && (textures_->normals || !needs_normals))
       return;
     version_ = frame.cloud_version;
     const NodeBox box = box_of(cloud);
     const glm::uvec3 size = box.size();
     const glm::uvec3 blocks = (size - 1U) / std::uint32_t{shared::kVolumeBlock} + 1U;
-    textures_.emplace(GridTextures{.box = box,
-                                   .nodes = make_grid_texture(gl_, "nodes", GL_RGBA16, size),
-                                   .distances =
-                                       make_grid_texture(gl_, "distances", GL_R8UI, blocks)});
+    textures_.emplace(
+        GridTextures{.box = box,
+                     .nodes = make_grid_texture(gl_, "nodes", GL_RGBA16, size),
+                     .distances = make_grid_texture(gl_, "distances", GL_R8UI, blocks)});
     const double space = std::abs(glm::determinant(std::get<RegularGrid>(volume_.placement).step));
     const float most = *std::max_element(cloud.weights.begin(), cloud.weights.end());
     textures_->extinction = static_cast<float>(
@@ -143,8 +142,7 @@ class GridDrawing final : public VolumeDrawing {
       return;
     textures_->colours.assign(colours.begin(), colours.end());
     float most = 0.0F;
-    for (const glm::vec3& colour : colours)
-      most = std::max({most, colour.x, colour.y, colour.z});
+    for (const glm::vec3& colour : colours) most = std::max({most, colour.x, colour.y, colour.z});
     most = std::clamp(most, 1e-30F, kLargest);
     textures_->colour = most;
     tbb::parallel_for(std::size_t{0}, colours.size(), [&](std::size_t k) {
@@ -160,9 +158,8 @@ class GridDrawing final : public VolumeDrawing {
   Result<const Program*> program_for(Features features) {
     auto found = programs_.find(features);
     if (found == programs_.end()) {
-      RELIEF_TRY_ASSIGN(Program made,
-                        make_program(gl_, "volume sheets", "environment/screen.vert",
-                                     "volume/grid.frag", features));
+      RELIEF_TRY_ASSIGN(Program made, make_program(gl_, "volume sheets", "environment/screen.vert",
+                                                   "volume/grid.frag", features));
       found = programs_.emplace(features, std::move(made)).first;
     }
     return &found->second;

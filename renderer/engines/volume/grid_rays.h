@@ -21,7 +21,7 @@ struct NodeBox {
 [[nodiscard]] NodeBox box_of(const KernelCloud& cloud);
 
 /// How the image's rays meet the box's sheets, without the scales of texels. None if a ray is so
-/// flat that sheets are no way to draw it.
+/// flat, or a kernel so near to the eye, that sheets are no way to draw it.
 [[nodiscard]] std::optional<shared::VolumeGrid> grid_rays(const VolumeFrame& frame,
                                                           const RegularGrid& grid,
                                                           const NodeBox& box);

@@ -80,9 +80,8 @@ Film read_film(const Gl& gl, const VolumeTargets& targets, bool is_encoded) {
   tbb::parallel_for(std::uint32_t{0}, targets.height, [&](std::uint32_t y) {
     const std::size_t from = std::size_t{targets.height - 1 - y} * targets.width;
     for (std::size_t x = 0; x < targets.width; ++x) {
-      film.pixels[std::size_t{y} * targets.width + x] =
-          film_pixel(colours[from + x], surfaces.empty() ? nowhere : surfaces[from + x],
-                     is_encoded);
+      film.pixels[std::size_t{y} * targets.width + x] = film_pixel(
+          colours[from + x], surfaces.empty() ? nowhere : surfaces[from + x], is_encoded);
     }
   });
   return film;

@@ -87,9 +87,8 @@ class ListDrawing final : public VolumeDrawing {
   Result<const Program*> program_for(Features features) {
     auto found = programs_.find(features);
     if (found == programs_.end()) {
-      RELIEF_TRY_ASSIGN(Program made,
-                        make_program(gl_, "volume lists", "environment/screen.vert",
-                                     "volume/list.frag", features));
+      RELIEF_TRY_ASSIGN(Program made, make_program(gl_, "volume lists", "environment/screen.vert",
+                                                   "volume/list.frag", features));
       found = programs_.emplace(features, std::move(made)).first;
     }
     return &found->second;

@@ -33,11 +33,11 @@ class QuadDrawing final : public VolumeDrawing {
   Status draw(const VolumeFrame& frame, const VolumeTargets& targets, PassTimer& timer,
               const Progress& progress) override {
     if (!program_) {
-      RELIEF_TRY_ASSIGN(program_, make_program(gl_, "volume quads", "volume/quad.vert",
-                                               "volume/quad.frag", {}));
+      RELIEF_TRY_ASSIGN(
+          program_, make_program(gl_, "volume quads", "volume/quad.vert", "volume/quad.frag", {}));
     }
-    const FootprintRule footprints = footprint_rule(
-        frame.settings.volume, frame.cloud.weight, frame.is_antialiased, frame.view);
+    const FootprintRule footprints =
+        footprint_rule(frame.settings.volume, frame.cloud.weight, frame.is_antialiased, frame.view);
     const std::vector<PlacedSplat> placed =
         sorted(place_splats(frame.cloud, frame.view, footprints, progress));
     if (progress.cancelled()) return interrupted_error();

@@ -25,8 +25,8 @@ std::vector<shared::VolumeSplat> shader_splats(const VolumeFrame& frame,
     splat.place = {f.centre.x, f.centre.y, f.cutoff, std::min(f.peak, double{kLargest})};
     splat.shape = {f.xx, f.xy, f.yy, f.depth};
     splat.colour = glm::vec4(bounded(frame.colours[k]), f.depth_deviation);
-    splat.normal = frame.cloud.normals.empty() ? glm::vec4(0.0F)
-                                               : glm::vec4(frame.cloud.normals[k], 0.0F);
+    splat.normal =
+        frame.cloud.normals.empty() ? glm::vec4(0.0F) : glm::vec4(frame.cloud.normals[k], 0.0F);
     splat.slope = {f.slope.x, f.slope.y, 0.0, 0.0};
   });
   return splats;

@@ -8,16 +8,11 @@
 #include <glm/matrix.hpp>
 #include <optional>
 
-#include "renderer/engines/volume_reference/tile_lists.h"
 #include "renderer/volume/ray_space.h"
+#include "renderer/volume/tile_lists.h"
 
 namespace relief::volume_truth {
 namespace {
-
-using volume_reference::kTile;
-using volume_reference::PixelBox;
-using volume_reference::TileLists;
-using volume_reference::Tiling;
 
 /// Fainter than any that is seen, if the settings leave out none.
 constexpr double kFaintest = 1e-9;

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <random>
@@ -70,9 +70,8 @@ ScalarVolume rectilinear_volume() {
     }
   }
   const auto c = grid.coordinates;
-  return make_volume({24, 24, 24}, grid, [c](glm::uvec3 n) {
-    return glm::dvec3(c[0][n.x], c[1][n.y], c[2][n.z]);
-  });
+  return make_volume({24, 24, 24}, grid,
+                     [c](glm::uvec3 n) { return glm::dvec3(c[0][n.x], c[1][n.y], c[2][n.z]); });
 }
 
 GaussianCloud random_gaussians(std::size_t count, double scale) {
@@ -107,7 +106,9 @@ template <class Model>
 RenderResult draw(const Model& model, RenderSettings settings, const char* engine) {
   settings.engine = engine;
   Progress silent;
-  auto result = render(RenderModel::of(model), settings, silent);
+  RenderModel form;
+  form.add(model);
+  auto result = render(form, settings, silent);
   if (result) return *std::move(result);
   ADD_FAILURE() << result.error().message;
   return {};
@@ -125,7 +126,8 @@ void expect_alike(const Model& model, const RenderSettings& settings, double lea
 }
 
 // The sheets' footprints have the Jacobian of the pixel instead of the kernel's centre, and colours
-// 16 bits: 60 to 80 dB here. Lists are the same sums in single precision: above 90 dB.
+// 16 bits: the engine block has 83 dB, a grid this coarse less. Lists are the same sums in single
+// precision: 113 dB there.
 constexpr double kSheets = 50.0;
 constexpr double kLists = 80.0;
 
@@ -137,8 +139,11 @@ TEST(VolumeEngine, RegularGrid) {
 
 TEST(VolumeEngine, EachAxisOfSheets) {
   const ScalarVolume volume = regular_volume({30, 34, 38});
-  for (const glm::dvec3 eye : {glm::dvec3(3.5, 0.6, -0.9), {-3.5, 0.4, 1.0}, {0.7, 3.5, 0.9},
-                               {0.7, -3.5, 0.9}, {0.9, 0.6, -3.5}}) {
+  for (const glm::dvec3 eye : {glm::dvec3(3.5, 0.6, -0.9),
+                               {-3.5, 0.4, 1.0},
+                               {0.7, 3.5, 0.9},
+                               {0.7, -3.5, 0.9},
+                               {0.9, 0.6, -3.5}}) {
     expect_alike(volume, settings_for(eye), kSheets);
   }
 }
@@ -213,9 +218,7 @@ TEST(VolumeEngine, EyeInsideIsFinite) {
   settings.camera.target = {0.0, 0.0, -1.0};
   const ScalarVolume volume = regular_volume({40, 40, 40});
   const RenderResult drawn = draw(volume, settings, "volume");
-  EXPECT_GT(drawn.covered_pixels, 500U);
-  // Kernels that are large in the image bend: 25 dB shows that it is the same scene.
-  EXPECT_GT(psnr(drawn.image, draw(volume, settings, "volume-reference").image), 25.0);
+  expect_alike(volume, settings, kLists);
   for (const Channel& channel : drawn.image.channels) {
     for (const float value : channel.values) ASSERT_TRUE(std::isfinite(value));
   }
