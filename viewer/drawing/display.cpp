@@ -72,7 +72,7 @@ Status Display::show(const ScanPoints& points) {
 }
 
 Status Display::prepare(Session& session) {
-  const auto prepared = [&]() -> Status {
+  auto prepared = [&]() -> Status {
     RELIEF_TRY_ASSIGN(const Looks looks, looks_of(session));
     RELIEF_TRY(scene_->prepare(looks));
     // What is read or compiled by the first image that needs it fails here, once.
@@ -102,7 +102,7 @@ void Display::show_nothing(Session& session) {
 Status Display::update(Session& session, bool changes) {
   pacer_.set_target(session.target_ms);
   if (is_complete() && !changes && !session.look_changed) return {};
-  const Status drawn = draw(session, changes);
+  Status drawn = draw(session, changes);
   if (picture_.shown() != nullptr) encode(session);
   return drawn;
 }
@@ -121,9 +121,9 @@ Status Display::draw(Session& session, bool changes) {
   RELIEF_TRY(choose_inspector(session));
   RELIEF_TRY_ASSIGN(const Looks looks, looks_of(session));
   depth_scale_ = eye_dome_scale(looks.first.camera) * scene_->viewport().depth_range(looks.first);
-  const Status drawn = changes || look_changes
-                           ? picture_.draw(scene_->viewport(), looks, pacer_.quality())
-                           : picture_.refine(scene_->viewport(), looks);
+  Status drawn = changes || look_changes
+                     ? picture_.draw(scene_->viewport(), looks, pacer_.quality())
+                     : picture_.refine(scene_->viewport(), looks);
   if (!drawn && inspector_) {
     session.inspection = Inspection::Picture;
     session.look_changed = true;
