@@ -3,9 +3,9 @@
 
 #include <utility>
 
+#include "viewer/input/shortcuts.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/rows.h"
-#include "viewer/input/shortcuts.h"
 
 namespace relief {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "viewer/input/shortcuts.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/rows.h"
-#include "viewer/input/shortcuts.h"
 
 namespace relief {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "common/scene/scene.h"
+#include "viewer/input/shortcuts.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/rows.h"
-#include "viewer/input/shortcuts.h"
 
 namespace relief {
 namespace {

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "renderer/volume/tile_lists.h"
 #include "renderer/volume/kernel_cloud.h"
 #include "renderer/volume/settings.h"
+#include "renderer/volume/tile_lists.h"
 
 namespace relief::volume_reference {
 

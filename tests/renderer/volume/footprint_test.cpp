@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "common/progress.h"
 #include "renderer/volume/volume_kernels.h"
 
 namespace relief {
@@ -128,7 +129,7 @@ TEST(VolumeKernels, SumUpToTheExtinction) {
   volume.placement = RegularGrid{glm::dvec3(0.0), glm::dmat3(0.5, 0, 0, 0, 2.0, 0, 0.3, 0, 1.5)};
   volume.values.assign(nodes_of(volume), 1.0F);
   const TransferFunction function{{{0.0, glm::vec3(1.0F)}}, {{0.0, 0.5}}, {}, 1.0};
-  const NoProgress progress;
+  const Progress progress;
   const KernelCloud cloud = kernels_of_volume(volume, function, VolumeSettings(), progress);
   ASSERT_EQ(cloud.count(), nodes_of(volume));
   const glm::dmat3 variance = matrix_of(cloud.variance(0));
