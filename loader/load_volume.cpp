@@ -41,7 +41,7 @@ void choose_volume_engine(ScenePlan& plan, const VolumeReadOptions& options) {
                   [&](const SceneModel& model) { return has_kernels(model.file, options); });
   if (!is_volume) return;
   for (PlannedView& view : plan.views) {
-    if (!view.settings.engine) view.settings.engine = "volume";
+    if (!view.settings.engine) view.settings.engine = kVolumeEngine;
   }
 }
 

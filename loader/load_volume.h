@@ -14,6 +14,9 @@
 
 namespace relief {
 
+/// The engine that draws volumes and 3D Gaussians where none is named.
+inline constexpr const char* kVolumeEngine = "volume";
+
 /// Whether a file is drawn as kernels: a volume, or 3D Gaussians. Reads at most its header; a file
 /// that can't be read is neither.
 [[nodiscard]] bool has_kernels(const std::filesystem::path& path, const VolumeReadOptions& options);

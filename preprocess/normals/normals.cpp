@@ -138,7 +138,7 @@ bool has_normal(const Points& points) {
 LocalFrames fit_local_frames(const std::vector<glm::dvec3>& positions,
                              const NeighbourGraph& graph) {
   LocalFrames frames;
-  frames.normals.resize(positions.size());
+  frames.normals.assign(positions.size(), glm::vec3(0.0F));
   frames.roughness.resize(positions.size());
   tbb::parallel_for(std::size_t{0}, positions.size(), [&](std::size_t i) {
     const auto neighbours = graph.of(i);
