@@ -53,7 +53,7 @@ Result<LoadedScene> load_kernels(const ScenePlan& plan, const VolumeReadOptions&
     if (!draws_kernels(*engine)) {
       return make_error(
           "{}: is a volume or a scene of 3D Gaussians, which engine {} can't draw; `relief render` "
-          "draws it with engine volume",
+          "draws it with engine volume or volume-reference",
           model.file.string(), engine->name);
     }
   }

@@ -14,8 +14,9 @@
 
 namespace relief {
 
-/// The engine that draws volumes and 3D Gaussians where none is named.
-inline constexpr const char* kVolumeEngine = "volume";
+/// The engine that draws volumes and 3D Gaussians where none is named. On OpenGL without a GPU they
+/// take as long or longer (docs/decisions/0119).
+inline constexpr const char* kVolumeEngine = "volume-reference";
 
 /// Whether a file is drawn as kernels: a volume, or 3D Gaussians. Reads at most its header; a file
 /// that can't be read is neither.
