@@ -70,7 +70,8 @@ TEST(ToyEngine, IsCheckedAndListedByItsEntry) {
   const auto missing = render(RenderModel::of(model), settings, silent);
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().message,
-            "there is no engine toy; take one of onepass, multipass, ewa, raytrace");
+            "there is no engine toy; take one of onepass, multipass, ewa, raytrace, volume, "
+            "volume-reference, volume-truth");
 }
 
 TEST(EngineRegistry, DefaultsAreThoseOfTheTables) {
@@ -84,9 +85,10 @@ TEST(EngineRegistry, DefaultsAreThoseOfTheTables) {
         EXPECT_EQ(*written, *value) << engine.name << " " << option.row.key;
       }
       // What is put in comes out.
-      const OptionValue other = option.row.kind == OptionKind::Choice
-                                    ? OptionValue(option.row.choices.back())
-                                    : OptionValue(option.row.range.max);
+      const OptionValue other =
+          option.row.kind == OptionKind::Choice ? OptionValue(option.row.choices.back())
+          : option.row.kind == OptionKind::Text ? OptionValue("another.json")
+                                                : OptionValue(option.row.range.max);
       RenderSettings changed = settings;
       ASSERT_TRUE(apply_options(engine, {{option.row.key, other}}, changed));
       EXPECT_EQ(option.get(changed), other) << engine.name << " " << option.row.key;
