@@ -51,7 +51,11 @@ TEST(EngineOptions, OfAnAddedEngineAreInTheHelp) {
   SceneSettings settings;
   add_engine_options(app, settings, all_engines());
   const std::string help = app.help();
-  EXPECT_NE(help.find("--engine onepass|multipass|ewa|raytrace|toy"), std::string::npos) << help;
+  EXPECT_NE(
+      help.find("--engine onepass|multipass|ewa|raytrace|volume|volume-reference|volume-truth|"
+                "toy"),
+      std::string::npos)
+      << help;
   EXPECT_NE(help.find("toy: linear brightness of a sample, 0 to 1 (default 0.5)"),
             std::string::npos)
       << help;
