@@ -186,7 +186,7 @@ class Sweeper {
                           for (std::size_t r = range.begin(); r < range.end(); ++r)
                             pass(rays[r], up);
                         });
-      const auto of_all = static_cast<std::size_t>(planes + 2);
+      const auto of_all = static_cast<std::size_t>(planes) + 2;
       const auto plane = static_cast<std::size_t>(p);
       progress.advance(rays.size() * (plane + 1) / of_all - rays.size() * plane / of_all);
     }

@@ -21,8 +21,8 @@ struct SampleImage {
   SampleImage(const View& view, int side_of_pixel)
       : side(side_of_pixel),
         border(side > 1 ? kFilterReach : 0),
-        width((std::int64_t{view.width} + 2 * border) * side),
-        height((std::int64_t{view.height} + 2 * border) * side),
+        width((std::int64_t{view.width} + std::int64_t{2} * border) * side),
+        height((std::int64_t{view.height} + std::int64_t{2} * border) * side),
         image_height(view.height),
         rays(static_cast<std::size_t>(width * height)) {}
 

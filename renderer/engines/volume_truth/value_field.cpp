@@ -49,7 +49,10 @@ ValueField::ValueField(const ScalarVolume& volume, const Progress& progress)
         for (int i = 0; i < cells().x; ++i) {
           const glm::ivec3 in = glm::ivec3(i, j, k) / kBlock;
           widen_range(
-              ranges_[static_cast<std::size_t>(in.x + blocks_.x * (in.y + blocks_.y * in.z))],
+              ranges_[static_cast<std::size_t>(in.x) +
+                      static_cast<std::size_t>(blocks_.x) *
+                          (static_cast<std::size_t>(in.y) +
+                           static_cast<std::size_t>(blocks_.y) * static_cast<std::size_t>(in.z))],
               range_of_cell({i, j, k}));
         }
       }
@@ -74,7 +77,10 @@ ValueRange ValueField::range_of_cell(glm::ivec3 cell) const {
 
 const ValueRange& ValueField::range_of_block(glm::ivec3 cell) const {
   const glm::ivec3 in = cell / kBlock;
-  return ranges_[static_cast<std::size_t>(in.x + blocks_.x * (in.y + blocks_.y * in.z))];
+  return ranges_[static_cast<std::size_t>(in.x) +
+                 static_cast<std::size_t>(blocks_.x) *
+                     (static_cast<std::size_t>(in.y) +
+                      static_cast<std::size_t>(blocks_.y) * static_cast<std::size_t>(in.z))];
 }
 
 template <class T, class At>
