@@ -13,15 +13,19 @@
 namespace relief {
 namespace {
 
-void add(KernelCloud& cloud, glm::dvec3 centre, const Variance& variance, double weight,
-         glm::vec3 colour, glm::vec3 normal, bool is_surface, std::size_t node) {
+void add(KernelCloud& cloud, glm::dvec3 centre, double weight, glm::vec3 colour, glm::vec3 normal,
+         std::size_t node) {
   cloud.centres.push_back(centre);
-  cloud.variances.push_back(variance);
   cloud.weights.push_back(static_cast<float>(weight));
   cloud.colours.push_back(colour);
   cloud.normals.push_back(normal);
-  cloud.is_surface.push_back(is_surface ? 1 : 0);
   cloud.nodes.push_back(static_cast<std::uint32_t>(node));
+}
+
+/// Gives the kernel that was added last a variance of its own.
+void shape(KernelCloud& cloud, const Variance& variance, bool is_surface) {
+  cloud.variances.push_back(variance);
+  cloud.is_surface.push_back(is_surface ? 1 : 0);
 }
 
 Variance node_variance(const glm::dmat3& step, double sigma) {
@@ -44,6 +48,9 @@ struct Classifier {
   const VolumeSettings& settings;
   std::optional<double> iso_depth;  ///< optical depth of the surface, seen from the front
 
+  /// Whether all kernels are alike but for their places.
+  [[nodiscard]] bool is_uniform() const { return nodes.is_regular() && !iso_depth; }
+
   void classify(glm::uvec3 node, KernelCloud& into) const {
     const double value = nodes.value(node);
     if (std::isnan(value)) return;
@@ -60,8 +67,9 @@ struct Classifier {
     if (!is_clear) {
       const double weight = extinction_at(function, value, magnitude) * space;
       if (static_cast<float>(weight) > 0.0F) {
-        add(into, position, node_variance(step, sigma), weight, colour_at(function, value),
-            glm::vec3(normal), false, nodes.index(node));
+        add(into, position, weight, colour_at(function, value), glm::vec3(normal),
+            nodes.index(node));
+        if (!is_uniform()) shape(into, node_variance(step, sigma), false);
       }
     }
     if (!iso_depth || !(magnitude > 0.0)) return;
@@ -69,38 +77,34 @@ struct Classifier {
     const double thickness = kIsoLayer * glm::length(glm::transpose(step) * normal);
     const double off = (*settings.iso - value) / magnitude;
     if (!(off >= -0.5 * thickness && off < 0.5 * thickness)) return;
-    add(into, position - off * normal, flattened(step, normal, sigma),
-        *iso_depth * space / thickness, colour_at(function, *settings.iso), glm::vec3(normal), true,
-        nodes.index(node));
+    add(into, position - off * normal, *iso_depth * space / thickness,
+        colour_at(function, *settings.iso), glm::vec3(normal), nodes.index(node));
+    shape(into, flattened(step, normal, sigma), true);
   }
 };
 
+/// One array of all planes; theirs are emptied.
 template <class T>
-void append(std::vector<T>& to, std::vector<T>& from) {
-  to.insert(to.end(), from.begin(), from.end());
-  std::vector<T>().swap(from);
+void join(std::vector<KernelCloud>& planes, std::vector<T> KernelCloud::*array, KernelCloud& into) {
+  std::size_t count = 0;
+  for (const KernelCloud& plane : planes) count += (plane.*array).size();
+  std::vector<T>& all = into.*array;
+  all.reserve(count);
+  for (KernelCloud& plane : planes) {
+    all.insert(all.end(), (plane.*array).begin(), (plane.*array).end());
+    std::vector<T>().swap(plane.*array);
+  }
 }
 
 KernelCloud joined(std::vector<KernelCloud>& planes) {
   KernelCloud all;
-  std::size_t count = 0;
-  for (const KernelCloud& plane : planes) count += plane.count();
-  all.centres.reserve(count);
-  all.variances.reserve(count);
-  all.weights.reserve(count);
-  all.colours.reserve(count);
-  all.normals.reserve(count);
-  all.is_surface.reserve(count);
-  all.nodes.reserve(count);
-  for (KernelCloud& plane : planes) {
-    append(all.centres, plane.centres);
-    append(all.variances, plane.variances);
-    append(all.weights, plane.weights);
-    append(all.colours, plane.colours);
-    append(all.normals, plane.normals);
-    append(all.is_surface, plane.is_surface);
-    append(all.nodes, plane.nodes);
-  }
+  join(planes, &KernelCloud::centres, all);
+  join(planes, &KernelCloud::variances, all);
+  join(planes, &KernelCloud::weights, all);
+  join(planes, &KernelCloud::colours, all);
+  join(planes, &KernelCloud::normals, all);
+  join(planes, &KernelCloud::is_surface, all);
+  join(planes, &KernelCloud::nodes, all);
   return all;
 }
 
@@ -131,14 +135,10 @@ KernelCloud kernels_of_volume(const ScalarVolume& volume, const TransferFunction
     for (std::uint32_t j = 0; j < volume.size.y; ++j) {
       for (std::uint32_t i = 0; i < volume.size.x; ++i) classifier.classify({i, j, k}, planes[k]);
     }
-    // Equal ones are kept once, in the end.
-    if (nodes.is_regular() && !settings.iso) planes[k].variances.clear();
   });
   KernelCloud all = joined(planes);
-  if (nodes.is_regular() && !settings.iso) {
+  if (classifier.is_uniform())
     all.variances = {node_variance(nodes.step(glm::uvec3(0)), settings.kernel_sigma)};
-    all.is_surface.clear();
-  }
   all.size = volume.size;
   all.across = across_planes(nodes);
   return all;
