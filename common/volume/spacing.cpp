@@ -1,9 +1,8 @@
-// How far apart the nodes of a volume are.
+#include "common/volume/spacing.h"
+
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-
-#include "common/volume/transfer_function.h"
 
 namespace relief {
 namespace {

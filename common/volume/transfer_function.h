@@ -60,7 +60,4 @@ Result<TransferFunction> transfer_function_for(std::string_view name, const Scal
 Result<TransferFunction> read_transfer_function(const std::filesystem::path& path,
                                                 double default_unit_length);
 
-/// The mean distance of neighbours, world units; 1 for a volume without extent.
-[[nodiscard]] double mean_spacing(const ScalarVolume& volume);
-
 }  // namespace relief

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/image/srgb.h"
+#include "common/volume/spacing.h"
 #include "common/volume/transfer_function.h"
 
 namespace relief {

@@ -54,6 +54,10 @@ struct KernelCloud {
   glm::dmat3 across{1.0};
 
   [[nodiscard]] std::size_t count() const { return centres.size(); }
+  /// Of a grid: the indices of kernel k's node.
+  [[nodiscard]] glm::uvec3 node(std::size_t k) const {
+    return {nodes[k] % size.x, nodes[k] / size.x % size.y, nodes[k] / size.x / size.y};
+  }
   [[nodiscard]] const Variance& variance(std::size_t k) const {
     return variances.size() == 1 ? variances.front() : variances[k];
   }

@@ -35,13 +35,6 @@ SplatOrder by_depth(std::span<const PlacedSplat> splats) {
   return order;
 }
 
-std::uint32_t sheet_of(const KernelCloud& cloud, std::uint32_t kernel, glm::length_t axis) {
-  const std::uint32_t node = cloud.nodes[kernel];
-  if (axis == 0) return node % cloud.size.x;
-  if (axis == 1) return node / cloud.size.x % cloud.size.y;
-  return node / cloud.size.x / cloud.size.y;
-}
-
 /// Sheets by their distance from the eye along the axis: a ray meets those of one side only, in
 /// this order.
 std::vector<std::uint32_t> rank_sheets(const KernelCloud& cloud,
@@ -51,7 +44,7 @@ std::vector<std::uint32_t> rank_sheets(const KernelCloud& cloud,
   std::vector<double> sums(sheets, 0.0);
   std::vector<double> counts(sheets, 0.0);
   for (const PlacedSplat& splat : splats) {
-    const std::uint32_t sheet = sheet_of(cloud, splat.kernel, axis);
+    const std::uint32_t sheet = cloud.node(splat.kernel)[axis];
     sums[sheet] += glm::dot(cloud.centres[splat.kernel] - camera.eye, cloud.across[axis]);
     counts[sheet] += 1.0;
   }
@@ -78,7 +71,7 @@ SplatOrder by_sheets(const KernelCloud& cloud, std::span<const PlacedSplat> spla
   SplatOrder order;
   order.splats.reserve(splats.size());
   for (std::uint32_t s = 0; s < splats.size(); ++s)
-    order.splats.push_back({s, ranks[sheet_of(cloud, splats[s].kernel, axis)]});
+    order.splats.push_back({s, ranks[cloud.node(splats[s].kernel)[axis]]});
   sort_by_group(order.splats, ranks.size());
   return order;
 }

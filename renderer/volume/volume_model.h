@@ -1,6 +1,7 @@
 // A volume or a scene of Gaussians as kernels, kept from image to image.
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -8,6 +9,7 @@
 
 #include "common/error.h"
 #include "common/progress.h"
+#include "common/volume/spacing.h"
 #include "renderer/model.h"
 #include "renderer/settings.h"
 #include "renderer/shading/environment_cache.h"
@@ -20,9 +22,12 @@ namespace relief {
 /// again when their settings change.
 class VolumeModel {
  public:
-  /// One of the two is there.
-  VolumeModel(const ScalarVolume* volume, const GaussianCloud* gaussians)
-      : volume_(volume), gaussians_(gaussians) {}
+  /// Of a model that has one of the two.
+  explicit VolumeModel(const RenderModel& model)
+      : volume_(model.find<ScalarVolume>()), gaussians_(model.find<GaussianCloud>()) {
+    assert((volume_ != nullptr || gaussians_ != nullptr) &&
+           "there is a volume, or there are Gaussians");
+  }
 
   /// The kernels for these settings. Fails if the transfer function can't be read.
   Result<const KernelCloud*> kernels(const RenderSettings& settings, const Progress& progress);
@@ -36,7 +41,8 @@ class VolumeModel {
   [[nodiscard]] std::uint64_t version() const { return version_; }
 
   [[nodiscard]] const ScalarVolume* volume() const { return volume_; }
-  [[nodiscard]] const GaussianCloud* gaussians() const { return gaussians_; }
+  /// Mean distance of a volume's nodes, world units; 0 of Gaussians.
+  [[nodiscard]] double spacing() const { return volume_ == nullptr ? 0.0 : mean_spacing(*volume_); }
   /// Whether colours are blended as encoded sRGB.
   [[nodiscard]] bool blends_encoded(const RenderSettings& settings) const {
     return gaussians_ != nullptr && settings.volume.gaussians.blend == GaussianBlend::Srgb;

@@ -16,10 +16,19 @@
 
 namespace relief::volume {
 
+/// The nodes that have kernels, both ends included.
+struct NodeBox {
+  glm::uvec3 low{0};
+  glm::uvec3 high{0};
+
+  [[nodiscard]] glm::uvec3 size() const { return high - low + 1U; }
+};
+
 /// One frame of a cloud of kernels.
 struct VolumeFrame {
   const KernelCloud& cloud;
   std::uint64_t cloud_version = 0;     ///< another one when the cloud has changed
+  NodeBox box;                         ///< of a grid that is not empty
   std::span<const glm::vec3> colours;  ///< of each kernel, as it is blended
   const View& view;
   const RenderSettings& settings;

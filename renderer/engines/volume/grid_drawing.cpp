@@ -22,7 +22,6 @@ using Texel = glm::u16vec4;
 
 /// What is kept from frame to frame: of the cloud, and of colours.
 struct GridTextures {
-  NodeBox box;
   Texture nodes;
   Texture distances;
   std::optional<Texture> normals = {};
@@ -33,10 +32,7 @@ struct GridTextures {
 };
 
 std::size_t texel_of(const KernelCloud& cloud, const NodeBox& box, std::size_t k) {
-  const std::uint32_t node = cloud.nodes[k];
-  const glm::uvec3 at(node % cloud.size.x, node / cloud.size.x % cloud.size.y,
-                      node / cloud.size.x / cloud.size.y);
-  const glm::uvec3 in_box = at - box.low;
+  const glm::uvec3 in_box = cloud.node(k) - box.low;
   const glm::uvec3 size = box.size();
   return in_box.x + std::size_t{size.x} * (in_box.y + std::size_t{size.y} * in_box.z);
 }
@@ -75,7 +71,7 @@ class GridDrawing final : public VolumeDrawing {
     upload_colours(frame);
     RELIEF_TRY(check_errors(gl_, "the volume"));
     const auto& grid = std::get<RegularGrid>(volume_.placement);
-    shared::VolumeGrid rays = grid_rays(frame, grid, textures_->box).value();
+    shared::VolumeGrid rays = grid_rays(frame, grid).value();
     rays.place_x.w = textures_->extinction;
     rays.place_y.w = textures_->colour;
     shared::VolumeRule rule = shader_rule(frame);
@@ -109,12 +105,10 @@ class GridDrawing final : public VolumeDrawing {
     if (textures_ && frame.cloud_version == version_ && (textures_->normals || !needs_normals))
       return;
     version_ = frame.cloud_version;
-    const NodeBox box = box_of(cloud);
-    const glm::uvec3 size = box.size();
+    const glm::uvec3 size = frame.box.size();
     const glm::uvec3 blocks = (size - 1U) / std::uint32_t{shared::kVolumeBlock} + 1U;
     textures_.emplace(
-        GridTextures{.box = box,
-                     .nodes = make_grid_texture(gl_, "nodes", GL_RGBA16, size),
+        GridTextures{.nodes = make_grid_texture(gl_, "nodes", GL_RGBA16, size),
                      .distances = make_grid_texture(gl_, "distances", GL_R8UI, blocks)});
     const double space = std::abs(glm::determinant(std::get<RegularGrid>(volume_.placement).step));
     const float most = *std::max_element(cloud.weights.begin(), cloud.weights.end());
@@ -123,7 +117,7 @@ class GridDrawing final : public VolumeDrawing {
     textures_->texels.assign(std::size_t{size.x} * size.y * size.z, Texel(0));
     std::vector<glm::i8vec4> normals(needs_normals ? textures_->texels.size() : 0);
     for (std::size_t k = 0; k < cloud.count(); ++k) {
-      const std::size_t texel = texel_of(cloud, box, k);
+      const std::size_t texel = texel_of(cloud, frame.box, k);
       textures_->texels[texel].w = share_of(cloud.weights[k], most);
       if (needs_normals)
         normals[texel] = glm::i8vec4(glm::round(127.0F * glm::vec4(cloud.normals[k], 0.0F)));
@@ -146,12 +140,12 @@ class GridDrawing final : public VolumeDrawing {
     most = std::clamp(most, 1e-30F, kLargest);
     textures_->colour = most;
     tbb::parallel_for(std::size_t{0}, colours.size(), [&](std::size_t k) {
-      Texel& texel = textures_->texels[texel_of(frame.cloud, textures_->box, k)];
+      Texel& texel = textures_->texels[texel_of(frame.cloud, frame.box, k)];
       texel.x = share_of(colours[k].x, most);
       texel.y = share_of(colours[k].y, most);
       texel.z = share_of(colours[k].z, most);
     });
-    upload(gl_, textures_->nodes, textures_->box.size(), GL_RGBA, GL_UNSIGNED_SHORT,
+    upload(gl_, textures_->nodes, frame.box.size(), GL_RGBA, GL_UNSIGNED_SHORT,
            textures_->texels.data());
   }
 
@@ -182,11 +176,10 @@ bool is_for_grid(const Gl& gl, const VolumeFrame& frame, const ScalarVolume* vol
   if (grid == nullptr || cloud.variances.size() != 1 || cloud.count() == 0) return false;
   if (visibility_of(cloud, frame.settings.volume.visibility) != VolumeVisibility::Sheet)
     return false;
-  const NodeBox box = box_of(cloud);
   const auto most = static_cast<std::uint32_t>(get_limit(gl, GL_MAX_3D_TEXTURE_SIZE));
-  const glm::uvec3 size = box.size();
+  const glm::uvec3 size = frame.box.size();
   if (std::max({size.x, size.y, size.z}) > most) return false;
-  return grid_rays(frame, *grid, box).has_value();
+  return grid_rays(frame, *grid).has_value();
 }
 
 std::unique_ptr<VolumeDrawing> make_grid_drawing(const Gl& gl, const ScalarVolume& volume) {

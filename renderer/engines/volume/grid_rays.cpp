@@ -49,25 +49,24 @@ double filter_variance(VolumeFilter filter) {
 
 NodeBox box_of(const KernelCloud& cloud) {
   NodeBox box{cloud.size, glm::uvec3(0)};
-  for (const std::uint32_t node : cloud.nodes) {
-    const glm::uvec3 at(node % cloud.size.x, node / cloud.size.x % cloud.size.y,
-                        node / cloud.size.x / cloud.size.y);
+  for (std::size_t k = 0; k < cloud.nodes.size(); ++k) {
+    const glm::uvec3 at = cloud.node(k);
     box.low = glm::min(box.low, at);
     box.high = glm::max(box.high, at);
   }
   return box;
 }
 
-std::optional<shared::VolumeGrid> grid_rays(const VolumeFrame& frame, const RegularGrid& grid,
-                                            const NodeBox& box) {
+std::optional<shared::VolumeGrid> grid_rays(const VolumeFrame& frame, const RegularGrid& grid) {
   const View& view = frame.view;
   const RayCamera camera = ray_camera(view);
   const glm::length_t axis = sheet_axis(frame.cloud, camera);
   const std::array<glm::length_t, 3> axes{(axis + 1) % 3, (axis + 2) % 3, axis};
   const glm::dmat3 sheets = to_sheets(camera, grid, axes);
-  const glm::dvec3 node = glm::inverse(grid.step) * (view.eye - grid.origin) - glm::dvec3(box.low);
+  const glm::dvec3 node =
+      glm::inverse(grid.step) * (view.eye - grid.origin) - glm::dvec3(frame.box.low);
   const glm::dvec3 eye(node[axes[0]], node[axes[1]], node[axes[2]]);
-  const glm::uvec3 size = box.size();
+  const glm::uvec3 size = frame.box.size();
   const double middle = 0.5 * (size[axis] - 1U);
   const glm::dvec3 outside = glm::max(-node, node - glm::dvec3(size - 1U));
   if (!view.orthographic && std::max({outside.x, outside.y, outside.z}) < kNearest)

@@ -9,21 +9,12 @@
 
 namespace relief::volume {
 
-/// The nodes that have kernels, both ends included.
-struct NodeBox {
-  glm::uvec3 low{0};
-  glm::uvec3 high{0};
-
-  [[nodiscard]] glm::uvec3 size() const { return high - low + 1U; }
-};
-
-/// The box of a cloud that is not empty.
+/// The box of a cloud of a grid; goes over all kernels.
 [[nodiscard]] NodeBox box_of(const KernelCloud& cloud);
 
-/// How the image's rays meet the box's sheets, without the scales of texels. None if a ray is so
-/// flat, or a kernel so near to the eye, that sheets are no way to draw it.
+/// How the image's rays meet the sheets of the frame's box, without the scales of texels. None if a
+/// ray is so flat, or a kernel so near to the eye, that sheets are no way to draw it.
 [[nodiscard]] std::optional<shared::VolumeGrid> grid_rays(const VolumeFrame& frame,
-                                                          const RegularGrid& grid,
-                                                          const NodeBox& box);
+                                                          const RegularGrid& grid);
 
 }  // namespace relief::volume

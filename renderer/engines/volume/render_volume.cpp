@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "common/median.h"
-#include "common/volume/transfer_function.h"
 #include "renderer/engines/volume/grid_drawing.h"
+#include "renderer/engines/volume/grid_rays.h"
 #include "renderer/engines/volume/list_drawing.h"
 #include "renderer/engines/volume/quad_drawing.h"
 #include "renderer/frame/features.h"
@@ -35,15 +36,19 @@ class Prepared final : public PreparedModel {
     RELIEF_TRY_ASSIGN(const KernelCloud* const cloud, model_.kernels(settings, progress));
     RELIEF_TRY_ASSIGN(const auto surroundings, surroundings_of(settings, *environments_));
     const View view = volume_view(settings);
+    const Features features = features_of(settings, ModelMaps(false));
     RELIEF_TRY_ASSIGN(const VolumeTargets targets,
-                      make_volume_targets(gl(), view.width, view.height,
-                                          features_of(settings, ModelMaps(false))));
+                      make_volume_targets(gl(), view.width, view.height, features));
+    if (!box_ || box_version_ != model_.version()) {
+      box_ = box_of(*cloud);
+      box_version_ = model_.version();
+    }
     std::vector<double> frame_ms;
     std::vector<double> gpu_ms;
     // The first frame, in which shaders are compiled, is not timed beside others.
     for (int i = 0; i < 1 + std::max(settings.frames, 0); ++i) {
       FrameClock clock(gl());
-      RELIEF_TRY(draw(*cloud, view, settings, targets, clock.timer(), progress));
+      RELIEF_TRY(draw(*cloud, view, settings, features, targets, clock.timer(), progress));
       const FrameTime time = clock.finish();
       if (progress.cancelled()) return interrupted_error();
       if (i == 0 && settings.frames > 0) continue;
@@ -67,19 +72,20 @@ class Prepared final : public PreparedModel {
 
   /// One frame, with all that depends on the view.
   Status draw(const KernelCloud& cloud, const View& view, const RenderSettings& settings,
-              const VolumeTargets& targets, PassTimer& timer, const Progress& progress) {
+              Features features, const VolumeTargets& targets, PassTimer& timer,
+              const Progress& progress) {
     RELIEF_TRY_ASSIGN(const auto colours, model_.colours(cloud, settings, view, *environments_));
     if (gl().recorder != nullptr) gl().recorder->begin_frame();
     clear_volume_targets(gl(), targets);
-    const VolumeFrame frame{
-        .cloud = cloud,
-        .cloud_version = model_.version(),
-        .colours = colours,
-        .view = view,
-        .settings = settings,
-        .is_antialiased = model_.is_antialiased(),
-        .spacing = model_.volume() == nullptr ? 0.0 : mean_spacing(*model_.volume()),
-        .features = features_of(settings, ModelMaps(false))};
+    const VolumeFrame frame{.cloud = cloud,
+                            .cloud_version = model_.version(),
+                            .box = *box_,
+                            .colours = colours,
+                            .view = view,
+                            .settings = settings,
+                            .is_antialiased = model_.is_antialiased(),
+                            .spacing = model_.spacing(),
+                            .features = features};
     if (is_for_grid(gl(), frame, model_.volume()))
       return grid_->draw(frame, targets, timer, progress);
     return (is_for_quads(frame) ? *quads_ : *lists_).draw(frame, targets, timer, progress);
@@ -88,6 +94,8 @@ class Prepared final : public PreparedModel {
   std::shared_ptr<const OpenGl> opengl_;  ///< first: the last to go
   std::shared_ptr<EnvironmentCache> environments_;
   VolumeModel model_;
+  std::optional<NodeBox> box_;  ///< of the kernels of this version
+  std::uint64_t box_version_ = 0;
   std::unique_ptr<VolumeDrawing> grid_;  ///< of a regular grid
   std::unique_ptr<VolumeDrawing> quads_;
   std::unique_ptr<VolumeDrawing> lists_;
@@ -101,12 +109,9 @@ Features features_of(const RenderSettings& settings, ModelMaps /*maps*/) {
 }
 
 Result<std::unique_ptr<PreparedModel>> prepare(const PrepareRequest& request) {
-  const auto* const volume = request.model.find<ScalarVolume>();
-  const auto* const gaussians = request.model.find<GaussianCloud>();
-  assert((volume != nullptr || gaussians != nullptr) && request.opengl != nullptr &&
-         "there is a volume, or there are Gaussians, to be drawn with OpenGL");
+  assert(request.opengl != nullptr && "it is drawn with OpenGL");
   return std::unique_ptr<PreparedModel>(
-      std::make_unique<Prepared>(VolumeModel(volume, gaussians), request));
+      std::make_unique<Prepared>(VolumeModel(request.model), request));
 }
 
 }  // namespace relief::volume

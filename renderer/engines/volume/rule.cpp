@@ -1,20 +1,19 @@
 #include "renderer/engines/volume/rule.h"
 
+#include "renderer/volume/composite_rule.h"
+
 namespace relief::volume {
 
 shared::VolumeRule shader_rule(const VolumeFrame& frame) {
-  const VolumeSettings& settings = frame.settings.volume;
-  const GaussianSettings& gaussians = settings.gaussians;
-  const bool is_peak = frame.cloud.weight == KernelWeight::Peak;
+  const CompositeRule composite = composite_rule(frame.settings.volume, frame.cloud.weight);
+  const bool is_peak = composite.weight == KernelWeight::Peak;
   std::uint32_t flags = is_peak ? RELIEF_VOLUME_PEAK : 0U;
-  if (!is_peak && settings.attenuation == Attenuation::Exponential)
+  if (!is_peak && composite.attenuation == Attenuation::Exponential)
     flags |= RELIEF_VOLUME_EXPONENTIAL;
   const std::uint32_t columns = (frame.view.width + shared::kVolumeTile - 1) / shared::kVolumeTile;
   shared::VolumeRule rule{};
   rule.image = {frame.view.width, frame.view.height, columns, flags};
-  rule.limits = is_peak ? glm::vec4(gaussians.min_alpha, gaussians.max_alpha,
-                                    gaussians.min_transmittance, 0.0)
-                        : glm::vec4(0.0F, 1.0F, 1e-6F, 0.0F);
+  rule.limits = {composite.min_alpha, composite.max_alpha, composite.min_transmittance, 0.0};
   return rule;
 }
 

@@ -90,18 +90,6 @@ class TileCompositor {
 
 }  // namespace
 
-CompositeRule composite_rule(const VolumeSettings& settings, KernelWeight weight) {
-  CompositeRule rule;
-  rule.weight = weight;
-  rule.attenuation = settings.attenuation;
-  if (weight == KernelWeight::Peak) {
-    rule.min_alpha = settings.gaussians.min_alpha;
-    rule.max_alpha = settings.gaussians.max_alpha;
-    rule.min_transmittance = settings.gaussians.min_transmittance;
-  }
-  return rule;
-}
-
 std::uint64_t composite_tile(const Composition& composition, const TileLists& lists,
                              std::size_t tile, std::span<VolumePixel> pixels) {
   const PixelBox box = composition.tiling.box(tile);

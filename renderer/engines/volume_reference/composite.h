@@ -7,8 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "renderer/volume/kernel_cloud.h"
-#include "renderer/volume/settings.h"
+#include "renderer/volume/composite_rule.h"
 #include "renderer/volume/tile_lists.h"
 
 namespace relief::volume_reference {
@@ -21,17 +20,6 @@ struct VolumePixel {
   /// Along the view axis: where half of what is behind is covered; infinite if nothing is.
   double depth = std::numeric_limits<double>::infinity();
 };
-
-/// How layers are composited.
-struct CompositeRule {
-  KernelWeight weight = KernelWeight::Integral;
-  Attenuation attenuation = Attenuation::Linear;
-  double min_alpha = 0.0;           ///< of a contribution
-  double max_alpha = 1.0;           ///< likewise
-  double min_transmittance = 1e-6;  ///< where a pixel ends
-};
-
-[[nodiscard]] CompositeRule composite_rule(const VolumeSettings& settings, KernelWeight weight);
 
 /// What is drawn, for all tiles.
 struct Composition {

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "common/median.h"
-#include "common/volume/transfer_function.h"
 #include "renderer/engines/volume_reference/composite.h"
 #include "renderer/frame/film.h"
 #include "renderer/volume/placement.h"
@@ -72,9 +71,8 @@ class Prepared final : public PreparedModel {
     const FootprintRule rule = footprint_rule(chosen, cloud.weight, model_.is_antialiased(), view);
     RELIEF_TRY_ASSIGN(const auto colours, model_.colours(cloud, settings, view, *environments_));
     const std::vector<PlacedSplat> splats = place_splats(cloud, view, rule, progress);
-    const double thickness = model_.volume() == nullptr ? 0.0 : mean_spacing(*model_.volume());
     const SplatOrder order = order_splats(cloud, splats, visibility_of(cloud, chosen.visibility),
-                                          ray_camera(view), thickness);
+                                          ray_camera(view), model_.spacing());
     const Tiling tiling{view.width, view.height};
     const TileLists lists(tiling, splats, order);
     const Composition composition{
@@ -113,12 +111,8 @@ class Prepared final : public PreparedModel {
 }  // namespace
 
 Result<std::unique_ptr<PreparedModel>> prepare(const PrepareRequest& request) {
-  const auto* const volume = request.model.find<ScalarVolume>();
-  const auto* const gaussians = request.model.find<GaussianCloud>();
-  assert((volume != nullptr || gaussians != nullptr) &&
-         "there is a volume, or there are Gaussians");
   return std::unique_ptr<PreparedModel>(
-      std::make_unique<Prepared>(VolumeModel(volume, gaussians), request.environments));
+      std::make_unique<Prepared>(VolumeModel(request.model), request.environments));
 }
 
 }  // namespace relief::volume_reference

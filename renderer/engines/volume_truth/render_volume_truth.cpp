@@ -128,12 +128,8 @@ class PreparedTruth final : public PreparedModel {
 }  // namespace
 
 Result<std::unique_ptr<PreparedModel>> prepare(const PrepareRequest& request) {
-  const auto* const volume = request.model.find<ScalarVolume>();
-  const auto* const gaussians = request.model.find<GaussianCloud>();
-  assert((volume != nullptr || gaussians != nullptr) &&
-         "there is a volume, or there are Gaussians");
   return std::unique_ptr<PreparedModel>(
-      std::make_unique<PreparedTruth>(VolumeModel(volume, gaussians), request.environments));
+      std::make_unique<PreparedTruth>(VolumeModel(request.model), request.environments));
 }
 
 }  // namespace relief::volume_truth
