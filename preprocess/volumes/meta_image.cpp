@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <optional>
 
 #include "preprocess/readers/inflate.h"
 #include "preprocess/volumes/meta_image_header.h"
@@ -19,7 +18,7 @@ Result<std::vector<float>> read_meta_values(const VolumeSource& data, const Meta
       return make_error("{}: a HeaderSize of -1 is only for raw values; state how many bytes",
                         data.name);
     }
-    bytes = bytes.subspan(bytes.size() - std::min<std::uint64_t>(size, bytes.size()));
+    bytes = last_bytes(bytes, size);
   } else {
     const auto skip = static_cast<std::uint64_t>(header.header_size);
     bytes = bytes.subspan(std::min<std::uint64_t>(skip, bytes.size()));
@@ -38,13 +37,8 @@ Result<std::vector<float>> read_meta_values(const VolumeSource& data, const Meta
 Result<ScalarVolume> read_meta_image(const VolumeSource& source) {
   RELIEF_TRY_ASSIGN(const auto header, parse_meta_image_header(source.name, source.text()));
   RELIEF_TRY_ASSIGN(auto volume, make_volume(source.name, header.size, header.grid, kLpsFrame));
-  std::optional<MappedFile> detached;
-  if (header.data_file) {
-    RELIEF_TRY_ASSIGN(detached, open_beside(source, *header.data_file));
-  }
-  const VolumeSource data{source.name,
-                          detached ? detached->bytes() : source.bytes.subspan(header.end),
-                          source.progress};
+  RELIEF_TRY_ASSIGN(const auto found, values_of_header(source, header.data_file, header.end));
+  const VolumeSource data{source.name, found.bytes, source.progress};
   RELIEF_TRY_ASSIGN(volume.values, read_meta_values(data, header, nodes_of(volume)));
   return volume;
 }

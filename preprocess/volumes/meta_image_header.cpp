@@ -5,6 +5,7 @@
 
 #include "preprocess/readers/source.h"
 #include "preprocess/readers/text_cursor.h"
+#include "preprocess/volumes/header_field.h"
 #include "preprocess/volumes/header_lines.h"
 
 namespace relief {
@@ -76,8 +77,7 @@ class MetaFields {
                       name_, field);
   }
   [[nodiscard]] Error wrong(std::string_view expected, std::string_view found) const {
-    return make_error("{}: line {}: expected {}, found {}", name_, line_, expected,
-                      found.empty() ? "nothing" : relief::quoted(found));
+    return wrong_field({name_, line_}, expected, found);
   }
 
   Status take_dimensions(std::string_view value) {
@@ -90,11 +90,7 @@ class MetaFields {
         line_, relief::quoted(value));
   }
   Status take_sizes(std::string_view value) {
-    TextCursor cursor(value);
-    for (std::int64_t& size : header_.size) {
-      if (!cursor.integer(size, 1)) return wrong("three sizes above 0", value);
-    }
-    if (!cursor.at_line_end()) return wrong("three sizes above 0", value);
+    RELIEF_TRY(parse_sizes({name_, line_}, value, header_.size));
     has_sizes_ = true;
     return {};
   }

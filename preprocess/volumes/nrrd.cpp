@@ -1,5 +1,3 @@
-#include <optional>
-
 #include "preprocess/readers/source.h"
 #include "preprocess/volumes/header_lines.h"
 #include "preprocess/volumes/nrrd_header.h"
@@ -28,7 +26,7 @@ Result<std::vector<float>> read_nrrd_values(const VolumeSource& data, const Nrrd
     block.skip = static_cast<std::uint64_t>(header.byte_skip);
   } else if (header.encoding == NrrdEncoding::Raw) {
     const std::uint64_t size = count * size_of(header.form.type);
-    bytes = bytes.subspan(bytes.size() - std::min<std::uint64_t>(size, bytes.size()));
+    bytes = last_bytes(bytes, size);
   } else {
     return make_error("{}: a byte skip of -1 is only for raw values; state how many bytes to skip",
                       data.name);
@@ -48,13 +46,8 @@ Result<ScalarVolume> read_nrrd(const VolumeSource& source) {
   RELIEF_TRY_ASSIGN(const auto header, parse_nrrd_header(source.name, source.text()));
   RELIEF_TRY_ASSIGN(auto volume, make_volume(source.name, header.size, header.grid, header.frame));
   // The values' errors begin with the header's name: it is the file that the user named.
-  std::optional<MappedFile> detached;
-  if (header.data_file) {
-    RELIEF_TRY_ASSIGN(detached, open_beside(source, *header.data_file));
-  }
-  const VolumeSource data{source.name,
-                          detached ? detached->bytes() : source.bytes.subspan(header.end),
-                          source.progress};
+  RELIEF_TRY_ASSIGN(const auto found, values_of_header(source, header.data_file, header.end));
+  const VolumeSource data{source.name, found.bytes, source.progress};
   RELIEF_TRY_ASSIGN(volume.values, read_nrrd_values(data, header, nodes_of(volume)));
   return volume;
 }

@@ -1,10 +1,12 @@
 #include "preprocess/volumes/volume_source.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "preprocess/readers/source.h"
 
 namespace relief {
+namespace {
 
 Result<MappedFile> open_beside(const VolumeSource& header, std::string_view file) {
   // A NUL would end the name where the system reads it.
@@ -23,6 +25,24 @@ Result<MappedFile> open_beside(const VolumeSource& header, std::string_view file
   }
   header.progress.begin_stage("read", opened->bytes().size());
   return opened;
+}
+
+}  // namespace
+
+Result<HeaderValues> values_of_header(const VolumeSource& header,
+                                      const std::optional<std::string>& file, std::size_t end) {
+  HeaderValues values;
+  if (!file) {
+    values.bytes = header.bytes.subspan(end);
+    return values;
+  }
+  RELIEF_TRY_ASSIGN(values.file, open_beside(header, *file));
+  values.bytes = values.file->bytes();
+  return values;
+}
+
+std::span<const std::byte> last_bytes(std::span<const std::byte> bytes, std::uint64_t count) {
+  return bytes.last(std::min<std::uint64_t>(count, bytes.size()));
 }
 
 }  // namespace relief

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,9 +25,21 @@ struct VolumeSource {
   }
 };
 
-/// Opens the file that a header names as the place of its values: a path relative to the header's
-/// folder that does not leave it. Fails on an absolute path, on `..` and on a file that cannot be
-/// opened.
-Result<MappedFile> open_beside(const VolumeSource& header, std::string_view file);
+/// The bytes that a header describes: what follows it, or a file of their own.
+struct HeaderValues {
+  std::optional<MappedFile> file;  ///< holds the bytes, if they are not the header's
+  std::span<const std::byte> bytes;
+};
+
+/// Finds the values of a header that ends at `end`. `file`: that they are in, if the header names
+/// one: a path relative to the header's folder that does not leave it. Fails on an absolute path,
+/// on
+/// `..` and on a file that cannot be opened.
+Result<HeaderValues> values_of_header(const VolumeSource& header,
+                                      const std::optional<std::string>& file, std::size_t end);
+
+/// The last `count` bytes, or all if there are fewer.
+[[nodiscard]] std::span<const std::byte> last_bytes(std::span<const std::byte> bytes,
+                                                    std::uint64_t count);
 
 }  // namespace relief

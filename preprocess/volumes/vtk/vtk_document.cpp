@@ -1,4 +1,4 @@
-#include "preprocess/volumes/vtk_document.h"
+#include "preprocess/volumes/vtk/vtk_document.h"
 
 #include <expat.h>
 

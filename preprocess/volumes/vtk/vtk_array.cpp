@@ -1,4 +1,4 @@
-#include "preprocess/volumes/vtk_array.h"
+#include "preprocess/volumes/vtk/vtk_array.h"
 
 #include <algorithm>
 #include <array>

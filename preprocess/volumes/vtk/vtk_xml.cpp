@@ -8,7 +8,7 @@
 #include "preprocess/readers/text_cursor.h"
 #include "preprocess/volumes/volume_grid.h"
 #include "preprocess/volumes/volume_readers.h"
-#include "preprocess/volumes/vtk_array.h"
+#include "preprocess/volumes/vtk/vtk_array.h"
 
 namespace relief {
 namespace {

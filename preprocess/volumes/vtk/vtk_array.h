@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "preprocess/volumes/vtk_document.h"
+#include "preprocess/volumes/vtk/vtk_document.h"
 
 namespace relief {
 
