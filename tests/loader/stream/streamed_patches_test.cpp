@@ -16,10 +16,9 @@
 
 #include "common/image/srgb.h"
 #include "common/transform.h"
-#include "renderer/frame/attachments.h"
-#include "renderer/frame/targets.h"
 #include "renderer/viewport.h"
 #include "tests/common/patch_file/sample_models.h"
+#include "tests/renderer/gl/draw_viewport.h"
 #include "tests/renderer/gl/own_context.h"
 #include "tests/renderer/scenes.h"
 
@@ -112,11 +111,7 @@ class Streams : public testing::Test {
   }
 
   Image draw(Viewport& viewport, const RenderSettings& view) {
-    const Texture colour = make_attachment(gl(), "picture", GL_RGBA16F, view.width, view.height);
-    const Framebuffer into = make_framebuffer(gl(), "picture", nullptr, {{0, &colour}});
-    const Status drawn = viewport.draw(view, into.id());
-    EXPECT_TRUE(drawn) << drawn.error().message;
-    return read_colour(gl(), colour, view.width, view.height);
+    return test::draw(gl(), viewport, view);
   }
 
   /// As `relief render` draws it: of tiles that are read for this view alone.

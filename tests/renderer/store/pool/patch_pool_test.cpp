@@ -12,9 +12,8 @@
 #include <vector>
 
 #include "common/transform.h"
-#include "renderer/frame/attachments.h"
-#include "renderer/frame/targets.h"
 #include "renderer/viewport.h"
+#include "tests/renderer/gl/draw_viewport.h"
 #include "tests/renderer/gl/own_context.h"
 #include "tests/renderer/images.h"
 #include "tests/renderer/scenes.h"
@@ -54,11 +53,7 @@ class Pools : public testing::Test {
   }
 
   Image draw(Viewport& viewport, const RenderSettings& view) {
-    const Texture colour = make_attachment(gl(), "picture", GL_RGBA16F, view.width, view.height);
-    const Framebuffer into = make_framebuffer(gl(), "picture", nullptr, {{0, &colour}});
-    const Status drawn = viewport.draw(view, into.id());
-    EXPECT_TRUE(drawn) << drawn.error().message;
-    return read_colour(gl(), colour, view.width, view.height);
+    return test::draw(gl(), viewport, view);
   }
   Image draw(const PatchPool& pool, const RenderSettings& view) {
     const auto viewport = Viewport::create(loader(), extent_, pool, {&view, 1});
