@@ -189,8 +189,9 @@ void add_render(CLI::App& app, Command& command) {
   add_render_options(*sub, *arguments);
   sub->footer(render_footer());
   sub->callback([arguments, &command] {
-    // Before the options are held against those of the engine.
-    if (!arguments->settings.engine && has_kernels(arguments->input, arguments->volume))
+    // Before options are held against those of the engine.
+    const SceneSettings& given = arguments->settings;
+    if (!given.engine && !given.options.empty() && has_kernels(arguments->input, arguments->volume))
       arguments->settings.engine = kVolumeEngine;
     check_together(*arguments);
     check_json(arguments->output, arguments->json);

@@ -22,14 +22,16 @@ std::string_view text_of(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// The first bytes of a gzip file, decompressed: none if it is damaged there.
+/// The first bytes of a gzip file, decompressed, as far as its header ends: none if it is damaged
+/// there. Each scan that is opened is asked.
 std::vector<std::byte> unpack_head(const std::string& name, std::span<const std::byte> bytes) {
   std::vector<std::byte> head;
   const Progress progress;
   (void)inflate_pieces(name, bytes, DeflateForm::Gzip, progress,
                        [&](std::span<const std::byte> piece, std::size_t) -> Result<bool> {
                          head.insert(head.end(), piece.begin(), piece.end());
-                         return head.size() < kMostHeaderBytes;
+                         return head.size() < kMostHeaderBytes &&
+                                text_of(head).find("end_header") == std::string_view::npos;
                        });
   return head;
 }

@@ -92,7 +92,7 @@ void expect_scene(const GaussianCloud& cloud, const SampleScene& scene, glm::vec
             << name << ", coefficient " << c;
       }
     }
-    // Signs: the colour along a direction of the file is that along the same of the world. A
+    // Signs: a direction of the file has the same colour once it is turned into the world. A
     // coefficient of the other sign is off by 0.1 or more.
     std::mt19937 random(1);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
