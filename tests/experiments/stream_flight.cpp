@@ -24,6 +24,7 @@
 #include <map>
 #include <memory>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <utility>
@@ -133,18 +134,30 @@ struct Difference {
   std::size_t holes = 0;  ///< covered in one alone
 };
 
+const std::vector<float>& values_of(const Image& image, const char* channel) {
+  const Channel* const found = image.find(channel);
+  if (found == nullptr) throw std::invalid_argument(std::string("an image without ") + channel);
+  return found->values;
+}
+
 Difference difference(const Image& a, const Image& b) {
-  Difference found;
-  for (std::size_t p = 0; p < std::size_t{a.width} * a.height; ++p) {
-    int worst = 0;
-    for (const char* name : {"R", "G", "B"}) {
-      const int of_a = srgb8_from_linear(a.find(name)->values[p]);
-      const int of_b = srgb8_from_linear(b.find(name)->values[p]);
-      worst = std::max(worst, std::abs(of_a - of_b));
+  const std::size_t pixels = std::size_t{a.width} * a.height;
+  std::vector<int> worst(pixels, 0);
+  for (const char* name : {"R", "G", "B"}) {
+    const std::vector<float>& of_a = values_of(a, name);
+    const std::vector<float>& of_b = values_of(b, name);
+    for (std::size_t p = 0; p < pixels; ++p) {
+      worst[p] =
+          std::max(worst[p], std::abs(srgb8_from_linear(of_a[p]) - srgb8_from_linear(of_b[p])));
     }
-    if (worst > 1) ++found.beyond_one;
-    found.largest = std::max(found.largest, worst);
-    if ((a.find("A")->values[p] > 0.0F) != (b.find("A")->values[p] > 0.0F)) ++found.holes;
+  }
+  const std::vector<float>& alpha_of_a = values_of(a, "A");
+  const std::vector<float>& alpha_of_b = values_of(b, "A");
+  Difference found;
+  for (std::size_t p = 0; p < pixels; ++p) {
+    if (worst[p] > 1) ++found.beyond_one;
+    found.largest = std::max(found.largest, worst[p]);
+    if ((alpha_of_a[p] > 0.0F) != (alpha_of_b[p] > 0.0F)) ++found.holes;
   }
   return found;
 }
