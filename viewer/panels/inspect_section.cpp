@@ -1,6 +1,7 @@
 // The section "Inspect": what is shown in place of the picture.
 #include <imgui.h>
 
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ void show_inspection(const PanelContext& panel) {
   Session& session = panel.session;
   if (session.scene == nullptr) return show_faint("There is no surface yet.");
   std::vector<std::string> names;
+  names.reserve(std::size(kInspections));
   for (const InspectionText& text : kInspections) names.emplace_back(text.name);
   const auto chosen =
       choice_row("Show", "What is shown in place of the picture. Keys: I, Shift + I", names,

@@ -134,6 +134,7 @@ void draw_open(const Session& session, Pen& pen) {
       return draw(*preview, session, kOpen, pen);
   }
   std::vector<glm::dvec3> points;
+  points.reserve(open.size() + 1);
   for (const SurfacePoint& point : open) points.push_back(point.position);
   if (session.hovered && !open.empty()) points.push_back(session.hovered->point.position);
   pen.lines(points, kOpen, kWide);

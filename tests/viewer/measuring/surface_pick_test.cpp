@@ -261,20 +261,20 @@ class DragonPick : public testing::Test {
     ASSERT_TRUE(read) << read.error().message;
     auto converted = convert(std::move(read->points), {}, silent);
     ASSERT_TRUE(converted) << converted.error().message;
-    model_ = new PatchModel(std::move(converted->model));
+    dragon = new PatchModel(std::move(converted->model));
   }
   static void TearDownTestSuite() {
-    delete model_;
-    model_ = nullptr;
+    delete dragon;
+    dragon = nullptr;
   }
   void SetUp() override {
-    if (model_ == nullptr)
+    if (dragon == nullptr)
       GTEST_SKIP() << "needs the Dragon in ../shared/data/scans/dragon beside the checkout";
   }
 
   /// Some pixels of an image by an engine, chosen at random.
   static std::vector<Seen> seen_by(const RenderSettings& settings, std::size_t count) {
-    const RenderResult drawn = test::must_render(*model_, settings);
+    const RenderResult drawn = test::must_render(*dragon, settings);
     const std::vector<std::size_t> covered = covered_pixels(drawn.image);
     std::mt19937 random(7);
     std::vector<Seen> pixels;
@@ -285,14 +285,14 @@ class DragonPick : public testing::Test {
     return pixels;
   }
 
-  static PatchModel* model_;
+  static PatchModel* dragon;
 };
-PatchModel* DragonPick::model_ = nullptr;
+PatchModel* DragonPick::dragon = nullptr;
 
 TEST_F(DragonPick, AgreesWithTheRayTracer) {
-  const RenderSettings settings = with_outputs(small_image(*model_, {}, 256), "raytrace");
+  const RenderSettings settings = with_outputs(small_image(*dragon, {}, 256), "raytrace");
   const std::vector<Seen> pixels = seen_by(settings, 500);
-  const Offsets offsets = offsets_of(SurfacePicker(*model_), pixels);
+  const Offsets offsets = offsets_of(SurfacePicker(*dragon), pixels);
   EXPECT_EQ(offsets.count, 500U);
   EXPECT_EQ(offsets.missing, 0U);
   // The same triangles, in double precision. What is compared with is a float of a depth.
@@ -301,9 +301,9 @@ TEST_F(DragonPick, AgreesWithTheRayTracer) {
 }
 
 TEST_F(DragonPick, AgreesWithWhatIsDrawn) {
-  const RenderSettings settings = with_outputs(small_image(*model_, {70.0, 30.0}, 256), "onepass");
+  const RenderSettings settings = with_outputs(small_image(*dragon, {70.0, 30.0}, 256), "onepass");
   const std::vector<Seen> pixels = seen_by(settings, 500);
-  const Offsets offsets = offsets_of(SurfacePicker(*model_), pixels);
+  const Offsets offsets = offsets_of(SurfacePicker(*dragon), pixels);
   EXPECT_EQ(offsets.count, 500U);
   EXPECT_EQ(offsets.missing, 0U);
   // Depths are floats, and rasterisation moves vertices by parts of a pixel: by 1/512 at most.
@@ -312,10 +312,10 @@ TEST_F(DragonPick, AgreesWithWhatIsDrawn) {
 }
 
 TEST_F(DragonPick, IsOfTheFinestLevelWhereACoarserOneIsDrawn) {
-  RenderSettings settings = with_outputs(small_image(*model_, {70.0, 30.0}, 64), "onepass");
+  RenderSettings settings = with_outputs(small_image(*dragon, {70.0, 30.0}, 64), "onepass");
   settings.pixels_per_sample = 16.0;
   const std::vector<Seen> pixels = seen_by(settings, 500);
-  const Offsets offsets = offsets_of(SurfacePicker(*model_), pixels);
+  const Offsets offsets = offsets_of(SurfacePicker(*dragon), pixels);
   EXPECT_EQ(offsets.missing, 0U);
   const double pixel = pixels.front().query.pixel;
   EXPECT_GT(offsets.largest, 0.01 * pixel) << "is a coarser level drawn?";
