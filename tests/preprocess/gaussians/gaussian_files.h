@@ -111,6 +111,11 @@ inline std::uint32_t as_11_10_11(glm::vec3 shares) {
   return as_bits(shares.x, 11) << 21U | as_bits(shares.y, 10) << 11U | as_bits(shares.z, 11);
 }
 
+inline char as_byte(float number) {
+  return static_cast<char>(
+      static_cast<unsigned char>(std::clamp(std::round(number), 0.0F, 255.0F)));
+}
+
 /// SuperSplat's file. Ranges are wider than the scene: -4 to 5, -8 to 1, and colours -0.5 to 1.5.
 inline std::string compressed_ply(const SampleScene& scene, bool has_colour_ranges) {
   const std::size_t count = scene.gaussians.size();
@@ -156,16 +161,10 @@ inline std::string compressed_ply(const SampleScene& scene, bool has_colour_rang
   for (const SampleGaussian& g : scene.gaussians) {
     for (glm::length_t a = 0; a < 3; ++a) {
       for (std::size_t k = 1; k <= rest; ++k)
-        file +=
-            static_cast<char>(std::clamp((g.harmonics[k][a] / 8.0F + 0.5F) * 256.0F, 0.F, 255.F));
+        file += as_byte(std::floor((g.harmonics[k][a] / 8.0F + 0.5F) * 256.0F));
     }
   }
   return file;
-}
-
-inline char as_byte(float number) {
-  return static_cast<char>(
-      static_cast<unsigned char>(std::clamp(std::round(number), 0.0F, 255.0F)));
 }
 
 /// Three of x y z w, as of version 3.
