@@ -27,27 +27,22 @@ KernelCloud kernels_of_gaussians(const GaussianCloud& gaussians) {
   return cloud;
 }
 
-std::vector<glm::vec3> gaussian_colours(const GaussianCloud& gaussians, glm::dvec3 eye,
-                                        const GaussianSettings& settings) {
+glm::vec3 gaussian_colour(const GaussianCloud& gaussians, std::size_t k, glm::dvec3 eye,
+                          const GaussianSettings& settings) {
   const int degree = std::min(gaussians.degree, settings.degree);
   const std::size_t stored = harmonics_of(gaussians.degree);
-  const std::size_t used = harmonics_of(degree);
-  std::vector<glm::vec3> colours(gaussians.size());
-  tbb::parallel_for(std::size_t{0}, gaussians.size(), [&](std::size_t k) {
-    const glm::dvec3 ray = glm::dvec3(gaussians.centres[k]) - eye;
-    const double length = glm::length(ray);
-    std::array<double, harmonics_of(kMaxHarmonicsDegree)> basis{};
-    harmonics_basis(length > 0.0 ? ray / length : glm::dvec3(0.0, 0.0, -1.0), degree, basis);
-    glm::dvec3 sum(0.5);
-    for (std::size_t c = 0; c < used; ++c)
-      sum += basis[c] * glm::dvec3(gaussians.harmonics[k * stored + c]);
-    glm::vec3 colour(glm::max(sum, 0.0));
-    if (settings.blend == GaussianBlend::Linear) {
-      for (glm::length_t c = 0; c < 3; ++c) colour[c] = linear_from_srgb(colour[c]);
-    }
-    colours[k] = colour;
-  });
-  return colours;
+  const glm::dvec3 ray = glm::dvec3(gaussians.centres[k]) - eye;
+  const double length = glm::length(ray);
+  std::array<double, harmonics_of(kMaxHarmonicsDegree)> basis{};
+  harmonics_basis(length > 0.0 ? ray / length : glm::dvec3(0.0, 0.0, -1.0), degree, basis);
+  glm::dvec3 sum(0.5);
+  for (std::size_t c = 0; c < harmonics_of(degree); ++c)
+    sum += basis[c] * glm::dvec3(gaussians.harmonics[k * stored + c]);
+  glm::vec3 colour(glm::max(sum, 0.0));
+  if (settings.blend == GaussianBlend::Linear) {
+    for (glm::length_t c = 0; c < 3; ++c) colour[c] = linear_from_srgb(colour[c]);
+  }
+  return colour;
 }
 
 }  // namespace relief

@@ -1,8 +1,8 @@
 // The kernels of a scene of 3D Gaussians [Kerbl 2023].
 #pragma once
 
+#include <cstddef>
 #include <glm/vec3.hpp>
-#include <vector>
 
 #include "common/volume/gaussian_cloud.h"
 #include "renderer/volume/kernel_cloud.h"
@@ -13,10 +13,9 @@ namespace relief {
 /// A kernel for each Gaussian, without its colour, which depends on the eye.
 [[nodiscard]] KernelCloud kernels_of_gaussians(const GaussianCloud& gaussians);
 
-/// The colours that an eye (world) sees, as they are blended: from harmonics up to the settings'
-/// degree, not below 0.
-[[nodiscard]] std::vector<glm::vec3> gaussian_colours(const GaussianCloud& gaussians,
-                                                      glm::dvec3 eye,
-                                                      const GaussianSettings& settings);
+/// The colour of Gaussian k that an eye (world) sees, as it is blended: from harmonics up to the
+/// settings' degree, not below 0.
+[[nodiscard]] glm::vec3 gaussian_colour(const GaussianCloud& gaussians, std::size_t k,
+                                        glm::dvec3 eye, const GaussianSettings& settings);
 
 }  // namespace relief

@@ -22,57 +22,18 @@ void sort_by_group(std::vector<OrderedSplat>& splats, std::size_t groups) {
   splats = std::move(sorted);
 }
 
-SplatOrder by_depth(std::span<const PlacedSplat> splats) {
-  SplatOrder order;
-  order.splats.resize(splats.size());
-  std::vector<std::uint32_t> indices(splats.size());
-  std::iota(indices.begin(), indices.end(), 0U);
-  std::stable_sort(indices.begin(), indices.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return splats[a].footprint.depth < splats[b].footprint.depth;
-  });
-  for (std::uint32_t rank = 0; rank < indices.size(); ++rank)
-    order.splats[rank] = {indices[rank], rank};
-  return order;
-}
-
-/// Sheets by their distance from the eye along the axis: a ray meets those of one side only, in
-/// this order.
-std::vector<std::uint32_t> rank_sheets(const KernelCloud& cloud,
-                                       std::span<const PlacedSplat> splats, glm::length_t axis,
-                                       const RayCamera& camera) {
-  const std::size_t sheets = cloud.size[axis];
-  std::vector<double> sums(sheets, 0.0);
-  std::vector<double> counts(sheets, 0.0);
-  for (const PlacedSplat& splat : splats) {
-    const std::uint32_t sheet = cloud.node(splat.kernel)[axis];
-    sums[sheet] += glm::dot(cloud.centres[splat.kernel] - camera.eye, cloud.across[axis]);
-    counts[sheet] += 1.0;
-  }
-  const double forward = (camera.rotation * cloud.across[axis]).z;
-  std::vector<double> distances(sheets, 0.0);
-  for (std::size_t s = 0; s < sheets; ++s) {
-    if (counts[s] == 0.0) continue;
-    const double along = sums[s] / counts[s];
-    distances[s] = camera.orthographic ? along * (forward < 0.0 ? -1.0 : 1.0) : std::abs(along);
-  }
-  std::vector<std::uint32_t> sorted(sheets);
-  std::iota(sorted.begin(), sorted.end(), 0U);
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return distances[a] < distances[b]; });
-  std::vector<std::uint32_t> ranks(sheets);
-  for (std::uint32_t rank = 0; rank < sheets; ++rank) ranks[sorted[rank]] = rank;
-  return ranks;
-}
-
-SplatOrder by_sheets(const KernelCloud& cloud, std::span<const PlacedSplat> splats,
-                     const RayCamera& camera) {
-  const glm::length_t axis = sheet_axis(cloud, camera);
-  const std::vector<std::uint32_t> ranks = rank_sheets(cloud, splats, axis, camera);
+/// The splats in the order of their kernels.
+SplatOrder in_order(const KernelOrder& kernels, std::span<const PlacedSplat> splats) {
+  constexpr std::uint32_t kNotPlaced = UINT32_MAX;
+  std::vector<std::uint32_t> splat_of(kernels.kernels.size(), kNotPlaced);
+  for (std::uint32_t s = 0; s < splats.size(); ++s) splat_of[splats[s].kernel] = s;
   SplatOrder order;
   order.splats.reserve(splats.size());
-  for (std::uint32_t s = 0; s < splats.size(); ++s)
-    order.splats.push_back({s, ranks[cloud.node(splats[s].kernel)[axis]]});
-  sort_by_group(order.splats, ranks.size());
+  for (std::uint32_t g = 0; g < kernels.groups(); ++g) {
+    for (const std::uint32_t kernel : kernels.group(g)) {
+      if (splat_of[kernel] != kNotPlaced) order.splats.push_back({splat_of[kernel], g});
+    }
+  }
   return order;
 }
 
@@ -112,19 +73,6 @@ SplatOrder by_slabs(std::span<const PlacedSplat> splats, double thickness) {
 
 }  // namespace
 
-glm::length_t sheet_axis(const KernelCloud& cloud, const RayCamera& camera) {
-  glm::length_t best = 0;
-  double most = -1.0;
-  for (glm::length_t axis = 0; axis < 3; ++axis) {
-    const double along = std::abs((camera.rotation * cloud.across[axis]).z);
-    if (along > most) {
-      most = along;
-      best = axis;
-    }
-  }
-  return best;
-}
-
 VolumeVisibility visibility_of(const KernelCloud& cloud, VolumeVisibility wanted) {
   if (wanted == VolumeVisibility::Automatic || wanted == VolumeVisibility::Sheet)
     return cloud.nodes.empty() ? VolumeVisibility::Sorted : VolumeVisibility::Sheet;
@@ -135,14 +83,14 @@ SplatOrder order_splats(const KernelCloud& cloud, std::span<const PlacedSplat> s
                         VolumeVisibility visibility, const RayCamera& camera, double thickness) {
   switch (visibility) {
     case VolumeVisibility::Sheet:
-      return by_sheets(cloud, splats, camera);
+      return in_order(order_by_sheets(cloud, camera), splats);
     case VolumeVisibility::ImageSheet:
       return by_slabs(splats, thickness);
     case VolumeVisibility::Automatic:
     case VolumeVisibility::Sorted:
       break;
   }
-  return by_depth(splats);
+  return in_order(order_by_depth(cloud, camera), splats);
 }
 
 }  // namespace relief

@@ -7,6 +7,7 @@
 
 #include "renderer/volume/footprint.h"
 #include "renderer/volume/kernel_cloud.h"
+#include "renderer/volume/kernel_order.h"
 #include "renderer/volume/settings.h"
 
 namespace relief {
@@ -35,9 +36,6 @@ struct SplatOrder {
 
 /// The visibility that `Automatic` stands for. A cloud without a grid has no sheets: it is sorted.
 [[nodiscard]] VolumeVisibility visibility_of(const KernelCloud& cloud, VolumeVisibility wanted);
-
-/// The grid's axis whose planes are most parallel to the image.
-[[nodiscard]] glm::length_t sheet_axis(const KernelCloud& cloud, const RayCamera& camera);
 
 /// Sorts by `visibility`, which is not Automatic. Equals keep the cloud's order. Slabs are
 /// `thickness` thick (world units).

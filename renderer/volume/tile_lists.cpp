@@ -1,5 +1,7 @@
 #include "renderer/volume/tile_lists.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,16 +21,6 @@ void narrow(double at, double reach, std::int64_t& low, std::int64_t& high) {
   if (last < static_cast<double>(high)) high = static_cast<std::int64_t>(last);
 }
 
-template <class Visit>
-void for_each_tile(const Footprint& footprint, const Tiling& tiling, const Visit& visit) {
-  const PixelBox box = pixels_of(footprint, tiling, {0, tiling.width - 1, 0, tiling.height - 1});
-  if (box.is_empty()) return;
-  for (std::int64_t row = box.top / kTile; row <= box.bottom / kTile; ++row) {
-    for (std::int64_t column = box.left / kTile; column <= box.right / kTile; ++column)
-      visit(static_cast<std::size_t>(row * tiling.columns() + column));
-  }
-}
-
 }  // namespace
 
 PixelBox Tiling::box(std::size_t tile) const {
@@ -38,26 +30,41 @@ PixelBox Tiling::box(std::size_t tile) const {
   return {left, std::min(left + kTile, width) - 1, top, std::min(top + kTile, height) - 1};
 }
 
-PixelBox pixels_of(const Footprint& footprint, const Tiling& tiling, const PixelBox& within) {
+PixelBox pixels_of(const Footprint& footprint, std::int64_t image_height, const PixelBox& within) {
   PixelBox box = within;
   narrow(footprint.centre.x, footprint.reach.x, box.left, box.right);
-  narrow(static_cast<double>(tiling.height) - footprint.centre.y, footprint.reach.y, box.top,
+  narrow(static_cast<double>(image_height) - footprint.centre.y, footprint.reach.y, box.top,
          box.bottom);
   return box;
+}
+
+PixelBox tiles_of(const Footprint& footprint, const Tiling& tiling) {
+  const PixelBox box =
+      pixels_of(footprint, tiling.height, {0, tiling.width - 1, 0, tiling.height - 1});
+  if (box.is_empty()) return {};
+  return {box.left / kTile, box.right / kTile, box.top / kTile, box.bottom / kTile};
 }
 
 TileLists::TileLists(const Tiling& tiling, std::span<const PlacedSplat> splats,
                      const SplatOrder& order)
     : starts_(tiling.count() + 1, 0) {
+  std::vector<PixelBox> reached(splats.size());
+  tbb::parallel_for(std::size_t{0}, splats.size(),
+                    [&](std::size_t s) { reached[s] = tiles_of(splats[s].footprint, tiling); });
+  const auto for_each_tile = [&](const OrderedSplat& ordered, const auto& visit) {
+    const PixelBox& tiles = reached[ordered.splat];
+    for (std::int64_t row = tiles.top; row <= tiles.bottom; ++row) {
+      for (std::int64_t column = tiles.left; column <= tiles.right; ++column)
+        visit(static_cast<std::size_t>(row * tiling.columns() + column));
+    }
+  };
   for (const OrderedSplat& ordered : order.splats)
-    for_each_tile(splats[ordered.splat].footprint, tiling,
-                  [&](std::size_t tile) { ++starts_[tile + 1]; });
+    for_each_tile(ordered, [&](std::size_t tile) { ++starts_[tile + 1]; });
   for (std::size_t t = 1; t < starts_.size(); ++t) starts_[t] += starts_[t - 1];
   entries_.resize(starts_.back());
   std::vector<std::size_t> next(starts_.begin(), starts_.end() - 1);
   for (const OrderedSplat& ordered : order.splats)
-    for_each_tile(splats[ordered.splat].footprint, tiling,
-                  [&](std::size_t tile) { entries_[next[tile]++] = ordered; });
+    for_each_tile(ordered, [&](std::size_t tile) { entries_[next[tile]++] = ordered; });
 }
 
 }  // namespace relief

@@ -35,8 +35,11 @@ struct Tiling {
 };
 
 /// The pixels among `within` whose middles the footprint's box holds.
-[[nodiscard]] PixelBox pixels_of(const Footprint& footprint, const Tiling& tiling,
+[[nodiscard]] PixelBox pixels_of(const Footprint& footprint, std::int64_t image_height,
                                  const PixelBox& within);
+
+/// The tiles that the footprint's box reaches, as columns and rows of tiles; empty if none.
+[[nodiscard]] PixelBox tiles_of(const Footprint& footprint, const Tiling& tiling);
 
 /// Each tile's splats, in the order of the image's.
 class TileLists {

@@ -34,31 +34,41 @@ Result<const KernelCloud*> VolumeModel::kernels(const RenderSettings& settings,
   return &kernels_;
 }
 
+Result<KernelColour> VolumeModel::colour_of(const KernelCloud& kernels,
+                                            const RenderSettings& settings, const View& view,
+                                            EnvironmentCache& environments) const {
+  if (gaussians_ != nullptr) {
+    return KernelColour([this, eye = view.eye, &chosen = settings.volume.gaussians](std::size_t k) {
+      return gaussian_colour(*gaussians_, k, eye, chosen);
+    });
+  }
+  if (settings.material == Material::Unlit)
+    return KernelColour([&kernels](std::size_t k) { return kernels.colours[k]; });
+  RELIEF_TRY_ASSIGN(Lighting lighting, make_lighting(settings, view, environments));
+  const glm::dvec3 axis(-view.rotation[0].z, -view.rotation[1].z, -view.rotation[2].z);
+  return KernelColour([&kernels, lighting = std::move(lighting), eye = view.eye,
+                       orthographic = view.orthographic, axis](std::size_t k) {
+    const glm::vec3& normal = kernels.normals[k];
+    if (normal == glm::vec3(0.0F)) return kernels.colours[k];  // nothing to light
+    const glm::dvec3 from_eye = kernels.centres[k] - eye;
+    const double distance = glm::length(from_eye);
+    const glm::dvec3 ray = orthographic || !(distance > 0.0) ? axis : from_eye / distance;
+    return shade(lighting, 0,
+                 {.albedo = kernels.colours[k],
+                  .normal = normal,
+                  .ray = glm::vec3(ray),
+                  .position = glm::vec3(from_eye)});
+  });
+}
+
 Result<std::vector<glm::vec3>> VolumeModel::colours(const KernelCloud& kernels,
                                                     const RenderSettings& settings,
                                                     const View& view,
                                                     EnvironmentCache& environments) const {
-  if (gaussians_ != nullptr)
-    return gaussian_colours(*gaussians_, view.eye, settings.volume.gaussians);
-  if (settings.material == Material::Unlit) return kernels.colours;
-  RELIEF_TRY_ASSIGN(const Lighting lighting, make_lighting(settings, view, environments));
+  RELIEF_TRY_ASSIGN(const KernelColour colour, colour_of(kernels, settings, view, environments));
   std::vector<glm::vec3> colours(kernels.count());
-  const glm::dvec3 axis(-view.rotation[0].z, -view.rotation[1].z, -view.rotation[2].z);
-  tbb::parallel_for(std::size_t{0}, kernels.count(), [&](std::size_t k) {
-    const glm::vec3& normal = kernels.normals[k];
-    if (normal == glm::vec3(0.0F)) {  // nothing to light
-      colours[k] = kernels.colours[k];
-      return;
-    }
-    const glm::dvec3 from_eye = kernels.centres[k] - view.eye;
-    const double distance = glm::length(from_eye);
-    const glm::dvec3 ray = view.orthographic || !(distance > 0.0) ? axis : from_eye / distance;
-    colours[k] = shade(lighting, 0,
-                       {.albedo = kernels.colours[k],
-                        .normal = normal,
-                        .ray = glm::vec3(ray),
-                        .position = glm::vec3(from_eye)});
-  });
+  tbb::parallel_for(std::size_t{0}, kernels.count(),
+                    [&](std::size_t k) { colours[k] = colour(k); });
   return colours;
 }
 

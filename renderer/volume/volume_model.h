@@ -3,6 +3,7 @@
 
 #include <cassert>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +19,9 @@
 
 namespace relief {
 
+/// The colour of a kernel, by its index.
+using KernelColour = std::function<glm::vec3(std::size_t)>;
+
 /// Borrows a volume or a scene of Gaussians, and makes its kernels when they are first needed, and
 /// again when their settings change.
 class VolumeModel {
@@ -32,8 +36,12 @@ class VolumeModel {
   /// The kernels for these settings. Fails if the transfer function can't be read.
   Result<const KernelCloud*> kernels(const RenderSettings& settings, const Progress& progress);
 
-  /// Their colours as an image with these settings blends them: Gaussians' seen from the eye, a
-  /// volume's lit at the nodes (pre-shaded).
+  /// The colour of a kernel as an image with these settings blends it: a Gaussian's seen from the
+  /// eye, a volume's lit at the node (pre-shaded). It borrows all but the view.
+  Result<KernelColour> colour_of(const KernelCloud& kernels, const RenderSettings& settings,
+                                 const View& view, EnvironmentCache& environments) const;
+
+  /// The colours of all.
   Result<std::vector<glm::vec3>> colours(const KernelCloud& kernels, const RenderSettings& settings,
                                          const View& view, EnvironmentCache& environments) const;
 

@@ -6,16 +6,10 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "renderer/engines/volume_reference/footprint_rows.h"
+
 namespace relief::volume_reference {
 namespace {
-
-/// What the splats of a group leave in a pixel, before it is composited.
-struct Layer {
-  double depth_sum = 0.0;  ///< optical depth, or opacity
-  glm::dvec3 colour{0.0};  ///< times that
-  glm::dvec3 normal{0.0};
-  double place = 0.0;  ///< depth along the axis, times that
-};
 
 double normal_distribution(double x) {
   return 0.5 * std::erfc(-x / std::numbers::sqrt2);
@@ -34,120 +28,93 @@ double share_in_slab(const Footprint& footprint, glm::dvec2 from_centre, std::ui
   return below(high) - below(low);
 }
 
-/// Composites layers into a tile's pixels.
+PixelBox united(const PixelBox& a, const PixelBox& b) {
+  if (a.is_empty()) return b;
+  if (b.is_empty()) return a;
+  return {std::min(a.left, b.left), std::max(a.right, b.right), std::min(a.top, b.top),
+          std::max(a.bottom, b.bottom)};
+}
+
+/// Composites one tile.
 class TileCompositor {
  public:
-  TileCompositor(const CompositeRule& rule, std::span<VolumePixel> pixels)
-      : rule_(rule), pixels_(pixels) {}
+  TileCompositor(const Composition& composition, TileLayers& layers, TilePixels& pixels)
+      : composition_(composition), layers_(layers), pixels_(pixels) {}
 
-  [[nodiscard]] Layer& layer(std::size_t pixel) { return layers_[pixel]; }
-  [[nodiscard]] bool is_done(std::size_t pixel) const { return done_[pixel]; }
-  [[nodiscard]] bool is_all_done(std::size_t pixels) const { return count_done_ == pixels; }
-
-  /// Puts what has been added to a layer behind what the pixel shows.
-  void end_layer(std::size_t pixel) {
-    Layer& layer = layers_[pixel];
-    const double sum = layer.depth_sum;
-    if (!(sum > 0.0) || done_[pixel]) {
-      layer = {};
-      return;
+  /// Adds a splat to its group's layer.
+  void add(const OrderedSplat& entry) {
+    const PlacedSplat& placed = composition_.splats[entry.splat];
+    const Footprint& footprint = placed.footprint;
+    const glm::dvec3 colour(composition_.colours[entry.splat]);
+    const FootprintRows rows(footprint, composition_.height);
+    const PixelBox part = pixels_of(footprint, composition_.height, pixels_.box());
+    touched_ = united(touched_, part);
+    for (std::int64_t y = part.top; y <= part.bottom; ++y) {
+      rows.row(y, part.left, part.right, row_);
+      if (row_.first > row_.last) continue;
+      const auto count = static_cast<std::size_t>(row_.last - row_.first + 1);
+      evaluations_ += count;
+      const std::span<double> weights(row_.weights.data(), count);
+      apply_limits(weights);
+      if (composition_.order.has_slabs) {
+        for (std::size_t i = 0; i < count; ++i) {
+          const auto at = rows.from_centre(row_.first + static_cast<std::int64_t>(i), y);
+          weights[i] *= share_in_slab(footprint, at, entry.group, composition_.order);
+        }
+      }
+      const std::size_t first = pixels_.index(row_.first, y);
+      layers_.add_row(first, weights, colour);
+      if (!composition_.normals.empty()) {
+        const glm::dvec3 normal(composition_.normals[placed.kernel]);
+        for (std::size_t i = 0; i < count; ++i) layers_.add_normal(first + i, weights[i] * normal);
+      }
+      if (composition_.has_depth) {
+        double depth = footprint.depth + glm::dot(footprint.slope, rows.from_centre(row_.first, y));
+        for (std::size_t i = 0; i < count; ++i, depth += footprint.slope.x)
+          layers_.add_place(first + i, weights[i] * depth);
+      }
     }
-    const double alpha = opacity_of(sum);
-    VolumePixel& shown = pixels_[pixel];
-    const double after = shown.transmittance * (1.0 - alpha);
-    if (rule_.weight == KernelWeight::Peak && after < rule_.min_transmittance) {
-      // As [Kerbl 2023] does: what would end a pixel is left out.
-      end(pixel);
-      layer = {};
-      return;
-    }
-    const double share = shown.transmittance * alpha / sum;
-    shown.colour += share * layer.colour;
-    shown.normal += share * layer.normal;
-    if (shown.transmittance > 0.5 && after <= 0.5) shown.depth = layer.place / sum;
-    shown.transmittance = after;
-    if (after < rule_.min_transmittance) end(pixel);
-    layer = {};
   }
+
+  /// Puts the layer behind what the pixels show.
+  void end_group() {
+    for (std::int64_t y = touched_.top; y <= touched_.bottom; ++y) {
+      for (std::int64_t x = touched_.left; x <= touched_.right; ++x) {
+        const std::size_t pixel = pixels_.index(x, y);
+        pixels_.put_behind(pixel, layers_.take(pixel), composition_.rule);
+      }
+    }
+    touched_ = {};
+  }
+
+  [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
  private:
-  [[nodiscard]] double opacity_of(double sum) const {
-    const bool is_exponential =
-        rule_.weight == KernelWeight::Integral && rule_.attenuation == Attenuation::Exponential;
-    return std::min(is_exponential ? -std::expm1(-sum) : sum, rule_.max_alpha);
-  }
-  void end(std::size_t pixel) {
-    done_[pixel] = true;
-    ++count_done_;
+  void apply_limits(std::span<double> weights) const {
+    const CompositeRule& rule = composition_.rule;
+    if (rule.weight != KernelWeight::Peak) return;
+    for (double& weight : weights)
+      weight = weight < rule.min_alpha ? 0.0 : std::min(weight, rule.max_alpha);
   }
 
-  const CompositeRule& rule_;
-  std::span<VolumePixel> pixels_;
-  std::array<Layer, kTile * kTile> layers_{};
-  std::array<bool, kTile * kTile> done_{};
-  std::size_t count_done_ = 0;
+  const Composition& composition_;
+  TileLayers& layers_;
+  TilePixels& pixels_;
+  RowWeights row_;
+  PixelBox touched_;  ///< by the group
+  std::uint64_t evaluations_ = 0;
 };
 
 }  // namespace
 
-std::uint64_t composite_tile(const Composition& composition, const TileLists& lists,
-                             std::size_t tile, std::span<VolumePixel> pixels) {
-  const PixelBox box = composition.tiling.box(tile);
-  const auto height = static_cast<double>(composition.tiling.height);
-  const auto in_tile =
-      static_cast<std::size_t>((box.right - box.left + 1) * (box.bottom - box.top + 1));
-  const CompositeRule& rule = composition.rule;
-  TileCompositor compositor(rule, pixels);
-  const auto pixel_at = [&](std::int64_t x, std::int64_t y) {
-    return static_cast<std::size_t>((y - box.top) * kTile + (x - box.left));
-  };
-  const auto end_layers = [&](const PixelBox& part) {
-    for (std::int64_t y = part.top; y <= part.bottom; ++y) {
-      for (std::int64_t x = part.left; x <= part.right; ++x) compositor.end_layer(pixel_at(x, y));
-    }
-  };
-
-  std::uint64_t evaluations = 0;
-  const std::span<const OrderedSplat> list = lists.list(tile);
-  for (std::size_t e = 0; e < list.size(); ++e) {
-    const PlacedSplat& placed = composition.splats[list[e].splat];
-    const Footprint& footprint = placed.footprint;
-    const glm::dvec3 colour(composition.colours[placed.kernel]);
-    const glm::dvec3 normal = composition.normals.empty()
-                                  ? glm::dvec3(0.0)
-                                  : glm::dvec3(composition.normals[placed.kernel]);
-    const PixelBox part = pixels_of(footprint, composition.tiling, box);
-    for (std::int64_t y = part.top; y <= part.bottom; ++y) {
-      for (std::int64_t x = part.left; x <= part.right; ++x) {
-        const std::size_t pixel = pixel_at(x, y);
-        if (compositor.is_done(pixel)) continue;
-        const glm::dvec2 from_centre(static_cast<double>(x) + 0.5 - footprint.centre.x,
-                                     height - static_cast<double>(y) - 0.5 - footprint.centre.y);
-        const double q = footprint.q(from_centre);
-        if (!(q < footprint.cutoff)) continue;
-        ++evaluations;
-        double weight = footprint.peak * std::exp(-0.5 * q);
-        if (rule.weight == KernelWeight::Peak) {
-          weight = std::min(weight, rule.max_alpha);
-          if (weight < rule.min_alpha) continue;
-        }
-        if (composition.order.has_slabs)
-          weight *= share_in_slab(footprint, from_centre, list[e].group, composition.order);
-        Layer& layer = compositor.layer(pixel);
-        layer.depth_sum += weight;
-        layer.colour += weight * colour;
-        layer.normal += weight * normal;
-        layer.place += weight * (footprint.depth + glm::dot(footprint.slope, from_centre));
-      }
-    }
-    const bool ends_group = e + 1 == list.size() || list[e + 1].group != list[e].group;
-    if (!ends_group) continue;
-    // A group of one splat has touched its own pixels only.
-    const bool is_single = e == 0 || list[e - 1].group != list[e].group;
-    end_layers(is_single ? part : box);
-    if (compositor.is_all_done(in_tile)) break;
+std::uint64_t composite_tile(const Composition& composition, std::span<const OrderedSplat> list,
+                             TileLayers& layers, TilePixels& pixels) {
+  TileCompositor compositor(composition, layers, pixels);
+  for (std::size_t e = 0; e < list.size() && !pixels.is_all_done(); ++e) {
+    compositor.add(list[e]);
+    if (e + 1 == list.size() || list[e + 1].group != list[e].group) compositor.end_group();
   }
-  return evaluations;
+  return compositor.evaluations();
 }
 
 }  // namespace relief::volume_reference

@@ -3,37 +3,29 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <limits>
 #include <span>
-#include <vector>
 
+#include "renderer/engines/volume_reference/tile_layers.h"
+#include "renderer/engines/volume_reference/tile_pixels.h"
 #include "renderer/volume/composite_rule.h"
 #include "renderer/volume/tile_lists.h"
 
 namespace relief::volume_reference {
 
-/// What a pixel shows.
-struct VolumePixel {
-  glm::dvec3 colour{0.0};  ///< times its opacity
-  double transmittance = 1.0;
-  glm::dvec3 normal{0.0};  ///< world, any length
-  /// Along the view axis: where half of what is behind is covered; infinite if nothing is.
-  double depth = std::numeric_limits<double>::infinity();
-};
-
-/// What is drawn, for all tiles.
+/// What is composited, for all tiles.
 struct Composition {
   std::span<const PlacedSplat> splats;
-  std::span<const glm::vec3> colours;  ///< of each kernel, as it is blended
-  std::span<const glm::vec3> normals;  ///< of each kernel, or none
+  std::span<const glm::vec3> colours;  ///< of each splat, as it is blended
+  std::span<const glm::vec3> normals;  ///< of each kernel; none: the image has no normals
+  bool has_depth = false;              ///< whether the image has depths
   const SplatOrder& order;
   CompositeRule rule;
-  Tiling tiling;
+  std::int64_t height = 0;  ///< of the image, pixels
 };
 
-/// Composites a tile into kTile * kTile pixels, row by row from the top. Returns the evaluations of
-/// footprints.
-std::uint64_t composite_tile(const Composition& composition, const TileLists& lists,
-                             std::size_t tile, std::span<VolumePixel> pixels);
+/// Puts a tile's splats behind what its pixels show. `layers` are empty before and after. Returns
+/// the evaluations of footprints.
+std::uint64_t composite_tile(const Composition& composition, std::span<const OrderedSplat> list,
+                             TileLayers& layers, TilePixels& pixels);
 
 }  // namespace relief::volume_reference

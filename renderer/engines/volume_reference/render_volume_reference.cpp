@@ -1,19 +1,15 @@
 #include "renderer/engines/volume_reference/render_volume_reference.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cassert>
 #include <chrono>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <utility>
 #include <vector>
 
 #include "common/median.h"
-#include "renderer/engines/volume_reference/composite.h"
+#include "renderer/engines/volume_reference/tiled_image.h"
 #include "renderer/frame/film.h"
-#include "renderer/volume/placement.h"
 #include "renderer/volume/volume_model.h"
 
 namespace relief::volume_reference {
@@ -21,22 +17,27 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-FilmPixel film_pixel(const VolumePixel& shown, bool is_encoded) {
-  FilmPixel pixel;
-  const double alpha = 1.0 - shown.transmittance;
-  if (!(alpha > 0.0)) return pixel;
-  pixel.colour =
-      glm::vec4(glm::dvec4(is_encoded ? decoded(shown.colour, alpha) : shown.colour, alpha));
-  const double length = glm::length(shown.normal);
-  if (length > 0.0) pixel.normal = glm::vec3(shown.normal / length);
-  pixel.depth = static_cast<float>(shown.depth);
-  return pixel;
-}
+/// Kernels that are placed before what they hide is known: enough work for many threads, few enough
+/// that what lies behind an opaque layer is soon left out.
+constexpr std::size_t kBatch = 65536;
 
 struct Drawn {
   Film film;
   std::uint64_t evaluations = 0;
 };
+
+/// Front to back, until nothing more is seen.
+void draw_in_batches(const Placement& placement, const KernelOrder& order, TiledImage& image,
+                     const Progress& progress) {
+  const auto is_hidden = [&](const Footprint& footprint) { return image.is_hidden(footprint); };
+  for (std::size_t first = 0; first < order.groups() && !progress.cancelled();) {
+    std::size_t end = first + 1;
+    while (end < order.groups() && order.starts[end] - order.starts[first] < kBatch) ++end;
+    image.put_behind(place_groups(placement, order, first, end, is_hidden, progress), progress);
+    if (image.is_all_done()) return;
+    first = end;
+  }
+}
 
 class Prepared final : public PreparedModel {
  public:
@@ -69,39 +70,25 @@ class Prepared final : public PreparedModel {
                      const Progress& progress) const {
     const VolumeSettings& chosen = settings.volume;
     const FootprintRule rule = footprint_rule(chosen, cloud.weight, model_.is_antialiased(), view);
-    RELIEF_TRY_ASSIGN(const auto colours, model_.colours(cloud, settings, view, *environments_));
-    const std::vector<PlacedSplat> splats = place_splats(cloud, view, rule, progress);
-    const SplatOrder order = order_splats(cloud, splats, visibility_of(cloud, chosen.visibility),
-                                          ray_camera(view), model_.spacing());
-    const Tiling tiling{view.width, view.height};
-    const TileLists lists(tiling, splats, order);
-    const Composition composition{
-        splats,
-        colours,
-        settings.outputs.normal ? std::span(cloud.normals) : std::span<const glm::vec3>(),
-        order,
-        composite_rule(chosen, cloud.weight),
-        tiling};
-    Drawn drawn;
-    drawn.film = {view.width, view.height,
-                  std::vector<FilmPixel>(std::size_t{view.width} * view.height)};
-    const bool is_encoded = model_.blends_encoded(settings);
-    std::vector<std::uint64_t> evaluations(tiling.count(), 0);
-    tbb::parallel_for(std::size_t{0}, tiling.count(), [&](std::size_t tile) {
-      if (progress.cancelled() || lists.list(tile).empty()) return;
-      std::vector<VolumePixel> pixels(kTile * kTile);
-      evaluations[tile] = composite_tile(composition, lists, tile, pixels);
-      const PixelBox box = tiling.box(tile);
-      for (std::int64_t y = box.top; y <= box.bottom; ++y) {
-        for (std::int64_t x = box.left; x <= box.right; ++x) {
-          const auto from = static_cast<std::size_t>((y - box.top) * kTile + (x - box.left));
-          drawn.film.pixels[static_cast<std::size_t>(y * tiling.width + x)] =
-              film_pixel(pixels[from], is_encoded);
-        }
-      }
-    });
-    for (const std::uint64_t count : evaluations) drawn.evaluations += count;
-    return drawn;
+    RELIEF_TRY_ASSIGN(const KernelColour colour,
+                      model_.colour_of(cloud, settings, view, *environments_));
+    const Placement placement{cloud, view, rule, colour};
+    TiledImage image(view.width, view.height,
+                     {.compositing = composite_rule(chosen, cloud.weight),
+                      .normals = settings.outputs.normal ? std::span(cloud.normals)
+                                                         : std::span<const glm::vec3>(),
+                      .has_depth = settings.outputs.depth,
+                      .is_encoded = model_.blends_encoded(settings)});
+    const VolumeVisibility visibility = visibility_of(cloud, chosen.visibility);
+    if (visibility == VolumeVisibility::ImageSheet) {
+      image.put_behind(place_slabs(placement, model_.spacing(), progress), progress);
+    } else {
+      const KernelOrder order = visibility == VolumeVisibility::Sheet
+                                    ? order_by_sheets(cloud, ray_camera(view))
+                                    : order_by_depth(cloud, ray_camera(view));
+      draw_in_batches(placement, order, image, progress);
+    }
+    return Drawn{image.take_film(), image.evaluations()};
   }
 
   VolumeModel model_;
