@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "renderer/volume/share_before.h"
+
 namespace relief::volume_reference {
 namespace {
 
@@ -21,12 +23,14 @@ double normal_distribution(double x) {
   return 0.5 * std::erfc(-x / std::numbers::sqrt2);
 }
 
-/// The share of a kernel that lies in its group's slab, seen at a place in the image.
+/// The share of a kernel that lies in its group's slab and before `limit`, seen at a place in the
+/// image.
 double share_in_slab(const Footprint& footprint, glm::dvec2 from_centre, std::uint32_t group,
-                     const SplatOrder& order) {
+                     const SplatOrder& order, double limit) {
   const double mean = footprint.depth + glm::dot(footprint.slope, from_centre);
   const double low = order.first_depth + order.thickness * group;
-  const double high = low + order.thickness;
+  const double high = std::min(low + order.thickness, limit);
+  if (!(high > low)) return 0.0;
   if (!(footprint.depth_deviation > 0.0)) return mean >= low && mean < high ? 1.0 : 0.0;
   const auto below = [&](double depth) {
     return normal_distribution((depth - mean) / footprint.depth_deviation);
@@ -42,6 +46,10 @@ class TileCompositor {
 
   [[nodiscard]] Layer& layer(std::size_t pixel) { return layers_[pixel]; }
   [[nodiscard]] bool is_done(std::size_t pixel) const { return done_[pixel]; }
+  void end(std::size_t pixel) {
+    done_[pixel] = true;
+    ++count_done_;
+  }
   [[nodiscard]] bool is_all_done(std::size_t pixels) const { return count_done_ == pixels; }
 
   /// Puts what has been added to a layer behind what the pixel shows.
@@ -76,10 +84,6 @@ class TileCompositor {
         rule_.weight == KernelWeight::Integral && rule_.attenuation == Attenuation::Exponential;
     return std::min(is_exponential ? -std::expm1(-sum) : sum, rule_.max_alpha);
   }
-  void end(std::size_t pixel) {
-    done_[pixel] = true;
-    ++count_done_;
-  }
 
   const CompositeRule& rule_;
   std::span<VolumePixel> pixels_;
@@ -91,7 +95,9 @@ class TileCompositor {
 }  // namespace
 
 std::uint64_t composite_tile(const Composition& composition, const TileLists& lists,
-                             std::size_t tile, std::span<VolumePixel> pixels) {
+                             std::size_t tile, std::span<const float> limits,
+                             std::span<VolumePixel> pixels) {
+  constexpr double kNowhere = std::numeric_limits<double>::infinity();
   const PixelBox box = composition.tiling.box(tile);
   const auto height = static_cast<double>(composition.tiling.height);
   const auto in_tile =
@@ -107,6 +113,13 @@ std::uint64_t composite_tile(const Composition& composition, const TileLists& li
     }
   };
 
+  if (!limits.empty()) {
+    for (std::int64_t y = box.top; y <= box.bottom; ++y) {
+      for (std::int64_t x = box.left; x <= box.right; ++x) {
+        if (double{limits[pixel_at(x, y)]} == -kNowhere) compositor.end(pixel_at(x, y));
+      }
+    }
+  }
   std::uint64_t evaluations = 0;
   const std::span<const OrderedSplat> list = lists.list(tile);
   for (std::size_t e = 0; e < list.size(); ++e) {
@@ -131,8 +144,13 @@ std::uint64_t composite_tile(const Composition& composition, const TileLists& li
           weight = std::min(weight, rule.max_alpha);
           if (weight < rule.min_alpha) continue;
         }
-        if (composition.order.has_slabs)
-          weight *= share_in_slab(footprint, from_centre, list[e].group, composition.order);
+        const double limit = limits.empty() ? kNowhere : double{limits[pixel]};
+        if (composition.order.has_slabs) {
+          weight *= share_in_slab(footprint, from_centre, list[e].group, composition.order, limit);
+        } else if (limit < kNowhere) {
+          weight =
+              weight_before(weight, share_before(footprint, from_centre, limit), rule.weight);
+        }
         Layer& layer = compositor.layer(pixel);
         layer.depth_sum += weight;
         layer.colour += weight * colour;

@@ -31,9 +31,11 @@ struct Composition {
   Tiling tiling;
 };
 
-/// Composites a tile into kTile * kTile pixels, row by row from the top. Returns the evaluations of
-/// footprints.
+/// Composites a tile into kTile * kTile pixels, row by row from the top. `limits`: likewise the depth
+/// (along the view axis) where an opaque surface ends what a pixel shows, negative infinite where
+/// nothing is to be drawn; empty: no surface anywhere. Returns the evaluations of footprints.
 std::uint64_t composite_tile(const Composition& composition, const TileLists& lists,
-                             std::size_t tile, std::span<VolumePixel> pixels);
+                             std::size_t tile, std::span<const float> limits,
+                             std::span<VolumePixel> pixels);
 
 }  // namespace relief::volume_reference

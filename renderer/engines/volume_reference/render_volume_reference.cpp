@@ -90,7 +90,7 @@ class Prepared final : public PreparedModel {
     tbb::parallel_for(std::size_t{0}, tiling.count(), [&](std::size_t tile) {
       if (progress.cancelled() || lists.list(tile).empty()) return;
       std::vector<VolumePixel> pixels(kTile * kTile);
-      evaluations[tile] = composite_tile(composition, lists, tile, pixels);
+      evaluations[tile] = composite_tile(composition, lists, tile, {}, pixels);
       const PixelBox box = tiling.box(tile);
       for (std::int64_t y = box.top; y <= box.bottom; ++y) {
         for (std::int64_t x = box.left; x <= box.right; ++x) {
