@@ -10,6 +10,37 @@ layout(location = RELIEF_VOLUME_OUT_COLOUR) out vec4 out_colour;
 layout(location = RELIEF_VOLUME_OUT_SURFACE) out vec4 out_surface;
 #endif
 
+/// Where opaque surfaces end what pixels show: a depth along the view axis; infinite: nowhere,
+/// negative infinite: nothing is drawn.
+layout(binding = RELIEF_VOLUME_TEXTURE_LIMITS) uniform sampler2D limits;
+
+const float kInfinity = uintBitsToFloat(0x7F800000u);
+
+float limit_of_pixel() {
+  if ((rule.image.w & RELIEF_VOLUME_LIMITED) == 0u) return kInfinity;
+  return texelFetch(limits, ivec2(gl_FragCoord.xy), 0).x;
+}
+
+float normal_distribution(float x) {
+  // Abramowitz and Stegun 26.2.17, to 7.5e-8.
+  float a = abs(x);
+  float t = 1.0 / (1.0 + 0.2316419 * a);
+  float tail = exp(-0.5 * a * a) * 0.3989422804 * t *
+               (0.319381530 +
+                t * (-0.356563782 + t * (1.781477937 + t * (-1.821255978 + t * 1.330274429))));
+  return x < 0.0 ? tail : 1.0 - tail;
+}
+
+/// What is left of a contribution before a finite limit (renderer/volume/share_before.h). `mean` and
+/// `deviation`: of the kernel's depths.
+float weight_before(float weight, float mean, float deviation, float limit) {
+  float beyond = limit - mean;
+  float share = deviation > 0.0 ? normal_distribution(beyond / deviation) : beyond > 0.0 ? 1.0 : 0.0;
+  if ((rule.image.w & RELIEF_VOLUME_PEAK) == 0u || share <= 0.0 || share >= 1.0)
+    return weight * share;
+  return 1.0 - pow(1.0 - weight, share);
+}
+
 /// What the splats of a group leave in a pixel, before it is composited.
 struct Layer {
   float depth_sum;  ///< optical depth, or opacity
@@ -27,7 +58,7 @@ struct Pixel {
 };
 
 Layer empty_layer() { return Layer(0.0, vec3(0.0), vec3(0.0), 0.0); }
-Pixel empty_pixel() { return Pixel(vec3(0.0), 1.0, vec3(0.0), uintBitsToFloat(0x7F800000u)); }
+Pixel empty_pixel() { return Pixel(vec3(0.0), 1.0, vec3(0.0), kInfinity); }
 
 void add(inout Layer layer, float weight, vec3 colour, vec3 normal, float place) {
   layer.depth_sum += weight;

@@ -63,6 +63,10 @@ void main() {
                         : int(clamp(floor(first), -1.0, float(last)));
   ivec2 size = ivec2(grid.u.w, grid.v.w);
 
+  float limit = limit_of_pixel();
+  if (limit == -kInfinity) k = -1;
+  // Of a kernel's depths: along the ray a round kernel is narrower by the ray's slope.
+  float deviation = sqrt(grid.kernel.x / (1.0 + dot(slope, slope))) * abs(per_w);
   Pixel shown = empty_pixel();
   while (k >= 0 && k <= last) {
     float from_middle = float(k) - grid.place_origin.w;
@@ -71,6 +75,8 @@ void main() {
     vec2 up = (grid.place_y.xy + from_middle * grid.along_y.xy - uv * grid.along_y.z) * per_w;
     vec3 variance = filtered(along_ray, right, up);
     vec2 reach = sqrt(cutoff * variance.xz);
+    float nearest = (place.z + from_middle) * per_w - abs(per_w) * max(reach.x, reach.y);
+    if (nearest - 6.0 * deviation > limit) break;
 
     ivec2 node = clamp(ivec2(floor(clamp(uv, vec2(-1.0), vec2(size)))), ivec2(0), size - 1);
     ivec3 block = (node.x * grid.u.xyz + node.y * grid.v.xyz + k * grid.w.xyz) / kVolumeBlock;
@@ -109,7 +115,9 @@ void main() {
 #endif
         // The kernel's mean place on the ray.
         float off = -dot(slope, d) / (1.0 + dot(slope, slope));
-        add(layer, weight, found.rgb, normal, (place.z + from_middle + off) * per_w);
+        float mean = (place.z + from_middle + off) * per_w;
+        if (limit < kInfinity) weight = weight_before(weight, mean, deviation, limit);
+        add(layer, weight, found.rgb, normal, mean);
       }
     }
     layer.depth_sum *= peak;

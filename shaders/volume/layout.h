@@ -22,11 +22,13 @@ using glm::uvec4;
 #define RELIEF_VOLUME_TEXTURE_NODES 0
 #define RELIEF_VOLUME_TEXTURE_DISTANCES 1
 #define RELIEF_VOLUME_TEXTURE_NORMALS 2
+#define RELIEF_VOLUME_TEXTURE_LIMITS 6
 
 // VolumeRule::flags.
 #define RELIEF_VOLUME_PEAK 1u         // weights are opacities, not optical depths
 #define RELIEF_VOLUME_EXPONENTIAL 2u  // attenuation
 #define RELIEF_VOLUME_SLABS 4u        // groups are slabs
+#define RELIEF_VOLUME_LIMITED 8u      // opaque surfaces end what pixels show
 
 /// A kernel's footprint (renderer/volume/footprint.h), as float texels.
 struct VolumeSplat {

@@ -9,20 +9,11 @@ layout(binding = RELIEF_VOLUME_TEXTURE_SPLATS) uniform samplerBuffer splats;
 layout(binding = RELIEF_VOLUME_TEXTURE_ENTRIES) uniform usamplerBuffer entries;
 layout(binding = RELIEF_VOLUME_TEXTURE_STARTS) uniform usamplerBuffer starts;
 
-float normal_distribution(float x) {
-  // Abramowitz and Stegun 26.2.17, to 7.5e-8.
-  float a = abs(x);
-  float t = 1.0 / (1.0 + 0.2316419 * a);
-  float tail = exp(-0.5 * a * a) * 0.3989422804 * t *
-               (0.319381530 +
-                t * (-0.356563782 + t * (1.781477937 + t * (-1.821255978 + t * 1.330274429))));
-  return x < 0.0 ? tail : 1.0 - tail;
-}
-
-/// The share of a kernel with that mean depth and deviation that lies in a slab.
-float share_in_slab(float mean, float deviation, uint slab) {
+/// The share of a kernel with that mean depth and deviation that lies in a slab and before `limit`.
+float share_in_slab(float mean, float deviation, uint slab, float limit) {
   float low = rule.slabs.x + rule.slabs.y * float(slab) - mean;
-  float high = low + rule.slabs.y;
+  float high = min(low + rule.slabs.y, limit - mean);
+  if (high <= low) return 0.0;
   if (!(deviation > 0.0)) return low <= 0.0 && high > 0.0 ? 1.0 : 0.0;
   return normal_distribution(high / deviation) - normal_distribution(low / deviation);
 }
@@ -34,6 +25,8 @@ void main() {
   int end = int(texelFetch(starts, int(tile) + 1).x);
   bool is_peak = (rule.image.w & RELIEF_VOLUME_PEAK) != 0u;
   bool has_slabs = (rule.image.w & RELIEF_VOLUME_SLABS) != 0u;
+  float limit = limit_of_pixel();
+  if (limit == -kInfinity) end = 0;
   Pixel shown = empty_pixel();
   Layer layer = empty_layer();
   for (int e = int(texelFetch(starts, int(tile)).x); e < end; ++e) {
@@ -54,9 +47,10 @@ void main() {
 #if RELIEF_FEATURES & RELIEF_FEATURE_OUT_DEPTH
       depth += dot(texelFetch(splats, at + 4).xy, d);
 #endif
-      if (has_slabs) {
+      if (has_slabs || limit < kInfinity) {
         float mean = shape.w + dot(texelFetch(splats, at + 4).xy, d);
-        weight *= share_in_slab(mean, colour.w, entry.y >> 1);
+        weight = has_slabs ? weight * share_in_slab(mean, colour.w, entry.y >> 1, limit)
+                           : weight_before(weight, mean, colour.w, limit);
       }
       vec3 normal = vec3(0.0);
 #if RELIEF_FEATURES & RELIEF_FEATURE_OUT_NORMAL

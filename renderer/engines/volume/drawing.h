@@ -35,6 +35,8 @@ struct VolumeFrame {
   bool is_antialiased = false;
   double spacing = 0.0;  ///< mean distance of a volume's nodes, world units; 0: no volume
   Features features;     ///< RELIEF_FEATURE bits of the outputs
+  /// Texture RELIEF_VOLUME_TEXTURE_LIMITS is bound: opaque surfaces end what pixels show.
+  bool is_limited = false;
 };
 
 class VolumeDrawing {

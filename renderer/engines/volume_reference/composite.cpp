@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 
 #include "renderer/engines/volume_reference/footprint_rows.h"
+#include "renderer/volume/share_before.h"
 
 namespace relief::volume_reference {
 namespace {
@@ -15,12 +17,14 @@ double normal_distribution(double x) {
   return 0.5 * std::erfc(-x / std::numbers::sqrt2);
 }
 
-/// The share of a kernel that lies in its group's slab, seen at a place in the image.
+/// The share of a kernel that lies in its group's slab and before `limit`, seen at a place in the
+/// image.
 double share_in_slab(const Footprint& footprint, glm::dvec2 from_centre, std::uint32_t group,
-                     const SplatOrder& order) {
+                     const SplatOrder& order, double limit) {
   const double mean = footprint.depth + glm::dot(footprint.slope, from_centre);
   const double low = order.first_depth + order.thickness * group;
-  const double high = low + order.thickness;
+  const double high = std::min(low + order.thickness, limit);
+  if (!(high > low)) return 0.0;
   if (!(footprint.depth_deviation > 0.0)) return mean >= low && mean < high ? 1.0 : 0.0;
   const auto below = [&](double depth) {
     return normal_distribution((depth - mean) / footprint.depth_deviation);
@@ -55,14 +59,14 @@ class TileCompositor {
       const auto count = static_cast<std::size_t>(row_.last - row_.first + 1);
       evaluations_ += count;
       const std::span<double> weights(row_.weights.data(), count);
-      apply_limits(weights);
-      if (composition_.order.has_slabs) {
+      apply_alphas(weights);
+      const std::size_t first = pixels_.index(row_.first, y);
+      if (composition_.order.has_slabs || !pixels_.limits().empty()) {
         for (std::size_t i = 0; i < count; ++i) {
           const auto at = rows.from_centre(row_.first + static_cast<std::int64_t>(i), y);
-          weights[i] *= share_in_slab(footprint, at, entry.group, composition_.order);
+          weights[i] = kept_of(weights[i], footprint, at, entry.group, first + i);
         }
       }
-      const std::size_t first = pixels_.index(row_.first, y);
       layers_.add_row(first, weights, colour);
       if (!composition_.normals.empty()) {
         const glm::dvec3 normal(composition_.normals[placed.kernel]);
@@ -90,7 +94,18 @@ class TileCompositor {
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
  private:
-  void apply_limits(std::span<double> weights) const {
+  /// What of a weight lies in the group's slab, if there are slabs, and before the pixel's limit.
+  [[nodiscard]] double kept_of(double weight, const Footprint& footprint, glm::dvec2 from_centre,
+                               std::uint32_t group, std::size_t pixel) const {
+    constexpr double kNowhere = std::numeric_limits<double>::infinity();
+    const double limit = pixels_.limits().empty() ? kNowhere : pixels_.limits()[pixel];
+    if (composition_.order.has_slabs)
+      return weight * share_in_slab(footprint, from_centre, group, composition_.order, limit);
+    if (!(limit < kNowhere)) return weight;
+    return weight_before(weight, share_before(footprint, from_centre, limit),
+                         composition_.rule.weight);
+  }
+  void apply_alphas(std::span<double> weights) const {
     const CompositeRule& rule = composition_.rule;
     if (rule.weight != KernelWeight::Peak) return;
     for (double& weight : weights)

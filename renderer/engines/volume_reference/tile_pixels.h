@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <span>
+#include <vector>
 
 #include "renderer/volume/composite_rule.h"
 #include "renderer/volume/tile_lists.h"
@@ -36,15 +38,27 @@ class TilePixels {
  public:
   static constexpr std::size_t kCount = kTile * kTile;
 
-  /// Of that box, which is the tile's part of the image.
-  explicit TilePixels(const PixelBox& box) : box_(box) {}
+  /// Of that box, which is the tile's part of the image. `limits` are the whole image's, as
+  /// ImageRule's; its rows have `width` pixels.
+  TilePixels(const PixelBox& box, std::span<const float> limits, std::int64_t width) : box_(box) {
+    if (limits.empty()) return;
+    limits_.resize(kCount, 0.0);
+    for (std::int64_t y = box.top; y <= box.bottom; ++y) {
+      for (std::int64_t x = box.left; x <= box.right; ++x) {
+        const double limit = limits[static_cast<std::size_t>(y * width + x)];
+        limits_[index(x, y)] = limit;
+        if (limit == -std::numeric_limits<double>::infinity()) end(index(x, y));
+      }
+    }
+  }
 
   [[nodiscard]] const PixelBox& box() const { return box_; }
   [[nodiscard]] std::size_t index(std::int64_t x, std::int64_t y) const {
     return static_cast<std::size_t>((y - box_.top) * kTile + (x - box_.left));
   }
   [[nodiscard]] const VolumePixel& operator[](std::size_t pixel) const { return pixels_[pixel]; }
-  [[nodiscard]] bool is_done(std::size_t pixel) const { return done_[pixel]; }
+  /// The depth that ends what each pixel shows; empty: nothing does.
+  [[nodiscard]] std::span<const double> limits() const { return limits_; }
   [[nodiscard]] bool is_all_done() const {
     return count_done_ == static_cast<std::size_t>((box_.right - box_.left + 1) *
                                                    (box_.bottom - box_.top + 1));
@@ -58,8 +72,7 @@ class TilePixels {
     const double after = shown.transmittance * (1.0 - alpha);
     const bool ends = after < rule.min_transmittance;
     if (ends) {
-      done_[pixel] = true;
-      ++count_done_;
+      end(pixel);
       // As [Kerbl 2023] does: what would end a pixel is left out.
       if (rule.weight == KernelWeight::Peak) return;
     }
@@ -71,6 +84,10 @@ class TilePixels {
   }
 
  private:
+  void end(std::size_t pixel) {
+    done_[pixel] = true;
+    ++count_done_;
+  }
   [[nodiscard]] static double opacity_of(double weight, const CompositeRule& rule) {
     const bool is_exponential =
         rule.weight == KernelWeight::Integral && rule.attenuation == Attenuation::Exponential;
@@ -80,6 +97,7 @@ class TilePixels {
   PixelBox box_;
   std::array<VolumePixel, kCount> pixels_{};
   std::array<bool, kCount> done_{};
+  std::vector<double> limits_;
   std::size_t count_done_ = 0;
 };
 

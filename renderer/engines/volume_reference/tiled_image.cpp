@@ -57,7 +57,8 @@ void TiledImage::put_behind(const Batch& batch, const Progress& progress) {
     const std::span<const OrderedSplat> list = lists.list(tile);
     if (is_done_[tile] != 0 || list.empty() || progress.cancelled()) return;
     std::unique_ptr<TilePixels>& pixels = tiles_[tile];
-    if (pixels == nullptr) pixels = std::make_unique<TilePixels>(tiling_.box(tile));
+    if (pixels == nullptr) pixels = 
+          std::make_unique<TilePixels>(tiling_.box(tile), rule_.limits, tiling_.width);
     evaluations_of_[tile] += composite_tile(composition, list, layers_.local(), *pixels);
     if (pixels->is_all_done()) finish(tile);
   });

@@ -22,6 +22,9 @@ struct ImageRule {
   CompositeRule compositing;
   std::span<const glm::vec3> normals;  ///< of the cloud's kernels; none: no normals are wanted
   bool has_depth = false;
+  /// The depth (along the view axis) where an opaque surface ends what a pixel shows, negative
+  /// infinite where nothing is to be drawn, for each pixel of the image; none: no surface anywhere.
+  std::span<const float> limits = {};
   bool is_encoded = false;  ///< whether colours are blended as encoded sRGB
 };
 
