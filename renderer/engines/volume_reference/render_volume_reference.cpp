@@ -7,6 +7,8 @@
 #include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -14,6 +16,7 @@
 #include "renderer/engines/volume_reference/composite.h"
 #include "renderer/frame/film.h"
 #include "renderer/volume/placement.h"
+#include "renderer/volume/surfaces_beside.h"
 #include "renderer/volume/volume_model.h"
 
 namespace relief::volume_reference {
@@ -38,12 +41,60 @@ struct Drawn {
   std::uint64_t evaluations = 0;
 };
 
+/// The tile's part of an image's limits, row by row; none if there are none.
+std::vector<float> limits_of(std::span<const float> limits, const Tiling& tiling,
+                             const PixelBox& box) {
+  std::vector<float> own;
+  if (limits.empty()) return own;
+  own.resize(kTile * kTile);
+  for (std::int64_t y = box.top; y <= box.bottom; ++y) {
+    for (std::int64_t x = box.left; x <= box.right; ++x)
+      own[static_cast<std::size_t>((y - box.top) * kTile + (x - box.left))] =
+          limits[static_cast<std::size_t>(y * tiling.width + x)];
+  }
+  return own;
+}
+
+/// All tiles. `limits`: of the image's pixels, as composite_tile() takes them.
+Drawn draw_tiles(const Composition& composition, const TileLists& lists,
+                 std::span<const float> limits, bool is_encoded, const Progress& progress) {
+  const Tiling& tiling = composition.tiling;
+  Drawn drawn;
+  drawn.film = {static_cast<std::uint32_t>(tiling.width), static_cast<std::uint32_t>(tiling.height),
+                std::vector<FilmPixel>(static_cast<std::size_t>(tiling.width * tiling.height))};
+  std::vector<std::uint64_t> evaluations(tiling.count(), 0);
+  tbb::parallel_for(std::size_t{0}, tiling.count(), [&](std::size_t tile) {
+    if (progress.cancelled() || lists.list(tile).empty()) return;
+    const PixelBox box = tiling.box(tile);
+    std::vector<VolumePixel> pixels(kTile * kTile);
+    evaluations[tile] =
+        composite_tile(composition, lists, tile, limits_of(limits, tiling, box), pixels);
+    for (std::int64_t y = box.top; y <= box.bottom; ++y) {
+      for (std::int64_t x = box.left; x <= box.right; ++x) {
+        const auto from = static_cast<std::size_t>((y - box.top) * kTile + (x - box.left));
+        drawn.film.pixels[static_cast<std::size_t>(y * tiling.width + x)] =
+            film_pixel(pixels[from], is_encoded);
+      }
+    }
+  });
+  for (const std::uint64_t count : evaluations) drawn.evaluations += count;
+  return drawn;
+}
+
 class Prepared final : public PreparedModel {
  public:
-  Prepared(VolumeModel model, std::shared_ptr<EnvironmentCache> environments)
-      : model_(std::move(model)), environments_(std::move(environments)) {}
+  Prepared(VolumeModel model, std::shared_ptr<EnvironmentCache> environments,
+           std::optional<SurfacesBeside> surfaces)
+      : model_(std::move(model)),
+        environments_(std::move(environments)),
+        surfaces_(std::move(surfaces)) {}
 
-  Result<RenderResult> render(const RenderSettings& settings, Progress& progress) override {
+  Result<RenderResult> render(const RenderSettings& asked, Progress& progress) override {
+    const RenderSettings settings = model_.settled(asked);
+    SurfacesBeside::Drawn surfaces;
+    if (surfaces_) {
+      RELIEF_TRY_ASSIGN(surfaces, surfaces_->draw(settings, progress));
+    }
     RELIEF_TRY_ASSIGN(const KernelCloud* const cloud, model_.kernels(settings, progress));
     RELIEF_TRY_ASSIGN(const auto surroundings, surroundings_of(settings, *environments_));
     const View view = volume_view(settings);
@@ -51,14 +102,14 @@ class Prepared final : public PreparedModel {
     std::vector<double> frame_ms;
     for (int i = 0; i < std::max(settings.frames, 1); ++i) {
       const auto start = Clock::now();
-      RELIEF_TRY_ASSIGN(drawn, draw(*cloud, view, settings, progress));
+      RELIEF_TRY_ASSIGN(drawn, draw(*cloud, view, settings, surfaces, progress));
       if (progress.cancelled()) return interrupted_error();
       frame_ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
     }
     RenderResult result;
     result.renderer = "CPU";
     result.fragments = drawn.evaluations;
-    result.frame_ms = median_of(std::move(frame_ms));
+    result.frame_ms = median_of(std::move(frame_ms)) + surfaces.frame_ms;
     result.image = develop(drawn.film, surroundings, view, settings.outputs, result.covered_pixels);
     return result;
   }
@@ -66,11 +117,11 @@ class Prepared final : public PreparedModel {
  private:
   /// Figure 11 of [Zwicker 2002], with the visibility that the settings choose.
   Result<Drawn> draw(const KernelCloud& cloud, const View& view, const RenderSettings& settings,
-                     const Progress& progress) const {
+                     const SurfacesBeside::Drawn& surfaces, const Progress& progress) const {
     const VolumeSettings& chosen = settings.volume;
-    const FootprintRule rule = footprint_rule(chosen, cloud.weight, model_.is_antialiased(), view);
+    const std::vector<FootprintRule> rules = model_.footprint_rules(settings, view);
     RELIEF_TRY_ASSIGN(const auto colours, model_.colours(cloud, settings, view, *environments_));
-    const std::vector<PlacedSplat> splats = place_splats(cloud, view, rule, progress);
+    const std::vector<PlacedSplat> splats = place_splats(cloud, view, rules, progress);
     const SplatOrder order = order_splats(cloud, splats, visibility_of(cloud, chosen.visibility),
                                           ray_camera(view), model_.spacing());
     const Tiling tiling{view.width, view.height};
@@ -82,37 +133,31 @@ class Prepared final : public PreparedModel {
         order,
         composite_rule(chosen, cloud.weight),
         tiling};
-    Drawn drawn;
-    drawn.film = {view.width, view.height,
-                  std::vector<FilmPixel>(std::size_t{view.width} * view.height)};
     const bool is_encoded = model_.blends_encoded(settings);
-    std::vector<std::uint64_t> evaluations(tiling.count(), 0);
-    tbb::parallel_for(std::size_t{0}, tiling.count(), [&](std::size_t tile) {
-      if (progress.cancelled() || lists.list(tile).empty()) return;
-      std::vector<VolumePixel> pixels(kTile * kTile);
-      evaluations[tile] = composite_tile(composition, lists, tile, {}, pixels);
-      const PixelBox box = tiling.box(tile);
-      for (std::int64_t y = box.top; y <= box.bottom; ++y) {
-        for (std::int64_t x = box.left; x <= box.right; ++x) {
-          const auto from = static_cast<std::size_t>((y - box.top) * kTile + (x - box.left));
-          drawn.film.pixels[static_cast<std::size_t>(y * tiling.width + x)] =
-              film_pixel(pixels[from], is_encoded);
-        }
-      }
-    });
-    for (const std::uint64_t count : evaluations) drawn.evaluations += count;
+    Drawn drawn = draw_tiles(composition, lists, surfaces.limits.covered, is_encoded, progress);
+    if (surfaces.film.pixels.empty()) return drawn;
+    Drawn beside;
+    if (!surfaces.limits.beside.empty())
+      beside = draw_tiles(composition, lists, surfaces.limits.beside, is_encoded, progress);
+    drawn.film = laid_over(surfaces.film, drawn.film, beside.film);
+    drawn.evaluations += beside.evaluations;
     return drawn;
   }
 
   VolumeModel model_;
   std::shared_ptr<EnvironmentCache> environments_;
+  std::optional<SurfacesBeside> surfaces_;
 };
 
 }  // namespace
 
 Result<std::unique_ptr<PreparedModel>> prepare(const PrepareRequest& request) {
-  return std::unique_ptr<PreparedModel>(
-      std::make_unique<Prepared>(VolumeModel(request.model), request.environments));
+  std::optional<SurfacesBeside> surfaces;
+  if (has_surfaces(request.model)) {
+    RELIEF_TRY_ASSIGN(surfaces, SurfacesBeside::prepare(request));
+  }
+  return std::unique_ptr<PreparedModel>(std::make_unique<Prepared>(
+      VolumeModel(request.model), request.environments, std::move(surfaces)));
 }
 
 }  // namespace relief::volume_reference
