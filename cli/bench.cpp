@@ -5,29 +5,35 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "cli/bench/bench_accuracy.h"
 #include "cli/bench/bench_rows.h"
 #include "cli/bench/bench_sweep.h"
+#include "cli/bench/volume_bench.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/options/engine_options.h"
 #include "cli/options/paths.h"
+#include "cli/options/read_options.h"
 #include "cli/options/render_options.h"
 #include "cli/options/values.h"
 #include "cli/plot/bench_plot.h"
 #include "cli/reports/bench_report.h"
+#include "cli/reports/volume_bench_report.h"
 #include "common/io/extension.h"
 #include "common/io/file.h"
 #include "loader/load_scene.h"
+#include "loader/load_volume.h"
 #include "renderer/shading/materials.h"
 
 namespace relief::cli {
@@ -43,13 +49,17 @@ constexpr const char* kBenchExamples =
     "scene only the first view is drawn, without its background, with all engines. A ratio is the\n"
     "row's time over that of multipass with its default radius factor (its faster primitive), of "
     "the\n"
-    "bound, of the mesh. Bytes are those of the model on the GPU.\n"
+    "bound, of the mesh. Bytes are those of the model on the GPU. Of volumes and 3D Gaussians there\n"
+    "is a row for each engine that draws them, compared with volume-truth or volume-reference.\n"
     "\n"
     "Examples:\n"
     "  relief bench dragon.ply.gz --plot bench.svg\n"
     "  relief bench dragon.relief --material mirror --env studio.hdr --frames 50 --json";
 
 constexpr int kFrames = 20;
+
+/// The key of the option of patches that all rows share.
+constexpr std::string_view kCull = "cull";
 
 struct BenchArguments {
   RenderArguments image;
@@ -143,11 +153,47 @@ Result<BenchResult> measure(const ScenePlan& scene, const BenchArguments& argume
   return std::move(result);
 }
 
+/// Of volumes and 3D Gaussians, alone or among surfaces.
+Result<VolumeBench> measure_volumes(const ScenePlan& plan, const BenchArguments& arguments) {
+  if (!arguments.plot.empty() || arguments.sweep) {
+    return make_error("{}: has volumes or 3D Gaussians, for which there is no --plot and no --sweep",
+                      arguments.image.input.string());
+  }
+  ConsoleProgress progress;
+  LoadOptions options;
+  options.volume = arguments.image.volume;
+  RELIEF_TRY_ASSIGN(const auto scene, load_scene(plan, options, progress));
+  const BenchView view{plan, plan.views.front(), scene.patches, arguments.image.platform};
+  return bench_volumes(scene, view, arguments.image.frames.value_or(kFrames), progress);
+}
+
+int run_volume_bench(ScenePlan plan, const BenchArguments& arguments) {
+  // What is loaded suits all rows, each of which has an engine of its own.
+  const PlannedView view = plan.views.front();
+  plan.views.clear();
+  for (const EngineEntry& engine : engines()) {
+    if (engine.surfaces_by.empty()) continue;
+    plan.views.push_back(view);
+    plan.views.back().settings.engine = engine.name;
+  }
+  const auto result = measure_volumes(plan, arguments);
+  if (!result) return fail(result.error());
+  return arguments.image.json
+             ? print_json(as_json(*result))
+             : print_result(as_text(*result, arguments.image.input.string()));
+}
+
 int run_bench(const BenchArguments& arguments) {
   const auto plan = plan_scene(arguments.image.input, arguments.image.settings);
   if (!plan) return fail(plan.error());
   const auto inputs = find_inputs(*plan);
   if (!inputs) return fail(inputs.error());
+  if (has_kernels(plan->models, arguments.image.volume)) return run_volume_bench(*plan, arguments);
+  for (const auto& [key, value] : arguments.image.settings.options) {
+    if (key == kCull) continue;
+    return fail(make_error("{}: --{} is for volumes and 3D Gaussians, and the scene has none",
+                           arguments.image.input.string(), key));
+  }
   if (!arguments.plot.empty()) {
     const Status writable = check_output(arguments.plot, *inputs);
     if (!writable) return fail(writable.error());
@@ -178,18 +224,22 @@ void add_bench(CLI::App& app, Command& command) {
                                  "Time every method to draw a scene and compare it with the truth");
   const auto arguments = std::make_shared<BenchArguments>();
   RenderArguments& image = arguments->image;
-  sub->add_option("SCENE", image.input, "Patch file (.relief), scan, mesh, or .json scene")
+  sub->add_option("SCENE", image.input, "Patch file (.relief), scan, mesh, volume, 3D Gaussians or .json scene")
       ->required()
       ->option_text("FILE");
   add_camera_options(*sub, image.settings);
   add_material_options(*sub, image.settings);
   for (const SharedOption& option : shared_options()) {
-    if (option.row.key == "cull") add_engine_option(*sub, image.settings.options, option);
+    const bool is_for_volumes =
+        std::any_of(option.engines.begin(), option.engines.end(),
+                    [](const EngineEntry* engine) { return !engine->surfaces_by.empty(); });
+    if (option.row.key == kCull || is_for_volumes) add_engine_option(*sub, image.settings.options, option);
   }
   sub->add_option("--frames", image.frames, "Frames to time of each row, 1 to 100000 (default 20)")
       ->check(count_from(1, 100000))
       ->option_text("N");
   add_platform_option(*sub, image.platform);
+  add_raw_option(*sub, image.volume);
   sub->add_option("--plot", arguments->plot,
                   "SVG to write a plot of accuracy against time to, with the Pareto front marked "
                   "(default: none)")

@@ -1,5 +1,6 @@
 // relief view: a window that shows scans.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "cli/options/texture_options.h"
 #include "cli/options/values.h"
 #include "common/scene/scene.h"
+#include "loader/load_volume.h"
 #include "loader/stream/streamed_patches.h"
 #ifdef RELIEF_HAS_VIEWER
 #include "viewer/viewer.h"
@@ -31,6 +33,7 @@ struct ViewArguments {
   std::vector<std::filesystem::path> files;
   SceneSettings settings;
   ReadOptions read;
+  VolumeReadOptions volume;
   std::filesystem::path texture;
   bool flips_v = false;
   ColourArguments colours;
@@ -43,9 +46,9 @@ struct ViewArguments {
 constexpr std::uint64_t kLeastBudget = std::uint64_t{64} << 20U;
 
 constexpr const char* kViewFooter =
-    "FILE is a patch file, a scan, a mesh, a raster or a .json scene. A scan shows its points at "
-    "once,\n"
-    "and its patches when they are converted. Files can be dropped on the window.\n"
+    "FILE is a patch file, a scan, a mesh, a raster, a volume, a scene of 3D Gaussians or a .json\n"
+    "scene. A scan shows its points at once, and its patches when they are converted. Files can be\n"
+    "dropped on the window.\n"
     "\n"
     "Examples:\n"
     "  relief view dragon.relief\n"
@@ -65,6 +68,7 @@ int run_view(const ViewArguments& arguments) {
   options.files = arguments.files;
   options.settings = arguments.settings;
   options.load.read = arguments.read;
+  options.load.volume = arguments.volume;
   options.load.textures = texture_choice(arguments.texture, arguments.flips_v);
   options.load.colour_by = colour_by_of(arguments.colours);
   options.budget = arguments.budget;
@@ -85,6 +89,15 @@ int run_view(const ViewArguments& /*arguments*/) {
 }
 #endif
 
+/// Options of volumes are held against the engine that draws them.
+void choose_engine(ViewArguments& arguments) {
+  if (arguments.settings.engine || arguments.settings.options.empty()) return;
+  const bool has_kernels = std::any_of(
+      arguments.files.begin(), arguments.files.end(),
+      [&](const auto& file) { return shows_kernels(file, arguments.volume); });
+  if (has_kernels) arguments.settings.engine = kVolumeEngineOfWindows;
+}
+
 }  // namespace
 
 void add_view(CLI::App& app, Command& command) {
@@ -104,6 +117,7 @@ void add_view(CLI::App& app, Command& command) {
       ->option_text("FILE|none");
   add_flip_option(*sub, arguments->flips_v);
   add_read_options(*sub, arguments->read);
+  add_raw_option(*sub, arguments->volume);
   sub->add_option("--target-ms", arguments->target_ms,
                   "Time of a frame while the camera moves, milliseconds, 5 to 1000: coarser "
                   "pictures keep it (default: that of the last window, at first 33)")
@@ -127,6 +141,7 @@ void add_view(CLI::App& app, Command& command) {
   sub->footer(kViewFooter);
   sub->callback([arguments, &command] {
     check_camera(arguments->settings);
+    choose_engine(*arguments);
     check_engine_options(arguments->settings);
     command = [arguments] { return run_view(*arguments); };
   });

@@ -135,6 +135,10 @@ void append_model(PatchModel& to, PatchModel from) {
                     std::make_move_iterator(from.patches.end()));
 }
 
+void extend_extent(PatchModel& to, const PatchModel& from) {
+  extend(to, from);
+}
+
 Status add_instance(PatchModel& to, const Instance& instance, const PatchModel& extent) {
   assert(instance.first + std::size_t{instance.count} <= to.patches.size() && "a run of patches");
   for (std::uint32_t k = 0; k < instance.count; ++k) {

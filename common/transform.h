@@ -41,6 +41,10 @@ void append_joined(PatchModel& to, const PatchModel& from);
 /// `spacing` becomes the finer one. The result is closed if both are.
 void append_model(PatchModel& to, PatchModel from);
 
+/// Extends the bounds, the sphere, the spacing and the attributes of a model for another thing that
+/// stands beside its patches; `from` has none.
+void extend_extent(PatchModel& to, const PatchModel& from);
+
 /// Adds an instance of some of the model's patches. `extent` has no patches; it gives their bounds,
 /// sphere, spacing, and whether they have colours and are closed, before the transform. A model
 /// with instances is drawn only through them. Fails as transform_model() does.

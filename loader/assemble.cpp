@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "common/transform.h"
+#include "loader/load_volume.h"
 #include "renderer/append.h"
 
 namespace relief {
@@ -31,10 +32,26 @@ Status add_forms(LoadedScene& scene, LoadedFile file, const FileUse& use,
 }  // namespace
 
 Status SceneAssembler::add(LoadedFile& file, const FileUse& use) {
+  if (file.volume) return add_volume(file, use);
   const std::uint32_t patches_before = patches_;
   scene_.has_faces |= file.is_mesh;
   RELIEF_TRY(several_ ? add_model_instance(file, use) : move_model(file.patches, use));
   return add_forms(scene_, use.is_last ? std::move(file) : LoadedFile(file), use, patches_before);
+}
+
+Status SceneAssembler::add_volume(LoadedFile& file, const FileUse& use) {
+  VolumePart part = use.is_last ? *std::exchange(file.volume, {}) : *file.volume;
+  part.material = use.material;
+  part.settings = use.model;
+  add_extent(extent_of(part, use.where));
+  RELIEF_TRY(move_part(part, use.where));
+  if (!scene_.volumes) scene_.volumes.emplace();
+  scene_.volumes->list.push_back(std::move(part));
+  return {};
+}
+
+void SceneAssembler::add_extent(const PatchModel& extent) {
+  extend_extent(scene_.patches, extent);
 }
 
 Status SceneAssembler::move_model(PatchModel& model, const FileUse& use) {

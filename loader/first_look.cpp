@@ -23,13 +23,18 @@ void complete_look(const PlannedView& view, const LoadedScene& scene, RenderSett
   if (!planned.background) settings.background = glm::vec3(linear_from_srgb(kBackground));
   const auto engine = engine_of(view);
   const bool is_timed = settings.frames > 0 || settings.explain;
-  if (engine && (*engine)->capabilities.needs_opengl && !is_timed &&
+  // Kernels are filtered: only surfaces among them have samples.
+  const bool has_samples = !scene.has_kernels() || (scene.volumes && !scene.patches.patches.empty());
+  if (engine && (*engine)->capabilities.needs_opengl && has_samples && !is_timed &&
       planned.options.find("samples") == planned.options.end())
     settings.samples = kPictureSamples;
   // Colours that stand for numbers say nothing of the shape: light does. A mesh without light is
   // flat.
-  if (!planned.material && has_colours(scene) && !scene.colours && !scene.has_faces)
-    settings.material = Material::Unlit;
+  if (planned.material || !has_colours(scene) || scene.colours || scene.has_faces) return;
+  // A volume's colours need light, too.
+  settings.volume.material = settings.material;
+  for (VolumeSettings& of_volume : settings.volumes) of_volume.material = settings.material;
+  settings.material = Material::Unlit;
 }
 
 }  // namespace relief

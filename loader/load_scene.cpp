@@ -146,6 +146,10 @@ Result<PatchModel> extent_of(const std::vector<SceneModel>& models, const Loaded
   SceneAssembler assembler(models.size() > 1);
   RELIEF_TRY(for_each_use(models, [&](const auto& path, const FileUse& use) {
     const auto tree = trees.find(path);
+    if (tree == trees.end() && loaded.at(path).volume) {
+      assembler.add_extent(extent_of(*loaded.at(path).volume, use.where));
+      return Status();
+    }
     LoadedFile file;
     file.patches =
         tree == trees.end() ? without_patches(loaded.at(path).patches) : tree->second.extent();
@@ -180,7 +184,9 @@ Result<FormNeeds> needs_of(const ScenePlan& plan, std::span<const EngineEntry> a
   FormNeeds needs;
   for (const PlannedView& view : plan.views) {
     RELIEF_TRY_ASSIGN(const EngineEntry* const engine, engine_of(view, among));
-    const ModelForm form = engine->forms.front();
+    // Of volumes that stand beside surfaces, the engine that draws these.
+    const EngineEntry* const of_surfaces = find_engine(engine->surfaces_by, among);
+    const ModelForm form = (of_surfaces != nullptr ? of_surfaces : engine)->forms.front();
     needs.patches |= form == ModelForm::Patches;
     needs.splats |= form == ModelForm::Splats;
     needs.mesh |= form == ModelForm::Mesh;
@@ -210,9 +216,10 @@ Result<LoadedScene> load_models(const std::vector<SceneModel>& models, const Loa
   if (options.colour_by && models.size() > 1)
     return make_error("only one model can be coloured by a scalar; the scene has {}",
                       models.size());
-  const bool has_scans = std::any_of(
-      models.begin(), models.end(),
-      [&options](const SceneModel& model) { return !is_patches(model.file, options.read); });
+  const bool has_scans =
+      std::any_of(models.begin(), models.end(), [&options](const SceneModel& model) {
+        return !is_patches(model.file, options.read) && !has_kernels(model, options.volume);
+      });
   const Forms forms{needs.mesh && has_scans, needs.splats && has_scans};
   // Splats and meshes are made of all patches.
   const bool may_choose = views && !needs.mesh && !needs.splats;
@@ -224,7 +231,9 @@ Result<LoadedScene> load_models(const std::vector<SceneModel>& models, const Loa
   for (const SceneModel& model : models) {
     if (loaded.find(model.file) != loaded.end() || trees->find(model.file) != trees->end())
       continue;
-    if (is_patches(model.file, options.read)) {
+    if (has_kernels(model, options.volume)) {
+      RELIEF_TRY_ASSIGN(loaded[model.file].volume, load_part(model, options.volume, progress));
+    } else if (is_patches(model.file, options.read)) {
       RELIEF_TRY_ASSIGN(auto file, load_patch_file(model.file, forms, options, progress));
       loaded.emplace(model.file, std::move(file));
     } else {
@@ -253,8 +262,9 @@ Result<LoadedScene> load_models(const std::vector<SceneModel>& models, const Loa
 
 Result<LoadedScene> load_scene(const ScenePlan& plan, const LoadOptions& options,
                                Progress& progress, std::span<const EngineEntry> among) {
-  RELIEF_TRY_ASSIGN(const bool is_volume, has_kernels(plan.models, options.volume));
-  if (is_volume) return load_kernels(plan, options.volume, among, progress);
+  RELIEF_TRY(check_kernels(plan, options.volume, among));
+  if (plan.models.size() == 1 && has_kernels(plan.models.front(), options.volume))
+    return load_kernels(plan, options.volume, progress);
   RELIEF_TRY_ASSIGN(const FormNeeds needs, needs_of(plan, among));
   if (needs.splats && !options.textures.image.empty())
     return load_textured_splats(plan, options, progress);

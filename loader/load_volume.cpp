@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "common/volume/move.h"
 #include "loader/view_settings.h"
@@ -16,6 +17,37 @@ bool draws_kernels(const EngineEntry& engine) {
          engine.forms.end();
 }
 
+bool draws_several(const EngineEntry& engine) {
+  return std::find(engine.forms.begin(), engine.forms.end(), ModelForm::VolumeParts) !=
+         engine.forms.end();
+}
+
+/// With the model's own layout.
+Result<VolumeReadOptions> options_of(const SceneModel& model, const VolumeReadOptions& options) {
+  if (model.raw.empty()) return options;
+  auto layout = parse_raw_layout(model.raw);
+  if (!layout) return make_error("{}: raw: {}", model.file.string(), layout.error().message);
+  return VolumeReadOptions{*layout};
+}
+
+Status check_engine_of(const PlannedView& view, const ScenePlan& plan, const SceneModel& model,
+                       std::span<const EngineEntry> among) {
+  RELIEF_TRY_ASSIGN(const EngineEntry* const engine, engine_of(view, among));
+  if (!draws_kernels(*engine)) {
+    return make_error(
+        "{}: is a volume or a scene of 3D Gaussians, which engine {} can't draw; choose engine "
+        "volume or volume-reference",
+        model.file.string(), engine->name);
+  }
+  if (plan.models.size() > 1 && !draws_several(*engine)) {
+    return make_error(
+        "{}: engine {} draws a single volume or scene of 3D Gaussians, and this scene has {} "
+        "models; choose engine volume or volume-reference",
+        plan.file.string(), engine->name, plan.models.size());
+  }
+  return {};
+}
+
 }  // namespace
 
 bool has_kernels(const std::filesystem::path& path, const VolumeReadOptions& options) {
@@ -24,54 +56,106 @@ bool has_kernels(const std::filesystem::path& path, const VolumeReadOptions& opt
   return found && *found;
 }
 
-Result<bool> has_kernels(const std::vector<SceneModel>& models, const VolumeReadOptions& options) {
-  const auto count = std::count_if(models.begin(), models.end(), [&](const SceneModel& model) {
-    return has_kernels(model.file, options);
+bool has_kernels(const SceneModel& model, const VolumeReadOptions& options) {
+  return !model.raw.empty() || has_kernels(model.file, options);
+}
+
+bool has_kernels(const std::vector<SceneModel>& models, const VolumeReadOptions& options) {
+  return std::any_of(models.begin(), models.end(), [&](const SceneModel& model) {
+    return has_kernels(model, options);
   });
-  if (count == 0) return false;
-  if (models.size() == 1) return true;
-  return make_error(
-      "{}: a volume or a scene of 3D Gaussians is drawn by itself; the scene has {} models",
-      models.front().file.string(), models.size());
+}
+
+bool shows_kernels(const std::filesystem::path& input, const VolumeReadOptions& options) {
+  const auto plan = plan_scene(input, {});
+  return plan && has_kernels(plan->models, options);
 }
 
 void choose_volume_engine(ScenePlan& plan, const VolumeReadOptions& options) {
-  const bool is_volume =
-      std::any_of(plan.models.begin(), plan.models.end(),
-                  [&](const SceneModel& model) { return has_kernels(model.file, options); });
-  if (!is_volume) return;
+  if (!has_kernels(plan.models, options)) return;
   for (PlannedView& view : plan.views) {
     if (!view.settings.engine) view.settings.engine = kVolumeEngine;
   }
 }
 
-Result<LoadedScene> load_kernels(const ScenePlan& plan, const VolumeReadOptions& options,
-                                 std::span<const EngineEntry> among, Progress& progress) {
-  const SceneModel& model = plan.models.front();
-  for (const PlannedView& view : plan.views) {
-    RELIEF_TRY_ASSIGN(const EngineEntry* const engine, engine_of(view, among));
-    if (!draws_kernels(*engine)) {
-      return make_error(
-          "{}: is a volume or a scene of 3D Gaussians, which engine {} can't draw; `relief render` "
-          "draws it with engine volume or volume-reference",
-          model.file.string(), engine->name);
+void fit_engine(ScenePlan& plan, const VolumeReadOptions& options) {
+  const bool is_for_kernels = has_kernels(plan.models, options);
+  for (PlannedView& view : plan.views) {
+    const auto engine = engine_of(view);
+    if (!engine || draws_kernels(**engine) == is_for_kernels) continue;
+    view.settings.engine.reset();
+    if (is_for_kernels) view.settings.engine = kVolumeEngineOfWindows;
+  }
+}
+
+Status check_kernels(const ScenePlan& plan, const VolumeReadOptions& options,
+                     std::span<const EngineEntry> among) {
+  if (options.raw && !plan.file.empty()) {
+    return make_error("{}: --raw is for a single file; give the model of the scene the key raw",
+                      plan.file.string());
+  }
+  for (const SceneModel& model : plan.models) {
+    if (!has_kernels(model, options)) {
+      if (model.options.empty()) continue;
+      return make_error("{}: has {}, which is for volumes and 3D Gaussians, and this is neither",
+                        model.file.string(), model.options.begin()->first);
     }
+    for (const SceneModel& other : plan.models) {
+      if (other.file == model.file && other.raw != model.raw)
+        return make_error("{}: two models read it with different layouts; copy the file",
+                          model.file.string());
+    }
+    for (const PlannedView& view : plan.views)
+      RELIEF_TRY(check_engine_of(view, plan, model, among));
   }
+  return {};
+}
+
+Result<VolumePart> load_part(const SceneModel& model, const VolumeReadOptions& options,
+                             Progress& progress) {
+  RELIEF_TRY_ASSIGN(const VolumeReadOptions own, options_of(model, options));
+  VolumePart part;
+  if (is_volume(model.file, own)) {
+    RELIEF_TRY_ASSIGN(part.what, read_volume(model.file, own, progress));
+  } else {
+    RELIEF_TRY_ASSIGN(part.what, read_gaussians(model.file, progress));
+  }
+  return part;
+}
+
+Status move_part(VolumePart& part, const Transform& transform) {
+  if (auto* const gaussians = std::get_if<GaussianCloud>(&part.what))
+    return move_gaussians(*gaussians, transform);
+  move_volume(std::get<ScalarVolume>(part.what), transform);
+  return {};
+}
+
+PatchModel extent_of(const VolumePart& part, const Transform& transform) {
+  PatchModel extent;
+  std::visit(
+      [&](const auto& what) {
+        std::vector<glm::dvec3> points = extent_of(what);
+        for (glm::dvec3& point : points) point = moved(transform, point);
+        set_extent(extent, points);
+        extent.stance = {transform.rotation * what.stance.up,
+                         transform.rotation * what.stance.front};
+      },
+      part.what);
+  return extent;
+}
+
+Result<LoadedScene> load_kernels(const ScenePlan& plan, const VolumeReadOptions& options,
+                                 Progress& progress) {
+  const SceneModel& model = plan.models.front();
+  RELIEF_TRY_ASSIGN(VolumePart part, load_part(model, options, progress));
   LoadedScene scene;
-  if (!is_volume(model.file, options)) {
-    RELIEF_TRY_ASSIGN(auto gaussians, read_gaussians(model.file, progress));
-    if (const Status moved = move_gaussians(gaussians, model.transform); !moved)
-      return make_error("{}: {}", model.file.string(), moved.error().message);
-    set_extent(scene.patches, extent_of(gaussians));
-    scene.patches.stance = gaussians.stance;
-    scene.gaussians = std::move(gaussians);
-    return scene;
-  }
-  RELIEF_TRY_ASSIGN(auto volume, read_volume(model.file, options, progress));
-  move_volume(volume, model.transform);
-  set_extent(scene.patches, extent_of(volume));
-  scene.patches.stance = volume.stance;
-  scene.volume = std::move(volume);
+  scene.patches = extent_of(part, model.transform);
+  if (const Status moved = move_part(part, model.transform); !moved)
+    return make_error("{}: {}", model.file.string(), moved.error().message);
+  if (auto* const volume = std::get_if<ScalarVolume>(&part.what))
+    scene.volume = std::move(*volume);
+  else
+    scene.gaussians = std::get<GaussianCloud>(std::move(part.what));
   return scene;
 }
 

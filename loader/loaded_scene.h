@@ -22,11 +22,15 @@ struct LoadedScene {
   std::optional<SplatCloud> splats;
   std::optional<ScalarVolume> volume;      ///< then there is nothing else
   std::optional<GaussianCloud> gaussians;  ///< likewise
+  std::optional<VolumeParts> volumes;      ///< several, or beside surfaces
   bool has_faces = false;                  ///< some model is a mesh, or was converted from one
   bool mesh_is_input = false;              ///< all triangles of the mesh are faces of the files
   std::optional<ColourScale> colours;      ///< what LoadOptions::colour_by made of it
   /// Where patches are read as views need them (loader/stream/); `patches` then has none.
   std::shared_ptr<TileSource> tiles;
+
+  /// Whether there are volumes or 3D Gaussians.
+  [[nodiscard]] bool has_kernels() const { return volume || gaussians || volumes; }
 
   [[nodiscard]] RenderModel forms() const {
     RenderModel forms = RenderModel::of(patches);
@@ -34,6 +38,7 @@ struct LoadedScene {
     if (splats) forms.add(*splats);
     if (volume) forms.add(*volume);
     if (gaussians) forms.add(*gaussians);
+    if (volumes) forms.add(*volumes);
     return forms;
   }
 };

@@ -1,5 +1,6 @@
 #include "loader/scene_plan.h"
 
+#include <algorithm>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -25,6 +26,18 @@ std::vector<MaterialSettings> materials_for(const std::vector<MaterialOverrides>
   return materials;
 }
 
+/// The options of each model in a view of a scene; none if the models name none.
+std::vector<OptionValues> options_for(const std::vector<SceneModel>& models,
+                                      const OptionValues& of_view, const OptionValues& overrides) {
+  std::vector<OptionValues> options;
+  if (std::all_of(models.begin(), models.end(),
+                  [](const SceneModel& model) { return model.options.empty(); }))
+    return options;
+  for (const SceneModel& model : models)
+    options.push_back(overlay_options(overlay_options(of_view, model.options), overrides));
+  return options;
+}
+
 }  // namespace
 
 EngineKeys engine_keys(std::span<const EngineEntry> among) {
@@ -38,8 +51,8 @@ Result<ScenePlan> plan_scene(const fs::path& input, const SceneSettings& overrid
                              std::span<const EngineEntry> among) {
   ScenePlan plan;
   if (lower_extension(input) != ".json") {
-    plan.models.push_back({input, {}, {}, {}});
-    plan.views.push_back({"", overrides, {}});
+    plan.models.push_back({.file = input});
+    plan.views.push_back({"", overrides, {}, {}});
     return plan;
   }
   RELIEF_TRY_ASSIGN(auto scene, read_scene(input, engine_keys(among)));
@@ -48,8 +61,9 @@ Result<ScenePlan> plan_scene(const fs::path& input, const SceneSettings& overrid
   const std::vector<MaterialOverrides> of_models = distinct_materials(plan.models);
   for (const SceneView& view : scene.views) {
     const SceneSettings of_view = overlay(scene.settings, view.settings);
-    plan.views.push_back(
-        {view.name, overlay(of_view, overrides), materials_for(of_models, of_view, overrides)});
+    plan.views.push_back({view.name, overlay(of_view, overrides),
+                          materials_for(of_models, of_view, overrides),
+                          options_for(plan.models, of_view.options, overrides.options)});
     const std::size_t count = roughnesses_of(plan.views.back().materials).size();
     if (count > kMaxRoughnesses) {
       return make_error("{}: view {}: has mirrors of {} roughnesses; at most {} are drawn",

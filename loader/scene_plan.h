@@ -21,6 +21,9 @@ struct PlannedView {
   /// By material number, if some model names a material of its own: the overrides, over the
   /// model's material, over the view's and the scene's; in the order of distinct_materials().
   std::vector<MaterialSettings> materials;
+  /// By model, if some model names options of its own: the overrides, over the model's, over the
+  /// view's and the scene's.
+  std::vector<OptionValues> options_of_models = {};
 };
 
 struct ScenePlan {

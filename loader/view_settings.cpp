@@ -10,16 +10,33 @@
 namespace relief {
 namespace {
 
-/// The engine's defaults, and those of the options that are its own.
+/// Applies those options that are the engine's.
+Status apply_own(const EngineEntry& engine, const OptionValues& options, RenderSettings& settings) {
+  OptionValues own;
+  for (const auto& [key, value] : options) {
+    if (find_option(engine, key) != nullptr) own.emplace(key, value);
+  }
+  return apply_options(engine, own, settings);
+}
+
+/// The engine's defaults, and those of the options that are its own, or those of the engine that
+/// draws surfaces for it.
 Result<RenderSettings> engine_settings(const PlannedView& view,
                                        std::span<const EngineEntry> among) {
   RELIEF_TRY_ASSIGN(const EngineEntry* const engine, engine_of(view, among));
-  OptionValues own;
-  for (const auto& [key, value] : view.settings.options) {
-    if (find_option(*engine, key) != nullptr) own.emplace(key, value);
-  }
   RenderSettings settings = default_settings(*engine);
-  RELIEF_TRY(apply_options(*engine, own, settings));
+  if (const EngineEntry* const beside = find_engine(engine->surfaces_by, among))
+    RELIEF_TRY(apply_own(*beside, view.settings.options, settings));
+  RELIEF_TRY(apply_own(*engine, view.settings.options, settings));
+  for (const OptionValues& of_model : view.options_of_models) {
+    RenderSettings own = settings;
+    RELIEF_TRY(apply_own(*engine, of_model, own));
+    settings.volumes.push_back(std::move(own.volume));
+  }
+  if (settings.volumes.size() == 1) {
+    settings.volume = VolumeSettings(settings.volumes.front());
+    settings.volumes.clear();
+  }
   return settings;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/shading/materials.h"
+#include "renderer/volume/surfaces_beside.h"
 
 namespace relief {
 namespace {
@@ -87,6 +88,15 @@ Status check_engine(const EngineEntry& engine, const RenderSettings& settings,
                     const RenderModel& model, std::span<const EngineEntry> among) {
   const std::optional<ModelForm> form = form_for(engine, model);
   if (!form) return make_error("engine {} can't draw this model in any of its forms", engine.name);
+  const EngineEntry* const beside = find_engine(engine.surfaces_by, among);
+  if (beside != nullptr && has_surfaces(model)) {
+    if (is_transparent(settings)) {
+      return make_error(
+          "a material's opacity is below 1; surfaces beside volumes and 3D Gaussians are opaque: "
+          "choose an opacity of 1");
+    }
+    return check_engine(*beside, settings, model, among);
+  }
   RELIEF_TRY(check_opacity(engine, settings, among));
   RELIEF_TRY(check_interfaces(engine, settings, among));
   return check_split_view(engine, settings, *form, among);

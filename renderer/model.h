@@ -11,19 +11,20 @@
 #include "common/volume/scalar_volume.h"
 #include "renderer/geometry/splat_cloud.h"
 #include "renderer/geometry/triangle_mesh.h"
+#include "renderer/volume/volume_parts.h"
 
 namespace relief {
 
 /// A form that a model comes in. A new form is a new enumerator, and a new alternative of
 /// RenderModel::Form at the same position.
-enum class ModelForm : std::uint8_t { Patches, Splats, Mesh, Volume, Gaussians };
+enum class ModelForm : std::uint8_t { Patches, Splats, Mesh, Volume, Gaussians, VolumeParts };
 
 /// One model in one or several forms, which it borrows: they must outlive the rendering. Each form
 /// is there at most once.
 class RenderModel {
  public:
   using Form = std::variant<const PatchModel*, const SplatCloud*, const TriangleMesh*,
-                            const ScalarVolume*, const GaussianCloud*>;
+                            const ScalarVolume*, const GaussianCloud*, const VolumeParts*>;
 
   /// A model without any form, for add().
   RenderModel() = default;

@@ -54,6 +54,9 @@ struct RenderSettings {
   EwaSettings ewa;
   RaytraceSettings raytrace;
   VolumeSettings volume;
+  /// By VolumePart::settings: what is said there of the values' looks (transfer, iso, iso_opacity,
+  /// kernel_sigma, material, Gaussians' degree) holds for that part. Empty: `volume` for all.
+  std::vector<VolumeSettings> volumes;
   /// Values of engine options that have no member here: an engine's own (renderer/engine.h).
   OptionValues options;
   GlPlatform platform = GlPlatform::Automatic;

@@ -1,11 +1,14 @@
 #include "renderer/viewport.h"
 
 #include <cassert>
+#include <glm/vec4.hpp>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "renderer/engine_checks.h"
+#include "renderer/frame/attachments.h"
 #include "renderer/frame/gl_engine.h"
 #include "renderer/frame/image_parts.h"
 #include "renderer/gl/open_gl.h"
@@ -24,6 +27,37 @@ void copy_pixels(const Gl& gl, const Targets& from, const Raster& part, GLuint f
   const auto bottom = static_cast<GLint>(part.bottom);
   gl.BlitNamedFramebuffer(from.framebuffer.id(), framebuffer, 0, 0, width, height, left, bottom,
                           left + width, bottom + height, what, GL_NEAREST);
+}
+
+/// An image's colour and alpha.
+Texture make_colour(const Gl& gl, const Image& image) {
+  std::vector<glm::vec4> rows(std::size_t{image.width} * image.height);  // the bottom row first
+  glm::length_t component = 0;
+  for (const char* const name : {"R", "G", "B", "A"}) {
+    const Channel* const channel = image.find(name);
+    assert(channel != nullptr && "an image has a colour");
+    for (std::size_t y = 0; y < image.height; ++y) {
+      for (std::size_t x = 0; x < image.width; ++x)
+        rows[(image.height - 1 - y) * image.width + x][component] =
+            channel->values[y * image.width + x];
+    }
+    ++component;
+  }
+  Texture texture = make_attachment(gl, "whole image", GL_RGBA16F, image.width, image.height);
+  gl.TextureSubImage2D(texture.id(), 0, 0, 0, static_cast<GLsizei>(image.width),
+                       static_cast<GLsizei>(image.height), GL_RGBA, GL_FLOAT, rows.data());
+  return texture;
+}
+
+/// A pixel that shows nothing.
+Image nothing_seen() {
+  Image pixel{1, 1, {}};
+  for (const char* const name : {"R", "G", "B", "A"})
+    pixel.channels.push_back({name, ChannelType::Half, {0.0F}});
+  pixel.channels.push_back(
+      {"Z", ChannelType::Float, {std::numeric_limits<float>::infinity()}});
+  pixel.channels.push_back({"patch", ChannelType::Uint, {0.0F}});
+  return pixel;
 }
 
 }  // namespace
@@ -111,11 +145,19 @@ StoreNeeds pool_needs(const PatchModel& model, std::span<const RenderSettings> l
   return needs;
 }
 
-Result<GlPreparedModel*> Viewport::engine_for(const RenderSettings& view) const {
+Result<PreparedModel*> Viewport::prepared_for(const RenderSettings& view) const {
   const auto found = prepared_.find(view.engine);
   if (found == prepared_.end())
     return make_error("engine {} is not among the looks of this viewport", view.engine);
-  return static_cast<GlPreparedModel*>(found->second.get());
+  return found->second.get();
+}
+
+Result<GlPreparedModel*> Viewport::engine_for(const RenderSettings& view) const {
+  RELIEF_TRY_ASSIGN(PreparedModel* const prepared, prepared_for(view));
+  auto* const parts = dynamic_cast<GlPreparedModel*>(prepared);
+  if (parts == nullptr)
+    return make_error("engine {} has no fragments of patches to look into", view.engine);
+  return parts;
 }
 
 Status Viewport::draw(const RenderSettings& view, std::uint32_t framebuffer) {
@@ -124,6 +166,9 @@ Status Viewport::draw(const RenderSettings& view, std::uint32_t framebuffer) {
 
 Status Viewport::draw(const RenderSettings& view, const Rectangle& part,
                       std::uint32_t framebuffer) {
+  RELIEF_TRY_ASSIGN(PreparedModel* const prepared, prepared_for(view));
+  if (dynamic_cast<GlPreparedModel*>(prepared) == nullptr)
+    return draw_whole(*prepared, view, part, framebuffer);
   const std::uint32_t side = samples_a_side(view.samples);
   const GLbitfield copied = GL_COLOR_BUFFER_BIT | (view.eye_dome > 0.0 ? GL_DEPTH_BUFFER_BIT : 0U);
   return draw_parts(view, part, [&](const BegunPart& begun) -> Status {
@@ -181,16 +226,43 @@ Status Viewport::draw_parts(const RenderSettings& view, const Rectangle& part,
   return check_errors(gl, "the viewport");
 }
 
+Status Viewport::draw_whole(PreparedModel& engine, const RenderSettings& view,
+                            const Rectangle& part, std::uint32_t framebuffer) {
+  const Gl& gl = opengl_->gl();
+  const SavedState saved(gl);
+  RenderSettings alone = view;
+  alone.outputs = {};
+  alone.eye_dome = 0.0;
+  Progress silent;
+  RELIEF_TRY_ASSIGN(const RenderResult drawn, engine.render(alone, silent));
+  const Texture colour = make_colour(gl, drawn.image);
+  const Framebuffer whole =
+      make_framebuffer(gl, "whole image", nullptr, {{RELIEF_OUT_COLOUR, &colour}});
+  const auto left = static_cast<GLint>(part.left);
+  const auto bottom = static_cast<GLint>(part.bottom);
+  const auto right = static_cast<GLint>(part.left + part.width);
+  const auto top = static_cast<GLint>(part.bottom + part.height);
+  gl.BlitNamedFramebuffer(whole.id(), framebuffer, left, bottom, right, top, left, bottom, right,
+                          top, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  return check_errors(gl, "the viewport");
+}
+
+bool Viewport::draws_parts(const RenderSettings& view) const {
+  return static_cast<bool>(engine_for(view));
+}
+
 double Viewport::depth_range(const RenderSettings& view) const {
   const auto engine = engine_for(view);
-  assert(engine && "an engine of the looks");
+  if (!engine) return 0.0;
   const View shown = (*engine)->model().view_of(view);
   return shown.orthographic ? shown.far - shown.near : 0.0;
 }
 
 Result<Image> Viewport::probe(const RenderSettings& view, std::uint32_t x, std::uint32_t y) {
   assert(x < view.width && y < view.height);
-  RELIEF_TRY_ASSIGN(GlPreparedModel* const engine, engine_for(view));
+  RELIEF_TRY_ASSIGN(PreparedModel* const prepared, prepared_for(view));
+  auto* const engine = dynamic_cast<GlPreparedModel*>(prepared);
+  if (engine == nullptr) return nothing_seen();
   const Gl& gl = opengl_->gl();
   const SavedState saved(gl);
   RenderSettings settings = engine->settled(view);

@@ -77,18 +77,24 @@ class Viewport {
   /// a pixel. Does not wait for OpenGL. The pixels are those of render() without eye-dome lighting;
   /// for that, with `view.eye_dome` above 0 and one sample a pixel, the framebuffer's depth
   /// (GL_DEPTH_COMPONENT32F) becomes that of the opaque surfaces, reversed; otherwise it stays.
-  /// Targets are made anew when the size or the outputs change.
+  /// Targets are made anew when the size or the outputs change. An engine of volumes and
+  /// 3D Gaussians draws whole images (draws_parts()) and leaves the depth as it is.
   Status draw(const RenderSettings& view, std::uint32_t framebuffer);
 
   /// Draws a rectangle of the view into the same pixels of the framebuffer, which but for rounding
-  /// are those that draw() gives them. What lies beside it costs nothing and stays as it was.
+  /// are those that draw() gives them. What lies beside it stays as it was, and costs nothing if the
+  /// engine draws_parts().
   Status draw(const RenderSettings& view, const Rectangle& part, std::uint32_t framebuffer);
 
   /// Draws a rectangle of the view, and gives each part of it with its outputs to `read`, which may
   /// draw: OpenGL's state is restored after it. `view.samples` samples a pixel, which are not
   /// averaged. With `view.count_fragments` what is drawn are the counts; fails if the look has
-  /// semi-transparent surfaces, whose fragments are not counted.
+  /// semi-transparent surfaces, whose fragments are not counted, and if the engine draws whole
+  /// images.
   Status draw(const RenderSettings& view, const Rectangle& part, const PartReader& read);
+
+  /// Returns whether the engine of a look draws a rectangle without all of the image.
+  [[nodiscard]] bool draws_parts(const RenderSettings& view) const;
 
   /// Returns how far apart, in world units, what depth values of 1 and 0 stand for is; 0 for a
   /// perspective view, whose depth values are not linear. The engine is among those of the looks.
@@ -96,7 +102,8 @@ class Viewport {
 
   /// Reads what one pixel of the view shows, `x` and `y` from the lower left corner: an image of
   /// one pixel with the channels of colour, "Z" and "patch" (common/image/image.h). Draws that
-  /// pixel alone and waits for it.
+  /// pixel alone and waits for it. An engine that draws whole images is not asked: its pixels show
+  /// nothing.
   Result<Image> probe(const RenderSettings& view, std::uint32_t x, std::uint32_t y);
 
  private:
@@ -109,7 +116,12 @@ class Viewport {
                                                 const PatchPool* pool,
                                                 std::span<const RenderSettings> looks,
                                                 std::span<const EngineEntry> among);
+  Result<PreparedModel*> prepared_for(const RenderSettings& view) const;
+  /// Of an engine that draws parts.
   Result<GlPreparedModel*> engine_for(const RenderSettings& view) const;
+  /// Copies a rectangle of a view that is drawn as a whole.
+  Status draw_whole(PreparedModel& engine, const RenderSettings& view, const Rectangle& part,
+                    std::uint32_t framebuffer);
   /// Calls `draw` for each of the parts that a rectangle of a view is drawn in.
   Status draw_parts(const RenderSettings& view, const Rectangle& part, const PartDrawer& draw);
 

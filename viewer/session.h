@@ -59,6 +59,7 @@ struct Session {
 
   Document document;
   std::shared_ptr<const LoadedScene> scene;  ///< what is shown; null: points, or nothing yet
+  std::optional<NumberChoice> volume_values;  ///< the range of its volumes' values
   std::size_t points_read = 0;               ///< of the scan whose points came last
   Navigator navigator;
   Bookmarks bookmarks;

@@ -122,9 +122,12 @@ std::string list_engines(std::span<const EngineEntry> among) {
 void check_engine_options(const SceneSettings& settings, std::span<const EngineEntry> among) {
   const EngineEntry* const engine =
       find_engine(settings.engine.value_or(among.front().name), among);
+  const EngineEntry* const beside = find_engine(engine->surfaces_by, among);
   const std::vector<SharedOption> all = shared_options(among);
   for (const auto& [key, value] : settings.options) {
-    if (const EngineOption* const option = find_option(*engine, key)) {
+    const EngineOption* option = find_option(*engine, key);
+    if (option == nullptr && beside != nullptr) option = find_option(*beside, key);
+    if (option != nullptr) {
       if (const Status good = check_value(option->row, value); !good)
         throw CLI::ValidationError(
             "--" + key, fmt::format("engine {}: {}", engine->name, good.error().message));

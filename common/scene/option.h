@@ -32,6 +32,9 @@ struct OptionRow {
   std::string placeholder = {};   ///< in `--help`: "N", "MS"; empty for Choice, which lists them
   std::string help = {};          ///< its effect and its unit: a sentence without a period
   std::string default_text = {};  ///< "2", "4 with cells, else 0"; empty: none
+  /// Of Text: a value with this extension names a file, in a scene relative to the scene's folder.
+  std::string file_extension = {};
+  bool is_of_model = false;  ///< a model of a scene can have a value of its own, too
 };
 
 /// The engines that a scene may name, and their options. The renderer derives this from its

@@ -67,9 +67,11 @@ inline constexpr std::array<Named<glm::dvec3>, 6> kAxes{{{"x", {1.0, 0.0, 0.0}},
 
 struct SceneModel {
   std::filesystem::path file;
-  Transform transform;
-  MaterialOverrides material;     ///< overrides that of views
-  std::optional<bool> is_closed;  ///< overrides the file's own flag
+  Transform transform = {};
+  MaterialOverrides material = {};     ///< overrides that of views
+  std::optional<bool> is_closed = {};  ///< overrides the file's own flag
+  OptionValues options = {};           ///< of engines, by key; override those of views
+  std::string raw = {};  ///< layout of a volume without a header; empty: it has one
 };
 
 struct SceneView {

@@ -40,14 +40,17 @@ Transform read_transform(JsonValues& values, const JsonNode& node) {
   return transform;
 }
 
-SceneModel read_model(JsonValues& values, const JsonNode& node, const fs::path& folder) {
-  constexpr std::string_view kExpected = "the name of a patch file, a scan or a mesh";
+SceneModel read_model(JsonValues& values, const JsonNode& node, const SettingsContext& context) {
+  constexpr std::string_view kExpected = "the name of a patch file, a scan, a mesh or a volume";
   SceneModel model;
-  std::vector<std::string_view> keys{"file", "transform", "closed"};
+  std::vector<std::string_view> keys{"file", "transform", "closed", "raw"};
+  for (const OptionRow& row : context.engines.options) {
+    if (row.is_of_model) keys.emplace_back(row.key);
+  }
   keys.insert(keys.end(), kMaterialKeys.begin(), kMaterialKeys.end());
   if (!values.object(node, keys)) return model;
   if (const auto file = values.required(node, "file", kExpected)) {
-    model.file = read_path(values, *file, folder, kExpected);
+    model.file = read_path(values, *file, context.folder, kExpected);
     if (model.file.extension() == ".json")
       values.refuse_value(*file, fmt::format("{}, not another scene", kExpected));
   }
@@ -55,6 +58,9 @@ SceneModel read_model(JsonValues& values, const JsonNode& node, const fs::path& 
     model.transform = read_transform(values, *found);
   if (const auto found = JsonValues::member(node, "closed"))
     model.is_closed = values.boolean(*found);
+  if (const auto found = JsonValues::member(node, "raw"))
+    model.raw = values.text(*found, "the layout of a volume without a header, as in 256x256x109:u8");
+  model.options = read_options(values, node, context);
   model.material = read_material(values, node);
   return model;
 }
@@ -92,7 +98,7 @@ Scene make_scene(JsonValues& values, const JsonNode& root, const SettingsContext
   scene.settings = read_settings(values, root, context);
   if (const auto list = values.required(root, "models", "a list of models, at least one")) {
     for (const JsonNode& node : values.elements(*list, kMaxSceneModels, "models"))
-      scene.models.push_back(read_model(values, node, context.folder));
+      scene.models.push_back(read_model(values, node, context));
     if (const std::size_t count = distinct_materials(scene.models).size(); count > kMaxMaterials) {
       values.refuse(list->path, fmt::format("have {} different materials; at most {} are drawn",
                                             count, kMaxMaterials));

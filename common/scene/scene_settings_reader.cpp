@@ -123,6 +123,21 @@ MaterialOverrides read_material(JsonValues& values, const JsonNode& object) {
   return overrides;
 }
 
+OptionValues read_options(JsonValues& values, const JsonNode& object,
+                          const SettingsContext& context) {
+  OptionValues options;
+  for (const OptionRow& row : context.engines.options) {
+    const auto node = JsonValues::member(object, row.key);
+    if (!node) continue;
+    OptionValue value = values.option(*node, row);
+    const auto* const text = std::get_if<std::string>(&value);
+    if (text != nullptr && !row.file_extension.empty() && text->ends_with(row.file_extension))
+      value = read_path(values, *node, context.folder, expected_of(row)).string();
+    options.insert_or_assign(row.key, std::move(value));
+  }
+  return options;
+}
+
 SceneSettings read_settings(JsonValues& values, const JsonNode& object,
                             const SettingsContext& context) {
   SceneSettings settings;
@@ -148,10 +163,7 @@ SceneSettings read_settings(JsonValues& values, const JsonNode& object,
   read("orthographic", settings.orthographic, with(read_orthographic));
   read("engine", settings.engine,
        [&](const JsonNode& node) { return read_engine(values, node, context.engines); });
-  for (const OptionRow& row : context.engines.options) {
-    if (const auto node = JsonValues::member(object, row.key))
-      settings.options.insert_or_assign(row.key, values.option(*node, row));
-  }
+  settings.options = read_options(values, object, context);
   static_cast<MaterialOverrides&>(settings) = read_material(values, object);
   read("lights", settings.lights, with(read_lights));
   read("ambient", settings.ambient,

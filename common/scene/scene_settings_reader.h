@@ -27,6 +27,10 @@ struct SettingsContext {
 SceneSettings read_settings(JsonValues& values, const JsonNode& object,
                             const SettingsContext& context);
 
+/// The values of options among the members of an object.
+OptionValues read_options(JsonValues& values, const JsonNode& object,
+                          const SettingsContext& context);
+
 /// The keys of a material.
 inline constexpr std::array<std::string_view, 6> kMaterialKeys{
     "material", "ior", "absorption", "roughness", "opacity", "interfaces"};

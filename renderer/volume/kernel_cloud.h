@@ -47,6 +47,8 @@ struct KernelCloud {
   /// How flat kernels are weighted: 1 where the weight is divided by 1 / |n . d|, the length of a
   /// ray in a layer along the direction d (section 6.4). Empty: nowhere.
   std::vector<std::uint8_t> is_surface;
+  /// Of kernels of several things: where those of each begin, the first at 0. Empty: of one.
+  std::vector<std::size_t> starts;
   /// Of a grid: each kernel's node (i + size.x * (j + size.y * k)), ascending; else empty.
   std::vector<std::uint32_t> nodes;
   glm::uvec3 size{0};
@@ -54,6 +56,12 @@ struct KernelCloud {
   glm::dmat3 across{1.0};
 
   [[nodiscard]] std::size_t count() const { return centres.size(); }
+  /// Which of `starts` kernel k belongs to.
+  [[nodiscard]] std::size_t part_of(std::size_t k) const {
+    std::size_t part = 0;
+    while (part + 1 < starts.size() && k >= starts[part + 1]) ++part;
+    return part;
+  }
   /// Of a grid: the indices of kernel k's node.
   [[nodiscard]] glm::uvec3 node(std::size_t k) const {
     return {nodes[k] % size.x, nodes[k] / size.x % size.y, nodes[k] / size.x / size.y};
@@ -62,5 +70,11 @@ struct KernelCloud {
     return variances.size() == 1 ? variances.front() : variances[k];
   }
 };
+
+/// Several clouds as one, in their order: without a grid, with a variance for each kernel. Normals,
+/// colours and `is_surface` that only some have are 0 for the others. Weights are of the kind
+/// Integral unless all are of the kind Peak; which rule a kernel follows its part says. The list is
+/// not empty; a single cloud stays as it is.
+[[nodiscard]] KernelCloud merged(std::vector<KernelCloud> clouds);
 
 }  // namespace relief

@@ -12,7 +12,9 @@ EngineOption transfer_option() {
                 .help =
                     "colour and opacity of a volume's values: auto, ct-bone, ct-skin, mr, none, "
                     "or a .json file",
-                .default_text = "auto"};
+                .default_text = "auto",
+                .file_extension = ".json",
+                .is_of_model = true};
   return {std::move(row),
           [](RenderSettings& settings, const OptionValue& value) {
             settings.volume.transfer = std::get<std::string>(value);
@@ -28,7 +30,8 @@ EngineOption iso_option() {
                 .range = {-1e30, 1e30},
                 .placeholder = "V",
                 .help = "also draws the surface where the volume has this value",
-                .default_text = ""};
+                .default_text = "",
+                .is_of_model = true};
   return {std::move(row),
           [](RenderSettings& settings, const OptionValue& value) {
             settings.volume.iso = std::get<double>(value);
@@ -48,14 +51,16 @@ void add_volumes(std::vector<EngineOption>& options) {
                      .range = kShares,
                      .placeholder = "A",
                      .help = "opacity of the surface that --iso draws, seen from the front",
-                     .default_text = "0.9"},
+                     .default_text = "0.9",
+                     .is_of_model = true},
                     [](RenderSettings& s) -> double& { return s.volume.iso_opacity; }));
   options.push_back(
       number_option({.key = "kernel-sigma",
                      .range = kKernelSigmas,
                      .placeholder = "S",
                      .help = "standard deviation of a volume's kernels, in spacings",
-                     .default_text = "1"},
+                     .default_text = "1",
+                     .is_of_model = true},
                     [](RenderSettings& s) -> double& { return s.volume.kernel_sigma; }));
   options.push_back(
       choice_option({.key = "attenuation",
@@ -103,7 +108,8 @@ void add_gaussians(std::vector<EngineOption>& options) {
                      .range = {0.0, double{GaussianSettings::kMaxDegree}},
                      .placeholder = "N",
                      .help = "degree of the spherical harmonics that colour 3D Gaussians",
-                     .default_text = "that of the file"},
+                     .default_text = "that of the file",
+                     .is_of_model = true},
                     [](RenderSettings& s) -> int& { return s.volume.gaussians.degree; }));
   options.push_back(choice_option(
       {.key = "blend", .help = "colours in which 3D Gaussians are blended", .default_text = "srgb"},

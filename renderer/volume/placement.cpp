@@ -13,14 +13,14 @@ constexpr std::size_t kChunk = 16384;
 }  // namespace
 
 std::vector<PlacedSplat> place_splats(const KernelCloud& cloud, const View& view,
-                                      const FootprintRule& rule, const Progress& progress) {
+                                      std::span<const FootprintRule> rules, const Progress& progress) {
   const RayCamera camera = ray_camera(view);
   const glm::dvec2 size(view.width, view.height);
   std::vector<std::vector<PlacedSplat>> chunks((cloud.count() + kChunk - 1) / kChunk);
   tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t c) {
     if (progress.cancelled()) return;
     for (std::size_t k = c * kChunk; k < std::min((c + 1) * kChunk, cloud.count()); ++k) {
-      const auto footprint = footprint_of(cloud, k, camera, rule);
+      const auto footprint = footprint_of(cloud, k, camera, rules[cloud.part_of(k)]);
       if (!footprint) continue;
       const glm::dvec2 low = footprint->centre - footprint->reach;
       const glm::dvec2 high = footprint->centre + footprint->reach;

@@ -1,6 +1,7 @@
 // The kernels that reach into an image.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "common/progress.h"
@@ -11,10 +12,10 @@
 
 namespace relief {
 
-/// The footprints of all kernels that reach into the image, in the cloud's order. Incomplete if
-/// `progress` is cancelled.
+/// The footprints of all kernels that reach into the image, in the cloud's order. `rules`: of each
+/// part of the cloud. Incomplete if `progress` is cancelled.
 [[nodiscard]] std::vector<PlacedSplat> place_splats(const KernelCloud& cloud, const View& view,
-                                                    const FootprintRule& rule,
+                                                    std::span<const FootprintRule> rules,
                                                     const Progress& progress);
 
 }  // namespace relief

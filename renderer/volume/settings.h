@@ -82,6 +82,7 @@ struct VolumeSettings {
   double iso_opacity = 0.9;   ///< of that surface, seen from the front
   /// What transfer_function_for() takes (common/volume/transfer_function.h).
   std::string transfer = "auto";
+  std::optional<Material> material;  ///< in place of the image's
   GaussianSettings gaussians;
 };
 

@@ -2,62 +2,165 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cassert>
 #include <glm/geometric.hpp>
 #include <utility>
+#include <variant>
 
 #include "common/image/srgb.h"
 #include "common/volume/transfer_function.h"
-#include "renderer/shading/shading.h"
+#include "renderer/shading/materials.h"
 #include "renderer/volume/gaussian_kernels.h"
 #include "renderer/volume/volume_kernels.h"
 
 namespace relief {
 
+namespace {
+
+const VolumeSettings& settings_of(const RenderSettings& settings, std::size_t index) {
+  return index < settings.volumes.size() ? settings.volumes[index] : settings.volume;
+}
+
+}  // namespace
+
+VolumeModel::VolumeModel(const RenderModel& model) {
+  if (const auto* const parts = model.find<VolumeParts>()) {
+    for (const VolumePart& part : parts->list) {
+      parts_.push_back({std::get_if<ScalarVolume>(&part.what),
+                        std::get_if<GaussianCloud>(&part.what), part.material, part.settings});
+    }
+  } else {
+    parts_.push_back({model.find<ScalarVolume>(), model.find<GaussianCloud>()});
+  }
+  for ([[maybe_unused]] const Part& part : parts_)
+    assert((part.volume != nullptr || part.gaussians != nullptr) && "one of the two");
+}
+
+bool VolumeModel::has_volume() const {
+  return std::any_of(parts_.begin(), parts_.end(),
+                     [](const Part& part) { return part.volume != nullptr; });
+}
+
+double VolumeModel::spacing() const {
+  double finest = 0.0;
+  for (const Part& part : parts_) {
+    if (part.volume == nullptr) continue;
+    const double own = mean_spacing(*part.volume);
+    finest = finest > 0.0 ? std::min(finest, own) : own;
+  }
+  return finest;
+}
+
+RenderSettings VolumeModel::settled(RenderSettings settings) const {
+  if (parts_.size() > 1) return settings;
+  settings.volume = VolumeSettings(settings_of(settings, parts_.front().settings));
+  settings.volumes.clear();
+  return settings;
+}
+
+Result<KernelCloud> VolumeModel::kernels_of(const Part& part, const VolumeSettings& chosen,
+                                            const Progress& progress) const {
+  if (part.gaussians != nullptr) return kernels_of_gaussians(*part.gaussians);
+  RELIEF_TRY_ASSIGN(const TransferFunction function,
+                    transfer_function_for(chosen.transfer, *part.volume));
+  return kernels_of_volume(*part.volume, function, chosen, progress);
+}
+
 Result<const KernelCloud*> VolumeModel::kernels(const RenderSettings& settings,
                                                 const Progress& progress) {
-  const VolumeSettings& chosen = settings.volume;
-  Key key{chosen.transfer, chosen.kernel_sigma, chosen.iso, chosen.iso_opacity};
-  if (gaussians_ != nullptr) key = {};  // theirs depend on nothing
-  if (key_ == key) return &kernels_;
-  key_.reset();
-  ++version_;
-  if (gaussians_ != nullptr) {
-    kernels_ = kernels_of_gaussians(*gaussians_);
-  } else {
-    RELIEF_TRY_ASSIGN(const TransferFunction function,
-                      transfer_function_for(chosen.transfer, *volume_));
-    kernels_ = kernels_of_volume(*volume_, function, chosen, progress);
-    if (progress.cancelled()) return interrupted_error();
+  std::vector<Key> keys(parts_.size());
+  bool has_gaussians = false;
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    const VolumeSettings& chosen = settings_of(settings, parts_[p].settings);
+    has_gaussians |= parts_[p].gaussians != nullptr;
+    if (parts_[p].volume != nullptr)
+      keys[p] = {chosen.transfer, chosen.kernel_sigma, chosen.iso, chosen.iso_opacity};
   }
-  key_ = std::move(key);
+  if (has_gaussians && has_volume() && settings.volume.attenuation == Attenuation::Exponential) {
+    return make_error(
+        "3D Gaussians have opacities, which are no optical depths: beside a volume take "
+        "--attenuation linear");
+  }
+  if (keys_ == keys) return &kernels_;
+  keys_.reset();
+  ++version_;
+  std::vector<KernelCloud> clouds;
+  for (const Part& part : parts_) {
+    RELIEF_TRY_ASSIGN(auto cloud, kernels_of(part, settings_of(settings, part.settings), progress));
+    if (progress.cancelled()) return interrupted_error();
+    clouds.push_back(std::move(cloud));
+  }
+  kernels_ = merged(std::move(clouds));
+  keys_ = std::move(keys);
   return &kernels_;
 }
 
-Result<KernelColour> VolumeModel::colour_of(const KernelCloud& kernels,
-                                            const RenderSettings& settings, const View& view,
-                                            EnvironmentCache& environments) const {
-  if (gaussians_ != nullptr) {
-    return KernelColour([this, eye = view.eye, &chosen = settings.volume.gaussians](std::size_t k) {
-      return gaussian_colour(*gaussians_, k, eye, chosen);
+std::vector<FootprintRule> VolumeModel::footprint_rules(const RenderSettings& settings,
+                                                        const View& view) const {
+  std::vector<FootprintRule> rules;
+  rules.reserve(parts_.size());
+  for (const Part& part : parts_) {
+    const bool is_peak = part.gaussians != nullptr;
+    rules.push_back(footprint_rule(settings.volume,
+                                   is_peak ? KernelWeight::Peak : KernelWeight::Integral,
+                                   is_peak && part.gaussians->is_antialiased, view));
+  }
+  return rules;
+}
+
+Result<KernelColour> VolumeModel::colour_of_part(const Part& part, const KernelCloud& kernels,
+                                                 std::size_t first, const RenderSettings& settings,
+                                                 const View& view,
+                                                 EnvironmentCache& environments) const {
+  const VolumeSettings& chosen = settings_of(settings, part.settings);
+  if (part.gaussians != nullptr) {
+    GaussianSettings seen = chosen.gaussians;
+    seen.blend = blends_encoded(settings) ? GaussianBlend::Srgb : GaussianBlend::Linear;
+    return KernelColour([&gaussians = *part.gaussians, first, eye = view.eye, seen](std::size_t k) {
+      return gaussian_colour(gaussians, k - first, eye, seen);
     });
   }
-  if (settings.material == Material::Unlit)
+  // Of a volume's own material only the kind, if the image does not have several.
+  RenderSettings lit = settings;
+  if (chosen.material) {
+    lit.material = *chosen.material;
+    lit.materials.clear();
+  }
+  const std::vector<MaterialSettings> materials = materials_of(lit);
+  const std::size_t material = part.material < materials.size() ? part.material : 0;
+  if (materials[material].kind == Material::Unlit)
     return KernelColour([&kernels](std::size_t k) { return kernels.colours[k]; });
-  RELIEF_TRY_ASSIGN(Lighting lighting, make_lighting(settings, view, environments));
+  RELIEF_TRY_ASSIGN(Lighting lighting, make_lighting(lit, view, environments));
   const glm::dvec3 axis(-view.rotation[0].z, -view.rotation[1].z, -view.rotation[2].z);
-  return KernelColour([&kernels, lighting = std::move(lighting), eye = view.eye,
+  return KernelColour([&kernels, lighting = std::move(lighting), material, eye = view.eye,
                        orthographic = view.orthographic, axis](std::size_t k) {
     const glm::vec3& normal = kernels.normals[k];
     if (normal == glm::vec3(0.0F)) return kernels.colours[k];  // nothing to light
     const glm::dvec3 from_eye = kernels.centres[k] - eye;
     const double distance = glm::length(from_eye);
     const glm::dvec3 ray = orthographic || !(distance > 0.0) ? axis : from_eye / distance;
-    return shade(lighting, 0,
+    return shade(lighting, material,
                  {.albedo = kernels.colours[k],
                   .normal = normal,
                   .ray = glm::vec3(ray),
                   .position = glm::vec3(from_eye)});
+  });
+}
+
+Result<KernelColour> VolumeModel::colour_of(const KernelCloud& kernels,
+                                            const RenderSettings& settings, const View& view,
+                                            EnvironmentCache& environments) const {
+  std::vector<KernelColour> colours;
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    const std::size_t first = kernels.starts.empty() ? 0 : kernels.starts[p];
+    RELIEF_TRY_ASSIGN(KernelColour colour, colour_of_part(parts_[p], kernels, first, settings, view,
+                                                          environments));
+    colours.push_back(std::move(colour));
+  }
+  if (colours.size() == 1) return std::move(colours.front());
+  return KernelColour([&kernels, colours = std::move(colours)](std::size_t k) {
+    return colours[kernels.part_of(k)](k);
   });
 }
 

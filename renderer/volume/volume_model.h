@@ -1,12 +1,12 @@
-// A volume or a scene of Gaussians as kernels, kept from image to image.
+// Volumes and scenes of Gaussians as kernels, kept from image to image.
 #pragma once
 
-#include <cassert>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "common/error.h"
 #include "common/progress.h"
@@ -14,7 +14,9 @@
 #include "renderer/model.h"
 #include "renderer/settings.h"
 #include "renderer/shading/environment_cache.h"
+#include "renderer/shading/shading.h"
 #include "renderer/view/view.h"
+#include "renderer/volume/footprint.h"
 #include "renderer/volume/kernel_cloud.h"
 
 namespace relief {
@@ -22,22 +24,26 @@ namespace relief {
 /// The colour of a kernel, by its index.
 using KernelColour = std::function<glm::vec3(std::size_t)>;
 
-/// Borrows a volume or a scene of Gaussians, and makes its kernels when they are first needed, and
+/// Borrows volumes and scenes of Gaussians, and makes their kernels when they are first needed, and
 /// again when their settings change.
 class VolumeModel {
  public:
-  /// Of a model that has one of the two.
-  explicit VolumeModel(const RenderModel& model)
-      : volume_(model.find<ScalarVolume>()), gaussians_(model.find<GaussianCloud>()) {
-    assert((volume_ != nullptr || gaussians_ != nullptr) &&
-           "there is a volume, or there are Gaussians");
-  }
+  /// Of a model that has a volume, Gaussians or several of them.
+  explicit VolumeModel(const RenderModel& model);
 
-  /// The kernels for these settings. Fails if the transfer function can't be read.
+  /// The settings of an image of this model: of a single volume its own as RenderSettings::volume.
+  [[nodiscard]] RenderSettings settled(RenderSettings settings) const;
+
+  /// The kernels for these settings. Fails if a transfer function can't be read, and if opacities of
+  /// Gaussians are to be optical depths beside a volume's.
   Result<const KernelCloud*> kernels(const RenderSettings& settings, const Progress& progress);
 
+  /// How the kernels of each part become footprints.
+  [[nodiscard]] std::vector<FootprintRule> footprint_rules(const RenderSettings& settings,
+                                                           const View& view) const;
+
   /// The colour of a kernel as an image with these settings blends it: a Gaussian's seen from the
-  /// eye, a volume's lit at the node (pre-shaded). It borrows all but the view.
+  /// eye, a volume's lit at the node (pre-shaded). It borrows the kernels and the environments.
   Result<KernelColour> colour_of(const KernelCloud& kernels, const RenderSettings& settings,
                                  const View& view, EnvironmentCache& environments) const;
 
@@ -48,19 +54,27 @@ class VolumeModel {
   /// How often the kernels have been made.
   [[nodiscard]] std::uint64_t version() const { return version_; }
 
-  [[nodiscard]] const ScalarVolume* volume() const { return volume_; }
-  /// Mean distance of a volume's nodes, world units; 0 of Gaussians.
-  [[nodiscard]] double spacing() const { return volume_ == nullptr ? 0.0 : mean_spacing(*volume_); }
-  /// Whether colours are blended as encoded sRGB.
-  [[nodiscard]] bool blends_encoded(const RenderSettings& settings) const {
-    return gaussians_ != nullptr && settings.volume.gaussians.blend == GaussianBlend::Srgb;
+  /// The volume, if it is the only thing that there is; else null.
+  [[nodiscard]] const ScalarVolume* volume() const {
+    return parts_.size() == 1 ? parts_.front().volume : nullptr;
   }
-  [[nodiscard]] bool is_antialiased() const {
-    return gaussians_ != nullptr && gaussians_->is_antialiased;
+  /// Mean distance of nodes, world units, of the finest volume; 0 without a volume.
+  [[nodiscard]] double spacing() const;
+  /// Whether colours are blended as encoded sRGB. Beside a volume Gaussians are blended as linear
+  /// light.
+  [[nodiscard]] bool blends_encoded(const RenderSettings& settings) const {
+    return !has_volume() && settings.volume.gaussians.blend == GaussianBlend::Srgb;
   }
 
  private:
-  /// What the kernels of a volume depend on.
+  /// One of the two.
+  struct Part {
+    const ScalarVolume* volume = nullptr;
+    const GaussianCloud* gaussians = nullptr;
+    std::uint8_t material = 0;
+    std::size_t settings = 0;
+  };
+  /// What the kernels of a volume depend on; those of Gaussians depend on nothing.
   struct Key {
     std::string transfer;
     double sigma = 0.0;
@@ -69,9 +83,15 @@ class VolumeModel {
     bool operator==(const Key&) const = default;
   };
 
-  const ScalarVolume* volume_;
-  const GaussianCloud* gaussians_;
-  std::optional<Key> key_;
+  [[nodiscard]] bool has_volume() const;
+  Result<KernelCloud> kernels_of(const Part& part, const VolumeSettings& chosen,
+                                 const Progress& progress) const;
+  Result<KernelColour> colour_of_part(const Part& part, const KernelCloud& kernels,
+                                      std::size_t first, const RenderSettings& settings,
+                                      const View& view, EnvironmentCache& environments) const;
+
+  std::vector<Part> parts_;
+  std::optional<std::vector<Key>> keys_;
   KernelCloud kernels_;
   std::uint64_t version_ = 0;
 };

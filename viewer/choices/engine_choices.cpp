@@ -1,6 +1,7 @@
 #include "viewer/choices/engine_choices.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 namespace relief {
@@ -26,9 +27,15 @@ void drop_missing_materials(SceneSettings& look, const EngineEntry& engine) {
 }  // namespace
 
 std::vector<const EngineEntry*> engines_for(const RenderModel& model) {
+  constexpr std::array kKernels{ModelForm::Volume, ModelForm::Gaussians, ModelForm::VolumeParts};
+  const bool has_kernels = std::any_of(kKernels.begin(), kKernels.end(),
+                                       [&model](ModelForm form) { return model.has(form); });
   std::vector<const EngineEntry*> found;
   for (const EngineEntry& engine : engines()) {
-    if (engine.capabilities.needs_opengl && form_for(engine, model)) found.push_back(&engine);
+    // One that draws no kernels would show the surfaces among them alone.
+    const bool draws_all = !has_kernels || !engine.surfaces_by.empty();
+    if (engine.capabilities.needs_opengl && draws_all && form_for(engine, model))
+      found.push_back(&engine);
   }
   return found;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/io/extension.h"
+#include "loader/load_volume.h"
 #include "loader/scene_plan.h"
 
 namespace relief {
@@ -12,17 +13,18 @@ namespace {
 
 /// One scene of all files. A scene file has models and views of its own, so that it is alone.
 Result<ScenePlan> plan_of(const std::vector<std::filesystem::path>& files,
-                          const SceneSettings& settings) {
+                          const SceneSettings& settings, const VolumeReadOptions& volumes) {
   RELIEF_TRY_ASSIGN(ScenePlan plan, plan_scene(files.front(), settings));
   for (std::size_t k = 1; k < files.size(); ++k) {
     if (!plan.file.empty() || lower_extension(files[k]) == ".json") {
       const auto& scene = plan.file.empty() ? files[k] : plan.file;
       return make_error("{}: is a scene, which is opened alone", scene.string());
     }
-    plan.models.push_back({files[k], {}, {}, {}});
+    plan.models.push_back({.file = files[k]});
   }
   plan.views.resize(1);  // a window shows one at a time
   RELIEF_TRY(find_inputs(plan));
+  fit_engine(plan, volumes);
   return plan;
 }
 
@@ -30,7 +32,7 @@ Result<ScenePlan> plan_of(const std::vector<std::filesystem::path>& files,
 
 Status Document::open(const std::vector<std::filesystem::path>& files,
                       const SceneSettings& settings) {
-  RELIEF_TRY_ASSIGN(ScenePlan plan, plan_of(files, settings));
+  RELIEF_TRY_ASSIGN(ScenePlan plan, plan_of(files, settings, options_.volume));
   if (!std::exchange(is_other_, true)) shown_ = opened_;
   opened_.files = files;
   start(std::move(plan), true);

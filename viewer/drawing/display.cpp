@@ -7,6 +7,7 @@
 
 #include "common/image/srgb.h"
 #include "renderer/eye_dome.h"
+#include "viewer/choices/volume_choices.h"
 
 namespace relief {
 namespace {
@@ -49,6 +50,8 @@ Result<std::unique_ptr<Display>> Display::create(const GlLoader& load) {
 
 Status Display::show(std::shared_ptr<const LoadedScene> scene, Session& session) {
   const std::shared_ptr<const LoadedScene> before = std::exchange(session.scene, scene);
+  if (scene->has_kernels()) session.inspection = Inspection::Picture;
+  const auto values = values_of(*scene);
   auto view = [&]() -> Result<std::unique_ptr<UploadedScene>> {
     RELIEF_TRY_ASSIGN(const Looks looks, looks_of(session));
     return UploadedScene::create(load_, std::move(scene), looks, session.streaming);
@@ -58,6 +61,7 @@ Status Display::show(std::shared_ptr<const LoadedScene> scene, Session& session)
     return view.error();
   }
   scene_ = *std::move(view);
+  session.volume_values = values;
   points_.reset();
   drawn_inspection_ = session.inspection;
   is_steady_ = false;

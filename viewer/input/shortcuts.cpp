@@ -58,7 +58,9 @@ void toggle_comparison(Session& session) {
 }
 
 void choose_inspection(Inspection inspection, Session& session) {
-  session.inspection = inspection;
+  // Kernels of volumes and 3D Gaussians have neither patches nor fragments to look into.
+  const bool has_kernels = session.scene != nullptr && session.scene->has_kernels();
+  session.inspection = has_kernels ? Inspection::Picture : inspection;
   session.inspected.psnr_db.reset();
   session.look_changed = true;
 }

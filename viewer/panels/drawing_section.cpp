@@ -3,10 +3,12 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "viewer/choices/engine_choices.h"
+#include "viewer/choices/volume_choices.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/rows.h"
 
@@ -37,6 +39,7 @@ struct OptionContext {
   const EngineOption& option;
   const RenderSettings& drawn;
   SceneSettings& look;
+  const std::optional<NumberChoice>& volume_values;
 };
 
 /// A list of values to choose from; `choices` are their texts.
@@ -76,7 +79,8 @@ bool samples_row(const OptionContext& of) {
 
 bool number_option_row(const OptionContext& of) {
   const OptionRow& row = of.option.row;
-  const NumberChoice range = offered_range(row);
+  const NumberChoice range =
+      row.key == "iso" ? of.volume_values.value_or(row.range) : offered_range(row);
   const auto in_force = of.option.get(of.drawn);
   const double usual = in_force ? std::get<double>(*in_force) : range.min;
   std::optional<double> value;
@@ -85,7 +89,8 @@ bool number_option_row(const OptionContext& of) {
   const std::string label = label_of(row.key);
   const std::string help = capitalised(row.help);
   const char* const format = row.kind == OptionKind::Integer ? "%.0f" : in_force ? "%.3g" : "off";
-  if (!number_row({label.c_str(), help.c_str(), range, usual, format, range.max > kWideRange},
+  const bool is_logarithmic = row.key != "iso" && range.max > kWideRange;
+  if (!number_row({label.c_str(), help.c_str(), range, usual, format, is_logarithmic},
                   value))
     return false;
   if (value)
@@ -95,7 +100,21 @@ bool number_option_row(const OptionContext& of) {
   return true;
 }
 
+bool transfer_row(const OptionContext& of) {
+  std::vector<std::string> names;
+  std::vector<OptionValue> values;
+  for (const std::string& name : offered_transfers(of.drawn.volume.transfer)) {
+    names.push_back(std::filesystem::path(name).filename().string());
+    values.emplace_back(name);
+  }
+  return list_row(of, names, values);
+}
+
 bool option_row(const OptionContext& of) {
+  const std::string& key = of.option.row.key;
+  const bool is_of_values = key == "transfer" || key == "iso";
+  if (is_of_values && !of.volume_values) return false;  // there are only 3D Gaussians
+  if (key == "transfer") return transfer_row(of);
   if (of.option.row.kind == OptionKind::Text) return false;  // given on the command line
   if (of.option.row.kind == OptionKind::Choice) return choice_option_row(of);
   return of.option.row.key == "samples" ? samples_row(of) : number_option_row(of);
@@ -127,7 +146,7 @@ void show_drawing(const PanelContext& panel) {
   engine_row(*drawn, session);
   if (const EngineEntry* const engine = find_engine(drawn->engine)) {
     for (const EngineOption& option : engine->options)
-      session.look_changed |= option_row({*engine, option, *drawn, look});
+      session.look_changed |= option_row({*engine, option, *drawn, look, session.volume_values});
   }
   pace_row(session);
 }

@@ -14,6 +14,8 @@ namespace relief {
 void show_inspection(const PanelContext& panel) {
   Session& session = panel.session;
   if (session.scene == nullptr) return show_faint("There is no surface yet.");
+  if (session.scene->has_kernels())
+    return show_faint_wrapped("Volumes and 3D Gaussians are shown as a picture only.");
   std::vector<std::string> names;
   names.reserve(std::size(kInspections));
   for (const InspectionText& text : kInspections) names.emplace_back(text.name);

@@ -12,6 +12,7 @@
 #include "renderer/gl/pass.h"
 #include "renderer/settings.h"
 #include "renderer/view/view.h"
+#include "renderer/volume/footprint.h"
 #include "renderer/volume/kernel_cloud.h"
 
 namespace relief::volume {
@@ -32,7 +33,7 @@ struct VolumeFrame {
   std::span<const glm::vec3> colours;  ///< of each kernel, as it is blended
   const View& view;
   const RenderSettings& settings;
-  bool is_antialiased = false;
+  std::span<const FootprintRule> footprints;  ///< of each part of the cloud
   double spacing = 0.0;  ///< mean distance of a volume's nodes, world units; 0: no volume
   Features features;     ///< RELIEF_FEATURE bits of the outputs
   /// Texture RELIEF_VOLUME_TEXTURE_LIMITS is bound: opaque surfaces end what pixels show.

@@ -8,7 +8,8 @@ namespace relief::volume {
 EngineEntry entry() {
   return {.name = "volume",
           .summary = "splats volumes and 3D Gaussians with EWA filtering [Zwicker 2002] on OpenGL",
-          .forms = {ModelForm::Volume, ModelForm::Gaussians},
+          .forms = {ModelForm::Volume, ModelForm::Gaussians, ModelForm::VolumeParts},
+          .surfaces_by = "onepass",
           .primitives = {},
           .interpolations = {},
           .capabilities = {.needs_opengl = true, .explanation = true},

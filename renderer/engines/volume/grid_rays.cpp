@@ -102,8 +102,7 @@ std::optional<shared::VolumeGrid> grid_rays(const VolumeFrame& frame, const Regu
     if (std::max(std::abs(a.x), std::abs(a.y)) > kSteepest * std::abs(a.z)) return std::nullopt;
   }
 
-  const FootprintRule rule =
-      footprint_rule(frame.settings.volume, frame.cloud.weight, frame.is_antialiased, view);
+  const FootprintRule& rule = frame.footprints.front();
   const double sigma = frame.settings.volume.kernel_sigma;
   const double near =
       view.orthographic ? 0.0 : deviation_along_axis(camera, frame.cloud.variances.front());

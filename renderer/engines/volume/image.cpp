@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -68,6 +69,19 @@ void clear_volume_targets(const Gl& gl, const VolumeTargets& targets) {
   gl.ClearNamedFramebufferfv(id, GL_COLOR, RELIEF_VOLUME_OUT_COLOUR, nothing.data());
   if (targets.surface)
     gl.ClearNamedFramebufferfv(id, GL_COLOR, RELIEF_VOLUME_OUT_SURFACE, nowhere.data());
+}
+
+Texture make_limits(const Gl& gl, std::uint32_t width, std::uint32_t height,
+                    std::span<const float> depths) {
+  std::vector<float> rows(depths.size());  // the bottom row first
+  for (std::size_t y = 0; y < height; ++y) {
+    const auto row = depths.subspan((height - 1 - y) * width, width);
+    std::copy(row.begin(), row.end(), rows.begin() + static_cast<std::ptrdiff_t>(y * width));
+  }
+  Texture texture = make_attachment(gl, "volume limits", GL_R32F, width, height);
+  gl.TextureSubImage2D(texture.id(), 0, 0, 0, static_cast<GLsizei>(width),
+                       static_cast<GLsizei>(height), GL_RED, GL_FLOAT, rows.data());
+  return texture;
 }
 
 Film read_film(const Gl& gl, const VolumeTargets& targets, bool is_encoded) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "common/error.h"
 #include "renderer/frame/film.h"
@@ -28,6 +29,10 @@ Result<VolumeTargets> make_volume_targets(const Gl& gl, std::uint32_t width, std
 
 /// Nothing drawn: colour 0, transmittance 1, normal 0, infinite depth.
 void clear_volume_targets(const Gl& gl, const VolumeTargets& targets);
+
+/// A texture of depths (row-major, top row first), as RELIEF_VOLUME_TEXTURE_LIMITS.
+[[nodiscard]] Texture make_limits(const Gl& gl, std::uint32_t width, std::uint32_t height,
+                                  std::span<const float> depths);
 
 /// What was drawn. `is_encoded`: colours were blended as encoded sRGB.
 [[nodiscard]] Film read_film(const Gl& gl, const VolumeTargets& targets, bool is_encoded);

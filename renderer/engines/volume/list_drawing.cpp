@@ -43,10 +43,8 @@ class ListDrawing final : public VolumeDrawing {
               const Progress& progress) override {
     RELIEF_TRY_ASSIGN(const Program* const program, program_for(frame.features));
     const VolumeSettings& chosen = frame.settings.volume;
-    const FootprintRule footprints =
-        footprint_rule(chosen, frame.cloud.weight, frame.is_antialiased, frame.view);
     const std::vector<PlacedSplat> placed =
-        place_splats(frame.cloud, frame.view, footprints, progress);
+        place_splats(frame.cloud, frame.view, frame.footprints, progress);
     const SplatOrder order =
         order_splats(frame.cloud, placed, visibility_of(frame.cloud, chosen.visibility),
                      ray_camera(frame.view), frame.spacing);

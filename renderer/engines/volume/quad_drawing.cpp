@@ -36,10 +36,8 @@ class QuadDrawing final : public VolumeDrawing {
       RELIEF_TRY_ASSIGN(
           program_, make_program(gl_, "volume quads", "volume/quad.vert", "volume/quad.frag", {}));
     }
-    const FootprintRule footprints =
-        footprint_rule(frame.settings.volume, frame.cloud.weight, frame.is_antialiased, frame.view);
     const std::vector<PlacedSplat> placed =
-        sorted(place_splats(frame.cloud, frame.view, footprints, progress));
+        sorted(place_splats(frame.cloud, frame.view, frame.footprints, progress));
     if (progress.cancelled()) return interrupted_error();
     if (placed.empty()) return {};
     RELIEF_TRY_ASSIGN(const Table splats, make_splat_table(gl_, shader_splats(frame, placed)));
@@ -77,7 +75,7 @@ class QuadDrawing final : public VolumeDrawing {
 
 bool is_for_quads(const VolumeFrame& frame) {
   return visibility_of(frame.cloud, frame.settings.volume.visibility) == VolumeVisibility::Sorted &&
-         !frame.features.has(RELIEF_FEATURE_OUT_NORMAL | RELIEF_FEATURE_OUT_DEPTH);
+         !frame.is_limited && !frame.features.has(RELIEF_FEATURE_OUT_NORMAL | RELIEF_FEATURE_OUT_DEPTH);
 }
 
 std::unique_ptr<VolumeDrawing> make_quad_drawing(const Gl& gl) {

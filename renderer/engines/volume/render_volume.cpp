@@ -14,17 +14,20 @@
 #include "renderer/frame/features.h"
 #include "renderer/frame/gl_frame.h"
 #include "renderer/gl/open_gl.h"
+#include "renderer/volume/surfaces_beside.h"
 #include "renderer/volume/volume_model.h"
+#include "shaders/volume/layout.h"
 
 namespace relief::volume {
 namespace {
 
 class Prepared final : public PreparedModel {
  public:
-  Prepared(VolumeModel model, const PrepareRequest& request)
+  Prepared(VolumeModel model, const PrepareRequest& request, std::optional<SurfacesBeside> surfaces)
       : opengl_(request.opengl),
         environments_(request.environments),
         model_(std::move(model)),
+        surfaces_(std::move(surfaces)),
         quads_(make_quad_drawing(gl())),
         lists_(make_list_drawing(gl())) {
     const ScalarVolume* const volume = model_.volume();
@@ -32,13 +35,17 @@ class Prepared final : public PreparedModel {
       grid_ = make_grid_drawing(gl(), *volume);
   }
 
-  Result<RenderResult> render(const RenderSettings& settings, Progress& progress) override {
+  Result<RenderResult> render(const RenderSettings& asked, Progress& progress) override {
+    const RenderSettings settings = model_.settled(asked);
+    SurfacesBeside::Drawn surfaces;
+    if (surfaces_) {
+      RELIEF_TRY_ASSIGN(surfaces, surfaces_->draw(settings, progress));
+    }
     RELIEF_TRY_ASSIGN(const KernelCloud* const cloud, model_.kernels(settings, progress));
     RELIEF_TRY_ASSIGN(const auto surroundings, surroundings_of(settings, *environments_));
     const View view = volume_view(settings);
     const Features features = features_of(settings, ModelMaps(false));
-    RELIEF_TRY_ASSIGN(const VolumeTargets targets,
-                      make_volume_targets(gl(), view.width, view.height, features));
+    RELIEF_TRY_ASSIGN(const auto layers, make_layers(view, surfaces.limits, features));
     if (!box_ || box_version_ != model_.version()) {
       box_ = box_of(*cloud);
       box_version_ = model_.version();
@@ -48,7 +55,7 @@ class Prepared final : public PreparedModel {
     // The first frame, in which shaders are compiled, is not timed beside others.
     for (int i = 0; i < 1 + std::max(settings.frames, 0); ++i) {
       FrameClock clock(gl());
-      RELIEF_TRY(draw(*cloud, view, settings, features, targets, clock.timer(), progress));
+      RELIEF_TRY(draw(*cloud, view, settings, features, layers, clock.timer(), progress));
       const FrameTime time = clock.finish();
       if (progress.cancelled()) return interrupted_error();
       if (i == 0 && settings.frames > 0) continue;
@@ -57,12 +64,17 @@ class Prepared final : public PreparedModel {
     }
     RenderResult result;
     result.renderer = renderer_name(gl());
-    result.frame_ms = median_of(std::move(frame_ms));
+    result.frame_ms = median_of(std::move(frame_ms)) + surfaces.frame_ms;
     if (!gpu_ms.empty()) result.gpu_ms = median_of(std::move(gpu_ms));
     if (gl().recorder != nullptr) result.explanation = gl().recorder->explain();
     RELIEF_TRY(check_errors(gl(), "the image"));
     RELIEF_TRY(opengl_->status());
-    const Film film = read_film(gl(), targets, model_.blends_encoded(settings));
+    const bool is_encoded = model_.blends_encoded(settings);
+    Film film = read_film(gl(), layers.front().targets, is_encoded);
+    if (surfaces_) {
+      film = laid_over(surfaces.film, film,
+                       layers.size() > 1 ? read_film(gl(), layers[1].targets, is_encoded) : Film());
+    }
     result.image = develop(film, surroundings, view, settings.outputs, result.covered_pixels);
     return result;
   }
@@ -70,30 +82,62 @@ class Prepared final : public PreparedModel {
  private:
   [[nodiscard]] const Gl& gl() const { return opengl_->gl(); }
 
+  /// The kernels up to some limits.
+  struct Layer {
+    VolumeTargets targets;
+    std::optional<Texture> limits;
+  };
+
+  Result<std::vector<Layer>> make_layers(const View& view, const DepthLimits& limits,
+                                         Features features) const {
+    std::vector<Layer> layers;
+    for (const std::vector<float>* const depths : {&limits.covered, &limits.beside}) {
+      if (depths->empty() && !layers.empty()) continue;
+      RELIEF_TRY_ASSIGN(auto targets,
+                        make_volume_targets(gl(), view.width, view.height, features));
+      layers.push_back({std::move(targets), {}});
+      if (!depths->empty())
+        layers.back().limits = make_limits(gl(), view.width, view.height, *depths);
+    }
+    return layers;
+  }
+
   /// One frame, with all that depends on the view.
   Status draw(const KernelCloud& cloud, const View& view, const RenderSettings& settings,
-              Features features, const VolumeTargets& targets, PassTimer& timer,
+              Features features, const std::vector<Layer>& layers, PassTimer& timer,
               const Progress& progress) {
     RELIEF_TRY_ASSIGN(const auto colours, model_.colours(cloud, settings, view, *environments_));
+    const std::vector<FootprintRule> footprints = model_.footprint_rules(settings, view);
     if (gl().recorder != nullptr) gl().recorder->begin_frame();
-    clear_volume_targets(gl(), targets);
-    const VolumeFrame frame{.cloud = cloud,
-                            .cloud_version = model_.version(),
-                            .box = *box_,
-                            .colours = colours,
-                            .view = view,
-                            .settings = settings,
-                            .is_antialiased = model_.is_antialiased(),
-                            .spacing = model_.spacing(),
-                            .features = features};
-    if (is_for_grid(gl(), frame, model_.volume()))
-      return grid_->draw(frame, targets, timer, progress);
-    return (is_for_quads(frame) ? *quads_ : *lists_).draw(frame, targets, timer, progress);
+    for (const Layer& layer : layers) {
+      clear_volume_targets(gl(), layer.targets);
+      const VolumeFrame frame{.cloud = cloud,
+                              .cloud_version = model_.version(),
+                              .box = *box_,
+                              .colours = colours,
+                              .view = view,
+                              .settings = settings,
+                              .footprints = footprints,
+                              .spacing = model_.spacing(),
+                              .features = features,
+                              .is_limited = layer.limits.has_value()};
+      if (layer.limits)
+        gl().BindTextureUnit(RELIEF_VOLUME_TEXTURE_LIMITS, layer.limits->id());
+      RELIEF_TRY(drawing_for(frame).draw(frame, layer.targets, timer, progress));
+      if (layer.limits) gl().BindTextureUnit(RELIEF_VOLUME_TEXTURE_LIMITS, 0);
+    }
+    return {};
+  }
+
+  [[nodiscard]] VolumeDrawing& drawing_for(const VolumeFrame& frame) const {
+    if (is_for_grid(gl(), frame, model_.volume())) return *grid_;
+    return is_for_quads(frame) ? *quads_ : *lists_;
   }
 
   std::shared_ptr<const OpenGl> opengl_;  ///< first: the last to go
   std::shared_ptr<EnvironmentCache> environments_;
   VolumeModel model_;
+  std::optional<SurfacesBeside> surfaces_;
   std::optional<NodeBox> box_;  ///< of the kernels of this version
   std::uint64_t box_version_ = 0;
   std::unique_ptr<VolumeDrawing> grid_;  ///< of a regular grid
@@ -110,8 +154,12 @@ Features features_of(const RenderSettings& settings, ModelMaps /*maps*/) {
 
 Result<std::unique_ptr<PreparedModel>> prepare(const PrepareRequest& request) {
   assert(request.opengl != nullptr && "it is drawn with OpenGL");
+  std::optional<SurfacesBeside> surfaces;
+  if (has_surfaces(request.model)) {
+    RELIEF_TRY_ASSIGN(surfaces, SurfacesBeside::prepare(request));
+  }
   return std::unique_ptr<PreparedModel>(
-      std::make_unique<Prepared>(VolumeModel(request.model), request));
+      std::make_unique<Prepared>(VolumeModel(request.model), request, std::move(surfaces)));
 }
 
 }  // namespace relief::volume

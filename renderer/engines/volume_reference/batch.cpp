@@ -37,7 +37,8 @@ Batch place_groups(const Placement& placement, const KernelOrder& order, std::si
     if (progress.cancelled()) return;
     Batch& piece = pieces[p];
     for (std::size_t i = p * kPiece; i < std::min((p + 1) * kPiece, kernels.size()); ++i) {
-      const auto footprint = footprint_of(placement.cloud, kernels[i], camera, placement.rule);
+      const auto footprint = footprint_of(placement.cloud, kernels[i], camera,
+                                          placement.rules[placement.cloud.part_of(kernels[i])]);
       if (!footprint || is_hidden(*footprint)) continue;
       piece.splats.push_back({*footprint, kernels[i]});
       piece.colours.push_back(placement.colour(kernels[i]));
@@ -58,7 +59,7 @@ Batch place_groups(const Placement& placement, const KernelOrder& order, std::si
 
 Batch place_slabs(const Placement& placement, double thickness, const Progress& progress) {
   Batch batch;
-  batch.splats = place_splats(placement.cloud, placement.view, placement.rule, progress);
+  batch.splats = place_splats(placement.cloud, placement.view, placement.rules, progress);
   batch.order = order_splats(placement.cloud, batch.splats, VolumeVisibility::ImageSheet,
                              ray_camera(placement.view), thickness);
   batch.colours.resize(batch.splats.size());

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "common/progress.h"
@@ -23,7 +24,7 @@ struct Batch {
 struct Placement {
   const KernelCloud& cloud;
   const View& view;
-  const FootprintRule& rule;
+  std::span<const FootprintRule> rules;  ///< of each part of the cloud
   const KernelColour& colour;
 };
 

@@ -7,7 +7,8 @@ namespace relief::volume_reference {
 EngineEntry entry() {
   return {.name = "volume-reference",
           .summary = "splats volumes and 3D Gaussians with EWA filtering [Zwicker 2002] on the CPU",
-          .forms = {ModelForm::Volume, ModelForm::Gaussians},
+          .forms = {ModelForm::Volume, ModelForm::Gaussians, ModelForm::VolumeParts},
+          .surfaces_by = "raytrace",
           .primitives = {},
           .interpolations = {},
           .capabilities = {},
