@@ -113,7 +113,7 @@ Result<std::unique_ptr<Viewport>> Viewport::make(const GlLoader& load, const Ren
   for (const RenderSettings& look : looks) groups[look.engine].push_back(look);
   for (const auto& [name, views] : groups) {
     RELIEF_TRY_ASSIGN(const EngineEntry* engine, engine_named(name, among));
-    if (!engine->capabilities.needs_opengl)
+    if (!is_for_viewports(*engine))
       return make_error("engine {} does not draw with OpenGL, which a viewport needs", name);
     for (const RenderSettings& view : views) RELIEF_TRY(check_engine(*engine, view, model, among));
     RELIEF_TRY_ASSIGN(made->prepared_[name], engine->prepare({.model = model,
@@ -143,6 +143,10 @@ StoreNeeds pool_needs(const PatchModel& model, std::span<const RenderSettings> l
   needs.masks = needs.cells;
   needs.bodies = needs.cells;
   return needs;
+}
+
+bool is_for_viewports(const EngineEntry& engine) {
+  return engine.capabilities.needs_opengl || !engine.surfaces_by.empty();
 }
 
 Result<PreparedModel*> Viewport::prepared_for(const RenderSettings& view) const {

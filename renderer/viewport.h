@@ -25,6 +25,10 @@ class OpenGl;
 class PatchPool;
 struct GlFrame;
 
+/// Whether a viewport can have an engine: those on OpenGL, and those of volumes and 3D Gaussians,
+/// which without a GPU are as quick on the CPU.
+[[nodiscard]] bool is_for_viewports(const EngineEntry& engine);
+
 /// Pixels of an image, from its lower left corner.
 struct Rectangle {
   std::uint32_t left = 0;

@@ -67,6 +67,9 @@ Result<RenderSettings> settings_of(const Session& session, const SceneSettings& 
   const ScenePlan& plan = session.document.plan();
   PlannedView view = plan.views.front();
   view.settings = look;
+  // What a model says itself stays; the panels change the rest.
+  for (std::size_t k = 0; k < view.options_of_models.size(); ++k)
+    view.options_of_models[k] = overlay_options(look.options, plan.models[k].options);
   RELIEF_TRY_ASSIGN(RenderSettings settings,
                     render_settings_of(plan, view, session.scene->patches));
   complete_look(view, *session.scene, settings);

@@ -24,12 +24,19 @@ struct Timed {
   RenderResult last;
 };
 
+/// A view by an engine. Surfaces have one sample a pixel, as in other benches.
+Result<RenderSettings> settings_for(const BenchView& view, const EngineEntry& engine) {
+  RELIEF_TRY_ASSIGN(auto settings, bench_row(view, engine, {}));
+  settings.raytrace.samples = settings.samples;
+  return settings;
+}
+
 Result<std::vector<VolumeBenchRow>> rows_of(const BenchView& view) {
   std::vector<VolumeBenchRow> rows;
   for (const EngineEntry& engine : engines()) {
     if (engine.surfaces_by.empty()) continue;
     VolumeBenchRow row;
-    RELIEF_TRY_ASSIGN(row.settings, bench_row(view, engine, {}));
+    RELIEF_TRY_ASSIGN(row.settings, settings_for(view, engine));
     row.is_default = engine.name == kVolumeEngine;
     rows.push_back(std::move(row));
   }
@@ -41,13 +48,13 @@ Result<std::pair<Image, std::string>> truth_of(const RenderModel& model, const B
                                                Progress& progress) {
   RELIEF_TRY_ASSIGN(const EngineEntry* const exact, engine_named(kTruthEngine));
   if (form_for(*exact, model)) {
-    RELIEF_TRY_ASSIGN(const auto settings, bench_row(view, *exact, {}));
+    RELIEF_TRY_ASSIGN(const auto settings, settings_for(view, *exact));
     if (auto drawn = render(model, settings, progress))
       return std::pair(std::move(drawn->image), exact->name);
     if (progress.cancelled()) return interrupted_error();
   }
   RELIEF_TRY_ASSIGN(const EngineEntry* const usual, engine_named(kVolumeEngine));
-  RELIEF_TRY_ASSIGN(const auto settings, bench_row(view, *usual, {}));
+  RELIEF_TRY_ASSIGN(const auto settings, settings_for(view, *usual));
   RELIEF_TRY_ASSIGN(auto drawn, render(model, settings, progress));
   return std::pair(std::move(drawn.image), usual->name);
 }

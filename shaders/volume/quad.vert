@@ -8,6 +8,7 @@ layout(binding = RELIEF_VOLUME_TEXTURE_SPLATS) uniform samplerBuffer splats;
 flat out vec4 place;
 flat out vec3 shape;
 flat out vec3 colour;
+flat out vec4 depths;  // mean at the centre, its slope, deviation; unless nothing is limited
 
 /// Half the side, in pixels, from which on a quad is cut to the image: vertices stay where floats
 /// tell pixels apart.
@@ -17,8 +18,14 @@ void main() {
   int at = gl_VertexID / 6 * kVolumeSplatRows;
   int corner = gl_VertexID % 6;
   place = texelFetch(splats, at);
-  shape = texelFetch(splats, at + 1).xyz;
-  colour = texelFetch(splats, at + 2).rgb;
+  vec4 shape_and_depth = texelFetch(splats, at + 1);
+  shape = shape_and_depth.xyz;
+  vec4 colour_and_deviation = texelFetch(splats, at + 2);
+  colour = colour_and_deviation.rgb;
+  depths = vec4(0.0);
+  if ((rule.image.w & RELIEF_VOLUME_LIMITED) != 0u) {
+    depths = vec4(shape_and_depth.w, texelFetch(splats, at + 4).xy, colour_and_deviation.w);
+  }
   // Corners 0, 1, 2 and 2, 1, 3 of a square.
   int of_square = corner < 3 ? corner : corner == 3 ? 2 : corner == 4 ? 1 : 3;
   vec2 side = vec2((of_square & 1) == 0 ? -1.0 : 1.0, of_square < 2 ? -1.0 : 1.0);

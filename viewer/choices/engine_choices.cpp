@@ -4,6 +4,8 @@
 #include <array>
 #include <cctype>
 
+#include "renderer/viewport.h"
+
 namespace relief {
 namespace {
 
@@ -34,7 +36,7 @@ std::vector<const EngineEntry*> engines_for(const RenderModel& model) {
   for (const EngineEntry& engine : engines()) {
     // One that draws no kernels would show the surfaces among them alone.
     const bool draws_all = !has_kernels || !engine.surfaces_by.empty();
-    if (engine.capabilities.needs_opengl && draws_all && form_for(engine, model))
+    if (is_for_viewports(engine) && draws_all && form_for(engine, model))
       found.push_back(&engine);
   }
   return found;

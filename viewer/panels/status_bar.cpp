@@ -4,11 +4,32 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "viewer/panels/panels.h"
 
 namespace relief {
 namespace {
+
+/// What a scene consists of.
+std::string text_of(const LoadedScene& scene) {
+  std::vector<std::string> parts;
+  std::size_t volumes = scene.volume ? 1 : 0;
+  std::size_t gaussians = scene.gaussians ? scene.gaussians->size() : 0;
+  if (scene.volumes) {
+    for (const VolumePart& part : scene.volumes->list) {
+      if (const auto* const cloud = std::get_if<GaussianCloud>(&part.what))
+        gaussians += cloud->size();
+      else
+        ++volumes;
+    }
+  }
+  if (!scene.has_kernels() || !scene.patches.patches.empty())
+    parts.push_back(fmt::format("{} patches", scene.patches.patches.size()));
+  if (volumes > 0) parts.push_back(fmt::format("{} volume{}", volumes, volumes > 1 ? "s" : ""));
+  if (gaussians > 0) parts.push_back(fmt::format("{} Gaussians", gaussians));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
 
 /// What an inspection has found.
 std::string inspected_of(const InspectionState& state) {
@@ -42,10 +63,8 @@ std::string state_of(const Session& session) {
     return fmt::format("{} of {} tiles, {:.1f} M samples", stream.shown_tiles, stream.tiles,
                        1e-6 * static_cast<double>(stream.shown_samples));
   }
-  const PatchModel& patches = session.scene->patches;
   const std::string inspected = inspected_of(session.inspected);
-  return fmt::format("{} patches{}{}", patches.patches.size(), inspected.empty() ? "" : "   ",
-                     inspected);
+  return fmt::format("{}{}{}", text_of(*session.scene), inspected.empty() ? "" : "   ", inspected);
 }
 
 /// What is under the cursor: position, patch, normal, colour.

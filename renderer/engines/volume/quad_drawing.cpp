@@ -75,7 +75,7 @@ class QuadDrawing final : public VolumeDrawing {
 
 bool is_for_quads(const VolumeFrame& frame) {
   return visibility_of(frame.cloud, frame.settings.volume.visibility) == VolumeVisibility::Sorted &&
-         !frame.is_limited && !frame.features.has(RELIEF_FEATURE_OUT_NORMAL | RELIEF_FEATURE_OUT_DEPTH);
+         !frame.features.has(RELIEF_FEATURE_OUT_NORMAL | RELIEF_FEATURE_OUT_DEPTH);
 }
 
 std::unique_ptr<VolumeDrawing> make_quad_drawing(const Gl& gl) {

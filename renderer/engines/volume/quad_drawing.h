@@ -7,8 +7,7 @@
 
 namespace relief::volume {
 
-/// Whether QuadDrawing can draw this frame: sorted kernels, no surfaces among them, and no outputs
-/// beside the colour.
+/// Whether QuadDrawing can draw this frame: sorted kernels, and no outputs beside the colour.
 [[nodiscard]] bool is_for_quads(const VolumeFrame& frame);
 
 /// It blends on where a pixel lets less through than `min_transmittance`, and also the splat that
