@@ -82,7 +82,7 @@ void expect_turned(const glm::dmat3& q, int degree, Random& random) {
   EXPECT_LT(glm::distance(glm::dvec3(after.centres[0]), centre), 1e-6);
 }
 
-TEST(MoveGaussians, TurnsAllDegrees) {
+TEST(TurnGaussians, TurnsAllDegrees) {
   Random random;
   for (int degree = 0; degree <= kMaxHarmonicsDegree; ++degree) {
     for (int k = 0; k < 10; ++k) expect_turned(random.rotation(), degree, random);
@@ -94,7 +94,7 @@ TEST(MoveGaussians, TurnsAllDegrees) {
   }
 }
 
-TEST(MoveGaussians, MirrorsAllDegrees) {
+TEST(TurnGaussians, MirrorsAllDegrees) {
   Random random;
   for (int degree = 0; degree <= kMaxHarmonicsDegree; ++degree) {
     expect_turned(glm::dmat3(-1.0), degree, random);
@@ -106,7 +106,7 @@ TEST(MoveGaussians, MirrorsAllDegrees) {
   }
 }
 
-TEST(MoveGaussians, EachGaussianByItself) {
+TEST(TurnGaussians, EachGaussianByItself) {
   Random random;
   GaussianCloud cloud = one_gaussian(2, random);
   const GaussianCloud other = one_gaussian(2, random);
@@ -123,7 +123,7 @@ TEST(MoveGaussians, EachGaussianByItself) {
   EXPECT_EQ(cloud.rotations[1], alone.rotations[0]);
 }
 
-TEST(MoveGaussians, WithoutATurnNothingButPlaceAndSize) {
+TEST(TurnGaussians, WithoutATurnNothingButPlaceAndSize) {
   Random random;
   const GaussianCloud before = one_gaussian(4, random);
   GaussianCloud after = before;
@@ -133,7 +133,7 @@ TEST(MoveGaussians, WithoutATurnNothingButPlaceAndSize) {
   EXPECT_EQ(after.scales[0], 0.5F * before.scales[0]);
 }
 
-TEST(MoveGaussians, RefusesWhatLeavesTheRange) {
+TEST(TurnGaussians, RefusesWhatLeavesTheRange) {
   Random random;
   for (const Transform& transform :
        {Transform{{1e39, 0.0, 0.0}, glm::dmat3(1.0), 1.0}, Transform{{}, glm::dmat3(1.0), 1e39},
