@@ -1,6 +1,11 @@
 #include "common/volume/move.h"
 
+#include <cmath>
 #include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
+#include <span>
+
+#include "common/volume/harmonics_turn.h"
 
 namespace relief {
 namespace {
@@ -26,6 +31,12 @@ void move(ScatteredPoints& points, const Transform& transform) {
   for (glm::dvec3& position : points.positions) position = moved(transform, position);
 }
 
+constexpr glm::vec3 kNothing{0.0F};
+
+bool is_finite(glm::vec3 v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
 }  // namespace
 
 void move_volume(ScalarVolume& volume, const Transform& transform) {
@@ -33,19 +44,29 @@ void move_volume(ScalarVolume& volume, const Transform& transform) {
 }
 
 Status move_gaussians(GaussianCloud& gaussians, const Transform& transform) {
-  const bool turns = transform.rotation != glm::dmat3(1.0);
-  if (turns && gaussians.degree > 0) {
-    return make_error(
-        "3D Gaussians whose colours depend on the direction can't be turned yet; leave the "
-        "rotation "
-        "out");
-  }
-  const auto turn = glm::quat(glm::quat_cast(transform.rotation));
-  for (glm::vec3& centre : gaussians.centres)
+  const auto scale = static_cast<float>(transform.scale);
+  for (std::size_t k = 0; k < gaussians.size(); ++k) {
+    glm::vec3& centre = gaussians.centres[k];
+    glm::vec3& scales = gaussians.scales[k];
     centre = glm::vec3(moved(transform, glm::dvec3(centre)));
-  for (glm::vec3& scale : gaussians.scales) scale *= static_cast<float>(transform.scale);
-  if (!turns) return {};
-  for (glm::quat& rotation : gaussians.rotations) rotation = glm::normalize(turn * rotation);
+    scales *= scale;
+    if (!is_finite(centre) || !is_finite(scales) || !glm::all(glm::greaterThan(scales, kNothing))) {
+      return make_error(
+          "Gaussian {} leaves the range of single precision; move and scale the scene less", k + 1);
+    }
+  }
+  if (transform.rotation == glm::dmat3(1.0)) return {};
+  // A Gaussian is its own mirror image in its centre: what a mirror does to it, the rotation that
+  // is the mirror's negative does, too.
+  const bool is_mirror = glm::determinant(transform.rotation) < 0.0;
+  const glm::dquat turn = glm::quat_cast(is_mirror ? -transform.rotation : transform.rotation);
+  for (glm::quat& rotation : gaussians.rotations)
+    rotation = glm::quat(glm::normalize(turn * glm::dquat(rotation)));
+  if (gaussians.degree == 0) return {};
+  const HarmonicsTurn harmonics(transform.rotation, gaussians.degree);
+  const std::size_t count = harmonics_of(gaussians.degree);
+  for (std::size_t k = 0; k < gaussians.size(); ++k)
+    harmonics.apply(std::span(gaussians.harmonics).subspan(k * count, count));
   return {};
 }
 

@@ -10,8 +10,9 @@ namespace relief {
 
 void move_volume(ScalarVolume& volume, const Transform& transform);
 
-/// Fails, with a clause, if Gaussians whose colours depend on the direction are turned: their
-/// harmonics are not.
+/// Turns colours that depend on the direction, too. `transform.rotation` may also be a mirror here
+/// (orthonormal, left-handed). Fails, with a clause, if a centre or a scale leaves the range of
+/// single precision; the Gaussians are then moved in part.
 Status move_gaussians(GaussianCloud& gaussians, const Transform& transform);
 
 }  // namespace relief

@@ -47,16 +47,22 @@ bool has_gaussians(const std::string& name, std::span<const std::byte> head) {
   return header && (has_plain_gaussians(*header) || has_compressed_gaussians(*header));
 }
 
-Result<GaussianCloud> read_ply_or_spz(const Source& source) {
-  if (source.text.starts_with(kSpzMagic) || lower_case(source.name).ends_with(".spz"))
-    return read_spz(source);
-  RELIEF_TRY_ASSIGN(const auto header, read_ply_header(source));
+Result<GaussianCloud> read_ply(const Source& source, const PlyHeader& header) {
   if (has_compressed_gaussians(header)) return read_compressed_ply(source, header);
   if (has_plain_gaussians(header)) return read_gaussian_ply(source, header);
   return make_error(
       "{}: its vertices have no properties f_dc_0, opacity, scale_0 and rot_0, so it is not a "
       "scene of Gaussians",
       source.name);
+}
+
+Result<GaussianCloud> read_ply_or_spz(const Source& source) {
+  if (source.text.starts_with(kSpzMagic) || lower_case(source.name).ends_with(".spz"))
+    return read_spz(source);
+  RELIEF_TRY_ASSIGN(const auto header, read_ply_header(source));
+  RELIEF_TRY_ASSIGN(auto cloud, read_ply(source, header));
+  cloud.is_antialiased = header.splat_render_mode == "mip";
+  return cloud;
 }
 
 Result<GaussianCloud> read_unpacked(const std::string& name, std::span<const std::byte> bytes,

@@ -1,7 +1,10 @@
 #include "renderer/frame/film.h"
 
+#include <cmath>
 #include <cstddef>
 #include <utility>
+
+#include "common/image/srgb.h"
 
 namespace relief {
 namespace {
@@ -13,6 +16,21 @@ Channel make_channel(const char* name, const Film& film, const ValueOf& value_of
   channel.values.reserve(film.pixels.size());
   for (const FilmPixel& pixel : film.pixels) channel.values.push_back(value_of(pixel));
   return channel;
+}
+
+/// Not clamped: what lies behind may be brighter than white.
+float encoded(float light) {
+  return light > 1.0F ? 1.055F * std::pow(light, 1.0F / 2.4F) - 0.055F : srgb_from_linear(light);
+}
+
+/// A premultiplied colour (linear) of some coverage over another, mixed as encoded sRGB.
+glm::vec3 mixed_encoded(glm::vec4 colour, glm::vec3 behind) {
+  if (!(colour.a > 0.0F)) return behind;
+  glm::vec3 mixed(0.0F);
+  for (glm::length_t c = 0; c < 3; ++c)
+    mixed[c] = linear_from_srgb(colour.a * encoded(colour[c] / colour.a) +
+                                (1.0F - colour.a) * encoded(behind[c]));
+  return mixed;
 }
 
 /// The model's colour over what lies behind it.
@@ -31,7 +49,8 @@ std::vector<glm::vec3> composite(const Film& film, const Surroundings& surroundi
                               static_cast<double>(film.height - row) - 0.5);
       behind = look_up(*surroundings.cube, ray_through(view, middle));
     }
-    colours[k] += (1.0F - pixel.colour.a) * behind;
+    colours[k] = film.blends_encoded ? mixed_encoded(pixel.colour, behind)
+                                     : colours[k] + (1.0F - pixel.colour.a) * behind;
   }
   return colours;
 }

@@ -31,6 +31,9 @@ struct Film {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   std::vector<FilmPixel> pixels;
+  /// Whether what lies behind is blended as encoded sRGB, as all viewers of 3D Gaussians do: a
+  /// faint Gaussian over black is as dark as its authors saw it.
+  bool blends_encoded = false;
 };
 
 /// What lies behind the model: the environment if `cube` is there, else a colour, else nothing.

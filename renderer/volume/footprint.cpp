@@ -29,10 +29,10 @@ ImageVariance widened(ImageVariance v, double by) {
   return {v.xx + by, v.xy, v.yy + by};
 }
 
-ImageVariance filtered(ImageVariance v, VolumeFilter filter) {
+ImageVariance filtered(ImageVariance v, VolumeFilter filter, KernelWeight weight) {
   switch (filter) {
     case VolumeFilter::Ewa:
-      return widened(v, kLowPassVariance);
+      return widened(v, weight == KernelWeight::Peak ? kDilation : kLowPassVariance);
     case VolumeFilter::Dilated:
       return widened(v, kDilation);
     case VolumeFilter::UniformScaling: {
@@ -100,7 +100,7 @@ std::optional<Footprint> footprint_of(const KernelCloud& cloud, std::size_t k,
   if (!(t.z > near)) return std::nullopt;
   const ProjectedKernel projected = project_kernel(camera, t, variance, clamped(t, rule));
   const ImageVariance v{projected.xx, projected.xy, projected.yy};
-  const ImageVariance f = filtered(v, rule.filter);
+  const ImageVariance f = filtered(v, rule.filter, rule.weight);
   const double determinant = f.determinant();
   if (!(determinant > 0.0) || !std::isfinite(determinant)) return std::nullopt;
 

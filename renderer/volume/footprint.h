@@ -10,7 +10,8 @@
 
 namespace relief {
 
-/// Variance of the low-pass filter, pixels squared: a unit Gaussian, and what [Kerbl 2023] adds.
+/// Variance of the low-pass filter, pixels squared: of volumes a unit Gaussian, and of 3D Gaussians
+/// what [Kerbl 2023] adds. Those trained with a filter that keeps the integral had the latter, too.
 inline constexpr double kLowPassVariance = 1.0;
 inline constexpr double kDilation = 0.3;
 

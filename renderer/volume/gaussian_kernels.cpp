@@ -12,6 +12,12 @@
 #include "common/volume/spherical_harmonics.h"
 
 namespace relief {
+namespace {
+
+/// Largest encoded colour: decoded, 1e36, it is still a float. Files may have any coefficients.
+constexpr double kBrightest = 1e15;
+
+}  // namespace
 
 KernelCloud kernels_of_gaussians(const GaussianCloud& gaussians) {
   KernelCloud cloud;
@@ -38,7 +44,7 @@ glm::vec3 gaussian_colour(const GaussianCloud& gaussians, std::size_t k, glm::dv
   glm::dvec3 sum(0.5);
   for (std::size_t c = 0; c < harmonics_of(degree); ++c)
     sum += basis[c] * glm::dvec3(gaussians.harmonics[k * stored + c]);
-  glm::vec3 colour(glm::max(sum, 0.0));
+  glm::vec3 colour(glm::clamp(sum, 0.0, kBrightest));
   if (settings.blend == GaussianBlend::Linear) {
     for (glm::length_t c = 0; c < 3; ++c) colour[c] = linear_from_srgb(colour[c]);
   }

@@ -13,7 +13,7 @@ namespace relief {
 /// What keeps kernels from being smaller than pixels [Zwicker 2002, section 6.2 and Figure 14].
 enum class VolumeFilter : std::uint8_t {
   Automatic,       ///< Dilated for 3D Gaussians that were trained with it, else Ewa
-  Ewa,             ///< convolved with a unit Gaussian, which keeps the integral
+  Ewa,             ///< convolved with a Gaussian, which keeps the integral
   UniformScaling,  ///< enlarged until the minor radius is that of the low-pass filter [Swan 1997]
   Unfiltered,
   Dilated  ///< widened by 0.3 pixels squared, the opacity at the centre unchanged [Kerbl 2023]

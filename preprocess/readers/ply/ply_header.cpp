@@ -80,8 +80,10 @@ Result<PlyHeader> read_ply_header(const Source& source) {
     const std::string_view keyword = line.peek();
     if (keyword == "comment") {
       (void)line.word();
-      if (lower_case(line.word()) == "texturefile")
-        header.textures.emplace_back(trimmed(line.rest_of_line()));
+      const std::string key = lower_case(line.word());
+      if (key == "texturefile") header.textures.emplace_back(trimmed(line.rest_of_line()));
+      if (key == "splatrendermode:" || key == "splatrendermode")
+        header.splat_render_mode = lower_case(trimmed(line.rest_of_line()));
       continue;
     }
     if (keyword == "obj_info") continue;

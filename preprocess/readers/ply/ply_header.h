@@ -30,6 +30,10 @@ struct PlyHeader {
   std::vector<PlyElement> elements;  ///< in file order
   /// Pictures that `comment TextureFile NAME` lines name, as MeshLab writes them.
   std::vector<std::string> textures;
+  /// What a `comment SplatRenderMode: NAME` line states, in lower case: `mip` where 3D Gaussians
+  /// were trained with the filter that keeps their integral. Brush, splat-transform and others
+  /// write it.
+  std::string splat_render_mode;
   std::size_t body = 0;  ///< offset of the first byte after the header
 };
 

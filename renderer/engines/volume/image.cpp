@@ -89,7 +89,7 @@ Film read_film(const Gl& gl, const VolumeTargets& targets, bool is_encoded) {
   const std::vector<glm::vec4> colours = read_texels(gl, targets.colour, count);
   std::vector<glm::vec4> surfaces;
   if (targets.surface) surfaces = read_texels(gl, *targets.surface, count);
-  Film film{targets.width, targets.height, std::vector<FilmPixel>(count)};
+  Film film{targets.width, targets.height, std::vector<FilmPixel>(count), is_encoded};
   const glm::vec4 nowhere(0.0F, 0.0F, 0.0F, std::numeric_limits<float>::infinity());
   tbb::parallel_for(std::uint32_t{0}, targets.height, [&](std::uint32_t y) {
     const std::size_t from = std::size_t{targets.height - 1 - y} * targets.width;

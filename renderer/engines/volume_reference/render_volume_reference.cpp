@@ -99,6 +99,7 @@ class Prepared final : public PreparedModel {
     result.renderer = "CPU";
     result.fragments = drawn.evaluations;
     result.frame_ms = median_of(std::move(frame_ms)) + surfaces.frame_ms;
+    drawn.film.blends_encoded = !surfaces_ && model_.blends_encoded(settings);
     result.image = develop(drawn.film, surroundings, view, settings.outputs, result.covered_pixels);
     return result;
   }

@@ -32,7 +32,8 @@ glm::dvec4 shown(const RaySum& ray, bool is_encoded) {
 }  // namespace
 
 Film filtered(const SampleImage& image, const View& view, bool is_encoded) {
-  Film film{view.width, view.height, std::vector<FilmPixel>(std::size_t{view.width} * view.height)};
+  Film film{view.width, view.height, std::vector<FilmPixel>(std::size_t{view.width} * view.height),
+            is_encoded};
   const std::vector<double> weights =
       image.side > 1 ? filter_weights(image.side) : std::vector<double>{1.0};
   const auto taps = static_cast<std::int64_t>(weights.size());

@@ -166,6 +166,26 @@ TEST(ReadGaussiansTest, SpzOfEachVersion) {
   EXPECT_FALSE(gaussians_of("a.spz", packed_spz(scene)).is_antialiased);
 }
 
+TEST(ReadGaussiansTest, PlyThatIsAntialiasedSaysSo) {
+  const SampleScene scene = sample_scene(0);
+  const auto with = [](std::string file, std::string_view comment) {
+    file.insert(file.find("element"), comment);
+    return file;
+  };
+  for (const std::string& file :
+       {plain_ply(scene, "ascii"), plain_ply(scene, "binary_little_endian"),
+        compressed_ply(scene, true)}) {
+    const auto is_antialiased = [&](std::string_view comment) {
+      return gaussians_of("a.ply", with(file, comment)).is_antialiased;
+    };
+    EXPECT_TRUE(is_antialiased("comment SplatRenderMode: mip\n"));
+    EXPECT_TRUE(is_antialiased("comment splatrendermode mip \r\n"));
+    EXPECT_FALSE(is_antialiased("comment SplatRenderMode: default\n"));
+    EXPECT_FALSE(is_antialiased("comment SplatRenderMode:\n"));
+    EXPECT_FALSE(is_antialiased("comment mip\n"));
+  }
+}
+
 /// A record of an extension that states a coordinate system.
 std::string coordinate_system(std::uint32_t system) {
   return pack(std::uint32_t{0xADBE0003}, std::uint32_t{4}, system);

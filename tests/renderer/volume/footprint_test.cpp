@@ -107,6 +107,26 @@ TEST(Footprint, FiltersHaveTheShapesOfFigure13) {
   EXPECT_NEAR(1.0 / scaled->yy, 1.0, 1e-6);
 }
 
+// A 3D Gaussian with `ewa` is as wide as a dilated one, and keeps its integral: what gsplat,
+// PlayCanvas and GaussianSplats3D draw where a scene was trained so.
+TEST(Footprint, Of3dGaussiansHasTheFilterOfTheirTraining) {
+  const RayCamera camera = ray_camera(parallel_view(20.0));  // 10 pixels for a unit
+  KernelCloud cloud = one_kernel({0.16, 0, 0, 1e-4, 0, 1e-4}, 0.5);
+  cloud.weight = KernelWeight::Peak;
+  FootprintRule rule = rule_of(VolumeFilter::Dilated, 4.0);
+  rule.weight = KernelWeight::Peak;
+  const auto dilated = footprint_of(cloud, 0, camera, rule);
+  rule.filter = VolumeFilter::Ewa;
+  const auto ewa = footprint_of(cloud, 0, camera, rule);
+  ASSERT_TRUE(dilated && ewa);
+  EXPECT_NEAR(1.0 / ewa->xx, 16.3, 1e-9);
+  EXPECT_NEAR(1.0 / ewa->yy, 0.31, 1e-9);
+  EXPECT_EQ(dilated->xx, ewa->xx);
+  EXPECT_EQ(dilated->yy, ewa->yy);
+  EXPECT_EQ(dilated->peak, 0.5);
+  EXPECT_NEAR(ewa->peak, 0.5 * std::sqrt(16.0 * 0.01 / (16.3 * 0.31)), 1e-9);
+}
+
 TEST(Footprint, IsNoneWhereTheApproximationHasNoMeaning) {
   Camera camera;
   camera.eye = {0.0, 0.0, 10.0};
