@@ -32,6 +32,9 @@ struct OptionRow {
   std::string placeholder = {};   ///< in `--help`: "N", "MS"; empty for Choice, which lists them
   std::string help = {};          ///< its effect and its unit: a sentence without a period
   std::string default_text = {};  ///< "2", "4 with cells, else 0"; empty: none
+  /// Of Text: whether it accepts a text that is not empty; null: any.
+  bool (*accepts_text)(std::string_view) = nullptr;
+  std::string expected_text = {};  ///< then what it accepts, for messages
 };
 
 /// The engines that a scene may name, and their options. The renderer derives this from its

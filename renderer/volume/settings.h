@@ -7,6 +7,7 @@
 #include <string>
 
 #include "common/scene/choices.h"
+#include "common/volume/clip_box.h"
 
 namespace relief {
 
@@ -82,6 +83,7 @@ struct VolumeSettings {
   double iso_opacity = 0.9;   ///< of that surface, seen from the front
   /// What transfer_function_for() takes (common/volume/transfer_function.h).
   std::string transfer = "auto";
+  std::optional<ClipBox> clip;  ///< kernels whose centres lie outside are not drawn
   GaussianSettings gaussians;
 };
 

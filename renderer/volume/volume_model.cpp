@@ -9,6 +9,8 @@
 #include "common/image/srgb.h"
 #include "common/volume/transfer_function.h"
 #include "renderer/shading/shading.h"
+#include "renderer/volume/clip_kernels.h"
+#include "renderer/volume/extent.h"
 #include "renderer/volume/gaussian_kernels.h"
 #include "renderer/volume/volume_kernels.h"
 
@@ -17,9 +19,10 @@ namespace relief {
 Result<const KernelCloud*> VolumeModel::kernels(const RenderSettings& settings,
                                                 const Progress& progress) {
   const VolumeSettings& chosen = settings.volume;
-  Key key{chosen.transfer, chosen.kernel_sigma, chosen.iso, chosen.iso_opacity};
-  if (gaussians_ != nullptr) key = {};  // theirs depend on nothing
+  Key key{chosen.transfer, chosen.kernel_sigma, chosen.iso, chosen.iso_opacity, chosen.clip};
+  if (gaussians_ != nullptr) key = {.clip = chosen.clip};
   if (key_ == key) return &kernels_;
+  RELIEF_TRY_ASSIGN(const auto box, clip_box(settings));
   key_.reset();
   ++version_;
   if (gaussians_ != nullptr) {
@@ -30,8 +33,18 @@ Result<const KernelCloud*> VolumeModel::kernels(const RenderSettings& settings,
     kernels_ = kernels_of_volume(*volume_, function, chosen, progress);
     if (progress.cancelled()) return interrupted_error();
   }
+  if (box) clip_kernels(kernels_, *box);
   key_ = std::move(key);
   return &kernels_;
+}
+
+Result<std::optional<Bounds>> VolumeModel::clip_box(const RenderSettings& settings) const {
+  if (!settings.volume.clip) return std::optional<Bounds>();
+  const std::vector<glm::dvec3> extent =
+      gaussians_ != nullptr ? extent_of(*gaussians_) : extent_of(*volume_);
+  if (extent.empty()) return std::optional<Bounds>();  // a scene without Gaussians
+  RELIEF_TRY_ASSIGN(const Bounds box, place_clip_box(*settings.volume.clip, bounds_of(extent)));
+  return std::optional(box);
 }
 
 Result<std::vector<glm::vec3>> VolumeModel::colours(const KernelCloud& kernels,

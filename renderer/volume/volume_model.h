@@ -7,8 +7,10 @@
 #include <optional>
 #include <string>
 
+#include "common/bounds.h"
 #include "common/error.h"
 #include "common/progress.h"
+#include "common/volume/clip_box.h"
 #include "common/volume/spacing.h"
 #include "renderer/model.h"
 #include "renderer/settings.h"
@@ -29,13 +31,17 @@ class VolumeModel {
            "there is a volume, or there are Gaussians");
   }
 
-  /// The kernels for these settings. Fails if the transfer function can't be read.
+  /// The kernels for these settings. Fails if the transfer function can't be read, or if the clip
+  /// box holds nothing of the model.
   Result<const KernelCloud*> kernels(const RenderSettings& settings, const Progress& progress);
 
   /// Their colours as an image with these settings blends them: Gaussians' seen from the eye, a
   /// volume's lit at the nodes (pre-shaded).
   Result<std::vector<glm::vec3>> colours(const KernelCloud& kernels, const RenderSettings& settings,
                                          const View& view, EnvironmentCache& environments) const;
+
+  /// The clip box in world coordinates; none if there is none. Fails if it holds nothing.
+  [[nodiscard]] Result<std::optional<Bounds>> clip_box(const RenderSettings& settings) const;
 
   /// How often the kernels have been made.
   [[nodiscard]] std::uint64_t version() const { return version_; }
@@ -52,12 +58,13 @@ class VolumeModel {
   }
 
  private:
-  /// What the kernels of a volume depend on.
+  /// What the kernels of a volume depend on; those of Gaussians on the clip box alone.
   struct Key {
     std::string transfer;
     double sigma = 0.0;
     std::optional<double> iso;
     double iso_opacity = 0.0;
+    std::optional<ClipBox> clip;
     bool operator==(const Key&) const = default;
   };
 
