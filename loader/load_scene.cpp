@@ -254,7 +254,7 @@ Result<LoadedScene> load_models(const std::vector<SceneModel>& models, const Loa
 Result<LoadedScene> load_scene(const ScenePlan& plan, const LoadOptions& options,
                                Progress& progress, std::span<const EngineEntry> among) {
   RELIEF_TRY_ASSIGN(const bool is_volume, has_kernels(plan.models, options.volume));
-  if (is_volume) return load_kernels(plan, options.volume, among, progress);
+  if (is_volume) return load_kernels(plan, options.volume, options.read, among, progress);
   RELIEF_TRY_ASSIGN(const FormNeeds needs, needs_of(plan, among));
   if (needs.splats && !options.textures.image.empty())
     return load_textured_splats(plan, options, progress);

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/patch_file/patch_file.h"
 #include "common/volume/move.h"
 #include "loader/view_settings.h"
 #include "preprocess/gaussians/read_gaussians.h"
+#include "preprocess/points/point_volume.h"
+#include "preprocess/raster/raster.h"
+#include "preprocess/readers/read_points.h"
 #include "renderer/volume/extent.h"
 
 namespace relief {
@@ -16,10 +20,26 @@ bool draws_kernels(const EngineEntry& engine) {
          engine.forms.end();
 }
 
+/// Reads a volume, or a scan whose points are the nodes of one.
+Result<ScalarVolume> read_nodes(const std::filesystem::path& path, const VolumeReadOptions& options,
+                                const ReadOptions& read, Progress& progress) {
+  if (!options.scalar) return read_volume(path, options, progress);
+  if (has_kernels(path, {}) || names_patch_file(path) || is_raster(path, read.format)) {
+    return make_error("{}: has no points whose scalar '{}' could be a volume; leave the scalar out",
+                      path.string(), *options.scalar);
+  }
+  ReadOptions with_scalar = read;
+  with_scalar.scalars = {false, {*options.scalar}};
+  RELIEF_TRY_ASSIGN(auto scan, read_points(path, progress, with_scalar));
+  auto volume = volume_of_points(std::move(scan.points), *options.scalar, progress);
+  if (!volume) return make_error("{}: {}", path.string(), volume.error().message);
+  return volume;
+}
+
 }  // namespace
 
 bool has_kernels(const std::filesystem::path& path, const VolumeReadOptions& options) {
-  if (is_volume(path, options)) return true;
+  if (options.scalar || is_volume(path, options)) return true;
   const auto found = is_gaussians(path);
   return found && *found;
 }
@@ -46,7 +66,8 @@ void choose_volume_engine(ScenePlan& plan, const VolumeReadOptions& options) {
 }
 
 Result<LoadedScene> load_kernels(const ScenePlan& plan, const VolumeReadOptions& options,
-                                 std::span<const EngineEntry> among, Progress& progress) {
+                                 const ReadOptions& read, std::span<const EngineEntry> among,
+                                 Progress& progress) {
   const SceneModel& model = plan.models.front();
   for (const PlannedView& view : plan.views) {
     RELIEF_TRY_ASSIGN(const EngineEntry* const engine, engine_of(view, among));
@@ -58,7 +79,7 @@ Result<LoadedScene> load_kernels(const ScenePlan& plan, const VolumeReadOptions&
     }
   }
   LoadedScene scene;
-  if (!is_volume(model.file, options)) {
+  if (!options.scalar && !is_volume(model.file, options)) {
     RELIEF_TRY_ASSIGN(auto gaussians, read_gaussians(model.file, progress));
     if (const Status moved = move_gaussians(gaussians, model.transform); !moved)
       return make_error("{}: {}", model.file.string(), moved.error().message);
@@ -67,7 +88,7 @@ Result<LoadedScene> load_kernels(const ScenePlan& plan, const VolumeReadOptions&
     scene.gaussians = std::move(gaussians);
     return scene;
   }
-  RELIEF_TRY_ASSIGN(auto volume, read_volume(model.file, options, progress));
+  RELIEF_TRY_ASSIGN(auto volume, read_nodes(model.file, options, read, progress));
   move_volume(volume, model.transform);
   set_extent(scene.patches, extent_of(volume));
   scene.patches.stance = volume.stance;

@@ -20,7 +20,10 @@ Result<const KernelCloud*> VolumeModel::kernels(const RenderSettings& settings,
                                                 const Progress& progress) {
   const VolumeSettings& chosen = settings.volume;
   Key key{chosen.transfer, chosen.kernel_sigma, chosen.iso, chosen.iso_opacity, chosen.clip};
-  if (gaussians_ != nullptr) key = {.clip = chosen.clip};
+  if (gaussians_ != nullptr) {
+    key = {};
+    key.clip = chosen.clip;
+  }
   if (key_ == key) return &kernels_;
   RELIEF_TRY_ASSIGN(const auto box, clip_box(settings));
   key_.reset();

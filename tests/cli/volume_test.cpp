@@ -26,13 +26,38 @@ class VolumeCommand : public JsonTest {
       const double x = n % 12 - 5.5;
       const double y = n / 12 % 12 - 5.5;
       const double z = n / 144 - 5.5;
-      text += fmt::format(
-          "{:.3f}\n", std::max(0.0, 100.0 * (1.0 - std::sqrt(x * x + y * y + z * z) / 6.0)));
+      text += fmt::format("{:.3f}\n",
+                          std::max(0.0, 100.0 * (1.0 - std::sqrt(x * x + y * y + z * z) / 6.0)));
     }
     return write("ball.nrrd", text);
   }
   [[nodiscard]] std::string write_gaussians() const {
     return write("gaussians.ply", plain_ply(sample_scene(1), "binary_little_endian"));
+  }
+
+  /// The ball as 12^3 points in a grid of their own, as PLY, PCD or CSV.
+  [[nodiscard]] std::string write_points(const std::string& extension) const {
+    std::string text;
+    if (extension == "ply") {
+      text =
+          "ply\nformat ascii 1.0\nelement vertex 1728\nproperty float x\nproperty float y\n"
+          "property float z\nproperty float Density\nend_header\n";
+    } else if (extension == "pcd") {
+      text =
+          "VERSION 0.7\nFIELDS x y z density\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\n"
+          "WIDTH 1728\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 1728\nDATA ascii\n";
+    } else {
+      text = "x y z density\n";
+    }
+    for (int n = 0; n < 12 * 12 * 12; ++n) {
+      // A little off the nodes, so that they are irregular.
+      const double x = n % 12 - 5.5 + 0.3 * std::sin(7.0 * n);
+      const double y = n / 12 % 12 - 5.5 + 0.3 * std::sin(11.0 * n);
+      const double z = n / 144 - 5.5 + 0.3 * std::sin(13.0 * n);
+      text += fmt::format("{:.3f} {:.3f} {:.3f} {:.3f}\n", x, y, z,
+                          std::max(0.0, 100.0 * (1.0 - std::sqrt(x * x + y * y + z * z) / 6.0)));
+    }
+    return write("points." + extension, text);
   }
 
   /// Renders a small EXR and returns its colour channels, one after the other.
@@ -102,20 +127,20 @@ TEST_F(VolumeCommand, EachOptionOfVolumesChangesTheImage) {
   const std::string ball = write_ball();
   const std::string function = write("f.json", R"({"colour": [[0, 1, 0, 0], [100, 0, 0, 1]],
       "opacity": [[10, 0], [100, 0.9]], "gradient_opacity": [[0, 0.1], [20, 1]]})");
-  for (const std::vector<std::string>& options : std::vector<std::vector<std::string>>{
-           {"--filter", "unfiltered"},
-           {"--filter", "uniform-scaling"},
-           {"--filter", "dilated"},
-           {"--visibility", "image-sheet"},
-           {"--visibility", "sorted"},
-           {"--cutoff", "9"},
-           {"--transfer", "mr"},
-           {"--transfer", function},
-           {"--iso", "50"},
-           {"--kernel-sigma", "0.7"},
-           {"--attenuation", "exponential"},
-           {"--material", "unlit"},
-           {"--orthographic", "10"}})
+  for (const std::vector<std::string>& options :
+       std::vector<std::vector<std::string>>{{"--filter", "unfiltered"},
+                                             {"--filter", "uniform-scaling"},
+                                             {"--filter", "dilated"},
+                                             {"--visibility", "image-sheet"},
+                                             {"--visibility", "sorted"},
+                                             {"--cutoff", "9"},
+                                             {"--transfer", "mr"},
+                                             {"--transfer", function},
+                                             {"--iso", "50"},
+                                             {"--kernel-sigma", "0.7"},
+                                             {"--attenuation", "exponential"},
+                                             {"--material", "unlit"},
+                                             {"--orthographic", "10"}})
     expect_changes(ball, options);
   expect_changes(ball, {"--iso-opacity", "0.3"}, {"--iso", "50", "--transfer", "none"});
   // Minified: where the default filter is at work.
@@ -130,11 +155,11 @@ TEST_F(VolumeCommand, DefaultsAreWhatTheyAreCalled) {
                                     "--visibility", "sheet", "--cutoff", "4", "--transfer", "auto",
                                     "--kernel-sigma", "1", "--attenuation", "linear"}));
   const std::string gaussians = write_gaussians();
-  EXPECT_EQ(pixels_of(gaussians, {}),
-            pixels_of(gaussians, {"--filter", "dilated", "--visibility", "sorted", "--max-alpha",
-                                  "0.99", "--min-transmittance", "0.0001", "--gaussian-near", "0.2",
-                                  "--jacobian-clamp", "1.3", "--harmonics", "1", "--blend",
-                                  "srgb"}));
+  EXPECT_EQ(
+      pixels_of(gaussians, {}),
+      pixels_of(gaussians, {"--filter", "dilated", "--visibility", "sorted", "--max-alpha", "0.99",
+                            "--min-transmittance", "0.0001", "--gaussian-near", "0.2",
+                            "--jacobian-clamp", "1.3", "--harmonics", "1", "--blend", "srgb"}));
 }
 
 TEST_F(VolumeCommand, EachOptionOfGaussiansChangesTheImage) {
@@ -179,8 +204,8 @@ TEST_F(VolumeCommand, AScenesKeysAreThoseOfTheOptions) {
       pixels_of(path("ball.nrrd"), {"--kernel-sigma", "0.7", "--transfer", "mr"});
   const auto image = read_image(path("b.exr"));
   ASSERT_TRUE(image);
-  EXPECT_TRUE(std::ranges::equal(image->find("R")->values,
-                                 std::span(direct).first(direct.size() / 4)));
+  EXPECT_TRUE(
+      std::ranges::equal(image->find("R")->values, std::span(direct).first(direct.size() / 4)));
 }
 
 TEST_F(VolumeCommand, WrongValuesAreWrongUsage) {
@@ -226,6 +251,79 @@ TEST_F(VolumeCommand, WhatCanNotBeDrawnIsOneSentence) {
                   {}, "wrong.json: iso: expected a number from -1e+30 to 1e+30; found \"high\"");
 }
 
+TEST_F(VolumeCommand, ABoxCutsVolumesAndGaussians) {
+  const std::string ball = write_ball();
+  const std::vector<std::string> half{"--clip", "50%,0%,0%,100%,100%,100%"};
+  for (const std::string engine : {"volume", "volume-reference", "volume-truth"}) {
+    expect_changes(ball, half, {"--engine", engine});
+    expect_changes(write_gaussians(), half, {"--engine", engine});
+  }
+  expect_changes(ball, half, {"--engine", "volume-truth", "--truth", "field"});
+  EXPECT_EQ(pixels_of(ball, half), pixels_of(ball, {"--clip", "5.5,0,0,11,11,11"}))
+      << "nodes are 0 to 11, in world coordinates";
+  EXPECT_EQ(pixels_of(ball, {}), pixels_of(ball, {"--clip", "0%,0%,0%,100%,100%,100%"}));
+  const auto report = run_json(
+      {"render", ball, "-o", path("a.png"), "--size", "40x32", "--clip", "5.50,0%,0,11,100%,11"});
+  EXPECT_EQ(report["clip"], "5.5,0%,0,11,100%,11") << report;
+  for (const std::string box : {"1,2,3", "5,0,0,4,1,1", "0,0,0,120%,1,1", "a,b,c,d,e,f"})
+    expect_wrong(ball, {"--clip", box},
+                 "expected X0,Y0,Z0,X1,Y1,Z1, each a coordinate or a percentage as in 50%, the "
+                 "lower corner first; found " +
+                     box);
+  expect_no_image(ball, {"--clip", "20,0,0,30,1,1"},
+                  "holds nothing of the model, which reaches from 0,0,0 to 11,11,11");
+  expect_no_image(write("box.json", R"({"models": [{"file": "ball.nrrd"}], "clip": "1,2",
+      "views": [{"name": "a"}]})"),
+                  {}, "box.json: clip: expected X0,Y0,Z0,X1,Y1,Z1");
+  expect_wrong(ball, {"--clip", "0,0,0,1,1,1", "--engine", "onepass"}, "--clip");
+}
+
+TEST_F(VolumeCommand, PointsWithAScalarAreAVolume) {
+  const std::vector<std::string> density{"--volume-scalar", "density"};
+  const std::vector<float> ball = pixels_of(write_points("ply"), density);
+  EXPECT_GT(*std::max_element(ball.begin(), ball.end()), 0.2F);
+  for (const std::string extension : {"pcd", "xyz"}) {
+    // Upright as points are: a PCD has the stance of its sensor.
+    const std::vector<float> same =
+        pixels_of(write_points(extension), {"--volume-scalar", "Density", "--up", "z"});
+    if (extension == "xyz") {
+      EXPECT_EQ(ball, same);
+    }
+    EXPECT_GT(*std::max_element(same.begin(), same.end()), 0.2F);
+  }
+  const std::string points = path("points.ply");
+  expect_changes(points, {"--iso", "50"}, density);
+  expect_changes(points, {"--clip", "0,0%,0%,100%,100%,100%"}, density);
+  expect_changes(points, {"--visibility", "image-sheet"}, density);
+  expect_changes(points, {"--kernel-sigma", "0.6"}, density);
+  expect_changes(points, {"--crop", "-6,-6,0,6"}, density);
+  const std::vector<float> drawn =
+      pixels_of(points, {"--volume-scalar", "density", "--engine", "volume"});
+  double sum = 0.0;
+  for (std::size_t k = 0; k < drawn.size(); ++k)
+    sum += std::pow(static_cast<double>(drawn[k] - ball[k]), 2.0);
+  EXPECT_LT(sum / static_cast<double>(drawn.size()), 1e-8);
+}
+
+TEST_F(VolumeCommand, PointsThatAreNoVolumeAreOneSentence) {
+  const std::string points = write_points("ply");
+  const std::vector<std::string> density{"--volume-scalar", "density"};
+  expect_no_image(points, {"--volume-scalar", "heat"}, "has no scalar 'heat'; it has density");
+  expect_no_image(write("three.xyz", "x y z density\n0 0 0 1\n1 0 0 2\n0 1 0 3\n"), density,
+                  "three.xyz: the scan has 3 distinct points");
+  expect_no_image(write_ball(), density, "ball.nrrd: has no points whose scalar 'density'");
+  expect_no_image(write_gaussians(), density, "has no points whose scalar");
+  expect_no_image(write("a.relief", "RELIEF"), density, "has no points whose scalar");
+  expect_no_image(points, {"--volume-scalar", "density", "--engine", "onepass"},
+                  "which engine onepass can't draw");
+  expect_no_image(points, {"--volume-scalar", "density", "--engine", "volume-truth"},
+                  "regular grid only");
+  expect_no_image(write("none.xyz", "x y z density\n0 0 0 nan\n1 0 0 nan\n"), density,
+                  "has no finite number");
+  expect_wrong(points, {"--volume-scalar", ""}, "expected the name of a scalar");
+  expect_wrong(points, {"--volume-scalar", "density", "--raw", "3x4x5:u8"}, "--raw");
+}
+
 TEST_F(VolumeCommand, EnginesAgree) {
   for (const std::string& scene : {write_ball(), write_gaussians()}) {
     const std::vector<float> reference = pixels_of(scene, {});
@@ -241,9 +339,8 @@ TEST_F(VolumeCommand, EnginesAgree) {
 
 TEST_F(VolumeCommand, TheEngineOnOpenGlExplainsItself) {
   const auto with = [&](const std::string& scene, const std::vector<std::string>& more) {
-    std::vector<std::string> arguments{"render", scene,      "-o",     path("a.png"),
-                                       "--size", "40x32",    "--engine", "volume",
-                                       "--explain"};
+    std::vector<std::string> arguments{"render", scene,      "-o",     path("a.png"), "--size",
+                                       "40x32",  "--engine", "volume", "--explain"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_json(arguments)["explain"];
   };

@@ -88,8 +88,7 @@ TEST(SplatOrder, SheetsAreTheGridsPlanesThatAreMostParallelToTheImage) {
         SCOPED_TRACE(testing::Message() << axis << " from " << side << ", height " << height);
         EXPECT_EQ(sheet_axis(cloud, camera), axis);
         const auto splats = placed(cloud, camera);
-        const SplatOrder order =
-            order_splats(cloud, splats, VolumeVisibility::Sheet, camera, 1.0);
+        const SplatOrder order = order_splats(cloud, splats, VolumeVisibility::Sheet, camera, 1.0);
         ASSERT_EQ(order.splats.size(), cloud.count());
         expect_ascending_groups(order);
         const std::uint32_t last = cloud.size[axis] - 1;
