@@ -191,7 +191,8 @@ void add_render(CLI::App& app, Command& command) {
   sub->callback([arguments, &command] {
     // Before options are held against those of the engine.
     const SceneSettings& given = arguments->settings;
-    if (!given.engine && !given.options.empty() && has_kernels(arguments->input, arguments->volume))
+    if (!given.engine && (!given.options.empty() || arguments->explain) &&
+        has_kernels(arguments->input, arguments->volume))
       arguments->settings.engine = kVolumeEngine;
     check_together(*arguments);
     check_json(arguments->output, arguments->json);

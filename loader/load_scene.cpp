@@ -232,7 +232,8 @@ Result<LoadedScene> load_models(const std::vector<SceneModel>& models, const Loa
     if (loaded.find(model.file) != loaded.end() || trees->find(model.file) != trees->end())
       continue;
     if (has_kernels(model, options.volume)) {
-      RELIEF_TRY_ASSIGN(loaded[model.file].volume, load_part(model, options.volume, progress));
+      RELIEF_TRY_ASSIGN(loaded[model.file].volume, load_part(model, options.volume,
+                                                                 options.read, progress));
     } else if (is_patches(model.file, options.read)) {
       RELIEF_TRY_ASSIGN(auto file, load_patch_file(model.file, forms, options, progress));
       loaded.emplace(model.file, std::move(file));
@@ -264,7 +265,7 @@ Result<LoadedScene> load_scene(const ScenePlan& plan, const LoadOptions& options
                                Progress& progress, std::span<const EngineEntry> among) {
   RELIEF_TRY(check_kernels(plan, options.volume, among));
   if (plan.models.size() == 1 && has_kernels(plan.models.front(), options.volume))
-    return load_kernels(plan, options.volume, progress);
+    return load_kernels(plan, options.volume, options.read, progress);
   RELIEF_TRY_ASSIGN(const FormNeeds needs, needs_of(plan, among));
   if (needs.splats && !options.textures.image.empty())
     return load_textured_splats(plan, options, progress);

@@ -4,9 +4,13 @@
 #include <utility>
 #include <variant>
 
+#include "common/patch_file/patch_file.h"
 #include "common/volume/move.h"
 #include "loader/view_settings.h"
 #include "preprocess/gaussians/read_gaussians.h"
+#include "preprocess/points/point_volume.h"
+#include "preprocess/raster/raster.h"
+#include "preprocess/readers/read_points.h"
 #include "renderer/volume/extent.h"
 
 namespace relief {
@@ -15,6 +19,22 @@ namespace {
 bool draws_kernels(const EngineEntry& engine) {
   return std::find(engine.forms.begin(), engine.forms.end(), ModelForm::Volume) !=
          engine.forms.end();
+}
+
+/// Reads a volume, or a scan whose points are the nodes of one.
+Result<ScalarVolume> read_nodes(const std::filesystem::path& path, const VolumeReadOptions& options,
+                                const ReadOptions& read, Progress& progress) {
+  if (!options.scalar) return read_volume(path, options, progress);
+  if (has_kernels(path, {}) || names_patch_file(path) || is_raster(path, read.format)) {
+    return make_error("{}: has no points whose scalar '{}' could be a volume; leave the scalar out",
+                      path.string(), *options.scalar);
+  }
+  ReadOptions with_scalar = read;
+  with_scalar.scalars = {false, {*options.scalar}};
+  RELIEF_TRY_ASSIGN(auto scan, read_points(path, progress, with_scalar));
+  auto volume = volume_of_points(std::move(scan.points), *options.scalar, progress);
+  if (!volume) return make_error("{}: {}", path.string(), volume.error().message);
+  return volume;
 }
 
 bool draws_several(const EngineEntry& engine) {
@@ -27,7 +47,9 @@ Result<VolumeReadOptions> options_of(const SceneModel& model, const VolumeReadOp
   if (model.raw.empty()) return options;
   auto layout = parse_raw_layout(model.raw);
   if (!layout) return make_error("{}: raw: {}", model.file.string(), layout.error().message);
-  return VolumeReadOptions{*layout};
+  VolumeReadOptions own = options;
+  own.raw = *layout;
+  return own;
 }
 
 Status check_engine_of(const PlannedView& view, const ScenePlan& plan, const SceneModel& model,
@@ -51,7 +73,7 @@ Status check_engine_of(const PlannedView& view, const ScenePlan& plan, const Sce
 }  // namespace
 
 bool has_kernels(const std::filesystem::path& path, const VolumeReadOptions& options) {
-  if (is_volume(path, options)) return true;
+  if (options.scalar || is_volume(path, options)) return true;
   const auto found = is_gaussians(path);
   return found && *found;
 }
@@ -94,6 +116,10 @@ Status check_kernels(const ScenePlan& plan, const VolumeReadOptions& options,
     return make_error("{}: --raw is for a single file; give the model of the scene the key raw",
                       plan.file.string());
   }
+  if (options.scalar && !plan.file.empty()) {
+    return make_error("{}: a scalar of points as a volume is for a single file, not a scene",
+                      plan.file.string());
+  }
   for (const SceneModel& model : plan.models) {
     if (!has_kernels(model, options)) {
       if (model.options.empty()) continue;
@@ -112,11 +138,11 @@ Status check_kernels(const ScenePlan& plan, const VolumeReadOptions& options,
 }
 
 Result<VolumePart> load_part(const SceneModel& model, const VolumeReadOptions& options,
-                             Progress& progress) {
+                             const ReadOptions& read, Progress& progress) {
   RELIEF_TRY_ASSIGN(const VolumeReadOptions own, options_of(model, options));
   VolumePart part;
-  if (is_volume(model.file, own)) {
-    RELIEF_TRY_ASSIGN(part.what, read_volume(model.file, own, progress));
+  if (own.scalar || is_volume(model.file, own)) {
+    RELIEF_TRY_ASSIGN(part.what, read_nodes(model.file, own, read, progress));
   } else {
     RELIEF_TRY_ASSIGN(part.what, read_gaussians(model.file, progress));
   }
@@ -145,9 +171,9 @@ PatchModel extent_of(const VolumePart& part, const Transform& transform) {
 }
 
 Result<LoadedScene> load_kernels(const ScenePlan& plan, const VolumeReadOptions& options,
-                                 Progress& progress) {
+                                 const ReadOptions& read, Progress& progress) {
   const SceneModel& model = plan.models.front();
-  RELIEF_TRY_ASSIGN(VolumePart part, load_part(model, options, progress));
+  RELIEF_TRY_ASSIGN(VolumePart part, load_part(model, options, read, progress));
   LoadedScene scene;
   scene.patches = extent_of(part, model.transform);
   if (const Status moved = move_part(part, model.transform); !moved)

@@ -10,6 +10,7 @@
 #include "common/scene/scene.h"
 #include "loader/loaded_scene.h"
 #include "loader/scene_plan.h"
+#include "preprocess/readers/selection.h"
 #include "preprocess/volumes/read_volume.h"
 
 namespace relief {
@@ -21,8 +22,8 @@ inline constexpr const char* kVolumeEngine = "volume-reference";
 /// That of a window, which draws with OpenGL.
 inline constexpr const char* kVolumeEngineOfWindows = "volume";
 
-/// Whether a file is drawn as kernels: a volume, or 3D Gaussians. Reads at most its header; a file
-/// that can't be read is neither.
+/// Whether a file is drawn as kernels: a volume, 3D Gaussians, or a scan if the options name a
+/// scalar of its points. Reads at most its header; a file that can't be read is neither.
 [[nodiscard]] bool has_kernels(const std::filesystem::path& path, const VolumeReadOptions& options);
 
 /// Whether a model of a scene is such a file. Its own layout goes before that of the options.
@@ -50,9 +51,10 @@ void fit_engine(ScenePlan& plan, const VolumeReadOptions& options);
 Status check_kernels(const ScenePlan& plan, const VolumeReadOptions& options,
                      std::span<const EngineEntry> among);
 
-/// Reads a volume or Gaussians, which stand where the file has them.
+/// Reads a volume or Gaussians, which stand where the file has them. `read`: how a scan is read
+/// whose points are the nodes.
 Result<VolumePart> load_part(const SceneModel& model, const VolumeReadOptions& options,
-                             Progress& progress);
+                             const ReadOptions& read, Progress& progress);
 
 /// Puts them in their position. Fails, with a clause, as move_gaussians() does.
 Status move_part(VolumePart& part, const Transform& transform);
@@ -60,8 +62,9 @@ Status move_part(VolumePart& part, const Transform& transform);
 /// What cameras see of them once they are moved so: a model without patches.
 [[nodiscard]] PatchModel extent_of(const VolumePart& part, const Transform& transform);
 
-/// Reads the plan's only model, a volume or Gaussians, with the extent that cameras see.
+/// Reads the plan's only model, a volume or Gaussians, with the extent that cameras see. `read`: as
+/// load_part().
 Result<LoadedScene> load_kernels(const ScenePlan& plan, const VolumeReadOptions& options,
-                                 Progress& progress);
+                                 const ReadOptions& read, Progress& progress);
 
 }  // namespace relief

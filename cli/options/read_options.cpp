@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cli/options/values.h"
+#include "common/scalars/scalar_names.h"
 #include "preprocess/raster/raster.h"
 #include "preprocess/readers/format.h"
 
@@ -94,18 +95,30 @@ void add_read_options(CLI::App& sub, ReadOptions& options) {
       ->option_text("X0,Y0,X1,Y1[,Z0,Z1]");
 }
 
-void add_raw_option(CLI::App& sub, VolumeReadOptions& options) {
+void add_volume_options(CLI::App& sub, VolumeReadOptions& options) {
+  auto* const raw = sub.add_option_function<std::string>(
+                           "--raw",
+                           [&options](const std::string& text) {
+                             auto layout = parse_raw_layout(text);
+                             if (!layout)
+                               throw CLI::ValidationError("--raw", layout.error().message);
+                             options.raw = *layout;
+                           },
+                           "Layout of a volume without a header, as in 256x256x109:u8 or "
+                           "64x64x32:f32:be:1,1,2.5: "
+                           "size, "
+                           "type, byte order and spacing (default: the file has a header)")
+                        ->option_text("LAYOUT");
   sub.add_option_function<std::string>(
-         "--raw",
-         [&options](const std::string& text) {
-           auto layout = parse_raw_layout(text);
-           if (!layout) throw CLI::ValidationError("--raw", layout.error().message);
-           options.raw = *layout;
-         },
-         "Layout of a volume without a header, as in 256x256x109:u8 or 64x64x32:f32:be:1,1,2.5: "
-         "size, "
-         "type, byte order and spacing (default: the file has a header)")
-      ->option_text("LAYOUT");
+         "--volume-scalar",
+         [&options](const std::string& text) { options.scalar = canonical_scalar_name(text); },
+         "Draw the scan's points as a volume whose value is this scalar of theirs (default: as a "
+         "surface)")
+      ->check([](const std::string& text) {
+        return text.empty() ? "expected the name of a scalar; found none" : std::string();
+      })
+      ->option_text("NAME")
+      ->excludes(raw);
 }
 
 }  // namespace relief::cli

@@ -22,11 +22,15 @@ std::string options_key(std::string key) {
   return key;
 }
 
-/// The option as a report names it; empty for a number that is 0.
+/// The option as a report names it; empty for a number that is 0. Choices speak for themselves, but
+/// for those that leave the choice open.
 std::string option_as_text(const EngineOption& option, const RenderSettings& settings) {
   const auto value = option.get(settings);
   if (!value) return {};
-  if (const auto* const name = std::get_if<std::string>(&*value)) return *name;
+  if (const auto* const name = std::get_if<std::string>(&*value)) {
+    const bool is_clear = option.row.kind == OptionKind::Choice && *name != "auto";
+    return is_clear ? *name : fmt::format("{} {}", option.row.key, *name);
+  }
   const double number = std::get<double>(*value);
   return number == 0.0 ? std::string() : fmt::format("{} {:g}", option.row.key, number);
 }

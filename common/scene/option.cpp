@@ -22,7 +22,8 @@ bool accepts(const OptionRow& row, const OptionValue& value) {
   }
   if (row.kind == OptionKind::Text) {
     const auto* const text = std::get_if<std::string>(&value);
-    return text != nullptr && !text->empty();
+    return text != nullptr && !text->empty() &&
+           (row.accepts_text == nullptr || row.accepts_text(*text));
   }
   const double* const number = std::get_if<double>(&value);
   if (number == nullptr || !(*number >= row.range.min && *number <= row.range.max)) return false;
@@ -33,7 +34,8 @@ bool accepts(const OptionRow& row, const OptionValue& value) {
 
 std::string expected_of(const OptionRow& row) {
   if (row.kind == OptionKind::Choice) return fmt::format("{}", fmt::join(row.choices, ", "));
-  if (row.kind == OptionKind::Text) return "a name or a file";
+  if (row.kind == OptionKind::Text)
+    return row.expected_text.empty() ? "a name or a file" : row.expected_text;
   return fmt::format("a {} from {:g} to {:g}",
                      row.kind == OptionKind::Integer ? "whole number" : "number", row.range.min,
                      row.range.max);

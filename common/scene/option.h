@@ -35,6 +35,9 @@ struct OptionRow {
   /// Of Text: a value with this extension names a file, in a scene relative to the scene's folder.
   std::string file_extension = {};
   bool is_of_model = false;  ///< a model of a scene can have a value of its own, too
+  /// Of Text: whether it accepts a text that is not empty; null: any.
+  bool (*accepts_text)(std::string_view) = nullptr;
+  std::string expected_text = {};  ///< then what it accepts, for messages
 };
 
 /// The engines that a scene may name, and their options. The renderer derives this from its

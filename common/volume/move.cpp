@@ -29,6 +29,10 @@ void move(CurvilinearGrid& grid, const Transform& transform) {
 
 void move(ScatteredPoints& points, const Transform& transform) {
   for (glm::dvec3& position : points.positions) position = moved(transform, position);
+  for (float& spacing : points.spacings) spacing *= static_cast<float>(transform.scale);
+  for (float& width : points.widths) width *= static_cast<float>(transform.scale);
+  for (glm::vec3& gradient : points.gradients)
+    gradient = glm::vec3(transform.rotation * glm::dvec3(gradient) / transform.scale);
 }
 
 constexpr glm::vec3 kNothing{0.0F};

@@ -31,9 +31,15 @@ struct CurvilinearGrid {
   std::vector<glm::dvec3> positions;
 };
 
-/// No node has neighbours in a grid; the volume's size is (number of points, 1, 1).
+/// No node has neighbours in a grid; the volume's size is (number of points, 1, 1). Arrays have one
+/// element for each point.
 struct ScatteredPoints {
   std::vector<glm::dvec3> positions;
+  /// The cube root of each point's own share of space, world units; 0: it has none.
+  std::vector<float> spacings;
+  /// The spacing about each point: its neighbours' mean, world units.
+  std::vector<float> widths;
+  std::vector<glm::vec3> gradients;  ///< change of the value for a world unit
 };
 
 using VolumePlacement =

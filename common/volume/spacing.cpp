@@ -36,7 +36,10 @@ double spacing_of(const CurvilinearGrid& grid) {
   return spacing_in_box(grid.positions);
 }
 double spacing_of(const ScatteredPoints& points) {
-  return spacing_in_box(points.positions);
+  if (points.spacings.empty()) return spacing_in_box(points.positions);
+  double sum = 0.0;
+  for (const float spacing : points.spacings) sum += static_cast<double>(spacing);
+  return sum / static_cast<double>(points.spacings.size());
 }
 
 }  // namespace

@@ -126,7 +126,7 @@ TransferFunction transfer_from_histogram(const ScalarVolume& volume) {
   const double edge = histogram.value_at(static_cast<double>(threshold));
   const double middle = std::max(value_of(0.5), edge + 1e-3 * (histogram.high - edge));
   const double high = std::max(value_of(0.98), middle + 1e-3 * (histogram.high - middle));
-  // Half the way down to what is background: the surface's own voxels have part of its value.
+  // Toward what is background: the voxels of a surface have part of its value.
   const double low = edge - 0.15 * (edge - histogram.low);
   TransferFunction function;
   function.colours = {srgb_stop(low, 190, 110, 80), srgb_stop(middle, 225, 190, 150),

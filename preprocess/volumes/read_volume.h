@@ -16,6 +16,9 @@ namespace relief {
 
 struct VolumeReadOptions {
   std::optional<RawLayout> raw;  ///< the file has no header, and this layout
+  /// The file is a scan whose points are the nodes, and this scalar their value (its canonical
+  /// name). read_volume() does not read it: see volume_of_points() in points/point_volume.h.
+  std::optional<std::string> scalar;
 };
 
 /// Returns whether a file is read as a volume: by its extension, or because it has a raw layout.

@@ -40,7 +40,7 @@ enum class KernelWeight : std::uint8_t {
 struct KernelCloud {
   std::vector<glm::dvec3> centres;  ///< world
   std::vector<Variance> variances;  ///< world units squared; one for each kernel, or one for all
-  std::vector<float> weights;       ///< above 0
+  std::vector<float> weights;       ///< above 0; of Peak also 0, which is not drawn
   KernelWeight weight = KernelWeight::Integral;
   std::vector<glm::vec3> colours;  ///< linear, or encoded sRGB if that is what is blended
   std::vector<glm::vec3> normals;  ///< unit, or 0; empty: nothing is shaded

@@ -42,6 +42,25 @@ EngineOption iso_option() {
           }};
 }
 
+EngineOption clip_option() {
+  OptionRow row{.key = "clip",
+                .kind = OptionKind::Text,
+                .placeholder = "X0,Y0,Z0,X1,Y1,Z1",
+                .help = "draws only what lies in this box of world coordinates, or percentages of "
+                        "the model's extent as in 50%",
+                .default_text = "",
+                .accepts_text = [](std::string_view text) { return parse_clip_box(text).has_value(); },
+                .expected_text = std::string(kClipBoxForm)};
+  return {std::move(row),
+          [](RenderSettings& settings, const OptionValue& value) {
+            settings.volume.clip = parse_clip_box(std::get<std::string>(value));
+          },
+          [](const RenderSettings& settings) -> std::optional<OptionValue> {
+            if (!settings.volume.clip) return std::nullopt;
+            return text_of(*settings.volume.clip);
+          }};
+}
+
 /// The options of volumes.
 void add_volumes(std::vector<EngineOption>& options) {
   options.push_back(transfer_option());
@@ -144,6 +163,7 @@ std::vector<EngineOption> volume_options() {
                      .help = "where kernels end, as x^T Q x",
                      .default_text = "4; of 3D Gaussians where they are fainter than --min-alpha"},
                     [](RenderSettings& s) -> double& { return s.volume.cutoff; }));
+  options.push_back(clip_option());
   add_volumes(options);
   add_gaussians(options);
   return options;

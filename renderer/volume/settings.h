@@ -7,6 +7,7 @@
 #include <string>
 
 #include "common/scene/choices.h"
+#include "common/volume/clip_box.h"
 
 namespace relief {
 
@@ -83,6 +84,7 @@ struct VolumeSettings {
   /// What transfer_function_for() takes (common/volume/transfer_function.h).
   std::string transfer = "auto";
   std::optional<Material> material;  ///< in place of the image's
+  std::optional<ClipBox> clip;  ///< kernels whose centres lie outside are not drawn
   GaussianSettings gaussians;
 };
 

@@ -9,8 +9,12 @@
 namespace relief {
 namespace {
 
-/// More slabs than this are made thicker: a hostile kernel may be as deep as it likes.
+/// More slabs than this, or more for each splat than that in the mean, are made thicker: a hostile
+/// kernel may be as deep as it likes.
 constexpr double kMostSlabs = 65536.0;
+constexpr double kMostSlabsOfSplat = 64.0;
+/// Half the depth, world units, of a splat that has none that can be reckoned with.
+constexpr double kDeepest = 1e150;
 
 /// Stable, by group.
 void sort_by_group(std::vector<OrderedSplat>& splats, std::size_t groups) {
@@ -41,7 +45,8 @@ SplatOrder in_order(const KernelOrder& kernels, std::span<const PlacedSplat> spl
 std::array<double, 2> depths_of(const Footprint& footprint) {
   const double over_image = std::abs(footprint.slope.x) * footprint.reach.x +
                             std::abs(footprint.slope.y) * footprint.reach.y;
-  const double half = kSlabReach * footprint.depth_deviation + over_image;
+  const double reach = kSlabReach * footprint.depth_deviation + over_image;
+  const double half = reach < kDeepest ? reach : kDeepest;
   return {footprint.depth - half, footprint.depth + half};
 }
 
@@ -51,13 +56,19 @@ SplatOrder by_slabs(std::span<const PlacedSplat> splats, double thickness) {
   if (splats.empty()) return order;
   double first = splats.front().footprint.depth;
   double last = first;
+  double mean = 0.0;
   for (const PlacedSplat& splat : splats) {
     const auto [low, high] = depths_of(splat.footprint);
     first = std::min(first, low);
     last = std::max(last, high);
+    mean += (high - low) / static_cast<double>(splats.size());
   }
   order.first_depth = first;
-  order.thickness = std::max(thickness, (last - first) / kMostSlabs);
+  // Without a thickness a splat is in as many slabs as one of a grid with a spacing of 1.
+  order.thickness = thickness > 0.0 ? thickness : mean / (2.0 * kSlabReach);
+  order.thickness =
+      std::max({order.thickness, mean / kMostSlabsOfSplat, (last - first) / kMostSlabs});
+  if (!(order.thickness > 0.0)) order.thickness = 1.0;  // all are at one depth
   const auto slab_of = [&](double depth) {
     return static_cast<std::uint32_t>(
         std::clamp((depth - first) / order.thickness, 0.0, kMostSlabs));

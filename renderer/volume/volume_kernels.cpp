@@ -41,45 +41,49 @@ Variance flattened(const glm::dmat3& step, glm::dvec3 normal, double sigma) {
                      kFlatVariance * spacing * spacing * glm::outerProduct(normal, normal));
 }
 
-/// What is the same for all nodes.
+/// A node of a grid, or a point, that has a value.
+struct Place {
+  std::size_t node = 0;
+  glm::dvec3 position{0.0};
+  double value = 0.0;
+  glm::dvec3 gradient{0.0};
+  glm::dmat3 step{1.0};  ///< columns: to the next nodes; of a point: as far as its neighbours are
+  double space = 0.0;    ///< its own share of space
+};
+
+/// What is the same for all places.
 struct Classifier {
-  const VolumeNodes& nodes;
   const TransferFunction& function;
   const VolumeSettings& settings;
   std::optional<double> iso_depth;  ///< optical depth of the surface, seen from the front
 
-  /// Whether all kernels are alike but for their places.
-  [[nodiscard]] bool is_uniform() const { return nodes.is_regular() && !iso_depth; }
+  /// Whether no kernel shows what has this value.
+  [[nodiscard]] bool is_hidden(double value) const {
+    return std::isnan(value) || (!iso_depth && is_transparent_at(function, value));
+  }
 
-  void classify(glm::uvec3 node, KernelCloud& into) const {
-    const double value = nodes.value(node);
-    if (std::isnan(value)) return;
-    const bool is_clear = is_transparent_at(function, value);
-    if (is_clear && !iso_depth) return;
-    const glm::dvec3 gradient = nodes.gradient(node);
-    const double magnitude = glm::length(gradient);
-    const glm::dvec3 normal = magnitude > 0.0 ? -gradient / magnitude : glm::dvec3(0.0);
-    const glm::dmat3 step = nodes.step(node);
-    const double space = std::abs(glm::determinant(step));
-    if (!(space > 0.0) || !std::isfinite(space)) return;
-    const glm::dvec3 position = nodes.position(node);
+  /// `is_uniform`: all kernels are alike but for their places.
+  void classify(const Place& place, bool is_uniform, KernelCloud& into) const {
+    if (!(place.space > 0.0) || !std::isfinite(place.space)) return;
+    const double magnitude = glm::length(place.gradient);
+    const glm::dvec3 normal = magnitude > 0.0 ? -place.gradient / magnitude : glm::dvec3(0.0);
     const double sigma = settings.kernel_sigma;
-    if (!is_clear) {
-      const double weight = extinction_at(function, value, magnitude) * space;
+    if (!is_transparent_at(function, place.value)) {
+      const double weight = extinction_at(function, place.value, magnitude) * place.space;
       if (static_cast<float>(weight) > 0.0F) {
-        add(into, position, weight, colour_at(function, value), glm::vec3(normal),
-            nodes.index(node));
-        if (!is_uniform()) shape(into, node_variance(step, sigma), false);
+        add(into, place.position, weight, colour_at(function, place.value), glm::vec3(normal),
+            place.node);
+        if (!is_uniform) shape(into, node_variance(place.step, sigma), false);
       }
     }
     if (!iso_depth || !(magnitude > 0.0)) return;
     // The layer is as thick as the grid's step across the surface.
-    const double thickness = kIsoLayer * glm::length(glm::transpose(step) * normal);
-    const double off = (*settings.iso - value) / magnitude;
+    const double thickness = kIsoLayer * glm::length(glm::transpose(place.step) * normal);
+    const double off = (*settings.iso - place.value) / magnitude;
     if (!(off >= -0.5 * thickness && off < 0.5 * thickness)) return;
-    add(into, position - off * normal, *iso_depth * space / thickness,
-        colour_at(function, *settings.iso), glm::vec3(normal), nodes.index(node));
-    shape(into, flattened(step, normal, sigma), true);
+    add(into, place.position - off * normal, *iso_depth * place.space / thickness,
+        colour_at(function, *settings.iso), glm::vec3(normal), place.node);
+    shape(into, flattened(place.step, normal, sigma), true);
   }
 };
 
@@ -121,27 +125,68 @@ glm::dmat3 across_planes(const VolumeNodes& nodes) {
   return across;
 }
 
-}  // namespace
-
-KernelCloud kernels_of_volume(const ScalarVolume& volume, const TransferFunction& function,
-                              const VolumeSettings& settings, const Progress& progress) {
+KernelCloud kernels_of_grid(const ScalarVolume& volume, const Classifier& classifier,
+                            const Progress& progress) {
   const VolumeNodes nodes(volume);
-  Classifier classifier{nodes, function, settings, {}};
-  if (settings.iso)
-    classifier.iso_depth = -std::log1p(-std::min(settings.iso_opacity, kMaxOpacity));
+  const bool is_uniform = nodes.is_regular() && !classifier.iso_depth;
   std::vector<KernelCloud> planes(volume.size.z);
   tbb::parallel_for(std::uint32_t{0}, volume.size.z, [&](std::uint32_t k) {
     if (progress.cancelled()) return;
     for (std::uint32_t j = 0; j < volume.size.y; ++j) {
-      for (std::uint32_t i = 0; i < volume.size.x; ++i) classifier.classify({i, j, k}, planes[k]);
+      for (std::uint32_t i = 0; i < volume.size.x; ++i) {
+        const glm::uvec3 node(i, j, k);
+        const double value = nodes.value(node);
+        if (classifier.is_hidden(value)) continue;
+        const glm::dmat3 step = nodes.step(node);
+        classifier.classify({nodes.index(node), nodes.position(node), value, nodes.gradient(node),
+                             step, std::abs(glm::determinant(step))},
+                            is_uniform, planes[k]);
+      }
     }
   });
   KernelCloud all = joined(planes);
-  if (classifier.is_uniform())
-    all.variances = {node_variance(nodes.step(glm::uvec3(0)), settings.kernel_sigma)};
+  if (is_uniform)
+    all.variances = {node_variance(nodes.step(glm::uvec3(0)), classifier.settings.kernel_sigma)};
   all.size = volume.size;
   all.across = across_planes(nodes);
   return all;
+}
+
+/// Points that are classified as one piece of work.
+constexpr std::size_t kPointsOfPiece = 16384;
+
+KernelCloud kernels_of_points(const ScalarVolume& volume, const ScatteredPoints& points,
+                              const Classifier& classifier, const Progress& progress) {
+  const std::size_t count = points.positions.size();
+  std::vector<KernelCloud> pieces((count + kPointsOfPiece - 1) / kPointsOfPiece);
+  tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t piece) {
+    if (progress.cancelled()) return;
+    const std::size_t end = std::min((piece + 1) * kPointsOfPiece, count);
+    for (std::size_t p = piece * kPointsOfPiece; p < end; ++p) {
+      const double value = volume.values[p];
+      if (classifier.is_hidden(value)) continue;
+      const double spacing = points.spacings[p];
+      classifier.classify(
+          {p, points.positions[p], value, glm::dvec3(points.gradients[p]),
+           glm::dmat3(static_cast<double>(points.widths[p])), spacing * spacing * spacing},
+          false, pieces[piece]);
+    }
+  });
+  KernelCloud all = joined(pieces);
+  all.nodes = {};  // without a grid there are no sheets
+  return all;
+}
+
+}  // namespace
+
+KernelCloud kernels_of_volume(const ScalarVolume& volume, const TransferFunction& function,
+                              const VolumeSettings& settings, const Progress& progress) {
+  Classifier classifier{function, settings, {}};
+  if (settings.iso)
+    classifier.iso_depth = -std::log1p(-std::min(settings.iso_opacity, kMaxOpacity));
+  if (const auto* const points = std::get_if<ScatteredPoints>(&volume.placement))
+    return kernels_of_points(volume, *points, classifier, progress);
+  return kernels_of_grid(volume, classifier, progress);
 }
 
 }  // namespace relief

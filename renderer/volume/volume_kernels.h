@@ -10,12 +10,14 @@
 
 namespace relief {
 
-/// A kernel for each node of a grid that is not transparent: its weight is the extinction times the
-/// node's own share of space, its variance the squared step times kernel_sigma^2, so that kernels
-/// of equal weight sum up to the extinction everywhere. Normals are against the gradient; 0 where
-/// that vanishes. With `settings.iso`, nodes beside its surface have one more kernel, which
-/// is flattened along the gradient and moved onto the surface: equal ones sum up to the surface's
-/// optical depth, seen from the front. Returns an incomplete cloud if `progress` is cancelled.
+/// A kernel for each node that is not transparent: its weight is the extinction times the node's
+/// own share of space, its variance the squared step times kernel_sigma^2, so that kernels of equal
+/// weight sum up to the extinction everywhere in a grid. Those of scattered points are round, as
+/// wide as the spacing about them, and sum up to about that (docs/decisions/0125). Normals are
+/// against the gradient; 0 where that vanishes. With `settings.iso`, nodes beside its surface have
+/// one more kernel, which is flattened along the gradient and moved onto the surface: equal ones
+/// sum up to the surface's optical depth, seen from the front. Returns an incomplete cloud if
+/// `progress` is cancelled.
 [[nodiscard]] KernelCloud kernels_of_volume(const ScalarVolume& volume,
                                             const TransferFunction& function,
                                             const VolumeSettings& settings,

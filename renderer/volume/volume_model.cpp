@@ -11,6 +11,8 @@
 #include "common/image/srgb.h"
 #include "common/volume/transfer_function.h"
 #include "renderer/shading/materials.h"
+#include "renderer/volume/clip_kernels.h"
+#include "renderer/volume/extent.h"
 #include "renderer/volume/gaussian_kernels.h"
 #include "renderer/volume/volume_kernels.h"
 
@@ -75,7 +77,8 @@ Result<const KernelCloud*> VolumeModel::kernels(const RenderSettings& settings,
     const VolumeSettings& chosen = settings_of(settings, parts_[p].settings);
     has_gaussians |= parts_[p].gaussians != nullptr;
     if (parts_[p].volume != nullptr)
-      keys[p] = {chosen.transfer, chosen.kernel_sigma, chosen.iso, chosen.iso_opacity};
+      keys[p] = {chosen.transfer, chosen.kernel_sigma, chosen.iso, chosen.iso_opacity, {}};
+    keys[p].clip = settings.volume.clip;
   }
   if (has_gaussians && has_volume() && settings.volume.attenuation == Attenuation::Exponential) {
     return make_error(
@@ -83,17 +86,32 @@ Result<const KernelCloud*> VolumeModel::kernels(const RenderSettings& settings,
         "--attenuation linear");
   }
   if (keys_ == keys) return &kernels_;
+  RELIEF_TRY_ASSIGN(const auto box, clip_box(settings));
   keys_.reset();
   ++version_;
   std::vector<KernelCloud> clouds;
   for (const Part& part : parts_) {
     RELIEF_TRY_ASSIGN(auto cloud, kernels_of(part, settings_of(settings, part.settings), progress));
     if (progress.cancelled()) return interrupted_error();
+    if (box) clip_kernels(cloud, *box);
     clouds.push_back(std::move(cloud));
   }
   kernels_ = merged(std::move(clouds));
   keys_ = std::move(keys);
   return &kernels_;
+}
+
+Result<std::optional<Bounds>> VolumeModel::clip_box(const RenderSettings& settings) const {
+  if (!settings.volume.clip) return std::optional<Bounds>();
+  std::vector<glm::dvec3> extent;
+  for (const Part& part : parts_) {
+    const std::vector<glm::dvec3> own =
+        part.gaussians != nullptr ? extent_of(*part.gaussians) : extent_of(*part.volume);
+    extent.insert(extent.end(), own.begin(), own.end());
+  }
+  if (extent.empty()) return std::optional<Bounds>();  // a scene without Gaussians
+  RELIEF_TRY_ASSIGN(const Bounds box, place_clip_box(*settings.volume.clip, bounds_of(extent)));
+  return std::optional(box);
 }
 
 std::vector<FootprintRule> VolumeModel::footprint_rules(const RenderSettings& settings,

@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "common/bounds.h"
 #include "common/error.h"
 #include "common/progress.h"
+#include "common/volume/clip_box.h"
 #include "common/volume/spacing.h"
 #include "renderer/model.h"
 #include "renderer/settings.h"
@@ -34,8 +36,9 @@ class VolumeModel {
   /// The settings of an image of this model: of a single volume its own as RenderSettings::volume.
   [[nodiscard]] RenderSettings settled(RenderSettings settings) const;
 
-  /// The kernels for these settings. Fails if a transfer function can't be read, and if opacities of
-  /// Gaussians are to be optical depths beside a volume's.
+  /// The kernels for these settings. Fails if a transfer function can't be read, if the clip box
+  /// holds nothing of the model, and if opacities of Gaussians are to be optical depths beside a
+  /// volume's.
   Result<const KernelCloud*> kernels(const RenderSettings& settings, const Progress& progress);
 
   /// How the kernels of each part become footprints.
@@ -50,6 +53,9 @@ class VolumeModel {
   /// The colours of all.
   Result<std::vector<glm::vec3>> colours(const KernelCloud& kernels, const RenderSettings& settings,
                                          const View& view, EnvironmentCache& environments) const;
+
+  /// The clip box in world coordinates; none if there is none. Fails if it holds nothing.
+  [[nodiscard]] Result<std::optional<Bounds>> clip_box(const RenderSettings& settings) const;
 
   /// How often the kernels have been made.
   [[nodiscard]] std::uint64_t version() const { return version_; }
@@ -74,12 +80,13 @@ class VolumeModel {
     std::uint8_t material = 0;
     std::size_t settings = 0;
   };
-  /// What the kernels of a volume depend on; those of Gaussians depend on nothing.
+  /// What the kernels of a volume depend on; those of Gaussians on the clip box alone.
   struct Key {
     std::string transfer;
     double sigma = 0.0;
     std::optional<double> iso;
     double iso_opacity = 0.0;
+    std::optional<ClipBox> clip;
     bool operator==(const Key&) const = default;
   };
 

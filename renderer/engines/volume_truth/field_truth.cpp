@@ -49,6 +49,7 @@ class FieldRay {
     const glm::dvec3 start = ray_start(view, window);
     through_ = ray_through(view, window);
     from_eye_ = start;
+    eye_ = view.eye;
     start_ = to_grid * (view.eye + start - scene.grid.origin);
     along_ = to_grid * through_;
     length_ = glm::length(through_);
@@ -76,18 +77,24 @@ class FieldRay {
  private:
   [[nodiscard]] glm::dvec3 place_at(double depth) const { return start_ + depth * along_; }
 
-  void clip(double& from, double& to) const {
-    for (int a = 0; a < 3; ++a) {
-      const double size = scene_.field.cells()[a];
-      if (along_[a] == 0.0) {
-        if (!(start_[a] >= 0.0 && start_[a] <= size)) to = -1.0;
+  /// Cuts the ray to a box.
+  static void clip_to(const Bounds& box, glm::dvec3 start, glm::dvec3 along, double& from,
+                      double& to) {
+    for (glm::length_t a = 0; a < 3; ++a) {
+      if (along[a] == 0.0) {
+        if (!(start[a] >= box.min[a] && start[a] <= box.max[a])) to = -1.0;
         continue;
       }
-      const double low = -start_[a] / along_[a];
-      const double high = (size - start_[a]) / along_[a];
+      const double low = (box.min[a] - start[a]) / along[a];
+      const double high = (box.max[a] - start[a]) / along[a];
       from = std::max(from, std::min(low, high));
       to = std::min(to, std::max(low, high));
     }
+  }
+
+  void clip(double& from, double& to) const {
+    clip_to({glm::dvec3(0.0), glm::dvec3(scene_.field.cells())}, start_, along_, from, to);
+    if (scene_.clip) clip_to(*scene_.clip, eye_ + from_eye_, through_, from, to);
   }
 
   [[nodiscard]] bool has_surface(const ValueRange& range) const {
@@ -220,6 +227,7 @@ class FieldRay {
   double step_;
   glm::dvec3 start_{0.0};  ///< the grid's coordinates, at depth 0
   glm::dvec3 along_{0.0};  ///< for a unit of depth
+  glm::dvec3 eye_{0.0};  ///< world
   glm::dvec3 from_eye_{0.0};
   glm::dvec3 through_{0.0};  ///< world, likewise
   double length_ = 1.0;      ///< world units for a unit of depth

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "common/bounds.h"
 #include "common/progress.h"
 #include "common/volume/transfer_function.h"
 #include "renderer/engines/volume_truth/sample_image.h"
@@ -19,6 +20,7 @@ struct FieldScene {
   const Lighting* lighting = nullptr;  ///< null: colours are shown as they are
   std::optional<double> iso;           ///< each crossing of this value is a surface
   double iso_opacity = 0.0;
+  std::optional<Bounds> clip = {};  ///< world; what lies outside is not there
 };
 
 /// Fills the image's rays. A ray is cut at the faces of cells, at the surface and every `step`

@@ -89,6 +89,7 @@ class PreparedTruth final : public PreparedModel {
     RELIEF_TRY_ASSIGN(const RegularGrid* const grid, regular_grid());
     RELIEF_TRY_ASSIGN(const TransferFunction function,
                       transfer_function_for(settings.volume.transfer, *model_.volume()));
+    RELIEF_TRY_ASSIGN(const auto clip, model_.clip_box(settings));
     std::optional<Lighting> lighting;
     if (settings.material != Material::Unlit) {
       RELIEF_TRY_ASSIGN(lighting, make_lighting(settings, view, *environments_));
@@ -105,7 +106,8 @@ class PreparedTruth final : public PreparedModel {
                      .function = function,
                      .lighting = lighting ? &*lighting : nullptr,
                      .iso = settings.volume.iso,
-                     .iso_opacity = std::min(settings.volume.iso_opacity, kMaxOpacity)},
+                     .iso_opacity = std::min(settings.volume.iso_opacity, kMaxOpacity),
+                     .clip = clip},
                     view, truth.step, into, progress);
     return {};
   }
