@@ -145,7 +145,7 @@ std::vector<EngineOption> volume_options() {
   options.push_back(
       choice_option({.key = "visibility",
                      .help = "the order in which kernels occlude one another",
-                     .default_text = "sheet for grids, sorted for 3D Gaussians"},
+                     .default_text = "sheet for grids, sorted for others"},
                     kVolumeVisibilities,
                     {VolumeVisibility::Automatic, VolumeVisibility::Sheet,
                      VolumeVisibility::ImageSheet, VolumeVisibility::Sorted},

@@ -28,7 +28,7 @@ Points jittered(int cells, double jitter) {
       }
     }
   }
-  points.scalars = {{"density", std::vector<double>(points.size(), 1.0), false}};
+  points.scalars = {{"density", false, std::vector<double>(points.size(), 1.0)}};
   return points;
 }
 
@@ -91,16 +91,15 @@ Spread sums_between(const KernelCloud& cloud, double low, double high) {
 }
 
 // The interior: five spacings from the border, which is farther than kernels and their neighbours
-// reach.
+// reach. Measured: means of 1.033, 1.059 and 1.003, deviations of 0.002, 0.023 and 0.043, and at
+// most 0.13 off. Shells of a grid make the ball's edge count too much or too little.
 TEST(PointKernels, SumUpToAboutOneInTheInterior) {
   for (const double jitter : {0.0, 0.25, 0.5}) {
     const Spread spread = sums_between(kernels_of(must_make(jittered(18, jitter))), 5.0, 13.0);
     SCOPED_TRACE(jitter);
-    std::printf("jitter %g: mean %.4f deviation %.4f most off %.4f\n", jitter, spread.mean,
-                spread.deviation, spread.most_off);
     EXPECT_NEAR(spread.mean, 1.0, 0.08);
     EXPECT_LT(spread.deviation, 0.05);
-    EXPECT_LT(spread.most_off, 0.2);
+    EXPECT_LT(spread.most_off, 0.15);
   }
 }
 
@@ -163,7 +162,7 @@ TEST(PointKernels, TheGradientOfAPlaneLiesInIt) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> at(0.0, 10.0);
   for (int n = 0; n < 400; ++n) points.positions.emplace_back(at(random), at(random), 0.0);
-  points.scalars = {{"density", std::vector<double>(points.size()), false}};
+  points.scalars = {{"density", false, std::vector<double>(points.size())}};
   grow(points, {3.0, 0.0, 0.0});
   const ScalarVolume volume = must_make(std::move(points));
   for (const glm::vec3& gradient : std::get<ScatteredPoints>(volume.placement).gradients) {
@@ -184,7 +183,7 @@ TEST(PointKernels, AStrayIsNoLargerThanTwiceItsNeighbours) {
 }
 
 TEST(PointKernels, HostileCoordinatesAreFinite) {
-  for (const double size : {1e-300, 1e-30, 1e30, 1e150, 1e300}) {
+  for (const double size : {1e-300, 1e-30, 1e29}) {
     Points points = jittered(3, 0.5);
     for (glm::dvec3& p : points.positions) p *= size;
     points.positions[0] = glm::dvec3(0.0);
@@ -194,6 +193,18 @@ TEST(PointKernels, HostileCoordinatesAreFinite) {
       EXPECT_TRUE(std::isfinite(cloud.weights[k]) || cloud.weights[k] > 0.0F);
       EXPECT_TRUE(std::isfinite(cloud.variance(k).xx));
     }
+  }
+}
+
+TEST(PointKernels, FarCoordinatesAreRefused) {
+  Progress silent;
+  for (const double far : {1.1e30, -1e160, 1e300}) {
+    Points points = jittered(4, 0.5);
+    points.positions[5].y = far;
+    const auto volume = volume_of_points(std::move(points), "density", silent);
+    ASSERT_FALSE(volume);
+    EXPECT_EQ(volume.error().message,
+              "some of its coordinates are beyond 1e+30; read fewer points with --crop");
   }
 }
 
@@ -229,7 +240,7 @@ TEST(PointKernels, TooFewPointsAreNoVolume) {
   Progress silent;
   Points points;
   points.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  points.scalars = {{"density", {1.0, 2.0, 3.0}, false}};
+  points.scalars = {{"density", false, {1.0, 2.0, 3.0}}};
   const auto volume = volume_of_points(points, "density", silent);
   ASSERT_FALSE(volume);
   EXPECT_EQ(volume.error().message, "the scan has 3 distinct points; a volume needs at least 4");
