@@ -10,6 +10,7 @@
 #include "common/volume/transfer_function.h"
 #include "renderer/shading/shading.h"
 #include "renderer/volume/clip_kernels.h"
+#include "renderer/volume/coarse_kernels.h"
 #include "renderer/volume/extent.h"
 #include "renderer/volume/gaussian_kernels.h"
 #include "renderer/volume/volume_kernels.h"
@@ -24,6 +25,8 @@ Result<const KernelCloud*> VolumeModel::kernels(const RenderSettings& settings,
     key = {};
     key.clip = chosen.clip;
   }
+  key.level = level_for(settings);
+  if (key.level > 0) key.attenuation = chosen.attenuation;
   if (key_ == key) return &kernels_;
   RELIEF_TRY_ASSIGN(const auto box, clip_box(settings));
   key_.reset();
@@ -37,8 +40,20 @@ Result<const KernelCloud*> VolumeModel::kernels(const RenderSettings& settings,
     if (progress.cancelled()) return interrupted_error();
   }
   if (box) clip_kernels(kernels_, *box);
+  if (key.level > 0) {
+    kernels_ = coarse_kernels(std::move(kernels_), std::get<RegularGrid>(volume_->placement),
+                              key.level, chosen.attenuation);
+  }
   key_ = std::move(key);
   return &kernels_;
+}
+
+int VolumeModel::level_for(const RenderSettings& settings) const {
+  const VolumeSettings& chosen = settings.volume;
+  if (chosen.pixels_per_node <= 0.0 || volume_ == nullptr || chosen.iso) return 0;
+  const auto* const grid = std::get_if<RegularGrid>(&volume_->placement);
+  if (grid == nullptr) return 0;
+  return coarse_level(*volume_, *grid, volume_view(settings), chosen.pixels_per_node);
 }
 
 Result<std::optional<Bounds>> VolumeModel::clip_box(const RenderSettings& settings) const {

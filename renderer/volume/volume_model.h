@@ -65,8 +65,12 @@ class VolumeModel {
     std::optional<double> iso;
     double iso_opacity = 0.0;
     std::optional<ClipBox> clip;
+    int level = 0;  ///< of coarser kernels, whose weights depend on the attenuation
+    Attenuation attenuation = Attenuation::Linear;
     bool operator==(const Key&) const = default;
   };
+
+  [[nodiscard]] int level_for(const RenderSettings& settings) const;
 
   const ScalarVolume* volume_;
   const GaussianCloud* gaussians_;
