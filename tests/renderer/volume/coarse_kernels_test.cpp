@@ -111,7 +111,7 @@ TEST(CoarseKernels, TheLevelFollowsFromTheDistance) {
   };
   // A node is 1/64 wide, and a unit 119 pixels at a distance of 1. The nearest corner is 1.5 units
   // nearer than the middle.
-  EXPECT_EQ(level(far_view(3.0)), 0);   // 0.98 pixels apart
+  EXPECT_EQ(level(far_view(3.0)), 0);   // 1.1 pixels apart
   EXPECT_EQ(level(far_view(8.0)), 1);   // 0.26
   EXPECT_EQ(level(far_view(15.0)), 2);  // 0.13
   EXPECT_EQ(level(far_view(0.5)), 0) << "the eye is within";
