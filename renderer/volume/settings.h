@@ -77,8 +77,8 @@ struct VolumeSettings {
   VolumeVisibility visibility = VolumeVisibility::Automatic;
   Attenuation attenuation = Attenuation::Linear;
   double kernel_sigma = 1.0;  ///< standard deviation of a kernel, in spacings
-  /// A regular grid without a surface is drawn at its coarsest level whose nodes are seen at most so
-  /// many pixels apart; 0: as it is.
+  /// A regular grid without a surface is drawn at its coarsest level whose nodes are seen at most
+  /// so many pixels apart; 0: as it is.
   double pixels_per_node = 0.0;
   /// Kernels end where x^T Q x reaches it; 0: 4 for volumes, and for Gaussians where their alpha
   /// falls below min_alpha.
