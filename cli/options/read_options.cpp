@@ -95,20 +95,21 @@ void add_read_options(CLI::App& sub, ReadOptions& options) {
       ->option_text("X0,Y0,X1,Y1[,Z0,Z1]");
 }
 
-void add_volume_options(CLI::App& sub, VolumeReadOptions& options) {
-  auto* const raw = sub.add_option_function<std::string>(
-                           "--raw",
-                           [&options](const std::string& text) {
-                             auto layout = parse_raw_layout(text);
-                             if (!layout)
-                               throw CLI::ValidationError("--raw", layout.error().message);
-                             options.raw = *layout;
-                           },
-                           "Layout of a volume without a header, as in 256x256x109:u8 or "
-                           "64x64x32:f32:be:1,1,2.5: "
-                           "size, "
-                           "type, byte order and spacing (default: the file has a header)")
-                        ->option_text("LAYOUT");
+void add_raw_option(CLI::App& sub, VolumeReadOptions& options) {
+  sub.add_option_function<std::string>(
+         "--raw",
+         [&options](const std::string& text) {
+           auto layout = parse_raw_layout(text);
+           if (!layout) throw CLI::ValidationError("--raw", layout.error().message);
+           options.raw = *layout;
+         },
+         "Layout of a volume without a header, as in 256x256x109:u8 or 64x64x32:f32:be:1,1,2.5: "
+         "size, "
+         "type, byte order and spacing (default: the file has a header)")
+      ->option_text("LAYOUT");
+}
+
+void add_volume_scalar_option(CLI::App& sub, VolumeReadOptions& options) {
   sub.add_option_function<std::string>(
          "--volume-scalar",
          [&options](const std::string& text) { options.scalar = canonical_scalar_name(text); },
@@ -118,7 +119,7 @@ void add_volume_options(CLI::App& sub, VolumeReadOptions& options) {
         return text.empty() ? "expected the name of a scalar; found none" : std::string();
       })
       ->option_text("NAME")
-      ->excludes(raw);
+      ->excludes("--raw");
 }
 
 }  // namespace relief::cli

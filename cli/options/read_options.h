@@ -11,8 +11,12 @@ namespace relief::cli {
 /// Declares --format, --classes, --returns and --crop, which fill `options`. It must outlive `sub`.
 void add_read_options(CLI::App& sub, ReadOptions& options);
 
-/// Declares --raw, the layout of a volume without a header, and --volume-scalar, the scalar of
-/// points that are a volume, which fill `options`. It must outlive `sub`.
-void add_volume_options(CLI::App& sub, VolumeReadOptions& options);
+/// Declares --raw, the layout of a volume without a header, which fills `options`. It must outlive
+/// `sub`.
+void add_raw_option(CLI::App& sub, VolumeReadOptions& options);
+
+/// Declares --volume-scalar, the scalar of points that are a volume, which fills `options`. It must
+/// outlive `sub`, which has --raw.
+void add_volume_scalar_option(CLI::App& sub, VolumeReadOptions& options);
 
 }  // namespace relief::cli

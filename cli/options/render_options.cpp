@@ -259,7 +259,8 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments) {
       sub, "--fps", arguments.frames_per_second, kFrameRates, "N",
       "Frames per second of a film, 1 to 240 (default: what the file of --path says, or 30)");
   add_read_options(sub, arguments.read);
-  add_volume_options(sub, arguments.volume);
+  add_raw_option(sub, arguments.volume);
+  add_volume_scalar_option(sub, arguments.volume);
   sub.add_option(
          "--frames", arguments.frames,
          "Frames to time after the one that draws the image, 1 to 100000; reports the median, "

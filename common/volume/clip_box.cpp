@@ -63,9 +63,8 @@ Result<Bounds> place_clip_box(const ClipBox& box, const Bounds& extent) {
     const auto a = static_cast<glm::length_t>(side);
     const ClipSide& low = box.low[side];
     const ClipSide& high = box.high[side];
-    placed.min[a] = low.is_percent && low.number == 0.0
-                        ? -kInfinite
-                        : place(low, extent.min[a], extent.max[a]);
+    placed.min[a] =
+        low.is_percent && low.number == 0.0 ? -kInfinite : place(low, extent.min[a], extent.max[a]);
     placed.max[a] = high.is_percent && high.number == 100.0
                         ? kInfinite
                         : place(high, extent.min[a], extent.max[a]);

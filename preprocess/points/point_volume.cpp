@@ -21,9 +21,18 @@ namespace {
 /// an image.
 constexpr std::uint64_t kBytesOfPoint = 640;
 
+/// As of grids: its square and its cube are numbers.
+constexpr double kLargestCoordinate = 1e30;
+
 /// Added to the neighbours' second moments, as a share of their mean: where all lie in a plane, the
 /// gradient does, too.
 constexpr double kFlatNeighbours = 1e-3;
+
+bool has_far_points(const std::vector<glm::dvec3>& positions) {
+  return std::ranges::any_of(positions, [](glm::dvec3 p) {
+    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kLargestCoordinate;
+  });
+}
 
 std::uint64_t points_in_half_of_memory() {
   return static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
@@ -115,6 +124,10 @@ Result<ScalarVolume> volume_of_points(Points points, std::string_view scalar, Pr
         "a volume of its {} points would take more than half of this machine's memory; read fewer "
         "with --crop",
         count);
+  }
+  if (has_far_points(points.positions)) {
+    return make_error("some of its coordinates are beyond {:g}; read fewer points with --crop",
+                      kLargestCoordinate);
   }
   ScalarVolume volume;
   volume.size = {static_cast<std::uint32_t>(count), 1, 1};

@@ -21,7 +21,8 @@ inline constexpr std::size_t kMinVolumePoints = 4;
 /// and less at the border, where part of the ball is empty. It is at most kMostOfMean^3 times what
 /// its neighbours have, so that strays do not fill the image. Gradients are those of the linear
 /// function that fits the neighbours best. Fails, with a clause, if there are too few points, if
-/// they would take more than half of this machine's memory, or if the user interrupts.
+/// coordinates are beyond 1e30, if they would take more than half of this machine's memory, or if
+/// the user interrupts.
 Result<ScalarVolume> volume_of_points(Points points, std::string_view scalar, Progress& progress);
 
 /// The largest spacing of a point, in those of its neighbours.

@@ -43,14 +43,16 @@ EngineOption iso_option() {
 }
 
 EngineOption clip_option() {
-  OptionRow row{.key = "clip",
-                .kind = OptionKind::Text,
-                .placeholder = "X0,Y0,Z0,X1,Y1,Z1",
-                .help = "draws only what lies in this box of world coordinates, or percentages of "
-                        "the model's extent as in 50%",
-                .default_text = "",
-                .accepts_text = [](std::string_view text) { return parse_clip_box(text).has_value(); },
-                .expected_text = std::string(kClipBoxForm)};
+  OptionRow row{
+      .key = "clip",
+      .kind = OptionKind::Text,
+      .placeholder = "X0,Y0,Z0,X1,Y1,Z1",
+      .help =
+          "draws only what lies in this box of world coordinates, or percentages of "
+          "the model's extent as in 50%",
+      .default_text = "",
+      .accepts_text = [](std::string_view text) { return parse_clip_box(text).has_value(); },
+      .expected_text = std::string(kClipBoxForm)};
   return {std::move(row),
           [](RenderSettings& settings, const OptionValue& value) {
             settings.volume.clip = parse_clip_box(std::get<std::string>(value));
@@ -151,7 +153,7 @@ std::vector<EngineOption> volume_options() {
   options.push_back(
       choice_option({.key = "visibility",
                      .help = "the order in which kernels occlude one another",
-                     .default_text = "sheet for grids, sorted for 3D Gaussians"},
+                     .default_text = "sheet for grids, sorted for others"},
                     kVolumeVisibilities,
                     {VolumeVisibility::Automatic, VolumeVisibility::Sheet,
                      VolumeVisibility::ImageSheet, VolumeVisibility::Sorted},

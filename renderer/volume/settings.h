@@ -55,6 +55,7 @@ inline constexpr std::array<Named<GaussianBlend>, 2> kGaussianBlends{
 
 inline constexpr NumberChoice kKernelSigmas{0.25, 4.0};
 inline constexpr NumberChoice kShares{0.0, 1.0};
+inline constexpr NumberChoice kPixelsPerNode{0.0, 4.0};
 
 /// How 3D Gaussians are blended. The defaults are those of the program that trains them
 /// [Kerbl 2023], so that a scene looks as its authors saw it.
@@ -76,6 +77,9 @@ struct VolumeSettings {
   VolumeVisibility visibility = VolumeVisibility::Automatic;
   Attenuation attenuation = Attenuation::Linear;
   double kernel_sigma = 1.0;  ///< standard deviation of a kernel, in spacings
+  /// A regular grid without a surface is drawn at its coarsest level whose nodes are seen at most
+  /// so many pixels apart; 0: as it is.
+  double pixels_per_node = 0.0;
   /// Kernels end where x^T Q x reaches it; 0: 4 for volumes, and for Gaussians where their alpha
   /// falls below min_alpha.
   double cutoff = 0.0;

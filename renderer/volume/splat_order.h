@@ -38,8 +38,8 @@ struct SplatOrder {
 [[nodiscard]] VolumeVisibility visibility_of(const KernelCloud& cloud, VolumeVisibility wanted);
 
 /// Sorts by `visibility`, which is not Automatic. Equals keep the cloud's order. Slabs are
-/// `thickness` thick (world units; 0: as the splats' depths suggest), or thicker where a splat would
-/// be in more than 64 in the mean, which bounds the memory.
+/// `thickness` thick (world units; 0: as the splats' depths suggest), or thicker where a splat
+/// would be in more than 64 in the mean, which bounds the memory.
 [[nodiscard]] SplatOrder order_splats(const KernelCloud& cloud, std::span<const PlacedSplat> splats,
                                       VolumeVisibility visibility, const RayCamera& camera,
                                       double thickness);

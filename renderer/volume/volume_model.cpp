@@ -12,6 +12,7 @@
 #include "common/volume/transfer_function.h"
 #include "renderer/shading/materials.h"
 #include "renderer/volume/clip_kernels.h"
+#include "renderer/volume/coarse_kernels.h"
 #include "renderer/volume/extent.h"
 #include "renderer/volume/gaussian_kernels.h"
 #include "renderer/volume/volume_kernels.h"
@@ -76,15 +77,20 @@ Result<const KernelCloud*> VolumeModel::kernels(const RenderSettings& settings,
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     const VolumeSettings& chosen = settings_of(settings, parts_[p].settings);
     has_gaussians |= parts_[p].gaussians != nullptr;
-    if (parts_[p].volume != nullptr)
-      keys[p] = {chosen.transfer, chosen.kernel_sigma, chosen.iso, chosen.iso_opacity, {}};
     keys[p].clip = settings.volume.clip;
+    if (parts_[p].volume == nullptr) continue;
+    keys[p] = {chosen.transfer, chosen.kernel_sigma, chosen.iso, chosen.iso_opacity,
+               settings.volume.clip};
   }
   if (has_gaussians && has_volume() && settings.volume.attenuation == Attenuation::Exponential) {
     return make_error(
         "3D Gaussians have opacities, which are no optical depths: beside a volume take "
         "--attenuation linear");
   }
+  // A level is that of the whole model: of one volume.
+  const int level = level_for(settings);
+  keys.front().level = level;
+  if (level > 0) keys.front().attenuation = settings.volume.attenuation;
   if (keys_ == keys) return &kernels_;
   RELIEF_TRY_ASSIGN(const auto box, clip_box(settings));
   keys_.reset();
@@ -97,8 +103,20 @@ Result<const KernelCloud*> VolumeModel::kernels(const RenderSettings& settings,
     clouds.push_back(std::move(cloud));
   }
   kernels_ = merged(std::move(clouds));
+  if (level > 0) {
+    kernels_ = coarse_kernels(std::move(kernels_), std::get<RegularGrid>(volume()->placement),
+                              level, settings.volume.attenuation);
+  }
   keys_ = std::move(keys);
   return &kernels_;
+}
+
+int VolumeModel::level_for(const RenderSettings& settings) const {
+  const VolumeSettings& chosen = settings.volume;
+  if (chosen.pixels_per_node <= 0.0 || volume() == nullptr || chosen.iso) return 0;
+  const auto* const grid = std::get_if<RegularGrid>(&volume()->placement);
+  if (grid == nullptr) return 0;
+  return coarse_level(*volume(), *grid, volume_view(settings), chosen.pixels_per_node);
 }
 
 Result<std::optional<Bounds>> VolumeModel::clip_box(const RenderSettings& settings) const {

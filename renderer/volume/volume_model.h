@@ -87,6 +87,8 @@ class VolumeModel {
     std::optional<double> iso;
     double iso_opacity = 0.0;
     std::optional<ClipBox> clip;
+    int level = 0;  ///< of coarser kernels, whose weights depend on the attenuation
+    Attenuation attenuation = Attenuation::Linear;
     bool operator==(const Key&) const = default;
   };
 
@@ -96,6 +98,8 @@ class VolumeModel {
   Result<KernelColour> colour_of_part(const Part& part, const KernelCloud& kernels,
                                       std::size_t first, const RenderSettings& settings,
                                       const View& view, EnvironmentCache& environments) const;
+  /// The level of a grid's nodes that a view of it needs: 0 is the finest.
+  [[nodiscard]] int level_for(const RenderSettings& settings) const;
 
   std::vector<Part> parts_;
   std::optional<std::vector<Key>> keys_;

@@ -1,8 +1,27 @@
 // The registry's entry of the engine `volume-reference`.
+#include "renderer/engine_options.h"
 #include "renderer/engines/volume_reference/render_volume_reference.h"
 #include "renderer/volume/options.h"
 
 namespace relief::volume_reference {
+
+namespace {
+
+std::vector<EngineOption> all_options() {
+  std::vector<EngineOption> options = volume_options();
+  options.push_back(number_option(
+      {.key = "pixels-per-node",
+       .range = kPixelsPerNode,
+       .placeholder = "P",
+       .help =
+           "draws a regular grid as coarsely as its nodes are seen at most so many pixels apart; "
+           "0: as it is",
+       .default_text = "0"},
+      [](RenderSettings& settings) -> double& { return settings.volume.pixels_per_node; }));
+  return options;
+}
+
+}  // namespace
 
 EngineEntry entry() {
   return {.name = "volume-reference",
@@ -12,7 +31,7 @@ EngineEntry entry() {
           .primitives = {},
           .interpolations = {},
           .capabilities = {},
-          .options = volume_options(),
+          .options = all_options(),
           .prepare = prepare};
 }
 

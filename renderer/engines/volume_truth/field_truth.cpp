@@ -227,7 +227,7 @@ class FieldRay {
   double step_;
   glm::dvec3 start_{0.0};  ///< the grid's coordinates, at depth 0
   glm::dvec3 along_{0.0};  ///< for a unit of depth
-  glm::dvec3 eye_{0.0};  ///< world
+  glm::dvec3 eye_{0.0};    ///< world
   glm::dvec3 from_eye_{0.0};
   glm::dvec3 through_{0.0};  ///< world, likewise
   double length_ = 1.0;      ///< world units for a unit of depth

