@@ -34,11 +34,13 @@ BAND0 = 0.28209479177387814  # the harmonic of degree 0
 
 # The viewer as it is, then without one difference more in each column. It keeps colours and opacities
 # in bytes, rounded down: bytes.ply has whole bytes, so that it changes none. It blends in 8 bits, and has
-# a floor under the difference of an ellipse's eigenvalues, which makes small round ones long.
+# a floor under the difference of an ellipse's eigenvalues, which makes small round ones long. It sorts
+# into 2^16 depths, and at most into 2^24.
 VIEWERS = [("as it is", "scene", {}),
            ("whole bytes in the file", "bytes", {}),
            ("blended in floats", "bytes", {"floats": True}),
-           ("round ellipses", "bytes", {"floats": True, "round": True})]
+           ("round ellipses", "bytes", {"floats": True, "round": True}),
+           ("sorted finely", "bytes", {"floats": True, "round": True, "finely": True})]
 
 # The viewer's own rules, as options of ours. Each row adds its options to those above.
 RULES = [("defaults", []),
@@ -197,7 +199,7 @@ def main():
     def view(name, scene, told):
         asked = {"file": f"{scene}.ply", "width": width, "height": height, "fov": options.fov, "near": 0.1,
                  "eye": flipped(options.eye), "target": flipped(options.target), "up": flipped(options.up),
-                 "floats": False, "round": False, "antialiased": False, "degree": 2, **told}
+                 "floats": False, "round": False, "finely": False, "antialiased": False, "degree": 2, **told}
         path = options.work / f"viewer_{name}.png"
         draw_by_viewer(options, asked, path)
         return path
@@ -233,7 +235,7 @@ def main():
 
     print("\nWith the last row's options, against the viewer of the last column.\n\n| both | |\n| --- | ---: |")
     for k, (name, scene, told, more) in enumerate(MORE):
-        theirs = view(f"more_{k}", scene, {"floats": True, "round": True, **told})
+        theirs = view(f"more_{k}", scene, {**VIEWERS[-1][2], **told})
         print(f"| {name} | {compare(render(f'more_{k}', scene, matched + more), theirs, f'more_{k}')} |", flush=True)
 
     print("\nOne option by itself, against Relief's own defaults and against the viewer as it is.\n")
