@@ -2,6 +2,9 @@
 """Draws 3D Gaussians by `relief render` and by a WebGL viewer of others, from the same place, and compares.
 
     scripts/compare_gaussians.py build/release/cli/relief biker.compressed.ply --work out
+    scripts/compare_gaussians.py build/release/cli/relief hairy.ply --make --eye 2.2,1,2.6 --target 0,0,0
+
+--make writes FILE first: a ball with hairs and haze, made of 47,000 Gaussians.
 
 Needs npm and Chromium (Debian: npm, chromium). npm gets three.js, the viewer GaussianSplats3D and
 splat-transform, which makes the file a plain .ply, into the folder --packages. None of them is part
@@ -19,6 +22,7 @@ import http.server
 import json
 import math
 import pathlib
+import random
 import shutil
 import subprocess
 import sys
@@ -34,11 +38,13 @@ BAND0 = 0.28209479177387814  # the harmonic of degree 0
 
 # The viewer as it is, then without one difference more in each column. It keeps colours and opacities
 # in bytes, rounded down: bytes.ply has whole bytes, so that it changes none. It blends in 8 bits, and has
-# a floor under the difference of an ellipse's eigenvalues, which makes small round ones long.
+# a floor under the difference of an ellipse's eigenvalues, which makes small round ones long. It sorts
+# into 2^16 depths, and at most into 2^24.
 VIEWERS = [("as it is", "scene", {}),
            ("whole bytes in the file", "bytes", {}),
            ("blended in floats", "bytes", {"floats": True}),
-           ("round ellipses", "bytes", {"floats": True, "round": True})]
+           ("round ellipses", "bytes", {"floats": True, "round": True}),
+           ("sorted finely", "bytes", {"floats": True, "round": True, "finely": True})]
 
 # The viewer's own rules, as options of ours. Each row adds its options to those above.
 RULES = [("defaults", []),
@@ -118,6 +124,40 @@ def flipped(position):
     return [x, -y, -z]
 
 
+def make_example(path):
+    """A striped ball of flat Gaussians, thin hairs on it, and a haze of wide, faint ones about it."""
+    rng = random.Random(3)
+    names = ["x", "y", "z", "f_dc_0", "f_dc_1", "f_dc_2", "opacity", "scale_0", "scale_1", "scale_2",
+             "rot_0", "rot_1", "rot_2", "rot_3"]
+    rows = array.array("f")
+    golden = math.pi * (3 - math.sqrt(5))
+
+    def add(centre, along_z, scales, opacity, colour):
+        x, y, z = along_z  # the shortest turn from the z axis
+        half = [1 + z, -y, x, 0.0] if z > -0.999 else [0.0, 1.0, 0.0, 0.0]
+        length = math.hypot(*half)
+        rows.extend([*centre, *((c - 0.5) / BAND0 for c in colour), math.log(opacity / (1 - opacity)),
+                     *(math.log(s) for s in scales), *(h / length for h in half)])
+    for k in range(40000):
+        z = 1 - (2 * k + 1) / 40000
+        r = math.sqrt(1 - z * z)
+        n = (r * math.cos(k * golden), r * math.sin(k * golden), z)
+        stripe = math.sin(14 * n[1] + 3 * n[0]) > 0
+        light = 0.55 + 0.45 * n[0] * n[2]
+        add(n, n, (0.012, 0.012, 0.001), 0.95, [light * c for c in ((0.9, 0.5, 0.2) if stripe else (0.2, 0.3, 0.5))])
+    for k in range(7000):
+        n = [rng.gauss(0, 1) for _ in range(3)]
+        length = math.hypot(*n)
+        n = [c / length for c in n]
+        if k < 6900:
+            add([1.06 * c for c in n], n, (0.0015, 0.0015, 0.05), 0.6, [0.85, 0.8, 0.7])
+        else:
+            add([1.25 * c for c in n], n, (0.12, 0.12, 0.12), 0.04, [0.9, 0.9, 0.95])
+    header = f"ply\nformat binary_little_endian 1.0\nelement vertex {len(rows) // len(names)}\n"
+    header += "".join(f"property float {name}\n" for name in names) + "end_header\n"
+    path.write_bytes(header.encode() + rows.tobytes())
+
+
 def write_scenes(folder):
     """Makes bytes.ply, and harmonics.ply, whose colours depend on the direction, of scene.ply."""
     data = (folder / "scene.ply").read_bytes()
@@ -174,6 +214,7 @@ def parse():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("relief", help="the command, as build/release/cli/relief")
     parser.add_argument("file", type=pathlib.Path, help="3D Gaussians, in a form that splat-transform reads")
+    parser.add_argument("--make", action="store_true", help="write an example to FILE first")
     parser.add_argument("--work", type=pathlib.Path, default=pathlib.Path("compare_gaussians"), help="images go there")
     parser.add_argument("--packages", type=pathlib.Path, default=pathlib.Path.home() / ".cache/relief-compare-gaussians")
     parser.add_argument("--chromium", default=shutil.which("chromium") or "chromium")
@@ -191,13 +232,15 @@ def parse():
 def main():
     options = parse()
     options.work.mkdir(parents=True, exist_ok=True)
+    if options.make:
+        make_example(options.file)
     prepare(options)
     width, height = (int(side) for side in options.size.split("x"))
 
     def view(name, scene, told):
         asked = {"file": f"{scene}.ply", "width": width, "height": height, "fov": options.fov, "near": 0.1,
                  "eye": flipped(options.eye), "target": flipped(options.target), "up": flipped(options.up),
-                 "floats": False, "round": False, "antialiased": False, "degree": 2, **told}
+                 "floats": False, "round": False, "finely": False, "antialiased": False, "degree": 2, **told}
         path = options.work / f"viewer_{name}.png"
         draw_by_viewer(options, asked, path)
         return path
@@ -233,7 +276,7 @@ def main():
 
     print("\nWith the last row's options, against the viewer of the last column.\n\n| both | |\n| --- | ---: |")
     for k, (name, scene, told, more) in enumerate(MORE):
-        theirs = view(f"more_{k}", scene, {"floats": True, "round": True, **told})
+        theirs = view(f"more_{k}", scene, {**VIEWERS[-1][2], **told})
         print(f"| {name} | {compare(render(f'more_{k}', scene, matched + more), theirs, f'more_{k}')} |", flush=True)
 
     print("\nOne option by itself, against Relief's own defaults and against the viewer as it is.\n")

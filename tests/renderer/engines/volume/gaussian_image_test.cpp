@@ -54,10 +54,19 @@ RenderResult draw_gaussians(const GaussianCloud& cloud, RenderSettings settings,
   return {};
 }
 
-/// A channel's value in the pixel right above the image's middle.
-float middle(const RenderResult& result, const char* channel) {
-  const Image& image = result.image;
-  return image.find(channel)->values[std::size_t{image.height} / 2 * image.width + image.width / 2];
+/// A channel's values; none, and a failure, if the image has no such channel.
+std::vector<float> values_of(const RenderResult& result, const char* name) {
+  if (const Channel* const channel = result.image.find(name)) return channel->values;
+  ADD_FAILURE() << "no channel " << name;
+  return {};
+}
+
+/// A channel's value in the pixel beside the image's middle.
+float middle(const RenderResult& result, const char* name) {
+  const std::vector<float> values = values_of(result, name);
+  const std::size_t place =
+      std::size_t{result.image.height} / 2 * result.image.width + result.image.width / 2;
+  return place < values.size() ? values[place] : 0.0F;
 }
 
 // Wide enough that a pixel beside its centre has the opacity of the centre, but for 1e-5.
@@ -133,8 +142,9 @@ TEST(GaussianImage, TurnsWithItsCamera) {
   settings.camera.target = moved(turn, settings.camera.target);
   settings.camera.up = turn.rotation * settings.camera.up;
   const RenderResult turned = draw_gaussians(cloud, settings, "volume-reference");
-  const std::vector<float>& before = plain.image.find("R")->values;
-  const std::vector<float>& after = turned.image.find("R")->values;
+  const std::vector<float> before = values_of(plain, "R");
+  const std::vector<float> after = values_of(turned, "R");
+  ASSERT_EQ(before.size(), after.size());
   float most = 0.0F;
   for (std::size_t p = 0; p < before.size(); ++p)
     most = std::max(most, std::abs(before[p] - after[p]));
@@ -149,14 +159,12 @@ void expect_defined(const GaussianCloud& cloud, RenderSettings settings) {
     SCOPED_TRACE(engine);
     const RenderResult drawn = draw_gaussians(cloud, settings, engine);
     for (const char* const name : {"R", "G", "B", "A"}) {
-      const Channel* const channel = drawn.image.find(name);
-      ASSERT_NE(channel, nullptr);
-      for (const float value : channel->values) {
+      for (const float value : values_of(drawn, name)) {
         ASSERT_TRUE(std::isfinite(value)) << name;
         ASSERT_GE(value, 0.0F) << name;
       }
     }
-    for (const float alpha : drawn.image.find("A")->values) ASSERT_LE(alpha, 1.0F);
+    for (const float alpha : values_of(drawn, "A")) ASSERT_LE(alpha, 1.0F);
   }
 }
 
