@@ -151,6 +151,7 @@ void add_reading(const LoadOptions& load, CommandWords& words) {
     if (load.acquisition.points != usual.points)
       words.option("points", fmt::format("{}", load.acquisition.points));
   }
+  if (load.volume.raw) words.option("raw", text_of(*load.volume.raw));
   if (!load.read.format.empty()) words.option("format", load.read.format);
   words.as_is(describe_classes(load.read.selection));
   if (load.read.selection.crop) words.option("crop", describe_box(*load.read.selection.crop));
