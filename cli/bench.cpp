@@ -49,7 +49,8 @@ constexpr const char* kBenchExamples =
     "scene only the first view is drawn, without its background, with all engines. A ratio is the\n"
     "row's time over that of multipass with its default radius factor (its faster primitive), of "
     "the\n"
-    "bound, of the mesh. Bytes are those of the model on the GPU. Of volumes and 3D Gaussians there\n"
+    "bound, of the mesh. Bytes are those of the model on the GPU. Of volumes and 3D Gaussians "
+    "there\n"
     "is a row for each engine that draws them, compared with volume-truth or volume-reference.\n"
     "\n"
     "Examples:\n"
@@ -156,8 +157,9 @@ Result<BenchResult> measure(const ScenePlan& scene, const BenchArguments& argume
 /// Of volumes and 3D Gaussians, alone or among surfaces.
 Result<VolumeBench> measure_volumes(const ScenePlan& plan, const BenchArguments& arguments) {
   if (!arguments.plot.empty() || arguments.sweep) {
-    return make_error("{}: has volumes or 3D Gaussians, for which there is no --plot and no --sweep",
-                      arguments.image.input.string());
+    return make_error(
+        "{}: has volumes or 3D Gaussians, for which there is no --plot and no --sweep",
+        arguments.image.input.string());
   }
   ConsoleProgress progress;
   LoadOptions options;
@@ -178,9 +180,8 @@ int run_volume_bench(ScenePlan plan, const BenchArguments& arguments) {
   }
   const auto result = measure_volumes(plan, arguments);
   if (!result) return fail(result.error());
-  return arguments.image.json
-             ? print_json(as_json(*result))
-             : print_result(as_text(*result, arguments.image.input.string()));
+  return arguments.image.json ? print_json(as_json(*result))
+                              : print_result(as_text(*result, arguments.image.input.string()));
 }
 
 int run_bench(const BenchArguments& arguments) {
@@ -224,7 +225,8 @@ void add_bench(CLI::App& app, Command& command) {
                                  "Time every method to draw a scene and compare it with the truth");
   const auto arguments = std::make_shared<BenchArguments>();
   RenderArguments& image = arguments->image;
-  sub->add_option("SCENE", image.input, "Patch file (.relief), scan, mesh, volume, 3D Gaussians or .json scene")
+  sub->add_option("SCENE", image.input,
+                  "Patch file (.relief), scan, mesh, volume, 3D Gaussians or .json scene")
       ->required()
       ->option_text("FILE");
   add_camera_options(*sub, image.settings);
@@ -233,7 +235,8 @@ void add_bench(CLI::App& app, Command& command) {
     const bool is_for_volumes =
         std::any_of(option.engines.begin(), option.engines.end(),
                     [](const EngineEntry* engine) { return !engine->surfaces_by.empty(); });
-    if (option.row.key == kCull || is_for_volumes) add_engine_option(*sub, image.settings.options, option);
+    if (option.row.key == kCull || is_for_volumes)
+      add_engine_option(*sub, image.settings.options, option);
   }
   sub->add_option("--frames", image.frames, "Frames to time of each row, 1 to 100000 (default 20)")
       ->check(count_from(1, 100000))

@@ -47,7 +47,8 @@ constexpr std::uint64_t kLeastBudget = std::uint64_t{64} << 20U;
 
 constexpr const char* kViewFooter =
     "FILE is a patch file, a scan, a mesh, a raster, a volume, a scene of 3D Gaussians or a .json\n"
-    "scene. A scan shows its points at once, and its patches when they are converted. Files can be\n"
+    "scene. A scan shows its points at once, and its patches when they are converted. Files can "
+    "be\n"
     "dropped on the window.\n"
     "\n"
     "Examples:\n"
@@ -92,9 +93,9 @@ int run_view(const ViewArguments& /*arguments*/) {
 /// Options of volumes are held against the engine that draws them.
 void choose_engine(ViewArguments& arguments) {
   if (arguments.settings.engine || arguments.settings.options.empty()) return;
-  const bool has_kernels = std::any_of(
-      arguments.files.begin(), arguments.files.end(),
-      [&](const auto& file) { return shows_kernels(file, arguments.volume); });
+  const bool has_kernels =
+      std::any_of(arguments.files.begin(), arguments.files.end(),
+                  [&](const auto& file) { return shows_kernels(file, arguments.volume); });
   if (has_kernels) arguments.settings.engine = kVolumeEngineOfWindows;
 }
 

@@ -21,8 +21,8 @@ struct LoadedFile {
   std::optional<TriangleMesh> mesh;
   std::optional<SplatCloud> splats;
   std::optional<VolumePart> volume;  ///< then there is nothing else
-  bool is_mesh = false;    ///< the file has faces, or its patches are of some
-  bool has_faces = false;  ///< the mesh is the file's own
+  bool is_mesh = false;              ///< the file has faces, or its patches are of some
+  bool has_faces = false;            ///< the mesh is the file's own
 };
 
 /// One model of a scene: a file in a position.

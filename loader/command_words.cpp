@@ -152,6 +152,7 @@ void add_reading(const LoadOptions& load, CommandWords& words) {
       words.option("points", fmt::format("{}", load.acquisition.points));
   }
   if (load.volume.scalar) words.option("volume-scalar", *load.volume.scalar);
+  if (load.volume.raw) words.option("raw", text_of(*load.volume.raw));
   if (!load.read.format.empty()) words.option("format", load.read.format);
   words.as_is(describe_classes(load.read.selection));
   if (load.read.selection.crop) words.option("crop", describe_box(*load.read.selection.crop));

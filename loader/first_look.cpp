@@ -24,7 +24,8 @@ void complete_look(const PlannedView& view, const LoadedScene& scene, RenderSett
   const auto engine = engine_of(view);
   const bool is_timed = settings.frames > 0 || settings.explain;
   // Kernels are filtered: only surfaces among them have samples.
-  const bool has_samples = !scene.has_kernels() || (scene.volumes && !scene.patches.patches.empty());
+  const bool has_samples =
+      !scene.has_kernels() || (scene.volumes && !scene.patches.patches.empty());
   if (engine && (*engine)->capabilities.needs_opengl && has_samples && !is_timed &&
       planned.options.find("samples") == planned.options.end())
     settings.samples = kPictureSamples;

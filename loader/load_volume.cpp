@@ -83,9 +83,8 @@ bool has_kernels(const SceneModel& model, const VolumeReadOptions& options) {
 }
 
 bool has_kernels(const std::vector<SceneModel>& models, const VolumeReadOptions& options) {
-  return std::any_of(models.begin(), models.end(), [&](const SceneModel& model) {
-    return has_kernels(model, options);
-  });
+  return std::any_of(models.begin(), models.end(),
+                     [&](const SceneModel& model) { return has_kernels(model, options); });
 }
 
 bool shows_kernels(const std::filesystem::path& input, const VolumeReadOptions& options) {

@@ -101,9 +101,10 @@ struct EngineOption {
 /// it.
 struct EngineEntry {
   std::string name = {};
-  std::string summary = {};                ///< one line for `--help`
-  std::vector<ModelForm> forms = {};       ///< that it draws, the preferred one first
-  std::string surfaces_by = {};  ///< the engine that draws surfaces among what it draws; empty: none
+  std::string summary = {};           ///< one line for `--help`
+  std::vector<ModelForm> forms = {};  ///< that it draws, the preferred one first
+  std::string surfaces_by =
+      {};  ///< the engine that draws surfaces among what it draws; empty: none
   std::vector<Primitive> primitives = {};  ///< the first is the default; empty: none to choose
   std::vector<Interpolation> interpolations = {};  ///< likewise
   EngineCapabilities capabilities = {};

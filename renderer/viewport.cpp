@@ -54,8 +54,7 @@ Image nothing_seen() {
   Image pixel{1, 1, {}};
   for (const char* const name : {"R", "G", "B", "A"})
     pixel.channels.push_back({name, ChannelType::Half, {0.0F}});
-  pixel.channels.push_back(
-      {"Z", ChannelType::Float, {std::numeric_limits<float>::infinity()}});
+  pixel.channels.push_back({"Z", ChannelType::Float, {std::numeric_limits<float>::infinity()}});
   pixel.channels.push_back({"patch", ChannelType::Uint, {0.0F}});
   return pixel;
 }

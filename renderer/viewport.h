@@ -86,8 +86,8 @@ class Viewport {
   Status draw(const RenderSettings& view, std::uint32_t framebuffer);
 
   /// Draws a rectangle of the view into the same pixels of the framebuffer, which but for rounding
-  /// are those that draw() gives them. What lies beside it stays as it was, and costs nothing if the
-  /// engine draws_parts().
+  /// are those that draw() gives them. What lies beside it stays as it was, and costs nothing if
+  /// the engine draws_parts().
   Status draw(const RenderSettings& view, const Rectangle& part, std::uint32_t framebuffer);
 
   /// Draws a rectangle of the view, and gives each part of it with its outputs to `read`, which may

@@ -58,9 +58,9 @@ struct Session {
   explicit Session(Document opened) : document(std::move(opened)) {}
 
   Document document;
-  std::shared_ptr<const LoadedScene> scene;  ///< what is shown; null: points, or nothing yet
+  std::shared_ptr<const LoadedScene> scene;   ///< what is shown; null: points, or nothing yet
   std::optional<NumberChoice> volume_values;  ///< the range of its volumes' values
-  std::size_t points_read = 0;               ///< of the scan whose points came last
+  std::size_t points_read = 0;                ///< of the scan whose points came last
   Navigator navigator;
   Bookmarks bookmarks;
 

@@ -37,17 +37,13 @@ Json as_json(const VolumeBench& result) {
   const VolumeBenchRow& first = result.rows.front();
   Json rows = Json::array();
   for (const VolumeBenchRow& row : result.rows) rows.push_back(row_as_json(row));
-  return {{"renderer", result.renderer},
-          {"width", first.settings.width},
-          {"height", first.settings.height},
-          {"material", name_of(kMaterials, first.settings.material)},
-          {"truth", result.truth},
-          {"frames", result.frames},
-          {"warm_up", result.warm_up},
-          {"covered_pixels", first.covered_pixels},
-          {"shading_bound_ms", nullptr},
-          {"mesh_ms", nullptr},
-          {"rows", std::move(rows)}};
+  return {
+      {"renderer", result.renderer},     {"width", first.settings.width},
+      {"height", first.settings.height}, {"material", name_of(kMaterials, first.settings.material)},
+      {"truth", result.truth},           {"frames", result.frames},
+      {"warm_up", result.warm_up},       {"covered_pixels", first.covered_pixels},
+      {"shading_bound_ms", nullptr},     {"mesh_ms", nullptr},
+      {"rows", std::move(rows)}};
 }
 
 std::string as_text(const VolumeBench& result, const std::string& scene) {

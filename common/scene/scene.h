@@ -71,7 +71,7 @@ struct SceneModel {
   MaterialOverrides material = {};     ///< overrides that of views
   std::optional<bool> is_closed = {};  ///< overrides the file's own flag
   OptionValues options = {};           ///< of engines, by key; override those of views
-  std::string raw = {};  ///< layout of a volume without a header; empty: it has one
+  std::string raw = {};                ///< layout of a volume without a header; empty: it has one
 };
 
 struct SceneView {

@@ -59,7 +59,8 @@ SceneModel read_model(JsonValues& values, const JsonNode& node, const SettingsCo
   if (const auto found = JsonValues::member(node, "closed"))
     model.is_closed = values.boolean(*found);
   if (const auto found = JsonValues::member(node, "raw"))
-    model.raw = values.text(*found, "the layout of a volume without a header, as in 256x256x109:u8");
+    model.raw =
+        values.text(*found, "the layout of a volume without a header, as in 256x256x109:u8");
   model.options = read_options(values, node, context);
   model.material = read_material(values, node);
   return model;

@@ -1,5 +1,7 @@
 #include "preprocess/volumes/raw_layout.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -99,6 +101,15 @@ Result<RawLayout> parse_raw_layout(std::string_view text) {
     }
   }
   return layout;
+}
+
+std::string text_of(const RawLayout& layout) {
+  const auto* const row = std::ranges::find(kRawTypes, layout.form.type,
+                                            &std::pair<std::string_view, NumberType>::second);
+  const std::string_view type = row == kRawTypes.end() ? std::string_view() : row->first;
+  const glm::dvec3& spacing = layout.spacing;
+  return fmt::format("{}x{}x{}:{}{}:{},{},{}", layout.size.x, layout.size.y, layout.size.z, type,
+                     layout.form.is_big_endian ? ":be" : "", spacing.x, spacing.y, spacing.z);
 }
 
 }  // namespace relief

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <string>
 #include <string_view>
 
 #include "common/error.h"
@@ -20,5 +21,8 @@ struct RawLayout {
 /// f32 f64), then, in any order and both optional, `be` or `le` for the byte order (default: little
 /// endian) and the spacing along x, y and z, as in `64x64x32:f32:be:1,1,2.5`.
 Result<RawLayout> parse_raw_layout(std::string_view text);
+
+/// Returns the text of a layout, such that parse_raw_layout() gives it back to the bit.
+[[nodiscard]] std::string text_of(const RawLayout& layout);
 
 }  // namespace relief

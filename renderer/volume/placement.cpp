@@ -13,7 +13,8 @@ constexpr std::size_t kChunk = 16384;
 }  // namespace
 
 std::vector<PlacedSplat> place_splats(const KernelCloud& cloud, const View& view,
-                                      std::span<const FootprintRule> rules, const Progress& progress) {
+                                      std::span<const FootprintRule> rules,
+                                      const Progress& progress) {
   const RayCamera camera = ray_camera(view);
   const glm::dvec2 size(view.width, view.height);
   std::vector<std::vector<PlacedSplat>> chunks((cloud.count() + kChunk - 1) / kChunk);

@@ -96,8 +96,7 @@ DepthLimits depth_limits(const Film& surfaces) {
   for (std::size_t k = 0; k < count; ++k) {
     const FilmPixel& pixel = surfaces.pixels[k];
     if (!(pixel.colour.a > 0.0F)) continue;
-    limits.covered[k] =
-        std::isfinite(pixel.depth) ? pixel.depth : nearest_around(surfaces, k);
+    limits.covered[k] = std::isfinite(pixel.depth) ? pixel.depth : nearest_around(surfaces, k);
     if (pixel.colour.a >= 1.0F) continue;
     limits.beside.resize(count, -kEverywhere);
     limits.beside[k] = kEverywhere;

@@ -208,5 +208,34 @@ TEST_F(BenchCommand, RenderExplainsItself) {
       2);
 }
 
+/// 4 x 4 x 4 nodes from 0 to 3.
+std::string small_nrrd() {
+  std::string text = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 4 4\nencoding: ascii\n\n";
+  for (int k = 0; k < 64; ++k) text += std::to_string(k) + " ";
+  return text;
+}
+
+TEST_F(BenchCommand, ComparesTheEnginesOfVolumes) {
+  const std::string volume = write("a.nrrd", small_nrrd());
+  const json alone = parse(run_relief(small(volume, {"--transfer", "mr"})));
+  EXPECT_EQ(alone["truth"], "volume-truth");
+  ASSERT_EQ(alone["rows"].size(), 2U);
+  for (const json& row : alone["rows"]) {
+    EXPECT_EQ(row["transfer"], "mr");
+    EXPECT_TRUE(row["psnr_db"].is_number());
+    EXPECT_GE(row["frame_ms"], 0.0);
+  }
+  (void)write("square.off", square_off(5));
+  const std::string scene = write("scene.json", R"({"models": [{"file": "a.nrrd"},
+    {"file": "square.off"}], "views": [{"name": "a"}]})");
+  const json both = parse(run_relief(small(scene)));
+  EXPECT_EQ(both["truth"], "volume-reference");
+  EXPECT_TRUE(both["rows"][1]["psnr_db"].is_null()) << "the truth itself";
+  EXPECT_GT(both["rows"][0]["psnr_db"], 30.0);
+  expect_refused({"bench", volume, "--sweep", "radius-factor=1,2"}, "no --sweep");
+  expect_refused({"bench", write("square.off", square_off(5)), "--iso", "3"},
+                 "--iso is for volumes and 3D Gaussians");
+}
+
 }  // namespace
 }  // namespace relief::test

@@ -36,8 +36,7 @@ std::vector<const EngineEntry*> engines_for(const RenderModel& model) {
   for (const EngineEntry& engine : engines()) {
     // One that draws no kernels would show the surfaces among them alone.
     const bool draws_all = !has_kernels || !engine.surfaces_by.empty();
-    if (is_for_viewports(engine) && draws_all && form_for(engine, model))
-      found.push_back(&engine);
+    if (is_for_viewports(engine) && draws_all && form_for(engine, model)) found.push_back(&engine);
   }
   return found;
 }

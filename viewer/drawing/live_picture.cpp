@@ -73,11 +73,10 @@ Status LivePicture::draw_pane(Viewport& model, const Pane& pane, const Canvas& c
 
 Status LivePicture::draw_band(Viewport& model, const Looks& looks, int samples, bool& is_last) {
   const std::uint32_t height = looks.first.height;
-  const bool has_parts = model.draws_parts(looks.first) &&
-                         (!looks.second || model.draws_parts(*looks.second));
-  const auto wanted = has_parts
-                          ? static_cast<std::uint32_t>(std::min(rows_per_ms_ * kBandMs, 1e5))
-                          : height;
+  const bool has_parts =
+      model.draws_parts(looks.first) && (!looks.second || model.draws_parts(*looks.second));
+  const auto wanted =
+      has_parts ? static_cast<std::uint32_t>(std::min(rows_per_ms_ * kBandMs, 1e5)) : height;
   const std::uint32_t rows = std::min(std::max(wanted, kFewestRows), height - next_row_);
   if (inspector_ != nullptr && next_row_ == 0) inspector_->begin();
   const auto start = std::chrono::steady_clock::now();

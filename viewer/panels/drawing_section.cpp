@@ -90,8 +90,7 @@ bool number_option_row(const OptionContext& of) {
   const std::string help = capitalised(row.help);
   const char* const format = row.kind == OptionKind::Integer ? "%.0f" : in_force ? "%.3g" : "off";
   const bool is_logarithmic = row.key != "iso" && range.max > kWideRange;
-  if (!number_row({label.c_str(), help.c_str(), range, usual, format, is_logarithmic},
-                  value))
+  if (!number_row({label.c_str(), help.c_str(), range, usual, format, is_logarithmic}, value))
     return false;
   if (value)
     choose_value(of.look, of.engine, row.key, *value);

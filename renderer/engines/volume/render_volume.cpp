@@ -93,8 +93,7 @@ class Prepared final : public PreparedModel {
     std::vector<Layer> layers;
     for (const std::vector<float>* const depths : {&limits.covered, &limits.beside}) {
       if (depths->empty() && !layers.empty()) continue;
-      RELIEF_TRY_ASSIGN(auto targets,
-                        make_volume_targets(gl(), view.width, view.height, features));
+      RELIEF_TRY_ASSIGN(auto targets, make_volume_targets(gl(), view.width, view.height, features));
       layers.push_back({std::move(targets), {}});
       if (!depths->empty())
         layers.back().limits = make_limits(gl(), view.width, view.height, *depths);
@@ -121,8 +120,7 @@ class Prepared final : public PreparedModel {
                               .spacing = model_.spacing(),
                               .features = features,
                               .is_limited = layer.limits.has_value()};
-      if (layer.limits)
-        gl().BindTextureUnit(RELIEF_VOLUME_TEXTURE_LIMITS, layer.limits->id());
+      if (layer.limits) gl().BindTextureUnit(RELIEF_VOLUME_TEXTURE_LIMITS, layer.limits->id());
       RELIEF_TRY(drawing_for(frame).draw(frame, layer.targets, timer, progress));
       if (layer.limits) gl().BindTextureUnit(RELIEF_VOLUME_TEXTURE_LIMITS, 0);
     }

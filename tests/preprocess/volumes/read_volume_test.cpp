@@ -321,6 +321,7 @@ TEST(ReadVolumeTest, LayoutsAreParsed) {
   EXPECT_EQ(layout->size, glm::uvec3(256, 255, 109));
   EXPECT_EQ(layout->form, (NumberForm{NumberType::Int16, true}));
   EXPECT_EQ(layout->spacing, glm::dvec3(1.0, 1.5, 0.25));
+  EXPECT_EQ(text_of(*layout), "256x255x109:i16:be:1,1.5,0.25");
   const auto turned = parse_raw_layout("1x2x3:f64:1,2,3:be");
   ASSERT_TRUE(turned) << turned.error().message;
   EXPECT_TRUE(turned->form.is_big_endian);

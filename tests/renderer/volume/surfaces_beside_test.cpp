@@ -26,8 +26,8 @@ View view_from_front() {
   return make_view(camera, 80, 80, 1e-3);
 }
 
-/// The share of a kernel's density on the ray through a pixel that lies before a depth, by adding up
-/// slices of the ray: x and y of the ray, world.
+/// The share of a kernel's density on the ray through a pixel that lies before a depth, by adding
+/// up slices of the ray: x and y of the ray, world.
 double share_by_sum(const glm::dmat3& variance, glm::dvec2 ray, double eye_z, double depth) {
   const glm::dmat3 inverse = glm::inverse(variance);
   constexpr int kSlices = 200000;
