@@ -91,14 +91,16 @@ class Figures:
         return self.transfer(f"ink_{thickness}", colour=[[0, 0.02, 0.02, 0.02], [255, 0.98, 0.98, 0.98]],
                              opacity=[[0, 0.9999]], unit_length=thickness)
 
+    # Cameras look down by more than 45 degrees: the slice is the sheet. Seen flatter, its rows are the sheets, and
+    # each hides the next one.
     def draw_filters(self):
         """Figure 14: what keeps kernels of 2:1 and 4:1 from being smaller than pixels."""
         middle = 511.5
         fork = f"{1024 * FORKS[2][0]:.0f},{1024 * FORKS[2][1]:.0f}"
         views = {"minified": ("--orthographic", 960, "--eye", f"{middle},{middle},100", "--target",
                               f"{middle},{middle},0", "--up", "0,1,0"),
-                 "perspective": ("--eye", f"{middle},-100,220", "--target", f"{middle},330,0", "--up", "0,0,1",
-                                 "--fov", 50),
+                 "perspective": ("--eye", f"{middle},-20,60", "--target", f"{middle},34,0", "--up", "0,0,1",
+                                 "--fov", 80),
                  "magnified": ("--orthographic", 48, "--eye", f"{fork},100", "--target", f"{fork},0", "--up",
                                "0,1,0")}
         # Flat: a thick opaque slice seen at an angle shows its upper side, which is self-occlusion, no filter's doing.
@@ -125,10 +127,10 @@ class Figures:
 
     def draw_kernels(self):
         """Figure 15: kernels of a volume, and the same kernels flattened into a surface's."""
-        camera = ("--eye", "255.5,-40,60", "--target", "255.5,150,0", "--up", "0,0,1", "--fov", 50, "--size", "512x320",
+        camera = ("--eye", "255.5,-20,60", "--target", "255.5,34,0", "--up", "0,0,1", "--fov", 80, "--size", "512x320",
                   "--material", "unlit")
         splat = ("--engine", "volume-reference", "--cutoff", 9, "--attenuation", "exponential")
-        truth = ("--engine", "volume-truth", "--truth", "kernels", "--samples", 36)
+        truth = ("--engine", "volume-truth", "--truth", "kernels", "--samples", 16)
         for name, thickness in (("volume", 1.0), ("surface", FLAT)):
             texture = (self.zebra(512, 512, thickness), "--transfer", self.ink(thickness))
             for kind, engine in (("splat", splat), ("truth", truth)):
@@ -141,6 +143,62 @@ class Figures:
         self.montage("volume_plane", [self.png(f"plane_{n}.exr") for n in
                                       ("volume_splat", "surface_splat", "volume_truth", "surface_truth")], 2, "512x320")
 
+    def draw_inside(self):
+        """Figure 16: flattened iso-surfaces inside translucent volumes; and an iso-surface without flat kernels."""
+        skin = ([-600, 0.9, 0.68, 0.55], [60, 0.85, 0.55, 0.45])
+        scenes = {
+            "engine": (("engine.nii.gz",), 175, ("--orbit", "35,25", "--zoom", 1.7),
+                       dict(colour=[[40, 0.45, 0.6, 0.75], [150, 0.45, 0.6, 0.75], [175, 0.95, 0.85, 0.6]],
+                            opacity=[[40, 0], [70, 0.08], [255, 0.08]],
+                            gradient_opacity=[[0, 0.05], [10, 0.15], [40, 1]])),
+            "cranium": (("cranium_ct.nrrd",), 300, ("--orbit", "150,10", "--zoom", 1.6),
+                        dict(colour=[*skin, [250, 0.95, 0.91, 0.82]],
+                             opacity=[[-500, 0], [-250, 0.1], [60, 0.03], [150, 0.02]],
+                             gradient_opacity=[[0, 0.1], [60, 0.3], [250, 1]])),
+            "head": (("head256x256x109.zip", "--raw", "256x256x109:u8:1,1,2"), 100,
+                     ("--up", "0,-1,0", "--orbit", "215,5", "--zoom", 1.5),
+                     dict(colour=[[20, 0.9, 0.68, 0.55], [60, 0.85, 0.55, 0.45], [95, 0.95, 0.91, 0.82]],
+                          opacity=[[15, 0], [35, 0.1], [60, 0.05], [85, 0.03]],
+                          gradient_opacity=[[0, 0.1], [3, 0.3], [15, 1]]))}
+        print("| volume | iso | translucent and iso-surface | only the iso-surface |\n| --- | --- | --- | --- |")
+        images = []
+        for name, (source, iso, camera, function) in scenes.items():
+            scene = (self.data / "volumes" / source[0], *source[1:], "--size", "512x512", "--iso", iso, *camera)
+            errors = []
+            for kind, transfer in (("inside", self.transfer(f"inside_{name}", **function)), ("only", "none")):
+                image, truth = f"{kind}_{name}.exr", f"{kind}_{name}_truth.exr"
+                self.render(scene[0], image, *scene[1:], "--engine", "volume-reference", "--transfer", transfer)
+                self.render(scene[0], truth, *scene[1:], "--engine", "volume-truth", "--truth", "field",
+                            "--samples", 4, "--transfer", transfer)
+                errors.append(self.error(image, truth))
+            print(f"| {name} | {iso} |", " | ".join(errors), "|", flush=True)
+            images += [f"inside_{name}.exr", f"inside_{name}_truth.exr"]
+        self.montage("volume_inside", [self.png(i) for i in images[0::2] + images[1::2]], 3, "512x512", 80)
+
+    def draw_surfaces(self):
+        """Figure 17 and Table I: the engine `ewa` on a face, a terrain and a semi-transparent body."""
+        terrain = self.work / "terrain.obj"
+        run(sys.executable, ROOT / "scripts" / "terrain_obj.py", self.data / "terrain" / "vtkjs_dem.csv",
+            self.data / "terrain" / "vtkjs_dem.jpg", terrain)
+        scenes = {
+            "face": (self.data / "textured" / "james" / "james.obj", ("--texels-per-cell", 1, "--spacing", 0.45),
+                     ("--material", "unlit", "--orbit", "20,5")),
+            "terrain": (terrain, ("--texels-per-cell", 1, "--spacing", 0.0039),
+                        ("--material", "unlit", "--orbit", "30,35", "--zoom", 1.6)),
+            "dragon": (self.data / "scans" / "dragon" / "dragon_vrip.ply.gz", (),
+                       ("--opacity", 0.5, "--background", "1,1,1", "--orbit", "20,10"))}
+        print("| model | samples | 256x256, ms | 512x512, ms | 512x512, to rays to the mesh |")
+        print("| --- | --- | --- | --- | --- |")
+        for name, (mesh, conversion, options) in scenes.items():
+            patches = self.work / f"{name}.relief"
+            samples = json.loads(run(self.relief, "convert", mesh, "-o", patches, "--json", *conversion))["samples"]
+            times = [self.render(patches, f"{name}_{side}.exr", "--engine", "ewa", "--frames", 3, "--size",
+                                 f"{side}x{side}", *options)["frame_ms"] for side in (256, 512)]
+            self.render(mesh, f"{name}_truth.exr", "--engine", "raytrace", "--samples", 16, "--size", "512x512", *options)
+            print(f"| {name} | {samples} | {times[0]:.0f} | {times[1]:.0f} |",
+                  self.error(f"{name}_512.exr", f"{name}_truth.exr"), "|", flush=True)
+        self.montage("volume_surfaces", [self.png(f"{name}_512.exr") for name in scenes], 3, "400x400")
+
 
 def main():
     parser = argparse.ArgumentParser()
@@ -149,7 +207,8 @@ def main():
     parser.add_argument("--only", default="zebra,kernels,inside,surfaces")
     parser.add_argument("--work", type=pathlib.Path, help="keeps all images there")
     arguments = parser.parse_args()
-    parts = {"zebra": Figures.draw_filters, "kernels": Figures.draw_kernels}
+    parts = {"zebra": Figures.draw_filters, "kernels": Figures.draw_kernels,
+             "inside": Figures.draw_inside, "surfaces": Figures.draw_surfaces}
     for name in arguments.only.split(","):
         if name not in parts:
             sys.exit(f"make_volume_figures.py: there is no figure {name}; take {', '.join(parts)}")
