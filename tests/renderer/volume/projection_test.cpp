@@ -69,7 +69,8 @@ double error_at(const TrueKernel& kernel, double deviations) {
 TEST(Projection, NumericalIntegralIsTheClosedForm) {
   for (const double sigma : {0.01, 0.1, 0.5}) {
     const glm::dvec3 centre(0.2, -0.1, 0.9);
-    for (const glm::dvec3 through : {centre, glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(1.0, 0.5, 1.0)}) {
+    for (const glm::dvec3 through :
+         {centre, glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(1.0, 0.5, 1.0)}) {
       const glm::dvec3 d = glm::normalize(through);
       const double along = glm::dot(centre, d);
       const glm::dvec3 off = centre - along * d;

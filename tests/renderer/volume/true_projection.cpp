@@ -60,7 +60,8 @@ double integral_along(const TrueKernel& kernel, glm::dvec3 through) {
   const glm::dvec3 direction = glm::normalize(through);
   const glm::dmat3 variance = matrix_of(kernel.variance);
   const glm::dmat3 conic = glm::inverse(variance);
-  const double peak = std::pow(2.0 * std::numbers::pi, -1.5) / std::sqrt(glm::determinant(variance));
+  const double peak =
+      std::pow(2.0 * std::numbers::pi, -1.5) / std::sqrt(glm::determinant(variance));
   const auto density = [&](double along) {
     const glm::dvec3 off = along * direction - kernel.centre;
     return peak * std::exp(-0.5 * glm::dot(off, conic * off));
