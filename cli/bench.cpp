@@ -242,7 +242,7 @@ void add_bench(CLI::App& app, Command& command) {
       ->check(count_from(1, 100000))
       ->option_text("N");
   add_platform_option(*sub, image.platform);
-  add_volume_options(*sub, image.volume);
+  add_raw_option(*sub, image.volume);
   sub->add_option("--plot", arguments->plot,
                   "SVG to write a plot of accuracy against time to, with the Pareto front marked "
                   "(default: none)")

@@ -118,7 +118,7 @@ void add_view(CLI::App& app, Command& command) {
       ->option_text("FILE|none");
   add_flip_option(*sub, arguments->flips_v);
   add_read_options(*sub, arguments->read);
-  add_volume_options(*sub, arguments->volume);
+  add_raw_option(*sub, arguments->volume);
   sub->add_option("--target-ms", arguments->target_ms,
                   "Time of a frame while the camera moves, milliseconds, 5 to 1000: coarser "
                   "pictures keep it (default: that of the last window, at first 33)")
