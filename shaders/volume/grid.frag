@@ -5,6 +5,7 @@
 #include "include/shared.h"
 #include "volume/layout.h"
 #include "volume/compositing.glsl"
+#include "volume/sheets_met.glsl"
 
 layout(std140, binding = RELIEF_VOLUME_BIND_GRID) uniform GridBlock { VolumeGrid grid; };
 /// Colour and extinction, of the scales that the grid has.
@@ -18,9 +19,11 @@ layout(binding = RELIEF_VOLUME_TEXTURE_NORMALS) uniform sampler3D normals;
 /// A symmetric 2 x 2 matrix: xx, xy, yy.
 float determinant_of(vec3 m) { return m.x * m.z - m.y * m.y; }
 
-/// Widens the variance of a kernel (sheet coordinates) by the filter. `right` and `up`: what a pixel
-/// is in the sheet.
-vec3 filtered(vec3 variance, vec2 right, vec2 up) {
+/// Widens the variance of a kernel (sheet coordinates) by the filter, where a ray meets a sheet.
+vec3 filtered(vec3 variance, vec2 uv, float from_middle, float per_w) {
+  // What a pixel is in the sheet.
+  vec2 right = (grid.place_x.xy + from_middle * grid.along_x.xy - uv * grid.along_x.z) * per_w;
+  vec2 up = (grid.place_y.xy + from_middle * grid.along_y.xy - uv * grid.along_y.z) * per_w;
   if (grid.camera.z != 0.0) {
     // In pixels: the inverse of the columns right and up on both sides.
     float area = right.x * up.y - right.y * up.x;
@@ -57,19 +60,31 @@ void main() {
   float scale = grid.place_x.w * step_length / (6.283185307 * kept);
   int last = grid.w.w - 1;
   int direction = along.z < 0.0 ? -1 : 1;
-  // The first sheet that lies before the eye.
-  float first = grid.kernel.z * along.z - place.z + grid.place_origin.w;
-  int k = direction > 0 ? int(clamp(ceil(first), 0.0, float(last) + 1.0))
-                        : int(clamp(floor(first), -1.0, float(last)));
   ivec2 size = ivec2(grid.u.w, grid.v.w);
+  vec2 on_middle = place.xy * per_w;
+
+  // A footprint is a convex function of the sheet: it is largest in the first or the last one.
+  float far = 0.0;
+  for (int end = 0; end < 2; ++end) {
+    float from_middle = float(end * last) - grid.place_origin.w;
+    vec3 variance = filtered(along_ray, on_middle + from_middle * slope, from_middle, per_w);
+    far = max(far, sqrt(cutoff * max(variance.x, variance.z)));
+  }
+  // The sheets that the ray meets where there are kernels, before the eye.
+  float first = grid.kernel.z * along.z - place.z;
+  vec2 ends = sheets_met(on_middle, slope, far, vec2(size)) + grid.place_origin.w;
+  first += grid.place_origin.w;
+  if (direction > 0) ends.x = max(ends.x, first);
+  else ends.y = min(ends.y, first);
+  ends = clamp(ends, vec2(-1.0), vec2(float(last) + 1.0));
+  int k = direction > 0 ? max(int(ceil(ends.x)), 0) : min(int(floor(ends.y)), last);
+  int left = direction > 0 ? min(int(floor(ends.y)), last) - k : k - max(int(ceil(ends.x)), 0);
 
   Pixel shown = empty_pixel();
-  while (k >= 0 && k <= last) {
+  for (; left >= 0; --left, k += direction) {
     float from_middle = float(k) - grid.place_origin.w;
-    vec2 uv = (place.xy + from_middle * along.xy) * per_w;
-    vec2 right = (grid.place_x.xy + from_middle * grid.along_x.xy - uv * grid.along_x.z) * per_w;
-    vec2 up = (grid.place_y.xy + from_middle * grid.along_y.xy - uv * grid.along_y.z) * per_w;
-    vec3 variance = filtered(along_ray, right, up);
+    vec2 uv = on_middle + from_middle * slope;
+    vec3 variance = filtered(along_ray, uv, from_middle, per_w);
     vec2 reach = sqrt(cutoff * variance.xz);
 
     ivec2 node = clamp(ivec2(floor(clamp(uv, vec2(-1.0), vec2(size)))), ivec2(0), size - 1);
@@ -77,7 +92,9 @@ void main() {
     float clear = float((int(texelFetch(distances, block, 0).x) - 1) * kVolumeBlock);
     clear -= max(reach.x, reach.y);
     if (clear > 0.0) {
-      k += direction * max(int(ceil(clear / spread)), 1);
+      int steps = max(int(ceil(clear / spread)), 1) - 1;
+      k += direction * steps;
+      left -= steps;
       continue;
     }
 
@@ -117,7 +134,6 @@ void main() {
     layer.normal *= peak;
     layer.place *= peak;
     if (end_layer(shown, layer)) break;
-    k += direction;
   }
   write_pixel(shown);
 }

@@ -25,7 +25,7 @@ std::optional<SheetAtlas> sheet_atlas(glm::ivec3 size, int most) {
   const glm::ivec2 pitch = (glm::ivec2(size) + kSquare - 1) / kSquare * kSquare + 2 * kSheetMargin;
   if (std::max(pitch.x, pitch.y) > most) return std::nullopt;
   // About as high as wide.
-  const double wide = std::sqrt(double{pitch.y} * size.z / pitch.x);
+  const double wide = std::sqrt(static_cast<double>(pitch.y) * size.z / pitch.x);
   const int columns = std::clamp(static_cast<int>(std::ceil(wide)), 1, most / pitch.x);
   const int rows = (size.z + columns - 1) / columns;
   if (rows > most / pitch.y) return std::nullopt;

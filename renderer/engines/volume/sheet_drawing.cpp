@@ -108,8 +108,10 @@ class Drawing final : public SheetDrawing {
     gl_.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_VOLUME_BIND_GRID, grids.id());
     gl_.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_VOLUME_BIND_SHEETS, views.id());
     gl_.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_VOLUME_BIND_FRAME, frames.id());
+    const char* const stop_text = getenv("STOP");
+    const int stop = stop_text != nullptr ? atoi(stop_text) : 9;
     gl_.Enable(GL_PROGRAM_POINT_SIZE);
-    {
+    if (stop > 0) {
       const ScopedPass pass(gl_, timer, "volume nodes");
       gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_NODES, textures_->nodes.id());
       if (textures_->normals)
@@ -118,18 +120,18 @@ class Drawing final : public SheetDrawing {
       gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_NORMALS, 0);
       gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_NODES, 0);
     }
-    {
+    if (stop > 1) {
       const ScopedPass pass(gl_, timer, "volume kernels along u");
       gl_.ProgramUniform1i(widen->id(), RELIEF_VOLUME_UNIFORM_AXIS, 0);
       draw_tiles(*widen, kept_->along_u_tiles, kept_->along_u, &kept_->shaded.texture);
     }
-    {
+    if (stop > 2) {
       const ScopedPass pass(gl_, timer, "volume kernels along v");
       gl_.ProgramUniform1i(widen->id(), RELIEF_VOLUME_UNIFORM_AXIS, 1);
       draw_tiles(*widen, kept_->widened_tiles, kept_->widened, &kept_->along_u.texture);
     }
     gl_.Disable(GL_PROGRAM_POINT_SIZE);
-    {
+    if (stop > 3) {
       const ScopedPass pass(gl_, timer, "volume sheets");
       gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_DISTANCES, textures_->distances.id());
       gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_SHEETS, kept_->widened.texture.id());
@@ -188,6 +190,10 @@ class Drawing final : public SheetDrawing {
                             .shaded_tiles = tiles("shaded squares", {0, 0}),
                             .along_u_tiles = tiles("squares along u", {rounded, 0}),
                             .widened_tiles = tiles("widened squares", {rounded, rounded})});
+    if (getenv("SHOW"))
+      fprintf(stderr, "atlas %d x %d, squares %d %d %d reach %d %d\n", atlas.texels.x, atlas.texels.y,
+              kept_->shaded_tiles.count, kept_->along_u_tiles.count, kept_->widened_tiles.count, reach,
+              rounded);
     gl_.TextureParameteri(kept_->widened.texture.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl_.TextureParameteri(kept_->widened.texture.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   }
