@@ -16,7 +16,7 @@ using glm::uvec4;
 // Binding points of these passes.
 #define RELIEF_VOLUME_BIND_RULE 0
 #define RELIEF_VOLUME_BIND_GRID 1
-#define RELIEF_VOLUME_BIND_SHEETS 2
+#define RELIEF_VOLUME_BIND_NODES 2
 #define RELIEF_VOLUME_BIND_FRAME 3
 #define RELIEF_VOLUME_TEXTURE_SPLATS 0
 #define RELIEF_VOLUME_TEXTURE_ENTRIES 1
@@ -24,11 +24,7 @@ using glm::uvec4;
 #define RELIEF_VOLUME_TEXTURE_NODES 0
 #define RELIEF_VOLUME_TEXTURE_DISTANCES 1
 #define RELIEF_VOLUME_TEXTURE_NORMALS 2
-#define RELIEF_VOLUME_TEXTURE_TILES 3
-#define RELIEF_VOLUME_TEXTURE_SHEETS 4
-
-/// Uniform of the pass that widens kernels: along which axis of a sheet.
-#define RELIEF_VOLUME_UNIFORM_AXIS 0
+#define RELIEF_VOLUME_TEXTURE_SQUARES 3
 
 // VolumeRule::flags.
 #define RELIEF_VOLUME_PEAK 1u         // weights are opacities, not optical depths
@@ -69,23 +65,16 @@ struct VolumeGrid {
   ivec4 w;
 };
 
-/// A regular grid's sheets beside one another in one texture, as they are shaded and prefiltered.
-/// Sheet coordinates as VolumeGrid's.
-struct VolumeSheets {
-  vec4 eye;       ///< xyz; of an orthographic camera the direction of all rays; w: 1 if it is one
-  vec4 depth;     ///< change of the depth for a step along u, v, w; w: at (0, 0, 0)
-  vec4 from_eye;  ///< from the eye to (0, 0, 0), world units
-  vec4 step_u;    ///< world
-  vec4 step_v;
-  vec4 step_w;
-  /// What is left of a variance where kernels end at the cutoff; the variance that reading a sheet
-  /// adds; nodes that kernels are widened over, either way; 0.
-  vec4 kernel;
-  vec4 texture;  ///< texels of a row and a column; 0, 0
-  ivec4 atlas;  ///< sheets in a row, texels from one to the next along u and v, texels around each
+/// A regular grid's nodes as they are lit. Nodes of the box that holds all kernels.
+struct VolumeNodes {
+  vec4 from_eye;  ///< from the eye to node (0, 0, 0), world units
+  vec4 step_x;    ///< world
+  vec4 step_y;
+  vec4 step_z;
+  vec4 size;  ///< nodes along x, y, z; w: albedo of a texel's 1
 };
 
-RELIEF_CONST int kVolumeSheetTile = 16;  ///< texels along the side of what is shaded in one piece
+RELIEF_CONST int kVolumeSquare = 16;  ///< nodes along the side of what is lit in one piece
 RELIEF_CONST int kVolumeBlock = 4;  ///< nodes along a block's side
 RELIEF_CONST int kVolumeSplatRows = 5;
 RELIEF_CONST int kVolumeTile = 16;  ///< pixels along a tile's side
@@ -93,7 +82,7 @@ RELIEF_CONST int kVolumeTile = 16;  ///< pixels along a tile's side
 #ifdef __cplusplus
 static_assert(sizeof(VolumeSplat) == 16 * kVolumeSplatRows);
 static_assert(sizeof(VolumeGrid) == 176 && offsetof(VolumeGrid, u) == 128);
-static_assert(sizeof(VolumeSheets) == 144 && offsetof(VolumeSheets, atlas) == 128);
+static_assert(sizeof(VolumeNodes) == 80 && offsetof(VolumeNodes, size) == 64);
 static_assert(sizeof(VolumeRule) == 48 && offsetof(VolumeRule, limits) == 16);
 }  // namespace relief::shared
 #endif

@@ -7,6 +7,7 @@
 
 #include "renderer/engines/volume/grid_rays.h"
 #include "renderer/engines/volume/grid_textures.h"
+#include "renderer/engines/volume/node_lighting.h"
 #include "renderer/engines/volume/rule.h"
 #include "renderer/gl/program.h"
 #include "renderer/volume/splat_order.h"
@@ -14,38 +15,40 @@
 namespace relief::volume {
 namespace {
 
-class GridDrawing final : public VolumeDrawing {
+class Drawing final : public GridDrawing {
  public:
-  GridDrawing(const Gl& gl, const ScalarVolume& volume)
-      : gl_(gl), volume_(volume), nothing_(gl, "no attributes") {}
+  Drawing(const Gl& gl, const ScalarVolume& volume)
+      : gl_(gl), volume_(volume), nothing_(gl, "no attributes"), lighting_(gl) {}
+
+  bool lights_nodes(const RenderSettings& settings) override {
+    return lighting_.can_light(settings);
+  }
 
   Status draw(const VolumeFrame& frame, const VolumeTargets& targets, PassTimer& timer,
               const Progress& /*progress*/) override {
     RELIEF_TRY_ASSIGN(const Program* const program, program_for(frame.features));
     const auto& grid = std::get<RegularGrid>(volume_.placement);
-    const bool needs_normals = frame.features.has(RELIEF_FEATURE_OUT_NORMAL);
-    if (!textures_ || frame.cloud_version != version_ || (needs_normals && !textures_->normals)) {
-      textures_ = make_grid_textures(gl_, frame, grid, needs_normals);
-      version_ = frame.cloud_version;
-    }
-    set_colours(gl_, frame, frame.colours, *textures_);
+    const bool is_lit_here = frame.colours.empty();
+    prepare(frame, grid, is_lit_here);
     RELIEF_TRY(check_errors(gl_, "the volume"));
     shared::VolumeGrid rays = grid_rays(frame, grid).value();
     rays.place_x.w = textures_->extinction;
-    rays.place_y.w = textures_->colour;
+    rays.place_y.w = is_lit_here ? 1.0F : textures_->colour;
     shared::VolumeRule rule = shader_rule(frame);
     rule.limits.z = kSeenThrough;
     const Buffer rules =
         make_buffer(gl_, "volume rule", std::span<const shared::VolumeRule>(&rule, 1));
     const Buffer grids =
         make_buffer(gl_, "volume grid", std::span<const shared::VolumeGrid>(&rays, 1));
+    const Texture& nodes =
+        is_lit_here ? lighting_.light(frame, grid, *textures_, timer) : textures_->nodes;
     const ScopedPass pass(gl_, timer, "volume sheets");
     gl_.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_VOLUME_BIND_GRID, grids.id());
-    gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_NODES, textures_->nodes.id());
+    gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_NODES, nodes.id());
     gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_DISTANCES, textures_->distances.id());
     if (textures_->normals)
       gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_NORMALS, textures_->normals->id());
-    draw_screen(gl_, targets, *program, rules, nothing_);
+    if (!getenv("NOREAD")) draw_screen(gl_, targets, *program, rules, nothing_);
     gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_NORMALS, 0);
     gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_DISTANCES, 0);
     gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_NODES, 0);
@@ -56,6 +59,23 @@ class GridDrawing final : public VolumeDrawing {
  private:
   /// Where a ray ends: what is behind adds less than an 8-bit image can show.
   static constexpr float kSeenThrough = 1e-4F;
+
+  /// Makes what depends on the kernels, if they are others than before, and sets colours.
+  void prepare(const VolumeFrame& frame, const RegularGrid& grid, bool is_lit_here) {
+    const bool needs_normals = is_lit_here || frame.features.has(RELIEF_FEATURE_OUT_NORMAL);
+    if (!textures_ || frame.cloud_version != version_ || (needs_normals && !textures_->normals)) {
+      textures_ = make_grid_textures(gl_, frame, grid, needs_normals);
+      version_ = frame.cloud_version;
+      has_own_colours_ = false;
+      lighting_.reset();
+    }
+    if (!is_lit_here) {
+      set_colours(gl_, frame, frame.colours, *textures_);
+    } else if (!has_own_colours_) {
+      set_colours(gl_, frame, frame.cloud.colours, *textures_);
+    }
+    has_own_colours_ = is_lit_here;
+  }
 
   Result<const Program*> program_for(Features features) {
     auto found = programs_.find(features);
@@ -71,7 +91,9 @@ class GridDrawing final : public VolumeDrawing {
   const ScalarVolume& volume_;
   VertexArray nothing_;
   std::map<Features, Program> programs_;
+  NodeLighting lighting_;
   std::optional<GridTextures> textures_;
+  bool has_own_colours_ = false;  ///< the textures: the kernels' colours, which are to be lit
   std::uint64_t version_ = 0;
 };
 
@@ -90,8 +112,8 @@ bool is_for_grid(const Gl& gl, const VolumeFrame& frame, const ScalarVolume* vol
   return grid_rays(frame, *grid).has_value();
 }
 
-std::unique_ptr<VolumeDrawing> make_grid_drawing(const Gl& gl, const ScalarVolume& volume) {
-  return std::make_unique<GridDrawing>(gl, volume);
+std::unique_ptr<GridDrawing> make_grid_drawing(const Gl& gl, const ScalarVolume& volume) {
+  return std::make_unique<Drawing>(gl, volume);
 }
 
 }  // namespace relief::volume

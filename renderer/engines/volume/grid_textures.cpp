@@ -19,15 +19,6 @@ std::size_t texel_of(const KernelCloud& cloud, const NodeBox& box, std::size_t k
   return in_box.x + std::size_t{size.x} * (in_box.y + std::size_t{size.y} * in_box.z);
 }
 
-Texture make_grid_texture(const Gl& gl, const char* label, GLenum format, glm::uvec3 size) {
-  Texture texture(gl, label, GLenum{GL_TEXTURE_3D});
-  gl.TextureStorage3D(texture.id(), 1, format, static_cast<GLsizei>(size.x),
-                      static_cast<GLsizei>(size.y), static_cast<GLsizei>(size.z));
-  gl.TextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  gl.TextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  return texture;
-}
-
 void upload(const Gl& gl, const Texture& texture, glm::uvec3 size, GLenum format, GLenum type,
             const void* texels) {
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -42,6 +33,15 @@ std::uint16_t share_of(float value, float of) {
 }
 
 }  // namespace
+
+Texture make_grid_texture(const Gl& gl, const char* label, GLenum format, glm::uvec3 size) {
+  Texture texture(gl, label, GLenum{GL_TEXTURE_3D});
+  gl.TextureStorage3D(texture.id(), 1, format, static_cast<GLsizei>(size.x),
+                      static_cast<GLsizei>(size.y), static_cast<GLsizei>(size.z));
+  gl.TextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl.TextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  return texture;
+}
 
 GridTextures make_grid_textures(const Gl& gl, const VolumeFrame& frame, const RegularGrid& grid,
                                 bool needs_normals) {

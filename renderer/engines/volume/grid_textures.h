@@ -15,7 +15,7 @@ namespace relief::volume {
 
 /// What does not change with the view, and the colours that were set last.
 struct GridTextures {
-  Texture nodes;      ///< RGBA16: colour and extinction, in shares of what follows
+  Texture nodes;      ///< RGBA16: colour and extinction, as shares of what follows
   Texture distances;  ///< block_distances
   std::optional<Texture> normals = {};
   float extinction = 0.0F;  ///< of a texel's 1, per step of a sheet
@@ -23,6 +23,10 @@ struct GridTextures {
   std::vector<glm::u16vec4> texels = {};
   std::vector<glm::vec3> colours = {};  ///< those of the texels
 };
+
+/// One level, read texel by texel.
+[[nodiscard]] Texture make_grid_texture(const Gl& gl, const char* label, GLenum format,
+                                        glm::uvec3 size);
 
 /// Textures of the frame's cloud, without colours. Normals are those of kernels, 0 elsewhere.
 [[nodiscard]] GridTextures make_grid_textures(const Gl& gl, const VolumeFrame& frame,

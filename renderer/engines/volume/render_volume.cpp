@@ -11,7 +11,6 @@
 #include "renderer/engines/volume/grid_rays.h"
 #include "renderer/engines/volume/list_drawing.h"
 #include "renderer/engines/volume/quad_drawing.h"
-#include "renderer/engines/volume/sheet_drawing.h"
 #include "renderer/frame/features.h"
 #include "renderer/frame/gl_frame.h"
 #include "renderer/gl/open_gl.h"
@@ -30,7 +29,7 @@ class Prepared final : public PreparedModel {
         lists_(make_list_drawing(gl())) {
     const ScalarVolume* const volume = model_.volume();
     if (volume != nullptr && std::holds_alternative<RegularGrid>(volume->placement))
-      grid_ = make_grid_drawing(gl(), *volume), sheets_ = make_sheet_drawing(gl(), *volume);
+      grid_ = make_grid_drawing(gl(), *volume);
   }
 
   Result<RenderResult> render(const RenderSettings& settings, Progress& progress) override {
@@ -87,13 +86,11 @@ class Prepared final : public PreparedModel {
                             .spacing = model_.spacing(),
                             .features = features};
     const bool is_grid = is_for_grid(gl(), frame, model_.volume());
-    const bool is_sheets = is_grid && getenv("EXACT") == nullptr && sheets_->is_for(frame);
     std::vector<glm::vec3> colours;
-    if (!is_sheets || !shades_nodes(settings)) {
+    if (!is_grid || !grid_->lights_nodes(settings)) {
       RELIEF_TRY_ASSIGN(colours, model_.colours(cloud, settings, view, *environments_));
       frame.colours = colours;
     }
-    if (is_sheets) return sheets_->draw(frame, targets, timer, progress);
     if (is_grid) return grid_->draw(frame, targets, timer, progress);
     return (is_for_quads(frame) ? *quads_ : *lists_).draw(frame, targets, timer, progress);
   }
@@ -103,8 +100,7 @@ class Prepared final : public PreparedModel {
   VolumeModel model_;
   std::optional<NodeBox> box_;  ///< of the kernels of this version
   std::uint64_t box_version_ = 0;
-  std::unique_ptr<VolumeDrawing> grid_;  ///< of a regular grid
-  std::unique_ptr<SheetDrawing> sheets_;
+  std::unique_ptr<GridDrawing> grid_;  ///< of a regular grid
   std::unique_ptr<VolumeDrawing> quads_;
   std::unique_ptr<VolumeDrawing> lists_;
 };
