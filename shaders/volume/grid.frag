@@ -12,6 +12,8 @@ layout(std140, binding = RELIEF_VOLUME_BIND_GRID) uniform GridBlock { VolumeGrid
 layout(binding = RELIEF_VOLUME_TEXTURE_NODES) uniform sampler3D nodes;
 /// Blocks from each block to the nearest one with kernels.
 layout(binding = RELIEF_VOLUME_TEXTURE_DISTANCES) uniform usampler3D distances;
+/// Squares of a sheet from each one to the nearest one with kernels: u, v, sheet.
+layout(binding = RELIEF_VOLUME_TEXTURE_SHEET_DISTANCES) uniform usampler3D sheet_distances;
 #if RELIEF_FEATURES & RELIEF_FEATURE_OUT_NORMAL
 layout(binding = RELIEF_VOLUME_TEXTURE_NORMALS) uniform sampler3D normals;
 #endif
@@ -98,11 +100,16 @@ void main() {
       continue;
     }
 
+    // Nothing to gather in this sheet?
+    uint squares = texelFetch(sheet_distances, ivec3(node / kVolumeSheetBlock, k), 0).x;
+    if (float((int(squares) - 1) * kVolumeSheetBlock) > max(reach.x, reach.y)) continue;
+
     float determinant = determinant_of(variance);
     vec3 shape = vec3(variance.z, -variance.y, variance.x) / determinant;
     float peak = scale * inversesqrt(determinant);
     ivec2 low = ivec2(max(ceil(uv - reach), vec2(0.0)));
     ivec2 high = ivec2(min(floor(uv + reach), vec2(size - 1)));
+    float fall = exp(-shape.x);
     Layer layer = empty_layer();
     for (int j = low.y; j <= high.y; ++j) {
       vec2 d;
@@ -113,27 +120,35 @@ void main() {
       float row_middle = uv.x + b / shape.x;
       int begin = max(int(ceil(row_middle - half_width)), low.x);
       int end = min(int(floor(row_middle + half_width)), high.x);
-      ivec3 row = j * grid.v.xyz + k * grid.w.xyz;
+      // exp(-q / 2) from node to node: the ratio of neighbours changes by a constant factor.
+      d.x = uv.x - float(begin);
+      float weight = exp(-0.5 * (shape.x * d.x * d.x + 2.0 * b * d.x + shape.z * d.y * d.y));
+      float ratio = exp(shape.x * (d.x - 0.5) + b);
+      ivec3 texel = begin * grid.u.xyz + j * grid.v.xyz + k * grid.w.xyz;
       for (int i = begin; i <= end; ++i) {
-        d.x = uv.x - float(i);
-        float q = shape.x * d.x * d.x + 2.0 * shape.y * d.x * d.y + shape.z * d.y * d.y;
-        ivec3 texel = row + i * grid.u.xyz;
         vec4 found = texelFetch(nodes, texel, 0);
-        float weight = q < cutoff ? found.a * exp(-0.5 * q) : 0.0;
         vec3 normal = vec3(0.0);
 #if RELIEF_FEATURES & RELIEF_FEATURE_OUT_NORMAL
         normal = texelFetch(normals, texel, 0).xyz;
 #endif
         // The kernel's mean place on the ray.
-        float off = -dot(slope, d) / (1.0 + dot(slope, slope));
-        add(layer, weight, found.rgb, normal, (place.z + from_middle + off) * per_w);
+        float off = -dot(slope, vec2(uv.x - float(i), d.y)) / (1.0 + dot(slope, slope));
+        add(layer, found.a * weight, found.rgb, normal, (place.z + from_middle + off) * per_w);
+        texel += grid.u.xyz;
+        weight *= ratio;
+        ratio *= fall;
       }
     }
     layer.depth_sum *= peak;
     layer.colour *= peak * grid.place_y.w;
     layer.normal *= peak;
     layer.place *= peak;
-    if (end_layer(shown, layer)) break;
+    if (end_layer(shown, layer)) {
+      // What is behind is taken to look like what is seen.
+      shown.colour /= 1.0 - shown.transmittance;
+      shown.transmittance = 0.0;
+      break;
+    }
   }
   write_pixel(shown);
 }

@@ -25,6 +25,7 @@ using glm::uvec4;
 #define RELIEF_VOLUME_TEXTURE_DISTANCES 1
 #define RELIEF_VOLUME_TEXTURE_NORMALS 2
 #define RELIEF_VOLUME_TEXTURE_SQUARES 3
+#define RELIEF_VOLUME_TEXTURE_SHEET_DISTANCES 4
 
 // VolumeRule::flags.
 #define RELIEF_VOLUME_PEAK 1u         // weights are opacities, not optical depths
@@ -74,8 +75,9 @@ struct VolumeNodes {
   vec4 size;  ///< nodes along x, y, z; w: albedo of a texel's 1
 };
 
-RELIEF_CONST int kVolumeSquare = 16;  ///< nodes along the side of what is lit in one piece
-RELIEF_CONST int kVolumeBlock = 4;  ///< nodes along a block's side
+RELIEF_CONST int kVolumeSquare = 16;     ///< nodes along the side of what is lit in one piece
+RELIEF_CONST int kVolumeSheetBlock = 2;  ///< nodes along the side of a square of a sheet
+RELIEF_CONST int kVolumeBlock = 4;       ///< nodes along a block's side
 RELIEF_CONST int kVolumeSplatRows = 5;
 RELIEF_CONST int kVolumeTile = 16;  ///< pixels along a tile's side
 

@@ -27,9 +27,10 @@ struct NodeBox {
 /// One frame of a cloud of kernels.
 struct VolumeFrame {
   const KernelCloud& cloud;
-  std::uint64_t cloud_version = 0;     ///< another one when the cloud has changed
-  NodeBox box;                         ///< of a grid that is not empty
-  std::span<const glm::vec3> colours;  ///< of each kernel, as it is blended; empty: GridDrawing lights
+  std::uint64_t cloud_version = 0;  ///< another one when the cloud has changed
+  NodeBox box;                      ///< of a grid that is not empty
+  std::span<const glm::vec3>
+      colours;  ///< of each kernel, as it is blended; empty: GridDrawing lights
   const View& view;
   const RenderSettings& settings;
   bool is_antialiased = false;

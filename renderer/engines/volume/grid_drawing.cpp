@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "renderer/engines/volume/block_distances.h"
 #include "renderer/engines/volume/grid_rays.h"
 #include "renderer/engines/volume/grid_textures.h"
 #include "renderer/engines/volume/node_lighting.h"
@@ -14,6 +15,12 @@
 
 namespace relief::volume {
 namespace {
+
+/// sheet_distances() of sheets across that axis.
+struct SheetDistances {
+  glm::uvec3 axes;
+  Texture distances;
+};
 
 class Drawing final : public GridDrawing {
  public:
@@ -32,6 +39,7 @@ class Drawing final : public GridDrawing {
     prepare(frame, grid, is_lit_here);
     RELIEF_TRY(check_errors(gl_, "the volume"));
     shared::VolumeGrid rays = grid_rays(frame, grid).value();
+    prepare_sheets(frame, rays);
     rays.place_x.w = textures_->extinction;
     rays.place_y.w = is_lit_here ? 1.0F : textures_->colour;
     shared::VolumeRule rule = shader_rule(frame);
@@ -46,9 +54,11 @@ class Drawing final : public GridDrawing {
     gl_.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_VOLUME_BIND_GRID, grids.id());
     gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_NODES, nodes.id());
     gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_DISTANCES, textures_->distances.id());
+    gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_SHEET_DISTANCES, sheets_->distances.id());
     if (textures_->normals)
       gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_NORMALS, textures_->normals->id());
-    if (!getenv("NOREAD")) draw_screen(gl_, targets, *program, rules, nothing_);
+    draw_screen(gl_, targets, *program, rules, nothing_);
+    gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_SHEET_DISTANCES, 0);
     gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_NORMALS, 0);
     gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_DISTANCES, 0);
     gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_NODES, 0);
@@ -57,8 +67,9 @@ class Drawing final : public GridDrawing {
   }
 
  private:
-  /// Where a ray ends: what is behind adds less than an 8-bit image can show.
-  static constexpr float kSeenThrough = 1e-4F;
+  /// Where a ray ends. What is behind is taken to look like what is seen, so that this bounds the
+  /// error of a colour's share, too.
+  static constexpr float kSeenThrough = 1e-3F;
 
   /// Makes what depends on the kernels, if they are others than before, and sets colours.
   void prepare(const VolumeFrame& frame, const RegularGrid& grid, bool is_lit_here) {
@@ -68,6 +79,7 @@ class Drawing final : public GridDrawing {
       version_ = frame.cloud_version;
       has_own_colours_ = false;
       lighting_.reset();
+      sheets_.reset();
     }
     if (!is_lit_here) {
       set_colours(gl_, frame, frame.colours, *textures_);
@@ -75,6 +87,21 @@ class Drawing final : public GridDrawing {
       set_colours(gl_, frame, frame.cloud.colours, *textures_);
     }
     has_own_colours_ = is_lit_here;
+  }
+
+  /// Makes what depends on the axis across the sheets, if it is another one than before.
+  void prepare_sheets(const VolumeFrame& frame, const shared::VolumeGrid& rays) {
+    const auto axis = [](glm::ivec4 unit) { return unit.x != 0 ? 0U : unit.y != 0 ? 1U : 2U; };
+    const glm::uvec3 axes(axis(rays.u), axis(rays.v), axis(rays.w));
+    if (sheets_ && sheets_->axes == axes) return;
+    const auto squares = [](int nodes) {
+      return static_cast<std::uint32_t>((nodes - 1) / shared::kVolumeSheetBlock + 1);
+    };
+    const glm::uvec3 size(squares(rays.u.w), squares(rays.v.w), rays.w.w);
+    sheets_.emplace(
+        SheetDistances{axes, make_grid_texture(gl_, "distances in sheets", GL_R8UI, size)});
+    upload_grid(gl_, sheets_->distances, size, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
+                sheet_distances(textures_->texels, frame.box.size(), axes).data());
   }
 
   Result<const Program*> program_for(Features features) {
@@ -93,6 +120,7 @@ class Drawing final : public GridDrawing {
   std::map<Features, Program> programs_;
   NodeLighting lighting_;
   std::optional<GridTextures> textures_;
+  std::optional<SheetDistances> sheets_;
   bool has_own_colours_ = false;  ///< the textures: the kernels' colours, which are to be lit
   std::uint64_t version_ = 0;
 };

@@ -19,15 +19,6 @@ std::size_t texel_of(const KernelCloud& cloud, const NodeBox& box, std::size_t k
   return in_box.x + std::size_t{size.x} * (in_box.y + std::size_t{size.y} * in_box.z);
 }
 
-void upload(const Gl& gl, const Texture& texture, glm::uvec3 size, GLenum format, GLenum type,
-            const void* texels) {
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl.TextureSubImage3D(texture.id(), 0, 0, 0, 0, static_cast<GLsizei>(size.x),
-                       static_cast<GLsizei>(size.y), static_cast<GLsizei>(size.z), format, type,
-                       texels);
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-}
-
 std::uint16_t share_of(float value, float of) {
   return static_cast<std::uint16_t>(std::lround(std::clamp(value / of, 0.0F, 1.0F) * 65535.0F));
 }
@@ -41,6 +32,15 @@ Texture make_grid_texture(const Gl& gl, const char* label, GLenum format, glm::u
   gl.TextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   gl.TextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   return texture;
+}
+
+void upload_grid(const Gl& gl, const Texture& texture, glm::uvec3 size, GLenum format, GLenum type,
+                 const void* texels) {
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl.TextureSubImage3D(texture.id(), 0, 0, 0, 0, static_cast<GLsizei>(size.x),
+                       static_cast<GLsizei>(size.y), static_cast<GLsizei>(size.z), format, type,
+                       texels);
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 
 GridTextures make_grid_textures(const Gl& gl, const VolumeFrame& frame, const RegularGrid& grid,
@@ -62,11 +62,11 @@ GridTextures make_grid_textures(const Gl& gl, const VolumeFrame& frame, const Re
     if (needs_normals)
       normals[texel] = glm::i8vec4(glm::round(127.0F * glm::vec4(cloud.normals[k], 0.0F)));
   }
-  upload(gl, textures.distances, blocks, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
-         block_distances(textures.texels, size).data());
+  upload_grid(gl, textures.distances, blocks, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
+              block_distances(textures.texels, size).data());
   if (!needs_normals) return textures;
   textures.normals = make_grid_texture(gl, "node normals", GL_RGBA8_SNORM, size);
-  upload(gl, *textures.normals, size, GL_RGBA, GL_BYTE, normals.data());
+  upload_grid(gl, *textures.normals, size, GL_RGBA, GL_BYTE, normals.data());
   return textures;
 }
 
@@ -85,7 +85,8 @@ void set_colours(const Gl& gl, const VolumeFrame& frame, std::span<const glm::ve
     texel.y = share_of(colours[k].y, most);
     texel.z = share_of(colours[k].z, most);
   });
-  upload(gl, textures.nodes, frame.box.size(), GL_RGBA, GL_UNSIGNED_SHORT, textures.texels.data());
+  upload_grid(gl, textures.nodes, frame.box.size(), GL_RGBA, GL_UNSIGNED_SHORT,
+              textures.texels.data());
 }
 
 }  // namespace relief::volume

@@ -28,6 +28,10 @@ struct GridTextures {
 [[nodiscard]] Texture make_grid_texture(const Gl& gl, const char* label, GLenum format,
                                         glm::uvec3 size);
 
+/// Sets all texels, whose rows are tightly packed.
+void upload_grid(const Gl& gl, const Texture& texture, glm::uvec3 size, GLenum format, GLenum type,
+                 const void* texels);
+
 /// Textures of the frame's cloud, without colours. Normals are those of kernels, 0 elsewhere.
 [[nodiscard]] GridTextures make_grid_textures(const Gl& gl, const VolumeFrame& frame,
                                               const RegularGrid& grid, bool needs_normals);

@@ -59,11 +59,10 @@ bool NodeLighting::can_light(const RenderSettings& settings) {
   if (!features.has(RELIEF_FEATURE_LIT) || features.without(kLights).bits != 0) return false;
   auto found = programs_.find(features);
   if (found == programs_.end()) {
-    auto made =
-        make_program(gl_, "volume nodes", "volume/node.vert", "volume/node.frag", features);
-    found = programs_
-                .emplace(features, made ? std::optional<Program>(*std::move(made)) : std::nullopt)
-                .first;
+    auto made = make_program(gl_, "volume nodes", "volume/node.vert", "volume/node.frag", features);
+    found =
+        programs_.emplace(features, made ? std::optional<Program>(*std::move(made)) : std::nullopt)
+            .first;
   }
   return found->second.has_value();
 }

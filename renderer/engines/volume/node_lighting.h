@@ -23,8 +23,8 @@ class NodeLighting {
 
   /// Lit colours and extinctions (RGBA16F), until the next call. `nodes`: with the kernels' own
   /// colours and with normals, the same ones since the last reset().
-  const Texture& light(const VolumeFrame& frame, const RegularGrid& grid,
-                       const GridTextures& nodes, PassTimer& timer);
+  const Texture& light(const VolumeFrame& frame, const RegularGrid& grid, const GridTextures& nodes,
+                       PassTimer& timer);
 
  private:
   struct Kept {

@@ -77,14 +77,14 @@ class Prepared final : public PreparedModel {
     if (gl().recorder != nullptr) gl().recorder->begin_frame();
     clear_volume_targets(gl(), targets);
     VolumeFrame frame{.cloud = cloud,
-                            .cloud_version = model_.version(),
-                            .box = *box_,
-                            .colours = {},
-                            .view = view,
-                            .settings = settings,
-                            .is_antialiased = model_.is_antialiased(),
-                            .spacing = model_.spacing(),
-                            .features = features};
+                      .cloud_version = model_.version(),
+                      .box = *box_,
+                      .colours = {},
+                      .view = view,
+                      .settings = settings,
+                      .is_antialiased = model_.is_antialiased(),
+                      .spacing = model_.spacing(),
+                      .features = features};
     const bool is_grid = is_for_grid(gl(), frame, model_.volume());
     std::vector<glm::vec3> colours;
     if (!is_grid || !grid_->lights_nodes(settings)) {
