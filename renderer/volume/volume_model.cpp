@@ -157,12 +157,7 @@ Result<KernelColour> VolumeModel::colour_of_part(const Part& part, const KernelC
       return gaussian_colour(gaussians, k - first, eye, seen);
     });
   }
-  // Of a volume's own material only the kind, if the image does not have several.
-  RenderSettings lit = settings;
-  if (chosen.material) {
-    lit.material = *chosen.material;
-    lit.materials.clear();
-  }
+  const RenderSettings lit = with_own_material(settings, chosen);
   const std::vector<MaterialSettings> materials = materials_of(lit);
   const std::size_t material = part.material < materials.size() ? part.material : 0;
   if (materials[material].kind == Material::Unlit)
@@ -209,6 +204,13 @@ Result<std::vector<glm::vec3>> VolumeModel::colours(const KernelCloud& kernels,
   tbb::parallel_for(std::size_t{0}, kernels.count(),
                     [&](std::size_t k) { colours[k] = colour(k); });
   return colours;
+}
+
+RenderSettings with_own_material(RenderSettings settings, const VolumeSettings& volume) {
+  if (!volume.material) return settings;
+  settings.material = *volume.material;
+  settings.materials.clear();
+  return settings;
 }
 
 View volume_view(const RenderSettings& settings) {

@@ -107,6 +107,11 @@ class VolumeModel {
   std::uint64_t version_ = 0;
 };
 
+/// The settings of an image in which a volume with a material of its own is lit. Of that material
+/// only the kind is its own.
+[[nodiscard]] RenderSettings with_own_material(RenderSettings settings,
+                                               const VolumeSettings& volume);
+
 /// Near plane of views: no part of a volume that can be told apart is nearer to the eye.
 [[nodiscard]] View volume_view(const RenderSettings& settings);
 

@@ -5,12 +5,15 @@
 #include "include/shared.h"
 #include "volume/layout.h"
 #include "volume/compositing.glsl"
+#include "volume/sheets_met.glsl"
 
 layout(std140, binding = RELIEF_VOLUME_BIND_GRID) uniform GridBlock { VolumeGrid grid; };
 /// Colour and extinction, of the scales that the grid has.
 layout(binding = RELIEF_VOLUME_TEXTURE_NODES) uniform sampler3D nodes;
 /// Blocks from each block to the nearest one with kernels.
 layout(binding = RELIEF_VOLUME_TEXTURE_DISTANCES) uniform usampler3D distances;
+/// Squares of a sheet from each one to the nearest one with kernels: u, v, sheet.
+layout(binding = RELIEF_VOLUME_TEXTURE_SHEET_DISTANCES) uniform usampler3D sheet_distances;
 #if RELIEF_FEATURES & RELIEF_FEATURE_OUT_NORMAL
 layout(binding = RELIEF_VOLUME_TEXTURE_NORMALS) uniform sampler3D normals;
 #endif
@@ -18,9 +21,11 @@ layout(binding = RELIEF_VOLUME_TEXTURE_NORMALS) uniform sampler3D normals;
 /// A symmetric 2 x 2 matrix: xx, xy, yy.
 float determinant_of(vec3 m) { return m.x * m.z - m.y * m.y; }
 
-/// Widens the variance of a kernel (sheet coordinates) by the filter. `right` and `up`: what a pixel
-/// is in the sheet.
-vec3 filtered(vec3 variance, vec2 right, vec2 up) {
+/// Widens the variance of a kernel (sheet coordinates) by the filter, where a ray meets a sheet.
+vec3 filtered(vec3 variance, vec2 uv, float from_middle, float per_w) {
+  // What a pixel is in the sheet.
+  vec2 right = (grid.place_x.xy + from_middle * grid.along_x.xy - uv * grid.along_x.z) * per_w;
+  vec2 up = (grid.place_y.xy + from_middle * grid.along_y.xy - uv * grid.along_y.z) * per_w;
   if (grid.camera.z != 0.0) {
     // In pixels: the inverse of the columns right and up on both sides.
     float area = right.x * up.y - right.y * up.x;
@@ -57,23 +62,35 @@ void main() {
   float scale = grid.place_x.w * step_length / (6.283185307 * kept);
   int last = grid.w.w - 1;
   int direction = along.z < 0.0 ? -1 : 1;
-  // The first sheet that lies before the eye.
-  float first = grid.kernel.z * along.z - place.z + grid.place_origin.w;
-  int k = direction > 0 ? int(clamp(ceil(first), 0.0, float(last) + 1.0))
-                        : int(clamp(floor(first), -1.0, float(last)));
   ivec2 size = ivec2(grid.u.w, grid.v.w);
+  vec2 on_middle = place.xy * per_w;
+
+  // A footprint is a convex function of the sheet: it is largest in the first or the last one.
+  float far = 0.0;
+  for (int end = 0; end < 2; ++end) {
+    float from_middle = float(end * last) - grid.place_origin.w;
+    vec3 variance = filtered(along_ray, on_middle + from_middle * slope, from_middle, per_w);
+    far = max(far, sqrt(cutoff * max(variance.x, variance.z)));
+  }
+  // The sheets that the ray meets where there are kernels, before the eye.
+  float first = grid.kernel.z * along.z - place.z;
+  vec2 ends = sheets_met(on_middle, slope, far, vec2(size)) + grid.place_origin.w;
+  first += grid.place_origin.w;
+  if (direction > 0) ends.x = max(ends.x, first);
+  else ends.y = min(ends.y, first);
+  ends = clamp(ends, vec2(-1.0), vec2(float(last) + 1.0));
+  int k = direction > 0 ? max(int(ceil(ends.x)), 0) : min(int(floor(ends.y)), last);
+  int left = direction > 0 ? min(int(floor(ends.y)), last) - k : k - max(int(ceil(ends.x)), 0);
 
   float limit = limit_of_pixel();
-  if (limit == -kInfinity) k = -1;
+  if (limit == -kInfinity) left = -1;
   // Of a kernel's depths: along the ray a round kernel is narrower by the ray's slope.
   float deviation = sqrt(grid.kernel.x / (1.0 + dot(slope, slope))) * abs(per_w);
   Pixel shown = empty_pixel();
-  while (k >= 0 && k <= last) {
+  for (; left >= 0; --left, k += direction) {
     float from_middle = float(k) - grid.place_origin.w;
-    vec2 uv = (place.xy + from_middle * along.xy) * per_w;
-    vec2 right = (grid.place_x.xy + from_middle * grid.along_x.xy - uv * grid.along_x.z) * per_w;
-    vec2 up = (grid.place_y.xy + from_middle * grid.along_y.xy - uv * grid.along_y.z) * per_w;
-    vec3 variance = filtered(along_ray, right, up);
+    vec2 uv = on_middle + from_middle * slope;
+    vec3 variance = filtered(along_ray, uv, from_middle, per_w);
     vec2 reach = sqrt(cutoff * variance.xz);
     float nearest = (place.z + from_middle) * per_w - abs(per_w) * max(reach.x, reach.y);
     if (nearest - 6.0 * deviation > limit) break;
@@ -83,15 +100,22 @@ void main() {
     float clear = float((int(texelFetch(distances, block, 0).x) - 1) * kVolumeBlock);
     clear -= max(reach.x, reach.y);
     if (clear > 0.0) {
-      k += direction * max(int(ceil(clear / spread)), 1);
+      int steps = max(int(ceil(clear / spread)), 1) - 1;
+      k += direction * steps;
+      left -= steps;
       continue;
     }
+
+    // Nothing to gather in this sheet?
+    uint squares = texelFetch(sheet_distances, ivec3(node / kVolumeSheetBlock, k), 0).x;
+    if (float((int(squares) - 1) * kVolumeSheetBlock) > max(reach.x, reach.y)) continue;
 
     float determinant = determinant_of(variance);
     vec3 shape = vec3(variance.z, -variance.y, variance.x) / determinant;
     float peak = scale * inversesqrt(determinant);
     ivec2 low = ivec2(max(ceil(uv - reach), vec2(0.0)));
     ivec2 high = ivec2(min(floor(uv + reach), vec2(size - 1)));
+    float fall = exp(-shape.x);
     Layer layer = empty_layer();
     for (int j = low.y; j <= high.y; ++j) {
       vec2 d;
@@ -102,30 +126,38 @@ void main() {
       float row_middle = uv.x + b / shape.x;
       int begin = max(int(ceil(row_middle - half_width)), low.x);
       int end = min(int(floor(row_middle + half_width)), high.x);
-      ivec3 row = j * grid.v.xyz + k * grid.w.xyz;
+      // exp(-q / 2) from node to node: the ratio of neighbours changes by a constant factor.
+      d.x = uv.x - float(begin);
+      float weight = exp(-0.5 * (shape.x * d.x * d.x + 2.0 * b * d.x + shape.z * d.y * d.y));
+      float ratio = exp(shape.x * (d.x - 0.5) + b);
+      ivec3 texel = begin * grid.u.xyz + j * grid.v.xyz + k * grid.w.xyz;
       for (int i = begin; i <= end; ++i) {
-        d.x = uv.x - float(i);
-        float q = shape.x * d.x * d.x + 2.0 * shape.y * d.x * d.y + shape.z * d.y * d.y;
-        ivec3 texel = row + i * grid.u.xyz;
         vec4 found = texelFetch(nodes, texel, 0);
-        float weight = q < cutoff ? found.a * exp(-0.5 * q) : 0.0;
         vec3 normal = vec3(0.0);
 #if RELIEF_FEATURES & RELIEF_FEATURE_OUT_NORMAL
         normal = texelFetch(normals, texel, 0).xyz;
 #endif
         // The kernel's mean place on the ray.
-        float off = -dot(slope, d) / (1.0 + dot(slope, slope));
+        float off = -dot(slope, vec2(uv.x - float(i), d.y)) / (1.0 + dot(slope, slope));
         float mean = (place.z + from_middle + off) * per_w;
-        if (limit < kInfinity) weight = weight_before(weight, mean, deviation, limit);
-        add(layer, weight, found.rgb, normal, mean);
+        float before = found.a * weight;
+        if (limit < kInfinity) before = weight_before(before, mean, deviation, limit);
+        add(layer, before, found.rgb, normal, mean);
+        texel += grid.u.xyz;
+        weight *= ratio;
+        ratio *= fall;
       }
     }
     layer.depth_sum *= peak;
     layer.colour *= peak * grid.place_y.w;
     layer.normal *= peak;
     layer.place *= peak;
-    if (end_layer(shown, layer)) break;
-    k += direction;
+    if (end_layer(shown, layer)) {
+      // What is behind is taken to look like what is seen.
+      shown.colour /= 1.0 - shown.transmittance;
+      shown.transmittance = 0.0;
+      break;
+    }
   }
   write_pixel(shown);
 }

@@ -16,12 +16,16 @@ using glm::uvec4;
 // Binding points of these passes.
 #define RELIEF_VOLUME_BIND_RULE 0
 #define RELIEF_VOLUME_BIND_GRID 1
+#define RELIEF_VOLUME_BIND_NODES 2
+#define RELIEF_VOLUME_BIND_FRAME 3
 #define RELIEF_VOLUME_TEXTURE_SPLATS 0
 #define RELIEF_VOLUME_TEXTURE_ENTRIES 1
 #define RELIEF_VOLUME_TEXTURE_STARTS 2
 #define RELIEF_VOLUME_TEXTURE_NODES 0
 #define RELIEF_VOLUME_TEXTURE_DISTANCES 1
 #define RELIEF_VOLUME_TEXTURE_NORMALS 2
+#define RELIEF_VOLUME_TEXTURE_SQUARES 3
+#define RELIEF_VOLUME_TEXTURE_SHEET_DISTANCES 4
 #define RELIEF_VOLUME_TEXTURE_LIMITS 6
 
 // VolumeRule::flags.
@@ -64,13 +68,25 @@ struct VolumeGrid {
   ivec4 w;
 };
 
-RELIEF_CONST int kVolumeBlock = 4;  ///< nodes along a block's side
+/// A regular grid's nodes as they are lit. Nodes of the box that holds all kernels.
+struct VolumeNodes {
+  vec4 from_eye;  ///< from the eye to node (0, 0, 0), world units
+  vec4 step_x;    ///< world
+  vec4 step_y;
+  vec4 step_z;
+  vec4 size;  ///< nodes along x, y, z; w: albedo of a texel's 1
+};
+
+RELIEF_CONST int kVolumeSquare = 16;     ///< nodes along the side of what is lit in one piece
+RELIEF_CONST int kVolumeSheetBlock = 2;  ///< nodes along the side of a square of a sheet
+RELIEF_CONST int kVolumeBlock = 4;       ///< nodes along a block's side
 RELIEF_CONST int kVolumeSplatRows = 5;
 RELIEF_CONST int kVolumeTile = 16;  ///< pixels along a tile's side
 
 #ifdef __cplusplus
 static_assert(sizeof(VolumeSplat) == 16 * kVolumeSplatRows);
 static_assert(sizeof(VolumeGrid) == 176 && offsetof(VolumeGrid, u) == 128);
+static_assert(sizeof(VolumeNodes) == 80 && offsetof(VolumeNodes, size) == 64);
 static_assert(sizeof(VolumeRule) == 48 && offsetof(VolumeRule, limits) == 16);
 }  // namespace relief::shared
 #endif

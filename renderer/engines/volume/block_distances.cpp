@@ -1,6 +1,9 @@
 #include "renderer/engines/volume/block_distances.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <array>
 
 #include "shaders/volume/layout.h"
 
@@ -49,6 +52,29 @@ std::vector<std::uint8_t> block_distances(std::span<const glm::u16vec4> texels, 
       spread(distances.data() + z * plane + x, blocks.y, row, line);
   }
   for (std::size_t k = 0; k < plane; ++k) spread(distances.data() + k, blocks.z, plane, line);
+  return distances;
+}
+
+std::vector<std::uint8_t> sheet_distances(std::span<const glm::u16vec4> texels, glm::uvec3 size,
+                                          glm::uvec3 axes) {
+  constexpr std::uint32_t kSquare = shared::kVolumeSheetBlock;
+  const std::array<std::size_t, 3> strides{1, size.x, std::size_t{size.x} * size.y};
+  const auto length = [&](std::uint32_t axis) { return size[static_cast<glm::length_t>(axis)]; };
+  const std::size_t row = (length(axes.x) - 1) / kSquare + 1;
+  const std::size_t rows = (length(axes.y) - 1) / kSquare + 1;
+  std::vector<std::uint8_t> distances(row * rows * length(axes.z), kMostSheetDistance);
+  tbb::parallel_for(std::uint32_t{0}, length(axes.z), [&](std::uint32_t w) {
+    std::uint8_t* const own = distances.data() + row * rows * w;
+    for (std::uint32_t v = 0; v < length(axes.y); ++v) {
+      for (std::uint32_t u = 0; u < length(axes.x); ++u) {
+        if (texels[u * strides[axes.x] + v * strides[axes.y] + w * strides[axes.z]].w != 0)
+          own[u / kSquare + row * (v / kSquare)] = 0;
+      }
+    }
+    std::vector<std::uint8_t> line;
+    for (std::size_t y = 0; y < rows; ++y) spread(own + y * row, row, 1, line);
+    for (std::size_t x = 0; x < row; ++x) spread(own + x, rows, row, line);
+  });
   return distances;
 }
 

@@ -14,4 +14,12 @@ namespace relief::volume {
 [[nodiscard]] std::vector<std::uint8_t> block_distances(std::span<const glm::u16vec4> texels,
                                                         glm::uvec3 size);
 
+/// The same in each sheet by itself: for each square of kVolumeSheetBlock nodes a side (u fastest,
+/// then v, then the sheet), how many squares of its sheet away the nearest one is;
+/// kMostSheetDistance at most. `axes`: which of x, y, z are u, v and across the sheets.
+[[nodiscard]] std::vector<std::uint8_t> sheet_distances(std::span<const glm::u16vec4> texels,
+                                                        glm::uvec3 size, glm::uvec3 axes);
+
+inline constexpr std::uint8_t kMostSheetDistance = 8;
+
 }  // namespace relief::volume

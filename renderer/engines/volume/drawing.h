@@ -28,9 +28,10 @@ struct NodeBox {
 /// One frame of a cloud of kernels.
 struct VolumeFrame {
   const KernelCloud& cloud;
-  std::uint64_t cloud_version = 0;     ///< another one when the cloud has changed
-  NodeBox box;                         ///< of a grid that is not empty
-  std::span<const glm::vec3> colours;  ///< of each kernel, as it is blended
+  std::uint64_t cloud_version = 0;  ///< another one when the cloud has changed
+  NodeBox box;                      ///< of a grid that is not empty
+  /// Of each kernel, as it is blended. Empty where GridDrawing::lights_nodes().
+  std::span<const glm::vec3> colours;
   const View& view;
   const RenderSettings& settings;
   std::span<const FootprintRule> footprints;  ///< of each part of the cloud

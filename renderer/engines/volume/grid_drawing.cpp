@@ -1,16 +1,14 @@
 #include "renderer/engines/volume/grid_drawing.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "renderer/engines/volume/block_distances.h"
 #include "renderer/engines/volume/grid_rays.h"
+#include "renderer/engines/volume/grid_textures.h"
+#include "renderer/engines/volume/node_lighting.h"
 #include "renderer/engines/volume/rule.h"
 #include "renderer/gl/program.h"
 #include "renderer/volume/splat_order.h"
@@ -18,75 +16,49 @@
 namespace relief::volume {
 namespace {
 
-using Texel = glm::u16vec4;
-
-/// What is kept from frame to frame: of the cloud, and of colours.
-struct GridTextures {
-  Texture nodes;
+/// sheet_distances() of sheets across that axis.
+struct SheetDistances {
+  glm::uvec3 axes;
   Texture distances;
-  std::optional<Texture> normals = {};
-  float extinction = 0.0F;  ///< of a texel's 1
-  float colour = 1.0F;
-  std::vector<Texel> texels = {};
-  std::vector<glm::vec3> colours = {};  ///< those of the texels
 };
 
-std::size_t texel_of(const KernelCloud& cloud, const NodeBox& box, std::size_t k) {
-  const glm::uvec3 in_box = cloud.node(k) - box.low;
-  const glm::uvec3 size = box.size();
-  return in_box.x + std::size_t{size.x} * (in_box.y + std::size_t{size.y} * in_box.z);
-}
-
-Texture make_grid_texture(const Gl& gl, const char* label, GLenum format, glm::uvec3 size) {
-  Texture texture(gl, label, GLenum{GL_TEXTURE_3D});
-  gl.TextureStorage3D(texture.id(), 1, format, static_cast<GLsizei>(size.x),
-                      static_cast<GLsizei>(size.y), static_cast<GLsizei>(size.z));
-  gl.TextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  gl.TextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  return texture;
-}
-
-void upload(const Gl& gl, const Texture& texture, glm::uvec3 size, GLenum format, GLenum type,
-            const void* texels) {
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl.TextureSubImage3D(texture.id(), 0, 0, 0, 0, static_cast<GLsizei>(size.x),
-                       static_cast<GLsizei>(size.y), static_cast<GLsizei>(size.z), format, type,
-                       texels);
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-}
-
-std::uint16_t share_of(float value, float of) {
-  return static_cast<std::uint16_t>(std::lround(std::clamp(value / of, 0.0F, 1.0F) * 65535.0F));
-}
-
-class GridDrawing final : public VolumeDrawing {
+class Drawing final : public GridDrawing {
  public:
-  GridDrawing(const Gl& gl, const ScalarVolume& volume)
-      : gl_(gl), volume_(volume), nothing_(gl, "no attributes") {}
+  Drawing(const Gl& gl, const ScalarVolume& volume)
+      : gl_(gl), volume_(volume), nothing_(gl, "no attributes"), lighting_(gl) {}
+
+  bool lights_nodes(const RenderSettings& settings) override {
+    return lighting_.can_light(settings);
+  }
 
   Status draw(const VolumeFrame& frame, const VolumeTargets& targets, PassTimer& timer,
               const Progress& /*progress*/) override {
     RELIEF_TRY_ASSIGN(const Program* const program, program_for(frame.features));
-    prepare_cloud(frame);
-    upload_colours(frame);
-    RELIEF_TRY(check_errors(gl_, "the volume"));
     const auto& grid = std::get<RegularGrid>(volume_.placement);
+    const bool is_lit_here = frame.colours.empty();
+    prepare(frame, grid, is_lit_here);
+    RELIEF_TRY(check_errors(gl_, "the volume"));
     shared::VolumeGrid rays = grid_rays(frame, grid).value();
+    prepare_sheets(frame, rays);
     rays.place_x.w = textures_->extinction;
-    rays.place_y.w = textures_->colour;
+    rays.place_y.w = is_lit_here ? 1.0F : textures_->colour;
     shared::VolumeRule rule = shader_rule(frame);
     rule.limits.z = kSeenThrough;
     const Buffer rules =
         make_buffer(gl_, "volume rule", std::span<const shared::VolumeRule>(&rule, 1));
     const Buffer grids =
         make_buffer(gl_, "volume grid", std::span<const shared::VolumeGrid>(&rays, 1));
+    const Texture& nodes =
+        is_lit_here ? lighting_.light(frame, grid, *textures_, timer) : textures_->nodes;
     const ScopedPass pass(gl_, timer, "volume sheets");
     gl_.BindBufferBase(GL_UNIFORM_BUFFER, RELIEF_VOLUME_BIND_GRID, grids.id());
-    gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_NODES, textures_->nodes.id());
+    gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_NODES, nodes.id());
     gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_DISTANCES, textures_->distances.id());
+    gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_SHEET_DISTANCES, sheets_->distances.id());
     if (textures_->normals)
       gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_NORMALS, textures_->normals->id());
     draw_screen(gl_, targets, *program, rules, nothing_);
+    gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_SHEET_DISTANCES, 0);
     gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_NORMALS, 0);
     gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_DISTANCES, 0);
     gl_.BindTextureUnit(RELIEF_VOLUME_TEXTURE_NODES, 0);
@@ -95,58 +67,41 @@ class GridDrawing final : public VolumeDrawing {
   }
 
  private:
-  /// Where a ray ends: what is behind adds less than an 8-bit image can show.
-  static constexpr float kSeenThrough = 1e-4F;
+  /// Where a ray ends. What is behind is taken to look like what is seen, so that this bounds the
+  /// error of a colour's share, too.
+  static constexpr float kSeenThrough = 1e-3F;
 
-  /// Makes what depends on the kernels, if they are others than before.
-  void prepare_cloud(const VolumeFrame& frame) {
-    const KernelCloud& cloud = frame.cloud;
-    const bool needs_normals = frame.features.has(RELIEF_FEATURE_OUT_NORMAL);
-    if (textures_ && frame.cloud_version == version_ && (textures_->normals || !needs_normals))
-      return;
-    version_ = frame.cloud_version;
-    const glm::uvec3 size = frame.box.size();
-    const glm::uvec3 blocks = (size - 1U) / std::uint32_t{shared::kVolumeBlock} + 1U;
-    textures_.emplace(
-        GridTextures{.nodes = make_grid_texture(gl_, "nodes", GL_RGBA16, size),
-                     .distances = make_grid_texture(gl_, "distances", GL_R8UI, blocks)});
-    const double space = std::abs(glm::determinant(std::get<RegularGrid>(volume_.placement).step));
-    const float most = *std::max_element(cloud.weights.begin(), cloud.weights.end());
-    textures_->extinction = static_cast<float>(
-        std::min(static_cast<double>(most) / space, static_cast<double>(kLargest)));
-    textures_->texels.assign(std::size_t{size.x} * size.y * size.z, Texel(0));
-    std::vector<glm::i8vec4> normals(needs_normals ? textures_->texels.size() : 0);
-    for (std::size_t k = 0; k < cloud.count(); ++k) {
-      const std::size_t texel = texel_of(cloud, frame.box, k);
-      textures_->texels[texel].w = share_of(cloud.weights[k], most);
-      if (needs_normals)
-        normals[texel] = glm::i8vec4(glm::round(127.0F * glm::vec4(cloud.normals[k], 0.0F)));
+  /// Makes what depends on the kernels, if they are others than before, and sets colours.
+  void prepare(const VolumeFrame& frame, const RegularGrid& grid, bool is_lit_here) {
+    const bool needs_normals = is_lit_here || frame.features.has(RELIEF_FEATURE_OUT_NORMAL);
+    if (!textures_ || frame.cloud_version != version_ || (needs_normals && !textures_->normals)) {
+      textures_ = make_grid_textures(gl_, frame, grid, needs_normals);
+      version_ = frame.cloud_version;
+      has_own_colours_ = false;
+      lighting_.reset();
+      sheets_.reset();
     }
-    upload(gl_, textures_->distances, blocks, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
-           block_distances(textures_->texels, size).data());
-    if (!needs_normals) return;
-    textures_->normals = make_grid_texture(gl_, "node normals", GL_RGBA8_SNORM, size);
-    upload(gl_, *textures_->normals, size, GL_RGBA, GL_BYTE, normals.data());
+    if (!is_lit_here) {
+      set_colours(gl_, frame, frame.colours, *textures_);
+    } else if (!has_own_colours_) {
+      set_colours(gl_, frame, frame.cloud.colours, *textures_);
+    }
+    has_own_colours_ = is_lit_here;
   }
 
-  void upload_colours(const VolumeFrame& frame) {
-    const std::span<const glm::vec3> colours = frame.colours;
-    if (std::equal(colours.begin(), colours.end(), textures_->colours.begin(),
-                   textures_->colours.end()))
-      return;
-    textures_->colours.assign(colours.begin(), colours.end());
-    float most = 0.0F;
-    for (const glm::vec3& colour : colours) most = std::max({most, colour.x, colour.y, colour.z});
-    most = std::clamp(most, 1e-30F, kLargest);
-    textures_->colour = most;
-    tbb::parallel_for(std::size_t{0}, colours.size(), [&](std::size_t k) {
-      Texel& texel = textures_->texels[texel_of(frame.cloud, frame.box, k)];
-      texel.x = share_of(colours[k].x, most);
-      texel.y = share_of(colours[k].y, most);
-      texel.z = share_of(colours[k].z, most);
-    });
-    upload(gl_, textures_->nodes, frame.box.size(), GL_RGBA, GL_UNSIGNED_SHORT,
-           textures_->texels.data());
+  /// Makes what depends on the axis across the sheets, if it is another one than before.
+  void prepare_sheets(const VolumeFrame& frame, const shared::VolumeGrid& rays) {
+    const auto axis = [](glm::ivec4 unit) { return unit.x != 0 ? 0U : unit.y != 0 ? 1U : 2U; };
+    const glm::uvec3 axes(axis(rays.u), axis(rays.v), axis(rays.w));
+    if (sheets_ && sheets_->axes == axes) return;
+    const auto squares = [](int nodes) {
+      return static_cast<std::uint32_t>((nodes - 1) / shared::kVolumeSheetBlock + 1);
+    };
+    const glm::uvec3 size(squares(rays.u.w), squares(rays.v.w), rays.w.w);
+    sheets_.emplace(
+        SheetDistances{axes, make_grid_texture(gl_, "distances in sheets", GL_R8UI, size)});
+    upload_grid(gl_, sheets_->distances, size, GL_RED_INTEGER, GL_UNSIGNED_BYTE,
+                sheet_distances(textures_->texels, frame.box.size(), axes).data());
   }
 
   Result<const Program*> program_for(Features features) {
@@ -163,7 +118,10 @@ class GridDrawing final : public VolumeDrawing {
   const ScalarVolume& volume_;
   VertexArray nothing_;
   std::map<Features, Program> programs_;
+  NodeLighting lighting_;
   std::optional<GridTextures> textures_;
+  std::optional<SheetDistances> sheets_;
+  bool has_own_colours_ = false;  ///< the textures: the kernels' colours, which are to be lit
   std::uint64_t version_ = 0;
 };
 
@@ -182,8 +140,8 @@ bool is_for_grid(const Gl& gl, const VolumeFrame& frame, const ScalarVolume* vol
   return grid_rays(frame, *grid).has_value();
 }
 
-std::unique_ptr<VolumeDrawing> make_grid_drawing(const Gl& gl, const ScalarVolume& volume) {
-  return std::make_unique<GridDrawing>(gl, volume);
+std::unique_ptr<GridDrawing> make_grid_drawing(const Gl& gl, const ScalarVolume& volume) {
+  return std::make_unique<Drawing>(gl, volume);
 }
 
 }  // namespace relief::volume

@@ -13,8 +13,14 @@ namespace relief::volume {
 /// surface beside it, all rays through the sheets at an angle that is not too small.
 [[nodiscard]] bool is_for_grid(const Gl& gl, const VolumeFrame& frame, const ScalarVolume* volume);
 
+class GridDrawing : public VolumeDrawing {
+ public:
+  /// Whether it lights the nodes of a frame with these settings, which then needs no colours.
+  [[nodiscard]] virtual bool lights_nodes(const RenderSettings& settings) = 0;
+};
+
 /// `volume`: a regular grid.
-[[nodiscard]] std::unique_ptr<VolumeDrawing> make_grid_drawing(const Gl& gl,
-                                                               const ScalarVolume& volume);
+[[nodiscard]] std::unique_ptr<GridDrawing> make_grid_drawing(const Gl& gl,
+                                                             const ScalarVolume& volume);
 
 }  // namespace relief::volume

@@ -105,31 +105,33 @@ class Prepared final : public PreparedModel {
   Status draw(const KernelCloud& cloud, const View& view, const RenderSettings& settings,
               Features features, const std::vector<Layer>& layers, PassTimer& timer,
               const Progress& progress) {
-    RELIEF_TRY_ASSIGN(const auto colours, model_.colours(cloud, settings, view, *environments_));
     const std::vector<FootprintRule> footprints = model_.footprint_rules(settings, view);
+    const RenderSettings lit = with_own_material(settings, settings.volume);
     if (gl().recorder != nullptr) gl().recorder->begin_frame();
+    std::vector<glm::vec3> colours;
     for (const Layer& layer : layers) {
       clear_volume_targets(gl(), layer.targets);
-      const VolumeFrame frame{.cloud = cloud,
-                              .cloud_version = model_.version(),
-                              .box = *box_,
-                              .colours = colours,
-                              .view = view,
-                              .settings = settings,
-                              .footprints = footprints,
-                              .spacing = model_.spacing(),
-                              .features = features,
-                              .is_limited = layer.limits.has_value()};
+      VolumeFrame frame{.cloud = cloud,
+                        .cloud_version = model_.version(),
+                        .box = *box_,
+                        .colours = {},
+                        .view = view,
+                        .settings = lit,
+                        .footprints = footprints,
+                        .spacing = model_.spacing(),
+                        .features = features,
+                        .is_limited = layer.limits.has_value()};
+      const bool is_grid = is_for_grid(gl(), frame, model_.volume());
+      if (colours.empty() && !(is_grid && grid_->lights_nodes(lit))) {
+        RELIEF_TRY_ASSIGN(colours, model_.colours(cloud, settings, view, *environments_));
+      }
+      frame.colours = colours;
       if (layer.limits) gl().BindTextureUnit(RELIEF_VOLUME_TEXTURE_LIMITS, layer.limits->id());
-      RELIEF_TRY(drawing_for(frame).draw(frame, layer.targets, timer, progress));
+      VolumeDrawing& drawing = is_grid ? *grid_ : is_for_quads(frame) ? *quads_ : *lists_;
+      RELIEF_TRY(drawing.draw(frame, layer.targets, timer, progress));
       if (layer.limits) gl().BindTextureUnit(RELIEF_VOLUME_TEXTURE_LIMITS, 0);
     }
     return {};
-  }
-
-  [[nodiscard]] VolumeDrawing& drawing_for(const VolumeFrame& frame) const {
-    if (is_for_grid(gl(), frame, model_.volume())) return *grid_;
-    return is_for_quads(frame) ? *quads_ : *lists_;
   }
 
   std::shared_ptr<const OpenGl> opengl_;  ///< first: the last to go
@@ -138,7 +140,7 @@ class Prepared final : public PreparedModel {
   std::optional<SurfacesBeside> surfaces_;
   std::optional<NodeBox> box_;  ///< of the kernels of this version
   std::uint64_t box_version_ = 0;
-  std::unique_ptr<VolumeDrawing> grid_;  ///< of a regular grid
+  std::unique_ptr<GridDrawing> grid_;  ///< of a regular grid
   std::unique_ptr<VolumeDrawing> quads_;
   std::unique_ptr<VolumeDrawing> lists_;
 };

@@ -309,7 +309,7 @@ TEST(ReadVolumeTest, AVolumeIsKnownByItsExtension) {
     EXPECT_TRUE(is_volume(name, {})) << name;
   for (const char* name : {"a.raw", "a.gz", "a.ply.gz", "a.zip", "nrrd", "a.vtu", "a.hdr"})
     EXPECT_FALSE(is_volume(name, {})) << name;
-  EXPECT_TRUE(is_volume("a.raw", {RawLayout{}}));
+  EXPECT_TRUE(is_volume("a.raw", {RawLayout{}, {}}));
   EXPECT_EQ(volume_error("a.raw", "abc"),
             "its extension is not of a volume (.nrrd, .nhdr, .nii, .nii.gz, .mha, .mhd, .vti, .vtr "
             "and .vts); a file without a header needs its layout, as in --raw 256x256x109:u8");
@@ -354,7 +354,7 @@ TEST(ReadVolumeTest, ReadingCanBeInterrupted) {
        {std::pair<std::string, std::string>{"a.raw", values}, {"a.raw.gz", gzip(values)}}) {
     StoppingProgress progress;
     const auto volume =
-        read_volume_bytes(name, std::as_bytes(std::span(bytes)), {layout}, progress);
+        read_volume_bytes(name, std::as_bytes(std::span(bytes)), {layout, {}}, progress);
     ASSERT_FALSE(volume);
     EXPECT_EQ(volume.error().message, "interrupted");
     EXPECT_LT(progress.done(), bytes.size());

@@ -174,6 +174,34 @@ TEST(VolumeEngine, EachFilter) {
   }
 }
 
+/// What OpenGL lights, what it leaves to the CPU, and what needs no light.
+TEST(VolumeEngine, LightsAndMaterials) {
+  const ScalarVolume volume = regular_volume({40, 33, 21});
+  RenderSettings settings = settings_for(kEye);
+  settings.lights.list = {{LightKind::Point, {1.0, 1.5, 2.0}, glm::vec3(4.0F)},
+                          {LightKind::Directional, {0.0, 0.0, 1.0}, {0.2F, 0.5F, 0.3F}}};
+  expect_alike(volume, settings, kSheets);
+  settings.camera.orthographic_height = 2.6;
+  expect_alike(volume, settings, kSheets);
+  settings.material = Material::Mirror;
+  expect_alike(volume, settings, kSheets);
+  settings.material = Material::Unlit;
+  expect_alike(volume, settings, kSheets);
+}
+
+/// Rays that pass the nodes, and kernels that reach beyond them: a full box has some at its border.
+TEST(VolumeEngine, AFullBox) {
+  ScalarVolume volume = regular_volume({12, 9, 15});
+  for (float& value : volume.values) value += 0.5F;
+  for (const glm::dvec3 eye : {glm::dvec3(4.0, 3.0, 6.0), {-6.0, 2.0, 1.0}, {0.5, -7.0, 0.3}}) {
+    RenderSettings settings = settings_for(eye);
+    // Footprints of the pixel's Jacobian: a spacing is 4 pixels here, and nodes are opaque.
+    expect_alike(volume, settings, 45.0);
+    settings.volume.filter = VolumeFilter::UniformScaling;
+    expect_alike(volume, settings, 45.0);
+  }
+}
+
 TEST(VolumeEngine, RectilinearGrid) {
   expect_alike(rectilinear_volume(), settings_for(kEye), kLists);
 }
