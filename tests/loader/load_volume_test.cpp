@@ -100,8 +100,7 @@ TEST_F(LoadingVolumes, OtherEnginesSayWhichOnesDrawThem) {
     for (const auto& file : {write("a.nrrd", small_nrrd()), write_gaussians("b.ply", 0)}) {
       EXPECT_EQ(error_of(planned(file, named)),
                 fmt::format("{}: is a volume or a scene of 3D Gaussians, which engine {} can't "
-                            "draw; `relief render` draws it with engine volume or "
-                            "volume-reference",
+                            "draw; choose engine volume or volume-reference",
                             file.string(), engine));
     }
   }

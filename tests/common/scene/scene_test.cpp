@@ -235,13 +235,13 @@ TEST_F(Scenes, HaveAtMostSixteenLights) {
 TEST_F(Scenes, ModelsThatAreWrong) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {"", "models: expected a list of models, at least one; found an empty list"},
-      {"3", "models[0]: expected an object with file, transform, closed, material, ior"},
+      {"3", "models[0]: expected an object with file, transform, closed, raw, material, ior"},
       {"{}", "models[0].file: is missing; expected the name of a patch file"},
       {R"({"file": 1})", "models[0].file: expected the name of a patch file"},
       {R"({"file": ""})", "models[0].file: expected the name of a patch file"},
       {R"({"file": "a\u0000.ply"})", "models[0].file: expected the name of a patch file"},
       {R"({"file": "other.json"})",
-       "models[0].file: expected the name of a patch file, a scan or a mesh, not another scene"},
+       "models[0].file: expected the name of a patch file, a scan, a mesh or a volume, not another scene"},
       {R"({"file": "a.ply", "material": "gold"})",
        "models[0].material: expected unlit, lit, mirror, glass, split; found \"gold\""},
       {R"({"file": "a.ply", "ior": "1.5"})", "models[0].ior: expected a number from 1 to 4; found"},

@@ -57,8 +57,12 @@ void expect_ascending_groups(const SplatOrder& order) {
 }
 
 TEST(SplatOrder, SortedIsByDepthAndEqualsKeepTheCloudsOrder) {
-  const auto splats = at_depths({3.0, 1.0, 2.0, 1.0, 2.0, 1.0});
-  const SplatOrder order = order_splats({}, splats, VolumeVisibility::Sorted, {}, 0.0);
+  KernelCloud cloud;
+  for (const double depth : {3.0, 1.0, 2.0, 1.0, 2.0, 1.0})
+    cloud.centres.emplace_back(0.0, 0.0, depth);
+  const RayCamera camera;  // at 0, along z
+  const SplatOrder order =
+      order_splats(cloud, placed(cloud, camera), VolumeVisibility::Sorted, camera, 0.0);
   std::vector<std::uint32_t> sequence;
   for (const OrderedSplat& splat : order.splats) sequence.push_back(splat.splat);
   EXPECT_EQ(sequence, (std::vector<std::uint32_t>{1, 3, 5, 2, 4, 0}));
