@@ -245,7 +245,7 @@ TEST_F(VolumeCommand, WhatCanNotBeDrawnIsOneSentence) {
   expect_no_image(
       write("two.json", R"({"models": [{"file": "ball.nrrd"}, {"file": "gaussians.ply"}],
       "views": [{"name": "a"}]})"),
-      {}, "is drawn by itself");
+      {"--engine", "volume-truth"}, "draws a single volume or scene of 3D Gaussians");
   expect_no_image(write("wrong.json", R"({"models": [{"file": "ball.nrrd"}], "iso": "high",
       "views": [{"name": "a"}]})"),
                   {}, "wrong.json: iso: expected a number from -1e+30 to 1e+30; found \"high\"");
@@ -348,7 +348,7 @@ TEST_F(VolumeCommand, TheEngineOnOpenGlExplainsItself) {
     return explanation["passes"].get<std::vector<std::string>>();
   };
   const std::string ball = write_ball();
-  EXPECT_EQ(passes(with(ball, {})), (std::vector<std::string>{"volume sheets"}));
+  EXPECT_EQ(passes(with(ball, {})), (std::vector<std::string>{"volume nodes", "volume sheets"}));
   EXPECT_EQ(passes(with(ball, {"--iso", "50"})), (std::vector<std::string>{"volume lists"}));
   EXPECT_EQ(passes(with(write_gaussians(), {})), (std::vector<std::string>{"volume quads"}));
 }

@@ -71,35 +71,50 @@ void expect_all_bound(const Explanation& e) {
   for (const auto* const kind : {&e.buffers, &e.textures}) {
     for (const Explanation::Memory& memory : *kind) EXPECT_TRUE(memory.bound) << memory.name;
   }
-  ASSERT_EQ(e.passes.size(), 1U);
-  ASSERT_EQ(e.draws.size(), 1U);
-  EXPECT_EQ(e.draws[0].pass, e.passes[0]);
-  EXPECT_EQ(e.draws[0].program, e.passes[0]);
+  ASSERT_EQ(e.draws.size(), e.passes.size());
+  for (std::size_t p = 0; p < e.passes.size(); ++p) {
+    EXPECT_EQ(e.draws[p].pass, e.passes[p]);
+    EXPECT_EQ(e.draws[p].program, e.passes[p]);
+  }
 }
 
 TEST(VolumeExplain, AGridIsSheets) {
   RenderSettings settings = usual_settings();
+  settings.material = Material::Unlit;
   const Explanation e = explained(little_volume(), settings);
   expect_all_bound(e);
   EXPECT_EQ(e.passes, Words{"volume sheets"});
   EXPECT_TRUE(e.features.empty());
   EXPECT_EQ(names_of(e.buffers), (Words{"volume grid", "volume rule"}));
-  EXPECT_EQ(names_of(e.textures), (Words{"distances", "nodes", "volume colour"}));
+  EXPECT_EQ(names_of(e.textures),
+            (Words{"distances", "distances in sheets", "nodes", "volume colour"}));
   EXPECT_EQ(bytes_of(e.textures, "volume colour"), 16U * 40 * 24);  // four floats a pixel
   // Four numbers of 16 bits a node; blocks of 4^3 nodes.
   EXPECT_EQ(bytes_of(e.textures, "nodes"), 8U * 6 * 7 * 8);
   EXPECT_EQ(bytes_of(e.textures, "distances"), 2U * 2 * 2);
 }
 
+TEST(VolumeExplain, LitNodesAreAPassOfTheirOwn) {
+  const Explanation e = explained(little_volume(), usual_settings());
+  expect_all_bound(e);
+  EXPECT_EQ(e.passes, (Words{"volume nodes", "volume sheets"}));
+  EXPECT_EQ(e.features, (Words{"lit", "lights 3"}));
+  EXPECT_EQ(names_of(e.buffers), (Words{"lights", "squares of nodes", "volume grid", "volume nodes",
+                                        "volume rule"}));
+  EXPECT_EQ(names_of(e.textures), (Words{"distances", "distances in sheets", "lit nodes",
+                                         "node normals", "nodes", "volume colour"}));
+}
+
 TEST(VolumeExplain, NormalsAndDepthsAreThereIfTheyAreAskedFor) {
   RenderSettings settings = usual_settings();
+  settings.material = Material::Unlit;
   settings.outputs.normal = true;
   settings.outputs.depth = true;
   const Explanation e = explained(little_volume(), settings);
   expect_all_bound(e);
   EXPECT_EQ(e.features, (Words{"out_normal", "out_depth"}));
-  EXPECT_EQ(names_of(e.textures),
-            (Words{"distances", "node normals", "nodes", "volume colour", "volume surface"}));
+  EXPECT_EQ(names_of(e.textures), (Words{"distances", "distances in sheets", "node normals",
+                                         "nodes", "volume colour", "volume surface"}));
 }
 
 TEST(VolumeExplain, WhatIsNoGridIsQuadsOrLists) {
