@@ -232,8 +232,8 @@ Result<LoadedScene> load_models(const std::vector<SceneModel>& models, const Loa
     if (loaded.find(model.file) != loaded.end() || trees->find(model.file) != trees->end())
       continue;
     if (has_kernels(model, options.volume)) {
-      RELIEF_TRY_ASSIGN(loaded[model.file].volume, load_part(model, options.volume,
-                                                                 options.read, progress));
+      RELIEF_TRY_ASSIGN(loaded[model.file].volume,
+                        load_part(model, options.volume, options.read, progress));
     } else if (is_patches(model.file, options.read)) {
       RELIEF_TRY_ASSIGN(auto file, load_patch_file(model.file, forms, options, progress));
       loaded.emplace(model.file, std::move(file));

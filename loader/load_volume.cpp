@@ -4,14 +4,17 @@
 #include <utility>
 #include <variant>
 
+#include "common/extremes.h"
 #include "common/patch_file/patch_file.h"
 #include "common/volume/move.h"
+#include "common/volume/transfer_function.h"
 #include "loader/view_settings.h"
 #include "preprocess/gaussians/read_gaussians.h"
 #include "preprocess/points/point_volume.h"
 #include "preprocess/raster/raster.h"
 #include "preprocess/readers/read_points.h"
 #include "renderer/volume/extent.h"
+#include "renderer/volume/seen_nodes.h"
 
 namespace relief {
 namespace {
@@ -68,6 +71,30 @@ Status check_engine_of(const PlannedView& view, const ScenePlan& plan, const Sce
         plan.file.string(), engine->name, plan.models.size());
   }
   return {};
+}
+
+/// What the views of the plan's only model show of a volume, for their cameras. A function that
+/// can't be read is left out here: the image says so.
+std::vector<glm::dvec3> framed_points(const ScalarVolume& volume, const ScenePlan& plan) {
+  const SceneModel& model = plan.models.front();
+  std::vector<TransferFunction> functions;
+  std::vector<double> isos;
+  for (const PlannedView& view : plan.views) {
+    const auto option = [&](std::string_view key) -> const OptionValue* {
+      for (const OptionValues* const values : {&model.options, &view.settings.options}) {
+        if (const auto found = values->find(key); found != values->end()) return &found->second;
+      }
+      return nullptr;
+    };
+    const OptionValue* const transfer = option("transfer");
+    auto function = transfer_function_for(
+        transfer == nullptr ? "auto" : std::get<std::string>(*transfer), volume);
+    if (function) functions.push_back(*std::move(function));
+    if (const OptionValue* const iso = option("iso")) isos.push_back(std::get<double>(*iso));
+  }
+  std::vector<glm::dvec3> points = seen_nodes(volume, functions, isos);
+  for (glm::dvec3& point : points) point = moved(model.transform, point);
+  return points;
 }
 
 }  // namespace
@@ -175,6 +202,10 @@ Result<LoadedScene> load_kernels(const ScenePlan& plan, const VolumeReadOptions&
   RELIEF_TRY_ASSIGN(VolumePart part, load_part(model, options, read, progress));
   LoadedScene scene;
   scene.patches = extent_of(part, model.transform);
+  if (const auto* const volume = std::get_if<ScalarVolume>(&part.what)) {
+    const std::vector<glm::dvec3> framed = framed_points(*volume, plan);
+    if (!framed.empty()) scene.patches.extremes = extreme_points(framed, scene.patches.bounds);
+  }
   if (const Status moved = move_part(part, model.transform); !moved)
     return make_error("{}: {}", model.file.string(), moved.error().message);
   if (auto* const volume = std::get_if<ScalarVolume>(&part.what))

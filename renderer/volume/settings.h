@@ -88,7 +88,7 @@ struct VolumeSettings {
   /// What transfer_function_for() takes (common/volume/transfer_function.h).
   std::string transfer = "auto";
   std::optional<Material> material;  ///< in place of the image's
-  std::optional<ClipBox> clip;  ///< kernels whose centres lie outside are not drawn
+  std::optional<ClipBox> clip;       ///< kernels whose centres lie outside are not drawn
   GaussianSettings gaussians;
 };
 

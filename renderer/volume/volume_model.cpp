@@ -185,8 +185,8 @@ Result<KernelColour> VolumeModel::colour_of(const KernelCloud& kernels,
   std::vector<KernelColour> colours;
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     const std::size_t first = kernels.starts.empty() ? 0 : kernels.starts[p];
-    RELIEF_TRY_ASSIGN(KernelColour colour, colour_of_part(parts_[p], kernels, first, settings, view,
-                                                          environments));
+    RELIEF_TRY_ASSIGN(KernelColour colour,
+                      colour_of_part(parts_[p], kernels, first, settings, view, environments));
     colours.push_back(std::move(colour));
   }
   if (colours.size() == 1) return std::move(colours.front());

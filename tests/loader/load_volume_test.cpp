@@ -115,6 +115,18 @@ TEST_F(LoadingVolumes, HaveTheirNodesAsTheExtentThatCamerasSee) {
   EXPECT_FALSE(scene.gaussians || scene.mesh || scene.splats);
 }
 
+// Values of small_nrrd() are those of its nodes' indices: from 30 on only k is 2 or more.
+TEST_F(LoadingVolumes, AreFramedByWhatTheirFunctionShows) {
+  const auto file = write("a.nrrd", small_nrrd());
+  SceneSettings settings;
+  settings.options["transfer"] =
+      write("f.json", R"({"colour": [[0, 1, 1, 1]], "opacity": [[29, 0], [30, 0.5]]})").string();
+  const LoadedScene scene = must_load(planned(file, settings));
+  ASSERT_FALSE(scene.patches.extremes.empty());
+  for (const glm::dvec3& point : scene.patches.extremes) EXPECT_GE(point.z, 1.99);
+  EXPECT_EQ(scene.patches.bounds.min, glm::dvec3(0.0)) << "the bounds are those of all nodes";
+}
+
 TEST_F(LoadingVolumes, StandWhereTheirSceneSays) {
   write("a.nrrd", small_nrrd());
   const LoadedScene scene = must_load(planned(write("scene.json", R"({"models": [{"file": "a.nrrd",

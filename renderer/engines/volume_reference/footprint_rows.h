@@ -13,7 +13,7 @@ namespace relief::volume_reference {
 /// The pixels of a row in which q is below the cutoff, and peak * exp(-q / 2) in each.
 struct RowWeights {
   std::int64_t first = 0;
-  std::int64_t last = -1;                ///< included; before `first` if there are none
+  std::int64_t last = -1;               ///< included; before `first` if there are none
   std::array<double, kTile> weights{};  ///< of first, first + 1, ...
 };
 

@@ -10,7 +10,8 @@
 
 namespace relief::volume_reference {
 
-/// A layer for each pixel, empty at first; each sum is an array, so that a row is added in a few instructions.
+/// A layer for each pixel, empty at first; each sum is an array, so that a row is added in a few
+/// instructions.
 class TileLayers {
  public:
   void add_row(std::size_t first, std::span<const double> weights, const glm::dvec3& colour) {
@@ -26,10 +27,8 @@ class TileLayers {
 
   /// A pixel's layer, which is empty thereafter.
   [[nodiscard]] Layer take(std::size_t pixel) {
-    const Layer layer{weight_[pixel],
-                      {red_[pixel], green_[pixel], blue_[pixel]},
-                      normal_[pixel],
-                      place_[pixel]};
+    const Layer layer{
+        weight_[pixel], {red_[pixel], green_[pixel], blue_[pixel]}, normal_[pixel], place_[pixel]};
     weight_[pixel] = red_[pixel] = green_[pixel] = blue_[pixel] = place_[pixel] = 0.0;
     normal_[pixel] = glm::dvec3(0.0);
     return layer;

@@ -60,8 +60,8 @@ class TilePixels {
   /// The depth that ends what each pixel shows; empty: nothing does.
   [[nodiscard]] std::span<const double> limits() const { return limits_; }
   [[nodiscard]] bool is_all_done() const {
-    return count_done_ == static_cast<std::size_t>((box_.right - box_.left + 1) *
-                                                   (box_.bottom - box_.top + 1));
+    return count_done_ ==
+           static_cast<std::size_t>((box_.right - box_.left + 1) * (box_.bottom - box_.top + 1));
   }
 
   /// Puts a layer behind what a pixel shows [Zwicker 2002, Eq. (7) and (10)].

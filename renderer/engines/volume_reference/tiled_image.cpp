@@ -50,15 +50,14 @@ bool TiledImage::is_all_done() const {
 
 void TiledImage::put_behind(const Batch& batch, const Progress& progress) {
   const TileLists lists(tiling_, batch.splats, batch.order);
-  const Composition composition{batch.splats,    batch.colours, rule_.normals,
-                                rule_.has_depth, batch.order,   rule_.compositing,
-                                tiling_.height};
+  const Composition composition{batch.splats, batch.colours,     rule_.normals, rule_.has_depth,
+                                batch.order,  rule_.compositing, tiling_.height};
   tbb::parallel_for(std::size_t{0}, tiling_.count(), [&](std::size_t tile) {
     const std::span<const OrderedSplat> list = lists.list(tile);
     if (is_done_[tile] != 0 || list.empty() || progress.cancelled()) return;
     std::unique_ptr<TilePixels>& pixels = tiles_[tile];
-    if (pixels == nullptr) pixels = 
-          std::make_unique<TilePixels>(tiling_.box(tile), rule_.limits, tiling_.width);
+    if (pixels == nullptr)
+      pixels = std::make_unique<TilePixels>(tiling_.box(tile), rule_.limits, tiling_.width);
     evaluations_of_[tile] += composite_tile(composition, list, layers_.local(), *pixels);
     if (pixels->is_all_done()) finish(tile);
   });

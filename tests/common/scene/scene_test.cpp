@@ -241,7 +241,8 @@ TEST_F(Scenes, ModelsThatAreWrong) {
       {R"({"file": ""})", "models[0].file: expected the name of a patch file"},
       {R"({"file": "a\u0000.ply"})", "models[0].file: expected the name of a patch file"},
       {R"({"file": "other.json"})",
-       "models[0].file: expected the name of a patch file, a scan, a mesh or a volume, not another scene"},
+       "models[0].file: expected the name of a patch file, a scan, a mesh or a volume, not another "
+       "scene"},
       {R"({"file": "a.ply", "material": "gold"})",
        "models[0].material: expected unlit, lit, mirror, glass, split; found \"gold\""},
       {R"({"file": "a.ply", "ior": "1.5"})", "models[0].ior: expected a number from 1 to 4; found"},

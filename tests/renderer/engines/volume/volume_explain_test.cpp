@@ -99,8 +99,8 @@ TEST(VolumeExplain, LitNodesAreAPassOfTheirOwn) {
   expect_all_bound(e);
   EXPECT_EQ(e.passes, (Words{"volume nodes", "volume sheets"}));
   EXPECT_EQ(e.features, (Words{"lit", "lights 3"}));
-  EXPECT_EQ(names_of(e.buffers), (Words{"lights", "squares of nodes", "volume grid", "volume nodes",
-                                        "volume rule"}));
+  EXPECT_EQ(names_of(e.buffers),
+            (Words{"lights", "squares of nodes", "volume grid", "volume nodes", "volume rule"}));
   EXPECT_EQ(names_of(e.textures), (Words{"distances", "distances in sheets", "lit nodes",
                                          "node normals", "nodes", "volume colour"}));
 }
