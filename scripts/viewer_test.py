@@ -14,6 +14,7 @@ and to rest, frames a second and their times while the camera orbits for 5 s, an
 on a machine that is otherwise idle.
 """
 import argparse
+import json
 import math
 import os
 import pathlib
@@ -61,6 +62,18 @@ def write_ball(path, points, turns):
     header += "".join(f"property float {c}\n" for c in "xyz")
     header += "".join(f"property uchar {c}\n" for c in ("red", "green", "blue")) + "end_header\n"
     path.write_bytes(header.encode() + bytes(body))
+
+
+def write_cloud(path):
+    """A soft ball of 24 nodes a side, from -1.6 to 1.6, NRRD."""
+    side, step = 24, 3.2 / 23
+    values = bytearray()
+    for k in range(side ** 3):
+        p = [-1.6 + step * (k // side ** a % side) for a in range(3)]
+        values.append(max(0, round(255 * (1 - math.hypot(*p) / 1.5))))
+    header = f"NRRD0004\ntype: uchar\ndimension: 3\nspace dimension: 3\nsizes: {side} {side} {side}\nencoding: raw\n"
+    header += f"space directions: ({step},0,0) (0,{step},0) (0,0,{step})\nspace origin: (-1.6,-1.6,-1.6)\n"
+    path.write_bytes((header + "\n").encode() + bytes(values))
 
 
 def difference(a, b):
@@ -395,6 +408,24 @@ class Test:
         self.finish()
         self.say("picture", "that of relief render, to the byte")
 
+    def volume(self):
+        """A volume around the ball: `relief render` draws the same with the same engine."""
+        write_cloud(self.work / "cloud.nrrd")
+        scene = self.work / "cloud.json"
+        scene.write_text(json.dumps({"models": [{"file": "cloud.nrrd"}, {"file": self.other.name}],
+                                     "engine": "volume", "views": [{"name": "all"}]}))
+        self.open(scene)
+        width, height = self.window.picture_size()
+        path = self.work / "reference.png"
+        self.command("render", scene, "-o", path, "--size", f"{width}x{height}")
+        text = self.check_equal(self.shoot("volume"), read_png(path), "a scene with a volume and relief render")
+        before = self.window.picture()
+        self.window.drag((200, 300), (260, 320))
+        _, far = difference(before, self.shoot("volume_turned"))
+        self.check(far > 1000, "a scene with a volume does not turn")
+        self.finish()
+        self.say("volume", text)
+
     def finish(self):
         self.display.xdotool("key", "ctrl+q")
         code = self.window.end_of()
@@ -418,6 +449,7 @@ class Test:
         self.change_file()
         self.quit()
         self.empty_window()
+        self.volume()
         for key, step in (("M", self.measure), ("Ctrl + S", self.write_picture)):
             if has_key(key):
                 step()

@@ -166,9 +166,10 @@ void Display::encode(const Session& session) {
     presenter_->encode(canvas, {});
     return;
   }
+  const bool has_depth = session.scene == nullptr || !session.scene->has_kernels();
   const auto how = [&](const SceneSettings& look) {
     return Presentation{.exposure = look.exposure.value_or(0.0),
-                        .shade = look.eye_dome.value_or(0.0),
+                        .shade = has_depth ? look.eye_dome.value_or(0.0) : 0.0,
                         .depth_scale = depth_scale_};
   };
   Presentation left = how(session.look);

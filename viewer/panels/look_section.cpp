@@ -117,8 +117,9 @@ bool background_rows(const RenderSettings& drawn, SceneSettings& look) {
   return true;
 }
 
-bool eye_dome_row(const RenderSettings& drawn, SceneSettings& look) {
-  const bool is_opaque = !is_transparent(drawn);  // there is no depth of other surfaces
+bool eye_dome_row(const RenderSettings& drawn, bool has_kernels, SceneSettings& look) {
+  // There is no depth of other surfaces, and none of kernels.
+  const bool is_opaque = !is_transparent(drawn) && !has_kernels;
   ImGui::BeginDisabled(!is_opaque);
   const bool changes =
       number_row({"Eye dome",
@@ -147,7 +148,7 @@ void show_look(const PanelContext& panel) {
   changes |= number_row(
       {"Exposure", "Stops: light is multiplied by 2 to this power", kFineExposures, 0.0, "%+.2f"},
       look.exposure);
-  changes |= eye_dome_row(*drawn, look);
+  changes |= eye_dome_row(*drawn, session.scene->has_kernels(), look);
   session.look_changed |= changes;
   if (ImGui::Button("Reset look")) {
     look = session.first_look;
