@@ -34,7 +34,7 @@ double true_depth(glm::dvec3 c, double sigma, glm::dvec3 direction) {
          (2.0 * std::numbers::pi * sigma * sigma);
 }
 
-struct Error {
+struct FootprintError {
   double largest = 0.0;  ///< share of the true peak
   double total = 0.0;    ///< of the sum over the image, share
 };
@@ -68,14 +68,14 @@ Variance round_variance(double sigma) {
 }
 
 /// For a kernel at distance 1, `degrees` off the axis. Fields of view wide enough to show it.
-Error error_of(double degrees, double sigma) {
+FootprintError error_of(double degrees, double sigma) {
   const glm::dvec3 centre = centre_at(degrees);
   const auto footprint = footprint_at(centre, round_variance(sigma));
   if (!footprint) return {};
   double peak = 0.0;
   double sum = 0.0;
   double sum_of_footprint = 0.0;
-  Error error;
+  FootprintError error;
   const glm::dvec2 reach = 2.0 * footprint->reach;
   for (double y = -reach.y; y <= reach.y; y += 1.0) {
     for (double x = -reach.x; x <= reach.x; x += 1.0) {
@@ -139,7 +139,7 @@ int main() {
   for (const double degrees : {0.0, 10.0, 20.0, 30.0, 45.0, 60.0}) {
     fmt::print("| {:.0f} |", degrees);
     for (const double sigma : {0.01, 0.03, 0.1, 0.2}) {
-      const Error error = error_of(degrees, sigma);
+      const FootprintError error = error_of(degrees, sigma);
       fmt::print(" {:.2f} / {:+.2f} |", 100.0 * error.largest, 100.0 * error.total);
     }
     fmt::print("\n");
