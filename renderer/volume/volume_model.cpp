@@ -103,9 +103,9 @@ Result<const KernelCloud*> VolumeModel::kernels(const RenderSettings& settings,
     clouds.push_back(std::move(cloud));
   }
   kernels_ = merged(std::move(clouds));
-  if (level > 0) {
-    kernels_ = coarse_kernels(std::move(kernels_), std::get<RegularGrid>(volume()->placement),
-                              level, settings.volume.attenuation);
+  if (const ScalarVolume* const single = volume(); single != nullptr && level > 0) {
+    kernels_ = coarse_kernels(std::move(kernels_), std::get<RegularGrid>(single->placement), level,
+                              settings.volume.attenuation);
   }
   keys_ = std::move(keys);
   return &kernels_;
