@@ -147,16 +147,16 @@ class Figures:
         """Figure 16: flattened iso-surfaces inside translucent volumes; and an iso-surface without flat kernels."""
         skin = ([-600, 0.9, 0.68, 0.55], [60, 0.85, 0.55, 0.45])
         scenes = {
-            "engine": (("engine.nii.gz",), 175, ("--orbit", "35,25", "--zoom", 1.7),
+            "engine": (("engine.nii.gz",), 175, ("--orbit", "35,25"),
                        dict(colour=[[40, 0.45, 0.6, 0.75], [150, 0.45, 0.6, 0.75], [175, 0.95, 0.85, 0.6]],
                             opacity=[[40, 0], [70, 0.08], [255, 0.08]],
                             gradient_opacity=[[0, 0.05], [10, 0.15], [40, 1]])),
-            "cranium": (("cranium_ct.nrrd",), 300, ("--orbit", "150,10", "--zoom", 1.6),
+            "cranium": (("cranium_ct.nrrd",), 300, ("--orbit", "150,10"),
                         dict(colour=[*skin, [250, 0.95, 0.91, 0.82]],
                              opacity=[[-500, 0], [-250, 0.1], [60, 0.03], [150, 0.02]],
                              gradient_opacity=[[0, 0.1], [60, 0.3], [250, 1]])),
             "head": (("head256x256x109.zip", "--raw", "256x256x109:u8:1,1,2"), 100,
-                     ("--up", "0,-1,0", "--orbit", "215,5", "--zoom", 1.5),
+                     ("--up", "0,-1,0", "--orbit", "215,5"),
                      dict(colour=[[20, 0.9, 0.68, 0.55], [60, 0.85, 0.55, 0.45], [95, 0.95, 0.91, 0.82]],
                           opacity=[[15, 0], [35, 0.1], [60, 0.05], [85, 0.03]],
                           gradient_opacity=[[0, 0.1], [3, 0.3], [15, 1]]))}

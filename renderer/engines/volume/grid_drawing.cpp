@@ -131,7 +131,8 @@ bool is_for_grid(const Gl& gl, const VolumeFrame& frame, const ScalarVolume* vol
   if (volume == nullptr) return false;
   const auto* const grid = std::get_if<RegularGrid>(&volume->placement);
   const KernelCloud& cloud = frame.cloud;
-  if (grid == nullptr || cloud.variances.size() != 1 || !cloud.is_surface.empty()) return false;
+  const bool is_uniform = cloud.variances.size() == 1 && cloud.is_surface.empty();
+  if (grid == nullptr || !is_uniform || cloud.count() == 0) return false;
   if (visibility_of(cloud, frame.settings.volume.visibility) != VolumeVisibility::Sheet)
     return false;
   const auto most = static_cast<std::uint32_t>(get_limit(gl, GL_MAX_3D_TEXTURE_SIZE));

@@ -283,6 +283,13 @@ TEST(VolumeEngine, AnEmptyCloudShowsTheBackground) {
   EXPECT_EQ(drawn.covered_pixels, 0U);
 }
 
+TEST(VolumeEngine, AVolumeWithoutKernelsShowsTheBackground) {
+  ScalarVolume volume = regular_volume({8, 8, 8});
+  std::fill(volume.values.begin(), volume.values.end(), std::numeric_limits<float>::quiet_NaN());
+  for (const char* const engine : {"volume", "volume-reference"})
+    EXPECT_EQ(draw(volume, settings_for(kEye), engine).covered_pixels, 0U) << engine;
+}
+
 TEST(VolumeEngine, TheSameImageEachTime) {
   const auto check = [](const auto& model) {
     const RenderResult a = draw(model, settings_for(kEye), "volume");
