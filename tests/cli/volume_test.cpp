@@ -339,8 +339,9 @@ TEST_F(VolumeCommand, EnginesAgree) {
 
 TEST_F(VolumeCommand, TheEngineOnOpenGlExplainsItself) {
   const auto with = [&](const std::string& scene, const std::vector<std::string>& more) {
-    std::vector<std::string> arguments{"render", scene,      "-o",     path("a.png"), "--size",
-                                       "40x32",  "--engine", "volume", "--explain"};
+    std::vector<std::string> arguments{
+        "render",   scene,    "-o",        path("a.png"), "--size", "40x32",
+        "--engine", "volume", "--explain", "--orbit",     "20,15,4"};  // nearer eyes take lists
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_json(arguments)["explain"];
   };
