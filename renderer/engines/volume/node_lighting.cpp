@@ -21,19 +21,21 @@ std::vector<glm::ivec4> squares_of(std::span<const glm::u16vec4> texels, glm::iv
   std::vector<glm::ivec4> found;
   std::vector<bool> is_used(static_cast<std::size_t>(squares.x) *
                             static_cast<std::size_t>(squares.y));
+  const auto index_of = [&](int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(squares.x) +
+           static_cast<std::size_t>(x);
+  };
   std::size_t texel = 0;
   for (int z = 0; z < size.z; ++z) {
     is_used.assign(is_used.size(), false);
     for (int y = 0; y < size.y; ++y) {
       for (int x = 0; x < size.x; ++x, ++texel) {
-        if (texels[texel].w != 0)
-          is_used[static_cast<std::size_t>(y / kSide * squares.x + x / kSide)] = true;
+        if (texels[texel].w != 0) is_used[index_of(x / kSide, y / kSide)] = true;
       }
     }
     for (int y = 0; y < squares.y; ++y) {
       for (int x = 0; x < squares.x; ++x) {
-        if (is_used[static_cast<std::size_t>(y * squares.x + x)])
-          found.emplace_back(x * kSide, y * kSide, z, 0);
+        if (is_used[index_of(x, y)]) found.emplace_back(x * kSide, y * kSide, z, 0);
       }
     }
   }
