@@ -56,9 +56,9 @@ void extend_extremes(PatchModel& to, const PatchModel& from) {
   to.extremes.insert(to.extremes.end(), more.begin(), more.end());
 }
 
-/// Extends a model's bounds, spacing and attributes for another model. Models that stand in
-/// different ways have the default stance together.
-void extend(PatchModel& to, const PatchModel& from) {
+}  // namespace
+
+void extend_extent(PatchModel& to, const PatchModel& from) {
   if (from.bounds.empty()) return;
   to.has_colours = to.has_colours || from.has_colours;
   to.has_label_colours = to.has_label_colours || from.has_label_colours;
@@ -84,8 +84,6 @@ void extend(PatchModel& to, const PatchModel& from) {
   to.bounds = both;
   to.spacing = std::min(to.spacing, from.spacing);
 }
-
-}  // namespace
 
 glm::dmat3 rotation_about(glm::dvec3 axis, double degrees) {
   return glm::dmat3(glm::rotate(glm::dmat4(1.0), glm::radians(degrees), axis));
@@ -124,7 +122,7 @@ void append_joined(PatchModel& to, const PatchModel& from) {
 
 void append_model(PatchModel& to, PatchModel from) {
   assert(to.instances.empty() && from.instances.empty() && "patches that stand where they are");
-  extend(to, from);
+  extend_extent(to, from);
   to.is_closed = from.is_closed && (to.patches.empty() || to.is_closed);
   append_joined(to, from);
   if (to.patches.empty()) {
@@ -135,10 +133,6 @@ void append_model(PatchModel& to, PatchModel from) {
                     std::make_move_iterator(from.patches.end()));
 }
 
-void extend_extent(PatchModel& to, const PatchModel& from) {
-  extend(to, from);
-}
-
 Status add_instance(PatchModel& to, const Instance& instance, const PatchModel& extent) {
   assert(instance.first + std::size_t{instance.count} <= to.patches.size() && "a run of patches");
   for (std::uint32_t k = 0; k < instance.count; ++k) {
@@ -146,7 +140,7 @@ Status add_instance(PatchModel& to, const Instance& instance, const PatchModel& 
   }
   PatchModel placed = extent;
   RELIEF_TRY(transform_model(placed, instance.transform));
-  extend(to, placed);
+  extend_extent(to, placed);
   to.instances.push_back(instance);
   to.instances.back().is_closed = extent.is_closed;
   return {};

@@ -41,8 +41,8 @@ void append_joined(PatchModel& to, const PatchModel& from);
 /// `spacing` becomes the finer one. The result is closed if both are.
 void append_model(PatchModel& to, PatchModel from);
 
-/// Extends the bounds, the sphere, the spacing and the attributes of a model for another thing that
-/// stands beside its patches; `from` has none.
+/// Extends the bounds, the sphere, the spacing and the attributes of a model for another one; takes
+/// none of its patches. Models that stand in different ways have the default stance together.
 void extend_extent(PatchModel& to, const PatchModel& from);
 
 /// Adds an instance of some of the model's patches. `extent` has no patches; it gives their bounds,

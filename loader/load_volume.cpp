@@ -1,6 +1,8 @@
 #include "loader/load_volume.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -19,9 +21,8 @@
 namespace relief {
 namespace {
 
-bool draws_kernels(const EngineEntry& engine) {
-  return std::find(engine.forms.begin(), engine.forms.end(), ModelForm::Volume) !=
-         engine.forms.end();
+bool draws(const EngineEntry& engine, ModelForm form) {
+  return std::find(engine.forms.begin(), engine.forms.end(), form) != engine.forms.end();
 }
 
 /// Reads a volume, or a scan whose points are the nodes of one.
@@ -40,11 +41,6 @@ Result<ScalarVolume> read_nodes(const std::filesystem::path& path, const VolumeR
   return volume;
 }
 
-bool draws_several(const EngineEntry& engine) {
-  return std::find(engine.forms.begin(), engine.forms.end(), ModelForm::VolumeParts) !=
-         engine.forms.end();
-}
-
 /// With the model's own layout.
 Result<VolumeReadOptions> options_of(const SceneModel& model, const VolumeReadOptions& options) {
   if (model.raw.empty()) return options;
@@ -58,13 +54,13 @@ Result<VolumeReadOptions> options_of(const SceneModel& model, const VolumeReadOp
 Status check_engine_of(const PlannedView& view, const ScenePlan& plan, const SceneModel& model,
                        std::span<const EngineEntry> among) {
   RELIEF_TRY_ASSIGN(const EngineEntry* const engine, engine_of(view, among));
-  if (!draws_kernels(*engine)) {
+  if (!draws(*engine, ModelForm::Volume)) {
     return make_error(
         "{}: is a volume or a scene of 3D Gaussians, which engine {} can't draw; choose engine "
         "volume or volume-reference",
         model.file.string(), engine->name);
   }
-  if (plan.models.size() > 1 && !draws_several(*engine)) {
+  if (plan.models.size() > 1 && !draws(*engine, ModelForm::VolumeParts)) {
     return make_error(
         "{}: engine {} draws a single volume or scene of 3D Gaussians, and this scene has {} "
         "models; choose engine volume or volume-reference",
@@ -77,8 +73,8 @@ Status check_engine_of(const PlannedView& view, const ScenePlan& plan, const Sce
 /// can't be read is left out here: the image says so.
 std::vector<glm::dvec3> framed_points(const ScalarVolume& volume, const ScenePlan& plan) {
   const SceneModel& model = plan.models.front();
-  std::vector<TransferFunction> functions;
-  std::vector<double> isos;
+  std::set<std::string> transfers;  // each is made once: "auto" goes over all values
+  std::set<double> isos;
   for (const PlannedView& view : plan.views) {
     const auto option = [&](std::string_view key) -> const OptionValue* {
       for (const OptionValues* const values : {&model.options, &view.settings.options}) {
@@ -87,12 +83,17 @@ std::vector<glm::dvec3> framed_points(const ScalarVolume& volume, const ScenePla
       return nullptr;
     };
     const OptionValue* const transfer = option("transfer");
-    auto function = transfer_function_for(
-        transfer == nullptr ? "auto" : std::get<std::string>(*transfer), volume);
-    if (function) functions.push_back(*std::move(function));
-    if (const OptionValue* const iso = option("iso")) isos.push_back(std::get<double>(*iso));
+    transfers.insert(transfer == nullptr ? VolumeSettings().transfer
+                                         : std::get<std::string>(*transfer));
+    if (const OptionValue* const iso = option("iso")) isos.insert(std::get<double>(*iso));
   }
-  std::vector<glm::dvec3> points = seen_nodes(volume, functions, isos);
+  std::vector<TransferFunction> functions;
+  for (const std::string& transfer : transfers) {
+    if (auto function = transfer_function_for(transfer, volume))
+      functions.push_back(*std::move(function));
+  }
+  std::vector<glm::dvec3> points =
+      seen_nodes(volume, functions, std::vector<double>(isos.begin(), isos.end()));
   for (glm::dvec3& point : points) point = moved(model.transform, point);
   return points;
 }
@@ -130,7 +131,7 @@ void fit_engine(ScenePlan& plan, const VolumeReadOptions& options) {
   const bool is_for_kernels = has_kernels(plan.models, options);
   for (PlannedView& view : plan.views) {
     const auto engine = engine_of(view);
-    if (!engine || draws_kernels(**engine) == is_for_kernels) continue;
+    if (!engine || draws(**engine, ModelForm::Volume) == is_for_kernels) continue;
     view.settings.engine.reset();
     if (is_for_kernels) view.settings.engine = kVolumeEngineOfWindows;
   }

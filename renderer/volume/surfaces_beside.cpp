@@ -26,21 +26,14 @@ RenderSettings of_surfaces(RenderSettings settings, const std::string& engine) {
   return settings;
 }
 
-/// The channel of that name, or none.
-const std::vector<float>* channel(const Image& image, std::string_view name) {
-  const auto found = std::find_if(image.channels.begin(), image.channels.end(),
-                                  [name](const Channel& c) { return c.name == name; });
-  return found == image.channels.end() ? nullptr : &found->values;
-}
-
 /// Puts a channel, if it is there, where `member(pixel)` refers to.
 template <class Member>
 void read_channel(const Image& image, std::string_view name, Film& film, const Member& member) {
-  const std::vector<float>* const values = channel(image, name);
-  if (values == nullptr) return;
+  const Channel* const channel = image.find(name);
+  if (channel == nullptr) return;
   for (std::size_t k = 0; k < film.pixels.size(); ++k)
     member(film.pixels[k]) =
-        static_cast<std::remove_reference_t<decltype(member(film.pixels[k]))>>((*values)[k]);
+        static_cast<std::remove_reference_t<decltype(member(film.pixels[k]))>>(channel->values[k]);
 }
 
 Film film_of(const Image& image) {

@@ -11,6 +11,7 @@
 #include "common/image/srgb.h"
 #include "common/volume/transfer_function.h"
 #include "renderer/shading/materials.h"
+#include "renderer/shading/shading.h"
 #include "renderer/volume/clip_kernels.h"
 #include "renderer/volume/coarse_kernels.h"
 #include "renderer/volume/extent.h"

@@ -16,7 +16,6 @@
 #include "renderer/model.h"
 #include "renderer/settings.h"
 #include "renderer/shading/environment_cache.h"
-#include "renderer/shading/shading.h"
 #include "renderer/view/view.h"
 #include "renderer/volume/footprint.h"
 #include "renderer/volume/kernel_cloud.h"

@@ -39,13 +39,6 @@ struct FootprintError {
   double total = 0.0;    ///< of the sum over the image, share
 };
 
-/// The camera of all tables: at the origin, along +z.
-RayCamera camera_along_z() {
-  RayCamera camera;
-  camera.scale = glm::dvec2(kFocal);
-  return camera;
-}
-
 std::optional<Footprint> footprint_at(glm::dvec3 centre, const Variance& variance) {
   KernelCloud cloud;
   cloud.centres = {centre};
@@ -54,17 +47,7 @@ std::optional<Footprint> footprint_at(glm::dvec3 centre, const Variance& varianc
   FootprintRule rule;
   rule.filter = VolumeFilter::Unfiltered;
   rule.cutoff = kReach * kReach;
-  return footprint_of(cloud, 0, camera_along_z(), rule);
-}
-
-glm::dvec3 centre_at(double degrees) {
-  const double angle = glm::radians(degrees);
-  return {std::sin(angle), 0.0, std::cos(angle)};
-}
-
-Variance round_variance(double sigma) {
-  const double v = sigma * sigma;
-  return {v, 0.0, 0.0, v, 0.0, v};
+  return footprint_of(cloud, 0, camera_along_z(kFocal), rule);
 }
 
 /// For a kernel at distance 1, `degrees` off the axis. Fields of view wide enough to show it.

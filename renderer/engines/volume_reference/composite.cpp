@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <numbers>
 
 #include "renderer/engines/volume_reference/footprint_rows.h"
 #include "renderer/volume/share_before.h"
@@ -13,23 +11,14 @@
 namespace relief::volume_reference {
 namespace {
 
-double normal_distribution(double x) {
-  return 0.5 * std::erfc(-x / std::numbers::sqrt2);
-}
-
 /// The share of a kernel that lies in its group's slab and before `limit`, seen at a place in the
 /// image.
 double share_in_slab(const Footprint& footprint, glm::dvec2 from_centre, std::uint32_t group,
                      const SplatOrder& order, double limit) {
-  const double mean = footprint.depth + glm::dot(footprint.slope, from_centre);
   const double low = order.first_depth + order.thickness * group;
   const double high = std::min(low + order.thickness, limit);
   if (!(high > low)) return 0.0;
-  if (!(footprint.depth_deviation > 0.0)) return mean >= low && mean < high ? 1.0 : 0.0;
-  const auto below = [&](double depth) {
-    return normal_distribution((depth - mean) / footprint.depth_deviation);
-  };
-  return below(high) - below(low);
+  return share_before(footprint, from_centre, high) - share_before(footprint, from_centre, low);
 }
 
 PixelBox united(const PixelBox& a, const PixelBox& b) {

@@ -17,24 +17,6 @@ namespace {
 
 constexpr double kFocal = 1000.0;
 
-/// A camera at the origin along +z with pixels of 1 / kFocal.
-RayCamera camera_along_z() {
-  RayCamera camera;
-  camera.scale = glm::dvec2(kFocal);
-  return camera;
-}
-
-/// At distance 1, so many degrees off the axis, to the right.
-glm::dvec3 centre_at(double degrees) {
-  const double angle = glm::radians(degrees);
-  return {std::sin(angle), 0.0, std::cos(angle)};
-}
-
-Variance round(double sigma) {
-  const double v = sigma * sigma;
-  return {v, 0.0, 0.0, v, 0.0, v};
-}
-
 Footprint splat_of(const TrueKernel& kernel) {
   KernelCloud cloud;
   cloud.centres = {kernel.centre};
@@ -43,7 +25,7 @@ Footprint splat_of(const TrueKernel& kernel) {
   FootprintRule rule;
   rule.filter = VolumeFilter::Unfiltered;
   rule.cutoff = 100.0;  // exp(-50) lies beyond
-  const std::optional<Footprint> footprint = footprint_of(cloud, 0, camera_along_z(), rule);
+  const std::optional<Footprint> footprint = footprint_of(cloud, 0, camera_along_z(kFocal), rule);
   EXPECT_TRUE(footprint);
   return footprint.value_or(Footprint{});
 }
@@ -77,7 +59,8 @@ TEST(Projection, NumericalIntegralIsTheClosedForm) {
       const double peak = 1.0 / (2.0 * std::numbers::pi * sigma * sigma);
       const double closed = 0.5 * std::erfc(-along / (sigma * std::numbers::sqrt2)) *
                             std::exp(-0.5 * glm::dot(off, off) / (sigma * sigma)) * peak;
-      EXPECT_NEAR(integral_along({centre, round(sigma)}, through), closed, 1e-9 * peak) << sigma;
+      EXPECT_NEAR(integral_along({centre, round_variance(sigma)}, through), closed, 1e-9 * peak)
+          << sigma;
     }
   }
 }
@@ -86,7 +69,7 @@ TEST(Projection, NumericalIntegralIsTheClosedForm) {
 // Figure 9). 1e-8: the weight 1 of the splat is a float, the integral good to 1e-10.
 TEST(Projection, IsExactThroughTheCentre) {
   for (const double degrees : {0.0, 20.0, 45.0, 60.0}) {
-    EXPECT_LT(error_at({centre_at(degrees), round(0.05)}, 0.0), 1e-8) << degrees;
+    EXPECT_LT(error_at({centre_at(degrees), round_variance(0.05)}, 0.0), 1e-8) << degrees;
     const Variance leaning{4e-4, 3e-4, -1e-4, 9e-4, 2e-4, 6e-4};
     EXPECT_LT(error_at({centre_at(degrees), leaning}, 0.0), 1e-8) << degrees;
   }
@@ -95,8 +78,8 @@ TEST(Projection, IsExactThroughTheCentre) {
 // Along the axis the error is of second order in the kernel's size, elsewhere of first order.
 TEST(Projection, ErrorFallsWithTheKernelsSize) {
   for (const double degrees : {0.0, 30.0}) {
-    const double coarse = error_at({centre_at(degrees), round(0.02)}, 1.0);
-    const double fine = error_at({centre_at(degrees), round(0.01)}, 1.0);
+    const double coarse = error_at({centre_at(degrees), round_variance(0.02)}, 1.0);
+    const double fine = error_at({centre_at(degrees), round_variance(0.01)}, 1.0);
     const double order = std::log2(coarse / fine);
     // What comes next in the series is 0.02 times as large.
     EXPECT_NEAR(order, degrees == 0.0 ? 2.0 : 1.0, 0.05) << degrees;
@@ -109,7 +92,7 @@ TEST(Projection, ErrorOverTheFieldOfView) {
   constexpr double kSigma = 0.01;  // about a node of a volume of 100 that fills the image
   double before = 0.0;
   for (const double degrees : {0.0, 10.0, 20.0, 30.0, 45.0, 60.0}) {
-    const TrueKernel kernel{centre_at(degrees), round(kSigma)};
+    const TrueKernel kernel{centre_at(degrees), round_variance(kSigma)};
     const std::array<double, 4> errors{error_at(kernel, 0.5), error_at(kernel, 1.5),
                                        error_at(kernel, 3.0), error_at(kernel, 5.0)};
     EXPECT_GT(errors[1], before) << degrees;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 #include <numbers>
 
 namespace relief {
@@ -81,6 +82,22 @@ double integral_along(const TrueKernel& kernel, glm::dvec3 through) {
     sum += simpson.over(place(piece), place(piece + 1), tolerance);
   }
   return sum;
+}
+
+RayCamera camera_along_z(double focal) {
+  RayCamera camera;
+  camera.scale = glm::dvec2(focal);
+  return camera;
+}
+
+glm::dvec3 centre_at(double degrees) {
+  const double angle = glm::radians(degrees);
+  return {std::sin(angle), 0.0, std::cos(angle)};
+}
+
+Variance round_variance(double sigma) {
+  const double v = sigma * sigma;
+  return {v, 0.0, 0.0, v, 0.0, v};
 }
 
 }  // namespace relief

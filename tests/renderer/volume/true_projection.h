@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 
 #include "renderer/volume/kernel_cloud.h"
+#include "renderer/volume/ray_space.h"
 
 namespace relief {
 
@@ -17,5 +18,13 @@ struct TrueKernel {
 /// footprint there. By adaptive Simpson integration, within 1e-10 of the integral along a ray
 /// through the centre; what is behind the eye does not count.
 [[nodiscard]] double integral_along(const TrueKernel& kernel, glm::dvec3 through);
+
+/// A camera at the origin along +z with pixels of 1 / focal.
+[[nodiscard]] RayCamera camera_along_z(double focal);
+
+/// At distance 1, so many degrees off that camera's axis, to the right.
+[[nodiscard]] glm::dvec3 centre_at(double degrees);
+
+[[nodiscard]] Variance round_variance(double sigma);
 
 }  // namespace relief
