@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "renderer/volume/extent.h"
-#include "renderer/volume/ray_space.h"
+#include "renderer/volume/splats/ray_space.h"
 
 namespace relief {
 namespace {

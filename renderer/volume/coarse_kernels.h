@@ -3,7 +3,7 @@
 
 #include "common/volume/scalar_volume.h"
 #include "renderer/view/view.h"
-#include "renderer/volume/kernel_cloud.h"
+#include "renderer/volume/kernels/kernel_cloud.h"
 #include "renderer/volume/settings.h"
 
 namespace relief {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/volume/volume_nodes.h"
+#include "renderer/volume/kernels/volume_nodes.h"
 
 namespace relief {
 namespace {

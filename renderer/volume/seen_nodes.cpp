@@ -8,7 +8,7 @@
 #include <optional>
 #include <variant>
 
-#include "renderer/volume/volume_nodes.h"
+#include "renderer/volume/kernels/volume_nodes.h"
 
 namespace relief {
 namespace {

@@ -12,11 +12,11 @@
 #include "common/volume/transfer_function.h"
 #include "renderer/shading/materials.h"
 #include "renderer/shading/shading.h"
-#include "renderer/volume/clip_kernels.h"
 #include "renderer/volume/coarse_kernels.h"
 #include "renderer/volume/extent.h"
-#include "renderer/volume/gaussian_kernels.h"
-#include "renderer/volume/volume_kernels.h"
+#include "renderer/volume/kernels/clip_kernels.h"
+#include "renderer/volume/kernels/gaussian_kernels.h"
+#include "renderer/volume/kernels/volume_kernels.h"
 
 namespace relief {
 

@@ -17,8 +17,8 @@
 #include "renderer/settings.h"
 #include "renderer/shading/environment_cache.h"
 #include "renderer/view/view.h"
-#include "renderer/volume/footprint.h"
-#include "renderer/volume/kernel_cloud.h"
+#include "renderer/volume/kernels/kernel_cloud.h"
+#include "renderer/volume/splats/footprint.h"
 
 namespace relief {
 

@@ -1,7 +1,7 @@
 // A pixel's ray through the sheets of a regular grid, front to back. In each sheet it gathers the
 // kernels whose footprints reach the pixel: their variance in sheet coordinates is that of a kernel
 // seen along the ray, plus the low-pass filter's. This is the footprint of
-// renderer/volume/footprint.h with the Jacobian of the pixel in place of the kernel's centre.
+// renderer/volume/splats/footprint.h with the Jacobian of the pixel in place of the kernel's centre.
 #include "include/shared.h"
 #include "volume/layout.h"
 #include "volume/compositing.glsl"

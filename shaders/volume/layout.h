@@ -34,7 +34,7 @@ using glm::uvec4;
 #define RELIEF_VOLUME_SLABS 4u        // groups are slabs
 #define RELIEF_VOLUME_LIMITED 8u      // opaque surfaces end what pixels show
 
-/// A kernel's footprint (renderer/volume/footprint.h), as float texels.
+/// A kernel's footprint (renderer/volume/splats/footprint.h), as float texels.
 struct VolumeSplat {
   vec4 place;   ///< centre (pixels from the lower left corner), cutoff, peak
   vec4 shape;   ///< Q: xx, xy, yy (1 / pixels squared); w: depth

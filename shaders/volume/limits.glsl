@@ -34,7 +34,7 @@ float normal_distribution(float x) {
   return x < 0.0 ? tail : 1.0 - tail;
 }
 
-/// What is left of a contribution before a finite limit (renderer/volume/share_before.h). `mean` and
+/// What is left of a contribution before a finite limit (renderer/volume/splats/share_before.h). `mean` and
 /// `deviation`: of the kernel's depths.
 float weight_before(float weight, float mean, float deviation, float limit) {
   float beyond = limit - mean;

@@ -13,8 +13,8 @@
 #include <numbers>
 #include <optional>
 
-#include "../renderer/volume/true_projection.h"
-#include "renderer/volume/footprint.h"
+#include "../renderer/volume/splats/true_projection.h"
+#include "renderer/volume/splats/footprint.h"
 
 using namespace relief;
 

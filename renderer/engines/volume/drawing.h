@@ -12,8 +12,8 @@
 #include "renderer/gl/pass.h"
 #include "renderer/settings.h"
 #include "renderer/view/view.h"
-#include "renderer/volume/footprint.h"
-#include "renderer/volume/kernel_cloud.h"
+#include "renderer/volume/kernels/kernel_cloud.h"
+#include "renderer/volume/splats/footprint.h"
 
 namespace relief::volume {
 

@@ -11,7 +11,7 @@
 #include "renderer/engines/volume/node_lighting.h"
 #include "renderer/engines/volume/rule.h"
 #include "renderer/gl/program.h"
-#include "renderer/volume/splat_order.h"
+#include "renderer/volume/splats/splat_order.h"
 
 namespace relief::volume {
 namespace {

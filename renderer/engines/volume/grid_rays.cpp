@@ -5,9 +5,9 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
-#include "renderer/volume/footprint.h"
-#include "renderer/volume/ray_space.h"
-#include "renderer/volume/splat_order.h"
+#include "renderer/volume/splats/footprint.h"
+#include "renderer/volume/splats/ray_space.h"
+#include "renderer/volume/splats/splat_order.h"
 
 namespace relief::volume {
 namespace {

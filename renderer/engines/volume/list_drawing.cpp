@@ -7,8 +7,8 @@
 #include "renderer/engines/volume/rule.h"
 #include "renderer/engines/volume/shader_splats.h"
 #include "renderer/gl/program.h"
-#include "renderer/volume/placement.h"
-#include "renderer/volume/tile_lists.h"
+#include "renderer/volume/splats/placement.h"
+#include "renderer/volume/splats/tile_lists.h"
 
 namespace relief::volume {
 namespace {

@@ -10,7 +10,7 @@
 #include "renderer/engines/volume/rule.h"
 #include "renderer/engines/volume/shader_splats.h"
 #include "renderer/gl/program.h"
-#include "renderer/volume/placement.h"
+#include "renderer/volume/splats/placement.h"
 
 namespace relief::volume {
 namespace {

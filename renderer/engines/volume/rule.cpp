@@ -1,6 +1,6 @@
 #include "renderer/engines/volume/rule.h"
 
-#include "renderer/volume/composite_rule.h"
+#include "renderer/volume/splats/composite_rule.h"
 
 namespace relief::volume {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "renderer/engines/volume/drawing.h"
-#include "renderer/volume/splat_order.h"
+#include "renderer/volume/splats/splat_order.h"
 #include "shaders/volume/layout.h"
 
 namespace relief::volume {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <span>
 
-#include "renderer/volume/placement.h"
+#include "renderer/volume/splats/placement.h"
 
 namespace relief::volume_reference {
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "common/progress.h"
-#include "renderer/volume/footprint.h"
-#include "renderer/volume/kernel_order.h"
-#include "renderer/volume/splat_order.h"
+#include "renderer/volume/splats/footprint.h"
+#include "renderer/volume/splats/kernel_order.h"
+#include "renderer/volume/splats/splat_order.h"
 #include "renderer/volume/volume_model.h"
 
 namespace relief::volume_reference {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "renderer/engines/volume_reference/footprint_rows.h"
-#include "renderer/volume/share_before.h"
+#include "renderer/volume/splats/share_before.h"
 
 namespace relief::volume_reference {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "renderer/engines/volume_reference/tile_layers.h"
 #include "renderer/engines/volume_reference/tile_pixels.h"
-#include "renderer/volume/composite_rule.h"
-#include "renderer/volume/tile_lists.h"
+#include "renderer/volume/splats/composite_rule.h"
+#include "renderer/volume/splats/tile_lists.h"
 
 namespace relief::volume_reference {
 

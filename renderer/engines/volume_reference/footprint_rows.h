@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "renderer/volume/tile_lists.h"
+#include "renderer/volume/splats/tile_lists.h"
 
 namespace relief::volume_reference {
 

@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
-#include "renderer/volume/composite_rule.h"
-#include "renderer/volume/tile_lists.h"
+#include "renderer/volume/splats/composite_rule.h"
+#include "renderer/volume/splats/tile_lists.h"
 
 namespace relief::volume_reference {
 

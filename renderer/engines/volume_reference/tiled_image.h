@@ -13,7 +13,7 @@
 #include "renderer/engines/volume_reference/tile_layers.h"
 #include "renderer/engines/volume_reference/tile_pixels.h"
 #include "renderer/frame/film.h"
-#include "renderer/volume/composite_rule.h"
+#include "renderer/volume/splats/composite_rule.h"
 
 namespace relief::volume_reference {
 

@@ -8,8 +8,8 @@
 #include <glm/matrix.hpp>
 #include <optional>
 
-#include "renderer/volume/ray_space.h"
-#include "renderer/volume/tile_lists.h"
+#include "renderer/volume/splats/ray_space.h"
+#include "renderer/volume/splats/tile_lists.h"
 
 namespace relief::volume_truth {
 namespace {

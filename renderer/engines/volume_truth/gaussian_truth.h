@@ -7,7 +7,7 @@
 #include "common/progress.h"
 #include "renderer/engines/volume_truth/sample_image.h"
 #include "renderer/engines/volume_truth/truth_settings.h"
-#include "renderer/volume/kernel_cloud.h"
+#include "renderer/volume/kernels/kernel_cloud.h"
 #include "renderer/volume/settings.h"
 
 namespace relief::volume_truth {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "common/volume/scalar_volume.h"
-#include "renderer/volume/kernel_cloud.h"
+#include "renderer/volume/kernels/kernel_cloud.h"
 
 namespace relief::volume_truth {
 

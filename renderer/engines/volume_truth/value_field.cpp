@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "renderer/volume/volume_nodes.h"
+#include "renderer/volume/kernels/volume_nodes.h"
 
 namespace relief::volume_truth {
 namespace {

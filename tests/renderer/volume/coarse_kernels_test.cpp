@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "renderer/render.h"
-#include "renderer/volume/volume_kernels.h"
+#include "renderer/volume/kernels/volume_kernels.h"
 
 namespace relief {
 namespace {

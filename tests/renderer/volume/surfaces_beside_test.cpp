@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "renderer/render.h"
-#include "renderer/volume/share_before.h"
+#include "renderer/volume/splats/share_before.h"
 #include "tests/common/patch_file/sample_models.h"
 #include "tests/renderer/images.h"
 #include "tests/renderer/scenes.h"

@@ -11,7 +11,7 @@
 #include "renderer/engines/volume_truth/gaussian_truth.h"
 #include "renderer/engines/volume_truth/kernel_truth.h"
 #include "renderer/render.h"
-#include "renderer/volume/footprint.h"
+#include "renderer/volume/splats/footprint.h"
 
 namespace relief {
 namespace {
