@@ -13,10 +13,12 @@
 #include "common/scene/light.h"
 #include "common/scene/material.h"
 #include "common/scene/option.h"
+#include "renderer/clip/settings.h"
 #include "renderer/engines/ewa/settings.h"
 #include "renderer/engines/multipass/settings.h"
 #include "renderer/engines/raytrace/settings.h"
 #include "renderer/gl/platform.h"
+#include "renderer/surfels/settings.h"
 #include "renderer/volume/settings.h"
 
 namespace relief {
@@ -53,6 +55,8 @@ struct RenderSettings {
   MultipassSettings multipass;
   EwaSettings ewa;
   RaytraceSettings raytrace;
+  SurfelSettings surfel;
+  ClipSettings clip;  ///< of the engines that splat surfaces
   VolumeSettings volume;
   /// By VolumePart::settings: what is said there of the values' looks (transfer, iso, iso_opacity,
   /// kernel_sigma, material, Gaussians' degree) holds for that part. Empty: `volume` for all.

@@ -21,6 +21,9 @@ struct FileRange {
   std::uint64_t bytes = 0;
 };
 
+/// Whether the bytes begin as a patch file does.
+[[nodiscard]] bool has_magic(std::span<const std::byte> bytes);
+
 [[nodiscard]] std::vector<std::byte> write_header(const FileHeader& header);
 
 /// Returns the index's bytes in the header's version. The header supplies what all patches share.

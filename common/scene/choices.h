@@ -56,16 +56,18 @@ struct Outputs {
   bool depth = false;
   bool uv = false;
   bool patch_id = false;
+  bool clip = false;  ///< how the splat in front is clipped: ClipKind (renderer/clip/)
 };
 
-/// Turns on an output: normal, depth, uv or patch; colour is always on. Returns false for any other
-/// name.
+/// Turns on an output: normal, depth, uv, patch or clip; colour is always on. Returns false for any
+/// other name.
 [[nodiscard]] inline bool add_output(Outputs& outputs, std::string_view name) {
   if (name == "colour") return true;
   if (name == "normal") return outputs.normal = true;
   if (name == "depth") return outputs.depth = true;
   if (name == "uv") return outputs.uv = true;
   if (name == "patch") return outputs.patch_id = true;
+  if (name == "clip") return outputs.clip = true;
   return false;
 }
 

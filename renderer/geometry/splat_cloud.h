@@ -5,7 +5,10 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <memory>
 #include <vector>
+
+#include "common/image/image.h"
 
 namespace relief {
 
@@ -16,7 +19,9 @@ struct SplatCloud {
   std::vector<glm::vec3> normals;  ///< unit, outward; always there
   std::vector<double> radii;       ///< h of section 5, world units: variance h^2 I; always there
   std::vector<glm::vec4>
-      colours;                 ///< linear, not premultiplied; alpha: opacity; empty: neutral grey
+      colours;  ///< linear, not premultiplied; alpha: opacity; empty: neutral grey
+  std::vector<glm::vec2> texcoords;      ///< on `texture`, v downward; empty without one
+  std::shared_ptr<const Image> texture;  ///< linear; of engine `surfel`
   std::vector<glm::vec2> uvs;  ///< grid coordinates on the patch; empty for points of a scan
   std::vector<std::uint32_t> patches;   ///< patch id + 1; empty for points of a scan
   std::vector<std::uint8_t> materials;  ///< index into the table of materials; empty: all 0
