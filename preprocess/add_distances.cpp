@@ -7,8 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "common/neighbours/position_tree.h"
 #include "common/scalars/quantise.h"
-#include "preprocess/points/position_tree.h"
 
 namespace relief {
 namespace {

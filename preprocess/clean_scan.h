@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "common/error.h"
+#include "common/neighbours/neighbours.h"
 #include "common/points.h"
 #include "common/progress.h"
 #include "preprocess/convert_options.h"
-#include "preprocess/points/neighbours.h"
 
 namespace relief {
 

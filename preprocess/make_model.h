@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "common/error.h"
+#include "common/neighbours/neighbours.h"
 #include "common/points.h"
 #include "common/progress.h"
 #include "preprocess/convert_options.h"
 #include "preprocess/measure.h"
 #include "preprocess/normals/crease_normals.h"
-#include "preprocess/points/neighbours.h"
 #include "preprocess/resample/resample.h"
 #include "preprocess/texture/maps/flat_triangles.h"
 

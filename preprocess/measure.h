@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "common/neighbours/neighbours.h"
 #include "common/patch.h"
 #include "common/seams/seam_distances.h"
 #include "preprocess/patch_distance.h"
-#include "preprocess/points/neighbours.h"
 
 namespace relief {
 

@@ -9,9 +9,9 @@
 #include <optional>
 
 #include "common/median.h"
+#include "common/neighbours/nearest_search.h"
 #include "preprocess/noise/quadric_fit.h"
 #include "preprocess/noise/rings.h"
-#include "preprocess/points/nearest_search.h"
 
 namespace relief {
 namespace {

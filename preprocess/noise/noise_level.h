@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "preprocess/points/position_tree.h"
+#include "common/neighbours/position_tree.h"
 
 namespace relief {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "preprocess/points/position_tree.h"
+#include "common/neighbours/position_tree.h"
 
 namespace relief {
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "common/neighbours/position_tree.h"
 #include "common/progress.h"
 #include "preprocess/noise/quadric_fit.h"
-#include "preprocess/points/position_tree.h"
 
 namespace relief {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/neighbours/neighbours.h"
 #include "common/points.h"
-#include "preprocess/points/neighbours.h"
 
 namespace relief {
 

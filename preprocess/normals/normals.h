@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/neighbours/neighbours.h"
 #include "common/points.h"
 #include "common/progress.h"
 #include "preprocess/normals/known_sides.h"
 #include "preprocess/normals/mesh_edges.h"
 #include "preprocess/normals/sheets.h"
-#include "preprocess/points/neighbours.h"
 
 namespace relief {
 

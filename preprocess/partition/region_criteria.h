@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "common/neighbours/neighbours.h"
 #include "common/points.h"
 #include "preprocess/normals/normals.h"
 #include "preprocess/partition/normal_list.h"
-#include "preprocess/points/neighbours.h"
 
 namespace relief {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "common/median.h"
+#include "common/neighbours/neighbours.h"
 #include "preprocess/normals/signed_forest.h"
 #include "preprocess/points/keep_points.h"
-#include "preprocess/points/neighbours.h"
 
 namespace relief {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "preprocess/points/neighbours.h"
+#include "common/neighbours/neighbours.h"
 
 namespace relief {
 

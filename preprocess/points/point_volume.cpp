@@ -12,7 +12,7 @@
 #include <numbers>
 #include <utility>
 
-#include "preprocess/points/neighbours.h"
+#include "common/neighbours/neighbours.h"
 
 namespace relief {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "preprocess/points/neighbours.h"
+#include "common/neighbours/neighbours.h"
 
 namespace relief {
 

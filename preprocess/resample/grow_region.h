@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "common/neighbours/neighbours.h"
 #include "preprocess/partition/region.h"
-#include "preprocess/points/neighbours.h"
 
 namespace relief {
 

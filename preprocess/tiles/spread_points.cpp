@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "common/io/standard_input.h"
-#include "preprocess/points/neighbours.h"
+#include "common/neighbours/neighbours.h"
 #include "preprocess/tiles/checkpoint.h"
 
 namespace relief {

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <span>
 
-#include "preprocess/points/neighbours.h"
+#include "common/neighbours/neighbours.h"
 
 namespace relief {
 namespace {

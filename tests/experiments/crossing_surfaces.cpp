@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "common/bounds.h"
-#include "preprocess/points/neighbours.h"
+#include "common/neighbours/neighbours.h"
 #include "preprocess/points/point_radii.h"
 #include "renderer/geometry/mesh_of_points.h"
 

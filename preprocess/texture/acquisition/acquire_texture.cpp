@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "common/guard.h"
+#include "common/neighbours/neighbours.h"
 #include "preprocess/normals/normals.h"
-#include "preprocess/points/neighbours.h"
 #include "preprocess/texture/acquisition/continuous_texture.h"
 #include "preprocess/texture/acquisition/even_sample.h"
 #include "preprocess/texture/acquisition/fit_texture.h"

@@ -11,7 +11,7 @@
 #include <queue>
 #include <utility>
 
-#include "preprocess/points/radius_search.h"
+#include "common/neighbours/radius_search.h"
 
 namespace relief {
 namespace {

@@ -9,7 +9,7 @@
 #include <limits>
 #include <numbers>
 
-#include "preprocess/points/radius_search.h"
+#include "common/neighbours/radius_search.h"
 
 namespace relief {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
-#include "preprocess/points/neighbours.h"
+#include "common/neighbours/neighbours.h"
 #include "preprocess/thread_limit.h"
 #include "tests/preprocess/noise/noisy_surfaces.h"
 #include "tests/preprocess/surfaces.h"

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "common/neighbours/neighbours.h"
 #include "preprocess/convert.h"
-#include "preprocess/points/neighbours.h"
 
 namespace relief {
 namespace {

@@ -1,4 +1,4 @@
-#include "preprocess/points/neighbours.h"
+#include "common/neighbours/neighbours.h"
 
 #include <gtest/gtest.h>
 

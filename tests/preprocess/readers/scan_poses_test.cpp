@@ -5,7 +5,7 @@
 #include <fstream>
 #include <glm/geometric.hpp>
 
-#include "preprocess/points/radius_search.h"
+#include "common/neighbours/radius_search.h"
 #include "preprocess/readers/read_points.h"
 #include "preprocess/readers/scan_poses.h"
 

@@ -1,9 +1,9 @@
-#include "preprocess/points/radius_search.h"
+#include "common/neighbours/radius_search.h"
 
 #include <algorithm>
 #include <array>
 
-#include "preprocess/points/position_tree.h"
+#include "common/neighbours/position_tree.h"
 
 namespace relief {
 

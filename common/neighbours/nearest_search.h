@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "preprocess/points/position_tree.h"
+#include "common/neighbours/position_tree.h"
 
 namespace relief {
 

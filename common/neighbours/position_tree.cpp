@@ -1,4 +1,4 @@
-#include "preprocess/points/position_tree.h"
+#include "common/neighbours/position_tree.h"
 
 #include <algorithm>
 #include <glm/common.hpp>

@@ -1,4 +1,4 @@
-#include "preprocess/points/nearest_search.h"
+#include "common/neighbours/nearest_search.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "preprocess/points/position_tree.h"
+#include "common/neighbours/position_tree.h"
 
 namespace relief {
 namespace {

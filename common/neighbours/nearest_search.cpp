@@ -1,4 +1,4 @@
-#include "preprocess/points/nearest_search.h"
+#include "common/neighbours/nearest_search.h"
 
 #include <array>
 #include <cassert>

@@ -1,4 +1,4 @@
-#include "preprocess/points/neighbours.h"
+#include "common/neighbours/neighbours.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "preprocess/points/nearest_search.h"
-#include "preprocess/points/position_tree.h"
+#include "common/neighbours/nearest_search.h"
+#include "common/neighbours/position_tree.h"
 
 namespace relief {
 namespace {
