@@ -19,11 +19,11 @@ namespace relief {
 /// afar. World frame.
 struct SphereNode {
   glm::dvec3 centre{0.0};
-  double radius = 0.0;         ///< the sphere holds the whole discs, bent or not
+  double radius = 0.0;         ///< the sphere holds all that is drawn of its surfels
   glm::vec3 axis{0.0F};        ///< unit; the middle of the cone of normals, and the mean's normal
   float cos_angle = -1.0F;     ///< of the cone's half angle; -1: it holds all directions
   glm::dvec3 mean{0.0};        ///< the mean of the positions
-  double mean_radius = 0.0;    ///< of the disc about `mean` that holds the discs, seen along `axis`
+  double mean_radius = 0.0;    ///< of the disc about `mean` that holds them, seen along `axis`
   std::uint32_t first = 0;     ///< its surfels in SphereTree::order
   std::uint32_t count = 0;     ///< at least 1
   std::uint32_t child = 0;     ///< its first child; its others follow
@@ -40,13 +40,21 @@ struct SphereTree {
   std::vector<std::uint32_t> order;
 };
 
+/// Surfels as the hierarchy takes them; spans are as long as `positions`, or empty where said.
+struct SphereSurfels {
+  std::span<const glm::dvec3> positions;  ///< finite
+  std::span<const glm::vec3> normals;     ///< unit; any other: the surfel is seen from both sides
+  /// How far each is drawn from its position, world units: the radius of a disc, more of a polygon
+  /// about it or of a bent surfel.
+  std::span<const double> reaches;
+  /// How far, in radians, the normals of a bent surfel stray from its own; empty: none is bent.
+  std::span<const float> spreads;
+};
+
 /// Builds the hierarchy: nodes are split in the middle of the longest side of their box, twice a
-/// level, so that most have four children. Positions are finite. `normals`: unit, or anything else
-/// for a surfel that is seen from both sides. The result does not depend on the number of threads.
+/// level, so that most have four children. The result does not depend on the number of threads.
 /// Fails only if it is interrupted.
-Result<SphereTree> build_sphere_tree(std::span<const glm::dvec3> positions,
-                                     std::span<const glm::vec3> normals,
-                                     std::span<const double> radii, Progress& progress);
+Result<SphereTree> build_sphere_tree(const SphereSurfels& surfels, Progress& progress);
 
 /// The mean of an attribute over the surfels of each node, as long as `nodes`. `of_surfel`: in the
 /// order of the surfels' indices, not of slots. T can be added and multiplied by a float.
