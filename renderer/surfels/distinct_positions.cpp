@@ -47,8 +47,7 @@ DistinctPositions find_distinct_positions(std::span<const glm::dvec3> positions)
   std::vector<Placed> placed;
   placed.reserve(positions.size());
   for (std::uint32_t k = 0; k < positions.size(); ++k) {
-    if (is_finite(positions[k]))
-      placed.push_back({(positions[k] - frame.middle) / frame.unit, k});
+    if (is_finite(positions[k])) placed.push_back({(positions[k] - frame.middle) / frame.unit, k});
   }
   tbb::parallel_sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
     return std::tie(a.at.x, a.at.y, a.at.z, a.point) < std::tie(b.at.x, b.at.y, b.at.z, b.point);

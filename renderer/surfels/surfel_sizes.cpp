@@ -76,9 +76,12 @@ Result<SurfelSizes> find_surfel_sizes(std::span<const glm::dvec3> positions, Sur
 
 double closing_scale(SurfelSize method) {
   switch (method) {
-    case SurfelSize::BspCircle: return 2.0;
-    case SurfelSize::Qsplat: return 2.0;
-    case SurfelSize::BspEdge: break;
+    case SurfelSize::BspCircle:
+      return 2.0;
+    case SurfelSize::Qsplat:
+      return 2.0;
+    case SurfelSize::BspEdge:
+      break;
   }
   return 2.0;
 }

@@ -1,4 +1,5 @@
-// How well discs cover a surface: the gaps and the overlap, for every factor of their radii at once.
+// How well discs cover a surface: the gaps and the overlap, for every factor of their radii at
+// once.
 #pragma once
 
 #include <cstdint>

@@ -44,7 +44,8 @@ Place place_at(Shape shape, double a, double b, double plane_half) {
       const glm::dvec3 at(r * std::cos(2.0 * kPi * a), r * std::sin(2.0 * kPi * a), z);
       return {at, at};
     }
-    case Shape::Torus: break;
+    case Shape::Torus:
+      break;
   }
   const double around = 2.0 * kPi * a;
   const double tube = torus_angle(b);
@@ -55,9 +56,12 @@ Place place_at(Shape shape, double a, double b, double plane_half) {
 
 double area_of(Shape shape) {
   switch (shape) {
-    case Shape::Plane: return 4.0 * kPlaneHalf * kPlaneHalf;
-    case Shape::Sphere: return 4.0 * kPi;
-    case Shape::Torus: break;
+    case Shape::Plane:
+      return 4.0 * kPlaneHalf * kPlaneHalf;
+    case Shape::Sphere:
+      return 4.0 * kPi;
+    case Shape::Torus:
+      break;
   }
   return 4.0 * kPi * kPi * kMajor * kMinor;
 }
@@ -80,8 +84,8 @@ SampledSurface throw_darts(Shape shape, std::size_t points, std::mt19937& random
     const glm::dvec3 p = place.position;
     bool is_free = true;
     for (int m = 0; m < 27 && is_free; ++m) {
-      const auto near = cells.find({cell_of(p.x) + m % 3 - 1, cell_of(p.y) + m / 3 % 3 - 1,
-                                    cell_of(p.z) + m / 9 - 1});
+      const auto near = cells.find(
+          {cell_of(p.x) + m % 3 - 1, cell_of(p.y) + m / 3 % 3 - 1, cell_of(p.z) + m / 9 - 1});
       if (near == cells.end()) continue;
       is_free = std::ranges::none_of(
           near->second, [&](glm::dvec3 other) { return glm::distance(other, p) < apart; });
@@ -105,10 +109,10 @@ SampledSurface jitter_grid(Shape shape, std::size_t points, std::mt19937& random
   const auto rows = static_cast<int>(std::round(across / side));
   for (int row = 0; row < rows; ++row) {
     const double middle = (row + 0.5) / rows;
-    const double length =
-        shape == Shape::Plane    ? 2.0 * kPlaneHalf
-        : shape == Shape::Sphere ? 2.0 * kPi * std::sin(kPi * middle)
-                                 : 2.0 * kPi * (kMajor + kMinor * std::cos(2.0 * kPi * middle));
+    const double length = shape == Shape::Plane ? 2.0 * kPlaneHalf
+                          : shape == Shape::Sphere
+                              ? 2.0 * kPi * std::sin(kPi * middle)
+                              : 2.0 * kPi * (kMajor + kMinor * std::cos(2.0 * kPi * middle));
     const auto columns = std::max(static_cast<int>(std::round(length / side)), 1);
     for (int column = 0; column < columns; ++column) {
       const double a = (column + uniform(random)) / columns;
@@ -127,9 +131,12 @@ SampledSurface jitter_grid(Shape shape, std::size_t points, std::mt19937& random
 /// with its grid.
 double inside(Shape shape, glm::dvec3 p) {
   switch (shape) {
-    case Shape::Plane: return glm::dot(p, glm::normalize(glm::dvec3(0.31, 0.47, 1.0)));
-    case Shape::Sphere: return glm::length(p) - 1.0;
-    case Shape::Torus: break;
+    case Shape::Plane:
+      return glm::dot(p, glm::normalize(glm::dvec3(0.31, 0.47, 1.0)));
+    case Shape::Sphere:
+      return glm::length(p) - 1.0;
+    case Shape::Torus:
+      break;
   }
   const double from_ring = std::hypot(p.x, p.y) - kMajor;
   return std::hypot(from_ring, p.z) - kMinor;
@@ -189,10 +196,14 @@ std::string name_of(Shape shape) {
 
 std::string name_of(Sampling sampling) {
   switch (sampling) {
-    case Sampling::Random: return "random";
-    case Sampling::BlueNoise: return "blue noise";
-    case Sampling::Jittered: return "jittered grid";
-    case Sampling::Crossings: break;
+    case Sampling::Random:
+      return "random";
+    case Sampling::BlueNoise:
+      return "blue noise";
+    case Sampling::Jittered:
+      return "jittered grid";
+    case Sampling::Crossings:
+      break;
   }
   return "grid crossings";
 }
@@ -201,10 +212,14 @@ SampledSurface sample_surface(Shape shape, Sampling sampling, std::size_t points
                               std::uint32_t seed) {
   std::mt19937 random(seed);
   switch (sampling) {
-    case Sampling::BlueNoise: return throw_darts(shape, points, random);
-    case Sampling::Jittered: return jitter_grid(shape, points, random);
-    case Sampling::Crossings: return cross_grid(shape, points);
-    case Sampling::Random: break;
+    case Sampling::BlueNoise:
+      return throw_darts(shape, points, random);
+    case Sampling::Jittered:
+      return jitter_grid(shape, points, random);
+    case Sampling::Crossings:
+      return cross_grid(shape, points);
+    case Sampling::Random:
+      break;
   }
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   SampledSurface surface;
