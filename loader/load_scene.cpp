@@ -14,6 +14,7 @@
 #include "loader/colour_by.h"
 #include "loader/load_files.h"
 #include "loader/load_volume.h"
+#include "loader/texture_splats.h"
 #include "loader/view_settings.h"
 #include "preprocess/convert.h"
 #include "preprocess/raster/raster.h"
@@ -78,8 +79,10 @@ Result<LoadedScan> load_scan(const std::filesystem::path& path, const LoadOption
   const std::optional<ColourBy>& colour_by = options.colour_by;
   ReadOptions read = options.read;
   if (colour_by) read.scalars = scalars_for(*colour_by);
-  auto scan =
-      load_mesh(path, colour_by ? TextureChoice{true, {}} : options.textures, progress, read);
+  TextureChoice textures = options.textures;
+  if (colour_by) textures = TextureChoice{true, {}};
+  textures.of_points = needs.textured_splats && !needs.patches && !needs.mesh;
+  auto scan = load_mesh(path, textures, progress, read);
   if (!scan) return scan.error();
   if (options.on_points) options.on_points(scan->points);
   LoadedScan made;
@@ -100,6 +103,7 @@ Result<LoadedScan> load_scan(const std::filesystem::path& path, const LoadOption
     auto splats = splats_of_points(scan->points, progress);
     if (!splats) return make_error("{}: {}", path.string(), splats.error().message);
     file.splats = std::move(*splats);
+    if (needs.textured_splats) texture_splats(scan->points, *file.splats);
   }
   const bool meshes_patches = needs.mesh && !has_triangles;
   if (!needs.patches && !meshes_patches) return made;
@@ -189,6 +193,7 @@ Result<FormNeeds> needs_of(const ScenePlan& plan, std::span<const EngineEntry> a
     const ModelForm form = (of_surfaces != nullptr ? of_surfaces : engine)->forms.front();
     needs.patches |= form == ModelForm::Patches;
     needs.splats |= form == ModelForm::Splats;
+    needs.textured_splats |= form == ModelForm::Splats && engine->capabilities.textures_splats;
     needs.mesh |= form == ModelForm::Mesh;
   }
   return needs;
@@ -267,7 +272,7 @@ Result<LoadedScene> load_scene(const ScenePlan& plan, const LoadOptions& options
   if (plan.models.size() == 1 && has_kernels(plan.models.front(), options.volume))
     return load_kernels(plan, options.volume, options.read, progress);
   RELIEF_TRY_ASSIGN(const FormNeeds needs, needs_of(plan, among));
-  if (needs.splats && !options.textures.image.empty())
+  if (needs.splats && !needs.textured_splats && !options.textures.image.empty())
     return load_textured_splats(plan, options, progress);
   LoadOptions of_plan = options;
   // Heights are along the up direction of the image.

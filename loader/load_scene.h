@@ -26,6 +26,7 @@ struct FormNeeds {
   bool patches = false;
   bool splats = false;
   bool mesh = false;
+  bool textured_splats = false;  ///< splats keep their texture (EngineCapabilities)
 };
 
 /// Returns the views to draw of a scene whose bounds are known.

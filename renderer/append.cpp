@@ -102,7 +102,13 @@ Status append(TriangleMesh& to, TriangleMesh from, std::uint32_t patches_before)
   return {};
 }
 
+// Splats have one texture: the first. Those of another have the colours that it has at them.
 void append(SplatCloud& to, SplatCloud from, std::uint32_t patches_before) {
+  const Counts counts{to.positions.size(), from.positions.size()};
+  if (to.texture == nullptr) to.texture = from.texture;
+  if (to.texture != from.texture) from.texcoords.clear();
+  append_attribute(to.texcoords, from.texcoords, counts,
+                   glm::vec2(std::numeric_limits<float>::quiet_NaN()));
   append_shared(to, from, patches_before);
   to.radii.insert(to.radii.end(), from.radii.begin(), from.radii.end());
 }

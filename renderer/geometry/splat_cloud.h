@@ -20,8 +20,9 @@ struct SplatCloud {
   std::vector<double> radii;       ///< h of section 5, world units: variance h^2 I; always there
   std::vector<glm::vec4>
       colours;  ///< linear, not premultiplied; alpha: opacity; empty: neutral grey
-  std::vector<glm::vec2> texcoords;      ///< on `texture`, v downward; empty without one
-  std::shared_ptr<const Image> texture;  ///< linear; of engine `surfel`
+  /// On `texture`, v downward; empty without one. NaN: the point is not on it, and has its colour.
+  std::vector<glm::vec2> texcoords;
+  std::shared_ptr<const Image> texture;  ///< linear; in place of `colours`, for engine `surfel`
   std::vector<glm::vec2> uvs;  ///< grid coordinates on the patch; empty for points of a scan
   std::vector<std::uint32_t> patches;   ///< patch id + 1; empty for points of a scan
   std::vector<std::uint8_t> materials;  ///< index into the table of materials; empty: all 0

@@ -87,10 +87,12 @@ void drop_bad_texcoords(Points& points) {
   }
 }
 
-Status put_on_all(const fs::path& mesh, const fs::path& image, Points& points) {
-  if (points.triangles.empty() || points.texcoords.empty()) {
+Status put_on_all(const fs::path& mesh, const TextureChoice& choice, Points& points) {
+  const fs::path& image = choice.image;
+  const bool lacks_faces = points.triangles.empty() && !choice.of_points;
+  if (lacks_faces || points.texcoords.empty()) {
     return make_error("{}: it has no {}, so the texture {} cannot be put on it", mesh.string(),
-                      points.triangles.empty() ? "faces" : "texture coordinates", image.string());
+                      lacks_faces ? "faces" : "texture coordinates", image.string());
   }
   RELIEF_TRY_ASSIGN(auto texture, read_texture(image, TextureWrap::Repeat));
   MeshMaterial material;
@@ -249,14 +251,15 @@ Status load_textures(const fs::path& mesh, const TextureChoice& choice, Points& 
   if (choice.left_out) {
     leave_out(points);
   } else if (!choice.image.empty()) {
-    done = put_on_all(mesh, choice.image, points);
+    done = put_on_all(mesh, choice, points);
   } else {
     done = resolve_materials(mesh, points, notes);
     // A missing material file has a note of its own.
     if (done && notes.empty()) note_missing_picture(mesh, points, notes);
   }
   points.material_files.clear();
-  if (done && !has_triangle_colours(points)) leave_out(points);
+  const bool of_points = choice.of_points && points.triangles.empty();
+  if (done && !of_points && !has_triangle_colours(points)) leave_out(points);
   return done;
 }
 

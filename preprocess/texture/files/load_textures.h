@@ -16,6 +16,8 @@ struct TextureChoice {
   std::filesystem::path image;  ///< one texture for all triangles instead, without normal maps;
                                 ///< empty: the file's textures
   bool flips_v = false;         ///< the coordinates' v goes downward: it becomes 1 - v
+  /// Points without triangles may have `image`, too: it is then their one material.
+  bool of_points = false;
 };
 
 /// Reads the material files and images (textures and normal maps) that the file `mesh` names.
