@@ -39,8 +39,8 @@ Result<ClipPartners> find_clip_partners_of_bodies(const SplatDiscs& discs,
   ClipPartners all{{0}, {}, {}};
   std::size_t begin = 0;
   for (const std::size_t end : ends) {
-    RELIEF_TRY_ASSIGN(ClipPartners part, find_clip_partners(part_of(discs, begin, end), settings,
-                                                            progress));
+    RELIEF_TRY_ASSIGN(ClipPartners part,
+                      find_clip_partners(part_of(discs, begin, end), settings, progress));
     append_partners(std::move(part), begin, all);
     begin = end;
   }

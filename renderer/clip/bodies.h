@@ -15,7 +15,6 @@ namespace relief {
 /// discs, ascending, the last all of them; empty: one body. Fails only if it is interrupted.
 Result<ClipPartners> find_clip_partners_of_bodies(const SplatDiscs& discs,
                                                   std::span<const std::size_t> ends,
-                                                  const ClipSettings& settings,
-                                                  Progress& progress);
+                                                  const ClipSettings& settings, Progress& progress);
 
 }  // namespace relief

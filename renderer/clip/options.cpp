@@ -48,15 +48,16 @@ EngineOption rule_option() {
 }
 
 EngineOption threshold_option() {
-  OptionRow row{.key = "clip-threshold",
-                .kind = OptionKind::Text,
-                .placeholder = "W|auto",
-                .help = "splats whose normals have a smaller dot product lie on both sides of a "
-                        "sharp edge; -1 to 1, auto measures the noise of the normals",
-                .default_text = "auto",
-                .accepts_text =
-                    [](std::string_view text) { return text == kAuto || parse_threshold(text); },
-                .expected_text = "auto or a number from -1 to 1"};
+  OptionRow row{
+      .key = "clip-threshold",
+      .kind = OptionKind::Text,
+      .placeholder = "W|auto",
+      .help =
+          "splats whose normals have a smaller dot product lie on both sides of a "
+          "sharp edge; -1 to 1, auto measures the noise of the normals",
+      .default_text = "auto",
+      .accepts_text = [](std::string_view text) { return text == kAuto || parse_threshold(text); },
+      .expected_text = "auto or a number from -1 to 1"};
   return {std::move(row),
           [](RenderSettings& settings, const OptionValue& value) {
             settings.clip.threshold = parse_threshold(std::get<std::string>(value));

@@ -33,8 +33,7 @@ glm::dvec3 beyond_line(const PixelMapping& mapping, glm::dvec3 point, glm::dvec3
 
 glm::dmat2 seen_variance(const TangentMapping& plane, double radius, EwaFilter filter) {
   if (filter == EwaFilter::Unfiltered) return glm::dmat2(0.0);
-  const glm::dmat2 variance =
-      radius * radius * plane.to_pixels * glm::transpose(plane.to_pixels);
+  const glm::dmat2 variance = radius * radius * plane.to_pixels * glm::transpose(plane.to_pixels);
   return variance * glm::inverse(variance + glm::dmat2(1.0));
 }
 

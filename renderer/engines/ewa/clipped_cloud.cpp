@@ -30,9 +30,9 @@ Result<Clipping> ClipCache::get(const SplatCloud& cloud, std::size_t level,
       found->second.cutoff != cutoff) {
     const std::span<const std::size_t> bodies =
         level == 0 ? std::span<const std::size_t>(body_ends_) : std::span<const std::size_t>();
-    RELIEF_TRY_ASSIGN(ClipPartners partners,
-                      find_clip_partners_of_bodies(discs_of(cloud, cutoff), bodies, settings.clip,
-                                                   progress));
+    RELIEF_TRY_ASSIGN(
+        ClipPartners partners,
+        find_clip_partners_of_bodies(discs_of(cloud, cutoff), bodies, settings.clip, progress));
     found = found_.insert_or_assign(level, Found{settings.clip, cutoff, std::move(partners)}).first;
   }
   return Clipping{&found->second.partners, settings.clip.rule};

@@ -56,7 +56,7 @@ template <class Kernel>
 struct ProjectedSplat {
   Kernel kernel;
   TangentDepth depth;
-  std::uint32_t index = 0;  ///< in the cloud
+  std::uint32_t index = 0;       ///< in the cloud
   std::uint32_t first_line = 0;  ///< of what clips it, in its chunk
   std::uint32_t line_count = 0;
 };

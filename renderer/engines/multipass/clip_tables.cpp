@@ -40,10 +40,9 @@ bool add_patch(const Patch& patch, const SampleDiscs& samples, std::size_t k,
   for (std::uint32_t r = 0; r < records.count; ++r) {
     const std::size_t splat = samples.first[k] + r;
     const std::span<const ClipLine> lines = partners.of(splat);
-    ranges[records.first + r] = {
-        static_cast<std::uint32_t>(out.lines.size()),
-        static_cast<std::uint32_t>(lines.size()) << shared::kClipKindBits |
-            static_cast<std::uint32_t>(partners.kinds[splat])};
+    ranges[records.first + r] = {static_cast<std::uint32_t>(out.lines.size()),
+                                 static_cast<std::uint32_t>(lines.size()) << shared::kClipKindBits |
+                                     static_cast<std::uint32_t>(partners.kinds[splat])};
     for (const ClipLine& line : lines)
       out.lines.push_back(line_on_grid(line, patch, samples.slopes[splat]));
     some = some || !lines.empty();
@@ -109,8 +108,8 @@ Result<ClipTables> make_clip_tables(const Gl& gl, const PatchModel& model, const
   for (const PlacedRun& run : runs_of(model, store)) {
     auto found = done.find({run.first, run.count});
     if (found == done.end()) {
-      RELIEF_TRY_ASSIGN(auto some, add_run(run, model, store, settings, radius_factor, progress,
-                                           collected));
+      RELIEF_TRY_ASSIGN(auto some,
+                        add_run(run, model, store, settings, radius_factor, progress, collected));
       found = done.emplace(std::pair(run.first, run.count), std::move(some)).first;
     }
     place(run, found->second, store, collected);
@@ -120,10 +119,10 @@ Result<ClipTables> make_clip_tables(const Gl& gl, const PatchModel& model, const
     return make_error("the model has {} clip lines, more than this OpenGL can draw ({})",
                       collected.lines.size(), most);
   }
-  ClipTables tables{{},
-                    make_table(gl, "clip lines", GL_RGBA32F,
-                               std::span<const glm::vec4>(collected.lines)),
-                    std::move(collected.clipped)};
+  ClipTables tables{
+      {},
+      make_table(gl, "clip lines", GL_RGBA32F, std::span<const glm::vec4>(collected.lines)),
+      std::move(collected.clipped)};
   for (const std::vector<glm::uvec2>& ranges : collected.ranges) {
     tables.ranges.push_back(
         make_table(gl, "clip ranges", GL_RG32UI, std::span<const glm::uvec2>(ranges)));
@@ -142,8 +141,8 @@ Result<const ClipTables*> ClipTableCache::get(const Gl& gl, const PatchStore& st
         "without --clip-partners, or a file without tiles");
   }
   if (!made_ || made_->settings != settings || made_->radius_factor != radius_factor) {
-    RELIEF_TRY_ASSIGN(ClipTables tables, make_clip_tables(gl, *model_, store, settings,
-                                                          radius_factor, progress));
+    RELIEF_TRY_ASSIGN(ClipTables tables,
+                      make_clip_tables(gl, *model_, store, settings, radius_factor, progress));
     made_ = Made{settings, radius_factor, std::move(tables)};
   }
   return &made_->tables;
