@@ -8,7 +8,7 @@
 
 namespace relief::multipass {
 
-Drawing::Drawing(const Variant& variant, Sums sums, double radius_factor)
+Drawing::Drawing(const Variant& variant, SplatSums sums, double radius_factor)
     : variant_(variant), sums_(std::move(sums)), radius_factor_(radius_factor) {}
 
 void Drawing::draw(const GlFrame& frame, PassTimer& timer) const {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "renderer/engines/multipass/sums.h"
+#include "renderer/frame/splat_sums.h"
 #include "renderer/engines/multipass/variant.h"
 #include "renderer/frame/gl_frame.h"
 
@@ -17,7 +17,7 @@ namespace relief::multipass {
 class Drawing final : public GlDrawing {
  public:
   /// `variant` must outlive it; `sums` were made for the frame and the variant's features.
-  Drawing(const Variant& variant, Sums sums, double radius_factor);
+  Drawing(const Variant& variant, SplatSums sums, double radius_factor);
 
   void draw(const GlFrame& frame, PassTimer& timer) const override;
 
@@ -27,7 +27,7 @@ class Drawing final : public GlDrawing {
   void shade(const GlFrame& frame) const;
 
   const Variant& variant_;
-  Sums sums_;
+  SplatSums sums_;
   double radius_factor_;
 };
 
