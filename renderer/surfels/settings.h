@@ -46,7 +46,7 @@ inline constexpr NumberChoice kSurfelOffsets{0.0, 1e12};
 struct SurfelSettings {
   SurfelSize size = SurfelSize::BspEdge;
   std::optional<double> scale;  ///< of the diameters; none: what closes the gaps of `size`
-  int sides = 3;                ///< of the polygons, which hold the surfels' discs
+  int sides = 8;                ///< of the polygons, which hold the surfels' discs
   SurfelCurved curved = SurfelCurved::Auto;
   SurfelBlend blend = SurfelBlend::Normalised;
   double falloff = 0.5;          ///< h of section 3.1, over the surfel's radius

@@ -19,7 +19,7 @@ using glm::vec4;
 
 // Feature bits: with the number of lights, the key of a shader variant (renderer/gl/features.h,
 // which also lists what does not go together). They come only from the scene and the settings; each
-// says what it costs a frame that has it. 28 of 32 are in use. The lights are a word of their own,
+// says what it costs a frame that has it. 27 of 32 are in use. The lights are a word of their own,
 // RELIEF_LIGHTS, so that the loop over them is known when a shader is compiled: a light more is a
 // highlight per fragment.
 
@@ -103,25 +103,18 @@ using glm::vec4;
 // linear (include/projection.glsl). Costs nothing: it saves divisions.
 #define RELIEF_FEATURE_ORTHOGRAPHIC 16384u
 
-// Of `surfel`. Slightly curved surfaces instead of polygons: more triangles a surfel, and a normal
-// that is interpolated.
-#define RELIEF_FEATURE_CURVED 67108864u
-// Surfels are blended one over the other, so that each fragment is shaded.
-#define RELIEF_FEATURE_SORTED 134217728u
-
 // Locations of the colour attachments.
 #define RELIEF_OUT_COLOUR 0
 #define RELIEF_OUT_NORMAL 1
 #define RELIEF_OUT_DEPTH 2
 #define RELIEF_OUT_UV 3
 #define RELIEF_OUT_PATCH 4
-#define RELIEF_OUT_MATERIAL 5  // of the first pass of `surfel`, where there are several
 
 // Outputs of the pass that finds the surface: the position, and its depth where it is needed.
 #define RELIEF_OUT_VISIBILITY 0
 #define RELIEF_OUT_VISIBILITY_DEPTH 1
 
-// The same where `multipass` and `surfel` sum up splats: normal, colour, depth, each times its weight, and the
+// The same where `multipass` sums up splats: normal, colour, depth, each times its weight, and the
 // weights.
 #define RELIEF_SUM_NORMAL 0
 #define RELIEF_SUM_COLOUR 1

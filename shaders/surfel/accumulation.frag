@@ -3,7 +3,6 @@
 #include "include/counting.glsl"
 #include "include/patches.glsl"
 #include "surfel/attributes.glsl"
-#include "surfel/layout.h"
 #if RELIEF_SURFEL_IS_SORTED
 #include "include/materials.glsl"
 #endif

@@ -2,6 +2,7 @@
 #define RELIEF_LATE_TESTS  // what is cut off must not write its depth
 #include "include/counting.glsl"
 #include "include/patches.glsl"
+#include "surfel/layout.h"
 
 layout(location = 0) in vec2 disc;
 #if (RELIEF_FEATURES & (RELIEF_FEATURE_OUT_UV | RELIEF_FEATURE_OUT_PATCH | RELIEF_FEATURE_MIXED)) != 0u

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "renderer/gl/program.h"
-#include "shaders/include/shared.h"
+#include "shaders/surfel/layout.h"
 
 namespace relief::surfel {
 
