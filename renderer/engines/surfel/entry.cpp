@@ -1,4 +1,5 @@
 // The registry's entry of the engine `surfel`.
+#include "renderer/clip/options.h"
 #include "renderer/engine_options.h"
 #include "renderer/engines/surfel/render_surfel.h"
 #include "renderer/surfels/settings.h"
@@ -43,7 +44,7 @@ EngineOption offset_option() {
 }
 
 std::vector<EngineOption> options() {
-  return {
+  std::vector<EngineOption> all = {
       cull_option(),
       samples_option(),
       choice_option({.key = "surfel-size",
@@ -79,6 +80,8 @@ std::vector<EngineOption> options() {
                      .default_text = "0.5"},
                     [](RenderSettings& s) -> double& { return s.surfel.falloff; }),
       offset_option()};
+  for (EngineOption& option : clip_options()) all.push_back(std::move(option));
+  return all;
 }
 
 }  // namespace
@@ -94,7 +97,8 @@ EngineEntry entry() {
           .capabilities = {.needs_opengl = true,
                            .cull_modes = true,
                            .samples_per_pixel = true,
-                           .explanation = true},
+                           .explanation = true,
+                           .clips_splats = true},
           .options = options(),
           .features = features_of,
           .prepare = prepare};

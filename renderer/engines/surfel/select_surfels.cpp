@@ -115,8 +115,8 @@ void find_in(std::size_t begin, std::size_t end, const SurfelSet& set, const Vie
     const bool curved = is_curved(seen, slope, radius, eye, rule.curved);
     const float turned = curved ? slope * seen.distance : 0.0F;
     if (rule.hides_backs && seen.away >= turned) continue;
-    found.entries.push_back(
-        {drawn_at(seen.place, k), seen.depth, curved ? SurfelKind::Curved : SurfelKind::Plain});
+    const bool clipped = rule.all_clipped || (!rule.clipped.empty() && rule.clipped[k] != 0);
+    found.entries.push_back({drawn_at(seen.place, k), seen.depth, {curved, clipped}});
   }
 }
 
@@ -151,7 +151,7 @@ DrawnSurfels select_surfels(const SurfelSet& set, const View& view, const Select
     for (const Found::Entry& entry : all) add(entry, drawn);
     return drawn;
   }
-  for (const SurfelKind kind : {SurfelKind::Plain, SurfelKind::Curved}) {
+  for (const SurfelKind& kind : kSurfelKinds) {
     for (const Found& block : blocks) {
       for (const Found::Entry& entry : block.entries) {
         if (entry.kind == kind) add(entry, drawn);
