@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "renderer/engines/surfel/render_surfel.h"
 #include "renderer/frame/attachments.h"
 #include "renderer/shading/materials.h"
 #include "renderer/view/cull_mode.h"
@@ -32,7 +33,8 @@ SelectionRule selection_rule(const SurfelStore& store, const SurfelClip* clip, c
           .hides_backs = may_hide_backs(settings, store.closed) && is_seen,
           .sorted = settings.surfel.blend == SurfelBlend::Sorted,
           .clipped = clip == nullptr ? std::span<const std::uint8_t>() : clip->clipped,
-          .all_clipped = clip != nullptr && settings.outputs.clip};
+          .all_clipped = clip != nullptr && settings.outputs.clip,
+          .pixels_per_surfel = settings.pixels_per_sample.value_or(kPixelsPerSurfel)};
 }
 
 /// Depth tests as all passes over surfels have them, while it lives.
@@ -91,8 +93,8 @@ Drawing::Drawing(DrawingParts parts, SplatSums sums)
 void Drawing::draw(const GlFrame& frame, PassTimer& timer) const {
   const Gl& gl = parts_.gl;
   const SurfelStore& store = parts_.store;
-  const DrawnSurfels drawn =
-      select_surfels(store.set, frame.view, selection_rule(store, parts_.clip, frame.view, parts_.settings));
+  const DrawnSurfels drawn = select_surfels(
+      store.set, frame.view, selection_rule(store, parts_.clip, frame.view, parts_.settings));
   if (!drawn.list.empty()) {
     gl.NamedBufferSubData(store.drawn.buffer.id(), 0,
                           static_cast<GLsizeiptr>(std::span(drawn.list).size_bytes()),

@@ -34,7 +34,7 @@ struct DrawingParts {
   const Gl& gl;
   const SurfelStore& store;
   std::array<SurfelWays, kSurfelKinds.size()> ways;  ///< by SurfelKind::index()
-  const SurfelClip* clip;  ///< null: nothing is clipped
+  const SurfelClip* clip;                            ///< null: nothing is clipped
   const Program& shading;
   const VertexArray& nothing;  ///< for the pass over the whole image
   const RenderSettings settings;

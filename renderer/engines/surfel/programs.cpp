@@ -38,10 +38,10 @@ Result<const SurfelPrograms*> Programs::of(const SurfelKind& kind) {
 
 Result<const Program*> Programs::shading() {
   if (!shading_) {
-    RELIEF_TRY_ASSIGN(Program made,
-                      make_program(*gl_, "shading", "environment/screen.vert",
-                                   "surfel/shading.frag",
-                                   summed_features(features_).without(kClipFeatures)));
+    RELIEF_TRY_ASSIGN(
+        Program made,
+        make_program(*gl_, "shading", "environment/screen.vert", "surfel/shading.frag",
+                     summed_features(features_).without(kClipFeatures)));
     shading_ = std::move(made);
   }
   return &*shading_;

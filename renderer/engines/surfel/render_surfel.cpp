@@ -47,11 +47,12 @@ class Prepared final : public GlPreparedModel {
     return GlPreparedModel::render(asked, progress);
   }
 
-  /// There is no primitive to choose and one level of detail.
+  /// There is no primitive to choose.
   [[nodiscard]] RenderSettings settled(const RenderSettings& asked) const override {
     RenderSettings settings = asked;
     settings.primitive = Primitive::Cell;
-    settings.pixels_per_sample = 0.0;
+    // Mean surfels have no texture coordinates: those of a node may be on several charts.
+    if (is_textured()) settings.pixels_per_sample = 0.0;
     return settings;
   }
 
@@ -89,13 +90,19 @@ class Prepared final : public GlPreparedModel {
  private:
   /// Those of the image, and of what the cloud has.
   [[nodiscard]] Features drawn_features(const RenderSettings& settings) const {
-    Features features = scene_features(settings, ModelMaps(!(*cloud_).colours.empty()));
+    ModelMaps maps(!(*cloud_).colours.empty() || is_textured());
+    maps.fine_colours = is_textured();
+    Features features = scene_features(settings, maps);
     if (settings.surfel.blend == SurfelBlend::Sorted) features |= RELIEF_FEATURE_SORTED;
     if (settings.clip.rule == ClipRule::Off) return features;
     features |= RELIEF_FEATURE_CLIPPED;
     if (settings.clip.rule == ClipRule::Wicke) features |= RELIEF_FEATURE_CLIP_WICKE;
     if (settings.outputs.clip) features |= RELIEF_FEATURE_OUT_CLIP;
     return features;
+  }
+
+  [[nodiscard]] bool is_textured() const {
+    return (*cloud_).texture != nullptr && !(*cloud_).texcoords.empty();
   }
 
   /// What clips the surfels: that of the last settings is kept. Null: nothing does.

@@ -46,6 +46,9 @@ struct SelectionRule {
   /// By slot, whether clip lines cut it; empty: none is.
   std::span<const std::uint8_t> clipped = {};
   bool all_clipped = false;  ///< all are drawn as if lines cut them
+  /// The mean surfel of a node is drawn where the node is seen at most so many pixels wide; 0:
+  /// never.
+  double pixels_per_surfel = 0.0;
 };
 
 /// Chooses them. What the image does not show is left out. With SurfelCurved::Auto, a surfel is

@@ -13,9 +13,10 @@ namespace {
 
 SplatDiscs discs_of(const SurfelSet& set) {
   SplatDiscs discs;
-  discs.centres = set.positions;
-  discs.normals.assign(set.normals.begin(), set.normals.end());
-  discs.radii.assign(set.radii.begin(), set.radii.end());
+  const auto own = static_cast<std::ptrdiff_t>(set.own);
+  discs.centres.assign(set.positions.begin(), set.positions.begin() + own);
+  discs.normals.assign(set.normals.begin(), set.normals.begin() + own);
+  discs.radii.assign(set.radii.begin(), set.radii.begin() + own);
   return discs;
 }
 
@@ -43,13 +44,14 @@ Result<SurfelClip> make_surfel_clip(const Gl& gl, const SurfelSet& set,
   std::vector<glm::uvec2> ranges;
   std::vector<glm::vec4> lines;
   std::vector<std::uint8_t> clipped;
-  for (std::size_t slot = 0; slot < set.positions.size(); ++slot) {
+  for (std::size_t slot = 0; slot < set.own; ++slot) {
     const std::span<const ClipLine> own = partners.of(slot);
     ranges.emplace_back(lines.size(), own.size() << shared::kClipKindBits |
                                           static_cast<std::size_t>(partners.kinds[slot]));
     for (const ClipLine& line : own) lines.push_back(line_in_disc(line, set, slot));
     clipped.push_back(own.empty() ? 0 : 1);
   }
+  ranges.resize(set.points.size(), glm::uvec2(0));  // mean surfels are not clipped
   const auto most = static_cast<std::size_t>(get_limit(gl, GL_MAX_TEXTURE_BUFFER_SIZE));
   if (lines.size() > most) {
     return make_error("the surfels have {} clip lines, more than this OpenGL can draw ({})",
