@@ -23,7 +23,9 @@ Result<Sums> make_sums(const Gl& gl, const Targets& targets, Features features) 
   const Texture* z = &targets.z_buffer;
   Framebuffer visibility = make_framebuffer(
       gl, "visibility", z,
-      {{RELIEF_OUT_UV, address(targets.uv)}, {RELIEF_OUT_PATCH, address(targets.patch_id)}});
+      {{RELIEF_OUT_UV, address(targets.uv)},
+       {RELIEF_OUT_PATCH, address(targets.patch_id)},
+       {RELIEF_OUT_CLIP, features.has(RELIEF_FEATURE_OUT_CLIP) ? address(targets.clip) : nullptr}});
   Framebuffer accumulation = make_framebuffer(gl, "accumulation", z,
                                               {{RELIEF_SUM_NORMAL, address(normals)},
                                                {RELIEF_SUM_COLOUR, address(colours)},
