@@ -403,7 +403,8 @@ def sample(face, spacing, options, rng):
     return [np.concatenate(columns) for columns in zip(*parts)]
 
 
-def write_ply(path, points, normals=None, texcoords=None, faces=None):
+def write_ply(path, points, normals=None, texcoords=None, faces=None, colours=None):
+    """Writes a binary PLY; colours are 8-bit sRGB."""
     columns, names = [points], ["x", "y", "z"]
     if normals is not None:
         columns.append(normals)
@@ -411,12 +412,19 @@ def write_ply(path, points, normals=None, texcoords=None, faces=None):
     if texcoords is not None:
         columns.append(texcoords)
         names += ["s", "t"]
+    values = np.concatenate(columns, axis=1)
+    layout = [(name, "<f4") for name in names] + [(c, "u1") for c in ("red", "green", "blue") if colours is not None]
+    vertices = np.zeros(len(points), layout)
+    for k, name in enumerate(names):
+        vertices[name] = values[:, k]
+    for k, (name, _) in enumerate(layout[len(names):]):
+        vertices[name] = colours[:, k]
     header = ["ply", "format binary_little_endian 1.0", f"element vertex {len(points)}"]
-    header += [f"property float {name}" for name in names]
-    body = np.concatenate(columns, axis=1).astype("<f4").tobytes()
+    header += [f"property {'float' if kind == '<f4' else 'uchar'} {name}" for name, kind in layout]
+    body = vertices.tobytes()
     if faces is not None:
         header += [f"element face {len(faces)}", "property list uchar int vertex_indices"]
-        rows = np.zeros(len(faces), np.dtype([("n", "u1"), ("v", "<i4", 3)]))
+        rows = np.zeros(len(faces), [("n", "u1"), ("v", "<i4", 3)])
         rows["n"], rows["v"] = 3, faces
         body += rows.tobytes()
     path.write_bytes(("\n".join(header) + "\nend_header\n").encode() + body)
