@@ -13,20 +13,20 @@ import pathlib
 import sys
 import tempfile
 
-import numpy as np
-
-import measure_clip
-from figure_sheet import displayed, looking_at, magnified, marked, render, run, sheet
+from figure_sheet import marked, render, sheet
+from judge_images import Truth, judge
+from measure_clip import clip_options, looking_at, run, shape_of_mesh
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SIDE = 360
 RULES = ("off", "nearest", "independent", "partners")
+NAMES = {"off": "unclipped"}
 HOLE, OVERHANG = (1.0, 0.0, 0.0), (0.0, 0.75, 0.1)
 
 
 class Figures:
     def __init__(self, options, work):
-        self.options, self.work, self.made = options, work, {}
+        self.options, self.work, self.truths = options, work, {}
 
     def shapes(self, *more, only):
         """The folder and models.json of shapes made with these options."""
@@ -35,33 +35,31 @@ class Figures:
             run(sys.executable, ROOT / "models" / "sharp_models.py", folder, "--only", only, *more)
         return folder, json.loads((folder / "models.json").read_text())
 
-    def draw(self, points, mesh, camera, spacing, rule, engine=None, near=4):
+    def draw(self, points, mesh, camera, spacing, rule):
         """Returns colours, holes and overhang of one image, and the truth's colours."""
-        engine = engine or self.options.engine
         common = ("--size", f"{SIDE}x{SIDE}", "--material", "lit", *camera)
-        key = (str(mesh), *camera)
-        if key not in self.made:
-            path = self.work / f"truth_{len(self.made)}.exr"
-            image, _ = render(self.options.relief, mesh, path, "--engine", "raytrace", "--samples", 16, *common)
-            self.made[key] = (measure_clip.Truth(path, spacing, 0.2, near), displayed(image))
-        truth, truth_colours = self.made[key]
+        key = (mesh, *camera)
+        if key not in self.truths:
+            path = self.work / f"truth_{len(self.truths)}.exr"
+            colours, _ = render(self.options.relief, mesh, path, "--engine", "raytrace", "--samples", 16, *common)
+            self.truths[key] = (Truth(path, spacing), colours)
+        truth, truth_colours = self.truths[key]
         path = self.work / "image.exr"
-        image, _ = render(self.options.relief, points, path, "--engine", engine, *common,
-                          *([] if rule == "off" else ["--clip-partners", rule]))
-        _, (holes, overhang) = measure_clip.judge(truth, path)
-        return displayed(image), holes, overhang, truth_colours
+        colours, _ = render(self.options.relief, points, path, "--engine", self.options.engine, *common, *clip_options(rule))
+        _, (holes, overhang) = judge(truth, path)
+        return colours, holes, overhang, truth_colours
 
     def row(self, name, folder, listed, view, rules=RULES, label="", target=None, zoom=1.0, painted=True):
         """Cells of one shape: the rules, then the truth; holes red and overhang green."""
         shape, cells, truth = listed[name], [], None
         camera = looking_at(target or shape["centre"], shape["radius"], view, zoom=zoom)
+        points, mesh = folder / f"{name}.ply", folder / f"{name}_mesh.ply"
         for rule in rules:
-            colours, holes, overhang, truth = self.draw(folder / f"{name}.ply", folder / f"{name}_mesh.ply", camera, shape["spacing"],
-                                                        rule)
+            colours, holes, overhang, truth = self.draw(points, mesh, camera, shape["spacing"], rule)
             if painted:
                 colours = marked(marked(colours, overhang, OVERHANG), holes, HOLE)
-            count = f": {int(holes.sum())} holes, {int(overhang.sum())} over" if painted else ""
-            cells.append((f"{label}{'unclipped' if rule == 'off' else rule}{count}", colours))
+            count = f": {holes.sum()} holes, {overhang.sum()} over" if painted else ""
+            cells.append((f"{label}{NAMES.get(rule, rule)}{count}", colours))
         return cells + [(f"{label}truth", truth)]
 
     def save(self, name, cells, columns):
@@ -83,7 +81,8 @@ class Figures:
         folder, listed = self.shapes("--points", "6000", only="plate")
         cells = []
         for label, target, view in (("rim, ", (0.0, -0.98, 0.4), "10/40"), ("hole's rim, ", (0.45, 0.25, 0.4), "0/40"),
-                                    ("peg's foot, ", (-0.45, -0.25, 0.4), "0/35"), ("hole's floor, ", (0.45, 0.12, 0.15), "0/65")):
+                                    ("peg's foot, ", (-0.45, -0.25, 0.4), "0/35"),
+                                    ("hole's floor, ", (0.45, 0.12, 0.15), "0/65")):
             cells += self.row("plate", folder, listed, view, label=label, target=target, zoom=4.0)
         self.save("cells", cells, 5)
 
@@ -113,17 +112,17 @@ class Figures:
     def draw_gallery(self):
         """Figure 10: all shapes clipped by partners, and fandisk and anchor."""
         cells = []
-        for name, view in (("plate", "25/45"), ("tower", "20/40"), ("pyramid5", "20/30"), ("pit4", "20/60"), ("saddle", "35/45"),
-                           ("steps", "225/50"), ("notch", "135/35"), ("wedge", "30/35")):
+        for name, view in (("plate", "25/45"), ("tower", "20/40"), ("pyramid5", "20/30"), ("pit4", "20/60"),
+                           ("saddle", "35/45"), ("steps", "225/50"), ("notch", "135/35"), ("wedge", "30/35")):
             folder, listed = self.shapes("--points", "8000", only=name)
             cells += self.row(name, folder, listed, view, ("partners",), label=f"{name}, ", painted=False)[:1]
         for file, view in (("fandisk.obj", "205/20"), ("anchor_dense.off", "30/30")):
             path = self.options.data / "sharp" / file
-            shape = measure_clip.shape_of_mesh(argparse.Namespace(mesh=path))
-            camera = looking_at(shape["centre"], shape["radius"], view)
+            shape = shape_of_mesh(path)
+            camera = looking_at(shape["centre"], shape["radius"], view, up="y")
             for rule in ("off", "partners"):
                 colours, *_ = self.draw(path, path, camera, shape["spacing"], rule)
-                cells.append((f"{path.stem}, {'unclipped' if rule == 'off' else rule}", colours))
+                cells.append((f"{path.stem}, {NAMES.get(rule, rule)}", colours))
         self.save("gallery", cells, 4)
 
 

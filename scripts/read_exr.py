@@ -1,7 +1,4 @@
-"""Reads the EXR images that `relief render` writes: scan lines, ZIP or none. Needs NumPy.
-
-Other scripts import `read_exr`. Programs that know more of OpenEXR: exrheader, ImageMagick.
-"""
+"""Reads the EXR images that `relief render` writes: scan lines, ZIP or none. Needs NumPy."""
 import struct
 import zlib
 
@@ -72,3 +69,10 @@ def read_exr(path):
                 image[name][row] = numpy.frombuffer(block, kind, width, place)
                 place += width * kind.itemsize
     return image
+
+
+def displayed(image, paper=0.0):
+    """Colours as a display shows them, sRGB in [0, 1], height x width x 3, over a linear grey where alpha is below 1."""
+    linear = numpy.nan_to_num(numpy.stack([image[c] for c in "RGB"], axis=-1).astype(float))
+    linear = numpy.clip(linear + (1 - numpy.clip(image["A"], 0, 1))[..., None] * paper, 0, 1)
+    return numpy.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
