@@ -323,7 +323,7 @@ void check_together(const RenderArguments& arguments) {
   }
   const SceneSettings& settings = arguments.settings;
   const Outputs outputs = settings.outputs.value_or(Outputs{});
-  if (format != ".exr" && (outputs.normal || outputs.depth || outputs.uv || outputs.patch_id)) {
+  if (format != ".exr" && has_any(outputs)) {
     throw CLI::ValidationError("--outputs", "only an .exr holds more than colour");
   }
   check_material_options(arguments);

@@ -1,0 +1,168 @@
+#include "renderer/engines/surfel/select_surfels.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec4.hpp>
+
+#include "renderer/view/cull_mode.h"
+
+namespace relief::surfel {
+namespace {
+
+/// Surfels that one task looks at.
+constexpr std::size_t kBlock = 8192;
+
+/// How far a bent surfel reaches, over its radius: kSteepestRim lifts its rim by half of that.
+constexpr float kReach = 1.2F;
+
+/// Heights at the rim below this, in pixels, are not worth a curved surfel.
+constexpr float kLeastHeight = 0.125F;
+
+/// The camera in single precision, relative to the eye, world axes.
+struct Eye {
+  std::array<glm::vec4, 5> planes{};  ///< of the frustum, inward: dot(xyz, p) + w >= 0 within
+  glm::vec3 forward{0.0F};
+  float pixel = 0.0F;  ///< height at depth 1, or anywhere of an orthographic camera
+  bool orthographic = false;
+};
+
+Eye make_eye(const View& view) {
+  const glm::dmat3 to_world = glm::transpose(view.rotation);
+  Eye eye;
+  eye.orthographic = view.orthographic;
+  eye.forward = glm::vec3(to_world * glm::dvec3(0.0, 0.0, -1.0));
+  eye.pixel = static_cast<float>(pixel_at(view, 1.0));
+  const auto plane = [&](glm::dvec3 inward, double offset) {
+    const double length = glm::length(inward);
+    return glm::vec4(glm::dvec4(to_world * inward / length, offset / length));
+  };
+  const glm::dvec2 low = view.middle - glm::dvec2(view.slope_x, view.slope_y);
+  const glm::dvec2 high = view.middle + glm::dvec2(view.slope_x, view.slope_y);
+  if (view.orthographic) {
+    eye.planes = {plane({1, 0, 0}, -low.x), plane({-1, 0, 0}, high.x), plane({0, 1, 0}, -low.y),
+                  plane({0, -1, 0}, high.y), plane({0, 0, -1}, 0.0)};
+  } else {  // a point at depth d is within if low d <= x <= high d
+    eye.planes = {plane({1, 0, low.x}, 0.0), plane({-1, 0, -high.x}, 0.0),
+                  plane({0, 1, low.y}, 0.0), plane({0, -1, -high.y}, 0.0), plane({0, 0, -1}, 0.0)};
+  }
+  return eye;
+}
+
+/// A surfel as the eye sees it.
+struct Seen {
+  glm::vec3 place{0.0F};  ///< of its centre, from the eye
+  float depth = 0.0F;
+  float away = 0.0F;      ///< how far its normal points away from the eye, times `distance`
+  float distance = 1.0F;  ///< to its farthest point; orthographic: 1
+};
+
+Seen look_at(const SurfelSet& set, std::size_t k, const View& view, const Eye& eye) {
+  Seen seen;
+  seen.place = glm::vec3(set.positions[k] - view.eye);
+  seen.depth = glm::dot(eye.forward, seen.place);
+  seen.away = glm::dot(set.normals[k], eye.orthographic ? eye.forward : seen.place);
+  if (!eye.orthographic) seen.distance = glm::length(seen.place) + set.radii[k];
+  return seen;
+}
+
+bool is_in_image(const Seen& seen, float radius, const Eye& eye) {
+  return std::all_of(eye.planes.begin(), eye.planes.end(), [&](const glm::vec4& plane) {
+    return glm::dot(glm::vec3(plane), seen.place) + plane.w >= -kReach * radius;
+  });
+}
+
+/// The steepest slope at the rim, at most; 0: the surfel is flat.
+float rim_slope(glm::vec3 bend) {
+  return std::max(std::abs(bend.x), std::abs(bend.z)) + std::abs(bend.y);
+}
+
+bool is_curved(const Seen& seen, float slope, float radius, const Eye& eye, SurfelCurved curved) {
+  if (curved == SurfelCurved::None || slope == 0.0F) return false;
+  if (curved == SurfelCurved::All) return true;
+  const float pixel = eye.orthographic ? eye.pixel : eye.pixel * std::max(seen.depth, 0.0F);
+  return std::abs(seen.away) <= slope * seen.distance &&
+         0.5F * slope * radius >= kLeastHeight * pixel;
+}
+
+/// What one task found, by kind, or for sorting all with their kind and depth.
+struct Found {
+  struct Entry {
+    shared::DrawnSurfel drawn;
+    float depth;
+    SurfelKind kind;
+  };
+  std::vector<Entry> entries;
+};
+
+shared::DrawnSurfel drawn_at(glm::vec3 place, std::size_t number) {
+  return {std::bit_cast<std::uint32_t>(place.x), std::bit_cast<std::uint32_t>(place.y),
+          std::bit_cast<std::uint32_t>(place.z), static_cast<std::uint32_t>(number)};
+}
+
+void find_in(std::size_t begin, std::size_t end, const SurfelSet& set, const View& view,
+             const Eye& eye, const SelectionRule& rule, Found& found) {
+  for (std::size_t k = begin; k < end; ++k) {
+    const Seen seen = look_at(set, k, view, eye);
+    const float radius = set.radii[k];
+    if (!is_in_image(seen, radius, eye)) continue;
+    const float slope = rim_slope(set.bends[k]);
+    const bool curved = is_curved(seen, slope, radius, eye, rule.curved);
+    const float turned = curved ? slope * seen.distance : 0.0F;
+    if (rule.hides_backs && seen.away >= turned) continue;
+    found.entries.push_back(
+        {drawn_at(seen.place, k), seen.depth, curved ? SurfelKind::Curved : SurfelKind::Plain});
+  }
+}
+
+void add(const Found::Entry& entry, DrawnSurfels& drawn) {
+  if (drawn.batches.empty() || drawn.batches.back().kind != entry.kind)
+    drawn.batches.push_back({entry.kind, static_cast<std::uint32_t>(drawn.list.size()), 0});
+  ++drawn.batches.back().count;
+  drawn.list.push_back(entry.drawn);
+}
+
+}  // namespace
+
+DrawnSurfels select_surfels(const SurfelSet& set, const View& view, const SelectionRule& rule) {
+  const Eye eye = make_eye(view);
+  const std::size_t count = set.points.size();
+  std::vector<Found> blocks((count + kBlock - 1) / kBlock);
+  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
+    find_in(b * kBlock, std::min(count, (b + 1) * kBlock), set, view, eye, rule, blocks[b]);
+  });
+  DrawnSurfels drawn;
+  std::size_t total = 0;
+  for (const Found& block : blocks) total += block.entries.size();
+  drawn.list.reserve(total);
+  if (rule.sorted) {
+    std::vector<Found::Entry> all;
+    all.reserve(total);
+    for (const Found& block : blocks)
+      all.insert(all.end(), block.entries.begin(), block.entries.end());
+    std::ranges::sort(all, [](const Found::Entry& a, const Found::Entry& b) {
+      return a.depth != b.depth ? a.depth > b.depth : a.drawn.number < b.drawn.number;
+    });
+    for (const Found::Entry& entry : all) add(entry, drawn);
+    return drawn;
+  }
+  for (const SurfelKind kind : {SurfelKind::Plain, SurfelKind::Curved}) {
+    for (const Found& block : blocks) {
+      for (const Found::Entry& entry : block.entries) {
+        if (entry.kind == kind) add(entry, drawn);
+      }
+    }
+  }
+  return drawn;
+}
+
+bool sees_from_outside(const SurfelSet& set, const View& view) {
+  return relief::sees_from_outside(view, Body{set.bounds, {}});
+}
+
+}  // namespace relief::surfel
