@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/instance.h"
+#include "common/points.h"
 #include "renderer/geometry/proxy/proxy_vertex.h"
 
 namespace relief {
