@@ -17,7 +17,7 @@ namespace relief {
 /// its frame, world units, a surfel has the coordinates texcoord + gradient * (x, y). Least squares
 /// over the neighbours on its chart, which are those whose coordinates agree with one affine map:
 /// neighbours beyond a seam are left out. 0, so that the surfel has one colour, where fewer than
-/// two neighbours agree. Coordinates that are not finite have no gradient.
+/// three neighbours agree. Coordinates that are not finite have no gradient.
 ///
 /// All spans are as long as `positions`, which are finite. The result does not depend on the number
 /// of threads. Fails only if it is interrupted.

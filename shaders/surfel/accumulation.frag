@@ -3,6 +3,7 @@
 #include "include/counting.glsl"
 #include "include/patches.glsl"
 #include "surfel/attributes.glsl"
+#include "include/clipping.glsl"
 #if RELIEF_SURFEL_IS_SORTED
 #include "include/materials.glsl"
 #endif
@@ -45,7 +46,10 @@ void main() {
   vec3 albedo = vec3(kNeutralGrey);
 #endif
   float squared = dot(disc, disc);
-  if (squared > 1.0) discard;
+  if (squared > 1.0 + kSurfelSlack) discard;
+#if (RELIEF_FEATURES & RELIEF_FEATURE_CLIPPED) != 0u
+  if (is_clipped(disc, kSurfelSlack)) discard;
+#endif
   // Above 0, so that no pixel that pass 1 covers is without weight.
   float weight = max(exp2(-surfel_frame.rule.x * squared), 1e-6);
 #if RELIEF_SURFEL_NEEDS_NORMAL

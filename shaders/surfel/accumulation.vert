@@ -1,5 +1,6 @@
 // Pass 2: a surfel and what it contributes.
 #include "surfel/surfels.glsl"
+#include "surfel/clip_range.glsl"
 #include "surfel/attributes.glsl"
 
 layout(location = 0) out vec2 disc;
@@ -21,6 +22,7 @@ layout(location = 3) flat out int material;
 void main() {
   SurfelVertex vertex = fetch_vertex();
   disc = vertex.disc;
+  write_clip_range(vertex.surfel.number);
 #if RELIEF_SURFEL_NEEDS_NORMAL
   normal = vertex.normal;
 #endif

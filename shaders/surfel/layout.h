@@ -11,25 +11,23 @@ using glm::uvec4;
 
 // Feature bits beside those of shared.h. Slightly curved surfaces instead of polygons: more
 // triangles a surfel, and a normal that is interpolated.
-#define RELIEF_FEATURE_CURVED 67108864u
+#define RELIEF_FEATURE_CURVED 536870912u
 // Surfels are blended one over the other, so that each fragment is shaded.
-#define RELIEF_FEATURE_SORTED 134217728u
+#define RELIEF_FEATURE_SORTED 1073741824u
 
 /// Output of the first pass, where there are several materials.
-#define RELIEF_OUT_MATERIAL 5
+#define RELIEF_OUT_MATERIAL 6
 
 // Binding points beside those of shared.h. Tables are buffer textures for the reason given there.
 #define RELIEF_SURFEL_BIND_FRAME 3
-#define RELIEF_SURFEL_TEXTURE_DRAWN 28
-#define RELIEF_SURFEL_TEXTURE_CORNERS 29
-#define RELIEF_SURFEL_TEXTURE_AXES 30
-#define RELIEF_SURFEL_TEXTURE_BENDS 31
-#define RELIEF_SURFEL_TEXTURE_COLOURS 32
-#define RELIEF_SURFEL_TEXTURE_IDENTITIES 33
-#define RELIEF_SURFEL_TEXTURE_TEXCOORDS 34
-#define RELIEF_SURFEL_TEXTURE_IMAGE 35
-#define RELIEF_SURFEL_TEXTURE_CLIP_RANGES 36
-#define RELIEF_SURFEL_TEXTURE_CLIP_LINES 37
+#define RELIEF_SURFEL_TEXTURE_DRAWN 30
+#define RELIEF_SURFEL_TEXTURE_CORNERS 31
+#define RELIEF_SURFEL_TEXTURE_AXES 32
+#define RELIEF_SURFEL_TEXTURE_BENDS 33
+#define RELIEF_SURFEL_TEXTURE_COLOURS 34
+#define RELIEF_SURFEL_TEXTURE_IDENTITIES 35
+#define RELIEF_SURFEL_TEXTURE_TEXCOORDS 36
+#define RELIEF_SURFEL_TEXTURE_IMAGE 37
 
 /// Uniforms of what draws surfels: the first of the draw in the list of drawn ones, and how many
 /// bits of a vertex's number say which corner it is; 0: it is one of three.
@@ -52,6 +50,10 @@ struct SurfelFrame {
   /// z: the same in world units, which are added; w: 1 with the rule of Wicke.
   vec4 rule;
 };
+
+/// What the second pass keeps beyond a disc's rim and its clip lines, in radii: no pixel that the
+/// first one covers up to there may be without weight for rounding.
+RELIEF_CONST float kSurfelSlack = 1e-4f;
 
 /// Rows of a surfel's axes: u and v, as long as its radius; w of the first: its radius.
 RELIEF_CONST int kSurfelAxesRows = 2;

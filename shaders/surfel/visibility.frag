@@ -3,6 +3,8 @@
 #include "include/counting.glsl"
 #include "include/patches.glsl"
 #include "surfel/layout.h"
+#include "include/clipping.glsl"
+#include "include/clip_kind.glsl"
 
 layout(location = 0) in vec2 disc;
 #if (RELIEF_FEATURES & (RELIEF_FEATURE_OUT_UV | RELIEF_FEATURE_OUT_PATCH | RELIEF_FEATURE_MIXED)) != 0u
@@ -21,6 +23,10 @@ layout(location = RELIEF_OUT_MATERIAL) out uint out_material;
 void main() {
   count_fragment();
   if (dot(disc, disc) > 1.0) discard;
+#if (RELIEF_FEATURES & RELIEF_FEATURE_CLIPPED) != 0u
+  if (is_clipped(disc, 0.0)) discard;
+#endif
+  write_clip_kind();
 #if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_UV) != 0u
   out_uv = uintBitsToFloat(identity.xy);
 #endif

@@ -1,5 +1,6 @@
 // Pass 1: a surfel, set back.
 #include "surfel/surfels.glsl"
+#include "surfel/clip_range.glsl"
 
 layout(location = 0) out vec2 disc;
 #if (RELIEF_FEATURES & (RELIEF_FEATURE_OUT_UV | RELIEF_FEATURE_OUT_PATCH | RELIEF_FEATURE_MIXED)) != 0u
@@ -10,6 +11,7 @@ layout(location = 1) flat out uvec4 identity;  // grid coordinates (bits), patch
 void main() {
   SurfelVertex vertex = fetch_vertex();
   disc = vertex.disc;
+  write_clip_range(vertex.surfel.number);
 #if (RELIEF_FEATURES & (RELIEF_FEATURE_OUT_UV | RELIEF_FEATURE_OUT_PATCH | RELIEF_FEATURE_MIXED)) != 0u
   identity = texelFetch(identities, vertex.surfel.number);
 #endif

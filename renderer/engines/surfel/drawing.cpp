@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "renderer/engines/surfel/render_surfel.h"
 #include "renderer/frame/attachments.h"
 #include "renderer/shading/materials.h"
 #include "renderer/view/cull_mode.h"
@@ -25,12 +26,15 @@ shared::SurfelFrame surfel_frame(const View& view, const SurfelSettings& setting
   return frame;
 }
 
-SelectionRule selection_rule(const SurfelStore& store, const View& view,
+SelectionRule selection_rule(const SurfelStore& store, const SurfelClip* clip, const View& view,
                              const RenderSettings& settings) {
   const bool is_seen = settings.cull == CullMode::Back || sees_from_outside(store.set, view);
   return {.curved = settings.surfel.curved,
           .hides_backs = may_hide_backs(settings, store.closed) && is_seen,
-          .sorted = settings.surfel.blend == SurfelBlend::Sorted};
+          .sorted = settings.surfel.blend == SurfelBlend::Sorted,
+          .clipped = clip == nullptr ? std::span<const std::uint8_t>() : clip->clipped,
+          .all_clipped = clip != nullptr && settings.outputs.clip,
+          .pixels_per_surfel = settings.pixels_per_sample.value_or(kPixelsPerSurfel)};
 }
 
 /// Depth tests as all passes over surfels have them, while it lives.
@@ -89,8 +93,8 @@ Drawing::Drawing(DrawingParts parts, SplatSums sums)
 void Drawing::draw(const GlFrame& frame, PassTimer& timer) const {
   const Gl& gl = parts_.gl;
   const SurfelStore& store = parts_.store;
-  const DrawnSurfels drawn =
-      select_surfels(store.set, frame.view, selection_rule(store, frame.view, parts_.settings));
+  const DrawnSurfels drawn = select_surfels(
+      store.set, frame.view, selection_rule(store, parts_.clip, frame.view, parts_.settings));
   if (!drawn.list.empty()) {
     gl.NamedBufferSubData(store.drawn.buffer.id(), 0,
                           static_cast<GLsizeiptr>(std::span(drawn.list).size_bytes()),
@@ -110,6 +114,10 @@ void Drawing::draw(const GlFrame& frame, PassTimer& timer) const {
     bound.bind(RELIEF_SURFEL_TEXTURE_COLOURS, store.tables.colours);
     bound.bind(RELIEF_SURFEL_TEXTURE_TEXCOORDS, store.tables.texcoords);
     bound.bind(RELIEF_SURFEL_TEXTURE_IMAGE, address(store.tables.image));
+    if (parts_.clip != nullptr) {
+      bound.bind(RELIEF_TEXTURE_CLIP_RANGES, &parts_.clip->ranges.texture);
+      bound.bind(RELIEF_TEXTURE_CLIP_LINES, &parts_.clip->lines.texture);
+    }
     {
       const ScopedPass pass(gl, timer, "visibility");
       gl.BindFramebuffer(GL_FRAMEBUFFER, sums_.visibility.id());
@@ -130,7 +138,7 @@ void Drawing::draw(const GlFrame& frame, PassTimer& timer) const {
 
 void Drawing::draw_pass(const DrawnSurfels& drawn, const Program SurfelPrograms::*program) const {
   for (const SurfelBatch& batch : drawn.batches) {
-    const SurfelWays& way = parts_.ways[static_cast<std::size_t>(batch.kind)];
+    const SurfelWays& way = parts_.ways[batch.kind.index()];
     way.shape->draw(way.programs->*program, batch.first, batch.count);
   }
 }

@@ -7,6 +7,7 @@
 #include "renderer/engines/surfel/programs.h"
 #include "renderer/engines/surfel/select_surfels.h"
 #include "renderer/engines/surfel/shapes.h"
+#include "renderer/engines/surfel/surfel_clip.h"
 #include "renderer/engines/surfel/surfel_tables.h"
 #include "renderer/frame/gl_frame.h"
 #include "renderer/frame/splat_sums.h"
@@ -32,7 +33,8 @@ struct SurfelWays {
 struct DrawingParts {
   const Gl& gl;
   const SurfelStore& store;
-  std::array<SurfelWays, kSurfelKinds> ways;
+  std::array<SurfelWays, kSurfelKinds.size()> ways;  ///< by SurfelKind::index()
+  const SurfelClip* clip;                            ///< null: nothing is clipped
   const Program& shading;
   const VertexArray& nothing;  ///< for the pass over the whole image
   const RenderSettings settings;

@@ -1,4 +1,5 @@
 // The registry's entry of the engine `surfel`.
+#include "renderer/clip/options.h"
 #include "renderer/engine_options.h"
 #include "renderer/engines/surfel/render_surfel.h"
 #include "renderer/surfels/settings.h"
@@ -42,16 +43,35 @@ EngineOption offset_option() {
           }};
 }
 
+EngineOption levels_option() {
+  EngineOption option = number_option(
+      {.key = "pixels-per-sample",
+       .range = kPixelsPerSample,
+       .placeholder = "P",
+       .help = "draws one mean surfel for several that are seen at most P pixels wide together; 0 "
+               "draws all",
+       .default_text = "1"},
+      [](RenderSettings& settings) -> double& { return settings.pixels_per_sample.emplace(); });
+  option.get = [](const RenderSettings& settings) {
+    return std::optional<OptionValue>(settings.pixels_per_sample.value_or(kPixelsPerSurfel));
+  };
+  return option;
+}
+
 std::vector<EngineOption> options() {
-  return {
+  std::vector<EngineOption> all = {
       cull_option(),
       samples_option(),
-      choice_option({.key = "surfel-size",
-                     .help = "what sizes come from: a split of space (BSP) into triangles, their "
-                             "mean edge or their circle; or the spheres of QSplat",
-                     .default_text = "bsp-edge"},
-                    kSurfelSizes, {SurfelSize::BspEdge, SurfelSize::BspCircle, SurfelSize::Qsplat},
-                    [](RenderSettings& s) -> SurfelSize& { return s.surfel.size; }),
+      levels_option(),
+      choice_option(
+          {.key = "surfel-size",
+           .help = "what sizes come from: a split of space (BSP) into triangles, their "
+                   "mean edge or their circle; the spheres of QSplat; or the points' own "
+                   "spacing (given)",
+           .default_text = "bsp-edge"},
+          kSurfelSizes,
+          {SurfelSize::BspEdge, SurfelSize::BspCircle, SurfelSize::Qsplat, SurfelSize::Given},
+          [](RenderSettings& s) -> SurfelSize& { return s.surfel.size; }),
       scale_option(),
       number_option({.key = "surfel-sides",
                      .range = kSurfelSides,
@@ -79,6 +99,8 @@ std::vector<EngineOption> options() {
                      .default_text = "0.5"},
                     [](RenderSettings& s) -> double& { return s.surfel.falloff; }),
       offset_option()};
+  for (EngineOption& option : clip_options()) all.push_back(std::move(option));
+  return all;
 }
 
 }  // namespace
@@ -94,7 +116,8 @@ EngineEntry entry() {
           .capabilities = {.needs_opengl = true,
                            .cull_modes = true,
                            .samples_per_pixel = true,
-                           .explanation = true},
+                           .explanation = true,
+                           .clips_splats = true},
           .options = options(),
           .features = features_of,
           .prepare = prepare};

@@ -10,19 +10,27 @@
 #include "shaders/surfel/layout.h"
 
 namespace relief::surfel {
+namespace {
 
-Result<const SurfelPrograms*> Programs::of(SurfelKind kind) {
-  auto& made = of_kinds_[static_cast<std::size_t>(kind)];
+constexpr std::uint32_t kClipFeatures =
+    RELIEF_FEATURE_CLIPPED | RELIEF_FEATURE_CLIP_WICKE | RELIEF_FEATURE_OUT_CLIP;
+
+}  // namespace
+
+Result<const SurfelPrograms*> Programs::of(const SurfelKind& kind) {
+  auto& made = of_kinds_[kind.index()];
   if (!made) {
-    const bool curved = kind == SurfelKind::Curved;
-    const Features features = curved ? features_ | RELIEF_FEATURE_CURVED : features_;
-    const auto make = [&](std::string_view pass) {
-      return make_program(*gl_, fmt::format("{}{}", curved ? "curved " : "", pass),
-                          fmt::format("surfel/{}.vert", pass), fmt::format("surfel/{}.frag", pass),
-                          features);
+    Features features = kind.clipped ? features_ : features_.without(kClipFeatures);
+    if (kind.curved) features |= RELIEF_FEATURE_CURVED;
+    const auto make = [&](std::string_view pass, Features bits) {
+      return make_program(
+          *gl_,
+          fmt::format("{}{}{}", kind.clipped ? "clipped " : "", kind.curved ? "curved " : "", pass),
+          fmt::format("surfel/{}.vert", pass), fmt::format("surfel/{}.frag", pass), bits);
     };
-    RELIEF_TRY_ASSIGN(Program visibility, make("visibility"));
-    RELIEF_TRY_ASSIGN(Program accumulation, make("accumulation"));
+    RELIEF_TRY_ASSIGN(Program visibility, make("visibility", features));
+    RELIEF_TRY_ASSIGN(Program accumulation,
+                      make("accumulation", features.without(RELIEF_FEATURE_OUT_CLIP)));
     made.emplace(SurfelPrograms{std::move(visibility), std::move(accumulation)});
   }
   return &*made;
@@ -30,9 +38,10 @@ Result<const SurfelPrograms*> Programs::of(SurfelKind kind) {
 
 Result<const Program*> Programs::shading() {
   if (!shading_) {
-    RELIEF_TRY_ASSIGN(Program made,
-                      make_program(*gl_, "shading", "environment/screen.vert",
-                                   "surfel/shading.frag", summed_features(features_)));
+    RELIEF_TRY_ASSIGN(
+        Program made,
+        make_program(*gl_, "shading", "environment/screen.vert", "surfel/shading.frag",
+                     summed_features(features_).without(kClipFeatures)));
     shading_ = std::move(made);
   }
   return &*shading_;
@@ -42,7 +51,8 @@ Features summed_features(Features features) {
   if (!features.has(RELIEF_FEATURE_SORTED)) return features;
   return features.only(RELIEF_FEATURE_OUT_NORMAL | RELIEF_FEATURE_OUT_DEPTH |
                        RELIEF_FEATURE_OUT_UV | RELIEF_FEATURE_OUT_PATCH |
-                       RELIEF_FEATURE_ORTHOGRAPHIC | RELIEF_FEATURE_COUNT_FRAGMENTS) |
+                       RELIEF_FEATURE_ORTHOGRAPHIC | RELIEF_FEATURE_COUNT_FRAGMENTS |
+                       RELIEF_FEATURE_OUT_CLIP) |
          RELIEF_FEATURE_COLOURS;
 }
 

@@ -24,14 +24,14 @@ class Programs {
  public:
   Programs(const Gl& gl, Features features) : gl_(&gl), features_(features) {}
 
-  Result<const SurfelPrograms*> of(SurfelKind kind);
+  Result<const SurfelPrograms*> of(const SurfelKind& kind);
   Result<const Program*> shading();
   [[nodiscard]] Features features() const { return features_; }
 
  private:
   const Gl* gl_;
   Features features_;
-  std::array<std::optional<SurfelPrograms>, kSurfelKinds> of_kinds_;
+  std::array<std::optional<SurfelPrograms>, kSurfelKinds.size()> of_kinds_;
   std::optional<Program> shading_;
 };
 

@@ -12,6 +12,7 @@
 #include "renderer/engines/surfel/drawing.h"
 #include "renderer/engines/surfel/programs.h"
 #include "renderer/engines/surfel/shapes.h"
+#include "renderer/engines/surfel/surfel_clip.h"
 #include "renderer/engines/surfel/surfel_tables.h"
 #include "renderer/frame/gl_engine.h"
 #include "renderer/geometry/splats_of_samples.h"
@@ -41,15 +42,17 @@ class Prepared final : public GlPreparedModel {
         nothing_(this->model().gl(), "no attributes") {}
 
   Result<RenderResult> render(const RenderSettings& asked, Progress& progress) override {
-    RELIEF_TRY(store_for(asked, progress));
+    RELIEF_TRY_ASSIGN(const SurfelStore* const store, store_for(asked, progress));
+    RELIEF_TRY(clip_for(*store, asked, progress));
     return GlPreparedModel::render(asked, progress);
   }
 
-  /// There is no primitive to choose and one level of detail.
+  /// There is no primitive to choose.
   [[nodiscard]] RenderSettings settled(const RenderSettings& asked) const override {
     RenderSettings settings = asked;
     settings.primitive = Primitive::Cell;
-    settings.pixels_per_sample = 0.0;
+    // Mean surfels have no texture coordinates: those of a node may be on several charts.
+    if (is_textured()) settings.pixels_per_sample = 0.0;
     return settings;
   }
 
@@ -58,6 +61,7 @@ class Prepared final : public GlPreparedModel {
                                                   Counting counting) override {
     Progress silent;  // render() has made them with the user's
     RELIEF_TRY_ASSIGN(const SurfelStore* const store, store_for(settings, silent));
+    RELIEF_TRY_ASSIGN(const SurfelClip* const clip, clip_for(*store, settings, silent));
     Features features = drawn_features(settings);
     RELIEF_TRY_ASSIGN(auto sums, make_sums(model().gl(), frame.targets, summed_features(features),
                                            SumPrecision::Full, true));
@@ -69,14 +73,16 @@ class Prepared final : public GlPreparedModel {
     DrawingParts parts{.gl = model().gl(),
                        .store = *store,
                        .ways = {},
+                       .clip = clip,
                        .shading = *shading,
                        .nothing = nothing_,
                        .settings = settings};
-    RELIEF_TRY_ASSIGN(auto* plain, programs.of(SurfelKind::Plain));
-    parts.ways[0] = {&polygon(settings.surfel.sides), plain};
-    if (settings.surfel.curved != SurfelCurved::None) {
-      RELIEF_TRY_ASSIGN(auto* curved, programs.of(SurfelKind::Curved));
-      parts.ways[1] = {&curved_shape(), curved};
+    for (const SurfelKind& kind : kSurfelKinds) {
+      if (kind.curved && settings.surfel.curved == SurfelCurved::None) continue;
+      if (kind.clipped && clip == nullptr) continue;
+      RELIEF_TRY_ASSIGN(auto* of_kind, programs.of(kind));
+      const Shape& shape = kind.curved ? curved_shape() : polygon(settings.surfel.sides);
+      parts.ways[kind.index()] = {&shape, of_kind};
     }
     return std::unique_ptr<GlDrawing>(std::make_unique<Drawing>(std::move(parts), std::move(sums)));
   }
@@ -84,9 +90,31 @@ class Prepared final : public GlPreparedModel {
  private:
   /// Those of the image, and of what the cloud has.
   [[nodiscard]] Features drawn_features(const RenderSettings& settings) const {
-    Features features = scene_features(settings, ModelMaps(!(*cloud_).colours.empty()));
+    ModelMaps maps(!(*cloud_).colours.empty() || is_textured());
+    maps.fine_colours = is_textured();
+    Features features = scene_features(settings, maps);
     if (settings.surfel.blend == SurfelBlend::Sorted) features |= RELIEF_FEATURE_SORTED;
+    if (settings.clip.rule == ClipRule::Off) return features;
+    features |= RELIEF_FEATURE_CLIPPED;
+    if (settings.clip.rule == ClipRule::Wicke) features |= RELIEF_FEATURE_CLIP_WICKE;
+    if (settings.outputs.clip) features |= RELIEF_FEATURE_OUT_CLIP;
     return features;
+  }
+
+  [[nodiscard]] bool is_textured() const {
+    return (*cloud_).texture != nullptr && !(*cloud_).texcoords.empty();
+  }
+
+  /// What clips the surfels: that of the last settings is kept. Null: nothing does.
+  Result<const SurfelClip*> clip_for(const SurfelStore& store, const RenderSettings& settings,
+                                     Progress& progress) {
+    if (settings.clip.rule == ClipRule::Off) return nullptr;
+    if (!clip_ || clip_of_ != &store || clip_settings_ != settings.clip) {
+      RELIEF_TRY_ASSIGN(clip_, make_surfel_clip(model().gl(), store.set, settings.clip, progress));
+      clip_of_ = &store;
+      clip_settings_ = settings.clip;
+    }
+    return &*clip_;
   }
 
   Result<const SurfelStore*> store_for(const RenderSettings& settings, Progress& progress) {
@@ -124,6 +152,9 @@ class Prepared final : public GlPreparedModel {
   bool closed_;
   VertexArray nothing_;
   std::map<StoreKey, SurfelStore> stores_;
+  std::optional<SurfelClip> clip_;
+  const SurfelStore* clip_of_ = nullptr;
+  ClipSettings clip_settings_;
   std::map<int, Shape> polygons_;
   std::optional<Shape> curved_shape_;
   std::map<Features, Programs> programs_;

@@ -18,9 +18,6 @@ namespace {
 /// Surfels that one task looks at.
 constexpr std::size_t kBlock = 8192;
 
-/// How far a bent surfel reaches, over its radius: kSteepestRim lifts its rim by half of that.
-constexpr float kReach = 1.2F;
-
 /// Heights at the rim below this, in pixels, are not worth a curved surfel.
 constexpr float kLeastHeight = 0.125F;
 
@@ -73,13 +70,8 @@ Seen look_at(const SurfelSet& set, std::size_t k, const View& view, const Eye& e
 
 bool is_in_image(const Seen& seen, float radius, const Eye& eye) {
   return std::all_of(eye.planes.begin(), eye.planes.end(), [&](const glm::vec4& plane) {
-    return glm::dot(glm::vec3(plane), seen.place) + plane.w >= -kReach * radius;
+    return glm::dot(glm::vec3(plane), seen.place) + plane.w >= -kBentReach * radius;
   });
-}
-
-/// The steepest slope at the rim, at most; 0: the surfel is flat.
-float rim_slope(glm::vec3 bend) {
-  return std::max(std::abs(bend.x), std::abs(bend.z)) + std::abs(bend.y);
 }
 
 bool is_curved(const Seen& seen, float slope, float radius, const Eye& eye, SurfelCurved curved) {
@@ -105,19 +97,44 @@ shared::DrawnSurfel drawn_at(glm::vec3 place, std::size_t number) {
           std::bit_cast<std::uint32_t>(place.z), static_cast<std::uint32_t>(number)};
 }
 
-void find_in(std::size_t begin, std::size_t end, const SurfelSet& set, const View& view,
-             const Eye& eye, const SelectionRule& rule, Found& found) {
-  for (std::size_t k = begin; k < end; ++k) {
-    const Seen seen = look_at(set, k, view, eye);
-    const float radius = set.radii[k];
-    if (!is_in_image(seen, radius, eye)) continue;
-    const float slope = rim_slope(set.bends[k]);
-    const bool curved = is_curved(seen, slope, radius, eye, rule.curved);
+/// What decides it, for all tasks.
+struct Selection {
+  const SurfelSet& set;
+  const View& view;
+  const SelectionRule& rule;
+  Eye eye;
+};
+
+void find_in(std::span<const std::uint32_t> slots, const Selection& by, Found& found) {
+  const SelectionRule& rule = by.rule;
+  for (const std::uint32_t k : slots) {
+    const Seen seen = look_at(by.set, k, by.view, by.eye);
+    const float radius = by.set.radii[k];
+    if (!is_in_image(seen, radius, by.eye)) continue;
+    const float slope = rim_slope(by.set.bends[k]);
+    const bool curved = is_curved(seen, slope, radius, by.eye, rule.curved);
     const float turned = curved ? slope * seen.distance : 0.0F;
     if (rule.hides_backs && seen.away >= turned) continue;
-    found.entries.push_back(
-        {drawn_at(seen.place, k), seen.depth, curved ? SurfelKind::Curved : SurfelKind::Plain});
+    const bool clipped = rule.all_clipped || (k < rule.clipped.size() && rule.clipped[k] != 0);
+    found.entries.push_back({drawn_at(seen.place, k), seen.depth, {curved, clipped}});
   }
+}
+
+/// The slots that the tree leaves.
+std::vector<std::uint32_t> cut_slots(const SurfelSet& set, const View& view,
+                                     const SelectionRule& rule) {
+  const SphereCut cut = cut_sphere_tree(
+      set.tree, view, {.backs = rule.hides_backs, .pixels = rule.pixels_per_surfel});
+  std::vector<std::uint32_t> slots;
+  const auto add_runs = [&slots](const std::vector<SurfelRun>& runs, std::size_t offset) {
+    for (const SurfelRun& run : runs) {
+      for (std::uint32_t k = 0; k < run.count; ++k)
+        slots.push_back(static_cast<std::uint32_t>(offset + run.first + k));
+    }
+  };
+  add_runs(cut.surfels, 0);
+  add_runs(cut.nodes, set.own);
+  return slots;
 }
 
 void add(const Found::Entry& entry, DrawnSurfels& drawn) {
@@ -130,11 +147,12 @@ void add(const Found::Entry& entry, DrawnSurfels& drawn) {
 }  // namespace
 
 DrawnSurfels select_surfels(const SurfelSet& set, const View& view, const SelectionRule& rule) {
-  const Eye eye = make_eye(view);
-  const std::size_t count = set.points.size();
-  std::vector<Found> blocks((count + kBlock - 1) / kBlock);
+  const Selection by{set, view, rule, make_eye(view)};
+  const std::vector<std::uint32_t> slots = cut_slots(set, view, rule);
+  std::vector<Found> blocks((slots.size() + kBlock - 1) / kBlock);
   tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
-    find_in(b * kBlock, std::min(count, (b + 1) * kBlock), set, view, eye, rule, blocks[b]);
+    const std::size_t first = b * kBlock;
+    find_in(std::span(slots).subspan(first, std::min(kBlock, slots.size() - first)), by, blocks[b]);
   });
   DrawnSurfels drawn;
   std::size_t total = 0;
@@ -151,7 +169,7 @@ DrawnSurfels select_surfels(const SurfelSet& set, const View& view, const Select
     for (const Found::Entry& entry : all) add(entry, drawn);
     return drawn;
   }
-  for (const SurfelKind kind : {SurfelKind::Plain, SurfelKind::Curved}) {
+  for (const SurfelKind& kind : kSurfelKinds) {
     for (const Found& block : blocks) {
       for (const Found::Entry& entry : block.entries) {
         if (entry.kind == kind) add(entry, drawn);

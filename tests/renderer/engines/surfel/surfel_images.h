@@ -11,6 +11,7 @@ namespace relief::test {
 inline RenderSettings surfel_image(glm::dvec3 eye, std::uint32_t side = 96) {
   RenderSettings settings = ewa_image(eye, side);
   settings.engine = "surfel";
+  settings.surfel.size = SurfelSize::Given;
   settings.frames = 0;
   settings.debug = true;
   return settings;

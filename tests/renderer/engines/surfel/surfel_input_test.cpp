@@ -128,7 +128,7 @@ TEST(SurfelInput, FrameNamesItsPasses) {
   const RenderResult result = must_draw(sphere_cloud(500), settings);
   ASSERT_TRUE(result.explanation);
   std::vector<std::string> names;
-  for (const auto& pass : result.explanation->passes) names.push_back(pass.name);
+  names = result.explanation->passes;
   EXPECT_EQ(names, (std::vector<std::string>{"visibility", "accumulation", "shading"}));
 }
 
