@@ -41,22 +41,25 @@ def many_colours(count):
 
 
 def clusters_of(points):
-    """Splits points across their direction of greatest variance, at the mean, until three or fewer are left (section 3.3).
+    """Splits points across their direction of greatest variation until three or fewer are left (section 3.3).
 
-    Returns lists of indices. Of four or five points, a part has fewer than three and makes no triangle.
+    As renderer/surfels/triangle_clusters.h has it: a split is at the mean, moved by so few points that one side has a
+    multiple of three. Returns arrays of indices.
     """
-    done, open_sets = [], [np.arange(len(points))]
-    while open_sets:
-        members = open_sets.pop()
-        if len(members) <= 3:
+    done, wide = [], [np.arange(len(points))]
+    while wide:
+        members = wide.pop()
+        count = len(members)
+        if count <= 3:
             done.append(members)
             continue
         centred = points[members] - points[members].mean(axis=0)
-        direction = np.linalg.eigh(centred.T @ centred)[1][:, 2]
-        upper = centred @ direction > 0
-        if upper.all() or not upper.any():
-            upper = np.arange(len(members)) < len(members) // 2
-        open_sets += [members[upper], members[~upper]]
+        along = centred @ np.linalg.eigh(centred.T @ centred)[1][:, 2]
+        below = int((along < 0).sum())
+        sizes = [n for n in range(max(1, below - 3), min(count - 1, below + 3) + 1) if n % 3 == 0 or (count - n) % 3 == 0]
+        lower = min(sizes, key=lambda n: abs(n - below))
+        members = members[np.argsort(along, kind="stable")]
+        wide += [members[:lower], members[lower:]]
     return done
 
 
