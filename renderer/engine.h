@@ -86,8 +86,9 @@ struct EngineCapabilities {
   bool cull_modes = false;
   bool samples_per_pixel = false;
   bool levels_of_detail = false;
-  bool explanation = false;   ///< RenderSettings::explain
-  bool clips_splats = false;  ///< RenderSettings::clip, Outputs::clip
+  bool explanation = false;      ///< RenderSettings::explain
+  bool clips_splats = false;     ///< RenderSettings::clip, Outputs::clip
+  bool textures_points = false;  ///< SplatCloud::texture
 };
 
 /// An option of an engine: what it accepts, and where its value goes.

@@ -6,7 +6,7 @@
 
 #include "renderer/frame/attachments.h"
 #include "renderer/frame/features.h"
-#include "shaders/surfel/layout.h"
+#include "shaders/include/shared.h"
 
 namespace relief {
 

@@ -2,6 +2,7 @@
 // 3.1 of [Textured surfels]; or, sorted, shades the fragment and lays it over what is there.
 #include "include/counting.glsl"
 #include "include/patches.glsl"
+#include "surfel/layout.h"
 #include "surfel/attributes.glsl"
 #include "include/clipping.glsl"
 #if RELIEF_SURFEL_IS_SORTED

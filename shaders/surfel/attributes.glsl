@@ -1,5 +1,4 @@
 // What both stages of the second pass hand over.
-#include "surfel/layout.h"
 #define RELIEF_SURFEL_NEEDS_NORMAL                                                         \
   ((RELIEF_FEATURES & (RELIEF_FEATURE_LIT | RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_GLASS | \
                        RELIEF_FEATURE_OUT_NORMAL)) != 0u)

@@ -9,15 +9,6 @@ namespace relief::shared {
 using glm::uvec4;
 #endif
 
-// Feature bits beside those of shared.h. Slightly curved surfaces instead of polygons: more
-// triangles a surfel, and a normal that is interpolated.
-#define RELIEF_FEATURE_CURVED 536870912u
-// Surfels are blended one over the other, so that each fragment is shaded.
-#define RELIEF_FEATURE_SORTED 1073741824u
-
-/// Output of the first pass, where there are several materials.
-#define RELIEF_OUT_MATERIAL 6
-
 // Binding points beside those of shared.h. Tables are buffer textures for the reason given there.
 #define RELIEF_SURFEL_BIND_FRAME 3
 #define RELIEF_SURFEL_TEXTURE_DRAWN 30

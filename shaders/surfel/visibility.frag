@@ -2,7 +2,6 @@
 #define RELIEF_LATE_TESTS  // what is cut off must not write its depth
 #include "include/counting.glsl"
 #include "include/patches.glsl"
-#include "surfel/layout.h"
 #include "include/clipping.glsl"
 #include "include/clip_kind.glsl"
 

@@ -117,7 +117,8 @@ EngineEntry entry() {
                            .cull_modes = true,
                            .samples_per_pixel = true,
                            .explanation = true,
-                           .clips_splats = true},
+                           .clips_splats = true,
+                           .textures_points = true},
           .options = options(),
           .features = features_of,
           .prepare = prepare};

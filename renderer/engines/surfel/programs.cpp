@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "renderer/gl/program.h"
-#include "shaders/surfel/layout.h"
+#include "shaders/include/shared.h"
 
 namespace relief::surfel {
 namespace {

@@ -35,6 +35,13 @@ glm::vec4 line_in_disc(const ClipLine& line, const SurfelSet& set, std::size_t s
           line.ends_group ? 1.0F : 0.0F};
 }
 
+/// The plane of a line's partner in the disc's frame.
+void add_plane(const PartnerPlane& plane, const SurfelSet& set, std::size_t slot,
+               std::vector<glm::vec4>& texels) {
+  texels.emplace_back(in_disc(plane.centre, set, slot), plane.edge_is_concave ? 1.0F : 0.0F);
+  texels.emplace_back(set.radii[slot] * in_disc(plane.normal, set, slot), 0.0F);
+}
+
 }  // namespace
 
 Result<SurfelClip> make_surfel_clip(const Gl& gl, const SurfelSet& set,
@@ -48,7 +55,10 @@ Result<SurfelClip> make_surfel_clip(const Gl& gl, const SurfelSet& set,
     const std::span<const ClipLine> own = partners.of(slot);
     ranges.emplace_back(lines.size(), own.size() << shared::kClipKindBits |
                                           static_cast<std::size_t>(partners.kinds[slot]));
-    for (const ClipLine& line : own) lines.push_back(line_in_disc(line, set, slot));
+    for (std::size_t l = 0; l < own.size(); ++l) {
+      lines.push_back(line_in_disc(own[l], set, slot));
+      if (!partners.planes.empty()) add_plane(partners.planes_of(slot)[l], set, slot, lines);
+    }
     clipped.push_back(own.empty() ? 0 : 1);
   }
   ranges.resize(set.points.size(), glm::uvec2(0));  // mean surfels are not clipped
