@@ -64,18 +64,23 @@ def row_of(row, usual):
     return f"| {' | '.join(cells)} |"
 
 
-def truth_of(report):
-    if report["truth"] == "faces":
-        return f"truth: its {report['mesh_triangles']:,} faces"
-    return "no faces; truth: the triangles of the patches that onepass draws, too"
+def default_of(report):
+    return next(row for row in report["rows"] if row["default"])
+
+
+def description_of(name, report):
+    """A line about a model."""
+    default = default_of(report)
+    points = next((f"{row['samples']:,} points, " for row in report["rows"] if row["input"] == "points"), "")
+    truth = (f"truth: its {report['mesh_triangles']:,} faces" if report["truth"] == "faces" else
+             "it has no faces; truth: the triangles of the patches, which are what onepass draws with cells")
+    return f"- {name}: {points}{default['samples']:,} samples, {default['covered_pixels']:,} pixels; {truth}"
 
 
 def rows_of(name, report):
-    default = next(row for row in report["rows"] if row["default"])
-    points = next((row["samples"] for row in report["rows"] if row["input"] == "points"), None)
-    drawn = f"{points:,} points, " if points else ""
-    head = f"*{name}*: {drawn}{default['samples']:,} samples, {default['covered_pixels']:,} pixels; {truth_of(report)}"
-    return [f"| {head} |{' |' * (len(COLUMNS) - 1)}"] + [row_of(row, default["frame_ms"]) for row in report["rows"]]
+    truth = "faces" if report["truth"] == "faces" else "its patches' own triangles"
+    usual = default_of(report)["frame_ms"]
+    return [f"| *{name}*, truth: {truth} |{' |' * (len(COLUMNS) - 1)}"] + [row_of(row, usual) for row in report["rows"]]
 
 
 def table_of(reports, arguments):
@@ -85,6 +90,7 @@ def table_of(reports, arguments):
     lines = [f"`relief bench MODEL --engines all --frames {any_report['frames']}`, "
              f"{any_report['width']}x{any_report['height']}, {any_report['material']}; {os.cpu_count()} cores, "
              f"{any_report['renderer']}, commit {commit or 'unknown'}. Medians; engines on the CPU 1 to 5 frames.", "",
+             *(description_of(name, report) for name, report in reports.items()), "",
              f"| {' | '.join(COLUMNS)} |", f"| --- | --- |{' ---: |' * (len(COLUMNS) - 2)}"]
     for name, report in reports.items():
         lines += rows_of(name, report)
