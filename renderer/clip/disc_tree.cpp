@@ -3,20 +3,22 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <utility>
 
 #include "common/is_finite.h"
 
 namespace relief {
 namespace {
 
-/// Discs of a leaf, at most. Half of them on average: 8 to 16 took least time.
-constexpr std::size_t kLeaf = 16;
+/// Discs of a leaf, at most.
+constexpr std::size_t kDiscsOfLeaf = 16;
 /// Smaller subtrees are built by one thread.
-constexpr std::uint32_t kBuiltByOne = 16384;
+constexpr std::uint32_t kSubtreeOfOneThread = 16384;
 
 /// Squared distance of a position to a box.
 double squared_to_box(glm::dvec3 from, glm::dvec3 low, glm::dvec3 high) {
@@ -43,9 +45,13 @@ DiscTree::DiscTree(const SplatDiscs& discs) {
   }
   if (discs_.empty()) return;
   std::size_t leaves = 1;
-  while (leaves * kLeaf < discs_.size()) leaves *= 2;
+  while (leaves * kDiscsOfLeaf < discs_.size()) leaves *= 2;
   nodes_.resize(2 * leaves - 1);
   build(0, 0, static_cast<std::uint32_t>(discs_.size()));
+}
+
+void DiscTree::set_normals(const std::vector<glm::dvec3>& normals) {
+  for (std::size_t slot = 0; slot < discs_.size(); ++slot) discs_[slot].normal = normals[slot];
 }
 
 void DiscTree::build(std::size_t node, std::uint32_t begin, std::uint32_t end) {
@@ -67,7 +73,7 @@ void DiscTree::build(std::size_t node, std::uint32_t begin, std::uint32_t end) {
                      return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis]
                                                              : a.splat < b.splat;
                    });
-  if (end - begin < kBuiltByOne) {
+  if (end - begin < kSubtreeOfOneThread) {
     build(2 * node + 1, begin, middle);
     build(2 * node + 2, middle, end);
   } else {

@@ -27,6 +27,9 @@ class DiscTree {
   /// Discs in the order of the tree: near ones are near in memory.
   [[nodiscard]] const std::vector<Disc>& discs() const { return discs_; }
 
+  /// Takes other normals, unit, of each slot.
+  void set_normals(const std::vector<glm::dvec3>& normals);
+
   /// Appends the slots (in `discs()`) of the neighbours of a disc, Eq. (1) of [Ivo 2011] as
   /// corrected: those whose centres are nearer than the sum of both radii. Itself is none. Looks
   /// near the disc first, and at no more than `most_tested` discs, so that many coincident discs

@@ -1,61 +1,76 @@
 #include "renderer/clip/partner_sets.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 
 namespace relief {
 namespace {
 
-/// How elements of a set lie to each other, Eq. (15) and (16).
-enum class SetShape : std::uint8_t { Flat, Concave, Convex, Mixed };
+constexpr double kFlat = 0.02;
 
-/// A set is flat if its middle is nearer to all planes than this share of the splat's radius.
-constexpr double kFlat = 0.05;
-
-/// Eq. (15).
-SetShape shape_among(const DiscTree& tree, const Disc& splat, std::span<const Partner> partners) {
-  glm::dvec3 middle(0.0);
-  for (const Partner& partner : partners)
-    middle += tree.discs()[partner.slot].centre - splat.centre;
-  middle /= static_cast<double>(partners.size());
-  bool seen = false;
-  bool hidden = false;
-  for (const Partner& partner : partners) {
-    const Disc& disc = tree.discs()[partner.slot];
-    const double height = glm::dot(middle - (disc.centre - splat.centre), disc.normal);
-    seen = seen || height > kFlat * splat.radius;
-    hidden = hidden || height < -kFlat * splat.radius;
-  }
-  if (seen && hidden) return SetShape::Mixed;
-  return seen ? SetShape::Concave : (hidden ? SetShape::Convex : SetShape::Flat);
+/// How far a line's edge lies in the area that another line clips; negative outside it.
+double edge_within(const PlaneLine& line, const PlaneLine& other) {
+  return glm::dot(line.edge, other.direction) - other.offset;
 }
 
-/// Eq. (16).
-SetShape shape_with(std::span<const Partner> partners) {
-  const auto seen = std::count_if(partners.begin(), partners.end(),
-                                  [](const Partner& partner) { return partner.is_seen; });
-  if (seen == 0) return SetShape::Convex;
-  return seen == static_cast<std::ptrdiff_t>(partners.size()) ? SetShape::Concave : SetShape::Mixed;
+enum class PairKind : std::uint8_t { Flat, Unite, Intersect };
+
+PairKind kind_of(const PlaneLine& a, const PlaneLine& b, double tolerance) {
+  const double first = edge_within(a, b);
+  const double second = edge_within(b, a);
+  if (first > tolerance && second > tolerance) return PairKind::Intersect;
+  return std::max(std::abs(first), std::abs(second)) > tolerance ? PairKind::Unite : PairKind::Flat;
+}
+
+void keep_centre(LineGroup& group) {
+  const auto farthest =
+      std::max_element(group.begin(), group.end(),
+                       [](const PlaneLine& a, const PlaneLine& b) { return a.offset < b.offset; });
+  farthest->offset = std::max(farthest->offset, 0.0);
 }
 
 }  // namespace
 
-PartnerSets group_partners(const DiscTree& tree, const Disc& splat,
-                           std::span<const Partner> partners) {
+PartnerSets group_lines(std::span<const PlaneLine> lines, double radius) {
   PartnerSets sets;
-  if (partners.empty()) return sets;
-  const SetShape among = shape_among(tree, splat, partners);
-  const SetShape with = shape_with(partners);
-  const bool intersect = (among == SetShape::Convex && with == SetShape::Concave) ||
-                         (among == SetShape::Concave && with == SetShape::Convex);
-  sets.groups.resize(intersect ? 1 : partners.size());
-  for (std::uint32_t p = 0; p < partners.size(); ++p) sets.groups[intersect ? 0 : p].push_back(p);
-  const bool mixed = among == SetShape::Mixed || with == SetShape::Mixed;
-  sets.kind = intersect                 ? ClipKind::Intersection
-              : mixed                   ? ClipKind::Mixed
-              : among == SetShape::Flat ? ClipKind::Flat
-                                        : ClipKind::Union;
+  if (lines.empty()) return sets;
+  bool any_united = false;
+  bool any_intersected = false;
+  std::vector<std::uint32_t> waiting(lines.size());
+  for (std::uint32_t k = 0; k < lines.size(); ++k) waiting[k] = k;
+  while (!waiting.empty()) {
+    std::vector<std::uint32_t> members{waiting.front()};
+    waiting.erase(waiting.begin());
+    for (std::size_t m = 0; m < members.size(); ++m) {
+      std::erase_if(waiting, [&](std::uint32_t k) {
+        const PairKind kind = kind_of(lines[members[m]], lines[k], kFlat * radius);
+        any_united = any_united || kind == PairKind::Unite;
+        if (kind != PairKind::Intersect) return false;
+        any_intersected = true;
+        members.push_back(k);
+        return true;
+      });
+    }
+    LineGroup& group = sets.groups.emplace_back();
+    for (const std::uint32_t k : members) group.push_back(lines[k]);
+    keep_centre(group);
+  }
+  sets.kind = any_united && any_intersected ? ClipKind::Mixed
+              : any_united                  ? ClipKind::Union
+              : any_intersected             ? ClipKind::Intersection
+                                            : ClipKind::Flat;
   return sets;
+}
+
+std::vector<LineGroup> lines_alone(std::span<const PlaneLine> lines) {
+  std::vector<LineGroup> groups;
+  for (const PlaneLine& line : lines) {
+    groups.push_back({line});
+    keep_centre(groups.back());
+  }
+  return groups;
 }
 
 }  // namespace relief

@@ -10,37 +10,29 @@
 
 #include "common/error.h"
 #include "common/progress.h"
+#include "renderer/clip/different_surface.h"
 #include "renderer/clip/disc_overlap.h"
 #include "renderer/clip/disc_tree.h"
 
 namespace relief {
 
-/// Which normals are of different surfaces.
-struct SurfaceTest {
-  /// w_s of Eq. (2): smaller dot products are of different surfaces.
-  double threshold = 1.0;
-  /// Planes whose normals' cross product is shorter are parallel: the two sides of a thin wall have
-  /// opposite normals, but no edge.
-  double min_sine = 0.0;
-
-  [[nodiscard]] bool differ(const Disc& a, const Disc& b) const;
-};
-
 /// A clip partner, as its splat sees it.
 struct Partner {
   std::uint32_t slot;  ///< in the tree
-  double squared_distance;
-  CrossingLine line;  ///< relative to the splat's centre
-  Span span;          ///< of the line, in both discs
-  bool is_seen;       ///< its centre is in front of the splat's plane
-  bool sees;          ///< the splat's centre is in front of its plane
+  glm::dvec3 centre;   ///< relative to the splat's
+  CrossingLine line;   ///< relative to the splat's centre
+  Span span;           ///< of the line, in both discs
+  double above;        ///< height of its centre above the splat's plane: is it seen, Eq. (16)
+  double splat_above;  ///< height of the splat's centre above its plane: does it see, Eq. (14)
 };
 
-/// Returns another disc as the clip partner of a splat; none if they are of one surface or do not
-/// cross. Symmetric to the last bit.
-[[nodiscard]] std::optional<Partner> as_partner(const SplatDiscs& discs, const SurfaceTest& test,
-                                                const Disc& splat, const Disc& other,
-                                                std::uint32_t other_slot);
+/// Returns another disc as the clip partner of a splat. None if they are of one surface, do not
+/// cross, or contradict each other: one sees the other's centre, the other does not see its, and
+/// neither is near the other's plane. Such planes cross where at least one of the surfaces is not.
+/// Symmetric to the last bit.
+[[nodiscard]] std::optional<Partner> as_partner(const SplatDiscs& discs, const DiscTree& tree,
+                                                const SurfaceTest& test, std::size_t slot,
+                                                std::uint32_t other);
 
 /// Limits that bound time and memory.
 struct PartnerLimits {
@@ -52,7 +44,8 @@ struct PartnerLimits {
 struct PartnerLists {
   std::vector<std::size_t> first;  ///< of each slot, and the number of partners as the last
   std::vector<std::uint32_t> slots;
-  std::size_t cut = 0;  ///< discs that have more neighbours or partners than the limits
+  std::uint64_t neighbours = 0;  ///< pairs that were tested, each from both sides
+  std::size_t cut = 0;           ///< discs that have more neighbours or partners than the limits
 
   [[nodiscard]] std::span<const std::uint32_t> of(std::size_t slot) const {
     return std::span(slots).subspan(first[slot], first[slot + 1] - first[slot]);

@@ -1,10 +1,14 @@
-// Clip lines in the plane of a splat, and what they leave of its disc.
+// Clip lines in the plane of a splat.
 #pragma once
 
 #include <cstdint>
 #include <glm/vec2.hpp>
-#include <span>
+#include <optional>
 #include <vector>
+
+#include "renderer/clip/clip_partners.h"
+#include "renderer/clip/disc_tree.h"
+#include "renderer/clip/partners.h"
 
 namespace relief {
 
@@ -12,41 +16,30 @@ namespace relief {
 /// is beyond, dot(P, direction) > offset, is clipped.
 struct PlaneLine {
   glm::dvec2 direction;   ///< unit
-  double offset;          ///< 0 or more: no splat loses its centre
+  double offset;          ///< negative if the centre is beyond
+  glm::dvec2 edge;        ///< where the edge to the partner is: the line's point nearest to it
   std::uint32_t partner;  ///< which of the splat's partners, from 0
 };
 
-/// A convex part of a disc, bounded by the disc's border and lines.
-class DiscPart {
- public:
-  /// Makes it an ellipse, as a polygon about it (0.2 % larger).
-  void start(double along_x, double along_y);
+/// Lines whose areas are intersected.
+using LineGroup = std::vector<PlaneLine>;
 
-  /// Cuts off what is beyond a line.
-  void cut_beyond(const PlaneLine& line);
-
-  [[nodiscard]] bool is_empty() const { return corners_.empty(); }
-  /// How far the part reaches beyond a line, world units; negative if it does not.
-  [[nodiscard]] double beyond(const PlaneLine& line) const;
-  /// Whether a line bounds it.
-  [[nodiscard]] bool is_bounded_by(std::uint32_t partner) const;
-
- private:
-  static constexpr std::uint32_t kDisc = 0xffffffffU;
-
-  struct Corner {
-    glm::dvec2 at;
-    std::uint32_t edge;  ///< what bounds the part from here to the next corner
-  };
-
-  std::vector<Corner> corners_;
-  std::vector<Corner> next_;
+/// The plane of a splat as it is drawn.
+struct SplatFrame {
+  glm::dvec3 normal;
+  glm::dvec3 x;  ///< unit, of ellipses the major axis
+  glm::dvec3 y;
+  double along_x;  ///< semi-axes
+  double along_y;
 };
 
-/// Keeps of each group of lines those that bound the result inside the disc. Groups are united,
-/// the lines of a group are intersected. What a line changes by less than `tolerance`, world units,
-/// counts as nothing.
-void keep_bounding_lines(std::vector<std::vector<PlaneLine>>& groups, double along_x,
-                         double along_y, double tolerance);
+[[nodiscard]] SplatFrame frame_of(const SplatDiscs& discs, const Disc& disc);
+
+/// Returns the border of what a partner clips of a splat: what the partner does not see if the edge
+/// is concave, otherwise what it sees. None if the partner's plane is nearly the drawn one (the
+/// classification may have other normals).
+[[nodiscard]] std::optional<PlaneLine> line_of(const SplatFrame& frame, const Disc& other,
+                                               const Partner& partner, bool is_concave,
+                                               std::uint32_t number);
 
 }  // namespace relief
