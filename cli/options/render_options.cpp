@@ -80,7 +80,8 @@ void add_outputs_option(CLI::App& sub, SceneSettings& settings) {
   sub.add_option_function<std::string>(
          "--outputs", [&](const std::string& s) { settings.outputs = parse_outputs(s); },
          "Outputs that an .exr holds beside colour: all, colour for none, or some of "
-         "normal,depth,uv,patch (default all)")
+         "normal,depth,uv,patch, and of engines that clip splats clip (default all, which "
+         "leaves that out)")
       ->option_text("LIST");
 }
 

@@ -15,7 +15,7 @@ layout(location = 10) flat in vec2 clip_slope;
 
 struct Partner {
   vec4 line;
-  vec4 centre;  // from the splat's; w: 1 if it sees that
+  vec4 centre;  // from the splat's; w: 1 if the edge between them is concave
   vec3 normal;
 };
 
@@ -52,8 +52,9 @@ bool is_clipped(vec2 offset, float slack) {
   vec2 seen = vec2(dot(between, first.normal), -dot(between, second.normal));
   bool is_concave = all(greaterThan(seen, vec2(0.0)));
   bool is_convex = all(lessThan(seen, vec2(0.0)));
-  vec2 sees = vec2(first.centre.w, second.centre.w);
-  bool intersects = (is_concave && sees == vec2(0.0)) || (is_convex && sees == vec2(1.0));
+  vec2 concave = vec2(first.centre.w, second.centre.w);
+  bool intersects = (is_concave && concave == vec2(0.0)) ||
+                    (is_convex && concave == vec2(1.0));
   return intersects ? by_first && by_second : by_first || by_second;
 }
 #else

@@ -341,7 +341,7 @@ RELIEF_CONST float kNeutralGrey = 0.5f;
 /// below that how its partners lie (ClipKind). A line is a texel in the grid frame of the splat's
 /// patch: (x, y) from the splat's centre is beyond it where dot(x, y) with the first two exceeds
 /// the third, in cells; the fourth is 1 where its group ends. With CLIP_WICKE it has the plane of
-/// its partner in two more: the centre from the splat's (cells; w: 1 if it sees that), the normal.
+/// its partner in two more: the centre from the splat's (cells; w: 1 if their edge is concave), the normal.
 RELIEF_CONST uint kClipKindBits = 3u;
 RELIEF_CONST uint kClipKindMask = 7u;
 RELIEF_CONST int kWickeTexels = 3;

@@ -20,7 +20,7 @@ namespace {
 /// The tables before they are on the GPU.
 struct Collected {
   std::vector<std::vector<glm::uvec2>> ranges;
-  std::vector<glm::vec4> lines;
+  std::vector<glm::vec4> texels;  ///< of lines
   std::vector<bool> clipped;
 };
 
@@ -32,6 +32,14 @@ glm::vec4 line_on_grid(const ClipLine& line, const Patch& patch, glm::vec2 slope
           line.ends_group ? 1.0F : 0.0F};
 }
 
+/// The plane of a line's partner in the grid frame.
+void add_plane(const PartnerPlane& plane, const Patch& patch, std::vector<glm::vec4>& texels) {
+  const glm::dmat3 to_grid = glm::transpose(patch.axes);
+  texels.emplace_back(glm::vec3(to_grid * glm::dvec3(plane.centre) / patch.spacing),
+                      plane.edge_is_concave ? 1.0F : 0.0F);
+  texels.emplace_back(glm::vec3(to_grid * glm::dvec3(plane.normal)), 0.0F);
+}
+
 /// Adds the splats of patch `k` of a run; returns whether some of them are clipped.
 bool add_patch(const Patch& patch, const SampleDiscs& samples, std::size_t k,
                const ClipPartners& partners, const RecordRun& records, Collected& out) {
@@ -40,11 +48,13 @@ bool add_patch(const Patch& patch, const SampleDiscs& samples, std::size_t k,
   for (std::uint32_t r = 0; r < records.count; ++r) {
     const std::size_t splat = samples.first[k] + r;
     const std::span<const ClipLine> lines = partners.of(splat);
-    ranges[records.first + r] = {static_cast<std::uint32_t>(out.lines.size()),
+    ranges[records.first + r] = {static_cast<std::uint32_t>(out.texels.size()),
                                  static_cast<std::uint32_t>(lines.size()) << shared::kClipKindBits |
                                      static_cast<std::uint32_t>(partners.kinds[splat])};
-    for (const ClipLine& line : lines)
-      out.lines.push_back(line_on_grid(line, patch, samples.slopes[splat]));
+    for (std::size_t l = 0; l < lines.size(); ++l) {
+      out.texels.push_back(line_on_grid(lines[l], patch, samples.slopes[splat]));
+      if (!partners.planes.empty()) add_plane(partners.planes_of(splat)[l], patch, out.texels);
+    }
     some = some || !lines.empty();
   }
   return some;
@@ -115,13 +125,13 @@ Result<ClipTables> make_clip_tables(const Gl& gl, const PatchModel& model, const
     place(run, found->second, store, collected);
   }
   const auto most = static_cast<std::size_t>(get_limit(gl, GL_MAX_TEXTURE_BUFFER_SIZE));
-  if (collected.lines.size() > most) {
-    return make_error("the model has {} clip lines, more than this OpenGL can draw ({})",
-                      collected.lines.size(), most);
+  if (collected.texels.size() > most) {
+    return make_error("the clip lines of the model take {} texels, more than this OpenGL has ({})",
+                      collected.texels.size(), most);
   }
   ClipTables tables{
       {},
-      make_table(gl, "clip lines", GL_RGBA32F, std::span<const glm::vec4>(collected.lines)),
+      make_table(gl, "clip lines", GL_RGBA32F, std::span<const glm::vec4>(collected.texels)),
       std::move(collected.clipped)};
   for (const std::vector<glm::uvec2>& ranges : collected.ranges) {
     tables.ranges.push_back(
