@@ -164,6 +164,7 @@ std::string names_of(const Outputs& outputs) {
   if (outputs.depth) text += ",depth";
   if (outputs.uv) text += ",uv";
   if (outputs.patch_id) text += ",patch";
+  if (outputs.clip) text += ",clip";
   return text;
 }
 

@@ -18,9 +18,9 @@
 #include "loader/view_settings.h"
 #include "preprocess/convert.h"
 #include "preprocess/raster/raster.h"
-#include "renderer/engines/ewa/splats_of_samples.h"
 #include "renderer/geometry/mesh_of_patches.h"
 #include "renderer/geometry/mesh_of_points.h"
+#include "renderer/geometry/splats_of_samples.h"
 #include "renderer/view/patches_in_view.h"
 
 namespace relief {
@@ -49,7 +49,7 @@ Result<LoadedFile> load_patch_file(const std::filesystem::path& path, Forms form
   if (forms.mesh) {
     RELIEF_TRY(add_mesh_of_patches(file, path));
   }
-  if (forms.splats) file.splats = ewa::splats_of_samples(file.patches);
+  if (forms.splats) file.splats = splats_of_samples(file.patches);
   return file;
 }
 

@@ -65,6 +65,18 @@ Status check_interfaces(const EngineEntry& engine, const RenderSettings& setting
   return {};
 }
 
+/// Of engines that clip nothing, the output would be empty.
+Status check_clip_output(const EngineEntry& engine, const RenderSettings& settings,
+                         std::span<const EngineEntry> among) {
+  if (!settings.outputs.clip || engine.capabilities.clips_splats) return {};
+  std::vector<std::string> names;
+  for (const EngineEntry& other : among) {
+    if (other.capabilities.clips_splats) names.push_back("engine " + other.name);
+  }
+  return make_error("engine {} has no output clip, which {} have; choose one of them", engine.name,
+                    listed(names, "and"));
+}
+
 }  // namespace
 
 Status check_split_view(const EngineEntry& engine, const RenderSettings& settings, ModelForm form,
@@ -86,6 +98,7 @@ Status check_split_view(const EngineEntry& engine, const RenderSettings& setting
 
 Status check_engine(const EngineEntry& engine, const RenderSettings& settings,
                     const RenderModel& model, std::span<const EngineEntry> among) {
+  RELIEF_TRY(check_clip_output(engine, settings, among));
   const std::optional<ModelForm> form = form_for(engine, model);
   if (!form) return make_error("engine {} can't draw this model in any of its forms", engine.name);
   const EngineEntry* const beside = find_engine(engine.surfaces_by, among);

@@ -10,7 +10,8 @@ namespace relief {
 
 /// Fails, with a sentence that names the engines which can, unless the engine draws the materials
 /// of these settings from the model: opacities below 1, glass with two interfaces, the split view.
-/// Fails also if the model has none of the forms that the engine draws.
+/// Fails if an output is asked for that the engine lacks. Fails also if the model has none of the
+/// forms that the engine draws.
 Status check_engine(const EngineEntry& engine, const RenderSettings& settings,
                     const RenderModel& model, std::span<const EngineEntry> among = engines());
 

@@ -70,7 +70,8 @@ struct Viewport::Reused {
                       targets->normal.has_value() == outputs.normal &&
                       targets->depth.has_value() == outputs.depth &&
                       targets->uv.has_value() == outputs.uv &&
-                      targets->patch_id.has_value() == outputs.patch_id;
+                      targets->patch_id.has_value() == outputs.patch_id &&
+                      targets->clip.has_value() == outputs.clip;
     return fits ? std::exchange(targets, std::nullopt) : std::nullopt;
   }
 };

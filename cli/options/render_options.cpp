@@ -80,7 +80,8 @@ void add_outputs_option(CLI::App& sub, SceneSettings& settings) {
   sub.add_option_function<std::string>(
          "--outputs", [&](const std::string& s) { settings.outputs = parse_outputs(s); },
          "Outputs that an .exr holds beside colour: all, colour for none, or some of "
-         "normal,depth,uv,patch (default all)")
+         "normal,depth,uv,patch, and of engines that clip splats clip (default all, which "
+         "leaves that out)")
       ->option_text("LIST");
 }
 
@@ -323,7 +324,7 @@ void check_together(const RenderArguments& arguments) {
   }
   const SceneSettings& settings = arguments.settings;
   const Outputs outputs = settings.outputs.value_or(Outputs{});
-  if (format != ".exr" && (outputs.normal || outputs.depth || outputs.uv || outputs.patch_id)) {
+  if (format != ".exr" && has_any(outputs)) {
     throw CLI::ValidationError("--outputs", "only an .exr holds more than colour");
   }
   check_material_options(arguments);

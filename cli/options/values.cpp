@@ -219,7 +219,7 @@ Outputs parse_outputs(const std::string& text) {
     } else if (name != "color" && !add_output(outputs, name)) {
       throw CLI::ValidationError(
           "--outputs",
-          "expected all, colour, or some of normal,depth,uv,patch; found " + std::string(name));
+          "expected all, colour, or some of normal,depth,uv,patch,clip; found " + std::string(name));
     }
   }
   return outputs;

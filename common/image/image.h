@@ -26,7 +26,8 @@ struct Channel {
 /// An image. Colour is linear, with Rec. 709 primaries. The names that engines write, as in EXR: R
 /// G B A (colour, premultiplied, and coverage), N.X N.Y N.Z (world normal), Z (distance along the
 /// view axis, +infinity for the background), UV.U UV.V (grid coordinates on the patch), patch
-/// (patch id + 1, 0 for the background).
+/// (patch id + 1, 0 for the background), clip (how the splat in front is clipped: ClipKind of
+/// renderer/clip/).
 struct Image {
   std::uint32_t width = 0;
   std::uint32_t height = 0;

@@ -59,6 +59,11 @@ struct Outputs {
   bool clip = false;  ///< how the splat in front is clipped: ClipKind (renderer/clip/)
 };
 
+/// Whether an image has outputs beside colour and coverage.
+[[nodiscard]] inline bool has_any(const Outputs& outputs) {
+  return outputs.normal || outputs.depth || outputs.uv || outputs.patch_id || outputs.clip;
+}
+
 /// Turns on an output: normal, depth, uv, patch or clip; colour is always on. Returns false for any
 /// other name.
 [[nodiscard]] inline bool add_output(Outputs& outputs, std::string_view name) {

@@ -106,6 +106,9 @@ OptionValue JsonValues::option(const JsonNode& node, const OptionRow& row) {
   OptionValue value = std::string();
   if (node.value.is_number()) value = node.value.get<double>();
   if (node.value.is_string()) value = node.value.get<std::string>();
+  // A text that can be a number may be written as one.
+  if (node.value.is_number() && row.kind == OptionKind::Text && row.accepts_text != nullptr)
+    value = fmt::format("{}", node.value.get<double>());
   if (!check_value(row, value)) refuse_value(node, expected_of(row));
   return value;
 }

@@ -58,7 +58,7 @@ Background read_background(JsonValues& values, const JsonNode& node) {
 
 Outputs read_outputs(JsonValues& values, const JsonNode& node) {
   constexpr std::string_view kExpected =
-      "a list of some of colour, normal, depth, uv, patch, or \"all\"";
+      "a list of some of colour, normal, depth, uv, patch, clip, or \"all\"";
   Outputs outputs;
   if (node.value == "all") return {true, true, true, true};
   if (!node.value.is_array() || node.value.empty()) {

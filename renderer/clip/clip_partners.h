@@ -1,6 +1,7 @@
 // The lines that clip splats at sharp features, from the splats alone.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -35,21 +36,48 @@ struct ClipLine {
   bool ends_group = true;     ///< the next line is of another group
 };
 
+/// The plane of a line's partner, for the rule of Wicke.
+struct PartnerPlane {
+  glm::vec3 centre{0.0F};  ///< relative to the splat's centre, world
+  glm::vec3 normal{0.0F};
+  bool edge_is_concave = false;  ///< that between the splat and the partner
+};
+
+/// What the classification found.
+struct ClipCounts {
+  std::array<std::size_t, 5> kinds{};  ///< splats of each ClipKind
+  std::uint64_t neighbours = 0;        ///< of all splats, Eq. (1): pairs, each counted twice
+  std::uint64_t partners = 0;          ///< of all splats: pairs, each counted twice
+  /// Of these, where the direction of Eq. (18) and (19) clips the splat's centre, which Figure 6
+  /// keeps.
+  std::uint64_t disagreements = 0;
+  std::size_t cut = 0;     ///< splats with more neighbours or partners than are looked at
+  double threshold = 1.0;  ///< w_s of Eq. (2); the median if splats have their own
+};
+
 /// The clip lines of all splats. A fragment of a splat is clipped where it is beyond all lines of
 /// any one group: the union of lines is a group for each, their intersection one group for all.
 /// With ClipRule::Wicke groups mean nothing: see wicke_clips().
 struct ClipPartners {
   std::vector<std::uint32_t> first;  ///< of each splat, and the number of lines as the last
   std::vector<ClipLine> lines;
-  std::vector<ClipKind> kinds;  ///< of each splat
+  std::vector<ClipKind> kinds;       ///< of each splat
+  std::vector<PartnerPlane> planes;  ///< of each line; empty unless the rule is Wicke
+  ClipCounts counts;
 
   [[nodiscard]] std::span<const ClipLine> of(std::size_t splat) const {
     return std::span(lines).subspan(first[splat], first[splat + 1] - first[splat]);
   }
+  [[nodiscard]] std::span<const PartnerPlane> planes_of(std::size_t splat) const {
+    return std::span(planes).subspan(first[splat], first[splat + 1] - first[splat]);
+  }
 };
 
-/// Finds the lines that clip the discs. Bounded in time and memory whatever the discs are. Fails
-/// only if it is interrupted.
+/// Finds the lines that clip the discs. Fails only if it is interrupted.
+///
+/// Takes any input: discs without a place, a normal or an area have no partners. At most 4096
+/// discs near a splat are looked at, and 2^27 partners are kept, at most 256 for each splat, the
+/// nearest; `counts.cut` says for how many splats that was too few.
 Result<ClipPartners> find_clip_partners(const SplatDiscs& discs, const ClipSettings& settings,
                                         Progress& progress);
 

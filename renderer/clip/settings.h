@@ -42,6 +42,8 @@ struct ClipSettings {
   /// None: from the measured noise of the normals.
   std::optional<double> threshold;
   ClipNormals normals = ClipNormals::Given;
+
+  bool operator==(const ClipSettings&) const = default;
 };
 
 }  // namespace relief

@@ -97,6 +97,10 @@ Image develop(const Film& film, const Surroundings& surroundings, const View& vi
     add("patch", [](const FilmPixel& p) { return static_cast<float>(p.patch); });
     image.channels.back().type = ChannelType::Uint;
   }
+  if (outputs.clip) {
+    add("clip", [](const FilmPixel& p) { return static_cast<float>(p.clip); });
+    image.channels.back().type = ChannelType::Uint;
+  }
   covered = 0;
   for (const FilmPixel& pixel : film.pixels) covered += pixel.colour.a > 0.0F ? 1 : 0;
   return image;

@@ -24,6 +24,7 @@ struct FilmPixel {
   float depth = std::numeric_limits<float>::infinity();  ///< along the view axis
   glm::vec2 uv{0.0F};                                    ///< grid coordinates on the patch
   std::uint32_t patch = 0;                               ///< patch id + 1
+  std::uint8_t clip = 0;                                 ///< ClipKind of the splat in front
 };
 
 /// The pixels of an image, row-major, top row first.

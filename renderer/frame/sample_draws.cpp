@@ -48,9 +48,9 @@ Table make_patch_views(const Gl& gl, const PatchStore& store) {
 
 /// One page's commands in a buffer.
 template <class Command>
-SampleDraw::Page make_page(const Gl& gl, const Table& records, const std::vector<Command>& commands,
-                           bool front_alone) {
-  return {records.texture.id(),
+SampleDraw::Page make_page(const Gl& gl, std::uint32_t number, const Table& records,
+                           const std::vector<Command>& commands, bool front_alone) {
+  return {number, records.texture.id(),
           make_buffer(gl, "draw commands", std::span<const Command>(commands)),
           static_cast<GLsizei>(commands.size()), front_alone};
 }
@@ -88,11 +88,12 @@ SampleDraw SampleDraws::make_draw(SampleShape shape, const SidedList& patches) c
     for (const auto& [page, share] : by_page(list, page_of)) {
       const Table& records = store_->pages[page];
       if (shape == SampleShape::Quads) {
-        draw.pages.push_back(make_page(*gl_, records, quad_commands(*store_, share), front_alone));
+        draw.pages.push_back(
+            make_page(*gl_, page, records, quad_commands(*store_, share), front_alone));
       } else {
         const std::uint32_t vertices = shape == SampleShape::Points ? 1 : 3;
         draw.pages.push_back(
-            make_page(*gl_, records, array_commands(*store_, share, vertices), front_alone));
+            make_page(*gl_, page, records, array_commands(*store_, share, vertices), front_alone));
       }
     }
   };
@@ -101,7 +102,8 @@ SampleDraw SampleDraws::make_draw(SampleShape shape, const SidedList& patches) c
   return draw;
 }
 
-void SampleDraws::draw(const SampleDraw& samples, const Program& program) const {
+void SampleDraws::draw(const SampleDraw& samples, const Program& program,
+                       const PageTables& beside) const {
   const bool points = samples.shape == SampleShape::Points;
   // OpenGL knows no sides of points.
   const auto leave_backs_out = [&](bool leave_out) {
@@ -117,6 +119,8 @@ void SampleDraws::draw(const SampleDraw& samples, const Program& program) const 
   for (const SampleDraw::Page& page : samples.pages) {
     if (page.front_alone) leave_backs_out(true);
     gl_->BindTextureUnit(RELIEF_TEXTURE_SAMPLES, page.records);
+    if (beside.tables != nullptr)
+      gl_->BindTextureUnit(beside.unit, (*beside.tables)[page.number].texture.id());
     gl_->BindBuffer(GL_DRAW_INDIRECT_BUFFER, page.commands.id());
     if (samples.shape == SampleShape::Quads) {
       gl_->MultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, nullptr, page.count, 0);

@@ -18,13 +18,20 @@ enum class SampleShape : std::uint8_t { Points, Triangles, Quads };
 /// One multi-draw-indirect per page that has any of the patches; good for any number of passes.
 struct SampleDraw {
   struct Page {
-    GLuint records = 0;  ///< texture of the page's sample records
+    std::uint32_t number = 0;  ///< in PatchStore::pages
+    GLuint records = 0;        ///< texture of the page's sample records
     Buffer commands;
     GLsizei count = 0;
     bool front_alone = false;  ///< without the samples that face away
   };
   SampleShape shape = SampleShape::Quads;
   std::vector<Page> pages;
+};
+
+/// What shaders read beside the sample records of each page.
+struct PageTables {
+  GLuint unit = 0;                             ///< texture unit
+  const std::vector<Table>* tables = nullptr;  ///< parallel to PatchStore::pages
 };
 
 /// The vertex arrays and per-frame tables of a stored model. The store and `gl` must outlive it.
@@ -44,7 +51,7 @@ class SampleDraws {
 
   /// Runs the program over them; with points it must have RELIEF_FEATURE_FRONT where some have the
   /// front alone. The model must be bound (BoundModel).
-  void draw(const SampleDraw& samples, const Program& program) const;
+  void draw(const SampleDraw& samples, const Program& program, const PageTables& beside = {}) const;
 
   [[nodiscard]] const PatchStore& store() const { return *store_; }
 

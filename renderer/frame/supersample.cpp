@@ -28,7 +28,7 @@ Result<RenderResult> GlPreparedModel::render_supersampled(const RenderSettings& 
   RenderSettings one_sample = asked;
   one_sample.samples = 1;
   std::optional<RenderResult> middles;  // of the pixels
-  if (outputs.normal || outputs.depth || outputs.uv || outputs.patch_id) {
+  if (has_any(outputs)) {
     RELIEF_TRY_ASSIGN(middles, render(one_sample, progress));
   }
   one_sample.outputs = {};

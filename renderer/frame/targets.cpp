@@ -74,12 +74,14 @@ Result<Targets> make_targets(const Gl& gl, std::uint32_t width, std::uint32_t he
   std::optional<Texture> depth = make_if(outputs.depth, "depth", GL_R32F);
   std::optional<Texture> uv = make_if(outputs.uv, "uv", GL_RG32F);
   std::optional<Texture> patch_id = make_if(outputs.patch_id, "patch id", GL_R32UI);
+  std::optional<Texture> clip = make_if(outputs.clip, "clip", GL_R8UI);
   Framebuffer framebuffer = make_framebuffer(gl, "image", &z_buffer,
                                              {{RELIEF_OUT_COLOUR, &colour},
                                               {RELIEF_OUT_NORMAL, address(normal)},
                                               {RELIEF_OUT_DEPTH, address(depth)},
                                               {RELIEF_OUT_UV, address(uv)},
-                                              {RELIEF_OUT_PATCH, address(patch_id)}});
+                                              {RELIEF_OUT_PATCH, address(patch_id)},
+                                              {RELIEF_OUT_CLIP, address(clip)}});
   RELIEF_TRY(check_errors(gl, "the image"));
   if (gl.CheckNamedFramebufferStatus(framebuffer.id(), GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     return make_error("this OpenGL can't draw an image of {}x{} pixels with these outputs", width,
@@ -92,7 +94,8 @@ Result<Targets> make_targets(const Gl& gl, std::uint32_t width, std::uint32_t he
                  std::move(normal),
                  std::move(depth),
                  std::move(uv),
-                 std::move(patch_id)};
+                 std::move(patch_id),
+                 std::move(clip)};
 }
 
 void clear_targets(const Gl& gl, const Targets& targets, const glm::vec3& background) {
@@ -108,6 +111,7 @@ void clear_targets(const Gl& gl, const Targets& targets, const glm::vec3& backgr
   if (targets.uv) gl.ClearNamedFramebufferfv(id, GL_COLOR, RELIEF_OUT_UV, zero.data());
   if (targets.patch_id)
     gl.ClearNamedFramebufferuiv(id, GL_COLOR, RELIEF_OUT_PATCH, no_patch.data());
+  if (targets.clip) gl.ClearNamedFramebufferuiv(id, GL_COLOR, RELIEF_OUT_CLIP, no_patch.data());
 }
 
 Image read_colour(const Gl& gl, const Texture& colour, std::uint32_t width, std::uint32_t height) {
@@ -133,6 +137,9 @@ Image read_targets(const Gl& gl, const Targets& targets) {
   if (targets.patch_id)
     read_channels<std::uint32_t>(gl, *targets.patch_id, GL_RED_INTEGER, GL_UNSIGNED_INT,
                                  {{"patch", ChannelType::Uint}}, image);
+  if (targets.clip)
+    read_channels<std::uint32_t>(gl, *targets.clip, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                                 {{"clip", ChannelType::Uint}}, image);
   return image;
 }
 

@@ -25,6 +25,7 @@ struct Targets {
   std::optional<Texture> depth;
   std::optional<Texture> uv;
   std::optional<Texture> patch_id;
+  std::optional<Texture> clip;
 };
 
 /// The most pixels along a side of an image.

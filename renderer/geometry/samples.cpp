@@ -30,8 +30,15 @@ std::uint32_t pack_bytes(glm::vec4 lengths, float step) {
 /// view, in cells.
 double largest_radius(glm::dvec2 slope, const SampleRecord& record) {
   const double steepness = glm::dot(slope, slope);
-  const double largest_margin = shared::kLargestMargin / std::sqrt(1.0 + steepness);
-  double radius = std::sqrt(0.5) / (0.1 + 0.9 / std::sqrt(1.0 + steepness));
+  const double of_paper = std::sqrt(0.5) / (0.1 + 0.9 / std::sqrt(1.0 + steepness));
+  return std::max(of_paper, covering_radius(record, slope));
+}
+
+}  // namespace
+
+double covering_radius(const SampleRecord& record, glm::dvec2 slope) {
+  const double largest_margin = shared::kLargestMargin / std::sqrt(1.0 + glm::dot(slope, slope));
+  double radius = 0.0;
   const auto side = [&](int c) {
     const double reach = shared::kReachStep * ((record.reach >> (8 * c)) & 0xFFU);
     const double gap = shared::kGapStep * ((record.gap >> (8 * c)) & 0xFFU);
@@ -43,8 +50,6 @@ double largest_radius(glm::dvec2 slope, const SampleRecord& record) {
   }
   return radius;
 }
-
-}  // namespace
 
 PatchSamples make_samples(const Patch& patch, float to_hole) {
   assert(patch.width <= kMaxPatchSide && patch.height <= kMaxPatchSide &&

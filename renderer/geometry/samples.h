@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -34,6 +35,10 @@ struct PatchSamples {
 /// are flagged.
 /// `to_hole`: as find_reaches has it.
 [[nodiscard]] PatchSamples make_samples(const Patch& patch, float to_hole = kReachToHole);
+
+/// The radius (cells) about a sample that no parallelogram of its splat exceeds in any view.
+/// `slope`: of its plane, height per cell.
+[[nodiscard]] double covering_radius(const SampleRecord& record, glm::dvec2 slope);
 
 /// The same without records, where no splat is drawn.
 [[nodiscard]] PatchSamples bound_samples(const Patch& patch);

@@ -23,6 +23,8 @@ constexpr std::array kFeatureNeeds{
     Need{RELIEF_FEATURE_ROUGH, RELIEF_FEATURE_MIXED, "rough is for several materials"},
     Need{RELIEF_FEATURE_ENVIRONMENT_LIGHT, RELIEF_FEATURE_LIT,
          "only lit is in the light of an environment"},
+    Need{RELIEF_FEATURE_CLIP_WICKE, RELIEF_FEATURE_CLIPPED, "Wicke's rule is one of clipping"},
+    Need{RELIEF_FEATURE_OUT_CLIP, RELIEF_FEATURE_CLIPPED, "what clips is shown where it clips"},
     Need{RELIEF_FEATURE_POINT_LIGHTS, RELIEF_FEATURE_LIT, "only lit has point lights"}};
 
 /// Features of which an image has one at most.

@@ -82,6 +82,8 @@ double closing_scale(SurfelSize method) {
       return 2.0;
     case SurfelSize::BspEdge:
       break;
+    case SurfelSize::Given:
+      return 1.0;
   }
   return 2.0;
 }

@@ -19,7 +19,7 @@ using glm::vec4;
 
 // Feature bits: with the number of lights, the key of a shader variant (renderer/gl/features.h,
 // which also lists what does not go together). They come only from the scene and the settings; each
-// says what it costs a frame that has it. 27 of 32 are in use. The lights are a word of their own,
+// says what it costs a frame that has it. 31 of 32 are in use. The lights are a word of their own,
 // RELIEF_LIGHTS, so that the loop over them is known when a shader is compiled: a light more is a
 // highlight per fragment.
 
@@ -99,9 +99,24 @@ using glm::vec4;
 // (Triangles are left out by OpenGL, which needs no variant.)
 #define RELIEF_FEATURE_FRONT 32768u
 
+// Splats of `multipass` and `surfel` that clip lines cut at sharp edges: in both passes over them a loop over the
+// lines of a splat, one lookup each. Patches that have no such splat are drawn without it.
+#define RELIEF_FEATURE_CLIPPED 67108864u
+// Beside CLIPPED: the rule of Wicke, for comparison: three lookups a line, twice.
+#define RELIEF_FEATURE_CLIP_WICKE 134217728u
+// Beside CLIPPED: the output that says how splats are clipped, an attachment of one byte a pixel.
+// All patches are drawn as those with clipped splats are.
+#define RELIEF_FEATURE_OUT_CLIP 268435456u
+
 // An orthographic camera: rays begin all over the plane through the eye, and depth values are
 // linear (include/projection.glsl). Costs nothing: it saves divisions.
 #define RELIEF_FEATURE_ORTHOGRAPHIC 16384u
+
+// Surfels of `surfel` that bend with the surface: more triangles a surfel, and a normal that is
+// interpolated.
+#define RELIEF_FEATURE_CURVED 536870912u
+// Surfels are blended one over the other, so that each fragment is shaded.
+#define RELIEF_FEATURE_SORTED 1073741824u
 
 // Locations of the colour attachments.
 #define RELIEF_OUT_COLOUR 0
@@ -109,13 +124,15 @@ using glm::vec4;
 #define RELIEF_OUT_DEPTH 2
 #define RELIEF_OUT_UV 3
 #define RELIEF_OUT_PATCH 4
+#define RELIEF_OUT_CLIP 5
+#define RELIEF_OUT_MATERIAL 6  // of the first pass of `surfel`, with several materials
 
 // Outputs of the pass that finds the surface: the position, and its depth where it is needed.
 #define RELIEF_OUT_VISIBILITY 0
 #define RELIEF_OUT_VISIBILITY_DEPTH 1
 
-// The same where `multipass` sums up splats: normal, colour, depth, each times its weight, and the
-// weights.
+// The same where `multipass` and `surfel` sum up splats: normal, colour, depth, each times its
+// weight, and the weights.
 #define RELIEF_SUM_NORMAL 0
 #define RELIEF_SUM_COLOUR 1
 #define RELIEF_SUM_DEPTH 2
@@ -156,6 +173,8 @@ using glm::vec4;
 #define RELIEF_TEXTURE_BACK_DEPTHS 25
 #define RELIEF_TEXTURE_BODIES 26
 #define RELIEF_TEXTURE_SEAM_VERTICES 27
+#define RELIEF_TEXTURE_CLIP_RANGES 28
+#define RELIEF_TEXTURE_CLIP_LINES 29
 
 /// Uniform of `multipass`: radius of its discs over that of Eq. (1) of [Ochotta 2008].
 #define RELIEF_UNIFORM_RADIUS_FACTOR 0
@@ -324,6 +343,20 @@ RELIEF_CONST float kMaxFootprintLookups = 16.0f;
 
 /// Linear reflectance of a model without colours: a neutral grey.
 RELIEF_CONST float kNeutralGrey = 0.5f;
+
+/// What clips a splat: two words a record, its first line and, shifted, the number of its lines;
+/// below that how its partners lie (ClipKind). A line is a texel in the grid frame of the splat's
+/// patch: (x, y) from the splat's centre is beyond it where dot(x, y) with the first two exceeds
+/// the third, in cells; the fourth is 1 where its group ends. With CLIP_WICKE it has the plane of
+/// its partner in two more: the centre from the splat's (cells; w: 1 if their edge is concave), the normal.
+RELIEF_CONST uint kClipKindBits = 3u;
+RELIEF_CONST uint kClipKindMask = 7u;
+RELIEF_CONST int kWickeTexels = 3;
+
+/// What pass 2 of `multipass` keeps beyond a line, in cells and in pixels: no pixel that pass 1
+/// covers up to it may be without weight for rounding.
+RELIEF_CONST float kClipSlack = 0.01f;
+RELIEF_CONST float kClipSlackPixels = 0.02f;
 
 /// The most lights of an image.
 RELIEF_CONST int kMaxLights = 16;

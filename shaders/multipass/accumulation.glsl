@@ -1,6 +1,7 @@
 // Fragment stage of pass 2: adds a splat's attributes to the pixel's sums.
 #include "include/counting.glsl"
 #include "include/maps.glsl"
+#include "include/clipping.glsl"
 
 // Depth is not written, so that it may be tested first although fragments are discarded.
 layout(early_fragment_tests) in;
@@ -21,8 +22,14 @@ layout(location = RELIEF_SUM_COLOUR) out vec4 colour_sum;
 #endif
 #if RELIEF_NEEDS_FOOTPRINT
 layout(location = 5) flat in vec2 splat_position;
-layout(location = 6) flat in vec4 splat_axes;
 layout(location = 7) flat in uint splat_patch;
+#endif
+#if RELIEF_NEEDS_FOOTPRINT || (RELIEF_FEATURES & RELIEF_FEATURE_CLIPPED) != 0u
+layout(location = 6) flat in vec4 splat_axes;
+
+vec2 to_grid(vec2 in_disc) {
+  return in_disc.x * splat_axes.xy + in_disc.y * splat_axes.zw;
+}
 #endif
 #if RELIEF_NEEDS_DEPTH
 layout(location = RELIEF_SUM_DEPTH) out vec2 depth_sum;
@@ -32,10 +39,6 @@ layout(location = RELIEF_SUM_DEPTH) out vec2 depth_sum;
 // before any fragment is discarded.
 #if RELIEF_NEEDS_FOOTPRINT
 #define RELIEF_DISC_FOOTPRINT(position) vec4(dFdx(position), dFdy(position))
-
-vec2 to_grid(vec2 in_disc) {
-  return in_disc.x * splat_axes.xy + in_disc.y * splat_axes.zw;
-}
 
 // Fine maps are looked up at the fragment's own position on the splat: one colour or normal a splat
 // would blur them.
@@ -53,6 +56,17 @@ PositionOnPatch position_on_patch(vec2 position, vec4 footprint) {
 #else
 #define RELIEF_DISC_FOOTPRINT(position) vec4(0.0)
 #endif
+
+// Whether the disc ends before a position.
+bool is_off(vec2 position) {
+  // In this form an undefined position is off, too.
+  if (!(dot(position, position) <= 1.0)) return true;
+#if (RELIEF_FEATURES & RELIEF_FEATURE_CLIPPED) != 0u
+  return is_clipped(to_grid(position), clip_centre.z);
+#else
+  return false;
+#endif
+}
 
 // `position`: in the disc, of radius 1; `depth`: along the view axis.
 void accumulate(vec2 position, float depth, vec4 footprint) {

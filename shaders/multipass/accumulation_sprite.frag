@@ -10,7 +10,6 @@ void main() {
   PlaceInPlane hit = cast_ray();
   vec4 footprint = RELIEF_DISC_FOOTPRINT(hit.position);
   float visible = texelFetch(visible_depth, ivec2(gl_FragCoord.xy), 0).x;
-  // In this form an undefined position is discarded too.
-  if (!(dot(hit.position, hit.position) <= 1.0 && value_at(hit) > visible)) discard;
+  if (is_off(hit.position) || !(value_at(hit) > visible)) discard;
   accumulate(hit.position, depth_at(hit), footprint);
 }

@@ -1,4 +1,5 @@
 // Pass 2: a point sprite that holds the splat's disc.
+#include "multipass/clip_range.glsl"
 #include "multipass/discs.glsl"
 #include "multipass/screen_frame.glsl"
 #include "multipass/splat_attributes.glsl"
@@ -15,6 +16,7 @@ void main() {
   Splat splat = fetch_splat(gl_VertexID, info, clip_from_grid, fetch_eye(patch_index));
   float radius = blending_radius(splat, info);
   DiscAxes axes = disc_axes(splat.slope);
+  write_clip_range(gl_VertexID, splat, info);
   write_attributes(patch_index, info, splat.centre.xy, radius * vec4(axes.u.xy, axes.v.xy));
   ScreenFrame seen =
       project_frame(splat.centre, radius * axes.u, radius * axes.v, clip_from_grid);

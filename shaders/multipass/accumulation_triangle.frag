@@ -6,6 +6,6 @@ layout(location = 0) in vec2 position;
 void main() {
   count_fragment();
   vec4 footprint = RELIEF_DISC_FOOTPRINT(position);
-  if (dot(position, position) > 1.0) discard;
+  if (is_off(position)) discard;
   accumulate(position, RELIEF_FRAGMENT_DEPTH, footprint);
 }

@@ -1,4 +1,5 @@
 // Pass 2: the triangle about a splat's disc, in its plane.
+#include "multipass/clip_range.glsl"
 #include "multipass/discs.glsl"
 #include "multipass/splat_attributes.glsl"
 
@@ -12,6 +13,7 @@ void main() {
   Splat splat = fetch_splat(gl_VertexID / 3, info, clip_from_grid, fetch_eye(patch_index));
   float radius = blending_radius(splat, info);
   DiscAxes axes = disc_axes(splat.slope);
+  write_clip_range(gl_VertexID / 3, splat, info);
   write_attributes(patch_index, info, splat.centre.xy, radius * vec4(axes.u.xy, axes.v.xy));
   int corner = gl_VertexID % 3;
   position = corner == 2 ? vec2(0.0, 2.0) : vec2(corner == 0 ? -sqrt(3.0) : sqrt(3.0), -1.0);

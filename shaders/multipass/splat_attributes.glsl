@@ -15,8 +15,10 @@ layout(location = 4) flat out vec3 splat_colour;  // linear
 #endif
 #if RELIEF_NEEDS_FOOTPRINT
 layout(location = 5) flat out vec2 splat_position;  // of its centre, grid coordinates
-layout(location = 6) flat out vec4 splat_axes;   // how these change along the axes of its unit disc
 layout(location = 7) flat out uint splat_patch;
+#endif
+#if RELIEF_NEEDS_FOOTPRINT || (RELIEF_FEATURES & RELIEF_FEATURE_CLIPPED) != 0u
+layout(location = 6) flat out vec4 splat_axes;  // how those change along the axes of its unit disc
 #endif
 
 // The texel of a map at a node; nodes of a level beyond the patch have its edge's.
@@ -34,6 +36,8 @@ void write_attributes(uint patch_index, PatchInfo info, vec2 node, vec4 axes) {
 #if RELIEF_NEEDS_FOOTPRINT
   splat_patch = patch_index;
   splat_position = node;
+#endif
+#if RELIEF_NEEDS_FOOTPRINT || (RELIEF_FEATURES & RELIEF_FEATURE_CLIPPED) != 0u
   splat_axes = axes;
 #endif
 #if RELIEF_COLOUR_PER_SPLAT

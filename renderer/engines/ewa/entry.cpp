@@ -1,4 +1,5 @@
 // The registry's entry of the engine `ewa`.
+#include "renderer/clip/options.h"
 #include "renderer/engine_options.h"
 #include "renderer/engines/ewa/render_ewa.h"
 
@@ -6,7 +7,7 @@ namespace relief::ewa {
 namespace {
 
 std::vector<EngineOption> options() {
-  return {
+  std::vector<EngineOption> all = {
       choice_option(
           {.key = "filter",
            .help = "the resampling filter; all but ewa are for comparison",
@@ -41,6 +42,8 @@ std::vector<EngineOption> options() {
                    "time lasts",
            .default_text = ""},
           [](RenderSettings& settings) -> double& { return settings.ewa.time_budget_ms; })};
+  for (EngineOption& option : clip_options()) all.push_back(std::move(option));
+  return all;
 }
 
 }  // namespace
@@ -53,7 +56,7 @@ EngineEntry entry() {
           .forms = {ModelForm::Splats, ModelForm::Patches},
           .primitives = {},
           .interpolations = {},
-          .capabilities = {.transparency = Support::always()},
+          .capabilities = {.transparency = Support::always(), .clips_splats = true},
           .options = options(),
           .prepare = prepare};
 }

@@ -16,6 +16,7 @@ struct SplatAttributes {
   glm::dvec2 uv{0.0};
   std::uint32_t patch = 0;  ///< patch id + 1
   std::uint8_t material = 0;
+  std::uint8_t clip = 0;  ///< ClipKind
 };
 
 /// What a kernel contributes to a pixel. Depths along the view axis.
@@ -36,8 +37,9 @@ struct Fragment {
   glm::dvec2 uv_sum{0.0};   ///< of contributions of `patch` alone: grids of two patches don't mix
   double uv_weight = 0.0;   ///< their weight
   double largest = 0.0;     ///< the largest contribution's weight
-  std::uint32_t patch = 0;  ///< of the largest contribution; so is `material`
+  std::uint32_t patch = 0;  ///< of the largest contribution; so are `material`, `clip`
   std::uint8_t material = 0;
+  std::uint8_t clip = 0;
   bool shaded = false;  ///< once: the paper marks it by a negative weight
 
   [[nodiscard]] double depth() const { return depth_sum / weight; }
@@ -57,6 +59,7 @@ struct Fragment {
     if (c.weight > largest) {
       largest = c.weight;
       material = a.material;
+      clip = a.clip;
       if (patch != a.patch) {
         patch = a.patch;
         uv_sum = glm::dvec2(0.0);

@@ -165,6 +165,7 @@ ResolvedPixel LayeredBuffer::resolve(std::size_t pixel) {
     resolved.normal = unit_or_zero(seen.normal_sum);
     resolved.uv = seen.uv_sum / seen.uv_weight;
     resolved.patch = seen.patch;
+    resolved.clip = seen.clip;
     break;
   }
   return resolved;

@@ -35,6 +35,7 @@ struct ResolvedPixel {
   glm::dvec3 normal{0.0};
   glm::dvec2 uv{0.0};
   std::uint32_t patch = 0;
+  std::uint8_t clip = 0;
 };
 
 /// Eq. (12): the front fragment over the back one. Colours premultiplied.

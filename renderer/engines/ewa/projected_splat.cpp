@@ -109,7 +109,23 @@ std::optional<ProjectedSplat<Kernel>> project_splat(const SplatCamera& camera, g
   if (!plane) return std::nullopt;
   const auto kernel = make_kernel<Kernel>(camera, *plane, h);
   if (!kernel) return std::nullopt;
-  return ProjectedSplat<Kernel>{*kernel, tangent_depth(camera.mapping, p, n, h), 0};
+  return ProjectedSplat<Kernel>{*kernel, tangent_depth(camera.mapping, p, n, h), 0, 0, 0};
+}
+
+void project_clip_lines(const SplatCamera& camera, glm::dvec3 position, glm::dvec3 normal,
+                        double radius, std::span<const ClipLine> lines,
+                        std::vector<ImageLine>& projected) {
+  const glm::dvec3 p = to_camera(camera.view, position - camera.view.eye);
+  const glm::dvec3 n = to_camera(camera.view, glm::normalize(normal));
+  const auto plane = map_tangent_plane(camera.mapping, p, n);
+  if (!plane) return;
+  const double h = camera.view.orthographic ? radius : std::min(radius, p.z);
+  const glm::dmat2 seen = seen_variance(*plane, h, camera.filter);
+  for (const ClipLine& line : lines) {
+    const glm::dvec3 direction = to_camera(camera.view, glm::dvec3(line.direction));
+    projected.push_back(image_line(beyond_line(camera.mapping, p, n, direction, line.offset), seen,
+                                   line.ends_group));
+  }
 }
 
 template PixelBox pixels_of(const ScreenKernel&, const PixelBox&);

@@ -5,7 +5,11 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
+#include <vector>
 
+#include "renderer/clip/clip_partners.h"
+#include "renderer/engines/ewa/clip_lines.h"
 #include "renderer/engines/ewa/resampling_filter.h"
 #include "renderer/view/view.h"
 
@@ -52,7 +56,9 @@ template <class Kernel>
 struct ProjectedSplat {
   Kernel kernel;
   TangentDepth depth;
-  std::uint32_t index = 0;  ///< in the cloud
+  std::uint32_t index = 0;       ///< in the cloud
+  std::uint32_t first_line = 0;  ///< of what clips it, in its chunk
+  std::uint32_t line_count = 0;
 };
 
 /// The pixels within `limits` whose middles the box about a kernel holds.
@@ -72,5 +78,11 @@ template <class Kernel>
 [[nodiscard]] std::optional<ProjectedSplat<Kernel>> project_splat(const SplatCamera& camera,
                                                                   glm::dvec3 position,
                                                                   glm::dvec3 normal, double radius);
+
+/// Appends the lines (world) that clip a point of these, which can be seen, as the image shows
+/// them.
+void project_clip_lines(const SplatCamera& camera, glm::dvec3 position, glm::dvec3 normal,
+                        double radius, std::span<const ClipLine> lines,
+                        std::vector<ImageLine>& projected);
 
 }  // namespace relief::ewa

@@ -10,7 +10,7 @@
 
 #include "common/median.h"
 #include "common/transform.h"
-#include "renderer/engines/ewa/splats_of_samples.h"
+#include "renderer/geometry/splats_of_samples.h"
 #include "renderer/engines/ewa/splatting.h"
 #include "renderer/frame/film.h"
 #include "renderer/owned_or_borrowed.h"
@@ -67,14 +67,16 @@ RenderResult result_of(const Splatted& splatted, const Scene& scene,
 
 /// All points at once.
 Result<RenderResult> render_whole(const SplatCloud& cloud, EnvironmentCache& environments,
-                                  const RenderSettings& settings, Progress& progress) {
+                                  ClipCache& clips, const RenderSettings& settings,
+                                  Progress& progress) {
   RELIEF_TRY_ASSIGN(const Scene scene, make_scene(cloud, environments, settings));
+  RELIEF_TRY_ASSIGN(const Clipping clipping, clips.get(cloud, 0, settings, progress));
   Splatted splatted;
   std::vector<double> frame_ms;
   for (int i = 0; i < std::max(settings.frames, 1); ++i) {
     if (progress.cancelled()) return interrupted_error();
     const auto start = Clock::now();
-    splatted = splat_cloud(cloud, scene.view, settings.ewa, scene.lighting, progress);
+    splatted = splat_cloud(cloud, scene.view, settings.ewa, scene.lighting, progress, clipping);
     frame_ms.push_back(milliseconds_since(start));
   }
   if (progress.cancelled()) return interrupted_error();
@@ -83,23 +85,39 @@ Result<RenderResult> render_whole(const SplatCloud& cloud, EnvironmentCache& env
   return result;
 }
 
+/// The ends of the instances' samples, in the order of their splats.
+std::vector<std::size_t> body_ends_of(const PatchModel& model) {
+  std::vector<std::size_t> ends;
+  std::size_t samples = 0;
+  for (const Instance& instance : model.instances) {
+    for (std::uint32_t k = 0; k < instance.count; ++k)
+      samples += count_samples(model.patches[instance.first + k]);
+    ends.push_back(samples);
+  }
+  return ends;
+}
+
 class Prepared final : public PreparedModel {
  public:
   template <class Cloud>
-  Prepared(Cloud&& cloud, std::shared_ptr<EnvironmentCache> environments)
-      : cloud_(std::forward<Cloud>(cloud)), environments_(std::move(environments)) {}
+  Prepared(Cloud&& cloud, std::vector<std::size_t> body_ends,
+           std::shared_ptr<EnvironmentCache> environments)
+      : cloud_(std::forward<Cloud>(cloud)),
+        clips_(std::move(body_ends)),
+        environments_(std::move(environments)) {}
 
   Result<RenderResult> render(const RenderSettings& settings, Progress& progress) override {
     if (settings.ewa.time_budget_ms <= 0.0)
-      return render_whole(*cloud_, *environments_, settings, progress);
+      return render_whole(*cloud_, *environments_, clips_, settings, progress);
     if (!hierarchy_) hierarchy_ = build_hierarchy(*cloud_);
     return render_progressive(
-        *hierarchy_, *environments_, settings, [](const RenderResult&) {}, progress);
+        *hierarchy_, *environments_, clips_, settings, [](const RenderResult&) {}, progress);
   }
 
  private:
   OwnedOrBorrowed<SplatCloud> cloud_;
   std::optional<SplatHierarchy> hierarchy_;
+  ClipCache clips_;
   std::shared_ptr<EnvironmentCache> environments_;
 };
 
@@ -107,28 +125,32 @@ class Prepared final : public PreparedModel {
 
 Result<std::unique_ptr<PreparedModel>> prepare(const PrepareRequest& request) {
   if (const auto* const cloud = request.model.find<SplatCloud>())
-    return std::unique_ptr<PreparedModel>(std::make_unique<Prepared>(*cloud, request.environments));
+    return std::unique_ptr<PreparedModel>(
+        std::make_unique<Prepared>(*cloud, std::vector<std::size_t>(), request.environments));
   const auto* const patches = request.model.find<PatchModel>();
   assert(patches != nullptr && "there are points, or patches");
   return std::unique_ptr<PreparedModel>(std::make_unique<Prepared>(
       patches->instances.empty() ? splats_of_samples(*patches) : splats_of_samples(bake(*patches)),
-      request.environments));
+      body_ends_of(*patches), request.environments));
 }
 
 Result<RenderResult> render_progressive(const SplatHierarchy& hierarchy,
-                                        EnvironmentCache& environments,
+                                        EnvironmentCache& environments, ClipCache& clips,
                                         const RenderSettings& settings, const ShowImage& show,
                                         Progress& progress) {
   RELIEF_TRY_ASSIGN(const Scene scene,
                     make_scene(hierarchy.levels.front(), environments, settings));
   const std::size_t first = level_of_size(hierarchy, scene.view, kCoarsestPixels);
   const std::size_t last = level_of_size(hierarchy, scene.view, kFinestPixels);
+  for (std::size_t level = last; level <= first; ++level)
+    RELIEF_TRY(clips.get(hierarchy.levels[level], level, settings, progress));
   const auto start = Clock::now();
   for (std::size_t level = first;; --level) {
     const SplatCloud& cloud = hierarchy.levels[level];
+    RELIEF_TRY_ASSIGN(const Clipping clipping, clips.get(cloud, level, settings, progress));
     const auto level_start = Clock::now();
     const Splatted splatted =
-        splat_cloud(cloud, scene.view, settings.ewa, scene.lighting, progress);
+        splat_cloud(cloud, scene.view, settings.ewa, scene.lighting, progress, clipping);
     const double took = milliseconds_since(level_start);
     if (progress.cancelled()) return interrupted_error();
     RenderResult result = result_of(splatted, scene, settings);

@@ -7,6 +7,7 @@
 #include "common/error.h"
 #include "common/progress.h"
 #include "renderer/engine.h"
+#include "renderer/engines/ewa/clipped_cloud.h"
 #include "renderer/engines/ewa/splat_hierarchy.h"
 #include "renderer/result.h"
 #include "renderer/settings.h"
@@ -30,10 +31,11 @@ inline constexpr double kFinestPixels = 0.5;
 /// Draws the level of kCoarsestPixels, whatever it takes, and then finer ones, each whole and once,
 /// while `settings.ewa.time_budget_ms` lasts: a level is not begun if, at the pace of the last one,
 /// it would not be done in time. Ends with the level of kFinestPixels. Each image is shown, also
-/// the last, which is returned; `level` says which it is, frame_ms how long it took. Which level is
-/// reached depends on the machine; a level's image does not.
+/// the last, which is returned; what clips the levels is found before the time runs; `level` says
+/// which it is, frame_ms how long it took. Which level is reached depends on the machine; a level's
+/// image does not.
 Result<RenderResult> render_progressive(const SplatHierarchy& hierarchy,
-                                        EnvironmentCache& environments,
+                                        EnvironmentCache& environments, ClipCache& clips,
                                         const RenderSettings& settings, const ShowImage& show,
                                         Progress& progress);
 

@@ -30,6 +30,11 @@ template <class Kernel>
 struct Chunk {
   std::vector<ProjectedSplat<Kernel>> splats;
   std::vector<TileEntry> entries;  ///< by tile, and within a tile in the cloud's order
+  std::vector<ImageLine> lines;    ///< of the splats that are clipped
+
+  [[nodiscard]] std::span<const ImageLine> lines_of(const ProjectedSplat<Kernel>& splat) const {
+    return std::span(lines).subspan(splat.first_line, splat.line_count);
+  }
 };
 
 /// The tiles of an image, row by row.
@@ -47,9 +52,21 @@ struct Tiling {
   }
 };
 
+/// Projects what clips a splat.
+template <class Kernel>
+void add_lines(const SplatCloud& cloud, const SplatCamera& camera, const Clipping& clipping,
+               ProjectedSplat<Kernel>& splat, std::vector<ImageLine>& lines) {
+  const std::size_t k = splat.index;
+  splat.first_line = static_cast<std::uint32_t>(lines.size());
+  project_clip_lines(camera, cloud.positions[k], glm::dvec3(cloud.normals[k]), cloud.radii[k],
+                     clipping.partners->of(k), lines);
+  splat.line_count = static_cast<std::uint32_t>(lines.size()) - splat.first_line;
+}
+
 template <class Kernel>
 Chunk<Kernel> project_chunk(const SplatCloud& cloud, std::size_t begin, std::size_t end,
-                            const SplatCamera& camera, const Tiling& tiling) {
+                            const SplatCamera& camera, const Tiling& tiling,
+                            const Clipping& clipping) {
   Chunk<Kernel> chunk;
   chunk.splats.reserve(end - begin);
   for (std::size_t k = begin; k < end; ++k) {
@@ -59,6 +76,7 @@ Chunk<Kernel> project_chunk(const SplatCloud& cloud, std::size_t begin, std::siz
     const PixelBox box = pixels_of(splat->kernel, tiling.all());
     if (box.empty()) continue;
     splat->index = static_cast<std::uint32_t>(k);
+    if (clipping.partners != nullptr) add_lines(cloud, camera, clipping, *splat, chunk.lines);
     const auto slot = static_cast<std::uint32_t>(chunk.splats.size());
     chunk.splats.push_back(*splat);
     for (std::int64_t row = box.top / kTile; row <= box.bottom / kTile; ++row) {
@@ -79,7 +97,8 @@ Vector finite_or_zero(Vector v) {
   return v;
 }
 
-SplatAttributes attributes_of(const SplatCloud& cloud, const Lighting& lighting, std::size_t k) {
+SplatAttributes attributes_of(const SplatCloud& cloud, const Lighting& lighting,
+                              const Clipping& clipping, std::size_t k) {
   SplatAttributes attributes;
   attributes.colour = cloud.colours.empty()
                           ? glm::dvec4(glm::dvec3(double{shared::kNeutralGrey}), 1.0)
@@ -89,14 +108,16 @@ SplatAttributes attributes_of(const SplatCloud& cloud, const Lighting& lighting,
   if (!cloud.uvs.empty()) attributes.uv = finite_or_zero(glm::dvec2(cloud.uvs[k]));
   if (!cloud.patches.empty()) attributes.patch = cloud.patches[k];
   if (!cloud.materials.empty()) attributes.material = cloud.materials[k];
+  if (clipping.partners != nullptr)
+    attributes.clip = static_cast<std::uint8_t>(clipping.partners->kinds[k]);
   attributes.colour.a *= double{material_of(lighting, attributes.material).constants.opacity};
   return attributes;
 }
 
 /// Adds a splat to the pixels of a tile; returns how many its kernel reaches.
 template <class Kernel>
-std::uint64_t draw_splat(const ProjectedSplat<Kernel>& splat, double cutoff,
-                         const SplatAttributes& attributes, const PixelBox& tile,
+std::uint64_t draw_splat(const ProjectedSplat<Kernel>& splat, std::span<const ImageLine> lines,
+                         double cutoff, const SplatAttributes& attributes, const PixelBox& tile,
                          LayeredBuffer& buffer) {
   const Kernel& kernel = splat.kernel;
   const PixelBox box = pixels_of(kernel, tile);
@@ -106,7 +127,9 @@ std::uint64_t draw_splat(const ProjectedSplat<Kernel>& splat, double cutoff,
       const glm::dvec2 middle(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5);
       const double exponent = kernel.exponent(middle);
       if (!(exponent < cutoff)) continue;
-      const Contribution contribution{kernel.peak * std::exp(-exponent),
+      const double kept = lines.empty() ? 1.0 : kept_share(lines, middle - kernel.centre);
+      if (!(kept > 0.0)) continue;
+      const Contribution contribution{kept * kernel.peak * std::exp(-exponent),
                                       splat.depth.at(middle - kernel.centre),
                                       splat.depth.threshold};
       const auto pixel = static_cast<std::size_t>((y - tile.top) * kTile + (x - tile.left));
@@ -125,6 +148,7 @@ FilmPixel film_pixel(const ResolvedPixel& resolved) {
   pixel.depth = static_cast<float>(resolved.depth);
   pixel.uv = glm::vec2(resolved.uv);
   pixel.patch = resolved.patch;
+  pixel.clip = resolved.clip;
   return pixel;
 }
 
@@ -141,7 +165,8 @@ std::span<const TileEntry> entries_of(const Chunk<Kernel>& chunk, std::uint32_t 
 template <class Kernel>
 std::uint64_t draw_tile(const SplatCloud& cloud, const std::vector<Chunk<Kernel>>& chunks,
                         std::uint32_t t, const PixelBox& tile, const View& view,
-                        const EwaSettings& settings, const Lighting& lighting, Film& film) {
+                        const EwaSettings& settings, const Lighting& lighting,
+                        const Clipping& clipping, Film& film) {
   const bool empty = std::all_of(chunks.begin(), chunks.end(), [t](const Chunk<Kernel>& chunk) {
     return entries_of(chunk, t).empty();
   });
@@ -157,8 +182,9 @@ std::uint64_t draw_tile(const SplatCloud& cloud, const std::vector<Chunk<Kernel>
   for (const Chunk<Kernel>& chunk : chunks) {
     for (const TileEntry& entry : entries_of(chunk, t)) {
       const ProjectedSplat<Kernel>& splat = chunk.splats[entry.splat];
-      evaluations += draw_splat(splat, settings.cutoff, attributes_of(cloud, lighting, splat.index),
-                                tile, buffer);
+      evaluations +=
+          draw_splat(splat, chunk.lines_of(splat), settings.cutoff,
+                     attributes_of(cloud, lighting, clipping, splat.index), tile, buffer);
     }
   }
   for (std::int64_t y = tile.top; y <= tile.bottom; ++y) {
@@ -172,7 +198,7 @@ std::uint64_t draw_tile(const SplatCloud& cloud, const std::vector<Chunk<Kernel>
 
 template <class Kernel>
 Splatted splat_with(const SplatCloud& cloud, const View& view, const EwaSettings& settings,
-                    const Lighting& lighting, const Progress& progress) {
+                    const Lighting& lighting, const Progress& progress, const Clipping& clipping) {
   const SplatCamera camera = make_splat_camera(view, settings);
   const Tiling tiling{view.width, view.height};
   const std::size_t points = cloud.positions.size();
@@ -180,7 +206,7 @@ Splatted splat_with(const SplatCloud& cloud, const View& view, const EwaSettings
   tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t c) {
     if (progress.cancelled()) return;
     chunks[c] = project_chunk<Kernel>(cloud, c * kChunk, std::min((c + 1) * kChunk, points), camera,
-                                      tiling);
+                                      tiling, clipping);
   });
   Splatted splatted;
   splatted.film = {view.width, view.height,
@@ -191,7 +217,7 @@ Splatted splat_with(const SplatCloud& cloud, const View& view, const EwaSettings
     if (progress.cancelled()) return;
     evaluations[t] = draw_tile(cloud, chunks, static_cast<std::uint32_t>(t),
                                tiling.tile(static_cast<std::int64_t>(t)), view, settings, lighting,
-                               splatted.film);
+                               clipping, splatted.film);
   });
   for (const std::uint64_t count : evaluations) splatted.evaluations += count;
   return splatted;
@@ -200,13 +226,13 @@ Splatted splat_with(const SplatCloud& cloud, const View& view, const EwaSettings
 }  // namespace
 
 Splatted splat_cloud(const SplatCloud& cloud, const View& view, const EwaSettings& settings,
-                     const Lighting& lighting, const Progress& progress) {
+                     const Lighting& lighting, const Progress& progress, const Clipping& clipping) {
   assert(cloud.normals.size() == cloud.positions.size() &&
          cloud.radii.size() == cloud.positions.size() && !lighting.materials.empty() &&
          "a cloud as its type says");
   return settings.filter == EwaFilter::SourceSpace
-             ? splat_with<SourceKernel>(cloud, view, settings, lighting, progress)
-             : splat_with<ScreenKernel>(cloud, view, settings, lighting, progress);
+             ? splat_with<SourceKernel>(cloud, view, settings, lighting, progress, clipping)
+             : splat_with<ScreenKernel>(cloud, view, settings, lighting, progress, clipping);
 }
 
 }  // namespace relief::ewa

@@ -8,40 +8,29 @@
 
 namespace relief::multipass {
 
-Drawing::Drawing(const Variant& variant, Sums sums, double radius_factor)
-    : variant_(variant), sums_(std::move(sums)), radius_factor_(radius_factor) {}
+Drawing::Drawing(const Variant& variant, SplatSums sums, double radius_factor, const ClipTables* clip)
+    : variant_(variant), sums_(std::move(sums)), radius_factor_(radius_factor), clip_(clip) {}
 
 void Drawing::draw(const GlFrame& frame, PassTimer& timer) const {
   const Gl& gl = *variant_.gl;
-  const PatchStore& store = variant_.samples.store();
-  const std::vector<std::uint32_t> visible = find_visible(store, frame.view, radius_factor_);
-  // The draws of both passes over the samples; the second, if there is one, of large sprites.
-  std::vector<SampleDraw> draws;
-  if (variant_.visibility.large) {
-    draws.push_back(
-        variant_.samples.make_draw(SampleShape::Points, by_cull_mode(store, frame.view, visible)));
-    const double widest = double{shared::kCoveringSlack} * radius_factor_ * widest_disc(store);
-    const std::vector<std::uint32_t> near =
-        find_near(store, frame.view, visible, widest, largest_sprite(gl));
-    if (!near.empty()) {
-      draws.push_back(variant_.samples.make_draw(SampleShape::Triangles,
-                                                 by_cull_mode(store, frame.view, near)));
-    }
-  } else {
-    draws.push_back(variant_.samples.make_draw(SampleShape::Triangles,
-                                               by_cull_mode(store, frame.view, visible)));
-  }
+  const std::vector<std::uint32_t> visible =
+      find_visible(variant_.samples.store(), frame.view, radius_factor_);
+  const AllDraws draws = make_draws(frame.view, visible);
   variant_.samples.look(frame.view, visible);
   {
     const BoundModel bound(gl, variant_.samples, nullptr);
+    if (clip_ != nullptr) gl.BindTextureUnit(RELIEF_TEXTURE_CLIP_LINES, clip_->lines.texture.id());
     {
       const ScopedPass pass(gl, timer, "visibility");
-      gl.BindFramebuffer(GL_FRAMEBUFFER, sums_.visibility.id());
-      draw_splats(variant_.visibility, draws);
+      see(draws);
     }
     if (has_any(sums_)) {
       const ScopedPass pass(gl, timer, "accumulation");
       accumulate(frame.targets.z_buffer, draws);
+    }
+    if (clip_ != nullptr) {
+      gl.BindTextureUnit(RELIEF_TEXTURE_CLIP_LINES, 0);
+      gl.BindTextureUnit(RELIEF_TEXTURE_CLIP_RANGES, 0);
     }
   }
   {
@@ -51,19 +40,52 @@ void Drawing::draw(const GlFrame& frame, PassTimer& timer) const {
   gl.BindFramebuffer(GL_FRAMEBUFFER, frame.targets.framebuffer.id());
 }
 
-void Drawing::draw_splats(const SplatPrograms& programs,
-                          const std::vector<SampleDraw>& draws) const {
+Drawing::AllDraws Drawing::make_draws(const View& view,
+                                      const std::vector<std::uint32_t>& visible) const {
+  if (clip_ == nullptr) return {make_draws_of(view, visible), std::nullopt};
+  std::vector<std::uint32_t> plain;
+  std::vector<std::uint32_t> clipped;
+  for (const std::uint32_t p : visible)
+    (variant_.clipped->shows_kinds || clip_->clipped[p] ? clipped : plain).push_back(p);
+  return {make_draws_of(view, plain), make_draws_of(view, clipped)};
+}
+
+Drawing::Draws Drawing::make_draws_of(const View& view,
+                                      const std::vector<std::uint32_t>& visible) const {
+  const PatchStore& store = variant_.samples.store();
+  const auto make = [&](SampleShape shape, const std::vector<std::uint32_t>& patches) {
+    return variant_.samples.make_draw(shape, by_cull_mode(store, view, patches));
+  };
+  if (!variant_.visibility.large) return {make(SampleShape::Triangles, visible), std::nullopt};
+  Draws draws{make(SampleShape::Points, visible), std::nullopt};
+  const double widest = double{shared::kCoveringSlack} * radius_factor_ * widest_disc(store);
+  const std::vector<std::uint32_t> near =
+      find_near(store, view, visible, widest, largest_sprite(*variant_.gl));
+  if (!near.empty()) draws.large = make(SampleShape::Triangles, near);
+  return draws;
+}
+
+void Drawing::see(const AllDraws& draws) const {
+  variant_.gl->BindFramebuffer(GL_FRAMEBUFFER, sums_.visibility.id());
+  draw_splats(variant_.visibility, draws.plain, {});
+  if (draws.clipped)
+    draw_splats(variant_.clipped->visibility, *draws.clipped,
+                {RELIEF_TEXTURE_CLIP_RANGES, &clip_->ranges});
+}
+
+void Drawing::draw_splats(const SplatPrograms& programs, const Draws& draws,
+                          const PageTables& beside) const {
   const Gl& gl = *variant_.gl;
   const auto run = [&](const Program& program, const SampleDraw& draw) {
     gl.ProgramUniform1f(program.id(), RELIEF_UNIFORM_RADIUS_FACTOR,
                         static_cast<GLfloat>(radius_factor_));
-    variant_.samples.draw(draw, program);
+    variant_.samples.draw(draw, program, beside);
   };
-  run(programs.all, draws.front());
-  if (draws.size() > 1) run(*programs.large, draws.back());
+  run(programs.all, draws.all);
+  if (draws.large) run(*programs.large, *draws.large);
 }
 
-void Drawing::accumulate(const Texture& visible_depth, const std::vector<SampleDraw>& draws) const {
+void Drawing::accumulate(const Texture& visible_depth, const AllDraws& draws) const {
   const Gl& gl = *variant_.gl;
   clear_sums(gl, sums_);
   gl.BindFramebuffer(GL_FRAMEBUFFER, sums_.accumulation.id());
@@ -75,7 +97,10 @@ void Drawing::accumulate(const Texture& visible_depth, const std::vector<SampleD
     gl.TextureBarrier();
     gl.BindTextureUnit(RELIEF_TEXTURE_VISIBLE_DEPTH, visible_depth.id());
   }
-  draw_splats(variant_.accumulation, draws);
+  draw_splats(variant_.accumulation, draws.plain, {});
+  if (draws.clipped)
+    draw_splats(variant_.clipped->accumulation, *draws.clipped,
+                {RELIEF_TEXTURE_CLIP_RANGES, &clip_->ranges});
   gl.BindTextureUnit(RELIEF_TEXTURE_VISIBLE_DEPTH, 0);
   gl.BlendFunc(GL_ONE, GL_ZERO);
   gl.Disable(GL_BLEND);

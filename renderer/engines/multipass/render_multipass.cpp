@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "renderer/engines/multipass/clip_tables.h"
 #include "renderer/engines/multipass/drawing.h"
 #include "renderer/frame/gl_engine.h"
 #include "renderer/frame/variant_cache.h"
@@ -21,10 +22,28 @@ RenderSettings splatted(RenderSettings settings) {
   return settings;
 }
 
+/// Those of the image, and what clips splats.
+Features splat_features(const RenderSettings& settings, ModelMaps maps) {
+  const Features features = scene_features(settings, maps);
+  if (settings.clip.rule == ClipRule::Off) return features;
+  return features | RELIEF_FEATURE_CLIPPED |
+         (settings.clip.rule == ClipRule::Wicke ? RELIEF_FEATURE_CLIP_WICKE : 0U) |
+         (settings.outputs.clip ? RELIEF_FEATURE_OUT_CLIP : 0U);
+}
+
 /// The model on the GPU, and the variants that images have needed so far.
 class Prepared final : public GlPreparedModel {
  public:
   using GlPreparedModel::GlPreparedModel;
+
+  /// `patches`: what the model on the GPU is made of; null if they come and go.
+  void set_patches(const PatchModel* patches) { clips_.set_model(patches); }
+
+  /// What clips the splats is found first, with progress.
+  Result<RenderResult> render(const RenderSettings& asked, Progress& progress) override {
+    RELIEF_TRY(clip_tables(asked, progress));
+    return GlPreparedModel::render(asked, progress);
+  }
 
   [[nodiscard]] RenderSettings settled(const RenderSettings& asked) const override {
     return splatted(asked);
@@ -33,15 +52,23 @@ class Prepared final : public GlPreparedModel {
   Result<std::unique_ptr<GlDrawing>> make_drawing(const GlFrame& frame,
                                                   const RenderSettings& settings,
                                                   Counting counting) override {
-    Features features = scene_features(settings, model().maps());
+    Progress silent;
+    RELIEF_TRY_ASSIGN(const ClipTables* const clip, clip_tables(settings, silent));
+    Features features = splat_features(settings, model().maps());
     RELIEF_TRY_ASSIGN(auto sums, make_sums(model().gl(), frame.targets, features));
     if (counting == Counting::On) features |= RELIEF_FEATURE_COUNT_FRAGMENTS;
     RELIEF_TRY_ASSIGN(const Variant* variant, variants_.get(model(), features));
-    return std::unique_ptr<GlDrawing>(
-        std::make_unique<Drawing>(*variant, std::move(sums), settings.multipass.radius_factor));
+    return std::unique_ptr<GlDrawing>(std::make_unique<Drawing>(
+        *variant, std::move(sums), settings.multipass.radius_factor, clip));
   }
 
  private:
+  Result<const ClipTables*> clip_tables(const RenderSettings& settings, Progress& progress) {
+    return clips_.get(model().gl(), model().store(), settings.clip,
+                      settings.multipass.radius_factor, progress);
+  }
+
+  ClipTableCache clips_;
   VariantCache<Variant> variants_;
 };
 
@@ -53,7 +80,11 @@ Result<std::unique_ptr<PreparedModel>> prepare(const PrepareRequest& request) {
   for (const RenderSettings& settings : request.views) views.push_back(splatted(settings));
   PrepareRequest settled = request;
   settled.views = views;
-  return prepare_on_gpu<Prepared>(settled, scene_features);
+  RELIEF_TRY_ASSIGN(auto prepared, prepare_on_gpu<Prepared>(settled, scene_features));
+  const bool comes_and_goes = request.pool != nullptr;
+  static_cast<Prepared&>(*prepared).set_patches(comes_and_goes ? nullptr
+                                                               : request.model.find<PatchModel>());
+  return prepared;
 }
 
 }  // namespace relief::multipass

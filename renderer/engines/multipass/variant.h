@@ -19,6 +19,13 @@ struct SplatPrograms {
   std::optional<Program> large;  ///< with sprites
 };
 
+/// The passes over patches that have clipped splats.
+struct ClippedPrograms {
+  SplatPrograms visibility;
+  SplatPrograms accumulation;
+  bool shows_kinds = false;  ///< RELIEF_FEATURE_OUT_CLIP, which only these write: for all patches
+};
+
 /// The programs of some features, and the model that they draw. The model, its store and `gl` must
 /// outlive it.
 struct Variant {
@@ -29,6 +36,7 @@ struct Variant {
   SampleDraws samples;
   SplatPrograms visibility;
   SplatPrograms accumulation;
+  std::optional<ClippedPrograms> clipped;
   Program shading;
   VertexArray nothing;  ///< for the pass over the whole image
 };

@@ -101,11 +101,12 @@ TEST(SplatLevels, ImagesAreRefinedWhileTimeRemains) {
   RenderSettings settings = ewa_image({0.0, 0.0, 3.7});
   Progress silent;
   EnvironmentCache environments;
+  ClipCache clips({});
   for (const double budget : {1e-9, 1e9}) {
     settings.ewa.time_budget_ms = budget;
     std::vector<std::uint32_t> shown;
     const auto show = [&shown](const RenderResult& image) { shown.push_back(*image.level); };
-    const auto last = render_progressive(hierarchy, environments, settings, show, silent);
+    const auto last = render_progressive(hierarchy, environments, clips, settings, show, silent);
     ASSERT_TRUE(last);
     // Radii of 0.6 pixels, or 1.2, 2.5 and 5.
     const std::uint32_t coarsest = 2;
@@ -125,8 +126,9 @@ TEST(SplatLevels, RefinementEndsAtHalfAPixel) {
   settings.ewa.time_budget_ms = 1e9;
   Progress silent;
   EnvironmentCache environments;
+  ClipCache clips({});
   const auto last = render_progressive(
-      hierarchy, environments, settings, [](const RenderResult&) {}, silent);
+      hierarchy, environments, clips, settings, [](const RenderResult&) {}, silent);
   ASSERT_TRUE(last);
   EXPECT_EQ(last->level, 1U);  // see above
 }

@@ -1,0 +1,85 @@
+#include "renderer/clip/different_surface.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <utility>
+
+#include "common/median.h"
+
+namespace relief {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kLeastAngle = 30.0 * kDegree;
+constexpr double kMostAngle = 120.0 * kDegree;
+constexpr double kOfNoise = 7.0;
+/// Planes within half the threshold are parallel, but no more than this: sharper blades have no
+/// edge.
+constexpr double kMostWallAngle = 15.0 * kDegree;
+/// Neighbours that the noise is measured on: the nearest ones.
+constexpr std::size_t kMeasured = 48;
+/// Discs that one thread measures at once.
+constexpr std::size_t kMeasuredAtOnce = 1024;
+
+/// The angle that a fifth of the neighbours' normals stay below; 0 without neighbours.
+double noise_at(const DiscTree& tree, std::size_t slot, std::vector<std::uint32_t>& neighbours,
+                std::vector<double>& cosines) {
+  neighbours.clear();
+  cosines.clear();
+  tree.neighbours(slot, kMeasured, neighbours);
+  if (neighbours.empty()) return 0.0;
+  for (const std::uint32_t other : neighbours)
+    cosines.push_back(glm::dot(tree.discs()[slot].normal, tree.discs()[other].normal));
+  const auto fifth = cosines.begin() + static_cast<std::ptrdiff_t>(cosines.size() / 5);
+  std::nth_element(cosines.begin(), fifth, cosines.end(), std::greater<>());
+  return std::acos(std::clamp(*fifth, -1.0, 1.0));
+}
+
+}  // namespace
+
+SurfaceTest::SurfaceTest(const DiscTree& tree, std::optional<double> threshold) {
+  if (threshold) {
+    limits_.push_back(limits_of(std::acos(std::clamp(*threshold, -1.0, 1.0))));
+    return;
+  }
+  const std::size_t count = tree.discs().size();
+  limits_.resize(count);
+  tbb::parallel_for(
+      std::size_t{0}, (count + kMeasuredAtOnce - 1) / kMeasuredAtOnce, [&](std::size_t piece) {
+        std::vector<std::uint32_t> neighbours;
+        std::vector<double> cosines;
+        const std::size_t end = std::min((piece + 1) * kMeasuredAtOnce, count);
+        for (std::size_t slot = piece * kMeasuredAtOnce; slot < end; ++slot)
+          limits_[slot] = limits_of(std::clamp(kOfNoise * noise_at(tree, slot, neighbours, cosines),
+                                               kLeastAngle, kMostAngle));
+      });
+}
+
+SurfaceTest::Limits SurfaceTest::limits_of(double angle) {
+  const double sine = std::sin(std::min(0.5 * angle, kMostWallAngle));
+  return {std::cos(angle), sine * sine};
+}
+
+bool SurfaceTest::differ(const DiscTree& tree, std::size_t slot, std::size_t other) const {
+  const glm::dvec3 a = tree.discs()[slot].normal;
+  const glm::dvec3 b = tree.discs()[other].normal;
+  if (!(glm::dot(a, b) < std::min(of(slot).cosine, of(other).cosine))) return false;
+  // The sine from the cross product: 1 - cosine^2 has few digits left where it matters.
+  const glm::dvec3 cross = glm::cross(a, b);
+  return glm::dot(cross, cross) > std::max(of(slot).squared_sine, of(other).squared_sine);
+}
+
+double SurfaceTest::threshold() const {
+  if (limits_.empty()) return -1.0;
+  std::vector<double> cosines;
+  for (const Limits& limits : limits_) cosines.push_back(limits.cosine);
+  return median_of(std::move(cosines));
+}
+
+}  // namespace relief

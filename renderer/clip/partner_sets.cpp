@@ -1,0 +1,76 @@
+#include "renderer/clip/partner_sets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+
+namespace relief {
+namespace {
+
+constexpr double kFlat = 0.02;
+
+/// How far a line's edge lies in the area that another line clips; negative outside it.
+double edge_within(const PlaneLine& line, const PlaneLine& other) {
+  return glm::dot(line.edge, other.direction) - other.offset;
+}
+
+enum class PairKind : std::uint8_t { Flat, Unite, Intersect };
+
+PairKind kind_of(const PlaneLine& a, const PlaneLine& b, double tolerance) {
+  const double first = edge_within(a, b);
+  const double second = edge_within(b, a);
+  if (first > tolerance && second > tolerance) return PairKind::Intersect;
+  return std::max(std::abs(first), std::abs(second)) > tolerance ? PairKind::Unite : PairKind::Flat;
+}
+
+void keep_centre(LineGroup& group) {
+  const auto farthest =
+      std::max_element(group.begin(), group.end(),
+                       [](const PlaneLine& a, const PlaneLine& b) { return a.offset < b.offset; });
+  farthest->offset = std::max(farthest->offset, 0.0);
+}
+
+}  // namespace
+
+PartnerSets group_lines(std::span<const PlaneLine> lines, double radius) {
+  PartnerSets sets;
+  if (lines.empty()) return sets;
+  bool any_united = false;
+  bool any_intersected = false;
+  std::vector<std::uint32_t> waiting(lines.size());
+  for (std::uint32_t k = 0; k < lines.size(); ++k) waiting[k] = k;
+  while (!waiting.empty()) {
+    std::vector<std::uint32_t> members{waiting.front()};
+    waiting.erase(waiting.begin());
+    for (std::size_t m = 0; m < members.size(); ++m) {
+      std::erase_if(waiting, [&](std::uint32_t k) {
+        const PairKind kind = kind_of(lines[members[m]], lines[k], kFlat * radius);
+        any_united = any_united || kind == PairKind::Unite;
+        if (kind != PairKind::Intersect) return false;
+        any_intersected = true;
+        members.push_back(k);
+        return true;
+      });
+    }
+    LineGroup& group = sets.groups.emplace_back();
+    for (const std::uint32_t k : members) group.push_back(lines[k]);
+    keep_centre(group);
+  }
+  sets.kind = any_united && any_intersected ? ClipKind::Mixed
+              : any_united                  ? ClipKind::Union
+              : any_intersected             ? ClipKind::Intersection
+                                            : ClipKind::Flat;
+  return sets;
+}
+
+std::vector<LineGroup> lines_alone(std::span<const PlaneLine> lines) {
+  std::vector<LineGroup> groups;
+  for (const PlaneLine& line : lines) {
+    groups.push_back({line});
+    keep_centre(groups.back());
+  }
+  return groups;
+}
+
+}  // namespace relief

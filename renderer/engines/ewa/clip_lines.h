@@ -1,0 +1,66 @@
+// Clip lines of a splat as the image shows them ([Ivo 2011], section V).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <glm/mat2x2.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <numbers>
+#include <span>
+
+#include "renderer/engines/ewa/resampling_filter.h"
+
+namespace relief::ewa {
+
+/// A line that clips a splat, in the image.
+struct ImageLine {
+  /// Of a pixel's offset from the kernel's centre: along x, along y, at the centre. Above 0 beyond
+  /// the line, in standard deviations of what the pixel sees of the splat.
+  glm::dvec3 beyond{0.0};
+  bool ends_group = true;  ///< as ClipLine::ends_group
+
+  /// The share of what a pixel sees of the splat that lies before the line.
+  [[nodiscard]] double kept(glm::dvec2 offset) const {
+    const double distance = beyond.x * offset.x + beyond.y * offset.y + beyond.z;
+    if (distance < -kFar) return 1.0;
+    if (distance > kFar) return 0.0;
+    return 0.5 * std::erfc(distance / std::numbers::sqrt2);
+  }
+  static constexpr double kFar = 4.0;  ///< where that is less than 1e-4 off 0 or 1
+};
+
+/// Where a ray meets a splat's plane, as a function of its pixel's offset from the splat's centre:
+/// above 0 beyond the line, below 0 before it. The mapping from a plane to the image keeps lines
+/// straight, so that it is linear, and exact in perspective, where the kernel's mapping is affine.
+/// `point`, `normal` (unit) and the line's `direction` (unit, in the plane) in the camera frame of
+/// resampling_filter.h; `offset`: of the line, as ClipLine::offset.
+[[nodiscard]] glm::dvec3 beyond_line(const PixelMapping& mapping, glm::dvec3 point,
+                                     glm::dvec3 normal, glm::dvec3 direction, double offset);
+
+/// What a pixel at x sees of a splat, whose Gaussian has the variance V in the image, through the
+/// low-pass filter: G_V times G_I about x, which is a Gaussian of this variance, V (V + I)^-1,
+/// about this times x, times what the kernel gives, G_(V + I)(x). So the share of it before a line
+/// is the share that the pixel's filter keeps of a large splat, and that the line keeps of a splat
+/// smaller than a pixel. 0 without the filter.
+[[nodiscard]] glm::dmat2 seen_variance(const TangentMapping& plane, double radius,
+                                       EwaFilter filter);
+
+/// The line `beyond` (of any scale above 0) for what pixels see of a splat.
+[[nodiscard]] ImageLine image_line(glm::dvec3 beyond, const glm::dmat2& seen, bool ends_group);
+
+/// The share of what a pixel sees of a splat that no group of lines clips. A group clips what lies
+/// beyond all of its lines.
+[[nodiscard]] inline double kept_share(std::span<const ImageLine> lines, glm::dvec2 offset) {
+  double kept = 1.0;
+  double of_group = 0.0;
+  for (const ImageLine& line : lines) {
+    of_group = std::max(of_group, line.kept(offset));
+    if (!line.ends_group) continue;
+    kept = std::min(kept, of_group);
+    of_group = 0.0;
+  }
+  return kept;
+}
+
+}  // namespace relief::ewa

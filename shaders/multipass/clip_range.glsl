@@ -1,0 +1,21 @@
+// Vertex stage: which lines clip a splat.
+#if (RELIEF_FEATURES & RELIEF_FEATURE_CLIPPED) != 0u
+layout(binding = RELIEF_TEXTURE_CLIP_RANGES) uniform usamplerBuffer clip_ranges;
+
+layout(location = 8) flat out uvec2 clip_range;  // as shared.h says of records
+layout(location = 9) flat out vec3 clip_centre;  // of the splat, grid coordinates; slack in cells
+#if (RELIEF_FEATURES & RELIEF_FEATURE_CLIP_WICKE) != 0u
+layout(location = 10) flat out vec2 clip_slope;
+#endif
+
+void write_clip_range(int record, Splat splat, PatchInfo info) {
+  clip_range = texelFetch(clip_ranges, record).xy;
+  float pixel = max(splat.depth, 0.0) / (frame.ray_x.w * info.axis_u.w);
+  clip_centre = vec3(splat.centre.xy, kClipSlack + kClipSlackPixels * pixel);
+#if (RELIEF_FEATURES & RELIEF_FEATURE_CLIP_WICKE) != 0u
+  clip_slope = splat.slope;
+#endif
+}
+#else
+void write_clip_range(int record, Splat splat, PatchInfo info) {}
+#endif
