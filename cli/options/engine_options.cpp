@@ -61,6 +61,9 @@ std::string choices_text(const SharedOption& option) {
 
 std::string help_of(const SharedOption& option, std::span<const EngineEntry> among) {
   std::string help;
+  if (option.engines.empty())
+    return fmt::format("{}{} (default {})", option.row.help, range_text(option.row),
+                       option.row.default_text);
   for (std::size_t first = 0; first < option.engines.size();) {
     const OptionRow& row = option.options[first]->row;
     std::size_t end = first + 1;
@@ -78,18 +81,20 @@ std::string help_of(const SharedOption& option, std::span<const EngineEntry> amo
   return help;
 }
 
-void add_engine_option(CLI::App& sub, OptionValues& values, const SharedOption& option,
-                       std::span<const EngineEntry> among) {
+CLI::Option* add_engine_option(CLI::App& sub, OptionValues& values, const SharedOption& option,
+                               std::span<const EngineEntry> among) {
   const OptionRow& row = option.row;
   const std::string text = row.kind == OptionKind::Choice
                                ? fmt::format("{}", fmt::join(row.choices, "|"))
                                : row.placeholder;
-  sub.add_option_function<std::string>(
-         "--" + row.key,
-         [&values, row](const std::string& given) {
-           if (const auto value = parse_value(row, given)) values.insert_or_assign(row.key, *value);
-         },
-         help_of(option, among))
+  return sub
+      .add_option_function<std::string>(
+          "--" + row.key,
+          [&values, row](const std::string& given) {
+            if (const auto value = parse_value(row, given))
+              values.insert_or_assign(row.key, *value);
+          },
+          help_of(option, among))
       ->check([row](const std::string& given) {
         const auto value = parse_value(row, given);
         return value ? std::string() : value.error().message;

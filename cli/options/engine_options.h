@@ -14,9 +14,9 @@ namespace relief::cli {
 void add_engine_options(CLI::App& sub, SceneSettings& settings,
                         std::span<const EngineEntry> among = engines());
 
-/// Declares the option of one key.
-void add_engine_option(CLI::App& sub, OptionValues& values, const SharedOption& option,
-                       std::span<const EngineEntry> among = engines());
+/// Declares the option of one key. One of no engine has the help of its row.
+CLI::Option* add_engine_option(CLI::App& sub, OptionValues& values, const SharedOption& option,
+                               std::span<const EngineEntry> among = engines());
 
 /// Returns the help of an option: its engines, its effect, its range, its default.
 [[nodiscard]] std::string help_of(const SharedOption& option, std::span<const EngineEntry> among);
