@@ -17,6 +17,8 @@
 #include <vector>
 
 #include "cli/bench/bench_accuracy.h"
+#include "cli/bench/bench_engines.h"
+#include "cli/bench/bench_plan.h"
 #include "cli/bench/bench_rows.h"
 #include "cli/bench/bench_sweep.h"
 #include "cli/bench/volume_bench.h"
@@ -34,7 +36,6 @@
 #include "common/io/file.h"
 #include "loader/load_scene.h"
 #include "loader/load_volume.h"
-#include "renderer/shading/materials.h"
 
 namespace relief::cli {
 namespace {
@@ -52,9 +53,13 @@ constexpr const char* kBenchExamples =
     "bound, of the mesh. Bytes are those of the model on the GPU. Of volumes and 3D Gaussians "
     "there\n"
     "is a row for each engine that draws them, compared with volume-truth or volume-reference.\n"
+    "With --engines rows on the CPU have turns of their own, after the others: as many as fit "
+    "into\n"
+    "10 seconds of the slowest, 1 to 5.\n"
     "\n"
     "Examples:\n"
     "  relief bench dragon.ply.gz --plot bench.svg\n"
+    "  relief bench dragon.ply.gz --engines all --plot engines.svg\n"
     "  relief bench dragon.relief --material mirror --env studio.hdr --frames 50 --json";
 
 constexpr int kFrames = 20;
@@ -65,86 +70,25 @@ constexpr std::string_view kCull = "cull";
 struct BenchArguments {
   RenderArguments image;
   std::filesystem::path plot;  ///< empty: none
-  std::optional<Sweep> sweep;
+  BenchChoice choice;
 };
 
 Status write_text(const std::filesystem::path& path, const std::string& text) {
   return write_file_atomically(path, std::as_bytes(std::span<const char>(text)));
 }
 
-/// Conversions of the scene: with the defaults, then those of a sweep.
-struct Models {
-  LoadedScene scene;
-  std::vector<PatchModel> swept;
-};
-
-Result<Models> load(const ScenePlan& plan, const std::optional<Sweep>& sweep, Progress& progress) {
-  auto scene = load_models(plan.models, {}, {.patches = true, .mesh = true}, progress);
-  if (!scene) return scene.error();
-  Models models{std::move(*scene), {}};
-  if (!sweep || !converts(*sweep)) return models;
-  RELIEF_TRY_ASSIGN(auto swept, convert_sweep(plan.models.front().file, *sweep, progress));
-  models.swept = std::move(swept);
-  return models;
-}
-
-/// The rows to draw, and the result that measurements complete.
-struct Plan {
-  BenchJob job;
-  BenchResult result;
-
-  void add(const PatchModel& patches, const RenderSettings& row, std::optional<double> value) {
-    job.rows.push_back({&patches, row});
-    result.rows.push_back(row);
-    result.swept_values.push_back(value);
-    result.samples.push_back(count_samples(patches));
-  }
-};
-
-Result<Plan> plan_rows(const Models& models, const BenchView& view,
-                       const std::optional<Sweep>& sweep) {
-  Plan plan;
-  const PatchModel& usual = models.scene.patches;
-  RELIEF_TRY_ASSIGN(const auto rows, sweep ? compared_rows(view) : bench_rows(view));
-  for (const RenderSettings& row : rows) plan.add(usual, row, std::nullopt);
-  if (sweep) plan.result.swept = sweep->key;
-  if (sweep && !converts(*sweep)) {
-    RELIEF_TRY_ASSIGN(const auto swept, swept_rows(view, sweep->key, sweep->values));
-    for (const RenderSettings& row : swept) plan.add(usual, row, std::nullopt);
-  }
-  for (std::size_t k = 0; k < models.swept.size(); ++k)
-    plan.add(models.swept[k], rows.front(), sweep->values[k]);
-  plan.job.reference = plan.result.reference = find_default(plan.result.rows);
-  if (models.scene.mesh_is_input) {
-    plan.job.mesh = &*models.scene.mesh;
-    plan.result.mesh_triangles = models.scene.mesh->triangles.size();
-  }
-  return plan;
-}
-
 Result<BenchResult> measure(const ScenePlan& scene, const BenchArguments& arguments) {
   ConsoleProgress progress;
-  RELIEF_TRY_ASSIGN(const auto models, load(scene, arguments.sweep, progress));
+  RELIEF_TRY_ASSIGN(const auto models, load_for_bench(scene, arguments.choice, progress));
   const PlannedView& view = scene.views.front();
   const BenchView bench_view{scene, view, models.scene.patches, arguments.image.platform};
-  RELIEF_TRY_ASSIGN(auto rows, plan_rows(models, bench_view, arguments.sweep));
+  RELIEF_TRY_ASSIGN(auto rows, plan_bench(models, bench_view, arguments.choice));
   auto& [job, result] = rows;
-  const RenderSettings& base = job.rows.front().settings;
-  if (uses(base, Material::Split)) {
-    return make_error(
-        "the material split is for relief render: most rows of relief bench can't show it; take "
-        "lit "
-        "or mirror");
-  }
-  if (has_two_interfaces(base)) {
-    return make_error(
-        "glass with two interfaces is for relief render: most rows of relief bench can't show it; "
-        "take --interfaces 1");
-  }
   job.frames = arguments.image.frames.value_or(kFrames);
   RELIEF_TRY_ASSIGN(auto times, bench(job, progress));
   const TriangleMesh* const mesh = models.scene.mesh ? &*models.scene.mesh : nullptr;
-  RELIEF_TRY_ASSIGN(auto accuracy, measure_accuracy(job.rows, mesh, progress));
+  const auto normals = result.compares_engines ? CompareNormals::Yes : CompareNormals::No;
+  RELIEF_TRY_ASSIGN(auto accuracy, measure_accuracy(job.rows, mesh, normals, progress));
   result.scene = arguments.image.input.string();
   result.view = view.name;
   result.frames = job.frames;
@@ -156,9 +100,10 @@ Result<BenchResult> measure(const ScenePlan& scene, const BenchArguments& argume
 
 /// Of volumes and 3D Gaussians, alone or among surfaces.
 Result<VolumeBench> measure_volumes(const ScenePlan& plan, const BenchArguments& arguments) {
-  if (!arguments.plot.empty() || arguments.sweep) {
+  if (!arguments.plot.empty() || arguments.choice.sweep || !arguments.choice.engines.empty()) {
     return make_error(
-        "{}: has volumes or 3D Gaussians, for which there is no --plot and no --sweep",
+        "{}: has volumes or 3D Gaussians, for which there is no --plot, no --sweep and no "
+        "--engines",
         arguments.image.input.string());
   }
   ConsoleProgress progress;
@@ -213,7 +158,8 @@ int run_bench(const BenchArguments& arguments) {
 /// Checks that a sweep that converts has a scan or a mesh as input.
 void check_sweep(const BenchArguments& arguments) {
   const std::string kind = lower_extension(arguments.image.input);
-  if (arguments.sweep && converts(*arguments.sweep) && (kind == ".relief" || kind == ".json"))
+  const std::optional<Sweep>& sweep = arguments.choice.sweep;
+  if (sweep && converts(*sweep) && (kind == ".relief" || kind == ".json"))
     throw CLI::ValidationError("--sweep", "spacing and height-step need a scan or a mesh; found " +
                                               arguments.image.input.string());
 }
@@ -251,13 +197,22 @@ void add_bench(CLI::App& app, Command& command) {
                                                : "expected a name that ends in .svg; found " + name;
       })
       ->option_text("OUT.svg");
+  auto* const compared =
+      sub->add_option_function<std::string>(
+             "--engines",
+             [arguments](const std::string& s) { arguments->choice.engines = parse_engines(s); },
+             "Compare engines instead of methods: all, or some of them, separated by commas; a row "
+             "for what each draws, from points or samples, and with clipping at sharp edges where "
+             "it has that (default: every method of the engines on OpenGL)")
+          ->option_text(fmt::format("all|{},...", comparable_engines().front()->name));
   sub->add_option_function<std::string>(
-         "--sweep", [arguments](const std::string& s) { arguments->sweep = parse_sweep(s); },
+         "--sweep", [arguments](const std::string& s) { arguments->choice.sweep = parse_sweep(s); },
          fmt::format(
              "Vary one quantity: a row for each of 1 to 16 values, beside the default method "
              "and multipass; KEY is {}; {} and {} convert the scan again (default: none)",
              fmt::join(sweep_keys(), ", "), kSpacing, kHeightStep))
-      ->option_text("KEY=V,V,...");
+      ->option_text("KEY=V,V,...")
+      ->excludes(compared);
   sub->add_flag("--json", image.json, "Print one JSON object on standard output");
   sub->footer(kBenchExamples);
   sub->callback([arguments, &command] {

@@ -14,12 +14,13 @@
 #include "loader/colour_by.h"
 #include "loader/load_files.h"
 #include "loader/load_volume.h"
+#include "loader/textured_points.h"
 #include "loader/view_settings.h"
 #include "preprocess/convert.h"
 #include "preprocess/raster/raster.h"
-#include "renderer/engines/ewa/splats_of_samples.h"
 #include "renderer/geometry/mesh_of_patches.h"
 #include "renderer/geometry/mesh_of_points.h"
+#include "renderer/geometry/splats_of_samples.h"
 #include "renderer/view/patches_in_view.h"
 
 namespace relief {
@@ -48,7 +49,7 @@ Result<LoadedFile> load_patch_file(const std::filesystem::path& path, Forms form
   if (forms.mesh) {
     RELIEF_TRY(add_mesh_of_patches(file, path));
   }
-  if (forms.splats) file.splats = ewa::splats_of_samples(file.patches);
+  if (forms.splats) file.splats = splats_of_samples(file.patches);
   return file;
 }
 
@@ -194,6 +195,27 @@ Result<FormNeeds> needs_of(const ScenePlan& plan, std::span<const EngineEntry> a
   return needs;
 }
 
+/// Whether all engines that draw points look colours up in textures themselves.
+Result<bool> draw_textures(const ScenePlan& plan, std::span<const EngineEntry> among) {
+  for (const PlannedView& view : plan.views) {
+    RELIEF_TRY_ASSIGN(const EngineEntry* const engine, engine_of(view, among));
+    const bool draws_points = engine->forms.front() == ModelForm::Splats;
+    if (draws_points && !engine->capabilities.textures_points) return false;
+  }
+  return true;
+}
+
+/// The points of the plan's first model, with coordinates on the image.
+Result<LoadedScene> load_points_with_texture(const ScenePlan& plan, const LoadOptions& options,
+                                             Progress& progress) {
+  RELIEF_TRY_ASSIGN(auto points,
+                    load_textured_points(plan.models.front().file, options.textures, progress));
+  LoadedScene scene;
+  set_extent(scene.patches, points.positions);
+  scene.splats = std::move(points);
+  return scene;
+}
+
 /// Splats with the image's colours, spread over the faces of the plan's first model.
 Result<LoadedScene> load_textured_splats(const ScenePlan& plan, const LoadOptions& options,
                                          Progress& progress) {
@@ -267,8 +289,11 @@ Result<LoadedScene> load_scene(const ScenePlan& plan, const LoadOptions& options
   if (plan.models.size() == 1 && has_kernels(plan.models.front(), options.volume))
     return load_kernels(plan, options.volume, options.read, progress);
   RELIEF_TRY_ASSIGN(const FormNeeds needs, needs_of(plan, among));
-  if (needs.splats && !options.textures.image.empty())
-    return load_textured_splats(plan, options, progress);
+  if (needs.splats && !options.textures.image.empty()) {
+    RELIEF_TRY_ASSIGN(const bool by_engine, draw_textures(plan, among));
+    return by_engine ? load_points_with_texture(plan, options, progress)
+                     : load_textured_splats(plan, options, progress);
+  }
   LoadOptions of_plan = options;
   // Heights are along the up direction of the image.
   if (of_plan.colour_by && !of_plan.colour_by->up)

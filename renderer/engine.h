@@ -86,8 +86,9 @@ struct EngineCapabilities {
   bool cull_modes = false;
   bool samples_per_pixel = false;
   bool levels_of_detail = false;
-  bool explanation = false;   ///< RenderSettings::explain
-  bool clips_splats = false;  ///< RenderSettings::clip, Outputs::clip
+  bool explanation = false;      ///< RenderSettings::explain
+  bool clips_splats = false;     ///< RenderSettings::clip, Outputs::clip
+  bool textures_points = false;  ///< SplatCloud::texture
 };
 
 /// An option of an engine: what it accepts, and where its value goes.
@@ -113,6 +114,9 @@ struct EngineEntry {
   /// The variants that `relief bench` times, as values of some of the options. Only of engines that
   /// need OpenGL.
   std::vector<OptionValues> bench_variants = {};
+  /// The variants that stand for the engine where `relief bench --engines` compares engines, each
+  /// also clipped if the engine clips splats; empty: its defaults.
+  std::vector<OptionValues> compared_variants = {};
   /// The feature bits of an image, from which follows what is uploaded of a model with these maps.
   /// Only of engines that need OpenGL.
   Features (*features)(const RenderSettings& settings, ModelMaps maps) = nullptr;

@@ -14,6 +14,7 @@ namespace relief {
   F(onepass)              \
   F(multipass)            \
   F(ewa)                  \
+  F(surfel)               \
   F(raytrace)             \
   F(volume)               \
   F(volume_reference)     \

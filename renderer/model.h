@@ -40,6 +40,9 @@ class RenderModel {
     forms_.emplace_back(&form);
   }
 
+  /// Whether both borrow the same forms.
+  bool operator==(const RenderModel&) const = default;
+
   [[nodiscard]] bool has(ModelForm form) const {
     for (const Form& f : forms_) {
       if (f.index() == static_cast<std::size_t>(form)) return true;

@@ -39,7 +39,7 @@ class Help:
                 self.usage = line.removeprefix("Usage:").strip()
             elif not self.usage:
                 self.description.append(line.strip())
-            elif not self.footer and re.fullmatch(r"[A-Z][\w ]*:", line) and not line.startswith("Examples"):
+            elif not self.footer and re.fullmatch(r"[A-Z][\w ,-]*:", line) and not line.startswith("Examples"):
                 section = self.sections.setdefault(line.rstrip(":").capitalize(), [])
                 seen_blank = False
             elif not self.footer and not line.strip():

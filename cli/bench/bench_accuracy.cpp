@@ -10,22 +10,30 @@ namespace {
 
 constexpr int kMirrorSamples = 16;
 
+/// What is compared: images in a material, with these outputs.
+struct Look {
+  Material material;
+  Outputs outputs;
+};
+
 /// Coverage is found by depth, also where the model fills the image (common/compare/coverage.h).
-constexpr Outputs kOutputs{.depth = true};
+Look look_in(Material material, CompareNormals normals) {
+  return {material, {.normal = normals == CompareNormals::Yes, .depth = true}};
+}
 
 /// The settings of an image that is compared.
-RenderSettings compared(const RenderSettings& row, Material material) {
+RenderSettings compared(const RenderSettings& row, const Look& look) {
   RenderSettings settings = row;
-  settings.material = material;
-  settings.outputs = kOutputs;
+  settings.material = look.material;
+  settings.outputs = look.outputs;
   settings.frames = 0;
   return settings;
 }
 
-RenderSettings truth_of(const RenderSettings& row, Material material) {
-  RenderSettings settings = compared(row, material);
+RenderSettings truth_of(const RenderSettings& row, const Look& look) {
+  RenderSettings settings = compared(row, look);
   settings.engine = "raytrace";
-  settings.raytrace.samples = material == Material::Mirror ? kMirrorSamples : 1;
+  settings.raytrace.samples = look.material == Material::Mirror ? kMirrorSamples : 1;
   return settings;
 }
 
@@ -34,11 +42,11 @@ std::optional<double> value_of(const Result<double>& measured) {
 }
 
 /// The truth in a material.
-Result<Image> trace(const BenchMethod& row, const TriangleMesh* mesh, Material material,
+Result<Image> trace(const BenchMethod& row, const TriangleMesh* mesh, const Look& look,
                     Progress& progress) {
-  const RenderSettings traced = truth_of(row.settings, material);
+  const RenderSettings traced = truth_of(row.settings, look);
   Image truth;
-  RenderModel model = RenderModel::of(*row.patches);
+  RenderModel model = row.model;
   if (mesh != nullptr) model.add(*mesh);
   const Status done = render_views(
       model, {&traced, 1},
@@ -53,24 +61,24 @@ Result<Image> trace(const BenchMethod& row, const TriangleMesh* mesh, Material m
 
 /// The rows from `first` on that draw the same model.
 std::vector<RenderSettings> rows_of_model(const std::vector<BenchMethod>& rows, std::size_t first,
-                                          Material material) {
+                                          const Look& look) {
   std::vector<RenderSettings> images;
-  for (std::size_t k = first; k < rows.size() && rows[k].patches == rows[first].patches; ++k)
-    images.push_back(compared(rows[k].settings, material));
+  for (std::size_t k = first; k < rows.size() && rows[k].model == rows[first].model; ++k)
+    images.push_back(compared(rows[k].settings, look));
   return images;
 }
 
 /// The rows in one material.
-Result<std::vector<Comparison>> compare_in(Material material, const std::vector<BenchMethod>& rows,
+Result<std::vector<Comparison>> compare_in(const Look& look, const std::vector<BenchMethod>& rows,
                                            const TriangleMesh* mesh, Progress& progress) {
-  RELIEF_TRY_ASSIGN(const auto truth, trace(rows.front(), mesh, material, progress));
+  RELIEF_TRY_ASSIGN(const auto truth, trace(rows.front(), mesh, look, progress));
   std::vector<std::optional<Comparison>> found(rows.size());
   const FlipOptions options{FlipRange::Ldr, kFlipPixelsPerDegree};
   Progress silent;
   for (std::size_t first = 0; first < rows.size();) {
-    const std::vector<RenderSettings> images = rows_of_model(rows, first, material);
+    const std::vector<RenderSettings> images = rows_of_model(rows, first, look);
     const Status drawn = render_views(
-        RenderModel::of(*rows[first].patches), images,
+        rows[first].model, images,
         [&](std::size_t row, RenderResult image) -> Status {
           RELIEF_TRY_ASSIGN(auto comparison, compare_images(image.image, truth, options, silent));
           comparison.flip.map = {};  // as large as the image
@@ -90,12 +98,14 @@ Result<std::vector<Comparison>> compare_in(Material material, const std::vector<
 }  // namespace
 
 Result<std::vector<RowAccuracy>> measure_accuracy(const std::vector<BenchMethod>& rows,
-                                                  const TriangleMesh* mesh, Progress& progress) {
+                                                  const TriangleMesh* mesh, CompareNormals normals,
+                                                  Progress& progress) {
   const Material material = rows.front().settings.material;
-  RELIEF_TRY_ASSIGN(const auto seen, compare_in(material, rows, mesh, progress));
+  RELIEF_TRY_ASSIGN(const auto seen, compare_in(look_in(material, normals), rows, mesh, progress));
+  const Look mirrored = look_in(Material::Mirror, CompareNormals::No);
   RELIEF_TRY_ASSIGN(const auto mirrors, material == Material::Mirror
                                             ? seen
-                                            : compare_in(Material::Mirror, rows, mesh, progress));
+                                            : compare_in(mirrored, rows, mesh, progress));
   std::vector<RowAccuracy> all;
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const Comparison& own = seen[row];
@@ -106,7 +116,12 @@ Result<std::vector<RowAccuracy>> measure_accuracy(const std::vector<BenchMethod>
     accuracy.psnr_mirror_db = mirror.psnr_db;
     accuracy.psnr_mirror_covered_db = value_of(mirror.psnr_covered_db);
     accuracy.flip_mean = own.flip.mean;
-    if (own.coverage) accuracy.holes = own.coverage->holes;
+    if (own.coverage) {
+      accuracy.holes = own.coverage->holes;
+      accuracy.border_missing = own.coverage->border_missing;
+      accuracy.border_extra = own.coverage->border_extra;
+    }
+    if (own.normal) accuracy.normal_rms_deg = own.normal->rms_deg;
     all.push_back(accuracy);
   }
   return all;

@@ -20,14 +20,21 @@ struct RowAccuracy {
   std::optional<double> psnr_mirror_covered_db;
   std::optional<double> flip_mean;     ///< LDR-FLIP, in the row's material
   std::optional<std::uint64_t> holes;  ///< pixels inside the silhouette that only the truth covers
+  std::optional<std::uint64_t> border_missing;  ///< that only the truth covers, at the silhouette
+  std::optional<std::uint64_t> border_extra;    ///< that only the row covers: its overhang
+  std::optional<double> normal_rms_deg;  ///< over pixels that both cover, if normals are compared
 };
+
+/// Whether the directions of normals are compared, too.
+enum class CompareNormals : bool { No, Yes };
 
 /// Draws each row twice, in its material and as a mirror (of its environment, or the built-in one),
 /// and compares with the engine `raytrace`, which follows rays to the mesh or, if that is null, to
-/// the first row's patches: one ray a pixel where the image has one sample too, and 16 for a
-/// mirror, as one ray reads one point of an environment that all others filter. Rows have no
-/// background.
+/// the first row's patches, which it must have then: one ray a pixel where the image has one sample
+/// too, and 16 for a mirror, as one ray reads one point of an environment that all others filter.
+/// Rows have no background.
 Result<std::vector<RowAccuracy>> measure_accuracy(const std::vector<BenchMethod>& rows,
-                                                  const TriangleMesh* mesh, Progress& progress);
+                                                  const TriangleMesh* mesh, CompareNormals normals,
+                                                  Progress& progress);
 
 }  // namespace relief::cli

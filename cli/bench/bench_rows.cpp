@@ -15,9 +15,11 @@ namespace {
 /// The keys of what an engine's variants choose.
 std::vector<std::string> variant_keys(const EngineEntry& engine) {
   std::vector<std::string> keys;
-  for (const OptionValues& variant : engine.bench_variants) {
-    for (const auto& [key, value] : variant) {
-      if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+  for (const auto* const variants : {&engine.bench_variants, &engine.compared_variants}) {
+    for (const OptionValues& variant : *variants) {
+      for (const auto& [key, value] : variant) {
+        if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+      }
     }
   }
   return keys;
@@ -41,6 +43,18 @@ bool has_default(const RenderSettings& row, const std::string& key) {
   const EngineOption* const option = find_option(engine, key);
   assert(option != nullptr && "variants are made of the engine's options");
   return option->get(row) == option->get(default_settings(engine));
+}
+
+/// The engine, its options of these keys, and whether splats are clipped.
+std::string name_with(const RenderSettings& row, const std::vector<std::string>& keys) {
+  std::vector<std::string> parts = options_as_text(row, keys);
+  parts.insert(parts.begin(), row.engine);
+  if (row.clip.rule == ClipRule::Partners) {
+    parts.emplace_back("clipped");
+  } else if (row.clip.rule != ClipRule::Off) {
+    parts.push_back(fmt::format("clipped by {}", name_of(kClipRules, row.clip.rule)));
+  }
+  return fmt::format("{}", fmt::join(parts, " "));
 }
 
 }  // namespace
@@ -99,9 +113,16 @@ Result<std::vector<RenderSettings>> swept_rows(const BenchView& view, const std:
 }
 
 std::string name_of_row(const RenderSettings& row) {
-  std::vector<std::string> parts = options_as_text(row, variant_keys(engine_of_row(row)));
-  parts.insert(parts.begin(), row.engine);
-  return fmt::format("{}", fmt::join(parts, " "));
+  return name_with(row, variant_keys(engine_of_row(row)));
+}
+
+std::string short_name_of_row(const RenderSettings& row) {
+  std::vector<std::string> keys = variant_keys(engine_of_row(row));
+  std::erase_if(keys, [&row](const std::string& key) {
+    return find_option(engine_of_row(row), key)->row.kind != OptionKind::Choice &&
+           has_default(row, key);
+  });
+  return name_with(row, keys);
 }
 
 bool has_default_numbers(const RenderSettings& row) {

@@ -39,8 +39,11 @@ Result<std::vector<RenderSettings>> swept_rows(const BenchView& view, const std:
                                                const std::vector<double>& values);
 
 /// The name of a row: its engine and what its variants choose, "onepass cell corrected
-/// pixels-per-sample 4".
+/// pixels-per-sample 4", and "clipped" if it is.
 [[nodiscard]] std::string name_of_row(const RenderSettings& row);
+
+/// The same without numbers that are the engine's defaults: "onepass cell corrected".
+[[nodiscard]] std::string short_name_of_row(const RenderSettings& row);
 
 /// Returns whether the numbers that a row's variants choose are those of its engine's defaults.
 [[nodiscard]] bool has_default_numbers(const RenderSettings& row);

@@ -57,9 +57,20 @@ std::string choices_text(const SharedOption& option) {
   return text;
 }
 
+std::string capitalised(std::string text) {
+  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z')
+    text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  return text;
+}
+
+/// The options that the same engines have are a group.
+std::string group_of(const SharedOption& option) {
+  return "Options of " + names_of(option.engines);
+}
+
 }  // namespace
 
-std::string help_of(const SharedOption& option, std::span<const EngineEntry> among) {
+std::string help_of(const SharedOption& option) {
   std::string help;
   if (option.engines.empty())
     return fmt::format("{}{} (default {})", option.row.help, range_text(option.row),
@@ -72,8 +83,9 @@ std::string help_of(const SharedOption& option, std::span<const EngineEntry> amo
         option.engines.begin() + static_cast<std::ptrdiff_t>(first),
         option.engines.begin() + static_cast<std::ptrdiff_t>(end));
     if (!help.empty()) help += ". ";
-    if (having.size() < among.size()) help += names_of(having) + ": ";
-    help += row.help + range_text(row);
+    const bool is_shared = having.size() == option.engines.size();
+    help += is_shared ? capitalised(row.help) : names_of(having) + ": " + row.help;
+    help += range_text(row);
     if (end == option.engines.size()) help += choices_text(option);
     help += " (" + default_text(option, first, end) + ")";
     first = end;
@@ -81,25 +93,24 @@ std::string help_of(const SharedOption& option, std::span<const EngineEntry> amo
   return help;
 }
 
-CLI::Option* add_engine_option(CLI::App& sub, OptionValues& values, const SharedOption& option,
-                               std::span<const EngineEntry> among) {
+CLI::Option* add_engine_option(CLI::App& sub, OptionValues& values, const SharedOption& option) {
   const OptionRow& row = option.row;
   const std::string text = row.kind == OptionKind::Choice
                                ? fmt::format("{}", fmt::join(row.choices, "|"))
                                : row.placeholder;
-  return sub
-      .add_option_function<std::string>(
-          "--" + row.key,
-          [&values, row](const std::string& given) {
-            if (const auto value = parse_value(row, given))
-              values.insert_or_assign(row.key, *value);
-          },
-          help_of(option, among))
-      ->check([row](const std::string& given) {
-        const auto value = parse_value(row, given);
-        return value ? std::string() : value.error().message;
-      })
-      ->option_text(text);
+  CLI::Option* const declared = sub.add_option_function<std::string>(
+                                       "--" + row.key,
+                                       [&values, row](const std::string& given) {
+                                         if (const auto value = parse_value(row, given))
+                                           values.insert_or_assign(row.key, *value);
+                                       },
+                                       help_of(option))
+                                    ->check([row](const std::string& given) {
+                                      const auto value = parse_value(row, given);
+                                      return value ? std::string() : value.error().message;
+                                    })
+                                    ->option_text(text);
+  return option.engines.empty() ? declared : declared->group(group_of(option));
 }
 
 void add_engine_options(CLI::App& sub, SceneSettings& settings,
@@ -114,13 +125,15 @@ void add_engine_options(CLI::App& sub, SceneSettings& settings,
       })
       ->option_text(fmt::format("{}", fmt::join(names, "|")));
   for (const SharedOption& option : shared_options(among))
-    add_engine_option(sub, settings.options, option, among);
+    add_engine_option(sub, settings.options, option);
 }
 
 std::string list_engines(std::span<const EngineEntry> among) {
+  std::size_t width = 0;
+  for (const EngineEntry& engine : among) width = std::max(width, engine.name.size());
   std::string list;
   for (const EngineEntry& engine : among)
-    list += fmt::format("  {:<10} {}\n", engine.name, engine.summary);
+    list += fmt::format("  {:<{}} {}\n", engine.name, width, engine.summary);
   return list;
 }
 

@@ -14,12 +14,13 @@ namespace relief::cli {
 void add_engine_options(CLI::App& sub, SceneSettings& settings,
                         std::span<const EngineEntry> among = engines());
 
-/// Declares the option of one key. One of no engine has the help of its row.
-CLI::Option* add_engine_option(CLI::App& sub, OptionValues& values, const SharedOption& option,
-                               std::span<const EngineEntry> among = engines());
+/// Declares the option of one key, in the group of options that the same engines have. One of no
+/// engine has the help of its row.
+CLI::Option* add_engine_option(CLI::App& sub, OptionValues& values, const SharedOption& option);
 
-/// Returns the help of an option: its engines, its effect, its range, its default.
-[[nodiscard]] std::string help_of(const SharedOption& option, std::span<const EngineEntry> among);
+/// Returns the help of an option: its effect, its range, its default; with the engines before it
+/// where their options of that key differ.
+[[nodiscard]] std::string help_of(const SharedOption& option);
 
 /// One line an engine: its name and summary.
 [[nodiscard]] std::string list_engines(std::span<const EngineEntry> among = engines());

@@ -30,12 +30,18 @@ Plot plot_of(const BenchResult& result) {
   plot.title =
       fmt::format("{}, {}x{}, {}", result.scene, first.width, first.height, result.times.renderer);
   plot.cost_label = fmt::format("ms a frame, {}", material);
-  plot.panels.push_back(panel_of(result, material, &RowAccuracy::psnr_db));
-  if (first.material != Material::Mirror)
-    plot.panels.push_back(panel_of(result, "as a mirror", &RowAccuracy::psnr_mirror_db));
   if (result.times.shading_bound)
     plot.lines.push_back({"shading bound", result.times.shading_bound->time.frame_ms});
   if (result.times.mesh) plot.lines.push_back({"input mesh", result.times.mesh->time.frame_ms});
+  if (result.compares_engines) {
+    plot.panels.push_back(
+        panel_of(result, material + ", pixels that both cover", &RowAccuracy::psnr_covered_db));
+    plot.panels.push_back(panel_of(result, material + ", all pixels", &RowAccuracy::psnr_db));
+    return plot;
+  }
+  plot.panels.push_back(panel_of(result, material, &RowAccuracy::psnr_db));
+  if (first.material != Material::Mirror)
+    plot.panels.push_back(panel_of(result, "as a mirror", &RowAccuracy::psnr_mirror_db));
   return plot;
 }
 

@@ -1,10 +1,12 @@
 #include "renderer/bench/bench.h"
 
+#include <algorithm>
 #include <cassert>
 #include <memory>
 #include <utility>
 
 #include "common/median.h"
+#include "renderer/bench/cpu_rows.h"
 #include "renderer/bench/mesh_pass.h"
 #include "renderer/bench/shading_bound.h"
 #include "renderer/engine_registry.h"
@@ -23,17 +25,35 @@ struct Entry {
   BenchRow result = {};
 };
 
-/// Rows of one engine that read the same of a model share it, so that each finds on the GPU what
-/// it would alone.
-struct Group {
-  const PatchModel* patches = nullptr;
+/// What decides which parts of a model an engine puts on the GPU.
+struct Wanted {
+  RenderModel model;
   std::string engine;
   StoreNeeds needs;
   double pixels_per_sample = 0.0;
+  ClipRule clip = ClipRule::Off;
+
+  bool operator==(const Wanted&) const = default;
+};
+
+Wanted wanted_by(const BenchMethod& row, const EngineEntry& engine) {
+  Wanted wanted{
+      row.model, engine.name, {}, pixels_per_sample_of(row.settings), row.settings.clip.rule};
+  if (engine.features == nullptr) return wanted;
+  const auto* const patches = row.model.find<PatchModel>();
+  const ModelMaps maps = patches == nullptr ? ModelMaps(false) : ModelMaps(*patches);
+  wanted.needs = needs_of(engine.features(row.settings, maps));
+  return wanted;
+}
+
+/// Rows of one engine that read the same of a model share it, so that each finds on the GPU what
+/// it would alone.
+struct Group {
+  Wanted wanted;
   std::unique_ptr<GlPreparedModel> prepared;
 };
 
-/// Everything that a bench makes; what is drawn goes before what it is drawn of.
+/// Everything that a bench on OpenGL makes; what is drawn goes before what it is drawn of.
 class Bench {
  public:
   Bench(const BenchJob& job, std::shared_ptr<const OpenGl> opengl)
@@ -63,6 +83,7 @@ class Bench {
     report.renderer = renderer_name(opengl_->gl());
     for (std::size_t k = 0; k < entries_.size(); ++k) {
       BenchRow row = entries_[k]->result;
+      row.time.frames = static_cast<int>(entries_[k]->frame_ms.size());
       row.time.frame_ms = median_of(entries_[k]->frame_ms);
       if (!entries_[k]->gpu_ms.empty()) row.time.gpu_ms = median_of(entries_[k]->gpu_ms);
       if (k < job_.rows.size()) report.rows.push_back(row);
@@ -81,28 +102,27 @@ class Bench {
   Result<GlPreparedModel*> engine_for(const BenchMethod& row) {
     const RenderSettings& settings = row.settings;
     const EngineEntry* const engine = find_engine(settings.engine);
-    assert(engine != nullptr && engine->capabilities.needs_opengl && "OpenGL draws patches");
-    const StoreNeeds needs = needs_of(engine->features(settings, ModelMaps(*row.patches)));
+    assert(engine != nullptr && engine->capabilities.needs_opengl && "a row on OpenGL");
+    Wanted wanted = wanted_by(row, *engine);
     for (const Group& group : groups_) {
-      if (group.patches == row.patches && group.engine == settings.engine && group.needs == needs &&
-          group.pixels_per_sample == pixels_per_sample_of(settings))
-        return group.prepared.get();
+      if (group.wanted == wanted) return group.prepared.get();
     }
-    const RenderModel model = RenderModel::of(*row.patches);
-    RELIEF_TRY_ASSIGN(auto made, engine->prepare({.model = model,
+    RELIEF_TRY_ASSIGN(auto made, engine->prepare({.model = row.model,
                                                   .views = {&settings, 1},
                                                   .opengl = opengl_,
                                                   .environments = environments_}));
-    groups_.push_back(
-        {row.patches, settings.engine, needs, pixels_per_sample_of(settings),
-         std::unique_ptr<GlPreparedModel>(static_cast<GlPreparedModel*>(made.release()))});
+    groups_.push_back({std::move(wanted), std::unique_ptr<GlPreparedModel>(
+                                              static_cast<GlPreparedModel*>(made.release()))});
     return groups_.back().prepared.get();
   }
 
   Status prepare_references() {
-    const auto& [patches, settings] = job_.rows[job_.reference];
-    const std::uint64_t pixels = entries_[job_.reference]->result.covered_pixels;
-    if (pixels > 0) {
+    const std::size_t reference = job_.reference.value_or(0);
+    const auto& [model, settings] = job_.rows[reference];
+    const std::uint64_t pixels = entries_[reference]->result.covered_pixels;
+    if (job_.reference && pixels > 0) {
+      const auto* const patches = model.find<PatchModel>();
+      assert(patches != nullptr && "the reference draws patches");
       RELIEF_TRY_ASSIGN(auto made,
                         bench_passes::prepare_shading_bound(opengl_, *patches, settings, pixels));
       references_.push_back(std::move(made));
@@ -127,21 +147,24 @@ class Bench {
     RELIEF_TRY_ASSIGN(entry.drawing, engine.make_drawing(entry.frame, settings, Counting::Off));
     (void)time_frame(gl, entry.frame, *entry.drawing);
     const Explanation seen = gl.recorder->explain();
+    std::uint64_t all_bytes = 0;
+    std::uint64_t model_bytes = 0;
     for (const auto* const kind : {&seen.buffers, &seen.textures}) {
       for (const Explanation::Memory& memory : *kind) {
         if (!memory.bound) continue;
-        entry.result.gpu_bytes += memory.bytes;
-        if (!memory.target) entry.result.model_bytes += memory.bytes;
+        all_bytes += memory.bytes;
+        if (!memory.target) model_bytes += memory.bytes;
       }
     }
+    entry.result.gpu_bytes = all_bytes;
+    entry.result.model_bytes = model_bytes;
     RenderResult read;
     read_frame(gl, entry.frame, settings.background.has_value(), read);
     entry.result.covered_pixels = read.covered_pixels;
     // Last, because a frame that is counted has holes.
     RELIEF_TRY_ASSIGN(const auto counting,
                       engine.make_drawing(entry.frame, settings, Counting::On));
-    assert(counting != nullptr && "what a bench draws can be counted");
-    entry.result.fragments = count_fragments(gl, entry.frame, *counting);
+    if (counting != nullptr) entry.result.fragments = count_fragments(gl, entry.frame, *counting);
     return status();
   }
 
@@ -157,12 +180,8 @@ class Bench {
   std::size_t mesh_ = kNone;
 };
 
-}  // namespace
-
-Result<BenchReport> bench(const BenchJob& job, Progress& progress) {
-  assert(job.reference < job.rows.size() && job.frames > 0);
-  for ([[maybe_unused]] const BenchMethod& row : job.rows)
-    assert(row.patches != nullptr && needs_opengl(row.settings.engine) && "OpenGL draws patches");
+/// A bench all of whose rows are on OpenGL.
+Result<BenchReport> bench_on_opengl(const BenchJob& job, Progress& progress) {
   progress.begin_stage("prepare", 0);
   const RenderSettings& first = job.rows.front().settings;
   RELIEF_TRY_ASSIGN(auto opengl, OpenGl::create(first.platform, first.debug, true));
@@ -177,6 +196,54 @@ Result<BenchReport> bench(const BenchJob& job, Progress& progress) {
   }
   RELIEF_TRY(bench.status());
   return bench.report();
+}
+
+/// The rows on OpenGL, or those that are not, and where they are in the job.
+struct Part {
+  std::vector<BenchMethod> rows;
+  std::vector<std::size_t> places;
+};
+
+Part part_of(const BenchJob& job, bool on_opengl) {
+  Part part;
+  for (std::size_t k = 0; k < job.rows.size(); ++k) {
+    if (needs_opengl(job.rows[k].settings.engine) != on_opengl) continue;
+    part.rows.push_back(job.rows[k]);
+    part.places.push_back(k);
+  }
+  return part;
+}
+
+/// Puts the rows of a part in their places among all.
+void place(const Part& part, std::vector<BenchRow> drawn, std::vector<BenchRow>& all) {
+  for (std::size_t k = 0; k < drawn.size(); ++k) all[part.places[k]] = drawn[k];
+}
+
+}  // namespace
+
+Result<BenchReport> bench(const BenchJob& job, Progress& progress) {
+  assert(!job.rows.empty() && job.frames > 0);
+  assert(!job.reference || needs_opengl(job.rows[*job.reference].settings.engine));
+  const Part on_opengl = part_of(job, true);
+  const Part on_cpu = part_of(job, false);
+  BenchReport report;
+  std::vector<BenchRow> rows(job.rows.size());
+  if (on_opengl.rows.empty()) {
+    report.renderer = "CPU";
+  } else {
+    BenchJob part{on_opengl.rows, job.mesh, {}, job.frames, job.warm_up};
+    const auto& places = on_opengl.places;
+    if (job.reference)
+      part.reference = std::find(places.begin(), places.end(), *job.reference) - places.begin();
+    RELIEF_TRY_ASSIGN(report, bench_on_opengl(part, progress));
+    place(on_opengl, std::exchange(report.rows, {}), rows);
+  }
+  if (!on_cpu.rows.empty()) {
+    RELIEF_TRY_ASSIGN(auto drawn, bench_passes::time_on_cpu(on_cpu.rows, job.frames, progress));
+    place(on_cpu, std::move(drawn), rows);
+  }
+  report.rows = std::move(rows);
+  return report;
 }
 
 }  // namespace relief

@@ -8,30 +8,38 @@
 #include <vector>
 
 #include "common/error.h"
-#include "common/patch.h"
 #include "common/progress.h"
 #include "renderer/geometry/triangle_mesh.h"
+#include "renderer/model.h"
 #include "renderer/settings.h"
 
 namespace relief {
 
-/// One way to draw: what, and how. An engine on OpenGL.
+/// One way to draw: what, and how. The engine draws the first of its forms that the model has.
 struct BenchMethod {
-  const PatchModel* patches = nullptr;
+  RenderModel model;
   RenderSettings settings;
 };
+
+/// Rows on the CPU, whose frames may take seconds, are timed in fewer rounds: as many as the frames
+/// of the slowest of them fit into kCpuSeconds, at most kMostCpuFrames, and at least one.
+inline constexpr double kCpuSeconds = 10.0;
+inline constexpr int kMostCpuFrames = 5;
 
 /// What is timed; models outlive the bench.
 struct BenchJob {
   std::vector<BenchMethod> rows;       ///< all of one camera, size, material and platform
   const TriangleMesh* mesh = nullptr;  ///< the input, if it has faces
-  std::size_t reference = 0;           ///< the row whose covered pixels the shading bound has
-  int frames = 20;                     ///< timed rounds
-  int warm_up = 2;                     ///< rounds before them
+  /// The row whose covered pixels the shading bound has: on OpenGL, of patches. None: there is no
+  /// bound.
+  std::optional<std::size_t> reference;
+  int frames = 20;  ///< timed rounds
+  int warm_up = 2;  ///< rounds before them; one on the CPU
 };
 
 /// Medians over the timed rounds.
 struct BenchTime {
+  int frames = 0;                ///< of which this is the median
   double frame_ms = 0.0;         ///< wall clock, from the first command until all have finished
   std::optional<double> gpu_ms;  ///< OpenGL's timer, if it has one
 };
@@ -39,25 +47,26 @@ struct BenchTime {
 struct BenchRow {
   BenchTime time;
   std::uint64_t covered_pixels = 0;
-  std::uint64_t fragments = 0;    ///< shaded by the model's passes
-  std::uint64_t gpu_bytes = 0;    ///< of all buffers and textures that a frame binds
-  std::uint64_t model_bytes = 0;  ///< of those that no framebuffer draws into
+  std::optional<std::uint64_t> fragments;    ///< as RenderResult::fragments
+  std::optional<std::uint64_t> gpu_bytes;    ///< of all buffers and textures that a frame binds
+  std::optional<std::uint64_t> model_bytes;  ///< of those that no framebuffer draws into
 };
 
 struct BenchReport {
-  std::string renderer;        ///< OpenGL's own name
+  std::string renderer;        ///< OpenGL's own name, or "CPU" if no row is on OpenGL
   std::vector<BenchRow> rows;  ///< parallel to BenchJob::rows
   /// A pass that shades as many pixels as the reference row covers, with the same material and
   /// lookups: what no image of it can be faster than. Nothing if it covers none.
   std::optional<BenchRow> shading_bound;
   /// The input mesh as one indexed triangle list with vertex normals (and colours), the same
-  /// material, nothing culled.
+  /// material, nothing culled. None if no row is on OpenGL.
   std::optional<BenchRow> mesh;
 };
 
 /// Draws every row once for its counts, then `warm_up + frames` rounds: frame k of
 /// every row, of the bound and of the mesh, before frame k + 1 of any, so that a machine that
-/// drifts drifts for all. Everything is in one OpenGL context. Fails as render() does.
+/// drifts drifts for all. Everything is in one OpenGL context. Rows on the CPU follow, in turns of
+/// their own. Fails as render() does.
 Result<BenchReport> bench(const BenchJob& job, Progress& progress);
 
 }  // namespace relief

@@ -13,7 +13,8 @@ namespace relief {
 enum class SurfelSize : std::uint8_t {
   BspEdge,    ///< the mean edge of the triangle that its cluster of a BSP makes
   BspCircle,  ///< the diameter of that triangle's circumscribed circle
-  Qsplat      ///< the spheres of a hierarchy, as QSplat has them
+  Qsplat,     ///< the spheres of a hierarchy, as QSplat has them
+  Given       ///< what the points come with: their spacing, or that of a patch's samples
 };
 
 /// Which surfels are slightly curved surfaces instead of plain polygons (Figure 2).
@@ -29,10 +30,11 @@ enum class SurfelBlend : std::uint8_t {
   Sorted       ///< back to front, each over what is behind it
 };
 
-inline constexpr std::array<Named<SurfelSize>, 3> kSurfelSizes{
+inline constexpr std::array<Named<SurfelSize>, 4> kSurfelSizes{
     {{"bsp-edge", SurfelSize::BspEdge},
      {"bsp-circle", SurfelSize::BspCircle},
-     {"qsplat", SurfelSize::Qsplat}}};
+     {"qsplat", SurfelSize::Qsplat},
+     {"given", SurfelSize::Given}}};
 inline constexpr std::array<Named<SurfelCurved>, 3> kSurfelCurved{
     {{"auto", SurfelCurved::Auto}, {"all", SurfelCurved::All}, {"none", SurfelCurved::None}}};
 inline constexpr std::array<Named<SurfelBlend>, 2> kSurfelBlends{
@@ -46,7 +48,7 @@ inline constexpr NumberChoice kSurfelOffsets{0.0, 1e12};
 struct SurfelSettings {
   SurfelSize size = SurfelSize::BspEdge;
   std::optional<double> scale;  ///< of the diameters; none: what closes the gaps of `size`
-  int sides = 8;                ///< of the polygons, which hold the surfels' discs
+  int sides = 3;                ///< of the polygons, which hold the surfels' discs
   SurfelCurved curved = SurfelCurved::Auto;
   SurfelBlend blend = SurfelBlend::Normalised;
   double falloff = 0.5;          ///< h of section 3.1, over the surfel's radius

@@ -19,7 +19,7 @@ using glm::vec4;
 
 // Feature bits: with the number of lights, the key of a shader variant (renderer/gl/features.h,
 // which also lists what does not go together). They come only from the scene and the settings; each
-// says what it costs a frame that has it. 30 of 32 are in use. The lights are a word of their own,
+// says what it costs a frame that has it. 31 of 32 are in use. The lights are a word of their own,
 // RELIEF_LIGHTS, so that the loop over them is known when a shader is compiled: a light more is a
 // highlight per fragment.
 
@@ -99,7 +99,7 @@ using glm::vec4;
 // (Triangles are left out by OpenGL, which needs no variant.)
 #define RELIEF_FEATURE_FRONT 32768u
 
-// Splats of `multipass` that clip lines cut at sharp edges: in both passes over them a loop over the
+// Splats of `multipass` and `surfel` that clip lines cut at sharp edges: in both passes over them a loop over the
 // lines of a splat, one lookup each. Patches that have no such splat are drawn without it.
 #define RELIEF_FEATURE_CLIPPED 67108864u
 // Beside CLIPPED: the rule of Wicke, for comparison: three lookups a line, twice.
@@ -112,6 +112,12 @@ using glm::vec4;
 // linear (include/projection.glsl). Costs nothing: it saves divisions.
 #define RELIEF_FEATURE_ORTHOGRAPHIC 16384u
 
+// Surfels of `surfel` that bend with the surface: more triangles a surfel, and a normal that is
+// interpolated.
+#define RELIEF_FEATURE_CURVED 536870912u
+// Surfels are blended one over the other, so that each fragment is shaded.
+#define RELIEF_FEATURE_SORTED 1073741824u
+
 // Locations of the colour attachments.
 #define RELIEF_OUT_COLOUR 0
 #define RELIEF_OUT_NORMAL 1
@@ -119,13 +125,14 @@ using glm::vec4;
 #define RELIEF_OUT_UV 3
 #define RELIEF_OUT_PATCH 4
 #define RELIEF_OUT_CLIP 5
+#define RELIEF_OUT_MATERIAL 6  // of the first pass of `surfel`, with several materials
 
 // Outputs of the pass that finds the surface: the position, and its depth where it is needed.
 #define RELIEF_OUT_VISIBILITY 0
 #define RELIEF_OUT_VISIBILITY_DEPTH 1
 
-// The same where `multipass` sums up splats: normal, colour, depth, each times its weight, and the
-// weights.
+// The same where `multipass` and `surfel` sum up splats: normal, colour, depth, each times its
+// weight, and the weights.
 #define RELIEF_SUM_NORMAL 0
 #define RELIEF_SUM_COLOUR 1
 #define RELIEF_SUM_DEPTH 2

@@ -1,7 +1,7 @@
 // Fragment stage of pass 2: adds a splat's attributes to the pixel's sums.
 #include "include/counting.glsl"
 #include "include/maps.glsl"
-#include "multipass/clipping.glsl"
+#include "include/clipping.glsl"
 
 // Depth is not written, so that it may be tested first although fragments are discarded.
 layout(early_fragment_tests) in;

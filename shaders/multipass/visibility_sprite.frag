@@ -3,8 +3,8 @@
 #include "include/counting.glsl"
 #include "multipass/cast_ray.glsl"
 #include "include/identity.glsl"
-#include "multipass/clipping.glsl"
-#include "multipass/clip_kind.glsl"
+#include "include/clipping.glsl"
+#include "include/clip_kind.glsl"
 
 layout(location = 3) flat in vec4 grid_position;
 layout(location = 4) flat in uint hit_patch;

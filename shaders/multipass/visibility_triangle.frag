@@ -2,8 +2,8 @@
 #define RELIEF_LATE_TESTS  // what is cut off must not write its depth
 #include "include/counting.glsl"
 #include "include/identity.glsl"
-#include "multipass/clipping.glsl"
-#include "multipass/clip_kind.glsl"
+#include "include/clipping.glsl"
+#include "include/clip_kind.glsl"
 
 layout(location = 0) in vec2 position;
 layout(location = 1) in vec2 node;

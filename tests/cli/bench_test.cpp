@@ -1,4 +1,5 @@
 // relief bench and relief render --explain, as a user runs them. No test looks at how long it took.
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -33,6 +34,13 @@ std::string square_off(int n) {
     }
   }
   return off;
+}
+
+/// 4 x 4 x 4 nodes from 0 to 3.
+std::string small_nrrd() {
+  std::string text = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 4 4\nencoding: ascii\n\n";
+  for (int k = 0; k < 64; ++k) text += std::to_string(k) + " ";
+  return text;
 }
 
 class BenchCommand : public CliTest {
@@ -173,6 +181,103 @@ TEST_F(BenchCommand, SweepsPixelsPerSample) {
   }
 }
 
+/// Rows by name.
+std::map<std::string, json> by_name(const json& rows) {
+  std::map<std::string, json> named;
+  for (const json& row : rows) named[row["name"].get<std::string>()] = row;
+  EXPECT_EQ(named.size(), rows.size()) << "a name for each row";
+  return named;
+}
+
+// Those that there are today; more engines add rows.
+const std::vector<std::string> kOnOpenGl{"onepass quad direct", "onepass quad corrected",
+                                         "onepass cell corrected", "multipass quad"};
+
+TEST_F(BenchCommand, ComparesAllEngines) {
+  const std::string scene = write("square.off", square_off(30));
+  const json result =
+      parse(run_relief(small(scene, {"--engines", "all", "--plot", path("engines.svg")})));
+  EXPECT_EQ(result["truth"], "faces");
+  EXPECT_TRUE(result["mesh_ms"].is_number());
+  EXPECT_TRUE(result["shading_bound_ms"].is_number());
+  const auto rows = by_name(result["rows"]);
+  for (const auto& [name, row] : rows) {
+    EXPECT_GT(row["frame_ms"], 0.0) << name;
+    EXPECT_GE(row["frames"], 1) << name;
+    EXPECT_GT(row["samples"], 0) << name;
+    for (const char* key : {"psnr_db", "psnr_mirror_db", "flip_mean", "normal_rms_deg", "holes",
+                            "border_missing", "border_extra", "covered_pixels"})
+      EXPECT_TRUE(row[key].is_number()) << name << " " << key;
+    EXPECT_EQ(row["default"], name == "onepass cell corrected") << name;
+  }
+  for (const std::string& name : kOnOpenGl) {
+    ASSERT_TRUE(rows.contains(name)) << name;
+    EXPECT_EQ(rows.at(name)["input"], "samples") << name;
+    EXPECT_GT(rows.at(name)["gpu_bytes"], 0) << name;
+    // A plane, drawn of patches: normals are off by their rounding to 16 bits only.
+    EXPECT_LT(rows.at(name)["normal_rms_deg"], 0.01) << name;
+  }
+  ASSERT_TRUE(rows.contains("ewa"));
+  EXPECT_EQ(rows.at("ewa")["input"], "points");
+  EXPECT_EQ(rows.at("ewa")["samples"], 900);
+  EXPECT_TRUE(rows.at("ewa")["gpu_bytes"].is_null());
+  EXPECT_TRUE(rows.at("ewa")["ratio_to_multipass"].is_number());
+  EXPECT_EQ(rows.at("multipass quad")["ratio_to_multipass"], 1.0);
+  const std::string plot = bytes_of(path("engines.svg"));
+  EXPECT_EQ(plot.rfind("<svg", 0), 0U);
+  EXPECT_NE(plot.find(">ewa</text>"), std::string::npos);
+  EXPECT_NE(plot.find("pixels that both cover"), std::string::npos);
+}
+
+// A scan without faces: patches are held against their own triangles, and the report says so.
+TEST_F(BenchCommand, ComparesEnginesOnAScanWithoutFaces) {
+  const std::string scene = write_knot(3000);
+  const json result = parse(run_relief(small(scene, {"--engines", "ewa,onepass,ewa"})));
+  EXPECT_EQ(result["truth"], "patches");
+  EXPECT_TRUE(result["mesh_ms"].is_null());
+  const auto rows = by_name(result["rows"]);
+  EXPECT_EQ(result["rows"][0]["engine"], "onepass") << "in the registry's order";
+  EXPECT_TRUE(rows.contains("ewa"));
+  EXPECT_FALSE(rows.contains("multipass quad"));
+  EXPECT_EQ(rows.at("ewa")["input"], "points");
+  EXPECT_EQ(rows.at("ewa")["samples"], 3000);
+  EXPECT_TRUE(rows.at("ewa")["ratio_to_multipass"].is_null());
+  const Outcome text =
+      run_relief({"bench", scene, "--size", "64x48", "--frames", "1", "--engines", "all"});
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_NE(text.out.find("the patches' own triangles"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("* onepass cell corrected"), std::string::npos) << text.out;
+}
+
+TEST_F(BenchCommand, ComparesEnginesOnSamplesOfAPatchFile) {
+  const std::string patches = path("square.relief");
+  ASSERT_EQ(run_relief({"convert", write("square.off", square_off(20)), "-o", patches}).exit_code,
+            0);
+  const json result = parse(run_relief(small(patches, {"--engines", "ewa"})));
+  ASSERT_GE(result["rows"].size(), 1U);
+  EXPECT_EQ(result["renderer"], "CPU");
+  EXPECT_EQ(result["truth"], "patches");
+  EXPECT_TRUE(result["shading_bound_ms"].is_null());
+  EXPECT_EQ(result["rows"][0]["input"], "samples");
+  EXPECT_GT(result["rows"][0]["frame_ms"], 0.0);
+  EXPECT_TRUE(result["rows"][0]["gpu_ms"].is_null());
+}
+
+TEST_F(BenchCommand, RefusesEnginesThatItCannotCompare) {
+  const std::string scene = write("square.off", square_off(5));
+  for (const char* engines : {"none", "raytrace", "volume", "", "onepass,", "all,ewa"}) {
+    const Outcome run = run_relief({"bench", scene, "--engines", engines});
+    EXPECT_EQ(run.exit_code, 2) << engines;
+    EXPECT_NE(run.err.find("onepass, multipass, ewa"), std::string::npos) << run.err;
+  }
+  EXPECT_EQ(
+      run_relief({"bench", scene, "--engines", "all", "--sweep", "radius-factor=1,2"}).exit_code,
+      2);
+  expect_refused({"bench", write("a.nrrd", small_nrrd()), "--engines", "all"}, "no --engines");
+  // Found before anything is timed.
+  expect_refused({"bench", scene, "--engines", "all", "--opacity", "0.5"}, "opacity");
+}
+
 TEST_F(BenchCommand, RefusesImpossibleOptions) {
   expect_refused({"bench", path("none.ply")}, "none.ply");
   const std::string scene = write("square.off", square_off(5));
@@ -206,13 +311,6 @@ TEST_F(BenchCommand, RenderExplainsItself) {
   EXPECT_EQ(
       run_relief({"render", scene, "-o", path("x.png"), "--engine", "ewa", "--explain"}).exit_code,
       2);
-}
-
-/// 4 x 4 x 4 nodes from 0 to 3.
-std::string small_nrrd() {
-  std::string text = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 4 4\nencoding: ascii\n\n";
-  for (int k = 0; k < 64; ++k) text += std::to_string(k) + " ";
-  return text;
 }
 
 TEST_F(BenchCommand, ComparesTheEnginesOfVolumes) {

@@ -56,10 +56,12 @@ TEST(EngineOptions, OfAnAddedEngineAreInTheHelp) {
                 "toy"),
       std::string::npos)
       << help;
-  EXPECT_NE(help.find("toy: linear brightness of a sample, 0 to 1 (default 0.5)"),
+  const std::size_t group = help.find("Options of toy:\n");
+  ASSERT_NE(group, std::string::npos) << help;
+  EXPECT_NE(help.find("Linear brightness of a sample, 0 to 1 (default 0.5)", group),
             std::string::npos)
       << help;
-  EXPECT_NE(list_engines(all_engines()).find("  toy        draws each sample as one pixel\n"),
+  EXPECT_NE(list_engines(all_engines()).find("  toy              draws each sample as one pixel\n"),
             std::string::npos);
 }
 

@@ -144,16 +144,24 @@ struct ListedOption {
   std::string text;
 };
 
-/// The options of a help text. CLI11 begins descriptions in column 31, on the next line if the name
-/// is long.
+bool is_heading(const std::string& line) {
+  return line.rfind("Option", 0) == 0 && line.ends_with(':');
+}
+
+/// The options of a help text, of all groups. CLI11 begins descriptions in column 31, on the next
+/// line if the name is long.
 std::vector<ListedOption> options_of(const std::string& help) {
   constexpr std::size_t kColumn = 30;
   std::vector<ListedOption> options;
   std::istringstream lines(help);
   std::string line;
-  while (std::getline(lines, line) && line != "Options:" && line != "OPTIONS:") {
-  }
-  while (std::getline(lines, line) && !line.empty()) {
+  bool in_group = false;
+  while (std::getline(lines, line)) {
+    if (line.empty() || is_heading(line)) {
+      in_group = !line.empty();
+      continue;
+    }
+    if (!in_group) continue;
     if (line.rfind(std::string(kColumn, ' '), 0) == 0) {
       if (!options.empty()) options.back().text += line.substr(kColumn) + " ";
       continue;
@@ -183,7 +191,7 @@ std::string help_of(const std::string& subcommand) {
 
 // The number of options is written down here, so that one that is lost or not listed is noticed.
 TEST(Usage, HelpListsEveryOptionWithItsDefault) {
-  const std::map<std::string, std::size_t> counts{{"bench", 43}, {"compare", 7}, {"convert", 29},
+  const std::map<std::string, std::size_t> counts{{"bench", 44}, {"compare", 7}, {"convert", 29},
                                                   {"export", 8}, {"info", 3},    {"render", 76}};
   for (const auto& [subcommand, count] : counts) {
     const std::vector<ListedOption> options = options_of(help_of(subcommand));
@@ -198,6 +206,22 @@ TEST(Usage, HelpListsEveryOptionWithItsDefault) {
           << where << ": " << option.text;
     }
   }
+}
+
+// A reader finds what an engine has under its name.
+TEST(Usage, HelpGroupsTheOptionsOfEngines) {
+  const std::string help = help_of("render");
+  const auto group = [&help](const std::string& engines) {
+    const std::size_t begin = help.find("\nOptions of " + engines + ":\n");
+    EXPECT_NE(begin, std::string::npos) << engines << "\n" << help;
+    return help.substr(begin, help.find("\n\n", begin + 1) - begin);
+  };
+  EXPECT_NE(group("onepass").find("--interpolation"), std::string::npos);
+  EXPECT_NE(group("onepass, multipass").find("--primitive"), std::string::npos);
+  EXPECT_EQ(group("onepass, multipass").find("--radius-factor"), std::string::npos);
+  EXPECT_NE(group("multipass").find("--radius-factor"), std::string::npos);
+  EXPECT_EQ(group("multipass").find("--interpolation"), std::string::npos);
+  EXPECT_EQ(group("multipass").find("--size"), std::string::npos);
 }
 
 TEST(Usage, HelpNamesTheSubcommandsAndVersionTheVersion) {

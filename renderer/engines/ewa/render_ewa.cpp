@@ -10,7 +10,7 @@
 
 #include "common/median.h"
 #include "common/transform.h"
-#include "renderer/engines/ewa/splats_of_samples.h"
+#include "renderer/geometry/splats_of_samples.h"
 #include "renderer/engines/ewa/splatting.h"
 #include "renderer/frame/film.h"
 #include "renderer/owned_or_borrowed.h"

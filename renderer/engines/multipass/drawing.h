@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "renderer/engines/multipass/clip_tables.h"
-#include "renderer/engines/multipass/sums.h"
 #include "renderer/engines/multipass/variant.h"
 #include "renderer/frame/gl_frame.h"
+#include "renderer/frame/splat_sums.h"
 
 namespace relief::multipass {
 
@@ -22,7 +22,7 @@ class Drawing final : public GlDrawing {
  public:
   /// `variant` must outlive it, and so must `clip`, which is null unless the variant clips; `sums`
   /// were made for the frame and the variant's features.
-  Drawing(const Variant& variant, Sums sums, double radius_factor, const ClipTables* clip);
+  Drawing(const Variant& variant, SplatSums sums, double radius_factor, const ClipTables* clip);
 
   void draw(const GlFrame& frame, PassTimer& timer) const override;
 
@@ -50,7 +50,7 @@ class Drawing final : public GlDrawing {
   void shade(const GlFrame& frame) const;
 
   const Variant& variant_;
-  Sums sums_;
+  SplatSums sums_;
   double radius_factor_;
   const ClipTables* clip_;
 };

@@ -59,6 +59,9 @@ EngineEntry entry() {
           .options = {primitive_option(primitives), interpolation_option(interpolations),
                       cull_option(), samples_option(), pixels_per_sample_option()},
           .bench_variants = bench_variants(),
+          .compared_variants = {{{"primitive", "quad"}, {"interpolation", "direct"}},
+                                {{"primitive", "quad"}, {"interpolation", "corrected"}},
+                                {}},
           .features = features_of,
           .prepare = prepare};
 }

@@ -7,6 +7,8 @@
 
 #include "renderer/bench/mesh_pass.h"
 #include "renderer/bench/shading_bound.h"
+#include "renderer/engines/ewa/splats_of_samples.h"
+#include "renderer/render.h"
 #include "renderer/store/atlas.h"
 #include "renderer/view/draw_list.h"
 #include "tests/renderer/meshes.h"
@@ -27,7 +29,7 @@ RenderSettings bench_image(const PatchModel& model) {
 
 /// Quads of both interpolations, cells, and two of multipass.
 std::vector<BenchMethod> some_rows(const PatchModel& model) {
-  std::vector<BenchMethod> rows(5, {&model, bench_image(model)});
+  std::vector<BenchMethod> rows(5, {RenderModel::of(model), bench_image(model)});
   rows[0].settings.interpolation = Interpolation::Direct;
   rows[2].settings.primitive = Primitive::Cell;
   rows[3].settings.engine = rows[4].settings.engine = "multipass";
@@ -91,16 +93,17 @@ TEST(Bench, CountsTheBytesOfEachRowSeparately) {
   // have no records and no such map.
   const auto map = pack_atlas({{kNodes + 1, kNodes + 1}}, 16384, 1);
   ASSERT_TRUE(map);
-  EXPECT_EQ(report.rows[1].model_bytes - report.rows[0].model_bytes,
+  for (const BenchRow& row : report.rows) ASSERT_TRUE(row.model_bytes && row.gpu_bytes);
+  EXPECT_EQ(*report.rows[1].model_bytes - *report.rows[0].model_bytes,
             std::uint64_t{2} * map->size.x * map->size.y);
-  EXPECT_LT(report.rows[2].model_bytes, report.rows[0].model_bytes);
+  EXPECT_LT(*report.rows[2].model_bytes, *report.rows[0].model_bytes);
   // Multipass has the same model, drawn by a smaller command, and sums of normals: RGBA16F.
   const std::uint64_t commands = sizeof(ElementsCommand) - sizeof(ArraysCommand);
   const std::uint64_t pixels =
       std::uint64_t{job.rows[0].settings.width} * job.rows[0].settings.height;
-  EXPECT_EQ(report.rows[3].model_bytes + commands, report.rows[0].model_bytes);
-  EXPECT_EQ(report.rows[3].gpu_bytes + commands, report.rows[0].gpu_bytes + 8 * pixels);
-  EXPECT_EQ(report.rows[0].gpu_bytes - report.rows[0].model_bytes, (8 + 4) * pixels);
+  EXPECT_EQ(*report.rows[3].model_bytes + commands, *report.rows[0].model_bytes);
+  EXPECT_EQ(*report.rows[3].gpu_bytes + commands, *report.rows[0].gpu_bytes + 8 * pixels);
+  EXPECT_EQ(*report.rows[0].gpu_bytes - *report.rows[0].model_bytes, (8 + 4) * pixels);
   EXPECT_FALSE(report.mesh);  // there is none
 }
 
@@ -110,12 +113,71 @@ TEST(Bench, DrawsSeveralModels) {
   shape.spacing = 0.05;
   const PatchModel fine = test::sphere_model(shape);
   const RenderSettings settings = bench_image(coarse);
-  const BenchJob job{{{&coarse, settings}, {&fine, settings}}, nullptr, 0, 1, 0};
+  const BenchJob job{
+      {{RenderModel::of(coarse), settings}, {RenderModel::of(fine), settings}}, nullptr, 0, 1, 0};
   const BenchReport report = must_bench(job);
   ASSERT_EQ(report.rows.size(), 2U);
   EXPECT_EQ(report.rows[0].fragments, test::must_render(coarse, settings).fragments);
   EXPECT_EQ(report.rows[1].fragments, test::must_render(fine, settings).fragments);
-  EXPECT_GT(report.rows[1].model_bytes, report.rows[0].model_bytes);
+  EXPECT_GT(*report.rows[1].model_bytes, *report.rows[0].model_bytes);
+}
+
+TEST(Bench, TimesRowsOnTheCpuBesideThoseOnOpenGl) {
+  const PatchModel model = test::sphere_model(sphere());
+  test::SphereShape shape = sphere();
+  shape.spacing = 0.2;
+  const SplatCloud points = ewa::splats_of_samples(test::sphere_model(shape));
+  RenderModel both = RenderModel::of(model);
+  both.add(points);
+  const RenderSettings drawn = bench_image(model);
+  RenderSettings splatted = drawn;
+  splatted.engine = "ewa";
+  // Between rows on OpenGL, of samples and of points.
+  const BenchJob job{{{RenderModel::of(model), splatted},
+                      {RenderModel::of(model), drawn},
+                      {both, splatted},
+                      {both, drawn}},
+                     nullptr,
+                     1,
+                     kMostCpuFrames + 2,
+                     1};
+  const BenchReport report = must_bench(job);
+  ASSERT_EQ(report.rows.size(), 4U);
+  for (const std::size_t k : {0U, 2U}) {
+    const BenchRow& row = report.rows[k];
+    // 64 x 48 pixels take milliseconds: as many frames as there can be.
+    EXPECT_EQ(row.time.frames, kMostCpuFrames) << k;
+    EXPECT_GT(row.time.frame_ms, 0.0) << k;
+    EXPECT_FALSE(row.time.gpu_ms) << k;
+    EXPECT_FALSE(row.gpu_bytes) << k;
+    EXPECT_FALSE(row.model_bytes) << k;
+  }
+  for (const std::size_t k : {1U, 3U}) EXPECT_EQ(report.rows[k].time.frames, job.frames) << k;
+  Progress silent;
+  const auto samples = render(model, splatted, silent);
+  const auto cloud = render(points, splatted, silent);
+  ASSERT_TRUE(samples && cloud);
+  EXPECT_EQ(report.rows[0].fragments, samples->fragments);
+  EXPECT_EQ(report.rows[2].fragments, cloud->fragments) << "points, where a model has some";
+  EXPECT_NE(samples->fragments, cloud->fragments);
+  EXPECT_EQ(report.rows[0].covered_pixels, samples->covered_pixels);
+  EXPECT_EQ(report.rows[3].fragments, report.rows[1].fragments);
+  ASSERT_TRUE(report.shading_bound);
+  EXPECT_EQ(report.shading_bound->covered_pixels, report.rows[1].covered_pixels);
+}
+
+TEST(Bench, NeedsNoOpenGlForRowsOnTheCpu) {
+  const PatchModel model = test::sphere_model(sphere());
+  const TriangleMesh mesh = test::sphere_mesh(16);
+  RenderSettings splatted = bench_image(model);
+  splatted.engine = "ewa";
+  const BenchReport report =
+      must_bench({{{RenderModel::of(model), splatted}}, &mesh, std::nullopt, 1, 0});
+  ASSERT_EQ(report.rows.size(), 1U);
+  EXPECT_EQ(report.renderer, "CPU");
+  EXPECT_EQ(report.rows[0].time.frames, 1) << "no more than are asked for";
+  EXPECT_FALSE(report.shading_bound);
+  EXPECT_FALSE(report.mesh);
 }
 
 TEST(Bench, HasNoBoundOfAnEmptyImage) {

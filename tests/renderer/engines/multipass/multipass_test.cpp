@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "renderer/engines/multipass/sums.h"
+#include "renderer/frame/splat_sums.h"
 #include "renderer/frame/features.h"
 #include "renderer/frame/gl_model.h"
 #include "shaders/include/shared.h"
@@ -249,7 +249,7 @@ TEST(MultipassSums, AreThoseThatTheImageNeeds) {
     const auto frame = (*gpu)->make_frame(settings, {0, 0, settings.width, settings.height, 1});
     EXPECT_TRUE(frame);
     const auto sums =
-        multipass::make_sums((*gpu)->gl(), frame->targets, scene_features(settings, coloured));
+        make_sums((*gpu)->gl(), frame->targets, scene_features(settings, coloured));
     EXPECT_TRUE(sums);
     return std::string(sums->normals ? "normals " : "") + (sums->colours ? "colours " : "") +
            (sums->depths ? "depths " : "");

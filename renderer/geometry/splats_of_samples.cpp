@@ -1,4 +1,4 @@
-#include "renderer/engines/ewa/splats_of_samples.h"
+#include "renderer/geometry/splats_of_samples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "renderer/shading/materials.h"
 #include "shaders/include/shared.h"
 
-namespace relief::ewa {
+namespace relief {
 namespace {
 
 /// Beyond 80 degrees, which no patch that keeps its normal cone reaches, h stays what it is there.
@@ -52,4 +52,4 @@ SplatCloud splats_of_samples(const PatchModel& model) {
   return cloud;
 }
 
-}  // namespace relief::ewa
+}  // namespace relief

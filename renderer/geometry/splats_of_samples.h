@@ -1,10 +1,10 @@
-// The samples of patches as points for the engine `ewa`.
+// The samples of patches as points for the engines that draw points.
 #pragma once
 
 #include "common/patch.h"
 #include "renderer/geometry/splat_cloud.h"
 
-namespace relief::ewa {
+namespace relief {
 
 /// One point per sample: position, the normal (the mean over a cell of a map with several texels a
 /// cell) and colour that the patch's maps have at its node, its grid coordinates and its patch.
@@ -16,4 +16,4 @@ namespace relief::ewa {
 /// what the kernels sum up to, and coverage is capped.
 [[nodiscard]] SplatCloud splats_of_samples(const PatchModel& model);
 
-}  // namespace relief::ewa
+}  // namespace relief

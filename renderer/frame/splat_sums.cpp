@@ -1,4 +1,4 @@
-#include "renderer/engines/multipass/sums.h"
+#include "renderer/frame/splat_sums.h"
 
 #include <array>
 #include <optional>
@@ -8,24 +8,30 @@
 #include "renderer/frame/features.h"
 #include "shaders/include/shared.h"
 
-namespace relief::multipass {
+namespace relief {
 
-Result<Sums> make_sums(const Gl& gl, const Targets& targets, Features features) {
+Result<SplatSums> make_sums(const Gl& gl, const Targets& targets, Features features,
+                            SumPrecision precision, bool keeps_materials) {
   const auto make = [&](bool needed, const char* label, GLenum format) {
     return needed ? std::optional<Texture>(
                         make_attachment(gl, label, format, targets.width, targets.height))
                   : std::nullopt;
   };
-  auto normals = make(needs_normals(features), "normal sums", GL_RGBA16F);
-  auto colours = make(features.has(RELIEF_FEATURE_COLOURS), "colour sums", GL_RGBA16F);
+  const GLenum format = precision == SumPrecision::Half ? GL_RGBA16F : GL_RGBA32F;
+  auto normals = make(needs_normals(features), "normal sums", format);
+  auto colours = make(features.has(RELIEF_FEATURE_COLOURS), "colour sums", format);
   auto depths = make(features.has(RELIEF_FEATURE_OUT_DEPTH | RELIEF_FEATURE_POINT_LIGHTS),
                      "depth sums", GL_RG32F);
+  auto materials =
+      make(keeps_materials && features.has(RELIEF_FEATURE_MIXED), "materials", GL_R8UI);
   const Texture* z = &targets.z_buffer;
+  const bool shows_clip = features.has(RELIEF_FEATURE_OUT_CLIP);
   Framebuffer visibility = make_framebuffer(
       gl, "visibility", z,
       {{RELIEF_OUT_UV, address(targets.uv)},
        {RELIEF_OUT_PATCH, address(targets.patch_id)},
-       {RELIEF_OUT_CLIP, features.has(RELIEF_FEATURE_OUT_CLIP) ? address(targets.clip) : nullptr}});
+       {RELIEF_OUT_CLIP, shows_clip ? address(targets.clip) : nullptr},
+       {RELIEF_OUT_MATERIAL, address(materials)}});
   Framebuffer accumulation = make_framebuffer(gl, "accumulation", z,
                                               {{RELIEF_SUM_NORMAL, address(normals)},
                                                {RELIEF_SUM_COLOUR, address(colours)},
@@ -35,11 +41,16 @@ Result<Sums> make_sums(const Gl& gl, const Targets& targets, Features features) 
                                           {RELIEF_OUT_NORMAL, address(targets.normal)},
                                           {RELIEF_OUT_DEPTH, address(targets.depth)}});
   RELIEF_TRY(check_errors(gl, "the sums of splats"));
-  return Sums{std::move(normals),    std::move(colours),      std::move(depths),
-              std::move(visibility), std::move(accumulation), std::move(shading)};
+  return SplatSums{.normals = std::move(normals),
+                   .colours = std::move(colours),
+                   .depths = std::move(depths),
+                   .materials = std::move(materials),
+                   .visibility = std::move(visibility),
+                   .accumulation = std::move(accumulation),
+                   .shading = std::move(shading)};
 }
 
-void clear_sums(const Gl& gl, const Sums& sums) {
+void clear_sums(const Gl& gl, const SplatSums& sums) {
   const std::array<GLfloat, 4> zero{};
   const auto clear = [&](const std::optional<Texture>& sum, GLint location) {
     if (sum) gl.ClearNamedFramebufferfv(sums.accumulation.id(), GL_COLOR, location, zero.data());
@@ -49,4 +60,4 @@ void clear_sums(const Gl& gl, const Sums& sums) {
   clear(sums.depths, RELIEF_SUM_DEPTH);
 }
 
-}  // namespace relief::multipass
+}  // namespace relief

@@ -1,0 +1,186 @@
+#include "renderer/engines/surfel/select_surfels.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec4.hpp>
+
+#include "renderer/view/cull_mode.h"
+
+namespace relief::surfel {
+namespace {
+
+/// Surfels that one task looks at.
+constexpr std::size_t kBlock = 8192;
+
+/// Heights at the rim below this, in pixels, are not worth a curved surfel.
+constexpr float kLeastHeight = 0.125F;
+
+/// The camera in single precision, relative to the eye, world axes.
+struct Eye {
+  std::array<glm::vec4, 5> planes{};  ///< of the frustum, inward: dot(xyz, p) + w >= 0 within
+  glm::vec3 forward{0.0F};
+  float pixel = 0.0F;  ///< height at depth 1, or anywhere of an orthographic camera
+  bool orthographic = false;
+};
+
+Eye make_eye(const View& view) {
+  const glm::dmat3 to_world = glm::transpose(view.rotation);
+  Eye eye;
+  eye.orthographic = view.orthographic;
+  eye.forward = glm::vec3(to_world * glm::dvec3(0.0, 0.0, -1.0));
+  eye.pixel = static_cast<float>(pixel_at(view, 1.0));
+  const auto plane = [&](glm::dvec3 inward, double offset) {
+    const double length = glm::length(inward);
+    return glm::vec4(glm::dvec4(to_world * inward / length, offset / length));
+  };
+  const glm::dvec2 low = view.middle - glm::dvec2(view.slope_x, view.slope_y);
+  const glm::dvec2 high = view.middle + glm::dvec2(view.slope_x, view.slope_y);
+  if (view.orthographic) {
+    eye.planes = {plane({1, 0, 0}, -low.x), plane({-1, 0, 0}, high.x), plane({0, 1, 0}, -low.y),
+                  plane({0, -1, 0}, high.y), plane({0, 0, -1}, 0.0)};
+  } else {  // a point at depth d is within if low d <= x <= high d
+    eye.planes = {plane({1, 0, low.x}, 0.0), plane({-1, 0, -high.x}, 0.0),
+                  plane({0, 1, low.y}, 0.0), plane({0, -1, -high.y}, 0.0), plane({0, 0, -1}, 0.0)};
+  }
+  return eye;
+}
+
+/// A surfel as the eye sees it.
+struct Seen {
+  glm::vec3 place{0.0F};  ///< of its centre, from the eye
+  float depth = 0.0F;
+  float away = 0.0F;      ///< how far its normal points away from the eye, times `distance`
+  float distance = 1.0F;  ///< to its farthest point; orthographic: 1
+};
+
+Seen look_at(const SurfelSet& set, std::size_t k, const View& view, const Eye& eye) {
+  Seen seen;
+  seen.place = glm::vec3(set.positions[k] - view.eye);
+  seen.depth = glm::dot(eye.forward, seen.place);
+  seen.away = glm::dot(set.normals[k], eye.orthographic ? eye.forward : seen.place);
+  if (!eye.orthographic) seen.distance = glm::length(seen.place) + set.radii[k];
+  return seen;
+}
+
+bool is_in_image(const Seen& seen, float radius, const Eye& eye) {
+  return std::all_of(eye.planes.begin(), eye.planes.end(), [&](const glm::vec4& plane) {
+    return glm::dot(glm::vec3(plane), seen.place) + plane.w >= -kBentReach * radius;
+  });
+}
+
+bool is_curved(const Seen& seen, float slope, float radius, const Eye& eye, SurfelCurved curved) {
+  if (curved == SurfelCurved::None || slope == 0.0F) return false;
+  if (curved == SurfelCurved::All) return true;
+  const float pixel = eye.orthographic ? eye.pixel : eye.pixel * std::max(seen.depth, 0.0F);
+  return std::abs(seen.away) <= slope * seen.distance &&
+         0.5F * slope * radius >= kLeastHeight * pixel;
+}
+
+/// What one task found, by kind, or for sorting all with their kind and depth.
+struct Found {
+  struct Entry {
+    shared::DrawnSurfel drawn;
+    float depth;
+    SurfelKind kind;
+  };
+  std::vector<Entry> entries;
+};
+
+shared::DrawnSurfel drawn_at(glm::vec3 place, std::size_t number) {
+  return {std::bit_cast<std::uint32_t>(place.x), std::bit_cast<std::uint32_t>(place.y),
+          std::bit_cast<std::uint32_t>(place.z), static_cast<std::uint32_t>(number)};
+}
+
+/// What decides it, for all tasks.
+struct Selection {
+  const SurfelSet& set;
+  const View& view;
+  const SelectionRule& rule;
+  Eye eye;
+};
+
+void find_in(std::span<const std::uint32_t> slots, const Selection& by, Found& found) {
+  const SelectionRule& rule = by.rule;
+  for (const std::uint32_t k : slots) {
+    const Seen seen = look_at(by.set, k, by.view, by.eye);
+    const float radius = by.set.radii[k];
+    if (!is_in_image(seen, radius, by.eye)) continue;
+    const float slope = rim_slope(by.set.bends[k]);
+    const bool curved = is_curved(seen, slope, radius, by.eye, rule.curved);
+    const float turned = curved ? slope * seen.distance : 0.0F;
+    if (rule.hides_backs && seen.away >= turned) continue;
+    const bool clipped = rule.all_clipped || (k < rule.clipped.size() && rule.clipped[k] != 0);
+    found.entries.push_back({drawn_at(seen.place, k), seen.depth, {curved, clipped}});
+  }
+}
+
+/// The slots that the tree leaves.
+std::vector<std::uint32_t> cut_slots(const SurfelSet& set, const View& view,
+                                     const SelectionRule& rule) {
+  const SphereCut cut = cut_sphere_tree(
+      set.tree, view, {.backs = rule.hides_backs, .pixels = rule.pixels_per_surfel});
+  std::vector<std::uint32_t> slots;
+  const auto add_runs = [&slots](const std::vector<SurfelRun>& runs, std::size_t offset) {
+    for (const SurfelRun& run : runs) {
+      for (std::uint32_t k = 0; k < run.count; ++k)
+        slots.push_back(static_cast<std::uint32_t>(offset + run.first + k));
+    }
+  };
+  add_runs(cut.surfels, 0);
+  add_runs(cut.nodes, set.own);
+  return slots;
+}
+
+void add(const Found::Entry& entry, DrawnSurfels& drawn) {
+  if (drawn.batches.empty() || drawn.batches.back().kind != entry.kind)
+    drawn.batches.push_back({entry.kind, static_cast<std::uint32_t>(drawn.list.size()), 0});
+  ++drawn.batches.back().count;
+  drawn.list.push_back(entry.drawn);
+}
+
+}  // namespace
+
+DrawnSurfels select_surfels(const SurfelSet& set, const View& view, const SelectionRule& rule) {
+  const Selection by{set, view, rule, make_eye(view)};
+  const std::vector<std::uint32_t> slots = cut_slots(set, view, rule);
+  std::vector<Found> blocks((slots.size() + kBlock - 1) / kBlock);
+  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
+    const std::size_t first = b * kBlock;
+    find_in(std::span(slots).subspan(first, std::min(kBlock, slots.size() - first)), by, blocks[b]);
+  });
+  DrawnSurfels drawn;
+  std::size_t total = 0;
+  for (const Found& block : blocks) total += block.entries.size();
+  drawn.list.reserve(total);
+  if (rule.sorted) {
+    std::vector<Found::Entry> all;
+    all.reserve(total);
+    for (const Found& block : blocks)
+      all.insert(all.end(), block.entries.begin(), block.entries.end());
+    std::ranges::sort(all, [](const Found::Entry& a, const Found::Entry& b) {
+      return a.depth != b.depth ? a.depth > b.depth : a.drawn.number < b.drawn.number;
+    });
+    for (const Found::Entry& entry : all) add(entry, drawn);
+    return drawn;
+  }
+  for (const SurfelKind& kind : kSurfelKinds) {
+    for (const Found& block : blocks) {
+      for (const Found::Entry& entry : block.entries) {
+        if (entry.kind == kind) add(entry, drawn);
+      }
+    }
+  }
+  return drawn;
+}
+
+bool sees_from_outside(const SurfelSet& set, const View& view) {
+  return relief::sees_from_outside(view, Body{set.bounds, {}});
+}
+
+}  // namespace relief::surfel
