@@ -1,4 +1,5 @@
-// relief info: prints the contents of a patch file and checks every byte of it.
+// relief info: prints the contents of a patch file and checks every byte of it; counts clip
+// partners.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,14 +8,19 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/options/engine_options.h"
+#include "cli/reports/clip_report.h"
 #include "common/patch.h"
 #include "common/patch_file/patch_file.h"
 #include "common/patch_file/patch_tree.h"
+#include "loader/count_clips.h"
+#include "renderer/clip/options.h"
 
 namespace relief::cli {
 namespace {
@@ -22,12 +28,15 @@ namespace {
 constexpr const char* kInfoExamples =
     "Examples:\n"
     "  relief info dragon.relief\n"
-    "  relief info dragon.relief --verify && echo all bytes are right";
+    "  relief info dragon.relief --verify && echo all bytes are right\n"
+    "  relief info part.ply --clip-partners --clip-normals refit";
 
 struct InfoArguments {
   std::filesystem::path input;
   bool verify = false;
   bool json = false;
+  bool clips = false;
+  OptionValues clip_options = {};  ///< of clip_options()
 };
 
 /// A level of a file with tiles.
@@ -192,8 +201,32 @@ Status verify(const PatchTree& tree, const std::string& name) {
   return {};
 }
 
+Result<ClipCounts> count_clips(const InfoArguments& arguments) {
+  RenderSettings settings;
+  for (const EngineOption& option : clip_options()) {
+    const auto value = arguments.clip_options.find(option.row.key);
+    if (value != arguments.clip_options.end()) option.set(settings, value->second);
+  }
+  settings.clip.rule = ClipRule::Partners;
+  ConsoleProgress progress;
+  return relief::count_clips(arguments.input, {}, settings.clip, progress);
+}
+
+/// Counts the clip partners of a scan, of which nothing else is printed.
+int run_info_of_scan(const InfoArguments& arguments) {
+  if (arguments.verify) {
+    return fail(make_error("{}: only a patch file can be verified; leave out --verify",
+                           arguments.input.string()));
+  }
+  const auto counts = count_clips(arguments);
+  if (!counts) return fail(counts.error());
+  return arguments.json ? print_json({{"clip", clips_as_json(*counts)}})
+                        : print_result(arguments.input.string() + "\n" + clips_as_text(*counts));
+}
+
 int run_info(const InfoArguments& arguments) {
   if (const Status opened = open_inputs({arguments.input}); !opened) return fail(opened.error());
+  if (arguments.clips && !names_patch_file(arguments.input)) return run_info_of_scan(arguments);
   const auto file = PatchFile::open(arguments.input);
   if (!file) return fail(file.error());
   const auto tree = PatchTree::open(arguments.input);
@@ -205,8 +238,30 @@ int run_info(const InfoArguments& arguments) {
   }
   const std::vector<LevelSums> levels = levels_of(*tree);
   const Bounds drawn = drawn_bounds(*tree);
-  return arguments.json ? print_json(as_json(file->info(), drawn, levels, arguments.verify))
-                        : print_result(as_text(file->info(), drawn, levels, arguments));
+  std::optional<ClipCounts> clips;
+  if (arguments.clips) {
+    const auto counted = count_clips(arguments);
+    if (!counted) return fail(counted.error());
+    clips = *counted;
+  }
+  if (!arguments.json) {
+    return print_result(as_text(file->info(), drawn, levels, arguments) +
+                        (clips ? clips_as_text(*clips) : std::string()));
+  }
+  nlohmann::ordered_json json = as_json(file->info(), drawn, levels, arguments.verify);
+  if (clips) json["clip"] = clips_as_json(*clips);
+  return print_json(json);
+}
+
+/// --clip-partners as a flag, and the options of how they are found as engines have them.
+void add_clip_options(CLI::App& sub, InfoArguments& arguments) {
+  CLI::Option* const flag =
+      sub.add_flag("--clip-partners", arguments.clips,
+                   "Count the clip partners of a patch file or a scan, as engine ewa draws it");
+  for (const EngineOption& option : clip_options()) {
+    if (option.row.key == "clip-partners") continue;
+    add_engine_option(sub, arguments.clip_options, {option.row, {}, {}})->needs(flag);
+  }
 }
 
 }  // namespace
@@ -214,11 +269,13 @@ int run_info(const InfoArguments& arguments) {
 void add_info(CLI::App& app, Command& command) {
   auto* sub = app.add_subcommand("info", "Print what a patch file holds");
   const auto arguments = std::make_shared<InfoArguments>();
-  sub->add_option("PATCHES", arguments->input, "Patch file (.relief); -: standard input")
+  sub->add_option("PATCHES", arguments->input,
+                  "Patch file (.relief); -: standard input; with --clip-partners a scan, too")
       ->required()
       ->option_text("FILE");
   sub->add_flag("--verify", arguments->verify,
                 "Decode the whole file; exit code 1 if any byte is wrong");
+  add_clip_options(*sub, *arguments);
   sub->add_flag("--json", arguments->json, "Print one JSON object on standard output");
   sub->footer(kInfoExamples);
   sub->callback([arguments, &command] { command = [arguments] { return run_info(*arguments); }; });

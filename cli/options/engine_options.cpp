@@ -72,6 +72,9 @@ std::string group_of(const SharedOption& option) {
 
 std::string help_of(const SharedOption& option) {
   std::string help;
+  if (option.engines.empty())
+    return fmt::format("{}{} (default {})", option.row.help, range_text(option.row),
+                       option.row.default_text);
   for (std::size_t first = 0; first < option.engines.size();) {
     const OptionRow& row = option.options[first]->row;
     std::size_t end = first + 1;
@@ -90,23 +93,24 @@ std::string help_of(const SharedOption& option) {
   return help;
 }
 
-void add_engine_option(CLI::App& sub, OptionValues& values, const SharedOption& option) {
+CLI::Option* add_engine_option(CLI::App& sub, OptionValues& values, const SharedOption& option) {
   const OptionRow& row = option.row;
   const std::string text = row.kind == OptionKind::Choice
                                ? fmt::format("{}", fmt::join(row.choices, "|"))
                                : row.placeholder;
-  sub.add_option_function<std::string>(
-         "--" + row.key,
-         [&values, row](const std::string& given) {
-           if (const auto value = parse_value(row, given)) values.insert_or_assign(row.key, *value);
-         },
-         help_of(option))
-      ->check([row](const std::string& given) {
-        const auto value = parse_value(row, given);
-        return value ? std::string() : value.error().message;
-      })
-      ->option_text(text)
-      ->group(group_of(option));
+  CLI::Option* const declared = sub.add_option_function<std::string>(
+                                       "--" + row.key,
+                                       [&values, row](const std::string& given) {
+                                         if (const auto value = parse_value(row, given))
+                                           values.insert_or_assign(row.key, *value);
+                                       },
+                                       help_of(option))
+                                    ->check([row](const std::string& given) {
+                                      const auto value = parse_value(row, given);
+                                      return value ? std::string() : value.error().message;
+                                    })
+                                    ->option_text(text);
+  return option.engines.empty() ? declared : declared->group(group_of(option));
 }
 
 void add_engine_options(CLI::App& sub, SceneSettings& settings,

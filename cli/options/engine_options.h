@@ -14,8 +14,9 @@ namespace relief::cli {
 void add_engine_options(CLI::App& sub, SceneSettings& settings,
                         std::span<const EngineEntry> among = engines());
 
-/// Declares the option of one key, in the group of options that the same engines have.
-void add_engine_option(CLI::App& sub, OptionValues& values, const SharedOption& option);
+/// Declares the option of one key, in the group of options that the same engines have. One of no
+/// engine has the help of its row.
+CLI::Option* add_engine_option(CLI::App& sub, OptionValues& values, const SharedOption& option);
 
 /// Returns the help of an option: its effect, its range, its default; with the engines before it
 /// where their options of that key differ.

@@ -218,8 +218,8 @@ Outputs parse_outputs(const std::string& text) {
       outputs = {true, true, true, true};
     } else if (name != "color" && !add_output(outputs, name)) {
       throw CLI::ValidationError(
-          "--outputs",
-          "expected all, colour, or some of normal,depth,uv,patch,clip; found " + std::string(name));
+          "--outputs", "expected all, colour, or some of normal,depth,uv,patch,clip; found " +
+                           std::string(name));
     }
   }
   return outputs;

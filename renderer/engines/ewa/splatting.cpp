@@ -6,10 +6,12 @@
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 #include <span>
 
 #include "renderer/engines/ewa/layered_buffer.h"
 #include "renderer/engines/ewa/projected_splat.h"
+#include "renderer/engines/ewa/wicke_share.h"
 
 namespace relief::ewa {
 namespace {
@@ -114,9 +116,29 @@ SplatAttributes attributes_of(const SplatCloud& cloud, const Lighting& lighting,
   return attributes;
 }
 
+/// What pixels keep of a splat.
+struct SplatShare {
+  std::span<const ImageLine> lines;
+  const View& view;
+  std::optional<WickeSplat> wicke;
+
+  [[nodiscard]] double kept(glm::dvec2 pixel, glm::dvec2 offset) const {
+    if (lines.empty()) return 1.0;
+    return wicke ? wicke_share(*wicke, lines, view, pixel, offset) : kept_share(lines, offset);
+  }
+};
+
+SplatShare share_of(const SplatCloud& cloud, const Clipping& clipping, const View& view,
+                    std::span<const ImageLine> lines, std::size_t k) {
+  if (lines.empty() || clipping.rule != ClipRule::Wicke) return {lines, view, std::nullopt};
+  return {lines, view,
+          WickeSplat{cloud.positions[k], glm::normalize(glm::dvec3(cloud.normals[k])),
+                     clipping.partners->planes_of(k)}};
+}
+
 /// Adds a splat to the pixels of a tile; returns how many its kernel reaches.
 template <class Kernel>
-std::uint64_t draw_splat(const ProjectedSplat<Kernel>& splat, std::span<const ImageLine> lines,
+std::uint64_t draw_splat(const ProjectedSplat<Kernel>& splat, const SplatShare& share,
                          double cutoff, const SplatAttributes& attributes, const PixelBox& tile,
                          LayeredBuffer& buffer) {
   const Kernel& kernel = splat.kernel;
@@ -127,7 +149,7 @@ std::uint64_t draw_splat(const ProjectedSplat<Kernel>& splat, std::span<const Im
       const glm::dvec2 middle(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5);
       const double exponent = kernel.exponent(middle);
       if (!(exponent < cutoff)) continue;
-      const double kept = lines.empty() ? 1.0 : kept_share(lines, middle - kernel.centre);
+      const double kept = share.kept(middle, middle - kernel.centre);
       if (!(kept > 0.0)) continue;
       const Contribution contribution{kept * kernel.peak * std::exp(-exponent),
                                       splat.depth.at(middle - kernel.centre),
@@ -182,9 +204,9 @@ std::uint64_t draw_tile(const SplatCloud& cloud, const std::vector<Chunk<Kernel>
   for (const Chunk<Kernel>& chunk : chunks) {
     for (const TileEntry& entry : entries_of(chunk, t)) {
       const ProjectedSplat<Kernel>& splat = chunk.splats[entry.splat];
-      evaluations +=
-          draw_splat(splat, chunk.lines_of(splat), settings.cutoff,
-                     attributes_of(cloud, lighting, clipping, splat.index), tile, buffer);
+      evaluations += draw_splat(
+          splat, share_of(cloud, clipping, view, chunk.lines_of(splat), splat.index),
+          settings.cutoff, attributes_of(cloud, lighting, clipping, splat.index), tile, buffer);
     }
   }
   for (std::int64_t y = tile.top; y <= tile.bottom; ++y) {

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "renderer/clip/clip_partners.h"
-#include "renderer/geometry/sample_discs.h"
+#include "renderer/clip/sample_discs.h"
 #include "shaders/include/shared.h"
 
 namespace relief::multipass {

@@ -50,8 +50,9 @@ inline PatchModel cube_patches(std::uint32_t nodes) {
   for (const glm::dvec3& normal : cube_normals()) {
     const glm::dmat3 axes = axes_about(normal);
     const glm::dvec3 corner = normal + (0.5 * spacing - 1.0) * (axes[0] + axes[1]);
-    patches.push_back(sample_patch({corner, axes, spacing, nodes, nodes},
-                                   [normal](glm::dvec3) { return SurfacePoint{0.0, normal, {}}; }));
+    patches.push_back(sample_patch({corner, axes, spacing, nodes, nodes}, [normal](glm::dvec3) {
+      return SurfacePoint{0.0, normal, {}};
+    }));
   }
   return model_of(std::move(patches));
 }
@@ -79,9 +80,8 @@ inline std::vector<double> outside_cube(const View& view) {
           if (glm::dot(along, along) < 1e-12) continue;
           const glm::dvec2 normal = glm::normalize(glm::dvec2(along.y, -along.x));
           const bool is_side =
-              std::all_of(corners.begin(), corners.end(), [&](const glm::dvec2& c) {
-                return glm::dot(c - a, normal) < 1e-6;
-              });
+              std::all_of(corners.begin(), corners.end(),
+                          [&](const glm::dvec2& c) { return glm::dot(c - a, normal) < 1e-6; });
           if (is_side) most = std::max(most, glm::dot(middle - a, normal));
         }
       }

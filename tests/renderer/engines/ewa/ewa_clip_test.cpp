@@ -43,8 +43,8 @@ TEST(ImageLines, LieWhereRaysMeetTheLineInThePlane) {
       for (const double across : {offset - 0.05, offset, offset + 0.05}) {
         const glm::dvec3 place = plane.point + across * direction + t * along;
         const glm::dvec2 pixel = pixel_of(mapping, place) - centre;
-        const double beyond = (line.x * pixel.x + line.y * pixel.y + line.z) /
-                              glm::length(glm::dvec2(line));
+        const double beyond =
+            (line.x * pixel.x + line.y * pixel.y + line.z) / glm::length(glm::dvec2(line));
         // In pixels; 0.05 units are a few. An affine mapping is off by several pixels here.
         if (across == offset) EXPECT_NEAR(beyond, 0.0, 1e-9);
         if (across < offset) EXPECT_LT(beyond, -1.0);
@@ -61,15 +61,14 @@ TEST(ImageLines, KeepTheShareThatThePixelSeesBeforeThem) {
   ASSERT_TRUE(plane);
   for (const double pixels : {0.3, 1.0, 6.0}) {  // the splat's radius in the image
     const double radius = pixels / kMapping.scale;
-    const glm::dvec3 beyond = beyond_line(kMapping, {0.0, 0.0, 1.0}, {0.0, 0.0, -1.0},
-                                          {1.0, 0.0, 0.0}, 0.4 * radius);
+    const glm::dvec3 beyond =
+        beyond_line(kMapping, {0.0, 0.0, 1.0}, {0.0, 0.0, -1.0}, {1.0, 0.0, 0.0}, 0.4 * radius);
     const ImageLine line = image_line(beyond, seen_variance(*plane, radius, EwaFilter::Ewa), true);
     for (const double x : {-1.5, 0.0, 0.7}) {
       double before = 0.0;
       double all = 0.0;
       for (double at = -40.0; at < 40.0; at += 0.01) {
-        const double weight =
-            std::exp(-0.5 * (at * at / (pixels * pixels) + (x - at) * (x - at)));
+        const double weight = std::exp(-0.5 * (at * at / (pixels * pixels) + (x - at) * (x - at)));
         all += weight;
         if (at < 0.4 * pixels) before += weight;
       }
@@ -186,8 +185,8 @@ TEST(EwaClip, WhatIsBehindTheCutShows) {
   ASSERT_TRUE(lighting);
   const Progress silent;
   for (const int layers : {1, 4}) {
-    for (const EwaFilter filter : {EwaFilter::Ewa, EwaFilter::SourceSpace, EwaFilter::Circular,
-                                   EwaFilter::Unfiltered}) {
+    for (const EwaFilter filter :
+         {EwaFilter::Ewa, EwaFilter::SourceSpace, EwaFilter::Circular, EwaFilter::Unfiltered}) {
       EwaSettings ewa;
       ewa.layers = layers;
       ewa.filter = filter;

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "renderer/clip/clip_partners.h"
-#include "renderer/geometry/sample_discs.h"
+#include "renderer/clip/sample_discs.h"
 #include "renderer/geometry/samples.h"
 #include "shaders/include/shared.h"
 #include "tests/renderer/clip/cubes.h"
@@ -46,8 +46,7 @@ TEST_P(MultipassClip, ACubeHasTheSilhouetteOfACube) {
   for (const bool orthographic : {false, true}) {
     const auto errors = [&](ClipRule rule) {
       const RenderSettings settings = cube_image(rule, orthographic);
-      return silhouette_errors(values(must_render(model, settings).image, "A"),
-                               view_of(settings));
+      return silhouette_errors(values(must_render(model, settings).image, "A"), view_of(settings));
     };
     // Splats reach half a spacing and more beyond the last samples, to the edge; those of the other
     // faces' planes, and discs, reach beyond it.
@@ -87,9 +86,9 @@ TEST_P(MultipassClip, NormalsDoNotMixAtAnEdge) {
     std::size_t count = 0;
     for (std::size_t k = 0; k < values(image, "A").size(); ++k) {
       if (values(image, "A")[k] < 1.0F) continue;
-      const float most = std::max({std::abs(values(image, "N.X")[k]),
-                                   std::abs(values(image, "N.Y")[k]),
-                                   std::abs(values(image, "N.Z")[k])});
+      const float most =
+          std::max({std::abs(values(image, "N.X")[k]), std::abs(values(image, "N.Y")[k]),
+                    std::abs(values(image, "N.Z")[k])});
       if (most < 0.99F) ++count;
     }
     return count;

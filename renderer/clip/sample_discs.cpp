@@ -1,4 +1,4 @@
-#include "renderer/geometry/sample_discs.h"
+#include "renderer/clip/sample_discs.h"
 
 #include <tbb/parallel_for.h>
 
