@@ -6,7 +6,7 @@
 #include "loader/load_files.h"
 #include "renderer/engines/ewa/clipped_cloud.h"
 #include "renderer/engines/ewa/settings.h"
-#include "renderer/engines/ewa/splats_of_samples.h"
+#include "renderer/geometry/splats_of_samples.h"
 
 namespace relief {
 namespace {
@@ -15,7 +15,7 @@ Result<SplatCloud> load_splats(const std::filesystem::path& path, const ReadOpti
                                Progress& progress) {
   if (names_patch_file(path)) {
     RELIEF_TRY_ASSIGN(const PatchModel model, load_model(path, progress, options));
-    return ewa::splats_of_samples(model);
+    return splats_of_samples(model);
   }
   RELIEF_TRY_ASSIGN(ReadResult scan, load_mesh(path, TextureChoice{true, {}}, progress, options));
   auto splats = splats_of_points(std::move(scan.points), progress);
