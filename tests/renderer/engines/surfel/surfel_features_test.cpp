@@ -169,7 +169,9 @@ TEST(SurfelClip, EndsSurfelsAtTheEdge) {
     EXPECT_GT(std::ranges::count(kinds, 1.0F), 10);
     for (std::size_t k = 0; k < kinds.size(); ++k) {
       const double x = (static_cast<double>(k % 96) + 0.5) / 24.0 - 2.0;
-      if (std::abs(x) > 0.5) ASSERT_EQ(kinds[k], 0.0F);
+      if (std::abs(x) > 0.5) {
+        ASSERT_EQ(kinds[k], 0.0F);
+      }
     }
   }
 }
