@@ -13,10 +13,7 @@ namespace relief {
 /// count as collinear: 1 is an equilateral triangle. The surface variation of [Textured surfels]
 /// cannot tell: it is 0 for any three points. The diameter of the circumscribed circle is at most
 /// three times the longest edge.
-inline double kLeastEigenvalueRatio_() {
-  return std::getenv("RATIO") ? std::atof(std::getenv("RATIO")) : 0.02;
-}
-#define kLeastEigenvalueRatio kLeastEigenvalueRatio_()
+inline constexpr double kLeastEigenvalueRatio = 0.01;
 
 /// Three points by their squared edges.
 struct SurfelTriangle {
