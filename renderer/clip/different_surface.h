@@ -26,7 +26,7 @@ class SurfaceTest {
 
   [[nodiscard]] bool differ(const DiscTree& tree, std::size_t slot, std::size_t other) const;
 
-  /// The noise of a disc's normals, radians.
+  /// The noise of a disc's normals, radians; at most 60 / 7 degrees.
   [[nodiscard]] double noise(std::size_t slot) const { return double{noise_[slot]}; }
   /// The median of the thresholds.
   [[nodiscard]] double threshold() const;

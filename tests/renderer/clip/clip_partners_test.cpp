@@ -50,6 +50,8 @@ SplatDiscs round_wall(bool above, bool outward) {
     const glm::dvec3 away(std::sin(angle), -std::cos(angle), 0);
     add_disc(discs, glm::dvec3(0, 1.2, above ? 0.3 : -0.3) + away, outward ? away : -away);
   }
+  // Neighbours on the plate, from which the noise is measured; too far from the wall to cross it.
+  for (const double x : {-1.2, -0.4, 0.4, 1.2}) add_disc(discs, {x, -1.0, 0}, {0, 0, 1});
   return discs;
 }
 
@@ -115,7 +117,7 @@ TEST(ClipPartners, UnitesAtACapAndAtAHolesBottom) {
     EXPECT_EQ(result.kinds[0], ClipKind::Union) << above;
     EXPECT_FALSE(is_clipped(result.of(0), {0, 0, 0}));
     EXPECT_TRUE(is_clipped(result.of(0), {0, -0.25F, 0}));
-    EXPECT_TRUE(is_clipped(result.of(0), {0.7F, 0.2F, 0}));
+    EXPECT_TRUE(is_clipped(result.of(0), {0.95F, 0.1F, 0}));
   }
 }
 
@@ -170,7 +172,7 @@ TEST(ClipPartners, RefittedNormalsFindAnEdgeThatNormalsRoundOff) {
     for (int i = 0; i < 10; ++i) {
       for (int j = 0; j < 10; ++j) {
         const double away = 0.1 * i + 0.05;
-        const double other = std::max(0.0, 0.5 - away);
+        const double other = std::max(0.0, 0.35 - away);
         const glm::dvec3 p(-away, 0.1 * j, 0);
         const glm::dvec3 n(other, 0, 1.0 - other);
         add_disc(discs, side == 0 ? p : glm::dvec3(0, p.y, -away),
@@ -179,7 +181,7 @@ TEST(ClipPartners, RefittedNormalsFindAnEdgeThatNormalsRoundOff) {
     }
   }
   EXPECT_GT(clipped(discs, ClipRule::Partners, ClipNormals::Refit).counts.partners,
-            2 * clipped(discs).counts.partners + 40);
+            40U + clipped(discs).counts.partners);
 }
 
 // Bad input: nothing crashes, every centre stays, discs without a place have no lines.
