@@ -10,9 +10,9 @@
 
 #include "common/median.h"
 #include "common/transform.h"
-#include "renderer/geometry/splats_of_samples.h"
 #include "renderer/engines/ewa/splatting.h"
 #include "renderer/frame/film.h"
+#include "renderer/geometry/splats_of_samples.h"
 #include "renderer/owned_or_borrowed.h"
 #include "renderer/shading/environment_cache.h"
 #include "renderer/view/view.h"
