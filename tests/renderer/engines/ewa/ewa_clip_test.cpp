@@ -9,7 +9,7 @@
 #include "renderer/engines/ewa/clip_lines.h"
 #include "renderer/engines/ewa/splatting.h"
 #include "tests/renderer/clip/cubes.h"
-#include "tests/renderer/engines/ewa/clouds.h"
+#include ""
 #include "tests/renderer/images.h"
 
 namespace relief::ewa {
