@@ -79,16 +79,18 @@ Result<SurfelSizes> find_surfel_sizes(std::span<const glm::dvec3> positions, Sur
 
 double closing_scale(SurfelSize method) {
   switch (method) {
-    case SurfelSize::BspCircle:
-      return 2.0;
-    case SurfelSize::Qsplat:
-      return 2.0;
     case SurfelSize::BspEdge:
-      break;
+      return 3.4;
+    case SurfelSize::BspCircle:
+      return 2.25;
+    case SurfelSize::Qsplat:
+      return 1.5;
+    case SurfelSize::Cell:
+      return 1.1;
     case SurfelSize::Given:
-      return 1.0;
+      break;
   }
-  return 2.0;
+  return 1.0;
 }
 
 }  // namespace relief
