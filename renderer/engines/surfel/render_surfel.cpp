@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "common/is_finite.h"
 #include "common/transform.h"
 #include "renderer/clip/refitted_cloud.h"
 #include "renderer/engines/surfel/drawing.h"
@@ -166,21 +166,31 @@ class Prepared final : public GlPreparedModel {
   std::map<Features, Programs> programs_;
 };
 
+/// How far discs reach at most, over the cloud's own radii, of usual settings. Depths of an
+/// orthographic camera have more room than that.
+constexpr double kReachRadii = 2.0;
+
+/// The near plane of a view (renderer/frame/gl_model.cpp) is a hundredth of this part of the
+/// smallest radius away: nothing is cut off that is about the eye. With reversed depth values in
+/// floats that costs no precision.
+constexpr double kNearRadii = 1e-8;
+
+/// Depth values of smaller distances vanish.
+constexpr double kLeastSpacing = 1e-24;
+
 /// What a view's depths need to know of the points, as the patches of no samples.
 PatchModel extent_of(const SplatCloud& cloud) {
   PatchModel extent;
-  std::vector<double> radii;
+  double smallest = kLargestRadius;
   for (std::size_t k = 0; k < cloud.positions.size(); ++k) {
     const glm::dvec3 position = cloud.positions[k];
-    if (!std::isfinite(position.x + position.y + position.z) || !std::isfinite(cloud.radii[k]))
-      continue;
-    extend(extent.bounds, position);
-    radii.push_back(cloud.radii[k]);
+    const double radius = cloud.radii[k];
+    if (!is_finite(position) || !(radius > 0.0 && radius <= kLargestRadius)) continue;
+    extend(extent.bounds, position - kReachRadii * radius);
+    extend(extent.bounds, position + kReachRadii * radius);
+    smallest = std::min(smallest, radius);
   }
-  if (radii.empty()) return extent;
-  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
-  std::nth_element(radii.begin(), middle, radii.end());
-  extent.spacing = *middle;
+  extent.spacing = std::max(kNearRadii * smallest, kLeastSpacing);
   return extent;
 }
 
