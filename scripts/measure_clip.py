@@ -66,21 +66,23 @@ class Measurement:
     def cameras(self, shape):
         return [looking_at(shape["centre"], shape["radius"], view, up=shape.get("up", "z")) for view in self.options.views]
 
+    def draw(self, scene, path, *options):
+        if not (self.options.again and path.exists()):
+            run(self.options.relief, "render", scene, "-o", path, *self.common, *options)
+
     def measure(self, name, shape, points, mesh):
         """Draws one shape by all engines and rules; yields (engine, rule, figures)."""
         options, truths = self.options, []
         for k, camera in enumerate(self.cameras(shape)):
             path = options.work / f"{name}_{k}_truth.exr"
-            run(options.relief, "render", mesh, "-o", path, "--engine", "raytrace", "--samples", TRUTH_SAMPLES, *self.common,
-                *camera)
+            self.draw(mesh, path, "--engine", "raytrace", "--samples", TRUTH_SAMPLES, *camera)
             truths.append((camera, Truth(path, shape["spacing"], options.tolerance, options.near)))
         for engine in options.engines:
             for rule in options.rules:
                 parts = []
                 for k, (camera, truth) in enumerate(truths):
                     path = options.work / f"{name}_{k}_{engine}_{rule}.exr"
-                    run(options.relief, "render", points, "-o", path, "--engine", engine, *self.common, *camera,
-                        *clip_options(rule), *options.more)
+                    self.draw(points, path, "--engine", engine, *camera, *clip_options(rule), *options.more)
                     parts.append(judge(truth, path)[0])
                 yield engine, rule, summary(parts)
 
@@ -89,8 +91,9 @@ class Measurement:
         options, times = self.options, {rule: [] for rule in self.options.rules}
         for _ in range(options.turns):
             for rule in options.rules:
-                report = run(options.relief, "render", points, "-o", options.work / "time.exr", "--engine", engine, *self.common,
-                             *self.cameras(shape)[0], "--frames", options.frames, "--json", *clip_options(rule), *options.more)
+                report = run(options.relief, "render", points, "-o", options.work / "time.exr", "--engine", engine,
+                             *self.common, *self.cameras(shape)[0], "--frames", options.frames, "--json",
+                             *clip_options(rule), *options.more)
                 times[rule].append(json.loads(report)["frame_ms"])
         return {rule: statistics.median(values) for rule, values in times.items()}
 
@@ -133,6 +136,7 @@ def parse():
     parser.add_argument("--turns", type=int, default=5)
     parser.add_argument("--frames", type=int, default=3)
     parser.add_argument("--work", type=pathlib.Path, default=pathlib.Path("measure_clip"), help="images go there")
+    parser.add_argument("--again", action="store_true", help="judge the images that --work has; draw only those it lacks")
     parser.add_argument("--json", type=pathlib.Path, help="write all figures there")
     own, more = (sys.argv[1:], []) if "--" not in sys.argv else (sys.argv[1:sys.argv.index("--")],
                                                                  sys.argv[sys.argv.index("--") + 1:])

@@ -14,6 +14,7 @@ enum class SurfelSize : std::uint8_t {
   BspEdge,    ///< the mean edge of the triangle that its cluster of a BSP makes
   BspCircle,  ///< the diameter of that triangle's circumscribed circle
   Qsplat,     ///< the spheres of a hierarchy, as QSplat has them
+  Cell,       ///< the circle about its Voronoi cell among its neighbours
   Given       ///< what the points come with: their spacing, or that of a patch's samples
 };
 
@@ -30,10 +31,11 @@ enum class SurfelBlend : std::uint8_t {
   Sorted       ///< back to front, each over what is behind it
 };
 
-inline constexpr std::array<Named<SurfelSize>, 4> kSurfelSizes{
+inline constexpr std::array<Named<SurfelSize>, 5> kSurfelSizes{
     {{"bsp-edge", SurfelSize::BspEdge},
      {"bsp-circle", SurfelSize::BspCircle},
      {"qsplat", SurfelSize::Qsplat},
+     {"cell", SurfelSize::Cell},
      {"given", SurfelSize::Given}}};
 inline constexpr std::array<Named<SurfelCurved>, 3> kSurfelCurved{
     {{"auto", SurfelCurved::Auto}, {"all", SurfelCurved::All}, {"none", SurfelCurved::None}}};

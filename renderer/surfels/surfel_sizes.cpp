@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "renderer/surfels/cell_sizes.h"
 #include "renderer/surfels/distinct_positions.h"
 #include "renderer/surfels/neighbour_sizes.h"
 #include "renderer/surfels/surfels.h"
@@ -55,6 +56,8 @@ Result<SurfelSizes> find_surfel_sizes(std::span<const glm::dvec3> positions, Sur
   DistinctSizes found;
   if (method == SurfelSize::Qsplat) {
     RELIEF_TRY_ASSIGN(found.diameters, find_qsplat_sizes(distinct.positions, progress));
+  } else if (method == SurfelSize::Cell) {
+    RELIEF_TRY_ASSIGN(found.diameters, find_cell_sizes(distinct.positions, progress));
   } else {
     RELIEF_TRY_ASSIGN(found, find_bsp_sizes(distinct.positions, method, progress));
   }
@@ -76,16 +79,18 @@ Result<SurfelSizes> find_surfel_sizes(std::span<const glm::dvec3> positions, Sur
 
 double closing_scale(SurfelSize method) {
   switch (method) {
-    case SurfelSize::BspCircle:
-      return 2.0;
-    case SurfelSize::Qsplat:
-      return 2.0;
     case SurfelSize::BspEdge:
-      break;
+      return 3.4;
+    case SurfelSize::BspCircle:
+      return 2.25;
+    case SurfelSize::Qsplat:
+      return 1.5;
+    case SurfelSize::Cell:
+      return 1.1;
     case SurfelSize::Given:
-      return 1.0;
+      break;
   }
-  return 2.0;
+  return 1.0;
 }
 
 }  // namespace relief

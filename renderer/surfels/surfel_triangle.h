@@ -12,8 +12,8 @@ namespace relief {
 /// The ratio of the eigenvalues lambda_1 to lambda_2 of three points' covariance, below which they
 /// count as collinear: 1 is an equilateral triangle. The surface variation of [Textured surfels]
 /// cannot tell: it is 0 for any three points. The diameter of the circumscribed circle is at most
-/// DIAMETER times the longest edge.
-inline constexpr double kLeastEigenvalueRatio = 0.02;
+/// three times the longest edge.
+inline constexpr double kLeastEigenvalueRatio = 0.01;
 
 /// Three points by their squared edges.
 struct SurfelTriangle {

@@ -19,7 +19,7 @@ struct SurfelSizes {
   std::vector<double> diameters;        ///< of each point; above 0
   std::size_t triangles = 0;            ///< clusters of three points that are not collinear
   std::size_t leftovers = 0;            ///< points of other clusters
-  std::vector<std::uint32_t> clusters;  ///< of each point; the clusters of the BSP
+  std::vector<std::uint32_t> clusters;  ///< of each point; the clusters of the BSP, else empty
 };
 
 /// Finds the diameters from the points alone, [Textured surfels], section 3.3. Where points are

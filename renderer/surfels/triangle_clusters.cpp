@@ -4,7 +4,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cstdlib>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -59,7 +58,6 @@ void place(std::span<const glm::dvec3> positions, std::span<const std::uint32_t>
 /// How many of n points go to the lower side, of which `below` lie below the plane: the nearest
 /// number that leaves a multiple of three on one side. n is at least 4.
 std::size_t choose_lower(std::size_t n, std::size_t below) {
-  if (std::getenv("PLAIN")) return std::clamp<std::size_t>(below, 1, n - 1);
   const auto distance = [below](std::size_t count) {
     return count > below ? count - below : below - count;
   };

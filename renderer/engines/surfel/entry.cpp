@@ -63,15 +63,15 @@ std::vector<EngineOption> options() {
       cull_option(),
       samples_option(),
       levels_option(),
-      choice_option(
-          {.key = "surfel-size",
-           .help = "what sizes come from: a split of space (BSP) into triangles, their "
-                   "mean edge or their circle; the spheres of QSplat; or the points' own "
-                   "spacing (given)",
-           .default_text = "bsp-edge"},
-          kSurfelSizes,
-          {SurfelSize::BspEdge, SurfelSize::BspCircle, SurfelSize::Qsplat, SurfelSize::Given},
-          [](RenderSettings& s) -> SurfelSize& { return s.surfel.size; }),
+      choice_option({.key = "surfel-size",
+                     .help = "what sizes come from: a split of space (BSP) into triangles, their "
+                             "mean edge or their circle; the spheres of QSplat; the cells of the "
+                             "nearest points; or the points' own spacing (given)",
+                     .default_text = "bsp-edge"},
+                    kSurfelSizes,
+                    {SurfelSize::BspEdge, SurfelSize::BspCircle, SurfelSize::Qsplat,
+                     SurfelSize::Cell, SurfelSize::Given},
+                    [](RenderSettings& s) -> SurfelSize& { return s.surfel.size; }),
       scale_option(),
       number_option({.key = "surfel-sides",
                      .range = kSurfelSides,

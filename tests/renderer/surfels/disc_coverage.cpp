@@ -5,11 +5,12 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "common/neighbours/radius_search.h"
+#include "common/neighbours/position_tree.h"
 
 namespace relief::test {
 namespace {
@@ -37,21 +38,28 @@ void lower(float& value, float to) {
 DiscCoverage::DiscCoverage(const SurfaceSamples& surface, std::span<const glm::dvec3> centres,
                            std::span<const glm::vec3> normals, std::span<const double> diameters)
     : needed_(surface.positions.size(), static_cast<float>(kMostScale)), covers_(kBins + 1) {
-  const RadiusSearch search(surface.positions);
+  const PositionTree tree(surface.positions);
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, centres.size(), 256), [&](const Range& range) {
-    std::vector<std::uint32_t> found;
     std::vector<std::uint64_t> covers(kBins + 1);
+    std::array<double, PositionTree::kLeafSize> squared;
     for (std::size_t k = range.begin(); k != range.end(); ++k) {
       const double radius = diameters[k] / 2.0;
-      search.find(centres[k], kMostScale * radius * std::sqrt(2.0), found);
-      for (const std::uint32_t s : found) {
-        const double scale = scale_from(surface.positions[s], surface.normals[s], centres[k],
-                                        glm::dvec3(normals[k]), radius);
-        if (!(scale < kMostScale)) continue;
-        ++covers[static_cast<std::size_t>(scale / kMostScale * kBins)];
-        lower(needed_[s], static_cast<float>(scale));
-      }
+      const double reach = 2.0 * kMostScale * kMostScale * radius * radius;
+      const auto look_at_leaf = [&](std::size_t first, std::size_t count) {
+        tree.squared_distances(centres[k], first, squared);
+        for (std::size_t m = 0; m < count; ++m) {
+          if (squared[m] >= reach) continue;
+          const std::uint32_t s = tree.index(first + m);
+          const double scale = scale_from(tree.at(first + m), surface.normals[s], centres[k],
+                                          glm::dvec3(normals[k]), radius);
+          if (!(scale < kMostScale)) continue;
+          ++covers[static_cast<std::size_t>(scale / kMostScale * kBins)];
+          lower(needed_[s], static_cast<float>(scale));
+        }
+      };
+      tree.visit_near(
+          centres[k], [reach] { return reach; }, look_at_leaf);
     }
     for (std::size_t bin = 0; bin < covers.size(); ++bin)
       std::atomic_ref(covers_[bin]).fetch_add(covers[bin], std::memory_order_relaxed);

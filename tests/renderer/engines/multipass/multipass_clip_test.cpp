@@ -46,7 +46,8 @@ TEST_P(MultipassClip, ACubeHasTheSilhouetteOfACube) {
   for (const bool orthographic : {false, true}) {
     const auto errors = [&](ClipRule rule) {
       const RenderSettings settings = cube_image(rule, orthographic);
-      return silhouette_errors(values(must_render(model, settings).image, "A"), view_of(settings));
+      return test::silhouette_errors(values(must_render(model, settings).image, "A"),
+                                     view_of(settings));
     };
     // Splats reach half a spacing and more beyond the last samples, to the edge; those of the other
     // faces' planes, and discs, reach beyond it.
@@ -68,7 +69,8 @@ TEST_P(MultipassClip, FacesThatReachBeyondTheirEdgesEndThere) {
   }
   const auto errors = [&](ClipRule rule) {
     const RenderSettings settings = cube_image(rule);
-    return silhouette_errors(values(must_render(model, settings).image, "A"), view_of(settings));
+    return test::silhouette_errors(values(must_render(model, settings).image, "A"),
+                                   view_of(settings));
   };
   // Three silhouette edges of about 50 pixels a side, overhung by 5 pixels or more.
   EXPECT_GT(errors(ClipRule::Off).overhang, 500U);
