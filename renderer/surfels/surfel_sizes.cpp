@@ -77,14 +77,15 @@ Result<SurfelSizes> find_surfel_sizes(std::span<const glm::dvec3> positions, Sur
   return sizes;
 }
 
+// Leaves at most 0.001 % of the known surfaces bare (docs/decisions/0128), rounded up to a tenth.
 double closing_scale(SurfelSize method) {
   switch (method) {
     case SurfelSize::BspEdge:
-      return 3.4;
+      return 3.9;
     case SurfelSize::BspCircle:
-      return 2.25;
+      return 2.4;
     case SurfelSize::Qsplat:
-      return 1.5;
+      return 2.2;
     case SurfelSize::Cell:
       return 1.1;
     case SurfelSize::Given:
