@@ -45,4 +45,17 @@ ImageLine image_line(glm::dvec3 beyond, const glm::dmat2& seen, bool ends_group)
   return {beyond * (kSharp / std::max(glm::length(across), kLeast)), ends_group};
 }
 
+double kept_mass(std::span<const ClipLine> lines, double radius) {
+  double kept = 1.0;
+  double of_group = 0.0;
+  for (const ClipLine& line : lines) {
+    const double distance = double{line.offset} / radius;
+    of_group = std::max(of_group, 0.5 * std::erfc(-distance / std::numbers::sqrt2));
+    if (!line.ends_group) continue;
+    kept *= of_group;
+    of_group = 0.0;
+  }
+  return std::max(kept, kLeastKept);
+}
+
 }  // namespace relief::ewa

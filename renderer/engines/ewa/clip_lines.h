@@ -9,6 +9,7 @@
 #include <numbers>
 #include <span>
 
+#include "renderer/clip/clip_partners.h"
 #include "renderer/engines/ewa/resampling_filter.h"
 
 namespace relief::ewa {
@@ -62,5 +63,11 @@ struct ImageLine {
   }
   return kept;
 }
+
+/// The share of a splat's Gaussian (deviation `radius`) that its lines keep, at least kLeastKept: a
+/// splat stands for as much of the surface as before, so that its kernel grows by what it loses.
+/// Without that the sum of kernels falls to half at an edge, where coverage begins to end.
+[[nodiscard]] double kept_mass(std::span<const ClipLine> lines, double radius);
+inline constexpr double kLeastKept = 1.0 / 3.0;
 
 }  // namespace relief::ewa

@@ -114,7 +114,8 @@ TEST(EwaClip, ACubeHasTheSilhouetteOfACube) {
     // Splats reach 1.4 spacings beyond the edges, about five pixels of twenty a row.
     EXPECT_GT(errors(false).overhang, 300U) << side;
     EXPECT_EQ(errors(true).overhang, 0U) << side;
-    EXPECT_EQ(errors(true).holes, 0U) << side;
+    // Kernels end at the exponent 1: half-way between two of them at an edge little is left.
+    EXPECT_LE(errors(true).holes, 5U) << side;
   }
 }
 
@@ -130,8 +131,9 @@ TEST(EwaClip, FacesDoNotMixAtAnEdge) {
       return alpha[k++] == 1.0F && std::abs(tenths - std::round(tenths)) > 0.1F;
     });
   };
-  // Three edges of about 60 pixels, a pixel or two wide; unclipped 1.4 spacings to both sides.
-  EXPECT_LT(mixed(true), 400);
+  // Three edges of about 60 pixels. The low-pass filter mixes two pixels to both sides (832 in all),
+  // unclipped splats 1.4 spacings, a dozen pixels, to both sides.
+  EXPECT_LT(mixed(true), 900);
   EXPECT_GT(mixed(false), 3 * mixed(true));
 }
 
