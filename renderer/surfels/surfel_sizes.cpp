@@ -77,18 +77,21 @@ Result<SurfelSizes> find_surfel_sizes(std::span<const glm::dvec3> positions, Sur
   return sizes;
 }
 
+// Leaves at most 0.001 % of the known surfaces bare (docs/decisions/0128), rounded up to a tenth.
 double closing_scale(SurfelSize method) {
   switch (method) {
-    case SurfelSize::BspCircle:
-      return 2.0;
-    case SurfelSize::Qsplat:
-      return 2.0;
     case SurfelSize::BspEdge:
-      break;
+      return 3.9;
+    case SurfelSize::BspCircle:
+      return 2.4;
+    case SurfelSize::Qsplat:
+      return 2.2;
+    case SurfelSize::Cell:
+      return 1.1;
     case SurfelSize::Given:
-      return 1.0;
+      break;
   }
-  return 2.0;
+  return 1.0;
 }
 
 }  // namespace relief
