@@ -1,7 +1,7 @@
 // relief bench and relief render --explain, as a user runs them. No test looks at how long it took.
 #include <fmt/format.h>
-#include <map>
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
