@@ -10,6 +10,8 @@ import math
 import numpy as np
 
 STEPS = 720  # of a full turn in the meshes: chords are within 1e-5 of the radius
+# Meshes of faces reach so far beyond their borders. Readers merge vertices at one position, and their normals with them.
+BEYOND = 3e-6
 
 
 class Flat:
@@ -71,7 +73,7 @@ class Flat:
 
     def mesh(self):
         """Triangles from the centre, or from the hole, to the outline."""
-        outline = self.outline
+        outline = self.outline * (1 + BEYOND)
         if self.hole == 0.0:
             plane = np.concatenate([[[0.0, 0.0]], outline])
             n = len(outline)
@@ -80,7 +82,7 @@ class Flat:
             angles = np.unique(np.concatenate([np.arctan2(outline[:, 1], outline[:, 0]),
                                                -math.pi + 2 * math.pi * (np.arange(STEPS) + 0.5) / STEPS]))
             rays = np.stack([np.cos(angles), np.sin(angles)], axis=1)
-            plane = np.concatenate([self.hole * rays, rays * self.reach(rays)[:, None]])
+            plane = np.concatenate([self.hole * (1 - BEYOND) * rays, rays * (1 + BEYOND) * self.reach(rays)[:, None]])
             n = len(angles)
             faces = []
             for k in range(n):
@@ -163,11 +165,14 @@ class Turned:
     def mesh(self):
         low, high = self.angles
         steps = max(1, round(STEPS * (high - low) / (2 * math.pi)))
-        angle = np.linspace(low, high, steps + 1)
+        angle = np.linspace(low, high + BEYOND, steps + 1)
         rows = len(self.s)
         points, normals, texcoords = self.at_parameters(np.tile(angle, rows), np.repeat(self.s, steps + 1))
-        if high - low > 6.28:  # the last column is the first one, to the last bit
-            points[steps::steps + 1] = points[0::steps + 1]
+        grid = points.reshape(rows, steps + 1, 3)
+        for end, inner in ((0, 1), (-1, -2)):
+            if self.profile[end, 0] > 0:
+                along = grid[end] - grid[inner]
+                grid[end] += BEYOND * along / np.linalg.norm(along, axis=1, keepdims=True)
         faces = []
         for row in range(rows - 1):
             at = row * (steps + 1) + np.arange(steps)

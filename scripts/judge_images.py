@@ -1,13 +1,14 @@
 """Judges images by the truth of the same view: holes, overhang, silhouette, normals, colours. Needs NumPy.
 
 Pixels are judged where the truth is certain: those that it covers entirely, or not at all.
-  holes       the truth covers the pixel, and the image does not, or shows what lies farther by more than the tolerance
+  holes       the truth covers the pixel, and the image does not, or shows what lies farther by more than a spacing
   overhang    the truth does not cover the pixel and the image does, or shows what is nearer by more than the tolerance
   silhouette  pixels whose coverage (alpha of 0.5) differs, over the length of the silhouette: its mean displacement, pixels
   near        within some pixels of an edge of the truth: where normals of neighbours differ by 20 degrees, or depths jump
   rms, p99    angle between normals, degrees, where both cover; near edges, and everywhere
   PSNR        of colour as a display shows it, all pixels, dB
-The tolerance of depths is a share of the spacing, and what the truth's own depth changes by within a pixel.
+The tolerance of depths is a share of the spacing; what the truth's own depth changes by within a pixel adds to both. Less
+than a spacing farther is no hole: engines show a mean of what lies in a range of depths.
 """
 import math
 
@@ -50,7 +51,7 @@ class Truth:
         high = np.where(np.isfinite(around), around, -np.inf).max(axis=0)
         change = np.where(high > low, high - low, 0.0)
         # So wide about a jump of depths: which of two surfaces a pixel shows there is a matter of its centre.
-        self.tolerance = tolerance * spacing + change
+        self.tolerance, self.farther = tolerance * spacing + change, spacing + change
         cosine = np.einsum("kijc,ijc->kij", neighbours(self.normals), self.normals).min(axis=0)
         turned = self.covered & (cosine < math.cos(math.radians(EDGE_DEGREES)))
         border = neighbours(self.covered).any(axis=0) & ~neighbours(self.covered).all(axis=0)
@@ -67,7 +68,7 @@ def judge(truth, path):
     covered = (image["A"] >= 0.5) & np.isfinite(depth)
     both = covered & truth.certain_in
     uncovered = truth.certain_in & ~covered
-    holes = uncovered | (both & (depth > truth.depth + truth.tolerance))
+    holes = uncovered | (both & (depth > truth.depth + truth.farther))
     overhang = (truth.certain_out & covered) | (both & (depth < truth.depth - truth.tolerance))
     shared = covered & truth.covered
     angles = np.degrees(np.arccos(np.clip(np.sum(unit_normals(image) * truth.normals, axis=-1), -1, 1)))

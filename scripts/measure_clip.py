@@ -21,6 +21,7 @@ import sys
 import numpy as np
 
 from judge_images import Truth, judge, summary
+from read_exr import displayed, read_exr
 
 RULES = ("off", "partners", "nearest", "independent", "wicke")
 COLUMNS = (("holes", "holes", "d"), ("overhang", "overhang", "d"), ("silhouette_px", "silhouette", ".3f"),
@@ -66,21 +67,23 @@ class Measurement:
     def cameras(self, shape):
         return [looking_at(shape["centre"], shape["radius"], view, up=shape.get("up", "z")) for view in self.options.views]
 
+    def draw(self, scene, path, *options):
+        if not (self.options.again and path.exists()):
+            run(self.options.relief, "render", scene, "-o", path, *self.common, *options)
+
     def measure(self, name, shape, points, mesh):
         """Draws one shape by all engines and rules; yields (engine, rule, figures)."""
         options, truths = self.options, []
         for k, camera in enumerate(self.cameras(shape)):
             path = options.work / f"{name}_{k}_truth.exr"
-            run(options.relief, "render", mesh, "-o", path, "--engine", "raytrace", "--samples", TRUTH_SAMPLES, *self.common,
-                *camera)
+            self.draw(mesh, path, "--engine", "raytrace", "--samples", TRUTH_SAMPLES, *camera)
             truths.append((camera, Truth(path, shape["spacing"], options.tolerance, options.near)))
         for engine in options.engines:
             for rule in options.rules:
                 parts = []
                 for k, (camera, truth) in enumerate(truths):
                     path = options.work / f"{name}_{k}_{engine}_{rule}.exr"
-                    run(options.relief, "render", points, "-o", path, "--engine", engine, *self.common, *camera,
-                        *clip_options(rule), *options.more)
+                    self.draw(points, path, "--engine", engine, *camera, *clip_options(rule), *options.more)
                     parts.append(judge(truth, path)[0])
                 yield engine, rule, summary(parts)
 
@@ -89,8 +92,9 @@ class Measurement:
         options, times = self.options, {rule: [] for rule in self.options.rules}
         for _ in range(options.turns):
             for rule in options.rules:
-                report = run(options.relief, "render", points, "-o", options.work / "time.exr", "--engine", engine, *self.common,
-                             *self.cameras(shape)[0], "--frames", options.frames, "--json", *clip_options(rule), *options.more)
+                report = run(options.relief, "render", points, "-o", options.work / "time.exr", "--engine", engine,
+                             *self.common, *self.cameras(shape)[0], "--frames", options.frames, "--json",
+                             *clip_options(rule), *options.more)
                 times[rule].append(json.loads(report)["frame_ms"])
         return {rule: statistics.median(values) for rule, values in times.items()}
 
@@ -133,6 +137,8 @@ def parse():
     parser.add_argument("--turns", type=int, default=5)
     parser.add_argument("--frames", type=int, default=3)
     parser.add_argument("--work", type=pathlib.Path, default=pathlib.Path("measure_clip"), help="images go there")
+    parser.add_argument("--again", action="store_true", help="judge the images that --work has; draw only those it lacks")
+    parser.add_argument("--sheet", help="also write the images of the first view as one .jpg, with holes and overhang; needs Pillow")
     parser.add_argument("--json", type=pathlib.Path, help="write all figures there")
     own, more = (sys.argv[1:], []) if "--" not in sys.argv else (sys.argv[1:sys.argv.index("--")],
                                                                  sys.argv[sys.argv.index("--") + 1:])
@@ -141,6 +147,23 @@ def parse():
         parser.error("give either SHAPES or --mesh")
     options.more = more
     return options
+
+
+def write_sheet(options, shapes):
+    """Puts the first view of all shapes on one sheet: a row for each engine, holes red, overhang green, the truth last."""
+    from figure_sheet import PAPER, marked, sheet  # it needs Pillow, which tables do not
+    cells = []
+    for name, shape, _, _ in shapes:
+        path = options.work / f"{name}_0_truth.exr"
+        truth = Truth(path, shape["spacing"], options.tolerance, options.near)
+        for engine in options.engines:
+            for rule in options.rules:
+                image = options.work / f"{name}_0_{engine}_{rule}.exr"
+                holes, overhang = judge(truth, image)[1]
+                colours = marked(displayed(read_exr(image), PAPER), overhang, (0.0, 0.75, 0.1))
+                cells.append((f"{name}, {rule}: {holes.sum()} holes, {overhang.sum()} over", marked(colours, holes)))
+            cells.append((f"{name}, truth", displayed(read_exr(path), PAPER)))
+    sheet(options.sheet, cells, len(options.rules) + 1)
 
 
 def shapes_of(options):
@@ -170,6 +193,8 @@ def main():
         for engine, rule, figures in () if options.time else measurement.measure(name, shape, points, mesh):
             found.setdefault(name, {}).setdefault(engine, {})[rule] = figures
             print(f"| {name} | {engine} | {rule} | {row_of(figures)} |", flush=True)
+    if options.sheet:
+        write_sheet(options, shapes_of(options))
     if options.json:
         options.json.write_text(json.dumps(found, indent=1) + "\n")
 

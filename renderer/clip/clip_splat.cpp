@@ -12,6 +12,11 @@
 namespace relief {
 namespace {
 
+/// Lines that differ by less than this share of the radius are one, and by what the noise of the
+/// normals moves them.
+constexpr double kFlat = 0.02;
+constexpr double kMovedByNoise = 1.0;
+
 std::vector<LineGroup> groups_of(ClipRule rule, PartnerSets& sets,
                                  std::span<const PlaneLine> lines) {
   if (rule == ClipRule::Partners) return std::move(sets.groups);
@@ -21,7 +26,7 @@ std::vector<LineGroup> groups_of(ClipRule rule, PartnerSets& sets,
 }  // namespace
 
 ClippedSplat clip_splat(const SplatDiscs& discs, const DiscTree& tree, const Disc& splat,
-                        std::span<const Partner> partners, ClipRule rule) {
+                        std::span<const Partner> partners, ClipRule rule, double noise) {
   ClippedSplat clipped;
   const SplatFrame frame = frame_of(discs, splat);
   const std::vector<std::uint8_t> concave = concave_edges(tree, partners);
@@ -34,7 +39,7 @@ ClippedSplat clip_splat(const SplatDiscs& discs, const DiscTree& tree, const Dis
       lines.push_back(*line);
   }
   if (lines.empty()) return clipped;
-  PartnerSets sets = group_lines(lines, splat.radius);
+  PartnerSets sets = group_lines(lines, (kFlat + kMovedByNoise * noise) * splat.radius);
   clipped.kind = sets.kind;
   std::vector<LineGroup> groups = groups_of(rule, sets, lines);
   // With Wicke's rule every line counts where its partner is one of the two nearest.

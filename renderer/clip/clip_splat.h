@@ -18,9 +18,10 @@ struct ClippedSplat {
   std::size_t disagreements = 0;     ///< as in ClipCounts
 };
 
-/// Clips a splat by its partners, nearest first, under a rule.
+/// Clips a splat by its partners, nearest first, under a rule. `noise` is that of its normals,
+/// radians.
 [[nodiscard]] ClippedSplat clip_splat(const SplatDiscs& discs, const DiscTree& tree,
                                       const Disc& splat, std::span<const Partner> partners,
-                                      ClipRule rule);
+                                      ClipRule rule, double noise);
 
 }  // namespace relief

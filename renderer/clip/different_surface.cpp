@@ -17,8 +17,10 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kLeastAngle = 30.0 * kDegree;
-constexpr double kMostAngle = 120.0 * kDegree;
+constexpr double kMostAngle = 60.0 * kDegree;
 constexpr double kOfNoise = 7.0;
+/// More is an edge that most neighbours are beyond, or as bad as no normals.
+constexpr double kMostNoise = kMostAngle / kOfNoise;
 /// Planes within half the threshold are parallel, but no more than this: sharper blades have no
 /// edge.
 constexpr double kMostWallAngle = 15.0 * kDegree;
@@ -44,21 +46,23 @@ double noise_at(const DiscTree& tree, std::size_t slot, std::vector<std::uint32_
 }  // namespace
 
 SurfaceTest::SurfaceTest(const DiscTree& tree, std::optional<double> threshold) {
-  if (threshold) {
-    limits_.push_back(limits_of(std::acos(std::clamp(*threshold, -1.0, 1.0))));
-    return;
-  }
   const std::size_t count = tree.discs().size();
-  limits_.resize(count);
+  noise_.resize(count);
   tbb::parallel_for(
       std::size_t{0}, (count + kMeasuredAtOnce - 1) / kMeasuredAtOnce, [&](std::size_t piece) {
         std::vector<std::uint32_t> neighbours;
         std::vector<double> cosines;
         const std::size_t end = std::min((piece + 1) * kMeasuredAtOnce, count);
         for (std::size_t slot = piece * kMeasuredAtOnce; slot < end; ++slot)
-          limits_[slot] = limits_of(std::clamp(kOfNoise * noise_at(tree, slot, neighbours, cosines),
-                                               kLeastAngle, kMostAngle));
+          noise_[slot] =
+              static_cast<float>(std::min(noise_at(tree, slot, neighbours, cosines), kMostNoise));
       });
+  if (threshold) {
+    limits_.push_back(limits_of(std::acos(std::clamp(*threshold, -1.0, 1.0))));
+    return;
+  }
+  for (const float noise : noise_)
+    limits_.push_back(limits_of(std::max(kOfNoise * double{noise}, kLeastAngle)));
 }
 
 SurfaceTest::Limits SurfaceTest::limits_of(double angle) {

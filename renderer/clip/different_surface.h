@@ -20,12 +20,14 @@ class SurfaceTest {
   /// corner of five faces that many are on its own face. Where noise is even in all directions
   /// (angles follow a Rayleigh distribution), 1 in 60,000 exceeds seven times this angle. On a
   /// cylinder the largest angle between neighbours is 6.4 times as large, so no bend is an edge,
-  /// however tight it is. The threshold is seven times the noise, at least 30 and at most 120
-  /// degrees.
+  /// however tight it is. The threshold is seven times the noise, at least 30 and at most 60
+  /// degrees: real edges are kept where half of the neighbours are beyond one.
   SurfaceTest(const DiscTree& tree, std::optional<double> threshold);
 
   [[nodiscard]] bool differ(const DiscTree& tree, std::size_t slot, std::size_t other) const;
 
+  /// The noise of a disc's normals, radians; at most 60 / 7 degrees.
+  [[nodiscard]] double noise(std::size_t slot) const { return double{noise_[slot]}; }
   /// The median of the thresholds.
   [[nodiscard]] double threshold() const;
 
@@ -40,6 +42,7 @@ class SurfaceTest {
     return limits_.size() == 1 ? limits_.front() : limits_[slot];
   }
 
+  std::vector<float> noise_;    // of each slot
   std::vector<Limits> limits_;  // of each slot, or one for all
 };
 

@@ -33,22 +33,22 @@ std::vector<ClippedSplat> clip_splats(const SplatDiscs& discs, const DiscTree& t
                                       ClipRule rule, Progress& progress) {
   std::vector<ClippedSplat> clipped(discs.centres.size());
   const std::size_t count = tree.discs().size();
-  tbb::parallel_for(std::size_t{0}, (count + kClippedAtOnce - 1) / kClippedAtOnce,
-                    [&](std::size_t piece) {
-                      std::vector<Partner> partners;
-                      const std::size_t end = std::min((piece + 1) * kClippedAtOnce, count);
-                      for (std::size_t slot = piece * kClippedAtOnce;
-                           slot < end && !progress.cancelled(); ++slot) {
-                        if (lists.of(slot).empty()) continue;
-                        partners.clear();
-                        for (const std::uint32_t other : lists.of(slot))
-                          if (const auto partner = as_partner(discs, tree, test, slot, other))
-                            partners.push_back(*partner);
-                        const Disc& splat = tree.discs()[slot];
-                        clipped[splat.splat] = clip_splat(discs, tree, splat, partners, rule);
-                      }
-                      progress.advance(end - piece * kClippedAtOnce);
-                    });
+  tbb::parallel_for(
+      std::size_t{0}, (count + kClippedAtOnce - 1) / kClippedAtOnce, [&](std::size_t piece) {
+        std::vector<Partner> partners;
+        const std::size_t end = std::min((piece + 1) * kClippedAtOnce, count);
+        for (std::size_t slot = piece * kClippedAtOnce; slot < end && !progress.cancelled();
+             ++slot) {
+          if (lists.of(slot).empty()) continue;
+          partners.clear();
+          for (const std::uint32_t other : lists.of(slot))
+            if (const auto partner = as_partner(discs, tree, test, slot, other))
+              partners.push_back(*partner);
+          const Disc& splat = tree.discs()[slot];
+          clipped[splat.splat] = clip_splat(discs, tree, splat, partners, rule, test.noise(slot));
+        }
+        progress.advance(end - piece * kClippedAtOnce);
+      });
   return clipped;
 }
 

@@ -72,8 +72,9 @@ EngineOption threshold_option() {
 EngineOption normals_option() {
   EngineOption option = choice_option(
       {.key = "clip-normals",
-       .help = "the normals that clip partners are found with: those that are drawn, or refitted "
-               "to the neighbours on the same side of an edge, for noisy scans",
+       .help = "the normals that clip partners are found with: those given, or refitted to the "
+               "neighbours on the same side of an edge, for noisy scans and points on edges; ewa "
+               "and surfel draw these, too",
        .default_text = "given"},
       kClipNormals, {ClipNormals::Given, ClipNormals::Refit},
       [](RenderSettings& settings) -> ClipNormals& { return settings.clip.normals; });

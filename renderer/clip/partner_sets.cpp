@@ -1,14 +1,11 @@
 #include "renderer/clip/partner_sets.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
 
 namespace relief {
 namespace {
-
-constexpr double kFlat = 0.02;
 
 /// How far a line's edge lies in the area that another line clips; negative outside it.
 double edge_within(const PlaneLine& line, const PlaneLine& other) {
@@ -18,10 +15,25 @@ double edge_within(const PlaneLine& line, const PlaneLine& other) {
 enum class PairKind : std::uint8_t { Flat, Unite, Intersect };
 
 PairKind kind_of(const PlaneLine& a, const PlaneLine& b, double tolerance) {
-  const double first = edge_within(a, b);
-  const double second = edge_within(b, a);
-  if (first > tolerance && second > tolerance) return PairKind::Intersect;
-  return std::max(std::abs(first), std::abs(second)) > tolerance ? PairKind::Unite : PairKind::Flat;
+  const double within = 0.5 * (edge_within(a, b) + edge_within(b, a));
+  if (within > tolerance) return PairKind::Intersect;
+  return within < -tolerance ? PairKind::Unite : PairKind::Flat;
+}
+
+/// Whether two lines are one but for noise.
+bool is_one(const PlaneLine& a, const PlaneLine& b, double tolerance) {
+  constexpr double kAlike = 0.8;
+  return glm::dot(a.direction, b.direction) > kAlike && kind_of(a, b, tolerance) == PairKind::Flat;
+}
+
+/// The lines that differ, each the nearest partner's of those that do not.
+std::vector<PlaneLine> different_lines(std::span<const PlaneLine> lines, double tolerance) {
+  std::vector<PlaneLine> different;
+  for (const PlaneLine& line : lines)
+    if (std::none_of(different.begin(), different.end(),
+                     [&](const PlaneLine& other) { return is_one(line, other, tolerance); }))
+      different.push_back(line);
+  return different;
 }
 
 void keep_centre(LineGroup& group) {
@@ -33,9 +45,10 @@ void keep_centre(LineGroup& group) {
 
 }  // namespace
 
-PartnerSets group_lines(std::span<const PlaneLine> lines, double radius) {
+PartnerSets group_lines(std::span<const PlaneLine> all, double tolerance) {
   PartnerSets sets;
-  if (lines.empty()) return sets;
+  if (all.empty()) return sets;
+  const std::vector<PlaneLine> lines = different_lines(all, tolerance);
   bool any_united = false;
   bool any_intersected = false;
   std::vector<std::uint32_t> waiting(lines.size());
@@ -45,7 +58,7 @@ PartnerSets group_lines(std::span<const PlaneLine> lines, double radius) {
     waiting.erase(waiting.begin());
     for (std::size_t m = 0; m < members.size(); ++m) {
       std::erase_if(waiting, [&](std::uint32_t k) {
-        const PairKind kind = kind_of(lines[members[m]], lines[k], kFlat * radius);
+        const PairKind kind = kind_of(lines[members[m]], lines[k], tolerance);
         any_united = any_united || kind == PairKind::Unite;
         if (kind != PairKind::Intersect) return false;
         any_intersected = true;

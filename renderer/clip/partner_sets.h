@@ -15,21 +15,24 @@ struct PartnerSets {
   ClipKind kind = ClipKind::None;
 };
 
-/// Groups the lines of a splat by Figure 5 of [Ivo 2011], pair by pair.
+/// Groups the lines of a splat, nearest partner first, by Figure 5 of [Ivo 2011], pair by pair.
 ///
 /// Figure 5 intersects the areas of two partners if the splat with them is convex and they are
 /// concave, or the other way round: then each partner's edge lies in the area that the other one
-/// clips, and would be lost if the areas were united. That is tested here, by more than 0.02 radii
-/// and for both partners. Partners that are linked by such pairs are a group. The paper asks the
-/// question once for all partners and their middle, Eq. (15) and (16), and has no answer for mixed
-/// sets; record 0127 compares.
+/// clips, and would be lost if the areas were united. That is tested here: the mean of both depths
+/// is above `tolerance`, world units. Partners that are linked by such pairs are a group. The paper
+/// asks once for all partners and their middle, Eq. (15) and (16), and has no answer for mixed sets
+/// (record 0127 compares).
+///
+/// Of lines that are one within the tolerance the nearest partner's stands for all: the union of
+/// lines that differ by noise would clip too much.
 ///
 /// No splat loses its centre: where all lines of a group have it beyond them, the farthest one is
 /// moved to it.
 ///
-/// The kind is Flat if no partner's edge is in another's area or outside it by more than the
-/// tolerance, Mixed if there are pairs of both sorts.
-[[nodiscard]] PartnerSets group_lines(std::span<const PlaneLine> lines, double radius);
+/// The kind is Flat if no two lines are united or intersected, Mixed if there are pairs of both
+/// sorts.
+[[nodiscard]] PartnerSets group_lines(std::span<const PlaneLine> lines, double tolerance);
 
 /// The rival: every line for itself.
 [[nodiscard]] std::vector<LineGroup> lines_alone(std::span<const PlaneLine> lines);

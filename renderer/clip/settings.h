@@ -25,9 +25,9 @@ inline constexpr std::array<Named<ClipRule>, 5> kClipRules{{{"off", ClipRule::Of
                                                             {"independent", ClipRule::Independent},
                                                             {"wicke", ClipRule::Wicke}}};
 
-/// Which normals the classification takes.
+/// Which normals the classification takes, and, of points, the engines that clip them.
 enum class ClipNormals : std::uint8_t {
-  Given,  ///< those that are drawn
+  Given,  ///< the model's
   Refit   ///< fitted anew to the neighbours on the same side of an edge
 };
 

@@ -1,4 +1,6 @@
 // Vertex stage: which lines clip a splat.
+#include "include/splats.glsl"
+
 #if (RELIEF_FEATURES & RELIEF_FEATURE_CLIPPED) != 0u
 layout(binding = RELIEF_TEXTURE_CLIP_RANGES) uniform usamplerBuffer clip_ranges;
 

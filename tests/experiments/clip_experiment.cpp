@@ -1,5 +1,5 @@
 // Clips discs on solids whose surface is known, and measures what is left over and what is lost.
-// scripts/measure_clip.sh runs it.
+// docs/measurements/clip-partners.md has the figures.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -172,7 +172,7 @@ std::vector<Errors> measure(const SharpModel& model, const Setup& setup,
   return errors;
 }
 
-int run(double spacing, double noise_degrees, const std::string& only) {
+int run(double spacing, double noise_degrees, bool refit, const std::string& only) {
   const double noise = noise_degrees * 3.14159265358979 / 180.0;
   fmt::print("spacing {}, noise of normals {} degrees: air / solid / holes, %\n", spacing,
              noise_degrees);
@@ -184,7 +184,9 @@ int run(double spacing, double noise_degrees, const std::string& only) {
     const Setup setup = set_up(model, spacing, noise);
     std::vector<Clipped> rules;
     for (const auto& rule : kClipRules)
-      rules.emplace_back(setup.discs, ClipSettings{rule.value, {}, ClipNormals::Given});
+      rules.emplace_back(
+          setup.discs,
+          ClipSettings{rule.value, {}, refit ? ClipNormals::Refit : ClipNormals::Given});
     std::vector<bool> at_edge(setup.discs.centres.size());
     std::size_t edges = 0;
     std::array<std::size_t, 5> kinds{};
@@ -198,8 +200,11 @@ int run(double spacing, double noise_degrees, const std::string& only) {
     fmt::print("{:26}", model.name);
     for (const Errors& error : errors)
       fmt::print("| {:5.2f} {:5.2f} {:6.3f}   ", error.over_air, error.over_solid, error.holes);
-    fmt::print(" n {} flat {} union {} inter {} mixed {} lines {}\n", at_edge.size(), kinds[1],
-               kinds[2], kinds[3], kinds[4], rules[1].partners().lines.size());
+    const ClipCounts& counts = rules[1].partners().counts;
+    fmt::print(
+        " n {} flat {} union {} inter {} mixed {} lines {} partners {} disagree {} thr {:.2f}\n",
+        at_edge.size(), kinds[1], kinds[2], kinds[3], kinds[4], rules[1].partners().lines.size(),
+        counts.partners, counts.disagreements, counts.threshold);
     std::fflush(stdout);
   }
   return 0;
@@ -209,9 +214,10 @@ int run(double spacing, double noise_degrees, const std::string& only) {
 }  // namespace relief::experiment
 
 int main(int argc, char** argv) {
-  if (argc < 3) {
-    std::fputs("usage: clip_experiment SPACING NOISE_DEGREES [MODEL]\n", stderr);
+  if (argc < 4) {
+    std::fputs("usage: clip_experiment SPACING NOISE_DEGREES given|refit [MODEL]\n", stderr);
     return 2;
   }
-  return relief::experiment::run(std::stod(argv[1]), std::stod(argv[2]), argc > 3 ? argv[3] : "");
+  return relief::experiment::run(std::stod(argv[1]), std::stod(argv[2]),
+                                 std::string(argv[3]) == "refit", argc > 4 ? argv[4] : "");
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "renderer/clip/bodies.h"
+#include "renderer/clip/refitted_cloud.h"
 
 namespace relief::ewa {
 
@@ -27,13 +28,15 @@ Result<Clipping> ClipCache::get(const SplatCloud& cloud, std::size_t level,
   const double cutoff = settings.ewa.cutoff;
   auto found = found_.find(level);
   if (found == found_.end() || found->second.settings != settings.clip ||
-      found->second.cutoff != cutoff) {
+      found->second.cutoff != cutoff || found->second.cloud != &cloud) {
     const std::span<const std::size_t> bodies =
         level == 0 ? std::span<const std::size_t>(body_ends_) : std::span<const std::size_t>();
-    RELIEF_TRY_ASSIGN(
-        ClipPartners partners,
-        find_clip_partners_of_bodies(discs_of(cloud, cutoff), bodies, settings.clip, progress));
-    found = found_.insert_or_assign(level, Found{settings.clip, cutoff, std::move(partners)}).first;
+    RELIEF_TRY_ASSIGN(ClipPartners partners,
+                      find_clip_partners_of_bodies(discs_of(cloud, cutoff), bodies,
+                                                   classified_as(settings.clip), progress));
+    found =
+        found_.insert_or_assign(level, Found{&cloud, settings.clip, cutoff, std::move(partners)})
+            .first;
   }
   return Clipping{&found->second.partners, settings.clip.rule};
 }

@@ -25,12 +25,14 @@ class ClipCache {
 
   /// What the settings clip of a level of a hierarchy (0: the cloud itself), whose splats are
   /// classified anew, bodies together: clusters are of several. Lives until the level is asked for
-  /// with other settings. Fails only if it is interrupted.
+  /// with other settings, or is another cloud. `cloud` has the normals that the settings ask for
+  /// (RefittedCloud). Fails only if it is interrupted.
   Result<Clipping> get(const SplatCloud& cloud, std::size_t level, const RenderSettings& settings,
                        Progress& progress);
 
  private:
   struct Found {
+    const SplatCloud* cloud = nullptr;
     ClipSettings settings;
     double cutoff = 0.0;
     ClipPartners partners;

@@ -10,9 +10,10 @@
 
 #include "common/median.h"
 #include "common/transform.h"
-#include "renderer/geometry/splats_of_samples.h"
+#include "renderer/clip/refitted_cloud.h"
 #include "renderer/engines/ewa/splatting.h"
 #include "renderer/frame/film.h"
+#include "renderer/geometry/splats_of_samples.h"
 #include "renderer/owned_or_borrowed.h"
 #include "renderer/shading/environment_cache.h"
 #include "renderer/view/view.h"
@@ -103,20 +104,27 @@ class Prepared final : public PreparedModel {
   Prepared(Cloud&& cloud, std::vector<std::size_t> body_ends,
            std::shared_ptr<EnvironmentCache> environments)
       : cloud_(std::forward<Cloud>(cloud)),
+        drawn_(*cloud_),
         clips_(std::move(body_ends)),
         environments_(std::move(environments)) {}
 
   Result<RenderResult> render(const RenderSettings& settings, Progress& progress) override {
+    RELIEF_TRY_ASSIGN(const SplatCloud* const cloud, drawn_.get(settings.clip, progress));
     if (settings.ewa.time_budget_ms <= 0.0)
-      return render_whole(*cloud_, *environments_, clips_, settings, progress);
-    if (!hierarchy_) hierarchy_ = build_hierarchy(*cloud_);
+      return render_whole(*cloud, *environments_, clips_, settings, progress);
+    if (!hierarchy_ || hierarchy_of_ != cloud) {
+      hierarchy_ = build_hierarchy(*cloud);
+      hierarchy_of_ = cloud;
+    }
     return render_progressive(
         *hierarchy_, *environments_, clips_, settings, [](const RenderResult&) {}, progress);
   }
 
  private:
   OwnedOrBorrowed<SplatCloud> cloud_;
+  RefittedCloud drawn_;
   std::optional<SplatHierarchy> hierarchy_;
+  const SplatCloud* hierarchy_of_ = nullptr;
   ClipCache clips_;
   std::shared_ptr<EnvironmentCache> environments_;
 };

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <optional>
 #include <span>
 
@@ -99,7 +100,13 @@ Vector finite_or_zero(Vector v) {
   return v;
 }
 
-SplatAttributes attributes_of(const SplatCloud& cloud, const Lighting& lighting,
+/// The direction in which a position is seen, of any length.
+glm::dvec3 ray_to(const View& view, glm::dvec3 position) {
+  if (view.orthographic) return glm::transpose(view.rotation) * glm::dvec3(0.0, 0.0, -1.0);
+  return position - view.eye;
+}
+
+SplatAttributes attributes_of(const SplatCloud& cloud, const Lighting& lighting, const View& view,
                               const Clipping& clipping, std::size_t k) {
   SplatAttributes attributes;
   attributes.colour = cloud.colours.empty()
@@ -110,8 +117,10 @@ SplatAttributes attributes_of(const SplatCloud& cloud, const Lighting& lighting,
   if (!cloud.uvs.empty()) attributes.uv = finite_or_zero(glm::dvec2(cloud.uvs[k]));
   if (!cloud.patches.empty()) attributes.patch = cloud.patches[k];
   if (!cloud.materials.empty()) attributes.material = cloud.materials[k];
-  if (clipping.partners != nullptr)
+  if (clipping.partners != nullptr) {
     attributes.clip = static_cast<std::uint8_t>(clipping.partners->kinds[k]);
+    attributes.faces_away = glm::dot(attributes.normal, ray_to(view, cloud.positions[k])) > 0.0;
+  }
   attributes.colour.a *= double{material_of(lighting, attributes.material).constants.opacity};
   return attributes;
 }
@@ -204,9 +213,10 @@ std::uint64_t draw_tile(const SplatCloud& cloud, const std::vector<Chunk<Kernel>
   for (const Chunk<Kernel>& chunk : chunks) {
     for (const TileEntry& entry : entries_of(chunk, t)) {
       const ProjectedSplat<Kernel>& splat = chunk.splats[entry.splat];
-      evaluations += draw_splat(
-          splat, share_of(cloud, clipping, view, chunk.lines_of(splat), splat.index),
-          settings.cutoff, attributes_of(cloud, lighting, clipping, splat.index), tile, buffer);
+      evaluations +=
+          draw_splat(splat, share_of(cloud, clipping, view, chunk.lines_of(splat), splat.index),
+                     settings.cutoff, attributes_of(cloud, lighting, view, clipping, splat.index),
+                     tile, buffer);
     }
   }
   for (std::int64_t y = tile.top; y <= tile.bottom; ++y) {

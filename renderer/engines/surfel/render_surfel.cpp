@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "common/is_finite.h"
 #include "common/transform.h"
+#include "renderer/clip/refitted_cloud.h"
 #include "renderer/engines/surfel/drawing.h"
 #include "renderer/engines/surfel/programs.h"
 #include "renderer/engines/surfel/shapes.h"
@@ -27,6 +28,7 @@ namespace {
 struct StoreKey {
   SurfelSize size;
   std::optional<double> scale;
+  bool refitted;  ///< the normals
 
   auto operator<=>(const StoreKey&) const = default;
 };
@@ -38,6 +40,7 @@ class Prepared final : public GlPreparedModel {
   Prepared(std::unique_ptr<GlModel> model, Cloud&& cloud, bool closed)
       : GlPreparedModel(std::move(model)),
         cloud_(std::forward<Cloud>(cloud)),
+        drawn_(*cloud_),
         closed_(closed),
         nothing_(this->model().gl(), "no attributes") {}
 
@@ -110,7 +113,8 @@ class Prepared final : public GlPreparedModel {
                                      Progress& progress) {
     if (settings.clip.rule == ClipRule::Off) return nullptr;
     if (!clip_ || clip_of_ != &store || clip_settings_ != settings.clip) {
-      RELIEF_TRY_ASSIGN(clip_, make_surfel_clip(model().gl(), store.set, settings.clip, progress));
+      RELIEF_TRY_ASSIGN(
+          clip_, make_surfel_clip(model().gl(), store.set, classified_as(settings.clip), progress));
       clip_of_ = &store;
       clip_settings_ = settings.clip;
     }
@@ -118,12 +122,13 @@ class Prepared final : public GlPreparedModel {
   }
 
   Result<const SurfelStore*> store_for(const RenderSettings& settings, Progress& progress) {
-    const StoreKey key{settings.surfel.size, settings.surfel.scale};
+    const StoreKey key{settings.surfel.size, settings.surfel.scale, refits_normals(settings.clip)};
     auto found = stores_.find(key);
     if (found == stores_.end()) {
       const Gl& gl = model().gl();
-      RELIEF_TRY_ASSIGN(SurfelSet set, make_surfel_set(*cloud_, settings.surfel, progress));
-      RELIEF_TRY_ASSIGN(SurfelTables tables, upload_surfels(gl, set, *cloud_));
+      RELIEF_TRY_ASSIGN(const SplatCloud* const cloud, drawn_.get(settings.clip, progress));
+      RELIEF_TRY_ASSIGN(SurfelSet set, make_surfel_set(*cloud, settings.surfel, progress));
+      RELIEF_TRY_ASSIGN(SurfelTables tables, upload_surfels(gl, set, *cloud));
       const std::vector<shared::DrawnSurfel> empty(set.points.size());
       Table drawn = make_table(gl, "drawn surfels", GL_RGBA32UI,
                                std::span<const shared::DrawnSurfel>(empty), GL_DYNAMIC_STORAGE_BIT);
@@ -149,6 +154,7 @@ class Prepared final : public GlPreparedModel {
   }
 
   OwnedOrBorrowed<SplatCloud> cloud_;
+  RefittedCloud drawn_;
   bool closed_;
   VertexArray nothing_;
   std::map<StoreKey, SurfelStore> stores_;
@@ -160,21 +166,31 @@ class Prepared final : public GlPreparedModel {
   std::map<Features, Programs> programs_;
 };
 
+/// How far discs reach at most, over the cloud's own radii, of usual settings. Depths of an
+/// orthographic camera have more room than that.
+constexpr double kReachRadii = 2.0;
+
+/// The near plane of a view (renderer/frame/gl_model.cpp) is a hundredth of this part of the
+/// smallest radius away: nothing is cut off that is about the eye. With reversed depth values in
+/// floats that costs no precision.
+constexpr double kNearRadii = 1e-8;
+
+/// Depth values of smaller distances vanish.
+constexpr double kLeastSpacing = 1e-24;
+
 /// What a view's depths need to know of the points, as the patches of no samples.
 PatchModel extent_of(const SplatCloud& cloud) {
   PatchModel extent;
-  std::vector<double> radii;
+  double smallest = kLargestRadius;
   for (std::size_t k = 0; k < cloud.positions.size(); ++k) {
     const glm::dvec3 position = cloud.positions[k];
-    if (!std::isfinite(position.x + position.y + position.z) || !std::isfinite(cloud.radii[k]))
-      continue;
-    extend(extent.bounds, position);
-    radii.push_back(cloud.radii[k]);
+    const double radius = cloud.radii[k];
+    if (!is_finite(position) || !(radius > 0.0 && radius <= kLargestRadius)) continue;
+    extend(extent.bounds, position - kReachRadii * radius);
+    extend(extent.bounds, position + kReachRadii * radius);
+    smallest = std::min(smallest, radius);
   }
-  if (radii.empty()) return extent;
-  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
-  std::nth_element(radii.begin(), middle, radii.end());
-  extent.spacing = *middle;
+  extent.spacing = std::max(kNearRadii * smallest, kLeastSpacing);
   return extent;
 }
 

@@ -78,7 +78,8 @@ bool is_curved(const Seen& seen, float slope, float radius, const Eye& eye, Surf
   if (curved == SurfelCurved::None || slope == 0.0F) return false;
   if (curved == SurfelCurved::All) return true;
   const float pixel = eye.orthographic ? eye.pixel : eye.pixel * std::max(seen.depth, 0.0F);
-  return std::abs(seen.away) <= slope * seen.distance &&
+  // On a sphere, discs with a rim slope of s stick out where they lean by less than 2 s.
+  return std::abs(seen.away) <= 2.0F * slope * seen.distance &&
          0.5F * slope * radius >= kLeastHeight * pixel;
 }
 

@@ -7,7 +7,7 @@
 
 #include "renderer/bench/mesh_pass.h"
 #include "renderer/bench/shading_bound.h"
-#include "renderer/engines/ewa/splats_of_samples.h"
+#include "renderer/geometry/splats_of_samples.h"
 #include "renderer/render.h"
 #include "renderer/store/atlas.h"
 #include "renderer/view/draw_list.h"
@@ -126,7 +126,7 @@ TEST(Bench, TimesRowsOnTheCpuBesideThoseOnOpenGl) {
   const PatchModel model = test::sphere_model(sphere());
   test::SphereShape shape = sphere();
   shape.spacing = 0.2;
-  const SplatCloud points = ewa::splats_of_samples(test::sphere_model(shape));
+  const SplatCloud points = splats_of_samples(test::sphere_model(shape));
   RenderModel both = RenderModel::of(model);
   both.add(points);
   const RenderSettings drawn = bench_image(model);

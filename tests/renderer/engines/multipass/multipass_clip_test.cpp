@@ -46,36 +46,13 @@ TEST_P(MultipassClip, ACubeHasTheSilhouetteOfACube) {
   for (const bool orthographic : {false, true}) {
     const auto errors = [&](ClipRule rule) {
       const RenderSettings settings = cube_image(rule, orthographic);
-      return silhouette_errors(values(must_render(model, settings).image, "A"), view_of(settings));
+      return test::silhouette_errors(values(must_render(model, settings).image, "A"),
+                                     view_of(settings));
     };
     // Splats reach half a spacing and more beyond the last samples, to the edge; those of the other
     // faces' planes, and discs, reach beyond it.
     EXPECT_EQ(errors(ClipRule::Partners).overhang, 0U);
     EXPECT_EQ(errors(ClipRule::Partners).holes, errors(ClipRule::Off).holes);
-  }
-}
-
-TEST_P(MultipassClip, FacesThatReachBeyondTheirEdgesEndThere) {
-  // Samples up to one spacing beyond each edge, as the margins of patches have them.
-  PatchModel model = test::cube_patches(8);
-  for (Patch& patch : model.patches) {
-    patch.origin -= patch.spacing * (patch.axes[0] + patch.axes[1]);
-    patch.width += 2;
-    patch.height += 2;
-    patch.heights.assign(std::size_t{patch.width} * patch.height, patch.heights.front());
-    patch.normals = {patch.width, patch.height, 1, {}};
-    patch.normals.texels.assign(patch.heights.size(), glm::i16vec2(0));
-  }
-  const auto errors = [&](ClipRule rule) {
-    const RenderSettings settings = cube_image(rule);
-    return silhouette_errors(values(must_render(model, settings).image, "A"), view_of(settings));
-  };
-  // Three silhouette edges of about 50 pixels a side, overhung by 5 pixels or more.
-  EXPECT_GT(errors(ClipRule::Off).overhang, 500U);
-  for (const ClipRule rule :
-       {ClipRule::Partners, ClipRule::Nearest, ClipRule::Independent, ClipRule::Wicke}) {
-    EXPECT_EQ(errors(rule).overhang, 0U) << static_cast<int>(rule);
-    EXPECT_EQ(errors(rule).holes, 0U) << static_cast<int>(rule);
   }
 }
 
