@@ -2,6 +2,7 @@
 #include "renderer/clip/options.h"
 #include "renderer/engine_options.h"
 #include "renderer/engines/surfel/render_surfel.h"
+#include "renderer/engines/surfel/select_surfels.h"
 #include "renderer/surfels/settings.h"
 
 namespace relief::surfel {

@@ -38,6 +38,9 @@ struct DrawnSurfels {
   std::vector<SurfelBatch> batches;
 };
 
+/// The default of SelectionRule::pixels_per_surfel.
+inline constexpr double kPixelsPerSurfel = 1.0;
+
 /// What decides it beside the view.
 struct SelectionRule {
   SurfelCurved curved = SurfelCurved::Auto;
