@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kNeighbours = 12;
 /// Neighbours farther than so many radii are not where the texture is drawn.
-constexpr double kReach = 4.0;
+constexpr double kGradientReach = 4.0;
 /// Pairs of the nearest so many propose a map: 28 of them.
 constexpr std::size_t kProposers = 8;
 /// At least so many neighbours must agree with a map: any two do, whichever chart they are on.
@@ -131,7 +131,7 @@ Result<std::vector<glm::mat2>> find_texture_gradients(std::span<const glm::dvec3
       std::size_t count = 0;
       for (const std::uint32_t j : graph.of(k)) {
         const glm::dvec3 offset = (positions[j] - positions[k]) / radius;
-        if (!(glm::dot(offset, offset) < kReach * kReach)) break;
+        if (!(glm::dot(offset, offset) < kGradientReach * kGradientReach)) break;
         const glm::dvec2 change = glm::dvec2(texcoords[j]) - glm::dvec2(texcoords[k]);
         if (!std::isfinite(change.x) || !std::isfinite(change.y)) continue;
         shifts[count++] = {{glm::dot(offset, frames[k].u), glm::dot(offset, frames[k].v)}, change};
