@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes the figures of docs/measurements/clip-partners.md: those of [Ivo 2011], with Relief.
 
-usage: scripts/make_clip_figures.py RELIEF DATA [--only NAME,...] [--engine ewa|multipass|surfel] [--work DIR] [--images DIR]
+usage: scripts/make_clip_figures.py RELIEF DATA [--only NAME,...] [--engine surfel|multipass|ewa] [--work DIR] [--images DIR]
 
 DATA is the folder with sharp/. Shapes are made by models/sharp_models.py. Names: densities (Figure 1), cells (Figures 3 and
 5), tower (Figure 7), uneven (Figure 8), thinned (Figure 9), gallery (Figure 10). Writes docs/images/clip_*.jpg. Red pixels
@@ -20,6 +20,8 @@ from measure_clip import clip_options, looking_at, run, shape_of_mesh
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SIDE = 360
 RULES = ("off", "nearest", "independent", "partners")
+# The shapes are closed. Without it splats that look away from the eye show in a band behind contours.
+BACK = ("--cull", "back")
 NAMES = {"off": "unclipped"}
 HOLE, OVERHANG = (1.0, 0.0, 0.0), (0.0, 0.75, 0.1)
 
@@ -45,7 +47,8 @@ class Figures:
             self.truths[key] = (Truth(path, spacing), colours)
         truth, truth_colours = self.truths[key]
         path = self.work / "image.exr"
-        colours, _ = render(self.options.relief, points, path, "--engine", self.options.engine, *common, *clip_options(rule))
+        colours, _ = render(self.options.relief, points, path, "--engine", self.options.engine, *common, *clip_options(rule),
+                            *([] if self.options.engine == "ewa" else BACK))
         _, (holes, overhang) = judge(truth, path)
         return colours, holes, overhang, truth_colours
 
@@ -134,7 +137,7 @@ def main():
     parser.add_argument("relief", help="the command, as build/release/cli/relief")
     parser.add_argument("data", type=pathlib.Path)
     parser.add_argument("--only", default=",".join(DRAWINGS))
-    parser.add_argument("--engine", default="ewa")
+    parser.add_argument("--engine", default="surfel")
     parser.add_argument("--work", type=pathlib.Path, help="shapes and images stay there (default: a folder that is removed)")
     parser.add_argument("--images", type=pathlib.Path, default=ROOT / "docs" / "images")
     options = parser.parse_args()

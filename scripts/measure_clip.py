@@ -21,6 +21,7 @@ import sys
 import numpy as np
 
 from judge_images import Truth, judge, summary
+from read_exr import displayed, read_exr
 
 RULES = ("off", "partners", "nearest", "independent", "wicke")
 COLUMNS = (("holes", "holes", "d"), ("overhang", "overhang", "d"), ("silhouette_px", "silhouette", ".3f"),
@@ -137,6 +138,7 @@ def parse():
     parser.add_argument("--frames", type=int, default=3)
     parser.add_argument("--work", type=pathlib.Path, default=pathlib.Path("measure_clip"), help="images go there")
     parser.add_argument("--again", action="store_true", help="judge the images that --work has; draw only those it lacks")
+    parser.add_argument("--sheet", help="also write the images of the first view as one .jpg, with holes and overhang; needs Pillow")
     parser.add_argument("--json", type=pathlib.Path, help="write all figures there")
     own, more = (sys.argv[1:], []) if "--" not in sys.argv else (sys.argv[1:sys.argv.index("--")],
                                                                  sys.argv[sys.argv.index("--") + 1:])
@@ -145,6 +147,23 @@ def parse():
         parser.error("give either SHAPES or --mesh")
     options.more = more
     return options
+
+
+def write_sheet(options, shapes):
+    """Puts the first view of all shapes on one sheet: a row for each engine, holes red, overhang green, the truth last."""
+    from figure_sheet import PAPER, marked, sheet  # it needs Pillow, which tables do not
+    cells = []
+    for name, shape, _, _ in shapes:
+        path = options.work / f"{name}_0_truth.exr"
+        truth = Truth(path, shape["spacing"], options.tolerance, options.near)
+        for engine in options.engines:
+            for rule in options.rules:
+                image = options.work / f"{name}_0_{engine}_{rule}.exr"
+                holes, overhang = judge(truth, image)[1]
+                colours = marked(displayed(read_exr(image), PAPER), overhang, (0.0, 0.75, 0.1))
+                cells.append((f"{name}, {rule}: {holes.sum()} holes, {overhang.sum()} over", marked(colours, holes)))
+            cells.append((f"{name}, truth", displayed(read_exr(path), PAPER)))
+    sheet(options.sheet, cells, len(options.rules) + 1)
 
 
 def shapes_of(options):
@@ -174,6 +193,8 @@ def main():
         for engine, rule, figures in () if options.time else measurement.measure(name, shape, points, mesh):
             found.setdefault(name, {}).setdefault(engine, {})[rule] = figures
             print(f"| {name} | {engine} | {rule} | {row_of(figures)} |", flush=True)
+    if options.sheet:
+        write_sheet(options, shapes_of(options))
     if options.json:
         options.json.write_text(json.dumps(found, indent=1) + "\n")
 

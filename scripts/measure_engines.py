@@ -21,6 +21,7 @@ DOCS = pathlib.Path(__file__).resolve().parent.parent / "docs"
 PAGE = DOCS / "engines.md"
 PLOT = DOCS / "images" / "engines.svg"
 BEGIN, END = "<!-- Written by scripts/measure_engines.py from here -->", "<!-- to here -->"
+PLOT_TITLE = "PSNR over covered pixels against the time of a frame, for each engine on three models"
 COLUMNS = ("", "draws", "frame, ms", "over onepass", "GPU, MB", "PSNR, covered", "FLIP", "normals, degrees", "holes",
            "missing", "overhang")
 
@@ -94,7 +95,7 @@ def table_of(reports, arguments):
              f"| {' | '.join(COLUMNS)} |", f"| --- | --- |{' ---: |' * (len(COLUMNS) - 2)}"]
     for name, report in reports.items():
         lines += rows_of(name, report)
-    return "\n".join(lines)
+    return "\n".join([*lines, "", f"![{PLOT_TITLE}](images/{PLOT.name})"])
 
 
 def first_panel(svg):

@@ -68,23 +68,25 @@ Result<SurfelSizes> find_surfel_sizes(std::span<const glm::dvec3> positions, Sur
   for (std::size_t k = 0; k < positions.size(); ++k) {
     const std::uint32_t of = distinct.of[k];
     if (of == DistinctPositions::kNone) continue;
-    // Squares of the smallest distances vanish.
+    // Squares of the smallest distances vanish, and twice the largest ones overflow.
+    using Limits = std::numeric_limits<double>;
     sizes.diameters[k] =
-        std::max(found.diameters[of] * distinct.unit, std::numeric_limits<double>::min());
+        std::clamp(found.diameters[of] * distinct.unit, Limits::min(), Limits::max());
     if (!found.clusters.empty()) sizes.clusters[k] = found.clusters[of];
   }
   sizes.leftovers = found.leftovers;
   return sizes;
 }
 
+// Leaves at most 0.001 % of the known surfaces bare (docs/decisions/0128), rounded up to a tenth.
 double closing_scale(SurfelSize method) {
   switch (method) {
     case SurfelSize::BspEdge:
-      return 3.4;
+      return 3.9;
     case SurfelSize::BspCircle:
-      return 2.25;
+      return 2.4;
     case SurfelSize::Qsplat:
-      return 1.5;
+      return 2.2;
     case SurfelSize::Cell:
       return 1.1;
     case SurfelSize::Given:

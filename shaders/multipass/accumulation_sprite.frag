@@ -10,6 +10,11 @@ void main() {
   PlaceInPlane hit = cast_ray();
   vec4 footprint = RELIEF_DISC_FOOTPRINT(hit.position);
   float visible = texelFetch(visible_depth, ivec2(gl_FragCoord.xy), 0).x;
-  if (is_off(hit.position) || !(value_at(hit) > visible)) discard;
+#if (RELIEF_FEATURES & RELIEF_FEATURE_CLIPPED) != 0u
+  float value = set_back(value_at(hit), depths.y);
+#else
+  float value = value_at(hit);
+#endif
+  if (is_off(hit.position) || !(value > visible)) discard;
   accumulate(hit.position, depth_at(hit), footprint);
 }

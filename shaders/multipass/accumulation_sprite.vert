@@ -22,7 +22,11 @@ void main() {
       project_frame(splat.centre, radius * axes.u, radius * axes.v, clip_from_grid);
   frame_of_offset = seen.frame_of_offset;
   middle = seen.middle;
+#if (RELIEF_FEATURES & RELIEF_FEATURE_CLIPPED) != 0u
+  depths = vec2(seen.depth, clip_set_back(splat, info, fetch_eye(patch_index)));
+#else
   depths = vec2(seen.depth, 1.0);
+#endif
   SpriteBox box = bound_disc(splat, radius, clip_from_grid);
   gl_Position = box.drawable ? vec4(box.centre, box.nearest, 1.0) : vec4(0.0, 0.0, 2.0, 1.0);
   gl_PointSize = box.size;

@@ -6,6 +6,9 @@
 layout(location = RELIEF_ATTRIBUTE_PATCH) in uint patch_index;
 
 layout(location = 0) out vec2 position;  // in the disc, of radius 1
+#if (RELIEF_FEATURES & RELIEF_FEATURE_CLIPPED) != 0u
+layout(location = 11) flat out float clipped_back;
+#endif
 
 void main() {
   mat4 clip_from_grid = fetch_clip_from_grid(patch_index);
@@ -20,6 +23,10 @@ void main() {
   gl_Position =
       clip_from_grid *
       vec4(splat.centre + radius * (position.x * axes.u + position.y * axes.v), 1.0);
+#if (RELIEF_FEATURES & RELIEF_FEATURE_CLIPPED) != 0u
+  clipped_back = clip_set_back(splat, info, fetch_eye(patch_index));
+  gl_Position.z = set_back(gl_Position.z, clipped_back);
+#endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_LARGE_SPRITES) != 0u
   SpriteBox box = bound_disc(splat, radius, clip_from_grid);
   if (box.drawable || !box.visible) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);

@@ -31,18 +31,31 @@ glm::dvec3 beyond_line(const PixelMapping& mapping, glm::dvec3 point, glm::dvec3
   return side * glm::dvec3(change, -offset * facing / point.z);
 }
 
-glm::dmat2 seen_variance(const TangentMapping& plane, double radius, EwaFilter filter) {
-  if (filter == EwaFilter::Unfiltered) return glm::dmat2(0.0);
+SeenSplat seen_splat(const TangentMapping& plane, double radius, EwaFilter filter) {
+  if (filter == EwaFilter::Unfiltered) return {};
   const glm::dmat2 variance = radius * radius * plane.to_pixels * glm::transpose(plane.to_pixels);
-  return variance * glm::inverse(variance + glm::dmat2(1.0));
+  return {variance * glm::inverse(variance + glm::dmat2(kPixelVariance)), kPixelVariance};
 }
 
-ImageLine image_line(glm::dvec3 beyond, const glm::dmat2& seen, bool ends_group) {
+ImageLine image_line(glm::dvec3 beyond, const SeenSplat& seen, bool ends_group) {
   const glm::dvec2 across(beyond);
-  const glm::dvec2 mean = seen * across;
-  const double deviation = std::sqrt(std::max(glm::dot(across, mean), 0.0));
+  const glm::dvec2 mean = seen.mean * across;
+  const double deviation = std::sqrt(std::max(seen.filter * glm::dot(across, mean), 0.0));
   if (deviation > 0.0) return {glm::dvec3(mean, beyond.z) / deviation, ends_group};
   return {beyond * (kSharp / std::max(glm::length(across), kLeast)), ends_group};
+}
+
+double kept_mass(std::span<const ClipLine> lines, double radius) {
+  double kept = 1.0;
+  double of_group = 0.0;
+  for (const ClipLine& line : lines) {
+    const double distance = double{line.offset} / radius;
+    of_group = std::max(of_group, 0.5 * std::erfc(-distance / std::numbers::sqrt2));
+    if (!line.ends_group) continue;
+    kept *= of_group;
+    of_group = 0.0;
+  }
+  return std::max(kept, kLeastKept);
 }
 
 }  // namespace relief::ewa

@@ -120,7 +120,7 @@ void project_clip_lines(const SplatCamera& camera, glm::dvec3 position, glm::dve
   const auto plane = map_tangent_plane(camera.mapping, p, n);
   if (!plane) return;
   const double h = camera.view.orthographic ? radius : std::min(radius, p.z);
-  const glm::dmat2 seen = seen_variance(*plane, h, camera.filter);
+  const SeenSplat seen = seen_splat(*plane, h, camera.filter);
   for (const ClipLine& line : lines) {
     const glm::dvec3 direction = to_camera(camera.view, glm::dvec3(line.direction));
     projected.push_back(image_line(beyond_line(camera.mapping, p, n, direction, line.offset), seen,

@@ -64,6 +64,9 @@ void add_lines(const SplatCloud& cloud, const SplatCamera& camera, const Clippin
   project_clip_lines(camera, cloud.positions[k], glm::dvec3(cloud.normals[k]), cloud.radii[k],
                      clipping.partners->of(k), lines);
   splat.line_count = static_cast<std::uint32_t>(lines.size()) - splat.first_line;
+  // The lines of Wicke are of all partners, most of them nearly the same.
+  if (clipping.rule != ClipRule::Wicke)
+    splat.kernel.peak /= kept_mass(clipping.partners->of(k), cloud.radii[k]);
 }
 
 template <class Kernel>

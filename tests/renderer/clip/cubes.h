@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <vector>
 
@@ -20,6 +21,12 @@ inline std::array<glm::dvec3, 6> cube_normals() {
   return {glm::dvec3(1, 0, 0), {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
 }
 
+/// Axes along the edges of such a face, with its normal as the third.
+inline glm::dmat3 face_axes(glm::dvec3 normal) {
+  const glm::dvec3 u(std::abs(normal.z), std::abs(normal.x), std::abs(normal.y));
+  return {u, glm::cross(normal, u), normal};
+}
+
 /// Points on the faces of the cube from -1 to 1, `side` of them a row, none on an edge. Each face
 /// is brighter than the one before.
 inline SplatCloud cube_cloud(int side) {
@@ -27,7 +34,7 @@ inline SplatCloud cube_cloud(int side) {
   const double spacing = 2.0 / side;
   float grey = 0.1F;
   for (const glm::dvec3& normal : cube_normals()) {
-    const glm::dmat3 axes = axes_about(normal);
+    const glm::dmat3 axes = face_axes(normal);
     for (int j = 0; j < side; ++j) {
       for (int i = 0; i < side; ++i) {
         const glm::dvec2 at = (glm::dvec2(i, j) + 0.5) * spacing - 1.0;
@@ -48,7 +55,7 @@ inline PatchModel cube_patches(std::uint32_t nodes) {
   std::vector<Patch> patches;
   const double spacing = 2.0 / nodes;
   for (const glm::dvec3& normal : cube_normals()) {
-    const glm::dmat3 axes = axes_about(normal);
+    const glm::dmat3 axes = face_axes(normal);
     const glm::dvec3 corner = normal + (0.5 * spacing - 1.0) * (axes[0] + axes[1]);
     patches.push_back(sample_patch({corner, axes, spacing, nodes, nodes}, [normal](glm::dvec3) {
       return SurfacePoint{0.0, normal, {}};

@@ -55,25 +55,26 @@ TEST(ImageLines, LieWhereRaysMeetTheLineInThePlane) {
 }
 
 TEST(ImageLines, KeepTheShareThatThePixelSeesBeforeThem) {
-  // Of a splat that faces the eye at depth 1: G_V times G_I about the pixel, summed over a fine
-  // grid.
+  // Of a splat that faces the eye at depth 1: its Gaussian times that of the pixel, summed over a
+  // fine grid.
   const auto plane = map_tangent_plane(kMapping, {0.0, 0.0, 1.0}, {0.0, 0.0, -1.0});
   ASSERT_TRUE(plane);
-  for (const double pixels : {0.3, 1.0, 6.0}) {  // the splat's radius in the image
+  for (const double pixels : {0.1, 0.3, 6.0}) {  // the splat's radius in the image
     const double radius = pixels / kMapping.scale;
     const glm::dvec3 beyond =
         beyond_line(kMapping, {0.0, 0.0, 1.0}, {0.0, 0.0, -1.0}, {1.0, 0.0, 0.0}, 0.4 * radius);
-    const ImageLine line = image_line(beyond, seen_variance(*plane, radius, EwaFilter::Ewa), true);
-    for (const double x : {-1.5, 0.0, 0.7}) {
+    const ImageLine line = image_line(beyond, seen_splat(*plane, radius, EwaFilter::Ewa), true);
+    for (const double x : {-0.5, 0.0, 0.3, 2.5}) {
       double before = 0.0;
       double all = 0.0;
-      for (double at = -40.0; at < 40.0; at += 0.01) {
-        const double weight = std::exp(-0.5 * (at * at / (pixels * pixels) + (x - at) * (x - at)));
+      for (double at = -40.0; at < 40.0; at += 0.001) {
+        const double weight =
+            std::exp(-0.5 * (at * at / (pixels * pixels) + (x - at) * (x - at) / kPixelVariance));
         all += weight;
         if (at < 0.4 * pixels) before += weight;
       }
-      // The grid's steps are a hundredth of a pixel.
-      EXPECT_NEAR(line.kept({x, 3.0}), before / all, 0.02) << pixels << ' ' << x;
+      // The grid's steps are a thousandth of a pixel.
+      EXPECT_NEAR(line.kept({x, 3.0}), before / all, 0.01) << pixels << ' ' << x;
     }
   }
 }
@@ -114,7 +115,8 @@ TEST(EwaClip, ACubeHasTheSilhouetteOfACube) {
     // Splats reach 1.4 spacings beyond the edges, about five pixels of twenty a row.
     EXPECT_GT(errors(false).overhang, 300U) << side;
     EXPECT_EQ(errors(true).overhang, 0U) << side;
-    EXPECT_EQ(errors(true).holes, 0U) << side;
+    // Kernels end at the exponent 1: half-way between two of them at an edge little is left.
+    EXPECT_LE(errors(true).holes, 5U) << side;
   }
 }
 
@@ -130,8 +132,9 @@ TEST(EwaClip, FacesDoNotMixAtAnEdge) {
       return alpha[k++] == 1.0F && std::abs(tenths - std::round(tenths)) > 0.1F;
     });
   };
-  // Three edges of about 60 pixels, a pixel or two wide; unclipped 1.4 spacings to both sides.
-  EXPECT_LT(mixed(true), 400);
+  // Three edges of about 60 pixels. The low-pass filter mixes two pixels to both sides (832 in
+  // all), unclipped splats 1.4 spacings, a dozen pixels, to both sides.
+  EXPECT_LT(mixed(true), 900);
   EXPECT_GT(mixed(false), 3 * mixed(true));
 }
 
@@ -209,10 +212,12 @@ TEST(EwaClip, WhatIsBehindTheCutShows) {
 TEST(EwaClip, LevelsAreClippedToo) {
   const SplatCloud cloud = test::cube_cloud(40);
   RenderSettings settings = cube_image(true);
-  settings.ewa.time_budget_ms = 1e-9;  // the coarsest level
+  // From so far that a spacing is a pixel: coarser sets are drawn first, and no time is left.
+  settings.camera.eye *= 4.0;
+  settings.ewa.time_budget_ms = 1e-9;
   const RenderResult result = must_splat(cloud, settings);
   ASSERT_GT(*result.level, 0U);
-  EXPECT_EQ(silhouette_errors(values(result.image, "A"), view_of(settings)).overhang, 0U);
+  EXPECT_EQ(test::silhouette_errors(values(result.image, "A"), view_of(settings)).overhang, 0U);
 }
 
 }  // namespace
