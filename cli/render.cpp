@@ -35,8 +35,10 @@ std::string render_footer() {
          "their\n"
          "positions and views. A scan or mesh is converted in memory with the default options; "
          "ewa\n"
-         "and surfel draw its points, raytrace its triangles. Options given here override those of a scene.\n"
-         "By default the camera sees the whole model, obliquely from the front. No display is "
+         "and surfel draw its points, raytrace its triangles. Options given here override those of "
+         "a\n"
+         "scene. By default the camera sees the whole model, obliquely from the front. No display "
+         "is\n"
          "needed.\n"
          "\n"
          "Engines:\n" +

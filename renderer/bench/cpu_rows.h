@@ -6,7 +6,7 @@
 
 #include "common/error.h"
 #include "common/progress.h"
-#include "renderer/bench/bench.h"
+#include "renderer/bench/bench_row.h"
 
 namespace relief::bench_passes {
 

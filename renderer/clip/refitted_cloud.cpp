@@ -1,8 +1,12 @@
 #include "renderer/clip/refitted_cloud.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <glm/geometric.hpp>
 #include <iterator>
 #include <vector>
 
@@ -24,6 +28,36 @@ SplatDiscs fitting_discs(const SplatCloud& cloud) {
   return discs;
 }
 
+/// Discs whose normals part by more than this are on both sides of an edge: 30 degrees, the least
+/// of the thresholds that are found from noise (different_surface.cpp).
+constexpr double kEdgeCosine = 0.866;
+/// Discs that are looked at for an edge, and that one thread takes at once.
+constexpr std::size_t kLookedAt = 256;
+constexpr std::size_t kTakenAtOnce = 1024;
+
+/// Which discs have an edge in reach. Elsewhere a normal stays what it is: means over neighbours
+/// would only flatten what is bent.
+std::vector<std::uint8_t> find_near_edges(const DiscTree& tree,
+                                          const std::vector<glm::dvec3>& normals) {
+  std::vector<std::uint8_t> near(normals.size(), 0);
+  tbb::parallel_for(
+      std::size_t{0}, (near.size() + kTakenAtOnce - 1) / kTakenAtOnce, [&](std::size_t piece) {
+        std::vector<std::uint32_t> found;
+        const std::size_t end = std::min((piece + 1) * kTakenAtOnce, near.size());
+        for (std::size_t slot = piece * kTakenAtOnce; slot < end; ++slot) {
+          found.clear();
+          tree.neighbours(slot, kLookedAt, found);
+          near[slot] = std::any_of(found.begin(), found.end(),
+                                   [&](std::uint32_t other) {
+                                     return glm::dot(normals[slot], normals[other]) < kEdgeCosine;
+                                   })
+                           ? 1
+                           : 0;
+        }
+      });
+  return near;
+}
+
 }  // namespace
 
 Result<const SplatCloud*> RefittedCloud::get(const ClipSettings& settings, Progress& progress) {
@@ -32,9 +66,11 @@ Result<const SplatCloud*> RefittedCloud::get(const ClipSettings& settings, Progr
     progress.begin_stage("normals at edges", 0);
     const DiscTree tree(fitting_discs(given_));
     RELIEF_TRY_ASSIGN(const std::vector<glm::dvec3> normals, refit_normals(tree, progress));
+    const std::vector<std::uint8_t> near_edges = find_near_edges(tree, normals);
     refitted_ = given_;
     for (std::size_t slot = 0; slot < normals.size(); ++slot)
-      refitted_->normals[tree.discs()[slot].splat] = glm::vec3(normals[slot]);
+      if (near_edges[slot] != 0)
+        refitted_->normals[tree.discs()[slot].splat] = glm::vec3(normals[slot]);
   }
   return &*refitted_;
 }

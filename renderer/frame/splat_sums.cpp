@@ -26,12 +26,12 @@ Result<SplatSums> make_sums(const Gl& gl, const Targets& targets, Features featu
       make(keeps_materials && features.has(RELIEF_FEATURE_MIXED), "materials", GL_R8UI);
   const Texture* z = &targets.z_buffer;
   const bool shows_clip = features.has(RELIEF_FEATURE_OUT_CLIP);
-  Framebuffer visibility = make_framebuffer(
-      gl, "visibility", z,
-      {{RELIEF_OUT_UV, address(targets.uv)},
-       {RELIEF_OUT_PATCH, address(targets.patch_id)},
-       {RELIEF_OUT_CLIP, shows_clip ? address(targets.clip) : nullptr},
-       {RELIEF_OUT_MATERIAL, address(materials)}});
+  Framebuffer visibility =
+      make_framebuffer(gl, "visibility", z,
+                       {{RELIEF_OUT_UV, address(targets.uv)},
+                        {RELIEF_OUT_PATCH, address(targets.patch_id)},
+                        {RELIEF_OUT_CLIP, shows_clip ? address(targets.clip) : nullptr},
+                        {RELIEF_OUT_MATERIAL, address(materials)}});
   Framebuffer accumulation = make_framebuffer(gl, "accumulation", z,
                                               {{RELIEF_SUM_NORMAL, address(normals)},
                                                {RELIEF_SUM_COLOUR, address(colours)},

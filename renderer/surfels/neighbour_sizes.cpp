@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kMostNeighbours = 16;  // of a leftover
 constexpr std::uint32_t kMeshNeighbours = 6;   // of a vertex of a mesh, on average
-constexpr std::size_t kPointsOfPiece = 1024;   // between looks at Ctrl-C
+constexpr std::size_t kSpheresOfPiece = 1024;  // between looks at Ctrl-C
 
 /// The diameter of a leftover whose neighbours `nearest` has found.
 double leftover_size(const PositionTree& tree, const NearestSearch& nearest, std::uint32_t slot,
@@ -52,7 +52,7 @@ Status give_leftover_sizes(const std::vector<glm::dvec3>& positions,
   for (std::uint32_t slot = 0; slot < tree.size(); ++slot) slots[tree.index(slot)] = slot;
   const std::uint32_t k = std::min(kMostNeighbours, tree.size() - 1);
   using Range = tbb::blocked_range<std::size_t>;
-  tbb::parallel_for(Range(0, leftovers.size(), kPointsOfPiece), [&](const Range& range) {
+  tbb::parallel_for(Range(0, leftovers.size(), kSpheresOfPiece), [&](const Range& range) {
     if (progress.cancelled()) return;
     NearestSearch nearest(tree, k);
     for (std::size_t m = range.begin(); m != range.end(); ++m) {

@@ -48,7 +48,7 @@ inline constexpr NumberChoice kSurfelFalloffs{0.05, 8.0};
 inline constexpr NumberChoice kSurfelOffsets{0.0, 1e12};
 
 struct SurfelSettings {
-  SurfelSize size = SurfelSize::BspEdge;
+  SurfelSize size = SurfelSize::Cell;
   std::optional<double> scale;  ///< of the diameters; none: what closes the gaps of `size`
   int sides = 3;                ///< of the polygons, which hold the surfels' discs
   SurfelCurved curved = SurfelCurved::Auto;

@@ -17,7 +17,7 @@ namespace {
 
 /// Deeper than any scan's tree. Hostile positions make a tree as deep as there are surfels, so that
 /// from here on nodes are halved.
-constexpr int kDeepest = 32;
+constexpr int kDeepestSphere = 32;
 
 using Slots = std::span<std::uint32_t>;
 
@@ -77,8 +77,8 @@ bool make_nodes(std::span<const glm::dvec3> positions, SphereTree& tree, Progres
     std::vector<std::array<std::uint32_t, 4>> counts(end - begin);
     tbb::parallel_for(begin, end, [&](std::size_t n) {
       const SphereNode& node = tree.nodes[n];
-      counts[n - begin] =
-          divide(positions, Slots(tree.order).subspan(node.first, node.count), level > kDeepest);
+      counts[n - begin] = divide(positions, Slots(tree.order).subspan(node.first, node.count),
+                                 level > kDeepestSphere);
     });
     for (std::size_t n = begin; n < end; ++n) {
       std::uint32_t first = tree.nodes[n].first;

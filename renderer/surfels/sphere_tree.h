@@ -52,8 +52,8 @@ struct SphereSurfels {
 };
 
 /// Builds the hierarchy: nodes are split in the middle of the longest side of their box, twice a
-/// level, so that most have four children. The result does not depend on the number of threads.
-/// Fails only if it is interrupted.
+/// level, so that they have two to four children, three on average. The result does not depend on
+/// the number of threads. Fails only if it is interrupted.
 Result<SphereTree> build_sphere_tree(const SphereSurfels& surfels, Progress& progress);
 
 /// The mean of an attribute over the surfels of each node, as long as `nodes`. `of_surfel`: in the

@@ -68,9 +68,10 @@ Result<SurfelSizes> find_surfel_sizes(std::span<const glm::dvec3> positions, Sur
   for (std::size_t k = 0; k < positions.size(); ++k) {
     const std::uint32_t of = distinct.of[k];
     if (of == DistinctPositions::kNone) continue;
-    // Squares of the smallest distances vanish.
+    // Squares of the smallest distances vanish, and twice the largest ones overflow.
+    using Limits = std::numeric_limits<double>;
     sizes.diameters[k] =
-        std::max(found.diameters[of] * distinct.unit, std::numeric_limits<double>::min());
+        std::clamp(found.diameters[of] * distinct.unit, Limits::min(), Limits::max());
     if (!found.clusters.empty()) sizes.clusters[k] = found.clusters[of];
   }
   sizes.leftovers = found.leftovers;

@@ -28,8 +28,8 @@ struct SurfelSizes {
 Result<SurfelSizes> find_surfel_sizes(std::span<const glm::dvec3> positions, SurfelSize method,
                                       Progress& progress);
 
-/// The factor of the diameters that leaves at most 0.001 % of a surface bare, as measured on surfaces
-/// that are known, sampled evenly and unevenly (docs/measurements/surfels.md).
+/// The factor of the diameters that leaves at most 0.001 % of a surface bare, as measured on
+/// surfaces that are known, sampled evenly and unevenly (docs/measurements/surfels.md).
 [[nodiscard]] double closing_scale(SurfelSize method);
 
 /// How a surfel bends: its height over the tangent plane at offset (x, y) along its axes is

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kNeighbours = 12;
 /// Neighbours farther than so many radii are not where the texture is drawn.
-constexpr double kReach = 4.0;
+constexpr double kGradientReach = 4.0;
 /// Pairs of the nearest so many propose a map: 28 of them.
 constexpr std::size_t kProposers = 8;
 /// At least so many neighbours must agree with a map: any two do, whichever chart they are on.
@@ -41,12 +41,12 @@ struct Proposal {
   glm::dmat2 map{0.0};
   int agreeing = 0;
   double size = 0.0;
-
-  /// Of maps with as many the smaller one: a jump over a seam makes a steep map.
-  [[nodiscard]] bool is_better_than(const Proposal& other) const {
-    return agreeing != other.agreeing ? agreeing > other.agreeing : size < other.size;
-  }
 };
+
+/// Maps more than twice as steep as the flattest that enough neighbours agree with lead over a
+/// seam: there a step of the coordinates lies within a step of the surface. Many agree with a steep
+/// map, whose tolerance is wide.
+constexpr double kMostOfFlattest = 2.0 * 2.0;  // of squared sizes
 
 Proposal rate(const glm::dmat2& map, std::span<const Shift> shifts) {
   Proposal proposal{map, 0, glm::dot(map[0], map[0]) + glm::dot(map[1], map[1])};
@@ -74,8 +74,11 @@ glm::dmat2 refit(const glm::dmat2& map, std::span<const Shift> shifts) {
   return {(yy * by_x - xy * by_y) / determinant, (xx * by_y - xy * by_x) / determinant};
 }
 
-glm::dmat2 find_map(std::span<const Shift> shifts) {
-  Proposal best;
+/// The maps of all pairs of near neighbours that enough others agree with.
+using Proposals = std::array<Proposal, kProposers*(kProposers - 1) / 2>;
+
+std::size_t propose(std::span<const Shift> shifts, Proposals& proposals) {
+  std::size_t count = 0;
   const std::size_t proposers = std::min(shifts.size(), kProposers);
   for (std::size_t b = 1; b < proposers; ++b) {
     for (std::size_t a = 0; a < b; ++a) {
@@ -85,13 +88,26 @@ glm::dmat2 find_map(std::span<const Shift> shifts) {
       if (!(std::abs(determinant) > 0.2 * glm::length(p) * glm::length(q))) continue;
       const glm::dmat2 map((q.y * shifts[a].change - p.y * shifts[b].change) / determinant,
                            (p.x * shifts[b].change - q.x * shifts[a].change) / determinant);
-      const Proposal proposal = rate(map, shifts);
-      if (proposal.is_better_than(best)) best = proposal;
+      proposals[count] = rate(map, shifts);
+      if (proposals[count].agreeing >= kFewestAgreeing) ++count;
     }
   }
-  if (best.agreeing < kFewestAgreeing) return glm::dmat2(0.0);
-  for (int round = 0; round < 2; ++round) best.map = refit(best.map, shifts);
-  return best.map;
+  return count;
+}
+
+glm::dmat2 find_map(std::span<const Shift> shifts) {
+  Proposals all;
+  const auto proposals = std::span(all).first(propose(shifts, all));
+  if (proposals.empty()) return glm::dmat2(0.0);
+  const double flattest = std::ranges::min_element(proposals, {}, &Proposal::size)->size;
+  const Proposal* best = nullptr;
+  for (const Proposal& proposal : proposals) {
+    if (proposal.size > kMostOfFlattest * flattest) continue;
+    if (best == nullptr || proposal.agreeing > best->agreeing) best = &proposal;
+  }
+  glm::dmat2 map = best->map;
+  for (int round = 0; round < 2; ++round) map = refit(map, shifts);
+  return map;
 }
 
 }  // namespace
@@ -115,7 +131,7 @@ Result<std::vector<glm::mat2>> find_texture_gradients(std::span<const glm::dvec3
       std::size_t count = 0;
       for (const std::uint32_t j : graph.of(k)) {
         const glm::dvec3 offset = (positions[j] - positions[k]) / radius;
-        if (!(glm::dot(offset, offset) < kReach * kReach)) break;
+        if (!(glm::dot(offset, offset) < kGradientReach * kGradientReach)) break;
         const glm::dvec2 change = glm::dvec2(texcoords[j]) - glm::dvec2(texcoords[k]);
         if (!std::isfinite(change.x) || !std::isfinite(change.y)) continue;
         shifts[count++] = {{glm::dot(offset, frames[k].u), glm::dot(offset, frames[k].v)}, change};

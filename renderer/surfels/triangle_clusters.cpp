@@ -14,7 +14,7 @@ namespace {
 
 /// Deeper than any scan's tree; hostile points make a tree as deep as there are points, so that
 /// from here on clusters are halved.
-constexpr int kDeepest = 64;
+constexpr int kDeepestCluster = 64;
 
 /// Smaller clusters are split by the thread that has them.
 constexpr std::size_t kSplitInParallel = 4096;
@@ -73,7 +73,7 @@ std::size_t choose_lower(std::size_t n, std::size_t below) {
 /// Returns the last point of the lower side, which has `count` points.
 Placed last_of_lower(const std::vector<Placed>& placed, std::size_t below, std::size_t count) {
   const std::size_t moved = count > below ? count - below : below - count;
-  if (moved > 2) {  // deeper than kDeepest
+  if (moved > 2) {  // deeper than kDeepestCluster
     std::vector<Placed> sorted = placed;
     const auto at = sorted.begin() + static_cast<std::ptrdiff_t>(count - 1);
     std::nth_element(sorted.begin(), at, sorted.end());
@@ -110,7 +110,7 @@ struct Splitter {
     place(positions, cluster, placed);
     const auto below = static_cast<std::size_t>(
         std::ranges::count_if(placed, [](const Placed& p) { return p.along < 0.0; }));
-    const std::size_t wanted = depth < kDeepest ? below : cluster.size() / 2;
+    const std::size_t wanted = depth < kDeepestCluster ? below : cluster.size() / 2;
     const std::size_t count = choose_lower(cluster.size(), wanted);
     const Placed last = last_of_lower(placed, below, count);
     std::size_t lower = 0;

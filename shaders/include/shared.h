@@ -99,8 +99,9 @@ using glm::vec4;
 // (Triangles are left out by OpenGL, which needs no variant.)
 #define RELIEF_FEATURE_FRONT 32768u
 
-// Splats of `multipass` and `surfel` that clip lines cut at sharp edges: in both passes over them a loop over the
-// lines of a splat, one lookup each. Patches that have no such splat are drawn without it.
+// Splats of `multipass` and `surfel` that clip lines cut at sharp edges: in both passes over them a
+// loop over the lines of a splat, one lookup each. Patches that have no such splat are drawn
+// without it.
 #define RELIEF_FEATURE_CLIPPED 67108864u
 // Beside CLIPPED: the rule of Wicke, for comparison: three lookups a line, twice.
 #define RELIEF_FEATURE_CLIP_WICKE 134217728u
@@ -348,7 +349,8 @@ RELIEF_CONST float kNeutralGrey = 0.5f;
 /// below that how its partners lie (ClipKind). A line is a texel in the grid frame of the splat's
 /// patch: (x, y) from the splat's centre is beyond it where dot(x, y) with the first two exceeds
 /// the third, in cells; the fourth is 1 where its group ends. With CLIP_WICKE it has the plane of
-/// its partner in two more: the centre from the splat's (cells; w: 1 if their edge is concave), the normal.
+/// its partner in two more: the centre from the splat's (cells; w: 1 if their edge is concave), the
+/// normal.
 RELIEF_CONST uint kClipKindBits = 3u;
 RELIEF_CONST uint kClipKindMask = 7u;
 RELIEF_CONST int kWickeTexels = 3;
@@ -358,8 +360,8 @@ RELIEF_CONST int kWickeTexels = 3;
 RELIEF_CONST float kClipSlack = 0.01f;
 RELIEF_CONST float kClipSlackPixels = 0.02f;
 
-/// How far pass 2 sets clipped splats back that face away, in blending depths: all but a little that
-/// planes of one surface differ by.
+/// How far pass 2 sets clipped splats back that face away, in blending depths: all but a little
+/// that planes of one surface differ by.
 RELIEF_CONST float kClippedSetBack = 0.95f;
 
 /// The most lights of an image.

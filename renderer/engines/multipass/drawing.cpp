@@ -8,7 +8,8 @@
 
 namespace relief::multipass {
 
-Drawing::Drawing(const Variant& variant, SplatSums sums, double radius_factor, const ClipTables* clip)
+Drawing::Drawing(const Variant& variant, SplatSums sums, double radius_factor,
+                 const ClipTables* clip)
     : variant_(variant), sums_(std::move(sums)), radius_factor_(radius_factor), clip_(clip) {}
 
 void Drawing::draw(const GlFrame& frame, PassTimer& timer) const {

@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "renderer/engines/surfel/render_surfel.h"
+#include "renderer/engines/surfel/select_surfels.h"
 #include "renderer/frame/attachments.h"
 #include "renderer/shading/materials.h"
 #include "renderer/view/cull_mode.h"

@@ -2,6 +2,7 @@
 #include "renderer/clip/options.h"
 #include "renderer/engine_options.h"
 #include "renderer/engines/surfel/render_surfel.h"
+#include "renderer/engines/surfel/select_surfels.h"
 #include "renderer/surfels/settings.h"
 
 namespace relief::surfel {
@@ -67,7 +68,7 @@ std::vector<EngineOption> options() {
                      .help = "what sizes come from: a split of space (BSP) into triangles, their "
                              "mean edge or their circle; the spheres of QSplat; the cells of the "
                              "nearest points; or the points' own spacing (given)",
-                     .default_text = "bsp-edge"},
+                     .default_text = "cell"},
                     kSurfelSizes,
                     {SurfelSize::BspEdge, SurfelSize::BspCircle, SurfelSize::Qsplat,
                      SurfelSize::Cell, SurfelSize::Given},

@@ -8,9 +8,6 @@
 
 namespace relief::surfel {
 
-/// The default of SelectionRule::pixels_per_surfel.
-inline constexpr double kPixelsPerSurfel = 1.0;
-
 /// The feature bits of an image, of which `maps` decides nothing.
 [[nodiscard]] Features features_of(const RenderSettings& settings, ModelMaps maps);
 

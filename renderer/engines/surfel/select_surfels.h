@@ -38,6 +38,9 @@ struct DrawnSurfels {
   std::vector<SurfelBatch> batches;
 };
 
+/// The default of SelectionRule::pixels_per_surfel.
+inline constexpr double kPixelsPerSurfel = 1.0;
+
 /// What decides it beside the view.
 struct SelectionRule {
   SurfelCurved curved = SurfelCurved::Auto;
@@ -52,7 +55,8 @@ struct SelectionRule {
 };
 
 /// Chooses them. What the image does not show is left out. With SurfelCurved::Auto, a surfel is
-/// curved if a flat one would stick out of the contour, and a pixel sees how much it bends. The result does not depend on the number of threads.
+/// curved if a flat one would stick out of the contour, and a pixel sees how much it bends. The
+/// result does not depend on the number of threads.
 [[nodiscard]] DrawnSurfels select_surfels(const SurfelSet& set, const View& view,
                                           const SelectionRule& rule);
 

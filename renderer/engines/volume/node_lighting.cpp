@@ -16,8 +16,8 @@ namespace {
 
 /// Squares of nodes with the same z (first node, 0) that hold a texel with w above 0.
 std::vector<glm::ivec4> squares_of(std::span<const glm::u16vec4> texels, glm::ivec3 size) {
-  constexpr int kSide = shared::kVolumeSquare;
-  const glm::ivec2 squares = (glm::ivec2(size) + kSide - 1) / kSide;
+  constexpr int kSquareSide = shared::kVolumeSquare;
+  const glm::ivec2 squares = (glm::ivec2(size) + kSquareSide - 1) / kSquareSide;
   std::vector<glm::ivec4> found;
   std::vector<bool> is_used(static_cast<std::size_t>(squares.x) *
                             static_cast<std::size_t>(squares.y));
@@ -30,12 +30,12 @@ std::vector<glm::ivec4> squares_of(std::span<const glm::u16vec4> texels, glm::iv
     is_used.assign(is_used.size(), false);
     for (int y = 0; y < size.y; ++y) {
       for (int x = 0; x < size.x; ++x, ++texel) {
-        if (texels[texel].w != 0) is_used[index_of(x / kSide, y / kSide)] = true;
+        if (texels[texel].w != 0) is_used[index_of(x / kSquareSide, y / kSquareSide)] = true;
       }
     }
     for (int y = 0; y < squares.y; ++y) {
       for (int x = 0; x < squares.x; ++x) {
-        if (is_used[index_of(x, y)]) found.emplace_back(x * kSide, y * kSide, z, 0);
+        if (is_used[index_of(x, y)]) found.emplace_back(x * kSquareSide, y * kSquareSide, z, 0);
       }
     }
   }

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "common/neighbours/position_tree.h"
 
@@ -37,7 +38,8 @@ void lower(float& value, float to) {
 
 DiscCoverage::DiscCoverage(const SurfaceSamples& surface, std::span<const glm::dvec3> centres,
                            std::span<const glm::vec3> normals, std::span<const double> diameters)
-    : needed_(surface.positions.size(), static_cast<float>(kMostScale)), covers_(kBins + 1) {
+    : needed_(surface.positions.size(), std::numeric_limits<float>::infinity()),
+      covers_(kBins + 1) {
   const PositionTree tree(surface.positions);
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, centres.size(), 256), [&](const Range& range) {
@@ -82,7 +84,8 @@ double DiscCoverage::overlap(double scale) const {
 
 double DiscCoverage::closing(double share) const {
   const auto left = static_cast<std::size_t>(share * static_cast<double>(sorted_.size()));
-  return double{sorted_[sorted_.size() - 1 - std::min(left, sorted_.size() - 1)]};
+  return std::min(kMostScale,
+                  double{sorted_[sorted_.size() - 1 - std::min(left, sorted_.size() - 1)]});
 }
 
 }  // namespace relief::test

@@ -31,7 +31,7 @@ class DiscCoverage {
   [[nodiscard]] double overlap(double scale) const;
   /// The smallest scale that leaves at most this share uncovered; kMostScale if none does.
   [[nodiscard]] double closing(double share) const;
-  /// Of each sample, the scale from which on it is covered, kMostScale if none.
+  /// Of each sample, the scale from which on it is covered; infinity: not at kMostScale.
   [[nodiscard]] const std::vector<float>& needed() const { return needed_; }
 
  private:

@@ -161,12 +161,12 @@ TEST(SurfelSizes, AreBoundedForAnyInput) {
   const std::vector<glm::dvec3> same(1000, glm::dvec3(3, 4, 5));
   expect_bounded(same, 1.0);
   const std::vector<glm::dvec3> two{{0, 0, 0}, {1, 0, 0}};
-  expect_bounded(two, 1.0);
+  expect_bounded(two, 2.0);  // a cell ends at the other
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const std::vector<glm::dvec3> bad{
       {kNaN, 0, 0}, {0, 0, 0}, {kInfinity, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  expect_bounded(bad, 2.0);
+  expect_bounded(bad, 2.0 * std::sqrt(2.0) + 1e-12);
   const std::vector<glm::dvec3> nothing(9, glm::dvec3(kNaN));
   expect_bounded(nothing, 1.0);
   // Their extent's square overflows, and that of the other's vanishes.

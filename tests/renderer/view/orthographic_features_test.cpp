@@ -162,7 +162,7 @@ TEST(OrthographicBench, DrawsTheSameImage) {
   RenderSettings settings = by(kCells, test::small_image(model));
   settings.camera.orthographic_height = 2.4;
   Progress silent;
-  const auto report = bench({{{&model, settings}}, &mesh, 0, 1, 0}, silent);
+  const auto report = bench({{{RenderModel::of(model), settings}}, &mesh, 0, 1, 0}, silent);
   ASSERT_TRUE(report) << report.error().message;
   EXPECT_EQ(report->rows[0].covered_pixels, must_render(model, settings).covered_pixels);
   ASSERT_TRUE(report->mesh);

@@ -19,7 +19,7 @@ using test::ewa_image;
 using test::must_splat;
 using test::values;
 
-constexpr PixelMapping kMapping{100.0, {50.0, 50.0}, false};
+constexpr PixelMapping kClipMapping{100.0, {50.0, 50.0}, false};
 
 /// A plane that leans away from the eye, seen in strong perspective.
 struct LeaningPlane {
@@ -34,7 +34,7 @@ TEST(ImageLines, LieWhereRaysMeetTheLineInThePlane) {
   const glm::dvec3 direction = glm::normalize(0.8 * plane.u - 0.6 * plane.v);
   const double offset = 0.3;
   for (const bool orthographic : {false, true}) {
-    PixelMapping mapping = kMapping;
+    PixelMapping mapping = kClipMapping;
     mapping.orthographic = orthographic;
     const glm::dvec3 line = beyond_line(mapping, plane.point, plane.normal, direction, offset);
     const glm::dvec2 centre = pixel_of(mapping, plane.point);
@@ -57,12 +57,12 @@ TEST(ImageLines, LieWhereRaysMeetTheLineInThePlane) {
 TEST(ImageLines, KeepTheShareThatThePixelSeesBeforeThem) {
   // Of a splat that faces the eye at depth 1: its Gaussian times that of the pixel, summed over a
   // fine grid.
-  const auto plane = map_tangent_plane(kMapping, {0.0, 0.0, 1.0}, {0.0, 0.0, -1.0});
+  const auto plane = map_tangent_plane(kClipMapping, {0.0, 0.0, 1.0}, {0.0, 0.0, -1.0});
   ASSERT_TRUE(plane);
   for (const double pixels : {0.1, 0.3, 6.0}) {  // the splat's radius in the image
-    const double radius = pixels / kMapping.scale;
+    const double radius = pixels / kClipMapping.scale;
     const glm::dvec3 beyond =
-        beyond_line(kMapping, {0.0, 0.0, 1.0}, {0.0, 0.0, -1.0}, {1.0, 0.0, 0.0}, 0.4 * radius);
+        beyond_line(kClipMapping, {0.0, 0.0, 1.0}, {0.0, 0.0, -1.0}, {1.0, 0.0, 0.0}, 0.4 * radius);
     const ImageLine line = image_line(beyond, seen_splat(*plane, radius, EwaFilter::Ewa), true);
     for (const double x : {-0.5, 0.0, 0.3, 2.5}) {
       double before = 0.0;

@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "renderer/frame/splat_sums.h"
 #include "renderer/frame/features.h"
 #include "renderer/frame/gl_model.h"
+#include "renderer/frame/splat_sums.h"
 #include "shaders/include/shared.h"
 #include "tests/renderer/images.h"
 
@@ -248,8 +248,7 @@ TEST(MultipassSums, AreThoseThatTheImageNeeds) {
   const auto sums_of = [&](bool coloured) {
     const auto frame = (*gpu)->make_frame(settings, {0, 0, settings.width, settings.height, 1});
     EXPECT_TRUE(frame);
-    const auto sums =
-        make_sums((*gpu)->gl(), frame->targets, scene_features(settings, coloured));
+    const auto sums = make_sums((*gpu)->gl(), frame->targets, scene_features(settings, coloured));
     EXPECT_TRUE(sums);
     return std::string(sums->normals ? "normals " : "") + (sums->colours ? "colours " : "") +
            (sums->depths ? "depths " : "");
