@@ -46,9 +46,15 @@ TEST(ImageLines, LieWhereRaysMeetTheLineInThePlane) {
         const double beyond =
             (line.x * pixel.x + line.y * pixel.y + line.z) / glm::length(glm::dvec2(line));
         // In pixels; 0.05 units are a few. An affine mapping is off by several pixels here.
-        if (across == offset) EXPECT_NEAR(beyond, 0.0, 1e-9);
-        if (across < offset) EXPECT_LT(beyond, -1.0);
-        if (across > offset) EXPECT_GT(beyond, 1.0);
+        if (across == offset) {
+          EXPECT_NEAR(beyond, 0.0, 1e-9);
+        }
+        if (across < offset) {
+          EXPECT_LT(beyond, -1.0);
+        }
+        if (across > offset) {
+          EXPECT_GT(beyond, 1.0);
+        }
       }
     }
   }
