@@ -99,13 +99,13 @@ glm::dmat2 find_map(std::span<const Shift> shifts) {
   Proposals all;
   const auto proposals = std::span(all).first(propose(shifts, all));
   if (proposals.empty()) return glm::dmat2(0.0);
-  const double flattest = std::ranges::min_element(proposals, {}, &Proposal::size)->size;
-  const Proposal* best = nullptr;
+  const auto flattest = std::ranges::min_element(proposals, {}, &Proposal::size);
+  Proposal best = *flattest;
   for (const Proposal& proposal : proposals) {
-    if (proposal.size > kMostOfFlattest * flattest) continue;
-    if (best == nullptr || proposal.agreeing > best->agreeing) best = &proposal;
+    if (proposal.size > kMostOfFlattest * flattest->size) continue;
+    if (proposal.agreeing > best.agreeing) best = proposal;
   }
-  glm::dmat2 map = best->map;
+  glm::dmat2 map = best.map;
   for (int round = 0; round < 2; ++round) map = refit(map, shifts);
   return map;
 }

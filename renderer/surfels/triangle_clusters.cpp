@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cassert>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -92,6 +93,7 @@ Placed last_of_lower(const std::vector<Placed>& placed, std::size_t below, std::
                                          : p < last && (next == nullptr || *next < p);
       if (is_next) next = &p;
     }
+    assert(next != nullptr && "there are points on both sides");
     last = *next;
   }
   return last;
