@@ -82,11 +82,11 @@ Result<SurfelSizes> find_surfel_sizes(std::span<const glm::dvec3> positions, Sur
 double closing_scale(SurfelSize method) {
   switch (method) {
     case SurfelSize::BspEdge:
-      return 3.9;
+      return 4.5;
     case SurfelSize::BspCircle:
-      return 2.4;
+      return 3.1;
     case SurfelSize::Qsplat:
-      return 2.2;
+      return 2.1;
     case SurfelSize::Cell:
       return 1.1;
     case SurfelSize::Given:

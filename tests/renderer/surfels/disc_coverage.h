@@ -20,7 +20,7 @@ struct SurfaceSamples {
 class DiscCoverage {
  public:
   /// Factors beyond that are not told apart.
-  static constexpr double kMostScale = 4.0;
+  static constexpr double kMostScale = 6.0;
 
   DiscCoverage(const SurfaceSamples& surface, std::span<const glm::dvec3> centres,
                std::span<const glm::vec3> normals, std::span<const double> diameters);
@@ -35,7 +35,7 @@ class DiscCoverage {
   [[nodiscard]] const std::vector<float>& needed() const { return needed_; }
 
  private:
-  static constexpr std::size_t kBins = 800;
+  static constexpr std::size_t kBins = 1200;
   std::vector<float> needed_;
   std::vector<float> sorted_;
   std::vector<std::uint64_t> covers_;  // by scale: pairs of samples and discs that begin there
