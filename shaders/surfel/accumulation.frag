@@ -23,6 +23,7 @@ layout(location = RELIEF_SUM_NORMAL) out vec4 normal_sum;
 #endif
 #if RELIEF_SURFEL_HAS_TEXTURE
 layout(location = 2) in vec2 texcoord;
+layout(location = 4) flat in vec4 untextured;
 layout(binding = RELIEF_SURFEL_TEXTURE_IMAGE) uniform sampler2D image;
 #elif RELIEF_SURFEL_HAS_COLOUR
 layout(location = 2) flat in vec3 colour;
@@ -41,6 +42,7 @@ void main() {
   count_fragment();
 #if RELIEF_SURFEL_HAS_TEXTURE
   vec3 albedo = texture(image, texcoord).rgb;  // before any fragment is discarded
+  if (untextured.w != 0.0) albedo = untextured.rgb;
 #elif RELIEF_SURFEL_HAS_COLOUR
   vec3 albedo = colour;
 #else

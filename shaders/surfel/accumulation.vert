@@ -10,6 +10,7 @@ layout(location = 1) RELIEF_SURFEL_NORMAL_IS out vec3 normal;
 #if RELIEF_SURFEL_HAS_TEXTURE
 layout(binding = RELIEF_SURFEL_TEXTURE_TEXCOORDS) uniform samplerBuffer texcoords;
 layout(location = 2) out vec2 texcoord;
+layout(location = 4) flat out vec4 untextured;
 #elif RELIEF_SURFEL_HAS_COLOUR
 layout(binding = RELIEF_SURFEL_TEXTURE_COLOURS) uniform samplerBuffer colours;
 layout(location = 2) flat out vec3 colour;
@@ -30,6 +31,7 @@ void main() {
   int row = vertex.surfel.number * kSurfelTexcoordRows;
   vec4 start = texelFetch(texcoords, row);
   texcoord = start.xy + disc.x * start.zw + disc.y * texelFetch(texcoords, row + 1).xy;
+  untextured = texelFetch(texcoords, row + 2);
 #elif RELIEF_SURFEL_HAS_COLOUR
   colour = texelFetch(colours, vertex.surfel.number).rgb;
 #endif

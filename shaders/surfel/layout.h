@@ -49,8 +49,9 @@ RELIEF_CONST float kSurfelSlack = 1e-4f;
 /// Rows of a surfel's axes: u and v, as long as its radius; w of the first: its radius.
 RELIEF_CONST int kSurfelAxesRows = 2;
 
-/// Rows of a surfel's texture coordinates: at its centre, and their changes along u; those along v.
-RELIEF_CONST int kSurfelTexcoordRows = 2;
+/// Rows of a surfel's texture coordinates: at its centre, and their changes along u; those along v;
+/// the colour of a surfel without coordinates, with 1 in w, else 0.
+RELIEF_CONST int kSurfelTexcoordRows = 3;
 
 #ifdef __cplusplus
 static_assert(sizeof(DrawnSurfel) == 16 && sizeof(SurfelFrame) == 80);

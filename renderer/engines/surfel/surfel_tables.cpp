@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <glm/gtc/packing.hpp>
 #include <glm/gtc/type_precision.hpp>
@@ -57,8 +58,17 @@ Table make_texcoords(const Gl& gl, const SurfelSet& set, const SplatCloud& cloud
   std::vector<glm::vec4> texels;
   texels.reserve(set.points.size() * shared::kSurfelTexcoordRows);
   for (std::size_t k = 0; k < set.points.size(); ++k) {
-    texels.emplace_back(cloud.texcoords[set.points[k]], set.gradients[k][0]);
-    texels.emplace_back(set.gradients[k][1], 0.0F, 0.0F);
+    const glm::vec2 texcoord = cloud.texcoords[set.points[k]];
+    if (std::isfinite(texcoord.x) && std::isfinite(texcoord.y)) {
+      texels.emplace_back(texcoord, set.gradients[k][0]);
+      texels.emplace_back(set.gradients[k][1], 0.0F, 0.0F);
+      texels.emplace_back(0.0F);
+    } else {
+      const glm::vec3 colour =
+          set.colours.empty() ? glm::vec3(shared::kNeutralGrey) : glm::vec3(set.colours[k]);
+      texels.insert(texels.end(), 2, glm::vec4(0.0F));
+      texels.emplace_back(colour, 1.0F);
+    }
   }
   return make_table(gl, "surfel texture coordinates", GL_RGBA32F,
                     std::span<const glm::vec4>(texels));
@@ -98,9 +108,11 @@ Result<Texture> make_image(const Gl& gl, const Image& image) {
 
 Result<SurfelTables> upload_surfels(const Gl& gl, const SurfelSet& set, const SplatCloud& cloud) {
   const auto most = static_cast<std::size_t>(get_limit(gl, GL_MAX_TEXTURE_BUFFER_SIZE));
-  if (set.points.size() * shared::kSurfelAxesRows > most) {
+  const auto rows = static_cast<std::size_t>(set.gradients.empty() ? shared::kSurfelAxesRows
+                                                                   : shared::kSurfelTexcoordRows);
+  if (set.points.size() * rows > most) {
     return make_error("{} surfels are more than this OpenGL can draw; it can draw {}",
-                      set.points.size(), most / shared::kSurfelAxesRows);
+                      set.points.size(), most / rows);
   }
   SurfelTables tables{.axes = make_axes(gl, set),
                       .bends = make_bends(gl, set),

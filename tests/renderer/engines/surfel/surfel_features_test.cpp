@@ -129,6 +129,21 @@ TEST(SurfelTexture, FollowsItsCoordinatesWithinSurfels) {
   }
 }
 
+TEST(SurfelTexture, PointsWithoutCoordinatesHaveTheirColour) {
+  SplatCloud cloud = textured_plane(0.2);
+  cloud.colours.assign(cloud.positions.size(), {0.0F, 0.0F, 1.0F, 1.0F});
+  for (std::size_t k = 0; k < cloud.positions.size(); ++k) {
+    if (cloud.positions[k].x > 0.0) cloud.texcoords[k] = glm::vec2(std::nanf(""));
+  }
+  const RenderResult result = must_draw(cloud, surfel_image({0.0, 0.0, 6.0}));
+  // Off the middle, where both sides blend: the texture has no blue, the colour nothing else.
+  const std::size_t row = std::size_t{48} * 96;
+  EXPECT_EQ(values(result.image, "B")[row + 30], 0.0F);
+  EXPECT_GT(values(result.image, "R")[row + 30], 0.1F);
+  EXPECT_EQ(values(result.image, "B")[row + 66], 1.0F);
+  EXPECT_EQ(values(result.image, "R")[row + 66], 0.0F);
+}
+
 TEST(SurfelClip, EndsSurfelsAtTheEdge) {
   // A roof with its ridge along y, seen from above: discs of radius 0.35 go on beyond it, over the
   // other side, by up to half of that.
