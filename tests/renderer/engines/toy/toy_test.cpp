@@ -69,9 +69,10 @@ TEST(ToyEngine, IsCheckedAndListedByItsEntry) {
   // Without the line there is no such engine.
   const auto missing = render(RenderModel::of(model), settings, silent);
   ASSERT_FALSE(missing);
-  EXPECT_EQ(missing.error().message,
-            "there is no engine toy; take one of onepass, multipass, ewa, raytrace, volume, "
-            "volume-reference, volume-truth");
+  EXPECT_EQ(
+      missing.error().message,
+      "there is no engine toy; take one of onepass, multipass, ewa, surfel, raytrace, volume, "
+      "volume-reference, volume-truth");
 }
 
 TEST(EngineRegistry, DefaultsAreThoseOfTheTables) {
@@ -79,8 +80,14 @@ TEST(EngineRegistry, DefaultsAreThoseOfTheTables) {
     const RenderSettings settings = default_settings(engine);
     for (const EngineOption& option : engine.options) {
       const auto value = option.get(settings);
-      if (!value) {  // off, which the table says by having no default
-        EXPECT_EQ(option.row.default_text, "") << engine.name << " " << option.row.key;
+      if (!value) {
+        // Off, or for other settings to decide: the table names no value, or one that changes
+        // nothing.
+        if (const auto unset = parse_value(option.row, option.row.default_text)) {
+          RenderSettings same = settings;
+          ASSERT_TRUE(apply_options(engine, {{option.row.key, *unset}}, same));
+          EXPECT_FALSE(option.get(same)) << engine.name << " " << option.row.key;
+        }
         continue;
       }
       const auto written = parse_value(option.row, option.row.default_text);
