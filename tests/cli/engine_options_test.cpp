@@ -52,8 +52,9 @@ TEST(EngineOptions, OfAnAddedEngineAreInTheHelp) {
   add_engine_options(app, settings, all_engines());
   const std::string help = app.help();
   EXPECT_NE(
-      help.find("--engine onepass|multipass|ewa|raytrace|volume|volume-reference|volume-truth|"
-                "toy"),
+      help.find(
+          "--engine onepass|multipass|ewa|surfel|raytrace|volume|volume-reference|volume-truth|"
+          "toy"),
       std::string::npos)
       << help;
   const std::size_t group = help.find("Options of toy:\n");
