@@ -1,21 +1,18 @@
 // The classification of clip partners, in the order of [Ivo 2011].
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <utility>
 
 #include "renderer/clip/clip_partners.h"
-#include "renderer/clip/clip_splat.h"
-#include "renderer/clip/different_surface.h"
-#include "renderer/clip/disc_tree.h"
-#include "renderer/clip/partners.h"
-#include "renderer/clip/refit_normals.h"
+#include "renderer/clip/lines/clip_splat.h"
+#include "renderer/clip/pairs/different_surface.h"
+#include "renderer/clip/pairs/disc_tree.h"
+#include "renderer/clip/pairs/partners.h"
+#include "renderer/clip/pairs/refit_normals.h"
+#include "renderer/clip/pairs/slot_pieces.h"
 
 namespace relief {
 namespace {
 
-/// Discs that one thread clips at once.
-constexpr std::size_t kClippedAtOnce = 512;
 /// Discs that are looked at for a splat. Splats of one spacing have about 30 neighbours, one among
 /// others a tenth as large 1500.
 constexpr std::size_t kTested = 4096;
@@ -32,23 +29,19 @@ std::vector<ClippedSplat> clip_splats(const SplatDiscs& discs, const DiscTree& t
                                       const SurfaceTest& test, const PartnerLists& lists,
                                       ClipRule rule, Progress& progress) {
   std::vector<ClippedSplat> clipped(discs.centres.size());
-  const std::size_t count = tree.discs().size();
-  tbb::parallel_for(
-      std::size_t{0}, (count + kClippedAtOnce - 1) / kClippedAtOnce, [&](std::size_t piece) {
-        std::vector<Partner> partners;
-        const std::size_t end = std::min((piece + 1) * kClippedAtOnce, count);
-        for (std::size_t slot = piece * kClippedAtOnce; slot < end && !progress.cancelled();
-             ++slot) {
-          if (lists.of(slot).empty()) continue;
-          partners.clear();
-          for (const std::uint32_t other : lists.of(slot))
-            if (const auto partner = as_partner(discs, tree, test, slot, other))
-              partners.push_back(*partner);
-          const Disc& splat = tree.discs()[slot];
-          clipped[splat.splat] = clip_splat(discs, tree, splat, partners, rule, test.noise(slot));
-        }
-        progress.advance(end - piece * kClippedAtOnce);
-      });
+  for_pieces(tree.discs().size(), [&](std::size_t /*piece*/, std::size_t begin, std::size_t end) {
+    std::vector<Partner> partners;
+    for (std::size_t slot = begin; slot < end && !progress.cancelled(); ++slot) {
+      if (lists.of(slot).empty()) continue;
+      partners.clear();
+      for (const std::uint32_t other : lists.of(slot))
+        if (const auto partner = as_partner(discs, tree, test, slot, other))
+          partners.push_back(*partner);
+      const Disc& splat = tree.discs()[slot];
+      clipped[splat.splat] = clip_splat(discs, tree, splat, partners, rule, test.noise(slot));
+    }
+    progress.advance(end - begin);
+  });
   return clipped;
 }
 

@@ -1,7 +1,5 @@
 #include "renderer/clip/refitted_cloud.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -10,8 +8,9 @@
 #include <iterator>
 #include <vector>
 
-#include "renderer/clip/disc_tree.h"
-#include "renderer/clip/refit_normals.h"
+#include "renderer/clip/pairs/disc_tree.h"
+#include "renderer/clip/pairs/refit_normals.h"
+#include "renderer/clip/pairs/slot_pieces.h"
 
 namespace relief {
 namespace {
@@ -29,32 +28,27 @@ SplatDiscs fitting_discs(const SplatCloud& cloud) {
 }
 
 /// Discs whose normals part by more than this are on both sides of an edge: 30 degrees, the least
-/// of the thresholds that are found from noise (different_surface.cpp).
+/// of the thresholds that are found from noise (pairs/different_surface.cpp).
 constexpr double kEdgeCosine = 0.866;
-/// Discs that are looked at for an edge, and that one thread takes at once.
+/// Discs that are looked at for an edge.
 constexpr std::size_t kLookedAt = 256;
-constexpr std::size_t kTakenAtOnce = 1024;
 
 /// Which discs have an edge in reach. Elsewhere a normal stays what it is: means over neighbours
 /// would only flatten what is bent.
 std::vector<std::uint8_t> find_near_edges(const DiscTree& tree,
                                           const std::vector<glm::dvec3>& normals) {
   std::vector<std::uint8_t> near(normals.size(), 0);
-  tbb::parallel_for(
-      std::size_t{0}, (near.size() + kTakenAtOnce - 1) / kTakenAtOnce, [&](std::size_t piece) {
-        std::vector<std::uint32_t> found;
-        const std::size_t end = std::min((piece + 1) * kTakenAtOnce, near.size());
-        for (std::size_t slot = piece * kTakenAtOnce; slot < end; ++slot) {
-          found.clear();
-          tree.neighbours(slot, kLookedAt, found);
-          near[slot] = std::any_of(found.begin(), found.end(),
-                                   [&](std::uint32_t other) {
-                                     return glm::dot(normals[slot], normals[other]) < kEdgeCosine;
-                                   })
-                           ? 1
-                           : 0;
-        }
+  for_pieces(near.size(), [&](std::size_t /*piece*/, std::size_t begin, std::size_t end) {
+    std::vector<std::uint32_t> found;
+    for (std::size_t slot = begin; slot < end; ++slot) {
+      found.clear();
+      tree.neighbours(slot, kLookedAt, found);
+      const bool is_near = std::any_of(found.begin(), found.end(), [&](std::uint32_t other) {
+        return glm::dot(normals[slot], normals[other]) < kEdgeCosine;
       });
+      near[slot] = is_near ? 1 : 0;
+    }
+  });
   return near;
 }
 

@@ -7,7 +7,7 @@
 
 #include "common/error.h"
 #include "common/progress.h"
-#include "renderer/clip/disc_tree.h"
+#include "renderer/clip/pairs/disc_tree.h"
 
 namespace relief {
 

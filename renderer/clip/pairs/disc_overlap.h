@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "renderer/clip/disc_tree.h"
+#include "renderer/clip/pairs/disc_tree.h"
 
 namespace relief {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "renderer/clip/plane_line.h"
+#include "renderer/clip/lines/plane_line.h"
 
 namespace relief {
 

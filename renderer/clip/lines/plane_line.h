@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "renderer/clip/clip_partners.h"
-#include "renderer/clip/disc_tree.h"
-#include "renderer/clip/partners.h"
+#include "renderer/clip/pairs/disc_tree.h"
+#include "renderer/clip/pairs/partners.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "renderer/clip/disc_overlap.h"
+#include "renderer/clip/pairs/disc_overlap.h"
 
 #include <algorithm>
 #include <cmath>

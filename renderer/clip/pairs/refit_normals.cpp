@@ -1,12 +1,12 @@
-#include "renderer/clip/refit_normals.h"
-
-#include <tbb/parallel_for.h>
+#include "renderer/clip/pairs/refit_normals.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <utility>
+
+#include "renderer/clip/pairs/slot_pieces.h"
 
 namespace relief {
 namespace {
@@ -17,8 +17,6 @@ constexpr double kSpread = 0.35;
 /// Neighbours that are tested and kept, the nearest.
 constexpr std::size_t kTestedForFit = 256;
 constexpr std::size_t kFitted = 32;
-/// Discs that one thread fits at once.
-constexpr std::size_t kFittedAtOnce = 1024;
 
 struct FitNeighbours {
   std::vector<std::uint32_t> slots;  // kFitted for each slot
@@ -28,13 +26,10 @@ struct FitNeighbours {
 /// Calls a function for each slot, in parallel.
 template <class Function>
 void for_slots(std::size_t count, const Progress& progress, const Function& function) {
-  tbb::parallel_for(std::size_t{0}, (count + kFittedAtOnce - 1) / kFittedAtOnce,
-                    [&](std::size_t piece) {
-                      if (progress.cancelled()) return;
-                      const std::size_t end = std::min((piece + 1) * kFittedAtOnce, count);
-                      for (std::size_t slot = piece * kFittedAtOnce; slot < end; ++slot)
-                        function(slot);
-                    });
+  for_pieces(count, [&](std::size_t /*piece*/, std::size_t begin, std::size_t end) {
+    if (progress.cancelled()) return;
+    for (std::size_t slot = begin; slot < end; ++slot) function(slot);
+  });
 }
 
 FitNeighbours neighbours_of(const DiscTree& tree, const Progress& progress) {

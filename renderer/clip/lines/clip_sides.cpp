@@ -1,4 +1,4 @@
-#include "renderer/clip/clip_sides.h"
+#include "renderer/clip/lines/clip_sides.h"
 
 #include <cmath>
 #include <cstddef>

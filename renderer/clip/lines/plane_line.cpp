@@ -1,4 +1,4 @@
-#include "renderer/clip/plane_line.h"
+#include "renderer/clip/lines/plane_line.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,17 +1,15 @@
-#include "renderer/clip/partners.h"
-
-#include <tbb/parallel_for.h>
+#include "renderer/clip/pairs/partners.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "renderer/clip/pairs/slot_pieces.h"
+
 namespace relief {
 namespace {
 
-/// Discs whose partners one thread finds at once.
-constexpr std::size_t kFoundAtOnce = 512;
 /// A centre nearer to a plane than this share of the mean radius may be on either side of it: the
 /// surface bends, and normals are estimates (record 0127).
 constexpr double kNearPlane = 0.05;
@@ -101,21 +99,20 @@ Result<PartnerLists> find_partners(const SplatDiscs& discs, const DiscTree& tree
                                    const SurfaceTest& test, const PartnerLimits& limits,
                                    Progress& progress) {
   const std::size_t count = tree.discs().size();
-  std::vector<std::vector<std::uint32_t>> pieces((count + kFoundAtOnce - 1) / kFoundAtOnce);
+  std::vector<std::vector<std::uint32_t>> pieces(count_pieces(count));
   std::vector<std::uint64_t> neighbours(pieces.size(), 0);
   PartnerLists lists;
   lists.first.assign(count + 1, 0);
   std::vector<std::uint8_t> is_cut(count, 0);
-  tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t p) {
+  for_pieces(count, [&](std::size_t p, std::size_t begin, std::size_t end) {
     Found found;
-    const std::size_t end = std::min((p + 1) * kFoundAtOnce, count);
-    for (std::size_t slot = p * kFoundAtOnce; slot < end && !progress.cancelled(); ++slot) {
+    for (std::size_t slot = begin; slot < end && !progress.cancelled(); ++slot) {
       is_cut[slot] = find_of(discs, tree, test, limits, slot, found) ? 0 : 1;
       neighbours[p] += found.neighbours.size();
       lists.first[slot + 1] = found.partners.size();
       for (const auto& [squared, other] : found.partners) pieces[p].push_back(other);
     }
-    progress.advance(end - p * kFoundAtOnce);
+    progress.advance(end - begin);
   });
   if (progress.cancelled()) return interrupted_error();
   for (std::size_t slot = 0; slot < count; ++slot) lists.first[slot + 1] += lists.first[slot];

@@ -10,9 +10,9 @@
 
 #include "common/error.h"
 #include "common/progress.h"
-#include "renderer/clip/different_surface.h"
-#include "renderer/clip/disc_overlap.h"
-#include "renderer/clip/disc_tree.h"
+#include "renderer/clip/pairs/different_surface.h"
+#include "renderer/clip/pairs/disc_overlap.h"
+#include "renderer/clip/pairs/disc_tree.h"
 
 namespace relief {
 

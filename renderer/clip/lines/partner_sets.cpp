@@ -1,4 +1,4 @@
-#include "renderer/clip/partner_sets.h"
+#include "renderer/clip/lines/partner_sets.h"
 
 #include <algorithm>
 #include <cstdint>

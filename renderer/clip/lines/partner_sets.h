@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "renderer/clip/clip_partners.h"
-#include "renderer/clip/plane_line.h"
+#include "renderer/clip/lines/plane_line.h"
 
 namespace relief {
 

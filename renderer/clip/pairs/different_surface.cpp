@@ -1,6 +1,4 @@
-#include "renderer/clip/different_surface.h"
-
-#include <tbb/parallel_for.h>
+#include "renderer/clip/pairs/different_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include <utility>
 
 #include "common/median.h"
+#include "renderer/clip/pairs/slot_pieces.h"
 
 namespace relief {
 namespace {
@@ -26,8 +25,6 @@ constexpr double kMostNoise = kMostAngle / kOfNoise;
 constexpr double kMostWallAngle = 15.0 * kDegree;
 /// Neighbours that the noise is measured on: the nearest ones.
 constexpr std::size_t kMeasured = 48;
-/// Discs that one thread measures at once.
-constexpr std::size_t kMeasuredAtOnce = 1024;
 
 /// The angle that a fifth of the neighbours' normals stay below; 0 without neighbours.
 double noise_at(const DiscTree& tree, std::size_t slot, std::vector<std::uint32_t>& neighbours,
@@ -48,15 +45,13 @@ double noise_at(const DiscTree& tree, std::size_t slot, std::vector<std::uint32_
 SurfaceTest::SurfaceTest(const DiscTree& tree, std::optional<double> threshold) {
   const std::size_t count = tree.discs().size();
   noise_.resize(count);
-  tbb::parallel_for(
-      std::size_t{0}, (count + kMeasuredAtOnce - 1) / kMeasuredAtOnce, [&](std::size_t piece) {
-        std::vector<std::uint32_t> neighbours;
-        std::vector<double> cosines;
-        const std::size_t end = std::min((piece + 1) * kMeasuredAtOnce, count);
-        for (std::size_t slot = piece * kMeasuredAtOnce; slot < end; ++slot)
-          noise_[slot] =
-              static_cast<float>(std::min(noise_at(tree, slot, neighbours, cosines), kMostNoise));
-      });
+  for_pieces(count, [&](std::size_t /*piece*/, std::size_t begin, std::size_t end) {
+    std::vector<std::uint32_t> neighbours;
+    std::vector<double> cosines;
+    for (std::size_t slot = begin; slot < end; ++slot)
+      noise_[slot] =
+          static_cast<float>(std::min(noise_at(tree, slot, neighbours, cosines), kMostNoise));
+  });
   if (threshold) {
     limits_.push_back(limits_of(std::acos(std::clamp(*threshold, -1.0, 1.0))));
     return;

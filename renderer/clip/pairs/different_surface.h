@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/clip/disc_tree.h"
+#include "renderer/clip/pairs/disc_tree.h"
 
 namespace relief {
 

@@ -1,4 +1,4 @@
-#include "renderer/clip/disc_tree.h"
+#include "renderer/clip/pairs/disc_tree.h"
 
 #include <tbb/parallel_invoke.h>
 

@@ -1,4 +1,4 @@
-#include "renderer/clip/bounding_lines.h"
+#include "renderer/clip/lines/bounding_lines.h"
 
 #include <algorithm>
 #include <array>

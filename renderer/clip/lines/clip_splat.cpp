@@ -1,13 +1,13 @@
-#include "renderer/clip/clip_splat.h"
+#include "renderer/clip/lines/clip_splat.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <utility>
 
-#include "renderer/clip/bounding_lines.h"
-#include "renderer/clip/clip_sides.h"
-#include "renderer/clip/partner_sets.h"
-#include "renderer/clip/plane_line.h"
+#include "renderer/clip/lines/bounding_lines.h"
+#include "renderer/clip/lines/clip_sides.h"
+#include "renderer/clip/lines/partner_sets.h"
+#include "renderer/clip/lines/plane_line.h"
 
 namespace relief {
 namespace {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "renderer/clip/disc_tree.h"
-#include "renderer/clip/partners.h"
+#include "renderer/clip/pairs/disc_tree.h"
+#include "renderer/clip/pairs/partners.h"
 
 namespace relief {
 
