@@ -12,7 +12,6 @@ Needs the Python module trimesh, which is no dependency of Relief.
 """
 import argparse
 import pathlib
-import subprocess
 import sys
 import tempfile
 
@@ -23,11 +22,7 @@ except ImportError as missing:
     sys.exit(f"check_export.py: needs the Python module {missing.name}; "
              "install it in a virtual environment")
 
-
-def run(*command):
-    done = subprocess.run([str(c) for c in command], capture_output=True, text=True)
-    if done.returncode != 0:
-        sys.exit(f"check_export.py: {' '.join(map(str, command))}: {done.stderr.strip()}")
+from run_command import run  # noqa: E402
 
 
 def load(path, merge):

@@ -1,14 +1,18 @@
-"""Renders images by `relief render` as arrays, and puts arrays on one labelled sheet. Needs NumPy and Pillow."""
+"""What scripts of figures share: images by `relief render` as arrays, arrays on one labelled sheet, the command line.
+Needs NumPy and Pillow."""
+import argparse
 import json
 import pathlib
 import sys
+import tempfile
 
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from measure_clip import run
 from read_exr import displayed, read_exr
+from run_command import run
 
+ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAPER = 1.0  # linear; behind the models
 LINE = 18
 
@@ -47,3 +51,23 @@ def sheet(path, cells, columns, limit=290_000):
         if pathlib.Path(path).stat().st_size <= limit:
             return
     sys.exit(f"{path}: is larger than {limit} bytes at any quality")
+
+
+def draw_figures(description, drawings, make_figures, add_options=None):
+    """Parses the command line of a script of figures and draws those of `drawings` that it asks for: draw_NAME() of
+    what make_figures(options, work) returns. `add_options(parser)`: the script's own options."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("relief", help="the command, as build/release/cli/relief")
+    parser.add_argument("data", type=pathlib.Path)
+    parser.add_argument("--only", default=",".join(drawings))
+    if add_options:
+        add_options(parser)
+    parser.add_argument("--work", type=pathlib.Path, help="shapes and images stay there (default: a folder that is removed)")
+    parser.add_argument("--images", type=pathlib.Path, default=ROOT / "docs" / "images")
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as temporary:
+        work = options.work or pathlib.Path(temporary)
+        work.mkdir(parents=True, exist_ok=True)
+        figures = make_figures(options, work)
+        for name in options.only.split(","):
+            getattr(figures, f"draw_{name}")()

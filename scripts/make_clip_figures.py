@@ -7,15 +7,14 @@ DATA is the folder with sharp/. Shapes are made by models/sharp_models.py. Names
 5), tower (Figure 7), uneven (Figure 8), thinned (Figure 9), gallery (Figure 10). Writes docs/images/clip_*.jpg. Red pixels
 are holes, green ones overhang, as scripts/measure_clip.py counts them. Needs NumPy and Pillow.
 """
-import argparse
 import json
 import pathlib
 import sys
-import tempfile
 
-from figure_sheet import marked, render, sheet
+from figure_sheet import draw_figures, marked, render, sheet
 from judge_images import Truth, judge
-from measure_clip import clip_options, looking_at, run, shape_of_mesh
+from measure_clip import clip_options, looking_at, shape_of_mesh
+from run_command import run
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SIDE = 360
@@ -132,22 +131,6 @@ class Figures:
 DRAWINGS = ("densities", "cells", "tower", "uneven", "thinned", "gallery")
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("relief", help="the command, as build/release/cli/relief")
-    parser.add_argument("data", type=pathlib.Path)
-    parser.add_argument("--only", default=",".join(DRAWINGS))
-    parser.add_argument("--engine", default="surfel")
-    parser.add_argument("--work", type=pathlib.Path, help="shapes and images stay there (default: a folder that is removed)")
-    parser.add_argument("--images", type=pathlib.Path, default=ROOT / "docs" / "images")
-    options = parser.parse_args()
-    with tempfile.TemporaryDirectory() as temporary:
-        work = options.work or pathlib.Path(temporary)
-        work.mkdir(parents=True, exist_ok=True)
-        figures = Figures(options, work)
-        for name in options.only.split(","):
-            getattr(figures, f"draw_{name}")()
-
-
 if __name__ == "__main__":
-    main()
+    draw_figures(__doc__, DRAWINGS, Figures,
+                 lambda parser: parser.add_argument("--engine", default="surfel"))

@@ -14,13 +14,13 @@ import json
 import math
 import pathlib
 import sys
-import tempfile
 
 import numpy as np
 
-from figure_sheet import marked, render, sheet
+from figure_sheet import draw_figures, marked, render, sheet
 from judge_images import Truth, judge, summary
-from measure_clip import looking_at, run
+from measure_clip import looking_at
+from run_command import run
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "models"))
@@ -223,21 +223,5 @@ def sphere_of(path):
 DRAWINGS = ("points", "primitives", "blending", "triangles", "sizes", "textured", "scans")
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("relief", help="the command, as build/release/cli/relief")
-    parser.add_argument("data", type=pathlib.Path)
-    parser.add_argument("--only", default=",".join(DRAWINGS))
-    parser.add_argument("--work", type=pathlib.Path, help="images stay there (default: a folder that is removed)")
-    parser.add_argument("--images", type=pathlib.Path, default=ROOT / "docs" / "images")
-    options = parser.parse_args()
-    with tempfile.TemporaryDirectory() as temporary:
-        work = options.work or pathlib.Path(temporary)
-        work.mkdir(parents=True, exist_ok=True)
-        figures = Figures(options, work)
-        for name in options.only.split(","):
-            getattr(figures, f"draw_{name}")()
-
-
 if __name__ == "__main__":
-    main()
+    draw_figures(__doc__, DRAWINGS, Figures)

@@ -12,9 +12,10 @@ import argparse
 import json
 import math
 import pathlib
-import subprocess
 import sys
 import tempfile
+
+from run_command import run
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 IMAGES = ROOT / "docs" / "images"
@@ -25,13 +26,6 @@ FORKS = [(0.17, 0.71, 1), (0.33, 0.22, -1), (0.52, 0.58, 1), (0.68, 0.86, -1), (
 STRIPES = 90  # across the square, before they bend
 # Of a slice whose kernels are a surface's: their variance across it is 1e-6 of that along it (section 6.4).
 FLAT = 1e-3
-
-
-def run(*command):
-    done = subprocess.run([str(c) for c in command], capture_output=True, text=True)
-    if done.returncode != 0:
-        sys.exit(f"make_volume_figures.py: {' '.join(map(str, command))}: {done.stderr.strip()}")
-    return done.stdout
 
 
 def stripe(x, y):

@@ -15,13 +15,13 @@ import json
 import math
 import pathlib
 import statistics
-import subprocess
 import sys
 
 import numpy as np
 
 from judge_images import Truth, judge, summary
 from read_exr import displayed, read_exr
+from run_command import run
 
 RULES = ("off", "partners", "nearest", "independent", "wicke")
 COLUMNS = (("holes", "holes", "d"), ("overhang", "overhang", "d"), ("silhouette_px", "silhouette", ".3f"),
@@ -29,13 +29,6 @@ COLUMNS = (("holes", "holes", "d"), ("overhang", "overhang", "d"), ("silhouette_
            ("normal_rms_deg", "all: rms", ".2f"), ("normal_p99_deg", "p99", ".1f"), ("psnr_db", "PSNR", ".2f"))
 FOV = 30.0
 TRUTH_SAMPLES = 16
-
-
-def run(*command):
-    done = subprocess.run([str(c) for c in command], capture_output=True, text=True)
-    if done.returncode != 0:
-        sys.exit(f"{pathlib.Path(sys.argv[0]).name}: {' '.join(map(str, command))}: {done.stderr.strip()}")
-    return done.stdout
 
 
 def looking_at(centre, radius, view, zoom=1.0, up="z"):

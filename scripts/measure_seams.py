@@ -14,18 +14,11 @@ import argparse
 import json
 import math
 import pathlib
-import subprocess
-import sys
+
+from run_command import run
 
 GOLDEN_ANGLE = math.radians(137.507764)
 FIELD_OF_VIEW = 45.0
-
-
-def run(*command):
-    done = subprocess.run([str(c) for c in command], capture_output=True, text=True)
-    if done.returncode != 0:
-        sys.exit(f"measure_seams.py: {' '.join(map(str, command))}: {done.stderr.strip()}")
-    return done.stdout
 
 
 def cameras(info, count):

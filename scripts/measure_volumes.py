@@ -13,9 +13,10 @@ import argparse
 import json
 import pathlib
 import statistics
-import subprocess
 import sys
 import tempfile
+
+from run_command import run
 
 VOLUMES = {"engine": ("engine.nii.gz",), "stent": ("stent.nrrd",),
            "head": ("head256x256x109.zip", "--raw", "256x256x109:u8:1,1,2"), "ch2": ("ch2.nii.gz",),
@@ -25,22 +26,15 @@ TRUTHS = {"kernels": ("--truth", "kernels", "--samples", 4), "field": ("--truth"
 TURNS = 3
 
 
-def run(*command):
-    done = subprocess.run([str(c) for c in command], capture_output=True, text=True)
-    if done.returncode != 0:
-        sys.exit(f"measure_volumes.py: {' '.join(map(str, command))}: {done.stderr.strip()}")
-    return json.loads(done.stdout)
-
-
 def measure(arguments, work, name):
     scene = arguments.data / "volumes" / VOLUMES[name][0]
     options = ("--size", "512x512", "--json", *VOLUMES[name][1:])
 
     def draw(image, *more):
-        return run(arguments.relief, "render", scene, "-o", image, *options, *more)
+        return json.loads(run(arguments.relief, "render", scene, "-o", image, *options, *more))
 
     def psnr(image, truth):
-        return run(arguments.relief, "compare", image, truth, "--json")["psnr_db"]
+        return json.loads(run(arguments.relief, "compare", image, truth, "--json"))["psnr_db"]
 
     truths = {truth: work / f"{name}_{truth}.exr" for truth in TRUTHS}
     for truth, path in truths.items():
