@@ -1,5 +1,7 @@
 #include "renderer/engine_options.h"
 
+#include <utility>
+
 #include "renderer/frame/image_parts.h"
 
 namespace relief {
@@ -59,6 +61,21 @@ EngineOption samples_option() {
   option.get = [](const RenderSettings& settings) {
     const auto side = static_cast<double>(samples_a_side(settings.samples));
     return std::optional<OptionValue>(side * side);
+  };
+  return option;
+}
+
+EngineOption pixels_per_sample_option(std::string help, std::string default_text,
+                                      double (*in_force)(const RenderSettings&)) {
+  EngineOption option = number_option(
+      {.key = "pixels-per-sample",
+       .range = kPixelsPerSample,
+       .placeholder = "P",
+       .help = std::move(help),
+       .default_text = std::move(default_text)},
+      [](RenderSettings& settings) -> double& { return settings.pixels_per_sample.emplace(); });
+  option.get = [in_force](const RenderSettings& settings) {
+    return std::optional<OptionValue>(in_force(settings));
   };
   return option;
 }

@@ -31,6 +31,23 @@ template <class Member>
           }};
 }
 
+/// An option whose number may be left to the engine: `member(settings)` refers to an optional
+/// double.
+template <class Member>
+[[nodiscard]] EngineOption optional_number_option(OptionRow row, Member member) {
+  row.kind = OptionKind::Number;
+  return {std::move(row),
+          [member](RenderSettings& settings, const OptionValue& value) {
+            member(settings) = std::get<double>(value);
+          },
+          [member](const RenderSettings& settings) -> std::optional<OptionValue> {
+            RenderSettings copy = settings;
+            const std::optional<double>& number = member(copy);
+            if (!number) return std::nullopt;
+            return *number;
+          }};
+}
+
 /// An option whose choice is a member of RenderSettings, with the names that `names` gives its
 /// values.
 template <class Member, class T, std::size_t N>
@@ -58,5 +75,9 @@ template <class Member, class T, std::size_t N>
 [[nodiscard]] EngineOption interpolation_option(const std::vector<Interpolation>& interpolations);
 [[nodiscard]] EngineOption cull_option();
 [[nodiscard]] EngineOption samples_option();  ///< of the engines on OpenGL
+/// Of engines with levels of detail, which say what theirs are. `in_force`: the value that an
+/// engine draws with.
+[[nodiscard]] EngineOption pixels_per_sample_option(std::string help, std::string default_text,
+                                                    double (*in_force)(const RenderSettings&));
 
 }  // namespace relief

@@ -24,24 +24,6 @@ EngineOption transfer_option() {
           }};
 }
 
-EngineOption iso_option() {
-  OptionRow row{.key = "iso",
-                .kind = OptionKind::Number,
-                .range = {-1e30, 1e30},
-                .placeholder = "V",
-                .help = "also draws the surface where the volume has this value",
-                .default_text = "",
-                .is_of_model = true};
-  return {std::move(row),
-          [](RenderSettings& settings, const OptionValue& value) {
-            settings.volume.iso = std::get<double>(value);
-          },
-          [](const RenderSettings& settings) -> std::optional<OptionValue> {
-            if (!settings.volume.iso) return std::nullopt;
-            return *settings.volume.iso;
-          }};
-}
-
 EngineOption clip_option() {
   OptionRow row{
       .key = "clip",
@@ -66,7 +48,14 @@ EngineOption clip_option() {
 /// The options of volumes.
 void add_volumes(std::vector<EngineOption>& options) {
   options.push_back(transfer_option());
-  options.push_back(iso_option());
+  options.push_back(optional_number_option(
+      {.key = "iso",
+       .range = {-1e30, 1e30},
+       .placeholder = "V",
+       .help = "also draws the surface where the volume has this value",
+       .default_text = "",
+       .is_of_model = true},
+      [](RenderSettings & s) -> auto& { return s.volume.iso; }));
   options.push_back(
       number_option({.key = "iso-opacity",
                      .range = kShares,

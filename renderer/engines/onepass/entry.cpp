@@ -6,22 +6,6 @@
 namespace relief::onepass {
 namespace {
 
-EngineOption pixels_per_sample_option() {
-  EngineOption option = number_option(
-      {.key = "pixels-per-sample",
-       .range = kPixelsPerSample,
-       .placeholder = "P",
-       .help = "draws coarser levels of patches where their samples are seen at most P pixels "
-               "apart, of patches that meet also off the finest by at most P/128 pixels; 0 always "
-               "draws the finest",
-       .default_text = "4 with cells, else 0"},
-      [](RenderSettings& settings) -> double& { return settings.pixels_per_sample.emplace(); });
-  option.get = [](const RenderSettings& settings) {
-    return std::optional<OptionValue>(pixels_per_sample_of(settings));
-  };
-  return option;
-}
-
 /// Cells are the surface, so that the interpolation is only that of their border splats: they have
 /// a variant for each policy of levels (the finest, the default, twice as coarse).
 std::vector<OptionValues> bench_variants() {
@@ -57,7 +41,12 @@ EngineEntry entry() {
                            .levels_of_detail = true,
                            .explanation = true},
           .options = {primitive_option(primitives), interpolation_option(interpolations),
-                      cull_option(), samples_option(), pixels_per_sample_option()},
+                      cull_option(), samples_option(),
+                      pixels_per_sample_option(
+                          "draws coarser levels of patches where their samples are seen at most P "
+                          "pixels apart, of patches that meet also off the finest by at most P/128 "
+                          "pixels; 0 always draws the finest",
+                          "4 with cells, else 0", pixels_per_sample_of)},
           .bench_variants = bench_variants(),
           .compared_variants = {{{"primitive", "quad"}, {"interpolation", "direct"}},
                                 {{"primitive", "quad"}, {"interpolation", "corrected"}},

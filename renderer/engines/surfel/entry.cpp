@@ -8,62 +8,14 @@
 namespace relief::surfel {
 namespace {
 
-EngineOption scale_option() {
-  OptionRow row{.key = "surfel-scale",
-                .kind = OptionKind::Number,
-                .range = kSurfelScales,
-                .placeholder = "F",
-                .help = "factor of the surfels' sizes",
-                .default_text = "what closes the gaps of --surfel-size"};
-  return {std::move(row),
-          [](RenderSettings& settings, const OptionValue& value) {
-            settings.surfel.scale = std::get<double>(value);
-          },
-          [](const RenderSettings& settings) -> std::optional<OptionValue> {
-            if (!settings.surfel.scale) return std::nullopt;
-            return *settings.surfel.scale;
-          }};
-}
-
-EngineOption offset_option() {
-  OptionRow row{.key = "surfel-offset",
-                .kind = OptionKind::Number,
-                .range = kSurfelOffsets,
-                .placeholder = "Z",
-                .help =
-                    "how far the first pass is set back from the eye, in world units: surfels "
-                    "within that of the front one blend with it",
-                .default_text = "each surfel's radius"};
-  return {std::move(row),
-          [](RenderSettings& settings, const OptionValue& value) {
-            settings.surfel.offset = std::get<double>(value);
-          },
-          [](const RenderSettings& settings) -> std::optional<OptionValue> {
-            if (!settings.surfel.offset) return std::nullopt;
-            return *settings.surfel.offset;
-          }};
-}
-
-EngineOption levels_option() {
-  EngineOption option = number_option(
-      {.key = "pixels-per-sample",
-       .range = kPixelsPerSample,
-       .placeholder = "P",
-       .help = "draws one mean surfel for several that are seen at most P pixels wide together; 0 "
-               "draws all",
-       .default_text = "1"},
-      [](RenderSettings& settings) -> double& { return settings.pixels_per_sample.emplace(); });
-  option.get = [](const RenderSettings& settings) {
-    return std::optional<OptionValue>(settings.pixels_per_sample.value_or(kPixelsPerSurfel));
-  };
-  return option;
-}
-
 std::vector<EngineOption> options() {
   std::vector<EngineOption> all = {
       cull_option(),
       samples_option(),
-      levels_option(),
+      pixels_per_sample_option(
+          "draws one mean surfel for several that are seen at most P pixels wide together; 0 draws "
+          "all",
+          "1", pixels_per_surfel_of),
       choice_option({.key = "surfel-size",
                      .help = "what sizes come from: a split of space (BSP) into triangles, their "
                              "mean edge or their circle; the spheres of QSplat; the cells of the "
@@ -73,7 +25,13 @@ std::vector<EngineOption> options() {
                     {SurfelSize::BspEdge, SurfelSize::BspCircle, SurfelSize::Qsplat,
                      SurfelSize::Cell, SurfelSize::Given},
                     [](RenderSettings& s) -> SurfelSize& { return s.surfel.size; }),
-      scale_option(),
+      optional_number_option(
+          {.key = "surfel-scale",
+           .range = kSurfelScales,
+           .placeholder = "F",
+           .help = "factor of the surfels' sizes",
+           .default_text = "what closes the gaps of --surfel-size"},
+          [](RenderSettings & s) -> auto& { return s.surfel.scale; }),
       number_option({.key = "surfel-sides",
                      .range = kSurfelSides,
                      .placeholder = "N",
@@ -99,7 +57,15 @@ std::vector<EngineOption> options() {
                              "the centre",
                      .default_text = "0.5"},
                     [](RenderSettings& s) -> double& { return s.surfel.falloff; }),
-      offset_option()};
+      optional_number_option(
+          {.key = "surfel-offset",
+           .range = kSurfelOffsets,
+           .placeholder = "Z",
+           .help =
+               "how far the first pass is set back from the eye, in world units: surfels within "
+               "that of the front one blend with it",
+           .default_text = "each surfel's radius"},
+          [](RenderSettings & s) -> auto& { return s.surfel.offset; })};
   for (EngineOption& option : clip_options()) all.push_back(std::move(option));
   return all;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderer/engines/surfel/surfel_set.h"
+#include "renderer/settings.h"
 #include "renderer/surfels/settings.h"
 #include "renderer/view/view.h"
 #include "shaders/surfel/layout.h"
@@ -40,6 +41,9 @@ struct DrawnSurfels {
 
 /// The default of SelectionRule::pixels_per_surfel.
 inline constexpr double kPixelsPerSurfel = 1.0;
+[[nodiscard]] inline double pixels_per_surfel_of(const RenderSettings& settings) {
+  return settings.pixels_per_sample.value_or(kPixelsPerSurfel);
+}
 
 /// What decides it beside the view.
 struct SelectionRule {
