@@ -3,12 +3,26 @@
 #include <array>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "renderer/frame/attachments.h"
 #include "renderer/frame/features.h"
 #include "shaders/include/shared.h"
 
 namespace relief {
+namespace {
+
+void clear_sums(const Gl& gl, const SplatSums& sums) {
+  const std::array<GLfloat, 4> zero{};
+  const auto clear = [&](const std::optional<Texture>& sum, GLint location) {
+    if (sum) gl.ClearNamedFramebufferfv(sums.accumulation.id(), GL_COLOR, location, zero.data());
+  };
+  clear(sums.normals, RELIEF_SUM_NORMAL);
+  clear(sums.colours, RELIEF_SUM_COLOUR);
+  clear(sums.depths, RELIEF_SUM_DEPTH);
+}
+
+}  // namespace
 
 Result<SplatSums> make_sums(const Gl& gl, const Targets& targets, Features features,
                             SumPrecision precision, bool keeps_materials) {
@@ -50,14 +64,46 @@ Result<SplatSums> make_sums(const Gl& gl, const Targets& targets, Features featu
                    .shading = std::move(shading)};
 }
 
-void clear_sums(const Gl& gl, const SplatSums& sums) {
-  const std::array<GLfloat, 4> zero{};
-  const auto clear = [&](const std::optional<Texture>& sum, GLint location) {
-    if (sum) gl.ClearNamedFramebufferfv(sums.accumulation.id(), GL_COLOR, location, zero.data());
-  };
-  clear(sums.normals, RELIEF_SUM_NORMAL);
-  clear(sums.colours, RELIEF_SUM_COLOUR);
-  clear(sums.depths, RELIEF_SUM_DEPTH);
+SummingUp::SummingUp(const Gl& gl, const SplatSums& sums, SumBlend blend) : gl_(gl) {
+  clear_sums(gl, sums);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, sums.accumulation.id());
+  gl.DepthMask(GL_FALSE);
+  gl.Enable(GL_BLEND);
+  gl.BlendFunc(GL_ONE, blend == SumBlend::Over ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
+}
+
+SummingUp::~SummingUp() {
+  gl_.BlendFunc(GL_ONE, GL_ZERO);
+  gl_.Disable(GL_BLEND);
+  gl_.DepthMask(GL_TRUE);
+}
+
+void draw_shading_pass(const Gl& gl, const SplatSums& sums, const Program& program,
+                       const VertexArray& nothing, const Texture* environment,
+                       std::initializer_list<BoundTexture> beside) {
+  std::vector<BoundTexture> textures{{RELIEF_TEXTURE_NORMAL_SUMS, address(sums.normals)},
+                                     {RELIEF_TEXTURE_COLOUR_SUMS, address(sums.colours)},
+                                     {RELIEF_TEXTURE_DEPTH_SUMS, address(sums.depths)},
+                                     {RELIEF_TEXTURE_ENVIRONMENT, environment}};
+  textures.insert(textures.end(), beside);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, sums.shading.id());
+  gl.Enable(GL_DEPTH_TEST);
+  gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  gl.DepthFunc(GL_LESS);  // the triangle is at 0, where what pass 1 covers is above
+  gl.DepthMask(GL_FALSE);
+  gl.Enable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  gl.UseProgram(program.id());
+  gl.BindVertexArray(nothing.id());
+  for (const auto& [unit, texture] : textures)
+    gl.BindTextureUnit(unit, texture == nullptr ? 0 : texture->id());
+  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  for (const auto& [unit, texture] : textures) gl.BindTextureUnit(unit, 0);
+  gl.BindVertexArray(0);
+  gl.UseProgram(0);
+  gl.Disable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  gl.DepthMask(GL_TRUE);
+  gl.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+  gl.Disable(GL_DEPTH_TEST);
 }
 
 }  // namespace relief

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 
 #include "common/error.h"
@@ -38,7 +39,33 @@ Result<SplatSums> make_sums(const Gl& gl, const Targets& targets, Features featu
   return sums.normals || sums.colours || sums.depths;
 }
 
-/// Clears the sums for a frame.
-void clear_sums(const Gl& gl, const SplatSums& sums);
+/// Adds up what a pass over splats draws, or lays it over what is there, without writing depth.
+enum class SumBlend : bool { Add, Over };
+
+/// Clears the sums for a frame. While it lives, `sums.accumulation` is bound, blended into, and
+/// tested against the depth that it does not write.
+class SummingUp {
+ public:
+  SummingUp(const Gl& gl, const SplatSums& sums, SumBlend blend);
+  ~SummingUp();
+  SummingUp(const SummingUp&) = delete;
+  SummingUp& operator=(const SummingUp&) = delete;
+
+ private:
+  const Gl& gl_;
+};
+
+/// A texture for a shader; null: none.
+struct BoundTexture {
+  GLuint unit;
+  const Texture* texture;
+};
+
+/// Pass 3: shades once each pixel that pass 1 covers, with a program of include/shade_sums.glsl.
+/// `environment` may be null; `beside`: what else the program reads. `nothing`: a vertex array
+/// without attributes. Leaves nothing bound but the framebuffer.
+void draw_shading_pass(const Gl& gl, const SplatSums& sums, const Program& program,
+                       const VertexArray& nothing, const Texture* environment,
+                       std::initializer_list<BoundTexture> beside);
 
 }  // namespace relief

@@ -18,9 +18,10 @@ void write_clip_range(int record, Splat splat, PatchInfo info) {
   clip_slope = splat.slope;
 #endif
 }
-// What sets a clipped splat that faces away back in pass 2, a little less than pass 1 does. Behind a sharp edge the face that faces
-// away begins where the one that is seen ends: with the blending depth of all others it would
-// shine through there.
+
+// What sets a clipped splat that faces away back in pass 2, a little less than pass 1 does. Behind a
+// sharp edge the face that faces away begins where the one that is seen ends: with the blending depth
+// of all others it would shine through there.
 float clip_set_back(Splat splat, PatchInfo info, vec4 eye) {
   vec3 ray = ray_toward(splat.centre, eye);
   bool faces_away = ray.z - dot(splat.slope, ray.xy) >= 0.0;

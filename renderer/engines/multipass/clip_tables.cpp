@@ -12,6 +12,7 @@
 
 #include "renderer/clip/clip_partners.h"
 #include "renderer/clip/sample_discs.h"
+#include "renderer/frame/clip_texels.h"
 #include "shaders/include/shared.h"
 
 namespace relief::multipass {
@@ -48,9 +49,7 @@ bool add_patch(const Patch& patch, const SampleDiscs& samples, std::size_t k,
   for (std::uint32_t r = 0; r < records.count; ++r) {
     const std::size_t splat = samples.first[k] + r;
     const std::span<const ClipLine> lines = partners.of(splat);
-    ranges[records.first + r] = {static_cast<std::uint32_t>(out.texels.size()),
-                                 static_cast<std::uint32_t>(lines.size()) << shared::kClipKindBits |
-                                     static_cast<std::uint32_t>(partners.kinds[splat])};
+    ranges[records.first + r] = clip_range(out.texels.size(), lines.size(), partners.kinds[splat]);
     for (std::size_t l = 0; l < lines.size(); ++l) {
       out.texels.push_back(line_on_grid(lines[l], patch, samples.slopes[splat]));
       if (!partners.planes.empty()) add_plane(partners.planes_of(splat)[l], patch, out.texels);
@@ -124,15 +123,8 @@ Result<ClipTables> make_clip_tables(const Gl& gl, const PatchModel& model, const
     }
     place(run, found->second, store, collected);
   }
-  const auto most = static_cast<std::size_t>(get_limit(gl, GL_MAX_TEXTURE_BUFFER_SIZE));
-  if (collected.texels.size() > most) {
-    return make_error("the clip lines of the model take {} texels, more than this OpenGL has ({})",
-                      collected.texels.size(), most);
-  }
-  ClipTables tables{
-      {},
-      make_table(gl, "clip lines", GL_RGBA32F, std::span<const glm::vec4>(collected.texels)),
-      std::move(collected.clipped)};
+  RELIEF_TRY_ASSIGN(Table lines, make_clip_lines(gl, collected.texels));
+  ClipTables tables{{}, std::move(lines), std::move(collected.clipped)};
   for (const std::vector<glm::uvec2>& ranges : collected.ranges) {
     tables.ranges.push_back(
         make_table(gl, "clip ranges", GL_RG32UI, std::span<const glm::uvec2>(ranges)));

@@ -88,11 +88,7 @@ void Drawing::draw_splats(const SplatPrograms& programs, const Draws& draws,
 
 void Drawing::accumulate(const Texture& visible_depth, const AllDraws& draws) const {
   const Gl& gl = *variant_.gl;
-  clear_sums(gl, sums_);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, sums_.accumulation.id());
-  gl.DepthMask(GL_FALSE);
-  gl.Enable(GL_BLEND);
-  gl.BlendFunc(GL_ONE, GL_ONE);
+  const SummingUp summing(gl, sums_, SumBlend::Add);
   if (variant_.accumulation.large) {
     // Sprites read the depth that is tested. Nothing writes it in this pass.
     gl.TextureBarrier();
@@ -103,43 +99,15 @@ void Drawing::accumulate(const Texture& visible_depth, const AllDraws& draws) co
     draw_splats(variant_.clipped->accumulation, *draws.clipped,
                 {RELIEF_TEXTURE_CLIP_RANGES, &clip_->ranges});
   gl.BindTextureUnit(RELIEF_TEXTURE_VISIBLE_DEPTH, 0);
-  gl.BlendFunc(GL_ONE, GL_ZERO);
-  gl.Disable(GL_BLEND);
-  gl.DepthMask(GL_TRUE);
 }
 
 void Drawing::shade(const GlFrame& frame) const {
-  const Gl& gl = *variant_.gl;
-  gl.BindFramebuffer(GL_FRAMEBUFFER, sums_.shading.id());
-  gl.Enable(GL_DEPTH_TEST);
-  gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-  gl.DepthFunc(GL_LESS);  // the triangle is at 0, where what pass 1 covers is above
-  gl.DepthMask(GL_FALSE);
-  gl.Enable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-  gl.UseProgram(variant_.shading.id());
-  gl.BindVertexArray(variant_.nothing.id());
-  const auto bind = [&gl](GLuint unit, const Texture* texture) {
-    gl.BindTextureUnit(unit, texture == nullptr ? 0 : texture->id());
-  };
-  bind(RELIEF_TEXTURE_NORMAL_SUMS, address(sums_.normals));
-  bind(RELIEF_TEXTURE_COLOUR_SUMS, address(sums_.colours));
-  bind(RELIEF_TEXTURE_DEPTH_SUMS, address(sums_.depths));
-  bind(RELIEF_TEXTURE_ENVIRONMENT, frame.environment);
-  if (frame.materials) {  // pixels ask their patches which one they have
-    bind(RELIEF_TEXTURE_PATCH_IDS, address(frame.targets.patch_id));
-    bind(RELIEF_TEXTURE_PATCHES, &variant_.samples.store().table.texture);
-  }
-  gl.DrawArrays(GL_TRIANGLES, 0, 3);
-  for (const GLuint unit :
-       {RELIEF_TEXTURE_NORMAL_SUMS, RELIEF_TEXTURE_COLOUR_SUMS, RELIEF_TEXTURE_DEPTH_SUMS,
-        RELIEF_TEXTURE_ENVIRONMENT, RELIEF_TEXTURE_PATCH_IDS, RELIEF_TEXTURE_PATCHES})
-    gl.BindTextureUnit(unit, 0);
-  gl.BindVertexArray(0);
-  gl.UseProgram(0);
-  gl.Disable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-  gl.DepthMask(GL_TRUE);
-  gl.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
-  gl.Disable(GL_DEPTH_TEST);
+  // Of several materials pixels ask their patches which one they have.
+  const bool mixed = frame.materials.has_value();
+  draw_shading_pass(
+      *variant_.gl, sums_, variant_.shading, variant_.nothing, frame.environment,
+      {{RELIEF_TEXTURE_PATCH_IDS, mixed ? address(frame.targets.patch_id) : nullptr},
+       {RELIEF_TEXTURE_PATCHES, mixed ? &variant_.samples.store().table.texture : nullptr}});
 }
 
 }  // namespace relief::multipass

@@ -34,7 +34,7 @@ SelectionRule selection_rule(const SurfelStore& store, const SurfelClip* clip, c
           .sorted = settings.surfel.blend == SurfelBlend::Sorted,
           .clipped = clip == nullptr ? std::span<const std::uint8_t>() : clip->clipped,
           .all_clipped = clip != nullptr && settings.outputs.clip,
-          .pixels_per_surfel = settings.pixels_per_sample.value_or(kPixelsPerSurfel)};
+          .pixels_per_surfel = pixels_per_surfel_of(settings)};
 }
 
 /// Depth tests as all passes over surfels have them, while it lives.
@@ -144,38 +144,16 @@ void Drawing::draw_pass(const DrawnSurfels& drawn, const Program SurfelPrograms:
 }
 
 void Drawing::accumulate(const GlFrame& frame, const DrawnSurfels& drawn) const {
-  const Gl& gl = parts_.gl;
   const bool sorted = parts_.settings.surfel.blend == SurfelBlend::Sorted;
-  clear_sums(gl, sums_);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, sums_.accumulation.id());
-  gl.DepthMask(GL_FALSE);
-  gl.Enable(GL_BLEND);
-  gl.BlendFunc(GL_ONE, sorted ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
-  if (sorted && frame.environment != nullptr)
-    gl.BindTextureUnit(RELIEF_TEXTURE_ENVIRONMENT, frame.environment->id());
+  const SummingUp summing(parts_.gl, sums_, sorted ? SumBlend::Over : SumBlend::Add);
+  BoundTextures bound(parts_.gl);
+  if (sorted) bound.bind(RELIEF_TEXTURE_ENVIRONMENT, frame.environment);
   draw_pass(drawn, &SurfelPrograms::accumulation);
-  gl.BindTextureUnit(RELIEF_TEXTURE_ENVIRONMENT, 0);
-  gl.BlendFunc(GL_ONE, GL_ZERO);
-  gl.Disable(GL_BLEND);
-  gl.DepthMask(GL_TRUE);
 }
 
 void Drawing::shade(const GlFrame& frame) const {
-  const Gl& gl = parts_.gl;
-  gl.BindFramebuffer(GL_FRAMEBUFFER, sums_.shading.id());
-  const DepthTested tested(gl);
-  gl.DepthFunc(GL_LESS);  // the triangle is at 0, where what pass 1 covers is above
-  gl.DepthMask(GL_FALSE);
-  BoundTextures bound(gl);
-  bound.bind(RELIEF_TEXTURE_NORMAL_SUMS, address(sums_.normals));
-  bound.bind(RELIEF_TEXTURE_COLOUR_SUMS, address(sums_.colours));
-  bound.bind(RELIEF_TEXTURE_DEPTH_SUMS, address(sums_.depths));
-  bound.bind(RELIEF_TEXTURE_ENVIRONMENT, frame.environment);
-  bound.bind(RELIEF_TEXTURE_PATCH_IDS, address(sums_.materials));
-  gl.UseProgram(parts_.shading.id());
-  gl.BindVertexArray(parts_.nothing.id());
-  gl.DrawArrays(GL_TRIANGLES, 0, 3);
-  gl.DepthMask(GL_TRUE);
+  draw_shading_pass(parts_.gl, sums_, parts_.shading, parts_.nothing, frame.environment,
+                    {{RELIEF_TEXTURE_PATCH_IDS, address(sums_.materials)}});
 }
 
 }  // namespace relief::surfel

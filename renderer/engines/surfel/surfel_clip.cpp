@@ -4,8 +4,10 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <span>
+#include <utility>
 
 #include "renderer/clip/clip_partners.h"
+#include "renderer/frame/clip_texels.h"
 #include "shaders/include/shared.h"
 
 namespace relief::surfel {
@@ -53,8 +55,7 @@ Result<SurfelClip> make_surfel_clip(const Gl& gl, const SurfelSet& set,
   std::vector<std::uint8_t> clipped;
   for (std::size_t slot = 0; slot < set.own; ++slot) {
     const std::span<const ClipLine> own = partners.of(slot);
-    ranges.emplace_back(lines.size(), own.size() << shared::kClipKindBits |
-                                          static_cast<std::size_t>(partners.kinds[slot]));
+    ranges.push_back(clip_range(lines.size(), own.size(), partners.kinds[slot]));
     for (std::size_t l = 0; l < own.size(); ++l) {
       lines.push_back(line_in_disc(own[l], set, slot));
       if (!partners.planes.empty()) add_plane(partners.planes_of(slot)[l], set, slot, lines);
@@ -62,14 +63,9 @@ Result<SurfelClip> make_surfel_clip(const Gl& gl, const SurfelSet& set,
     clipped.push_back(own.empty() ? 0 : 1);
   }
   ranges.resize(set.points.size(), glm::uvec2(0));  // mean surfels are not clipped
-  const auto most = static_cast<std::size_t>(get_limit(gl, GL_MAX_TEXTURE_BUFFER_SIZE));
-  if (lines.size() > most) {
-    return make_error("the surfels have {} clip lines, more than this OpenGL can draw ({})",
-                      lines.size(), most);
-  }
+  RELIEF_TRY_ASSIGN(Table table, make_clip_lines(gl, lines));
   SurfelClip clip{make_table(gl, "clip ranges", GL_RG32UI, std::span<const glm::uvec2>(ranges)),
-                  make_table(gl, "clip lines", GL_RGBA32F, std::span<const glm::vec4>(lines)),
-                  std::move(clipped)};
+                  std::move(table), std::move(clipped)};
   RELIEF_TRY(check_errors(gl, "the clip lines"));
   return clip;
 }
