@@ -46,8 +46,8 @@ Wanted wanted_by(const BenchMethod& row, const EngineEntry& engine) {
   return wanted;
 }
 
-/// A prepared model. Rows that need the same of a model share it. Others do not, so that nothing else
-/// is on the GPU while they are timed.
+/// A prepared model. Rows that need the same of a model share it. Others do not, so that nothing
+/// else is on the GPU while they are timed.
 struct Group {
   Wanted wanted;
   std::unique_ptr<GlPreparedModel> prepared;

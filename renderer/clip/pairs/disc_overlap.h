@@ -36,8 +36,8 @@ struct Ellipse {
   double minor_radius;
 };
 
-/// Returns the part of a line that lies in an ellipse, by Eq. (12) with P_o relative to the centre. The
-/// line lies in the ellipse's plane.
+/// Returns the part of a line that lies in an ellipse, by Eq. (12) with P_o relative to the centre.
+/// The line lies in the ellipse's plane.
 [[nodiscard]] std::optional<Span> span_in_ellipse(const CrossingLine& line, const Ellipse& ellipse);
 
 /// Returns the part of the crossing line that lies in both discs; none if the discs do not cross
