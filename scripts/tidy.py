@@ -102,8 +102,10 @@ def write_unit(files, unit):
 def check(group, unit):
     if len(group.files) > 1:
         sources = write_unit(group.files, unit)
+        # Headers that stand beside the files are found from elsewhere, too.
+        folders = [f"-iquote{folder}" for folder in sorted({file.parent for file in group.files})]
         findings = re.sub(re.escape(str(unit)) + r":(\d+)", lambda m: sources[int(m[1]) - 1],
-                          run_tidy(unit, group.flags))
+                          run_tidy(unit, group.flags + folders))
         if "[clang-diagnostic-" not in findings:
             return findings
         reason = re.search(r"error: (.*) \[clang-diagnostic-", findings)[1]

@@ -52,7 +52,7 @@ class Cell {
   }
 
  private:
-  static constexpr std::size_t kMost = 2 * (4 + kSurfaceNeighbours);
+  static constexpr std::size_t kMost = std::size_t{2} * (4 + kSurfaceNeighbours);
   std::array<glm::dvec2, kMost> corners_;
   std::size_t count_;
 };

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -30,7 +31,9 @@ struct StoreKey {
   std::optional<double> scale;
   bool refitted;  ///< the normals
 
-  auto operator<=>(const StoreKey&) const = default;
+  bool operator<(const StoreKey& other) const {
+    return std::tie(size, scale, refitted) < std::tie(other.size, other.scale, other.refitted);
+  }
 };
 
 /// Surfels, the shapes that they are drawn with, and the programs that images have needed so far.
