@@ -38,6 +38,7 @@ Result<SplatSums> make_sums(const Gl& gl, const Targets& targets, Features featu
                      "depth sums", GL_RG32F);
   auto materials =
       make(keeps_materials && features.has(RELIEF_FEATURE_MIXED), "materials", GL_R8UI);
+  auto sides = make(features.has(RELIEF_FEATURE_SIDED), "sides", GL_R8UI);
   const Texture* z = &targets.z_buffer;
   const bool shows_clip = features.has(RELIEF_FEATURE_OUT_CLIP);
   Framebuffer visibility =
@@ -45,7 +46,8 @@ Result<SplatSums> make_sums(const Gl& gl, const Targets& targets, Features featu
                        {{RELIEF_OUT_UV, address(targets.uv)},
                         {RELIEF_OUT_PATCH, address(targets.patch_id)},
                         {RELIEF_OUT_CLIP, shows_clip ? address(targets.clip) : nullptr},
-                        {RELIEF_OUT_MATERIAL, address(materials)}});
+                        {RELIEF_OUT_MATERIAL, address(materials)},
+                        {RELIEF_OUT_SIDE, address(sides)}});
   Framebuffer accumulation = make_framebuffer(gl, "accumulation", z,
                                               {{RELIEF_SUM_NORMAL, address(normals)},
                                                {RELIEF_SUM_COLOUR, address(colours)},
@@ -59,6 +61,7 @@ Result<SplatSums> make_sums(const Gl& gl, const Targets& targets, Features featu
                    .colours = std::move(colours),
                    .depths = std::move(depths),
                    .materials = std::move(materials),
+                   .sides = std::move(sides),
                    .visibility = std::move(visibility),
                    .accumulation = std::move(accumulation),
                    .shading = std::move(shading)};
@@ -70,9 +73,11 @@ SummingUp::SummingUp(const Gl& gl, const SplatSums& sums, SumBlend blend) : gl_(
   gl.DepthMask(GL_FALSE);
   gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_ONE, blend == SumBlend::Over ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
+  gl.BindTextureUnit(RELIEF_TEXTURE_SIDES, sums.sides ? sums.sides->id() : 0);
 }
 
 SummingUp::~SummingUp() {
+  gl_.BindTextureUnit(RELIEF_TEXTURE_SIDES, 0);
   gl_.BlendFunc(GL_ONE, GL_ZERO);
   gl_.Disable(GL_BLEND);
   gl_.DepthMask(GL_TRUE);

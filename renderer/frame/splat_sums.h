@@ -23,9 +23,10 @@ struct SplatSums {
   std::optional<Texture> colours;    ///< RGBA: weighted linear colour, weights
   std::optional<Texture> depths;     ///< RG32F: weighted depth, weights
   std::optional<Texture> materials;  ///< R8UI: of the splat in front, if pass 1 writes it
-  Framebuffer visibility;            ///< pass 1: the image's depth buffer, UV, patch id, material
-  Framebuffer accumulation;          ///< pass 2: the sums, tested against that depth
-  Framebuffer shading;               ///< pass 3: the image's colour, normal and depth
+  std::optional<Texture> sides;      ///< R8UI: of the splat in front, where both sides are drawn
+  Framebuffer visibility;    ///< pass 1: the image's depth buffer, UV, patch id, material, side
+  Framebuffer accumulation;  ///< pass 2: the sums, tested against that depth
+  Framebuffer shading;       ///< pass 3: the image's colour, normal and depth
 };
 
 /// Makes them; `targets` must outlive them. `keeps_materials`: pass 1 writes what material splats

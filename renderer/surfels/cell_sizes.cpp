@@ -11,10 +11,17 @@
 #include <glm/vec2.hpp>
 #include <span>
 
+#include "common/neighbours/nearest_search.h"
 #include "common/neighbours/neighbours.h"
+#include "common/neighbours/position_tree.h"
 
 namespace relief {
 namespace {
+
+using Range = tbb::blocked_range<std::uint32_t>;
+
+/// Neighbours that are looked at where the nearest 16 are too few.
+constexpr std::uint32_t kMoreNeighbours = 128;
 
 /// Where cells end that neighbours do not bound: at the distance of that many.
 constexpr std::uint32_t kEndNeighbour = 8;
@@ -40,7 +47,7 @@ class Cell {
       if ((beyond_a <= 0.0) == (beyond_b <= 0.0)) continue;
       kept[kept_count++] = a + (b - a) * (beyond_a / (beyond_a - beyond_b));
     }
-    corners_ = kept;
+    std::copy_n(kept.begin(), kept_count, corners_.begin());
     count_ = kept_count;
   }
 
@@ -52,54 +59,123 @@ class Cell {
   }
 
  private:
-  static constexpr std::size_t kMost = std::size_t{2} * (4 + kSurfaceNeighbours);
+  /// Twice what exact arithmetic needs.
+  static constexpr std::size_t kMost = std::size_t{2} * (4 + kSurfaceNeighbours + kMoreNeighbours);
   std::array<glm::dvec2, kMost> corners_;
   std::size_t count_;
 };
 
-double cell_size(const std::vector<glm::dvec3>& positions, std::size_t point,
-                 std::span<const std::uint32_t> neighbours) {
-  const glm::dvec3 at = positions[point];
-  const double last = glm::distance(at, positions[neighbours.back()]);
-  const double end = glm::distance(
-      at, positions[neighbours[std::min<std::size_t>(neighbours.size(), kEndNeighbour) - 1]]);
-  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+/// Neighbours of one surface have normals within 75 degrees; with 60, folds of scans lost 0.9 dB.
+/// Those beyond 120 are of the far side of something thin, the rest beyond an edge.
+constexpr double kOwnCosine = 0.25;
+constexpr double kFarCosine = -0.5;
+/// A cell needs that many neighbours of its own surface; where it has fewer among its nearest,
+/// because another surface beside it is denser, they are looked for among kMoreNeighbours.
+constexpr std::size_t kFewestOwn = 5;
+constexpr std::size_t kFewestOfPlane = 3;
+
+using Neighbours = std::span<const std::uint32_t>;
+
+/// The points among which cells are found.
+struct Surface {
+  std::span<const glm::dvec3> positions;
+  std::span<const glm::vec3> normals;  ///< empty: all are of one surface
+
+  [[nodiscard]] double cosine(std::uint32_t a, std::uint32_t b) const {
+    return normals.empty() ? 1.0 : double{glm::dot(normals[a], normals[b])};
+  }
+
+  /// The nearest of `neighbours` that are of one surface with a point.
+  void own_of(std::uint32_t point, Neighbours neighbours, std::vector<std::uint32_t>& own) const {
+    own.clear();
+    for (const std::uint32_t j : neighbours)
+      if (own.size() < kSurfaceNeighbours && cosine(point, j) > kOwnCosine) own.push_back(j);
+  }
+};
+
+/// The cell of `point` among `own`, in the plane through them, which those of `beside` that are
+/// beyond an edge bound where they lie. Both: nearest first.
+double cell_size(const Surface& surface, std::uint32_t point, Neighbours own, Neighbours beside) {
+  const glm::dvec3 at = surface.positions[point];
+  const auto distance = [&](std::size_t m) {
+    return glm::distance(at, surface.positions[own[std::min(own.size() - 1, m)]]);
+  };
+  const double last = distance(own.size() - 1);
   const auto offset = [&](std::uint32_t j) {
-    const glm::dvec3 d = (positions[j] - at) / last;
+    const glm::dvec3 d = (surface.positions[j] - at) / last;
     return Eigen::Vector3d(d.x, d.y, d.z);
   };
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const std::uint32_t j : neighbours) mean += offset(j);
-  mean /= static_cast<double>(neighbours.size() + 1);
-  scatter.noalias() += mean * mean.transpose();  // of the point itself
-  for (const std::uint32_t j : neighbours) {
+  for (const std::uint32_t j : own) mean += offset(j);
+  mean /= static_cast<double>(own.size() + 1);
+  Eigen::Matrix3d scatter = mean * mean.transpose();  // of the point itself
+  for (const std::uint32_t j : own) {
     const Eigen::Vector3d d = offset(j) - mean;
     scatter.noalias() += d * d.transpose();
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
-  Cell cell(2.0);
-  for (const std::uint32_t j : neighbours) {
+  const auto in_plane = [&](std::uint32_t j) {
     const Eigen::Vector3d d = offset(j);
-    cell.cut({d.dot(solver.eigenvectors().col(1)), d.dot(solver.eigenvectors().col(2))});
+    return glm::dvec2(d.dot(solver.eigenvectors().col(1)), d.dot(solver.eigenvectors().col(2)));
+  };
+  Cell cell(2.0);
+  for (const std::uint32_t j : own) cell.cut(in_plane(j));
+  for (const std::uint32_t j : beside) {
+    const double cosine = surface.cosine(point, j);
+    if (cosine <= kOwnCosine && cosine > kFarCosine) cell.cut(2.0 * in_plane(j));
   }
-  return 2.0 * std::min(cell.reach() * last, end);
+  return 2.0 * std::min(cell.reach() * last, distance(kEndNeighbour - 1));
+}
+
+/// Cells of points that have few of their own surface among their nearest neighbours.
+void find_among_more(const std::vector<glm::dvec3>& positions, const Surface& surface,
+                     const std::vector<std::uint8_t>& has_few, const Progress& progress,
+                     std::vector<double>& diameters) {
+  const PositionTree tree(positions);
+  const std::uint32_t most = std::min(kMoreNeighbours, tree.size() - 1);
+  tbb::parallel_for(Range(0, tree.size(), 1024), [&](const Range& range) {
+    NearestSearch nearest(tree, most);
+    std::vector<std::uint32_t> found(most);
+    std::vector<std::uint32_t> own;
+    for (std::uint32_t slot = range.begin(); slot != range.end(); ++slot) {
+      const std::uint32_t k = tree.index(slot);
+      if (has_few[k] == 0) continue;
+      if (progress.cancelled()) return;
+      nearest.find(slot);
+      for (std::size_t m = 0; m < most; ++m) found[m] = tree.index(nearest.slot(m));
+      surface.own_of(k, found, own);
+      if (own.size() < kFewestOfPlane)
+        own.assign(found.begin(), found.begin() + std::min(most, kSurfaceNeighbours));
+      diameters[k] = cell_size(surface, k, own, {});
+    }
+  });
 }
 
 }  // namespace
 
 Result<std::vector<double>> find_cell_sizes(const std::vector<glm::dvec3>& positions,
+                                            std::span<const glm::vec3> normals,
                                             Progress& progress) {
   progress.begin_stage("surfel cells", positions.size());
   const NeighbourGraph graph = find_neighbours(positions, kSurfaceNeighbours);
   std::vector<double> diameters(positions.size(), 1.0);
   if (graph.k == 0) return diameters;
-  using Range = tbb::blocked_range<std::size_t>;
-  tbb::parallel_for(Range(0, positions.size(), 1024), [&](const Range& range) {
-    if (progress.cancelled()) return;
-    for (std::size_t k = range.begin(); k != range.end(); ++k)
-      diameters[k] = cell_size(positions, k, graph.of(k));
-    progress.advance(range.size());
-  });
+  const Surface surface{positions, normals};
+  const std::size_t wanted = std::min<std::size_t>(kFewestOwn, graph.k);
+  std::vector<std::uint8_t> has_few(positions.size(), 0);
+  tbb::parallel_for(Range(0, static_cast<std::uint32_t>(positions.size()), 1024),
+                    [&](const Range& range) {
+                      if (progress.cancelled()) return;
+                      std::vector<std::uint32_t> own;
+                      for (std::uint32_t k = range.begin(); k != range.end(); ++k) {
+                        surface.own_of(k, graph.of(k), own);
+                        has_few[k] = own.size() < wanted ? 1 : 0;
+                        if (has_few[k] == 0) diameters[k] = cell_size(surface, k, own, graph.of(k));
+                      }
+                      progress.advance(range.size());
+                    });
+  if (std::ranges::find(has_few, 1) != has_few.end())
+    find_among_more(positions, surface, has_few, progress, diameters);
   if (progress.cancelled()) return interrupted_error();
   return diameters;
 }

@@ -47,17 +47,30 @@ Result<DistinctSizes> find_bsp_sizes(const std::vector<glm::dvec3>& positions, S
   return sizes;
 }
 
+/// The normal of each distinct position: of the last point there.
+std::vector<glm::vec3> of_distinct(std::span<const glm::vec3> normals,
+                                   const DistinctPositions& distinct) {
+  std::vector<glm::vec3> picked(normals.empty() ? 0 : distinct.positions.size());
+  for (std::size_t k = 0; k < normals.size(); ++k) {
+    if (distinct.of[k] != DistinctPositions::kNone) picked[distinct.of[k]] = normals[k];
+  }
+  return picked;
+}
+
 }  // namespace
 
 // Duplicates have the size of the one position that they share; points that are not finite have 1.
-Result<SurfelSizes> find_surfel_sizes(std::span<const glm::dvec3> positions, SurfelSize method,
+Result<SurfelSizes> find_surfel_sizes(std::span<const glm::dvec3> positions,
+                                      std::span<const glm::vec3> normals, SurfelSize method,
                                       Progress& progress) {
   const DistinctPositions distinct = find_distinct_positions(positions);
   DistinctSizes found;
   if (method == SurfelSize::Qsplat) {
     RELIEF_TRY_ASSIGN(found.diameters, find_qsplat_sizes(distinct.positions, progress));
   } else if (method == SurfelSize::Cell) {
-    RELIEF_TRY_ASSIGN(found.diameters, find_cell_sizes(distinct.positions, progress));
+    const std::vector<glm::vec3> distinct_normals = of_distinct(normals, distinct);
+    RELIEF_TRY_ASSIGN(found.diameters,
+                      find_cell_sizes(distinct.positions, distinct_normals, progress));
   } else {
     RELIEF_TRY_ASSIGN(found, find_bsp_sizes(distinct.positions, method, progress));
   }

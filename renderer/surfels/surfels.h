@@ -22,10 +22,13 @@ struct SurfelSizes {
   std::vector<std::uint32_t> clusters;  ///< of each point; the clusters of the BSP, else empty
 };
 
-/// Finds the diameters from the points alone, [Textured surfels], section 3.3. Where points are
+/// Finds the diameters from the positions alone, [Textured surfels], section 3.3. `normals`, of
+/// length 1, are for cells of discs that are clipped at sharp edges (cell_sizes.h); empty: they are
+/// not. Where points are
 /// duplicates, or too few for any triangle, the rule is stated at the definition. Fails only if it
 /// is interrupted.
-Result<SurfelSizes> find_surfel_sizes(std::span<const glm::dvec3> positions, SurfelSize method,
+Result<SurfelSizes> find_surfel_sizes(std::span<const glm::dvec3> positions,
+                                      std::span<const glm::vec3> normals, SurfelSize method,
                                       Progress& progress);
 
 /// The factor of the diameters that leaves at most 0.001 % of a surface bare, as measured on

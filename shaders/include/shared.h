@@ -109,6 +109,11 @@ using glm::vec4;
 // All patches are drawn as those with clipped splats are.
 #define RELIEF_FEATURE_OUT_CLIP 268435456u
 
+// Splats of `multipass` and `surfel` blend with those alone of which the eye sees the same side as
+// of the one in front: where back sides are drawn, they lie within the depth of blending behind
+// every contour. An attachment of one byte a pixel, and a lookup a fragment of the second pass.
+#define RELIEF_FEATURE_SIDED 2147483648u
+
 // An orthographic camera: rays begin all over the plane through the eye, and depth values are
 // linear (include/projection.glsl). Costs nothing: it saves divisions.
 #define RELIEF_FEATURE_ORTHOGRAPHIC 16384u
@@ -127,6 +132,7 @@ using glm::vec4;
 #define RELIEF_OUT_PATCH 4
 #define RELIEF_OUT_CLIP 5
 #define RELIEF_OUT_MATERIAL 6  // of the first pass of `surfel`, with several materials
+#define RELIEF_OUT_SIDE 7      // of the first pass of `multipass` and `surfel`
 
 // Outputs of the pass that finds the surface: the position, and its depth where it is needed.
 #define RELIEF_OUT_VISIBILITY 0
@@ -176,6 +182,7 @@ using glm::vec4;
 #define RELIEF_TEXTURE_SEAM_VERTICES 27
 #define RELIEF_TEXTURE_CLIP_RANGES 28
 #define RELIEF_TEXTURE_CLIP_LINES 29
+#define RELIEF_TEXTURE_SIDES 38
 
 /// Uniform of `multipass`: radius of its discs over that of Eq. (1) of [Ochotta 2008].
 #define RELIEF_UNIFORM_RADIUS_FACTOR 0

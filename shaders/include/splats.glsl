@@ -65,13 +65,18 @@ Splat fetch_splat(int record, PatchInfo info, mat4 clip_from_grid, vec4 eye) {
   return splat;
 }
 
+// The ray toward a splat's centre along the normal of its plane; of any length.
+float facing_along(Splat splat, vec4 eye) {
+  vec3 ray = ray_toward(splat.centre, eye);
+  return ray.z - dot(splat.slope, ray.xy);
+}
+
 #if (RELIEF_FEATURES & RELIEF_FEATURE_FRONT) != 0u
 layout(location = RELIEF_UNIFORM_FRONT) uniform bool front_alone;
 
 // Whether it is not drawn because its plane faces away from the eye.
 bool is_hidden_back(Splat splat, vec4 eye) {
-  vec3 ray = ray_toward(splat.centre, eye);
-  return front_alone && ray.z - dot(splat.slope, ray.xy) >= 0.0;
+  return front_alone && facing_along(splat, eye) >= 0.0;
 }
 #endif
 

@@ -2,6 +2,7 @@
 #include "include/counting.glsl"
 #include "include/maps.glsl"
 #include "include/clipping.glsl"
+#include "include/side_test.glsl"
 
 // Depth is not written, so that it may be tested first although fragments are discarded.
 layout(early_fragment_tests) in;
@@ -57,10 +58,11 @@ PositionOnPatch position_on_patch(vec2 position, vec4 footprint) {
 #define RELIEF_DISC_FOOTPRINT(position) vec4(0.0)
 #endif
 
-// Whether the disc ends before a position.
+// Whether the disc ends before a position, or its other side is seen.
 bool is_off(vec2 position) {
   // In this form an undefined position is off, too.
   if (!(dot(position, position) <= 1.0)) return true;
+  if (is_other_side()) return true;
 #if (RELIEF_FEATURES & RELIEF_FEATURE_CLIPPED) != 0u
   return is_clipped(to_grid(position), clip_centre.z);
 #else

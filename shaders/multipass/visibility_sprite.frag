@@ -5,6 +5,7 @@
 #include "include/identity.glsl"
 #include "include/clipping.glsl"
 #include "include/clip_kind.glsl"
+#include "include/side_in_front.glsl"
 
 layout(location = 3) flat in vec4 grid_position;
 layout(location = 4) flat in uint hit_patch;
@@ -24,4 +25,5 @@ void main() {
   gl_FragDepth = set_back(value_at(hit), depths.y);
   write_identity(fetch_patch(hit_patch), node);
   write_clip_kind();
+  write_side_in_front();
 }

@@ -4,6 +4,7 @@
 #include "include/identity.glsl"
 #include "include/clipping.glsl"
 #include "include/clip_kind.glsl"
+#include "include/side_in_front.glsl"
 
 layout(location = 0) in vec2 position;
 layout(location = 1) in vec2 node;
@@ -17,4 +18,5 @@ void main() {
 #endif
   write_identity(fetch_patch(hit_patch), node);
   write_clip_kind();
+  write_side_in_front();
 }

@@ -1,6 +1,7 @@
 // Pass 1: a triangle twice as large as the splat's parallelogram, whose half the fragment stage cuts
 // off: llvmpipe draws one triangle and three vertices in 0.7 of the time of two and four.
 #include "multipass/clip_range.glsl"
+#include "include/side.glsl"
 #include "multipass/discs.glsl"
 
 layout(location = RELIEF_ATTRIBUTE_PATCH) in uint patch_index;
@@ -20,6 +21,9 @@ void main() {
   node = splat.centre.xy + offset;
   hit_patch = patch_index;
   write_clip_range(gl_VertexID / 3, splat, info);
+#if (RELIEF_FEATURES & RELIEF_FEATURE_SIDED) != 0u
+  write_side(facing_along(splat, fetch_eye(patch_index)));
+#endif
   gl_Position =
       clip_from_grid * vec4(splat.centre + vec3(offset, dot(offset, splat.slope)), 1.0);
   gl_Position.z = set_back(gl_Position.z, visibility_set_back(splat, info));

@@ -5,6 +5,7 @@
 #include "surfel/layout.h"
 #include "surfel/attributes.glsl"
 #include "include/clipping.glsl"
+#include "include/side_test.glsl"
 #if RELIEF_SURFEL_IS_SORTED
 #include "include/materials.glsl"
 #endif
@@ -49,7 +50,7 @@ void main() {
   vec3 albedo = vec3(kNeutralGrey);
 #endif
   float squared = dot(disc, disc);
-  if (squared > 1.0 + kSurfelSlack) discard;
+  if (squared > 1.0 + kSurfelSlack || is_other_side()) discard;
 #if (RELIEF_FEATURES & RELIEF_FEATURE_CLIPPED) != 0u
   if (is_clipped(disc, kSurfelSlack)) discard;
 #endif

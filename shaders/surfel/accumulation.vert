@@ -1,6 +1,7 @@
 // Pass 2: a surfel and what it contributes.
 #include "surfel/surfels.glsl"
 #include "surfel/clip_range.glsl"
+#include "include/side.glsl"
 #include "surfel/attributes.glsl"
 
 layout(location = 0) out vec2 disc;
@@ -24,6 +25,9 @@ void main() {
   SurfelVertex vertex = fetch_vertex();
   disc = vertex.disc;
   write_clip_range(vertex.surfel.number);
+#if (RELIEF_FEATURES & RELIEF_FEATURE_SIDED) != 0u
+  write_side(facing_along(vertex.surfel));
+#endif
 #if RELIEF_SURFEL_NEEDS_NORMAL
   normal = vertex.normal;
 #endif

@@ -4,6 +4,7 @@
 #include "include/patches.glsl"
 #include "include/clipping.glsl"
 #include "include/clip_kind.glsl"
+#include "include/side_in_front.glsl"
 
 layout(location = 0) in vec2 disc;
 #if (RELIEF_FEATURES & (RELIEF_FEATURE_OUT_UV | RELIEF_FEATURE_OUT_PATCH | RELIEF_FEATURE_MIXED)) != 0u
@@ -26,6 +27,7 @@ void main() {
   if (is_clipped(disc, 0.0)) discard;
 #endif
   write_clip_kind();
+  write_side_in_front();
 #if (RELIEF_FEATURES & RELIEF_FEATURE_OUT_UV) != 0u
   out_uv = uintBitsToFloat(identity.xy);
 #endif

@@ -1,6 +1,7 @@
 // Pass 1: a surfel, set back.
 #include "surfel/surfels.glsl"
 #include "surfel/clip_range.glsl"
+#include "include/side.glsl"
 
 layout(location = 0) out vec2 disc;
 #if (RELIEF_FEATURES & (RELIEF_FEATURE_OUT_UV | RELIEF_FEATURE_OUT_PATCH | RELIEF_FEATURE_MIXED)) != 0u
@@ -12,6 +13,9 @@ void main() {
   SurfelVertex vertex = fetch_vertex();
   disc = vertex.disc;
   write_clip_range(vertex.surfel.number);
+#if (RELIEF_FEATURES & RELIEF_FEATURE_SIDED) != 0u
+  write_side(facing_along(vertex.surfel));
+#endif
 #if (RELIEF_FEATURES & (RELIEF_FEATURE_OUT_UV | RELIEF_FEATURE_OUT_PATCH | RELIEF_FEATURE_MIXED)) != 0u
   identity = texelFetch(identities, vertex.surfel.number);
 #endif

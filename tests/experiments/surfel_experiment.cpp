@@ -61,7 +61,7 @@ void measure(const std::string& name, const SampledSurface& surface, const Surfa
     if (method == SurfelSize::Given) continue;
     Progress none;
     const auto begin = std::chrono::steady_clock::now();
-    const auto sizes = find_surfel_sizes(surface.positions, method, none);
+    const auto sizes = find_surfel_sizes(surface.positions, {}, method, none);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
     const DiscCoverage coverage(truth, surface.positions, surface.normals, sizes->diameters);
     const auto points = static_cast<double>(surface.positions.size());

@@ -9,6 +9,7 @@
 #include "renderer/frame/gl_engine.h"
 #include "renderer/frame/variant_cache.h"
 #include "renderer/shading/materials.h"
+#include "renderer/view/cull_mode.h"
 
 namespace relief::multipass {
 namespace {
@@ -22,9 +23,10 @@ RenderSettings splatted(RenderSettings settings) {
   return settings;
 }
 
-/// Those of the image, and what clips splats.
+/// Those of the image, what keeps sides apart where both are drawn, and what clips splats.
 Features splat_features(const RenderSettings& settings, ModelMaps maps) {
-  const Features features = scene_features(settings, maps);
+  Features features = scene_features(settings, maps);
+  if (!may_hide_backs(settings, maps.closed)) features |= RELIEF_FEATURE_SIDED;
   if (settings.clip.rule == ClipRule::Off) return features;
   return features | RELIEF_FEATURE_CLIPPED |
          (settings.clip.rule == ClipRule::Wicke ? RELIEF_FEATURE_CLIP_WICKE : 0U) |

@@ -51,7 +51,7 @@ Result<Variant> Variant::create(const Gl& gl, const PatchStore& store, Features 
   }
   RELIEF_TRY_ASSIGN(Program shading,
                     make_program(gl, "shading", "environment/screen.vert", "multipass/shading.frag",
-                                 features.without(RELIEF_FEATURE_FRONT)));
+                                 features.without(RELIEF_FEATURE_FRONT | RELIEF_FEATURE_SIDED)));
   return Variant{.gl = &gl,
                  .samples = SampleDraws(gl, store),
                  .visibility = std::move(visibility),

@@ -28,9 +28,8 @@ shared::SurfelFrame surfel_frame(const View& view, const SurfelSettings& setting
 
 SelectionRule selection_rule(const SurfelStore& store, const SurfelClip* clip, const View& view,
                              const RenderSettings& settings) {
-  const bool is_seen = settings.cull == CullMode::Back || sees_from_outside(store.set, view);
   return {.curved = settings.surfel.curved,
-          .hides_backs = may_hide_backs(settings, store.closed) && is_seen,
+          .hides_backs = hides_backs(store, view, settings),
           .sorted = settings.surfel.blend == SurfelBlend::Sorted,
           .clipped = clip == nullptr ? std::span<const std::uint8_t>() : clip->clipped,
           .all_clipped = clip != nullptr && settings.outputs.clip,
@@ -86,6 +85,11 @@ class BoundTextures {
 };
 
 }  // namespace
+
+bool hides_backs(const SurfelStore& store, const View& view, const RenderSettings& settings) {
+  const bool is_seen = settings.cull == CullMode::Back || sees_from_outside(store.set, view);
+  return may_hide_backs(settings, store.closed) && is_seen;
+}
 
 Drawing::Drawing(DrawingParts parts, SplatSums sums)
     : parts_(std::move(parts)), sums_(std::move(sums)) {}

@@ -23,6 +23,10 @@ struct SurfelStore {
   bool closed = false;
 };
 
+/// Whether surfels that face away from the eye are left out.
+[[nodiscard]] bool hides_backs(const SurfelStore& store, const View& view,
+                               const RenderSettings& settings);
+
 /// What draws each kind: shapes and programs.
 struct SurfelWays {
   const Shape* shape = nullptr;

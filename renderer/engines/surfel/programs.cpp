@@ -41,7 +41,7 @@ Result<const Program*> Programs::shading() {
     RELIEF_TRY_ASSIGN(
         Program made,
         make_program(*gl_, "shading", "environment/screen.vert", "surfel/shading.frag",
-                     summed_features(features_).without(kClipFeatures)));
+                     summed_features(features_).without(kClipFeatures | RELIEF_FEATURE_SIDED)));
     shading_ = std::move(made);
   }
   return &*shading_;
@@ -52,7 +52,7 @@ Features summed_features(Features features) {
   return features.only(RELIEF_FEATURE_OUT_NORMAL | RELIEF_FEATURE_OUT_DEPTH |
                        RELIEF_FEATURE_OUT_UV | RELIEF_FEATURE_OUT_PATCH |
                        RELIEF_FEATURE_ORTHOGRAPHIC | RELIEF_FEATURE_COUNT_FRAGMENTS |
-                       RELIEF_FEATURE_OUT_CLIP) |
+                       RELIEF_FEATURE_OUT_CLIP | RELIEF_FEATURE_SIDED) |
          RELIEF_FEATURE_COLOURS;
 }
 

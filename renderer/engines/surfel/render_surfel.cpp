@@ -29,10 +29,12 @@ namespace {
 struct StoreKey {
   SurfelSize size;
   std::optional<double> scale;
+  bool clipped;
   bool refitted;  ///< the normals
 
   bool operator<(const StoreKey& other) const {
-    return std::tie(size, scale, refitted) < std::tie(other.size, other.scale, other.refitted);
+    return std::tie(size, scale, clipped, refitted) <
+           std::tie(other.size, other.scale, other.clipped, other.refitted);
   }
 };
 
@@ -69,6 +71,7 @@ class Prepared final : public GlPreparedModel {
     RELIEF_TRY_ASSIGN(const SurfelStore* const store, store_for(settings, silent));
     RELIEF_TRY_ASSIGN(const SurfelClip* const clip, clip_for(*store, settings, silent));
     Features features = drawn_features(settings);
+    if (!hides_backs(*store, frame.view, settings)) features |= RELIEF_FEATURE_SIDED;
     RELIEF_TRY_ASSIGN(auto sums, make_sums(model().gl(), frame.targets, summed_features(features),
                                            SumPrecision::Full, true));
     if (counting == Counting::On) features |= RELIEF_FEATURE_COUNT_FRAGMENTS;
@@ -125,12 +128,14 @@ class Prepared final : public GlPreparedModel {
   }
 
   Result<const SurfelStore*> store_for(const RenderSettings& settings, Progress& progress) {
-    const StoreKey key{settings.surfel.size, settings.surfel.scale, refits_normals(settings.clip)};
+    const StoreKey key{settings.surfel.size, settings.surfel.scale,
+                       settings.clip.rule != ClipRule::Off, refits_normals(settings.clip)};
     auto found = stores_.find(key);
     if (found == stores_.end()) {
       const Gl& gl = model().gl();
       RELIEF_TRY_ASSIGN(const SplatCloud* const cloud, drawn_.get(settings.clip, progress));
-      RELIEF_TRY_ASSIGN(SurfelSet set, make_surfel_set(*cloud, settings.surfel, progress));
+      RELIEF_TRY_ASSIGN(SurfelSet set,
+                        make_surfel_set(*cloud, settings.surfel, key.clipped, progress));
       RELIEF_TRY_ASSIGN(SurfelTables tables, upload_surfels(gl, set, *cloud));
       const std::vector<shared::DrawnSurfel> empty(set.points.size());
       Table drawn = make_table(gl, "drawn surfels", GL_RGBA32UI,

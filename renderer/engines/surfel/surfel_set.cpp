@@ -47,14 +47,16 @@ Unsorted find_points(const SplatCloud& cloud) {
 }
 
 /// Gives them their radii, and leaves out those that have none.
-Status size_points(const SplatCloud& cloud, const SurfelSettings& settings, Progress& progress,
-                   Unsorted& found) {
+Status size_points(const SplatCloud& cloud, const SurfelSettings& settings, bool clipped,
+                   Progress& progress, Unsorted& found) {
   const double scale = settings.scale.value_or(closing_scale(settings.size));
   if (settings.size == SurfelSize::Given) {
     for (const std::uint32_t k : found.points) found.radii.push_back(scale * cloud.radii[k]);
   } else {
+    const std::span<const glm::vec3> normals(found.normals.data(),
+                                             clipped ? found.normals.size() : 0);
     RELIEF_TRY_ASSIGN(const SurfelSizes sizes,
-                      find_surfel_sizes(found.positions, settings.size, progress));
+                      find_surfel_sizes(found.positions, normals, settings.size, progress));
     for (const double diameter : sizes.diameters) found.radii.push_back(0.5 * scale * diameter);
   }
   std::vector<std::uint32_t> good;
@@ -126,9 +128,9 @@ float rim_slope(glm::vec3 bend) {
 }
 
 Result<SurfelSet> make_surfel_set(const SplatCloud& cloud, const SurfelSettings& settings,
-                                  Progress& progress) {
+                                  bool clipped, Progress& progress) {
   Unsorted found = find_points(cloud);
-  RELIEF_TRY(size_points(cloud, settings, progress, found));
+  RELIEF_TRY(size_points(cloud, settings, clipped, progress, found));
   RELIEF_TRY_ASSIGN(found.frames,
                     find_surfel_frames(found.positions, found.normals, found.radii, progress));
   if (cloud.texture != nullptr && !cloud.texcoords.empty()) {

@@ -41,10 +41,11 @@ struct SurfelSet {
   Bounds bounds;  ///< of what is drawn
 };
 
-/// Makes them. Points whose position is not finite, whose normal has no direction, or whose radius
-/// is not above 0 or beyond kLargestRadius, are left out. Fails only if it is interrupted.
+/// Makes them. `clipped`: clip lines will end them at sharp edges. Points whose position is not
+/// finite, whose normal has no direction, or whose radius is not above 0 or beyond kLargestRadius,
+/// are left out. Fails only if it is interrupted.
 Result<SurfelSet> make_surfel_set(const SplatCloud& cloud, const SurfelSettings& settings,
-                                  Progress& progress);
+                                  bool clipped, Progress& progress);
 
 /// Twice this is still a float whose square is one.
 inline constexpr double kLargestRadius = 1e15;

@@ -23,7 +23,7 @@ constexpr SurfelSize kMethods[] = {SurfelSize::BspEdge, SurfelSize::BspCircle, S
 
 SurfelSizes must_find(std::span<const glm::dvec3> positions, SurfelSize method) {
   Progress progress;
-  auto sizes = find_surfel_sizes(positions, method, progress);
+  auto sizes = find_surfel_sizes(positions, {}, method, progress);
   if (sizes) return std::move(*sizes);
   ADD_FAILURE() << sizes.error().message;
   return {};
@@ -204,7 +204,7 @@ TEST(SurfelSizes, CanBeInterrupted) {
   const auto points =
       test::sample_surface(test::Shape::Plane, test::Sampling::Random, 10000, 1).positions;
   for (const SurfelSize method : kMethods)
-    EXPECT_FALSE(find_surfel_sizes(points, method, progress));
+    EXPECT_FALSE(find_surfel_sizes(points, {}, method, progress));
 }
 
 }  // namespace

@@ -46,6 +46,15 @@ inline SplatCloud sphere_cloud(int points) {
   return cloud;
 }
 
+/// A slab of half a spacing: the plane z = 0.25, and its back, whose points lie between those of
+/// the front.
+inline SplatCloud slab_cloud() {
+  SplatCloud cloud = plane_cloud(6, 6, 0.25);
+  for (int k = 0; k < 144; ++k)
+    add_point(cloud, {k % 12 - 5.5, k / 12 - 5.5, -0.25}, {0.0F, 0.0F, -1.0F}, 1.0);
+  return cloud;
+}
+
 inline void append(SplatCloud& to, const SplatCloud& from) {
   for (std::size_t k = 0; k < from.positions.size(); ++k)
     add_point(to, from.positions[k], from.normals[k], from.radii[k], from.colours[k]);

@@ -98,6 +98,29 @@ TEST_P(Multipass, SheetsNearEachOtherBlendAndOthersHide) {
   EXPECT_EQ(brightness(1.1 * double{shared::kBlendingDepth}), 1.0F);
 }
 
+TEST_P(Multipass, SidesOfAThinPlateDoNotBlend) {
+  // The back lies within the depth of blending, and faces away.
+  PatchModel model = test::height_field(32, [](double, double) { return 0.0; });
+  paint(model.patches[0], 0);
+  model.has_colours = true;
+  model.patches.push_back(model.patches[0]);
+  paint(model.patches[1], 255);
+  model.patches[1].origin.z += 0.5 * double{shared::kBlendingDepth};
+  // Turned about the patch's own first axis, so that it still lies over the other.
+  glm::dmat3& axes = model.patches[0].axes;
+  model.patches[0].origin +=
+      axes[1] * double(model.patches[0].height - 1) * model.patches[0].spacing;
+  axes[1] = -axes[1];
+  axes[2] = -axes[2];
+  RenderSettings settings = with_method(from_above(model, 16));
+  settings.material = Material::Unlit;
+  settings.cull = CullMode::None;
+  const Image image = must_render(model, settings).image;
+  const std::size_t middle = settings.height / 2 * settings.width + settings.width / 2;
+  EXPECT_EQ(values(image, "R")[middle], 1.0F);
+  EXPECT_GT(values(image, "N.Z")[middle], 0.99F);
+}
+
 TEST_P(Multipass, CoversWhatOnepassCovers) {
   // Both draw the quads that tile the surface; the discs of pass 2 reach further and are cut off.
   test::SphereShape shape;

@@ -204,11 +204,48 @@ TEST(SurfelClip, CostsNothingWithoutEdges) {
     EXPECT_EQ(draw.program.find("clipped"), std::string::npos) << draw.program;
 }
 
+TEST(SurfelSides, OfASlabDoNotBlend) {
+  // Both lie within the depth of blending, a radius.
+  for (const double toward : {1.0, -1.0}) {
+    for (const bool sorted : {false, true}) {
+      RenderSettings settings = surfel_image({0.0, 0.0, toward * 14.0});
+      if (sorted) settings.surfel.blend = SurfelBlend::Sorted;
+      const RenderResult result = must_draw(test::slab_cloud(), settings);
+      std::size_t covered = 0;
+      for (std::size_t k = 0; k < values(result.image, "A").size(); ++k) {
+        if (!(values(result.image, "A")[k] > 0.0F)) continue;
+        ++covered;
+        // At its rim the other side sticks out.
+        const float z = values(result.image, "N.Z")[k];
+        EXPECT_NEAR(std::abs(z), 1.0F, 2e-3F) << "half floats";
+        const std::size_t x = k % 96;
+        const std::size_t y = k / 96;
+        if (x > 24 && x < 72 && y > 24 && y < 72) EXPECT_GT(z * toward, 0.0);
+      }
+      EXPECT_GT(covered, 2304U);
+    }
+  }
+}
+
+TEST(SurfelSides, AreToldApartOnlyWhereBothAreDrawn) {
+  RenderSettings settings = surfel_image({0.0, 0.0, 14.0});
+  settings.explain = true;
+  const auto tells = [&](CullMode cull) {
+    settings.cull = cull;
+    const RenderResult result = must_draw(test::slab_cloud(), settings);
+    return std::ranges::any_of(
+        result.explanation->textures,
+        [](const Explanation::Memory& texture) { return texture.name == "sides"; });
+  };
+  EXPECT_TRUE(tells(CullMode::None));
+  EXPECT_FALSE(tells(CullMode::Back));
+}
+
 TEST(SurfelLevels, MeansStandForSurfelsThatAreSmall) {
   const SplatCloud cloud = sphere_cloud(40000);
   RenderSettings settings = surfel_image({0.0, 0.0, 12.0});
   Progress silent;
-  const auto set = surfel::make_surfel_set(cloud, settings.surfel, silent);
+  const auto set = surfel::make_surfel_set(cloud, settings.surfel, false, silent);
   ASSERT_TRUE(set);
   const View view = make_view(settings.camera, 96, 96, 1e-3);
   const auto count = [&](double pixels) {
