@@ -49,13 +49,20 @@ bool on_one_line(const std::vector<glm::dvec3>& positions, const Bounds& bounds)
   return !(values[1] > 1e-12 * values[2]);
 }
 
+/// The same of the points in the middle of the scan, without those that lie far off.
+bool on_one_line_in_the_middle(const std::vector<glm::dvec3>& positions) {
+  const std::vector<glm::dvec3> middle = points_in_the_middle(positions);
+  return on_one_line(middle, bounds_of(middle));
+}
+
 Status check_points(const std::vector<glm::dvec3>& positions) {
   if (positions.size() < kMinSurfacePoints) {
     return make_error(
         "the scan has {} distinct points; at least {} are needed to reconstruct a surface",
         positions.size(), kMinSurfacePoints);
   }
-  if (on_one_line(positions, bounds_of(positions))) {
+  // A point far enough away makes a line of any scan.
+  if (on_one_line(positions, bounds_of(positions)) && on_one_line_in_the_middle(positions)) {
     return make_error("all {} points lie on one line and span no surface", positions.size());
   }
   return {};

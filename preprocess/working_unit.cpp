@@ -15,25 +15,50 @@ namespace {
 // So many points tell the size of any scan well enough.
 constexpr std::size_t kEnoughPoints = 1000;
 
+/// Where half of a scan's points are.
+struct Middle {
+  glm::dvec3 centre{0.0};
+  double distance = 0.0;  ///< the median one, as `distance_from` measures it
+};
+
+/// Not the length, whose squares would overflow.
+double distance_from(glm::dvec3 centre, glm::dvec3 p) {
+  const glm::dvec3 d = glm::abs(p - centre);
+  return std::max({d.x, d.y, d.z});
+}
+
+/// There is at least one position.
+Middle middle_of(const std::vector<glm::dvec3>& positions) {
+  const std::size_t step = (positions.size() + kEnoughPoints - 1) / kEnoughPoints;
+  Middle middle;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < positions.size(); i += step) values.push_back(positions[i][axis]);
+    middle.centre[axis] = median_of(std::move(values));
+  }
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < positions.size(); i += step)
+    distances.push_back(distance_from(middle.centre, positions[i]));
+  middle.distance = median_of(std::move(distances));
+  return middle;
+}
+
 }  // namespace
 
 double working_unit(const std::vector<glm::dvec3>& positions) {
   if (positions.empty()) return 1.0;
-  const std::size_t step = (positions.size() + kEnoughPoints - 1) / kEnoughPoints;
-  glm::dvec3 middle(0.0);
-  for (int axis = 0; axis < 3; ++axis) {
-    std::vector<double> values;
-    for (std::size_t i = 0; i < positions.size(); i += step) values.push_back(positions[i][axis]);
-    middle[axis] = median_of(std::move(values));
-  }
-  std::vector<double> distances;
-  for (std::size_t i = 0; i < positions.size(); i += step) {
-    // Not the length: its squares would overflow.
-    const glm::dvec3 d = glm::abs(positions[i] - middle);
-    distances.push_back(std::max({d.x, d.y, d.z}));
-  }
-  const double distance = median_of(std::move(distances));
+  const double distance = middle_of(positions).distance;
   return distance > 0.0 && std::isfinite(distance) ? std::ldexp(1.0, std::ilogb(distance)) : 1.0;
+}
+
+std::vector<glm::dvec3> points_in_the_middle(const std::vector<glm::dvec3>& positions) {
+  if (positions.empty()) return {};
+  const Middle middle = middle_of(positions);
+  std::vector<glm::dvec3> near;
+  for (const glm::dvec3& p : positions) {
+    if (distance_from(middle.centre, p) <= 2.0 * middle.distance) near.push_back(p);
+  }
+  return near;
 }
 
 void to_working_unit(Points& points, double unit) {

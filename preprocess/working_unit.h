@@ -15,6 +15,10 @@ namespace relief {
 /// and dividing by it is exact.
 [[nodiscard]] double working_unit(const std::vector<glm::dvec3>& positions);
 
+/// Returns the points of a scan that are at most two of its median distances from their middle.
+[[nodiscard]] std::vector<glm::dvec3> points_in_the_middle(
+    const std::vector<glm::dvec3>& positions);
+
 /// Converts a scan from world units to working ones.
 void to_working_unit(Points& points, double unit);
 

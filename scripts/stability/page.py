@@ -5,6 +5,7 @@ class Section:
     def __init__(self, title):
         self.lines = [f"## {title}", ""]
         self.plots = []
+        self.wrong = []  # what is not as it should be, for --check
 
     def text(self, *sentences):
         self.lines += [" ".join(sentences), ""]
