@@ -11,6 +11,9 @@ class Section:
         self.lines += [" ".join(sentences), ""]
 
     def table(self, head, rows):
+        """Adds a table, if it has rows."""
+        if not rows:
+            return
         self.lines += ["| " + " | ".join(head) + " |", "|" + " --- |" * len(head)]
         self.lines += ["| " + " | ".join(map(str, row)) + " |" for row in rows] + [""]
 

@@ -17,7 +17,6 @@ def views(report):
     yield "inside", camera(centre, centre + [1.0, 0.1, 0.2], (0, 0, 1))
     yield "1e6 sizes away", camera(centre + 1e6 * size * np.array([0.3, -0.9, 0.3]), centre, (0, 0, 1))
     yield "175 degrees", ["--orbit=20,10", "--fov=175"]
-    yield "0.01 degrees", ["--orbit=20,10", "--fov=0.01"]
     yield "grazing", ["--orbit=20,0.01"]
 
 
