@@ -49,8 +49,15 @@ bool on_one_line(const std::vector<glm::dvec3>& positions, const Bounds& bounds)
   return !(values[1] > 1e-12 * values[2]);
 }
 
-/// The same of the points in the middle of the scan, without those that lie far off.
+// Points farther off than this many sizes of the scan leave single precision when they are squared.
+constexpr double kFarthestStray = 1e13;
+
+/// The same of the points in the middle of the scan, without those that lie far off. Also if some
+/// lie so far off that nothing can be computed beside them.
 bool on_one_line_in_the_middle(const std::vector<glm::dvec3>& positions) {
+  const Bounds bounds = bounds_of(positions);
+  const double reach = kFarthestStray * working_unit(positions);
+  if (!(glm::length(bounds.max - bounds.min) <= reach)) return true;
   const std::vector<glm::dvec3> middle = points_in_the_middle(positions);
   return on_one_line(middle, bounds_of(middle));
 }

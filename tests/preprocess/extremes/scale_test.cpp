@@ -113,5 +113,17 @@ TEST(Scale, IsNotThatOfAPointFarAway) {
   }
 }
 
+// Squares of such distances are infinite: the program ended by a signal.
+TEST(Scale, OfAPointBeyondAllSquaresIsRefused) {
+  Progress progress;
+  for (const double far_away : {1e14, 1e308}) {
+    Points points = test::sample_torus({}, 0.06);
+    points.positions.emplace_back(far_away, 0.0, 0.0);
+    const auto refused = convert(points, {}, progress);
+    ASSERT_FALSE(refused) << far_away;
+    EXPECT_NE(refused.error().message.find("lie on one line"), std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace relief
