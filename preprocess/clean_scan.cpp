@@ -31,8 +31,8 @@ std::uint64_t drop_stray_points(Points& points, NeighbourGraph& graph, const Pro
 
 }  // namespace
 
-Result<CleanScan> clean_scan(Points& points, const ConvertOptions& options, ConvertReport& report,
-                             Progress& progress) {
+Result<CleanScan> clean_scan(Points& points, const ConvertOptions& options, double unit,
+                             ConvertReport& report, Progress& progress) {
   CleanScan clean;
   const bool is_bare = points.triangles.empty();
   const NoiseRemoval removal = options.noise_removal == NoiseRemoval::Default
@@ -58,7 +58,7 @@ Result<CleanScan> clean_scan(Points& points, const ConvertOptions& options, Conv
       progress.note(fmt::format(
           "no noise is removed: {:.3g} is less than a twentieth of the spacing, or more than the "
           "scan is wide",
-          *given));
+          *given * unit));
     }
     if (report.points_moved > 0) {
       clean.scanned = std::exchange(points.positions, std::move(noiseless.smooth.positions));

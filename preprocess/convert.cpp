@@ -26,6 +26,7 @@
 #include "preprocess/texture/files/load_textures.h"
 #include "preprocess/texture/maps/flat_triangles.h"
 #include "preprocess/thread_limit.h"
+#include "preprocess/working_unit.h"
 
 namespace relief {
 namespace {
@@ -48,13 +49,27 @@ bool on_one_line(const std::vector<glm::dvec3>& positions, const Bounds& bounds)
   return !(values[1] > 1e-12 * values[2]);
 }
 
+// Points farther off than this many sizes of the scan leave single precision when they are squared.
+constexpr double kFarthestStray = 1e13;
+
+/// The same of the points in the middle of the scan, without those that lie far off. Also if some
+/// lie so far off that nothing can be computed beside them.
+bool on_one_line_in_the_middle(const std::vector<glm::dvec3>& positions) {
+  const Bounds bounds = bounds_of(positions);
+  const double reach = kFarthestStray * working_unit(positions);
+  if (!(glm::length(bounds.max - bounds.min) <= reach)) return true;
+  const std::vector<glm::dvec3> middle = points_in_the_middle(positions);
+  return on_one_line(middle, bounds_of(middle));
+}
+
 Status check_points(const std::vector<glm::dvec3>& positions) {
   if (positions.size() < kMinSurfacePoints) {
     return make_error(
         "the scan has {} distinct points; at least {} are needed to reconstruct a surface",
         positions.size(), kMinSurfacePoints);
   }
-  if (on_one_line(positions, bounds_of(positions))) {
+  // A point far enough away makes a line of any scan.
+  if (on_one_line(positions, bounds_of(positions)) && on_one_line_in_the_middle(positions)) {
     return make_error("all {} points lie on one line and span no surface", positions.size());
   }
   return {};
@@ -146,7 +161,7 @@ Result<MeasuredModel> make_best_model(const PartitionedScan& scan, const Convert
     progress.note(fmt::format(
         "an error of {:.3g} is not reached: it is {:.3g} with {} samples a point, and more would "
         "follow the points' noise or the steps of heights",
-        options.error, best->fidelity.rms, kFinestSamplesPerPoint));
+        options.error * scan.unit, best->fidelity.rms * scan.unit, kFinestSamplesPerPoint));
   }
   return std::move(*best);
 }
@@ -173,12 +188,12 @@ void take_known_normals(const std::vector<glm::vec3>& known, LocalFrames& frames
   }
 }
 
-Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& options,
-                                       Progress& progress) {
+Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& options, double unit,
+                                      Progress& progress) {
   ConvertResult result;
   const bool textured = has_triangle_colours(points);
   const bool seams = options.seams.value_or(!points.triangles.empty());
-  RELIEF_TRY_ASSIGN(CleanScan clean, clean_scan(points, options, result.report, progress));
+  RELIEF_TRY_ASSIGN(CleanScan clean, clean_scan(points, options, unit, result.report, progress));
   result.report.points = points.size();
   RELIEF_TRY(add_points(points, textured, options.spacing, result.report));
   if (!clean.scanned.empty()) {
@@ -213,7 +228,8 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
   const SurfaceSamples samples{points.positions, points.normals, graph.spacing, frames.roughness};
   if (options.adaptive_spacing) regions = split_by_density(samples, graph, std::move(regions));
   const std::vector<ScalarInfo> scalars = describe_scalars(points.scalars);
-  const PartitionedScan scan{.points = points,
+  const PartitionedScan scan{.unit = unit,
+                             .points = points,
                              .scanned = clean.scanned.empty() ? points.positions : clean.scanned,
                              .measured = textured ? points.size() : result.report.points,
                              .graph = graph,
@@ -239,6 +255,16 @@ Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& opt
     measured.resize(scan.measured);
     RELIEF_TRY(add_distances(measured, model, progress));
   }
+  return result;
+}
+
+Result<ConvertResult> convert_in_arena(Points& points, const ConvertOptions& options,
+                                       Progress& progress) {
+  const double unit = working_unit(points.positions);
+  to_working_unit(points, unit);
+  RELIEF_TRY_ASSIGN(ConvertResult result,
+                    convert_in_unit(points, to_working_unit(options, unit), unit, progress));
+  to_world_unit(result, unit);
   return result;
 }
 

@@ -85,7 +85,8 @@ Result<MeasuredModel> make_model(const PartitionedScan& scan, const ConvertOptio
                              ? options.spacing
                              : choose_spacing(scan.samples, scan.graph, scan.regions,
                                               budget.factors, budget.samples, seams);
-  RELIEF_TRY(check_spacing(spacing, area_of(scan.regions, scan.samples), scan.points.size()));
+  const double area = area_of(scan.regions, scan.samples);
+  RELIEF_TRY(check_spacing(spacing * scan.unit, area * scan.unit * scan.unit, scan.points.size()));
   const Membership membership = membership_of(scan.samples, scan.regions);
   std::vector<Region> regions = scan.regions;
   MeasuredModel made;

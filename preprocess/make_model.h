@@ -19,6 +19,7 @@ namespace relief {
 
 /// What patches are made from, whatever their spacing. All must outlive it.
 struct PartitionedScan {
+  double unit = 1.0;  ///< what lengths are in, in world units, for messages
   const Points& points;
   const std::vector<glm::dvec3>&
       scanned;               ///< positions that count; those of `points` without noise

@@ -172,7 +172,7 @@ void add_camera_options(CLI::App& sub, SceneSettings& settings) {
   add_number(sub, "--zoom", settings.zoom, kZooms, "N",
              "Show the middle of the image so many times as large, 0.01 to 10000 (default 1)");
   add_number(sub, "--fov", settings.fov_degrees, {kMinFieldOfView, kMaxFieldOfView}, "DEG",
-             "Vertical field of view in degrees, 0.1 to 170 (default 45)");
+             "Vertical field of view in degrees, 0.01 to 175 (default 45)");
   sub.add_option_function<std::string>(
          "--orthographic",
          [&](const std::string& s) { settings.orthographic = parse_orthographic(s); },

@@ -47,7 +47,7 @@ CameraKey read_key(JsonValues& values, const JsonNode& node, double usual_time) 
   const auto orthographic = JsonValues::member(node, "orthographic");
   if (const auto fov = JsonValues::member(node, "fov")) {
     camera.vertical_fov_degrees =
-        values.number(*fov, {kMinFieldOfView, kMaxFieldOfView}, "degrees from 0.1 to 170");
+        values.number(*fov, {kMinFieldOfView, kMaxFieldOfView}, "degrees from 0.01 to 175");
   }
   if (orthographic) {
     camera.orthographic_height =

@@ -85,8 +85,8 @@ inline constexpr std::uint32_t kMaxRenderSide = 32768;
 
 /// Vertical fields of view, degrees: from a telescope's to where the distortion at an image's rim
 /// makes it useless.
-inline constexpr double kMinFieldOfView = 0.1;
-inline constexpr double kMaxFieldOfView = 170.0;
+inline constexpr double kMinFieldOfView = 0.01;
+inline constexpr double kMaxFieldOfView = 175.0;
 
 /// Heights of orthographic images, world units: as wide a range as that of coordinates.
 inline constexpr NumberChoice kOrthographicHeights{1e-12, 1e12};

@@ -158,7 +158,7 @@ SceneSettings read_settings(JsonValues& values, const JsonNode& object,
     return values.number(node, {kZooms.min, kZooms.max}, "a number from 0.01 to 10000");
   });
   read("fov", settings.fov_degrees, [&values](const JsonNode& node) {
-    return values.number(node, {kMinFieldOfView, kMaxFieldOfView}, "degrees from 0.1 to 170");
+    return values.number(node, {kMinFieldOfView, kMaxFieldOfView}, "degrees from 0.01 to 175");
   });
   read("orthographic", settings.orthographic, with(read_orthographic));
   read("engine", settings.engine,

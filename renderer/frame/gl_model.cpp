@@ -17,6 +17,10 @@
 namespace relief {
 namespace {
 
+// The near plane's distance, in finest spacings. Single precision tells points of a patch of 64
+// samples apart at 4e-6 of them; with reversed depth so small a distance costs no precision.
+constexpr double kNearSpacings = 1e-6;
+
 /// A near plane that no surface that can be told apart from the eye is in front of, and the
 /// coarsest samples.
 DepthNeeds depth_needs_of(const PatchModel& model) {
@@ -33,7 +37,7 @@ DepthNeeds depth_needs_of(const PatchModel& model) {
     for (std::uint32_t k = 0; k < instance.count; ++k)
       note(instance.transform.scale * model.patches[instance.first + k].spacing);
   }
-  return {0.01 * finest, model.bounds, coarsest};
+  return {kNearSpacings * finest, model.bounds, coarsest};
 }
 
 }  // namespace

@@ -68,6 +68,14 @@ TangentDepth tangent_depth(const PixelMapping& mapping, glm::dvec3 p, glm::dvec3
   return depth;
 }
 
+/// Returns the part of a splat's radius (position p and unit normal n relative to the camera) that
+/// does not reach behind the plane through the eye, where it would have no image. One that faces
+/// the eye keeps all of it, however near.
+double seen_radius(const SplatCamera& camera, glm::dvec3 p, glm::dvec3 n, double radius) {
+  const double toward = radius * std::sqrt(std::max(1.0 - n.z * n.z, 0.0));
+  return camera.view.orthographic || toward <= p.z ? radius : radius * (p.z / toward);
+}
+
 }  // namespace
 
 SplatCamera make_splat_camera(const View& view, const EwaSettings& settings) {
@@ -102,9 +110,9 @@ std::optional<ProjectedSplat<Kernel>> project_splat(const SplatCamera& camera, g
   if (!(p.z > 0.0 && p.z >= camera.view.near) || !(radius > 0.0)) return std::nullopt;
   const double length = glm::length(normal);
   if (!(length > 0.0 && std::isfinite(length))) return std::nullopt;
-  const double h = camera.view.orthographic ? radius : std::min(radius, p.z);
-  if (!in_frustum(camera, p, h)) return std::nullopt;
   const glm::dvec3 n = to_camera(camera.view, normal / length);
+  const double h = seen_radius(camera, p, n, radius);
+  if (!in_frustum(camera, p, h)) return std::nullopt;
   const auto plane = map_tangent_plane(camera.mapping, p, n);
   if (!plane) return std::nullopt;
   const auto kernel = make_kernel<Kernel>(camera, *plane, h);
@@ -119,7 +127,7 @@ void project_clip_lines(const SplatCamera& camera, glm::dvec3 position, glm::dve
   const glm::dvec3 n = to_camera(camera.view, glm::normalize(normal));
   const auto plane = map_tangent_plane(camera.mapping, p, n);
   if (!plane) return;
-  const double h = camera.view.orthographic ? radius : std::min(radius, p.z);
+  const double h = seen_radius(camera, p, n, radius);
   const SeenSplat seen = seen_splat(*plane, h, camera.filter);
   for (const ClipLine& line : lines) {
     const glm::dvec3 direction = to_camera(camera.view, glm::dvec3(line.direction));

@@ -109,7 +109,7 @@ TEST(CameraPathFile, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(with("", R"(, "time": -1)"),
             "p.json: keys[1].time: expected seconds from 0 to 1e6; found -1");
   EXPECT_EQ(with("", R"(, "fov": 0)"),
-            "p.json: keys[1].fov: expected degrees from 0.1 to 170; found 0");
+            "p.json: keys[1].fov: expected degrees from 0.01 to 175; found 0");
   EXPECT_EQ(with("", R"(, "orthographic": 2)"),
             "p.json: keys[1]: is orthographic or perspective unlike the first key; all keys are "
             "alike");

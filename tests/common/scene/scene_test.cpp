@@ -162,8 +162,8 @@ TEST_F(Scenes, SettingsThatAreWrong) {
       {R"("eye": [1, 2, 1e13])", "eye[2]: expected a number from -1e+12 to 1e+12; found 1"},
       {R"("eye": [1, 2, 3], "target": [1, 2, 3])", "views[0]: the eye is where its target is"},
       {R"("eye": [1, 2, 3], "up": [0, 0, 0])", "up: expected [x, y, z] longer than 0"},
-      {R"("fov": 180)", "fov: expected degrees from 0.1 to 170; found 180"},
-      {R"("fov": "45")", "fov: expected degrees from 0.1 to 170; found \"45\""},
+      {R"("fov": 180)", "fov: expected degrees from 0.01 to 175; found 180"},
+      {R"("fov": "45")", "fov: expected degrees from 0.01 to 175; found \"45\""},
       {R"("orthographic": 0)",
        "orthographic: expected the image's height in world units, above "
        "0, or \"fit\"; found 0"},

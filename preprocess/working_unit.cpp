@@ -1,0 +1,102 @@
+#include "preprocess/working_unit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <utility>
+
+#include "common/median.h"
+#include "common/scalar.h"
+
+namespace relief {
+
+namespace {
+
+// So many points tell the size of any scan well enough.
+constexpr std::size_t kEnoughPoints = 1000;
+
+/// Where half of a scan's points are.
+struct Middle {
+  glm::dvec3 centre{0.0};
+  double distance = 0.0;  ///< the median one, as `distance_from` measures it
+};
+
+/// Not the length, whose squares would overflow.
+double distance_from(glm::dvec3 centre, glm::dvec3 p) {
+  const glm::dvec3 d = glm::abs(p - centre);
+  return std::max({d.x, d.y, d.z});
+}
+
+/// There is at least one position.
+Middle middle_of(const std::vector<glm::dvec3>& positions) {
+  const std::size_t step = (positions.size() + kEnoughPoints - 1) / kEnoughPoints;
+  Middle middle;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < positions.size(); i += step) values.push_back(positions[i][axis]);
+    middle.centre[axis] = median_of(std::move(values));
+  }
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < positions.size(); i += step)
+    distances.push_back(distance_from(middle.centre, positions[i]));
+  middle.distance = median_of(std::move(distances));
+  return middle;
+}
+
+}  // namespace
+
+double working_unit(const std::vector<glm::dvec3>& positions) {
+  if (positions.empty()) return 1.0;
+  const double distance = middle_of(positions).distance;
+  return distance > 0.0 && std::isfinite(distance) ? std::ldexp(1.0, std::ilogb(distance)) : 1.0;
+}
+
+std::vector<glm::dvec3> points_in_the_middle(const std::vector<glm::dvec3>& positions) {
+  if (positions.empty()) return {};
+  const Middle middle = middle_of(positions);
+  std::vector<glm::dvec3> near;
+  for (const glm::dvec3& p : positions) {
+    if (distance_from(middle.centre, p) <= 2.0 * middle.distance) near.push_back(p);
+  }
+  return near;
+}
+
+void to_working_unit(Points& points, double unit) {
+  for (glm::dvec3& p : points.positions) p /= unit;
+  if (points.viewpoint) *points.viewpoint /= unit;
+  for (glm::dvec3& scanner : points.scanners) scanner /= unit;
+}
+
+ConvertOptions to_working_unit(ConvertOptions options, double unit) {
+  options.spacing /= unit;
+  options.error /= unit;
+  options.noise /= unit;
+  options.height_step /= unit;
+  options.side.toward /= unit;
+  return options;
+}
+
+void to_world_unit(ConvertResult& result, double unit) {
+  PatchModel& model = result.model;
+  for (Patch& patch : model.patches) {
+    patch.origin *= unit;
+    patch.spacing *= unit;
+    patch.height_step *= unit;
+  }
+  model.spacing *= unit;
+  model.bounds.min *= unit;
+  model.bounds.max *= unit;
+  model.bounding_radius *= unit;
+  for (glm::dvec3& p : model.extremes) p *= unit;
+  for (ScalarInfo& scalar : model.scalars) {
+    if (scalar.name != kDistanceScalar) continue;
+    scalar.offset *= unit;
+    scalar.step *= unit;
+  }
+  ConvertReport& report = result.report;
+  for (double* length : {&report.noise, &report.error_rms, &report.error_max,
+                         &report.finest_spacing, &report.coarsest_spacing})
+    *length *= unit;
+}
+
+}  // namespace relief
