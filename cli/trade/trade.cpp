@@ -11,8 +11,8 @@ namespace relief::cli {
 namespace {
 
 /// Settings whose frames are drawn in turns: enough that few are spent on the default among them,
-/// and few enough that the time is looked at every half a minute.
-constexpr std::size_t kSettingsInTurns = 8;
+/// and few enough that the time is looked at now and then.
+constexpr std::size_t kSettingsInTurns = 6;
 
 /// Rows that are at most so far from the front are timed again: medians of five frames are off by
 /// several per cent on a machine that does other work.

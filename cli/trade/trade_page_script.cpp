@@ -11,6 +11,7 @@ h1 { font-size: 24px } h2 { font-size: 18px; margin-top: 32px }
 table { border-collapse: collapse; font-size: 13px }
 th, td { padding: 3px 9px; border-bottom: 1px solid #ddd; text-align: right; white-space: nowrap }
 th:first-child, td:first-child { text-align: left; white-space: normal; min-width: 240px }
+th { white-space: normal; max-width: 110px }
 #all th { cursor: pointer; position: sticky; top: 0; background: #f4f4f4 }
 #all tr.same { background: #ffe9c7 }
 #all tr.minor { display: none } #all.full tr.minor { display: table-row }
