@@ -72,9 +72,9 @@ void add_quality_option(CLI::App& sub, std::optional<Quality>& quality) {
            }
            quality = found->value;
          },
-         "Preset of options, on the front of speed, size and accuracy (docs/trade.md): draft is "
-         "fastest and smallest, exact is nearest to the scan; options that are given win (default "
-         "balanced)")
+         "Preset of options (docs/trade.md): draft is fastest and smallest, exact is nearest to "
+         "the "
+         "scan; options that are given win (default balanced)")
       ->option_text("draft|balanced|exact");
 }
 

@@ -48,7 +48,7 @@ nlohmann::ordered_json row_as_json(const TradeReport& report, std::size_t k) {
   return out;
 }
 
-std::string percent(const std::optional<double>& share) {
+std::string percent_behind(const std::optional<double>& share) {
   return share ? fmt::format("{:.1f} %", 100.0 * *share) : std::string("-");
 }
 
@@ -141,7 +141,7 @@ std::string as_text(const TradeReport& report, const std::string& page) {
   for (std::size_t k = 0; k < report.rows.size(); ++k) {
     if (!report.rows[k].quality) continue;
     text += fmt::format("{}: {}\n", relief::name_of(kQualities, *report.rows[k].quality),
-                        percent(distance_to_front(report.rows, k, judged_quantities())));
+                        percent_behind(distance_to_front(report.rows, k, judged_quantities())));
     text += row_as_text(report, k);
   }
   text += "\nfront of picture and frame time\n";

@@ -33,7 +33,7 @@ class QualityOption : public CliTest {
   }
 
   json rendered(const std::string& scene, const std::vector<std::string>& options) {
-    std::vector<std::string> arguments{"render", scene,    "-o",    path("out.png"),
+    std::vector<std::string> arguments{"render", scene,   "-o",    path("out.png"),
                                        "--size", "48x40", "--json"};
     arguments.insert(arguments.end(), options.begin(), options.end());
     return parsed(run_relief(arguments));
@@ -115,8 +115,8 @@ TEST_F(QualityOption, StepsPerSpacingIsAHeightStepOfEachPatch) {
   const std::string usual = converted({});
   EXPECT_EQ(converted({"--steps-per-spacing", "20"}), usual);
   EXPECT_LT(converted({"--steps-per-spacing", "5"}).size(), usual.size());
-  const json few = parsed(run_relief({"convert", scan_, "-o", path("out.relief"), "--json",
-                                      "--samples-per-point", "0.25"}));
+  const json few = parsed(run_relief(
+      {"convert", scan_, "-o", path("out.relief"), "--json", "--samples-per-point", "0.25"}));
   // A quarter of the points, and margins and ragged borders, which weigh more with fewer samples.
   EXPECT_GT(few["samples"], 6000 / 4);
   EXPECT_LT(few["samples"], 6000 / 2);

@@ -16,8 +16,8 @@ class TradeCommand : public CliTest {
   /// The shortest run: the default and the presets, and a few more if the machine is quick.
   [[nodiscard]] std::vector<std::string> trade(const std::string& scan,
                                                const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> arguments{"bench",  "--trade",         scan, "--size",   "40x32",
-                                       "--json", "--trade-seconds", "1",  "--frames", "1",
+    std::vector<std::string> arguments{"bench",    "--trade",         scan, "--size",   "40x32",
+                                       "--json",   "--trade-seconds", "1",  "--frames", "1",
                                        "--report", path("page.html")};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
@@ -41,15 +41,14 @@ std::string between(const std::string& text, const std::string& before, const st
 
 TEST_F(TradeCommand, WritesAPageThatNeedsNothingElse) {
   const std::string scan = write_knot(3000);
-  const json report = report_of(run_relief(trade(scan, {"--ask", "best under 1e9 ms", "--ask",
-                                                        "smallest at 500 dB"})));
+  const json report = report_of(
+      run_relief(trade(scan, {"--ask", "best under 1e9 ms", "--ask", "smallest at 500 dB"})));
   const std::string page = bytes_of(path("page.html"));
   EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0), 0U);
   for (const char* outside : {"http:", "https:", "src=", "@import", "url(", "<link"})
     EXPECT_EQ(page.find(outside), std::string::npos) << outside;
   // The page's own copy of the report is the printed one.
-  const json embedded = json::parse(
-      between(page, R"(id="report">)", "</script>"), nullptr, false);
+  const json embedded = json::parse(between(page, R"(id="report">)", "</script>"), nullptr, false);
   EXPECT_EQ(embedded, report);
 
   const json& rows = report["rows"];
@@ -70,8 +69,9 @@ TEST_F(TradeCommand, WritesAPageThatNeedsNothingElse) {
   for (const json& front : report["fronts"]) {
     EXPECT_FALSE(front["rows"].empty()) << front["front"];
     for (const json& row : front["rows"]) {
-      EXPECT_EQ(rows[row.get<std::size_t>()]["distance_to_front"][front["front"].get<std::string>()],
-                0.0);
+      EXPECT_EQ(
+          rows[row.get<std::size_t>()]["distance_to_front"][front["front"].get<std::string>()],
+          0.0);
     }
   }
   ASSERT_EQ(report["answers"].size(), 2U);
@@ -90,8 +90,7 @@ TEST_F(TradeCommand, ComparesWithTheTruthThatIsNamed) {
   for (int k = 0; k < 900; ++k)
     points += std::to_string(k % 30) + " " + std::to_string(k / 30) + " 0\n";
   const std::string scan = write("square.xyz", points);
-  const std::string truth =
-      write("truth.off", "OFF\n3 1 0\n0 0 20\n5 0 20\n0 5 20\n3 0 1 2\n");
+  const std::string truth = write("truth.off", "OFF\n3 1 0\n0 0 20\n5 0 20\n0 5 20\n3 0 1 2\n");
   const json report = report_of(run_relief(trade(scan, {"--truth", truth})));
   EXPECT_EQ(report["truth"], "file");
   EXPECT_EQ(report["truth_triangles"], 1);
@@ -103,8 +102,8 @@ TEST_F(TradeCommand, RefusesWhatCantBeConvertedManyWays) {
   const std::string scan = write_knot(3000);
   ASSERT_EQ(run_relief({"convert", scan, "-o", path("knot.relief")}).exit_code, 0);
   expect_refused(trade(path("knot.relief")), "is a patch file; --trade converts");
-  const std::string scene = write("scene.json",
-                                  R"({"models": [{"file": "knot.ply"}], "views": [{"name": "a"}]})");
+  const std::string scene =
+      write("scene.json", R"({"models": [{"file": "knot.ply"}], "views": [{"name": "a"}]})");
   expect_refused(trade(scene), "is a scene; --trade converts");
   const std::string volume =
       write("v.nrrd", "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 1 1 1\nencoding: ascii\n\n7 ");
