@@ -175,6 +175,7 @@ void add_convert(CLI::App& app, Command& command) {
   add_convert_options(*sub, *arguments);
   const auto quality = std::make_shared<std::optional<Quality>>();
   add_quality_option(*sub, *quality);
+  sub->get_option("--quality")->excludes("--memory");  // as --samples, which presets set
   sub->footer("Reads " + readable_formats() + ", each also gzipped. " + kConvertExamples);
   sub->callback([arguments, quality, sub, &command] {
     check_together(*arguments);

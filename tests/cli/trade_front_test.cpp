@@ -185,9 +185,9 @@ TEST(TradeKnobs, CommandsNameWhatDiffersFromTheDefaults) {
 
 TEST(TradeSearch, TriesNeighboursOfTheFrontUntilNoneIsLeft) {
   const auto knobs = cli::trade_knobs();
-  std::vector<TradeRow> rows = rows_of({{10, 40}, {20, 30}});
+  std::vector<TradeRow> rows = rows_of({{10, 40, 1000, 80, 1}, {20, 30, 2000, 70, 2}});
   rows[0].setting = cli::usual_setting(knobs);
-  rows[1].setting = cli::single_changes(knobs, rows[0].setting).front();  // behind the front
+  rows[1].setting = cli::single_changes(knobs, rows[0].setting).front();  // behind all fronts
   std::set<cli::TradeSetting> tried{rows[0].setting, rows[1].setting};
   const auto steps = cli::steps_from(knobs, rows[0].setting);
   std::size_t found = 0;
