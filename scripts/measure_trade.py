@@ -116,8 +116,8 @@ def first_plots(page):
 def text_of(reports, unseen, arguments):
     any_report = next(iter(reports.values()))
     commit = run("git", "-C", ROOT, "rev-parse", "--short", "HEAD").strip()
-    lines = [f"`relief bench --trade SCAN --trade-seconds {arguments.seconds} --size {arguments.size} --frames {arguments.frames}`, "
-             f"{any_report['material']}; {os.cpu_count()} cores, {any_report['renderer']}, commit {commit}.", "",
+    lines = [f"`relief bench --trade SCAN --trade-seconds S --size {arguments.size} --frames {arguments.frames}`, "
+             f"{any_report['material']}; {os.cpu_count()} cores, {any_report['renderer']}, commit {commit}:", "",
              *(description_of(name, report) for name, report in {**reports, **unseen}.items()), "",
              "### Answers", "", *answers_of(reports), "", "### Presets", "", *presets_of({**reports, **unseen}), "", "### Plots", ""]
     for name in reports:

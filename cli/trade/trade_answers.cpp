@@ -119,7 +119,7 @@ std::string why_not(const TradeQuestion& question, const std::vector<TradeRow>& 
         nearest && (limit.is_least ? *nearest >= limit.value : *nearest <= limit.value);
     if (is_reached) continue;
     if (!nearest) return fmt::format("{} was not measured", limit.quantity->label);
-    return fmt::format("{}: {} is {:.6g}, not {:.6g}", limit.quantity->label,
+    return fmt::format("{}: {} is {:.4g}, not {:.4g}", limit.quantity->label,
                        limit.is_least ? "the most" : "the least", *nearest, limit.value);
   }
   return "no setting is within all limits at once";

@@ -140,11 +140,11 @@ std::vector<TradeKnob> trade_knobs() {
                               "cone 70 degrees"));
   knobs.push_back(number_knob("steps-per-spacing", TradeStage::Convert, {5.0, 10.0, 20.0, 40.0},
                               kUsualStepsPerSpacing, "20 steps"));
+  knobs.push_back(method_knob());
   // The default is 1 sample a point of bare points, and 1.1 to 2 of meshes.
   knobs.push_back(number_knob("samples-per-point", TradeStage::Convert,
                               {0.0625, 0.125, 0.25, 0.5, 2.0}, 1.0, "default samples"));
   knobs.push_back(file_knob());
-  knobs.push_back(method_knob());
   TradeKnob levels =
       number_knob("pixels-per-sample", TradeStage::Render, {0.0, 1.0, 2.0, 4.0, 8.0, 16.0},
                   kPixelsPerSampleOfCells, "4 pixels a sample");

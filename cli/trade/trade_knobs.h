@@ -32,8 +32,7 @@ struct TradeKnob {
 /// The index of a choice for each knob.
 using TradeSetting = std::vector<std::size_t>;
 
-/// All that is varied: the conversion's knobs first, then those of the file, then those of the
-/// picture. Ways to draw come from the registry of engines.
+/// All that is varied, what trades most last. Ways to draw come from the registry of engines.
 [[nodiscard]] std::vector<TradeKnob> trade_knobs();
 
 [[nodiscard]] TradeSetting usual_setting(const std::vector<TradeKnob>& knobs);
@@ -43,7 +42,7 @@ using TradeSetting = std::vector<std::size_t>;
                                       const QualityPreset& preset);
 
 /// All settings that differ from one in one knob, without those whose engine lacks a chosen option.
-/// Pictures first, because nothing has to be converted for them.
+/// The last knob first, so that what trades most is known even where time is short.
 [[nodiscard]] std::vector<TradeSetting> single_changes(const std::vector<TradeKnob>& knobs,
                                                        const TradeSetting& from);
 

@@ -104,7 +104,8 @@ std::string point_of(const Canvas& canvas, const TradeRow& row, std::size_t numb
       readable(plane.cost, cost), readable(plane.quality, quality));
 }
 
-/// The presets' names, each on the side where the frame has room.
+/// The presets' names, each on the side where the frame has room. That of `exact`, which is often
+/// near `balanced`, is above its point.
 std::string preset_labels(const Canvas& canvas, const std::vector<TradeRow>& rows,
                           const TradePlane& plane) {
   std::string svg;
@@ -117,7 +118,7 @@ std::string preset_labels(const Canvas& canvas, const std::vector<TradeRow>& row
     const bool is_right = x > kPlotWidth - 100.0;
     svg += fmt::format(R"(<circle class="tr" cx="{:.1f}" cy="{:.1f}" r="9"/>)", x, y);
     svg += fmt::format(R"(<text class="tn" x="{:.1f}" y="{:.1f}" text-anchor="{}">{}</text>)",
-                       is_right ? x - 12.0 : x + 12.0, y + 14.0, is_right ? "end" : "start",
+                       is_right ? x - 12.0 : x + 12.0, *row.quality == Quality::Exact ? y - 9.0 : y + 14.0, is_right ? "end" : "start",
                        relief::name_of(kQualities, *row.quality));
   }
   return svg;
