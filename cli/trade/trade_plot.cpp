@@ -118,8 +118,9 @@ std::string preset_labels(const Canvas& canvas, const std::vector<TradeRow>& row
     const bool is_right = x > kPlotWidth - 100.0;
     svg += fmt::format(R"(<circle class="tr" cx="{:.1f}" cy="{:.1f}" r="9"/>)", x, y);
     svg += fmt::format(R"(<text class="tn" x="{:.1f}" y="{:.1f}" text-anchor="{}">{}</text>)",
-                       is_right ? x - 12.0 : x + 12.0, *row.quality == Quality::Exact ? y - 9.0 : y + 14.0, is_right ? "end" : "start",
-                       relief::name_of(kQualities, *row.quality));
+                       is_right ? x - 12.0 : x + 12.0,
+                       *row.quality == Quality::Exact ? y - 9.0 : y + 14.0,
+                       is_right ? "end" : "start", relief::name_of(kQualities, *row.quality));
   }
   return svg;
 }
