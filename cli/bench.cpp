@@ -32,6 +32,7 @@
 #include "cli/plot/bench_plot.h"
 #include "cli/reports/bench_report.h"
 #include "cli/reports/volume_bench_report.h"
+#include "cli/trade/trade_command.h"
 #include "common/io/extension.h"
 #include "common/io/file.h"
 #include "loader/load_scene.h"
@@ -60,6 +61,7 @@ constexpr const char* kBenchExamples =
     "Examples:\n"
     "  relief bench dragon.ply.gz --plot bench.svg\n"
     "  relief bench dragon.ply.gz --engines all --plot engines.svg\n"
+    "  relief bench --trade dragon.ply.gz --ask 'fastest at 40 dB' --report dragon.html\n"
     "  relief bench dragon.relief --material mirror --env studio.hdr --frames 50 --json";
 
 constexpr int kFrames = 20;
@@ -71,6 +73,7 @@ struct BenchArguments {
   RenderArguments image;
   std::filesystem::path plot;  ///< empty: none
   BenchChoice choice;
+  TradeArguments trade;
 };
 
 Status write_text(const std::filesystem::path& path, const std::string& text) {
@@ -132,8 +135,12 @@ int run_volume_bench(ScenePlan plan, const BenchArguments& arguments) {
 int run_bench(const BenchArguments& arguments) {
   const auto plan = plan_scene(arguments.image.input, arguments.image.settings);
   if (!plan) return fail(plan.error());
-  const auto inputs = find_inputs(*plan);
+  auto inputs = find_inputs(*plan);
   if (!inputs) return fail(inputs.error());
+  if (arguments.trade.is_wanted) {
+    if (!arguments.trade.truth.empty()) inputs->push_back(arguments.trade.truth);
+    return run_trade(*plan, arguments.image, arguments.trade, *inputs);
+  }
   if (has_kernels(plan->models, arguments.image.volume)) return run_volume_bench(*plan, arguments);
   for (const auto& [key, value] : arguments.image.settings.options) {
     if (key == kCull) continue;
@@ -213,6 +220,7 @@ void add_bench(CLI::App& app, Command& command) {
              fmt::join(sweep_keys(), ", "), kSpacing, kHeightStep))
       ->option_text("KEY=V,V,...")
       ->excludes(compared);
+  add_trade_options(*sub, arguments->trade);
   sub->add_flag("--json", image.json, "Print one JSON object on standard output");
   sub->footer(kBenchExamples);
   sub->callback([arguments, &command] {

@@ -19,6 +19,7 @@
 #include "cli/options/convert_options.h"
 #include "cli/options/output_file.h"
 #include "cli/options/paths.h"
+#include "cli/options/quality.h"
 #include "cli/options/texture_options.h"
 #include "cli/reports/convert_report.h"
 #include "common/patch_file/patch_file.h"
@@ -172,9 +173,16 @@ void add_convert(CLI::App& app, Command& command) {
   auto* sub = app.add_subcommand("convert", "Convert a scan or mesh to a patch file");
   const auto arguments = std::make_shared<ConvertArguments>();
   add_convert_options(*sub, *arguments);
+  const auto quality = std::make_shared<std::optional<Quality>>();
+  add_quality_option(*sub, *quality);
+  sub->get_option("--quality")->excludes("--memory");  // as --samples, which presets set
   sub->footer("Reads " + readable_formats() + ", each also gzipped. " + kConvertExamples);
-  sub->callback([arguments, &command] {
+  sub->callback([arguments, quality, sub, &command] {
     check_together(*arguments);
+    if (*quality) {
+      set_conversion(values_not_given(preset_of(**quality).convert, *sub), arguments->options,
+                     arguments->file);
+    }
     command = [arguments] { return run_convert(*arguments); };
   });
 }

@@ -84,6 +84,10 @@ Result<std::vector<WrittenImage>> make_images(const ScenePlan& plan,
   options.read = arguments.read;
   options.volume = arguments.volume;
   options.colour_by = colour_by_of(arguments.colours);
+  if (arguments.quality) {
+    PatchFileOptions of_no_file;
+    set_conversion(preset_of(*arguments.quality).convert, options.convert, of_no_file);
+  }
   RELIEF_TRY_ASSIGN(const auto scene, load_scene(plan, options, progress));
   const std::optional<ColourScale> legend = arguments.colours.legend ? scene.colours : std::nullopt;
   if (progress.cancelled()) return interrupted_error();
@@ -139,6 +143,7 @@ int run_render(RenderArguments arguments) {
   auto plan = plan_scene(arguments.input, arguments.settings);
   if (!plan) return fail(plan.error());
   choose_volume_engine(*plan, arguments.volume);
+  if (arguments.quality) complete_views(preset_of(*arguments.quality).render, *plan);
   const bool follows_path = !arguments.path.empty();
   if ((arguments.turntable > 0 || follows_path) && plan->views.size() > 1) {
     (void)fail(make_error("{}: has {} views; {} makes a film of a single one",

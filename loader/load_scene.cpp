@@ -107,7 +107,7 @@ Result<LoadedScan> load_scan(const std::filesystem::path& path, const LoadOption
   }
   const bool meshes_patches = needs.mesh && !has_triangles;
   if (!needs.patches && !meshes_patches) return made;
-  ConvertOptions converting;
+  ConvertOptions converting = options.convert;
   if (colour_by) {
     scan->points.colours = {};
     converting.distances = colour_by->scalar == kDistanceScalar;

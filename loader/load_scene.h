@@ -13,6 +13,7 @@
 #include "common/scene/scene.h"
 #include "loader/loaded_scene.h"
 #include "loader/scene_plan.h"
+#include "preprocess/convert_options.h"
 #include "preprocess/readers/selection.h"
 #include "preprocess/texture/acquisition/acquisition.h"
 #include "preprocess/texture/files/load_textures.h"
@@ -40,6 +41,8 @@ struct LoadOptions {
   /// that of the first view's options.
   AcquireOptions acquisition;
   std::optional<ColourBy> colour_by;  ///< in place of colours and textures
+  /// How scans and meshes become patches; distances are added if they are what is coloured by.
+  ConvertOptions convert;
   /// Is given the points of each scan or mesh before they are converted, on the loading thread;
   /// null: nobody waits for them.
   std::function<void(const Points&)> on_points = {};
@@ -47,7 +50,7 @@ struct LoadOptions {
 
 /// Reads the models and puts them in their positions. Reads a file that several of them name once.
 /// A scan or mesh gives the forms that are needed: its points as splats, its triangles, and patches
-/// by a conversion with the default options, which also stand for triangles if it has none.
+/// by a conversion, which also stand for triangles if it has none.
 /// Reads only those tiles of a patch file that `views` show
 /// (renderer/view/patches_in_view.h); reads all without `views`, and if splats or a mesh are
 /// needed. With options.colour_by fails if there are several models, or if a patch file lacks the

@@ -149,6 +149,9 @@ Result<MeasuredModel> make_best_model(const PartitionedScan& scan, const Convert
                       static_cast<std::uint64_t>(kFinestSamplesPerPoint) * scan.measured);
   }
   if (options.samples > 0) return make_model_of(scan, options, progress);
+  if (options.samples_per_point > 0.0)
+    return make_model(scan, options, options.samples_per_point * static_cast<double>(scan.measured),
+                      progress);
   if (!(options.error > 0.0)) return make_model(scan, options, std::nullopt, progress);
   SampleSearch search(options.error, static_cast<double>(scan.measured));
   std::optional<MeasuredModel> best;

@@ -17,22 +17,29 @@ enum class NoiseRemoval {
   AsGiven,     ///< of ConvertOptions::noise everywhere
 };
 
+/// Steps that heights are rounded to, in a spacing, unless a conversion is asked for others.
+inline constexpr double kUsualStepsPerSpacing = 20.0;
+
 struct ConvertOptions {
   double spacing = 0.0;       ///< grid step in world units; 0: about as many samples as points,
                               ///< or up to twice as many where a mesh bends (share_samples)
   std::uint64_t samples = 0;  ///< about how many there shall be; 0: by default. Without `spacing`.
-  double error = 0.0;         ///< rms distance of the points to the patches, world units: as few
-                              ///< samples as reach it; 0: by default. Without both of these.
+  /// About how many samples for each point, at most kFinestSamplesPerPoint; 0: by default. Without
+  /// `spacing` and `samples`; made in one try, so that margins and ragged borders add some.
+  double samples_per_point = 0.0;
+  double error = 0.0;  ///< rms distance of the points to the patches, world units: as few
+                       ///< samples as reach it; 0: by default. Without all of these.
   double cone_degrees =
       0.0;  ///< largest angle between a patch's normal and its points' normals; 0: default
   /// Whether patches meet at seams instead of overlapping. By default they do if the scan has
   /// faces: bare points may be noisy and have gaps, which only margins close.
   std::optional<bool> seams;
   NoiseRemoval noise_removal = NoiseRemoval::Default;
-  double noise = 0.0;             ///< standard deviation along the normal, world units, for AsGiven
-  SideChoice side;                ///< that normals face; Auto keeps given normals and faces
-  int overlap_cells = 1;          ///< width of the overlap margin, in grid cells
-  double height_step = 0.0;       ///< world units per height index; 0: spacing / 20
+  double noise = 0.0;        ///< standard deviation along the normal, world units, for AsGiven
+  SideChoice side;           ///< that normals face; Auto keeps given normals and faces
+  int overlap_cells = 1;     ///< width of the overlap margin, in grid cells
+  double height_step = 0.0;  ///< world units per height index; 0: by steps_per_spacing
+  double steps_per_spacing = kUsualStepsPerSpacing;  ///< height indices in a patch's spacing
   bool adaptive_spacing = false;  ///< each patch's spacing follows the scan's local density, up to
                                   ///< 8 to 1; `spacing` is then the typical one
   int colour_scale = 2;    ///< texels per grid cell along each side, of the colours and scalars of

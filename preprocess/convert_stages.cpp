@@ -30,6 +30,7 @@ ResampleOptions resample_options(const ConvertOptions& options, bool seams, doub
                                  bool normals_from_points) {
   return {.spacing = spacing,
           .height_step = options.height_step,
+          .steps_per_spacing = options.steps_per_spacing,
           .overlap_cells = seams ? 1 : options.overlap_cells,
           .colour_scale = static_cast<std::uint32_t>(options.colour_scale),
           .normals_from_points = normals_from_points,

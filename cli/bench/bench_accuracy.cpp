@@ -10,17 +10,6 @@ namespace {
 
 constexpr int kMirrorSamples = 16;
 
-/// What is compared: images in a material, with these outputs.
-struct Look {
-  Material material;
-  Outputs outputs;
-};
-
-/// Coverage is found by depth, also where the model fills the image (common/compare/coverage.h).
-Look look_in(Material material, CompareNormals normals) {
-  return {material, {.normal = normals == CompareNormals::Yes, .depth = true}};
-}
-
 /// The settings of an image that is compared.
 RenderSettings compared(const RenderSettings& row, const Look& look) {
   RenderSettings settings = row;
@@ -33,7 +22,7 @@ RenderSettings compared(const RenderSettings& row, const Look& look) {
 RenderSettings truth_of(const RenderSettings& row, const Look& look) {
   RenderSettings settings = compared(row, look);
   settings.engine = "raytrace";
-  settings.raytrace.samples = look.material == Material::Mirror ? kMirrorSamples : 1;
+  settings.raytrace.samples = look.rays;
   return settings;
 }
 
@@ -41,9 +30,30 @@ std::optional<double> value_of(const Result<double>& measured) {
   return measured ? std::optional<double>(*measured) : std::nullopt;
 }
 
-/// The truth in a material.
-Result<Image> trace(const BenchMethod& row, const TriangleMesh* mesh, const Look& look,
-                    Progress& progress) {
+/// The rows from `first` on that draw the same model.
+std::vector<RenderSettings> rows_of_model(const std::vector<BenchMethod>& rows, std::size_t first,
+                                          const Look& look) {
+  std::vector<RenderSettings> images;
+  for (std::size_t k = first; k < rows.size() && rows[k].model == rows[first].model; ++k)
+    images.push_back(compared(rows[k].settings, look));
+  return images;
+}
+
+/// The rows and the truth in one look.
+Result<std::vector<Comparison>> compare_in(const Look& look, const std::vector<BenchMethod>& rows,
+                                           const TriangleMesh* mesh, Progress& progress) {
+  RELIEF_TRY_ASSIGN(const auto truth, trace_truth(rows.front(), mesh, look, progress));
+  return compare_rows(rows, truth, look, progress);
+}
+
+}  // namespace
+
+Look look_in(Material material, CompareNormals normals, int rays) {
+  return {material, {.normal = normals == CompareNormals::Yes, .depth = true}, rays};
+}
+
+Result<Image> trace_truth(const BenchMethod& row, const TriangleMesh* mesh, const Look& look,
+                          Progress& progress) {
   const RenderSettings traced = truth_of(row.settings, look);
   Image truth;
   RenderModel model = row.model;
@@ -59,19 +69,9 @@ Result<Image> trace(const BenchMethod& row, const TriangleMesh* mesh, const Look
   return truth;
 }
 
-/// The rows from `first` on that draw the same model.
-std::vector<RenderSettings> rows_of_model(const std::vector<BenchMethod>& rows, std::size_t first,
-                                          const Look& look) {
-  std::vector<RenderSettings> images;
-  for (std::size_t k = first; k < rows.size() && rows[k].model == rows[first].model; ++k)
-    images.push_back(compared(rows[k].settings, look));
-  return images;
-}
-
-/// The rows in one material.
-Result<std::vector<Comparison>> compare_in(const Look& look, const std::vector<BenchMethod>& rows,
-                                           const TriangleMesh* mesh, Progress& progress) {
-  RELIEF_TRY_ASSIGN(const auto truth, trace(rows.front(), mesh, look, progress));
+Result<std::vector<Comparison>> compare_rows(const std::vector<BenchMethod>& rows,
+                                             const Image& truth, const Look& look,
+                                             Progress& progress) {
   std::vector<std::optional<Comparison>> found(rows.size());
   const FlipOptions options{FlipRange::Ldr, kFlipPixelsPerDegree};
   Progress silent;
@@ -95,14 +95,14 @@ Result<std::vector<Comparison>> compare_in(const Look& look, const std::vector<B
   return all;
 }
 
-}  // namespace
-
 Result<std::vector<RowAccuracy>> measure_accuracy(const std::vector<BenchMethod>& rows,
                                                   const TriangleMesh* mesh, CompareNormals normals,
                                                   Progress& progress) {
   const Material material = rows.front().settings.material;
-  RELIEF_TRY_ASSIGN(const auto seen, compare_in(look_in(material, normals), rows, mesh, progress));
-  const Look mirrored = look_in(Material::Mirror, CompareNormals::No);
+  const Look seen_look =
+      look_in(material, normals, material == Material::Mirror ? kMirrorSamples : 1);
+  RELIEF_TRY_ASSIGN(const auto seen, compare_in(seen_look, rows, mesh, progress));
+  const Look mirrored = look_in(Material::Mirror, CompareNormals::No, kMirrorSamples);
   RELIEF_TRY_ASSIGN(const auto mirrors, material == Material::Mirror
                                             ? seen
                                             : compare_in(mirrored, rows, mesh, progress));

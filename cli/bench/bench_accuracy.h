@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "common/compare/compare.h"
 #include "common/error.h"
 #include "common/progress.h"
 #include "renderer/bench/bench.h"
@@ -27,6 +28,28 @@ struct RowAccuracy {
 
 /// Whether the directions of normals are compared, too.
 enum class CompareNormals : bool { No, Yes };
+
+/// What is compared: images in a material, with these outputs, and how many rays a pixel the truth
+/// has.
+struct Look {
+  Material material = Material::Lit;
+  Outputs outputs;
+  int rays = 1;
+};
+
+/// A look whose coverage is found by depth, also where the model fills the image
+/// (common/compare/coverage.h).
+[[nodiscard]] Look look_in(Material material, CompareNormals normals, int rays);
+
+/// The row's view by the engine `raytrace`, of the mesh or, if that is null, of the row's model.
+Result<Image> trace_truth(const BenchMethod& row, const TriangleMesh* mesh, const Look& look,
+                          Progress& progress);
+
+/// Draws each row and compares it with the truth. Rows that draw one model share it if they follow
+/// each other.
+Result<std::vector<Comparison>> compare_rows(const std::vector<BenchMethod>& rows,
+                                             const Image& truth, const Look& look,
+                                             Progress& progress);
 
 /// Draws each row twice, in its material and as a mirror (of its environment, or the built-in one),
 /// and compares with the engine `raytrace`, which follows rays to the mesh or, if that is null, to

@@ -16,6 +16,7 @@
 #include "cli/options/values.h"
 #include "common/io/extension.h"
 #include "common/io/standard_input.h"
+#include "preprocess/sample_search.h"
 #include "preprocess/texture/maps/texture_maps.h"
 
 namespace relief::cli {
@@ -23,6 +24,11 @@ namespace {
 
 constexpr std::uint64_t kFewestSamples = 64;
 constexpr std::uint64_t kMostSamples = 1'000'000'000'000;
+/// Fewer leave patches of a few samples each.
+constexpr double kFewestSamplesForPoint = 0.001;
+/// Heights of one step a spacing are a staircase; a thousandth of a spacing is far below any noise.
+constexpr double kFewestStepsPerSpacing = 1.0;
+constexpr double kMostStepsPerSpacing = 1000.0;
 
 /// The patches.
 void add_surface_options(CLI::App& sub, ConvertArguments& arguments) {
@@ -40,18 +46,37 @@ void add_surface_options(CLI::App& sub, ConvertArguments& arguments) {
           ->check(count_from(kFewestSamples, kMostSamples))
           ->excludes(spacing)
           ->option_text("N");
+  CLI::Option* const density =
+      sub.add_option(
+             "--samples-per-point", arguments.options.samples_per_point,
+             fmt::format("Make about so many samples for each point, {:g} to {:g} (default: "
+                         "as --spacing has it)",
+                         kFewestSamplesForPoint, kFinestSamplesPerPoint))
+          ->check(number_from(kFewestSamplesForPoint, kFinestSamplesPerPoint))
+          ->excludes(spacing)
+          ->excludes(samples)
+          ->option_text("F");
   sub.add_option("--error", arguments.options.error,
                  "Make the fewest samples from which the points lie at most so far, rms, in the "
                  "scan's unit, above 0; converts up to six times (default: as --spacing has it)")
       ->check(positive_number())
       ->excludes(spacing)
       ->excludes(samples)
+      ->excludes(density)
       ->option_text("E");
-  sub.add_option(
-         "--height-step", arguments.options.height_step,
-         "Step that heights are rounded to, in the scan's unit, above 0 (default: spacing / 20)")
-      ->check(positive_number())
-      ->option_text("S");
+  CLI::Option* const step =
+      sub.add_option("--height-step", arguments.options.height_step,
+                     "Step that heights are rounded to, in the scan's unit, above 0 (default: as "
+                     "--steps-per-spacing has it)")
+          ->check(positive_number())
+          ->option_text("S");
+  sub.add_option("--steps-per-spacing", arguments.options.steps_per_spacing,
+                 fmt::format("Steps that heights are rounded to, in each patch's spacing, {:g} to "
+                             "{:g} (default {:g})",
+                             kFewestStepsPerSpacing, kMostStepsPerSpacing, kUsualStepsPerSpacing))
+      ->check(number_from(kFewestStepsPerSpacing, kMostStepsPerSpacing))
+      ->excludes(step)
+      ->option_text("N");
   sub.add_flag(
       "--adaptive-spacing", arguments.options.adaptive_spacing,
       "Fit each patch's spacing to the local density of points, up to 8 to 1; --spacing is "
@@ -233,6 +258,7 @@ void add_resource_options(CLI::App& sub, ConvertArguments& arguments) {
              "the same command resumes an interrupted conversion (default: no limit)")
           ->excludes("--adaptive-spacing")
           ->excludes("--samples")
+          ->excludes("--samples-per-point")
           ->excludes("--error")
           ->excludes("--clean")
           ->excludes("--noise")

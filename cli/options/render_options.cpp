@@ -235,6 +235,7 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments) {
       ->required()
       ->option_text("FILE (required)");
   add_camera_options(sub, arguments.settings);
+  add_quality_option(sub, arguments.quality);
   add_engine_options(sub, arguments.settings);
   add_material_options(sub, arguments.settings);
   add_colour_options(sub, arguments.colours);

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "cli/options/colour_options.h"
+#include "cli/options/quality.h"
 #include "cli/options/texture_options.h"
 #include "common/scene/scene.h"
 #include "preprocess/volumes/read_volume.h"
@@ -20,6 +21,7 @@ struct RenderArguments {
   VolumeReadOptions volume;
   ColourArguments colours;
   SceneSettings settings;  ///< overrides those of a scene
+  std::optional<Quality> quality;
   GlPlatform platform = GlPlatform::Automatic;
   std::size_t turntable = 0;                ///< frames of a film; 0: none
   std::filesystem::path path;               ///< camera path of a film; empty: none

@@ -18,8 +18,6 @@
 namespace relief {
 namespace {
 
-// Heights are rounded to a twentieth of a spacing by default.
-constexpr double kDefaultStepsPerSpacing = 20.0;
 // The fits of margin nodes need points slightly beyond them.
 constexpr double kFitReachInSpacings = 2.5;
 // How far from a node the points of a crease's two sides are looked for.
@@ -160,7 +158,7 @@ Patch resample_region(const ScanSurface& scan, const Region& region,
     patch.heights.push_back(states[m] == NodeState::Hole ? kHole : 0);
   }
   const double step =
-      options.height_step > 0.0 ? options.height_step : options.spacing / kDefaultStepsPerSpacing;
+      options.height_step > 0.0 ? options.height_step : options.spacing / options.steps_per_spacing;
   const double lowest = store_heights(heights, step, patch);
   patch.spacing = grid.spacing;
   patch.axes = points.frame.axes;

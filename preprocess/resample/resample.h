@@ -2,15 +2,17 @@
 #pragma once
 
 #include "common/patch.h"
+#include "preprocess/convert_options.h"
 #include "preprocess/resample/scan_surface.h"
 #include "preprocess/resample/support.h"
 
 namespace relief {
 
 struct ResampleOptions {
-  double spacing = 0.0;              ///< grid step, world units
-  double height_step = 0.0;          ///< world units per height index; 0: spacing / 20
-  int overlap_cells = 1;             ///< width of the overlap margin
+  double spacing = 0.0;      ///< grid step, world units
+  double height_step = 0.0;  ///< world units per height index; 0: by steps_per_spacing
+  double steps_per_spacing = kUsualStepsPerSpacing;  ///< height indices in a spacing
+  int overlap_cells = 1;                             ///< width of the overlap margin
   std::uint32_t colour_scale = 1;    ///< colour texels per grid cell along each side
   bool normals_from_points = false;  ///< use the points' normals instead of the fitted surface's
   bool seams = false;                ///< without a margin but over other tiles, for make_seams()
