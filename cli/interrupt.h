@@ -14,11 +14,11 @@ namespace relief::cli {
 /// half a second.
 inline constexpr auto kInterruptGrace = std::chrono::milliseconds(300);
 
-/// Installs the signal handlers. The first SIGINT, SIGTERM or SIGHUP is remembered (see interrupted), and
-/// the process ends kInterruptGrace later at the latest, with the same message and exit code,
-/// unless all outputs are complete; the second one ends it at once. A write beyond the file size
-/// limit fails like a full disk, and one to a pipe that nobody reads fails instead of ending the
-/// process.
+/// Installs the signal handlers. The first SIGINT, SIGTERM or SIGHUP is remembered (see
+/// interrupted), and the process ends kInterruptGrace later at the latest, with the same message
+/// and exit code, unless all outputs are complete; the second one ends it at once. A write beyond
+/// the file size limit fails like a full disk, and one to a pipe that nobody reads fails instead of
+/// ending the process.
 void handle_signals();
 
 /// Returns true after an interrupt by the user.

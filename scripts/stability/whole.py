@@ -99,8 +99,9 @@ class Whole:
                 done = self.run(*words, preexec_fn=limited)
                 code, message = outcome(done)
                 left = self.left()
-                # LLVM, which Mesa compiles shaders with, ends a process that has no room for them.
-                is_llvm = "LLVM ERROR" in message
+                # LLVM, which Mesa compiles shaders with, ends a process that has no room for them: by
+                # signal 6 with a message, or by 11. Then only the file counts.
+                is_llvm = name == "render" and done.returncode in (-6, -11)
                 self.note(f"{name} in {limit} MiB of addresses", code if done.returncode == 0 else f"{code}: {message[:110]}",
                           done.returncode == 0 or (not left and (done.returncode == 1 or is_llvm)))
 
