@@ -67,9 +67,10 @@ def cell(text):
 
 
 def row_of(name, text):
-    """A table row. CLI11 prints what an option needs and excludes behind its name."""
+    """A table row. CLI11 prints what an option needs and excludes behind its name, in the order of addresses."""
     name, *relations = re.split(r" (?=(?:Needs|Excludes|REQUIRED)\b)", name)
-    sentences = [text.rstrip("."), *(relation.replace(":", "") for relation in relations)]
+    words = [relation.replace(":", "").split() for relation in relations]
+    sentences = [text.rstrip("."), *(" ".join([first, *sorted(options)]) for first, *options in words)]
     return f"| `{cell(name)}` | {cell('. '.join(sentences))} |"
 
 
