@@ -149,6 +149,7 @@ std::vector<std::string> painters_of(const std::vector<TradeKnob>& knobs,
                                      const std::vector<TradeRow>& rows) {
   // In the order of the settings' choices, which is that of the registry.
   std::vector<const TradeRow*> sorted;
+  sorted.reserve(rows.size());
   for (const TradeRow& row : rows) sorted.push_back(&row);
   const auto way = [&knobs](const TradeRow* row) {
     std::vector<std::size_t> choices;

@@ -82,7 +82,7 @@ TEST(FeatureNames, AreThoseOfTheShaders) {
   EXPECT_EQ(feature_names(RELIEF_FEATURE_LIT | RELIEF_FEATURE_OUT_NORMAL),
             (Names{"lit", "out_normal"}));
   EXPECT_EQ(feature_names(0), Names{});
-  EXPECT_EQ(feature_names(0x80000000U), Names{"bit 0x80000000"});  // the header has no such one
+  EXPECT_EQ(feature_names(0x80000000U), Names{"sided"});  // the last bit
   EXPECT_EQ(feature_names({RELIEF_FEATURE_GLASS | RELIEF_FEATURE_MIXED, 16}),
             (Names{"glass", "mixed", "lights 16"}));
 }
