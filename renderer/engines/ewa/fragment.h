@@ -17,7 +17,7 @@ struct SplatAttributes {
   std::uint32_t patch = 0;  ///< patch id + 1
   std::uint8_t material = 0;
   std::uint8_t clip = 0;    ///< ClipKind
-  bool faces_away = false;  ///< from the eye
+  bool faces_away = false;  ///< from the eye; known only where something is clipped
 };
 
 /// What a kernel contributes to a pixel. Depths along the view axis.
@@ -42,6 +42,7 @@ struct Fragment {
   std::uint8_t material = 0;
   std::uint8_t clip = 0;
   bool faces_away = false;  ///< its first contribution
+  bool is_clipped = false;  ///< some contribution
   bool shaded = false;      ///< once: the paper marks it by a negative weight
 
   [[nodiscard]] double depth() const { return depth_sum / weight; }
@@ -53,14 +54,15 @@ struct Fragment {
     return shaded ? colour.a >= 1.0 : weight >= coverage_threshold && colour.a >= weight;
   }
 
-  /// Whether a contribution is of the other side of the surface: within the threshold of depth what
-  /// faces away lies behind contours and sharp edges.
-  [[nodiscard]] bool is_other_side(const SplatAttributes& a) const {
-    return faces_away != a.faces_away;
+  /// Whether a contribution is of the other side of a sharp edge: within the threshold of depth the
+  /// face that is seen and the one behind it that faces away lie beside each other.
+  [[nodiscard]] bool is_beyond_edge(const SplatAttributes& a) const {
+    return faces_away != a.faces_away && (is_clipped || a.clip != 0);
   }
 
   void add(const Contribution& c, const SplatAttributes& a) {
     if (weight == 0.0) faces_away = a.faces_away;
+    is_clipped = is_clipped || a.clip != 0;
     weight += c.weight;
     depth_sum += c.weight * c.depth;
     colour += c.weight * a.colour;

@@ -44,7 +44,7 @@ void LayeredBuffer::add(std::size_t pixel, const Contribution& contribution,
   bool hidden = false;
   for (std::size_t i = 0; i < count; ++i) {
     const double behind = contribution.depth - fragments[i].depth();
-    const bool may_be_same = !fragments[i].shaded && !fragments[i].is_other_side(attributes);
+    const bool may_be_same = !fragments[i].shaded && !fragments[i].is_beyond_edge(attributes);
     if (may_be_same && std::abs(behind) < least) {
       least = std::abs(behind);
       same = fragments + i;

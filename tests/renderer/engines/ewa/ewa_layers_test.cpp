@@ -201,15 +201,6 @@ TEST(LayeredBuffer, NormalsChangeToTheNeighbourOfTheSameSurface) {
   EXPECT_GT(surfaces[1].changes[1].x, 0.0);
 }
 
-TEST(LayeredBuffer, SidesThatTheEyeSeesDifferentlyDoNotMix) {
-  LayeredBuffer buffer(1, 1, 4, kTau, albedo_of);
-  buffer.add(0, whole(1.0), coloured(kRed, 1.0));
-  SplatAttributes back = coloured(kBlue, 1.0);
-  back.faces_away = true;
-  buffer.add(0, whole(1.05), back);
-  expect_colour(buffer.resolve(0).colour, glm::dvec4(kRed, 1.0));
-}
-
 TEST(LayeredBuffer, NormalsThatCancelOutAreZero) {
   LayeredBuffer buffer(2, 1, 4, kTau, albedo_of);
   SplatAttributes a = coloured(kRed, 1.0);

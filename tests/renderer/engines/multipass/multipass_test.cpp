@@ -115,6 +115,7 @@ TEST_P(Multipass, SidesOfAThinPlateDoNotBlend) {
   RenderSettings settings = with_method(from_above(model, 16));
   settings.material = Material::Unlit;
   settings.cull = CullMode::None;
+  settings.outputs.normal = true;
   const Image image = must_render(model, settings).image;
   const std::size_t middle = settings.height / 2 * settings.width + settings.width / 2;
   EXPECT_EQ(values(image, "R")[middle], 1.0F);
