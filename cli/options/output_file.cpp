@@ -6,8 +6,8 @@
 
 #include <CLI/Error.hpp>
 #include <cerrno>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -44,43 +44,26 @@ Status copy_out(int file) {
 }  // namespace
 
 Result<OutputFile> OutputFile::open(const fs::path& named, std::string_view extension) {
-  if (named != kStandardName) return OutputFile(named, {});
+  if (named != kStandardName) return OutputFile(named, std::nullopt);
   if (::isatty(STDOUT_FILENO) == 1)
     return Error{"standard output: is a terminal; redirect it to a file, or name a file with -o"};
-  std::error_code ignored;
-  std::string folder = (fs::temp_directory_path(ignored) / "relief-XXXXXX").string();
-  if (::mkdtemp(folder.data()) == nullptr)
-    return make_error("{}: cannot be made: {}", folder, std::generic_category().message(errno));
-  return OutputFile(fs::path(folder) / ("output" + std::string(extension)), folder);
-}
-
-OutputFile::OutputFile(OutputFile&& other) noexcept
-    : path_(std::move(other.path_)), folder_(std::exchange(other.folder_, {})) {}
-
-OutputFile& OutputFile::operator=(OutputFile&& other) noexcept {
-  std::swap(path_, other.path_);
-  std::swap(folder_, other.folder_);
-  return *this;
-}
-
-OutputFile::~OutputFile() {
-  std::error_code ignored;
-  if (!folder_.empty()) fs::remove_all(folder_, ignored);
+  RELIEF_TRY_ASSIGN(auto folder, TemporaryFolder::make("relief"));
+  fs::path path = folder.path() / ("output" + std::string(extension));
+  return OutputFile(std::move(path), std::move(folder));
 }
 
 Status OutputFile::send() {
   const int file = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return Error{"standard output: what was written cannot be read back"};
   // Removed before it is copied: a reader that goes away may end this process.
-  std::error_code ignored;
-  fs::remove_all(std::exchange(folder_, {}), ignored);
+  folder_.reset();
   Status sent = copy_out(file);
   ::close(file);
   return sent;
 }
 
 int OutputFile::finish(std::string_view report) {
-  if (folder_.empty()) return print_result(report);
+  if (!folder_) return print_result(report);
   if (const Status sent = send(); !sent) return fail(sent.error());
   fmt::print(stderr, "{}", report);
   return kDone;

@@ -3,10 +3,11 @@
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
-#include <string>
+#include <optional>
 #include <string_view>
 
 #include "common/error.h"
+#include "common/io/temporary_folder.h"
 
 namespace relief::cli {
 
@@ -17,13 +18,6 @@ class OutputFile {
   /// `extension`: of what is written to standard output, with its dot. Fails if that is a terminal.
   static Result<OutputFile> open(const std::filesystem::path& named, std::string_view extension);
 
-  OutputFile(OutputFile&& other) noexcept;
-  OutputFile& operator=(OutputFile&& other) noexcept;
-  OutputFile(const OutputFile&) = delete;
-  OutputFile& operator=(const OutputFile&) = delete;
-  /// Removes the folder.
-  ~OutputFile();
-
   /// Where to write.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
@@ -33,12 +27,12 @@ class OutputFile {
   int finish_json(const nlohmann::ordered_json& report);
 
  private:
-  OutputFile(std::filesystem::path path, std::filesystem::path folder)
+  OutputFile(std::filesystem::path path, std::optional<TemporaryFolder> folder)
       : path_(std::move(path)), folder_(std::move(folder)) {}
   Status send();
 
   std::filesystem::path path_;
-  std::filesystem::path folder_;  ///< empty: a file that the user has named
+  std::optional<TemporaryFolder> folder_;  ///< none: a file that the user has named
 };
 
 /// Refuses --json where standard output is the file itself. Throws CLI::ValidationError.

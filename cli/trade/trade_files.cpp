@@ -1,11 +1,6 @@
 #include "cli/trade/trade_files.h"
 
-#include <unistd.h>
-
-#include <cerrno>
 #include <chrono>
-#include <cstdlib>
-#include <system_error>
 #include <utility>
 
 #include "cli/options/quality.h"
@@ -25,43 +20,13 @@ double seconds_since(TradeClock::time_point start) {
 }  // namespace
 
 Result<TradeFiles> TradeFiles::read(const std::filesystem::path& scan, Progress& progress) {
-  TradeFiles files;
-  files.scan_ = scan;
+  RELIEF_TRY_ASSIGN(auto folder, TemporaryFolder::make("relief-trade"));
+  TradeFiles files(scan, std::move(folder));
   const auto start = TradeClock::now();
   RELIEF_TRY_ASSIGN(auto loaded, load_mesh(scan, {}, progress));
   files.read_seconds_ = seconds_since(start);
   files.points_ = std::move(loaded.points);
-  std::error_code ignored;
-  std::string folder =
-      (std::filesystem::temp_directory_path(ignored) / "relief-trade-XXXXXX").string();
-  if (::mkdtemp(folder.data()) == nullptr)
-    return make_error("{}: cannot be made: {}", folder, std::generic_category().message(errno));
-  files.folder_ = folder;
   return files;
-}
-
-TradeFiles::TradeFiles(TradeFiles&& other) noexcept
-    : scan_(std::move(other.scan_)),
-      folder_(std::exchange(other.folder_, {})),
-      points_(std::move(other.points_)),
-      read_seconds_(other.read_seconds_),
-      converted_(std::move(other.converted_)),
-      files_(std::move(other.files_)) {}
-
-TradeFiles& TradeFiles::operator=(TradeFiles&& other) noexcept {
-  std::swap(scan_, other.scan_);
-  std::swap(folder_, other.folder_);
-  std::swap(points_, other.points_);
-  std::swap(read_seconds_, other.read_seconds_);
-  std::swap(converted_, other.converted_);
-  std::swap(files_, other.files_);
-  return *this;
-}
-
-TradeFiles::~TradeFiles() {
-  if (folder_.empty()) return;
-  std::error_code ignored;
-  std::filesystem::remove_all(folder_, ignored);
 }
 
 Result<const TradeFiles::Converted*> TradeFiles::convert_once(const OptionValues& conversion,
@@ -87,7 +52,7 @@ Result<const TradeFile*> TradeFiles::file_of(const OptionValues& conversion,
   ConvertOptions of_no_conversion;
   PatchFileOptions options;
   set_conversion(file, of_no_conversion, options);
-  const std::filesystem::path path = folder_ / "setting.relief";
+  const std::filesystem::path path = folder_.path() / "setting.relief";
   const auto start = TradeClock::now();
   RELIEF_TRY(write_patch_file(path, converted->result.model, options));
   auto made = std::make_unique<TradeFile>();

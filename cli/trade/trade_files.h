@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <utility>
 
 #include "cli/trade/trade_row.h"
 #include "common/error.h"
+#include "common/io/temporary_folder.h"
 #include "common/points.h"
 #include "common/progress.h"
 #include "preprocess/convert_options.h"
@@ -26,12 +28,6 @@ class TradeFiles {
   /// end.
   static Result<TradeFiles> read(const std::filesystem::path& scan, Progress& progress);
 
-  TradeFiles(TradeFiles&& other) noexcept;
-  TradeFiles& operator=(TradeFiles&& other) noexcept;
-  TradeFiles(const TradeFiles&) = delete;
-  TradeFiles& operator=(const TradeFiles&) = delete;
-  ~TradeFiles();
-
   [[nodiscard]] const Points& points() const { return points_; }
 
   /// The file with these options of `relief convert`; `conversion` are those without the file's
@@ -45,11 +41,12 @@ class TradeFiles {
     double seconds = 0.0;
   };
 
-  TradeFiles() = default;
+  TradeFiles(std::filesystem::path scan, TemporaryFolder folder)
+      : scan_(std::move(scan)), folder_(std::move(folder)) {}
   Result<const Converted*> convert_once(const OptionValues& conversion, Progress& progress);
 
   std::filesystem::path scan_;
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
   Points points_;
   double read_seconds_ = 0.0;
   std::map<OptionValues, std::unique_ptr<Converted>> converted_;
