@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "cli/plot/markup.h"
 #include "cli/plot/plot_axis.h"
 
 namespace relief::cli {
@@ -36,22 +37,6 @@ struct Box {
 
 double width_of(const std::string& label) {
   return kLetter * static_cast<double>(label.size());
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<') {
-      out += "&lt;";
-    } else if (c == '&') {
-      out += "&amp;";
-    } else if (static_cast<unsigned char>(c) < 0x20U) {
-      out += ' ';  // XML has no control characters
-    } else {
-      out += c;
-    }
-  }
-  return out;
 }
 
 Axis cost_axis(const Plot& plot) {
@@ -112,7 +97,7 @@ class Panel {
   }
   void text(double x, double y, const char* kind, const std::string& words) {
     svg_ += fmt::format(R"(<text class="{}" x="{:.1f}" y="{:.1f}">{}</text>)", kind, x, y,
-                        escaped(words)) +
+                        as_markup(words)) +
             "\n";
   }
 
@@ -163,7 +148,7 @@ class Panel {
     const bool before = label.x1 < x;  // with another font it still ends there
     svg_ += fmt::format(R"(<text class="{}" text-anchor="{}" x="{:.1f}" y="{:.1f}">{}</text>)",
                         best ? "best-label" : "label", before ? "end" : "start",
-                        before ? label.x1 : label.x0, label.y1 - 3.0, escaped(point.name)) +
+                        before ? label.x1 : label.x0, label.y1 - 3.0, as_markup(point.name)) +
             "\n";
   }
 
@@ -241,7 +226,7 @@ std::string plot_as_svg(const Plot& plot) {
       width, height, width, height);
   svg += fmt::format("\n{}<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n", kStyle);
   svg += fmt::format("<text class=\"heading\" x=\"{:.1f}\" y=\"28\">{}</text>\n", kLeft,
-                     escaped(plot.title));
+                     as_markup(plot.title));
   const Axis cost = cost_axis(plot);
   double left = 0.0;
   for (const PlotPanel& panel : plot.panels) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "cli/plot/markup.h"
 #include "cli/reports/trade_report.h"
 #include "cli/trade/trade_front.h"
 #include "cli/trade/trade_plot.h"
@@ -35,9 +36,9 @@ std::string introduction(const TradeReport& report) {
       "<p>{} points, drawn at {}x{}, {}, by {}. Truth: {}, ray traced with 16 rays a pixel. {} "
       "settings were measured in {:.0f} s{}. A setting's time is its ratio to the default's, drawn "
       "in turns with it, times the default's median.</p>\n",
-      as_html(report.scan), report.points, report.width, report.height,
-      relief::name_of(kMaterials, report.material), as_html(report.renderer),
-      as_html(describe_truth(report)), report.rows.size(), report.seconds,
+      as_markup(report.scan), report.points, report.width, report.height,
+      relief::name_of(kMaterials, report.material), as_markup(report.renderer),
+      as_markup(describe_truth(report)), report.rows.size(), report.seconds,
       report.is_complete ? ", all neighbours of the fronts among them"
                          : "; a longer <code>--trade-seconds</code> may find more");
 }
@@ -45,20 +46,20 @@ std::string introduction(const TradeReport& report) {
 std::string commands_of(const TradeReport& report, std::size_t k) {
   const TradeSetting& setting = report.rows[k].setting;
   return fmt::format("<code>{}</code><br><code>{}</code>",
-                     as_html(convert_command(report.knobs, setting)),
-                     as_html(render_command(report.knobs, setting)));
+                     as_markup(convert_command(report.knobs, setting)),
+                     as_markup(render_command(report.knobs, setting)));
 }
 
 std::string answers_section(const TradeReport& report) {
   std::string html = "<h2>Answers</h2>\n";
   for (const TradeAnswer& found : report.answers) {
-    html += fmt::format("<p><b>{}:</b> ", as_html(found.question.text));
+    html += fmt::format("<p><b>{}:</b> ", as_markup(found.question.text));
     if (found.row) {
       const TradeRow& row = report.rows[*found.row];
-      html += fmt::format("{}. {}<br>{}</p>\n", as_html(row.name), describe_row(row),
+      html += fmt::format("{}. {}<br>{}</p>\n", as_markup(row.name), describe_row(row),
                           commands_of(report, *found.row));
     } else {
-      html += fmt::format("none. {}</p>\n", as_html(found.why_not));
+      html += fmt::format("none. {}</p>\n", as_markup(found.why_not));
     }
   }
   return html;
@@ -81,7 +82,7 @@ std::string presets_section(const TradeReport& report) {
     const TradeRow& row = report.rows[k];
     if (!row.quality) continue;
     html += fmt::format("<tr data-row=\"{}\"><td><b>{}</b>: {}<br>{}</td>", k,
-                        relief::name_of(kQualities, *row.quality), as_html(row.name),
+                        relief::name_of(kQualities, *row.quality), as_markup(row.name),
                         describe_row(row));
     html += distance_cell(distance_to_front(report.rows, k, judged_quantities()));
     for (const TradePlane& plane : trade_planes())
@@ -120,7 +121,7 @@ std::string table_row(const TradeReport& report, std::size_t k, bool is_minor) {
   const TradeRow& row = report.rows[k];
   std::string html =
       fmt::format("<tr data-row=\"{}\"{}><td>{}{}</td>", k, is_minor ? " class=\"minor\"" : "",
-                  as_html(row.name),
+                  as_markup(row.name),
                   row.quality ? fmt::format(" <b>{}</b>", relief::name_of(kQualities, *row.quality))
                               : std::string());
   const std::array<const TradeQuantity*, 7> quantities{
@@ -130,7 +131,7 @@ std::string table_row(const TradeReport& report, std::size_t k, bool is_minor) {
     const auto value = quantity->of(row);
     html += cell_of(value, value ? readable(*quantity, *value) : std::string());
   }
-  const TradeAccuracy& accuracy = row.accuracy;
+  const PictureAccuracy& accuracy = row.accuracy;
   html += cell_of(accuracy.flip_mean,
                   accuracy.flip_mean ? fmt::format("{:.4f}", *accuracy.flip_mean) : std::string());
   html += cell_of(accuracy.holes) + cell_of(accuracy.border_missing) +
@@ -161,7 +162,7 @@ std::string trade_page(const TradeReport& report) {
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>The trade of "
       "{}</title>\n<style>\n{}{}</style>\n</head>\n<body>\n",
-      as_html(report.scan), trade_page_style(), trade_plot_style());
+      as_markup(report.scan), trade_page_style(), trade_plot_style());
   html += introduction(report) + answers_section(report) + presets_section(report) +
           plots_section(report) + table_section(report);
   html += fmt::format(

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <variant>
 
+#include "cli/plot/markup.h"
 #include "cli/plot/plot_axis.h"
 
 namespace relief::cli {
@@ -100,7 +101,7 @@ std::string point_of(const Canvas& canvas, const TradeRow& row, std::size_t numb
   return fmt::format(
       R"(<circle class="{}" data-row="{}" cx="{:.1f}" cy="{:.1f}" r="{}" fill="{}"><title>{}: {}, {}</title></circle>)",
       is_best ? "tp ton" : "tp", number, canvas.x_of(cost), canvas.y_of(quality),
-      is_best ? 5.0 : 3.5, colour_of_painter(painter), as_html(row.name),
+      is_best ? 5.0 : 3.5, colour_of_painter(painter), as_markup(row.name),
       readable(plane.cost, cost), readable(plane.quality, quality));
 }
 
@@ -218,29 +219,6 @@ const char* trade_plot_style() {
          ".trade .tr { fill: none; stroke: #c00; stroke-width: 2; pointer-events: none }\n"
          ".trade .tn { pointer-events: none }\n"
          ".trade .same { stroke: #c00; stroke-width: 3; fill-opacity: 1 }\n";
-}
-
-std::string as_html(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '&':
-        out += "&amp;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
 }
 
 std::string readable(const TradeQuantity& quantity, double value) {

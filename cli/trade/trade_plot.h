@@ -30,9 +30,6 @@ namespace relief::cli {
 /// Rules of CSS for the plots.
 [[nodiscard]] const char* trade_plot_style();
 
-/// The text with what HTML and SVG keep for themselves replaced.
-[[nodiscard]] std::string as_html(const std::string& text);
-
 /// A value as a person reads it: "479,120", "36.4 MB", "48.1 dB".
 [[nodiscard]] std::string readable(const TradeQuantity& quantity, double value);
 

@@ -37,6 +37,7 @@ TradeRow row_of(const Made& made) {
 
 std::vector<TradeRow> rows_of(const std::vector<Made>& all) {
   std::vector<TradeRow> rows;
+  rows.reserve(all.size());
   for (const Made& made : all) rows.push_back(row_of(made));
   return rows;
 }
