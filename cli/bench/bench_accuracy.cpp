@@ -95,6 +95,19 @@ Result<std::vector<Comparison>> compare_rows(const std::vector<BenchMethod>& row
   return all;
 }
 
+PictureAccuracy accuracy_of(const Comparison& comparison) {
+  PictureAccuracy accuracy;
+  accuracy.psnr_db = comparison.psnr_db;
+  accuracy.flip_mean = comparison.flip.mean;
+  if (comparison.coverage) {
+    accuracy.holes = comparison.coverage->holes;
+    accuracy.border_missing = comparison.coverage->border_missing;
+    accuracy.border_extra = comparison.coverage->border_extra;
+  }
+  if (comparison.normal) accuracy.normal_rms_deg = comparison.normal->rms_deg;
+  return accuracy;
+}
+
 Result<std::vector<RowAccuracy>> measure_accuracy(const std::vector<BenchMethod>& rows,
                                                   const TriangleMesh* mesh, CompareNormals normals,
                                                   Progress& progress) {
@@ -110,18 +123,10 @@ Result<std::vector<RowAccuracy>> measure_accuracy(const std::vector<BenchMethod>
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const Comparison& own = seen[row];
     const Comparison& mirror = mirrors[row];
-    RowAccuracy accuracy;
-    accuracy.psnr_db = own.psnr_db;
+    RowAccuracy accuracy{accuracy_of(own), {}, {}, {}};
     accuracy.psnr_covered_db = value_of(own.psnr_covered_db);
     accuracy.psnr_mirror_db = mirror.psnr_db;
     accuracy.psnr_mirror_covered_db = value_of(mirror.psnr_covered_db);
-    accuracy.flip_mean = own.flip.mean;
-    if (own.coverage) {
-      accuracy.holes = own.coverage->holes;
-      accuracy.border_missing = own.coverage->border_missing;
-      accuracy.border_extra = own.coverage->border_extra;
-    }
-    if (own.normal) accuracy.normal_rms_deg = own.normal->rms_deg;
     all.push_back(accuracy);
   }
   return all;

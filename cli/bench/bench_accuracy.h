@@ -12,19 +12,25 @@
 
 namespace relief::cli {
 
-/// A row's images against ray-traced ones; empty where it could not be measured. The PSNR of
-/// the PSNR of equal images is infinite.
-struct RowAccuracy {
-  std::optional<double> psnr_db;          ///< in the row's material, over all pixels
-  std::optional<double> psnr_covered_db;  ///< over those that both cover
-  std::optional<double> psnr_mirror_db;   ///< the same as a mirror
-  std::optional<double> psnr_mirror_covered_db;
-  std::optional<double> flip_mean;     ///< LDR-FLIP, in the row's material
+/// An image against a ray-traced one; empty where it could not be measured. The PSNR of equal
+/// images is infinite.
+struct PictureAccuracy {
+  std::optional<double> psnr_db;       ///< over all pixels
+  std::optional<double> flip_mean;     ///< LDR-FLIP
   std::optional<std::uint64_t> holes;  ///< pixels inside the silhouette that only the truth covers
   std::optional<std::uint64_t> border_missing;  ///< that only the truth covers, at the silhouette
   std::optional<std::uint64_t> border_extra;    ///< that only the row covers: its overhang
   std::optional<double> normal_rms_deg;  ///< over pixels that both cover, if normals are compared
 };
+
+/// A row's images: in its material, and as a mirror.
+struct RowAccuracy : PictureAccuracy {
+  std::optional<double> psnr_covered_db;  ///< over pixels that both cover
+  std::optional<double> psnr_mirror_db;   ///< the same as a mirror
+  std::optional<double> psnr_mirror_covered_db;
+};
+
+[[nodiscard]] PictureAccuracy accuracy_of(const Comparison& comparison);
 
 /// Whether the directions of normals are compared, too.
 enum class CompareNormals : bool { No, Yes };

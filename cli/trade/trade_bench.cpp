@@ -37,19 +37,6 @@ Result<TriangleMesh> finest_patches(TradeFiles& files, Progress& progress) {
   return mesh_of_patches(finest->model);
 }
 
-TradeAccuracy accuracy_of(const Comparison& comparison) {
-  TradeAccuracy accuracy;
-  accuracy.psnr_db = comparison.psnr_db;
-  accuracy.flip_mean = comparison.flip.mean;
-  if (comparison.coverage) {
-    accuracy.holes = comparison.coverage->holes;
-    accuracy.border_missing = comparison.coverage->border_missing;
-    accuracy.border_extra = comparison.coverage->border_extra;
-  }
-  if (comparison.normal) accuracy.normal_rms_deg = comparison.normal->rms_deg;
-  return accuracy;
-}
-
 std::optional<Quality> quality_of(const std::vector<TradeKnob>& knobs,
                                   const TradeSetting& setting) {
   for (const auto& [name, quality] : kQualities) {

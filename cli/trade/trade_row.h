@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/bench/bench_accuracy.h"
 #include "cli/options/quality.h"
 #include "cli/trade/trade_knobs.h"
 
@@ -21,22 +22,12 @@ struct TradeFileCost {
   std::uint64_t patches = 0;
 };
 
-/// Empty where it could not be measured.
-struct TradeAccuracy {
-  std::optional<double> psnr_db;  ///< over all pixels; infinite for equal images
-  std::optional<double> flip_mean;
-  std::optional<double> normal_rms_deg;
-  std::optional<std::uint64_t> holes;
-  std::optional<std::uint64_t> border_missing;
-  std::optional<std::uint64_t> border_extra;
-};
-
 struct TradeRow {
   TradeSetting setting;
   std::string name;
   std::optional<Quality> quality;  ///< of whose preset it is the setting
   TradeFileCost file;
-  TradeAccuracy accuracy;
+  PictureAccuracy accuracy;
   /// Over that of the default setting, drawn in turns with it: so rows of different minutes can be
   /// compared on a machine that does other work, too.
   double time_ratio = 1.0;

@@ -40,17 +40,6 @@ Result<std::vector<TimedPicture>> prepare_pictures(const std::vector<BenchMethod
   return timed;
 }
 
-std::optional<std::uint64_t> bytes_of(const RenderResult& result) {
-  if (!result.explanation) return std::nullopt;
-  std::uint64_t bytes = 0;
-  for (const auto* const kind : {&result.explanation->buffers, &result.explanation->textures}) {
-    for (const Explanation::Memory& memory : *kind) {
-      if (memory.bound) bytes += memory.bytes;
-    }
-  }
-  return bytes;
-}
-
 }  // namespace
 
 Result<TradeTimes> time_pictures(const std::vector<BenchMethod>& pictures,
@@ -73,7 +62,8 @@ Result<TradeTimes> time_pictures(const std::vector<BenchMethod>& pictures,
     row.time.frames = static_cast<int>(picture.frame_ms.size());
     row.time.frame_ms = median_of(picture.frame_ms);
     row.covered_pixels = picture.last.covered_pixels;
-    if (needs_opengl(picture.settings.engine)) row.gpu_bytes = bytes_of(picture.last);
+    if (needs_opengl(picture.settings.engine) && picture.last.explanation)
+      row.gpu_bytes = bound_bytes(*picture.last.explanation).all;
     times.renderer = picture.last.renderer;
     times.rows.push_back(row);
   }

@@ -146,18 +146,9 @@ class Bench {
     Entry& entry = *entries_.back();
     RELIEF_TRY_ASSIGN(entry.drawing, engine.make_drawing(entry.frame, settings, Counting::Off));
     (void)time_frame(gl, entry.frame, *entry.drawing);
-    const Explanation seen = gl.recorder->explain();
-    std::uint64_t all_bytes = 0;
-    std::uint64_t model_bytes = 0;
-    for (const auto* const kind : {&seen.buffers, &seen.textures}) {
-      for (const Explanation::Memory& memory : *kind) {
-        if (!memory.bound) continue;
-        all_bytes += memory.bytes;
-        if (!memory.target) model_bytes += memory.bytes;
-      }
-    }
-    entry.result.gpu_bytes = all_bytes;
-    entry.result.model_bytes = model_bytes;
+    const BoundBytes bytes = bound_bytes(gl.recorder->explain());
+    entry.result.gpu_bytes = bytes.all;
+    entry.result.model_bytes = bytes.model;
     RenderResult read;
     read_frame(gl, entry.frame, settings.background.has_value(), read);
     entry.result.covered_pixels = read.covered_pixels;

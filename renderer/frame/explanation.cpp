@@ -32,6 +32,18 @@ void unite(Memories& all, const Memories& more) {
 
 }  // namespace
 
+BoundBytes bound_bytes(const Explanation& explanation) {
+  BoundBytes bytes;
+  for (const auto* const kind : {&explanation.buffers, &explanation.textures}) {
+    for (const Explanation::Memory& memory : *kind) {
+      if (!memory.bound) continue;
+      bytes.all += memory.bytes;
+      if (!memory.target) bytes.model += memory.bytes;
+    }
+  }
+  return bytes;
+}
+
 void append(Explanation& all, const Explanation& more) {
   for (const std::string& feature : more.features) {
     if (std::find(all.features.begin(), all.features.end(), feature) == all.features.end())

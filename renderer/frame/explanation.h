@@ -41,6 +41,14 @@ struct Explanation {
   std::vector<Draw> draws;            ///< the same
 };
 
+/// Bytes of the buffers and textures that the frame's draw calls had bound.
+struct BoundBytes {
+  std::uint64_t all = 0;
+  std::uint64_t model = 0;  ///< without what the frame draws into
+};
+
+[[nodiscard]] BoundBytes bound_bytes(const Explanation& explanation);
+
 /// Adds what a further part of the same frame took.
 void append(Explanation& all, const Explanation& more);
 
