@@ -40,9 +40,7 @@ std::vector<std::string> feature_names(Features features) {
   std::map<std::uint32_t, std::string> names = read_names();
   std::vector<std::string> found;
   for (std::uint32_t bit = 1; bit != 0; bit <<= 1U) {
-    if (!features.has(bit)) continue;
-    const std::string& name = names[bit];
-    found.push_back(name.empty() ? fmt::format("bit {:#x}", bit) : name);
+    if (features.has(bit)) found.push_back(names[bit]);
   }
   if (features.lights > 0) found.push_back(fmt::format("lights {}", features.lights));
   return found;

@@ -1,5 +1,7 @@
 #include "renderer/view/sided_list.h"
 
+#include <algorithm>
+
 namespace relief {
 namespace {
 
@@ -31,6 +33,12 @@ SidedList split(const PatchStore& store, const View& view, const std::vector<std
 }
 
 }  // namespace
+
+bool shows_backs(const PatchStore& store, const View& view) {
+  if (view.cull == CullMode::None) return true;
+  const std::vector<bool> alone = front_alone(store, view);
+  return std::find(alone.begin(), alone.end(), false) != alone.end();
+}
 
 SidedList by_cull_mode(const PatchStore& store, const View& view,
                        const std::vector<std::uint32_t>& patches) {

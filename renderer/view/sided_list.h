@@ -16,6 +16,9 @@ struct SidedList {
   std::vector<std::uint32_t> front;
 };
 
+/// Whether a view shows both sides of some instance.
+[[nodiscard]] bool shows_backs(const PatchStore& store, const View& view);
+
 /// Which patches of the store a view shows with both sides.
 [[nodiscard]] SidedList by_cull_mode(const PatchStore& store, const View& view,
                                      const std::vector<std::uint32_t>& patches);

@@ -7,4 +7,6 @@ layout(location = 12) flat out uint side;
 void write_side(float along) {
   side = along < 0.0 ? 1u : 2u;
 }
+#else
+void write_side(float along) {}
 #endif

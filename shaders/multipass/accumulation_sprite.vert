@@ -18,9 +18,7 @@ void main() {
   float radius = blending_radius(splat, info);
   DiscAxes axes = disc_axes(splat.slope);
   write_clip_range(gl_VertexID, splat, info);
-#if (RELIEF_FEATURES & RELIEF_FEATURE_SIDED) != 0u
   write_side(facing_along(splat, fetch_eye(patch_index)));
-#endif
   write_attributes(patch_index, info, splat.centre.xy, radius * vec4(axes.u.xy, axes.v.xy));
   ScreenFrame seen =
       project_frame(splat.centre, radius * axes.u, radius * axes.v, clip_from_grid);

@@ -18,9 +18,7 @@ void main() {
   float radius = blending_radius(splat, info);
   DiscAxes axes = disc_axes(splat.slope);
   write_clip_range(gl_VertexID / 3, splat, info);
-#if (RELIEF_FEATURES & RELIEF_FEATURE_SIDED) != 0u
   write_side(facing_along(splat, fetch_eye(patch_index)));
-#endif
   write_attributes(patch_index, info, splat.centre.xy, radius * vec4(axes.u.xy, axes.v.xy));
   int corner = gl_VertexID % 3;
   position = corner == 2 ? vec2(0.0, 2.0) : vec2(corner == 0 ? -sqrt(3.0) : sqrt(3.0), -1.0);

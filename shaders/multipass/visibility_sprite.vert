@@ -30,9 +30,7 @@ void main() {
   grid_position = vec4(splat.centre.xy + offset, half_side);
   hit_patch = patch_index;
   write_clip_range(gl_VertexID, splat, info);
-#if (RELIEF_FEATURES & RELIEF_FEATURE_SIDED) != 0u
   write_side(facing_along(splat, fetch_eye(patch_index)));
-#endif
   SpriteBox box = bound_disc(splat, covering_radius(splat), clip_from_grid);
   gl_Position =
       box.drawable ? vec4(box.centre, set_back(box.nearest, by), 1.0) : vec4(0.0, 0.0, 2.0, 1.0);

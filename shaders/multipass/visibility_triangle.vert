@@ -21,9 +21,7 @@ void main() {
   node = splat.centre.xy + offset;
   hit_patch = patch_index;
   write_clip_range(gl_VertexID / 3, splat, info);
-#if (RELIEF_FEATURES & RELIEF_FEATURE_SIDED) != 0u
   write_side(facing_along(splat, fetch_eye(patch_index)));
-#endif
   gl_Position =
       clip_from_grid * vec4(splat.centre + vec3(offset, dot(offset, splat.slope)), 1.0);
   gl_Position.z = set_back(gl_Position.z, visibility_set_back(splat, info));

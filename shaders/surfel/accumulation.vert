@@ -25,9 +25,7 @@ void main() {
   SurfelVertex vertex = fetch_vertex();
   disc = vertex.disc;
   write_clip_range(vertex.surfel.number);
-#if (RELIEF_FEATURES & RELIEF_FEATURE_SIDED) != 0u
   write_side(facing_along(vertex.surfel));
-#endif
 #if RELIEF_SURFEL_NEEDS_NORMAL
   normal = vertex.normal;
 #endif

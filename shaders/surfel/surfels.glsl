@@ -61,7 +61,6 @@ SurfelVertex fetch_vertex() {
   return vertex;
 }
 
-#if (RELIEF_FEATURES & RELIEF_FEATURE_SIDED) != 0u
 // The ray to the centre of a surfel along its normal; of any length.
 float facing_along(Surfel surfel) {
   vec3 normal = cross(surfel.u / surfel.radius, surfel.v / surfel.radius);
@@ -71,7 +70,6 @@ float facing_along(Surfel surfel) {
   return dot(normal, surfel.centre);
 #endif
 }
-#endif
 
 vec4 clip_position(vec3 position) {
   return surfel_frame.clip_from_eye * vec4(position, 1.0);

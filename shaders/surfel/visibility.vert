@@ -13,9 +13,7 @@ void main() {
   SurfelVertex vertex = fetch_vertex();
   disc = vertex.disc;
   write_clip_range(vertex.surfel.number);
-#if (RELIEF_FEATURES & RELIEF_FEATURE_SIDED) != 0u
   write_side(facing_along(vertex.surfel));
-#endif
 #if (RELIEF_FEATURES & (RELIEF_FEATURE_OUT_UV | RELIEF_FEATURE_OUT_PATCH | RELIEF_FEATURE_MIXED)) != 0u
   identity = texelFetch(identities, vertex.surfel.number);
 #endif

@@ -9,8 +9,6 @@
 #include "renderer/frame/gl_engine.h"
 #include "renderer/frame/variant_cache.h"
 #include "renderer/shading/materials.h"
-#include "renderer/view/cull_mode.h"
-#include "renderer/view/draw_list.h"
 #include "renderer/view/sided_list.h"
 
 namespace relief::multipass {
@@ -58,7 +56,7 @@ class Prepared final : public GlPreparedModel {
     Progress silent;
     RELIEF_TRY_ASSIGN(const ClipTables* const clip, clip_tables(settings, silent));
     Features features = splat_features(settings, model().maps());
-    if (shows_backs(settings, frame.view)) features |= RELIEF_FEATURE_SIDED;
+    if (shows_backs(model().store(), frame.view)) features |= RELIEF_FEATURE_SIDED;
     RELIEF_TRY_ASSIGN(auto sums, make_sums(model().gl(), frame.targets, features));
     if (counting == Counting::On) features |= RELIEF_FEATURE_COUNT_FRAGMENTS;
     RELIEF_TRY_ASSIGN(const Variant* variant, variants_.get(model(), features));
@@ -67,15 +65,6 @@ class Prepared final : public GlPreparedModel {
   }
 
  private:
-  /// Whether both sides of some patch are drawn.
-  [[nodiscard]] bool shows_backs(const RenderSettings& settings, const View& view) const {
-    if (!may_hide_backs(settings, model().maps().closed)) return true;
-    if (settings.cull == CullMode::Back) return false;
-    const PatchStore& store = model().store();
-    const auto visible = find_visible(store, view, settings.multipass.radius_factor);
-    return !by_cull_mode(store, view, visible).both.empty();
-  }
-
   Result<const ClipTables*> clip_tables(const RenderSettings& settings, Progress& progress) {
     return clips_.get(model().gl(), model().store(), settings.clip,
                       settings.multipass.radius_factor, progress);
