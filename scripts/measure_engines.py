@@ -16,6 +16,8 @@ import subprocess
 import sys
 import tempfile
 
+from page_section import write_section
+
 MODELS = ("dragon_vrip.ply.gz", "fandisk.obj", "lion_takanawa_rgb_normals.ply.gz")
 DOCS = pathlib.Path(__file__).resolve().parent.parent / "docs"
 PAGE = DOCS / "engines.md"
@@ -119,14 +121,6 @@ def stack(plots):
     return "\n".join([*out, "</svg>", ""])
 
 
-def write_table(table):
-    text = PAGE.read_text(encoding="utf-8")
-    if BEGIN not in text or END not in text:
-        give_up(f"{PAGE} lacks the lines {BEGIN} and {END}")
-    before, after = text[:text.index(BEGIN)], text[text.index(END):]
-    PAGE.write_text(f"{before}{BEGIN}\n\n{table}\n\n{after}", encoding="utf-8")
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("relief", type=pathlib.Path)
@@ -145,7 +139,7 @@ def main():
             report, plot = measure(arguments, path, work)
             reports[path.name] = report
             plots.append(plot)
-    write_table(table_of(reports, arguments))
+    write_section(PAGE, BEGIN, END, table_of(reports, arguments))
     PLOT.write_text(stack(plots), encoding="utf-8")
 
 

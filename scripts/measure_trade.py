@@ -16,6 +16,7 @@ import re
 import sys
 import tempfile
 
+from page_section import write_section
 from run_command import run
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -125,14 +126,6 @@ def text_of(reports, unseen, arguments):
     return "\n".join(lines)
 
 
-def write_page(text):
-    page = PAGE.read_text(encoding="utf-8")
-    if BEGIN not in page or END not in page:
-        sys.exit(f"measure_trade.py: {PAGE} lacks the lines {BEGIN} and {END}")
-    before, after = page[:page.index(BEGIN)], page[page.index(END):]
-    PAGE.write_text(f"{before}{BEGIN}\n\n{text}\n{after}", encoding="utf-8")
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("relief", type=pathlib.Path)
@@ -152,8 +145,9 @@ def main():
                   for name in UNSEEN}
     for name, (_, page) in measured.items():
         (ROOT / "docs" / "images" / f"trade_{name}.svg").write_text(first_plots(page), encoding="utf-8")
-    write_page(text_of({name: report for name, (report, _) in measured.items()},
-                       {name: report for name, (report, _) in unseen.items()}, arguments))
+    text = text_of({name: report for name, (report, _) in measured.items()},
+                   {name: report for name, (report, _) in unseen.items()}, arguments)
+    write_section(PAGE, BEGIN, END, text)
 
 
 if __name__ == "__main__":
