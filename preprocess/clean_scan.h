@@ -23,9 +23,9 @@ struct CleanScan {
 };
 
 /// Drops stray points (find_stray_points) of bare points, and moves points to where they are
-/// without noise (remove_noise), as options.noise has it. `unit`: what lengths are in, in world
-/// units, for messages. By default the vertices of meshes stay as
-/// they are: a mesh is its triangles. Reports both. Fails if the user interrupts.
+/// without noise (remove_noise), as options.noise has it. By default the vertices of meshes
+/// stay as they are: a mesh is its triangles. Reports both. `unit`: what lengths are in, in world
+/// units, for messages. Fails if the user interrupts.
 Result<CleanScan> clean_scan(Points& points, const ConvertOptions& options, double unit,
                              ConvertReport& report, Progress& progress);
 

@@ -52,8 +52,8 @@ bool on_one_line(const std::vector<glm::dvec3>& positions, const Bounds& bounds)
 // Points farther off than this many sizes of the scan leave single precision when they are squared.
 constexpr double kFarthestStray = 1e13;
 
-/// The same of the points in the middle of the scan, without those that lie far off. Also if some
-/// lie so far off that nothing can be computed beside them.
+/// Whether the points in the middle of the scan lie on one line: those far off do not count. Also
+/// true if a point lies so far off that nothing can be computed beside it.
 bool on_one_line_in_the_middle(const std::vector<glm::dvec3>& positions) {
   const Bounds bounds = bounds_of(positions);
   const double reach = kFarthestStray * working_unit(positions);

@@ -63,14 +63,11 @@ void add_quality_option(CLI::App& sub, std::optional<Quality>& quality) {
   sub.add_option_function<std::string>(
          "--quality",
          [&quality](const std::string& name) {
-           const auto found =
-               std::find_if(kQualities.begin(), kQualities.end(),
-                            [&name](const auto& known) { return known.name == name; });
-           if (found == kQualities.end()) {
+           quality = find_named(kQualities, name);
+           if (!quality) {
              throw CLI::ValidationError("--quality",
                                         "expected draft, balanced or exact; found " + name);
            }
-           quality = found->value;
          },
          "Preset of options (docs/trade.md): draft is fastest and smallest, exact is nearest to "
          "the "

@@ -145,13 +145,12 @@ std::vector<TradeKnob> trade_knobs() {
   knobs.push_back(number_knob("samples-per-point", TradeStage::Convert,
                               {0.0625, 0.125, 0.25, 0.5, 2.0}, 1.0, "default samples"));
   knobs.push_back(file_knob());
-  TradeKnob levels =
-      number_knob("pixels-per-sample", TradeStage::Render, {0.0, 1.0, 2.0, 4.0, 8.0, 16.0},
-                  kPixelsPerSampleOfCells, "4 pixels a sample");
-  knobs.push_back(std::move(levels));
+  knobs.push_back(number_knob("pixels-per-sample", TradeStage::Render,
+                              {0.0, 1.0, 2.0, 4.0, 8.0, 16.0}, kPixelsPerSampleOfCells,
+                              "4 pixels a sample"));
   TradeKnob samples = number_knob("samples", TradeStage::Render, {1.0, 4.0, 16.0},
                                   static_cast<double>(kPictureSamples), "4 samples a pixel");
-  // A bench draws one sample a pixel unless it is told otherwise; a picture has more.
+  // Set, because rows of a bench have one sample a pixel by default, and pictures have more.
   samples.choices[samples.usual].options = {{"samples", static_cast<double>(kPictureSamples)}};
   knobs.push_back(std::move(samples));
   return knobs;
