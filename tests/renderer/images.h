@@ -50,6 +50,27 @@ inline RenderResult must_render(const PatchModel& model, const RenderSettings& s
   return {};
 }
 
+/// Whether a GPU drew, not llvmpipe.
+inline bool drawn_by_gpu(const RenderResult& result) {
+  return !result.renderer.starts_with("llvmpipe");
+}
+
+/// How far beside its pixel's middle a fragment at `depth` may be interpolated, in the model's
+/// units. GPUs round vertices to 1/256 pixel each way (GL_SUBPIXEL_BITS is 8 nearly everywhere) and
+/// interpolate between those; llvmpipe interpolates between vertices as they were.
+inline double rasteriser_rounding(const RenderSettings& settings, const RenderResult& result,
+                                  double depth) {
+  if (!drawn_by_gpu(result)) return 0.0;
+  const double slope = std::tan(settings.camera.vertical_fov_degrees * std::acos(-1.0) / 360.0);
+  return std::sqrt(2.0) / 512.0 * 2.0 * slope * depth / settings.height;
+}
+
+/// The most that a colour of 1 is off, or a fraction of it, by what draws it: GPUs may round to
+/// half floats toward 0.
+inline float colour_rounding(const RenderResult& result) {
+  return drawn_by_gpu(result) ? 0x1p-11F : 0.0F;
+}
+
 inline const std::vector<float>& values(const Image& image, const char* name) {
   static const std::vector<float> nothing;
   const Channel* channel = image.find(name);

@@ -224,8 +224,9 @@ TEST(FineNormals, CoarseLevelsKeepTheFineMap) {
     ++count;
   }
   ASSERT_GT(count, 10'000U);
-  // Places of the two are equal up to rounding.
-  EXPECT_LT(sum / static_cast<double>(count), 0.05);
+  // Places of the two are equal up to rounding. GPUs weigh texels, here up to 12 degrees apart, in
+  // steps of 1/256 along two axes, in both images.
+  EXPECT_LT(sum / static_cast<double>(count), test::drawn_by_gpu(finest) ? 0.08 : 0.05);
 }
 
 TEST(FineNormals, LitAndMirrorImagesAreThoseOfRaysToThePatch) {

@@ -209,8 +209,11 @@ TEST(SurfacePick, OfASphereMeetsWhatIsDrawn) {
     EXPECT_GT(offsets.count, 3000U);
     EXPECT_EQ(offsets.missing, 0U);
     // Depths are floats, and slopes of splats beside the cells bytes, here of the steepest of a
-    // few nodes instead of the whole patch: less than a hundredth of a cell where they end.
-    EXPECT_LT(offsets.largest, 0.01 * model.spacing);
+    // few nodes instead of the whole patch: less than a hundredth of a cell where they end. Beside
+    // its middle a pixel of the silhouette is up to 20 times as far away as it is aside.
+    const double aside = test::rasteriser_rounding(
+        settings, drawn, glm::distance(settings.camera.eye, model.bounds.max));
+    EXPECT_LT(offsets.largest, 0.01 * model.spacing + 20.0 * aside);
   }
 }
 

@@ -80,8 +80,9 @@ TEST(CellImages, OfAPlaneAreThoseOfQuads) {
     if (values(cells.image, "patch")[k] == 0.0F) continue;
     ++covered;
     // A cell's plane and a quad's differ by the rounding of slopes, half a step of 1/127 of the
-    // steepest, over half a cell.
-    EXPECT_NEAR(values(cells.image, "Z")[k], values(quads.image, "Z")[k], 0.004);
+    // steepest, over half a cell. Where quads meet a GPU may show the farther one: over a cell.
+    const double rounding = test::drawn_by_gpu(quads) ? 0.008 : 0.004;
+    EXPECT_NEAR(values(cells.image, "Z")[k], values(quads.image, "Z")[k], rounding);
     EXPECT_NEAR(values(cells.image, "UV.U")[k], values(quads.image, "UV.U")[k], 0.006);
     EXPECT_NEAR(values(cells.image, "N.Z")[k], values(quads.image, "N.Z")[k], 0.001);
   }
