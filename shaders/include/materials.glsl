@@ -20,9 +20,6 @@ layout(std140, binding = RELIEF_BIND_MATERIALS) uniform MaterialBlock {
   MaterialInfo materials[kMaxMaterials];
 };
 #endif
-#if (RELIEF_FEATURES & RELIEF_FEATURE_ROUGH) != 0u
-layout(binding = RELIEF_TEXTURE_ROUGH_ENVIRONMENTS) uniform samplerCubeArray rough_environments;
-#endif
 
 #if (RELIEF_FEATURES & (RELIEF_FEATURE_MIRROR | RELIEF_FEATURE_ENVIRONMENT_LIGHT)) != 0u
 // `layer`: of a rough environment; below 0 and without any: the one that there is.
@@ -30,7 +27,7 @@ vec3 shade_mirror(vec3 facing, vec3 ray, float layer) {
   vec3 along = reflect(ray, facing);
   vec3 smooth_light = see(along);
 #if (RELIEF_FEATURES & RELIEF_FEATURE_ROUGH) != 0u
-  vec3 rough_light = RELIEF_SEE(rough_environments, vec4(along, max(layer, 0.0)), along);
+  vec3 rough_light = see_roughly(along, max(layer, 0.0));
   return layer < 0.0 ? smooth_light : rough_light;
 #else
   return smooth_light;
