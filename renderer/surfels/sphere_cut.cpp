@@ -57,7 +57,7 @@ class Cutter {
       return;
     }
     if (is_small(node)) return means_.push_back(index);
-    const bool is_undivided = rule_.pixels <= 0.0 && node.count <= rule_.fewest;
+    const bool is_undivided = node.count <= rule_.fewest && !has_small(node);
     if (node.children == 0 || is_undivided) return append_run(cut_.surfels, node.first, node.count);
     for (std::uint32_t c = 0; c < node.children; ++c) visit(node.child + c);
   }
@@ -66,6 +66,13 @@ class Cutter {
   [[nodiscard]] bool is_small(const SphereNode& node) const {
     return rule_.pixels > 0.0 && node.count > 1 && node.cos_angle > 0.0F &&
            2.0 * node.mean_radius <= rule_.pixels * nearest_pixel(view_, node.centre, node.radius);
+  }
+
+  /// Whether a node below may be small: no pixel of its own is larger than where this one is
+  /// farthest. Without this near views visited all nodes, 150,000 of the Dragon's, to find none.
+  [[nodiscard]] bool has_small(const SphereNode& node) const {
+    return rule_.pixels > 0.0 && 2.0 * node.least_mean_radius <=
+                                     rule_.pixels * nearest_pixel(view_, node.centre, -node.radius);
   }
 
   const SphereTree& tree_;

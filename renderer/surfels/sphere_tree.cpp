@@ -165,6 +165,12 @@ Result<SphereTree> build_sphere_tree(const SphereSurfels& surfels, Progress& pro
     }
   });
   if (progress.cancelled()) return interrupted_error();
+  for (std::size_t n = tree.nodes.size(); n-- > 0;) {  // children come after their parents
+    SphereNode& node = tree.nodes[n];
+    if (node.count > 1) node.least_mean_radius = node.mean_radius;
+    for (std::uint32_t c = node.child; c < node.child + node.children; ++c)
+      node.least_mean_radius = std::min(node.least_mean_radius, tree.nodes[c].least_mean_radius);
+  }
   return tree;
 }
 

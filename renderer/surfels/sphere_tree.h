@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -19,11 +20,14 @@ namespace relief {
 /// afar. World frame.
 struct SphereNode {
   glm::dvec3 centre{0.0};
-  double radius = 0.0;         ///< the sphere holds all that is drawn of its surfels
-  glm::vec3 axis{0.0F};        ///< unit; the middle of the cone of normals, and the mean's normal
-  float cos_angle = -1.0F;     ///< of the cone's half angle; -1: it holds all directions
-  glm::dvec3 mean{0.0};        ///< the mean of the positions
-  double mean_radius = 0.0;    ///< of the disc about `mean` that holds them, seen along `axis`
+  double radius = 0.0;       ///< the sphere holds all that is drawn of its surfels
+  glm::vec3 axis{0.0F};      ///< unit; the middle of the cone of normals, and the mean's normal
+  float cos_angle = -1.0F;   ///< of the cone's half angle; -1: it holds all directions
+  glm::dvec3 mean{0.0};      ///< the mean of the positions
+  double mean_radius = 0.0;  ///< of the disc about `mean` that holds them, seen along `axis`
+  /// The least `mean_radius` of it and the nodes below it that hold more than one surfel; infinite
+  /// if none does.
+  double least_mean_radius = std::numeric_limits<double>::infinity();
   std::uint32_t first = 0;     ///< its surfels in SphereTree::order
   std::uint32_t count = 0;     ///< at least 1
   std::uint32_t child = 0;     ///< its first child; its others follow

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
+#include <numeric>
 
 #include "renderer/view/cull_mode.h"
 
@@ -83,14 +84,11 @@ bool is_curved(const Seen& seen, float slope, float radius, const Eye& eye, Surf
          0.5F * slope * radius >= kLeastHeight * pixel;
 }
 
-/// What one task found, by kind, or for sorting all with their kind and depth.
-struct Found {
-  struct Entry {
-    shared::DrawnSurfel drawn;
-    float depth;
-    SurfelKind kind;
-  };
-  std::vector<Entry> entries;
+/// A surfel that is drawn.
+struct Choice {
+  shared::DrawnSurfel drawn;
+  float depth;
+  SurfelKind kind;
 };
 
 shared::DrawnSurfel drawn_at(glm::vec3 place, std::size_t number) {
@@ -106,7 +104,9 @@ struct Selection {
   Eye eye;
 };
 
-void find_in(std::span<const std::uint32_t> slots, const Selection& by, Found& found) {
+/// Hands those of `slots` that are drawn to `take`, in their order.
+template <class Take>
+void find_in(std::span<const std::uint32_t> slots, const Selection& by, const Take& take) {
   const SelectionRule& rule = by.rule;
   for (const std::uint32_t k : slots) {
     const Seen seen = look_at(by.set, k, by.view, by.eye);
@@ -117,7 +117,7 @@ void find_in(std::span<const std::uint32_t> slots, const Selection& by, Found& f
     const float turned = curved ? slope * seen.distance : 0.0F;
     if (rule.hides_backs && seen.away >= turned) continue;
     const bool clipped = rule.all_clipped || (k < rule.clipped.size() && rule.clipped[k] != 0);
-    found.entries.push_back({drawn_at(seen.place, k), seen.depth, {curved, clipped}});
+    take(Choice{drawn_at(seen.place, k), seen.depth, {curved, clipped}});
   }
 }
 
@@ -129,8 +129,9 @@ std::vector<std::uint32_t> cut_slots(const SurfelSet& set, const View& view,
   std::vector<std::uint32_t> slots;
   const auto add_runs = [&slots](const std::vector<SurfelRun>& runs, std::size_t offset) {
     for (const SurfelRun& run : runs) {
-      for (std::uint32_t k = 0; k < run.count; ++k)
-        slots.push_back(static_cast<std::uint32_t>(offset + run.first + k));
+      slots.resize(slots.size() + run.count);
+      std::iota(slots.end() - run.count, slots.end(),
+                static_cast<std::uint32_t>(offset + run.first));
     }
   };
   add_runs(cut.surfels, 0);
@@ -138,11 +139,65 @@ std::vector<std::uint32_t> cut_slots(const SurfelSet& set, const View& view,
   return slots;
 }
 
-void add(const Found::Entry& entry, DrawnSurfels& drawn) {
-  if (drawn.batches.empty() || drawn.batches.back().kind != entry.kind)
-    drawn.batches.push_back({entry.kind, static_cast<std::uint32_t>(drawn.list.size()), 0});
-  ++drawn.batches.back().count;
-  drawn.list.push_back(entry.drawn);
+/// Calls `work(b, slots of block b)` for all blocks, at the same time.
+template <class Work>
+void for_blocks(std::span<const std::uint32_t> slots, const Work& work) {
+  tbb::parallel_for(std::size_t{0}, (slots.size() + kBlock - 1) / kBlock, [&](std::size_t b) {
+    const std::size_t first = b * kBlock;
+    work(b, slots.subspan(first, std::min(kBlock, slots.size() - first)));
+  });
+}
+
+/// Back to front. Neighbours of one kind make a batch.
+DrawnSurfels sorted_by_depth(std::span<const std::uint32_t> slots, const Selection& by) {
+  std::vector<Choice> all;
+  find_in(slots, by, [&all](const Choice& choice) { all.push_back(choice); });
+  std::ranges::sort(all, [](const Choice& a, const Choice& b) {
+    return a.depth != b.depth ? a.depth > b.depth : a.drawn.number < b.drawn.number;
+  });
+  DrawnSurfels drawn;
+  drawn.list.reserve(all.size());
+  for (const Choice& choice : all) {
+    if (drawn.batches.empty() || drawn.batches.back().kind != choice.kind)
+      drawn.batches.push_back({choice.kind, static_cast<std::uint32_t>(drawn.list.size()), 0});
+    ++drawn.batches.back().count;
+    drawn.list.push_back(choice.drawn);
+  }
+  return drawn;
+}
+
+/// Kind by kind, by slot: what each block found is copied to where the blocks before end.
+DrawnSurfels grouped_by_kind(std::span<const std::uint32_t> slots, const Selection& by) {
+  using Lists = std::array<std::vector<shared::DrawnSurfel>, kSurfelKinds.size()>;
+  std::vector<Lists> found((slots.size() + kBlock - 1) / kBlock);
+  for_blocks(slots, [&](std::size_t b, std::span<const std::uint32_t> block) {
+    found[b][0].reserve(block.size());  // most are flat and unclipped
+    find_in(block, by, [&lists = found[b]](const Choice& choice) {
+      lists[choice.kind.index()].push_back(choice.drawn);
+    });
+  });
+  DrawnSurfels drawn;
+  std::size_t end = 0;
+  std::vector<std::array<std::size_t, kSurfelKinds.size()>> places(found.size());
+  for (const SurfelKind& kind : kSurfelKinds) {
+    const std::size_t first = end;
+    for (std::size_t b = 0; b < found.size(); ++b) {
+      places[b][kind.index()] = end;
+      end += found[b][kind.index()].size();
+    }
+    if (end > first) {
+      drawn.batches.push_back(
+          {kind, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end - first)});
+    }
+  }
+  drawn.list.resize(end);
+  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t b) {
+    for (std::size_t kind = 0; kind < kSurfelKinds.size(); ++kind) {
+      const auto place = static_cast<std::ptrdiff_t>(places[b][kind]);
+      std::ranges::copy(found[b][kind], drawn.list.begin() + place);
+    }
+  });
+  return drawn;
 }
 
 }  // namespace
@@ -150,34 +205,7 @@ void add(const Found::Entry& entry, DrawnSurfels& drawn) {
 DrawnSurfels select_surfels(const SurfelSet& set, const View& view, const SelectionRule& rule) {
   const Selection by{set, view, rule, make_eye(view)};
   const std::vector<std::uint32_t> slots = cut_slots(set, view, rule);
-  std::vector<Found> blocks((slots.size() + kBlock - 1) / kBlock);
-  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
-    const std::size_t first = b * kBlock;
-    find_in(std::span(slots).subspan(first, std::min(kBlock, slots.size() - first)), by, blocks[b]);
-  });
-  DrawnSurfels drawn;
-  std::size_t total = 0;
-  for (const Found& block : blocks) total += block.entries.size();
-  drawn.list.reserve(total);
-  if (rule.sorted) {
-    std::vector<Found::Entry> all;
-    all.reserve(total);
-    for (const Found& block : blocks)
-      all.insert(all.end(), block.entries.begin(), block.entries.end());
-    std::ranges::sort(all, [](const Found::Entry& a, const Found::Entry& b) {
-      return a.depth != b.depth ? a.depth > b.depth : a.drawn.number < b.drawn.number;
-    });
-    for (const Found::Entry& entry : all) add(entry, drawn);
-    return drawn;
-  }
-  for (const SurfelKind& kind : kSurfelKinds) {
-    for (const Found& block : blocks) {
-      for (const Found::Entry& entry : block.entries) {
-        if (entry.kind == kind) add(entry, drawn);
-      }
-    }
-  }
-  return drawn;
+  return rule.sorted ? sorted_by_depth(slots, by) : grouped_by_kind(slots, by);
 }
 
 bool sees_from_outside(const SurfelSet& set, const View& view) {

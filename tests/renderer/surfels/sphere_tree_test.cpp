@@ -157,6 +157,17 @@ TEST(SphereTree, MeansStandForSmallNodes) {
   EXPECT_LT(before, 2000U);
 }
 
+TEST(SphereTree, NearViewsAreNotDividedInSearchOfMeans) {
+  const Scene scene = torus_scene(20000);
+  const View view = make_view(camera_at({1.5, -2.0, 1.0}, {0.9, 0.1, 0.0}), 320, 240, 0.01);
+  // Pixels are some 0.003 wide, and the discs of single surfels 0.06.
+  const SphereCut none = cut_sphere_tree(scene.tree, view, {});
+  const SphereCut near = cut_sphere_tree(scene.tree, view, {.pixels = 1.0});
+  EXPECT_TRUE(near.nodes.empty());
+  EXPECT_EQ(near.visited, none.visited);
+  EXPECT_EQ(uses(scene.tree, near), uses(scene.tree, none));
+}
+
 TEST(SphereTree, WiderConesOfBentSurfelsAreCulledLater) {
   Scene scene = torus_scene(5000);
   const std::vector<float> spreads(5000, 0.5F);
