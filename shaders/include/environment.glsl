@@ -76,7 +76,8 @@ EnvironmentLookups environment_lookups(vec3 along, float size) {
 }
 #endif
 
-// `position`: of a direction in `environments`.
+// The body of a function of a direction `along`: what a pixel sees of `environments` there. `position`
+// says where in them it is that `direction` looks.
 #define RELIEF_SEE(environments, position)                                                      \
   EnvironmentLookups lookups =                                                                  \
       environment_lookups(along, float(textureSize(environments, 0).x));                        \

@@ -91,15 +91,18 @@ TEST_F(TextureCli, PatchesAndRaysShowTheTexture) {
     arguments.insert(arguments.end(), method.begin(), method.end());
     const Outcome run = run_relief(arguments);
     ASSERT_EQ(run.exit_code, 0) << run.err;
+    // Where neither llvmpipe nor Embree draws, a GPU does, which may round to half floats toward 0.
+    const bool is_exact = run.out.find("llvmpipe") != std::string::npos ||
+                          run.out.find("Embree") != std::string::npos;
+    const float rounding = is_exact ? 0.0F : 0x1p-11F;
     const auto image = read_image(path("out.exr"));
     ASSERT_TRUE(image);
     for (const std::size_t x : {24U, 40U}) {
       const std::size_t pixel = std::size_t{32} * 64 + x;
-      // Black and white have exact codes, whatever filters constant colours; but GPUs may round to
-      // half floats toward 0.
-      EXPECT_NEAR(image->find("R")->values[pixel], x < 32 ? 1.0F : 0.0F, 0x1p-11F)
+      // Black and white have exact codes, whatever filters constant colours.
+      EXPECT_NEAR(image->find("R")->values[pixel], x < 32 ? 1.0F : 0.0F, rounding)
           << method.front();
-      EXPECT_NEAR(image->find("B")->values[pixel], x < 32 ? 0.0F : 1.0F, 0x1p-11F)
+      EXPECT_NEAR(image->find("B")->values[pixel], x < 32 ? 0.0F : 1.0F, rounding)
           << method.front();
     }
   }

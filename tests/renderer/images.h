@@ -50,7 +50,7 @@ inline RenderResult must_render(const PatchModel& model, const RenderSettings& s
   return {};
 }
 
-/// Whether a GPU drew, not llvmpipe.
+/// Whether a GPU drew what an engine on OpenGL has drawn, not llvmpipe.
 inline bool drawn_by_gpu(const RenderResult& result) {
   return !result.renderer.starts_with("llvmpipe");
 }

@@ -139,19 +139,26 @@ std::vector<std::uint32_t> cut_slots(const SurfelSet& set, const View& view,
   return slots;
 }
 
-/// Calls `work(b, slots of block b)` for all blocks, at the same time.
-template <class Work>
-void for_blocks(std::span<const std::uint32_t> slots, const Work& work) {
-  tbb::parallel_for(std::size_t{0}, (slots.size() + kBlock - 1) / kBlock, [&](std::size_t b) {
+/// What `add(choice, found)` makes of those that are drawn: one `Found` a block, in the blocks'
+/// order.
+template <class Found, class Add>
+std::vector<Found> find_by_block(std::span<const std::uint32_t> slots, const Selection& by,
+                                 const Add& add) {
+  std::vector<Found> blocks((slots.size() + kBlock - 1) / kBlock);
+  tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
     const std::size_t first = b * kBlock;
-    work(b, slots.subspan(first, std::min(kBlock, slots.size() - first)));
+    find_in(slots.subspan(first, std::min(kBlock, slots.size() - first)), by,
+            [&](const Choice& choice) { add(choice, blocks[b]); });
   });
+  return blocks;
 }
 
 /// Back to front. Neighbours of one kind make a batch.
 DrawnSurfels sorted_by_depth(std::span<const std::uint32_t> slots, const Selection& by) {
+  const auto found = find_by_block<std::vector<Choice>>(
+      slots, by, [](const Choice& choice, auto& block) { block.push_back(choice); });
   std::vector<Choice> all;
-  find_in(slots, by, [&all](const Choice& choice) { all.push_back(choice); });
+  for (const std::vector<Choice>& block : found) all.insert(all.end(), block.begin(), block.end());
   std::ranges::sort(all, [](const Choice& a, const Choice& b) {
     return a.depth != b.depth ? a.depth > b.depth : a.drawn.number < b.drawn.number;
   });
@@ -169,12 +176,8 @@ DrawnSurfels sorted_by_depth(std::span<const std::uint32_t> slots, const Selecti
 /// Kind by kind, by slot: what each block found is copied to where the blocks before end.
 DrawnSurfels grouped_by_kind(std::span<const std::uint32_t> slots, const Selection& by) {
   using Lists = std::array<std::vector<shared::DrawnSurfel>, kSurfelKinds.size()>;
-  std::vector<Lists> found((slots.size() + kBlock - 1) / kBlock);
-  for_blocks(slots, [&](std::size_t b, std::span<const std::uint32_t> block) {
-    found[b][0].reserve(block.size());  // most are flat and unclipped
-    find_in(block, by, [&lists = found[b]](const Choice& choice) {
-      lists[choice.kind.index()].push_back(choice.drawn);
-    });
+  const auto found = find_by_block<Lists>(slots, by, [](const Choice& choice, Lists& lists) {
+    lists[choice.kind.index()].push_back(choice.drawn);
   });
   DrawnSurfels drawn;
   std::size_t end = 0;
