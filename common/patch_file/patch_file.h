@@ -62,6 +62,26 @@ struct PatchSummary {
 /// Returns a world box about all samples that a patch with this summary can have.
 [[nodiscard]] Bounds box_of(const PatchSummary& patch);
 
+/// The maps of patches that are read. Heights always are.
+struct PatchSections {
+  bool normals = true;
+  bool colours = true;
+  bool scalars = true;
+
+  bool operator==(const PatchSections&) const = default;
+};
+
+/// Bytes of the chunks that were read of a patch file.
+struct SectionBytes {
+  std::uint64_t heights = 0;
+  std::uint64_t normals = 0;
+  std::uint64_t colours = 0;
+  std::uint64_t scalars = 0;
+
+  SectionBytes& operator+=(const SectionBytes& more);
+  bool operator==(const SectionBytes&) const = default;
+};
+
 /// Codecs: Fast is quick to write and read, Compact takes about half the bytes.
 enum class PatchCodec : std::uint8_t { Fast, Compact };
 
@@ -110,11 +130,17 @@ class PatchFile {
   /// Reads, checks and decodes one patch; touches no other patch's bytes. Thread-safe.
   [[nodiscard]] Result<Patch> read_patch(std::uint64_t index) const;
   /// Reads one patch with the caller's decoder state, which is faster for many patches. `zstd`
-  /// belongs to one thread.
-  [[nodiscard]] Result<Patch> read_patch(std::uint64_t index, ZstdContexts& zstd) const;
+  /// belongs to one thread. Maps that `sections` leaves out are empty, and their bytes not read.
+  [[nodiscard]] Result<Patch> read_patch(std::uint64_t index, ZstdContexts& zstd,
+                                         const PatchSections& sections = {}) const;
 
   /// Returns the minimum memory that the decoded patches take, in bytes.
-  [[nodiscard]] std::uint64_t decoded_bytes(std::span<const std::uint64_t> patches) const;
+  [[nodiscard]] std::uint64_t decoded_bytes(std::span<const std::uint64_t> patches,
+                                            const PatchSections& sections = {}) const;
+
+  /// Returns the bytes of all chunks that have been read so far, as they are in the file; those of
+  /// a chunk that was read twice count twice.
+  [[nodiscard]] SectionBytes bytes_read() const;
 
   /// Reads every 2^level-th node of a patch in both directions, with a spacing 2^level times as
   /// large, and without maps. In compact files, finer levels are not decoded. Thread-safe.
@@ -123,10 +149,12 @@ class PatchFile {
   /// Reads some patches in parallel and returns them in order. The caller checks fits_memory()
   /// first.
   [[nodiscard]] Result<std::vector<Patch>> read_patches(std::span<const std::uint64_t> patches,
-                                                        Progress& progress) const;
+                                                        Progress& progress,
+                                                        const PatchSections& sections = {}) const;
 
   /// Reads all patches (in parallel). Refuses a model that does not fit into this machine's memory.
-  [[nodiscard]] Result<PatchModel> read_all(Progress& progress) const;
+  [[nodiscard]] Result<PatchModel> read_all(Progress& progress,
+                                            const PatchSections& sections = {}) const;
 
  private:
   struct State;

@@ -1,5 +1,6 @@
 // Reads a patch file patch by patch.
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <new>
 #include <utility>
@@ -128,6 +129,14 @@ GuardedCall reading_index(const std::string& name) {
 
 }  // namespace
 
+SectionBytes& SectionBytes::operator+=(const SectionBytes& more) {
+  heights += more.heights;
+  normals += more.normals;
+  colours += more.colours;
+  scalars += more.scalars;
+  return *this;
+}
+
 struct PatchFile::State {
   std::string name;
   RandomAccessFile file;
@@ -135,6 +144,11 @@ struct PatchFile::State {
   std::vector<PatchSummary> summaries;
   FileIndex index;
   std::vector<PatchRun> joined;
+  /// By type, what patches have taken so far; counted by the threads that read them.
+  mutable std::atomic<std::uint64_t> heights_read{0};
+  mutable std::atomic<std::uint64_t> normals_read{0};
+  mutable std::atomic<std::uint64_t> colours_read{0};
+  mutable std::atomic<std::uint64_t> scalars_read{0};
 
   State(std::string file_name, RandomAccessFile opened, FileLayout layout)
       : name(std::move(file_name)),
@@ -153,6 +167,13 @@ struct PatchFile::State {
     return found == first + patch.chunk_count ? nullptr : &*found;
   }
 
+  void count_bytes(const ChunkRecord& chunk) const {
+    if (chunk.type == kHeightsChunk) heights_read += chunk.size;
+    if (chunk.type == kNormalsChunk) normals_read += chunk.size;
+    if (chunk.type == kColoursChunk) colours_read += chunk.size;
+    if (chunk.type == kScalarChunk) scalars_read += chunk.size;
+  }
+
   /// Reads one chunk and passes its bytes to `decode`, whose errors are clauses.
   template <class Decode>
   Status read_chunk(std::uint64_t patch, const char* what, const ChunkRecord& chunk,
@@ -165,6 +186,7 @@ struct PatchFile::State {
     }
     std::vector<std::byte> bytes(chunk.size);
     RELIEF_TRY(file.read_at(chunk.offset, bytes));
+    count_bytes(chunk);
     if (!has_checksum(bytes, chunk.checksum)) {
       return make_error(
           "{}: patch {}: the checksum of its {} (byte {}) is wrong; the file is damaged", name,
@@ -273,7 +295,8 @@ Result<Patch> PatchFile::read_patch(std::uint64_t index) const {
   return read_patch(index, zstd);
 }
 
-Result<Patch> PatchFile::read_patch(std::uint64_t index, ZstdContexts& zstd) const try {
+Result<Patch> PatchFile::read_patch(std::uint64_t index, ZstdContexts& zstd,
+                                    const PatchSections& sections) const try {
   const State& s = *state_;
   assert(index < s.index.patches.size() && "the caller checks info().patches");
   auto patch = s.read_heights(index, 0, zstd);
@@ -292,15 +315,11 @@ Result<Patch> PatchFile::read_patch(std::uint64_t index, ZstdContexts& zstd) con
                                            : decode(bytes, chunk->scale, *patch, zstd);
     });
   };
-  if (Status read = read_map(kNormalsChunk, "normals", decode_normals, decode_normals_compact);
-      !read) {
-    return read.error();
-  }
-  if (Status read = read_map(kColoursChunk, "colours", decode_colours, decode_colours_compact);
-      !read) {
-    return read.error();
-  }
-  if (Status read = s.read_scalars(index, *patch, zstd); !read) return read.error();
+  if (sections.normals)
+    RELIEF_TRY(read_map(kNormalsChunk, "normals", decode_normals, decode_normals_compact));
+  if (sections.colours)
+    RELIEF_TRY(read_map(kColoursChunk, "colours", decode_colours, decode_colours_compact));
+  if (sections.scalars) RELIEF_TRY(s.read_scalars(index, *patch, zstd));
   return patch;
 } catch (const std::bad_alloc&) {
   return make_error("{}: not enough memory to decode patch {}; {}", state_->name, index,
@@ -316,7 +335,12 @@ Result<Patch> PatchFile::read_level(std::uint64_t index, unsigned level) const t
                     kMoreMemory);
 }
 
-std::uint64_t PatchFile::decoded_bytes(std::span<const std::uint64_t> patches) const {
+SectionBytes PatchFile::bytes_read() const {
+  return {state_->heights_read, state_->normals_read, state_->colours_read, state_->scalars_read};
+}
+
+std::uint64_t PatchFile::decoded_bytes(std::span<const std::uint64_t> patches,
+                                       const PatchSections& sections) const {
   const FileIndex& index = state_->index;
   std::uint64_t bytes = 0;
   for (const std::uint64_t number : patches) {
@@ -328,9 +352,9 @@ std::uint64_t PatchFile::decoded_bytes(std::span<const std::uint64_t> patches) c
       if (!is_map_scale_valid(summary, chunk.scale)) continue;  // read_patch refuses it
       const auto texels = [&](std::uint64_t nodes) { return chunk.scale * (nodes - 1) + 1; };
       const std::uint64_t area = texels(summary.width) * texels(summary.height);
-      if (chunk.type == kNormalsChunk) bytes += area * sizeof(glm::i16vec2);
-      if (chunk.type == kColoursChunk) bytes += area * sizeof(glm::u8vec3);
-      if (chunk.type == kScalarChunk && !state_->info.scalars.empty())
+      if (chunk.type == kNormalsChunk && sections.normals) bytes += area * sizeof(glm::i16vec2);
+      if (chunk.type == kColoursChunk && sections.colours) bytes += area * sizeof(glm::u8vec3);
+      if (chunk.type == kScalarChunk && sections.scalars && !state_->info.scalars.empty())
         bytes += area * sizeof(std::uint16_t);
     }
   }

@@ -26,7 +26,8 @@ Status fits_memory(const std::string& name, std::uint64_t decoded_bytes) {
 }
 
 Result<std::vector<Patch>> PatchFile::read_patches(std::span<const std::uint64_t> patches,
-                                                   Progress& progress) const {
+                                                   Progress& progress,
+                                                   const PatchSections& sections) const {
   const auto read_them = [&]() -> Result<std::vector<Patch>> {
     // Of several errors the first patch's is returned, whatever the threads do.
     std::vector<Patch> read(patches.size());
@@ -37,7 +38,7 @@ Result<std::vector<Patch>> PatchFile::read_patches(std::span<const std::uint64_t
     progress.begin_stage("reading patches", patches.size());
     tbb::parallel_for(std::size_t{0}, patches.size(), [&](std::size_t i) {
       if (progress.cancelled()) return;
-      auto patch = read_patch(patches[i], zstd.local());
+      auto patch = read_patch(patches[i], zstd.local(), sections);
       if (patch) {
         read[i] = *std::move(patch);
       } else {
@@ -60,12 +61,12 @@ Result<std::vector<Patch>> PatchFile::read_patches(std::span<const std::uint64_t
                  read_them);
 }
 
-Result<PatchModel> PatchFile::read_all(Progress& progress) const {
+Result<PatchModel> PatchFile::read_all(Progress& progress, const PatchSections& sections) const {
   std::vector<std::uint64_t> all(patches().size());
   std::iota(all.begin(), all.end(), 0U);
   const std::uint64_t joining = joined().empty() ? 0 : kJoiningBytes * info().samples;
-  RELIEF_TRY(fits_memory(name(), decoded_bytes(all) + joining));
-  RELIEF_TRY_ASSIGN(auto read, read_patches(all, progress));
+  RELIEF_TRY(fits_memory(name(), decoded_bytes(all, sections) + joining));
+  RELIEF_TRY_ASSIGN(auto read, read_patches(all, progress, sections));
   PatchModel model;
   model.patches = std::move(read);
   model.spacing = info().spacing;
@@ -75,7 +76,7 @@ Result<PatchModel> PatchFile::read_all(Progress& progress) const {
   model.stance = info().stance;
   model.is_closed = info().is_closed;
   model.joined = joined();
-  model.scalars = info().scalars;
+  if (sections.scalars) model.scalars = info().scalars;
   join_normals(model);
   model.has_colours = std::any_of(model.patches.begin(), model.patches.end(),
                                   [](const Patch& p) { return !p.colours.empty(); });
