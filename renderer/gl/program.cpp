@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/gl/preprocess_shader.h"
 #include "renderer/gl/shader_text.h"
 
 namespace relief {
@@ -89,8 +90,11 @@ Result<Program> make_program(const Gl& gl, std::string_view label, std::string_v
   GLint done = GL_FALSE;
   gl.GetProgramiv(program.id(), GL_LINK_STATUS, &done);
   if (done == GL_TRUE) {
-    if (gl.recorder != nullptr)
-      gl.recorder->add_program(program.id(), label, vertex_path, fragment_path, features);
+    if (gl.recorder != nullptr) {
+      const std::uint64_t lines = count_shader_lines(resolve_shader(vertex_path, features)) +
+                                  count_shader_lines(resolve_shader(fragment_path, features));
+      gl.recorder->add_program(program.id(), label, vertex_path, fragment_path, features, lines);
+    }
     return program;
   }
   std::string log(4096, '\0');

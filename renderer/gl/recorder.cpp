@@ -63,9 +63,12 @@ Explanation GlRecorder::explain() const {
 }
 
 void GlRecorder::add_program(GLuint id, std::string_view name, std::string_view vertex,
-                             std::string_view fragment, Features features) {
-  programs_[id] = {{std::string(name), std::string(vertex), std::string(fragment),
-                    feature_names(features), false},
+                             std::string_view fragment, Features features, std::uint64_t lines) {
+  programs_[id] = {{.name = std::string(name),
+                    .vertex = std::string(vertex),
+                    .fragment = std::string(fragment),
+                    .features = feature_names(features),
+                    .lines = lines},
                    features};
 }
 

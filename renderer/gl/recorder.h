@@ -31,9 +31,9 @@ class GlRecorder {
   /// What exists, and what the frame did.
   [[nodiscard]] Explanation explain() const;
 
-  /// A program was linked.
+  /// A program was linked. `lines`: as Explanation::Variant has them.
   void add_program(GLuint id, std::string_view name, std::string_view vertex,
-                   std::string_view fragment, Features features);
+                   std::string_view fragment, Features features, std::uint64_t lines);
   /// Asks OpenGL through these functions how large textures are.
   void ask(PFNGLGETTEXTURELEVELPARAMETERIVPROC level_parameter,
            PFNGLGETTEXTUREPARAMETERIVPROC parameter) {

@@ -26,12 +26,14 @@ vec4 look_up(sampler2DArray maps, ivec4 map, vec2 uv) {
 #define RELIEF_NEEDS_FOOTPRINT \
   ((RELIEF_FEATURES & (RELIEF_FEATURE_FINE_COLOURS | RELIEF_FEATURE_FINE_NORMALS)) != 0u)
 
+#if RELIEF_NEEDS_NORMAL
 // From half its stereographic coordinates, which bilinear lookups interpolate smoothly; octahedral
 // ones have creases along the axes, where a mirror would show them.
 vec3 unit_from_stereographic(vec2 half_stereographic) {
   vec2 p = 2.0 * half_stereographic;
   return vec3(2.0 * p, 1.0 - dot(p, p)) / (1.0 + dot(p, p));
 }
+#endif
 
 #if RELIEF_NEEDS_FOOTPRINT
 // Where a map is looked up for a pixel: `count` lookups along `along` (grid coordinates), at a mip

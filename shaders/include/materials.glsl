@@ -119,6 +119,7 @@ vec3 shade_material(int index, vec3 albedo, vec3 normal, vec3 ray, float depth) 
   return colour;
 }
 
+#if (RELIEF_FEATURES & RELIEF_FEATURE_LAYERED) != 0u
 // How much of what is behind it a surface of that material covers.
 float opacity_of(int index) {
 #if (RELIEF_FEATURES & RELIEF_FEATURE_MIXED) != 0u
@@ -127,3 +128,4 @@ float opacity_of(int index) {
   return frame.material.absorption.w;
 #endif
 }
+#endif

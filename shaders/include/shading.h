@@ -12,7 +12,11 @@
 
 #include "shaders/include/shared.h"
 #define RELIEF_FUNCTION inline
+#define RELIEF_SHADES_LIT 1
 #define RELIEF_POINT_LIGHTS 1
+#define RELIEF_ENVIRONMENT_LIGHT 1
+#define RELIEF_SHADES_GLASS 1
+#define RELIEF_TWO_INTERFACES 1
 namespace relief::shared {
 using glm::dot;
 using glm::exp;
@@ -27,7 +31,11 @@ using glm::vec3;
 #else
 #include "include/shared.h"
 #define RELIEF_FUNCTION
+#define RELIEF_SHADES_LIT (RELIEF_FEATURES & RELIEF_FEATURE_LIT) != 0u
 #define RELIEF_POINT_LIGHTS (RELIEF_FEATURES & RELIEF_FEATURE_POINT_LIGHTS) != 0u
+#define RELIEF_ENVIRONMENT_LIGHT (RELIEF_FEATURES & RELIEF_FEATURE_ENVIRONMENT_LIGHT) != 0u
+#define RELIEF_SHADES_GLASS (RELIEF_FEATURES & RELIEF_FEATURE_GLASS) != 0u
+#define RELIEF_TWO_INTERFACES (RELIEF_FEATURES & RELIEF_FEATURE_TWO_INTERFACES) != 0u
 #endif
 
 /// The normal of a surface as seen along `ray`, from the eye. A back side shows the reversed
@@ -39,6 +47,7 @@ RELIEF_FUNCTION vec3 facing_normal(vec3 normal, vec3 ray) {
   return away > 0.0f ? normalize(normal - away * ray) : normal;
 }
 
+#if RELIEF_SHADES_LIT
 /// Phong: the frame's first `lights` lights, a white highlight. `position`: from the eye, world;
 /// only point lights ask for it.
 RELIEF_FUNCTION vec3 lit(Frame frame, int lights, vec3 albedo, vec3 normal, vec3 ray,
@@ -64,7 +73,9 @@ RELIEF_FUNCTION vec3 lit(Frame frame, int lights, vec3 albedo, vec3 normal, vec3
   }
   return albedo * diffuse + highlight * specular;
 }
+#endif
 
+#if RELIEF_ENVIRONMENT_LIGHT
 /// The light that a white surface scatters under the frame's environment: nine spherical harmonics
 /// (Ramamoorthi and Hanrahan 2001, Eq. 13, over pi). Their error is 1 % of the mean on average.
 RELIEF_FUNCTION vec3 scattered(Frame frame, vec3 n) {
@@ -92,7 +103,9 @@ RELIEF_FUNCTION vec3 lit_by_environment(Frame frame, vec3 albedo, vec3 normal, v
   float share = head_on * (c - 1.04f * grazing) + 1.04f * grazing + d;
   return (1.0f - share) * albedo * scattered(frame, normal) + share * reflected;
 }
+#endif
 
+#if RELIEF_SHADES_GLASS
 /// What becomes of a ray at a surface of glass. Directions are unit vectors.
 struct SplitRay {
   vec3 reflected;
@@ -131,11 +144,13 @@ RELIEF_FUNCTION SplitRay split_ray(vec3 normal, vec3 ray, float ior) {
   return split;
 }
 
+#if RELIEF_TWO_INTERFACES
 /// The same where a ray within the body meets its surface. `normal`: outward; where an
 /// interpolation leans it against the ray that goes straight on.
 RELIEF_FUNCTION SplitRay split_within(vec3 normal, vec3 ray, float ior) {
   return split_facing(facing_normal(-normal, ray), ray, ior);
 }
+#endif
 
 /// The light of a surface of glass, from that which comes along both rays. (That radiance grows
 /// with the square of the index within glass is left out: the ray leaves it again.)
@@ -143,6 +158,7 @@ RELIEF_FUNCTION vec3 glass(SplitRay split, vec3 absorption, vec3 reflected, vec3
   vec3 passed = exp(-split.path * absorption) * refracted;
   return passed + split.reflectance * (reflected - passed);
 }
+#endif
 
 #ifdef __cplusplus
 }  // namespace relief::shared
