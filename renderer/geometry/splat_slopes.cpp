@@ -2,10 +2,7 @@
 
 #include <cmath>
 #include <glm/common.hpp>
-#include <glm/vec3.hpp>
-#include <optional>
 
-#include "common/octahedral.h"
 #include "shaders/include/shared.h"
 
 namespace relief {
@@ -44,14 +41,6 @@ float slope_along(const PaddedHeights& heights, std::size_t k, std::size_t step,
   return beside.cells > 0.0F ? beside.sum / beside.cells : 0.0F;
 }
 
-/// The slope that the normal map has at a node; nothing without a map or where it is too steep.
-std::optional<glm::vec2> slope_of_normal(const Patch& patch, std::uint32_t i, std::uint32_t j) {
-  if (patch.normals.empty()) return std::nullopt;
-  const glm::vec3 n = unit_from_snorm16(texel_at(patch.normals, i, j));
-  if (n.z * shared::kSteepest < 1.0F) return std::nullopt;
-  return glm::vec2(-n.x, -n.y) / n.z;
-}
-
 }  // namespace
 
 SplatSlopes find_slopes(const PaddedHeights& heights, const Patch& patch, float height_step) {
@@ -61,12 +50,8 @@ SplatSlopes find_slopes(const PaddedHeights& heights, const Patch& patch, float 
     for (std::uint32_t i = 0; i < patch.width; ++i) {
       const std::size_t k = heights.index(i, j);
       if (!heights.valid(k)) continue;
-      // Beside a hole the normal map knows more than a one-sided difference does.
-      const auto painted = is_border(heights, k) ? slope_of_normal(patch, i, j) : std::nullopt;
-      const glm::vec2 slope =
-          painted ? *painted
-                  : height_step * glm::vec2(slope_along(heights, k, 1, heights.stride()),
-                                            slope_along(heights, k, heights.stride(), 1));
+      const glm::vec2 slope = height_step * glm::vec2(slope_along(heights, k, 1, heights.stride()),
+                                                      slope_along(heights, k, heights.stride(), 1));
       slopes[k] = glm::clamp(slope, -shared::kSteepest, shared::kSteepest);
       steepest = std::max({steepest, std::abs(slopes[k].x), std::abs(slopes[k].y)});
     }

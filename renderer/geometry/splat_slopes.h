@@ -19,8 +19,9 @@ struct SplatSlopes {
 };
 
 /// A splat's plane has the slope of the heights (central differences), not that of the normal map:
-/// the planes must meet, whatever is painted on them. Only border samples take the normal map's,
-/// which is smoother than a one-sided difference. `height_step`: cells per height index.
+/// the planes must meet, whatever is painted on them, and an unlit image needs no normals. At
+/// borders normals are no better than one-sided differences (docs/decisions/0151).
+/// `height_step`: cells per height index.
 [[nodiscard]] SplatSlopes find_slopes(const PaddedHeights& heights, const Patch& patch,
                                       float height_step);
 

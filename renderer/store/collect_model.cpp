@@ -38,20 +38,20 @@ PatchExtent moved(const Transform& transform, const PatchExtent& extent) {
 /// Seams reach this far beyond a patch's samples, in spacings.
 constexpr double kSeamReach = 2.5;
 
-/// Whether maps of the patches show more than their surface.
-bool has_fine_detail(std::span<const Patch> patches) {
-  return std::any_of(patches.begin(), patches.end(), [](const Patch& patch) {
-    return !patch.colours.empty() || patch.normals.scale > 1;
+/// Whether maps of the patches that a view shows have more detail than their surface.
+bool has_fine_detail(std::span<const Patch> patches, const StoreNeeds& needs) {
+  return std::any_of(patches.begin(), patches.end(), [&needs](const Patch& patch) {
+    return (needs.colours && !patch.colours.empty()) || (needs.normals && patch.normals.scale > 1);
   });
 }
 
-Proxy proxy_of(std::span<const Patch> patches, bool are_joined) {
+Proxy proxy_of(std::span<const Patch> patches, bool are_joined, const StoreNeeds& needs) {
   Proxy model;
   if (are_joined) model.diameter = kProxyDiameterJoined;
   double coarsest = 0.0;
   for (const Patch& patch : patches) coarsest = std::max(coarsest, patch.spacing);
   model.sphere = sphere_about(patches);
-  model.pixels = has_fine_detail(patches) ? kProxyPixelsOfMaps : kProxyPixels;
+  model.pixels = has_fine_detail(patches, needs) ? kProxyPixelsOfMaps : kProxyPixels;
   model.spacings = proxy_spacings(model.sphere, coarsest, model.diameter);
   return model;
 }
@@ -119,7 +119,7 @@ ModelCollector::Run& ModelCollector::run_at(const Instance& instance) {
                   [](const View& view) { return view.proxy_diameter > 0.0; }) &&
       has_one_material(model_);
   if (may_be_proxy)
-    found->second.model = proxy_of(patches(), run_of(model_, instance.first) != nullptr);
+    found->second.model = proxy_of(patches(), run_of(model_, instance.first) != nullptr, needs_);
   return found->second;
 }
 
