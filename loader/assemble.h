@@ -21,6 +21,7 @@ struct LoadedFile {
   std::optional<TriangleMesh> mesh;
   std::optional<SplatCloud> splats;
   std::optional<VolumePart> volume;  ///< then there is nothing else
+  SectionBytes read;                 ///< of a patch file
   bool is_mesh = false;              ///< the file has faces, or its patches are of some
   bool has_faces = false;            ///< the mesh is the file's own
 };

@@ -18,6 +18,13 @@ bool has_colours(const LoadedScene& scene) {
 
 }  // namespace
 
+bool is_unlit_at_first(const SceneSettings& planned, const ShownColours& colours) {
+  // Colours that stand for numbers say nothing of the shape: light does. A mesh without light is
+  // flat.
+  return !planned.material && colours.are_there && !colours.stand_for_numbers &&
+         !colours.are_on_faces;
+}
+
 void complete_look(const PlannedView& view, const LoadedScene& scene, RenderSettings& settings) {
   const SceneSettings& planned = view.settings;
   if (!planned.background) settings.background = glm::vec3(linear_from_srgb(kBackground));
@@ -29,9 +36,8 @@ void complete_look(const PlannedView& view, const LoadedScene& scene, RenderSett
   if (engine && (*engine)->capabilities.needs_opengl && has_samples && !is_timed &&
       planned.options.find("samples") == planned.options.end())
     settings.samples = kPictureSamples;
-  // Colours that stand for numbers say nothing of the shape: light does. A mesh without light is
-  // flat.
-  if (planned.material || !has_colours(scene) || scene.colours || scene.has_faces) return;
+  if (!is_unlit_at_first(planned, {has_colours(scene), scene.colours.has_value(), scene.has_faces}))
+    return;
   // A volume's colours need light, too.
   settings.volume.material = settings.material;
   for (VolumeSettings& of_volume : settings.volumes) of_volume.material = settings.material;

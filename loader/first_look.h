@@ -10,6 +10,16 @@ namespace relief {
 /// Samples a pixel of a picture by an engine on OpenGL, unless its frames are to be timed.
 inline constexpr int kPictureSamples = 4;
 
+/// What decides whether a view that names no material shows colours as they are stored.
+struct ShownColours {
+  bool are_there = false;
+  bool stand_for_numbers = false;  ///< LoadOptions::colour_by
+  bool are_on_faces = false;       ///< LoadedScene::has_faces
+};
+
+/// Returns whether a view is unlit although its plan does not say so.
+[[nodiscard]] bool is_unlit_at_first(const SceneSettings& planned, const ShownColours& colours);
+
 /// Completes the settings of a view with what its plan leaves open: a background on which dark and
 /// light scans both show; kPictureSamples samples a pixel; the stored colours of points that have
 /// some, which are photographs mostly and lit already, and light on anything else.

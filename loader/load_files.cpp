@@ -255,17 +255,24 @@ Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
   return all;
 }
 
+Result<ReadPatches> load_patches(const std::filesystem::path& path, Progress& progress,
+                                 const ReadOptions& options, const PatchSections& sections) {
+  if (options.selection.selects()) {
+    return make_error(
+        "{}: is a patch file, which has no points to select; convert its scan with --classes, "
+        "--returns or --crop",
+        path.string());
+  }
+  RELIEF_TRY_ASSIGN(const auto file, PatchFile::open(path));
+  RELIEF_TRY_ASSIGN(auto model, file.read_all(progress, sections));
+  return ReadPatches{std::move(model), file.bytes_read()};
+}
+
 Result<PatchModel> load_model(const std::filesystem::path& path, Progress& progress,
                               const ReadOptions& options, const TextureChoice& textures) {
   if (names_patch_file(path)) {
-    if (options.selection.selects()) {
-      return make_error(
-          "{}: is a patch file, which has no points to select; convert its scan with --classes, "
-          "--returns or --crop",
-          path.string());
-    }
-    RELIEF_TRY_ASSIGN(const auto file, PatchFile::open(path));
-    return file.read_all(progress);
+    RELIEF_TRY_ASSIGN(auto read, load_patches(path, progress, options, {}));
+    return std::move(read.model);
   }
   if (is_raster(path, options.format)) {
     RELIEF_TRY_ASSIGN(auto raster, convert_raster(path, textures, {}, options, progress));

@@ -7,6 +7,7 @@
 
 #include "common/error.h"
 #include "common/patch.h"
+#include "common/patch_file/patch_file.h"
 #include "common/progress.h"
 #include "preprocess/readers/read_points.h"
 #include "preprocess/texture/files/load_textures.h"
@@ -26,6 +27,17 @@ Result<ReadResult> load_mesh(const std::filesystem::path& path, const TextureCho
 Result<ReadResult> load_points(const std::vector<std::filesystem::path>& paths,
                                const TextureChoice& textures, Progress& progress,
                                const ReadOptions& options = {});
+
+/// What was read of a patch file.
+struct ReadPatches {
+  PatchModel model;
+  SectionBytes bytes;
+};
+
+/// Reads a .relief file, of its patches only the maps that `sections` names. Fails if the options
+/// select points.
+Result<ReadPatches> load_patches(const std::filesystem::path& path, Progress& progress,
+                                 const ReadOptions& options, const PatchSections& sections);
 
 /// Reads a .relief file, or a scan or mesh and converts it with the default options. Fails if the
 /// options select points of a .relief file. A raster becomes patches as it is; `textures` is laid

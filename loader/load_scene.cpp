@@ -11,9 +11,11 @@
 #include "common/transform.h"
 #include "loader/acquire_splats.h"
 #include "loader/assemble.h"
+#include "loader/audience.h"
 #include "loader/colour_by.h"
 #include "loader/load_files.h"
 #include "loader/load_volume.h"
+#include "loader/patch_sections.h"
 #include "loader/texture_splats.h"
 #include "loader/view_settings.h"
 #include "preprocess/convert.h"
@@ -21,7 +23,7 @@
 #include "renderer/geometry/mesh_of_patches.h"
 #include "renderer/geometry/mesh_of_points.h"
 #include "renderer/geometry/splats_of_samples.h"
-#include "renderer/view/patches_in_view.h"
+#include "renderer/view/texels_in_view.h"
 
 namespace relief {
 namespace {
@@ -41,11 +43,18 @@ Status add_mesh_of_patches(LoadedFile& file, const std::filesystem::path& path) 
 }
 
 Result<LoadedFile> load_patch_file(const std::filesystem::path& path, Forms forms,
-                                   const LoadOptions& options, Progress& progress) {
-  RELIEF_TRY_ASSIGN(auto model, load_model(path, progress, options.read, options.textures));
+                                   const LoadOptions& options, const PatchSections& sections,
+                                   Progress& progress) {
   LoadedFile file;
-  file.is_mesh = is_joined(model);  // patches of bare points overlap, unless --seams joins them
-  file.patches = std::move(model);
+  if (names_patch_file(path)) {
+    RELIEF_TRY_ASSIGN(auto read, load_patches(path, progress, options.read, sections));
+    file.patches = std::move(read.model);
+    file.read = read.bytes;
+  } else {
+    RELIEF_TRY_ASSIGN(file.patches, load_model(path, progress, options.read, options.textures));
+  }
+  // Patches of bare points overlap, unless --seams joins them.
+  file.is_mesh = is_joined(file.patches);
   if (forms.mesh) {
     RELIEF_TRY(add_mesh_of_patches(file, path));
   }
@@ -163,21 +172,15 @@ Result<PatchModel> extent_of(const std::vector<SceneModel>& models, const Loaded
 }
 
 /// Reads the tiles of the trees that the views show.
-Status load_trees(const std::vector<SceneModel>& models, const TreeFiles& trees,
-                  const ViewsOf& views_of, LoadedFiles& loaded, Progress& progress) {
-  RELIEF_TRY_ASSIGN(const auto extent, extent_of(models, loaded, trees));
-  RELIEF_TRY_ASSIGN(const auto views, views_of(extent));
+Status load_trees(const TreeFiles& trees, const Audience& audience, const PatchSections& sections,
+                  LoadedFiles& loaded, Progress& progress) {
   for (const auto& [path, tree] : trees) {
-    std::vector<Transform> positions;
-    for (const SceneModel& model : models) {
-      if (model.file == path) positions.push_back(model.transform);
-    }
-    RELIEF_TRY_ASSIGN(auto read,
-                      read_in_view(tree, onlookers_of(views, positions, extent), progress));
+    RELIEF_TRY_ASSIGN(auto read, read_in_view(tree, audience.of(path), progress, sections));
     progress.note(fmt::format("{}: read {} of {} tiles, {} patches with {} samples", path.string(),
                               read.tiles, tree.tiles().size(), read.model.patches.size(),
                               read.samples));
     loaded[path].patches = std::move(read.model);
+    loaded[path].read = read.bytes;
     loaded[path].patches.stance = tree.extent().stance;
   }
   return {};
@@ -217,7 +220,8 @@ Result<LoadedScene> load_textured_splats(const ScenePlan& plan, const LoadOption
 }  // namespace
 
 Result<LoadedScene> load_models(const std::vector<SceneModel>& models, const LoadOptions& options,
-                                FormNeeds needs, Progress& progress, const ViewsOf& views) {
+                                FormNeeds needs, Progress& progress, const ViewsOf& views,
+                                const PatchSections& sections) {
   if (options.colour_by && models.size() > 1)
     return make_error("only one model can be coloured by a scalar; the scene has {}",
                       models.size());
@@ -240,7 +244,7 @@ Result<LoadedScene> load_models(const std::vector<SceneModel>& models, const Loa
       RELIEF_TRY_ASSIGN(loaded[model.file].volume,
                         load_part(model, options.volume, options.read, progress));
     } else if (is_patches(model.file, options.read)) {
-      RELIEF_TRY_ASSIGN(auto file, load_patch_file(model.file, forms, options, progress));
+      RELIEF_TRY_ASSIGN(auto file, load_patch_file(model.file, forms, options, sections, progress));
       loaded.emplace(model.file, std::move(file));
     } else {
       RELIEF_TRY_ASSIGN(auto scan, load_scan(model.file, options, needs, progress));
@@ -248,8 +252,13 @@ Result<LoadedScene> load_models(const std::vector<SceneModel>& models, const Loa
       colours = std::move(scan.scale);
     }
   }
-  if (!trees->empty()) {
-    RELIEF_TRY(load_trees(models, *trees, views, loaded, progress));
+  const bool drops_texels = may_choose && options.detail == KeptDetail::OfViews;
+  std::optional<Audience> audience;
+  if (!trees->empty() || drops_texels) {
+    RELIEF_TRY_ASSIGN(auto extent, extent_of(models, loaded, *trees));
+    RELIEF_TRY_ASSIGN(auto settings, views(extent));
+    audience.emplace(models, std::move(settings), std::move(extent));
+    RELIEF_TRY(load_trees(*trees, *audience, sections, loaded, progress));
   }
   if (options.colour_by && !has_scans) {
     const std::filesystem::path& file = models.front().file;
@@ -257,12 +266,20 @@ Result<LoadedScene> load_models(const std::vector<SceneModel>& models, const Loa
     if (!scale) return make_error("{}: {}", file.string(), scale.error().message);
     colours = *std::move(scale);
   }
+  SectionBytes read;
+  for (auto& [path, file] : loaded) {
+    read += file.read;
+    PatchModel& patches = file.patches;
+    if (drops_texels)
+      drop_unseen_texels(audience->of(path), patches.patches, patches.has_label_colours);
+  }
   SceneAssembler assembler(models.size() > 1);
   RELIEF_TRY(for_each_use(models, [&](const auto& path, const FileUse& use) {
     return assembler.add(loaded.at(path), use);
   }));
   LoadedScene scene = assembler.take();
   scene.colours = std::move(colours);
+  scene.read = read;
   return scene;
 }
 
@@ -278,9 +295,14 @@ Result<LoadedScene> load_scene(const ScenePlan& plan, const LoadOptions& options
   // Heights are along the up direction of the image.
   if (of_plan.colour_by && !of_plan.colour_by->up)
     of_plan.colour_by->up = plan.views.front().settings.up;
-  return load_models(plan.models, of_plan, needs, progress, [&](const PatchModel& extent) {
+  PatchSections sections;
+  if (options.detail == KeptDetail::OfViews) {
+    RELIEF_TRY_ASSIGN(sections, sections_of(plan, of_plan.colour_by.has_value(), among));
+  }
+  const ViewsOf views = [&](const PatchModel& extent) {
     return render_settings_of(plan, extent, among);
-  });
+  };
+  return load_models(plan.models, of_plan, needs, progress, views, sections);
 }
 
 }  // namespace relief

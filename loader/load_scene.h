@@ -1,6 +1,7 @@
 // Reads the models of a scene, in the forms that the engines of its views draw.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -33,6 +34,11 @@ struct FormNeeds {
 /// Returns the views to draw of a scene whose bounds are known.
 using ViewsOf = std::function<Result<std::vector<RenderSettings>>(const PatchModel& extent)>;
 
+/// What is read of patch files, and kept of patches: all that there is; or what the views of a plan
+/// show, once complete_look() has completed them (loader/first_look.h). An unlit view shows no
+/// normals, a mirror no colours, a distant view no fine texels.
+enum class KeptDetail : std::uint8_t { All, OfViews };
+
 struct LoadOptions {
   TextureChoice textures;    ///< of scans and meshes
   ReadOptions read;          ///< how scans and meshes are read
@@ -41,6 +47,7 @@ struct LoadOptions {
   /// that of the first view's options.
   AcquireOptions acquisition;
   std::optional<ColourBy> colour_by;  ///< in place of colours and textures
+  KeptDetail detail = KeptDetail::All;
   /// How scans and meshes become patches; distances are added if they are what is coloured by.
   ConvertOptions convert;
   /// Is given the points of each scan or mesh before they are converted, on the loading thread;
@@ -53,10 +60,12 @@ struct LoadOptions {
 /// by a conversion, which also stand for triangles if it has none.
 /// Reads only those tiles of a patch file that `views` show
 /// (renderer/view/patches_in_view.h); reads all without `views`, and if splats or a mesh are
-/// needed. With options.colour_by fails if there are several models, or if a patch file lacks the
+/// needed. Of patch files reads only the maps that `sections`
+/// names. With options.colour_by fails if there are several models, or if a patch file lacks the
 /// scalar.
 Result<LoadedScene> load_models(const std::vector<SceneModel>& models, const LoadOptions& options,
-                                FormNeeds needs, Progress& progress, const ViewsOf& views = {});
+                                FormNeeds needs, Progress& progress, const ViewsOf& views = {},
+                                const PatchSections& sections = {});
 
 /// Loads the models that the views of a plan show, in the forms that their engines prefer. The
 /// views' settings follow by render_settings_of (loader/view_settings.h), with the scene's patches

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "common/patch.h"
+#include "common/patch_file/patch_file.h"
 #include "common/scalars/colour_scale.h"
 #include "renderer/geometry/splat_cloud.h"
 #include "renderer/geometry/triangle_mesh.h"
@@ -26,6 +27,7 @@ struct LoadedScene {
   bool has_faces = false;                  ///< some model is a mesh, or was converted from one
   bool mesh_is_input = false;              ///< all triangles of the mesh are faces of the files
   std::optional<ColourScale> colours;      ///< what LoadOptions::colour_by made of it
+  SectionBytes read;                       ///< of all patch files
   /// Where patches are read as views need them (loader/stream/); `patches` then has none.
   std::shared_ptr<TileSource> tiles;
 

@@ -76,19 +76,15 @@ Result<const EngineEntry*> engine_of(const PlannedView& view, std::span<const En
   return engine_named(view.settings.engine.value_or(among.front().name), among);
 }
 
-Result<RenderSettings> render_settings_of(const ScenePlan& plan, const PlannedView& view,
-                                          const PatchModel& extent,
-                                          std::span<const EngineEntry> among) {
+Result<RenderSettings> look_of(const ScenePlan& plan, const PlannedView& view,
+                               std::span<const EngineEntry> among) {
   const SceneSettings& planned = view.settings;
-  const auto camera = camera_for(planned, extent);
-  if (!camera) return in_view(plan, view, camera.error());
   auto made = engine_settings(view, among);
   if (!made) return in_view(plan, view, made.error());
   RenderSettings settings = *std::move(made);
   const ImageSize size = planned.size.value_or(ImageSize{});
   settings.width = size.width;
   settings.height = size.height;
-  settings.camera = *camera;
   const MaterialSettings material = material_of(planned);
   settings.material = material.kind;
   settings.constants = material.constants;
@@ -102,6 +98,16 @@ Result<RenderSettings> render_settings_of(const ScenePlan& plan, const PlannedVi
   settings.shows_environment = !planned.background;
   settings.eye_dome = planned.eye_dome.value_or(0.0);
   settings.outputs = planned.outputs.value_or(settings.outputs);
+  return settings;
+}
+
+Result<RenderSettings> render_settings_of(const ScenePlan& plan, const PlannedView& view,
+                                          const PatchModel& extent,
+                                          std::span<const EngineEntry> among) {
+  const auto camera = camera_for(view.settings, extent);
+  if (!camera) return in_view(plan, view, camera.error());
+  RELIEF_TRY_ASSIGN(RenderSettings settings, look_of(plan, view, among));
+  settings.camera = *camera;
   return settings;
 }
 

@@ -21,6 +21,10 @@ Result<RenderSettings> render_settings_of(const ScenePlan& plan, const PlannedVi
                                           const PatchModel& extent,
                                           std::span<const EngineEntry> among = engines());
 
+/// Returns the same but for the camera, for which nothing needs to be known of the scene.
+Result<RenderSettings> look_of(const ScenePlan& plan, const PlannedView& view,
+                               std::span<const EngineEntry> among = engines());
+
 /// Returns the renderer's settings of all views, in order; of a film, those of its frames.
 Result<std::vector<RenderSettings>> render_settings_of(
     const ScenePlan& plan, const PatchModel& extent,

@@ -164,7 +164,7 @@ std::vector<std::uint32_t> choose_tiles(std::span<const TreeTile> tiles,
 }
 
 Result<PartialModel> read_in_view(const PatchTree& tree, std::span<const Onlooker> onlookers,
-                                  Progress& progress) {
+                                  Progress& progress, const PatchSections& sections) {
   PartialModel read;
   read.model = tree.extent();
   const std::vector<std::uint32_t> tiles = choose_tiles(tree.tiles(), onlookers);
@@ -181,12 +181,13 @@ Result<PartialModel> read_in_view(const PatchTree& tree, std::span<const Onlooke
       if (is_seen(onlookers, ball_of(patch), patch.spacing)) seen.push_back(p);
     }
     progress.advance(file.patches().size() - seen.size());
-    bytes += file.decoded_bytes(seen);
+    bytes += file.decoded_bytes(seen, sections);
     if (!file.joined().empty()) {
       for (const std::uint64_t p : seen) bytes += kJoiningBytes * file.patches()[p].samples;
     }
     RELIEF_TRY(fits_memory(file.name(), bytes));
-    RELIEF_TRY_ASSIGN(auto some, file.read_patches(seen, inner));
+    RELIEF_TRY_ASSIGN(auto some, file.read_patches(seen, inner, sections));
+    read.bytes += file.bytes_read();
     if (!file.joined().empty() && !seen.empty()) {
       read.model.joined.push_back({static_cast<std::uint32_t>(read.model.patches.size()),
                                    static_cast<std::uint32_t>(seen.size())});

@@ -46,10 +46,12 @@ struct PartialModel {
   PatchModel model;
   std::size_t tiles = 0;
   std::uint64_t samples = 0;
+  SectionBytes bytes = {};  ///< of the file
 };
 
-/// Reads what the onlookers need. Refuses what does not fit into this machine's memory.
+/// Reads what the onlookers need, and of patches the maps that `sections` names. Refuses what does
+/// not fit into this machine's memory.
 Result<PartialModel> read_in_view(const PatchTree& tree, std::span<const Onlooker> onlookers,
-                                  Progress& progress);
+                                  Progress& progress, const PatchSections& sections = {});
 
 }  // namespace relief
