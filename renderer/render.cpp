@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "renderer/costs/feature_costs.h"
 #include "renderer/engine_checks.h"
 #include "renderer/eye_dome.h"
 #include "renderer/gl/open_gl.h"
@@ -58,6 +59,25 @@ Result<std::shared_ptr<const OpenGl>> opengl_for(const EngineViews& views) {
   return OpenGl::create(first.platform, first.debug, first.explain);
 }
 
+/// Adds to an image's explanation what its features cost, if that is asked for.
+Status add_costs(const RenderModel& model, const EngineViews& views, std::size_t view,
+                 const std::shared_ptr<const OpenGl>& opengl,
+                 const std::shared_ptr<EnvironmentCache>& environments, Progress& progress,
+                 RenderResult& image) {
+  const RenderSettings& settings = views.settings[view];
+  const auto* const patches = model.find<PatchModel>();
+  const bool can_be_measured = can_measure_costs(*views.engine) && patches != nullptr;
+  if (settings.cost_turns == 0 || !image.explanation || !can_be_measured) return {};
+  RELIEF_TRY_ASSIGN(image.explanation->costs, measure_feature_costs({.engine = *views.engine,
+                                                                     .patches = *patches,
+                                                                     .settings = settings,
+                                                                     .opengl = opengl,
+                                                                     .environments = environments,
+                                                                     .turns = settings.cost_turns},
+                                                                    progress));
+  return {};
+}
+
 Status check_views(const RenderModel& model, std::span<const RenderSettings> views,
                    std::span<const EngineEntry> among) {
   for (const RenderSettings& settings : views) {
@@ -86,6 +106,8 @@ Status render_views(const RenderModel& model, std::span<const RenderSettings> vi
       if (progress.cancelled()) return interrupted_error();
       RELIEF_TRY_ASSIGN(auto image,
                         render_view(*prepared, group.settings[i], several ? quiet : progress));
+      RELIEF_TRY(
+          add_costs(model, group, i, opengl, environments, several ? quiet : progress, image));
       if (progress.cancelled()) return interrupted_error();
       RELIEF_TRY(sink(group.indices[i], std::move(image)));
       if (several) progress.advance(1);

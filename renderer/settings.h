@@ -71,6 +71,9 @@ struct RenderSettings {
   bool debug = false;            ///< OpenGL debug context; a high-severity message is an error
   bool explain = false;  ///< RenderResult::explanation, of the engines on OpenGL; fragments of
                          ///< such an image are not counted
+  /// Explanation::costs, with `explain` and of the engines that draw patches with OpenGL: how often
+  /// the image is drawn with and without each feature. 0: not at all.
+  int cost_turns = 0;
 };
 
 /// Whether the environment is seen behind the model.

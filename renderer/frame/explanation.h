@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "renderer/frame/feature_cost.h"
 
 namespace relief {
 
@@ -41,6 +44,8 @@ struct Explanation {
   std::vector<Memory> textures;       ///< the same; without those that show a buffer
   std::vector<std::string> passes;    ///< of one frame, in their order
   std::vector<Draw> draws;            ///< the same
+  /// What each feature of the image costs, if RenderSettings::cost_turns asked for it.
+  std::optional<FeatureCosts> costs;
 };
 
 /// Bytes of the buffers and textures that the frame's draw calls had bound.
