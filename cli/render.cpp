@@ -26,6 +26,7 @@
 #include "loader/load_scene.h"
 #include "loader/load_volume.h"
 #include "loader/view_settings.h"
+#include "renderer/costs/feature_costs.h"
 
 namespace relief::cli {
 namespace {
@@ -56,15 +57,21 @@ std::string render_footer() {
          "  relief render suite.json -o 'out/{view}.exr'";
 }
 
+/// Sets the outputs of all views. An EXR holds all of them by default, a PNG none but colour.
+/// Before anything is read: what is not shown is not read.
+void set_outputs(const RenderArguments& arguments, ScenePlan& plan) {
+  const bool is_exr = lower_extension(arguments.output) == ".exr";
+  for (PlannedView& view : plan.views) {
+    std::optional<Outputs>& outputs = view.settings.outputs;
+    outputs = is_exr ? outputs.value_or(Outputs{true, true, true, true}) : Outputs{};
+  }
+}
+
 /// Applies the settings that only the command line has.
-void apply(const RenderArguments& arguments, const PlannedView& view, RenderSettings& settings) {
-  // An EXR holds all outputs by default, a PNG none but colour.
-  if (lower_extension(arguments.output) == ".exr")
-    settings.outputs = view.settings.outputs.value_or(Outputs{true, true, true, true});
-  else
-    settings.outputs = {};
+void apply(const RenderArguments& arguments, RenderSettings& settings) {
   settings.platform = arguments.platform;
   settings.explain = arguments.explain;
+  if (arguments.explain_cost) settings.cost_turns = arguments.frames.value_or(kCostTurns);
   settings.frames = arguments.frames.value_or(0);
   settings.count_fragments = arguments.frames.has_value();
 }
@@ -84,6 +91,7 @@ Result<std::vector<WrittenImage>> make_images(const ScenePlan& plan,
   options.read = arguments.read;
   options.volume = arguments.volume;
   options.colour_by = colour_by_of(arguments.colours);
+  options.detail = KeptDetail::OfViews;
   if (arguments.quality) {
     PatchFileOptions of_no_file;
     set_conversion(preset_of(*arguments.quality).convert, options.convert, of_no_file);
@@ -93,15 +101,17 @@ Result<std::vector<WrittenImage>> make_images(const ScenePlan& plan,
   if (progress.cancelled()) return interrupted_error();
   RELIEF_TRY_ASSIGN(auto views, render_settings_of(plan, scene.patches));
   for (std::size_t i = 0; i < views.size(); ++i) {
-    apply(arguments, view_at(plan, i), views[i]);
+    apply(arguments, views[i]);
     complete_look(view_at(plan, i), scene, views[i]);
   }
   std::vector<WrittenImage> written(views.size());
+  // A scan that is converted in memory has no sections.
+  const FileBytes read = scene.read == SectionBytes{} ? std::nullopt : FileBytes(scene.read);
   const auto keep = [&](std::size_t i, RenderResult result) -> Status {
     const PlannedView& view = view_at(plan, i);
     RELIEF_TRY(writer.write(i, result.image, view.settings.exposure.value_or(0.0), legend));
     result.image.channels.clear();
-    written[i] = {view.name, files[i], views[i], std::move(result), scene.colours};
+    written[i] = {view.name, files[i], views[i], std::move(result), scene.colours, read};
     return {};
   };
   RELIEF_TRY(render_views(scene.forms(), views, keep, progress));
@@ -144,6 +154,7 @@ int run_render(RenderArguments arguments) {
   if (!plan) return fail(plan.error());
   choose_volume_engine(*plan, arguments.volume);
   if (arguments.quality) complete_views(preset_of(*arguments.quality).render, *plan);
+  set_outputs(arguments, *plan);
   const bool follows_path = !arguments.path.empty();
   if ((arguments.turntable > 0 || follows_path) && plan->views.size() > 1) {
     (void)fail(make_error("{}: has {} views; {} makes a film of a single one",

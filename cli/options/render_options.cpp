@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <map>
 #include <string>
 
@@ -14,6 +15,7 @@
 #include "common/io/standard_input.h"
 #include "common/scene/camera_path.h"
 #include "loader/view_settings.h"
+#include "renderer/costs/feature_costs.h"
 
 namespace relief::cli {
 namespace {
@@ -117,6 +119,11 @@ void check_for_engine(const RenderArguments& arguments) {
   check_engine_options(arguments.settings);
   if (arguments.explain && !engine.capabilities.explanation)
     throw CLI::ValidationError("--explain", fmt::format("engine {} has none", engine.name));
+  if (arguments.explain_cost && !can_measure_costs(engine)) {
+    throw CLI::ValidationError(
+        "--explain-cost",
+        fmt::format("is for engines that draw patches with OpenGL; {} does not", engine.name));
+  }
 }
 
 }  // namespace
@@ -273,7 +280,13 @@ void add_render_options(CLI::App& sub, RenderArguments& arguments) {
   sub.add_flag(
       "--explain", arguments.explain,
       "Engines with OpenGL: report features, shader variants, buffers, textures, passes and "
-      "draws of the image");
+      "draws of the image, and what was read of patch files");
+  sub.add_flag_function(
+      "--explain-cost",
+      [&](std::int64_t /*count*/) { arguments.explain = arguments.explain_cost = true; },
+      "onepass, multipass: also draw the image without each of its features, 9 times each in turns "
+      "with the whole image, or --frames times; report what each costs: bytes, passes, lines of "
+      "shaders, milliseconds");
   sub.add_flag("--json", arguments.json, "Print one JSON object on standard output");
 }
 

@@ -28,6 +28,7 @@ struct RenderArguments {
   std::optional<double> frames_per_second;  ///< of a film
   std::optional<int> frames;                ///< to be timed; by default the image is drawn once
   bool explain = false;
+  bool explain_cost = false;  ///< implies `explain`
   bool json = false;
 };
 

@@ -48,13 +48,14 @@ std::string memory_as_text(std::string_view kind, const std::vector<Explanation:
 
 }  // namespace
 
-Json as_json(const Explanation& explanation) {
+Json as_json(const Explanation& explanation, const FileBytes& read) {
   Json variants = Json::array();
   for (const Explanation::Variant& variant : explanation.variants) {
     variants.push_back({{"name", variant.name},
                         {"vertex", variant.vertex},
                         {"fragment", variant.fragment},
                         {"features", variant.features},
+                        {"lines", variant.lines},
                         {"drawn", variant.drawn}});
   }
   Json draws = Json::array();
@@ -65,22 +66,25 @@ Json as_json(const Explanation& explanation) {
                      {"commands", draw.commands},
                      {"front_alone", draw.front_alone}});
   }
-  return {{"features", explanation.features},
-          {"variants", std::move(variants)},
-          {"buffers", memory_as_json(explanation.buffers)},
-          {"textures", memory_as_json(explanation.textures)},
-          {"bytes", total_bytes(explanation)},
-          {"passes", explanation.passes},
-          {"draws", std::move(draws)}};
+  Json json = {{"features", explanation.features},
+               {"variants", std::move(variants)},
+               {"buffers", memory_as_json(explanation.buffers)},
+               {"textures", memory_as_json(explanation.textures)},
+               {"bytes", total_bytes(explanation)},
+               {"passes", explanation.passes},
+               {"draws", std::move(draws)},
+               {"read_bytes", as_json(read)}};
+  if (explanation.costs) json["costs"] = as_json(*explanation.costs, read);
+  return json;
 }
 
-std::string as_text(const Explanation& explanation) {
+std::string as_text(const Explanation& explanation, const FileBytes& read) {
   std::string text =
       fmt::format("  features of the frame: {}\n  shader variants\n", names(explanation.features));
   for (const Explanation::Variant& variant : explanation.variants) {
-    text +=
-        fmt::format("    {:<24} {} + {}: {}{}\n", variant.name, variant.vertex, variant.fragment,
-                    names(variant.features), variant.drawn ? "" : "; not in the frame");
+    text += fmt::format("    {:<24} {} + {}, {} lines: {}{}\n", variant.name, variant.vertex,
+                        variant.fragment, variant.lines, names(variant.features),
+                        variant.drawn ? "" : "; not in the frame");
   }
   text += memory_as_text("buffers", explanation.buffers);
   text += memory_as_text("textures", explanation.textures);
@@ -91,7 +95,12 @@ std::string as_text(const Explanation& explanation) {
                         draw.primitive, draw.commands, draw.commands == 1 ? "" : "s",
                         draw.front_alone ? ", front faces only" : "");
   }
-  return text;
+  if (read) {
+    text += fmt::format(
+        "  read of patch files: {} bytes of heights, {} of normals, {} of colours, {} of scalars\n",
+        read->heights, read->normals, read->colours, read->scalars);
+  }
+  return explanation.costs ? text + as_text(*explanation.costs, read) : text;
 }
 
 }  // namespace relief::cli

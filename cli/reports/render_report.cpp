@@ -78,7 +78,8 @@ nlohmann::ordered_json as_json(const WrittenImage& written) {
        {"level", value_or_null(result.level)}});
   if (written.colours) json["colour_by"] = colours_as_json(*written.colours);
   if (settings.explain)
-    json["explain"] = result.explanation ? as_json(*result.explanation) : nlohmann::ordered_json();
+    json["explain"] =
+        result.explanation ? as_json(*result.explanation, written.read) : nlohmann::ordered_json();
   return json;
 }
 
@@ -125,7 +126,7 @@ std::string as_text(const WrittenImage& written) {
       written.file.string(), settings.engine, fmt::join(options_as_text(settings), ", "),
       material_names(settings), colours, result.renderer, result.image.width, result.image.height,
       result.frame_ms, result.covered_pixels, fragments);
-  return result.explanation ? text + as_text(*result.explanation) : text;
+  return result.explanation ? text + as_text(*result.explanation, written.read) : text;
 }
 
 }  // namespace relief::cli

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/reports/cost_report.h"
 #include "common/scalars/colour_scale.h"
 #include "renderer/render.h"
 
@@ -20,6 +21,7 @@ struct WrittenImage {
   RenderSettings settings;
   RenderResult result;
   std::optional<ColourScale> colours;  ///< of --colour-by
+  FileBytes read;                      ///< of the scene, all views together
 };
 
 /// Returns one JSON object: the engine and its options, sizes, times and counts, and `explain` with

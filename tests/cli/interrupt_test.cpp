@@ -71,6 +71,9 @@ TEST_F(Interrupts, OfImagesLeaveNothing) {
   interrupt_often(
       {"render", path("a.relief"), "-o", path("a.png"), "--samples", "16", "--size", "800x800"},
       path("a.png"), 2);
+  interrupt_often(
+      {"render", path("a.relief"), "-o", path("a.png"), "--explain-cost", "--size", "300x300"},
+      path("a.png"), 2);
 }
 
 /// What a driver or a library does: it runs for long and does not look.
