@@ -167,6 +167,13 @@ PatchModel sphere_model(const SphereShape& shape) {
   return model_of(std::move(patches));
 }
 
+PatchModel coarse_coloured_sphere() {
+  SphereShape shape;
+  shape.spacing = 0.1;
+  shape.coloured = true;
+  return sphere_model(shape);
+}
+
 PatchModel height_field(std::uint32_t nodes, const std::function<double(double, double)>& height) {
   Grid grid;
   grid.width = grid.height = nodes;

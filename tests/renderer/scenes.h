@@ -58,6 +58,9 @@ double sphere_radius(const SphereShape& shape, glm::dvec3 direction);
 /// A closed sphere of overlapping patches, each over the tangent plane in its middle.
 PatchModel sphere_model(const SphereShape& shape);
 
+/// The same with colours and a spacing of 0.1: quick to draw.
+PatchModel coarse_coloured_sphere();
+
 /// A single square patch of `nodes` nodes a side over the plane z = 0 about the origin whose
 /// heights are `height(x, y)` in cells; spacing 1.
 PatchModel height_field(std::uint32_t nodes, const std::function<double(double, double)>& height);

@@ -18,13 +18,6 @@ using test::must_render;
 using test::small_image;
 using Names = std::vector<std::string>;
 
-PatchModel coloured_sphere() {
-  test::SphereShape shape;
-  shape.spacing = 0.1;
-  shape.coloured = true;
-  return test::sphere_model(shape);
-}
-
 FeatureCosts costs_of(const PatchModel& model, RenderSettings settings, int turns = 1) {
   settings.explain = true;
   settings.cost_turns = turns;
@@ -46,7 +39,7 @@ std::set<std::string> names_of(const FeatureCosts& costs) {
 }
 
 TEST(FeatureCosts, AreMeasuredOnlyWhereTheyAreAskedFor) {
-  const PatchModel model = coloured_sphere();
+  const PatchModel model = test::coarse_coloured_sphere();
   RenderSettings settings = small_image(model);
   settings.explain = true;
   const RenderResult explained = must_render(model, settings);
@@ -61,7 +54,7 @@ TEST(FeatureCosts, AreMeasuredOnlyWhereTheyAreAskedFor) {
 }
 
 TEST(FeatureCosts, ARowForEachFeatureOfTheScene) {
-  PatchModel model = coloured_sphere();
+  PatchModel model = test::coarse_coloured_sphere();
   RenderSettings settings = small_image(model);
   settings.pixels_per_sample = 0.0;
   settings.material = Material::Unlit;
@@ -93,7 +86,7 @@ TEST(FeatureCosts, ARowForEachFeatureOfTheScene) {
 }
 
 TEST(FeatureCosts, AreWhatTheFrameTakesMore) {
-  const PatchModel model = coloured_sphere();
+  const PatchModel model = test::coarse_coloured_sphere();
   RenderSettings settings = small_image(model);
   settings.pixels_per_sample = 0.0;
   settings.explain = true;
@@ -138,7 +131,7 @@ TEST(FeatureCosts, AreWhatTheFrameTakesMore) {
 }
 
 TEST(FeatureCosts, NormalsThatAnOutputShowsAreNotPaidForByLight) {
-  const PatchModel model = coloured_sphere();
+  const PatchModel model = test::coarse_coloured_sphere();
   RenderSettings settings = small_image(model);
   settings.outputs.normal = true;
   const FeatureCosts costs = costs_of(model, settings);
@@ -207,7 +200,7 @@ class Impatient final : public Progress {
 };
 
 TEST(FeatureCosts, CanBeInterruptedBetweenFrames) {
-  const PatchModel model = coloured_sphere();
+  const PatchModel model = test::coarse_coloured_sphere();
   RenderSettings settings = small_image(model);
   settings.explain = true;
   settings.cost_turns = 1000000;

@@ -101,15 +101,8 @@ Explanation explain(const PatchModel& model, RenderSettings settings) {
   return result.explanation.value_or(Explanation{});
 }
 
-PatchModel coloured_sphere() {
-  test::SphereShape shape;
-  shape.spacing = 0.1;
-  shape.coloured = true;
-  return test::sphere_model(shape);
-}
-
 TEST(OpaqueScenes, PayForNoTransparency) {
-  const PatchModel model = coloured_sphere();
+  const PatchModel model = test::coarse_coloured_sphere();
   for (const Material material : {Material::Unlit, Material::Lit, Material::Mirror}) {
     RenderSettings settings = test::small_image(model);
     settings.material = material;
@@ -125,7 +118,7 @@ TEST(OpaqueScenes, PayForNoTransparency) {
 }
 
 TEST(OpaqueScenes, SeveralMaterialsPayForNoneEither) {
-  PatchModel model = coloured_sphere();
+  PatchModel model = test::coarse_coloured_sphere();
   model.patches.back().material = 1;
   RenderSettings settings = test::small_image(model);
   settings.materials = {{Material::Lit, {}}, {Material::Mirror, {}}};
@@ -135,7 +128,7 @@ TEST(OpaqueScenes, SeveralMaterialsPayForNoneEither) {
 
 /// The check sees what transparent scenes take.
 TEST(OpaqueScenes, TransparentOnesDoPay) {
-  const PatchModel model = coloured_sphere();
+  const PatchModel model = test::coarse_coloured_sphere();
   RenderSettings settings = test::small_image(model);
   settings.constants.opacity = 0.5F;
   EXPECT_NE(transparency_in(explain(model, settings)), "");
@@ -146,7 +139,7 @@ TEST(OpaqueScenes, TransparentOnesDoPay) {
 
 /// Opaque glass and lit surfaces that are half transparent pay each for their own.
 TEST(OpaqueScenes, GlassHasNoLayersAndLayersNoGlass) {
-  const PatchModel model = coloured_sphere();
+  const PatchModel model = test::coarse_coloured_sphere();
   RenderSettings settings = test::small_image(model);
   settings.material = Material::Glass;
   for (const Explanation::Variant& variant : explain(model, settings).variants) {

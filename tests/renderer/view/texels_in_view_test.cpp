@@ -12,12 +12,12 @@
 namespace relief {
 namespace {
 
-constexpr std::uint32_t kNodes = 17;
-constexpr std::uint32_t kScale = 8;
+constexpr std::uint32_t kSheetNodes = 17;
+constexpr std::uint32_t kTexelsPerCell = 8;
 
 template <class Texel, class Value>
 AttributeMap<Texel> map_of(std::uint32_t scale, const Value& value) {
-  const std::uint32_t side = scale * (kNodes - 1) + 1;
+  const std::uint32_t side = scale * (kSheetNodes - 1) + 1;
   AttributeMap<Texel> map{side, side, scale, {}};
   for (std::uint32_t j = 0; j < side; ++j) {
     for (std::uint32_t i = 0; i < side; ++i) map.texels.push_back(value(i, j));
@@ -27,13 +27,13 @@ AttributeMap<Texel> map_of(std::uint32_t scale, const Value& value) {
 
 /// A level square, cells of 1, with colours in waves of eight texels and fine normals.
 PatchModel fine_square() {
-  PatchModel model = test::height_field(kNodes, [](double, double) { return 0.0; });
+  PatchModel model = test::height_field(kSheetNodes, [](double, double) { return 0.0; });
   model.has_colours = true;
   Patch& patch = model.patches.front();
-  patch.colours = map_of<glm::u8vec3>(kScale, [](std::uint32_t i, std::uint32_t j) {
+  patch.colours = map_of<glm::u8vec3>(kTexelsPerCell, [](std::uint32_t i, std::uint32_t j) {
     return (i + j) / 4 % 2 == 0 ? glm::u8vec3(40, 60, 80) : glm::u8vec3(200, 180, 160);
   });
-  patch.normals = map_of<glm::i16vec2>(kScale, [](std::uint32_t i, std::uint32_t) {
+  patch.normals = map_of<glm::i16vec2>(kTexelsPerCell, [](std::uint32_t i, std::uint32_t) {
     return snorm16_from_unit(glm::normalize(glm::vec3(i % 4 < 2 ? 0.3F : -0.3F, 0.0F, 1.0F)));
   });
   return model;
@@ -70,7 +70,7 @@ TEST(TexelsInView, AHalvedMapLiesWhereItDid) {
   });
   const AttributeMap<glm::u8vec3> half = halved(ramp);
   EXPECT_EQ(half.scale, 2U);
-  ASSERT_EQ(half.width, 2 * (kNodes - 1) + 1);
+  ASSERT_EQ(half.width, 2 * (kSheetNodes - 1) + 1);
   ASSERT_EQ(half.texels.size(), std::size_t{half.width} * half.height);
   for (std::uint32_t i = 1; i + 1 < half.width; ++i) {
     EXPECT_NEAR(half.texels[half.width + i].r, ramp.texels[2 * i].r, 1) << i;  // rounded twice
