@@ -26,6 +26,7 @@
 #include "preprocess/texture/files/load_textures.h"
 #include "preprocess/texture/maps/flat_triangles.h"
 #include "preprocess/thread_limit.h"
+#include "preprocess/working_frame.h"
 #include "preprocess/working_unit.h"
 
 namespace relief {
@@ -205,6 +206,14 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
                          points.positions.end());
   }
 
+  // As scanned, so that a camera is the same for engines that draw the points themselves.
+  PatchModel extent;
+  set_extent(extent, clean.scanned.empty() ? points.positions : clean.scanned);
+  const WorkingFrame frame = working_frame(points.positions);
+  to_working_frame(frame, points);
+  to_working_frame(frame, clean.scanned);
+  to_working_frame(frame, clean.normals);
+
   MeshInTime in_time(points, points.size() - result.report.points_added);
   if (!clean.graph) progress.begin_stage("neighbours", 0);
   const NeighbourGraph graph =
@@ -216,7 +225,7 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
   take_known_normals(clean.normals, frames);
   in_time.wait();
   const NormalsReport normals = complete_normals(
-      points, graph, frames, {.side = options.side, .of_faces = &in_time.normals()}, progress);
+      points, graph, frames, {.side = to_working_frame(frame, options.side), .of_faces = &in_time.normals()}, progress);
   result.report.normals_estimated = normals.estimated;
   result.report.normals_repaired = normals.repaired;
   if (progress.cancelled()) return interrupted_error();
@@ -247,9 +256,10 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
   RELIEF_TRY_ASSIGN(MeasuredModel made, make_best_model(scan, options, progress));
   result.model = std::move(made.model);
   PatchModel& model = result.model;
+  model.bounds = extent.bounds;
+  model.bounding_radius = extent.bounding_radius;
+  model.extremes = std::move(extent.extremes);
   model.is_closed = in_time.is_closed();
-  // As scanned, so that a camera is the same for engines that draw the points themselves.
-  set_extent(model, scan.scanned);
   model.stance = stance_of(options.up, stance_of(points));
   model.has_colours = textured || !points.colours.empty();
   report_model(made.fidelity, model, result.report);
@@ -258,6 +268,7 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
     measured.resize(scan.measured);
     RELIEF_TRY(add_distances(measured, model, progress));
   }
+  to_world_frame(frame, model.patches);
   return result;
 }
 

@@ -18,7 +18,7 @@ constexpr float kLeastWeight = 1e-3F;
 }  // namespace
 
 glm::vec3 KnownSides::direction_at(const Points& points, std::size_t point) const {
-  if (!viewpoint && !is_of_scanners) return {0.0F, 0.0F, 1.0F};
+  if (!viewpoint && !is_of_scanners) return up;
   const glm::dvec3 from = is_of_scanners ? points.scanners[points.scanner_of[point]] : *viewpoint;
   const glm::dvec3 to = from - points.positions[point];
   const double length = glm::length(to);
@@ -26,13 +26,14 @@ glm::vec3 KnownSides::direction_at(const Points& points, std::size_t point) cons
 }
 
 KnownSides known_sides(const Points& points, const SideChoice& choice) {
+  const glm::vec3 up(choice.up);
   switch (choice.side) {
     case NormalSide::Up:
-      return {.weight = 1.0F, .is_sure = true};
+      return {.up = up, .weight = 1.0F, .is_sure = true};
     case NormalSide::Toward:
       return {.viewpoint = choice.toward, .weight = 1.0F, .is_sure = true};
     case NormalSide::Outward:
-      return {.weight = kLeastWeight};
+      return {.up = up, .weight = kLeastWeight};
     case NormalSide::Auto:
       break;
   }
@@ -42,7 +43,8 @@ KnownSides known_sides(const Points& points, const SideChoice& choice) {
             .weight = 1.0F,
             .is_sure = true};
   }
-  return {.weight = points.is_airborne ? kAirborneWeight : kUpWeight,
+  return {.up = up,
+          .weight = points.is_airborne ? kAirborneWeight : kUpWeight,
           .leads_slivers = points.is_airborne};
 }
 

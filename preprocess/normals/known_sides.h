@@ -12,19 +12,21 @@ namespace relief {
 /// The side that normals of bare points face, as asked for.
 enum class NormalSide {
   Auto,     ///< towards the scanner if the file tells where it was; otherwise found out
-  Up,       ///< +Z
+  Up,       ///< along SideChoice::up
   Outward,  ///< out of what the surface encloses, wherever the scanner was
   Toward,   ///< towards a position
 };
 
 struct SideChoice {
   NormalSide side = NormalSide::Auto;
-  glm::dvec3 toward{0.0};  ///< for Toward, world frame
+  glm::dvec3 toward{0.0};        ///< for Toward, in the frame of the points
+  glm::dvec3 up{0.0, 0.0, 1.0};  ///< +Z of the world, in the frame of the points; unit
 };
 
 /// The direction that normals of a scan shall have.
 struct KnownSides {
-  std::optional<glm::dvec3> viewpoint{};  ///< towards this position; nothing: towards +Z
+  std::optional<glm::dvec3> viewpoint{};  ///< towards this position; nothing: up
+  glm::vec3 up{0.0F, 0.0F, 1.0F};         ///< as SideChoice has it
   bool is_of_scanners = false;            ///< towards each point's own scanner instead
   /// What a direction counts beside the winding numbers, which are a half about a closed surface.
   float weight = 0.0F;

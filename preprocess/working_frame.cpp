@@ -1,0 +1,125 @@
+#include "preprocess/working_frame.h"
+
+#include <Eigen/Eigenvalues>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace relief {
+namespace {
+
+// Variances that differ by less than this share tell no axes apart: rounding turns such axes by
+// more than a hundredth of a spacing at the ends of a scan of a million points.
+constexpr double kLeastDifference = 1e-3;
+// The third moment of points beside the cube of their standard deviation. Less is rounding.
+constexpr double kLeastSkewness = 1e-6;
+
+/// The world's axes among which a unit vector turns least.
+glm::dvec3 world_axis_across(const glm::dvec3& axis) {
+  const glm::dvec3 along = glm::abs(axis);
+  if (along.x <= along.y && along.x <= along.z) return {1.0, 0.0, 0.0};
+  return along.y <= along.z ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
+}
+
+/// Columns: an axis, and two across it that are as near to the world's as can be.
+glm::dmat3 axes_about(const glm::dvec3& axis) {
+  const glm::dvec3 world = world_axis_across(axis);
+  const glm::dvec3 across = glm::normalize(world - glm::dot(world, axis) * axis);
+  return {axis, across, glm::cross(axis, across)};
+}
+
+/// Turns an axis towards the side on which the points reach farther.
+glm::dvec3 towards_longer_side(const std::vector<glm::dvec3>& positions, const glm::dvec3& mean,
+                               double deviation, const glm::dvec3& axis) {
+  double third = 0.0;
+  for (const glm::dvec3& p : positions) {
+    const double along = glm::dot(p - mean, axis) / deviation;
+    third += along * along * along;
+  }
+  if (std::abs(third) >= kLeastSkewness * static_cast<double>(positions.size()))
+    return third < 0.0 ? -axis : axis;
+  const glm::dvec3 size = glm::abs(axis);
+  const int largest = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+  return axis[largest] < 0.0 ? -axis : axis;
+}
+
+glm::dvec3 mean_of(const std::vector<glm::dvec3>& positions) {
+  // About the first, so that a scan far from the origin keeps its digits.
+  glm::dvec3 sum(0.0);
+  for (const glm::dvec3& p : positions) sum += p - positions.front();
+  return positions.front() + sum / static_cast<double>(positions.size());
+}
+
+Eigen::Matrix3d covariance_of(const std::vector<glm::dvec3>& positions, const glm::dvec3& mean) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (const glm::dvec3& p : positions) {
+    const Eigen::Vector3d d(p.x - mean.x, p.y - mean.y, p.z - mean.z);
+    sum += d * d.transpose();
+  }
+  return sum / static_cast<double>(positions.size());
+}
+
+}  // namespace
+
+WorkingFrame working_frame(const std::vector<glm::dvec3>& positions) {
+  if (positions.empty()) return {};
+  const glm::dvec3 mean = mean_of(positions);
+  const Eigen::Matrix3d covariance = covariance_of(positions, mean);
+  if (!covariance.allFinite()) return {};
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  const Eigen::Vector3d variances = solver.eigenvalues().cwiseMax(0.0);  // ascending
+  const auto axis = [&](int k) {
+    const Eigen::Vector3d v = solver.eigenvectors().col(k);
+    return towards_longer_side(positions, mean, std::sqrt(variances[k]), {v[0], v[1], v[2]});
+  };
+  const double least = kLeastDifference * variances[2];
+  const bool is_long = variances[2] - variances[1] > least;
+  const bool is_flat = variances[1] - variances[0] > least;
+  if (is_long && is_flat) {
+    const glm::dvec3 longest = axis(2);
+    const glm::dvec3 second = axis(1);
+    return {mean, {longest, second, glm::cross(longest, second)}};
+  }
+  if (is_long) return {mean, axes_about(axis(2))};
+  if (is_flat) return {mean, axes_about(axis(0))};
+  return {};
+}
+
+void to_working_frame(const WorkingFrame& frame, std::vector<glm::dvec3>& positions) {
+  if (frame == WorkingFrame{}) return;
+  for (glm::dvec3& p : positions) p = (p - frame.origin) * frame.axes;
+}
+
+void to_working_frame(const WorkingFrame& frame, std::vector<glm::vec3>& directions) {
+  if (frame == WorkingFrame{}) return;
+  for (glm::vec3& direction : directions) direction = glm::dvec3(direction) * frame.axes;
+}
+
+SideChoice to_working_frame(const WorkingFrame& frame, SideChoice side) {
+  side.toward = (side.toward - frame.origin) * frame.axes;
+  side.up = side.up * frame.axes;
+  return side;
+}
+
+void to_working_frame(const WorkingFrame& frame, Points& points) {
+  to_working_frame(frame, points.positions);
+  to_working_frame(frame, points.normals);
+  for (CornerTangents& corners : points.corner_tangents) {
+    for (glm::vec4& tangent : corners)
+      tangent = {glm::dvec3(tangent) * frame.axes, tangent.w};
+  }
+  if (points.viewpoint) *points.viewpoint = (*points.viewpoint - frame.origin) * frame.axes;
+  to_working_frame(frame, points.scanners);
+}
+
+void to_world_frame(const WorkingFrame& frame, std::vector<Patch>& patches) {
+  if (frame == WorkingFrame{}) return;
+  for (Patch& patch : patches) {
+    patch.origin = frame.origin + frame.axes * patch.origin;
+    patch.axes = frame.axes * patch.axes;
+  }
+}
+
+}  // namespace relief

@@ -1,0 +1,39 @@
+// The frame that a conversion computes in, so that its result does not depend on how a scan lies.
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "common/patch.h"
+#include "common/points.h"
+#include "preprocess/convert_options.h"
+
+namespace relief {
+
+/// A frame in the world.
+struct WorkingFrame {
+  glm::dvec3 origin{0.0};
+  glm::dmat3 axes{1.0};  ///< columns: right-handed unit vectors
+
+  bool operator==(const WorkingFrame&) const = default;
+};
+
+/// Returns the frame that turns with a scan: its axes are the principal axes of the points, from
+/// the longest on, each towards the side on which the points reach farther (the third moment).
+/// Where moments do not tell axes apart, as of a sphere or a cube, the world's axes stand in for
+/// them. A scan that has no axes of its own stays in the world frame.
+[[nodiscard]] WorkingFrame working_frame(const std::vector<glm::dvec3>& positions);
+
+// From the world frame to a working one.
+
+/// Moves all positions and directions of a scan. How it stands remains as it is in the world.
+void to_working_frame(const WorkingFrame& frame, Points& points);
+void to_working_frame(const WorkingFrame& frame, std::vector<glm::dvec3>& positions);
+void to_working_frame(const WorkingFrame& frame, std::vector<glm::vec3>& directions);
+[[nodiscard]] SideChoice to_working_frame(const WorkingFrame& frame, SideChoice side);
+
+/// Moves patches from a working frame to the world's.
+void to_world_frame(const WorkingFrame& frame, std::vector<Patch>& patches);
+
+}  // namespace relief
