@@ -18,6 +18,7 @@ EnvironmentLookups environment_lookups(vec3 along, float size) {
   return EnvironmentLookups(vec3(0.0), 1.0, log2(max(normal_spread * size / 1.5708, 1.0)));
 }
 #else
+#define RELIEF_ENVIRONMENT_ASKS_NEIGHBOURS
 #ifdef RELIEF_SHADES_PICTURE
 // Whether the neighbours beside and above (or below) show the same surface: what a lookup there
 // differs by is then how much of the environment a pixel sees. Across a silhouette it is not.

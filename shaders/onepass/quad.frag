@@ -10,6 +10,7 @@
 #else
 #include "include/surface.glsl"
 #endif
+#include "include/discarding.glsl"
 #if (RELIEF_FEATURES & RELIEF_FEATURE_MASKED) != 0u
 #include "include/mask.glsl"
 #endif
@@ -37,7 +38,7 @@ void main() {
   vec4 footprint = RELIEF_FOOTPRINT(hit.xy);
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_LARGE_SPRITES) != 0u
-  if (distance(hit, disc.xyz) > disc.w || !within_limits(hit.xy - disc.xy, limits)) discard;
+  RELIEF_DISCARD_IF(distance(hit, disc.xyz) > disc.w || !within_limits(hit.xy - disc.xy, limits));
 #endif
   PatchInfo info = fetch_patch(hit_patch);
   vec3 position = hit;
@@ -50,14 +51,14 @@ void main() {
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_CORRECTED) != 0u
   float along;
-  if (!correct(position, ray, info, along)) discard;
+  RELIEF_DISCARD_IF(!correct(position, ray, info, along));
   depth = depth_beyond(depth, along, info.axis_u.w);
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_MASKED) != 0u
-  if (!within_mask(info, position.xy)) discard;
+  RELIEF_DISCARD_IF(!within_mask(info, position.xy));
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_LAYERED) != 0u
-  if (!in_next_layers(info.axis_u.w)) discard;
+  RELIEF_DISCARD_IF(!in_next_layers(info.axis_u.w));
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_VISIBILITY) != 0u
   out_visibility = pack_position(position.xy, hit_patch);
@@ -67,4 +68,5 @@ void main() {
 #else
   shade(info, position, ray, depth, footprint);
 #endif
+  RELIEF_DISCARD_LOST;
 }

@@ -2,6 +2,7 @@
 #include "include/counting.glsl"
 #include "include/limits.glsl"
 #include "include/surface.glsl"
+#include "include/discarding.glsl"
 #if (RELIEF_FEATURES & RELIEF_FEATURE_MASKED) != 0u
 #include "include/mask.glsl"
 #endif
@@ -53,16 +54,17 @@ void main() {
 #endif
   vec4 footprint = RELIEF_FOOTPRINT(offset.xy);
   // In this form an undefined depth (a ray within the plane) is discarded too.
-  if (!(before_eye && dot(offset, offset) <= disc.w * disc.w && within_limits(offset.xy, limits)))
-    discard;
+  RELIEF_DISCARD_IF(!(before_eye && dot(offset, offset) <= disc.w * disc.w &&
+                      within_limits(offset.xy, limits)));
 
   gl_FragDepth = set_back(value, plane.z);
   float along = 0.0;
 #if (RELIEF_FEATURES & RELIEF_FEATURE_CORRECTED) != 0u
-  if (!correct(position, toward, info, along)) discard;
+  RELIEF_DISCARD_IF(!correct(position, toward, info, along));
 #endif
 #if (RELIEF_FEATURES & RELIEF_FEATURE_MASKED) != 0u
-  if (!within_mask(info, position.xy)) discard;
+  RELIEF_DISCARD_IF(!within_mask(info, position.xy));
 #endif
   shade(info, position, ray, depth_beyond(depth, along, info.axis_u.w), footprint);
+  RELIEF_DISCARD_LOST;
 }

@@ -9,6 +9,7 @@
 #if RELIEF_SURFEL_IS_SORTED
 #include "include/materials.glsl"
 #endif
+#include "include/discarding.glsl"
 
 // Depth is not written, so that it may be tested first although fragments are discarded.
 layout(early_fragment_tests) in;
@@ -50,9 +51,9 @@ void main() {
   vec3 albedo = vec3(kNeutralGrey);
 #endif
   float squared = dot(disc, disc);
-  if (squared > 1.0 + kSurfelSlack || is_other_side()) discard;
+  RELIEF_DISCARD_IF(squared > 1.0 + kSurfelSlack || is_other_side());
 #if (RELIEF_FEATURES & RELIEF_FEATURE_CLIPPED) != 0u
-  if (is_clipped(disc, kSurfelSlack)) discard;
+  RELIEF_DISCARD_IF(is_clipped(disc, kSurfelSlack));
 #endif
   // Above 0, so that no pixel that pass 1 covers is without weight.
   float weight = max(exp2(-surfel_frame.rule.x * squared), 1e-6);
@@ -82,4 +83,5 @@ void main() {
 #if RELIEF_NEEDS_DEPTH
   depth_sum = weight * vec4(RELIEF_FRAGMENT_DEPTH, 1.0, 0.0, 1.0);
 #endif
+  RELIEF_DISCARD_LOST;
 }
