@@ -29,46 +29,55 @@ std::uint64_t drop_stray_points(Points& points, NeighbourGraph& graph, const Pro
   return dropped;
 }
 
+NoiseRemoval removal_of(const ConvertOptions& options, bool is_bare) {
+  if (options.noise_removal != NoiseRemoval::Default) return options.noise_removal;
+  return is_bare ? NoiseRemoval::AsMeasured : NoiseRemoval::None;
+}
+
 }  // namespace
 
-Result<CleanScan> clean_scan(Points& points, const ConvertOptions& options, double unit,
-                             ConvertReport& report, Progress& progress) {
+Result<CleanScan> drop_strays(Points& points, const ConvertOptions& options, ConvertReport& report,
+                              Progress& progress) {
   CleanScan clean;
   const bool is_bare = points.triangles.empty();
-  const NoiseRemoval removal = options.noise_removal == NoiseRemoval::Default
-                                   ? (is_bare ? NoiseRemoval::AsMeasured : NoiseRemoval::None)
-                                   : options.noise_removal;
-  if (points.size() < kMinSurfacePoints || (!is_bare && removal == NoiseRemoval::None))
+  if (points.size() < kMinSurfacePoints ||
+      (!is_bare && removal_of(options, is_bare) == NoiseRemoval::None))
     return clean;
-
   progress.begin_stage("neighbours", 0);
-  NeighbourGraph graph = find_neighbours(points.positions, kSurfaceNeighbours);
+  clean.graph = find_neighbours(points.positions, kSurfaceNeighbours);
   if (progress.cancelled()) return interrupted_error();
-  if (is_bare) report.stray_points = drop_stray_points(points, graph, progress);
+  if (is_bare) report.stray_points = drop_stray_points(points, *clean.graph, progress);
   if (progress.cancelled()) return interrupted_error();
+  return clean;
+}
 
-  if (removal != NoiseRemoval::None) {
-    const auto given =
-        removal == NoiseRemoval::AsGiven ? std::optional(options.noise) : std::nullopt;
-    NoiselessPoints noiseless = remove_noise(points.positions, graph.spacing, given, progress);
-    if (progress.cancelled()) return interrupted_error();
-    report.noise = noiseless.report.noise;
-    report.points_moved = noiseless.report.moved;
-    if (given && report.points_moved == 0) {
-      progress.note(fmt::format(
-          "no noise is removed: {:.3g} is less than a twentieth of the spacing, or more than the "
-          "scan is wide",
-          *given * unit));
-    }
-    if (report.points_moved > 0) {
-      clean.scanned = std::exchange(points.positions, std::move(noiseless.smooth.positions));
-      clean.normals = std::move(noiseless.smooth.normals);
+Status drop_noise(Points& points, const ConvertOptions& options, double unit, CleanScan& clean,
+                  ConvertReport& report, Progress& progress) {
+  const bool is_bare = points.triangles.empty();
+  const NoiseRemoval removal = removal_of(options, is_bare);
+  if (!clean.graph || removal == NoiseRemoval::None) return {};
+  const auto given = removal == NoiseRemoval::AsGiven ? std::optional(options.noise) : std::nullopt;
+  NoiselessPoints noiseless = remove_noise(points.positions, clean.graph->spacing, given, progress);
+  if (progress.cancelled()) return interrupted_error();
+  report.noise = noiseless.report.noise;
+  report.points_moved = noiseless.report.moved;
+  if (given && report.points_moved == 0) {
+    progress.note(fmt::format(
+        "no noise is removed: {:.3g} is less than a twentieth of the spacing, or more than the "
+        "scan is wide",
+        *given * unit));
+  }
+  if (report.points_moved > 0) {
+    clean.scanned = std::exchange(points.positions, std::move(noiseless.smooth.positions));
+    clean.normals = std::move(noiseless.smooth.normals);
+    if (is_bare) {
       progress.begin_stage("neighbours", 0);
-      graph = find_neighbours(points.positions, kSurfaceNeighbours);
+      clean.graph = find_neighbours(points.positions, kSurfaceNeighbours);
     }
   }
-  if (is_bare) clean.graph = std::move(graph);
-  return clean;
+  // Points that are added to triangles have neighbours, too.
+  if (!is_bare) clean.graph.reset();
+  return {};
 }
 
 }  // namespace relief

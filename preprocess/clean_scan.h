@@ -22,11 +22,16 @@ struct CleanScan {
   std::optional<NeighbourGraph> graph;
 };
 
-/// Drops stray points (find_stray_points) of bare points, and moves points to where they are
-/// without noise (remove_noise), as options.noise has it. By default the vertices of meshes
-/// stay as they are: a mesh is its triangles. Reports both. `unit`: what lengths are in, in world
-/// units, for messages. Fails if the user interrupts.
-Result<CleanScan> clean_scan(Points& points, const ConvertOptions& options, double unit,
-                             ConvertReport& report, Progress& progress);
+/// Drops stray points (find_stray_points) of bare points, and reports them. Fails if the user
+/// interrupts.
+Result<CleanScan> drop_strays(Points& points, const ConvertOptions& options, ConvertReport& report,
+                              Progress& progress);
+
+/// Moves points to where they are without noise (remove_noise), as options.noise has it, and
+/// reports it. By default the vertices of meshes stay as they are: a mesh is its triangles. `unit`:
+/// what lengths are in, in world units, for messages. `clean`: of drop_strays, whose graph is still
+/// the points'. Fails if the user interrupts.
+Status drop_noise(Points& points, const ConvertOptions& options, double unit, CleanScan& clean,
+                  ConvertReport& report, Progress& progress);
 
 }  // namespace relief

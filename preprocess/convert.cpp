@@ -197,7 +197,13 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
   ConvertResult result;
   const bool textured = has_triangle_colours(points);
   const bool seams = options.seams.value_or(!points.triangles.empty());
-  RELIEF_TRY_ASSIGN(CleanScan clean, clean_scan(points, options, unit, result.report, progress));
+  RELIEF_TRY_ASSIGN(CleanScan clean, drop_strays(points, options, result.report, progress));
+  // As scanned, so that a camera is the same for engines that draw the points themselves.
+  PatchModel extent;
+  set_extent(extent, points.positions);
+  const WorkingFrame frame = working_frame(points.positions);
+  to_working_frame(frame, points);
+  RELIEF_TRY(drop_noise(points, options, unit, clean, result.report, progress));
   result.report.points = points.size();
   RELIEF_TRY(add_points(points, textured, options.spacing, result.report));
   if (!clean.scanned.empty()) {
@@ -205,14 +211,6 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
     clean.scanned.insert(clean.scanned.end(), points.positions.end() - added,
                          points.positions.end());
   }
-
-  // As scanned, so that a camera is the same for engines that draw the points themselves.
-  PatchModel extent;
-  set_extent(extent, clean.scanned.empty() ? points.positions : clean.scanned);
-  const WorkingFrame frame = working_frame(points.positions);
-  to_working_frame(frame, points);
-  to_working_frame(frame, clean.scanned);
-  to_working_frame(frame, clean.normals);
 
   MeshInTime in_time(points, points.size() - result.report.points_added);
   if (!clean.graph) progress.begin_stage("neighbours", 0);
@@ -225,7 +223,8 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
   take_known_normals(clean.normals, frames);
   in_time.wait();
   const NormalsReport normals = complete_normals(
-      points, graph, frames, {.side = to_working_frame(frame, options.side), .of_faces = &in_time.normals()}, progress);
+      points, graph, frames,
+      {.side = to_working_frame(frame, options.side), .of_faces = &in_time.normals()}, progress);
   result.report.normals_estimated = normals.estimated;
   result.report.normals_repaired = normals.repaired;
   if (progress.cancelled()) return interrupted_error();

@@ -16,6 +16,10 @@ constexpr double kLeastDifference = 1e-3;
 // The third moment of points beside the cube of their standard deviation. Less is rounding.
 constexpr double kLeastSkewness = 1e-6;
 
+// Positions in the frame are multiples of 2^-40 units, which are a few thousand times as coarse as
+// what turning rounds: whichever way a scan lies, they are the same, and so are ties among them.
+constexpr double kSteps = 1099511627776.0;
+
 /// The world's axes among which a unit vector turns least.
 glm::dvec3 world_axis_across(const glm::dvec3& axis) {
   const glm::dvec3 along = glm::abs(axis);
@@ -61,6 +65,10 @@ Eigen::Matrix3d covariance_of(const std::vector<glm::dvec3>& positions, const gl
   return sum / static_cast<double>(positions.size());
 }
 
+glm::dvec3 position_in(const WorkingFrame& frame, const glm::dvec3& p) {
+  return (p - frame.origin) * frame.axes;
+}
+
 }  // namespace
 
 WorkingFrame working_frame(const std::vector<glm::dvec3>& positions) {
@@ -87,31 +95,21 @@ WorkingFrame working_frame(const std::vector<glm::dvec3>& positions) {
   return {};
 }
 
-void to_working_frame(const WorkingFrame& frame, std::vector<glm::dvec3>& positions) {
-  if (frame == WorkingFrame{}) return;
-  for (glm::dvec3& p : positions) p = (p - frame.origin) * frame.axes;
-}
-
-void to_working_frame(const WorkingFrame& frame, std::vector<glm::vec3>& directions) {
-  if (frame == WorkingFrame{}) return;
-  for (glm::vec3& direction : directions) direction = glm::dvec3(direction) * frame.axes;
-}
-
 SideChoice to_working_frame(const WorkingFrame& frame, SideChoice side) {
-  side.toward = (side.toward - frame.origin) * frame.axes;
+  side.toward = position_in(frame, side.toward);
   side.up = side.up * frame.axes;
   return side;
 }
 
 void to_working_frame(const WorkingFrame& frame, Points& points) {
-  to_working_frame(frame, points.positions);
-  to_working_frame(frame, points.normals);
+  if (frame == WorkingFrame{}) return;
+  for (glm::dvec3& p : points.positions) p = glm::round(position_in(frame, p) * kSteps) / kSteps;
+  for (glm::vec3& normal : points.normals) normal = glm::dvec3(normal) * frame.axes;
   for (CornerTangents& corners : points.corner_tangents) {
-    for (glm::vec4& tangent : corners)
-      tangent = {glm::dvec3(tangent) * frame.axes, tangent.w};
+    for (glm::vec4& tangent : corners) tangent = {glm::dvec3(tangent) * frame.axes, tangent.w};
   }
-  if (points.viewpoint) *points.viewpoint = (*points.viewpoint - frame.origin) * frame.axes;
-  to_working_frame(frame, points.scanners);
+  if (points.viewpoint) *points.viewpoint = position_in(frame, *points.viewpoint);
+  for (glm::dvec3& scanner : points.scanners) scanner = position_in(frame, scanner);
 }
 
 void to_world_frame(const WorkingFrame& frame, std::vector<Patch>& patches) {

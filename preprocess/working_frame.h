@@ -27,10 +27,9 @@ struct WorkingFrame {
 
 // From the world frame to a working one.
 
-/// Moves all positions and directions of a scan. How it stands remains as it is in the world.
+/// Moves all positions and directions of a scan; positions are in working units
+/// (preprocess/working_unit.h). How the scan stands remains as it is in the world.
 void to_working_frame(const WorkingFrame& frame, Points& points);
-void to_working_frame(const WorkingFrame& frame, std::vector<glm::dvec3>& positions);
-void to_working_frame(const WorkingFrame& frame, std::vector<glm::vec3>& directions);
 [[nodiscard]] SideChoice to_working_frame(const WorkingFrame& frame, SideChoice side);
 
 /// Moves patches from a working frame to the world's.

@@ -175,7 +175,7 @@ TEST(PclJudges, OutlierRemoval) {
     options.noise_removal = NoiseRemoval::None;
     ConvertReport report;
     Progress progress;
-    ASSERT_TRUE(clean_scan(stray, options, report, progress));
+    ASSERT_TRUE(drop_strays(stray, options, report, progress));
     const auto left = std::ranges::count_if(stray.positions, is_outlier);
     EXPECT_LT(left, strewn / 100);
     EXPECT_EQ(stray.size(), scan.surface + static_cast<std::size_t>(left));  // none of the surface
