@@ -253,6 +253,9 @@ Result<ConvertResult> convert_in_unit(Points& points, const ConvertOptions& opti
                              .is_borderless = in_time.is_borderless(),
                              .normals_from_points = !normals.estimated || !clean.normals.empty()};
   RELIEF_TRY_ASSIGN(MeasuredModel made, make_best_model(scan, options, progress));
+  result.report.fits = made.fits.fits;
+  result.report.fits_replaced = made.fits.replaced;
+  result.report.fit_condition = made.fits.condition;
   result.model = std::move(made.model);
   PatchModel& model = result.model;
   model.bounds = extent.bounds;

@@ -90,6 +90,7 @@ Result<MeasuredModel> make_model(const PartitionedScan& scan, const ConvertOptio
   const Membership membership = membership_of(scan.samples, scan.regions);
   std::vector<Region> regions = scan.regions;
   MeasuredModel made;
+  FitCensus fits;
   made.model.patches = make_patches(
       {.samples = scan.samples,
        .graph = scan.graph,
@@ -97,11 +98,13 @@ Result<MeasuredModel> make_model(const PartitionedScan& scan, const ConvertOptio
        .colours = scan.points.colours,
        .creases = scan.creases,
        .scalars = scan.points.scalars,
-       .scalar_infos = scan.scalars},
+       .scalar_infos = scan.scalars,
+       .fits = &fits},
       budget.factors, resample_options(options, seams, spacing, scan.normals_from_points), regions,
       progress);
   std::vector<Patch>& patches = made.model.patches;
   if (progress.cancelled()) return interrupted_error();
+  made.fits = fits.sum();
   if (patches.empty()) return make_error("the points are too scattered to be a surface");
 
   if (scan.spheres != nullptr) {

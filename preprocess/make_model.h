@@ -38,6 +38,7 @@ struct PartitionedScan {
 struct MeasuredModel {
   PatchModel model;
   Fidelity fidelity;
+  FitSummary fits;
 };
 
 /// Resamples every region, fits the patches to the mesh, and measures them against the points.

@@ -1,5 +1,6 @@
 #include "preprocess/resample/fit_equations.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -45,6 +46,16 @@ void FitEquations::exchange(int k, int other) {
   for (int r = other + 1; r < kFitUnknowns; ++r) std::swap(m_[k][r], m_[other][r]);
   std::swap(m_[k][k], m_[other][other]);
   for (int i = k + 1; i < other; ++i) std::swap(m_[k][i], m_[i][other]);
+}
+
+double FitEquations::condition() const {
+  double largest = 0.0;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < kFitUnknowns; ++k) {
+    largest = std::max(largest, std::abs(m_[k][k]));
+    smallest = std::min(smallest, std::abs(m_[k][k]));
+  }
+  return largest / smallest;
 }
 
 FitColumn FitEquations::solve(FitColumn x) const {

@@ -22,6 +22,10 @@ class FitEquations {
   /// Returns the unknowns for a right side. What a vanishing pivot leaves open is 0.
   [[nodiscard]] FitColumn solve(FitColumn right) const;
 
+  /// Returns the largest pivot over the smallest: at most the matrix's condition number, and
+  /// seldom less than a twentieth of it. Infinite if a pivot vanishes.
+  [[nodiscard]] double condition() const;
+
  private:
   template <int k>
   void eliminate();

@@ -175,7 +175,7 @@ SurfacePoint fit(const PatchPoints& points, const PointGrid& lookup, std::uint32
                                  kScaleInGridSpacings * spacing, 0.6 * to_nearest});
 
   Sums<kValues> sums = accumulate<kValues>(points, lookup, about, scale, normal, like);
-  if (!(sums.weight > 0.0)) return {about.z, normal, normal};
+  if (!(sums.weight > 0.0)) return {about.z, normal, normal, true};
   for (std::size_t d = 3; d < 6; ++d) sums.normal_matrix[d][d] += kFitRidge * sums.weight;
   for (std::size_t d = 1; d < 3; ++d) sums.normal_matrix[d][d] += 1e-6 * sums.weight;
   const FitEquations equations(sums.normal_matrix);
@@ -188,6 +188,8 @@ SurfacePoint fit(const PatchPoints& points, const PointGrid& lookup, std::uint32
   const glm::vec3 mean = unit_or_up(sums.normal);
   const bool sound = std::ranges::all_of(fits, are_finite) &&
                      std::abs(height[0] * scale - implicit) <= kMaxOvershoot * scale;
+  out.is_replaced = !sound;
+  out.condition = equations.condition();
   out.height = about.z + (sound ? height[0] * scale : implicit);
   out.fitted_normal = sound ? unit_or_up(glm::vec3(-height[1], -height[2], 1.0)) : mean;
   if constexpr (kValues > 1) {
@@ -204,7 +206,7 @@ SurfacePoint evaluate_mls(const PatchPoints& points, const PointGrid& supporting
                           const PointGrid& all, double x, double y, double spacing,
                           bool with_given_normal) {
   const std::uint32_t nearest = supporting.nearest(x, y, 16.0 * spacing);
-  if (nearest == PointGrid::kNone) return {0.0, {0, 0, 1}, {0, 0, 1}};
+  if (nearest == PointGrid::kNone) return {0.0, {0, 0, 1}, {0, 0, 1}, true};
   const auto fit_to = with_given_normal ? fit<4> : fit<1>;
   return fit_to(points, all, nearest, {x, y}, spacing, points.normals[nearest], kMinLikeness);
 }

@@ -13,6 +13,10 @@ struct SurfacePoint {
   double height = 0.0;            ///< world units along the plane's normal
   glm::vec3 fitted_normal{0.0F};  ///< of the fitted surface, unit, patch frame
   glm::vec3 given_normal{0.0F};   ///< fitted to the points' normals, unit, patch frame, or 0
+  /// The fit left the points' own tangent planes, or there were too few points: the height is the
+  /// mean of those planes' (or the nearest's), the normal that of the points.
+  bool is_replaced = false;
+  double condition = 1.0;  ///< of the fit's equations (FitEquations::condition)
 };
 
 /// Evaluates the surface above (x, y): a polynomial of order 2 in the plane's coordinates, fitted

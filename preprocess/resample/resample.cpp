@@ -130,6 +130,7 @@ Patch resample_region(const ScanSurface& scan, const Region& region,
   if (grid.width == 0 || grid.height == 0) return patch;
 
   std::vector<SurfacePoint> surface(grid.size());
+  FitSummary fits;
   for (std::size_t m = 0; m < states.size(); ++m) {
     if (states[m] == NodeState::Hole) continue;
     const auto i = static_cast<std::uint32_t>(m % grid.width);
@@ -137,7 +138,9 @@ Patch resample_region(const ScanSurface& scan, const Region& region,
     surface[m] =
         evaluate_mls(points, supporting, all, grid.x0 + i * grid.spacing,
                      grid.y0 + j * grid.spacing, grid.spacing, options.normals_from_points);
+    fits += {1, surface[m].is_replaced ? 1U : 0U, surface[m].condition};
   }
+  if (scan.fits != nullptr) scan.fits->add(fits);
   const std::vector<NodeState> with_margin = states;
   if (options.seams) {
     const double reach = kCreaseReachInSpacings * bucket;

@@ -8,6 +8,7 @@
 #include "common/scalar.h"
 #include "preprocess/normals/crease_normals.h"
 #include "preprocess/partition/partition.h"
+#include "preprocess/resample/fit_census.h"
 
 namespace relief {
 
@@ -20,6 +21,7 @@ struct ScanSurface {
   const CreaseNormals* creases = nullptr;         ///< of all points, with seams; may be null
   std::span<const PointScalar> scalars = {};      ///< of all points
   std::span<const ScalarInfo> scalar_infos = {};  ///< one for each
+  FitCensus* fits = nullptr;                      ///< counts the fits; null: nothing does
 };
 
 }  // namespace relief

@@ -80,7 +80,7 @@ def convert(relief, points, normals, options):
     try:
         patches, report = relief.convert(scan, "points.relief", *options)
     except Failed as error:
-        return [failure(error), "", "", "", ""], None, 0.0
+        return [failure(error), "", "", "", "", "", ""], None, 0.0
     relief.run("export", patches, "-o", relief.path("samples.ply"))
     samples = read_samples(relief.path("samples.ply"))
     for name, values in zip(("position", "normal"), samples):
@@ -88,13 +88,15 @@ def convert(relief, points, normals, options):
             relief.not_finite.append((f"export of {patches}", name, int((~np.isfinite(values)).sum())))
     image = relief.render(patches)
     counts = [report["patches"], report["samples"], report["stray_points_removed"] + report["points_dropped"],
-              report["normals_repaired"], report["uncovered_points"]]
+              report["normals_repaired"], report["uncovered_points"], report["fits_replaced"],
+              f"{report['fit_condition']:.0e}"]
     return [*counts, f"{100 * image.coverage():.1f}"], samples, report["spacing"]
 
 
 def measure(relief, _vertices, _triangles):
     rng, section, rows = np.random.default_rng(SEED), Section("Points, normals and orientation"), []
-    head = ["scan", "patches", "samples", "points left out", "normals repaired", "points uncovered", "picture covered, %"]
+    head = ["scan", "patches", "samples", "points left out", "normals repaired", "points uncovered", "fits replaced", "largest condition",
+            "picture covered, %"]
     for name, points, normals, options in spheres(rng):
         cells, samples, _ = convert(relief, points, normals, options)
         spacing = np.sqrt(4 * np.pi / 10000)

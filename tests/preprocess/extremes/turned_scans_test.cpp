@@ -77,6 +77,18 @@ TEST(TurnedScans, HaveTheirBoundsInTheWorld) {
   EXPECT_EQ(model.bounds.max, bounds.max);
 }
 
+TEST(TurnedScans, AreFittedAsOften) {
+  Progress progress;
+  const Points points = bent_torus();
+  const auto before = convert(points, {}, progress);
+  const auto after = convert(turned(points, turn(37, {1, 2, 3})), {}, progress);
+  ASSERT_TRUE(before && after);
+  EXPECT_GE(before->report.fits, count_samples(before->model));
+  EXPECT_EQ(before->report.fits, after->report.fits);
+  EXPECT_EQ(before->report.fits_replaced, after->report.fits_replaced);
+  EXPECT_LT(before->report.fit_condition, 1e7);
+}
+
 /// A sheet that is longer than it is wide, and leans.
 Points leaning_sheet() {
   Points points = test::square_mesh(

@@ -124,6 +124,47 @@ TEST(Mls, AWallFarBelowThatIsSeenEdgeOnIsNoEstimate) {
   }
 }
 
+/// Points with one normal, all of which support samples; in steps.
+PatchPoints points_at(const std::vector<glm::dvec3>& positions, glm::vec3 normal = {0, 0, 1}) {
+  PatchPoints points;
+  for (const glm::dvec3& position : positions) {
+    points.ids.push_back(static_cast<std::uint32_t>(points.ids.size()));
+    points.positions.push_back(kStep * position);
+    points.normals.push_back(normal);
+    points.spacing.push_back(static_cast<float>(kStep));
+  }
+  points.own = points.supporting = points.size();
+  return points;
+}
+
+SurfacePoint fit_at_origin(const PatchPoints& points) {
+  const PointGrid grid(points, points.size(), kStep);
+  return evaluate_mls(points, grid, grid, 0.0, 0.0, kStep, false);
+}
+
+TEST(Mls, TellsHowWellPointsBearAFit) {
+  std::vector<glm::dvec3> sheet;
+  std::vector<glm::dvec3> line;
+  std::vector<glm::dvec3> beside;
+  for (int i = -5; i <= 5; ++i) {
+    line.emplace_back(i, 0.0, 0.0);
+    for (int j = -5; j <= 5; ++j) sheet.emplace_back(i, j, 0.0);
+    for (int j = 1; j <= 5; ++j) beside.emplace_back(j, i, 0.0);
+  }
+  const SurfacePoint on_sheet = fit_at_origin(points_at(sheet));
+  EXPECT_FALSE(on_sheet.is_replaced);
+  EXPECT_LT(on_sheet.condition, 100.0);
+  // Ridges of a millionth bound it.
+  const SurfacePoint on_line = fit_at_origin(points_at(line));
+  EXPECT_FALSE(on_line.is_replaced);
+  EXPECT_GT(on_line.condition, 1e5);
+  EXPECT_LT(on_line.condition, 1e7);
+  // The positions go on level, the normals say upward.
+  EXPECT_FALSE(fit_at_origin(points_at(beside)).is_replaced);
+  EXPECT_TRUE(fit_at_origin(points_at(beside, {0.7F, 0.0F, 0.714F})).is_replaced);
+  EXPECT_TRUE(fit_at_origin(points_at({{100.0, 0.0, 0.0}})).is_replaced);
+}
+
 TEST(Resample, PutsSamplesOnTheSphere) {
   const Partitioned scan(test::sample_sphere(8000));
   const double spacing = std::sqrt(4.0 * std::numbers::pi / 8000.0);
