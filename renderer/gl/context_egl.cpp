@@ -32,6 +32,25 @@ class EglContext final : public GlContext {
   EGLContext context_;
 };
 
+/// `tells_of_resets`: the context is lost if the GPU is reset, which is then known
+/// (check_errors). Not all drivers have such contexts.
+EGLContext create_context(const Egl& egl, EGLDisplay display, EGLConfig config, bool debug,
+                          bool tells_of_resets) {
+  const std::array<EGLint, 11> attributes{
+      EGL_CONTEXT_MAJOR_VERSION,
+      4,
+      EGL_CONTEXT_MINOR_VERSION,
+      5,
+      EGL_CONTEXT_OPENGL_PROFILE_MASK,
+      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+      EGL_CONTEXT_OPENGL_DEBUG,
+      debug ? EGL_TRUE : EGL_FALSE,
+      tells_of_resets ? EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY : EGL_NONE,
+      EGL_LOSE_CONTEXT_ON_RESET,
+      EGL_NONE};
+  return egl.create_context(display, config, EGL_NO_CONTEXT, attributes.data());
+}
+
 Result<std::unique_ptr<GlContext>> make_context_of(const Egl& egl, EGLDisplay display, bool debug) {
   if (egl.initialize(display, nullptr, nullptr) != EGL_TRUE)
     return make_error("EGL: no display without a window system, error {:#x}", egl.get_error());
@@ -43,16 +62,8 @@ Result<std::unique_ptr<GlContext>> make_context_of(const Egl& egl, EGLDisplay di
   if (egl.choose_config(display, wanted.data(), &config, 1, &count) != EGL_TRUE || count == 0)
     return Error{"EGL: no configuration for desktop OpenGL"};
 
-  const std::array<EGLint, 9> attributes{EGL_CONTEXT_MAJOR_VERSION,
-                                         4,
-                                         EGL_CONTEXT_MINOR_VERSION,
-                                         5,
-                                         EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                         EGL_CONTEXT_OPENGL_DEBUG,
-                                         debug ? EGL_TRUE : EGL_FALSE,
-                                         EGL_NONE};
-  EGLContext context = egl.create_context(display, config, EGL_NO_CONTEXT, attributes.data());
+  EGLContext context = create_context(egl, display, config, debug, true);
+  if (context == EGL_NO_CONTEXT) context = create_context(egl, display, config, debug, false);
   if (context == EGL_NO_CONTEXT)
     return make_error("EGL: no OpenGL 4.5 core context, error {:#x}", egl.get_error());
   if (egl.make_current(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) != EGL_TRUE) {

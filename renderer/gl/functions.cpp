@@ -38,6 +38,12 @@ GLint get_limit(const Gl& gl, GLenum name) {
 
 Status check_errors(const Gl& gl, const char* job) {
   const GLenum code = gl.GetError();
+  if (code == GL_CONTEXT_LOST || gl.GetGraphicsResetStatus() != GL_NO_ERROR) {
+    return make_error(
+        "the GPU was reset at {}, by this program or another; try again, with a smaller image or "
+        "scan if it happens again",
+        job);
+  }
   if (code == GL_NO_ERROR) return {};
   if (code == GL_OUT_OF_MEMORY) return make_error("OpenGL has not enough memory for {}", job);
   return make_error("OpenGL reports error {:#x} at {}; this is a mistake in Relief", code, job);

@@ -53,6 +53,7 @@ class GlContext;
   F(PFNGLGETBOOLEANVPROC, GetBooleanv)                                 \
   F(PFNGLGETERRORPROC, GetError)                                       \
   F(PFNGLGETFLOATVPROC, GetFloatv)                                     \
+  F(PFNGLGETGRAPHICSRESETSTATUSPROC, GetGraphicsResetStatus)           \
   F(PFNGLGETINTEGERVPROC, GetIntegerv)                                 \
   F(PFNGLGETNAMEDBUFFERSUBDATAPROC, GetNamedBufferSubData)             \
   F(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                     \
@@ -155,7 +156,8 @@ Result<Gl> load_functions(const GlContext& context, GlRecorder* recorder = nullp
 [[nodiscard]] GLint get_limit(const Gl& gl, GLenum name);
 
 /// Whether OpenGL has reported an error since the last call, as one sentence about `job` ("the
-/// patch store"). Running out of memory is the only one a user should ever see.
+/// patch store"). Running out of memory and a GPU that was reset are the only ones a user should
+/// ever see.
 Status check_errors(const Gl& gl, const char* job);
 
 }  // namespace relief
