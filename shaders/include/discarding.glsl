@@ -5,7 +5,8 @@
 // a mirror of sprites was strange. So where the environment is looked up, a fragment is shaded first.
 #ifdef RELIEF_ENVIRONMENT_ASKS_NEIGHBOURS
 bool is_lost = false;
-#define RELIEF_DISCARD_IF(condition) is_lost = is_lost || (condition)
+// The condition first: it may correct the position, which the neighbours ask for.
+#define RELIEF_DISCARD_IF(condition) is_lost = (condition) || is_lost
 #define RELIEF_DISCARD_LOST if (is_lost) discard
 #else
 #define RELIEF_DISCARD_IF(condition) if (condition) discard

@@ -168,6 +168,7 @@ TEST(SurfacePick, NeverTakesWhatLiesBehindAnEdge) {
 struct Offsets {
   double largest = 0.0;  ///< world units
   double behind = 0.0;   ///< along the ray
+  double across = 0.0;   ///< along the normal, rms
   double normal_degrees = 0.0;
   std::size_t count = 0;
   std::size_t missing = 0;
@@ -175,6 +176,7 @@ struct Offsets {
 
 Offsets offsets_of(const SurfacePicker& picker, const std::vector<Seen>& pixels) {
   Offsets offsets;
+  double squares = 0.0;
   for (const Seen& seen : pixels) {
     const auto found = picker.pick(seen.query);
     ++offsets.count;
@@ -185,11 +187,14 @@ Offsets offsets_of(const SurfacePicker& picker, const std::vector<Seen>& pixels)
     offsets.largest = std::max(offsets.largest, glm::distance(found->position, seen.drawn));
     offsets.behind = std::max(
         offsets.behind, (found->depth - seen.query.depth) * glm::length(seen.query.direction));
+    const double across = glm::dot(found->normal, found->position - seen.drawn);
+    squares += across * across;
     offsets.normal_degrees = std::max(
         offsets.normal_degrees,
         glm::degrees(2.0 *
                      std::asin(0.5 * glm::distance(found->normal, glm::normalize(seen.normal)))));
   }
+  offsets.across = std::sqrt(squares / static_cast<double>(offsets.count - offsets.missing));
   return offsets;
 }
 
@@ -319,12 +324,13 @@ TEST_F(DragonPick, IsOfTheFinestLevelWhereACoarserOneIsDrawn) {
   settings.pixels_per_sample = 16.0;
   const std::vector<Seen> pixels = seen_by(settings, 500);
   const Offsets offsets = offsets_of(SurfacePicker(*dragon), pixels);
-  EXPECT_EQ(offsets.missing, 0U);
+  // The coarser level's silhouette reaches beyond the finest here and there, by its error.
+  EXPECT_LT(offsets.missing, offsets.count / 100);
   const double pixel = pixels.front().query.pixel;
   EXPECT_GT(offsets.largest, 0.01 * pixel) << "is a coarser level drawn?";
-  // Its error is 16/128 of a pixel rms; along a ray that meets the surface at a grazing angle,
-  // more.
-  EXPECT_LT(offsets.behind, 2.0 * pixel);
+  // Levels are chosen for an error of 16/128 of a pixel (rms over a patch); of 500 pixels it is 1.3
+  // times that, as borders err more.
+  EXPECT_LT(offsets.across, 2.0 * 16.0 / 128.0 * pixel);
 }
 
 }  // namespace
