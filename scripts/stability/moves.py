@@ -30,14 +30,15 @@ class Body:
         toward /= np.linalg.norm(toward)
         return [*camera(eye, target, matrix @ [0, 1, 0]), f"--light={numbers(toward)}"]
 
-    def write(self, path, matrix, offset):
+    def write(self, path, matrix, offset, as_floats=False):
         faces = self.triangles if np.linalg.det(matrix) > 0 else self.triangles[:, ::-1]
-        return write_ply(path, self.vertices @ matrix.T + offset, faces)
+        moved = self.vertices @ matrix.T + offset
+        return write_ply(path, moved.astype(np.float32) if as_floats else moved, faces)
 
 
-def converted(relief, body, matrix, offset, first=None):
+def converted(relief, body, matrix, offset, first=None, as_floats=False):
     """Returns the report of the moved scan's conversion and {engine: (picture, PSNR to the first, or a failure)}."""
-    scan = body.write(relief.path("moved.ply"), matrix, offset)
+    scan = body.write(relief.path("moved.ply"), matrix, offset, as_floats)
     patches, report = relief.convert(scan)
     found = {}
     for engine in ENGINES:
@@ -73,9 +74,9 @@ def measure(relief, vertices, triangles):
                  f"{GOAL:.0f} dB. `raytrace`, `ewa` and `surfel` draw the scan, the others its patches.")
     first_report, first = converted(relief, body, np.eye(3), np.zeros(3))
 
-    def row(name, matrix, offset):
+    def row(name, matrix, offset, as_floats=False):
         try:
-            report, found = converted(relief, body, matrix, offset, first)
+            report, found = converted(relief, body, matrix, offset, first, as_floats)
         except Failed as error:
             return [name, failure(error), "", *["" for _ in ENGINES]], {}
         return [name, report["patches"], report["samples"], *[shown(v) for _, v in found.values()]], found
@@ -97,6 +98,7 @@ def measure(relief, vertices, triangles):
             offset_plot.add(engine, sizes, None if isinstance(value, str) else value)
     for axis, degrees in TURNS:
         rows.append(row(f"turned by {degrees:g} about {axis}", rotation(axis, degrees), np.zeros(3))[0])
+        rows.append(row("the same, rounded to floats", rotation(axis, degrees), np.zeros(3), True)[0])
     rows.append(row("mirrored", np.diag([-1.0, 1, 1]), np.zeros(3))[0])
     section.table(head, rows)
     section.plot(scale_plot)
@@ -107,7 +109,7 @@ def measure(relief, vertices, triangles):
 
 
 def accuracy(relief, body, section):
-    """A turned scan has other patches. Shows that they are as good."""
+    """A mirrored scan has other patches. Shows that they are as good."""
     rows = []
     for name, matrix in [("as it is", np.eye(3)), *[(f"{d:g} about {a}", rotation(a, d)) for a, d in TURNS],
                          ("mirrored", np.diag([-1.0, 1, 1]))]:
@@ -117,8 +119,8 @@ def accuracy(relief, body, section):
         truth = shot(relief, "raytrace", patches, scan, *view)
         image = shot(relief, "onepass", patches, scan, *view)
         rows.append([name, report["patches"], f"{report['psnr_db']:.2f}", decibels(psnr(image, truth))])
-    section.text("A turned scan gets other patches: their grids, and the grids that decide which points make a patch, are "
-                 "aligned with the world's axes. They are as near to the scan:")
+    section.text("A [conversion has a frame of its own](decisions/0142-conversions-have-their-own-frame.md), which turns with the scan. "
+                 "It is right-handed, so that a mirrored scan gets other patches. They are as near to the scan:")
     section.table(["turn", "patches", "points to patches, dB", "picture to ray-traced mesh, dB"], rows)
 
 

@@ -142,7 +142,7 @@ def measure(relief, _vertices, _triangles):
         part()
     folder = str(whole.folder)
     section.text("Exit code 1 with one sentence and no file is what a failure should be.",
-                 "A lost OpenGL context cannot be made on llvmpipe; it is not tested.")
+                 "A lost OpenGL context cannot be made on llvmpipe; `LostContext` in `renderer_test` makes it up.")
     section.table(["case", "what happened"], [[a, b.replace(folder + "/", "")] for a, b in whole.rows])
     section.wrong = whole.bad
     section.text(f"Not as it should be: {', '.join(whole.bad) or 'none'}.")
