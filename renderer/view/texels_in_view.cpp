@@ -53,7 +53,7 @@ std::uint64_t bytes_of(const AttributeMap<Texel>& map) {
 /// Halves a map as often as it may be. A cell is seen at most `pixels_per_cell` wide.
 template <class Texel>
 void halve_unseen(double pixels_per_cell, AttributeMap<Texel>& map) {
-  while (!map.empty() && map.scale % 2 == 0 && pixels_per_cell <= kPixelsPerTexel * (map.scale / 2))
+  while (!map.empty() && map.scale % 2 == 0 && pixels_per_cell <= kPixelsPerTexel * 0.5 * map.scale)
     map = halved(map);
 }
 
