@@ -10,8 +10,8 @@
 namespace relief {
 namespace {
 
-// Variances that differ by less than this share tell no axes apart: rounding turns such axes by
-// more than a hundredth of a spacing at the ends of a scan of a million points.
+// Variances that differ by less than this share tell no axes apart: on a symmetric body the
+// difference is where its points happen to lie.
 constexpr double kLeastDifference = 1e-3;
 // The third moment of points beside the cube of their standard deviation. Less is rounding.
 constexpr double kLeastSkewness = 1e-6;
