@@ -1,7 +1,6 @@
 #include "preprocess/working_frame.h"
 
 #include <Eigen/Eigenvalues>
-#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

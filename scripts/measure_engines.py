@@ -16,6 +16,7 @@ import subprocess
 import sys
 import tempfile
 
+from find_file import find_file
 from page_section import write_section
 
 MODELS = ("dragon_vrip.ply.gz", "fandisk.obj", "lion_takanawa_rgb_normals.ply.gz")
@@ -28,17 +29,6 @@ COLUMNS = ("", "draws", "frame, ms", "over onepass", "GPU, MB", "PSNR, covered",
            "missing", "overhang")
 
 
-def give_up(why):
-    sys.exit(f"measure_engines.py: {why}")
-
-
-def find(name, folders):
-    for folder in folders:
-        for path in sorted(folder.rglob(name)):
-            return path
-    give_up(f"none of the folders holds {name}")
-
-
 def measure(arguments, path, work):
     """The report and the plot of a model."""
     report, plot = work / f"{path.name}.json", work / f"{path.name}.svg"
@@ -48,7 +38,7 @@ def measure(arguments, path, work):
                    arguments.size, "--frames", str(arguments.frames), "--plot", str(plot.resolve())]
         done = subprocess.run(command, capture_output=True, text=True, cwd=path.parent)
         if done.returncode != 0:
-            give_up(f"{' '.join(command)}: {done.stderr.strip()}")
+            sys.exit(f"measure_engines.py: {' '.join(command)}: {done.stderr.strip()}")
         report.write_text(done.stdout)
     return json.loads(report.read_text()), plot.read_text()
 
@@ -129,7 +119,7 @@ def main():
     parser.add_argument("--size", default="1280x1024")
     parser.add_argument("--work", type=pathlib.Path, help="keeps reports there; those in it are not measured again")
     arguments = parser.parse_args()
-    paths = [find(name, arguments.folders) for name in MODELS]
+    paths = [find_file(arguments.folders, name) for name in MODELS]
     reports, plots = {}, []
     with tempfile.TemporaryDirectory() as scratch:
         work = arguments.work or pathlib.Path(scratch)

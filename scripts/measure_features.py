@@ -16,6 +16,7 @@ import shutil
 import sys
 import tempfile
 
+from find_file import find_file
 from page_section import write_section
 from run_command import run
 
@@ -52,28 +53,21 @@ SCENES = {
 SQUARE = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n"
 
 
-def find(name, folders):
-    for folder in folders:
-        for path in sorted(folder.rglob(name)):
-            return path
-    sys.exit(f"measure_features.py: none of the folders holds {name}")
-
-
 def make_models(arguments, work):
     """Converts the scans, and a square with a normal map of waves."""
     def convert(scan, name, *options):
         if not (work / name).exists():
             run(arguments.relief, "convert", scan, "-o", work / name, *options)
 
-    convert(find(DRAGON, arguments.folders), "dragon.relief")
-    convert(find(LION, arguments.folders), "lion.relief")
-    convert(find(SPOT, arguments.folders), "spot.relief", "--texture", find(TEXTURE, arguments.folders))
-    convert(find(SPOT, arguments.folders), "spot_plain.relief", "--texture", "none")
+    convert(find_file(arguments.folders, DRAGON), "dragon.relief")
+    convert(find_file(arguments.folders, LION), "lion.relief")
+    convert(find_file(arguments.folders, SPOT), "spot.relief", "--texture", find_file(arguments.folders, TEXTURE))
+    convert(find_file(arguments.folders, SPOT), "spot_plain.relief", "--texture", "none")
     (work / "square.obj").write_text(SQUARE)
     run(sys.executable, ROOT / "scripts" / "normal_map_obj.py", work / "waves.obj", "--mesh", work / "square.obj", "--side", 512,
         "--waves", 16, "--steepest", 0.3)
     convert(work / "waves.obj", "pool.relief", "--spacing", 0.05)
-    shutil.copyfile(find(SKY, arguments.folders), work / SKY)
+    shutil.copyfile(find_file(arguments.folders, SKY), work / SKY)
 
 
 def measure(arguments, name, scene, work):

@@ -16,6 +16,7 @@ import re
 import sys
 import tempfile
 
+from find_file import find_file
 from page_section import write_section
 from run_command import run
 
@@ -26,14 +27,6 @@ SCANS = {"dragon": ("dragon_vrip.ply.gz",), "lion": ("lion_takanawa_rgb_normals.
 UNSEEN = ("shell", "vase", "dunes")
 PLOTS = 3  # of a page, in an image
 TRUTHS = {"file": "the known surface", "faces": "its faces", "finest patches": "its patches with 4 samples a point"}
-
-
-def find(names, folders):
-    for name in names:
-        for folder in folders:
-            for path in sorted(folder.rglob(name)):
-                return path
-    sys.exit(f"measure_trade.py: none of the folders holds {names[0]}")
 
 
 def measure(arguments, name, scan, work, truth=None):
@@ -135,7 +128,7 @@ def main():
     parser.add_argument("--frames", type=int, default=20)
     parser.add_argument("--work", type=pathlib.Path, help="keeps pages and reports there; those in it are not measured again")
     arguments = parser.parse_args()
-    scans = {name: find(names, arguments.folders) for name, names in SCANS.items()}
+    scans = {name: find_file(arguments.folders, *names) for name, names in SCANS.items()}
     with tempfile.TemporaryDirectory() as scratch:
         work = arguments.work or pathlib.Path(scratch)
         work.mkdir(parents=True, exist_ok=True)

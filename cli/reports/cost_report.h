@@ -19,7 +19,7 @@ using FileBytes = std::optional<SectionBytes>;
 /// Returns the whole frame, the rest without any feature, and a row for each feature.
 [[nodiscard]] nlohmann::ordered_json as_json(const FeatureCosts& costs, const FileBytes& read);
 
-/// Returns the same as an indented table.
+/// Returns the costs as an indented table.
 [[nodiscard]] std::string as_text(const FeatureCosts& costs, const FileBytes& read);
 
 }  // namespace relief::cli

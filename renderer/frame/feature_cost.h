@@ -28,7 +28,7 @@ struct FeatureCost {
   double frame_ms = 0.0;       ///< median of the differences of frames that were drawn in turns
   double spread_ms = 0.0;      ///< between their quartiles
   bool reads_normals = false;  ///< nothing else of the scene reads normals from the model
-  bool reads_colours = false;  ///< the same of colours
+  bool reads_colours = false;  ///< nothing else of the scene reads colours from the model
 };
 
 /// What all features of a frame cost.

@@ -90,8 +90,6 @@ def measure(relief, vertices, triangles):
                  "pixels where both see the same place. `direct` and `sprite` also differ by their method: the error is then theirs.")
     section.table(["engine", "quantity", "largest", "rms", "pixels"], rows)
     rows = []
-    moved = body.write(relief.path("single.ply"), np.eye(3), np.zeros(3))
-    patches, report = relief.convert(moved, "single.relief")
     for engine in ENGINES:
         found, share = roundings(in_scene(relief, body, patches, engine=engine),
                                  in_scene(relief, body, patches, scale=SCALE, turn=TURN, engine=engine))
@@ -99,8 +97,8 @@ def measure(relief, vertices, triangles):
                   f"{np.sqrt(np.mean(values ** 2)):.2g}", f"{100 * share:.2f}"] for name, values in found.items()]
     section.text(f"What rounding alone does: the picture of a scene, beside that of the scene {SCALE} times as large and turned by "
                  f"{TURN[1]} degrees, by a camera that moves with it. Every number is then another, and rounded otherwise; the picture "
-                 "is the same but for that. `ewa` and `raytrace` compute in double precision; `surfel` draws other means (see the limits). Of pixels that show the same patch in both, "
-                 "whose share is in the last column.")
+                 "is the same but for that. `ewa` and `raytrace` compute in double precision; `surfel` draws other means (see the limits). "
+                 "Of pixels that show the same patch in both, whose share is in the last column.")
     section.table(["engine", "quantity", "largest", "99 % below", "rms", "pixels, %"], rows)
     section.text("What narrower numbers would cost in this picture:")
     section.table(["channel", "type", "largest error", "would it do?"], narrow(truth, report["spacing"]))
