@@ -2,9 +2,12 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <utility>
+#include <vector>
 
 namespace relief {
 namespace {
@@ -33,19 +36,23 @@ glm::dmat3 axes_about(const glm::dvec3& axis) {
   return {axis, across, glm::cross(axis, across)};
 }
 
-/// Turns an axis towards the side on which the points reach farther.
-glm::dvec3 towards_longer_side(const std::vector<glm::dvec3>& positions, const glm::dvec3& mean,
-                               double deviation, const glm::dvec3& axis) {
+/// On which side the points reach farther along an axis: 1, -1, or 0 if on both alike.
+double longer_side(const std::vector<glm::dvec3>& positions, const glm::dvec3& mean,
+                   double deviation, const glm::dvec3& axis) {
   double third = 0.0;
   for (const glm::dvec3& p : positions) {
     const double along = glm::dot(p - mean, axis) / deviation;
     third += along * along * along;
   }
-  if (std::abs(third) >= kLeastSkewness * static_cast<double>(positions.size()))
-    return third < 0.0 ? -axis : axis;
+  if (!(std::abs(third) >= kLeastSkewness * static_cast<double>(positions.size()))) return 0.0;
+  return third < 0.0 ? -1.0 : 1.0;
+}
+
+/// The side of an axis that the world's axis nearest to it points to: 1 or -1.
+double side_of_world(const glm::dvec3& axis) {
   const glm::dvec3 size = glm::abs(axis);
   const int largest = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
-  return axis[largest] < 0.0 ? -axis : axis;
+  return axis[largest] < 0.0 ? -1.0 : 1.0;
 }
 
 glm::dvec3 mean_of(const std::vector<glm::dvec3>& positions) {
@@ -68,6 +75,48 @@ glm::dvec3 position_in(const WorkingFrame& frame, const glm::dvec3& p) {
   return (p - frame.origin) * frame.axes;
 }
 
+bool is_left_handed(const WorkingFrame& frame) {
+  return glm::determinant(frame.axes) < 0.0;
+}
+
+/// Turns triangles round, which a mirror has made clockwise, and their mirrored textures.
+void reverse_triangles(Points& points) {
+  for (Triangle& triangle : points.triangles) std::swap(triangle[1], triangle[2]);
+  for (CornerTexcoords& corners : points.corner_texcoords) std::swap(corners[1], corners[2]);
+  for (CornerTangents& corners : points.corner_tangents) {
+    std::swap(corners[1], corners[2]);
+    for (glm::vec4& tangent : corners) tangent.w = -tangent.w;
+  }
+}
+
+template <class Texel>
+std::vector<Texel> transposed(const std::vector<Texel>& rows, std::uint32_t width) {
+  std::vector<Texel> columns;
+  columns.reserve(rows.size());
+  for (std::size_t i = 0; i < width; ++i) {
+    for (std::size_t k = i; k < rows.size(); k += width) columns.push_back(rows[k]);
+  }
+  return columns;
+}
+
+template <class Texel>
+void transpose(AttributeMap<Texel>& map) {
+  map.texels = transposed(map.texels, map.width);
+  std::swap(map.width, map.height);
+}
+
+/// Exchanges the axes of a patch, without moving a sample: a left-handed one becomes right-handed.
+/// Unlike reversed columns this keeps the diagonal along which cells are halved.
+void transpose(Patch& patch) {
+  std::swap(patch.axes[0], patch.axes[1]);
+  patch.heights = transposed(patch.heights, patch.width);
+  std::swap(patch.width, patch.height);
+  transpose(patch.normals);
+  for (glm::i16vec2& normal : patch.normals.texels) std::swap(normal.x, normal.y);
+  transpose(patch.colours);
+  for (auto& scalar : patch.scalars) transpose(scalar);
+}
+
 }  // namespace
 
 WorkingFrame working_frame(const std::vector<glm::dvec3>& positions) {
@@ -77,9 +126,14 @@ WorkingFrame working_frame(const std::vector<glm::dvec3>& positions) {
   if (!covariance.allFinite()) return {};
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   const Eigen::Vector3d variances = solver.eigenvalues().cwiseMax(0.0);  // ascending
+  const auto side = [&](int k, const glm::dvec3& axis) {
+    return longer_side(positions, mean, std::sqrt(variances[k]), axis);
+  };
   const auto axis = [&](int k) {
     const Eigen::Vector3d v = solver.eigenvectors().col(k);
-    return towards_longer_side(positions, mean, std::sqrt(variances[k]), {v[0], v[1], v[2]});
+    const glm::dvec3 either(v[0], v[1], v[2]);
+    const double own = side(k, either);
+    return either * (own != 0.0 ? own : side_of_world(either));
   };
   const double least = kLeastDifference * variances[2];
   const bool is_long = variances[2] - variances[1] > least;
@@ -87,7 +141,8 @@ WorkingFrame working_frame(const std::vector<glm::dvec3>& positions) {
   if (is_long && is_flat) {
     const glm::dvec3 longest = axis(2);
     const glm::dvec3 second = axis(1);
-    return {mean, {longest, second, glm::cross(longest, second)}};
+    const glm::dvec3 right_handed = glm::cross(longest, second);
+    return {mean, {longest, second, right_handed * (side(0, right_handed) < 0.0 ? -1.0 : 1.0)}};
   }
   if (is_long) return {mean, axes_about(axis(2))};
   if (is_flat) return {mean, axes_about(axis(0))};
@@ -107,6 +162,7 @@ void to_working_frame(const WorkingFrame& frame, Points& points) {
   for (CornerTangents& corners : points.corner_tangents) {
     for (glm::vec4& tangent : corners) tangent = {glm::dvec3(tangent) * frame.axes, tangent.w};
   }
+  if (is_left_handed(frame)) reverse_triangles(points);
   if (points.viewpoint) *points.viewpoint = position_in(frame, *points.viewpoint);
   for (glm::dvec3& scanner : points.scanners) scanner = position_in(frame, scanner);
 }
@@ -116,6 +172,7 @@ void to_world_frame(const WorkingFrame& frame, std::vector<Patch>& patches) {
   for (Patch& patch : patches) {
     patch.origin = frame.origin + frame.axes * patch.origin;
     patch.axes = frame.axes * patch.axes;
+    if (is_left_handed(frame)) transpose(patch);
   }
 }
 

@@ -14,25 +14,27 @@ namespace relief {
 /// A frame in the world.
 struct WorkingFrame {
   glm::dvec3 origin{0.0};
-  glm::dmat3 axes{1.0};  ///< columns: right-handed unit vectors
+  glm::dmat3 axes{1.0};  ///< columns: orthonormal; left-handed where that is the scan's own
 
   bool operator==(const WorkingFrame&) const = default;
 };
 
-/// Returns the frame that turns with a scan: its axes are the principal axes of the points, from
-/// the longest on, each towards the side on which the points reach farther (the third moment).
-/// Where moments do not tell axes apart, as of a sphere or a cube, the world's axes stand in for
-/// them. A scan that has no axes of its own stays in the world frame.
+/// Returns the frame that turns with a scan, and is mirrored with it: its axes are the principal
+/// axes of the points, from the longest on, each towards the side on which the points reach farther
+/// (the third moment). Where moments do not tell axes apart, as of a sphere or a cube, the world's
+/// axes stand in for them. A scan that has no axes of its own stays in the world frame.
 [[nodiscard]] WorkingFrame working_frame(const std::vector<glm::dvec3>& positions);
 
 // From the world frame to a working one.
 
-/// Moves all positions and directions of a scan; positions are in working units
-/// (preprocess/working_unit.h). How the scan stands remains as it is in the world.
+/// Moves all positions and directions of a scan, and keeps triangles counter-clockwise; positions
+/// are in working units (preprocess/working_unit.h). How the scan stands remains as it is in the
+/// world.
 void to_working_frame(const WorkingFrame& frame, Points& points);
 [[nodiscard]] SideChoice to_working_frame(const WorkingFrame& frame, SideChoice side);
 
-/// Moves patches from a working frame to the world's.
+/// Moves patches from a working frame to the world's. They stay right-handed: from a left-handed
+/// frame their rows become columns.
 void to_world_frame(const WorkingFrame& frame, std::vector<Patch>& patches);
 
 }  // namespace relief

@@ -121,6 +121,23 @@ glm::dvec3 robust_bend(std::span<Lean> leans) {
   return limit(bend * explained_share(leans, bend));
 }
 
+/// Turns the axes into the directions in which the surfel bends most and least. Nothing but the
+/// surface then says how its curved shape is divided into triangles.
+void turn_to_principal_directions(SurfelFrame& frame) {
+  const glm::dvec3 bend = frame.bend;
+  const double half = 0.5 * (bend.x - bend.z);
+  const double apart = std::hypot(half, bend.y);
+  if (!(apart > 0.0)) return;
+  const double mean = 0.5 * (bend.x + bend.z);
+  // The larger of the two by magnitude.
+  const double sign = mean < 0.0 ? -1.0 : 1.0;
+  const double angle = 0.5 * std::atan2(sign * bend.y, sign * half);
+  const glm::dvec3 u = frame.u;
+  frame.u = std::cos(angle) * u + std::sin(angle) * frame.v;
+  frame.v = std::cos(angle) * frame.v - std::sin(angle) * u;
+  frame.bend = {mean + sign * apart, 0.0, mean - sign * apart};
+}
+
 }  // namespace
 
 // A normal that is not a unit vector makes a flat surfel that faces along z.
@@ -156,6 +173,7 @@ Result<std::vector<SurfelFrame>> find_surfel_frames(std::span<const glm::dvec3> 
       }
       frame.bend = robust_bend(std::span(leans).first(count)) / radius;
       if (!is_finite(frame.bend)) frame.bend = glm::dvec3(0.0);  // of radii that are all but 0
+      turn_to_principal_directions(frame);
     }
     progress.advance(range.size());
   });

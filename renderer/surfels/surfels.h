@@ -37,7 +37,7 @@ Result<SurfelSizes> find_surfel_sizes(std::span<const glm::dvec3> positions,
 
 /// How a surfel bends: its height over the tangent plane at offset (x, y) along its axes is
 /// (bend.x x^2 + 2 bend.y x y + bend.z y^2) / 2, world units: the second fundamental form by the
-/// neighbours' normals.
+/// neighbours' normals. The axes are those of its principal curvatures, the stronger first.
 struct SurfelFrame {
   glm::dvec3 u{0.0};  ///< unit, in the tangent plane
   glm::dvec3 v{0.0};  ///< unit, n = u x v

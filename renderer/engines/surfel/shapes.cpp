@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 #include <span>
 
@@ -17,11 +18,12 @@ constexpr double kSlack = 1.001;
 /// Surfels that one call draws: their elements take 16 KB times the triangles of one.
 constexpr std::uint32_t kSurfelsPerDraw = 4096;
 
+/// The corners of the regular polygon about a disc. The first lies on the first axis.
 std::vector<glm::vec2> ring(int sides, double radius) {
   std::vector<glm::vec2> corners;
   const double reach = kSlack * radius / std::cos(std::numbers::pi / sides);
   for (int k = 0; k < sides; ++k) {
-    const double angle = 2.0 * std::numbers::pi * (k + 0.5) / sides;
+    const double angle = 2.0 * std::numbers::pi * k / sides;
     corners.emplace_back(reach * std::cos(angle), reach * std::sin(angle));
   }
   return corners;
@@ -53,10 +55,14 @@ ShapeOutline polygon_outline(int sides) {
   return outline;
 }
 
+// The shape is its own mirror image about both axes: a quad's diagonal depends on its quadrant. So
+// a mirrored scan looks mirrored.
 ShapeOutline curved_outline() {
+  static_assert(kCurvedSides % 4 == 0, "quads lie in one quadrant each");
   ShapeOutline outline{{glm::vec2(0.0F)}, {}};
-  const auto add = [&outline](int corner) {
-    outline.triangles.push_back(static_cast<std::uint16_t>(corner));
+  const auto add = [&outline](std::initializer_list<int> corners) {
+    for (const int corner : corners)
+      outline.triangles.push_back(static_cast<std::uint16_t>(corner));
   };
   for (int r = 1; r <= kCurvedRings; ++r) {
     const auto corners = ring(kCurvedSides, static_cast<double>(r) / kCurvedRings);
@@ -65,9 +71,14 @@ ShapeOutline curved_outline() {
     const int inner = outer - kCurvedSides;
     for (int k = 0; k < kCurvedSides; ++k) {
       const int next = (k + 1) % kCurvedSides;
-      for (const int corner : {r == 1 ? 0 : inner + k, outer + k, outer + next}) add(corner);
-      if (r == 1) continue;
-      for (const int corner : {inner + k, outer + next, inner + next}) add(corner);
+      const bool even_quadrant = (4 * k / kCurvedSides) % 2 == 0;
+      if (r == 1) {
+        add({0, outer + k, outer + next});
+      } else if (even_quadrant) {
+        add({inner + k, outer + k, outer + next, inner + k, outer + next, inner + next});
+      } else {
+        add({inner + k, outer + k, inner + next, outer + k, outer + next, inner + next});
+      }
     }
   }
   return outline;

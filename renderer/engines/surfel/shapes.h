@@ -10,7 +10,7 @@
 
 namespace relief::surfel {
 
-/// Corners in the disc of radius 1, and triangles between them, counter-clockwise seen from the
+/// Corners about the disc of radius 1, the first on the first axis, and triangles between them, counter-clockwise seen from the
 /// normal's tip.
 struct ShapeOutline {
   std::vector<glm::vec2> corners;

@@ -1,11 +1,14 @@
-// Conversions of scans that lie in any direction.
+// Conversions of scans that lie in any direction, and of mirrored ones.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <utility>
 
+#include "common/octahedral.h"
 #include "preprocess/convert.h"
 #include "preprocess/working_frame.h"
 #include "tests/preprocess/surfaces.h"
@@ -26,9 +29,13 @@ Points bent_torus() {
   return points;
 }
 
+/// By a mirror, too, which makes clockwise triangles of counter-clockwise ones.
 Points turned(Points points, const glm::dmat3& matrix) {
   for (glm::dvec3& p : points.positions) p = matrix * p;
   for (glm::vec3& n : points.normals) n = matrix * glm::dvec3(n);
+  if (glm::determinant(matrix) < 0.0) {
+    for (Triangle& triangle : points.triangles) std::swap(triangle[0], triangle[2]);
+  }
   return points;
 }
 
@@ -40,24 +47,50 @@ PatchModel model_of(const Points& points, const ConvertOptions& options = {}) {
   return {};
 }
 
-/// Every sample is where it was before the turn, but for the last step of its height.
-void expect_turned(const PatchModel& before, const PatchModel& after, const glm::dmat3& matrix) {
-  ASSERT_EQ(before.patches.size(), after.patches.size());
-  for (std::size_t p = 0; p < before.patches.size(); ++p) {
-    const Patch& a = before.patches[p];
-    const Patch& b = after.patches[p];
-    ASSERT_EQ(a.width, b.width);
-    ASSERT_EQ(a.height, b.height);
-    for (std::uint32_t j = 0; j < a.height; ++j) {
-      for (std::uint32_t i = 0; i < a.width; ++i) {
-        ASSERT_EQ(a.at(i, j) == kHole, b.at(i, j) == kHole);
-        if (a.at(i, j) == kHole) continue;
-        const double off = glm::distance(matrix * position_of(a, i, j), position_of(b, i, j));
-        ASSERT_LE(off, 1.001 * a.height_step);
+glm::dvec3 normal_of(const Patch& patch, std::uint32_t i, std::uint32_t j) {
+  return patch.axes * glm::dvec3(unit_from_snorm16(texel_at(patch.normals, i, j)));
+}
+
+/// Node (i, j) of `a` is node (j, i) of `b` where one is mirrored, else (i, j).
+void expect_turned(const Patch& a, const Patch& b, const glm::dmat3& matrix) {
+  const bool is_mirrored = glm::determinant(matrix) < 0.0;
+  ASSERT_EQ(a.width, is_mirrored ? b.height : b.width);
+  ASSERT_EQ(a.height, is_mirrored ? b.width : b.height);
+  EXPECT_NEAR(glm::determinant(b.axes), 1.0, 1e-12);
+  EXPECT_EQ(a.normals.scale, b.normals.scale);
+  for (std::uint32_t row = 0; row < a.height; ++row) {
+    for (std::uint32_t column = 0; column < a.width; ++column) {
+      const std::uint32_t i = is_mirrored ? row : column;
+      const std::uint32_t j = is_mirrored ? column : row;
+      ASSERT_EQ(a.at(column, row) == kHole, b.at(i, j) == kHole);
+      if (a.at(column, row) == kHole) continue;
+      const double off = glm::distance(matrix * position_of(a, column, row), position_of(b, i, j));
+      ASSERT_LE(off, 1.001 * a.height_step);
+      // Steps of 16-bit normals are 3e-5.
+      ASSERT_LE(glm::distance(matrix * normal_of(a, column, row), normal_of(b, i, j)), 1e-4);
+      if (!a.colours.empty()) {
+        ASSERT_EQ(texel_at(a.colours, column, row), texel_at(b.colours, i, j));
       }
+      for (std::size_t k = 0; k < a.scalars.size(); ++k)
+        ASSERT_EQ(texel_at(a.scalars[k], column, row), texel_at(b.scalars[k], i, j));
     }
   }
 }
+
+/// Every sample is where it was before the turn, but for the last step of its height.
+void expect_turned(const PatchModel& before, const PatchModel& after, const glm::dmat3& matrix) {
+  ASSERT_EQ(before.patches.size(), after.patches.size());
+  for (std::size_t p = 0; p < before.patches.size(); ++p)
+    expect_turned(before.patches[p], after.patches[p], matrix);
+}
+
+glm::dvec3 mean_normal(const PatchModel& model) {
+  glm::dvec3 sum(0.0);
+  for (const Patch& patch : model.patches) sum += patch.axes[2];
+  return sum;
+}
+
+const glm::dmat3 kMirror{{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 // Patches were cut along the world's axes: other patches for each turn.
 TEST(TurnedScans, HaveTheSamePatches) {
@@ -67,6 +100,30 @@ TEST(TurnedScans, HaveTheSamePatches) {
   for (const glm::dmat3& matrix : {turn(1e-3, {0, 0, 1}), turn(90, {0, 1, 0}), turn(45, {1, 0, 0}),
                                    turn(37, {1, 2, 3}), turn(180, {1, 2, 3})})
     expect_turned(as_it_is, model_of(turned(points, matrix)), matrix);
+}
+
+// Frames were right-handed: other patches for a mirrored scan.
+TEST(MirroredScans, HaveTheSamePatches) {
+  const Points points = bent_torus();
+  const PatchModel as_it_is = model_of(points);
+  for (const glm::dmat3& matrix : {kMirror, -glm::dmat3(1.0), turn(37, {1, 2, 3}) * kMirror})
+    expect_turned(as_it_is, model_of(turned(points, matrix)), matrix);
+}
+
+TEST(MirroredScans, KeepAllThatTheirMeshHas) {
+  Points mesh = test::square_mesh({40, 24}, 0.05, [](double x, double y) {
+    return 0.3 * x * x + 0.2 * std::sin(2.0 * x + 3.0 * y * y);
+  });
+  mesh.scalars.emplace_back().name = "height";
+  for (const glm::dvec3& p : mesh.positions) {
+    mesh.colours.emplace_back(100.0 * p.x, 200.0 * p.y, 90);
+    mesh.scalars.front().values.push_back(static_cast<float>(p.z));
+  }
+  const PatchModel as_it_is = model_of(mesh);
+  ASSERT_TRUE(as_it_is.has_colours);
+  ASSERT_EQ(as_it_is.scalars.size(), 1U);
+  expect_turned(as_it_is, model_of(turned(mesh, kMirror)), kMirror);
+  EXPECT_GT(mean_normal(model_of(turned(mesh, kMirror))).z, 0.0);
 }
 
 TEST(TurnedScans, HaveTheirBoundsInTheWorld) {
@@ -95,12 +152,6 @@ Points leaning_sheet() {
       {40, 24}, 0.05, [](double x, double y) { return 0.4 * x + 0.05 * std::sin(3.0 * x) * y; });
   points.triangles.clear();
   return points;
-}
-
-glm::dvec3 mean_normal(const PatchModel& model) {
-  glm::dvec3 sum(0.0);
-  for (const Patch& patch : model.patches) sum += patch.axes[2];
-  return sum;
 }
 
 TEST(TurnedScans, AreSeenFromWhereTheOptionsSay) {
@@ -146,6 +197,34 @@ TEST(WorkingFrame, TurnsWithThePoints) {
   const WorkingFrame after = working_frame(moved);
   for (int k = 0; k < 3; ++k)
     EXPECT_LT(glm::distance(matrix * before.axes[k], after.axes[k]), 1e-12) << k;
+}
+
+TEST(WorkingFrame, IsMirroredWithThePoints) {
+  std::vector<glm::dvec3> corners = corners_of_box({1.0, 0.6, 0.2});
+  const WorkingFrame before = working_frame(corners);
+  for (glm::dvec3& p : corners) p = kMirror * p;
+  const WorkingFrame after = working_frame(corners);
+  for (int k = 0; k < 3; ++k)
+    EXPECT_LT(glm::distance(kMirror * before.axes[k], after.axes[k]), 1e-12) << k;
+}
+
+TEST(WorkingFrame, IsRightHandedWhereNoSideDiffers) {
+  for (const glm::dvec3& size : {glm::dvec3(1.0, 0.6, 0.2), glm::dvec3(0.2, 0.6, 1.0)})
+    EXPECT_NEAR(glm::determinant(working_frame(corners_of_box(size, true)).axes), 1.0, 1e-12);
+}
+
+// The v axis of a texture is w times the cross product of normal and tangent.
+TEST(WorkingFrame, TurnsTrianglesOfMirroredMeshesRound) {
+  Points mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles = {{0, 1, 2}};
+  mesh.corner_texcoords = {{glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(0, 1)}};
+  mesh.corner_tangents = {{glm::vec4(1, 0, 0, 1), glm::vec4(2, 0, 0, 1), glm::vec4(3, 0, 0, 1)}};
+  to_working_frame({.axes = kMirror}, mesh);
+  EXPECT_EQ(mesh.triangles.front(), (Triangle{0, 2, 1}));
+  EXPECT_EQ(mesh.corner_texcoords.front()[1], glm::vec2(0, 1));
+  EXPECT_EQ(mesh.corner_tangents.front()[0], glm::vec4(-1, 0, 0, -1));
+  EXPECT_EQ(mesh.corner_tangents.front()[1], glm::vec4(-3, 0, 0, -1));
 }
 
 TEST(WorkingFrame, IsTheWorldsWhereNoDirectionDiffers) {
