@@ -109,7 +109,7 @@ def measure(relief, vertices, triangles):
 
 
 def accuracy(relief, body, section):
-    """A mirrored scan has other patches. Shows that they are as good."""
+    """Shows that patches are as near to the scan in any frame."""
     rows = []
     for name, matrix in [("as it is", np.eye(3)), *[(f"{d:g} about {a}", rotation(a, d)) for a, d in TURNS],
                          ("mirrored", np.diag([-1.0, 1, 1]))]:
@@ -119,8 +119,8 @@ def accuracy(relief, body, section):
         truth = shot(relief, "raytrace", patches, scan, *view)
         image = shot(relief, "onepass", patches, scan, *view)
         rows.append([name, report["patches"], f"{report['psnr_db']:.2f}", decibels(psnr(image, truth))])
-    section.text("A [conversion has a frame of its own](decisions/0142-conversions-have-their-own-frame.md), which turns with the scan. "
-                 "It is right-handed, so that a mirrored scan gets other patches. They are as near to the scan:")
+    section.text("A [conversion has a frame of its own](decisions/0142-conversions-have-their-own-frame.md), which turns with the scan "
+                 "and is mirrored with it. How near the patches are to the scan:")
     section.table(["turn", "patches", "points to patches, dB", "picture to ray-traced mesh, dB"], rows)
 
 
